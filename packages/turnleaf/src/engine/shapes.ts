@@ -1,0 +1,33 @@
+/**
+ * Shapes that cross the wall between engine and viewer, as flat arrays over the
+ * engine's own memory. Book space: metres; x across the spine to the right,
+ * y along the spine to the head, z up from the table; the spine lies at x = 0,
+ * the foot of the pages at y = 0.
+ */
+
+/** The drawn mesh of a leaf in flight, row by row from the foot; a row runs from the spine to the fore-edge. */
+export interface Surface {
+  /** Points along a row. */
+  readonly columns: number;
+  /** Points along the spine. */
+  readonly rows: number;
+  /** x, y, z of each point in metres: 3 * columns * rows. */
+  readonly positions: Float32Array;
+  /** Unit normal of each point, on the recto's side: 3 * columns * rows. */
+  readonly normals: Float32Array;
+  /** Rises whenever positions change. */
+  readonly version: number;
+}
+
+/**
+ * The resting pages on one side, as curves across the spine: `layers` curves
+ * from the uppermost page down to the board, each of `columns` points (x, z) in
+ * metres from the spine to the fore-edge. Columns lie at the same u as a
+ * leaf's, so that page and leaf meet without a seam.
+ */
+export interface Pile {
+  readonly columns: number;
+  readonly layers: number;
+  /** x, z of each point: 2 * columns * layers. */
+  readonly curves: Float32Array;
+}
