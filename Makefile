@@ -1,0 +1,78 @@
+# Turnleaf. `make` reads the book that comes with it; `make BOOK=my.pdf` another.
+# `make test` runs every test, `make check` every other check, `make bench` the
+# benchmarks. Each installs what it needs.
+
+BOOK ?= books/moby-dick.pdf
+PORT ?=
+OPEN ?= yes
+
+# npm's own summary of licences and funding is noise in a first run.
+NPM_QUIET = --no-audit --no-fund --loglevel=error
+CLI = packages/cli/dist/main.js
+WASM = packages/turnleaf/src/engine/turnleaf.wasm
+MODULES = node_modules/.package-lock.json
+SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
+
+.PHONY: read build wasm test test-rust test-js check check-rust check-js bench pictures book clean tools-rust chromium
+
+read: build
+	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
+
+build: packages/cli/dist/.built
+
+$(MODULES): package.json package-lock.json packages/turnleaf/package.json packages/cli/package.json
+	@node -e 'const v=process.versions.node.split(".").map(Number);if(v[0]<20||(v[0]===20&&v[1]<19)){console.error("Turnleaf needs Node 20.19 or later; this is "+process.version+".");process.exit(1)}'
+	npm ci $(NPM_QUIET)
+	@touch $@
+
+packages/cli/dist/.built: $(MODULES) $(SOURCES)
+	npm run --silent build
+	@touch $@
+
+# The engine as WASM. The file is committed, so that a build needs no Rust.
+wasm: tools-rust
+	node scripts/build_wasm.mjs
+
+tools-rust:
+	@command -v cargo >/dev/null || { echo "This needs Rust: install rustup, then run it again. Reading a book (make) does not need it." >&2; exit 1; }
+
+# Chromium: the system's, else from the system's packages.
+chromium: $(MODULES)
+	@sh scripts/install_chromium.sh
+
+test: test-rust test-js
+
+test-rust: tools-rust
+	cargo test --release --workspace --quiet
+
+test-js: build chromium
+	node scripts/build_wasm.mjs --verify
+	node --test wasm/tests/
+	npx vitest run
+
+check: check-rust check-js
+
+check-rust: tools-rust
+	cargo fmt --all --check
+	cargo clippy --workspace --all-targets --quiet -- -D warnings
+	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --quiet
+
+check-js: build
+	npx biome ci --reporter=summary .
+	npm run --silent types
+	node scripts/check_imports.mjs
+
+bench: build tools-rust chromium
+	cargo bench --workspace
+	node bench/engine_wasm.mjs
+
+# Screenshots of the README and docs, from the real thing.
+pictures: build chromium
+	node scripts/pictures.mjs
+
+# The book that comes with it, set anew from its text.
+book: $(MODULES)
+	npm run --silent book
+
+clean:
+	rm -rf node_modules packages/*/node_modules packages/*/dist target

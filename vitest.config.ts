@@ -1,0 +1,42 @@
+import { playwright } from "@vitest/browser-playwright";
+import { defineConfig } from "vitest/config";
+import { chromiumArguments, findChromium } from "./scripts/chromium.mjs";
+import { wasmInline } from "./packages/turnleaf/wasm_inline.js";
+
+/** `*.test.ts` runs in Node; `*.browser.test.ts` runs in the real Chromium of this machine. */
+export default defineConfig({
+  test: {
+    projects: [
+      {
+        plugins: [wasmInline()],
+        test: {
+          name: "node",
+          environment: "node",
+          include: ["packages/**/*.test.ts", "books/**/*.test.{ts,mjs}", "scripts/**/*.test.mjs"],
+          exclude: ["**/*.browser.test.ts", "**/node_modules/**", "**/dist/**"],
+          testTimeout: 60_000,
+        },
+      },
+      {
+        plugins: [wasmInline()],
+        optimizeDeps: { include: ["three", "pdfjs-dist"] },
+        test: {
+          name: "chromium",
+          include: ["packages/**/*.browser.test.ts"],
+          exclude: ["**/node_modules/**", "**/dist/**"],
+          testTimeout: 60_000,
+          fileParallelism: false,
+          browser: {
+            enabled: true,
+            headless: true,
+            screenshotFailures: false,
+            provider: playwright({
+              launchOptions: { executablePath: findChromium(), args: chromiumArguments },
+            }),
+            instances: [{ browser: "chromium", viewport: { width: 800, height: 600 } }],
+          },
+        },
+      },
+    ],
+  },
+});
