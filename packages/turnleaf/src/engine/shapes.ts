@@ -31,3 +31,12 @@ export interface Pile {
   /** x, z of each point: 2 * columns * layers. */
   readonly curves: Float32Array;
 }
+
+/** A point or direction in book space. */
+export type Vec3 = readonly [x: number, y: number, z: number];
+
+/** A line of sight in book space; the direction need not have unit length. */
+export interface Ray {
+  readonly origin: Vec3;
+  readonly direction: Vec3;
+}

@@ -1,0 +1,303 @@
+//! The resting pile of pages on one side of an open book.
+//!
+//! A page that is bound at the spine and lies on a pile rises steeply out of
+//! the gutter, bends over and lies down. Its tangent's angle over the arc
+//! length s from the spine is
+//!
+//! ```text
+//! theta(s) = theta0 exp(-(s/a)^1.25) - c (s/b)^2 exp(2 - 2 s/b)
+//! ```
+//!
+//! The first term is the rise out of the gutter, over a length `a` in
+//! proportion to the pile's thickness; the second lets the page sink behind the
+//! hump, with `c` found so that the fore-edge lands at its height in the pile.
+//! The shape is a fit to photographs of open books, not a solution of
+//! elasticity. Pages deeper in the pile are bound farther from the gutter and
+//! rise less, so the pile fans out as leaves glued to a flat spine do.
+
+use super::Side;
+
+/// Curves in a pile, from the uppermost page to the board.
+pub const LAYERS: usize = 6;
+
+/// Steps of the quadrature between two columns; with 4 the fore-edge's place
+/// is right to 0.01 mm.
+const SUBSTEPS: usize = 4;
+
+/// Length over which a page sinks behind the hump, metres.
+const SINK_LENGTH: f64 = 0.030;
+
+/// Angle at which the uppermost page of a thick pile leaves the gutter, radians.
+const STEEPEST: f64 = 76.0 * core::f64::consts::PI / 180.0;
+
+/// Angle at which the lowest page leaves the gutter, radians.
+const FLATTEST: f64 = 6.0 * core::f64::consts::PI / 180.0;
+
+/// Where the columns of pages and leaves lie: u from 0 at the spine to 1 at the
+/// fore-edge, crowded toward the spine, where pages bend most.
+///
+/// `columns` is the number of columns, at least 2.
+pub fn crowded_columns(columns: usize) -> Vec<f32> {
+    let last = (columns - 1) as f64;
+    (0..columns)
+        .map(|i| libm::pow(i as f64 / last, 1.7) as f32)
+        .collect()
+}
+
+/// The resting pages of one side as curves in the plane across the spine.
+#[derive(Clone, Debug)]
+pub struct Pile {
+    columns: usize,
+    /// x, z of each point, layer by layer from the top: 2 * columns * LAYERS.
+    curves: Vec<f32>,
+    /// Angle of the uppermost page's tangent, radians, midway between columns.
+    angles: Vec<f32>,
+}
+
+impl Pile {
+    /// The pile of `thickness` metres on `side`, of pages `width` metres wide,
+    /// at the columns `u` (see [`crowded_columns`]).
+    ///
+    /// A thickness of 0 gives pages flat on the board.
+    pub fn new(side: Side, width: f64, thickness: f64, u: &[f32]) -> Pile {
+        let columns = u.len();
+        let mut curves = vec![0.0; 2 * columns * LAYERS];
+        let mut angles = vec![0.0; columns - 1];
+        for (layer, curve) in curves.chunks_exact_mut(2 * columns).enumerate() {
+            let depth = layer as f64 / (LAYERS - 1) as f64;
+            let page = PageCurve::in_pile(thickness, depth, width);
+            page.trace(u, width, side, curve);
+            if layer == 0 {
+                for (k, angle) in angles.iter_mut().enumerate() {
+                    let s = 0.5 * (u[k] as f64 + u[k + 1] as f64) * width;
+                    *angle = page.angle(s) as f32;
+                }
+            }
+        }
+        Pile {
+            columns,
+            curves,
+            angles,
+        }
+    }
+
+    /// Sets this pile to a share `t` (0 to 1) of the way from `a` to `b`, which
+    /// have the same columns.
+    pub fn blend(&mut self, a: &Pile, b: &Pile, t: f32) {
+        let mix = |out: &mut [f32], a: &[f32], b: &[f32]| {
+            for ((out, a), b) in out.iter_mut().zip(a).zip(b) {
+                *out = a + (b - a) * t;
+            }
+        };
+        mix(&mut self.curves, &a.curves, &b.curves);
+        mix(&mut self.angles, &a.angles, &b.angles);
+    }
+
+    /// Points along each curve.
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// x, z in metres of each point, layer by layer from the uppermost page to
+    /// the board: 2 * columns * [`LAYERS`].
+    pub fn curves(&self) -> &[f32] {
+        &self.curves
+    }
+
+    /// Angle of the uppermost page's tangent above the table, radians, midway
+    /// between column k and k + 1: columns - 1 of them. Counted upward on both
+    /// sides.
+    pub fn angles(&self) -> &[f32] {
+        &self.angles
+    }
+
+    /// Height in metres of the uppermost page at a distance `x` >= 0 from the
+    /// gutter; beyond the fore-edge, the fore-edge's.
+    pub fn height(&self, x: f32) -> f32 {
+        let top = &self.curves[..2 * self.columns];
+        let reach = |k: usize| top[2 * k].abs();
+        // Columns crowd toward the spine, so walking from there is short where
+        // most points are.
+        let mut k = 1;
+        while k < self.columns - 1 && reach(k) < x {
+            k += 1;
+        }
+        let (x0, x1) = (reach(k - 1), reach(k));
+        let t = ((x - x0) / (x1 - x0).max(1e-9)).clamp(0.0, 1.0);
+        top[2 * k - 1] + (top[2 * k + 1] - top[2 * k - 1]) * t
+    }
+}
+
+/// One page's curve: its place at the spine and the constants of its angle.
+struct PageCurve {
+    /// Distance of the page's binding from the gutter, metres.
+    root: f64,
+    rise_angle: f64,
+    rise_length: f64,
+    sink: f64,
+}
+
+impl PageCurve {
+    /// The page at `depth` (0 uppermost, 1 on the board) in a pile of
+    /// `thickness`, with the sink found by bisection so that the fore-edge
+    /// lands at its height.
+    fn in_pile(thickness: f64, depth: f64, width: f64) -> PageCurve {
+        let height = thickness * (1.0 - depth);
+        // A thin pile cannot rise steeply: its page would stand up as a ridge.
+        let steepest = FLATTEST + (STEEPEST - FLATTEST) * thickness / (thickness + 0.0015);
+        let mut page = PageCurve {
+            root: thickness * depth,
+            rise_angle: if thickness > 0.0 {
+                FLATTEST + (steepest - FLATTEST) * libm::pow(1.0 - depth, 0.8)
+            } else {
+                0.0
+            },
+            rise_length: (0.9 * thickness).max(0.004),
+            sink: 0.0,
+        };
+        let (mut low, mut high) = (-1.5, 1.5);
+        for _ in 0..30 {
+            page.sink = 0.5 * (low + high);
+            // More sink, lower fore-edge.
+            if page.fore_edge_height(width) > height {
+                low = page.sink;
+            } else {
+                high = page.sink;
+            }
+        }
+        page
+    }
+
+    fn angle(&self, s: f64) -> f64 {
+        let t = s / SINK_LENGTH;
+        self.rise_angle * libm::exp(-libm::pow(s / self.rise_length, 1.25))
+            - self.sink * t * t * libm::exp(2.0 - 2.0 * t)
+    }
+
+    fn fore_edge_height(&self, width: f64) -> f64 {
+        // Steps crowd toward the spine as the columns do.
+        let n = 64;
+        let place = |i: usize| width * libm::pow(i as f64 / n as f64, 1.7);
+        (0..n)
+            .map(|i| {
+                let (s0, s1) = (place(i), place(i + 1));
+                libm::sin(self.angle(0.5 * (s0 + s1))) * (s1 - s0)
+            })
+            .sum()
+    }
+
+    /// Writes x, z at the columns `u`.
+    fn trace(&self, u: &[f32], width: f64, side: Side, curve: &mut [f32]) {
+        let (mut x, mut z, mut s) = (self.root, 0.0, 0.0);
+        for (k, point) in curve.chunks_exact_mut(2).enumerate() {
+            let end = u[k] as f64 * width;
+            let ds = (end - s) / SUBSTEPS as f64;
+            for i in 0..SUBSTEPS {
+                let angle = self.angle(s + (i as f64 + 0.5) * ds);
+                x += libm::cos(angle) * ds;
+                z += libm::sin(angle) * ds;
+            }
+            s = end;
+            point[0] = side.sign() * x as f32;
+            point[1] = z as f32;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WIDTH: f64 = 0.14;
+
+    fn layer(pile: &Pile, layer: usize) -> Vec<(f32, f32)> {
+        let n = 2 * pile.columns();
+        pile.curves()[layer * n..(layer + 1) * n]
+            .chunks_exact(2)
+            .map(|p| (p[0], p[1]))
+            .collect()
+    }
+
+    fn height_at(curve: &[(f32, f32)], x: f32) -> Option<f32> {
+        curve.windows(2).find_map(|w| {
+            let ((x0, z0), (x1, z1)) = (w[0], w[1]);
+            (x0 <= x && x <= x1).then(|| z0 + (z1 - z0) * (x - x0) / (x1 - x0))
+        })
+    }
+
+    #[test]
+    fn fore_edges_land_at_their_heights() {
+        let u = crowded_columns(49);
+        for thickness in [0.0, 0.0002, 0.001, 0.005, 0.01, 0.02, 0.03] {
+            let pile = Pile::new(Side::Right, WIDTH, thickness, &u);
+            for k in 0..LAYERS {
+                let height = thickness * (1.0 - k as f64 / (LAYERS - 1) as f64);
+                let end = *layer(&pile, k).last().unwrap();
+                assert!(
+                    (end.1 as f64 - height).abs() < 1e-4,
+                    "thickness {thickness}, layer {k}: {} for {height}",
+                    end.1
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn pages_keep_their_length_and_never_stand_beyond_vertical() {
+        let u = crowded_columns(49);
+        for thickness in [0.001, 0.01, 0.02] {
+            let pile = Pile::new(Side::Right, WIDTH, thickness, &u);
+            let top = layer(&pile, 0);
+            let length: f32 = top
+                .windows(2)
+                .map(|w| (w[1].0 - w[0].0).hypot(w[1].1 - w[0].1))
+                .sum();
+            assert!((length / WIDTH as f32 - 1.0).abs() < 5e-3, "{length}");
+            assert!(top.windows(2).all(|w| w[1].0 > w[0].0));
+        }
+    }
+
+    #[test]
+    fn layers_lie_upon_each_other_without_crossing() {
+        let u = crowded_columns(49);
+        for thickness in [0.0005, 0.002, 0.005, 0.01, 0.015, 0.02] {
+            let pile = Pile::new(Side::Right, WIDTH, thickness, &u);
+            for k in 1..LAYERS {
+                let (upper, lower) = (layer(&pile, k - 1), layer(&pile, k));
+                for &(x, z) in &upper {
+                    if let Some(below) = height_at(&lower, x) {
+                        assert!(
+                            z >= below - 2e-5,
+                            "thickness {thickness}, layer {k}: {z} under {below} at {x}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn left_is_the_mirror_of_right() {
+        let u = crowded_columns(49);
+        let right = Pile::new(Side::Right, WIDTH, 0.008, &u);
+        let left = Pile::new(Side::Left, WIDTH, 0.008, &u);
+        for (r, l) in right
+            .curves()
+            .chunks_exact(2)
+            .zip(left.curves().chunks_exact(2))
+        {
+            assert_eq!((r[0], r[1]), (-l[0], l[1]));
+        }
+        assert_eq!(right.angles(), left.angles());
+    }
+
+    #[test]
+    fn height_is_the_top_curve() {
+        let u = crowded_columns(49);
+        let pile = Pile::new(Side::Left, WIDTH, 0.01, &u);
+        for &(x, z) in &layer(&pile, 0) {
+            assert!((pile.height(-x) - z).abs() < 1e-6);
+        }
+        assert_eq!(pile.height(1.0), layer(&pile, 0).last().unwrap().1);
+    }
+}

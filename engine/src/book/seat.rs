@@ -1,0 +1,150 @@
+//! Seats a simulated leaf in the book.
+//!
+//! The models simulate a leaf over a flat table with a straight root. In a book
+//! the leaf's root leaves a gutter between two curved piles. Each row of the
+//! leaf is therefore bent further: where its tangent points at an angle phi in
+//! the plane across the spine, it is turned by
+//!
+//! ```text
+//! delta = (1 - w) theta_right(s) - w theta_left(s),   w = phi / pi
+//! ```
+//!
+//! and the row is summed up anew from the gutter. At rest on either side the
+//! leaf so lies exactly on that side's pile; in between its root stays between
+//! the two piles, so it cannot cut the opposite hump; and every segment keeps
+//! its length, so seating adds no strain along a row. What would still lie
+//! inside a pile is lifted onto it.
+
+use super::block::Pile;
+
+/// Seats the points of a leaf in place.
+///
+/// `positions` are x, y, z in metres, row by row, each row from the spine to
+/// the fore-edge; a row has as many points as the piles have columns. The
+/// piles' uppermost curves are the places where the leaf rests.
+pub fn seat(positions: &mut [f32], right: &Pile, left: &Pile) {
+    let columns = right.columns();
+    debug_assert_eq!(columns, left.columns());
+    for row in positions.chunks_exact_mut(3 * columns) {
+        bend_row(row, right.angles(), left.angles());
+        for point in row.chunks_exact_mut(3).skip(1) {
+            let pile = if point[0] >= 0.0 { right } else { left };
+            point[2] = point[2].max(pile.height(point[0].abs()));
+        }
+    }
+}
+
+fn bend_row(row: &mut [f32], right: &[f32], left: &[f32]) {
+    let (mut x0, mut z0) = (row[0], row[2]);
+    let (mut x, mut z) = (0.0, 0.0);
+    row[0] = x;
+    row[2] = z;
+    for (k, point) in row.chunks_exact_mut(3).skip(1).enumerate() {
+        let (dx, dz) = (point[0] - x0, point[2] - z0);
+        (x0, z0) = (point[0], point[2]);
+        let w = share_turned(dx, dz);
+        let (sin, cos) = libm::sincosf((1.0 - w) * right[k] - w * left[k]);
+        x += dx * cos - dz * sin;
+        z += dx * sin + dz * cos;
+        point[0] = x;
+        point[2] = z;
+    }
+}
+
+/// The angle of (dx, dz) from the right-hand side, as a share of a half turn:
+/// 0 right, 0.5 up, 1 left; downward directions mirror the upward ones.
+///
+/// acos by Abramowitz and Stegun 4.4.45, absolute error below 7e-5 rad, exact
+/// at both ends.
+pub fn share_turned(dx: f32, dz: f32) -> f32 {
+    let length = (dx * dx + dz * dz).sqrt();
+    if length < 1e-12 {
+        return 0.5;
+    }
+    let c = (dx / length).clamp(-1.0, 1.0);
+    let a = c.abs();
+    let series = 1.570_728_8 + a * (-0.212_114_4 + a * (0.074_261 - a * 0.018_729_3));
+    let share = (1.0 - a).sqrt() * series * core::f32::consts::FRAC_1_PI;
+    if c >= 0.0 { share } else { 1.0 - share }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Side;
+    use super::super::block::crowded_columns;
+    use super::*;
+
+    const WIDTH: f32 = 0.14;
+
+    fn piles(right: f64, left: f64) -> (Pile, Pile, Vec<f32>) {
+        let u = crowded_columns(49);
+        (
+            Pile::new(Side::Right, WIDTH as f64, right, &u),
+            Pile::new(Side::Left, WIDTH as f64, left, &u),
+            u,
+        )
+    }
+
+    /// A straight row of a leaf turned by `angle`.
+    fn straight(u: &[f32], angle: f32) -> Vec<f32> {
+        let (sin, cos) = libm::sincosf(angle);
+        u.iter()
+            .flat_map(|u| [u * WIDTH * cos, 0.0, u * WIDTH * sin])
+            .collect()
+    }
+
+    #[test]
+    fn share_is_the_angle() {
+        for i in 0..=180 {
+            let angle = i as f32 * core::f32::consts::PI / 180.0;
+            let (sin, cos) = libm::sincosf(angle);
+            assert!((share_turned(cos, sin) - i as f32 / 180.0).abs() < 3e-5);
+        }
+    }
+
+    #[test]
+    fn a_leaf_at_rest_lies_on_its_pile() {
+        let (right, left, u) = piles(0.012, 0.005);
+        for (angle, pile) in [(0.0, &right), (core::f32::consts::PI, &left)] {
+            let mut row = straight(&u, angle);
+            seat(&mut row, &right, &left);
+            for (p, q) in row.chunks_exact(3).zip(pile.curves().chunks_exact(2)) {
+                let distance = (p[0] - q[0]).hypot(p[2] - q[1]);
+                assert!(distance < 2e-4, "{distance} m at angle {angle}");
+            }
+        }
+    }
+
+    #[test]
+    fn rows_keep_their_length_and_stay_out_of_the_piles() {
+        let (right, left, u) = piles(0.008, 0.014);
+        for i in 1..36 {
+            let mut row = straight(&u, i as f32 * core::f32::consts::PI / 36.0);
+            seat(&mut row, &right, &left);
+            let length: f32 = row
+                .windows(6)
+                .step_by(3)
+                .map(|w| (w[3] - w[0]).hypot(w[5] - w[2]))
+                .sum();
+            if (4..32).contains(&i) {
+                assert!((length / WIDTH - 1.0).abs() < 2e-3, "{length} at {i}");
+            }
+            for p in row.chunks_exact(3) {
+                let pile = if p[0] >= 0.0 { &right } else { &left };
+                assert!(p[2] >= pile.height(p[0].abs()) - 1e-6);
+            }
+        }
+    }
+
+    #[test]
+    fn the_root_turns_steadily_between_the_piles() {
+        let (right, left, u) = piles(0.01, 0.01);
+        let mut before = f32::MAX;
+        for i in 0..=36 {
+            let mut row = straight(&u, i as f32 * core::f32::consts::PI / 36.0);
+            bend_row(&mut row, right.angles(), left.angles());
+            assert!(row[3] <= before, "the root went back at step {i}");
+            before = row[3];
+        }
+    }
+}

@@ -1,0 +1,108 @@
+/** What a line of sight meets: a place on a resting page, or on the leaf in flight. */
+
+import type { Pile, Ray, Surface } from "../engine/shapes.ts";
+
+/** A place on a leaf: u from 0 at the spine to 1 at the fore-edge, v from 0 at the foot to 1 at the head. */
+export interface Place {
+  readonly u: number;
+  readonly v: number;
+}
+
+/** A place on a leaf, and how far along the line of sight it lies. */
+export interface Hit extends Place {
+  readonly distance: number;
+}
+
+/**
+ * Where a line of sight meets the uppermost page of a pile.
+ *
+ * @param sign 1 for the pile on the right, -1 on the left
+ * @param u where the pile's columns lie
+ * @param height of the page, metres
+ */
+export function pickPile(
+  ray: Ray,
+  pile: Pile,
+  sign: 1 | -1,
+  u: Float32Array,
+  height: number,
+): Hit | null {
+  const { curves, columns } = pile;
+  let best: Hit | null = null;
+  // Each strip between two columns is a plane rectangle along y.
+  for (let k = 0; k + 1 < columns; k++) {
+    const [x0, z0, x1, z1] = [
+      curves[2 * k],
+      curves[2 * k + 1],
+      curves[2 * k + 2],
+      curves[2 * k + 3],
+    ];
+    const [nx, nz] = [-(z1 - z0) * sign, (x1 - x0) * sign];
+    const facing = ray.direction[0] * nx + ray.direction[2] * nz;
+    if (Math.abs(facing) < 1e-12) continue;
+    const distance = ((x0 - ray.origin[0]) * nx + (z0 - ray.origin[2]) * nz) / facing;
+    const along =
+      ((ray.origin[0] + distance * ray.direction[0] - x0) * (x1 - x0) +
+        (ray.origin[2] + distance * ray.direction[2] - z0) * (z1 - z0)) /
+      ((x1 - x0) ** 2 + (z1 - z0) ** 2);
+    const v = (ray.origin[1] + distance * ray.direction[1]) / height;
+    if (distance <= 0 || along < 0 || along > 1 || v < 0 || v > 1) continue;
+    if (best === null || distance < best.distance) {
+      best = { u: u[k] + (u[k + 1] - u[k]) * along, v, distance };
+    }
+  }
+  return best;
+}
+
+/**
+ * Where a line of sight meets the leaf in flight, from either side
+ * (Moeller and Trumbore 1997 for each half of a cell).
+ *
+ * @param u where the surface's columns lie
+ */
+export function pickSurface(ray: Ray, surface: Surface, u: Float32Array): Hit | null {
+  const { columns, rows } = surface;
+  let best: Hit | null = null;
+  for (let row = 0; row + 1 < rows; row++) {
+    for (let column = 0; column + 1 < columns; column++) {
+      const here = row * columns + column;
+      const cell = [here, here + 1, here + columns, here + columns + 1];
+      for (const [corner, flip] of [
+        [0, 1],
+        [3, -1],
+      ] as const) {
+        const a = cell[corner];
+        const b = flip === 1 ? cell[1] : cell[2];
+        const c = flip === 1 ? cell[2] : cell[1];
+        const hit = pickTriangle(ray, surface.positions, a, b, c);
+        if (hit === null || (best !== null && hit.distance >= best.distance)) continue;
+        const s = corner === 0 ? hit.b : 1 - hit.b;
+        const t = corner === 0 ? hit.c : 1 - hit.c;
+        best = {
+          u: u[column] + (u[column + 1] - u[column]) * s,
+          v: (row + t) / (rows - 1),
+          distance: hit.distance,
+        };
+      }
+    }
+  }
+  return best;
+}
+
+/** Weights of corners b and c where the ray meets triangle abc, and the distance there. */
+function pickTriangle(ray: Ray, at: Float32Array, a: number, b: number, c: number) {
+  const [ax, ay, az] = [at[3 * a], at[3 * a + 1], at[3 * a + 2]];
+  const [e1x, e1y, e1z] = [at[3 * b] - ax, at[3 * b + 1] - ay, at[3 * b + 2] - az];
+  const [e2x, e2y, e2z] = [at[3 * c] - ax, at[3 * c + 1] - ay, at[3 * c + 2] - az];
+  const [dx, dy, dz] = ray.direction;
+  const [px, py, pz] = [dy * e2z - dz * e2y, dz * e2x - dx * e2z, dx * e2y - dy * e2x];
+  const determinant = e1x * px + e1y * py + e1z * pz;
+  if (Math.abs(determinant) < 1e-18) return null;
+  const [tx, ty, tz] = [ray.origin[0] - ax, ray.origin[1] - ay, ray.origin[2] - az];
+  const weightB = (tx * px + ty * py + tz * pz) / determinant;
+  const [qx, qy, qz] = [ty * e1z - tz * e1y, tz * e1x - tx * e1z, tx * e1y - ty * e1x];
+  const weightC = (dx * qx + dy * qy + dz * qz) / determinant;
+  const distance = (e2x * qx + e2y * qy + e2z * qz) / determinant;
+  if (weightB < 0 || weightC < 0 || weightB + weightC > 1 || distance <= 0) return null;
+  return { b: weightB, c: weightC, distance };
+}
