@@ -1,0 +1,57 @@
+import { readdir, readFile } from "node:fs/promises";
+import { createRequire } from "node:module";
+import { dirname, join } from "node:path";
+import { gzipSync } from "node:zlib";
+
+const prefix = "packed:";
+const require = createRequire(import.meta.url);
+
+/**
+ * Lets TypeScript import a file, or a whole folder, of an npm package as text:
+ * `await import("packed:pdfjs-dist/wasm/jbig2.wasm")` yields gzip in base64. A
+ * lazy import of a module is the one kind of asset that every bundler, and a
+ * browser without one, finds with nothing to configure. A folder (its id ends
+ * in "/") becomes one file: a 4-byte little-endian length, a JSON table {name:
+ * [offset, length]} of that length, and the files' bytes. Serves both tsdown
+ * and vite, whose plugins share this shape.
+ */
+export function packedFiles() {
+  return {
+    name: "turnleaf-packed-files",
+    enforce: "pre",
+    resolveId(id) {
+      // A virtual id: the leading zero byte keeps other plugins from reading it as a path.
+      return id.startsWith(prefix) ? `\0${id}` : null;
+    },
+    async load(id) {
+      if (!id.startsWith(`\0${prefix}`)) return null;
+      const path = id.slice(prefix.length + 1);
+      const bytes = path.endsWith("/") ? await packFolder(path) : await readFile(locate(path));
+      const base64 = gzipSync(bytes, { level: 9 }).toString("base64");
+      return { code: `export default ${JSON.stringify(base64)};`, moduleType: "js", map: null };
+    },
+  };
+}
+
+/** Packages that list no `exports` for their files are found through package.json. */
+function locate(path) {
+  const [name, ...rest] = path.split("/");
+  return join(dirname(require.resolve(`${name}/package.json`)), ...rest);
+}
+
+async function packFolder(path) {
+  const folder = locate(path);
+  const names = (await readdir(folder)).filter((name) => !name.startsWith("LICENSE")).sort();
+  const files = await Promise.all(names.map((name) => readFile(join(folder, name))));
+  let offset = 0;
+  const table = Object.fromEntries(
+    files.map((file, i) => {
+      offset += file.length;
+      return [names[i], [offset - file.length, file.length]];
+    }),
+  );
+  const head = Buffer.from(JSON.stringify(table));
+  const length = Buffer.alloc(4);
+  length.writeUInt32LE(head.length);
+  return Buffer.concat([length, head, ...files]);
+}

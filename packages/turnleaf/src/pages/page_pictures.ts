@@ -1,0 +1,108 @@
+/** The pages as pictures to print on leaves: the pool's own, fitted, or what stands in for them. */
+
+import type { PagePicture, PageSource } from "../sources/page_source.ts";
+import { fitToLeaf } from "./fit.ts";
+import { PagePool } from "./page_pool.ts";
+import { barePage, failedPage, waitingPage } from "./stand_in.ts";
+
+/** Told when pictures come and go. */
+export interface PagePicturesOptions {
+  /** Some page's picture changed. */
+  readonly onArrive: () => void;
+  /** A picture will not be used again; textures made of it can be freed. */
+  readonly onDrop: (picture: PagePicture) => void;
+}
+
+/** Stand-ins kept: as many as a turn shows at once, and as many again. */
+const standInsKept = 16;
+
+/** A book's pages as pictures of its leaf's proportions. */
+export class PagePictures {
+  readonly #source: PageSource;
+  readonly #pool: PagePool;
+  readonly #aspect: number;
+  readonly #options: PagePicturesOptions;
+  readonly #fitted = new Map<PagePicture, PagePicture>();
+  readonly #standIns = new Map<string, HTMLCanvasElement>();
+  #wanted: readonly { index: number; width: number }[] = [];
+
+  /** @param aspect a leaf's width over its height */
+  constructor(source: PageSource, aspect: number, options: PagePicturesOptions) {
+    this.#source = source;
+    this.#aspect = aspect;
+    this.#options = options;
+    this.#pool = new PagePool(source, {
+      onArrive: options.onArrive,
+      onDrop: (picture) => this.#drop(picture),
+    });
+  }
+
+  /** Asks for pages (from 1), most urgent first, `width` device pixels wide. */
+  want(pages: readonly number[], width: number): void {
+    this.#wanted = pages.map((page) => ({ index: page - 1, width }));
+    this.#pool.want(this.#wanted);
+  }
+
+  /** The best picture of a page (from 1) that there is now; never nothing. */
+  get(page: number): PagePicture {
+    const picture = this.#pool.get(page - 1);
+    if (picture === null) return this.#standIn(page);
+    let fitted = this.#fitted.get(picture);
+    if (fitted === undefined) {
+      fitted = fitToLeaf(picture, this.#aspect);
+      this.#fitted.set(picture, fitted);
+    }
+    return fitted;
+  }
+
+  /** Paper with nothing on it. */
+  get bare(): PagePicture {
+    return this.#keep("bare", () => barePage(this.#aspect));
+  }
+
+  /** Whether the pages in sight are as sharp as they were asked for, or have failed. */
+  get settled(): boolean {
+    return this.#pool.settled;
+  }
+
+  /** While leaves move, only pages of which there is nothing to show are drawn. */
+  set paused(paused: boolean) {
+    this.#pool.paused = paused;
+  }
+
+  /** Drops every picture. */
+  close(): void {
+    this.#pool.close();
+    for (const canvas of this.#standIns.values()) this.#options.onDrop(canvas);
+    this.#standIns.clear();
+  }
+
+  #standIn(page: number): PagePicture {
+    const failure = this.#pool.failed(page - 1);
+    if (failure) {
+      return this.#keep(`! ${failure.message}`, () => failedPage(failure.message, this.#aspect));
+    }
+    const label = this.#source.label(page - 1);
+    return this.#keep(label, () => waitingPage(label, this.#aspect));
+  }
+
+  #keep(key: string, make: () => HTMLCanvasElement): HTMLCanvasElement {
+    const kept = this.#standIns.get(key) ?? make();
+    // Last asked for, last in the map: the first is the one to drop.
+    this.#standIns.delete(key);
+    this.#standIns.set(key, kept);
+    const oldest = this.#standIns.keys().next().value;
+    if (this.#standIns.size > standInsKept && oldest !== undefined) {
+      const canvas = this.#standIns.get(oldest);
+      this.#standIns.delete(oldest);
+      if (canvas) this.#options.onDrop(canvas);
+    }
+    return kept;
+  }
+
+  #drop(picture: PagePicture): void {
+    const fitted = this.#fitted.get(picture) ?? picture;
+    this.#fitted.delete(picture);
+    this.#options.onDrop(fitted);
+  }
+}

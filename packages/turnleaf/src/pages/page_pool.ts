@@ -1,0 +1,262 @@
+import { BookError, type PagePicture, type PageSource } from "../sources/page_source.js";
+import {
+  type Bounds,
+  dropOrder,
+  type Held,
+  pictureBytes,
+  type WantedPage,
+  withinBudget,
+} from "./page_budget.js";
+
+export type { WantedPage } from "./page_budget.js";
+
+export interface PagePoolOptions {
+  /** A better picture of the page is there, or its drawing failed. */
+  readonly onArrive?: (index: number) => void;
+  /** The picture is about to be closed: free whatever was made of it. Called after `onArrive` of a better one. */
+  readonly onDrop?: (picture: PagePicture) => void;
+  /** Pages held at once; 12 unless given. */
+  readonly maxPages?: number;
+  /** Bytes of pictures held at once, 4 a pixel; 192 MB unless given. */
+  readonly maxBytes?: number;
+  /** Pages drawn at the same time; 2 unless given. */
+  readonly drawing?: number;
+  /** Milliseconds of a clock, to learn whether a rough picture comes much sooner than a sharp one. */
+  readonly now?: () => number;
+}
+
+/** The first pages of the list are those in sight: rough pictures are drawn for them alone. */
+const inSight = 2;
+/** A rough picture's share of the wanted width. */
+const roughShare = 1 / 3;
+/** A sharp picture that takes no longer than this, in milliseconds, needs no rough one before it. */
+const quick = 40;
+
+interface Job {
+  readonly index: number;
+  readonly width: number;
+  readonly rough: boolean;
+  readonly controller: AbortController;
+}
+
+/**
+ * Keeps the pages that are wanted drawn, and no more of them than memory
+ * allows. It works only while something wanted is missing: at rest it has no
+ * timer and no request.
+ */
+export class PagePool {
+  readonly #source: PageSource;
+  readonly #options: PagePoolOptions;
+  readonly #held = new Map<number, Held>();
+  readonly #failed = new Map<number, BookError>();
+  readonly #jobs = new Map<number, Job>();
+  /** Height over width of every page drawn so far. */
+  readonly #ratios = new Map<number, number>();
+  /** Mean milliseconds of a rough and of a sharp drawing; 0 before the first. */
+  readonly #mean = { rough: 0, sharp: 0 };
+  #wanted: readonly WantedPage[] = [];
+  #isPaused = false;
+  #isClosed = false;
+
+  constructor(source: PageSource, options: PagePoolOptions = {}) {
+    this.#source = source;
+    this.#options = options;
+  }
+
+  /**
+   * The pages to have, the most urgent first: those in sight, then those that
+   * may come into sight next. Replaces the list before. Drawings of pages no
+   * longer on it are aborted; a page that failed is tried again once it has
+   * been off the list.
+   */
+  want(pages: readonly WantedPage[]): void {
+    if (this.#isClosed) return;
+    const valid = pages.filter(({ index }) => index >= 0 && index < this.#source.pageCount);
+    this.#wanted = valid.filter(
+      ({ index }, at) => valid.findIndex((other) => other.index === index) === at,
+    );
+    const indices = new Set(this.#wanted.map(({ index }) => index));
+    for (const index of this.#failed.keys()) {
+      if (!indices.has(index)) this.#failed.delete(index);
+    }
+    for (const job of [...this.#jobs.values()]) {
+      if (!indices.has(job.index)) this.#abort(job);
+    }
+    this.#trim();
+    this.#drawNext();
+  }
+
+  /** The best picture there is of page `index`; null while there is none. It stays the pool's own. */
+  get(index: number): PagePicture | null {
+    return this.#held.get(index)?.picture ?? null;
+  }
+
+  /** Why page `index` has no picture; null while it has one or may yet get one. */
+  failed(index: number): BookError | null {
+    return this.#held.has(index) ? null : (this.#failed.get(index) ?? null);
+  }
+
+  /** Forgets failures, so that the pages on the list are tried again. */
+  retry(): void {
+    this.#failed.clear();
+    this.#drawNext();
+  }
+
+  /**
+   * While paused, drawing starts only for a page in sight of which there is
+   * nothing to show: for as long as a leaf turns, so that frames come first.
+   */
+  set paused(paused: boolean) {
+    this.#isPaused = paused;
+    if (!paused) this.#drawNext();
+  }
+
+  get paused(): boolean {
+    return this.#isPaused;
+  }
+
+  /** Bytes of the pictures held. */
+  get bytes(): number {
+    let bytes = 0;
+    for (const held of this.#held.values()) bytes += held.bytes;
+    return bytes;
+  }
+
+  /** Aborts everything and drops every picture. The source stays open: it is its owner's. */
+  close(): void {
+    this.#isClosed = true;
+    this.#wanted = [];
+    for (const job of [...this.#jobs.values()]) this.#abort(job);
+    for (const index of [...this.#held.keys()]) this.#drop(index);
+  }
+
+  #drawNext(): void {
+    while (!this.#isClosed && this.#jobs.size < (this.#options.drawing ?? 2)) {
+      const job = this.#nextJob();
+      if (!job) return;
+      this.#jobs.set(job.index, job);
+      void this.#run(job);
+    }
+  }
+
+  /** First a picture of each page in sight, then sharp ones of all, in order. */
+  #nextJob(): Job | null {
+    const open = this.#wanted.filter(
+      ({ index }) => !this.#jobs.has(index) && !this.#failed.has(index),
+    );
+    const bare = open.find((page) => this.#isInSight(page) && !this.#held.has(page.index));
+    if (bare) return this.#job(bare, this.#roughPays());
+    if (this.#isPaused) return null;
+    const affordable = withinBudget(this.#wanted, this.#held, this.#bounds, this.#ratios);
+    const next = open.find(
+      (page) => (this.#held.get(page.index)?.asked ?? 0) < page.width && affordable.has(page.index),
+    );
+    return next ? this.#job(next, false) : null;
+  }
+
+  #job({ index, width }: WantedPage, rough: boolean): Job {
+    const asked = rough ? Math.ceil(width * roughShare) : width;
+    return { index, width: asked, rough, controller: new AbortController() };
+  }
+
+  #isInSight(page: WantedPage): boolean {
+    return this.#wanted.indexOf(page) < inSight;
+  }
+
+  #roughPays(): boolean {
+    const { rough, sharp } = this.#mean;
+    return sharp === 0 ? rough === 0 : sharp > quick && rough < sharp / 2;
+  }
+
+  async #run(job: Job): Promise<void> {
+    const start = this.#now();
+    const { signal } = job.controller;
+    try {
+      const picture = await this.#source.draw(job.index, job.width, signal);
+      if (signal.aborted) {
+        closePicture(picture);
+        return;
+      }
+      this.#learn(job, this.#now() - start);
+      this.#jobs.delete(job.index);
+      this.#hold(job, picture);
+    } catch (error) {
+      if (signal.aborted) return;
+      this.#jobs.delete(job.index);
+      this.#failed.set(job.index, this.#asBookError(error, job.index));
+      this.#options.onArrive?.(job.index);
+    }
+    this.#drawNext();
+  }
+
+  #learn(job: Job, milliseconds: number): void {
+    const kind = job.rough ? "rough" : "sharp";
+    const before = this.#mean[kind];
+    this.#mean[kind] = before === 0 ? milliseconds : 0.7 * before + 0.3 * milliseconds;
+  }
+
+  #hold(job: Job, picture: PagePicture): void {
+    const before = this.#held.get(job.index);
+    this.#ratios.set(job.index, picture.height / Math.max(1, picture.width));
+    this.#held.set(job.index, { picture, asked: job.width, bytes: pictureBytes(picture) });
+    this.#options.onArrive?.(job.index);
+    if (before) this.#release(before.picture);
+    this.#trim();
+  }
+
+  /** Drops the least wanted pages until the rest are within bounds. */
+  #trim(): void {
+    const bounds = this.#bounds;
+    let bytes = this.bytes;
+    for (const index of dropOrder(this.#wanted, this.#held)) {
+      const isTooMuch = this.#held.size > bounds.pages || bytes > bounds.bytes;
+      const held = this.#held.get(index);
+      const isVisible = this.#wanted.slice(0, inSight).some((page) => page.index === index);
+      if (!isTooMuch || !held || isVisible) return;
+      bytes -= held.bytes;
+      this.#drop(index);
+    }
+  }
+
+  #drop(index: number): void {
+    const held = this.#held.get(index);
+    if (!held) return;
+    this.#held.delete(index);
+    this.#release(held.picture);
+  }
+
+  #release(picture: PagePicture): void {
+    this.#options.onDrop?.(picture);
+    closePicture(picture);
+  }
+
+  #abort(job: Job): void {
+    this.#jobs.delete(job.index);
+    job.controller.abort(new DOMException("The page is no longer wanted.", "AbortError"));
+  }
+
+  #asBookError(error: unknown, index: number): BookError {
+    if (error instanceof BookError) return error;
+    return new BookError(
+      `Page ${index + 1} of ${this.#source.title} could not be drawn; turn back to it to try again.`,
+    );
+  }
+
+  #now(): number {
+    return (this.#options.now ?? defaultNow)();
+  }
+
+  get #bounds(): Bounds {
+    const { maxPages = 12, maxBytes = 192 << 20 } = this.#options;
+    return { pages: maxPages, bytes: maxBytes, always: inSight };
+  }
+}
+
+function defaultNow(): number {
+  return performance.now();
+}
+
+function closePicture(picture: PagePicture): void {
+  if ("close" in picture) picture.close();
+  else picture.width = picture.height = 0;
+}

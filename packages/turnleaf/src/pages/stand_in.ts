@@ -1,0 +1,67 @@
+/**
+ * Pictures that stand where a page's own cannot: while it is being drawn, or
+ * because it cannot be. Never a blank page: the reader sees which page it is,
+ * or what went wrong.
+ */
+
+/** Paper, and ink that stays behind the text of real pages. */
+const paper = "#fbf5e8";
+const ink = "#211d1a";
+const faintInk = "rgb(33 29 26 / 0.28)";
+
+const width = 640;
+const serif = "'EB Garamond', 'Iowan Old Style', Palatino, Georgia, serif";
+
+function sheet(aspect: number): { canvas: HTMLCanvasElement; pen: CanvasRenderingContext2D } {
+  const canvas = document.createElement("canvas");
+  canvas.width = width;
+  canvas.height = Math.round(width / aspect);
+  const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
+  pen.fillStyle = paper;
+  pen.fillRect(0, 0, canvas.width, canvas.height);
+  pen.textAlign = "center";
+  pen.textBaseline = "middle";
+  return { canvas, pen };
+}
+
+/** A page still being drawn: its label in faint ink between two short rules. */
+export function waitingPage(label: string, aspect: number): HTMLCanvasElement {
+  const { canvas, pen } = sheet(aspect);
+  const [x, y] = [canvas.width / 2, canvas.height / 2];
+  pen.fillStyle = faintInk;
+  pen.font = `${width * 0.06}px ${serif}`;
+  pen.fillText(label, x, y, width * 0.8);
+  pen.fillRect(x - width * 0.06, y - width * 0.06, width * 0.12, 1.5);
+  pen.fillRect(x - width * 0.06, y + width * 0.06, width * 0.12, 1.5);
+  return canvas;
+}
+
+/** A page that cannot be drawn: the sentence that says why. */
+export function failedPage(sentence: string, aspect: number): HTMLCanvasElement {
+  const { canvas, pen } = sheet(aspect);
+  const size = width * 0.042;
+  pen.fillStyle = ink;
+  pen.font = `italic ${size}px ${serif}`;
+  const lines = wrap(sentence, (line) => pen.measureText(line).width <= width * 0.74);
+  const top = canvas.height / 2 - ((lines.length - 1) * size * 1.5) / 2;
+  lines.forEach((line, i) => {
+    pen.fillText(line, canvas.width / 2, top + i * size * 1.5, width * 0.9);
+  });
+  return canvas;
+}
+
+/** Paper with nothing on it: the back of a last page that has none. */
+export function barePage(aspect: number): HTMLCanvasElement {
+  return sheet(aspect).canvas;
+}
+
+/** Breaks text into lines at its spaces, as many words a line as `fits` allows. */
+export function wrap(text: string, fits: (line: string) => boolean): string[] {
+  const lines: string[] = [];
+  for (const word of text.split(/\s+/)) {
+    const longer = `${lines.at(-1) ?? ""} ${word}`.trim();
+    if (lines.length > 0 && fits(longer)) lines[lines.length - 1] = longer;
+    else lines.push(word);
+  }
+  return lines;
+}

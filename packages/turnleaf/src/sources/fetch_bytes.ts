@@ -1,0 +1,115 @@
+import { BookError } from "./page_source.js";
+
+/**
+ * Fetches `url`, with every failure told as a sentence about `name`.
+ * Rejects with a `BookError`, or with the signal's reason when aborted.
+ */
+export async function fetchChecked(
+  url: string,
+  name: string,
+  init: RequestInit,
+): Promise<Response> {
+  let response: Response;
+  try {
+    response = await fetch(url, init);
+  } catch (error) {
+    init.signal?.throwIfAborted();
+    if (!(error instanceof TypeError)) throw error;
+    throw new BookError(unreachable(url, name));
+  }
+  if (response.ok) return response;
+  // 416 answers a range request for a file without a single byte.
+  if (response.status === 416) throw emptyFile(name);
+  await response.body?.cancel().catch(() => {});
+  throw new BookError(refusal(response.status, name));
+}
+
+/** The sentence for a status of the server other than success. */
+export function refusal(status: number, name: string): string {
+  if (status === 404 || status === 410) {
+    return `${name} was not found; check the address and open it again.`;
+  }
+  if (status === 401 || status === 403) {
+    return `${name} may not be read (the server answered ${status}); ask for access, or open a copy of it.`;
+  }
+  return `${name} could not be fetched (the server answered ${status}); try again later.`;
+}
+
+/** The sentence for a file without a byte. */
+export function emptyFile(name: string): BookError {
+  return new BookError(`${name} is empty; get the file again.`);
+}
+
+function unreachable(url: string, name: string): string {
+  if (url.startsWith("blob:")) {
+    return `${name} is no longer there; choose the file again.`;
+  }
+  if (url.startsWith("file:")) {
+    return `${name} cannot be read from a page opened as a file; serve it, for example with: npx turnleaf-cli read`;
+  }
+  return `${name} could not be reached; check the connection and the address, and that its server lets other sites read it (CORS).`;
+}
+
+/**
+ * A response's bytes, of at most `most`.
+ * Rejects with a `BookError` beyond that or when the connection breaks.
+ */
+export async function readBounded(
+  response: Response,
+  most: number,
+  name: string,
+  signal?: AbortSignal,
+): Promise<Uint8Array<ArrayBuffer>> {
+  const parts: Uint8Array[] = [];
+  let length = 0;
+  const reader = response.body?.getReader();
+  try {
+    for (let part = await reader?.read(); part && !part.done; part = await reader?.read()) {
+      length += part.value.length;
+      if (length > most) throw tooLarge(name, most);
+      parts.push(part.value);
+    }
+  } catch (error) {
+    await reader?.cancel().catch(() => {});
+    signal?.throwIfAborted();
+    if (error instanceof BookError) throw error;
+    throw new BookError(
+      `${name} broke off while it was fetched; check the connection and try again.`,
+    );
+  }
+  return join(parts, length);
+}
+
+/**
+ * The first bytes of a response, `wanted` of them where it has so many; the
+ * rest is not fetched.
+ */
+export async function readStart(response: Response, wanted: number): Promise<Uint8Array> {
+  const reader = response.body?.getReader();
+  const parts: Uint8Array[] = [];
+  let length = 0;
+  while (reader && length < wanted) {
+    const part = await reader.read();
+    if (part.done) break;
+    parts.push(part.value);
+    length += part.value.length;
+  }
+  await reader?.cancel().catch(() => {});
+  return join(parts, length).subarray(0, wanted);
+}
+
+function join(parts: readonly Uint8Array[], length: number): Uint8Array<ArrayBuffer> {
+  const bytes = new Uint8Array(length);
+  let offset = 0;
+  for (const part of parts) {
+    bytes.set(part, offset);
+    offset += part.length;
+  }
+  return bytes;
+}
+
+function tooLarge(name: string, most: number): BookError {
+  return new BookError(
+    `${name} is larger than ${Math.floor(most / (1 << 20))} MB; make it smaller and open it again.`,
+  );
+}

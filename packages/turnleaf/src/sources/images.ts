@@ -1,0 +1,172 @@
+import { nameOfUrl } from "./book_text.js";
+import { fetchChecked, readBounded } from "./fetch_bytes.js";
+import { fitPixels, isPageSize, limits } from "./limits.js";
+import type { ImageBook, ImagePage } from "./manifest.js";
+import { BookError, type PagePicture, type PageSize, type PageSource } from "./page_source.js";
+import { SharedTasks } from "./shared_tasks.js";
+
+/** Encoded images kept, so that a page drawn sharper is not fetched again. */
+const keptImages = 6;
+
+/**
+ * A book of images: scans, a comic's pages, exported slides. Each is fetched
+ * when it is first needed and decoded straight to the width that is asked for,
+ * never beyond its own.
+ */
+export class ImageSource implements PageSource {
+  readonly title: string;
+  readonly language: string;
+  readonly direction: "ltr" | "rtl";
+  readonly kind: "typeset" | "scan";
+  readonly pageCount: number;
+  readonly #book: ImageBook;
+  readonly #sizes: (PageSize | undefined)[];
+  readonly #measured = new Set<number>();
+  readonly #images = new Map<number, Blob>();
+  readonly #fetching = new SharedTasks<number, Blob>();
+  #closed = false;
+
+  constructor(book: ImageBook) {
+    this.title = book.title;
+    this.language = book.language;
+    this.direction = book.direction;
+    this.kind = book.kind;
+    this.pageCount = book.pages.length;
+    this.#book = book;
+    this.#sizes = book.pages.map((page) => page.size);
+  }
+
+  async size(index: number, signal?: AbortSignal): Promise<PageSize> {
+    const known = this.#sizes[index];
+    if (known) return known;
+    return await this.#measure(index, await this.#image(index, signal));
+  }
+
+  label(index: number): string {
+    return this.#book.pages[index]?.label ?? String(index + 1);
+  }
+
+  async draw(index: number, width: number, signal: AbortSignal): Promise<PagePicture> {
+    const image = await this.#image(index, signal);
+    const size = await this.#measure(index, image);
+    signal.throwIfAborted();
+    const pixels = fitPixels(size, Math.min(width, size.width));
+    const picture = await this.#decode(index, image, pixels);
+    if (!signal.aborted && !this.#closed) return picture;
+    picture.close();
+    signal.throwIfAborted();
+    throw new BookError(`${this.#book.name} is closed; open it again.`);
+  }
+
+  close(): void {
+    this.#closed = true;
+    this.#images.clear();
+    this.#fetching.abortAll();
+  }
+
+  /** The image's own size, which may differ from what a manifest claims. */
+  async #measure(index: number, image: Blob): Promise<PageSize> {
+    const known = this.#sizes[index];
+    if (known && this.#measured.has(index)) return known;
+    const size = await measure(image).catch(() => {
+      throw this.#undecodable(index);
+    });
+    if (!isPageSize(size)) throw this.#undecodable(index);
+    if (size.width * size.height > limits.imagePixels) {
+      throw new BookError(
+        `${this.#place(index)} has ${size.width} x ${size.height} pixels, more than can be shown; make it smaller.`,
+      );
+    }
+    this.#measured.add(index);
+    this.#sizes[index] = size;
+    return size;
+  }
+
+  async #decode(index: number, image: Blob, pixels: PageSize): Promise<ImageBitmap> {
+    try {
+      return await createImageBitmap(image, {
+        resizeWidth: pixels.width,
+        resizeHeight: pixels.height,
+        resizeQuality: "high",
+      });
+    } catch {
+      throw this.#undecodable(index);
+    }
+  }
+
+  async #image(index: number, signal?: AbortSignal): Promise<Blob> {
+    signal?.throwIfAborted();
+    const page = this.#book.pages[index];
+    if (this.#closed || !page) {
+      throw new BookError(`${this.#book.name} has no page ${index + 1} any more; open it again.`);
+    }
+    if (page.src instanceof Blob) return page.src;
+    const image =
+      this.#images.get(index) ??
+      (await this.#fetching.run(index, (own) => this.#fetch(index, page, own), signal));
+    this.#keep(index, image);
+    return image;
+  }
+
+  /** Moves the image to the end of those kept and lets the oldest go. */
+  #keep(index: number, image: Blob): void {
+    if (this.#closed) return;
+    this.#images.delete(index);
+    this.#images.set(index, image);
+    for (const oldest of this.#images.keys()) {
+      if (this.#images.size <= keptImages) break;
+      this.#images.delete(oldest);
+    }
+  }
+
+  async #fetch(index: number, page: ImagePage, signal: AbortSignal): Promise<Blob> {
+    const place = this.#place(index);
+    const response = await fetchChecked(page.src as string, place, { signal });
+    const bytes = await readBounded(response, limits.imageBytes, place, signal);
+    if (bytes.length === 0) throw new BookError(`${place} is empty; get the file again.`);
+    return new Blob([bytes], { type: response.headers.get("content-type") ?? "" });
+  }
+
+  #undecodable(index: number): BookError {
+    return new BookError(
+      `${this.#place(index)} is damaged or no image; PNG, JPEG, WebP, AVIF and GIF can be shown.`,
+    );
+  }
+
+  /** "Page 3 of atlas.json (003.jpg)". */
+  #place(index: number): string {
+    const src = this.#book.pages[index]?.src;
+    const file = typeof src === "string" ? nameOfUrl(src) : "this book";
+    if (this.pageCount === 1 && file === this.#book.name) return file;
+    const suffix = file === "this book" ? "" : ` (${file})`;
+    return `Page ${index + 1} of ${this.#book.name}${suffix}`;
+  }
+}
+
+/** An image's size in pixels, turned upright as its EXIF data says. */
+async function measure(image: Blob): Promise<PageSize> {
+  return (await measureByElement(image)) ?? (await measureByDecoding(image));
+}
+
+/** Reads the header alone; null where the page's security policy forbids blob images. */
+async function measureByElement(blob: Blob): Promise<PageSize | null> {
+  if (typeof Image === "undefined") return null;
+  const url = URL.createObjectURL(blob);
+  try {
+    return await new Promise((resolve) => {
+      const image = new Image();
+      image.onload = () => resolve({ width: image.naturalWidth, height: image.naturalHeight });
+      image.onerror = () => resolve(null);
+      image.src = url;
+    });
+  } finally {
+    URL.revokeObjectURL(url);
+  }
+}
+
+async function measureByDecoding(image: Blob): Promise<PageSize> {
+  const bitmap = await createImageBitmap(image);
+  const size = { width: bitmap.width, height: bitmap.height };
+  bitmap.close();
+  return size;
+}

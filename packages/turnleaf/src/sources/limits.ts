@@ -1,0 +1,51 @@
+import type { PageSize } from "./page_source.js";
+
+/**
+ * Bounds on everything that comes from a file, so that no book, broken or
+ * hostile, takes the reader's machine down.
+ */
+export const limits = {
+  /** Longest side of a drawn page in pixels: what every WebGL 2 device can hold. */
+  side: 4096,
+  /** Pixels of a drawn page, 64 MB as RGBA. */
+  pixels: 16_000_000,
+  /** Pixels of an encoded image before it is drawn smaller. */
+  imagePixels: 120_000_000,
+  /** Bytes of one encoded image. */
+  imageBytes: 100_000_000,
+  /** Bytes of a manifest. */
+  manifestBytes: 8_000_000,
+  pages: 20_000,
+  /** Longest side a source may claim for a page, in its own unit. */
+  pageSide: 200_000,
+  titleLength: 300,
+  labelLength: 40,
+  urlLength: 4096,
+  /** Length of an image written into a manifest as a data: URL. */
+  dataUrlLength: 4_000_000,
+} as const;
+
+/**
+ * The pixels at which a page of `size` is drawn to be `width` wide: whole
+ * numbers of at least 1, within `limits.side` and `limits.pixels`, in the
+ * page's own proportions.
+ */
+export function fitPixels(size: PageSize, width: number): PageSize {
+  const asked = Number.isFinite(width) ? Math.max(1, width) : 1;
+  const ratio = size.height / size.width;
+  const most = Math.min(limits.side, limits.side / ratio, Math.sqrt(limits.pixels / ratio));
+  const fitted = Math.min(asked, most);
+  return {
+    width: Math.max(1, Math.floor(fitted)),
+    height: Math.max(1, Math.min(limits.side, Math.floor(fitted * ratio))),
+  };
+}
+
+/** Whether `size` is one a page can have: finite, positive and within `limits.pageSide`. */
+export function isPageSize(size: PageSize): boolean {
+  return isSide(size.width) && isSide(size.height);
+}
+
+function isSide(value: number): boolean {
+  return Number.isFinite(value) && value > 0 && value <= limits.pageSide;
+}

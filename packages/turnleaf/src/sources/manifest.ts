@@ -1,0 +1,185 @@
+import { cleanLanguage, cleanText } from "./book_text.js";
+import { limits } from "./limits.js";
+import { BookError, type PageSize } from "./page_source.js";
+
+/** One page of a book of images. */
+export interface ImagePage {
+  /** Absolute URL, or the image's own bytes. */
+  readonly src: string | Blob;
+  /** Pixels, where they are known before the image is there. */
+  readonly size?: PageSize;
+  readonly label?: string;
+}
+
+/** A book made of images, checked and with every URL resolved. */
+export interface ImageBook {
+  /** What sentences call the book: its file's name. */
+  readonly name: string;
+  readonly title: string;
+  readonly language: string;
+  readonly direction: "ltr" | "rtl";
+  readonly kind: "typeset" | "scan";
+  readonly pages: readonly ImagePage[];
+}
+
+/** A page as a manifest writes it: a URL, or the URL with what is known of it. */
+export type ManifestPage =
+  | string
+  | {
+      readonly src: string;
+      readonly width?: number;
+      readonly height?: number;
+      readonly label?: string;
+    };
+
+/** What a manifest says: `{title, language, direction, kind, pages}`, all but `pages` optional. */
+export interface Manifest {
+  readonly title?: string;
+  /** BCP 47 tag. */
+  readonly language?: string;
+  readonly direction?: "ltr" | "rtl";
+  /** "scan" unless it says "typeset": pages whose paper is pure white. */
+  readonly kind?: "typeset" | "scan";
+  readonly pages: readonly ManifestPage[];
+}
+
+const dataImage = /^data:image\/(png|jpeg|webp|avif|gif)[;,]/i;
+
+/**
+ * Checks a manifest as what it is, a stranger's file. A list alone stands for
+ * its pages. Members that it does not know are ignored.
+ * @param base absolute URL that the pages' own are relative to
+ * @param name what sentences call the manifest
+ * @throws BookError naming the manifest and the member at fault
+ */
+export function parseManifest(value: unknown, base: string, name: string): ImageBook {
+  const fields = Array.isArray(value) ? { pages: value as unknown[] } : value;
+  if (!isRecord(fields)) throw fault(name, "is not a manifest", 'write {"pages": ["001.jpg"]}');
+  const pages = fields.pages;
+  if (!Array.isArray(pages)) {
+    throw fault(name, 'has no list of "pages"', 'write {"pages": ["001.jpg"]}');
+  }
+  if (pages.length === 0) throw fault(name, "lists no pages", "add at least one");
+  if (pages.length > limits.pages) {
+    throw fault(
+      name,
+      `lists ${pages.length} pages`,
+      `split it into books of at most ${limits.pages}`,
+    );
+  }
+  return {
+    name,
+    title: text(fields, "title", limits.titleLength, name) || name,
+    language: language(fields.language, name),
+    direction: choice(fields, "direction", ["ltr", "rtl"], name),
+    kind: choice(fields, "kind", ["scan", "typeset"], name),
+    pages: pages.map((page, index) => parsePage(page, base, `${name}: page ${index + 1}`)),
+  };
+}
+
+function parsePage(value: unknown, base: string, place: string): ImagePage {
+  const fields = typeof value === "string" ? { src: value } : value;
+  if (!isRecord(fields) || typeof fields.src !== "string" || fields.src === "") {
+    throw fault(place, 'has no "src"', 'write "001.jpg" or {"src": "001.jpg"}');
+  }
+  const size = pageSize(fields, place);
+  const label = text(fields, "label", limits.labelLength, place);
+  return {
+    src: resolveImage(fields.src, base, place),
+    ...(size ? { size } : {}),
+    ...(label ? { label } : {}),
+  };
+}
+
+/**
+ * The absolute URL of an image: http, https, blob, or an image as data.
+ * @throws BookError naming `place`
+ */
+export function resolveImage(src: string, base: string, place: string): string {
+  const isData = /^\s*data:/i.test(src);
+  if (src.length > (isData ? limits.dataUrlLength : limits.urlLength)) {
+    throw fault(place, `has an address of ${src.length} characters`, "use a shorter one");
+  }
+  if (isData) {
+    if (dataImage.test(src.trim())) return src.trim();
+    throw fault(place, "holds data that is no PNG, JPEG, WebP, AVIF or GIF", "use one of these");
+  }
+  const url = parseUrl(src, base);
+  if (url === null)
+    throw fault(place, `has an address that is none: ${shorten(src)}`, "correct it");
+  if (!/^(https?|blob):$/.test(url.protocol)) {
+    throw fault(
+      place,
+      `has an address that is not of the web: ${shorten(src)}`,
+      "use http or https",
+    );
+  }
+  return url.href;
+}
+
+function parseUrl(src: string, base: string): URL | null {
+  try {
+    return new URL(src, base);
+  } catch {
+    return null;
+  }
+}
+
+function pageSize(fields: Record<string, unknown>, place: string): PageSize | null {
+  const { width, height } = fields;
+  if (width === undefined && height === undefined) return null;
+  if (isSide(width) && isSide(height)) return { width, height };
+  throw fault(place, "has no usable width and height", "give both in pixels, or neither");
+}
+
+function isSide(value: unknown): value is number {
+  return (
+    typeof value === "number" && Number.isFinite(value) && value > 0 && value <= limits.pageSide
+  );
+}
+
+function text(fields: Record<string, unknown>, key: string, most: number, place: string): string {
+  const value = fields[key];
+  if (value === undefined || value === null) return "";
+  if (typeof value !== "string") throw fault(place, `has a ${key} that is no text`, "quote it");
+  return cleanText(value, most);
+}
+
+function language(value: unknown, name: string): string {
+  if (value === undefined || value === null || value === "") return "";
+  const tag = cleanLanguage(value);
+  if (tag === "") throw fault(name, "has a language that is no tag", 'write one such as "en"');
+  return tag;
+}
+
+/** One of `options`; the first where the manifest says nothing. */
+function choice<T extends string>(
+  fields: Record<string, unknown>,
+  key: string,
+  options: readonly [T, ...T[]],
+  name: string,
+): T {
+  const value = fields[key];
+  if (value === undefined || value === null) return options[0];
+  const found = options.find((option) => option === value);
+  if (found === undefined) {
+    throw fault(
+      name,
+      `has an unknown ${key}`,
+      `write ${options.map((o) => `"${o}"`).join(" or ")}`,
+    );
+  }
+  return found;
+}
+
+function isRecord(value: unknown): value is Record<string, unknown> {
+  return typeof value === "object" && value !== null && !Array.isArray(value);
+}
+
+function shorten(text: string): string {
+  return cleanText(text, 80);
+}
+
+function fault(place: string, what: string, remedy: string): BookError {
+  return new BookError(`${place} ${what}; ${remedy}.`);
+}

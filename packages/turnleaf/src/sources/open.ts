@@ -1,0 +1,147 @@
+import { cleanText, nameOfUrl } from "./book_text.js";
+import { emptyFile, fetchChecked, readBounded, readStart } from "./fetch_bytes.js";
+import { limits } from "./limits.js";
+import { type ImageBook, type Manifest, type ManifestPage, parseManifest } from "./manifest.js";
+import { BookError, type PageSource } from "./page_source.js";
+import type { PdfOptions } from "./pdf.js";
+import { type Kind, sniff, sniffLength } from "./sniff.js";
+
+/** What can be opened: an address, images in order, a manifest, or a file that was chosen or dropped. */
+export type BookInput = string | readonly ManifestPage[] | Manifest | Blob;
+
+export interface OpenOptions extends PdfOptions {
+  /** What sentences call the book where its address or file has no name. */
+  readonly name?: string;
+  /** What relative addresses are relative to; the document unless given. */
+  readonly base?: string;
+}
+
+/**
+ * Opens a book, told apart by its first bytes, whatever its name. What reads
+ * the format is loaded here and not before.
+ * Rejects with a `BookError`, or with the signal's reason when aborted.
+ */
+export async function openSource(input: BookInput, options: OpenOptions = {}): Promise<PageSource> {
+  options.signal?.throwIfAborted();
+  if (typeof input === "string") return await openAddress(input, options);
+  if (input instanceof Blob) return await openBlob(input, options);
+  return await openImages(parseManifest(input, baseOf(options), options.name ?? "This book"));
+}
+
+async function openAddress(address: string, options: OpenOptions): Promise<PageSource> {
+  const url = resolve(address, options);
+  const name = options.name ?? nameOfUrl(url);
+  const init = options.signal ? { signal: options.signal } : {};
+  const response = await fetchChecked(url, name, {
+    ...init,
+    headers: { Range: `bytes=0-${sniffLength - 1}` },
+  });
+  const start = await readStart(response, sniffLength).catch((error: unknown) => {
+    options.signal?.throwIfAborted();
+    throw error instanceof BookError
+      ? error
+      : new BookError(`${name} broke off while it was fetched; try again.`);
+  });
+  switch (kindOf(start, name)) {
+    case "pdf":
+      return await openPdfFrom(url, name, lengthOf(response), options);
+    case "json": {
+      const whole = await fetchChecked(url, name, init);
+      const bytes = await readBounded(whole, limits.manifestBytes, name, options.signal);
+      // A redirect moves what relative addresses are relative to.
+      return await openImages(parseManifest(parseJson(bytes, name), whole.url || url, name));
+    }
+    default:
+      return await openImages(single(url, name));
+  }
+}
+
+async function openBlob(blob: Blob, options: OpenOptions): Promise<PageSource> {
+  const fileName = "name" in blob ? cleanText(blob.name, 80) : "";
+  const name = options.name ?? (fileName || "this book");
+  const start = await readBlob(blob.slice(0, sniffLength), name);
+  switch (kindOf(start, name)) {
+    case "pdf":
+      return await openPdfFrom(blob, name, blob.size, options);
+    case "json": {
+      const most = limits.manifestBytes;
+      if (blob.size > most) throw new BookError(`${name} is too large for a manifest; split it.`);
+      return await openImages(
+        parseManifest(parseJson(await readBlob(blob, name), name), baseOf(options), name),
+      );
+    }
+    default:
+      return await openImages(single(blob, name));
+  }
+}
+
+/** @throws BookError where no source reads what begins with these bytes */
+function kindOf(start: Uint8Array, name: string): Kind {
+  if (start.length === 0) throw emptyFile(name);
+  const kind = sniff(start);
+  const readable =
+    "PDF, images (PNG, JPEG, WebP, AVIF, GIF) and JSON manifests of images can be read.";
+  if (kind === "html") throw new BookError(`${name} is a web page, not a book; ${readable}`);
+  if (kind === "archive")
+    throw new BookError(`${name} is an archive, an EPUB or a comic; unpack it first: ${readable}`);
+  if (kind === "unknown") throw new BookError(`${name} is of an unknown format; ${readable}`);
+  return kind;
+}
+
+async function openPdfFrom(
+  from: string | Blob,
+  name: string,
+  length: number | undefined,
+  options: OpenOptions,
+): Promise<PageSource> {
+  const { openPdf } = await import("./pdf.js");
+  return await openPdf({ name, from, ...(length === undefined ? {} : { length }) }, options);
+}
+
+async function openImages(book: ImageBook): Promise<PageSource> {
+  const { ImageSource } = await import("./images.js");
+  return new ImageSource(book);
+}
+
+function single(src: string | Blob, name: string): ImageBook {
+  return { name, title: name, language: "", direction: "ltr", kind: "scan", pages: [{ src }] };
+}
+
+/** The whole file's length, from the answer to a request for its start. */
+function lengthOf(response: Response): number | undefined {
+  const total = /\/(\d+)$/.exec(response.headers.get("content-range") ?? "")?.[1];
+  const length = total ?? (response.status === 200 ? response.headers.get("content-length") : null);
+  return length ? Number(length) : undefined;
+}
+
+function resolve(address: string, options: OpenOptions): string {
+  const name = cleanText(address, 80) || "An empty address";
+  let url: URL;
+  try {
+    url = new URL(address, baseOf(options));
+  } catch {
+    throw new BookError(`${name} is no address; correct it.`);
+  }
+  if (/^(https?|blob|file):$/.test(url.protocol) || /^data:/i.test(url.href)) return url.href;
+  throw new BookError(`${name} is not an address of the web; use http or https.`);
+}
+
+function baseOf(options: OpenOptions): string {
+  return options.base ?? globalThis.document?.baseURI ?? "http://localhost/";
+}
+
+async function readBlob(blob: Blob, name: string): Promise<Uint8Array> {
+  try {
+    return new Uint8Array(await blob.arrayBuffer());
+  } catch {
+    throw new BookError(`${name} cannot be read any more; choose the file again.`);
+  }
+}
+
+function parseJson(bytes: Uint8Array, name: string): unknown {
+  try {
+    return JSON.parse(new TextDecoder().decode(bytes));
+  } catch {
+    throw new BookError(`${name} is no valid JSON; correct it and open it again.`);
+  }
+}

@@ -1,0 +1,5 @@
+/** A file or folder of an npm package as gzip in base64; see packed_files.js of this package. */
+declare module "packed:*" {
+  const base64: string;
+  export default base64;
+}

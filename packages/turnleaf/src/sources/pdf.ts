@@ -1,0 +1,256 @@
+import type { PDFDocumentLoadingTask, PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist";
+import { cleanLanguage, cleanText } from "./book_text.js";
+import { refusal } from "./fetch_bytes.js";
+import { fitPixels, isPageSize, limits } from "./limits.js";
+import { BookError, type PagePicture, type PageSize, type PageSource } from "./page_source.js";
+import {
+  loadPdfLibrary,
+  PackedDataFactory,
+  type PdfLibrary,
+  startPdfWorker,
+  WorkerRefused,
+} from "./pdf_runtime.js";
+import { orAborted } from "./shared_tasks.js";
+
+/** Where a PDF's bytes are. */
+export interface PdfInput {
+  /** What sentences call the file. */
+  readonly name: string;
+  readonly from: string | Blob;
+  /** Bytes, where they are known. */
+  readonly length?: number;
+}
+
+export interface PdfOptions {
+  /** Address of pdf.js's worker script, for pages whose security policy forbids blob workers. */
+  readonly pdfWorker?: string;
+  readonly signal?: AbortSignal;
+}
+
+/** From here on a file is read in the pieces that its shown pages need, never whole. */
+const largeFile = 24 << 20;
+/** Bytes of one such piece. */
+const piece = 1 << 18;
+/** Pages whose parsed content is kept, so that drawing them sharper is quick. */
+const keptPages = 6;
+
+/**
+ * Opens a PDF. Scripts in it never run, and nothing that it refers to is fetched.
+ * Rejects with a `BookError`, or with the signal's reason when aborted.
+ */
+export async function openPdf(input: PdfInput, options: PdfOptions = {}): Promise<PageSource> {
+  const { signal } = options;
+  signal?.throwIfAborted();
+  const pdfjs = await loadPdfLibrary();
+  signal?.throwIfAborted();
+  const thread = await startPdfWorker(pdfjs, options.pdfWorker);
+  const task = pdfjs.getDocument({
+    ...(await place(pdfjs, input)),
+    worker: thread.worker,
+    rangeChunkSize: piece,
+    maxImageSize: limits.imagePixels,
+    BinaryDataFactory: PackedDataFactory,
+    useWorkerFetch: false,
+    enableXfa: false,
+    verbosity: pdfjs.VerbosityLevel.ERRORS,
+  });
+  const stop = (): void => {
+    // The task's own end waits for its worker; without it nothing is left to wait for.
+    task.destroy().catch(() => {});
+    thread.stop();
+  };
+  try {
+    const opening = Promise.race([describe(task, input), thread.failed]);
+    const description = await (signal ? orAborted(opening, signal) : opening);
+    return new PdfSource(pdfjs, description, stop);
+  } catch (error) {
+    stop();
+    signal?.throwIfAborted();
+    throw told(pdfjs, error, input.name);
+  }
+}
+
+/** The part of pdf.js's parameters that says where the bytes come from. */
+async function place(pdfjs: PdfLibrary, input: PdfInput): Promise<object> {
+  const { from } = input;
+  const isLarge = (input.length ?? 0) > largeFile;
+  if (typeof from === "string") {
+    return { url: from, disableAutoFetch: isLarge, disableStream: isLarge };
+  }
+  if (!isLarge) return { data: new Uint8Array(await from.arrayBuffer()) };
+  return { range: blobRange(pdfjs, from), disableAutoFetch: true };
+}
+
+/** Reads a large file of this machine piece by piece. */
+function blobRange(pdfjs: PdfLibrary, blob: Blob): object {
+  class BlobRange extends pdfjs.PDFDataRangeTransport {
+    override requestDataRange(begin: number, end: number): void {
+      blob
+        .slice(begin, end)
+        .arrayBuffer()
+        .then((bytes) => this.onDataRange(begin, new Uint8Array(bytes)))
+        // The file was taken away: the pages not yet read stay unread.
+        .catch(() => this.abort());
+    }
+  }
+  return new BlobRange(blob.size, null);
+}
+
+/** What is known of a document once it is open. */
+interface Description {
+  readonly name: string;
+  readonly document: PDFDocumentProxy;
+  readonly title: string;
+  readonly language: string;
+  readonly direction: "ltr" | "rtl";
+  readonly labels: readonly string[] | null;
+}
+
+async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<Description> {
+  const document = await task.promise;
+  const count = document.numPages;
+  if (count < 1) throw new BookError(`${input.name} has no pages; choose another file.`);
+  if (count > limits.pages) {
+    throw new BookError(
+      `${input.name} has ${count} pages; split it into ones of at most ${limits.pages}.`,
+    );
+  }
+  const [metadata, preferences, labels] = await Promise.all([
+    document.getMetadata().catch(() => null),
+    document.getViewerPreferences().catch(() => null),
+    document.getPageLabels().catch(() => null),
+  ]);
+  const info = (metadata?.info ?? {}) as Record<string, unknown>;
+  const direction = (preferences as Record<string, unknown> | null)?.Direction;
+  return {
+    name: input.name,
+    document,
+    title: cleanText(metadata?.metadata?.get("dc:title")) || cleanText(info.Title) || input.name,
+    language: cleanLanguage(info.Language),
+    direction: direction === "R2L" ? "rtl" : "ltr",
+    labels,
+  };
+}
+
+class PdfSource implements PageSource {
+  readonly title: string;
+  readonly language: string;
+  readonly direction: "ltr" | "rtl";
+  readonly pageCount: number;
+  readonly kind = "typeset";
+  readonly #pdfjs: PdfLibrary;
+  readonly #name: string;
+  readonly #document: PDFDocumentProxy;
+  readonly #labels: readonly string[] | null;
+  readonly #stop: () => void;
+  /** Pages in the order in which they were last drawn. */
+  readonly #drawn = new Map<number, PDFPageProxy>();
+  #closed = false;
+
+  constructor(pdfjs: PdfLibrary, description: Description, stop: () => void) {
+    this.title = description.title;
+    this.language = description.language;
+    this.direction = description.direction;
+    this.pageCount = description.document.numPages;
+    this.#pdfjs = pdfjs;
+    this.#name = description.name;
+    this.#document = description.document;
+    this.#labels = description.labels;
+    this.#stop = stop;
+  }
+
+  async size(index: number, signal?: AbortSignal): Promise<PageSize> {
+    return this.#sizeOf(await this.#page(index, signal), index);
+  }
+
+  label(index: number): string {
+    return cleanText(this.#labels?.[index], limits.labelLength) || String(index + 1);
+  }
+
+  async draw(index: number, width: number, signal: AbortSignal): Promise<PagePicture> {
+    const page = await this.#page(index, signal);
+    const size = this.#sizeOf(page, index);
+    const pixels = fitPixels(size, width);
+    const canvas = document.createElement("canvas");
+    canvas.width = pixels.width;
+    canvas.height = pixels.height;
+    const scale = pixels.width / size.width;
+    const task = page.render({ canvas, viewport: page.getViewport({ scale }) });
+    const cancel = (): void => task.cancel();
+    signal.addEventListener("abort", cancel, { once: true });
+    try {
+      await task.promise;
+      this.#keep(index, page);
+      signal.throwIfAborted();
+      return await createImageBitmap(canvas);
+    } catch (error) {
+      throw this.#told(error, index, signal);
+    } finally {
+      signal.removeEventListener("abort", cancel);
+      canvas.width = canvas.height = 0;
+    }
+  }
+
+  close(): void {
+    if (this.#closed) return;
+    this.#closed = true;
+    this.#drawn.clear();
+    this.#stop();
+  }
+
+  #sizeOf(page: PDFPageProxy, index: number): PageSize {
+    const { width, height } = page.getViewport({ scale: 1 });
+    if (isPageSize({ width, height })) return { width, height };
+    throw new BookError(`Page ${index + 1} of ${this.#name} has no usable size; repair the file.`);
+  }
+
+  async #page(index: number, signal?: AbortSignal): Promise<PDFPageProxy> {
+    signal?.throwIfAborted();
+    if (this.#closed) throw new BookError(`${this.#name} is closed; open it again.`);
+    try {
+      const page = this.#document.getPage(index + 1);
+      return await (signal ? orAborted(page, signal) : page);
+    } catch (error) {
+      throw this.#told(error, index, signal);
+    }
+  }
+
+  /** Frees the parsed content of the page drawn longest ago. */
+  #keep(index: number, page: PDFPageProxy): void {
+    this.#drawn.delete(index);
+    this.#drawn.set(index, page);
+    for (const [oldest, old] of this.#drawn) {
+      if (this.#drawn.size <= keptPages) break;
+      this.#drawn.delete(oldest);
+      old.cleanup();
+    }
+  }
+
+  #told(error: unknown, index: number, signal?: AbortSignal): unknown {
+    if (signal?.aborted) return signal.reason;
+    if (error instanceof BookError) return error;
+    if (error instanceof this.#pdfjs.ResponseException) {
+      return told(this.#pdfjs, error, this.#name);
+    }
+    return new BookError(
+      `Page ${index + 1} of ${this.#name} is damaged and cannot be drawn; repair the file or get it again.`,
+    );
+  }
+}
+
+/** Why a document could not be opened, in a sentence. */
+function told(pdfjs: PdfLibrary, error: unknown, name: string): BookError {
+  if (error instanceof BookError) return error;
+  if (error instanceof pdfjs.PasswordException) {
+    return new BookError(
+      `${name} is protected by a password; remove the password and open it again.`,
+    );
+  }
+  if (error instanceof pdfjs.ResponseException) return new BookError(refusal(error.status, name));
+  if (error instanceof WorkerRefused) {
+    return new BookError(
+      `${name} cannot be read because this page's security policy forbids workers from blob: addresses; allow them, or set pdfWorker to the address of pdf.worker.min.mjs.`,
+    );
+  }
+  return new BookError(`${name} is damaged or no PDF; repair the file or get it again.`);
+}

@@ -1,0 +1,123 @@
+import type { PDFWorker } from "pdfjs-dist";
+
+/** The library, loaded once, when the first PDF is opened. */
+export type PdfLibrary = typeof import("pdfjs-dist");
+
+let library: Promise<PdfLibrary> | undefined;
+let workerUrl: Promise<string> | undefined;
+
+/**
+ * Loads pdf.js and the code of its workers. Both workers start from blob URLs,
+ * because no other way works in every bundler and in none with nothing to
+ * configure; a page whose security policy forbids that (`worker-src` without
+ * `blob:`) gives the workers' own addresses instead.
+ */
+export function loadPdfLibrary(): Promise<PdfLibrary> {
+  library ??= start().catch((error: unknown) => {
+    library = undefined;
+    throw error;
+  });
+  return library;
+}
+
+async function start(): Promise<PdfLibrary> {
+  const [pdfjs, renderer] = await Promise.all([
+    import("pdfjs-dist"),
+    import("packed:pdfjs-dist/build/pdf.renderer.min.mjs"),
+  ]);
+  pdfjs.GlobalWorkerOptions.rendererSrc ||= await scriptUrl(renderer.default);
+  return pdfjs;
+}
+
+/**
+ * Starts the worker that reads one document. Its owner ends it: `stop`.
+ * @param address the worker's script, where it must not be a blob
+ */
+export async function startPdfWorker(
+  pdfjs: PdfLibrary,
+  address?: string,
+): Promise<{ worker: PDFWorker; failed: Promise<never>; stop(): void }> {
+  const thread = new Worker(address ?? (await blobWorkerUrl()), { type: "module" });
+  const failed = new Promise<never>((_, reject) => {
+    thread.addEventListener("error", (event) => {
+      event.preventDefault();
+      reject(new WorkerRefused(event.message));
+    });
+  });
+  failed.catch(() => {});
+  const worker = new pdfjs.PDFWorker({ port: thread as unknown as null });
+  return {
+    worker,
+    failed,
+    stop() {
+      worker.destroy();
+      thread.terminate();
+    },
+  };
+}
+
+/** The browser would not start the worker, or its code broke. */
+export class WorkerRefused extends Error {}
+
+function blobWorkerUrl(): Promise<string> {
+  workerUrl ??= import("packed:pdfjs-dist/build/pdf.worker.min.mjs").then((code) =>
+    scriptUrl(code.default),
+  );
+  return workerUrl;
+}
+
+async function scriptUrl(packed: string): Promise<string> {
+  return URL.createObjectURL(new Blob([await unpack(packed)], { type: "text/javascript" }));
+}
+
+/**
+ * The files that pdf.js asks for while it reads: character maps of Chinese,
+ * Japanese and Korean, decoders of JPEG 2000 and JBIG2, two symbol fonts.
+ * Each travels in a module of its own and is loaded when it is asked for.
+ */
+export class PackedDataFactory {
+  async fetch({ kind, filename }: { kind: string; filename: string }): Promise<Uint8Array> {
+    if (kind === "cMapUrl") return await characterMap(filename);
+    const load = packedFiles[filename];
+    if (!load) throw new Error(`No such file: ${filename}`);
+    return await unpack((await load()).default);
+  }
+}
+
+const packedFiles: Record<string, () => Promise<{ default: string }>> = {
+  "openjpeg.wasm": () => import("packed:pdfjs-dist/wasm/openjpeg.wasm"),
+  "jbig2.wasm": () => import("packed:pdfjs-dist/wasm/jbig2.wasm"),
+  "FoxitSymbol.pfb": () => import("packed:pdfjs-dist/standard_fonts/FoxitSymbol.pfb"),
+  "FoxitDingbats.pfb": () => import("packed:pdfjs-dist/standard_fonts/FoxitDingbats.pfb"),
+};
+
+let characterMaps: Promise<Map<string, Uint8Array>> | undefined;
+
+async function characterMap(filename: string): Promise<Uint8Array> {
+  characterMaps ??= import("packed:pdfjs-dist/cmaps/")
+    .then((packed) => unpack(packed.default))
+    .then(unpackFolder);
+  const map = (await characterMaps).get(filename);
+  if (!map) throw new Error(`No such character map: ${filename}`);
+  // A copy: pdf.js hands the bytes over to its worker.
+  return map.slice();
+}
+
+/** Gzip in base64, as packed_files.js of this package writes it. */
+async function unpack(base64: string): Promise<Uint8Array<ArrayBuffer>> {
+  const packed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/** The files of a packed folder: a table's length, the table {name: [offset, length]}, the bytes. */
+function unpackFolder(bytes: Uint8Array): Map<string, Uint8Array> {
+  const start = 4 + new DataView(bytes.buffer).getUint32(0, true);
+  const table = JSON.parse(new TextDecoder().decode(bytes.subarray(4, start)));
+  return new Map(
+    Object.entries<[number, number]>(table).map(([name, [offset, length]]) => [
+      name,
+      bytes.subarray(start + offset, start + offset + length),
+    ]),
+  );
+}

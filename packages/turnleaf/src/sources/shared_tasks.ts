@@ -1,0 +1,62 @@
+interface Task<V> {
+  readonly promise: Promise<V>;
+  readonly controller: AbortController;
+  waiting: number;
+}
+
+/**
+ * Runs one task a key for all who wait for it, and aborts it when the last of
+ * them has given up.
+ */
+export class SharedTasks<K, V> {
+  readonly #tasks = new Map<K, Task<V>>();
+
+  /**
+   * The result of the key's task, started by `start` where none is under way.
+   * Rejects with the signal's reason when this waiter gives up.
+   */
+  async run(key: K, start: (signal: AbortSignal) => Promise<V>, signal?: AbortSignal): Promise<V> {
+    signal?.throwIfAborted();
+    const task = this.#tasks.get(key) ?? this.#start(key, start);
+    task.waiting += 1;
+    try {
+      return await (signal ? orAborted(task.promise, signal) : task.promise);
+    } finally {
+      task.waiting -= 1;
+      if (task.waiting === 0 && signal?.aborted) {
+        this.#forget(key, task);
+        task.controller.abort(signal.reason);
+      }
+    }
+  }
+
+  abortAll(): void {
+    for (const [key, task] of [...this.#tasks]) {
+      this.#forget(key, task);
+      task.controller.abort();
+    }
+  }
+
+  #start(key: K, start: (signal: AbortSignal) => Promise<V>): Task<V> {
+    const controller = new AbortController();
+    const promise = start(controller.signal);
+    const task: Task<V> = { promise, controller, waiting: 0 };
+    this.#tasks.set(key, task);
+    const done = (): void => this.#forget(key, task);
+    promise.then(done, done);
+    return task;
+  }
+
+  #forget(key: K, task: Task<V>): void {
+    if (this.#tasks.get(key) === task) this.#tasks.delete(key);
+  }
+}
+
+/** `promise`, or a rejection with the signal's reason as soon as that aborts. */
+export function orAborted<T>(promise: Promise<T>, signal: AbortSignal): Promise<T> {
+  return new Promise((resolve, reject) => {
+    const abort = (): void => reject(signal.reason);
+    signal.addEventListener("abort", abort, { once: true });
+    promise.then(resolve, reject).finally(() => signal.removeEventListener("abort", abort));
+  });
+}
