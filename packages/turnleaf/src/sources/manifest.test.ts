@@ -1,0 +1,140 @@
+import { describe, expect, it } from "vitest";
+import { limits } from "./limits.js";
+import { parseManifest } from "./manifest.js";
+import { BookError } from "./page_source.js";
+
+const base = "https://library.example/atlas/book.json";
+const parse = (value: unknown, from = base): ReturnType<typeof parseManifest> =>
+  parseManifest(value, from, "book.json");
+
+describe("a good manifest", () => {
+  it("resolves its addresses against its own", () => {
+    const book = parse({
+      title: "Atlas",
+      language: "EN-gb",
+      direction: "rtl",
+      pages: ["1.jpg", { src: "../2.jpg", width: 900, height: 1200, label: "iv" }],
+    });
+    expect(book).toEqual({
+      name: "book.json",
+      title: "Atlas",
+      language: "en-GB",
+      direction: "rtl",
+      kind: "scan",
+      pages: [
+        { src: "https://library.example/atlas/1.jpg" },
+        { src: "https://library.example/2.jpg", size: { width: 900, height: 1200 }, label: "iv" },
+      ],
+    });
+  });
+
+  it("may be the list of its pages alone", () => {
+    expect(parse(["1.jpg", "2.jpg"])).toMatchObject({ title: "book.json", direction: "ltr" });
+  });
+
+  it("may hold other servers' addresses, blobs and images as data", () => {
+    const pages = ["http://other.example/1.png", "data:image/png;base64,AAAA", "//x.example/2.png"];
+    expect(parse({ pages }).pages.map(({ src }) => src)).toEqual([
+      "http://other.example/1.png",
+      "data:image/png;base64,AAAA",
+      "https://x.example/2.png",
+    ]);
+  });
+
+  it("ignores what it does not know, and cleans what is shown", () => {
+    const book = parse({ title: " A\u0000\u202e  title\n", future: 1, pages: ["1.jpg"] });
+    expect(book.title).toBe("A title");
+  });
+
+  it("bounds the length of titles and labels", () => {
+    const book = parse({
+      title: "t".repeat(10_000),
+      pages: [{ src: "1", label: "l".repeat(999) }],
+    });
+    expect(book.title.length).toBe(limits.titleLength);
+    expect(book.pages[0]?.label?.length).toBe(limits.labelLength);
+  });
+});
+
+describe("a bad manifest is told in one sentence that names it and the place", () => {
+  const cases: readonly (readonly [string, unknown, RegExp])[] = [
+    ["null", null, /^book\.json is not a manifest; /],
+    ["a text", "pages", /^book\.json is not a manifest; /],
+    ["no pages", { title: "x" }, /^book\.json has no list of "pages"; /],
+    ["pages of another type", { pages: { 0: "1.jpg" } }, /^book\.json has no list of "pages"; /],
+    ["an empty list", { pages: [] }, /^book\.json lists no pages; /],
+    ["too many pages", { pages: Array(20_001).fill("1") }, /^book\.json lists 20001 pages; /],
+    ["a number for a page", { pages: ["1.jpg", 7] }, /^book\.json: page 2 has no "src"; /],
+    ["an empty src", { pages: [""] }, /^book\.json: page 1 has no "src"; /],
+    ["null for a page", { pages: [null] }, /^book\.json: page 1 has no "src"; /],
+    [
+      "a script",
+      { pages: ["javascript:alert(1)"] },
+      /page 1 has an address that is not of the web/,
+    ],
+    ["a file", { pages: ["file:///etc/passwd"] }, /page 1 has an address that is not of the web/],
+    ["a broken address", { pages: ["http://"] }, /page 1 has an address that is none: http:/],
+    ["a page as data", { pages: ["data:text/html,x"] }, /page 1 holds data that is no PNG/],
+    ["an SVG", { pages: ["data:image/svg+xml,<svg/>"] }, /page 1 holds data that is no PNG/],
+    ["a long address", { pages: ["x".repeat(5000)] }, /page 1 has an address of 5000 characters; /],
+    ["a width alone", { pages: [{ src: "1", width: 3 }] }, /page 1 has no usable width and height/],
+    ["no height", { pages: [{ src: "1", width: 3, height: 0 }] }, /page 1 has no usable width/],
+    ["an endless side", { pages: [{ src: "1", width: 1e300, height: 2 }] }, /page 1 has no usable/],
+    [
+      "a width in words",
+      { pages: [{ src: "1", width: "3", height: "4" }] },
+      /page 1 has no usable/,
+    ],
+    [
+      "a title that is none",
+      { title: {}, pages: ["1"] },
+      /^book\.json has a title that is no text; /,
+    ],
+    [
+      "a label that is none",
+      { pages: [{ src: "1", label: 4 }] },
+      /page 1 has a label that is no text/,
+    ],
+    ["no language", { language: "?", pages: ["1"] }, /^book\.json has a language that is no tag; /],
+    [
+      "a direction",
+      { direction: "up", pages: ["1"] },
+      /unknown direction; write "ltr" or "rtl"\.$/,
+    ],
+    ["a kind", { kind: "x", pages: ["1"] }, /unknown kind; write "scan" or "typeset"\.$/],
+  ];
+  it.each(cases)("%s", (_, value, sentence) => {
+    expect(() => parse(value)).toThrow(BookError);
+    expect(() => parse(value)).toThrow(sentence);
+  });
+
+  it("a relative address in a manifest that has none itself", () => {
+    expect(() => parse(["1.jpg"], "data:application/json,x")).toThrow(/page 1 has an address that/);
+  });
+});
+
+it("takes any JSON without another failure than a BookError", () => {
+  const seed = (Date.now() % 0x7fffffff) | 1;
+  let state = seed;
+  const random = (most: number): number => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return Math.floor((state / 2 ** 32) * most);
+  };
+  const leaves = [null, 0, -1, 1e308, "", "1.jpg", "\ud800", "data:,", true, "__proto__"];
+  const keys = ["pages", "src", "width", "height", "label", "title", "direction", "__proto__"];
+  const grow = (depth: number): unknown => {
+    const kind = depth > 4 ? 0 : random(3);
+    if (kind === 0) return leaves[random(leaves.length)];
+    const parts = Array.from({ length: random(5) }, () => grow(depth + 1));
+    if (kind === 1) return parts;
+    return Object.fromEntries(parts.map((part) => [keys[random(keys.length)], part]));
+  };
+  for (let i = 0; i < 3000; i++) {
+    const value = { ...(grow(0) as object), pages: grow(1) };
+    try {
+      parse(value);
+    } catch (error) {
+      expect(error, `seed ${seed}: ${JSON.stringify(value)}`).toBeInstanceOf(BookError);
+    }
+  }
+});

@@ -1,0 +1,100 @@
+import { describe, expect, it } from "vitest";
+import { cleanLanguage, cleanText, nameOfUrl } from "./book_text.js";
+import { fitPixels, limits } from "./limits.js";
+import { SharedTasks } from "./shared_tasks.js";
+import { sniff } from "./sniff.js";
+
+const bytes = (text: string): Uint8Array => Uint8Array.from(text, (c) => c.charCodeAt(0));
+
+describe("sniff", () => {
+  it.each([
+    ["pdf", "%PDF-1.7\n"],
+    ["pdf", `${"x".repeat(1000)}%PDF-1.4`],
+    ["image", "\x89PNG\r\n\x1a\nIHDR"],
+    ["image", "\xff\xd8\xff\xe0JFIF"],
+    ["image", "GIF89a"],
+    ["image", "RIFF....WEBPVP8 "],
+    ["image", "\0\0\0\x1cftypavif"],
+    ["json", ' \n{"pages":[]}'],
+    ["json", "\xef\xbb\xbf[]"],
+    ["html", "<!doctype html><title>"],
+    ["html", "  <html>"],
+    ["archive", "PK\x03\x04"],
+    ["unknown", "Call me Ishmael."],
+    ["unknown", `${"x".repeat(1024)}%PDF-1.4`],
+    ["unknown", ""],
+  ])("tells %s by its first bytes", (kind, text) => {
+    expect(sniff(bytes(text))).toBe(kind);
+  });
+});
+
+describe("fitPixels", () => {
+  it("keeps proportions at the width that is asked for", () => {
+    expect(fitPixels({ width: 600, height: 900 }, 300)).toEqual({ width: 300, height: 450 });
+  });
+  it.each([
+    [{ width: 1, height: 1 }, 1e9],
+    [{ width: 1, height: 100_000 }, 4000],
+    [{ width: 100_000, height: 1 }, 4000],
+    [{ width: 3, height: 4 }, Number.POSITIVE_INFINITY],
+    [{ width: 3, height: 4 }, Number.NaN],
+    [{ width: 3, height: 4 }, -5],
+  ])("stays within bounds for %o at %d", (size, width) => {
+    const fitted = fitPixels(size, width);
+    expect(fitted.width).toBeGreaterThanOrEqual(1);
+    expect(fitted.height).toBeGreaterThanOrEqual(1);
+    expect(Math.max(fitted.width, fitted.height)).toBeLessThanOrEqual(limits.side);
+    expect(fitted.width * fitted.height).toBeLessThanOrEqual(limits.pixels);
+  });
+});
+
+describe("texts of a book", () => {
+  it("names a file by the end of its address", () => {
+    expect(nameOfUrl("https://x.example/a/My%20book.pdf?v=1#p")).toBe("My book.pdf");
+    expect(nameOfUrl("https://x.example/%E0%A4%A")).toBe("%E0%A4%A");
+    expect(nameOfUrl("blob:https://x.example/1-2")).toBe("this book");
+    expect(nameOfUrl("https://x.example/")).toBe("x.example");
+  });
+  it("keeps one clean line", () => {
+    expect(cleanText("a\u0007\n  b\u202e")).toBe("a b");
+    expect(cleanText(7)).toBe("");
+  });
+  it("makes tags canonical and drops what is none", () => {
+    expect(cleanLanguage("pt_br")).toBe("pt-BR");
+    expect(cleanLanguage("not a language")).toBe("");
+    expect(cleanLanguage(undefined)).toBe("");
+  });
+});
+
+describe("SharedTasks", () => {
+  it("runs one task for all who wait and aborts it when the last gives up", async () => {
+    const tasks = new SharedTasks<string, number>();
+    let started = 0;
+    let own: AbortSignal | undefined;
+    const start = (signal: AbortSignal): Promise<number> => {
+      started += 1;
+      own = signal;
+      return new Promise(() => {});
+    };
+    const first = new AbortController();
+    const second = new AbortController();
+    const waiting = [
+      tasks.run("a", start, first.signal).catch((error: unknown) => error),
+      tasks.run("a", start, second.signal).catch((error: unknown) => error),
+    ];
+    expect(started).toBe(1);
+    first.abort("enough");
+    expect(await waiting[0]).toBe("enough");
+    expect(own?.aborted).toBe(false);
+    second.abort("me too");
+    expect(await waiting[1]).toBe("me too");
+    expect(own?.aborted).toBe(true);
+  });
+  it("starts anew after a task has ended", async () => {
+    const tasks = new SharedTasks<string, number>();
+    expect(await tasks.run("a", () => Promise.resolve(1))).toBe(1);
+    expect(await tasks.run("a", () => Promise.resolve(2))).toBe(2);
+    await expect(tasks.run("a", () => Promise.reject(new Error("no")))).rejects.toThrow("no");
+    expect(await tasks.run("a", () => Promise.resolve(3))).toBe(3);
+  });
+});
