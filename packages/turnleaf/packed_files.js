@@ -4,6 +4,7 @@ import { dirname, join } from "node:path";
 import { gzipSync } from "node:zlib";
 
 const prefix = "packed:";
+const suffix = "!packed";
 const require = createRequire(import.meta.url);
 
 /**
@@ -20,12 +21,12 @@ export function packedFiles() {
     name: "turnleaf-packed-files",
     enforce: "pre",
     resolveId(id) {
-      // A virtual id: the leading zero byte keeps other plugins from reading it as a path.
-      return id.startsWith(prefix) ? `\0${id}` : null;
+      // The zero byte and the ending keep other plugins from taking it for a file of their kind.
+      return id.startsWith(prefix) ? `\0${id}${suffix}` : null;
     },
     async load(id) {
       if (!id.startsWith(`\0${prefix}`)) return null;
-      const path = id.slice(prefix.length + 1);
+      const path = id.slice(prefix.length + 1, -suffix.length);
       const bytes = path.endsWith("/") ? await packFolder(path) : await readFile(locate(path));
       const base64 = gzipSync(bytes, { level: 9 }).toString("base64");
       return { code: `export default ${JSON.stringify(base64)};`, moduleType: "js", map: null };

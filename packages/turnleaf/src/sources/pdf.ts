@@ -121,13 +121,12 @@ async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<
     document.getPageLabels().catch(() => null),
   ]);
   const info = (metadata?.info ?? {}) as Record<string, unknown>;
-  const direction = (preferences as Record<string, unknown> | null)?.Direction;
   return {
     name: input.name,
     document,
     title: cleanText(metadata?.metadata?.get("dc:title")) || cleanText(info.Title) || input.name,
     language: cleanLanguage(info.Language),
-    direction: direction === "R2L" ? "rtl" : "ltr",
+    direction: preferences?.get("Direction") === "R2L" ? "rtl" : "ltr",
     labels,
   };
 }

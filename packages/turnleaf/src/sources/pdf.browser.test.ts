@@ -1,0 +1,182 @@
+import { afterEach, describe, expect, it, vi } from "vitest";
+import { openSource } from "./open.js";
+import { BookError, type PagePicture, type PageSource } from "./page_source.js";
+import { PackedDataFactory } from "./pdf_runtime.js";
+import { type TinyPdf, tinyPdf } from "./tiny_pdf.js";
+
+const red = "1 0 0 rg 0 0 200 300 re f";
+const never = new AbortController().signal;
+const opened: PageSource[] = [];
+
+afterEach(() => {
+  vi.restoreAllMocks();
+  for (const source of opened.splice(0)) source.close();
+});
+
+async function open(bytes: Uint8Array<ArrayBuffer>, name = "book.pdf"): Promise<PageSource> {
+  const source = await openSource(new File([bytes], name));
+  opened.push(source);
+  return source;
+}
+
+const openTiny = (pdf: TinyPdf): Promise<PageSource> => open(tinyPdf(pdf));
+
+/** The colour at a share of the picture's width and height, as "r,g,b". */
+function colourAt(picture: PagePicture, x: number, y: number): string {
+  const canvas = new OffscreenCanvas(picture.width, picture.height);
+  const context = canvas.getContext("2d")!;
+  context.drawImage(picture, 0, 0);
+  const at = [Math.floor(x * picture.width), Math.floor(y * picture.height)] as const;
+  return [...context.getImageData(...at, 1, 1).data.slice(0, 3)].join(",");
+}
+
+async function messageOf(promise: Promise<unknown>): Promise<string> {
+  const error = await promise.then(
+    () => new Error("It did not fail."),
+    (reason: unknown) => reason,
+  );
+  expect(error).toBeInstanceOf(BookError);
+  return (error as Error).message;
+}
+
+describe("a PDF", () => {
+  it("says what it is", async () => {
+    const source = await openTiny({
+      pages: [red, red, red],
+      catalog:
+        "/Lang (pt_BR) /ViewerPreferences << /Direction /R2L >> /PageLabels << /Nums [0 << /S /r >> 2 << /S /D >>] >>",
+      info: "/Title (Of\\000 Whales)",
+    });
+    expect(source.title).toBe("Of Whales");
+    expect(source.language).toBe("pt-BR");
+    expect(source.direction).toBe("rtl");
+    expect(source.pageCount).toBe(3);
+    expect([0, 1, 2].map((index) => source.label(index))).toEqual(["i", "ii", "1"]);
+    expect(await source.size(0)).toEqual({ width: 200, height: 300 });
+  });
+
+  it("is named by its file and numbered from 1 where it says nothing", async () => {
+    const source = await openTiny({ pages: [red] });
+    expect(source.title).toBe("book.pdf");
+    expect(source.language).toBe("");
+    expect(source.direction).toBe("ltr");
+    expect(source.label(0)).toBe("1");
+  });
+
+  it("is drawn as wide as asked, on white, the head of the page upwards", async () => {
+    const source = await openTiny({ pages: ["0 0 1 rg 0 150 200 150 re f"] });
+    const picture = await source.draw(0, 400, never);
+    expect([picture.width, picture.height]).toEqual([400, 600]);
+    expect(colourAt(picture, 0.5, 0.25)).toBe("0,0,255");
+    expect(colourAt(picture, 0.5, 0.75)).toBe("255,255,255");
+  });
+
+  it("is drawn within bounds whatever is asked and whatever its size", async () => {
+    const source = await openTiny({ pages: [red], mediaBox: "[0 0 10 14000]" });
+    const picture = await source.draw(0, 1e6, never);
+    expect(picture.height).toBeLessThanOrEqual(4096);
+    expect(picture.width).toBeGreaterThanOrEqual(1);
+  });
+
+  it("draws text in fonts that it does not bring", async () => {
+    const source = await openTiny({
+      pages: ["BT /F1 300 Tf 0 0 Td (\\156) Tj ET"],
+      resources: "/Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /ZapfDingbats >> >>",
+    });
+    const picture = await source.draw(0, 200, never);
+    // The letter n of this font is a black square.
+    expect(colourAt(picture, 0.5, 0.7)).toBe("0,0,0");
+  });
+
+  it("draws JPEG 2000", async () => {
+    const jp2 =
+      "AAAADGpQICANCocKAAAAFGZ0eXBqcDIgAAAAAGpwMiAAAAAtanAyaAAAABZpaGRyAAAAEAAAABAAAwcHAAAAAAAPY29scgEAAAAAABAAAACtanAyY/9P/1EALwAAAAAAEAAAABAAAAAAAAAAAAAAABAAAAAQAAAAAAAAAAAAAwcBAQcBAQcBAf9SAAwAAAABAAQEBAAB/1wAEEBASEhQSEhQSEhQSEhQ/2QAJQABQ3JlYXRlZCBieSBPcGVuSlBFRyB2ZXJzaW9uIDIuNS40/5AACgAAAAAAKQAB/5PPtAgET8+0CAifz7QICJ+AgICAgICAgICAgID/2Q==";
+    const data = atob(jp2);
+    const dictionary = "/Type /XObject /Subtype /Image /Width 16 /Height 16 /Filter /JPXDecode";
+    const source = await openTiny({
+      pages: ["200 0 0 300 0 0 cm /I Do"],
+      resources: "/XObject << /I 10 0 R >>",
+      objects: [`<< ${dictionary} /Length ${data.length} >>\nstream\n${data}\nendstream`],
+    });
+    expect(colourAt(await source.draw(0, 100, never), 0.5, 0.5)).toBe("200,30,30");
+  });
+
+  it("finds the character maps and decoders that files refer to", async () => {
+    const files = new PackedDataFactory();
+    const map = await files.fetch({ kind: "cMapUrl", filename: "UniJIS-UTF16-H.bcmap" });
+    expect(map.length).toBe(39443);
+    const decoder = await files.fetch({ kind: "wasmUrl", filename: "jbig2.wasm" });
+    expect([...decoder.subarray(0, 4)]).toEqual([0, 0x61, 0x73, 0x6d]);
+    await expect(files.fetch({ kind: "wasmUrl", filename: "../x" })).rejects.toThrow();
+  });
+
+  it("gives up drawing when told to, and draws again afterwards", async () => {
+    const source = await openTiny({ pages: [red, red] });
+    const controller = new AbortController();
+    const drawing = source.draw(0, 300, controller.signal);
+    controller.abort(new Error("turned on"));
+    await expect(drawing).rejects.toThrow("turned on");
+    expect((await source.draw(0, 300, never)).width).toBe(300);
+  });
+
+  it("draws the same page twice at once", async () => {
+    const source = await openTiny({ pages: [red] });
+    const pictures = await Promise.all([source.draw(0, 50, never), source.draw(0, 90, never)]);
+    expect(pictures.map(({ width }) => width)).toEqual([50, 90]);
+  });
+
+  it("rejects once it is closed", async () => {
+    const source = await openTiny({ pages: [red] });
+    source.close();
+    source.close();
+    expect(await messageOf(source.draw(0, 50, never))).toBe("book.pdf is closed; open it again.");
+  });
+
+  it("runs no script", async () => {
+    const source = await openTiny({
+      pages: [red],
+      catalog: "/OpenAction << /S /JavaScript /JS (app.alert\\(1\\); globalThis.ran = true) >>",
+    });
+    await source.draw(0, 20, never);
+    expect("ran" in globalThis).toBe(false);
+  });
+});
+
+describe("a PDF that cannot be read is told in one sentence", () => {
+  it("protected by a password", async () => {
+    const bytes = Uint8Array.from(atob(protectedPdf), (letter) => letter.charCodeAt(0));
+    expect(await messageOf(open(bytes, "secret.pdf"))).toBe(
+      "secret.pdf is protected by a password; remove the password and open it again.",
+    );
+  });
+
+  it("damaged", async () => {
+    const bytes = new TextEncoder().encode("%PDF-1.7\nnothing else");
+    expect(await messageOf(open(bytes, "torn.pdf"))).toBe(
+      "torn.pdf is damaged or no PDF; repair the file or get it again.",
+    );
+  });
+
+  it("empty", async () => {
+    expect(await messageOf(open(new Uint8Array(), "empty.pdf"))).toBe(
+      "empty.pdf is empty; get the file again.",
+    );
+  });
+
+  it("on a page whose policy forbids its worker", async () => {
+    const opening = openSource(new File([tinyPdf({ pages: [red] })], "book.pdf"), {
+      pdfWorker: "data:text/javascript,throw new Error('refused')",
+    });
+    expect(await messageOf(opening)).toContain("set pdfWorker to the address");
+  });
+
+  it("repaired where it can be", async () => {
+    const whole = tinyPdf({ pages: [red] });
+    const source = await open(whole.slice(0, whole.length - 20));
+    expect(colourAt(await source.draw(0, 20, never), 0.5, 0.5)).toBe("255,0,0");
+  });
+});
+
+/** A page protected by qpdf --encrypt secret owner 256. */
+const protectedPdf =
+  "JVBERi0xLjcKJb/3ov4KMSAwIG9iago8PCAvRXh0ZW5zaW9ucyA8PCAvQURCRSA8PCAvQmFzZVZlcnNpb24gLzEuNyAvRXh0ZW5zaW9uTGV2ZWwgOCA+PiA+PiAvUGFnZXMgMyAwIFIgL1R5cGUgL0NhdGFsb2cgPj4KZW5kb2JqCjIgMCBvYmoKPDwgPj4KZW5kb2JqCjMgMCBvYmoKPDwgL0NvdW50IDEgL0tpZHMgWyA0IDAgUiBdIC9UeXBlIC9QYWdlcyA+PgplbmRvYmoKNCAwIG9iago8PCAvQ29udGVudHMgNSAwIFIgL01lZGlhQm94IFsgMCAwIDIwMCAzMDAgXSAvUGFyZW50IDMgMCBSIC9SZXNvdXJjZXMgPDwgPj4gL1R5cGUgL1BhZ2UgPj4KZW5kb2JqCjUgMCBvYmoKPDwgL0xlbmd0aCA0OCAvRmlsdGVyIC9GbGF0ZURlY29kZSA+PgpzdHJlYW0KKFv5PCLCJv8uFjT7O6YONKVZjn3taf1Z4mLaGQvYGsE2NdXfOxyeJUNUeLpTDoCyZW5kc3RyZWFtCmVuZG9iago2IDAgb2JqCjw8IC9DRiA8PCAvU3RkQ0YgPDwgL0F1dGhFdmVudCAvRG9jT3BlbiAvQ0ZNIC9BRVNWMyAvTGVuZ3RoIDMyID4+ID4+IC9GaWx0ZXIgL1N0YW5kYXJkIC9MZW5ndGggMjU2IC9PIDw0ZWJkNTA3NzE2YmQxMDZkNTRlNzkyYTNmNmY1ZGFmYTc1YzlmMDY1ZDUxOGRmMWEwNzZmNzA4MTNhZjIwYmNlYWM2MTYwNDUwYzkzZDhhMjdlNzg3ZWYxYWRjN2E4MjQ+IC9PRSA8N2RmN2Y1MmIyNDU0OTBhY2QyNWRlYmJlYjNhY2NjZDQ5OTk2OTQzZDFmNmM4Y2FiZGE3NjljODgyNDI3ZGI4OT4gL1AgLTQgL1Blcm1zIDxlMTNhY2QzZGExN2NlY2QxMDY3ZWNmZjU4NDc2OTQ4ND4gL1IgNiAvU3RtRiAvU3RkQ0YgL1N0ckYgL1N0ZENGIC9VIDwwZDZiMmIwMTFhZGFhNTBkNjVkYmEzOTEyYTY5ZDA4MGQyODNhNThiMmJjOWRhZGNhZGJiNjM2YzM5ZTRmYmUzOWFjNzBhN2FjYjQwNTA3YWE2Y2ZjMDZkZTIwYmFhOTI+IC9VRSA8YTlkODE4YzBmYmEwNWFmZjcwNjg1NzY1YTlmYTQxNzUwMzE3MDAxNjFiYjVjNzMzMTIyMDc1OWQ2ZWQ4NDQwNj4gL1YgNSA+PgplbmRvYmoKeHJlZgowIDcKMDAwMDAwMDAwMCA2NTUzNSBmIAowMDAwMDAwMDE1IDAwMDAwIG4gCjAwMDAwMDAxMzAgMDAwMDAgbiAKMDAwMDAwMDE1MSAwMDAwMCBuIAowMDAwMDAwMjEwIDAwMDAwIG4gCjAwMDAwMDAzMTYgMDAwMDAgbiAKMDAwMDAwMDQzNCAwMDAwMCBuIAp0cmFpbGVyIDw8IC9JbmZvIDIgMCBSIC9Sb290IDEgMCBSIC9TaXplIDcgL0lEIFs8OTVkMDIyMTBiNzc4OTZmNzk2MzBiNTgzM2I0YTBlZjk+PDk1ZDAyMjEwYjc3ODk2Zjc5NjMwYjU4MzNiNGEwZWY5Pl0gL0VuY3J5cHQgNiAwIFIgPj4Kc3RhcnR4cmVmCjk4MQolJUVPRgo=";

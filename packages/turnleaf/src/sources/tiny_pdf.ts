@@ -1,0 +1,59 @@
+/** What a tiny PDF is made of; for tests alone. */
+export interface TinyPdf {
+  /** A content stream a page, in points of a page 200 wide and 300 high. */
+  readonly pages: readonly string[];
+  /** Entries of the catalog, such as `/Lang (en)`. */
+  readonly catalog?: string;
+  /** Entries of the pages' resources. */
+  readonly resources?: string;
+  /** Further objects, numbered from 10 on. */
+  readonly objects?: readonly string[];
+  /** Entries of the document's information. */
+  readonly info?: string;
+  readonly mediaBox?: string;
+}
+
+/** Builds a small and valid PDF, each byte a character of latin-1. */
+export function tinyPdf(pdf: TinyPdf): Uint8Array<ArrayBuffer> {
+  const first = 10 + (pdf.objects?.length ?? 0);
+  const kids = pdf.pages.map((_, i) => `${first + 2 * i} 0 R`).join(" ");
+  const objects = new Map<number, string>([
+    [1, `<< /Type /Catalog /Pages 2 0 R ${pdf.catalog ?? ""} >>`],
+    [2, `<< /Type /Pages /Count ${pdf.pages.length} /Kids [${kids}] >>`],
+    [3, `<< ${pdf.info ?? ""} >>`],
+  ]);
+  pdf.objects?.forEach((object, i) => {
+    objects.set(10 + i, object);
+  });
+  pdf.pages.forEach((content, i) => {
+    const number = first + 2 * i;
+    const box = pdf.mediaBox ?? "[0 0 200 300]";
+    const resources = `/Resources << ${pdf.resources ?? ""} >>`;
+    const contents = `/Contents ${number + 1} 0 R`;
+    objects.set(
+      number,
+      `<< /Type /Page /Parent 2 0 R /MediaBox ${box} ${resources} ${contents} >>`,
+    );
+    objects.set(number + 1, `<< /Length ${content.length} >>\nstream\n${content}\nendstream`);
+  });
+  return latin1(write(objects));
+}
+
+function write(objects: ReadonlyMap<number, string>): string {
+  const size = Math.max(...objects.keys()) + 1;
+  const offsets = new Array<number>(size).fill(0);
+  let text = "%PDF-1.7\n";
+  for (const [number, object] of objects) {
+    offsets[number] = text.length;
+    text += `${number} 0 obj\n${object}\nendobj\n`;
+  }
+  const entry = (offset: number): string =>
+    offset === 0 ? "0000000000 65535 f \n" : `${String(offset).padStart(10, "0")} 00000 n \n`;
+  const start = text.length;
+  const trailer = `trailer\n<< /Size ${size} /Root 1 0 R /Info 3 0 R >>\n`;
+  return `${text}xref\n0 ${size}\n${offsets.map(entry).join("")}${trailer}startxref\n${start}\n%%EOF\n`;
+}
+
+function latin1(text: string): Uint8Array<ArrayBuffer> {
+  return Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+}
