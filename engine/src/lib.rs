@@ -1,1 +1,38 @@
-//! Turnleaf engine.
+//! Turnleaf's engine: simulated paper, and pages that turn.
+//!
+//! The engine knows no screen, clock, file, network, thread or random number.
+//! It speaks SI units in book space: x across the spine to the right, y along
+//! the spine to the head, z up from the table. Over a leaf u runs from 0 at the
+//! spine to 1 at the fore-edge and v from 0 at the foot to 1 at the head.
+//!
+//! The same commands give the same bits in native code and in WASM: steps are
+//! of fixed length, operations of fixed order and never fused, and sines come
+//! from `libm`.
+//!
+//! # The public list
+//! - [`TurnModel`], which every way of turning a page implements, and
+//!   [`Surface`], which every one yields
+//! - [`MassSpring`] with its [`Settings`]: the paper's model and its improvements
+//! - [`Gesture`]: how a hand turns a leaf
+//! - [`Lagrange`]: from few nodes to many points
+
+mod gesture;
+mod grid;
+mod hash;
+mod interpolate;
+mod lanes;
+mod models;
+mod surface;
+mod synchronise;
+mod turn;
+
+pub use gesture::{Gesture, Grip};
+pub use grid::Side;
+pub use hash::BitHash;
+pub use interpolate::{Lagrange, lagrange_weights, uniform_samples};
+pub use models::mass_spring::{
+    Integrator, InvalidSettings, MassSpring, Masses, Plate, Preset, Settings, Springs, StrainLimit,
+};
+pub use surface::{StrainRange, Surface};
+pub use synchronise::Synchronise;
+pub use turn::TurnModel;

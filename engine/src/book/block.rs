@@ -15,7 +15,7 @@
 //! elasticity. Pages deeper in the pile are bound farther from the gutter and
 //! rise less, so the pile fans out as leaves glued to a flat spine do.
 
-use super::Side;
+use crate::grid::Side;
 
 /// Curves in a pile, from the uppermost page to the board.
 pub const LAYERS: usize = 6;
@@ -81,6 +81,25 @@ impl Pile {
         }
     }
 
+    /// The pile of a closed book: pages flat upon each other, `thickness` metres
+    /// high.
+    pub fn closed(side: Side, width: f64, thickness: f64, u: &[f32]) -> Pile {
+        let columns = u.len();
+        let mut curves = vec![0.0; 2 * columns * LAYERS];
+        for (layer, curve) in curves.chunks_exact_mut(2 * columns).enumerate() {
+            let depth = layer as f64 / (LAYERS - 1) as f64;
+            for (point, u) in curve.chunks_exact_mut(2).zip(u) {
+                point[0] = side.sign() * u * width as f32;
+                point[1] = (thickness * (1.0 - depth)) as f32;
+            }
+        }
+        Pile {
+            columns,
+            curves,
+            angles: vec![0.0; columns - 1],
+        }
+    }
+
     /// Sets this pile to a share `t` (0 to 1) of the way from `a` to `b`, which
     /// have the same columns.
     pub fn blend(&mut self, a: &Pile, b: &Pile, t: f32) {
@@ -91,6 +110,12 @@ impl Pile {
         };
         mix(&mut self.curves, &a.curves, &b.curves);
         mix(&mut self.angles, &a.angles, &b.angles);
+    }
+
+    /// Moves this pile a share `t` (0 to 1) of the way toward `other`.
+    pub fn blend_toward(&mut self, other: &Pile, t: f32) {
+        let from = self.clone();
+        self.blend(&from, other, t);
     }
 
     /// Points along each curve.

@@ -1,7 +1,7 @@
 //! A cover board: a rigid plate on a hinge, which a hand swings open or shut.
 
-use super::Side;
 use super::leaf::{Phase, TICK};
+use crate::grid::Side;
 
 /// Gravity's pull on a plate of a page's size lying level, 3 g / (2 width) at
 /// 0.14 m, in rad/s^2.

@@ -70,7 +70,7 @@ pub fn share_turned(dx: f32, dz: f32) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Side;
+    use crate::grid::Side;
     use super::super::block::crowded_columns;
     use super::*;
 

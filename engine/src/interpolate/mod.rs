@@ -1,0 +1,5 @@
+//! From a model's few nodes to the many points of the drawn surface.
+
+mod lagrange;
+
+pub use lagrange::{Lagrange, lagrange_weights, uniform_samples};

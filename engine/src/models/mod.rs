@@ -1,0 +1,3 @@
+//! The ways of turning a page, one folder a model.
+
+pub mod mass_spring;
