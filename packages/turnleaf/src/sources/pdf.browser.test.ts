@@ -132,6 +132,31 @@ describe("a PDF", () => {
     expect(await messageOf(source.draw(0, 50, never))).toBe("book.pdf is closed; open it again.");
   });
 
+  it("leaves no worker behind", async () => {
+    const started: Worker[] = [];
+    const ended = new Set<Worker>();
+    const terminate = Worker.prototype.terminate;
+    vi.spyOn(Worker.prototype, "terminate").mockImplementation(function (this: Worker) {
+      ended.add(this);
+      terminate.call(this);
+    });
+    vi.stubGlobal(
+      "Worker",
+      class extends Worker {
+        constructor(url: string | URL, options?: WorkerOptions) {
+          super(url, options);
+          started.push(this);
+        }
+      },
+    );
+    const source = await openTiny({ pages: [red] });
+    await source.draw(0, 20, never);
+    source.close();
+    await vi.waitFor(() => expect(ended).toEqual(new Set(started)));
+    expect(started.length).toBe(2);
+    vi.unstubAllGlobals();
+  });
+
   it("runs no script", async () => {
     const source = await openTiny({
       pages: [red],

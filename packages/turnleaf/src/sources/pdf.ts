@@ -31,6 +31,8 @@ export interface PdfOptions {
 const largeFile = 24 << 20;
 /** Bytes of one such piece. */
 const piece = 1 << 18;
+/** Milliseconds that a worker has to end by itself before it is ended. */
+const closingTime = 2000;
 /** Pages whose parsed content is kept, so that drawing them sharper is quick. */
 const keptPages = 6;
 
@@ -55,9 +57,14 @@ export async function openPdf(input: PdfInput, options: PdfOptions = {}): Promis
     verbosity: pdfjs.VerbosityLevel.ERRORS,
   });
   const stop = (): void => {
-    // The task's own end waits for its worker; without it nothing is left to wait for.
-    task.destroy().catch(() => {});
-    thread.stop();
+    const force = setTimeout(thread.stop, closingTime);
+    task
+      .destroy()
+      .catch(() => {})
+      .finally(() => {
+        clearTimeout(force);
+        thread.stop();
+      });
   };
   try {
     const opening = Promise.race([describe(task, input), thread.failed]);
@@ -170,18 +177,19 @@ class PdfSource implements PageSource {
     const page = await this.#page(index, signal);
     const size = this.#sizeOf(page, index);
     const pixels = fitPixels(size, width);
-    const canvas = document.createElement("canvas");
-    canvas.width = pixels.width;
-    canvas.height = pixels.height;
+    const canvas = new OffscreenCanvas(pixels.width, pixels.height);
     const scale = pixels.width / size.width;
-    const task = page.render({ canvas, viewport: page.getViewport({ scale }) });
+    const task = page.render({
+      canvas: canvas as unknown as HTMLCanvasElement,
+      viewport: page.getViewport({ scale }),
+    });
     const cancel = (): void => task.cancel();
     signal.addEventListener("abort", cancel, { once: true });
     try {
       await task.promise;
       this.#keep(index, page);
       signal.throwIfAborted();
-      return await createImageBitmap(canvas);
+      return canvas.transferToImageBitmap();
     } catch (error) {
       throw this.#told(error, index, signal);
     } finally {
