@@ -41,17 +41,31 @@ export function facesBetween(
   };
 }
 
+/** Pages to have ready, most urgent first. */
+export interface PagesWanted {
+  readonly pages: readonly number[];
+  /** How many of the first are seen now. */
+  readonly inSight: number;
+}
+
 /**
- * The pages to have ready, most urgent first: what is seen, then what the next
+ * The pages to have ready between two spreads: what is seen, then what the next
  * turns in either direction would show, then the boards' outsides.
  */
-export function pagesWanted(binding: Binding, low: number, high: number): number[] {
+export function pagesWanted(binding: Binding, low: number, high: number): PagesWanted {
   const seen = facesBetween(binding, low, high);
-  const wanted = [seen.right, seen.left, seen.recto, seen.verso];
+  const faces = [seen.right, seen.left, seen.recto, seen.verso];
+  if (low === 0) faces.push(seen.frontInside);
+  if (high === leafCount(binding)) faces.push(seen.backInside);
+  const inSight = existing(faces);
   for (const s of [high + 1, low - 1, high + 2]) {
-    wanted.push(leftPage(binding, s), rightPage(binding, s));
+    faces.push(leftPage(binding, s), rightPage(binding, s));
   }
-  if (low <= 1) wanted.push(seen.frontOutside, seen.frontInside);
-  if (high >= leafCount(binding) - 1) wanted.push(seen.backInside, seen.backOutside);
-  return [...new Set(wanted)].filter((page): page is number => page !== null);
+  if (low <= 1) faces.push(seen.frontOutside, seen.frontInside);
+  if (high >= leafCount(binding) - 1) faces.push(seen.backInside, seen.backOutside);
+  return { pages: existing(faces), inSight: inSight.length };
+}
+
+function existing(pages: readonly (number | null)[]): number[] {
+  return [...new Set(pages)].filter((page): page is number => page !== null);
 }

@@ -41,6 +41,7 @@ interface Exports {
   tl_book_columns(book: number): number;
   tl_book_rows(book: number): number;
   tl_book_layers(book: number): number;
+  tl_book_u(book: number): number;
   tl_book_positions(book: number): number;
   tl_book_normals(book: number): number;
   tl_book_version(book: number): number;
@@ -137,6 +138,13 @@ export class EngineBook {
   /** Brings surface and piles up to date with the last step. */
   update(): void {
     this.#wasm.tl_book_update(this.#book);
+  }
+
+  /** u of each column of leaves and piles, as a view of the engine's memory. */
+  get columns(): Float32Array {
+    const wasm = this.#wasm;
+    const count = wasm.tl_book_columns(this.#book);
+    return new Float32Array(wasm.memory.buffer, wasm.tl_book_u(this.#book), count);
   }
 
   /** The leaf in flight, as a view of the engine's memory. */

@@ -24,7 +24,6 @@ export class PagePictures {
   readonly #options: PagePicturesOptions;
   readonly #fitted = new Map<PagePicture, PagePicture>();
   readonly #standIns = new Map<string, HTMLCanvasElement>();
-  #wanted: readonly { index: number; width: number }[] = [];
 
   /** @param aspect a leaf's width over its height */
   constructor(source: PageSource, aspect: number, options: PagePicturesOptions) {
@@ -37,10 +36,12 @@ export class PagePictures {
     });
   }
 
-  /** Asks for pages (from 1), most urgent first, `width` device pixels wide. */
-  want(pages: readonly number[], width: number): void {
-    this.#wanted = pages.map((page) => ({ index: page - 1, width }));
-    this.#pool.want(this.#wanted);
+  /** Asks for pages (from 1), most urgent first, `width` device pixels wide; the first `inSight` are seen now. */
+  want(pages: readonly number[], inSight: number, width: number): void {
+    this.#pool.want(
+      pages.map((page) => ({ index: page - 1, width })),
+      inSight,
+    );
   }
 
   /** The best picture of a page (from 1) that there is now; never nothing. */

@@ -25,8 +25,6 @@ export interface PagePoolOptions {
   readonly now?: () => number;
 }
 
-/** The first pages of the list are those in sight: rough pictures are drawn for them alone. */
-const inSight = 2;
 /** A rough picture's share of the wanted width. */
 const roughShare = 1 / 3;
 /** A sharp picture that takes no longer than this, in milliseconds, needs no rough one before it. */
@@ -55,6 +53,7 @@ export class PagePool {
   /** Mean milliseconds of a rough and of a sharp drawing; 0 before the first. */
   readonly #mean = { rough: 0, sharp: 0 };
   #wanted: readonly WantedPage[] = [];
+  #inSight = 0;
   #isPaused = false;
   #isClosed = false;
 
@@ -115,6 +114,16 @@ export class PagePool {
     return this.#isPaused;
   }
 
+  /** Whether every page in sight is as sharp as it was asked for, or has failed. */
+  get settled(): boolean {
+    return this.#wanted
+      .slice(0, this.#inSight)
+      .every(
+        ({ index, width }) =>
+          this.#failed.has(index) || (this.#held.get(index)?.asked ?? 0) >= width,
+      );
+  }
+
   /** Bytes of the pictures held. */
   get bytes(): number {
     let bytes = 0;
@@ -160,7 +169,7 @@ export class PagePool {
   }
 
   #isInSight(page: WantedPage): boolean {
-    return this.#wanted.indexOf(page) < inSight;
+    return this.#wanted.indexOf(page) < this.#inSight;
   }
 
   #roughPays(): boolean {
@@ -211,7 +220,7 @@ export class PagePool {
     for (const index of dropOrder(this.#wanted, this.#held)) {
       const isTooMuch = this.#held.size > bounds.pages || bytes > bounds.bytes;
       const held = this.#held.get(index);
-      const isVisible = this.#wanted.slice(0, inSight).some((page) => page.index === index);
+      const isVisible = this.#wanted.slice(0, this.#inSight).some((page) => page.index === index);
       if (!isTooMuch || !held || isVisible) return;
       bytes -= held.bytes;
       this.#drop(index);
@@ -248,7 +257,7 @@ export class PagePool {
 
   get #bounds(): Bounds {
     const { maxPages = 12, maxBytes = 192 << 20 } = this.#options;
-    return { pages: maxPages, bytes: maxBytes, always: inSight };
+    return { pages: maxPages, bytes: maxBytes, always: this.#inSight };
   }
 }
 

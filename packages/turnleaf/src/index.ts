@@ -1,0 +1,22 @@
+/**
+ * Turnleaf: a book whose pages turn as paper turns.
+ *
+ * Importing this module defines `<turnleaf-book>`, once, where there is a DOM;
+ * on a server it does nothing.
+ */
+
+import { TurnleafBook } from "./element.ts";
+
+export { type TurnDetail, TurnleafBook, type TurnleafEventMap } from "./element.ts";
+export type { BookInput } from "./sources/open.ts";
+export { BookError } from "./sources/page_source.ts";
+
+if (globalThis.customElements && !customElements.get("turnleaf-book")) {
+  customElements.define("turnleaf-book", TurnleafBook);
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "turnleaf-book": TurnleafBook;
+  }
+}

@@ -1,0 +1,106 @@
+/** Pointers and keys become commands to the book. */
+
+import { Side } from "./engine/engine.ts";
+import type { Hold, Viewer } from "./viewer.ts";
+
+/** Share of a page next to its fore-edge, and of its height at head and foot, that a hand can take. */
+const edgeZone = 0.3;
+const cornerZone = { u: 0.5, v: 0.2 };
+
+/** Movement in CSS pixels from which a press is a drag. */
+const dragStart = 4;
+
+/** Pointers and keys on one canvas; `destroy` takes every listener away. */
+export class Input {
+  readonly #canvas: HTMLCanvasElement;
+  readonly #viewer: Viewer;
+  readonly #ended = new AbortController();
+  #press: { id: number; x: number; y: number; hold: Hold; dragging: boolean } | null = null;
+
+  /** @param keys the element whose keys turn pages */
+  constructor(canvas: HTMLCanvasElement, keys: HTMLElement, viewer: Viewer) {
+    this.#canvas = canvas;
+    this.#viewer = viewer;
+    const { signal } = this.#ended;
+    const on = (name: string, handle: (event: PointerEvent) => void) =>
+      canvas.addEventListener(name, handle as EventListener, { signal });
+    on("pointerdown", (event) => this.#down(event));
+    on("pointermove", (event) => this.#move(event));
+    on("pointerup", (event) => this.#up(event));
+    on("pointercancel", (event) => this.#up(event));
+    keys.addEventListener("keydown", (event) => this.#key(event), { signal });
+  }
+
+  /** Takes every listener away. */
+  destroy(): void {
+    this.#ended.abort();
+  }
+
+  #down(event: PointerEvent): void {
+    if (this.#press !== null || !event.isPrimary || event.button !== 0) return;
+    const { x, y } = this.#place(event);
+    const hold = this.#viewer.pick(x, y);
+    if (hold === null || !canTake(hold)) return;
+    const dragging = hold.on === "flight";
+    this.#press = { id: event.pointerId, x, y, hold, dragging };
+    this.#canvas.setPointerCapture(event.pointerId);
+    // A leaf already turning is caught at once, where it is.
+    if (dragging) {
+      this.#viewer.grab(hold);
+      this.#viewer.drag(x, y);
+    }
+  }
+
+  #move(event: PointerEvent): void {
+    const { x, y } = this.#place(event);
+    const press = this.#press;
+    if (press === null) {
+      const hold = event.pointerType === "mouse" ? this.#viewer.pick(x, y) : null;
+      this.#canvas.style.cursor = hold !== null && canTake(hold) ? "grab" : "";
+      return;
+    }
+    if (press.id !== event.pointerId) return;
+    if (!press.dragging && Math.hypot(x - press.x, y - press.y) > dragStart) {
+      press.dragging = this.#viewer.grab(press.hold);
+      this.#canvas.style.cursor = "grabbing";
+    }
+    if (press.dragging) this.#viewer.drag(x, y);
+  }
+
+  #up(event: PointerEvent): void {
+    const press = this.#press;
+    if (press === null || press.id !== event.pointerId) return;
+    this.#press = null;
+    this.#canvas.style.cursor = "";
+    if (press.dragging) {
+      this.#viewer.release();
+    } else if (event.type === "pointerup" && press.hold.on !== "flight") {
+      this.#turn(press.hold.on === Side.right ? 1 : -1);
+    }
+  }
+
+  #key(event: KeyboardEvent): void {
+    if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
+    const by = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 }[event.key];
+    if (by === undefined) return;
+    event.preventDefault();
+    this.#turn(by as 1 | -1);
+  }
+
+  #turn(by: 1 | -1): void {
+    void this.#viewer.turning.turn(by);
+    this.#viewer.invalidate();
+  }
+
+  /** Where a pointer is on the canvas, CSS pixels. */
+  #place(event: PointerEvent): { x: number; y: number } {
+    const box = this.#canvas.getBoundingClientRect();
+    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  }
+}
+
+/** Whether a hand takes hold there: at an edge or a corner; of a leaf in flight, anywhere. */
+function canTake(hold: Hold): boolean {
+  if (hold.on === "flight" || hold.u > 1 - edgeZone) return true;
+  return hold.u > 1 - cornerZone.u && Math.abs(hold.v - 0.5) > 0.5 - cornerZone.v;
+}

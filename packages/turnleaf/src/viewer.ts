@@ -1,0 +1,305 @@
+/**
+ * One book on one screen: the way from a command to a frame. It owns the
+ * engine's book, the stage that draws it and the pool of page pictures, and
+ * brings them together frame by frame while something moves. At rest it has no
+ * animation frame and no timer.
+ */
+
+import { type Face, faceNames, facesBetween, pagesWanted } from "./book/faces.ts";
+import { type Binding, bind, leafCount, paperLeaves, spreadOf } from "./book/spreads.ts";
+import { Turning } from "./book/turning.ts";
+import { type BookShape, Stage } from "./draw/stage.ts";
+import { Cover, EngineBook, Side, tickSeconds } from "./engine/engine.ts";
+import type { Ray, Vec3 } from "./engine/shapes.ts";
+import { type Hit, pickPile, pickSurface } from "./hand/pick.ts";
+import { handAt } from "./hand/reach.ts";
+import { PagePictures } from "./pages/page_pictures.ts";
+import type { PageSource } from "./sources/page_source.ts";
+
+/** How a book is shown. */
+export interface ViewerOptions {
+  readonly cover: "hard" | "none";
+  /** Colour of the boards' cloth, as CSS writes it. */
+  readonly cloth: string;
+  /** The page (from 1) at which the book lies open first. */
+  readonly page: number;
+  /** Length of a played turn, seconds. */
+  readonly turnSeconds: number;
+  /** A turn begins between two spreads. */
+  readonly onStart: (low: number, high: number, forward: boolean) => void;
+  /** The book came to rest at a spread. */
+  readonly onLand: (from: number, to: number) => void;
+}
+
+/** What a hand could take hold of. */
+export interface Hold extends Hit {
+  /** The leaf in flight, or the uppermost of a side. */
+  readonly on: "flight" | Side;
+}
+
+/** Longest time a frame may stand for; after a pause the turn goes on where it was. */
+const longestFrame = 0.1;
+
+/** Share of a leaf next to its fore-edge that a hand holds by the edge itself. */
+const edgeShare = 0.08;
+
+/** A square-rooted page area of 140 x 210 mm, metres: every book has paper of this size. */
+const paperSize = Math.sqrt(0.14 * 0.21);
+
+/** One book on one canvas. */
+export class Viewer {
+  readonly binding: Binding;
+  readonly turning: Turning;
+  readonly #engine: EngineBook;
+  readonly #stage: Stage;
+  readonly #pictures: PagePictures;
+  readonly #width: number;
+  readonly #height: number;
+  #cssWidth = 0;
+  #pixelRatio = 1;
+  #frame = 0;
+  #lastTime = 0;
+  #remainder = 0;
+  /** u of the spot that a hand holds, and the height at which it does. */
+  #heldU = 1;
+  #destroyed = false;
+
+  private constructor(
+    canvas: HTMLCanvasElement,
+    source: PageSource,
+    aspect: number,
+    binding: Binding,
+    engine: EngineBook,
+    shape: BookShape,
+    options: ViewerOptions,
+  ) {
+    this.binding = binding;
+    this.#engine = engine;
+    this.#width = shape.width;
+    this.#height = shape.height;
+    this.#stage = new Stage(canvas, shape);
+    this.#stage.onRestored = () => this.invalidate();
+    this.#pictures = new PagePictures(source, aspect, {
+      onArrive: () => this.#show(),
+      onDrop: (picture) => this.#stage.forget(picture),
+    });
+    this.turning = new Turning(engine, binding, {
+      started: (flight) => {
+        this.#show();
+        options.onStart(flight.low, flight.high, flight.to === Side.left);
+      },
+      landed: (from, to) => {
+        this.#show();
+        options.onLand(from, to);
+      },
+    });
+    this.turning.seconds = options.turnSeconds;
+    this.turning.lay(spreadOf(binding, options.page));
+  }
+
+  /**
+   * Opens a book on a canvas.
+   * Rejects with a `BookError` where the first page's size cannot be had, or
+   * with an `Error` where WebGL 2 or WebAssembly is not to be had.
+   */
+  static async open(
+    canvas: HTMLCanvasElement,
+    source: PageSource,
+    options: ViewerOptions,
+    signal: AbortSignal,
+  ): Promise<Viewer> {
+    const binding = bind(source.pageCount, options.cover);
+    // An inner page: covers often have another size.
+    const size = await source.size(Math.min(2, source.pageCount - 1), signal);
+    const aspect = Math.min(Math.max(size.width / size.height, 0.25), 4);
+    const width = paperSize * Math.sqrt(aspect);
+    const height = paperSize / Math.sqrt(aspect);
+    const leaves = paperLeaves(binding);
+    // Thicker than the paper would be, so that reading on is seen; but no book is a brick.
+    const thickness = 0.024 * (1 - Math.exp((-leaves * 0.0004) / 0.024));
+    const engine = await EngineBook.create({ width, height, leaves, thickness });
+    signal.throwIfAborted();
+    const { kind } = source;
+    const cover = binding.hardCover ? "hard" : "none";
+    const shape: BookShape = {
+      width,
+      height,
+      thickness,
+      leaves,
+      cover,
+      cloth: options.cloth,
+      kind,
+    };
+    return new Viewer(canvas, source, aspect, binding, engine, shape, options);
+  }
+
+  /** Fits the book to the canvas's size in CSS pixels. */
+  resize(cssWidth: number, cssHeight: number, pixelRatio: number): void {
+    this.#cssWidth = cssWidth;
+    this.#pixelRatio = pixelRatio;
+    this.#stage.resize(cssWidth, cssHeight, pixelRatio);
+    this.#show();
+  }
+
+  /** Opens the book at a spread (clamped to the book) without a turn; answers whether it lies there. */
+  lay(spread: number): boolean {
+    const inside = Math.min(Math.max(spread, 0), leafCount(this.binding));
+    this.turning.lay(inside);
+    this.#show();
+    return inside === spread;
+  }
+
+  /** Asks for a frame, unless one is already asked for. */
+  invalidate(): void {
+    if (this.#destroyed || this.#frame !== 0) return;
+    this.#frame = requestAnimationFrame((now) => this.#draw(now));
+  }
+
+  /** What a hand at a place on the canvas (CSS pixels) could hold, or null. */
+  pick(x: number, y: number): Hold | null {
+    const ray = this.#stage.rayAt(x, y);
+    const u = this.#engine.columns;
+    if (this.turning.flight !== null) {
+      if (this.turning.flight.part !== "leaf") return this.#pickSide(ray);
+      const hit = pickSurface(ray, this.#engine.surface, u);
+      return hit && { ...hit, on: "flight" };
+    }
+    return this.#pickSide(ray);
+  }
+
+  /** Takes hold where `pick` found something; the leaf then follows `drag`. */
+  grab(hold: Hold): boolean {
+    if (hold.on !== "flight" && this.turning.flight === null && !this.turning.lift(hold.on)) {
+      return false;
+    }
+    this.#heldU = hold.u > 1 - edgeShare ? 1 : Math.max(hold.u, 0.3);
+    this.turning.grab(this.#heldU, Math.min(Math.max(hold.v, 0), 1));
+    return true;
+  }
+
+  /** The hand moves to a place on the canvas, CSS pixels. */
+  drag(x: number, y: number): void {
+    const place = handAt(this.#stage.rayAt(x, y), this.#heldU * this.#width, (at) =>
+      this.#floor(at),
+    );
+    this.turning.hold(...place);
+    this.invalidate();
+  }
+
+  /** The hand lets go. */
+  release(): void {
+    this.turning.release();
+    this.invalidate();
+  }
+
+  /** A place in book space on the canvas, CSS pixels. */
+  project(point: Vec3): { x: number; y: number } {
+    return this.#stage.project(point);
+  }
+
+  /** A page's width and height, metres. */
+  get pageSize(): { readonly width: number; readonly height: number } {
+    return { width: this.#width, height: this.#height };
+  }
+
+  /** Whether every page in sight is shown at its full sharpness. */
+  get settled(): boolean {
+    return this.#frame === 0 && this.#pictures.settled;
+  }
+
+  /** Stops everything and frees what the graphics card and the engine hold. */
+  destroy(): void {
+    if (this.#destroyed) return;
+    this.#destroyed = true;
+    cancelAnimationFrame(this.#frame);
+    this.#pictures.close();
+    this.#stage.destroy();
+    this.#engine.destroy();
+  }
+
+  #draw(now: number): void {
+    this.#frame = 0;
+    const moving = this.turning.moving && this.turning.step(this.#ticks(now));
+    this.#engine.update();
+    this.#pose();
+    this.#stage.draw({ resting: !moving });
+    this.#pictures.paused = moving;
+    if (moving) this.invalidate();
+    else this.#lastTime = 0;
+  }
+
+  /** Whole ticks since the last frame; none in the first of a movement. */
+  #ticks(now: number): number {
+    const seconds =
+      this.#lastTime === 0 ? 0 : Math.min((now - this.#lastTime) / 1000, longestFrame);
+    this.#lastTime = now;
+    this.#remainder += seconds / tickSeconds;
+    const ticks = Math.floor(this.#remainder);
+    this.#remainder -= ticks;
+    return ticks;
+  }
+
+  #pose(): void {
+    const engine = this.#engine;
+    const { flight, spread } = this.turning;
+    const paper = paperLeaves(this.binding) > 0;
+    const low = flight?.low ?? spread;
+    const high = flight?.high ?? spread;
+    const boards = this.binding.hardCover ? 1 : 0;
+    this.#stage.pose({
+      left: paper && low > boards ? engine.pile(Side.left) : null,
+      right: paper && high < leafCount(this.binding) - boards ? engine.pile(Side.right) : null,
+      leaf: flight?.part === "leaf" ? engine.surface : null,
+      frontBoard: engine.boardAngle(Cover.front),
+      backBoard: engine.boardAngle(Cover.back),
+    });
+  }
+
+  /** Gives every face the best picture of its page, and asks for the pages wanted next. */
+  #show(): void {
+    if (this.#destroyed) return;
+    const { flight, spread } = this.turning;
+    const low = flight?.low ?? spread;
+    const high = flight?.high ?? spread;
+    if (this.#cssWidth > 0) {
+      const { pages, inSight } = pagesWanted(this.binding, low, high);
+      this.#pictures.want(pages, inSight, this.#pictureWidth());
+    }
+    const pages = facesBetween(this.binding, low, high);
+    for (const face of faceNames) this.#stage.setFace(face, this.#pictureOf(face, pages[face]));
+    this.invalidate();
+  }
+
+  #pictureOf(face: Face, page: number | null) {
+    if (page !== null) return this.#pictures.get(page);
+    // A book with an odd number of pages ends in a bare verso.
+    return face === "verso" ? this.#pictures.bare : null;
+  }
+
+  /** Width in device pixels at which a page looks sharp, in steps, so that a small change of size redraws nothing. */
+  #pictureWidth(): number {
+    const middle = 0.4 * this.#height;
+    const spine = this.#stage.project([0, middle, 0]);
+    const edge = this.#stage.project([this.#width, middle, 0]);
+    const onScreen = Math.hypot(edge.x - spine.x, edge.y - spine.y) * Math.max(this.#pixelRatio, 2);
+    return Math.min(Math.ceil((onScreen * 1.2) / 256) * 256, 2048);
+  }
+
+  #pickSide(ray: Ray): Hold | null {
+    let best: Hold | null = null;
+    for (const side of [Side.right, Side.left]) {
+      const to = this.turning.spread + (side === Side.right ? 1 : -1);
+      if (to < 0 || to > leafCount(this.binding)) continue;
+      const sign = side === Side.right ? 1 : -1;
+      const hit = pickPile(ray, this.#engine.pile(side), sign, this.#engine.columns, this.#height);
+      if (hit && (best === null || hit.distance < best.distance)) best = { ...hit, on: side };
+    }
+    return best;
+  }
+
+  #floor(x: number): number {
+    const pile = this.#engine.pile(x >= 0 ? Side.right : Side.left);
+    // The fore-edge's height does for a hand, which holds the leaf near its edge.
+    return pile.curves[2 * pile.columns - 1];
+  }
+}

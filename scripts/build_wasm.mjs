@@ -1,0 +1,120 @@
+/**
+ * Builds the engine as WASM and commits to it: the file goes beside the viewer's
+ * sources with a stamp of the Rust sources it was built from, so that a clone
+ * needs no Rust to read a book.
+ *
+ *   node scripts/build_wasm.mjs            build, write the file and its stamp
+ *   node scripts/build_wasm.mjs --verify   fail when the stamp is stale; where the
+ *                                          wasm32 target is there, rebuild and compare
+ */
+import { execFileSync } from "node:child_process";
+import { createHash } from "node:crypto";
+import {
+  copyFileSync,
+  existsSync,
+  readdirSync,
+  readFileSync,
+  statSync,
+  writeFileSync,
+} from "node:fs";
+import { homedir } from "node:os";
+import { join } from "node:path";
+
+const root = join(import.meta.dirname, "..");
+const built = join(root, "target/wasm32-unknown-unknown/release/turnleaf_wasm.wasm");
+const kept = join(root, "packages/turnleaf/src/engine/turnleaf.wasm");
+const stampFile = `${kept}.stamp.json`;
+const target = "wasm32-unknown-unknown";
+
+const sha256 = (bytes) => createHash("sha256").update(bytes).digest("hex");
+
+/** Every file whose change may change the machine code. */
+function sources() {
+  const under = (folder) =>
+    readdirSync(join(root, folder), { recursive: true })
+      .map((name) => `${folder}/${name}`.replaceAll("\\", "/"))
+      .filter((name) => statSync(join(root, name)).isFile());
+  return [
+    "Cargo.toml",
+    "Cargo.lock",
+    "rust-toolchain.toml",
+    "engine/Cargo.toml",
+    "wasm/Cargo.toml",
+    ...under("engine/src"),
+    ...under("wasm/src"),
+  ].sort();
+}
+
+function sourcesHash() {
+  const hash = createHash("sha256");
+  // Line ends may differ between checkouts; machine code does not.
+  for (const name of sources()) {
+    hash
+      .update(`${name}\0`)
+      .update(readFileSync(join(root, name), "utf8").replaceAll("\r\n", "\n"));
+  }
+  return hash.digest("hex");
+}
+
+function hasTarget() {
+  try {
+    const sysroot = execFileSync("rustc", ["--print", "sysroot"], { cwd: root, encoding: "utf8" });
+    return existsSync(join(sysroot.trim(), "lib/rustlib", target));
+  } catch {
+    return false;
+  }
+}
+
+function build() {
+  const cargoHome = process.env.CARGO_HOME ?? join(homedir(), ".cargo");
+  const flags = [
+    "-Ctarget-feature=+simd128",
+    // Panic messages carry paths: not this machine's.
+    `--remap-path-prefix=${cargoHome}=cargo`,
+    `--remap-path-prefix=${root}=.`,
+  ];
+  execFileSync(
+    "cargo",
+    ["build", "--release", "--quiet", "--locked", "-p", "turnleaf-wasm", "--target", target],
+    {
+      cwd: root,
+      stdio: ["ignore", "inherit", "inherit"],
+      env: { ...process.env, CARGO_ENCODED_RUSTFLAGS: flags.join("\x1f") },
+    },
+  );
+}
+
+function fail(sentence) {
+  console.error(sentence);
+  process.exit(1);
+}
+
+if (process.argv.includes("--verify")) {
+  const stamp = JSON.parse(readFileSync(stampFile, "utf8"));
+  if (stamp.sources !== sourcesHash()) {
+    fail("turnleaf.wasm is older than the Rust sources; run `make wasm` and commit the result.");
+  }
+  if (stamp.wasm !== sha256(readFileSync(kept))) {
+    fail(
+      "turnleaf.wasm is not the file that its stamp names; run `make wasm` and commit the result.",
+    );
+  }
+  if (!hasTarget()) {
+    console.log(`turnleaf.wasm matches its stamp (not rebuilt: no ${target} target here)`);
+  } else {
+    build();
+    if (sha256(readFileSync(built)) !== stamp.wasm) {
+      fail("Rebuilding turnleaf.wasm gave other bytes; run `make wasm` and commit the result.");
+    }
+    console.log("turnleaf.wasm matches its stamp, and rebuilding gave the same bytes");
+  }
+} else {
+  if (!hasTarget()) {
+    fail(`Building the engine for the browser needs its target: rustup target add ${target}`);
+  }
+  build();
+  copyFileSync(built, kept);
+  const stamp = { sources: sourcesHash(), wasm: sha256(readFileSync(kept)) };
+  writeFileSync(stampFile, `${JSON.stringify(stamp, null, 2)}\n`);
+  console.log(`turnleaf.wasm: ${statSync(kept).size} bytes`);
+}

@@ -1,0 +1,112 @@
+/**
+ * Imports run one way. Each part names the parts it may import from; anything
+ * else, and any cycle among the engine's modules, fails the check. Cycles
+ * between TypeScript files are the linter's to find.
+ */
+import { readdirSync, readFileSync } from "node:fs";
+import { dirname, join, relative } from "node:path";
+
+const root = join(import.meta.dirname, "..");
+
+/** The viewer's parts, lowest first, and what each may import. A folder, or a file at the top. */
+const viewer = {
+  engine: [],
+  sources: [],
+  book: ["engine"],
+  hand: ["engine"],
+  pages: ["sources"],
+  draw: ["engine", "sources", "book"],
+  "viewer.ts": ["book", "draw", "engine", "hand", "pages", "sources"],
+  "input.ts": ["engine", "viewer.ts"],
+  "element.css.ts": [],
+  "element.ts": ["book", "sources", "viewer.ts", "input.ts", "element.css.ts"],
+  "index.ts": ["element.ts", "sources"],
+};
+
+/** Packages that only these places of the viewer may import: heavy ones stay where they are used. */
+const packages = { three: /^draw\//, "pdfjs-dist": /^sources\/pdf/ };
+
+/** The engine's modules that nothing below them may use. */
+const engine = ["key_frames", "book"];
+
+const errors = [];
+
+function filesUnder(folder, ending) {
+  return readdirSync(join(root, folder), { recursive: true })
+    .map((name) => name.replaceAll("\\", "/"))
+    .filter((name) => name.endsWith(ending) && !name.includes("node_modules/"));
+}
+
+function checkViewer() {
+  const base = "packages/turnleaf/src";
+  for (const file of filesUnder(base, ".ts")) {
+    if (/\.test\.ts$|\.d\.ts$/.test(file)) continue;
+    const part = file.split("/")[0];
+    const text = readFileSync(join(root, base, file), "utf8");
+    for (const [, target] of text.matchAll(/(?:from|import)\s*\(?\s*"([^"]+)"/g)) {
+      if (target.startsWith("node:")) errors.push(`${base}/${file}: the viewer knows no Node`);
+      for (const [name, place] of Object.entries(packages)) {
+        if ((target === name || target.startsWith(`${name}/`)) && !place.test(file)) {
+          errors.push(`${base}/${file}: ${name} is imported elsewhere alone`);
+        }
+      }
+      if (!target.startsWith(".")) continue;
+      const to = relative(base, join(base, dirname(file), target)).split("/")[0];
+      if (to === part || target.endsWith(".wasm")) continue;
+      if (!(part in viewer)) errors.push(`${base}/${file}: ${part} is not in the list of parts`);
+      else if (!viewer[part].includes(to)) {
+        errors.push(`${base}/${file}: ${part} may not import from ${to}`);
+      }
+    }
+  }
+}
+
+function checkEngine() {
+  const base = "engine/src";
+  const uses = new Map();
+  for (const file of filesUnder(base, ".rs")) {
+    const module = file.split("/")[0].replace(/\.rs$/, "");
+    if (module === "lib") continue;
+    const text = readFileSync(join(root, base, file), "utf8").split("#[cfg(test)]")[0];
+    // `use crate::{a, b}` is not the house's style; one module a line.
+    for (const [, target] of text.matchAll(/^\s*(?:pub )?use crate::(\w+)/gm)) {
+      if (target === module) continue;
+      uses.set(module, (uses.get(module) ?? new Set()).add(target));
+      const [from, to] = [engine.indexOf(module), engine.indexOf(target)];
+      if (to >= 0 && from < to) errors.push(`${base}/${file}: ${module} may not use ${target}`);
+    }
+    if (/\bstd::(fs|net|thread|time|env|process)\b/.test(text)) {
+      errors.push(`${base}/${file}: the engine knows no file, clock, thread or network`);
+    }
+  }
+  findCycle(uses);
+}
+
+function findCycle(uses) {
+  const done = new Set();
+  const visit = (module, path) => {
+    if (path.includes(module)) {
+      errors.push(`engine/src: a cycle of modules: ${[...path, module].join(" -> ")}`);
+      return;
+    }
+    if (done.has(module)) return;
+    for (const next of uses.get(module) ?? []) visit(next, [...path, module]);
+    done.add(module);
+  };
+  for (const module of uses.keys()) visit(module, []);
+}
+
+function checkWalls() {
+  for (const file of filesUnder("packages/cli/src", ".ts")) {
+    const text = readFileSync(join(root, "packages/cli/src", file), "utf8");
+    if (/\b(document|window)\./.test(text))
+      errors.push(`packages/cli/src/${file}: Node has no DOM`);
+  }
+}
+
+checkViewer();
+checkEngine();
+checkWalls();
+for (const error of errors) console.error(error);
+if (errors.length > 0) process.exit(1);
+console.log("Imports run one way.");
