@@ -8,7 +8,8 @@
 import { type Face, faceNames, facesBetween, pagesWanted } from "./book/faces.ts";
 import { type Binding, bind, leafCount, paperLeaves, spreadOf } from "./book/spreads.ts";
 import { Turning } from "./book/turning.ts";
-import { type BookShape, Stage } from "./draw/stage.ts";
+import type { BookShape } from "./draw/pose.ts";
+import { Stage } from "./draw/stage.ts";
 import { Cover, EngineBook, Side, tickSeconds } from "./engine/engine.ts";
 import type { Ray, Vec3 } from "./engine/shapes.ts";
 import { type Hit, pickPile, pickSurface } from "./hand/pick.ts";

@@ -67,9 +67,13 @@ export class PagePool {
    * may come into sight next. Replaces the list before. Drawings of pages no
    * longer on it are aborted; a page that failed is tried again once it has
    * been off the list.
+   *
+   * @param inSight how many of the first are in sight: rough pictures are drawn
+   *   for them alone, and they are never dropped
    */
-  want(pages: readonly WantedPage[]): void {
+  want(pages: readonly WantedPage[], inSight = 2): void {
     if (this.#isClosed) return;
+    this.#inSight = inSight;
     const valid = pages.filter(({ index }) => index >= 0 && index < this.#source.pageCount);
     this.#wanted = valid.filter(
       ({ index }, at) => valid.findIndex((other) => other.index === index) === at,
