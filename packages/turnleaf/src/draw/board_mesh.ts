@@ -1,0 +1,207 @@
+/** A cover board: a rigid plate with rounded corners and bevels, cloth or picture outside, pastedown inside. */
+
+import { type BufferGeometry, Group, Mesh } from "three";
+import { caseSizes } from "./case_shape.ts";
+import { compass, compassToRadians, keyShare, skyShare } from "./light.ts";
+import type { PileShape } from "./pile_shape.ts";
+import type { SolidMaterial } from "./solid.ts";
+import { SolidGeometry } from "./solid_geometry.ts";
+
+/** Threads of cloth repeat after this many metres. */
+export const clothRepeat = 0.022;
+
+/** Points around each corner of a board. */
+const cornerPoints = 5;
+const innerColumns = 25;
+
+/** The front or the back board. Local x runs from the hinge outward, z out of the inner face. */
+export class BoardMesh {
+  readonly group: Group = new Group();
+  readonly #outside: Mesh<BufferGeometry, SolidMaterial>;
+  readonly #inside: Mesh<BufferGeometry, SolidMaterial>;
+  readonly #inner: SolidGeometry;
+  readonly #front: boolean;
+  readonly #width: number;
+  readonly #height: number;
+
+  /** @param pageWidth,pageHeight metres */
+  constructor(
+    front: boolean,
+    pageWidth: number,
+    pageHeight: number,
+    outside: SolidMaterial,
+    inside: SolidMaterial,
+  ) {
+    const { rim, joint } = caseSizes;
+    this.#front = front;
+    this.#width = pageWidth + rim - joint;
+    this.#height = pageHeight;
+    this.#inner = this.#innerFace();
+    this.#outside = new Mesh(this.#shell().geometry, outside);
+    this.#inside = new Mesh(this.#inner.geometry, inside);
+    // The pastedown leaves a border of turned-in cloth, but not at the hinge.
+    const [edge, end] = [(0.8 * rim) / this.#width, (0.8 * rim) / (pageHeight + 2 * rim)];
+    inside.setPanel(front ? [edge, end, 1.001, 1 - end] : [-0.001, end, 1 - edge, 1 - end]);
+    for (const mesh of [this.#outside, this.#inside]) {
+      mesh.frustumCulled = false;
+      this.group.add(mesh);
+    }
+  }
+
+  /** Puts the hinge at x, z and the board at `angle` from lying on the right, radians. */
+  place(hinge: readonly [number, number], angle: number): void {
+    const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
+    // The front board's inner face looks down at angle 0, the back board's up:
+    // the front is the back's mirror image, and three.js turns its triangles round.
+    const out = this.#front ? -1 : 1;
+    this.group.matrixAutoUpdate = false;
+    // biome-ignore format: a matrix reads row by row
+    this.group.matrix.set(
+      cos, 0, -sin * out, hinge[0],
+      0, 1, 0, 0,
+      sin, 0, cos * out, hinge[1],
+      0, 0, 0, 1,
+    );
+    this.group.matrixWorldNeedsUpdate = true;
+  }
+
+  /** Finds the light on the inner face between the two piles. */
+  light(hinge: readonly [number, number], angle: number, left: PileShape, right: PileShape): void {
+    const solid = this.#inner;
+    const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
+    const normal = this.#front ? angle - Math.PI : angle;
+    const rows = this.#rowPlaces().length;
+    const lies = this.#front ? left : right;
+    for (let i = 0; i < innerColumns; i++) {
+      const local = solid.positions[3 * i];
+      const x = hinge[0] + local * cos;
+      const z = hinge[1] + local * sin;
+      // Straight up is 0, to the right positive, as everywhere in light.ts.
+      let from = Math.max(-Math.PI / 2, -normal - Math.PI / 2);
+      let to = Math.min(Math.PI / 2, -normal + Math.PI / 2);
+      for (const pile of [left, right]) {
+        for (let k = 0; k < pile.obstacles.length; k += 2) {
+          const c = compassToRadians(
+            compass(pile.obstacles[k] - x, pile.obstacles[k + 1] - z + 1e-6),
+          );
+          if (pile.obstacles[k] > x) to = Math.min(to, c);
+          else from = Math.max(from, c);
+        }
+      }
+      const sky = skyShare(from, to, -normal);
+      const key = keyShare(from, to);
+      for (let row = 0; row < rows; row++) {
+        const point = row * innerColumns + i;
+        const beyond = row === 0 || row === rows - 1;
+        const under = lies.present && row < rows / 2;
+        // Before the foot of the block the key light, which comes from the head, is shut out.
+        solid.open[2 * point] = beyond && lies.present ? Math.max(0.5, sky) : sky;
+        solid.open[2 * point + 1] = beyond && lies.present ? (under ? 0.15 : 1) : key;
+      }
+    }
+    solid.touch("open");
+  }
+
+  dispose(): void {
+    this.#outside.geometry.dispose();
+    this.#inside.geometry.dispose();
+  }
+
+  #rowPlaces(): number[] {
+    const { rim, bevel } = caseSizes;
+    return [bevel - rim, 0, this.#height, this.#height + rim - bevel];
+  }
+
+  /** Picture and grain places of a point of the board. */
+  #dress(solid: SolidGeometry, point: number, x: number, y: number, outer: boolean): void {
+    const { rim } = caseSizes;
+    const u = x / this.#width;
+    // The front's outside and the back's inside have the hinge on their left.
+    solid.uv[2 * point] = outer === this.#front ? u : 1 - u;
+    solid.uv[2 * point + 1] = 1 - (y + rim) / (this.#height + 2 * rim);
+    solid.grainAt[2 * point] = x / clothRepeat;
+    solid.grainAt[2 * point + 1] = y / clothRepeat;
+  }
+
+  #innerFace(): SolidGeometry {
+    const rows = this.#rowPlaces();
+    const solid = new SolidGeometry(
+      innerColumns * rows.length,
+      2 * (innerColumns - 1) * (rows.length - 1),
+    );
+    const { rim, bevel } = caseSizes;
+    solid.reserve(innerColumns * rows.length);
+    rows.forEach((y, row) => {
+      for (let i = 0; i < innerColumns; i++) {
+        // The last columns share the rim, where the block's shadow is.
+        const inner = innerColumns - 8;
+        const page = this.#width - rim;
+        const x =
+          i < inner
+            ? (page * i) / (inner - 1)
+            : page + ((rim - bevel) * (i - inner + 1)) / (innerColumns - inner);
+        const point = row * innerColumns + i;
+        solid.place(point, x, y, 0);
+        solid.face(point, 0, 0, 1);
+        this.#dress(solid, point, x, y, false);
+      }
+    });
+    solid.grid(0, innerColumns, rows.length);
+    return solid;
+  }
+
+  /** Outer face, sides and bevels. */
+  #shell(): SolidGeometry {
+    const { board, bevel } = caseSizes;
+    const around = 4 * cornerPoints;
+    const solid = new SolidGeometry(around * 6 + around, 2 * around * 3 + around);
+    // From the inner face's border over the side to the outer face's.
+    const rings: [inset: number, z: number, nz: number][] = [
+      [bevel, 0, 0.7],
+      [0, -bevel, 0.7],
+      [0, -bevel, 0],
+      [0, bevel - board, 0],
+      [0, bevel - board, -0.7],
+      [bevel, -board, -0.7],
+    ];
+    const ring = rings.map(([inset, z, nz]) => this.#ring(solid, inset, z, nz));
+    for (const k of [0, 2, 4]) {
+      for (let i = 0; i < around; i++) {
+        const j = (i + 1) % around;
+        const [a, b, c, d] = [ring[k] + i, ring[k] + j, ring[k + 1] + j, ring[k + 1] + i];
+        solid.square(a, d, c, b);
+      }
+    }
+    const face = this.#ring(solid, bevel, -board, -1);
+    for (let i = 1; i + 1 < around; i++) {
+      solid.triangle(face, face + i + 1, face + i);
+    }
+    return solid;
+  }
+
+  /** A rounded rectangle of points, against the clock as seen from the inner face. */
+  #ring(solid: SolidGeometry, inset: number, z: number, nz: number): number {
+    const { rim, corner } = caseSizes;
+    const first = solid.reserve(4 * cornerPoints);
+    const radius = Math.max(corner - inset, 1e-5);
+    const [x0, x1] = [inset + radius, this.#width - inset - radius];
+    const [y0, y1] = [-rim + inset + radius, this.#height + rim - inset - radius];
+    const centres = [
+      [x1, y1],
+      [x0, y1],
+      [x0, y0],
+      [x1, y0],
+    ];
+    const flat = Math.sqrt(Math.max(0, 1 - nz * nz));
+    for (let k = 0; k < 4 * cornerPoints; k++) {
+      const turn = Math.floor(k / cornerPoints);
+      const angle = (turn + (k % cornerPoints) / (cornerPoints - 1)) * (Math.PI / 2);
+      const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+      const [x, y] = [centres[turn][0] + radius * cos, centres[turn][1] + radius * sin];
+      solid.place(first + k, x, y, z);
+      solid.face(first + k, flat * cos, flat * sin, nz);
+      this.#dress(solid, first + k, x, y, true);
+    }
+    return first;
+  }
+}

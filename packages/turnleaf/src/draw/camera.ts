@@ -1,0 +1,174 @@
+/** Where the camera stands so that the book fills the canvas. Pure arithmetic, no three.js. */
+
+import type { BookShape } from "./pose.ts";
+
+/** Vertical field of view, degrees. */
+export const fieldOfView = 20;
+
+/** The camera's place and its three axes in book space. */
+export interface View {
+  position: [number, number, number];
+  right: [number, number, number];
+  up: [number, number, number];
+  /** Out of the picture, toward the reader. */
+  back: [number, number, number];
+  /** From the camera to the middle of the book, metres. */
+  distance: number;
+}
+
+/** Free room between the book and the canvas, as shares of the canvas. */
+export interface Margins {
+  sides: number;
+  top: number;
+  bottom: number;
+}
+
+/** Place across the picture, along it, and distance from the origin: what a fit yields. */
+type Fit = [across: number, along: number, distance: number];
+
+/** Degrees above the table from which an open and a closed book are seen. */
+const openElevation = 69;
+const closedElevation = 61;
+/** A closed book is seen from a little beside its spine, degrees. */
+const closedAzimuth = 9;
+
+const radians = Math.PI / 180;
+
+/** What the camera needs to know of a pose. */
+export interface Framing {
+  /** 0 open, 1 closed over the right block. */
+  closedRight: number;
+  /** 0 open, 1 closed over the left block. */
+  closedLeft: number;
+  /** Middle of the open book across the spine, metres. */
+  middle: number;
+  /** 0: no free room above the head; 1: room for a leaf standing upright. */
+  room: number;
+}
+
+/** The view that frames the book, a continuous function of the framing. */
+export function frameBook(shape: BookShape, framing: Framing, aspect: number, rim: number): View {
+  const right = ease(framing.closedRight);
+  const left = ease(framing.closedLeft);
+  const closed = Math.min(1, right + left);
+  const elevation = openElevation + (closedElevation - openElevation) * closed;
+  const azimuth = closedAzimuth * (left - right);
+  const axes = axesOf(elevation * radians, azimuth * radians);
+  const margins = { sides: 0.035, top: 0.03, bottom: 0.05 };
+
+  const open = fitPoints(openPoints(shape, framing, rim), axes, aspect, margins);
+  const fit: Fit = [...open];
+  for (const [share, sign] of [
+    [right, 1],
+    [left, -1],
+  ]) {
+    if (share <= 0) continue;
+    const shut = fitPoints(closedPoints(shape, sign, rim), axes, aspect, {
+      sides: 0.12,
+      top: 0.1,
+      bottom: 0.1,
+    });
+    for (let k = 0; k < 3; k++) fit[k] += (shut[k] - open[k]) * share;
+  }
+  return viewOf(fit, axes);
+}
+
+/** The three axes of a camera `elevation` above the table that is turned `azimuth` about the upright, radians. */
+export function axesOf(elevation: number, azimuth: number): Pick<View, "right" | "up" | "back"> {
+  const [ce, se, ca, sa] = [
+    Math.cos(elevation),
+    Math.sin(elevation),
+    Math.cos(azimuth),
+    Math.sin(azimuth),
+  ];
+  return {
+    right: [ca, sa, 0],
+    up: [-sa * se, ca * se, ce],
+    back: [sa * ce, -ca * ce, se],
+  };
+}
+
+/**
+ * The nearest camera with these axes whose picture holds every point within
+ * the margins. Each bound is linear in the camera's place, so the answer is exact.
+ *
+ * @param points x, y, z of each
+ */
+export function fitPoints(
+  points: readonly number[],
+  axes: Pick<View, "right" | "up" | "back">,
+  aspect: number,
+  margins: Margins,
+): Fit {
+  const half = Math.tan(0.5 * fieldOfView * radians);
+  const across = half * aspect * (1 - 2 * margins.sides);
+  const above = half * (1 - 2 * margins.top);
+  const below = half * (1 - 2 * margins.bottom);
+  // A camera at distance d sees a point within the bound `slope` where
+  // |place - centre| <= slope * (d - height), height being along `back`.
+  const bounds = [-Infinity, -Infinity, -Infinity, -Infinity];
+  for (let k = 0; k < points.length; k += 3) {
+    const x = along(axes.right, points, k);
+    const y = along(axes.up, points, k);
+    const height = along(axes.back, points, k);
+    bounds[0] = Math.max(bounds[0], x + across * height);
+    bounds[1] = Math.max(bounds[1], -x + across * height);
+    bounds[2] = Math.max(bounds[2], y + above * height);
+    bounds[3] = Math.max(bounds[3], -y + below * height);
+  }
+  const distance = Math.max(
+    (bounds[0] + bounds[1]) / (2 * across),
+    (bounds[2] + bounds[3]) / (above + below),
+  );
+  return [
+    (bounds[0] - bounds[1]) / 2,
+    // Spare room above and below is shared as the margins are.
+    (bounds[2] - above * distance + (below * distance - bounds[3])) / 2,
+    distance,
+  ];
+}
+
+function viewOf(fit: Fit, axes: Pick<View, "right" | "up" | "back">): View {
+  const place = (k: number): number =>
+    axes.right[k] * fit[0] + axes.up[k] * fit[1] + axes.back[k] * fit[2];
+  return { position: [place(0), place(1), place(2)], ...axes, distance: fit[2] };
+}
+
+/** Corners of the open book, and where the head edge of a leaf swings. */
+function openPoints(shape: BookShape, framing: Framing, rim: number): number[] {
+  const { width, height, thickness } = shape;
+  const reach = width + rim + thickness / 2;
+  const points: number[] = [];
+  for (const x of [framing.middle - reach, framing.middle + reach]) {
+    for (const y of [-rim, height + rim]) points.push(x, y, 0, x, y, thickness / 2);
+  }
+  for (let k = 1; k < 12; k++) {
+    const angle = (k * Math.PI) / 12;
+    // A leaf bends while it turns, and so never stands at its full height.
+    points.push(
+      0.96 * width * Math.cos(angle),
+      height,
+      0.9 * framing.room * width * Math.sin(angle),
+    );
+  }
+  return points;
+}
+
+function closedPoints(shape: BookShape, sign: number, rim: number): number[] {
+  const points: number[] = [];
+  for (const x of [-rim, shape.width + rim]) {
+    for (const y of [-rim, shape.height + rim]) {
+      for (const z of [0, shape.thickness + rim]) points.push(sign * x, y, z);
+    }
+  }
+  return points;
+}
+
+function along(axis: readonly number[], points: readonly number[], k: number): number {
+  return axis[0] * points[k] + axis[1] * points[k + 1] + axis[2] * points[k + 2];
+}
+
+function ease(t: number): number {
+  const c = Math.min(1, Math.max(0, t));
+  return c * c * (3 - 2 * c);
+}

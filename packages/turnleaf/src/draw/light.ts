@@ -1,0 +1,149 @@
+/**
+ * Light on paper, without a shadow map.
+ *
+ * A point of a page sees the sky through one gap in the plane across the
+ * spine, between the page's own rise, the pile opposite and the leaf in flight.
+ * The gap's two ends are angles from straight up, positive to the right. From
+ * them follow how much of the sky and how much of the key light arrive:
+ *
+ *   sky = (sin(right - normal) - sin(left - normal)) / 2, each difference at most a quarter turn
+ *   key = how far the key light's angle lies inside the gap, over a soft edge
+ *
+ * The ends are found here, per vertex; the fragment shader (`shading.ts`) does
+ * the rest, so that a shadow's edge is as sharp as its angle and hardens where
+ * the leaf touches the page.
+ */
+
+/** Where the key light comes from, book space, unit length: over the reader's left shoulder, from the head. */
+export const keyDirection: readonly [number, number, number] = unit(-0.46, 0.4, 0.8);
+
+/** Angle of the key light from straight up in the plane across the spine, radians. */
+export const keyAngle: number = Math.atan2(keyDirection[0], keyDirection[2]);
+
+/** Half the width of a shadow's soft edge, radians. */
+export const penumbra = 0.1;
+
+/** How far a leaf's shadow falls toward the foot for each metre that the leaf is above the page. */
+export const shadowSlope: number = keyDirection[1] / keyDirection[2];
+
+/**
+ * The direction (dx, dz) as a number that rises with its angle from straight
+ * up and needs no arc tangent: 0 up, 1 right, -1 left, 2 or -2 down. A quarter
+ * turn is exactly 1.
+ */
+export function compass(dx: number, dz: number): number {
+  const flat = Math.abs(dx);
+  if (dz >= 0) return dx / (flat + dz + 1e-20);
+  const beyond = flat / (flat - dz);
+  return dx >= 0 ? 2 - beyond : beyond - 2;
+}
+
+/** A compass number as radians from straight up. */
+export function compassToRadians(c: number): number {
+  const quarter = Math.floor(c + 0.5);
+  const part = c - quarter;
+  // Within half a quarter turn of an axis: (part, 1 - |part|) is the direction.
+  return quarter * (Math.PI / 2) + Math.atan2(part, 1 - Math.abs(part));
+}
+
+/** `c` shifted by whole turns to within half a turn of `center`. */
+function near(c: number, center: number): number {
+  if (c - center > 2) return c - 4;
+  if (c - center < -2) return c + 4;
+  return c;
+}
+
+/**
+ * The gap through which each point of one row of a sheet sees the sky.
+ *
+ * The sheet is told as if it lay on the right with its lit side up; mirror x
+ * for the left. Then what lies toward the root bounds the gap on the left, and
+ * what lies toward the fore-edge bounds it on the right.
+ *
+ * @param x,z the row's points from the root to the fore-edge
+ * @param nx,nz its normals on the lit side
+ * @param count points in the row
+ * @param stride every how many points are looked at as obstacles; divides count - 1
+ * @param opposite x, z of the pile across the gutter, may be empty
+ * @param out left and right end for each point, as compass numbers
+ */
+export function gapsOfRow(
+  x: Float32Array,
+  z: Float32Array,
+  nx: Float32Array,
+  nz: Float32Array,
+  count: number,
+  stride: number,
+  opposite: Float32Array,
+  out: Float32Array,
+): void {
+  for (let i = 0; i < count; i++) {
+    const px = x[i];
+    const pz = z[i];
+    let normal = compass(nx[i], nz[i]);
+    // A sheet turns from the right over the top to the left, never the other way.
+    if (normal > 1) normal -= 4;
+    let left = Math.max(-1, normal - 1);
+    let right = Math.min(1, normal + 1);
+    for (let k = 0; k < opposite.length; k += 2) {
+      const dx = opposite[k] - px;
+      const dz = opposite[k + 1] - pz;
+      if (Math.abs(dx) + Math.abs(dz) < 1e-6) continue;
+      left = Math.max(left, near(compass(dx, dz), normal - 1));
+    }
+    for (let k = 0; k < count; k += stride) {
+      if (k === i) continue;
+      const c = compass(x[k] - px, z[k] - pz);
+      if (k < i) left = Math.max(left, near(c, normal - 1));
+      else right = Math.min(right, near(c, normal + 1));
+    }
+    // More than shut makes shadows no darker, but would pull their edges outward.
+    out[2 * i] = Math.min(left, normal + 1);
+    out[2 * i + 1] = Math.max(right, normal - 1);
+  }
+}
+
+/**
+ * The left end of the gap of a resting page's point where a leaf or a board
+ * rises from the spine: whatever of it is seen farthest to the right. Told for
+ * the right side; mirror x for the left.
+ *
+ * @param points x, z of the leaf's section
+ * @param count how many numbers of `points` are in use
+ */
+export function leftEndUnder(px: number, pz: number, points: Float32Array, count: number): number {
+  let left = -1;
+  for (let k = 0; k < count; k += 2) {
+    const c = compass(points[k] - px, points[k + 1] - pz);
+    if (c > left) left = c;
+  }
+  return Math.min(left, 1.05);
+}
+
+/** Share of the sky seen through the gap between two angles, radians, by a surface with the normal's angle. */
+export function skyShare(left: number, right: number, normal: number): number {
+  return Math.max(0, 0.5 * (edgeSine(right - normal) - edgeSine(left - normal)));
+}
+
+/** Share of the key light that comes through the gap between two angles, radians. */
+export function keyShare(left: number, right: number): number {
+  return (
+    smooth((keyAngle - left + penumbra) / (2 * penumbra)) *
+    smooth((right - keyAngle + penumbra) / (2 * penumbra))
+  );
+}
+
+function edgeSine(angle: number): number {
+  if (Math.cos(angle) < 0) return Math.sign(Math.sin(angle));
+  return Math.sin(angle);
+}
+
+function smooth(t: number): number {
+  const c = Math.min(1, Math.max(0, t));
+  return c * c * (3 - 2 * c);
+}
+
+function unit(x: number, y: number, z: number): [number, number, number] {
+  const length = Math.hypot(x, y, z);
+  return [x / length, y / length, z / length];
+}

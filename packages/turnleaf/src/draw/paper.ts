@@ -1,0 +1,120 @@
+/** The material of a printed sheet: a resting page, or one side of the leaf in flight. */
+
+import { BackSide, FrontSide, ShaderMaterial, type Texture } from "three";
+import { gapChunk, lightChunk } from "./shading.ts";
+
+const vertexShader = /* glsl */ `
+attribute vec2 gapSky;
+attribute vec2 gapKey;
+attribute vec2 gapBehind;
+uniform float lit;
+varying vec3 vNormal;
+varying vec3 vPlace;
+varying vec2 vUv;
+varying vec2 vGapSky;
+varying vec2 vGapKey;
+varying vec2 vGapBehind;
+void main() {
+  vNormal = normal * lit;
+  vPlace = position;
+  vUv = uv;
+  vGapSky = gapSky;
+  vGapKey = gapKey;
+  vGapBehind = gapBehind;
+  gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0);
+}
+`;
+
+const fragmentShader = /* glsl */ `
+uniform sampler2D picture;
+uniform sampler2D pictureBehind;
+uniform float mirrored;
+uniform float thin;
+uniform float ceiling;
+uniform float pool;
+uniform vec2 size;
+varying vec3 vNormal;
+varying vec3 vPlace;
+varying vec2 vUv;
+varying vec2 vGapSky;
+varying vec2 vGapKey;
+varying vec2 vGapBehind;
+${lightChunk}
+${gapChunk}
+
+// What shines through a leaf from its other side, with that side's print in it.
+vec3 throughLeaf(vec3 normal, vec2 uv) {
+  float away = max(0.0, (0.35 - dot(normal, KEY_DIRECTION)) / 1.35);
+  float key = away * keyShare(vGapBehind);
+  float sky = skyShare(vGapBehind, -normal);
+  vec3 light = 0.46 * key * vec3(1.05, 0.93, 0.76) + 0.09 * sky * vec3(1.0, 0.93, 0.80);
+  vec3 print = texture2D(pictureBehind, vec2(1.0 - uv.x, uv.y), 2.2).rgb;
+  return thin * light * mix(vec3(1.0), print, 0.75);
+}
+
+void main() {
+  vec3 normal = normalize(vNormal);
+  vec2 uv = vec2(mix(vUv.x, 1.0 - vUv.x, mirrored), vUv.y);
+  vec3 ink = texture2D(picture, uv, -0.4).rgb;
+  vec3 light = amongPaper(arriving(normal, skyShare(vGapSky, normal), keyShare(vGapKey)));
+  light = min(light + throughLeaf(normal, uv), vec3(ceiling));
+  vec2 fromLight = (vPlace.xy - vec2(-0.35 * size.x, 0.65 * size.y)) / (1.5 * size);
+  light *= 1.0 - pool * smoothstep(0.1, 1.0, length(fromLight));
+  gl_FragColor = vec4(ink * light, 1.0);
+  #include <colorspace_fragment>
+  gl_FragColor.rgb = dithered(gl_FragColor.rgb);
+}
+`;
+
+/** Which side of a sheet a material is for. */
+export interface PaperSide {
+  /** The side that faces up where the sheet lies on the right. */
+  readonly recto: boolean;
+  /** Whether light shines through: the leaf in flight, not a page on its pile. */
+  readonly thin: boolean;
+  /** Whether the mesh's normals are this side's own; the leaf's are its recto's. */
+  readonly ownNormals: boolean;
+}
+
+/** A printed sheet's material, by its two pictures. */
+export class PaperMaterial extends ShaderMaterial {
+  constructor(
+    side: PaperSide,
+    kind: "typeset" | "scan",
+    width: number,
+    height: number,
+    paper: Texture,
+  ) {
+    super({
+      vertexShader,
+      fragmentShader,
+      side: side.recto ? FrontSide : BackSide,
+      uniforms: {
+        picture: { value: paper },
+        pictureBehind: { value: paper },
+        lit: { value: side.recto || side.ownNormals ? 1 : -1 },
+        mirrored: { value: side.recto ? 0 : 1 },
+        thin: { value: side.thin ? 1 : 0 },
+        ceiling: { value: kind === "scan" ? 1 : 1.03 },
+        pool: { value: kind === "scan" ? 0 : 0.024 },
+        size: { value: [width, height] },
+      },
+    });
+    if (side.thin) {
+      // A leaf that touches the page under it is the one seen.
+      this.polygonOffset = true;
+      this.polygonOffsetFactor = -0.5;
+      this.polygonOffsetUnits = -4;
+    }
+  }
+
+  /** The picture on this side. */
+  set picture(texture: Texture) {
+    this.uniforms.picture.value = texture;
+  }
+
+  /** The picture on the sheet's other side. */
+  set pictureBehind(texture: Texture) {
+    this.uniforms.pictureBehind.value = texture;
+  }
+}

@@ -1,0 +1,50 @@
+/** What the stage draws: a book's fixed shape, and where its parts are in one frame. */
+
+import type { Pile, Surface } from "../engine/shapes.ts";
+
+/** What of a book never changes while it is read. Lengths in metres. */
+export interface BookShape {
+  /** Page width across the spine. */
+  readonly width: number;
+  /** Page height along the spine. */
+  readonly height: number;
+  /** Thickness of all leaves together. */
+  readonly thickness: number;
+  readonly leaves: number;
+  /** Boards of card in cloth, or nothing but leaves. */
+  readonly cover: "hard" | "none";
+  /** CSS colour of the boards and the spine. */
+  readonly cloth: string;
+  /** Scans are never drawn brighter than they are. */
+  readonly kind: "typeset" | "scan";
+}
+
+/** A face of the book that can carry a picture. */
+export type Face =
+  | "left"
+  | "right"
+  | "recto"
+  | "verso"
+  | "frontOutside"
+  | "frontInside"
+  | "backOutside"
+  | "backInside";
+
+/** Where the parts of the book are. Book space: see `engine/shapes.ts`; z = 0 is the boards' inner face. */
+export interface BookPose {
+  /** Resting pages on the left; null where none lie. */
+  readonly left: Pile | null;
+  /** Resting pages on the right; null where none lie. */
+  readonly right: Pile | null;
+  /** The one leaf in flight. Its recto faces up where it lies on the right. */
+  readonly leaf: Surface | null;
+  /** Radians: pi lies open on the left, 0 is closed over the right block. */
+  readonly frontBoard: number;
+  /** Radians: 0 lies open on the right, pi is closed over the left block. */
+  readonly backBoard: number;
+}
+
+/** Distance of a column from the spine as a share of the page's width. Columns crowd where pages bend. */
+export function columnPlace(column: number, columns: number): number {
+  return (column / (columns - 1)) ** 1.7;
+}

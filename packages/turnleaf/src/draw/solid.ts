@@ -1,0 +1,98 @@
+/** The material of all that is not a sheet: leaf edges, cloth, boards, headbands. */
+
+import { type Color, DoubleSide, FrontSide, ShaderMaterial, type Texture } from "three";
+import { lightChunk } from "./shading.ts";
+
+const vertexShader = /* glsl */ `
+attribute vec2 open;
+attribute vec2 grainAt;
+varying vec3 vNormal;
+varying vec2 vUv;
+varying vec2 vGrainAt;
+varying vec2 vOpen;
+void main() {
+  vNormal = mat3(modelMatrix) * normal;
+  vUv = uv;
+  vGrainAt = grainAt;
+  vOpen = open;
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+}
+`;
+
+const fragmentShader = /* glsl */ `
+uniform vec3 base;
+uniform sampler2D grain;
+uniform float grainDepth;
+uniform sampler2D picture;
+uniform float pictured;
+uniform vec4 panel;
+uniform float paperiness;
+varying vec3 vNormal;
+varying vec2 vUv;
+varying vec2 vGrainAt;
+varying vec2 vOpen;
+${lightChunk}
+
+void main() {
+  vec3 normal = normalize(gl_FrontFacing ? vNormal : -vNormal);
+  float thread = 1.0 + grainDepth * (texture2D(grain, vGrainAt).r * 2.0 - 1.0);
+  vec3 colour = base * thread;
+
+  vec2 at = (vUv - panel.xy) / (panel.zw - panel.xy);
+  vec2 soft = fwidth(vUv) / (panel.zw - panel.xy) + 1e-5;
+  vec2 within = smoothstep(-soft, soft, at) * smoothstep(-soft, soft, 1.0 - at);
+  // A panel that covers the whole face goes round its bevel too.
+  float share = pictured * (panel.x <= 0.0 ? 1.0 : within.x * within.y);
+  colour = mix(colour, texture2D(picture, at, -0.4).rgb, share);
+
+  float sky = vOpen.x * (0.5 + 0.5 * normal.z);
+  vec3 light = arriving(normal, sky, vOpen.y);
+  light = mix(light, amongPaper(light), max(paperiness, share));
+  gl_FragColor = vec4(colour * min(light, vec3(1.03)), 1.0);
+  #include <colorspace_fragment>
+  gl_FragColor.rgb = dithered(gl_FragColor.rgb);
+}
+`;
+
+/** What a solid surface looks like. */
+export interface SolidLook {
+  readonly base: Color;
+  readonly grain: Texture;
+  /** How much the grain darkens and brightens. */
+  readonly grainDepth: number;
+  /** How much light neighbouring paper throws in, 0 to 1. */
+  readonly paperiness: number;
+  /** Seen from both sides. */
+  readonly twoSided?: boolean;
+}
+
+/** A solid surface's material, with a picture on a panel of it where it has one. */
+export class SolidMaterial extends ShaderMaterial {
+  constructor(look: SolidLook) {
+    super({
+      vertexShader,
+      fragmentShader,
+      side: look.twoSided ? DoubleSide : FrontSide,
+      uniforms: {
+        base: { value: look.base },
+        grain: { value: look.grain },
+        grainDepth: { value: look.grainDepth },
+        paperiness: { value: look.paperiness },
+        picture: { value: look.grain },
+        pictured: { value: 0 },
+        panel: { value: [0, 0, 1, 1] },
+      },
+    });
+  }
+
+  /** Shows a picture, or the plain surface for null. */
+  setPicture(texture: Texture | null): void {
+    this.uniforms.pictured.value = texture ? 1 : 0;
+    if (texture) this.uniforms.picture.value = texture;
+  }
+
+  /** The part of the face, left, top, right, bottom from 0 to 1, that the picture covers. */
+  setPanel(panel: readonly [number, number, number, number]): void {
+    this.uniforms.panel.value = panel;
+  }
+}

@@ -1,0 +1,157 @@
+/** Pictures as textures: one for each picture object, however many faces show it. */
+
+import {
+  DataTexture,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  RepeatWrapping,
+  RGBAFormat,
+  SRGBColorSpace,
+  Texture,
+  UnsignedByteType,
+  type WebGLRenderer,
+} from "three";
+import type { PagePicture } from "../sources/page_source.ts";
+
+/** Textures by picture. */
+export class PictureTextures {
+  /** What a face shows while it has no picture. */
+  readonly paper: Texture;
+  readonly #renderer: WebGLRenderer;
+  readonly #textures = new Map<PagePicture, Texture>();
+
+  constructor(renderer: WebGLRenderer) {
+    this.#renderer = renderer;
+    this.paper = plainTexture(0xfb, 0xf5, 0xe8);
+  }
+
+  /** The picture's texture, sent to the GPU now rather than in the middle of a turn. */
+  of(picture: PagePicture | null): Texture {
+    if (picture === null) return this.paper;
+    const known = this.#textures.get(picture);
+    if (known) return known;
+    const texture = new Texture(picture);
+    texture.colorSpace = SRGBColorSpace;
+    texture.flipY = false;
+    texture.generateMipmaps = true;
+    texture.minFilter = LinearMipmapLinearFilter;
+    texture.magFilter = LinearFilter;
+    texture.anisotropy = Math.min(8, this.#renderer.capabilities.getMaxAnisotropy());
+    texture.needsUpdate = true;
+    this.#textures.set(picture, texture);
+    this.#renderer.initTexture(texture);
+    return texture;
+  }
+
+  /** Frees a picture's texture. */
+  forget(picture: PagePicture): Texture | undefined {
+    const texture = this.#textures.get(picture);
+    texture?.dispose();
+    this.#textures.delete(picture);
+    return texture;
+  }
+
+  dispose(): void {
+    for (const texture of this.#textures.values()) texture.dispose();
+    this.#textures.clear();
+    this.paper.dispose();
+  }
+}
+
+function plainTexture(r: number, g: number, b: number): Texture {
+  const texture = new DataTexture(new Uint8Array([r, g, b, 255]), 1, 1, RGBAFormat);
+  texture.colorSpace = SRGBColorSpace;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+/**
+ * The edges of a block's leaves as bands that differ at every scale, so that
+ * some show at any distance and none beat with the pixels: x along the edge,
+ * y through the block's thickness. Red is brightness, half = as it is.
+ */
+export function leafEdgeTexture(): Texture {
+  const [width, height] = [64, 512];
+  const random = randomNumbers(7);
+  const level = new Float32Array(width * height);
+  for (let step = 2; step <= 256; step *= 2) {
+    // Fewer, stronger bands; each wanders a little along the edge.
+    const weight = 0.11 * (step / 16) ** 0.12;
+    const count = height / step;
+    const bands = Float32Array.from({ length: count }, () => random() - 0.5);
+    const phases = Float32Array.from({ length: count }, () => random() * 2 * Math.PI);
+    for (let y = 0; y < height; y++) {
+      for (let x = 0; x < width; x++) {
+        const sway = 0.12 * Math.sin((2 * Math.PI * x) / width + phases[Math.floor(y / step)]);
+        const at = (y + sway * step) / step;
+        const a = bands[(Math.floor(at) + count) % count];
+        const b = bands[(Math.floor(at) + 1 + count) % count];
+        const t = at - Math.floor(at);
+        level[y * width + x] += weight * (a + (b - a) * t * t * (3 - 2 * t)) * 2;
+      }
+    }
+  }
+  // Signatures: a darker line now and then.
+  for (let y = 10; y < height; y += 24 + Math.floor(random() * 26)) {
+    for (let x = 0; x < width; x++) {
+      level[y * width + x] -= 0.28;
+      level[(y + 1) * width + x] -= 0.18;
+    }
+  }
+  return grainTexture(level, width, height);
+}
+
+/** Book cloth: threads over and under, thick and thin places. Red is brightness, half = as it is. */
+export function clothTexture(): Texture {
+  const size = 256;
+  const threads = 64;
+  const random = randomNumbers(3);
+  const warp = Float32Array.from({ length: threads }, () => random() - 0.5);
+  const weft = Float32Array.from({ length: threads }, () => random() - 0.5);
+  const level = new Float32Array(size * size);
+  for (let y = 0; y < size; y++) {
+    for (let x = 0; x < size; x++) {
+      const [u, v] = [(x * threads) / size, (y * threads) / size];
+      const [i, j] = [Math.floor(u), Math.floor(v)];
+      const over = (i + j) % 2 === 0;
+      const across = over ? u - i : v - j;
+      const round = Math.sin(Math.PI * across);
+      const thread = over ? warp[i] : weft[j];
+      level[y * size + x] = 0.16 * (round - 0.64) + 0.2 * thread + 0.08 * (random() - 0.5);
+    }
+  }
+  return grainTexture(level, size, size);
+}
+
+function grainTexture(level: Float32Array, width: number, height: number): Texture {
+  const data = new Uint8Array(4 * width * height);
+  for (let k = 0; k < level.length; k++) {
+    const value = Math.min(255, Math.max(0, Math.round(127.5 * (1 + level[k]))));
+    data.set([value, value, value, 255], 4 * k);
+  }
+  const texture = new DataTexture(data, width, height, RGBAFormat, UnsignedByteType);
+  texture.wrapS = texture.wrapT = RepeatWrapping;
+  texture.generateMipmaps = true;
+  texture.minFilter = LinearMipmapLinearFilter;
+  texture.magFilter = LinearFilter;
+  texture.anisotropy = 8;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+/** Numbers from 0 to 1, the same for the same seed (mulberry32). */
+function randomNumbers(seed: number): () => number {
+  let state = seed;
+  return () => {
+    state = (state + 0x6d2b79f5) | 0;
+    let t = Math.imul(state ^ (state >>> 15), 1 | state);
+    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
+    return ((t ^ (t >>> 14)) >>> 0) / 4294967296;
+  };
+}
+
+/** A headband's stripes, dark and light in turn along x. Red is brightness, half = as it is. */
+export function headbandTexture(): Texture {
+  const level = Float32Array.from({ length: 32 }, (_, x) => 0.75 * Math.sin((x * Math.PI) / 16) - 0.1);
+  return grainTexture(level, 32, 1);
+}
