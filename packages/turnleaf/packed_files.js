@@ -1,10 +1,10 @@
-import { readdir, readFile } from "node:fs/promises";
+import { readdir, readFile, stat } from "node:fs/promises";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 import { gzipSync } from "node:zlib";
 
 const prefix = "packed:";
-const suffix = "!packed";
+const suffix = ".packed";
 const require = createRequire(import.meta.url);
 
 /**
@@ -22,12 +22,13 @@ export function packedFiles() {
     enforce: "pre",
     resolveId(id) {
       // The zero byte and the ending keep other plugins from taking it for a file of their kind.
-      return id.startsWith(prefix) ? `\0${id}${suffix}` : null;
+      return id.startsWith(prefix) ? `\0${id.replace(/\/$/, "")}${suffix}` : null;
     },
     async load(id) {
       if (!id.startsWith(`\0${prefix}`)) return null;
-      const path = id.slice(prefix.length + 1, -suffix.length);
-      const bytes = path.endsWith("/") ? await packFolder(path) : await readFile(locate(path));
+      const path = locate(id.slice(prefix.length + 1, -suffix.length));
+      const isFolder = (await stat(path)).isDirectory();
+      const bytes = isFolder ? await packFolder(path) : await readFile(path);
       const base64 = gzipSync(bytes, { level: 9 }).toString("base64");
       return { code: `export default ${JSON.stringify(base64)};`, moduleType: "js", map: null };
     },
@@ -40,8 +41,7 @@ function locate(path) {
   return join(dirname(require.resolve(`${name}/package.json`)), ...rest);
 }
 
-async function packFolder(path) {
-  const folder = locate(path);
+async function packFolder(folder) {
   const names = (await readdir(folder)).filter((name) => !name.startsWith("LICENSE")).sort();
   const files = await Promise.all(names.map((name) => readFile(join(folder, name))));
   let offset = 0;

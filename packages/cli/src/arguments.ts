@@ -1,0 +1,73 @@
+import { parseArgs } from "node:util";
+import { UsageProblem } from "./problem.ts";
+
+/** What the command line asks for. */
+export type Command =
+  | { readonly name: "help" }
+  | { readonly name: "version" }
+  | {
+      readonly name: "read";
+      readonly path: string;
+      /** Undefined: 4173, or the next one that is free. */
+      readonly port: number | undefined;
+      readonly opens: boolean;
+    };
+
+export const help = `Turnleaf shows a book whose pages turn as paper turns.
+
+  turnleaf FILE_OR_FOLDER        the same as turnleaf read
+  turnleaf read FILE_OR_FOLDER   reads a PDF, an image, or a folder of images
+                                 (PNG, JPEG, WebP, AVIF, GIF) in their order
+
+  --port N     serve at this port of this machine (4173, or the next free one)
+  --no-open    open no browser
+  --version    print the version
+  --help       print this
+`;
+
+/**
+ * Reads the command line, without the names of Node and of the script.
+ * @throws UsageProblem
+ */
+export function parseCommand(args: readonly string[]): Command {
+  const { values, positionals } = parse(args);
+  if (values.help) return { name: "help" };
+  if (values.version) return { name: "version" };
+  // A book called "read" is opened by: turnleaf read read
+  const paths = positionals[0] === "read" ? positionals.slice(1) : positionals;
+  const [path] = paths;
+  if (path === undefined || path === "")
+    throw new UsageProblem("Name a PDF or a folder of images.");
+  if (paths.length > 1) throw new UsageProblem("Name one book; quote a name that has spaces.");
+  return { name: "read", path, port: parsePort(values.port), opens: !values["no-open"] };
+}
+
+function parse(args: readonly string[]): ReturnType<typeof parseOptions> {
+  try {
+    return parseOptions(args);
+  } catch (error) {
+    const first = error instanceof Error ? (error.message.split(/\. |\n/)[0] ?? "") : "";
+    throw new UsageProblem(`${first.replace(/\.$/, "")}.`);
+  }
+}
+
+// biome-ignore lint/nursery/useExplicitType: the type follows from the options
+function parseOptions(args: readonly string[]) {
+  return parseArgs({
+    args: [...args],
+    allowPositionals: true,
+    options: {
+      port: { type: "string" },
+      "no-open": { type: "boolean" },
+      help: { type: "boolean", short: "h" },
+      version: { type: "boolean", short: "v" },
+    },
+  });
+}
+
+function parsePort(text: string | undefined): number | undefined {
+  if (text === undefined) return undefined;
+  const port = Number(text);
+  if (/^\d{1,5}$/.test(text) && port <= 65535) return port;
+  throw new UsageProblem("--port takes a number from 0 to 65535.");
+}

@@ -1,0 +1,94 @@
+import { readdir, realpath, stat } from "node:fs/promises";
+import { join, sep } from "node:path";
+import { imageSizeFromFile } from "image-size/fromFile";
+import { imageTypeOfName } from "./image_types.ts";
+import { fileProblem, Problem, printable } from "./problem.ts";
+
+/** Pages beyond this are not read. */
+const mostPages = 20_000;
+/** Files whose headers are read at the same time. */
+const atOnce = 16;
+
+/** The books of a folder: absolute paths without links, in the order of their names. */
+export interface FolderContent {
+  readonly pdfs: readonly string[];
+  readonly images: readonly string[];
+}
+
+/**
+ * Lists the PDFs and images directly in `folder`; what is hidden, and what
+ * leads out of the folder, is left out.
+ * @param given how the user named the folder
+ * @throws Problem
+ */
+export async function listFolder(
+  folder: string,
+  given: string,
+  warn: (sentence: string) => void,
+): Promise<FolderContent> {
+  const names = await readdir(folder).catch((error: unknown) => {
+    throw fileProblem(given, error);
+  });
+  const order = new Intl.Collator("en", { numeric: true }).compare;
+  const pdfs: string[] = [];
+  const images: string[] = [];
+  for (const name of names.sort((a, b) => order(a, b) || (a < b ? -1 : 1))) {
+    if (name.startsWith(".")) continue;
+    const list = imageTypeOfName(name) ? images : /\.pdf$/i.test(name) ? pdfs : null;
+    const file = list && (await insideFile(folder, name, warn));
+    if (file) list.push(file);
+  }
+  if (images.length > mostPages) {
+    throw new Problem(
+      `${printable(given)} holds ${images.length} images; split it into folders of at most ${mostPages}.`,
+    );
+  }
+  return { pdfs, images };
+}
+
+/** The file without links; null where it is none or lies outside of the folder. */
+async function insideFile(
+  folder: string,
+  name: string,
+  warn: (sentence: string) => void,
+): Promise<string | null> {
+  try {
+    const real = await realpath(join(folder, name));
+    const root = folder.endsWith(sep) ? folder : folder + sep;
+    if (!real.startsWith(root)) {
+      warn(`${printable(name)} is a link that leads out of the folder; it is left out.`);
+      return null;
+    }
+    return (await stat(real)).isFile() ? real : null;
+  } catch (error) {
+    warn(`${fileProblem(name, error).message} It is left out.`);
+    return null;
+  }
+}
+
+/** An image of the folder as the manifest lists it. */
+export interface FolderPage {
+  readonly file: string;
+  readonly type: string;
+  /** Pixels, upright; empty where the header does not say: the browser then finds them. */
+  readonly size: { readonly width: number; readonly height: number } | Record<string, never>;
+}
+
+/** Reads the images' sizes from their headers. */
+export async function imagePages(images: readonly string[]): Promise<FolderPage[]> {
+  const pages: FolderPage[] = [];
+  for (let i = 0; i < images.length; i += atOnce) {
+    pages.push(...(await Promise.all(images.slice(i, i + atOnce).map(imagePage))));
+  }
+  return pages;
+}
+
+async function imagePage(file: string): Promise<FolderPage> {
+  const type = imageTypeOfName(file) ?? "application/octet-stream";
+  const size = await imageSizeFromFile(file).catch(() => null);
+  if (!size || !(size.width > 0) || !(size.height > 0)) return { file, type, size: {} };
+  // EXIF orientations from 5 on lie on their side; browsers turn them upright.
+  const lies = (size.orientation ?? 1) >= 5;
+  const { width, height } = lies ? { width: size.height, height: size.width } : size;
+  return { file, type, size: { width, height } };
+}

@@ -1,0 +1,29 @@
+/** How many first bytes of a file tell its format. */
+export const sniffLength = 1024;
+
+const marks: readonly (readonly [string, number, string])[] = [
+  ["image/png", 0, "\x89PNG\r\n\x1a\n"],
+  ["image/jpeg", 0, "\xff\xd8\xff"],
+  ["image/gif", 0, "GIF8"],
+  ["image/webp", 8, "WEBP"],
+  ["image/avif", 4, "ftypavi"],
+];
+
+/** The media type of an image by its first bytes (latin-1); undefined for any other file. */
+export function imageType(start: string): string | undefined {
+  return marks.find(([, offset, mark]) => start.startsWith(mark, offset))?.[0];
+}
+
+const byEnding: ReadonlyMap<string, string> = new Map([
+  [".png", "image/png"],
+  [".jpg", "image/jpeg"],
+  [".jpeg", "image/jpeg"],
+  [".gif", "image/gif"],
+  [".webp", "image/webp"],
+  [".avif", "image/avif"],
+]);
+
+/** The media type of an image by the ending of its name. SVG is none of them: it can hold scripts. */
+export function imageTypeOfName(name: string): string | undefined {
+  return byEnding.get(/\.[a-z]+$/i.exec(name)?.[0].toLowerCase() ?? "");
+}

@@ -1,0 +1,26 @@
+#!/usr/bin/env node
+import packageJson from "../package.json" with { type: "json" };
+import { help, parseCommand } from "./arguments.ts";
+import { Problem, UsageProblem } from "./problem.ts";
+import { read } from "./read.ts";
+
+async function main(): Promise<void> {
+  const command = parseCommand(process.argv.slice(2));
+  if (command.name === "help") console.log(help.trimEnd());
+  else if (command.name === "version") console.log(packageJson.version);
+  else await read(command.path, command.port, command.opens);
+}
+
+try {
+  await main();
+} catch (error) {
+  if (error instanceof UsageProblem) {
+    console.error(`${error.message}\n\n${help.trimEnd()}`);
+    process.exitCode = 2;
+  } else if (error instanceof Problem) {
+    console.error(error.message);
+    process.exitCode = 1;
+  } else {
+    throw error;
+  }
+}

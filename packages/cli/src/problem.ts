@@ -1,0 +1,30 @@
+/** What went wrong, in one sentence for whoever typed the command; the command then ends with status 1. */
+export class Problem extends Error {}
+
+/** The command was not understood: status 2. */
+export class UsageProblem extends Error {}
+
+// biome-ignore lint/suspicious/noControlCharactersInRegex: they are what is removed
+const unprintable = /[\u0000-\u001f\u007f-\u009f\u200e\u200f\u202a-\u202e\u2066-\u2069\ufeff]+/g;
+
+/** A name from outside, such as a file's or a title, made safe for a terminal and no longer than 200 characters. */
+export function printable(text: string): string {
+  const line = [...text.replace(unprintable, " ").trim()];
+  return line.length <= 200 ? line.join("") : `${line.slice(0, 199).join("")}…`;
+}
+
+/** The sentence for an error of the file system met at `path`. */
+export function fileProblem(path: string, error: unknown): Problem {
+  const name = printable(path);
+  const code = (error as NodeJS.ErrnoException | null)?.code;
+  if (code === "ENOENT" || code === "ENOTDIR") {
+    return new Problem(`${name} was not found; check its name and folder.`);
+  }
+  if (code === "EACCES" || code === "EPERM") {
+    return new Problem(`${name} may not be read; give yourself the permission to read it.`);
+  }
+  if (code === "ELOOP") return new Problem(`${name} is a link that leads to itself; correct it.`);
+  return new Problem(
+    `${name} could not be read (${code ?? "unknown error"}); check the disk it is on.`,
+  );
+}

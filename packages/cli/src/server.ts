@@ -1,0 +1,126 @@
+import { createServer, type IncomingMessage, type Server, type ServerResponse } from "node:http";
+import type { AddressInfo } from "node:net";
+import type { ServedFile } from "./book.ts";
+import { Problem } from "./problem.ts";
+import { sendFile } from "./send_file.ts";
+
+/** The machine itself and nobody else. */
+const loopback = "127.0.0.1";
+const usualPort = 4173;
+/** Ports that are tried from `usualPort` on. */
+const portsTried = 50;
+
+const headers: Readonly<Record<string, string>> = {
+  // 'wasm-unsafe-eval' lets WebAssembly run; blob: is where pdf.js's workers and measured images
+  // are; the element brings its style within its shadow root.
+  "Content-Security-Policy": [
+    "default-src 'none'",
+    "script-src 'self' 'wasm-unsafe-eval'",
+    "worker-src 'self' blob:",
+    "style-src 'self' 'unsafe-inline'",
+    "img-src 'self' blob: data:",
+    "font-src 'self'",
+    "connect-src 'self'",
+    "base-uri 'none'",
+    "form-action 'none'",
+    "frame-ancestors 'none'",
+  ].join("; "),
+  "X-Content-Type-Options": "nosniff",
+  "Referrer-Policy": "no-referrer",
+  "Cross-Origin-Resource-Policy": "same-origin",
+  "Cross-Origin-Opener-Policy": "same-origin",
+  "Cache-Control": "no-store",
+};
+
+/** A server that is listening. */
+export interface Serving {
+  /** `http://127.0.0.1:4173/`. */
+  readonly url: string;
+  /** Ends every connection and the server. */
+  close(): Promise<void>;
+}
+
+/**
+ * Serves `files`, each at the exact path that is its key, to this machine alone.
+ * @param port undefined for the usual one or the next that is free; 0 for any
+ * @throws Problem where the port cannot be had
+ */
+export async function serve(
+  files: ReadonlyMap<string, ServedFile>,
+  port: number | undefined,
+): Promise<Serving> {
+  const server = createServer({ maxHeaderSize: 16_384, requestTimeout: 30_000 });
+  server.headersTimeout = 10_000;
+  server.maxConnections = 256;
+  await listen(server, port);
+  const actual = (server.address() as AddressInfo).port;
+  const hosts = new Set([`${loopback}:${actual}`, `localhost:${actual}`]);
+  server.on("request", (request, response) => {
+    answer(files, hosts, request, response).catch(() => response.destroy());
+  });
+  return {
+    url: `http://${loopback}:${actual}/`,
+    close: () =>
+      new Promise((resolve) => {
+        server.close(() => resolve());
+        server.closeAllConnections();
+      }),
+  };
+}
+
+async function answer(
+  files: ReadonlyMap<string, ServedFile>,
+  hosts: ReadonlySet<string>,
+  request: IncomingMessage,
+  response: ServerResponse,
+): Promise<void> {
+  for (const [name, value] of Object.entries(headers)) response.setHeader(name, value);
+  // Another name that leads here (DNS rebinding) would let a web page read the book.
+  if (!hosts.has(request.headers.host?.toLowerCase() ?? "")) {
+    refuse(response, 403, "This address is not served.");
+    return;
+  }
+  if (request.method !== "GET" && request.method !== "HEAD") {
+    response.setHeader("Allow", "GET, HEAD");
+    refuse(response, 405, "Only GET and HEAD are answered.");
+    return;
+  }
+  // Looked up as it is, never joined to a path: what is not a key is not there.
+  const file = files.get(request.url?.split("?", 1)[0] ?? "");
+  if (file) await sendFile(file, request, response);
+  else refuse(response, 404, "There is nothing here.");
+}
+
+function refuse(response: ServerResponse, status: number, sentence: string): void {
+  // What a refused request still sends is not read.
+  response.setHeader("Connection", "close");
+  response.writeHead(status, { "Content-Type": "text/plain" }).end(`${sentence}\n`);
+}
+
+async function listen(server: Server, port: number | undefined): Promise<void> {
+  const last = port ?? usualPort + portsTried - 1;
+  for (let at = port ?? usualPort; at <= last; at++) {
+    const error = await listenAt(server, at);
+    if (error === null) return;
+    if (error.code === "EACCES") {
+      throw new Problem(`Port ${at} needs rights you do not have; choose one from 1024 on.`);
+    }
+    if (error.code !== "EADDRINUSE") throw new Problem(`Port ${at} cannot be had (${error.code}).`);
+  }
+  throw new Problem(
+    port === undefined
+      ? `Ports ${usualPort} to ${last} are taken; choose another with --port.`
+      : `Port ${port} is taken; choose another with --port, or leave --port out.`,
+  );
+}
+
+function listenAt(server: Server, port: number): Promise<NodeJS.ErrnoException | null> {
+  return new Promise((resolve) => {
+    const fail = (error: NodeJS.ErrnoException): void => resolve(error);
+    server.once("error", fail);
+    server.listen(port, loopback, () => {
+      server.removeListener("error", fail);
+      resolve(null);
+    });
+  });
+}

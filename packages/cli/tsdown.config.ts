@@ -1,0 +1,13 @@
+import { defineConfig } from "tsdown";
+
+/** The command, with all that it needs inside: installing it installs nothing else. */
+export default defineConfig({
+  entry: ["src/main.ts", "src/inspect_thread.ts"],
+  platform: "node",
+  target: "node20",
+  format: "esm",
+  dts: false,
+  minify: true,
+  fixedExtension: false,
+  deps: { onlyBundle: ["image-size", "pdfjs-dist"] },
+});

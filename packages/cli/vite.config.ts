@@ -1,0 +1,18 @@
+import { fileURLToPath } from "node:url";
+import { defineConfig } from "vite";
+
+/** The reader app, built beside the command that serves it. */
+export default defineConfig({
+  root: fileURLToPath(new URL("./app", import.meta.url)),
+  publicDir: false,
+  build: {
+    outDir: "../dist/app",
+    emptyOutDir: true,
+    // Nothing inline: the server's security policy allows files alone.
+    assetsInlineLimit: 0,
+    modulePreload: { polyfill: false },
+    target: "es2022",
+    chunkSizeWarningLimit: 2000,
+    license: { fileName: "licenses.md" },
+  },
+});
