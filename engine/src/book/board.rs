@@ -182,9 +182,9 @@ mod tests {
     #[test]
     fn a_flick_carries_it_over() {
         let mut board = Board::new(Side::Right);
-        board.hold(2.8);
-        board.step(9);
-        assert!(board.angle() < core::f32::consts::PI / 1.9);
+        board.hold(2.4);
+        board.step(6);
+        assert!(board.angle() < core::f32::consts::FRAC_PI_2);
         board.release();
         ticks_to_rest(&mut board);
         assert_eq!(board.phase(), Phase::Resting(Side::Left));

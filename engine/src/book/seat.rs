@@ -70,9 +70,9 @@ pub fn share_turned(dx: f32, dz: f32) -> f32 {
 
 #[cfg(test)]
 mod tests {
-    use crate::grid::Side;
     use super::super::block::crowded_columns;
     use super::*;
+    use crate::grid::Side;
 
     const WIDTH: f32 = 0.14;
 
