@@ -63,11 +63,12 @@ export class BlockMesh {
     const [above, below] = [end(layer - 1), end(layer + 1)];
     const dx = this.#sign * (curves[below] - curves[above]);
     const dz = curves[above + 1] - curves[below + 1];
-    const length = Math.hypot(dx, dz) || 1;
+    // Each leaf's own edge faces outward, however far the edges lean as a whole.
+    const length = Math.hypot(0.35 * dx, dz) || 1;
     const high = layers > 1 ? 1 - layer / (layers - 1) : 1;
     for (const k of [0, 1]) {
       solid.place(point + k, curves[end(layer)], k * this.#height, curves[end(layer) + 1]);
-      solid.face(point + k, (this.#sign * dz) / length, 0, dx / length);
+      solid.face(point + k, (this.#sign * dz) / length, 0, (0.35 * dx) / length);
       solid.grainAt[2 * (point + k)] = 3 * k * this.#height;
       solid.grainAt[2 * (point + k) + 1] = this.#band(pile, layer);
       solid.open[2 * (point + k)] = 0.72 + 0.28 * high;

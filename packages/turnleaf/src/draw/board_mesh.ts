@@ -2,13 +2,13 @@
 
 import { type BufferGeometry, Group, Mesh } from "three";
 import { caseSizes } from "./case_shape.ts";
-import { compass, compassToRadians, keyShare, skyShare } from "./light.ts";
+import { sharesBetween } from "./light.ts";
 import type { PileShape } from "./pile_shape.ts";
 import type { SolidMaterial } from "./solid.ts";
 import { SolidGeometry } from "./solid_geometry.ts";
 
 /** Threads of cloth repeat after this many metres. */
-export const clothRepeat = 0.022;
+export const clothRepeat = 0.06;
 
 /** Points around each corner of a board. */
 const cornerPoints = 5;
@@ -23,6 +23,7 @@ export class BoardMesh {
   readonly #front: boolean;
   readonly #width: number;
   readonly #height: number;
+  readonly #shares = { sky: 1, key: 1 };
 
   /** @param pageWidth,pageHeight metres */
   constructor(
@@ -40,7 +41,7 @@ export class BoardMesh {
     this.#outside = new Mesh(this.#shell().geometry, outside);
     this.#inside = new Mesh(this.#inner.geometry, inside);
     // The pastedown leaves a border of turned-in cloth, but not at the hinge.
-    const [edge, end] = [(0.8 * rim) / this.#width, (0.8 * rim) / (pageHeight + 2 * rim)];
+    const [edge, end] = [(1.1 * rim) / this.#width, (1.1 * rim) / (pageHeight + 2 * rim)];
     inside.setPanel(front ? [edge, end, 1.001, 1 - end] : [-0.001, end, 1 - edge, 1 - end]);
     for (const mesh of [this.#outside, this.#inside]) {
       mesh.frustumCulled = false;
@@ -69,27 +70,15 @@ export class BoardMesh {
   light(hinge: readonly [number, number], angle: number, left: PileShape, right: PileShape): void {
     const solid = this.#inner;
     const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
-    const normal = this.#front ? angle - Math.PI : angle;
+    const normal = this.#front ? Math.PI - angle : -angle;
     const rows = this.#rowPlaces().length;
     const lies = this.#front ? left : right;
     for (let i = 0; i < innerColumns; i++) {
       const local = solid.positions[3 * i];
       const x = hinge[0] + local * cos;
       const z = hinge[1] + local * sin;
-      // Straight up is 0, to the right positive, as everywhere in light.ts.
-      let from = Math.max(-Math.PI / 2, -normal - Math.PI / 2);
-      let to = Math.min(Math.PI / 2, -normal + Math.PI / 2);
-      for (const pile of [left, right]) {
-        for (let k = 0; k < pile.obstacles.length; k += 2) {
-          const c = compassToRadians(
-            compass(pile.obstacles[k] - x, pile.obstacles[k + 1] - z + 1e-6),
-          );
-          if (pile.obstacles[k] > x) to = Math.min(to, c);
-          else from = Math.max(from, c);
-        }
-      }
-      const sky = skyShare(from, to, -normal);
-      const key = keyShare(from, to);
+      sharesBetween(x, z, normal, [left.obstacles, right.obstacles], this.#shares);
+      const { sky, key } = this.#shares;
       for (let row = 0; row < rows; row++) {
         const point = row * innerColumns + i;
         const beyond = row === 0 || row === rows - 1;

@@ -42,6 +42,8 @@ export interface Framing {
   closedLeft: number;
   /** Middle of the open book across the spine, metres. */
   middle: number;
+  /** x, z of the outer edges of the boards, which stay in the picture as they swing. */
+  boardEdges: number[];
   /** 0: no free room above the head; 1: room for a leaf standing upright. */
   room: number;
 }
@@ -63,7 +65,7 @@ export function frameBook(shape: BookShape, framing: Framing, aspect: number, ri
     [left, -1],
   ]) {
     if (share <= 0) continue;
-    const shut = fitPoints(closedPoints(shape, sign, rim), axes, aspect, {
+    const shut = fitPoints(closedPoints(shape, framing, sign, rim), axes, aspect, {
       sides: 0.12,
       top: 0.1,
       bottom: 0.1,
@@ -148,20 +150,29 @@ function openPoints(shape: BookShape, framing: Framing, rim: number): number[] {
     points.push(
       0.96 * width * Math.cos(angle),
       height,
-      0.9 * framing.room * width * Math.sin(angle),
+      0.88 * framing.room * width * Math.sin(angle),
     );
   }
+  addBoards(points, shape, framing, rim);
   return points;
 }
 
-function closedPoints(shape: BookShape, sign: number, rim: number): number[] {
+function closedPoints(shape: BookShape, framing: Framing, sign: number, rim: number): number[] {
   const points: number[] = [];
   for (const x of [-rim, shape.width + rim]) {
     for (const y of [-rim, shape.height + rim]) {
       for (const z of [0, shape.thickness + rim]) points.push(sign * x, y, z);
     }
   }
+  addBoards(points, shape, framing, rim);
   return points;
+}
+
+function addBoards(points: number[], shape: BookShape, framing: Framing, rim: number): void {
+  const edges = framing.boardEdges;
+  for (let k = 0; k < edges.length; k += 2) {
+    for (const y of [-rim, shape.height + rim]) points.push(edges[k], y, edges[k + 1]);
+  }
 }
 
 function along(axis: readonly number[], points: readonly number[], k: number): number {

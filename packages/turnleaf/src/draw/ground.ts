@@ -13,7 +13,7 @@ void main() {
 /** The shadow of a box whose edge is softened by a Gaussian, thrice. */
 const fragmentShader = /* glsl */ `
 uniform vec4 box;
-uniform vec4 tall;
+uniform float high;
 varying vec2 vPlace;
 
 // Abramowitz and Stegun 7.1.27, absolute error below 5e-4.
@@ -32,9 +32,11 @@ float soft(vec4 box, vec2 shift, float sigma) {
 }
 
 void main() {
+  // The higher the book, the farther and softer its shadow falls, away from the key light.
+  vec2 away = vec2(0.575, -0.5) * high;
   float lit = (1.0 - 0.55 * soft(box, vec2(0.0003, -0.0004), 0.0016))
-            * (1.0 - 0.40 * soft(tall, vec2(0.0028, -0.0030), 0.0055))
-            * (1.0 - 0.34 * soft(tall, vec2(0.0090, -0.0090), 0.0170));
+            * (1.0 - 0.42 * soft(box, 0.30 * away, 0.0030 + 0.20 * high))
+            * (1.0 - 0.36 * soft(box, 0.75 * away, 0.0100 + 0.70 * high));
   float shade = 1.0 - lit;
   float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   shade = clamp(shade + (noise - 0.5) / 255.0, 0.0, 1.0);
@@ -47,14 +49,13 @@ void main() {
 export class Ground {
   readonly mesh: Mesh<PlaneGeometry, ShaderMaterial>;
   readonly #box = [0, 0, 0, 0];
-  readonly #tall = [0, 0, 0, 0];
 
   /** @param z of the table, metres */
   constructor(z: number, size: number) {
     const material = new ShaderMaterial({
       vertexShader,
       fragmentShader,
-      uniforms: { box: { value: this.#box }, tall: { value: this.#tall } },
+      uniforms: { box: { value: this.#box }, high: { value: 0 } },
       depthWrite: false,
       blending: NoBlending,
     });
@@ -65,10 +66,13 @@ export class Ground {
     this.mesh.renderOrder = -1;
   }
 
-  /** The book covers x0 to x1, y0 to y1 where it lies on the table, metres. */
-  shadow(x0: number, y0: number, x1: number, y1: number): void {
-    const all = [x0, y0, x1, y1];
-    for (let k = 0; k < 4; k++) this.#box[k] = this.#tall[k] = all[k];
+  /** The book covers x0 to x1, y0 to y1 and stands `high` above the table, metres. */
+  shadow(x0: number, y0: number, x1: number, y1: number, high: number): void {
+    this.#box[0] = x0;
+    this.#box[1] = y0;
+    this.#box[2] = x1;
+    this.#box[3] = y1;
+    this.mesh.material.uniforms.high.value = high;
   }
 
   dispose(): void {

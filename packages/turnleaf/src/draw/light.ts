@@ -23,8 +23,14 @@ export const keyAngle: number = Math.atan2(keyDirection[0], keyDirection[2]);
 /** Half the width of a shadow's soft edge, radians. */
 export const penumbra = 0.1;
 
-/** How far a leaf's shadow falls toward the foot for each metre that the leaf is above the page. */
-export const shadowSlope: number = keyDirection[1] / keyDirection[2];
+/**
+ * How far a leaf's shadow falls toward the foot for each metre that the leaf is
+ * above the page, for three places on the key light: their mean is soft along
+ * the spine too.
+ */
+export const shadowSlopes: readonly [number, number, number] = [-0.13, 0, 0.13].map(
+  (off) => keyDirection[1] / keyDirection[2] + off,
+) as [number, number, number];
 
 /**
  * The direction (dx, dz) as a number that rises with its angle from straight
@@ -118,6 +124,33 @@ export function leftEndUnder(px: number, pz: number, points: Float32Array, count
     if (c > left) left = c;
   }
   return Math.min(left, 1.05);
+}
+
+/**
+ * Shares of sky and key that reach a point of a stiff face between the piles.
+ *
+ * @param normal angle of the face's normal from straight up, radians
+ * @param piles x, z of points of each pile, book space
+ * @param out the share of the sky, then that of the key light
+ */
+export function sharesBetween(
+  x: number,
+  z: number,
+  normal: number,
+  piles: readonly Float32Array[],
+  out: { sky: number; key: number },
+): void {
+  let left = Math.max(-Math.PI / 2, normal - Math.PI / 2);
+  let right = Math.min(Math.PI / 2, normal + Math.PI / 2);
+  for (const pile of piles) {
+    for (let k = 0; k < pile.length; k += 2) {
+      const c = compassToRadians(compass(pile[k] - x, pile[k + 1] - z + 1e-6));
+      if (pile[k] > x) right = Math.min(right, c);
+      else left = Math.max(left, c);
+    }
+  }
+  out.sky = skyShare(left, right, normal);
+  out.key = keyShare(left, right);
 }
 
 /** Share of the sky seen through the gap between two angles, radians, by a surface with the normal's angle. */

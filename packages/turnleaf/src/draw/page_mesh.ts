@@ -1,8 +1,8 @@
 /** The uppermost resting page of one side: its pile's top curve swept along the spine. */
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh } from "three";
-import { compassToRadians, gapsOfRow, leftEndUnder } from "./light.ts";
 import type { LeafSection } from "./leaf_section.ts";
+import { compassToRadians, gapsOfRow, keyAngle, leftEndUnder, penumbra } from "./light.ts";
 import type { PaperMaterial } from "./paper.ts";
 import { obstacleStride, type PileShape } from "./pile_shape.ts";
 import { columnPlace } from "./pose.ts";
@@ -10,7 +10,8 @@ import { columnPlace } from "./pose.ts";
 /** What stands over a page: the leaf's sections for sky and key, and the tip of a board. */
 export interface Overhead {
   readonly sky: LeafSection;
-  readonly key: LeafSection;
+  /** One for each place on the key light. */
+  readonly keys: readonly LeafSection[];
   /** x, z of points of the board, mirrored for the left; empty where it lies flat. */
   readonly board: Float32Array;
 }
@@ -26,7 +27,7 @@ export class PageMesh {
   #normals = new Float32Array(0);
   #gapSky = new Float32Array(0);
   #gapKey = new Float32Array(0);
-  /** The gap of each column as the piles alone leave it, compass numbers. */
+  /** The gap of each column as the piles alone leave it, radians, told for the right side. */
   #gaps = new Float32Array(0);
 
   constructor(material: PaperMaterial, width: number, height: number, rows: number) {
@@ -58,36 +59,48 @@ export class PageMesh {
   }
 
   /**
-   * Finds the light on the page.
+   * Finds the gaps that the piles leave.
    *
    * @param opposite points of the pile across the gutter, as seen from this side on the right
-   * @param over null where nothing is in the air
    */
-  light(pile: PileShape, opposite: Float32Array, over: Overhead | null): void {
-    const { x, z, nx, nz, columns, sign } = pile;
+  open(pile: PileShape, opposite: Float32Array): void {
+    const { x, z, nx, nz, columns } = pile;
     gapsOfRow(x, z, nx, nz, columns, obstacleStride, opposite, this.#gaps);
-    for (let row = 0; row < this.#rows; row++) {
-      for (let i = 0; i < columns; i++) {
-        const left = this.#gaps[2 * i];
-        const right = this.#gaps[2 * i + 1];
+    for (let k = 0; k < 2 * columns; k++) this.#gaps[k] = compassToRadians(this.#gaps[k]);
+  }
+
+  /** Finds the light on the page under what stands over it. */
+  light(pile: PileShape, over: Overhead): void {
+    const { x, z, columns, sign } = pile;
+    const [gapSky, gapKey] = [this.#gapSky, this.#gapKey];
+    // Wider than the soft edge, narrow enough that an edge runs smoothly between rows.
+    const keyLow = sign * keyAngle - 1.6 * penumbra;
+    const keyHigh = sign * keyAngle + 1.6 * penumbra;
+    for (let i = 0; i < columns; i++) {
+      const right = this.#gaps[2 * i + 1];
+      const board = compassToRadians(leftEndUnder(x[i], z[i], over.board, over.board.length));
+      const left = Math.max(this.#gaps[2 * i], board);
+      for (let row = 0; row < this.#rows; row++) {
+        const point = row * columns + i;
         let sky = left;
-        let key = left;
-        if (over) {
-          const board = leftEndUnder(x[i], z[i], over.board, over.board.length);
-          sky = Math.max(
-            left,
-            board,
-            leftEndUnder(x[i], z[i], over.sky.row(row), over.sky.counts[row]),
-          );
-          key = Math.max(
-            left,
-            board,
-            leftEndUnder(x[i], z[i], over.key.row(row), over.key.counts[row]),
-          );
+        const skyPoints = over.sky.counts[row];
+        if (skyPoints > 0) {
+          const end = leftEndUnder(x[i], z[i], over.sky.row(row), skyPoints);
+          sky = Math.max(left, compassToRadians(end));
         }
-        const at = 2 * (row * columns + i);
-        writeGap(this.#gapSky, at, sky, right, sign);
-        writeGap(this.#gapKey, at, key, right, sign);
+        gapSky[2 * point] = sign === 1 ? sky : -right;
+        gapSky[2 * point + 1] = sign === 1 ? right : -sky;
+        for (let k = 0; k < 3; k++) {
+          const section = over.keys[k];
+          const points = section.counts[row];
+          let key = left;
+          if (points > 0) {
+            const end = compassToRadians(leftEndUnder(x[i], z[i], section.row(row), points));
+            key = Math.max(left, Math.min(keyHigh, Math.max(keyLow, end)));
+          }
+          gapKey[4 * point + k] = sign * key;
+        }
+        gapKey[4 * point + 3] = sign * right;
       }
     }
     this.#touch("gapSky");
@@ -109,7 +122,7 @@ export class PageMesh {
     this.#positions = new Float32Array(3 * count);
     this.#normals = new Float32Array(3 * count);
     this.#gapSky = new Float32Array(2 * count);
-    this.#gapKey = new Float32Array(2 * count);
+    this.#gapKey = new Float32Array(4 * count);
     this.#gaps = new Float32Array(2 * pile.columns);
     this.mesh.geometry.dispose();
     const geometry = sheetGeometry(pile.columns, this.#rows);
@@ -117,7 +130,7 @@ export class PageMesh {
       ["position", this.#positions, 3],
       ["normal", this.#normals, 3],
       ["gapSky", this.#gapSky, 2],
-      ["gapKey", this.#gapKey, 2],
+      ["gapKey", this.#gapKey, 4],
     ] as const) {
       geometry.setAttribute(name, new BufferAttribute(array, size).setUsage(DynamicDrawUsage));
     }

@@ -5,14 +5,14 @@ import { gapChunk, lightChunk } from "./shading.ts";
 
 const vertexShader = /* glsl */ `
 attribute vec2 gapSky;
-attribute vec2 gapKey;
+attribute vec4 gapKey;
 attribute vec2 gapBehind;
 uniform float lit;
 varying vec3 vNormal;
 varying vec3 vPlace;
 varying vec2 vUv;
 varying vec2 vGapSky;
-varying vec2 vGapKey;
+varying vec4 vGapKey;
 varying vec2 vGapBehind;
 void main() {
   vNormal = normal * lit;
@@ -37,7 +37,7 @@ varying vec3 vNormal;
 varying vec3 vPlace;
 varying vec2 vUv;
 varying vec2 vGapSky;
-varying vec2 vGapKey;
+varying vec4 vGapKey;
 varying vec2 vGapBehind;
 ${lightChunk}
 ${gapChunk}
@@ -52,11 +52,22 @@ vec3 throughLeaf(vec3 normal, vec2 uv) {
   return thin * light * mix(vec3(1.0), print, 0.75);
 }
 
+// A page on its pile has one end of its gap for each of three places on the key light.
+float keyHere() {
+  if (thin > 0.5) return keyShare(vGapKey.xy);
+  float other = vGapKey.w;
+  vec3 ends = vGapKey.xyz;
+  if (mirrored > 0.5) {
+    return (keyShare(vec2(other, ends.x)) + keyShare(vec2(other, ends.y)) + keyShare(vec2(other, ends.z))) / 3.0;
+  }
+  return (keyShare(vec2(ends.x, other)) + keyShare(vec2(ends.y, other)) + keyShare(vec2(ends.z, other))) / 3.0;
+}
+
 void main() {
   vec3 normal = normalize(vNormal);
   vec2 uv = vec2(mix(vUv.x, 1.0 - vUv.x, mirrored), vUv.y);
   vec3 ink = texture2D(picture, uv, -0.4).rgb;
-  vec3 light = amongPaper(arriving(normal, skyShare(vGapSky, normal), keyShare(vGapKey)));
+  vec3 light = arriving(normal, amongPaper(skyShare(vGapSky, normal)), keyHere());
   light = min(light + throughLeaf(normal, uv), vec3(ceiling));
   vec2 fromLight = (vPlace.xy - vec2(-0.35 * size.x, 0.65 * size.y)) / (1.5 * size);
   light *= 1.0 - pool * smoothstep(0.1, 1.0, length(fromLight));

@@ -13,7 +13,7 @@ const glslVector = (v: readonly number[]): string => `vec3(${v.map(glslNumber).j
  * neighbouring page, more of its red than of its blue. A shadow's floor is the
  * part of the key light that comes through the sheet which throws it.
  */
-export const lightChunk = /* glsl */ `
+export const lightChunk: string = /* glsl */ `
 const vec3 KEY_DIRECTION = ${glslVector(keyDirection)};
 const float KEY_ANGLE = ${glslNumber(keyAngle)};
 const vec3 KEY = 0.52 * vec3(1.0, 1.0, 0.995);
@@ -23,15 +23,15 @@ const vec3 THROUGH = vec3(0.30, 0.245, 0.17);
 const vec3 PAPER_ALBEDO = vec3(0.80, 0.755, 0.68);
 const float WRAP = 0.22;
 
-vec3 arriving(vec3 normal, float sky, float key) {
+vec3 arriving(vec3 normal, vec3 sky, float key) {
   float facing = max(0.0, dot(normal, KEY_DIRECTION) + WRAP) / (KEY_DIRECTION.z + WRAP);
   vec3 direct = KEY * facing * mix(THROUGH, vec3(1.0), key);
   vec3 bounce = BOUNCE * (0.5 - 0.5 * normal.z);
   return (direct + SKY * sky + bounce) / (KEY + SKY);
 }
 
-vec3 amongPaper(vec3 light) {
-  return light / (1.0 - PAPER_ALBEDO * (1.0 - light));
+vec3 amongPaper(float sky) {
+  return sky / (1.0 - PAPER_ALBEDO * (1.0 - sky));
 }
 
 // Less than half a step of 8 bits: breaks up bands, and leaves an exact value as it is.
@@ -42,7 +42,7 @@ vec3 dithered(vec3 colour) {
 `;
 
 /** Shares of sky and key seen through a gap (left, right), radians from straight up. */
-export const gapChunk = /* glsl */ `
+export const gapChunk: string = /* glsl */ `
 float edgeSine(float angle, vec2 across) {
   float s = sin(angle) * across.y - cos(angle) * across.x;
   float c = cos(angle) * across.y + sin(angle) * across.x;

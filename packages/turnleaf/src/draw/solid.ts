@@ -42,12 +42,12 @@ void main() {
   vec2 soft = fwidth(vUv) / (panel.zw - panel.xy) + 1e-5;
   vec2 within = smoothstep(-soft, soft, at) * smoothstep(-soft, soft, 1.0 - at);
   // A panel that covers the whole face goes round its bevel too.
-  float share = pictured * (panel.x <= 0.0 ? 1.0 : within.x * within.y);
+  float share = pictured * (panel.y <= 0.0 ? 1.0 : within.x * within.y);
   colour = mix(colour, texture2D(picture, at, -0.4).rgb, share);
 
-  float sky = vOpen.x * (0.5 + 0.5 * normal.z);
+  vec3 sky = vec3(vOpen.x * (0.5 + 0.5 * normal.z));
+  sky = mix(sky, amongPaper(sky.x), max(paperiness, share));
   vec3 light = arriving(normal, sky, vOpen.y);
-  light = mix(light, amongPaper(light), max(paperiness, share));
   gl_FragColor = vec4(colour * min(light, vec3(1.03)), 1.0);
   #include <colorspace_fragment>
   gl_FragColor.rgb = dithered(gl_FragColor.rgb);

@@ -80,29 +80,30 @@ export class SpineMesh {
     const { backHinge: a, c, d, frontHinge: b } = shape;
     const span = Math.hypot(d[0] - c[0], d[1] - c[1]);
     // A corner is rounded over a share of the spine, and all of its hinge.
-    const share = span > 0 ? Math.min(0.3, 0.005 / span) : 0;
+    const share = span > 0 ? Math.min(0.35, 0.007 / span) : 0;
     const mid = (t: number, k: 0 | 1): number => c[k] + (d[k] - c[k]) * t;
     const bent = Math.abs(Math.sin(0.5 * Math.PI * (shape.closedLeft - shape.closedRight)));
     const bulge = bent * Math.min(0.0035, 0.22 * this.#thickness);
     const hinge = 12;
     for (let i = 0; i < steps; i++) {
-      let [x, z, dx, dz] = [0, 0, 0, 0];
-      /** How far the cloth lies outside the boards' inner faces. */
-      let out: number = 0.0018;
+      let [x, z, dx, dz, out] = [0, 0, 0, 0, 0];
       if (i <= hinge || i >= steps - 1 - hinge) {
         const back = i <= hinge;
         const t = back ? i / hinge : (steps - 1 - i) / hinge;
         const [start, corner, end] = back
           ? [a, c, [mid(share, 0), mid(share, 1)]]
           : [b, d, [mid(1 - share, 0), mid(1 - share, 1)]];
+        // Begins within the board, so that no gap shows.
+        const reach = 1.25;
+        const from = [0, 1].map((k) => corner[k] + (start[k] - corner[k]) * reach);
         const [p, q, r] = [(1 - t) * (1 - t), 2 * t * (1 - t), t * t];
-        x = p * start[0] + q * corner[0] + r * end[0];
-        z = p * start[1] + q * corner[1] + r * end[1];
+        x = p * from[0] + q * corner[0] + r * end[0];
+        z = p * from[1] + q * corner[1] + r * end[1];
         const way = back ? 1 : -1;
-        dx = way * ((1 - t) * (corner[0] - start[0]) + t * (end[0] - corner[0]));
-        dz = way * ((1 - t) * (corner[1] - start[1]) + t * (end[1] - corner[1]));
+        dx = way * ((1 - t) * (corner[0] - from[0]) + t * (end[0] - corner[0]));
+        dz = way * ((1 - t) * (corner[1] - from[1]) + t * (end[1] - corner[1]));
         // The groove between board and spine.
-        out = 0.0021 - 0.0012 * Math.sin(Math.PI * Math.min(1, t / 0.8)) ** 2;
+        out = 0.0022 - 0.0011 * Math.sin(Math.PI * Math.min(1, t / 0.75)) ** 2;
       } else {
         const t = share + ((i - hinge) / (steps - 1 - 2 * hinge)) * (1 - 2 * share);
         x = mid(t, 0);
@@ -110,16 +111,22 @@ export class SpineMesh {
         dx = d[0] - c[0];
         dz = d[1] - c[1];
         const within = (t - share) / (1 - 2 * share || 1);
-        out = 0.0021 + bulge * 4 * within * (1 - within);
+        out = 0.0022 + bulge * 4 * within * (1 - within);
       }
-      const length = Math.hypot(dx, dz) || 1;
+      const length = Math.hypot(dx, dz);
       const [nx, nz] = length > 1e-9 ? [-dz / length, dx / length] : [0, -1];
-      this.#normal[2 * i] = nx;
-      this.#normal[2 * i + 1] = nz;
       this.#outer[2 * i] = x + nx * out;
       this.#outer[2 * i + 1] = z + nz * out;
-      this.#inner[2 * i] = x + nx * (out - 0.0008);
-      this.#inner[2 * i + 1] = z + nz * (out - 0.0008);
+      this.#inner[2 * i] = x + nx * (out - 0.0009);
+      this.#inner[2 * i + 1] = z + nz * (out - 0.0009);
+    }
+    for (let i = 0; i < steps; i++) {
+      const [before, after] = [2 * Math.max(0, i - 1), 2 * Math.min(steps - 1, i + 1)];
+      const dx = this.#outer[after] - this.#outer[before];
+      const dz = this.#outer[after + 1] - this.#outer[before + 1];
+      const length = Math.hypot(dx, dz) || 1;
+      this.#normal[2 * i] = -dz / length;
+      this.#normal[2 * i + 1] = dx / length;
     }
   }
 }
@@ -150,7 +157,7 @@ export class HeadbandMesh {
     const around = HeadbandMesh.#around;
     const solid = this.#solid;
     const [dx, dz] = [(d[0] - c[0]) / span, (d[1] - c[1]) / span];
-    const length = Math.min(0.8 * span, 0.03);
+    const length = Math.min(0.6 * span, 0.03);
     const radius = Math.min(0.0012, 0.12 * span);
     for (let i = 0; i < bandSteps; i++) {
       const s = 0.5 * span + (i / (bandSteps - 1) - 0.5) * length;

@@ -18,14 +18,15 @@ import {
 } from "three";
 import type { Ray, Vec3 } from "../engine/shapes.ts";
 import type { PagePicture } from "../sources/page_source.ts";
-import { BoardMesh } from "./board_mesh.ts";
 import { BlockMesh } from "./block_mesh.ts";
+import { BoardMesh } from "./board_mesh.ts";
 import { type Framing, fieldOfView, frameBook } from "./camera.ts";
 import { caseSizes, placeCase, restingCase } from "./case_shape.ts";
+import { EndpaperMesh } from "./endpaper_mesh.ts";
 import { Ground } from "./ground.ts";
 import { LeafMesh } from "./leaf_mesh.ts";
 import { LeafSection } from "./leaf_section.ts";
-import { shadowSlope } from "./light.ts";
+import { shadowSlopes } from "./light.ts";
 import { type Overhead, PageMesh } from "./page_mesh.ts";
 import { PaperMaterial } from "./paper.ts";
 import { obstacleStride, PileShape } from "./pile_shape.ts";
@@ -69,9 +70,17 @@ export class Stage {
   readonly #back: BoardMesh;
   readonly #spine: SpineMesh;
   readonly #headbands: HeadbandMesh;
+  readonly #leftFold: EndpaperMesh;
+  readonly #rightFold: EndpaperMesh;
   readonly #ground: Ground;
   readonly #case = restingCase();
-  readonly #framing: Framing = { closedRight: 0, closedLeft: 0, middle: 0, room: 1 };
+  readonly #framing: Framing = {
+    closedRight: 0,
+    closedLeft: 0,
+    middle: 0,
+    boardEdges: [],
+    room: 1,
+  };
   readonly #overLeft: Overhead;
   readonly #overRight: Overhead;
   readonly #boardLeft = new Float32Array(4);
@@ -153,11 +162,27 @@ export class Stage {
     this.#back = new BoardMesh(false, width, height, faces.backOutside, faces.backInside);
     this.#spine = new SpineMesh(cloth(), height, thickness);
     this.#headbands = new HeadbandMesh(bandCloth, height);
+    const endpaper = this.#keep(
+      new SolidMaterial({
+        base: new Color("#fbf5e8"),
+        grain: weave,
+        grainDepth: 0,
+        paperiness: 1,
+        twoSided: true,
+      }),
+    );
+    this.#leftFold = new EndpaperMesh(endpaper, -1, height);
+    this.#rightFold = new EndpaperMesh(endpaper, 1, height);
     const hard = shape.cover === "hard";
     this.#ground = new Ground(hard ? -caseSizes.board : 0, 12 * Math.max(width, height));
     const section = (): LeafSection => new LeafSection(pageRows, height);
-    this.#overLeft = { sky: section(), key: section(), board: this.#boardLeft };
-    this.#overRight = { sky: section(), key: section(), board: this.#boardRight };
+    const overhead = (board: Float32Array): Overhead => ({
+      sky: section(),
+      keys: shadowSlopes.map(section),
+      board,
+    });
+    this.#overLeft = overhead(this.#boardLeft);
+    this.#overRight = overhead(this.#boardRight);
 
     this.#scene.matrixAutoUpdate = false;
     this.#scene.add(
@@ -171,6 +196,7 @@ export class Stage {
     );
     if (hard) {
       this.#scene.add(this.#front.group, this.#back.group, this.#spine.mesh);
+      this.#scene.add(this.#leftFold.mesh, this.#rightFold.mesh);
       if (thickness > 0.004) this.#scene.add(this.#headbands.mesh);
     }
     for (const face of ["frontInside", "backInside"] as const) this.setFace(face, null);
@@ -249,7 +275,7 @@ export class Stage {
     }
     const still = !(leftMoved || rightMoved || boardsMoved || middleMoved);
     if (!still) this.#placeBoards(hard);
-    this.#light(pose, still);
+    this.#light(pose, leftMoved || rightMoved, still);
     this.#framing.middle = middle;
     this.#framing.closedRight = this.#case.closedRight;
     this.#framing.closedLeft = this.#case.closedLeft;
@@ -304,6 +330,8 @@ export class Stage {
       this.#back,
       this.#spine,
       this.#headbands,
+      this.#leftFold,
+      this.#rightFold,
       this.#ground,
       this.#pictures,
       ...this.#grains,
@@ -348,12 +376,19 @@ export class Stage {
     this.#back.light(shape.backHinge, shape.backAngle, this.#left, this.#right);
     this.#spine.shape(shape);
     this.#headbands.shape(shape);
-    const reach = this.#shape.width;
+    this.#leftFold.mesh.visible = !this.#left.present;
+    this.#rightFold.mesh.visible = !this.#right.present;
+    if (!this.#left.present) this.#leftFold.shape(shape, this.#left, this.#right);
+    if (!this.#right.present) this.#rightFold.shape(shape, this.#left, this.#right);
+    const reach = this.#shape.width + caseSizes.rim - caseSizes.joint;
     tipOf(this.#boardRight, shape.frontHinge, shape.frontAngle, reach, 1);
     tipOf(this.#boardLeft, shape.backHinge, shape.backAngle, reach, -1);
+    const edges = this.#framing.boardEdges;
+    [edges[0], edges[1]] = [this.#boardRight[2], this.#boardRight[3]];
+    [edges[2], edges[3]] = [-this.#boardLeft[2], this.#boardLeft[3]];
   }
 
-  #light(pose: BookPose, still: boolean): void {
+  #light(pose: BookPose, pilesMoved: boolean, still: boolean): void {
     const [left, right] = [this.#left, this.#right];
     const { leaf } = pose;
     this.#leaf.recto.visible = this.#leaf.verso.visible = leaf !== null;
@@ -367,18 +402,26 @@ export class Stage {
         [this.#overRight, right],
       ] as const) {
         over.sky.cut(leaf, pile.sign, 0, 0, obstacleStride);
-        over.key.cut(leaf, pile.sign, shadowSlope, pile.top, obstacleStride);
+        over.keys.forEach((key, k) => {
+          key.cut(leaf, pile.sign, shadowSlopes[k], pile.top, obstacleStride);
+        });
       }
     } else {
       for (const over of [this.#overLeft, this.#overRight]) {
         over.sky.counts.fill(0);
-        over.key.counts.fill(0);
+        for (const key of over.keys) key.counts.fill(0);
       }
     }
     this.#leafVersion = leaf ? leaf.version : -1;
     this.#shadowed = leaf !== null;
-    if (left.present) this.#leftPage.light(left, right.mirrored, this.#overLeft);
-    if (right.present) this.#rightPage.light(right, left.obstacles, this.#overRight);
+    if (left.present) {
+      if (pilesMoved) this.#leftPage.open(left, right.mirrored);
+      this.#leftPage.light(left, this.#overLeft);
+    }
+    if (right.present) {
+      if (pilesMoved) this.#rightPage.open(right, left.obstacles);
+      this.#rightPage.light(right, this.#overRight);
+    }
   }
 
   /** The book's footprint on the table. */
@@ -386,6 +429,7 @@ export class Stage {
     const { width, height } = this.#shape;
     const { rim, joint } = caseSizes;
     const shape = this.#case;
+    const high = Math.max(this.#left.top, this.#right.top) + (hard ? caseSizes.board : 0);
     if (hard) {
       const reach = width + rim - joint;
       const ends = [
@@ -397,6 +441,7 @@ export class Stage {
         -rim,
         Math.max(...ends, shape.c[0], shape.d[0]) + 0.001,
         height + rim,
+        high,
       );
       return;
     }
@@ -418,7 +463,7 @@ export class Stage {
         x1 = Math.max(x1, positions[at] * low);
       }
     }
-    this.#ground.shadow(x0, 0, x1, height);
+    this.#ground.shadow(x0, 0, x1, height, high);
   }
 
   #aim(): void {

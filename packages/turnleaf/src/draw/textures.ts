@@ -76,7 +76,7 @@ export function leafEdgeTexture(): Texture {
   const level = new Float32Array(width * height);
   for (let step = 2; step <= 256; step *= 2) {
     // Fewer, stronger bands; each wanders a little along the edge.
-    const weight = 0.11 * (step / 16) ** 0.12;
+    const weight = 0.085 * (step / 16) ** 0.12;
     const count = height / step;
     const bands = Float32Array.from({ length: count }, () => random() - 0.5);
     const phases = Float32Array.from({ length: count }, () => random() * 2 * Math.PI);
@@ -94,8 +94,8 @@ export function leafEdgeTexture(): Texture {
   // Signatures: a darker line now and then.
   for (let y = 10; y < height; y += 24 + Math.floor(random() * 26)) {
     for (let x = 0; x < width; x++) {
-      level[y * width + x] -= 0.28;
-      level[(y + 1) * width + x] -= 0.18;
+      level[y * width + x] -= 0.22;
+      level[(y + 1) * width + x] -= 0.14;
     }
   }
   return grainTexture(level, width, height);
@@ -103,8 +103,8 @@ export function leafEdgeTexture(): Texture {
 
 /** Book cloth: threads over and under, thick and thin places. Red is brightness, half = as it is. */
 export function clothTexture(): Texture {
-  const size = 256;
-  const threads = 64;
+  const size = 512;
+  const threads = 128;
   const random = randomNumbers(3);
   const warp = Float32Array.from({ length: threads }, () => random() - 0.5);
   const weft = Float32Array.from({ length: threads }, () => random() - 0.5);
@@ -117,7 +117,7 @@ export function clothTexture(): Texture {
       const across = over ? u - i : v - j;
       const round = Math.sin(Math.PI * across);
       const thread = over ? warp[i] : weft[j];
-      level[y * size + x] = 0.16 * (round - 0.64) + 0.2 * thread + 0.08 * (random() - 0.5);
+      level[y * size + x] = 0.2 * (round - 0.64) + 0.09 * thread + 0.1 * (random() - 0.5);
     }
   }
   return grainTexture(level, size, size);
@@ -152,6 +152,9 @@ function randomNumbers(seed: number): () => number {
 
 /** A headband's stripes, dark and light in turn along x. Red is brightness, half = as it is. */
 export function headbandTexture(): Texture {
-  const level = Float32Array.from({ length: 32 }, (_, x) => 0.75 * Math.sin((x * Math.PI) / 16) - 0.1);
+  const level = Float32Array.from(
+    { length: 32 },
+    (_, x) => 0.75 * Math.sin((x * Math.PI) / 16) - 0.1,
+  );
   return grainTexture(level, 32, 1);
 }

@@ -1,0 +1,74 @@
+/**
+ * The fold of an endpaper: where no leaf lies on a side, its pastedown runs on
+ * over the hinge into the gutter.
+ */
+
+import { type BufferGeometry, Mesh } from "three";
+import type { CaseShape } from "./case_shape.ts";
+import { sharesBetween } from "./light.ts";
+import type { PileShape } from "./pile_shape.ts";
+import type { SolidMaterial } from "./solid.ts";
+import { SolidGeometry } from "./solid_geometry.ts";
+
+const steps = 17;
+
+/** The fold on one side. */
+export class EndpaperMesh {
+  readonly mesh: Mesh<BufferGeometry, SolidMaterial>;
+  readonly #sign: 1 | -1;
+  readonly #height: number;
+  readonly #solid = new SolidGeometry(2 * steps, 2 * (steps - 1));
+  readonly #line = new Float32Array(2 * steps);
+  readonly #shares = { sky: 1, key: 1 };
+
+  /** @param sign -1 on the left, by the front board; 1 on the right, by the back board */
+  constructor(material: SolidMaterial, sign: 1 | -1, height: number) {
+    this.#sign = sign;
+    this.#height = height;
+    this.#solid.reserve(2 * steps);
+    this.#solid.grid(0, steps, 2, sign === -1);
+    this.mesh = new Mesh(this.#solid.geometry, material);
+    this.mesh.frustumCulled = false;
+  }
+
+  /** Follows the case, and finds the light between the piles. */
+  shape(shape: CaseShape, left: PileShape, right: PileShape): void {
+    const front = this.#sign === -1;
+    const hinge = front ? shape.frontHinge : shape.backHinge;
+    const corner = front ? shape.d : shape.c;
+    const solid = this.#solid;
+    for (let i = 0; i < steps; i++) {
+      // From the gutter over the spine's corner to a little way up the board.
+      const t = i / (steps - 1);
+      const [q, r] = [2 * t * (1 - t), t * t];
+      for (const k of [0, 1] as const) {
+        const end = corner[k] + (hinge[k] - corner[k]) * 1.02;
+        this.#line[2 * i + k] = q * 0.85 * corner[k] + r * end;
+      }
+    }
+    for (let i = 0; i < steps; i++) {
+      const [before, after] = [2 * Math.max(0, i - 1), 2 * Math.min(steps - 1, i + 1)];
+      const dx = this.#line[after] - this.#line[before];
+      const dz = this.#line[after + 1] - this.#line[before + 1];
+      const length = Math.hypot(dx, dz) || 1;
+      // The side that faces up where the fold lies flat.
+      const nx = (-this.#sign * dz) / length;
+      const nz = (this.#sign * dx) / length;
+      const x = this.#line[2 * i] + 0.00005 * nx;
+      const z = this.#line[2 * i + 1] + 0.00005 * nz;
+      sharesBetween(x, z, Math.atan2(nx, nz), [left.obstacles, right.obstacles], this.#shares);
+      for (const end of [0, 1]) {
+        const point = end * steps + i;
+        solid.place(point, x, end * this.#height, z);
+        solid.face(point, nx, 0, nz);
+        solid.open[2 * point] = this.#shares.sky;
+        solid.open[2 * point + 1] = this.#shares.key;
+      }
+    }
+    solid.touch("position", "normal", "open");
+  }
+
+  dispose(): void {
+    this.mesh.geometry.dispose();
+  }
+}
