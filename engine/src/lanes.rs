@@ -19,25 +19,6 @@ impl Four {
     pub fn splat(value: f32) -> Self {
         Self([value; 4])
     }
-
-    /// The four floats from `at` on.
-    #[inline(always)]
-    pub fn load(from: &[f32], at: usize) -> Self {
-        let four = &from[at..at + 4];
-        Self([four[0], four[1], four[2], four[3]])
-    }
-
-    /// Writes the floats from `at` on, as many as fit.
-    #[inline(always)]
-    pub fn store(self, to: &mut [f32], at: usize) {
-        if let Some(four) = to.get_mut(at..at + 4) {
-            four.copy_from_slice(&self.0);
-        } else {
-            let rest = &mut to[at..];
-            let count = rest.len();
-            rest.copy_from_slice(&self.0[..count]);
-        }
-    }
 }
 
 impl Add for Four {

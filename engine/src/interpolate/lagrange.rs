@@ -27,7 +27,9 @@ pub struct Lagrange {
     along_u: Vec<f32>,
     along_v: AlongV,
     /// Rows of nodes after the first pass: `[row][padded]`.
-    rows: Vec<Four>,
+    rows: Vec<f32>,
+    /// The nodes of one row, each as x, y, z four times over.
+    pattern: Vec<[Four; 3]>,
     /// Floats of a row of points: 3 * samples.0, rounded up to twelves.
     padded: usize,
 }
@@ -75,7 +77,8 @@ impl Lagrange {
             samples: (u.len(), v.len()),
             along_u,
             along_v: AlongV::new(rows, v),
-            rows: vec![Four::ZERO; rows * padded / 4],
+            rows: vec![0.0; rows * padded],
+            pattern: vec![[Four::ZERO; 3]; columns],
             padded,
         }
     }
@@ -99,19 +102,20 @@ impl Lagrange {
     pub fn apply(&mut self, axes: [&[f32]; 3], stride: usize, points: &mut [f32]) {
         let width = 3 * self.samples.0;
         assert_eq!(points.len(), width * self.samples.1);
-        for row in 0..self.nodes.1 {
-            let at = row * stride..row * stride + self.nodes.0;
-            let [x, y, z] = axes.map(|axis| &axis[at.clone()]);
-            let lanes = self.padded / 4;
-            let out = &mut self.rows[row * lanes..(row + 1) * lanes];
-            pass_along_u(&self.along_u, self.padded, [x, y, z], out);
+        for (row, out) in self.rows.chunks_exact_mut(self.padded).enumerate() {
+            for (column, pattern) in self.pattern.iter_mut().enumerate() {
+                let [x, y, z] = axes.map(|axis| axis[row * stride + column]);
+                *pattern = [Four([x, y, z, x]), Four([y, z, x, y]), Four([z, x, y, z])];
+            }
+            pass_along_u(&self.along_u, &self.pattern, out);
         }
+        let rows = &mut self.rows[..];
         match &self.along_v {
             AlongV::FoldedSix(weights) => {
-                folded_pass_along_v(weights, &self.rows, self.padded / 4, width, points);
+                folded_pass_along_v(weights, rows, self.padded, width, points);
             }
             AlongV::General(weights) => {
-                general_pass_along_v(weights, &self.rows, self.padded / 4, width, points);
+                general_pass_along_v(weights, rows, self.padded, width, points);
             }
         }
     }
@@ -171,70 +175,111 @@ pub fn uniform_samples(count: usize) -> Vec<f32> {
 
 /// One row of nodes to one row of points, twelve floats (four points) at a time.
 #[inline]
-fn pass_along_u(weights: &[f32], padded: usize, node: [&[f32]; 3], out: &mut [Four]) {
-    let mut pattern = [[Four::ZERO; 3]; MOST_NODES];
-    let count = node[0].len();
-    for k in 0..count {
-        let [x, y, z] = [node[0][k], node[1][k], node[2][k]];
-        pattern[k] = [Four([x, y, z, x]), Four([y, z, x, y]), Four([z, x, y, z])];
-    }
-    for (chunk, out) in out.chunks_exact_mut(3).enumerate() {
+fn pass_along_u(weights: &[f32], pattern: &[[Four; 3]], out: &mut [f32]) {
+    let (weights, out) = (weights.as_chunks::<12>().0, out.as_chunks_mut::<12>().0);
+    let chunks = out.len();
+    for (chunk, out) in out.iter_mut().enumerate() {
         let mut sum = [Four::ZERO; 3];
-        for (k, pattern) in pattern[..count].iter().enumerate() {
-            let at = k * padded + 12 * chunk;
-            let weights = &weights[at..at + 12];
+        for (weights, pattern) in weights.chunks_exact(chunks).zip(pattern) {
+            let weight = &weights[chunk];
             for part in 0..3 {
-                sum[part] = sum[part] + Four::load(weights, 4 * part) * pattern[part];
+                let four = Four(core::array::from_fn(|i| weight[4 * part + i]));
+                sum[part] = sum[part] + four * pattern[part];
             }
         }
-        out.copy_from_slice(&sum);
+        for part in 0..3 {
+            out[4 * part..4 * part + 4].copy_from_slice(&sum[part].0);
+        }
     }
 }
 
-/// Six rows of nodes to all rows of points, two rows of points at a time.
+/// Six rows of nodes to all rows of points, two rows of points at a time. The
+/// rows are folded in place: sums of opposite rows in the first three,
+/// differences in the last three.
 fn folded_pass_along_v(
     weights: &[[Four; 6]],
-    rows: &[Four],
-    lanes: usize,
+    rows: &mut [f32],
+    padded: usize,
     width: usize,
     points: &mut [f32],
 ) {
-    let last = points.len() / width - 1;
-    for lane in 0..width.div_ceil(4) {
-        let at = 4 * lane;
-        let node: [Four; 6] = core::array::from_fn(|k| rows[k * lanes + lane]);
-        let sum: [Four; 3] = core::array::from_fn(|k| node[k] + node[5 - k]);
-        let difference: [Four; 3] = core::array::from_fn(|k| node[k] - node[5 - k]);
-        for (row, w) in weights.iter().enumerate() {
-            let even = w[0] * sum[0] + w[1] * sum[1] + w[2] * sum[2];
-            let odd = w[3] * difference[0] + w[4] * difference[1] + w[5] * difference[2];
-            let near = &mut points[row * width..(row + 1) * width];
-            (even + odd).store(near, at);
-            let far = &mut points[(last - row) * width..(last - row + 1) * width];
-            (even - odd).store(far, at);
+    let (first, last) = rows.split_at_mut(3 * padded);
+    for k in 0..3 {
+        let near = &mut first[k * padded..(k + 1) * padded];
+        let far = &mut last[(2 - k) * padded..(3 - k) * padded];
+        for (near, far) in near.iter_mut().zip(far) {
+            (*near, *far) = (*near + *far, *near - *far);
         }
     }
+    let row = |k: usize| &rows[k * padded..k * padded + width];
+    let folded = [row(0), row(1), row(2), row(5), row(4), row(3)];
+    let pairs = points.len() / width / 2;
+    let mut between = points;
+    for w in &weights[..pairs] {
+        let (near, rest) = between.split_at_mut(width);
+        let (rest, far) = rest.split_at_mut(rest.len() - width);
+        pair_of_rows(w, folded, near, far);
+        between = rest;
+    }
+    // An odd number of rows leaves the one in the middle, its own opposite.
+    for w in &weights[pairs..] {
+        let mut opposite = [0.0; 4];
+        for at in (0..width).step_by(4).map(|at| at.min(width - 4)) {
+            let part = folded.map(|row| &row[at..at + 4]);
+            pair_of_rows(w, part, &mut between[at..at + 4], &mut opposite);
+        }
+    }
+}
+
+/// One pair of rows of points, four floats at a time; the last four overlap
+/// those before where the width is no multiple of four.
+#[inline(always)]
+fn pair_of_rows(w: &[Four; 6], folded: [&[f32]; 6], near: &mut [f32], far: &mut [f32]) {
+    let width = near.len();
+    let fours = width / 4;
+    let [a, b, c, d, e, f] = folded.map(|row| &row.as_chunks::<4>().0[..fours]);
+    let near_fours = &mut near.as_chunks_mut::<4>().0[..fours];
+    let far_fours = &mut far.as_chunks_mut::<4>().0[..fours];
+    for i in 0..fours {
+        let six = [a[i], b[i], c[i], d[i], e[i], f[i]];
+        (near_fours[i], far_fours[i]) = unfold(w, six);
+    }
+    if width % 4 > 0 {
+        let last = width - 4;
+        let four = |row: &[f32]| [row[last], row[last + 1], row[last + 2], row[last + 3]];
+        let (a, b) = unfold(w, folded.map(four));
+        near[last..].copy_from_slice(&a);
+        far[last..].copy_from_slice(&b);
+    }
+}
+
+/// Sums and differences of opposite rows of nodes to two opposite rows of points.
+#[inline(always)]
+fn unfold(w: &[Four; 6], f: [[f32; 4]; 6]) -> ([f32; 4], [f32; 4]) {
+    let f = f.map(Four);
+    let even = w[0] * f[0] + w[1] * f[1] + w[2] * f[2];
+    let odd = w[3] * f[3] + w[4] * f[4] + w[5] * f[5];
+    ((even + odd).0, (even - odd).0)
 }
 
 /// Any number of rows of nodes to all rows of points, one row at a time.
 fn general_pass_along_v(
     weights: &[f32],
-    rows: &[Four],
-    lanes: usize,
+    rows: &[f32],
+    padded: usize,
     width: usize,
     points: &mut [f32],
 ) {
-    let nodes = rows.len() / lanes;
+    let nodes = rows.len() / padded;
     for (w, out) in weights
         .chunks_exact(nodes)
         .zip(points.chunks_exact_mut(width))
     {
-        for lane in 0..width.div_ceil(4) {
-            let mut sum = Four::ZERO;
-            for (k, &weight) in w.iter().enumerate() {
-                sum = sum + Four::splat(weight) * rows[k * lanes + lane];
+        out.fill(0.0);
+        for (&weight, row) in w.iter().zip(rows.chunks_exact(padded)) {
+            for (out, value) in out.iter_mut().zip(row) {
+                *out += weight * value;
             }
-            sum.store(out, 4 * lane);
         }
     }
 }

@@ -1,0 +1,102 @@
+//! Running a scene from start to end.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use turnleaf_engine::{BitHash, MassSpring, StrainRange, Surface, TurnModel, uniform_samples};
+
+use crate::options::Scene;
+
+/// What a turn looked like over all its steps.
+pub struct Outcome {
+    /// Number of steps.
+    pub steps: usize,
+    /// Strains of structural and shear springs, over all steps.
+    pub edges: StrainRange,
+    /// Strains of the drawn mesh's edges along u and v, over all steps.
+    pub surface: StrainRange,
+    /// Hash of all nodes' positions after each step.
+    pub hash: u64,
+    /// Whether every number stayed finite.
+    pub finite: bool,
+}
+
+/// Steps in a scene.
+pub fn step_count(scene: &Scene, leaf: &MassSpring) -> usize {
+    let seconds = f64::from(scene.seconds()) + f64::from(scene.settle());
+    (seconds / f64::from(leaf.time_step())).round() as usize
+}
+
+/// Runs a scene and looks at every step.
+pub fn observe(scene: &Scene) -> Result<Outcome, String> {
+    let mut leaf = scene.leaf()?;
+    let steps = step_count(scene, &leaf);
+    let (columns, rows) = leaf.grid_size();
+    let mut nodes = vec![0.0; 3 * columns * rows];
+    let mut velocities = nodes.clone();
+    let mut surface = Surface::new(2, 2);
+    let (mut edges, mut drawn) = (StrainRange::default(), StrainRange::default());
+    let (mut hash, mut finite) = (BitHash::new(), true);
+    for _ in 0..steps {
+        leaf.step();
+        leaf.write_surface(&mut surface);
+        leaf.read_nodes(&mut nodes, &mut velocities);
+        hash.floats(&nodes);
+        finite &= leaf.is_finite();
+        edges = edges.union(leaf.strain());
+        let (u, v) = (
+            uniform_samples(surface.columns),
+            uniform_samples(surface.rows),
+        );
+        let (width, height) = (leaf.settings().width, leaf.settings().height);
+        drawn = drawn.union(surface.strain(&u, &v, width, height));
+    }
+    Ok(Outcome {
+        steps,
+        edges,
+        surface: drawn,
+        hash: hash.value(),
+        finite,
+    })
+}
+
+/// Microseconds that one step, and one surface, take: the median over
+/// repetitions of the whole turn, each long enough for the clock.
+pub fn cost(scene: &Scene) -> Result<(f64, f64), String> {
+    let start = scene.leaf()?;
+    let steps = step_count(scene, &start);
+    let mut surface = Surface::new(2, 2);
+    let turns = (20_000 / steps).max(1);
+    let per_step = median((0..9).map(|_| {
+        let clock = Instant::now();
+        for _ in 0..turns {
+            let mut leaf = start.clone();
+            for _ in 0..steps {
+                leaf.step();
+            }
+            black_box(&leaf);
+        }
+        clock.elapsed().as_secs_f64() * 1e6 / (turns * steps) as f64
+    }));
+    let mut leaf = start.clone();
+    for _ in 0..steps / 2 {
+        leaf.step();
+    }
+    let count = 20_000;
+    let per_surface = median((0..9).map(|_| {
+        let clock = Instant::now();
+        for _ in 0..count {
+            black_box(&mut leaf).write_surface(&mut surface);
+            black_box(&surface);
+        }
+        clock.elapsed().as_secs_f64() * 1e6 / f64::from(count)
+    }));
+    Ok((per_step, per_surface))
+}
+
+/// The middle of some figures.
+pub fn median(figures: impl Iterator<Item = f64>) -> f64 {
+    let mut figures: Vec<f64> = figures.collect();
+    figures.sort_by(f64::total_cmp);
+    figures[figures.len() / 2]
+}

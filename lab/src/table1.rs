@@ -1,0 +1,4 @@
+//! t
+pub fn run(_p: &mut lexopt::Parser) -> Result<(), String> {
+    Ok(())
+}
