@@ -15,11 +15,13 @@
 //! - [`MassSpring`] with its [`Settings`]: the paper's model and its improvements
 //! - [`Gesture`]: how a hand turns a leaf
 //! - [`Lagrange`]: from few nodes to many points
+//! - [`KeyFrames`], [`Recorder`] and [`Replay`]: a turn recorded and played again
 
 mod gesture;
 mod grid;
 mod hash;
 mod interpolate;
+mod key_frames;
 mod lanes;
 mod models;
 mod surface;
@@ -30,6 +32,10 @@ pub use gesture::{Gesture, Grip};
 pub use grid::Side;
 pub use hash::BitHash;
 pub use interpolate::{Lagrange, lagrange_weights, uniform_samples};
+pub use key_frames::{
+    Blend, FORMAT_VERSION, FrameKind, KeyFrameError, KeyFrames, ModelKind, PAPER_INTERVAL,
+    Recorder, Replay,
+};
 pub use models::mass_spring::{
     Integrator, InvalidSettings, MassSpring, Masses, Plate, Preset, Settings, Springs, StrainLimit,
 };

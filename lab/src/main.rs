@@ -18,6 +18,7 @@ Usage: lab EXPERIMENT [options]
               --runs N              rows of the table (10)
               --frames masses|surface  what the key frames hold (masses)
               --blend linear|hermite   how the replay blends them (linear)
+              --interpolate key-frame|frame  when a replay of masses interpolates (key-frame)
   turn      one turn: strains over all steps, cost of a step and of a surface
   picture   a turn as a sequence of PNG pictures
               --out DIR             folder for the pictures (pictures)

@@ -67,7 +67,7 @@ pub fn cost(scene: &Scene) -> Result<(f64, f64), String> {
     let steps = step_count(scene, &start);
     let mut surface = Surface::new(2, 2);
     let turns = (20_000 / steps).max(1);
-    let per_step = median((0..9).map(|_| {
+    let per_step = (0..9).map(|_| {
         let clock = Instant::now();
         for _ in 0..turns {
             let mut leaf = start.clone();
@@ -77,26 +77,26 @@ pub fn cost(scene: &Scene) -> Result<(f64, f64), String> {
             black_box(&leaf);
         }
         clock.elapsed().as_secs_f64() * 1e6 / (turns * steps) as f64
-    }));
+    });
+    let per_step: Vec<f64> = per_step.collect();
     let mut leaf = start.clone();
     for _ in 0..steps / 2 {
         leaf.step();
     }
     let count = 20_000;
-    let per_surface = median((0..9).map(|_| {
+    let per_surface = (0..9).map(|_| {
         let clock = Instant::now();
         for _ in 0..count {
             black_box(&mut leaf).write_surface(&mut surface);
             black_box(&surface);
         }
         clock.elapsed().as_secs_f64() * 1e6 / f64::from(count)
-    }));
-    Ok((per_step, per_surface))
+    });
+    Ok((median(per_step), median(per_surface.collect())))
 }
 
 /// The middle of some figures.
-pub fn median(figures: impl Iterator<Item = f64>) -> f64 {
-    let mut figures: Vec<f64> = figures.collect();
+pub fn median(mut figures: Vec<f64>) -> f64 {
     figures.sort_by(f64::total_cmp);
     figures[figures.len() / 2]
 }

@@ -1,0 +1,79 @@
+//! Key frames, the paper's third improvement (Shangguan and Zeng 2014, section
+//! 2.2.3): a turn is recorded every 0.1 s, and repeated from the record.
+
+mod format;
+mod record;
+mod replay;
+
+pub use format::{FORMAT_VERSION, KeyFrameError};
+pub use record::Recorder;
+pub use replay::{Blend, Replay};
+
+use crate::models::mass_spring::Preset;
+
+/// Seconds between key frames in the paper.
+pub const PAPER_INTERVAL: f32 = 0.1;
+
+/// What a key frame holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FrameKind {
+    /// The model's nodes, as in the paper; a replay has the surface to
+    /// interpolate.
+    Masses,
+    /// The drawn surface: more to keep, nothing to interpolate.
+    Surface,
+}
+
+/// The model that was recorded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModelKind {
+    /// [`MassSpring`](crate::MassSpring).
+    MassSpring,
+}
+
+/// A recorded turn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KeyFrames {
+    /// What a frame holds.
+    pub kind: FrameKind,
+    /// The model that was recorded.
+    pub model: ModelKind,
+    /// The preset of its settings.
+    pub preset: Preset,
+    /// Width and height of the leaf.
+    pub size: [f32; 2],
+    /// Points along a row of a frame.
+    pub columns: usize,
+    /// Rows of a frame.
+    pub rows: usize,
+    /// When each frame was taken: seconds since the start, rising.
+    pub times: Vec<f32>,
+    /// Frame after frame, x, y, z of each point, row by row from the foot.
+    pub positions: Vec<f32>,
+}
+
+impl KeyFrames {
+    /// Floats of one frame.
+    pub fn frame_length(&self) -> usize {
+        3 * self.columns * self.rows
+    }
+
+    /// Positions of one frame.
+    ///
+    /// # Panics
+    /// If there is no such frame.
+    pub fn frame(&self, index: usize) -> &[f32] {
+        let length = self.frame_length();
+        &self.positions[index * length..(index + 1) * length]
+    }
+
+    /// Number of frames.
+    pub fn len(&self) -> usize {
+        self.times.len()
+    }
+
+    /// Whether nothing was recorded.
+    pub fn is_empty(&self) -> bool {
+        self.times.is_empty()
+    }
+}
