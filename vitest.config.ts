@@ -1,14 +1,15 @@
 import { playwright } from "@vitest/browser-playwright";
 import { defineConfig } from "vitest/config";
-import { chromiumArguments, findChromium } from "./scripts/chromium.mjs";
+import { packedFiles } from "./packages/turnleaf/packed_files.js";
 import { wasmInline } from "./packages/turnleaf/wasm_inline.js";
+import { chromiumArguments, findChromium } from "./scripts/chromium.mjs";
 
 /** `*.test.ts` runs in Node; `*.browser.test.ts` runs in the real Chromium of this machine. */
 export default defineConfig({
   test: {
     projects: [
       {
-        plugins: [wasmInline()],
+        plugins: [wasmInline(), packedFiles()],
         test: {
           name: "node",
           environment: "node",
@@ -18,7 +19,7 @@ export default defineConfig({
         },
       },
       {
-        plugins: [wasmInline()],
+        plugins: [wasmInline(), packedFiles()],
         optimizeDeps: { include: ["three", "pdfjs-dist"] },
         test: {
           name: "chromium",

@@ -1,4 +1,5 @@
 import { defineConfig } from "tsdown";
+import { packedFiles } from "./packed_files.js";
 import { wasmInline } from "./wasm_inline.js";
 
 export default defineConfig({
@@ -9,6 +10,6 @@ export default defineConfig({
   dts: true,
   minify: true,
   sourcemap: true,
-  plugins: [wasmInline()],
+  plugins: [wasmInline(), packedFiles()],
   deps: { neverBundle: ["three", /^pdfjs-dist/] },
 });

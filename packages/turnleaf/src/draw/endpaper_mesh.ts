@@ -42,7 +42,7 @@ export class EndpaperMesh {
       const t = i / (steps - 1);
       const [q, r] = [2 * t * (1 - t), t * t];
       for (const k of [0, 1] as const) {
-        const end = corner[k] + (hinge[k] - corner[k]) * 1.02;
+        const end = corner[k] + (hinge[k] - corner[k]) * 1.2;
         this.#line[2 * i + k] = q * 0.85 * corner[k] + r * end;
       }
     }
@@ -54,8 +54,8 @@ export class EndpaperMesh {
       // The side that faces up where the fold lies flat.
       const nx = (-this.#sign * dz) / length;
       const nz = (this.#sign * dx) / length;
-      const x = this.#line[2 * i] + 0.00005 * nx;
-      const z = this.#line[2 * i + 1] + 0.00005 * nz;
+      const x = this.#line[2 * i] + 0.0001 * nx;
+      const z = this.#line[2 * i + 1] + 0.0001 * nz;
       sharesBetween(x, z, Math.atan2(nx, nz), [left.obstacles, right.obstacles], this.#shares);
       for (const end of [0, 1]) {
         const point = end * steps + i;

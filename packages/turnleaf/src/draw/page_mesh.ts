@@ -21,7 +21,6 @@ export class PageMesh {
   readonly mesh: Mesh<BufferGeometry, PaperMaterial>;
   readonly #rows: number;
   readonly #height: number;
-  readonly #width: number;
   #columns = 0;
   #positions = new Float32Array(0);
   #normals = new Float32Array(0);

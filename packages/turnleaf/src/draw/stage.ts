@@ -7,7 +7,6 @@
 import {
   Color,
   type Material,
-  Matrix4,
   type Mesh,
   PerspectiveCamera,
   Scene,

@@ -1,4 +1,4 @@
-import type { PagePicture } from "../sources/page_source.js";
+import type { PagePicture } from "../sources/page_source.ts";
 
 /** A page that is wanted `width` device pixels wide. */
 export interface WantedPage {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { BookError, type PagePicture, type PageSource } from "../sources/page_source.js";
-import { PagePool } from "./page_pool.js";
+import { BookError, type PagePicture, type PageSource } from "../sources/page_source.ts";
+import { PagePool } from "./page_pool.ts";
 
 interface Drawing {
   readonly index: number;

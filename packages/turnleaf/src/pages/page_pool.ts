@@ -1,4 +1,4 @@
-import { BookError, type PagePicture, type PageSource } from "../sources/page_source.js";
+import { BookError, type PagePicture, type PageSource } from "../sources/page_source.ts";
 import {
   type Bounds,
   dropOrder,
@@ -6,9 +6,9 @@ import {
   pictureBytes,
   type WantedPage,
   withinBudget,
-} from "./page_budget.js";
+} from "./page_budget.ts";
 
-export type { WantedPage } from "./page_budget.js";
+export type { WantedPage } from "./page_budget.ts";
 
 export interface PagePoolOptions {
   /** A better picture of the page is there, or its drawing failed. */

@@ -1,4 +1,4 @@
-import { limits } from "./limits.js";
+import { limits } from "./limits.ts";
 
 /** Control and direction-override characters, which a title or label must not smuggle in. */
 // biome-ignore lint/suspicious/noControlCharactersInRegex: they are what is removed

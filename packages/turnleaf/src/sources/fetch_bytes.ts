@@ -1,4 +1,4 @@
-import { BookError } from "./page_source.js";
+import { BookError } from "./page_source.ts";
 
 /**
  * Fetches `url`, with every failure told as a sentence about `name`.
@@ -94,7 +94,9 @@ export async function readStart(response: Response, wanted: number): Promise<Uin
     parts.push(part.value);
     length += part.value.length;
   }
-  await reader?.cancel().catch(() => {});
+  // A server that sent no more than was asked for is heard out: its connection serves again.
+  const isAll = response.status === 206 && (await reader?.read())?.done;
+  if (!isAll) await reader?.cancel().catch(() => {});
   return join(parts, length).subarray(0, wanted);
 }
 

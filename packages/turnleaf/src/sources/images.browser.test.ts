@@ -1,6 +1,6 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
-import { openSource } from "./open.js";
-import { BookError } from "./page_source.js";
+import { openSource } from "./open.ts";
+import { BookError } from "./page_source.ts";
 
 const never = new AbortController().signal;
 

@@ -1,9 +1,9 @@
-import { nameOfUrl } from "./book_text.js";
-import { fetchChecked, readBounded } from "./fetch_bytes.js";
-import { fitPixels, isPageSize, limits } from "./limits.js";
-import type { ImageBook, ImagePage } from "./manifest.js";
-import { BookError, type PagePicture, type PageSize, type PageSource } from "./page_source.js";
-import { SharedTasks } from "./shared_tasks.js";
+import { nameOfUrl } from "./book_text.ts";
+import { fetchChecked, readBounded } from "./fetch_bytes.ts";
+import { fitPixels, isPageSize, limits } from "./limits.ts";
+import type { ImageBook, ImagePage } from "./manifest.ts";
+import { BookError, type PagePicture, type PageSize, type PageSource } from "./page_source.ts";
+import { SharedTasks } from "./shared_tasks.ts";
 
 /** Encoded images kept, so that a page drawn sharper is not fetched again. */
 const keptImages = 6;

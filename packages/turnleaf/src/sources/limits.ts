@@ -1,4 +1,4 @@
-import type { PageSize } from "./page_source.js";
+import type { PageSize } from "./page_source.ts";
 
 /**
  * Bounds on everything that comes from a file, so that no book, broken or

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { limits } from "./limits.js";
-import { parseManifest } from "./manifest.js";
-import { BookError } from "./page_source.js";
+import { limits } from "./limits.ts";
+import { parseManifest } from "./manifest.ts";
+import { BookError } from "./page_source.ts";
 
 const base = "https://library.example/atlas/book.json";
 const parse = (value: unknown, from = base): ReturnType<typeof parseManifest> =>

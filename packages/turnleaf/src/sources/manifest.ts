@@ -1,6 +1,6 @@
-import { cleanLanguage, cleanText } from "./book_text.js";
-import { limits } from "./limits.js";
-import { BookError, type PageSize } from "./page_source.js";
+import { cleanLanguage, cleanText } from "./book_text.ts";
+import { limits } from "./limits.ts";
+import { BookError, type PageSize } from "./page_source.ts";
 
 /** One page of a book of images. */
 export interface ImagePage {

@@ -1,10 +1,10 @@
-import { cleanText, nameOfUrl } from "./book_text.js";
-import { emptyFile, fetchChecked, readBounded, readStart } from "./fetch_bytes.js";
-import { limits } from "./limits.js";
-import { type ImageBook, type Manifest, type ManifestPage, parseManifest } from "./manifest.js";
-import { BookError, type PageSource } from "./page_source.js";
-import type { PdfOptions } from "./pdf.js";
-import { type Kind, sniff, sniffLength } from "./sniff.js";
+import { cleanText, nameOfUrl } from "./book_text.ts";
+import { emptyFile, fetchChecked, readBounded, readStart } from "./fetch_bytes.ts";
+import { limits } from "./limits.ts";
+import { type ImageBook, type Manifest, type ManifestPage, parseManifest } from "./manifest.ts";
+import { BookError, type PageSource } from "./page_source.ts";
+import type { PdfOptions } from "./pdf.ts";
+import { type Kind, sniff, sniffLength } from "./sniff.ts";
 
 /** What can be opened: an address, images in order, a manifest, or a file that was chosen or dropped. */
 export type BookInput = string | readonly ManifestPage[] | Manifest | Blob;
@@ -94,12 +94,12 @@ async function openPdfFrom(
   length: number | undefined,
   options: OpenOptions,
 ): Promise<PageSource> {
-  const { openPdf } = await import("./pdf.js");
+  const { openPdf } = await import("./pdf.ts");
   return await openPdf({ name, from, ...(length === undefined ? {} : { length }) }, options);
 }
 
 async function openImages(book: ImageBook): Promise<PageSource> {
-  const { ImageSource } = await import("./images.js");
+  const { ImageSource } = await import("./images.ts");
   return new ImageSource(book);
 }
 

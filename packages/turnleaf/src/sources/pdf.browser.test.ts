@@ -1,8 +1,8 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
-import { openSource } from "./open.js";
-import { BookError, type PagePicture, type PageSource } from "./page_source.js";
-import { PackedDataFactory } from "./pdf_runtime.js";
-import { type TinyPdf, tinyPdf } from "./tiny_pdf.js";
+import { openSource } from "./open.ts";
+import { BookError, type PagePicture, type PageSource } from "./page_source.ts";
+import { PackedDataFactory } from "./pdf_runtime.ts";
+import { type TinyPdf, tinyPdf } from "./tiny_pdf.ts";
 
 const red = "1 0 0 rg 0 0 200 300 re f";
 const never = new AbortController().signal;

@@ -1,16 +1,16 @@
 import type { PDFDocumentLoadingTask, PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist";
-import { cleanLanguage, cleanText } from "./book_text.js";
-import { refusal } from "./fetch_bytes.js";
-import { fitPixels, isPageSize, limits } from "./limits.js";
-import { BookError, type PagePicture, type PageSize, type PageSource } from "./page_source.js";
+import { cleanLanguage, cleanText } from "./book_text.ts";
+import { refusal } from "./fetch_bytes.ts";
+import { fitPixels, isPageSize, limits } from "./limits.ts";
+import { BookError, type PagePicture, type PageSize, type PageSource } from "./page_source.ts";
 import {
   loadPdfLibrary,
   PackedDataFactory,
   type PdfLibrary,
   startPdfWorker,
   WorkerRefused,
-} from "./pdf_runtime.js";
-import { orAborted } from "./shared_tasks.js";
+} from "./pdf_runtime.ts";
+import { orAborted } from "./shared_tasks.ts";
 
 /** Where a PDF's bytes are. */
 export interface PdfInput {

@@ -1,0 +1,279 @@
+/** The whole way, as a reader goes it: the built command, a real Chromium, a mouse. */
+
+import { fileURLToPath } from "node:url";
+import { type Browser, chromium, type Page } from "playwright-core";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { folderOf, type Started, start } from "./command.ts";
+
+const book = fileURLToPath(new URL("../../../books/moby-dick.pdf", import.meta.url));
+const other = fileURLToPath(new URL("../../../books/others/charis-features.pdf", import.meta.url));
+
+// Small: drawing is in software here.
+const viewport = { width: 760, height: 520 };
+
+let browser: Browser;
+
+beforeAll(async () => {
+  browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
+});
+
+afterAll(() => browser?.close());
+
+/** What the page was asked to do over time, counted from inside. */
+interface Counts {
+  frames: number;
+  timers: number;
+}
+
+/** Opens a served book in a fresh tab and waits until its pages are sharp. */
+async function open(served: Started, hash: string): Promise<{ page: Page; errors: string[] }> {
+  const page = await browser.newPage({ viewport });
+  const errors: string[] = [];
+  page.on("pageerror", (error) => errors.push(error.message));
+  await page.addInitScript(() => {
+    const counts = { frames: 0, timers: 0 };
+    Object.assign(globalThis, { counts });
+    const frame = globalThis.requestAnimationFrame;
+    globalThis.requestAnimationFrame = (call) => {
+      counts.frames++;
+      return frame(call);
+    };
+    for (const name of ["setTimeout", "setInterval"] as const) {
+      const set = globalThis[name] as typeof setTimeout;
+      Object.assign(globalThis, {
+        [name]: (...args: Parameters<typeof setTimeout>) => {
+          counts.timers++;
+          return set(...args);
+        },
+      });
+    }
+  });
+  await page.goto(`${served.url}${hash}`);
+  await settle(page);
+  return { page, errors };
+}
+
+/** Waits until the book is at rest and sharp. */
+async function settle(page: Page): Promise<void> {
+  await page.waitForFunction(() => document.querySelector("turnleaf-book")?.settled === true, null, {
+    polling: 100,
+    timeout: 40_000,
+  });
+}
+
+const shownPage = (page: Page) =>
+  page.evaluate(() => document.querySelector("turnleaf-book")?.page);
+
+const counts = (page: Page): Promise<Counts> =>
+  page.evaluate(() => ({ ...(globalThis as unknown as { counts: Counts }).counts }));
+
+/** Moves in from the window's side at a height until the pointer is over what a hand can take. */
+async function findEdge(page: Page, from: "left" | "right", share: number): Promise<number> {
+  const y = viewport.height * share;
+  for (let inward = 0; inward < viewport.width / 2; inward += 6) {
+    const x = from === "left" ? inward : viewport.width - inward;
+    await page.mouse.move(x, y);
+    const cursor = await page.evaluate(
+      () =>
+        document.querySelector("turnleaf-book")?.shadowRoot?.querySelector("canvas")?.style.cursor,
+    );
+    if (cursor === "grab") return x;
+  }
+  throw new Error(`No page to take from the ${from}.`);
+}
+
+/** Share of the window's pixels in a rectangle (shares of the window) that are dark as ink. */
+async function ink(page: Page, box: { x: number; y: number; width: number; height: number }) {
+  const png = (await page.screenshot()).toString("base64");
+  return page.evaluate(
+    async ({ png, box }) => {
+      const bytes = Uint8Array.from(atob(png), (c) => c.charCodeAt(0));
+      const picture = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+      const canvas = new OffscreenCanvas(picture.width, picture.height);
+      const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
+      pen.drawImage(picture, 0, 0);
+      const { width, height } = picture;
+      const data = pen.getImageData(
+        box.x * width,
+        box.y * height,
+        box.width * width,
+        box.height * height,
+      ).data;
+      let dark = 0;
+      let paper = 0;
+      for (let i = 0; i < data.length; i += 4) {
+        if (data[i] + data[i + 1] + data[i + 2] < 450) dark++;
+        if (data[i] > 225 && data[i + 1] > 215 && data[i + 2] > 195) paper++;
+      }
+      return { dark: dark / (data.length / 4), paper: paper / (data.length / 4) };
+    },
+    { png, box },
+  );
+}
+
+const leftText = { x: 0.27, y: 0.4, width: 0.17, height: 0.35 };
+const rightText = { x: 0.56, y: 0.4, width: 0.17, height: 0.35 };
+
+test("the default book opens, is dragged over, and rests", { timeout: 180_000 }, async () => {
+  const served = await start(book, "--no-open", "--port", "0");
+  const { page, errors } = await open(served, "#page=22");
+  expect(await shownPage(page)).toBe(22);
+  expect(await page.evaluate(() => document.querySelector("turnleaf-book")?.pageCount)).toBe(108);
+
+  // Two pages of text on paper.
+  for (const box of [leftText, rightText]) {
+    const { dark, paper } = await ink(page, box);
+    expect(dark).toBeGreaterThan(0.02);
+    expect(paper).toBeGreaterThan(0.4);
+  }
+
+  // At rest nothing runs.
+  const before = await counts(page);
+  await new Promise((resolve) => setTimeout(resolve, 1000));
+  expect(await counts(page)).toEqual(before);
+
+  // Dragged by the fore-edge to the other side.
+  const x = await findEdge(page, "right", 0.7);
+  await page.mouse.move(x - 8, viewport.height * 0.7);
+  await page.mouse.down();
+  await page.mouse.move(x - 120, viewport.height * 0.66, { steps: 4 });
+  await page.waitForTimeout(300);
+  expect((await counts(page)).frames).toBeGreaterThan(before.frames);
+  expect(await shownPage(page)).toBe(22);
+  await page.mouse.move(viewport.width - x, viewport.height * 0.68, { steps: 6 });
+  await page.mouse.up();
+  await page.waitForFunction(() => document.querySelector("turnleaf-book")?.page === 24, null, {
+    timeout: 20_000,
+  });
+  await settle(page);
+  for (const box of [leftText, rightText]) expect((await ink(page, box)).dark).toBeGreaterThan(0.02);
+  expect(await page.evaluate(() => location.hash)).toBe("#page=24");
+
+  // Let go near where it was taken, it falls back.
+  const again = await findEdge(page, "right", 0.7);
+  await page.mouse.move(again - 8, viewport.height * 0.7);
+  await page.mouse.down();
+  await page.mouse.move(again - 60, viewport.height * 0.7, { steps: 4 });
+  await page.waitForTimeout(400);
+  await page.mouse.up();
+  await settle(page);
+  expect(await shownPage(page)).toBe(24);
+
+  // Removed, it leaves nothing running.
+  await page.evaluate(() => {
+    void document.querySelector("turnleaf-book")?.next();
+    document.querySelector("turnleaf-book")?.remove();
+  });
+  await page.waitForTimeout(200);
+  const removed = await counts(page);
+  await page.waitForTimeout(800);
+  expect(await counts(page)).toEqual(removed);
+  expect(errors).toEqual([]);
+  await page.close();
+  await served.stop();
+});
+
+test("keys, clicks and commands turn pages and land where told", { timeout: 180_000 }, async () => {
+  const served = await start(book, "--no-open", "--port", "0");
+  const { page, errors } = await open(served, "#page=30");
+  await page.keyboard.press("ArrowRight");
+  await settle(page);
+  expect(await shownPage(page)).toBe(32);
+  await page.keyboard.press("ArrowLeft");
+  await settle(page);
+  expect(await shownPage(page)).toBe(30);
+
+  const x = await findEdge(page, "right", 0.6);
+  await page.mouse.click(x - 6, viewport.height * 0.6);
+  await settle(page);
+  expect(await shownPage(page)).toBe(32);
+
+  const landed = await page.evaluate(() => document.querySelector("turnleaf-book")?.goTo(77));
+  expect(landed).toBe(true);
+  expect(await shownPage(page)).toBe(76);
+
+  // The covers, and back to the middle.
+  for (const [wanted, lands] of [
+    [1, 1],
+    [108, 108],
+    [55, 54],
+  ]) {
+    expect(
+      await page.evaluate((to) => document.querySelector("turnleaf-book")?.goTo(to), wanted),
+    ).toBe(true);
+    expect(await shownPage(page)).toBe(lands);
+  }
+
+  // A second command takes over from the first, which is told so.
+  const [first, second] = await page.evaluate(async () => {
+    const element = document.querySelector("turnleaf-book");
+    return Promise.all([element?.goTo(90), element?.goTo(20)]);
+  });
+  expect([first, second]).toEqual([false, true]);
+  expect(await shownPage(page)).toBe(20);
+  expect(errors).toEqual([]);
+  await page.close();
+  await served.stop();
+});
+
+test("a running turn is caught and taken back", { timeout: 120_000 }, async () => {
+  const served = await start(book, "--no-open", "--port", "0");
+  const { page, errors } = await open(served, "#page=40");
+  await page.evaluate(() => {
+    const element = document.querySelector("turnleaf-book");
+    element?.setAttribute("duration", "6000");
+    void element?.next();
+  });
+  await page.waitForTimeout(2200);
+  // The leaf stands somewhere over the right page: press where it is, and pull it back.
+  await page.mouse.move(viewport.width * 0.66, viewport.height * 0.55);
+  await page.mouse.down();
+  const x = viewport.width * 0.8;
+  await page.mouse.move(x, viewport.height * 0.7, { steps: 8 });
+  await page.waitForTimeout(600);
+  await page.mouse.up();
+  await settle(page);
+  expect(await shownPage(page)).toBe(40);
+  expect(errors).toEqual([]);
+  await page.close();
+  await served.stop();
+});
+
+test("another real PDF, with an odd number of pages", { timeout: 120_000 }, async () => {
+  const served = await start(other, "--no-open", "--port", "0");
+  const { page, errors } = await open(served, "#page=4");
+  expect(await page.evaluate(() => document.querySelector("turnleaf-book")?.pageCount)).toBe(9);
+  expect((await ink(page, { x: 0.2, y: 0.2, width: 0.6, height: 0.6 })).dark).toBeGreaterThan(0.01);
+  expect(await page.evaluate(() => document.querySelector("turnleaf-book")?.goTo(9))).toBe(true);
+  await settle(page);
+  expect(await shownPage(page)).toBe(8);
+  await page.evaluate(() => document.querySelector("turnleaf-book")?.next());
+  expect(await shownPage(page)).toBe(9);
+  expect(errors).toEqual([]);
+  await page.close();
+  await served.stop();
+});
+
+test("a book that breaks after it was opened says so where the page would be", {
+  timeout: 60_000,
+}, async () => {
+  const folder = folderOf({ "1.png": Buffer.from(onePixel, "base64") });
+  const served = await start(folder.path, "--no-open", "--port", "0");
+  folder.remove();
+  const page = await browser.newPage({ viewport });
+  await page.goto(served.url);
+  const message = page.locator("turnleaf-book [part=message]");
+  await message.waitFor({ state: "visible" });
+  await page.waitForFunction(() => {
+    const part = document
+      .querySelector("turnleaf-book")
+      ?.shadowRoot?.querySelector("[part=message]");
+    return part?.getAttribute("role") === "alert" && (part.textContent ?? "").length > 20;
+  });
+  await page.close();
+  await served.stop();
+});
+
+const onePixel =
+  "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mP8z8BQDwAEhQGAhKmMIQAAAABJRU5ErkJggg==";
