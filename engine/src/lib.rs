@@ -15,8 +15,10 @@
 //! - [`MassSpring`] with its [`Settings`]: the paper's model and its improvements
 //! - [`Gesture`]: how a hand turns a leaf
 //! - [`Lagrange`]: from few nodes to many points
+//! - [`book`]: the bound book, in which a leaf is held, falls and is played
 //! - [`KeyFrames`], [`Recorder`] and [`Replay`]: a turn recorded and played again
 
+pub mod book;
 mod gesture;
 mod grid;
 mod hash;

@@ -9,7 +9,7 @@
 
 use super::seat::share_turned;
 use crate::grid::Side;
-use crate::key_frames::{Blend, Recorder, Recording};
+use crate::key_frames::{Blend, FrameKind, Recorder, Replay};
 use crate::models::mass_spring::{MassSpring, Settings};
 use crate::surface::Surface;
 use crate::turn::TurnModel;
@@ -103,7 +103,7 @@ pub struct Leaf {
     grip: Option<Grip>,
     course: Option<Course>,
     settling: Option<Settling>,
-    recording: Option<Recording>,
+    recording: Option<Replay>,
     /// Ticks since it was let go.
     fallen: u32,
     /// Share of the half turn done and its rate of change, 1/s.
@@ -406,16 +406,11 @@ impl Leaf {
             .recording
             .as_ref()
             .expect("recorded before it is played");
-        if course.time <= 0.0 || course.time >= recording.seconds() {
+        if course.time <= 0.0 || course.time >= recording.duration() {
             self.lay(side);
             return;
         }
-        recording.sample(
-            course.time,
-            Blend::Hermite,
-            &mut self.positions,
-            &mut self.velocities,
-        );
+        recording.read_nodes_at(course.time, &mut self.positions, &mut self.velocities);
         // Recorded from the right; from the left it is the mirror image.
         let mirror = course.from.sign();
         for (p, v) in self
@@ -437,7 +432,7 @@ impl Leaf {
         if self.recording.is_none() {
             self.recording = Some(self.record());
         }
-        let recorded = self.recording.as_ref().map_or(1.0, Recording::seconds);
+        let recorded = self.recording.as_ref().map_or(1.0, Replay::duration);
         recorded
             / if seconds.is_finite() {
                 seconds.max(0.05)
@@ -447,7 +442,7 @@ impl Leaf {
     }
 
     /// Simulates a whole turn from the right and records it.
-    fn record(&self) -> Recording {
+    fn record(&self) -> Replay {
         let mut leaf = Leaf {
             model: self.model.clone(),
             phase: Phase::Resting(Side::Right),
@@ -462,9 +457,10 @@ impl Leaf {
             velocities: self.velocities.clone(),
         };
         leaf.lay(Side::Right);
-        let mut recorder = Recorder::new(&leaf.model, KEY_INTERVAL);
+        let mut recorder = Recorder::new(&mut leaf.model, FrameKind::Masses, KEY_INTERVAL);
         let gesture = leaf.model.settings().corner_gesture(GESTURE_SECONDS);
         leaf.model.play(gesture);
+        let mut time = 0.0;
         let gesture_ticks = libm::ceilf(GESTURE_SECONDS / TICK) as u32;
         for tick in 1..=LONGEST_RECORDING {
             if tick <= gesture_ticks {
@@ -476,7 +472,8 @@ impl Leaf {
                 }
                 leaf.step(1);
             }
-            recorder.record(&leaf.model, tick as f32 * TICK);
+            time = tick as f32 * TICK;
+            recorder.observe_at(&mut leaf.model, time);
             if let Phase::Resting(_) = leaf.phase {
                 if tick > gesture_ticks {
                     break;
@@ -484,7 +481,8 @@ impl Leaf {
             }
         }
         leaf.lay(Side::Left);
-        recorder.finish(&leaf.model)
+        let frames = recorder.finish_at(&mut leaf.model, time + TICK);
+        Replay::new(frames, Blend::Hermite, TICK)
     }
 
     /// Mean over the fore-edge of how far it has turned.

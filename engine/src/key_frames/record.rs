@@ -57,7 +57,12 @@ impl Recorder {
     /// Looks at the leaf after a step, and takes a frame if one is due. Returns
     /// whether it did.
     pub fn observe(&mut self, leaf: &mut MassSpring) -> bool {
-        let time = leaf.time() - self.start;
+        self.observe_at(leaf, leaf.time() - self.start)
+    }
+
+    /// As [`Recorder::observe`], for a leaf that something else than its own
+    /// steps has moved: `time` is in seconds since the start of the record.
+    pub fn observe_at(&mut self, leaf: &mut MassSpring, time: f32) -> bool {
         let due = self.frames.len() as f32 * self.interval;
         // Steps rarely fall on the multiple exactly: half a step early is due.
         let take = time >= due - 0.5 * leaf.time_step();
@@ -68,8 +73,13 @@ impl Recorder {
     }
 
     /// Ends the record with a frame of the leaf as it is now.
-    pub fn finish(mut self, leaf: &mut MassSpring) -> KeyFrames {
+    pub fn finish(self, leaf: &mut MassSpring) -> KeyFrames {
         let time = leaf.time() - self.start;
+        self.finish_at(leaf, time)
+    }
+
+    /// As [`Recorder::finish`], `time` seconds after the start of the record.
+    pub fn finish_at(mut self, leaf: &mut MassSpring, time: f32) -> KeyFrames {
         if self.frames.times.last().is_none_or(|&last| last < time) {
             self.take(leaf, time);
         }

@@ -228,6 +228,17 @@ impl Replay {
         }
     }
 
+    /// The nodes at any time in seconds, whatever the replay's own: for playing
+    /// backward and at other paces. Laid out as by [`TurnModel::read_nodes`].
+    ///
+    /// # Panics
+    /// If a slice is not as long as a frame.
+    pub fn read_nodes_at(&self, time: f32, positions: &mut [f32], velocities: &mut [f32]) {
+        let (here, rate) = self.mix(time);
+        self.blend_frames(here, positions);
+        self.blend_frames(rate, velocities);
+    }
+
     fn blend_frames(&self, mix: Mix, out: &mut [f32]) {
         blend(mix, mix.frame.map(|frame| self.frames.frame(frame)), out);
     }
@@ -290,9 +301,7 @@ impl TurnModel for Replay {
 
     /// As recorded: for frames of the surface, its points.
     fn read_nodes(&self, positions: &mut [f32], velocities: &mut [f32]) {
-        let (here, rate) = self.mix(self.time());
-        self.blend_frames(here, positions);
-        self.blend_frames(rate, velocities);
+        self.read_nodes_at(self.time(), positions, velocities);
     }
 }
 

@@ -1,4 +1,151 @@
-//! t
-pub fn run(_p: &mut lexopt::Parser) -> Result<(), String> {
+//! `lab picture`: a turn as PNG pictures, with masses, springs and the drawn
+//! mesh, after figures 6 and 7 of the paper.
+
+mod camera;
+mod draw;
+mod label;
+
+use std::path::PathBuf;
+
+use serde_json::json;
+use tiny_skia::{Pixmap, PixmapPaint, Transform};
+use turnleaf_engine::{Surface, TurnModel};
+
+use crate::options::{self, Scene};
+use crate::simulate;
+use camera::Camera;
+
+/// One moment of the turn, in units of the leaf's width.
+pub struct Moment {
+    /// Seconds since the start.
+    pub time: f32,
+    /// Columns and rows of masses, and their positions.
+    pub grid: (usize, usize),
+    /// x, y, z of each mass.
+    pub masses: Vec<[f32; 3]>,
+    /// Columns and rows of the mesh.
+    pub mesh: (usize, usize),
+    /// x, y, z of each point.
+    pub points: Vec<[f32; 3]>,
+    /// Unit normal of each point.
+    pub normals: Vec<[f32; 3]>,
+}
+
+/// Runs the experiment.
+pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
+    let mut scene = Scene::default();
+    let (mut out, mut frames, mut size) = (PathBuf::from("pictures"), 6usize, 960u32);
+    let json = options::read(parser, |option, parser| {
+        match option {
+            "out" => out = options::text(parser, option)?.into(),
+            "frames" => frames = options::number(parser, option, 2, 600)?,
+            "size" => size = options::number(parser, option, 120, 4096)?,
+            _ => return scene.take(option, parser),
+        }
+        Ok(true)
+    })?;
+    let moments = moments(&scene, frames)?;
+    let page = scene.settings().height / scene.settings().width;
+    let camera = Camera::around(&moments, page, size);
+    std::fs::create_dir_all(&out)
+        .map_err(|error| format!("The folder {} cannot be made: {error}.", out.display()))?;
+    let pictures: Vec<Pixmap> = moments
+        .iter()
+        .map(|moment| draw::moment(moment, page, &camera))
+        .collect();
+    let stem = format!("{}-{}", scene.preset.name(), scene.gesture);
+    let mut written = Vec::new();
+    for (index, picture) in pictures.iter().enumerate() {
+        written.push((format!("{stem}-{index:02}.png"), picture.clone()));
+    }
+    written.push((format!("{stem}.png"), sheet(&pictures)));
+    for (name, picture) in &written {
+        let path = out.join(name);
+        picture
+            .save_png(&path)
+            .map_err(|error| format!("{} cannot be written: {error}.", path.display()))?;
+        if !json {
+            println!("{}", path.display());
+        }
+    }
+    if json {
+        let files: Vec<String> = written
+            .iter()
+            .map(|(name, _)| out.join(name).display().to_string())
+            .collect();
+        println!(
+            "{:#}",
+            json!({ "files": files, "times": moments.iter().map(|moment| moment.time).collect::<Vec<_>>() })
+        );
+    }
     Ok(())
+}
+
+/// Moments evenly over the gesture; the last one after all has settled.
+fn moments(scene: &Scene, count: usize) -> Result<Vec<Moment>, String> {
+    let mut leaf = scene.leaf()?;
+    let scale = 1.0 / leaf.settings().width;
+    let all = simulate::step_count(scene, &leaf);
+    let gesture = f64::from(scene.seconds()) / f64::from(leaf.time_step());
+    let mut surface = Surface::new(2, 2);
+    let mut moments = Vec::new();
+    let mut steps = 0;
+    for index in 0..count {
+        let part = index as f64 / (count - 1) as f64;
+        let wanted = if index + 1 == count {
+            all
+        } else {
+            (part * gesture).round() as usize
+        };
+        while steps < wanted {
+            leaf.step();
+            steps += 1;
+        }
+        leaf.write_surface(&mut surface);
+        surface.update_normals();
+        let (columns, rows) = leaf.grid_size();
+        let mut masses = vec![0.0; 3 * columns * rows];
+        let mut velocities = masses.clone();
+        leaf.read_nodes(&mut masses, &mut velocities);
+        let points = |flat: &[f32], scale: f32| {
+            let (points, _) = flat.as_chunks::<3>();
+            points
+                .iter()
+                .map(|point| point.map(|value| value * scale))
+                .collect()
+        };
+        moments.push(Moment {
+            time: leaf.time(),
+            grid: (columns, rows),
+            masses: points(&masses, scale),
+            mesh: (surface.columns, surface.rows),
+            points: points(&surface.positions, scale),
+            normals: points(&surface.normals, 1.0),
+        });
+    }
+    Ok(moments)
+}
+
+/// All pictures on one, at half their size, three in a row.
+fn sheet(pictures: &[Pixmap]) -> Pixmap {
+    let across = if pictures.len() > 4 { 3 } else { 2 };
+    let (width, height) = (
+        pictures[0].width().div_ceil(2),
+        pictures[0].height().div_ceil(2),
+    );
+    let down = pictures.len().div_ceil(across) as u32;
+    let mut sheet =
+        Pixmap::new(width * across as u32, height * down).expect("a picture has a size");
+    sheet.fill(draw::paper());
+    for (index, picture) in pictures.iter().enumerate() {
+        let (column, row) = (index % across, index / across);
+        let place = Transform::from_scale(0.5, 0.5)
+            .post_translate((column as u32 * width) as f32, (row as u32 * height) as f32);
+        let paint = PixmapPaint {
+            quality: tiny_skia::FilterQuality::Bilinear,
+            ..PixmapPaint::default()
+        };
+        sheet.draw_pixmap(0, 0, picture.as_ref(), &paint, place, None);
+    }
+    sheet
 }
