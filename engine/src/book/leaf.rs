@@ -227,10 +227,10 @@ impl Leaf {
     /// The hand pulls the held place to `target` (metres, over the flat table).
     /// It is followed only so far as the leaf reaches.
     pub fn hold(&mut self, target: [f32; 3]) {
-        if target.iter().all(|t| t.is_finite()) {
-            if let Some(grip) = &mut self.grip {
-                grip.target = target;
-            }
+        if target.iter().all(|t| t.is_finite())
+            && let Some(grip) = &mut self.grip
+        {
+            grip.target = target;
         }
     }
 
@@ -474,10 +474,10 @@ impl Leaf {
             }
             time = tick as f32 * TICK;
             recorder.observe_at(&mut leaf.model, time);
-            if let Phase::Resting(_) = leaf.phase {
-                if tick > gesture_ticks {
-                    break;
-                }
+            if let Phase::Resting(_) = leaf.phase
+                && tick > gesture_ticks
+            {
+                break;
             }
         }
         leaf.lay(Side::Left);
