@@ -19,10 +19,11 @@ export async function read(path: string, port: number | undefined, opens: boolea
     ["/config.json", { type: "application/json", text: config }] as const,
   ]);
   const serving = await serve(files, port);
+  const ending = stopped();
   console.log(`Turnleaf is reading ${book.title} at ${serving.url}`);
   console.log("Press Ctrl+C to stop.");
   if (opens) openBrowser(serving.url);
-  await stopped();
+  await ending;
   await serving.close();
 }
 

@@ -1,0 +1,129 @@
+import { type ChildProcess, spawn } from "node:child_process";
+import { mkdirSync, mkdtempSync, realpathSync, rmSync, writeFileSync } from "node:fs";
+import { request } from "node:http";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const main = fileURLToPath(new URL("../dist/main.js", import.meta.url));
+
+/** What a command that ended left behind. */
+export interface Ended {
+  readonly status: number | null;
+  readonly signal: NodeJS.Signals | null;
+  readonly stdout: string;
+  readonly stderr: string;
+}
+
+/** A command that serves. */
+export interface Started {
+  /** With a slash at its end. */
+  readonly url: string;
+  readonly port: number;
+  readonly stdout: string;
+  readonly stderr: () => string;
+  readonly child: ChildProcess;
+  stop(signal?: NodeJS.Signals): Promise<Ended>;
+}
+
+interface Running {
+  readonly child: ChildProcess;
+  readonly text: { stdout: string; stderr: string };
+  readonly ended: Promise<Ended>;
+}
+
+function launch(args: readonly string[]): Running {
+  const child = spawn(process.execPath, [main, ...args], {
+    env: { ...process.env, CI: "1" },
+    stdio: ["ignore", "pipe", "pipe"],
+  });
+  const text = { stdout: "", stderr: "" };
+  child.stdout.on("data", (data) => {
+    text.stdout += data;
+  });
+  child.stderr.on("data", (data) => {
+    text.stderr += data;
+  });
+  const ended = new Promise<Ended>((resolve) => {
+    child.on("close", (status, signal) => resolve({ status, signal, ...text }));
+  });
+  return { child, text, ended };
+}
+
+/** Runs the built command until it ends by itself. */
+export async function run(...args: string[]): Promise<Ended> {
+  const { child, ended } = launch(args);
+  const timer = setTimeout(() => child.kill("SIGKILL"), 30_000);
+  const result = await ended;
+  clearTimeout(timer);
+  return result;
+}
+
+/** Starts the built command and waits until it serves. */
+export async function start(...args: string[]): Promise<Started> {
+  const { child, text, ended } = launch(["read", ...args]);
+  const url = await new Promise<string>((resolve, reject) => {
+    const look = (): void => {
+      const found = / at (http:\S+)\n.*Ctrl\+C/.exec(text.stdout)?.[1];
+      if (found) resolve(found);
+    };
+    child.stdout?.on("data", look);
+    ended.then(({ stderr }) => reject(new Error(`It ended: ${stderr}`)));
+  });
+  return {
+    url,
+    port: Number(new URL(url).port),
+    stdout: text.stdout,
+    stderr: () => text.stderr,
+    child,
+    stop(signal = "SIGINT") {
+      child.kill(signal);
+      return ended;
+    },
+  };
+}
+
+/** An answer of the server, with its headers in lower case. */
+export interface Answer {
+  readonly status: number;
+  readonly headers: NodeJS.Dict<string | string[]>;
+  readonly body: Buffer;
+}
+
+/** Sends a request exactly as given: no path is tidied up and no header added. */
+export function ask(
+  port: number,
+  path: string,
+  options: { method?: string; headers?: Record<string, string> } = {},
+): Promise<Answer> {
+  return new Promise((resolve, reject) => {
+    const headers = { Host: `127.0.0.1:${port}`, ...options.headers };
+    const sent = request(
+      { host: "127.0.0.1", port, path, method: options.method ?? "GET", headers, agent: false },
+      (response) => {
+        const parts: Buffer[] = [];
+        response.on("data", (part: Buffer) => parts.push(part));
+        response.on("error", reject);
+        response.on("end", () => {
+          const { statusCode = 0, headers } = response;
+          resolve({ status: statusCode, headers, body: Buffer.concat(parts) });
+        });
+      },
+    );
+    sent.on("error", reject);
+    sent.end();
+  });
+}
+
+/** A folder of the given files, gone when `remove` is called. */
+export function folderOf(files: Record<string, string | Uint8Array>): {
+  readonly path: string;
+  remove(): void;
+} {
+  const path = realpathSync(mkdtempSync(join(tmpdir(), "turnleaf-test-")));
+  for (const [name, content] of Object.entries(files)) {
+    mkdirSync(dirname(join(path, name)), { recursive: true });
+    writeFileSync(join(path, name), content);
+  }
+  return { path, remove: () => rmSync(path, { recursive: true, force: true }) };
+}
