@@ -29,9 +29,8 @@ export class PageMesh {
   /** The gap of each column as the piles alone leave it, radians, told for the right side. */
   #gaps = new Float32Array(0);
 
-  constructor(material: PaperMaterial, width: number, height: number, rows: number) {
+  constructor(material: PaperMaterial, height: number, rows: number) {
     this.#rows = rows;
-    this.#width = width;
     this.#height = height;
     this.mesh = new Mesh(new BufferGeometry(), material);
     this.mesh.frustumCulled = false;

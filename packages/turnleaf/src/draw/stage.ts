@@ -151,8 +151,8 @@ export class Stage {
       }),
     );
 
-    this.#leftPage = new PageMesh(this.#paper.left, width, height, pageRows);
-    this.#rightPage = new PageMesh(this.#paper.right, width, height, pageRows);
+    this.#leftPage = new PageMesh(this.#paper.left, height, pageRows);
+    this.#rightPage = new PageMesh(this.#paper.right, height, pageRows);
     this.#leftBlock = new BlockMesh(leafEdges, -1, height, thickness);
     this.#rightBlock = new BlockMesh(leafEdges, 1, height, thickness);
     this.#leaf = new LeafMesh(this.#paper.recto, this.#paper.verso);
