@@ -43,4 +43,4 @@ pub use models::mass_spring::{
 };
 pub use surface::{StrainRange, Surface};
 pub use synchronise::Synchronise;
-pub use turn::TurnModel;
+pub use turn::{TurnModel, turn_hash};

@@ -1,5 +1,6 @@
 //! The one interface that every way of turning a page has.
 
+use crate::hash::BitHash;
 use crate::surface::Surface;
 
 /// A way of turning a page: advance by fixed steps, and write down the drawn
@@ -30,4 +31,23 @@ pub trait TurnModel {
     /// # Panics
     /// If a slice is not `3 * columns * rows` long.
     fn read_nodes(&self, positions: &mut [f32], velocities: &mut [f32]);
+}
+
+/// Hash of the exact bits of `steps` steps of a model: positions and velocities
+/// of its nodes and positions of its surface, after each.
+pub fn turn_hash(model: &mut dyn TurnModel, steps: usize) -> u64 {
+    let (columns, rows) = model.grid_size();
+    let mut positions = vec![0.0; 3 * columns * rows];
+    let mut velocities = positions.clone();
+    let mut surface = Surface::new(2, 2);
+    let mut hash = BitHash::new();
+    for _ in 0..steps {
+        model.step();
+        model.read_nodes(&mut positions, &mut velocities);
+        model.write_surface(&mut surface);
+        hash.floats(&positions);
+        hash.floats(&velocities);
+        hash.floats(&surface.positions);
+    }
+    hash.value()
 }

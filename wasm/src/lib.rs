@@ -11,8 +11,10 @@
 
 #![allow(clippy::missing_safety_doc, reason = "said once, above")]
 
-use turnleaf_engine::book::{Book, Phase};
+mod bench;
+
 use turnleaf_engine::Side;
+use turnleaf_engine::book::{Book, Phase};
 
 fn side(number: u32) -> Side {
     if number == 0 { Side::Right } else { Side::Left }

@@ -244,7 +244,7 @@ fn pair_of_rows(w: &[Four; 6], folded: [&[f32]; 6], near: &mut [f32], far: &mut 
         let six = [a[i], b[i], c[i], d[i], e[i], f[i]];
         (near_fours[i], far_fours[i]) = unfold(w, six);
     }
-    if width % 4 > 0 {
+    if !width.is_multiple_of(4) {
         let last = width - 4;
         let four = |row: &[f32]| [row[last], row[last + 1], row[last + 2], row[last + 3]];
         let (a, b) = unfold(w, folded.map(four));

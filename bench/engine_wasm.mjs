@@ -1,0 +1,62 @@
+/**
+ * Cost of the paper's step and surface in WASM.
+ *
+ *   RUSTFLAGS="-C target-feature=+simd128" \
+ *     cargo build --release -p turnleaf-wasm --target wasm32-unknown-unknown
+ *   node bench/engine_wasm.mjs [FILE.wasm] [--json]
+ *
+ * Prints the median over batches, and the 5th and 95th percentile. Without a
+ * file it takes the one that cargo built, else the viewer's.
+ */
+import { existsSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+
+const root = join(import.meta.dirname, "..");
+const built = join(root, "target/wasm32-unknown-unknown/release/turnleaf_wasm.wasm");
+const kept = join(root, "packages/turnleaf/src/engine/turnleaf.wasm");
+const named = process.argv.slice(2).find((argument) => !argument.startsWith("--"));
+const file = named ?? (existsSync(built) ? built : kept);
+if (!existsSync(file)) {
+  console.error(`There is no ${file}; build it first.`);
+  process.exit(2);
+}
+
+const { instance } = await WebAssembly.instantiate(readFileSync(file), {});
+const engine = instance.exports;
+const PAPER = 0;
+const BOOK = 1;
+
+/** Microseconds of one of the `count` things that `work(count)` does. */
+function measure(work, count) {
+  const batches = [];
+  for (let warm = 0; warm < 40; warm++) work(count);
+  for (let batch = 0; batch < 200; batch++) {
+    const start = performance.now();
+    work(count);
+    batches.push(((performance.now() - start) * 1000) / count);
+  }
+  batches.sort((a, b) => a - b);
+  const at = (part) => batches[Math.floor(part * (batches.length - 1))];
+  return { median_us: at(0.5), p5_us: at(0.05), p95_us: at(0.95) };
+}
+
+const paper = engine.tl_bench_new(PAPER);
+const book = engine.tl_bench_new(BOOK);
+const results = {
+  "paper step + synchronise": measure((n) => engine.tl_bench_steps(paper, n, 0), 400),
+  "surface 26x26 (positions)": measure((n) => engine.tl_bench_surfaces(paper, n), 400),
+  "paper step + synchronise + surface": measure((n) => engine.tl_bench_steps(paper, n, 1), 400),
+  "normals 26x26": measure((n) => engine.tl_bench_normals(paper, n), 200),
+  "book step, 4 substeps": measure((n) => engine.tl_bench_steps(book, n, 0), 60),
+};
+engine.tl_bench_drop(paper);
+engine.tl_bench_drop(book);
+
+if (process.argv.includes("--json")) {
+  console.log(JSON.stringify({ node: process.version, file, results }, null, 2));
+} else {
+  for (const [name, { median_us, p5_us, p95_us }] of Object.entries(results)) {
+    const spread = `${p5_us.toFixed(2)} to ${p95_us.toFixed(2)}`;
+    console.log(`${name.padEnd(36)} ${median_us.toFixed(2).padStart(7)} us  (${spread})`);
+  }
+}

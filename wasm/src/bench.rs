@@ -1,0 +1,100 @@
+//! Exports for the WASM benchmark and for the golden test: the paper's leaf in
+//! mid-turn, and hashes of whole turns. No book uses them.
+
+use turnleaf_engine::{MassSpring, Settings, Surface, TurnModel, turn_hash};
+
+/// A leaf in mid-turn, and its surface.
+pub struct Bench {
+    start: MassSpring,
+    leaf: MassSpring,
+    surface: Surface,
+}
+
+/// Steps taken before measuring: a third of the way through the turn.
+const MID_TURN: usize = 228;
+
+fn settings(preset: u32) -> Settings {
+    match preset {
+        0 => Settings::paper_2014(),
+        _ => Settings::book(0.140, 0.210, 0.070),
+    }
+}
+
+/// Makes a leaf of a preset (0 paper-2014, 1 book), a third of the way through
+/// its turn by the column; 0 if that cannot be.
+#[unsafe(no_mangle)]
+pub extern "C" fn tl_bench_new(preset: u32) -> *mut Bench {
+    let Ok(mut leaf) = MassSpring::new(settings(preset)) else {
+        return core::ptr::null_mut();
+    };
+    let seconds = if preset == 0 { 11.4 } else { 0.8 };
+    let gesture = leaf.settings().column_gesture(seconds);
+    leaf.play(gesture);
+    for _ in 0..if preset == 0 { MID_TURN } else { 32 } {
+        leaf.step();
+    }
+    let bench = Bench {
+        start: leaf.clone(),
+        leaf,
+        surface: Surface::new(26, 26),
+    };
+    Box::into_raw(Box::new(bench))
+}
+
+/// Frees it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_bench_drop(bench: *mut Bench) {
+    // SAFETY: a handle of `tl_bench_new`, not used again.
+    drop(unsafe { Box::from_raw(bench) });
+}
+
+/// From mid-turn on, takes `steps` steps, and writes the surface after each if
+/// `surfaces` is not 0.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_bench_steps(bench: *mut Bench, steps: u32, surfaces: u32) {
+    // SAFETY: a live handle of `tl_bench_new`.
+    let bench = unsafe { &mut *bench };
+    bench.leaf.clone_from(&bench.start);
+    for _ in 0..steps {
+        bench.leaf.step();
+        if surfaces != 0 {
+            bench.leaf.write_surface(&mut bench.surface);
+        }
+    }
+}
+
+/// Writes the surface `count` times.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_bench_surfaces(bench: *mut Bench, count: u32) {
+    // SAFETY: a live handle of `tl_bench_new`.
+    let bench = unsafe { &mut *bench };
+    for _ in 0..count {
+        core::hint::black_box(&mut bench.leaf).write_surface(&mut bench.surface);
+    }
+}
+
+/// Computes the normals `count` times.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_bench_normals(bench: *mut Bench, count: u32) {
+    // SAFETY: a live handle of `tl_bench_new`.
+    let bench = unsafe { &mut *bench };
+    for _ in 0..count {
+        core::hint::black_box(&mut bench.surface).update_normals();
+    }
+}
+
+/// Hash of all bits of a whole turn: preset (0 paper-2014, 1 book), gesture (0
+/// column, 1 corner), its seconds, and those simulated after it.
+#[unsafe(no_mangle)]
+pub extern "C" fn tl_turn_hash(preset: u32, gesture: u32, seconds: f32, settle: f32) -> u64 {
+    let Ok(mut leaf) = MassSpring::new(settings(preset)) else {
+        return 0;
+    };
+    let path = match gesture {
+        0 => leaf.settings().column_gesture(seconds),
+        _ => leaf.settings().corner_gesture(seconds),
+    };
+    leaf.play(path);
+    let steps = (f64::from(seconds) + f64::from(settle)) / f64::from(leaf.time_step());
+    turn_hash(&mut leaf, (steps + 0.5) as usize)
+}
