@@ -26,21 +26,24 @@ function quote(paper, { text, lines, from }) {
   return [{ rows: lines.length + 1, draw }];
 }
 
-/** The names of the whale in thirteen tongues, in two columns. */
+/** The names of the whale in thirteen tongues, two columns of them. */
 function names(table) {
+  const rows = Math.ceil(table.length / 2);
   const draw = (at, left, y) => {
-    const middle = left + MEASURE / 2;
     table.forEach(([word, tongue], i) => {
-      const line = y + i * LEAD;
+      const line = y + (i % rows) * LEAD;
+      const middle = left + (i < rows ? 62 : 202);
       const hebrew = /[\u05d0-\u05ea]/.test(word);
       const style = hebrew
         ? { face: "hebrew", size: 11.5, features: [] }
-        : { size: 11, features: ["c2sc", "smcp"], track: /[α-ω]/.test(word) ? 0 : 0.7 };
-      at.words(word, middle - 8, line, { ...style, align: "right" });
-      at.words(tongue, middle + 8, line, { face: "italic", size: 11.2 });
+        : /[α-ω]/.test(word)
+          ? { size: 11.2, features: [] }
+          : { size: 11, features: ["c2sc", "smcp"], track: 0.6 };
+      at.words(word, middle - 4, line, { ...style, align: "right" });
+      at.words(tongue, middle + 5, line, { face: "italic", size: 11.2 });
     });
   };
-  return { rows: table.length, draw };
+  return { rows, draw };
 }
 
 /** Both prefaces as { title, note, pages }, to be drawn like chapters. */

@@ -85,7 +85,7 @@ function body(paper) {
       title: `${n}. ${title}`,
       heading: (left) => drawHeading(paper, n, title, left),
     });
-    const own = PLATES.find((p) => p.chapter === n && !p.before);
+    const own = PLATES.find((p) => p.chapter === n);
     pages.push(...withPlate(made, own?.name));
   }
   return pages;
@@ -101,6 +101,7 @@ export async function makeBook() {
   while (front.length % 2 === 0) front.push(blank);
   front.push(plate("ship"));
   const main = body(paper);
+  main.push(plate("lighthouse"));
   main.push({ title: "Tailpiece", draw: (_, at) => tailpiece(paper, at) });
   const bound = bind(paper, front, main);
   fillLists(lists, bound);

@@ -1,5 +1,5 @@
 /** A chapter as pages: its opening, its prose, and the verse and tablets in it. */
-import { baseline, COLOUR, INDENT, LEAD, MEASURE, ROWS, SIZE } from "./measures.mjs";
+import { baseline, COLOUR, INDENT, LEAD, MEASURE, num, ROWS, SIZE } from "./measures.mjs";
 import { paginate } from "./paginate.mjs";
 import { drawLine, itemsOf, setParagraph } from "./paragraph.mjs";
 import { chapter } from "./text.mjs";
@@ -7,6 +7,8 @@ import { chapter } from "./text.mjs";
 const SINK = 8; // rows given to the heading of an opening page
 const SMALL = { features: ["smcp", "onum", "pnum"], track: 0.5 };
 const DROP_ROWS = 3;
+const CAP_HEIGHT = 0.65; // of the em, as are small caps
+const SMALL_HEIGHT = 0.43;
 /** Words of each opening set in small caps after the drop cap: a phrase, as a printer would. */
 const PHRASE = {
   1: 3,
@@ -31,10 +33,23 @@ export function proseBlock(paper, text, style = {}) {
   return { settings: setParagraph(paper, items) };
 }
 
+/**
+ * A capital from the small caps of the first line down to the third baseline; one with
+ * a tail is made smaller, so that the tail keeps clear of the fourth line. `deep` is how
+ * far its baseline lies below the first line's.
+ */
+function dropCap(paper, letter) {
+  const tall = (DROP_ROWS - 1) * LEAD + SIZE * SMALL_HEIGHT;
+  const { minY } = paper.shape("roman", 1, letter, []).run.glyphs[0].bbox;
+  const tail = Math.max(0, -minY / 1000 - 0.05);
+  const size = tail > 0.1 ? (tall + 3) / (CAP_HEIGHT + tail) : tall / CAP_HEIGHT;
+  const deep = size * CAP_HEIGHT - SIZE * SMALL_HEIGHT;
+  return { size, deep, cap: paper.shape("roman", size, letter, []) };
+}
+
 /** The first paragraph: a capital three lines deep, then a phrase in small caps. */
 function openingBlock(paper, text, phrase) {
-  const size = (((DROP_ROWS - 1) * LEAD + SIZE * 0.42) / 0.65) * 1.01;
-  const cap = paper.shape("roman", size, text[0], []);
+  const { size, deep, cap } = dropCap(paper, text[0]);
   const box = cap.run.glyphs[0].bbox;
   const edge = (box.minX * size) / 1000; // the ink, not its sidebearing, meets the margin
   const wide = (box.maxX * size) / 1000 - edge + 4;
@@ -48,7 +63,7 @@ function openingBlock(paper, text, phrase) {
   const items = itemsOf(paper, keepNames(spans, text, phrase));
   const indent = (i) => (i < DROP_ROWS ? wide : 0);
   const settings = setParagraph(paper, items, (i) => MEASURE - indent(i), indent);
-  for (const { lines } of settings) lines[0].drop = { cap, x: -edge, row: DROP_ROWS - 1 };
+  for (const { lines } of settings) lines[0].drop = { cap, x: -edge, deep };
   return { settings };
 }
 
@@ -72,7 +87,7 @@ function verseBlocks(paper, lines) {
 }
 
 /** A tablet of the chapel: lines centred in small caps and roman, within a black border. */
-function tabletBlocks(paper, lines) {
+function tabletBlocks(_paper, lines) {
   const rows = lines.length + 2;
   const draw = (at, left, y) => {
     const middle = left + MEASURE / 2;
@@ -80,9 +95,10 @@ function tabletBlocks(paper, lines) {
     const high = rows * LEAD - LEAD * 0.65;
     const wide = 218;
     at.stroke(COLOUR.ink, 1.6);
-    at.op(`${middle - wide / 2} ${top} ${wide} ${high} re S`);
+    at.op(`${[middle - wide / 2, top, wide, high].map(num).join(" ")} re S`);
     at.stroke(COLOUR.ink, 0.4);
-    at.op(`${middle - wide / 2 + 3.2} ${top + 3.2} ${wide - 6.4} ${high - 6.4} re S`);
+    const inner = [middle - wide / 2 + 3.2, top + 3.2, wide - 6.4, high - 6.4];
+    at.op(`${inner.map(num).join(" ")} re S`);
     lines.forEach((line, i) => {
       const capital = line === line.toUpperCase();
       const style = capital
@@ -95,7 +111,7 @@ function tabletBlocks(paper, lines) {
 }
 
 /** The bill of the Fates, a line of it under another in ever larger letters. */
-function billBlocks(paper, lines) {
+function billBlocks(_paper, lines) {
   const sizes = [10.4, 11.2, 13.2];
   const draw = (at, left, y) =>
     lines.forEach((line, i) => {
@@ -121,19 +137,32 @@ export function setChapter(paper, number) {
     return SPECIAL[block.kind](paper, block.lines);
   });
   const flow = made.filter((block, i) => !(block.space && made[i - 1]?.space));
-  return { number, title, pages: paginate(flow, ROWS - SINK, ROWS) };
+  const pages = paginate(flow, ROWS - SINK, ROWS);
+  endLeaf(pages[pages.length - 1]);
+  return { number, title, pages };
+}
+
+/** Where a chapter leaves much of its last page bare, a printer's leaf closes it. */
+function endLeaf(page) {
+  const row = page[page.length - 1].row + 3;
+  if (row > ROWS - 8) return;
+  page.push({
+    row,
+    draw: (at, left, y) =>
+      at.words("❦", left + MEASURE / 2, y, { size: 15, features: [], align: "centre" }),
+  });
 }
 
 /** What stands on a page of running text, from a row of the grid on. */
 export function drawRows(paper, page, left, from = 0) {
   for (const { row, line, draw } of page) {
     const y = baseline(row + from);
+    if (line?.drop) {
+      const { cap, x, deep } = line.drop;
+      paper.line([cap], left + x, y + deep);
+    }
     if (draw) draw(paper, left, y);
     else drawLine(paper, line, left, y);
-    if (line?.drop) {
-      const { cap, x, row: deep } = line.drop;
-      paper.line([cap], left + x, y + deep * LEAD);
-    }
   }
 }
 

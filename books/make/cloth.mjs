@@ -3,7 +3,7 @@
  * under. Nothing in it repeats, so that it makes no moire when it is scaled.
  */
 import { zlibSync } from "fflate";
-import { COLOUR, num, PAGE } from "./measures.mjs";
+import { BLEED, COLOUR, num, PAGE } from "./measures.mjs";
 import { noise } from "./plates/noise.mjs";
 
 const WIDE = 480;
@@ -62,5 +62,6 @@ function palette() {
 export function boardCloth(paper) {
   const image = picture(paper);
   paper.doc.page.xobjects.Cloth = image;
-  paper.op(`q ${num(PAGE.width)} 0 0 ${num(-PAGE.height)} 0 ${num(PAGE.height)} cm /Cloth Do Q`);
+  const [w, h] = [PAGE.width + 2 * BLEED, PAGE.height + 2 * BLEED];
+  paper.op(`q ${num(w)} 0 0 ${num(-h)} ${-BLEED} ${num(h - BLEED)} cm /Cloth Do Q`);
 }

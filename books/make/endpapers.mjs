@@ -1,5 +1,5 @@
 /** The endpapers: overlapping waves in fan shape, two quiet inks on a muted ground. */
-import { COLOUR, mm, num, PAGE } from "./measures.mjs";
+import { COLOUR, mm, PAGE } from "./measures.mjs";
 import { circle } from "./plates/curves.mjs";
 import { Graver } from "./plates/graver.mjs";
 
@@ -10,8 +10,7 @@ export function drawEndpaper(paper) {
   const row = new Graver({ ink: COLOUR.endLine, ground: COLOUR.endpaper });
   for (let x = 0; x < PAGE.width + RADIUS * 3; x += RADIUS * 2) fan(row, x, 0);
   paper.form("Fans", row.at(0, 0));
-  paper.fill(COLOUR.endpaper);
-  paper.op(`0 0 ${num(PAGE.width)} ${num(PAGE.height)} re f`);
+  paper.ground(COLOUR.endpaper);
   // Rows from the head down: each row of fans covers the feet of the one above it.
   const step = RADIUS / 2;
   for (let k = 0; k * step - RADIUS < PAGE.height; k++) {

@@ -1,27 +1,10 @@
 /** A whale's tail above the water: the device of the back board and the tailpiece. */
-import { clamp, spline } from "./plates/curves.mjs";
+import { clamp, pts, spline } from "./plates/curves.mjs";
 
 /** The right half of the flukes from the stock's foot to the notch; the left is its mirror. */
 const HALF = [
-  [
-    [10, 30],
-    [7.5, 12],
-    [6, -2],
-    [8, -12],
-    [18, -21],
-    [34, -27],
-    [54, -29],
-    [70, -25],
-  ],
-  [
-    [70, -25],
-    [60, -33],
-    [46, -40],
-    [30, -42],
-    [14, -39],
-    [4, -34],
-    [0, -28],
-  ],
+  pts("10,30 7.5,12 6,-2 8,-12 18,-21 34,-27 54,-29 70,-25"),
+  pts("70,-25 60,-33 46,-40 30,-42 14,-39 4,-34 0,-28"),
 ];
 
 const half = () => HALF.flatMap((part) => spline(part));

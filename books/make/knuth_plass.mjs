@@ -8,6 +8,9 @@
  * yields the best setting of every length: what the paper calls looseness.
  */
 
+/** A last line shorter than this, in points, is a stub that hardly clears an indent. */
+const STUB = 36;
+
 const TOLERANCES = [1.6, 2.6, 5, 12];
 
 /**
@@ -62,7 +65,8 @@ function pass(items, widthOf, tolerance) {
       const ratio = stretchOf(items, total, node.start, i, widthOf(node.line));
       if (ratio >= -1 && i !== last) keep.push(node);
       if (ratio < -1 || ratio > tolerance) continue;
-      const next = judge(items[i], node, ratio, i === last);
+      const stub = i === last && total[i].w - total[node.start].w < STUB;
+      const next = judge(items[i], node, ratio, i === last, stub);
       const key = next.line * 4 + next.fit;
       if (!best.has(key) || best.get(key).cost > next.cost) best.set(key, next);
     }
@@ -94,14 +98,15 @@ function stretchOf(items, total, start, i, width) {
 }
 
 /** The node after a line: demerits for badness, hyphens, and uneven neighbours. */
-function judge(item, node, ratio, end) {
+function judge(item, node, ratio, end, stub) {
   const badness = 100 * Math.abs(ratio) ** 3;
   const fit = ratio < -0.5 ? 0 : ratio <= 0.5 ? 1 : ratio <= 1 ? 2 : 3;
   const cost = item.cost ?? 0;
   let demerits = (10 + badness) ** 2;
   if (cost > 0) demerits += cost * cost;
-  if (item.hyphen && node.hyphen) demerits += 6000;
-  if (end && node.hyphen) demerits += 8000;
+  if (item.hyphen && node.hyphen) demerits += 25_000;
+  if (end && node.hyphen) demerits += 30_000;
+  if (stub) demerits += 150_000;
   if (Math.abs(fit - node.fit) > 1) demerits += 3000;
   return {
     line: node.line + 1,

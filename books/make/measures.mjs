@@ -8,6 +8,9 @@ export const mm = (v) => v * MM;
 
 export const PAGE = { width: mm(140), height: mm(210) };
 
+/** How far grounds run past the page. */
+export const BLEED = 4;
+
 export const SIZE = 11.3; // body type
 export const LEAD = 14.8; // one line of the baseline grid
 export const ROWS = 30; // lines on a full page

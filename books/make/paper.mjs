@@ -9,7 +9,7 @@ import { createRequire } from "node:module";
 import zlib from "node:zlib";
 import { zlibSync } from "fflate";
 import PDFDocument from "pdfkit";
-import { COLOUR, num, PAGE } from "./measures.mjs";
+import { BLEED, COLOUR, num, PAGE } from "./measures.mjs";
 
 zlib.deflateSync = (data) => Buffer.from(zlibSync(data, { level: 9 }));
 
@@ -55,8 +55,14 @@ export class Paper {
     this.doc.addPage();
     this.labels.push(label);
     this.pages += 1;
-    if (ground) this.op(`${rgb(ground)} rg 0 0 ${num(PAGE.width)} ${num(PAGE.height)} re f`);
+    if (ground) this.ground(ground);
     return this.pages;
+  }
+
+  /** Fill the page with a colour, past its edges, so that no pixel at them stays bare. */
+  ground(hex) {
+    const [x, y, w, h] = [-BLEED, -BLEED, PAGE.width + 2 * BLEED, PAGE.height + 2 * BLEED];
+    this.op(`${rgb(hex)} rg ${num(x)} ${num(y)} ${num(w)} ${num(h)} re f`);
   }
 
   /** Raw operators, one string a call; PDFKit has already turned y down. */

@@ -111,7 +111,6 @@ export function setParagraph(paper, items, lineWidth = () => MEASURE, lineX = ()
       makeLine(paper, items, b, i, breaks.length, lineWidth(i), lineX(i)),
     ),
   }));
-  for (const setting of all) if (setting.lines.at(-1).natural < 34) setting.cost += 9000;
   return all.sort((a, b) => a.cost - b.cost || a.lines.length - b.lines.length);
 }
 

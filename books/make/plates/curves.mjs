@@ -149,3 +149,6 @@ function offChord(p, a, b) {
   for (let k = 0; k < p.length; k++) sum += (p[k] - lerp(a[k], b[k], t)) ** 2;
   return Math.sqrt(sum);
 }
+
+/** Points from "x,y x,y …", the shortest way to write a drawn contour down. */
+export const pts = (text) => text.split(" ").map((pair) => pair.split(",").map(Number));

@@ -82,7 +82,7 @@ export class Graver {
     const n = points.length - 1;
     let run = [];
     const flush = () => {
-      if (run.length > 1) this.ribbon(simplify(run, 0.05));
+      if (run.length > 1) this.ribbon(simplify(run, 0.09));
       run = [];
     };
     points.forEach(([x, y], i) => {
