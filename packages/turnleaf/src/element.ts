@@ -236,6 +236,7 @@ export class TurnleafBook extends Base {
           turnSeconds: this.#turnSeconds,
           onStart: (low, high, forward) => this.#started(low, high, forward),
           onLand: (from, to) => this.#landed(from, to),
+          onFailure: (sentence) => this.#announce(sentence),
         },
         signal,
       );
@@ -301,6 +302,11 @@ export class TurnleafBook extends Base {
       .map((page) => source.label(page - 1));
     const text = `${seen.length === 1 ? "Page" : "Pages"} ${seen.join(" and ")} of ${source.pageCount}`;
     this.#canvas?.setAttribute("aria-label", `${source.title}. ${text}`);
+    this.#announce(text);
+  }
+
+  /** Tells those who listen rather than look. */
+  #announce(text: string): void {
     const live = this.shadowRoot?.querySelector(".live");
     if (live) live.textContent = text;
   }

@@ -6,7 +6,15 @@
  */
 
 import { type Face, faceNames, facesBetween, pagesWanted } from "./book/faces.ts";
-import { type Binding, bind, leafCount, paperLeaves, spreadOf } from "./book/spreads.ts";
+import {
+  type Binding,
+  bind,
+  leafCount,
+  leftPage,
+  paperLeaves,
+  rightPage,
+  spreadOf,
+} from "./book/spreads.ts";
 import { Turning } from "./book/turning.ts";
 import type { BookShape } from "./draw/pose.ts";
 import { Stage } from "./draw/stage.ts";
@@ -30,6 +38,8 @@ export interface ViewerOptions {
   readonly onStart: (low: number, high: number, forward: boolean) => void;
   /** The book came to rest at a spread. */
   readonly onLand: (from: number, to: number) => void;
+  /** A page that lies open cannot be shown; the sentence says why. */
+  readonly onFailure: (sentence: string) => void;
 }
 
 /** What a hand could take hold of. */
@@ -81,7 +91,11 @@ export class Viewer {
     this.#stage = new Stage(canvas, shape);
     this.#stage.onRestored = () => this.invalidate();
     this.#pictures = new PagePictures(source, aspect, {
-      onArrive: () => this.#show(),
+      onArrive: (page) => {
+        this.#show();
+        const sentence = this.#pictures.failure(page);
+        if (sentence !== null && this.#lieOpen(page)) options.onFailure(sentence);
+      },
       onDrop: (picture) => this.#stage.forget(picture),
     });
     this.turning = new Turning(engine, binding, {
@@ -269,6 +283,11 @@ export class Viewer {
     const pages = facesBetween(this.binding, low, high);
     for (const face of faceNames) this.#stage.setFace(face, this.#pictureOf(face, pages[face]));
     this.invalidate();
+  }
+
+  #lieOpen(page: number): boolean {
+    const { spread } = this.turning;
+    return page === leftPage(this.binding, spread) || page === rightPage(this.binding, spread);
   }
 
   #pictureOf(face: Face, page: number | null) {

@@ -7,8 +7,8 @@ import { barePage, failedPage, waitingPage } from "./stand_in.ts";
 
 /** Told when pictures come and go. */
 export interface PagePicturesOptions {
-  /** Some page's picture changed. */
-  readonly onArrive: () => void;
+  /** The picture of a page (from 1) changed, or it failed. */
+  readonly onArrive: (page: number) => void;
   /** A picture will not be used again; textures made of it can be freed. */
   readonly onDrop: (picture: PagePicture) => void;
 }
@@ -31,7 +31,7 @@ export class PagePictures {
     this.#aspect = aspect;
     this.#options = options;
     this.#pool = new PagePool(source, {
-      onArrive: options.onArrive,
+      onArrive: (index) => options.onArrive(index + 1),
       onDrop: (picture) => this.#drop(picture),
     });
   }
@@ -54,6 +54,11 @@ export class PagePictures {
       this.#fitted.set(picture, fitted);
     }
     return fitted;
+  }
+
+  /** Why a page (from 1) cannot be shown, or null. */
+  failure(page: number): string | null {
+    return this.#pool.failed(page - 1)?.message ?? null;
   }
 
   /** Paper with nothing on it. */
