@@ -1,23 +1,83 @@
-//! Four floats at a time, in plain Rust that compilers turn into 128-bit
-//! instructions: SSE2, NEON, simd128. Lanes never mix and nothing is fused, so
-//! every target computes the same bits.
+//! Four floats at a time. Lanes never mix and nothing is fused, so every target
+//! computes the same bits.
+//!
+//! In plain Rust, which compilers turn into 128-bit instructions of SSE2 or
+//! NEON. For WASM the instructions are named, because there the compiler, left
+//! to itself, regroups loops over fours and takes several times as long.
 
 use core::ops::{Add, Mul, Sub};
 
 /// Lanes of a padded row are a multiple of this.
 pub(crate) const ROW_LANES: usize = 8;
 
+#[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+mod lanes {
+    pub type Lanes = [f32; 4];
+
+    #[inline(always)]
+    pub fn from(array: [f32; 4]) -> Lanes {
+        array
+    }
+
+    #[inline(always)]
+    pub fn array(lanes: Lanes) -> [f32; 4] {
+        lanes
+    }
+
+    #[inline(always)]
+    pub fn add(a: Lanes, b: Lanes) -> Lanes {
+        core::array::from_fn(|i| a[i] + b[i])
+    }
+
+    #[inline(always)]
+    pub fn sub(a: Lanes, b: Lanes) -> Lanes {
+        core::array::from_fn(|i| a[i] - b[i])
+    }
+
+    #[inline(always)]
+    pub fn mul(a: Lanes, b: Lanes) -> Lanes {
+        core::array::from_fn(|i| a[i] * b[i])
+    }
+}
+
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+mod lanes {
+    use core::arch::wasm32::v128;
+    pub use core::arch::wasm32::{f32x4_add as add, f32x4_mul as mul, f32x4_sub as sub};
+
+    pub type Lanes = v128;
+
+    #[inline(always)]
+    pub fn from(array: [f32; 4]) -> Lanes {
+        // SAFETY: both are 16 bytes, for which every pattern is valid.
+        unsafe { core::mem::transmute(array) }
+    }
+
+    #[inline(always)]
+    pub fn array(lanes: Lanes) -> [f32; 4] {
+        // SAFETY: both are 16 bytes, for which every pattern is valid.
+        unsafe { core::mem::transmute(lanes) }
+    }
+}
+
 /// Four floats.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(C, align(16))]
-pub(crate) struct Four(pub [f32; 4]);
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Four(lanes::Lanes);
 
 impl Four {
-    pub const ZERO: Self = Self([0.0; 4]);
+    #[inline(always)]
+    pub fn new(array: [f32; 4]) -> Self {
+        Self(lanes::from(array))
+    }
 
     #[inline(always)]
     pub fn splat(value: f32) -> Self {
-        Self([value; 4])
+        Self::new([value; 4])
+    }
+
+    #[inline(always)]
+    pub fn array(self) -> [f32; 4] {
+        lanes::array(self.0)
     }
 }
 
@@ -25,7 +85,7 @@ impl Add for Four {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        Self(core::array::from_fn(|i| self.0[i] + other.0[i]))
+        Self(lanes::add(self.0, other.0))
     }
 }
 
@@ -33,7 +93,7 @@ impl Sub for Four {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        Self(core::array::from_fn(|i| self.0[i] - other.0[i]))
+        Self(lanes::sub(self.0, other.0))
     }
 }
 
@@ -41,6 +101,6 @@ impl Mul for Four {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        Self(core::array::from_fn(|i| self.0[i] * other.0[i]))
+        Self(lanes::mul(self.0, other.0))
     }
 }

@@ -72,28 +72,25 @@ impl Surface {
     /// edges. A point whose neighbours coincide keeps its former normal.
     pub fn update_normals(&mut self) {
         let (columns, rows) = (self.columns, self.rows);
+        let (points, _) = self.positions.as_chunks::<3>();
+        let (normals, _) = self.normals.as_chunks_mut::<3>();
         for row in 0..rows {
-            let below = row.saturating_sub(1);
-            let above = (row + 1).min(rows - 1);
-            for column in 0..columns {
-                let left = column.saturating_sub(1);
-                let right = (column + 1).min(columns - 1);
-                let along_u =
-                    difference(&self.positions, row * columns + right, row * columns + left);
-                let along_v = difference(
-                    &self.positions,
-                    above * columns + column,
-                    below * columns + column,
-                );
-                let n = cross(along_u, along_v);
-                let square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
-                if square > 0.0 && square.is_finite() {
-                    let inverse = 1.0 / square.sqrt();
-                    let at = 3 * (row * columns + column);
+            let (below, above) = (row.saturating_sub(1), (row + 1).min(rows - 1));
+            let of_row = |row: usize| &points[row * columns..(row + 1) * columns];
+            let (here, below, above) = (of_row(row), of_row(below), of_row(above));
+            let normals = &mut normals[row * columns..(row + 1) * columns];
+            for (block, normals) in normals.chunks_mut(BLOCK).enumerate() {
+                let first = block * BLOCK;
+                let (mut u, mut v) = ([[0.0; BLOCK]; 3], [[0.0; BLOCK]; 3]);
+                for i in 0..normals.len() {
+                    let column = first + i;
+                    let (left, right) = (column.saturating_sub(1), (column + 1).min(columns - 1));
                     for axis in 0..3 {
-                        self.normals[at + axis] = n[axis] * inverse;
+                        u[axis][i] = here[right][axis] - here[left][axis];
+                        v[axis][i] = above[column][axis] - below[column][axis];
                     }
                 }
+                write_normals(u, v, normals);
             }
         }
     }
@@ -164,12 +161,25 @@ fn difference(array: &[f32], a: usize, b: usize) -> [f32; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+/// Points whose normals are computed together.
+const BLOCK: usize = 8;
+
+/// Cross products of one array an axis, brought to length 1; where they vanish
+/// or overflow, the former normal stays.
+fn write_normals(u: [[f32; BLOCK]; 3], v: [[f32; BLOCK]; 3], normals: &mut [[f32; 3]]) {
+    let (mut n, mut scale) = ([[0.0; BLOCK]; 3], [0.0; BLOCK]);
+    for i in 0..BLOCK {
+        let x = u[1][i] * v[2][i] - u[2][i] * v[1][i];
+        let y = u[2][i] * v[0][i] - u[0][i] * v[2][i];
+        let z = u[0][i] * v[1][i] - u[1][i] * v[0][i];
+        scale[i] = 1.0 / (x * x + y * y + z * z).sqrt();
+        (n[0][i], n[1][i], n[2][i]) = (x, y, z);
+    }
+    for (i, normal) in normals.iter_mut().enumerate() {
+        if scale[i].is_finite() && scale[i] > 0.0 {
+            *normal = [n[0][i] * scale[i], n[1][i] * scale[i], n[2][i] * scale[i]];
+        }
+    }
 }
 
 fn length(a: [f32; 3]) -> f32 {

@@ -78,7 +78,7 @@ impl Lagrange {
             along_u,
             along_v: AlongV::new(rows, v),
             rows: vec![0.0; rows * padded],
-            pattern: vec![[Four::ZERO; 3]; columns],
+            pattern: vec![[Four::splat(0.0); 3]; columns],
             padded,
         }
     }
@@ -105,7 +105,11 @@ impl Lagrange {
         for (row, out) in self.rows.chunks_exact_mut(self.padded).enumerate() {
             for (column, pattern) in self.pattern.iter_mut().enumerate() {
                 let [x, y, z] = axes.map(|axis| axis[row * stride + column]);
-                *pattern = [Four([x, y, z, x]), Four([y, z, x, y]), Four([z, x, y, z])];
+                *pattern = [
+                    Four::new([x, y, z, x]),
+                    Four::new([y, z, x, y]),
+                    Four::new([z, x, y, z]),
+                ];
             }
             pass_along_u(&self.along_u, &self.pattern, out);
         }
@@ -179,16 +183,16 @@ fn pass_along_u(weights: &[f32], pattern: &[[Four; 3]], out: &mut [f32]) {
     let (weights, out) = (weights.as_chunks::<12>().0, out.as_chunks_mut::<12>().0);
     let chunks = out.len();
     for (chunk, out) in out.iter_mut().enumerate() {
-        let mut sum = [Four::ZERO; 3];
+        let mut sum = [Four::splat(0.0); 3];
         for (weights, pattern) in weights.chunks_exact(chunks).zip(pattern) {
             let weight = &weights[chunk];
             for part in 0..3 {
-                let four = Four(core::array::from_fn(|i| weight[4 * part + i]));
+                let four = Four::new(core::array::from_fn(|i| weight[4 * part + i]));
                 sum[part] = sum[part] + four * pattern[part];
             }
         }
         for part in 0..3 {
-            out[4 * part..4 * part + 4].copy_from_slice(&sum[part].0);
+            out[4 * part..4 * part + 4].copy_from_slice(&sum[part].array());
         }
     }
 }
@@ -256,10 +260,10 @@ fn pair_of_rows(w: &[Four; 6], folded: [&[f32]; 6], near: &mut [f32], far: &mut 
 /// Sums and differences of opposite rows of nodes to two opposite rows of points.
 #[inline(always)]
 fn unfold(w: &[Four; 6], f: [[f32; 4]; 6]) -> ([f32; 4], [f32; 4]) {
-    let f = f.map(Four);
+    let f = f.map(Four::new);
     let even = w[0] * f[0] + w[1] * f[1] + w[2] * f[2];
     let odd = w[3] * f[3] + w[4] * f[4] + w[5] * f[5];
-    ((even + odd).0, (even - odd).0)
+    ((even + odd).array(), (even - odd).array())
 }
 
 /// Any number of rows of nodes to all rows of points, one row at a time.
