@@ -9,5 +9,9 @@ export default defineConfig({
   dts: false,
   minify: true,
   fixedExtension: false,
+  copy: [
+    { from: "../turnleaf/dist/licenses.txt", to: "dist" },
+    { from: "../../node_modules/image-size/LICENSE", to: "dist", rename: "license-image-size.txt" },
+  ],
   deps: { onlyBundle: ["image-size", "pdfjs-dist"] },
 });

@@ -51,7 +51,6 @@ function parse(args: readonly string[]): ReturnType<typeof parseOptions> {
   }
 }
 
-// biome-ignore lint/nursery/useExplicitType: the type follows from the options
 function parseOptions(args: readonly string[]) {
   return parseArgs({
     args: [...args],

@@ -3,7 +3,7 @@ import { parentPort, workerData } from "node:worker_threads";
 import type { PdfFinding } from "./inspect_pdf.ts";
 
 /** Bytes read at a time: of a large file only what its first page and title need. */
-const piece = 1 << 18;
+const piece = 1 << 16;
 
 /** What pdf.js needs of newer JavaScript than Node 20 has. */
 function completeNode(): void {

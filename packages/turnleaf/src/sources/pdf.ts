@@ -30,7 +30,7 @@ export interface PdfOptions {
 /** From here on a file is read in the pieces that its shown pages need, never whole. */
 const largeFile = 24 << 20;
 /** Bytes of one such piece. */
-const piece = 1 << 18;
+const piece = 1 << 16;
 /** Milliseconds that a worker has to end by itself before it is ended. */
 const closingTime = 2000;
 /** Pages whose parsed content is kept, so that drawing them sharper is quick. */
