@@ -1,7 +1,7 @@
 /** A cover board: a rigid plate with rounded corners and bevels, cloth or picture outside, pastedown inside. */
 
 import { type BufferGeometry, Group, Mesh } from "three";
-import { caseSizes } from "./case_shape.ts";
+import { type CaseShape, caseSizes } from "./case_shape.ts";
 import { sharesBetween } from "./light.ts";
 import type { PileShape } from "./pile_shape.ts";
 import type { SolidMaterial } from "./solid.ts";
@@ -67,25 +67,45 @@ export class BoardMesh {
   }
 
   /** Finds the light on the inner face between the two piles. */
-  light(hinge: readonly [number, number], angle: number, left: PileShape, right: PileShape): void {
+  light(shape: CaseShape, left: PileShape, right: PileShape): void {
+    const front = this.#front;
+    const [hinge, angle] = front
+      ? [shape.frontHinge, shape.frontAngle]
+      : [shape.backHinge, shape.backAngle];
+    const [lidHinge, lidAngle] = front
+      ? [shape.backHinge, shape.backAngle]
+      : [shape.frontHinge, shape.frontAngle];
+    const lid: [number, number, number] = [
+      lidHinge[0] + this.#width * Math.cos(lidAngle),
+      lidHinge[1] + this.#width * Math.sin(lidAngle),
+      front ? -1 : 1,
+    ];
+    const lidOpen = 1 - (front ? shape.closedLeft : shape.closedRight);
+    const normal = front ? Math.PI - angle : -angle;
+    const block = front ? left : right;
+    const edge = block.present ? Math.abs(block.curves[block.curves.length - 2]) : 0;
     const solid = this.#inner;
-    const [sin, cos] = [Math.sin(angle), Math.cos(angle)];
-    const normal = this.#front ? Math.PI - angle : -angle;
-    const rows = this.#rowPlaces().length;
-    const lies = this.#front ? left : right;
+    const rows = solid.positions.length / 3 / innerColumns;
     for (let i = 0; i < innerColumns; i++) {
       const local = solid.positions[3 * i];
-      const x = hinge[0] + local * cos;
-      const z = hinge[1] + local * sin;
-      sharesBetween(x, z, normal, [left.obstacles, right.obstacles], this.#shares);
-      const { sky, key } = this.#shares;
+      const x = hinge[0] + local * Math.cos(angle);
+      const z = hinge[1] + local * Math.sin(angle);
+      const piles = [left.obstacles, right.obstacles];
+      sharesBetween(x, z, normal, piles, lid, this.#shares);
+      // What lies under the block is dark; points beside it see past its edge.
+      const covered = block.present && Math.abs(x) < edge;
       for (let row = 0; row < rows; row++) {
         const point = row * innerColumns + i;
-        const beyond = row === 0 || row === rows - 1;
-        const under = lies.present && row < rows / 2;
-        // Before the foot of the block the key light, which comes from the head, is shut out.
-        solid.open[2 * point] = beyond && lies.present ? Math.max(0.5, sky) : sky;
-        solid.open[2 * point + 1] = beyond && lies.present ? (under ? 0.15 : 1) : key;
+        const beyond = (row === 0 || row === rows - 1) && block.present;
+        let { sky, key } = this.#shares;
+        if (covered) [sky, key] = [0, 0];
+        if (beyond) {
+          // The key light comes from the head, and so is shut out before the foot.
+          sky = Math.max(sky, 0.55 * lidOpen);
+          key = row === 0 ? 0.1 : lidOpen;
+        }
+        solid.open[2 * point] = sky;
+        solid.open[2 * point + 1] = key;
       }
     }
     solid.touch("open");
@@ -156,6 +176,8 @@ export class BoardMesh {
     const ring = rings.map(([inset, z, nz]) => this.#ring(solid, inset, z, nz));
     for (const k of [0, 2, 4]) {
       for (let i = 0; i < around; i++) {
+        // The cloth hinge covers the wall by the hinge.
+        if (k < 4 && i === 2 * cornerPoints - 1) continue;
         const j = (i + 1) % around;
         const [a, b, c, d] = [ring[k] + i, ring[k] + j, ring[k + 1] + j, ring[k + 1] + i];
         solid.square(a, d, c, b);

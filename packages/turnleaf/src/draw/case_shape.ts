@@ -102,5 +102,8 @@ export function lidHeight(shape: CaseShape, sign: 1 | -1, x: number): number {
   const hinge = sign === 1 ? shape.frontHinge : shape.backHinge;
   const angle = sign === 1 ? shape.frontAngle : Math.PI - shape.backAngle;
   if (angle > 1.4) return Infinity;
-  return hinge[1] + Math.max(0, sign * (x - hinge[0])) * Math.tan(angle);
+  const out = sign * (x - hinge[0]);
+  // Under the cloth hinge the block's shoulder is rounded, the more the flatter the board.
+  if (out < 0) return hinge[1] + 0.5 * out * (1 - angle / 1.4);
+  return hinge[1] + out * Math.tan(angle);
 }

@@ -10,7 +10,8 @@ import type { PileShape } from "./pile_shape.ts";
 import type { SolidMaterial } from "./solid.ts";
 import { SolidGeometry } from "./solid_geometry.ts";
 
-const steps = 17;
+const steps = 9;
+const noLid = [0, 0, 0] as const;
 
 /** The fold on one side. */
 export class EndpaperMesh {
@@ -37,13 +38,19 @@ export class EndpaperMesh {
     const hinge = front ? shape.frontHinge : shape.backHinge;
     const corner = front ? shape.d : shape.c;
     const solid = this.#solid;
+    const piles = [left.obstacles, right.obstacles];
+    const block = front ? right : left;
+    // A board that stands pulls the fold a little way onto the page.
+    const onto = 0.6 * Math.sin(front ? shape.frontAngle : shape.backAngle);
+    const root = [0, 1].map((k) =>
+      block.present ? block.curves[k] + onto * (block.curves[10 + k] - block.curves[k]) : 0,
+    );
     for (let i = 0; i < steps; i++) {
-      // From the gutter over the spine's corner to a little way up the board.
-      const t = i / (steps - 1);
-      const [q, r] = [2 * t * (1 - t), t * t];
+      // From beneath the uppermost page's root to a little way up the board.
+      const t = (1.3 * i) / (steps - 1) - 0.3;
       for (const k of [0, 1] as const) {
         const end = corner[k] + (hinge[k] - corner[k]) * 1.2;
-        this.#line[2 * i + k] = q * 0.85 * corner[k] + r * end;
+        this.#line[2 * i + k] = root[k] + (end - root[k]) * t;
       }
     }
     for (let i = 0; i < steps; i++) {
@@ -56,7 +63,7 @@ export class EndpaperMesh {
       const nz = (this.#sign * dx) / length;
       const x = this.#line[2 * i] + 0.0001 * nx;
       const z = this.#line[2 * i + 1] + 0.0001 * nz;
-      sharesBetween(x, z, Math.atan2(nx, nz), [left.obstacles, right.obstacles], this.#shares);
+      sharesBetween(x, z, Math.atan2(nx, nz), piles, noLid, this.#shares);
       for (const end of [0, 1]) {
         const point = end * steps + i;
         solid.place(point, x, end * this.#height, z);

@@ -14,6 +14,8 @@ void main() {
 const fragmentShader = /* glsl */ `
 uniform vec4 box;
 uniform float high;
+uniform vec4 raised;
+uniform float raisedHigh;
 varying vec2 vPlace;
 
 // Abramowitz and Stegun 7.1.27, absolute error below 5e-4.
@@ -37,6 +39,9 @@ void main() {
   float lit = (1.0 - 0.55 * soft(box, vec2(0.0003, -0.0004), 0.0016))
             * (1.0 - 0.42 * soft(box, 0.30 * away, 0.0030 + 0.20 * high))
             * (1.0 - 0.36 * soft(box, 0.75 * away, 0.0100 + 0.70 * high));
+  vec2 under = vec2(0.575, -0.5) * raisedHigh;
+  lit *= 1.0 - 0.40 * smoothstep(0.0, 0.02, raisedHigh)
+             * soft(raised, under, 0.004 + 0.35 * raisedHigh);
   float shade = 1.0 - lit;
   float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   shade = clamp(shade + (noise - 0.5) / 255.0, 0.0, 1.0);
@@ -49,13 +54,19 @@ void main() {
 export class Ground {
   readonly mesh: Mesh<PlaneGeometry, ShaderMaterial>;
   readonly #box = [0, 0, 0, 0];
+  readonly #raised = [0, 0, 0, 0];
 
   /** @param z of the table, metres */
   constructor(z: number, size: number) {
     const material = new ShaderMaterial({
       vertexShader,
       fragmentShader,
-      uniforms: { box: { value: this.#box }, high: { value: 0 } },
+      uniforms: {
+        box: { value: this.#box },
+        high: { value: 0 },
+        raised: { value: this.#raised },
+        raisedHigh: { value: 0 },
+      },
       depthWrite: false,
       blending: NoBlending,
     });
@@ -73,6 +84,15 @@ export class Ground {
     this.#box[2] = x1;
     this.#box[3] = y1;
     this.mesh.material.uniforms.high.value = high;
+  }
+
+  /** A board or leaf over x0 to x1, y0 to y1 is raised, `high` above the table at its middle, metres. */
+  raise(x0: number, y0: number, x1: number, y1: number, high: number): void {
+    this.#raised[0] = x0;
+    this.#raised[1] = y0;
+    this.#raised[2] = x1;
+    this.#raised[3] = y1;
+    this.mesh.material.uniforms.raisedHigh.value = high;
   }
 
   dispose(): void {

@@ -131,13 +131,16 @@ export function leftEndUnder(px: number, pz: number, points: Float32Array, count
  *
  * @param normal angle of the face's normal from straight up, radians
  * @param piles x, z of points of each pile, book space
- * @param out the share of the sky, then that of the key light
+ * @param lid x, z of the outer edge of a board that stands over the point, and
+ *   1 where it rises from the left, -1 from the right; 0 for none
+ * @param out the shares
  */
 export function sharesBetween(
   x: number,
   z: number,
   normal: number,
   piles: readonly Float32Array[],
+  lid: readonly [x: number, z: number, from: number],
   out: { sky: number; key: number },
 ): void {
   let left = Math.max(-Math.PI / 2, normal - Math.PI / 2);
@@ -148,6 +151,11 @@ export function sharesBetween(
       if (pile[k] > x) right = Math.min(right, c);
       else left = Math.max(left, c);
     }
+  }
+  if (lid[2] !== 0) {
+    const c = compassToRadians(compass(lid[0] - x, lid[1] - z));
+    if (lid[2] > 0) left = Math.max(left, c);
+    else right = Math.min(right, c);
   }
   out.sky = skyShare(left, right, normal);
   out.key = keyShare(left, right);

@@ -48,7 +48,7 @@ export class PileShape {
     this.#closed = closed;
     this.present = true;
     this.curves.set(pile.curves);
-    if (closed > 0 && boards) this.#square(closed, shape);
+    if (closed > 0 && boards) this.#square(shape);
     this.#followTop();
     return true;
   }
@@ -91,22 +91,30 @@ export class PileShape {
   }
 
   /**
-   * A closed block is squared: its pages are bound above each other. They are
-   * also kept under the board that closes over them.
+   * A block follows its spine as a board closes: the pages' roots stand up with
+   * the spine, and the block is square where it is shut. The pages are also
+   * kept under the board that closes over them.
    */
-  #square(closed: number, shape: CaseShape): void {
+  #square(shape: CaseShape): void {
     const { curves, columns, layers, sign } = this;
-    const roots = new Float32Array(layers);
-    for (let layer = 0; layer < layers; layer++) roots[layer] = curves[2 * columns * layer];
+    const [foot, head] = sign === 1 ? [shape.c, shape.d] : [shape.d, shape.c];
+    for (let layer = 0; layer < layers; layer++) {
+      const first = 2 * columns * layer;
+      const up = layers > 1 ? 1 - layer / (layers - 1) : 0;
+      const shift = foot[0] + (head[0] - foot[0]) * up - curves[first];
+      const root = head[1] * up;
+      let highest = 1e-9;
+      for (let k = 1; k < 2 * columns; k += 2) highest = Math.max(highest, curves[first + k]);
+      for (let k = 0; k < 2 * columns; k += 2) {
+        curves[first + k] += shift;
+        curves[first + k + 1] += root * (1 - curves[first + k + 1] / highest);
+      }
+    }
     for (let column = 0; column < columns; column++) {
       const top = 2 * column;
-      const lid = lidHeight(shape, sign, curves[top]) - 0.0001;
-      const press = curves[top + 1] > lid ? Math.max(0, lid) / curves[top + 1] : 1;
-      for (let layer = 0; layer < layers; layer++) {
-        const at = 2 * (columns * layer + column);
-        curves[at] -= closed * roots[layer];
-        curves[at + 1] *= press;
-      }
+      const lid = Math.max(0, lidHeight(shape, sign, curves[top]) - 0.0001);
+      const press = curves[top + 1] > lid ? lid / curves[top + 1] : 1;
+      for (let layer = 0; layer < layers; layer++) curves[2 * columns * layer + top + 1] *= press;
     }
   }
 

@@ -86,7 +86,7 @@ export class SpineMesh {
     const bulge = bent * Math.min(0.0035, 0.22 * this.#thickness);
     const hinge = 12;
     for (let i = 0; i < steps; i++) {
-      let [x, z, dx, dz, out] = [0, 0, 0, 0, 0];
+      let [x, z, dx, dz, out, groove] = [0, 0, 0, 0, 0, 0];
       if (i <= hinge || i >= steps - 1 - hinge) {
         const back = i <= hinge;
         const t = back ? i / hinge : (steps - 1 - i) / hinge;
@@ -103,7 +103,8 @@ export class SpineMesh {
         dx = way * ((1 - t) * (corner[0] - from[0]) + t * (end[0] - corner[0]));
         dz = way * ((1 - t) * (corner[1] - from[1]) + t * (end[1] - corner[1]));
         // The groove between board and spine.
-        out = 0.0022 - 0.0011 * Math.sin(Math.PI * Math.min(1, t / 0.75)) ** 2;
+        groove = Math.sin(Math.PI * Math.min(1, Math.max(0, (t - 0.1) / 0.7))) ** 2;
+        out = 0.0024 - 0.0016 * groove;
       } else {
         const t = share + ((i - hinge) / (steps - 1 - 2 * hinge)) * (1 - 2 * share);
         x = mid(t, 0);
@@ -111,10 +112,11 @@ export class SpineMesh {
         dx = d[0] - c[0];
         dz = d[1] - c[1];
         const within = (t - share) / (1 - 2 * share || 1);
-        out = 0.0022 + bulge * 4 * within * (1 - within);
+        out = 0.0024 + bulge * 4 * within * (1 - within);
       }
       const length = Math.hypot(dx, dz);
       const [nx, nz] = length > 1e-9 ? [-dz / length, dx / length] : [0, -1];
+      this.#solid.open[2 * i] = this.#solid.open[2 * (steps + i)] = 1 - 0.55 * groove;
       this.#outer[2 * i] = x + nx * out;
       this.#outer[2 * i + 1] = z + nz * out;
       this.#inner[2 * i] = x + nx * (out - 0.0009);

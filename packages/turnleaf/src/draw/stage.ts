@@ -359,11 +359,24 @@ export class Stage {
     block.visible = present;
   }
 
-  /** Middle of the block's spine: the gutter wanders over it as leaves go from side to side. */
+  /**
+   * Middle of the block's spine: the gutter wanders over it as leaves go from
+   * side to side. The leaf in flight takes its share of the block along, so
+   * that nothing jumps where it takes off and lands.
+   */
   #middleOf(pose: BookPose): number {
     const root = (pile: BookPose["left"]): number =>
       pile ? Math.abs(pile.curves[2 * pile.columns * (pile.layers - 1)]) : 0;
-    return (root(pose.right) - root(pose.left)) / 2;
+    const [left, right] = [root(pose.left), root(pose.right)];
+    let middle = right - left;
+    if (pose.leaf) {
+      const { positions, columns, rows } = pose.leaf;
+      let over = 0;
+      for (let row = 0; row < rows; row++) over += positions[3 * ((row + 1) * columns - 1)];
+      const way = Math.min(1, Math.max(-1, over / (rows * 0.97 * this.#shape.width)));
+      middle += Math.max(0, this.#shape.thickness - left - right) * way;
+    }
+    return middle / 2;
   }
 
   #placeBoards(hard: boolean): void {
@@ -371,8 +384,8 @@ export class Stage {
     const shape = this.#case;
     this.#front.place(shape.frontHinge, shape.frontAngle);
     this.#back.place(shape.backHinge, shape.backAngle);
-    this.#front.light(shape.frontHinge, shape.frontAngle, this.#left, this.#right);
-    this.#back.light(shape.backHinge, shape.backAngle, this.#left, this.#right);
+    this.#front.light(shape, this.#left, this.#right);
+    this.#back.light(shape, this.#left, this.#right);
     this.#spine.shape(shape);
     this.#headbands.shape(shape);
     this.#leftFold.mesh.visible = !this.#left.present;
@@ -432,16 +445,27 @@ export class Stage {
     if (hard) {
       const reach = width + rim - joint;
       const ends = [
-        shape.frontHinge[0] + reach * Math.cos(shape.frontAngle),
-        shape.backHinge[0] + reach * Math.cos(shape.backAngle),
+        [shape.frontHinge[0], shape.frontHinge[0] + reach * Math.cos(shape.frontAngle)],
+        [shape.backHinge[0], shape.backHinge[0] + reach * Math.cos(shape.backAngle)],
       ];
+      const lifts = [reach * Math.sin(shape.frontAngle), reach * Math.sin(shape.backAngle)];
+      // A raised board leaves the table to the block alone, and throws a softer shadow.
+      const lies = (k: number): number => {
+        const down = Math.max(0, 1 - lifts[k] / 0.03);
+        return ends[k][0] + (ends[k][1] - ends[k][0]) * down * down;
+      };
       this.#ground.shadow(
-        Math.min(...ends, shape.c[0], shape.d[0]) - 0.001,
+        Math.min(lies(0), lies(1), shape.c[0], shape.d[0]) - 0.001,
         -rim,
-        Math.max(...ends, shape.c[0], shape.d[0]) + 0.001,
+        Math.max(lies(0), lies(1), shape.c[0], shape.d[0]) + 0.001,
         height + rim,
         high,
       );
+      const up = lifts[0] > lifts[1] ? 0 : 1;
+      const [from, to] = ends[up];
+      const middle = lifts[up] / 2 + shape[up === 0 ? "frontHinge" : "backHinge"][1] * 0.5;
+      const raised = lifts[up] > 1e-4 ? middle : 0;
+      this.#ground.raise(Math.min(from, to), -rim, Math.max(from, to), height + rim, raised);
       return;
     }
     let [x0, x1] = [0, 0];

@@ -1,0 +1,112 @@
+import { expect, test } from "vitest";
+import {
+  compass,
+  compassToRadians,
+  gapsOfRow,
+  keyAngle,
+  keyShare,
+  leftEndUnder,
+  sharesBetween,
+  skyShare,
+} from "./light.ts";
+
+const none = new Float32Array(0);
+
+/** Gaps, in radians, of a row given by its x and z on the right side. */
+function gaps(points: [number, number][], opposite: [number, number][]): [number, number][] {
+  const count = points.length;
+  const [x, z] = [0, 1].map((k) => Float32Array.from(points, (p) => p[k]));
+  const nx = new Float32Array(count);
+  const nz = new Float32Array(count);
+  for (let i = 0; i < count; i++) {
+    const [a, b] = [Math.max(0, i - 1), Math.min(count - 1, i + 1)];
+    const length = Math.hypot(x[b] - x[a], z[b] - z[a]);
+    nx[i] = -(z[b] - z[a]) / length;
+    nz[i] = (x[b] - x[a]) / length;
+  }
+  const out = new Float32Array(2 * count);
+  gapsOfRow(x, z, nx, nz, count, 1, Float32Array.from(opposite.flat()), out);
+  return points.map((_, i) => [compassToRadians(out[2 * i]), compassToRadians(out[2 * i + 1])]);
+}
+
+const flat = Array.from({ length: 13 }, (_, i): [number, number] => [(0.14 * i) / 12, 0.01]);
+
+test("a compass number turns back into its angle, all around", () => {
+  for (let degrees = -179; degrees < 180; degrees++) {
+    const angle = (degrees * Math.PI) / 180;
+    const c = compass(Math.sin(angle), Math.cos(angle));
+    expect(compassToRadians(c)).toBeCloseTo(angle, 6);
+    expect(compassToRadians(c - 4)).toBeCloseTo(angle - 2 * Math.PI, 6);
+  }
+});
+
+test("compass numbers rise with the angle", () => {
+  let before = -Infinity;
+  for (let degrees = -179; degrees < 180; degrees++) {
+    const c = compass(Math.sin((degrees * Math.PI) / 180), Math.cos((degrees * Math.PI) / 180));
+    expect(c).toBeGreaterThan(before);
+    before = c;
+  }
+});
+
+test("a flat page under an open sky receives exactly 1", () => {
+  for (const [left, right] of gaps(flat, [])) {
+    expect(skyShare(left, right, 0)).toBe(1);
+    expect(keyShare(left, right)).toBe(1);
+  }
+});
+
+test("a hump across the gutter takes sky from the page near it, and less farther off", () => {
+  const seen = gaps(flat, [
+    [-0.01, 0.02],
+    [-0.05, 0.012],
+  ]).map(([left, right]) => skyShare(left, right, 0));
+  expect(seen[1]).toBeLessThan(0.96);
+  for (let i = 1; i < seen.length; i++) expect(seen[i]).toBeGreaterThan(seen[i - 1]);
+  expect(seen[12]).toBeGreaterThan(0.99);
+});
+
+test("the sky's share is the same on the left, mirrored", () => {
+  for (let k = -8; k <= 8; k++) {
+    const [left, right, normal] = [-1.2 + 0.05 * k, 0.9 + 0.03 * k, 0.04 * k];
+    expect(skyShare(left, right, normal)).toBeCloseTo(skyShare(-right, -left, -normal), 12);
+  }
+});
+
+test("a leaf overhead shuts out sky and key; a leaf laid away does not", () => {
+  const over = Float32Array.from([0, 0, 0.05, 0.08, 0.12, 0.09]);
+  const end = compassToRadians(leftEndUnder(0.06, 0, over, over.length));
+  expect(skyShare(end, Math.PI / 2, 0)).toBeLessThan(0.3);
+  expect(keyShare(end, Math.PI / 2)).toBe(0);
+  const away = Float32Array.from([0, 0, -0.07, 0.001, -0.14, 0]);
+  const open = compassToRadians(leftEndUnder(0.06, 0.01, away, away.length));
+  expect(skyShare(open, Math.PI / 2, 0)).toBe(1);
+  expect(keyShare(open, Math.PI / 2)).toBe(1);
+});
+
+test("only the points in use shut out light", () => {
+  const over = Float32Array.from([-0.1, 0, 0.1, 0.1]);
+  expect(leftEndUnder(0.05, 0, over, 2)).toBe(-1);
+});
+
+test("a leaf that faces the table sees no sky", () => {
+  const turned = flat.map(([x, z]): [number, number] => [-x, z]);
+  for (const [left, right] of gaps(turned, [[-0.1, 0]])) {
+    expect(skyShare(left, right, -Math.PI)).toBeCloseTo(0, 9);
+    expect(keyShare(left, right)).toBe(0);
+  }
+});
+
+test("the key light fades over a soft edge about its own angle", () => {
+  expect(keyShare(keyAngle, Math.PI / 2)).toBeCloseTo(0.5, 9);
+  expect(keyShare(-Math.PI / 2, keyAngle)).toBeCloseTo(0.5, 9);
+});
+
+test("a board that stands over a face shuts it", () => {
+  const out = { sky: 0, key: 0 };
+  sharesBetween(0.05, 0, 0, [none], [0, 0, 0], out);
+  expect(out).toEqual({ sky: 1, key: 1 });
+  sharesBetween(0.05, 0, 0, [none], [0.14, 0.02, 1], out);
+  expect(out.sky).toBeLessThan(0.05);
+  expect(out.key).toBe(0);
+});
