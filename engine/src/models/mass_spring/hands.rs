@@ -9,7 +9,7 @@ use crate::synchronise::Synchroniser;
 pub(super) struct Held {
     pub column: usize,
     pub row: usize,
-    /// Where it was held at the end of the last step.
+    /// Where it was at the end of the last step.
     pub from: [f32; 3],
     /// Where it is held at the end of the next one.
     pub to: [f32; 3],
@@ -20,6 +20,11 @@ pub(super) struct Held {
 /// How near to taut a hand may pull, as part of the distance at rest: taut
 /// would leave the springs no room for the sheet's own motion.
 const REACH: f32 = 0.999;
+
+/// How readily a node held by a hand yields to the strain limit, as part of a
+/// free node's readiness: enough that a pull which the sheet cannot follow moves
+/// the hand rather than stretches the sheet.
+const YIELD: f32 = 0.1;
 
 impl MassSpring {
     /// Starts a gesture now: the nodes it holds are held until
@@ -48,7 +53,8 @@ impl MassSpring {
 
     /// Holds a node, or moves the place where it is held: during the next step
     /// it goes to `target` in a straight line. The target is taken as it is;
-    /// see [`MassSpring::within_reach`].
+    /// see [`MassSpring::within_reach`]. Where the strain limit sweeps, it yields
+    /// to a sheet that cannot follow; [`MassSpring::position`] tells where it is.
     ///
     /// # Panics
     /// If there is no such node, or if it is of the spine.
@@ -61,7 +67,10 @@ impl MassSpring {
             .find(|held| (held.column, held.row) == (column, row))
         {
             held.to = target;
-            held.by_gesture = false;
+            if held.by_gesture {
+                held.by_gesture = false;
+                self.constraints_changed();
+            }
             return;
         }
         self.held.push(Held {
@@ -155,6 +164,14 @@ impl MassSpring {
         }
     }
 
+    /// Takes note of where held nodes are at the end of a step.
+    pub(super) fn remember_held(&mut self) {
+        for held in &mut self.held {
+            let lane = self.grid.lane(held.column, held.row);
+            held.from = [0, 1, 2].map(|axis| self.motion.position[axis][lane]);
+        }
+    }
+
     /// Recomputes what follows from which nodes are fixed or held.
     pub(super) fn constraints_changed(&mut self) {
         let grid = self.grid;
@@ -172,6 +189,11 @@ impl MassSpring {
                     self.motion.velocity[axis][lane] = 0.0;
                 }
             }
+        }
+        self.limit_weight.copy_from_slice(&self.inverse_mass);
+        for held in self.held.iter().filter(|held| !held.by_gesture) {
+            let lane = grid.lane(held.column, held.row);
+            self.limit_weight[lane] = YIELD * self.own_inverse_mass[lane];
         }
         self.synchroniser = Synchroniser::new(self.settings.synchronise, &grid, &self.free);
     }

@@ -51,6 +51,10 @@ pub struct MassSpring {
     own_inverse_mass: Vec<f32>,
     /// The same, and 0 for fixed and held nodes.
     inverse_mass: Vec<f32>,
+    /// The same for the strain limit, to which nodes held by a hand yield.
+    limit_weight: Vec<f32>,
+    /// Parts into which a step is divided.
+    substeps: usize,
     /// 1 for each free node, 0 for fixed and held ones and padding.
     free: Vec<f32>,
     synchroniser: Synchroniser,
@@ -100,6 +104,8 @@ impl MassSpring {
             synchroniser: Synchroniser::new(settings.synchronise, &grid, &free),
             limiter: Limiter::new(settings.strain_limit, &grid),
             inverse_mass: grid.zeros(),
+            limit_weight: grid.zeros(),
+            substeps: settings.substeps.max(settings.stable_substeps()),
             held: Vec::new(),
             gesture: None,
             steps: 0,
@@ -188,7 +194,7 @@ impl MassSpring {
         self.limiter.apply(
             &self.grid,
             springs,
-            &self.inverse_mass,
+            &self.limit_weight,
             self.settings.floor,
             position,
         );
@@ -214,15 +220,13 @@ impl TurnModel for MassSpring {
     }
 
     fn step(&mut self) {
-        let substeps = self.settings.substeps;
+        let substeps = self.substeps;
         let h = self.settings.time_step / substeps as f32;
         for substep in 1..=substeps {
             self.substep(h, substep as f32 / substeps as f32);
         }
         self.steps += 1;
-        for held in &mut self.held {
-            held.from = held.to;
-        }
+        self.remember_held();
     }
 
     fn write_surface(&mut self, surface: &mut Surface) {

@@ -171,7 +171,8 @@ pub struct Settings {
     pub floor: bool,
     /// Length of a step in seconds.
     pub time_step: f32,
-    /// Parts into which a step is divided, at least 1.
+    /// Parts into which a step is divided, at least 1; more where a stiff plate
+    /// would not be stable with as few.
     pub substeps: usize,
     /// How the nodes move.
     pub integrator: Integrator,
@@ -229,7 +230,7 @@ impl Settings {
     pub fn book(width: f32, height: f32, grammage: f32) -> Self {
         let ratio = grammage / 0.070;
         let stiffness = ratio * ratio * ratio;
-        Self {
+        let mut settings = Self {
             preset: Preset::Book,
             columns: 6,
             rows: 6,
@@ -265,7 +266,34 @@ impl Settings {
                 limit: 0.008,
                 passes: 40,
             },
-        }
+        };
+        // The fastest bending wave is damped to half of critical at most.
+        settings.plate.loss = settings.plate.loss.min(0.5 / settings.fastest_bending());
+        settings
+    }
+
+    /// Upper bound of the angular frequencies of bending, radians a second; 0
+    /// without a plate. Second differences along u, along v and across both have
+    /// squared norms of at most 16 each.
+    fn fastest_bending(&self) -> f32 {
+        let du = self.width / (self.columns - 1) as f32;
+        let dv = self.height / (self.rows - 1) as f32;
+        let area = du * dv;
+        let plate = &self.plate;
+        let stiffness = plate.u * dv / (du * du * du)
+            + plate.v * du / (dv * dv * dv)
+            + 4.0 * plate.twist / area;
+        let mass = match self.masses {
+            Masses::Equal { mass, .. } => mass,
+            Masses::ByArea { grammage, air, .. } => (grammage + air) * area,
+        };
+        (16.0 * stiffness / mass).sqrt()
+    }
+
+    /// Substeps that bending needs: the explicit integrators are stable up to 2
+    /// radians of the fastest wave a substep, less with its damping.
+    pub(super) fn stable_substeps(&self) -> usize {
+        libm::ceilf(self.time_step * self.fastest_bending() / 1.0) as usize
     }
 
     /// The preset's way of turning the whole fore-edge column.
