@@ -11,5 +11,5 @@ export default defineConfig({
   minify: true,
   sourcemap: true,
   plugins: [wasmInline(), packedFiles()],
-  deps: { neverBundle: ["three", /^pdfjs-dist/] },
+  deps: { neverBundle: ["three"], onlyBundle: ["pdfjs-dist"] },
 });

@@ -11,13 +11,12 @@ const usualPort = 4173;
 const portsTried = 50;
 
 const headers: Readonly<Record<string, string>> = {
-  // 'wasm-unsafe-eval' lets WebAssembly run; blob: is where pdf.js's workers and measured images
-  // are; the element brings its style within its shadow root.
+  // 'wasm-unsafe-eval' lets WebAssembly run; blob: is where pdf.js's workers and measured images are.
   "Content-Security-Policy": [
     "default-src 'none'",
     "script-src 'self' 'wasm-unsafe-eval'",
     "worker-src 'self' blob:",
-    "style-src 'self' 'unsafe-inline'",
+    "style-src 'self'",
     "img-src 'self' blob: data:",
     "font-src 'self'",
     "connect-src 'self'",

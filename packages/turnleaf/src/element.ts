@@ -178,15 +178,17 @@ export class TurnleafBook extends Base {
   #build(): void {
     if (this.shadowRoot === null) {
       const root = this.attachShadow({ mode: "open" });
-      const sheet = document.createElement("style");
-      sheet.textContent = style;
+      // Not a <style> element: pages with a strict security policy forbid those.
+      const sheet = new CSSStyleSheet();
+      sheet.replaceSync(style);
+      root.adoptedStyleSheets = [sheet];
       const message = document.createElement("div");
       message.setAttribute("part", "message");
       message.setAttribute("role", "status");
       const live = document.createElement("div");
       live.className = "live";
       live.setAttribute("aria-live", "polite");
-      root.append(sheet, message, live);
+      root.append(message, live);
     }
     if (!this.hasAttribute("tabindex")) this.tabIndex = 0;
     if (!this.hasAttribute("role")) this.setAttribute("role", "group");

@@ -57,6 +57,24 @@ const edgeShare = 0.08;
 /** A square-rooted page area of 140 x 210 mm, metres: every book has paper of this size. */
 const paperSize = Math.sqrt(0.14 * 0.21);
 
+/**
+ * A leaf's width over its height: that of an inner page, as covers often have
+ * another size; of another page where that one cannot be read.
+ */
+async function leafAspect(source: PageSource, signal: AbortSignal): Promise<number> {
+  let failure: unknown;
+  for (const index of [2, 3, 1, 0, 4].filter((index) => index < source.pageCount)) {
+    try {
+      const { width, height } = await source.size(index, signal);
+      return Math.min(Math.max(width / height, 0.25), 4);
+    } catch (error) {
+      signal.throwIfAborted();
+      failure = error;
+    }
+  }
+  throw failure;
+}
+
 /** One book on one canvas. */
 export class Viewer {
   readonly binding: Binding;
@@ -114,7 +132,7 @@ export class Viewer {
 
   /**
    * Opens a book on a canvas.
-   * Rejects with a `BookError` where the first page's size cannot be had, or
+   * Rejects with a `BookError` where no page's size can be had, or
    * with an `Error` where WebGL 2 or WebAssembly is not to be had.
    */
   static async open(
@@ -124,9 +142,7 @@ export class Viewer {
     signal: AbortSignal,
   ): Promise<Viewer> {
     const binding = bind(source.pageCount, options.cover);
-    // An inner page: covers often have another size.
-    const size = await source.size(Math.min(2, source.pageCount - 1), signal);
-    const aspect = Math.min(Math.max(size.width / size.height, 0.25), 4);
+    const aspect = await leafAspect(source, signal);
     const width = paperSize * Math.sqrt(aspect);
     const height = paperSize / Math.sqrt(aspect);
     const leaves = paperLeaves(binding);
