@@ -58,7 +58,7 @@ check-rust: tools-rust
 	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --quiet
 
 check-js: build
-	npx biome ci --reporter=summary .
+	npx biome ci .
 	npm run --silent types
 	node scripts/check_imports.mjs
 
