@@ -13,8 +13,30 @@ import { join } from "node:path";
 const file = join(import.meta.dirname, "../package-lock.json");
 const lock = JSON.parse(readFileSync(file, "utf8"));
 
-const systems = ["android", "darwin", "linux", "win32", "freebsd", "openbsd", "netbsd", "sunos", "aix", "openharmony"];
-const processors = ["arm64", "x64", "ia32", "arm", "s390x", "ppc64", "riscv64", "loong64", "wasm32", "mips64el"];
+const systems = [
+  "android",
+  "darwin",
+  "linux",
+  "win32",
+  "freebsd",
+  "openbsd",
+  "netbsd",
+  "sunos",
+  "aix",
+  "openharmony",
+];
+const processors = [
+  "arm64",
+  "x64",
+  "ia32",
+  "arm",
+  "s390x",
+  "ppc64",
+  "riscv64",
+  "loong64",
+  "wasm32",
+  "mips64el",
+];
 
 /** The platform that a binary package is for, by the words of its name. */
 function platformOf(name) {
