@@ -2,8 +2,18 @@
 
 import { type BufferGeometry, Group, Mesh } from "three";
 import { type CaseShape, caseSizes } from "./case_shape.ts";
-import { sharesBetween } from "./light.ts";
+import type { LeafSection } from "./leaf_section.ts";
+import {
+  compassToRadians,
+  keyShare,
+  leftEndUnder,
+  type Shares,
+  sharesBetween,
+  skyShare,
+} from "./light.ts";
+import type { Overhead } from "./page_mesh.ts";
 import type { PileShape } from "./pile_shape.ts";
+import { pageRows } from "./pose.ts";
 import type { SolidMaterial } from "./solid.ts";
 import { SolidGeometry } from "./solid_geometry.ts";
 
@@ -23,7 +33,7 @@ export class BoardMesh {
   readonly #front: boolean;
   readonly #width: number;
   readonly #height: number;
-  readonly #shares = { sky: 1, key: 1 };
+  readonly #shares: Shares = { left: 0, right: 0, sky: 1, key: 1 };
 
   /** @param pageWidth,pageHeight metres */
   constructor(
@@ -66,8 +76,11 @@ export class BoardMesh {
     this.group.matrixWorldNeedsUpdate = true;
   }
 
-  /** Finds the light on the inner face between the two piles. */
-  light(shape: CaseShape, left: PileShape, right: PileShape): void {
+  /**
+   * Finds the light on the inner face between the two piles, and under the leaf
+   * in flight.
+   */
+  light(shape: CaseShape, left: PileShape, right: PileShape, over: Overhead): void {
     const front = this.#front;
     const [hinge, angle] = front
       ? [shape.frontHinge, shape.frontAngle]
@@ -94,10 +107,17 @@ export class BoardMesh {
       sharesBetween(x, z, normal, piles, lid, this.#shares);
       // What lies under the block is dark; points beside it see past its edge.
       const covered = block.present && Math.abs(x) < edge;
+      const { sky: openSky, key: openKey } = this.#shares;
       for (let row = 0; row < rows; row++) {
         const point = row * innerColumns + i;
         const beyond = (row === 0 || row === rows - 1) && block.present;
-        let { sky, key } = this.#shares;
+        let [sky, key] = [openSky, openKey];
+        const section = Math.min(over.sky.rows - 1, Math.max(0, row - 1));
+        if (over.sky.counts[section] > 0 && !block.present) {
+          [sky, key] = this.#under(over, section, x, z, normal);
+          // No leaf lies over the rims at head and foot.
+          if (row === 0 || row === rows - 1) [sky, key] = [Math.max(sky, 0.55), openKey];
+        }
         if (covered) [sky, key] = [0, 0];
         if (beyond) {
           // The key light comes from the head, and so is shut out before the foot.
@@ -111,14 +131,31 @@ export class BoardMesh {
     solid.touch("open");
   }
 
+  /** Shares of sky and key under the leaf in one of its sections. */
+  #under(over: Overhead, row: number, x: number, z: number, normal: number): [number, number] {
+    const sign = this.#front ? -1 : 1;
+    const { left, right } = this.#shares;
+    const share = (section: LeafSection, of: (from: number, to: number) => number): number => {
+      const end = leftEndUnder(sign * x, z, section.row(row), section.counts[row]);
+      const shut = sign * compassToRadians(end);
+      return sign === 1 ? of(Math.max(left, shut), right) : of(left, Math.min(right, shut));
+    };
+    const sky = share(over.sky, (from, to) => skyShare(from, to, normal));
+    let key = 0;
+    for (const section of over.keys) key += share(section, keyShare) / over.keys.length;
+    return [sky, key];
+  }
+
   dispose(): void {
     this.#outside.geometry.dispose();
     this.#inside.geometry.dispose();
   }
 
+  /** The rows of a page, and one beyond it at either end. */
   #rowPlaces(): number[] {
     const { rim, bevel } = caseSizes;
-    return [bevel - rim, 0, this.#height, this.#height + rim - bevel];
+    const rows = Array.from({ length: pageRows }, (_, k) => (this.#height * k) / (pageRows - 1));
+    return [bevel - rim, ...rows, this.#height + rim - bevel];
   }
 
   /** Picture and grain places of a point of the board. */

@@ -18,6 +18,8 @@ export const caseSizes = {
   corner: 0.0012,
   /** Length of the cloth hinge between a board and the spine. */
   joint: 0.006,
+  /** The boards' inner faces lie this far under the lowest leaf, so that the two never coincide. */
+  sink: 0.0002,
 } as const;
 
 /** Angles and places of the case's parts, metres and radians. */
@@ -86,6 +88,8 @@ export function placeCase(
     out.c[0] = out.d[0] - dx;
     out.c[1] = -dz;
   }
+  out.c[1] -= caseSizes.sink;
+  out.d[1] -= caseSizes.sink;
   out.backHinge[0] = out.c[0] + hinge * Math.cos(back);
   out.backHinge[1] = out.c[1] + hinge * Math.sin(back);
   out.frontHinge[0] = out.d[0] + hinge * Math.cos(front);

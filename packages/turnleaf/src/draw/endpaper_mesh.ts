@@ -4,8 +4,8 @@
  */
 
 import { type BufferGeometry, Mesh } from "three";
-import type { CaseShape } from "./case_shape.ts";
-import { sharesBetween } from "./light.ts";
+import { type CaseShape, caseSizes } from "./case_shape.ts";
+import { type Shares, sharesBetween } from "./light.ts";
 import type { PileShape } from "./pile_shape.ts";
 import type { SolidMaterial } from "./solid.ts";
 import { SolidGeometry } from "./solid_geometry.ts";
@@ -20,7 +20,7 @@ export class EndpaperMesh {
   readonly #height: number;
   readonly #solid = new SolidGeometry(2 * steps, 2 * (steps - 1));
   readonly #line = new Float32Array(2 * steps);
-  readonly #shares = { sky: 1, key: 1 };
+  readonly #shares: Shares = { left: 0, right: 0, sky: 1, key: 1 };
 
   /** @param sign -1 on the left, by the front board; 1 on the right, by the back board */
   constructor(material: SolidMaterial, sign: 1 | -1, height: number) {
@@ -42,8 +42,10 @@ export class EndpaperMesh {
     const block = front ? right : left;
     // A board that stands pulls the fold a little way onto the page.
     const onto = 0.6 * Math.sin(front ? shape.frontAngle : shape.backAngle);
-    const root = [0, 1].map((k) =>
-      block.present ? block.curves[k] + onto * (block.curves[10 + k] - block.curves[k]) : 0,
+    const root = [0, -caseSizes.sink].map((empty, k) =>
+      block.present
+        ? block.curves[k] + onto * (block.curves[10 + k] - block.curves[k]) + empty
+        : empty,
     );
     for (let i = 0; i < steps; i++) {
       // From beneath the uppermost page's root to a little way up the board.
@@ -61,8 +63,8 @@ export class EndpaperMesh {
       // The side that faces up where the fold lies flat.
       const nx = (-this.#sign * dz) / length;
       const nz = (this.#sign * dx) / length;
-      const x = this.#line[2 * i] + 0.0001 * nx;
-      const z = this.#line[2 * i + 1] + 0.0001 * nz;
+      const x = this.#line[2 * i] + 0.00008 * nx;
+      const z = this.#line[2 * i + 1] + 0.00008 * nz;
       sharesBetween(x, z, Math.atan2(nx, nz), piles, noLid, this.#shares);
       for (const end of [0, 1]) {
         const point = end * steps + i;

@@ -126,6 +126,14 @@ export function leftEndUnder(px: number, pz: number, points: Float32Array, count
   return Math.min(left, 1.05);
 }
 
+/** The gap over a point, radians, and the shares of sky and key light that come through it. */
+export interface Shares {
+  left: number;
+  right: number;
+  sky: number;
+  key: number;
+}
+
 /**
  * Shares of sky and key that reach a point of a stiff face between the piles.
  *
@@ -141,7 +149,7 @@ export function sharesBetween(
   normal: number,
   piles: readonly Float32Array[],
   lid: readonly [x: number, z: number, from: number],
-  out: { sky: number; key: number },
+  out: Shares,
 ): void {
   let left = Math.max(-Math.PI / 2, normal - Math.PI / 2);
   let right = Math.min(Math.PI / 2, normal + Math.PI / 2);
@@ -157,6 +165,8 @@ export function sharesBetween(
     if (lid[2] > 0) left = Math.max(left, c);
     else right = Math.min(right, c);
   }
+  out.left = left;
+  out.right = right;
   out.sky = skyShare(left, right, normal);
   out.key = keyShare(left, right);
 }

@@ -102,7 +102,7 @@ export class PileShape {
       const first = 2 * columns * layer;
       const up = layers > 1 ? 1 - layer / (layers - 1) : 0;
       const shift = foot[0] + (head[0] - foot[0]) * up - curves[first];
-      const root = head[1] * up;
+      const root = Math.max(0, head[1]) * up;
       let highest = 1e-9;
       for (let k = 1; k < 2 * columns; k += 2) highest = Math.max(highest, curves[first + k]);
       for (let k = 0; k < 2 * columns; k += 2) {
@@ -112,7 +112,7 @@ export class PileShape {
     }
     for (let column = 0; column < columns; column++) {
       const top = 2 * column;
-      const lid = Math.max(0, lidHeight(shape, sign, curves[top]) - 0.0001);
+      const lid = Math.max(0, lidHeight(shape, sign, curves[top]) - 0.0002);
       const press = curves[top + 1] > lid ? lid / curves[top + 1] : 1;
       for (let layer = 0; layer < layers; layer++) curves[2 * columns * layer + top + 1] *= press;
     }

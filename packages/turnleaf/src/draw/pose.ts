@@ -44,6 +44,9 @@ export interface BookPose {
   readonly backBoard: number;
 }
 
+/** Rows of a resting page's mesh: how finely a leaf's shadow follows the leaf's shape. */
+export const pageRows = 33;
+
 /** Distance of a column from the spine as a share of the page's width. Columns crowd where pages bend. */
 export function columnPlace(column: number, columns: number): number {
   return (column / (columns - 1)) ** 1.7;

@@ -111,16 +111,17 @@ export class SpineMesh {
         z = mid(t, 1);
         dx = d[0] - c[0];
         dz = d[1] - c[1];
-        const within = (t - share) / (1 - 2 * share || 1);
-        out = 0.0024 + bulge * 4 * within * (1 - within);
+        const along = (t - share) / (1 - 2 * share || 1);
+        out = 0.0024 + bulge * 4 * along * (1 - along);
       }
       const length = Math.hypot(dx, dz);
       const [nx, nz] = length > 1e-9 ? [-dz / length, dx / length] : [0, -1];
       this.#solid.open[2 * i] = this.#solid.open[2 * (steps + i)] = 1 - 0.55 * groove;
       this.#outer[2 * i] = x + nx * out;
       this.#outer[2 * i + 1] = z + nz * out;
-      this.#inner[2 * i] = x + nx * (out - 0.0009);
-      this.#inner[2 * i + 1] = z + nz * (out - 0.0009);
+      const within = Math.max(0.0004, out - 0.0009);
+      this.#inner[2 * i] = x + nx * within;
+      this.#inner[2 * i + 1] = z + nz * within;
     }
     for (let i = 0; i < steps; i++) {
       const [before, after] = [2 * Math.max(0, i - 1), 2 * Math.min(steps - 1, i + 1)];
@@ -155,7 +156,7 @@ export class HeadbandMesh {
   /** Follows the case: along the middle of the spine, just inside its cloth. */
   shape(shape: CaseShape): void {
     const { c, d } = shape;
-    const span = Math.hypot(d[0] - c[0], d[1] - c[1]);
+    const span = Math.hypot(d[0] - c[0], d[1] - c[1]) || 1e-6;
     const around = HeadbandMesh.#around;
     const solid = this.#solid;
     const [dx, dz] = [(d[0] - c[0]) / span, (d[1] - c[1]) / span];

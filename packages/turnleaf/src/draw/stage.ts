@@ -29,13 +29,10 @@ import { shadowSlopes } from "./light.ts";
 import { type Overhead, PageMesh } from "./page_mesh.ts";
 import { PaperMaterial } from "./paper.ts";
 import { obstacleStride, PileShape } from "./pile_shape.ts";
-import type { BookPose, BookShape, Face } from "./pose.ts";
+import { type BookPose, type BookShape, type Face, pageRows } from "./pose.ts";
 import { SolidMaterial } from "./solid.ts";
 import { HeadbandMesh, SpineMesh } from "./spine_mesh.ts";
 import { clothTexture, headbandTexture, leafEdgeTexture, PictureTextures } from "./textures.ts";
-
-/** Rows of a resting page's mesh: how finely a leaf's shadow follows its shape. */
-const pageRows = 25;
 
 /** How a frame is drawn. */
 export interface DrawOptions {
@@ -173,7 +170,10 @@ export class Stage {
     this.#leftFold = new EndpaperMesh(endpaper, -1, height);
     this.#rightFold = new EndpaperMesh(endpaper, 1, height);
     const hard = shape.cover === "hard";
-    this.#ground = new Ground(hard ? -caseSizes.board : 0, 12 * Math.max(width, height));
+    this.#ground = new Ground(
+      hard ? -caseSizes.board - caseSizes.sink : 0,
+      12 * Math.max(width, height),
+    );
     const section = (): LeafSection => new LeafSection(pageRows, height);
     const overhead = (board: Float32Array): Overhead => ({
       sky: section(),
@@ -255,7 +255,8 @@ export class Stage {
     this.#boards = boards;
     // The first look at the piles tells where the gutter is in the block.
     const middle = this.#middleOf(pose);
-    const middleMoved = middle !== this.#framing.middle;
+    // Smaller steps than a sixtieth of a pixel are saved up.
+    const middleMoved = Math.abs(middle - this.#framing.middle) > 5e-6;
     const joint = hard ? caseSizes.joint : 0;
     if (boardsMoved || middleMoved) {
       placeCase(this.#case, thickness, middle, pose.frontBoard, pose.backBoard, joint);
@@ -274,8 +275,8 @@ export class Stage {
     }
     const still = !(leftMoved || rightMoved || boardsMoved || middleMoved);
     if (!still) this.#placeBoards(hard);
-    this.#light(pose, leftMoved || rightMoved, still);
-    this.#framing.middle = middle;
+    this.#light(pose, leftMoved || rightMoved, still, hard);
+    if (middleMoved) this.#framing.middle = middle;
     this.#framing.closedRight = this.#case.closedRight;
     this.#framing.closedLeft = this.#case.closedLeft;
     if (boardsMoved || middleMoved) this.#aim();
@@ -288,8 +289,7 @@ export class Stage {
     const [width, height] = [Math.floor(this.#width * ratio), Math.floor(this.#height * ratio)];
     if (this.#canvas.width !== width || this.#canvas.height !== height) {
       // Clears the canvas; it is filled again below before anyone can see.
-      this.#renderer.setPixelRatio(ratio);
-      this.#renderer.setSize(this.#width, this.#height, false);
+      this.#renderer.setDrawingBufferSize(this.#width, this.#height, ratio);
     }
     this.#renderer.render(this.#scene, this.#camera);
   }
@@ -319,6 +319,8 @@ export class Stage {
     this.#canvas.removeEventListener("webglcontextlost", this.#lost);
     this.#canvas.removeEventListener("webglcontextrestored", this.#restored);
     this.onRestored = null;
+    // Frees all of the GPU's memory at once; the rest lets go of what three.js keeps.
+    this.#renderer.forceContextLoss();
     for (const part of [
       this.#leftPage,
       this.#rightPage,
@@ -340,7 +342,6 @@ export class Stage {
     }
     this.#scene.clear();
     this.#renderer.dispose();
-    this.#renderer.forceContextLoss();
   }
 
   readonly #lost = (event: Event): void => event.preventDefault();
@@ -384,8 +385,6 @@ export class Stage {
     const shape = this.#case;
     this.#front.place(shape.frontHinge, shape.frontAngle);
     this.#back.place(shape.backHinge, shape.backAngle);
-    this.#front.light(shape, this.#left, this.#right);
-    this.#back.light(shape, this.#left, this.#right);
     this.#spine.shape(shape);
     this.#headbands.shape(shape);
     this.#leftFold.mesh.visible = !this.#left.present;
@@ -400,7 +399,7 @@ export class Stage {
     [edges[2], edges[3]] = [-this.#boardLeft[2], this.#boardLeft[3]];
   }
 
-  #light(pose: BookPose, pilesMoved: boolean, still: boolean): void {
+  #light(pose: BookPose, pilesMoved: boolean, still: boolean, hard: boolean): void {
     const [left, right] = [this.#left, this.#right];
     const { leaf } = pose;
     this.#leaf.recto.visible = this.#leaf.verso.visible = leaf !== null;
@@ -434,6 +433,10 @@ export class Stage {
       if (pilesMoved) this.#rightPage.open(right, left.obstacles);
       this.#rightPage.light(right, this.#overRight);
     }
+    if (!hard) return;
+    // A board under pages shows its rim alone, where no leaf's shadow is looked for.
+    if (!still || !left.present) this.#front.light(this.#case, left, right, this.#overLeft);
+    if (!still || !right.present) this.#back.light(this.#case, left, right, this.#overRight);
   }
 
   /** The book's footprint on the table. */
