@@ -5,7 +5,7 @@
  * animation frame and no timer.
  */
 
-import { type Face, faceNames, facesBetween, pagesWanted } from "./book/faces.ts";
+import { type Face, faceNames, facesBetween, isBoardFace, pagesWanted } from "./book/faces.ts";
 import {
   type Binding,
   bind,
@@ -307,7 +307,9 @@ export class Viewer {
   }
 
   #pictureOf(face: Face, page: number | null) {
-    if (page !== null) return this.#pictures.get(page);
+    // A board seen from the side alone is plain cloth rather than a page to come.
+    const wanted = page !== null && this.#pictures.isWanted(page);
+    if (page !== null) return wanted || !isBoardFace(face) ? this.#pictures.get(page) : null;
     // A book with an odd number of pages ends in a bare verso.
     return face === "verso" ? this.#pictures.bare : null;
   }

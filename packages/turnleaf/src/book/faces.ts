@@ -17,6 +17,11 @@ export const faceNames = [
 /** A face of the drawn book. */
 export type Face = (typeof faceNames)[number];
 
+/** Whether a face is one of a cover board. */
+export function isBoardFace(face: Face): boolean {
+  return face.startsWith("front") || face.startsWith("back");
+}
+
 /**
  * The page (from 1) on each face while a leaf or board is between the spreads
  * `low` and `high`, or at rest where the two are the same. A leaf that stands

@@ -23,6 +23,7 @@ export class PagePictures {
   readonly #aspect: number;
   readonly #options: PagePicturesOptions;
   readonly #fitted = new Map<PagePicture, PagePicture>();
+  #wanted: ReadonlySet<number> = new Set();
   readonly #standIns = new Map<string, HTMLCanvasElement>();
 
   /** @param aspect a leaf's width over its height */
@@ -38,6 +39,7 @@ export class PagePictures {
 
   /** Asks for pages (from 1), most urgent first, `width` device pixels wide; the first `inSight` are seen now. */
   want(pages: readonly number[], inSight: number, width: number): void {
+    this.#wanted = new Set(pages);
     this.#pool.want(
       pages.map((page) => ({ index: page - 1, width })),
       inSight,
@@ -54,6 +56,11 @@ export class PagePictures {
       this.#fitted.set(picture, fitted);
     }
     return fitted;
+  }
+
+  /** Whether a page (from 1) is among those asked for last. */
+  isWanted(page: number): boolean {
+    return this.#wanted.has(page);
   }
 
   /** Why a page (from 1) cannot be shown, or null. */
