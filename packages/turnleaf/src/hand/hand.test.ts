@@ -27,6 +27,25 @@ test("a resting page is met where it lies", () => {
   }
 });
 
+test("the fore-edge of a pile is its uppermost page's edge", () => {
+  for (const sign of [1, -1] as const) {
+    // The lower layer reaches farther out, as leaves in a thick pile do.
+    const curves = Float32Array.from([
+      ...[...u].flatMap((u) => [sign * u * width, 0.01]),
+      ...[...u].flatMap((u) => [sign * (u * width + 0.006), 0]),
+    ]);
+    const hit = pickPile(
+      down(sign * (width + 0.003), 0.1),
+      { columns: u.length, layers: 2, curves },
+      sign,
+      u,
+      height,
+    );
+    expect(hit?.u).toBe(1);
+    expect(hit?.v).toBeCloseTo(0.1 / height, 5);
+  }
+});
+
 test("a leaf in flight is met from above and from below", () => {
   const rows = 3;
   const positions: number[] = [];

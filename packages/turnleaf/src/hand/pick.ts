@@ -14,7 +14,8 @@ export interface Hit extends Place {
 }
 
 /**
- * Where a line of sight meets the uppermost page of a pile.
+ * Where a line of sight meets the uppermost page of a pile, or the pile's
+ * fore-edge, which counts as that page's.
  *
  * @param sign 1 for the pile on the right, -1 on the left
  * @param u where the pile's columns lie
@@ -27,31 +28,41 @@ export function pickPile(
   u: Float32Array,
   height: number,
 ): Hit | null {
-  const { curves, columns } = pile;
-  let best: Hit | null = null;
+  const { curves, columns, layers } = pile;
+  const foot = 2 * columns * layers - 2;
+  const edge = 2 * columns - 2;
+  let best = pickStrip(ray, curves, edge, foot, height);
+  if (best !== null) best = { ...best, u: 1 };
   // Each strip between two columns is a plane rectangle along y.
   for (let k = 0; k + 1 < columns; k++) {
-    const [x0, z0, x1, z1] = [
-      curves[2 * k],
-      curves[2 * k + 1],
-      curves[2 * k + 2],
-      curves[2 * k + 3],
-    ];
-    const [nx, nz] = [-(z1 - z0) * sign, (x1 - x0) * sign];
-    const facing = ray.direction[0] * nx + ray.direction[2] * nz;
-    if (Math.abs(facing) < 1e-12) continue;
-    const distance = ((x0 - ray.origin[0]) * nx + (z0 - ray.origin[2]) * nz) / facing;
-    const along =
-      ((ray.origin[0] + distance * ray.direction[0] - x0) * (x1 - x0) +
-        (ray.origin[2] + distance * ray.direction[2] - z0) * (z1 - z0)) /
-      ((x1 - x0) ** 2 + (z1 - z0) ** 2);
-    const v = (ray.origin[1] + distance * ray.direction[1]) / height;
-    if (distance <= 0 || along < 0 || along > 1 || v < 0 || v > 1) continue;
-    if (best === null || distance < best.distance) {
-      best = { u: u[k] + (u[k + 1] - u[k]) * along, v, distance };
+    const [from, to] = sign === 1 ? [k, k + 1] : [k + 1, k];
+    const hit = pickStrip(ray, curves, 2 * from, 2 * to, height);
+    if (hit !== null && (best === null || hit.distance < best.distance)) {
+      best = { ...hit, u: u[from] + (u[to] - u[from]) * hit.u };
     }
   }
   return best;
+}
+
+/** Where a ray meets the rectangle along y over two points of a curve; u there from 0 to 1. */
+function pickStrip(
+  ray: Ray,
+  curves: Float32Array,
+  from: number,
+  to: number,
+  height: number,
+): Hit | null {
+  const [x0, z0] = [curves[from], curves[from + 1]];
+  const [dx, dz] = [curves[to] - x0, curves[to + 1] - z0];
+  const facing = ray.direction[2] * dx - ray.direction[0] * dz;
+  if (Math.abs(facing) < 1e-12) return null;
+  const distance = ((z0 - ray.origin[2]) * dx - (x0 - ray.origin[0]) * dz) / facing;
+  const x = ray.origin[0] + distance * ray.direction[0] - x0;
+  const z = ray.origin[2] + distance * ray.direction[2] - z0;
+  const along = (x * dx + z * dz) / (dx * dx + dz * dz);
+  const v = (ray.origin[1] + distance * ray.direction[1]) / height;
+  if (distance <= 0 || along < 0 || along > 1 || v < 0 || v > 1) return null;
+  return { u: along, v, distance };
 }
 
 /**
