@@ -8,6 +8,7 @@ attribute vec2 gapSky;
 attribute vec4 gapKey;
 attribute vec2 gapBehind;
 uniform float lit;
+uniform float ahead;
 varying vec3 vNormal;
 varying vec3 vPlace;
 varying vec2 vUv;
@@ -21,7 +22,11 @@ void main() {
   vGapSky = gapSky;
   vGapKey = gapKey;
   vGapBehind = gapBehind;
-  gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0);
+  vec4 seen = viewMatrix * vec4(position, 1.0);
+  gl_Position = projectionMatrix * seen;
+  // Only the depth comes nearer, not the picture.
+  vec4 nearer = projectionMatrix * (seen + vec4(0.0, 0.0, ahead, 0.0));
+  gl_Position.z = nearer.z / nearer.w * gl_Position.w;
 }
 `;
 
@@ -106,17 +111,14 @@ export class PaperMaterial extends ShaderMaterial {
         lit: { value: side.recto || side.ownNormals ? 1 : -1 },
         mirrored: { value: side.recto ? 0 : 1 },
         thin: { value: side.thin ? 1 : 0 },
+        // A leaf that touches the page under it is the one seen, also where
+        // both are bent and their triangles cross: metres.
+        ahead: { value: side.thin ? 0.0004 : 0 },
         ceiling: { value: kind === "scan" ? 1 : 1.03 },
         pool: { value: kind === "scan" ? 0 : 0.024 },
         size: { value: [width, height] },
       },
     });
-    if (side.thin) {
-      // A leaf that touches the page under it is the one seen.
-      this.polygonOffset = true;
-      this.polygonOffsetFactor = -0.5;
-      this.polygonOffsetUnits = -4;
-    }
   }
 
   /** The picture on this side. */

@@ -58,11 +58,6 @@ export class PileShape {
     return this.present ? this.z[this.columns - 1] : 0;
   }
 
-  /** How far the lowest page is bound from the gutter, metres: the pile's thickness at the spine. */
-  get spread(): number {
-    return this.present ? Math.abs(this.#raw[2 * this.columns * (this.layers - 1)]) : 0;
-  }
-
   #differs(pile: Pile): boolean {
     const { curves } = pile;
     if (curves.length !== this.#raw.length) return true;

@@ -366,9 +366,9 @@ export class Stage {
    * that nothing jumps where it takes off and lands.
    */
   #middleOf(pose: BookPose): number {
-    const root = (pile: BookPose["left"]): number =>
-      pile ? Math.abs(pile.curves[2 * pile.columns * (pile.layers - 1)]) : 0;
-    const [left, right] = [root(pose.left), root(pose.right)];
+    // A pile is as thick as its uppermost page is high at the fore-edge.
+    const high = (pile: BookPose["left"]): number => pile?.curves[2 * pile.columns - 1] ?? 0;
+    const [left, right] = [high(pose.left), high(pose.right)];
     let middle = right - left;
     if (pose.leaf) {
       const { positions, columns, rows } = pose.leaf;
