@@ -37,10 +37,10 @@ void main() {
   // The higher the book, the farther and softer its shadow falls, away from the key light.
   vec2 away = vec2(0.575, -0.5) * high;
   float lit = (1.0 - 0.55 * soft(box, vec2(0.0003, -0.0004), 0.0016))
-            * (1.0 - 0.42 * soft(box, 0.30 * away, 0.0030 + 0.20 * high))
-            * (1.0 - 0.36 * soft(box, 0.75 * away, 0.0100 + 0.70 * high));
+            * (1.0 - 0.46 * soft(box, 0.40 * away, 0.0030 + 0.20 * high))
+            * (1.0 - 0.40 * soft(box, 0.85 * away, 0.0100 + 0.75 * high));
   vec2 under = vec2(0.575, -0.5) * raisedHigh;
-  lit *= 1.0 - 0.40 * smoothstep(0.0, 0.02, raisedHigh)
+  lit *= 1.0 - 0.26 * smoothstep(0.0, 0.02, raisedHigh)
              * soft(raised, under, 0.004 + 0.35 * raisedHigh);
   float shade = 1.0 - lit;
   float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));

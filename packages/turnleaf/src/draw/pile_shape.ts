@@ -48,7 +48,7 @@ export class PileShape {
     this.#closed = closed;
     this.present = true;
     this.curves.set(pile.curves);
-    if (closed > 0 && boards) this.#square(shape);
+    if (closed > 0 && boards) this.#square(closed, shape);
     this.#followTop();
     return true;
   }
@@ -90,13 +90,15 @@ export class PileShape {
    * the spine, and the block is square where it is shut. The pages are also
    * kept under the board that closes over them.
    */
-  #square(shape: CaseShape): void {
+  #square(closed: number, shape: CaseShape): void {
     const { curves, columns, layers, sign } = this;
     const [foot, head] = sign === 1 ? [shape.c, shape.d] : [shape.d, shape.c];
     for (let layer = 0; layer < layers; layer++) {
       const first = 2 * columns * layer;
       const up = layers > 1 ? 1 - layer / (layers - 1) : 0;
-      const shift = foot[0] + (head[0] - foot[0]) * up - curves[first];
+      // A little within the cloth that bends around them.
+      const inset = sign * 0.0012 * Math.min(1, 4 * closed);
+      const shift = foot[0] + (head[0] - foot[0]) * up + inset - curves[first];
       const root = Math.max(0, head[1]) * up;
       let highest = 1e-9;
       for (let k = 1; k < 2 * columns; k += 2) highest = Math.max(highest, curves[first + k]);

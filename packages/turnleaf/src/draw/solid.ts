@@ -10,7 +10,9 @@ varying vec3 vNormal;
 varying vec2 vUv;
 varying vec2 vGrainAt;
 varying vec2 vOpen;
+varying vec3 vPlace;
 void main() {
+  vPlace = (modelMatrix * vec4(position, 1.0)).xyz;
   vNormal = mat3(modelMatrix) * normal;
   vUv = uv;
   vGrainAt = grainAt;
@@ -31,6 +33,7 @@ varying vec3 vNormal;
 varying vec2 vUv;
 varying vec2 vGrainAt;
 varying vec2 vOpen;
+varying vec3 vPlace;
 ${lightChunk}
 
 void main() {
@@ -48,6 +51,8 @@ void main() {
   vec3 sky = vec3(vOpen.x * (0.5 + 0.5 * normal.z));
   sky = mix(sky, amongPaper(sky.x), max(paperiness, share));
   vec3 light = arriving(normal, sky, vOpen.y);
+  // The light falls off away from the lamp, and cloth, unlike a picture, shows it.
+  light *= 1.0 - 0.09 * (1.0 - share) * (1.0 - paperiness) * smoothstep(-0.2, 0.3, dot(vPlace.xy, vec2(0.75, -0.66)));
   gl_FragColor = vec4(colour * min(light, vec3(1.03)), 1.0);
   #include <colorspace_fragment>
   gl_FragColor.rgb = dithered(gl_FragColor.rgb);

@@ -96,12 +96,14 @@ export class SpineMesh {
         // Begins within the board, so that no gap shows.
         const reach = 1.25;
         const from = [0, 1].map((k) => corner[k] + (start[k] - corner[k]) * reach);
+        // Rounds the corner, half as much as a curve toward it would.
+        const pull = [0, 1].map((k) => 1.5 * corner[k] - 0.25 * (from[k] + end[k]));
         const [p, q, r] = [(1 - t) * (1 - t), 2 * t * (1 - t), t * t];
-        x = p * from[0] + q * corner[0] + r * end[0];
-        z = p * from[1] + q * corner[1] + r * end[1];
+        x = p * from[0] + q * pull[0] + r * end[0];
+        z = p * from[1] + q * pull[1] + r * end[1];
         const way = back ? 1 : -1;
-        dx = way * ((1 - t) * (corner[0] - from[0]) + t * (end[0] - corner[0]));
-        dz = way * ((1 - t) * (corner[1] - from[1]) + t * (end[1] - corner[1]));
+        dx = way * ((1 - t) * (pull[0] - from[0]) + t * (end[0] - pull[0]));
+        dz = way * ((1 - t) * (pull[1] - from[1]) + t * (end[1] - pull[1]));
         // The groove between board and spine.
         groove = Math.sin(Math.PI * Math.min(1, Math.max(0, (t - 0.1) / 0.7))) ** 2;
         out = 0.0024 - 0.0016 * groove;

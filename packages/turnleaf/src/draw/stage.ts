@@ -387,8 +387,9 @@ export class Stage {
     this.#back.place(shape.backHinge, shape.backAngle);
     this.#spine.shape(shape);
     this.#headbands.shape(shape);
-    this.#leftFold.mesh.visible = !this.#left.present;
-    this.#rightFold.mesh.visible = !this.#right.present;
+    // Under a board that is nearly shut nobody sees the fold, and it would stick out at the hinge.
+    this.#leftFold.mesh.visible = !this.#left.present && shape.frontAngle > 1.2;
+    this.#rightFold.mesh.visible = !this.#right.present && shape.backAngle < Math.PI - 1.2;
     if (!this.#left.present) this.#leftFold.shape(shape, this.#left, this.#right);
     if (!this.#right.present) this.#rightFold.shape(shape, this.#left, this.#right);
     const reach = this.#shape.width + caseSizes.rim - caseSizes.joint;

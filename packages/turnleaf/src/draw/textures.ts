@@ -109,6 +109,17 @@ export function clothTexture(): Texture {
   const warp = Float32Array.from({ length: threads }, () => random() - 0.5);
   const weft = Float32Array.from({ length: threads }, () => random() - 0.5);
   const level = new Float32Array(size * size);
+  const spots = Float32Array.from({ length: 32 * 32 }, () => 2 * random() - 1);
+  /** Smooth noise from -1 to 1 that repeats after 32. */
+  const mottle = (x: number, y: number): number => {
+    const [i, j] = [Math.floor(x), Math.floor(y)];
+    const spot = (di: number, dj: number): number => spots[((j + dj) % 32) * 32 + ((i + di) % 32)];
+    const ease = (t: number): number => t * t * (3 - 2 * t);
+    const [s, t] = [ease(x - i), ease(y - j)];
+    const low = spot(0, 0) + (spot(1, 0) - spot(0, 0)) * s;
+    const high = spot(0, 1) + (spot(1, 1) - spot(0, 1)) * s;
+    return low + (high - low) * t;
+  };
   for (let y = 0; y < size; y++) {
     for (let x = 0; x < size; x++) {
       const [u, v] = [(x * threads) / size, (y * threads) / size];
@@ -117,7 +128,8 @@ export function clothTexture(): Texture {
       const across = over ? u - i : v - j;
       const round = Math.sin(Math.PI * across);
       const thread = over ? warp[i] : weft[j];
-      level[y * size + x] = 0.2 * (round - 0.64) + 0.09 * thread + 0.1 * (random() - 0.5);
+      const worn = 0.035 * (mottle(u / 16, v / 16) + mottle(u / 4, v / 4));
+      level[y * size + x] = worn + 0.2 * (round - 0.64) + 0.09 * thread + 0.1 * (random() - 0.5);
     }
   }
   return grainTexture(level, size, size);

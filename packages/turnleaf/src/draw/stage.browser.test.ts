@@ -1,0 +1,138 @@
+import { afterEach, expect, test } from "vitest";
+import type { Pile } from "../engine/shapes.ts";
+import { type BookPose, type BookShape, columnPlace } from "./pose.ts";
+import { Stage } from "./stage.ts";
+
+const shape: BookShape = {
+  width: 0.13,
+  height: 0.2,
+  thickness: 0,
+  leaves: 1,
+  cover: "none",
+  cloth: "#6a2a26",
+  kind: "scan",
+};
+
+const stages: Stage[] = [];
+
+function newStage(canvas: HTMLCanvasElement, more: Partial<BookShape> = {}): Stage {
+  const stage = new Stage(canvas, { ...shape, ...more });
+  stage.resize(200, 120, 1);
+  stages.push(stage);
+  return stage;
+}
+
+afterEach(() => {
+  for (const stage of stages.splice(0)) stage.destroy();
+});
+
+/** A pile of flat pages. */
+function flatPile(sign: number): Pile {
+  const [columns, layers] = [49, 2];
+  const curves = new Float32Array(2 * columns * layers);
+  for (let k = 0; k < columns * layers; k++) {
+    curves[2 * k] = sign * shape.width * columnPlace(k % columns, columns);
+  }
+  return { columns, layers, curves };
+}
+
+const open: BookPose = {
+  left: flatPile(-1),
+  right: flatPile(1),
+  leaf: null,
+  frontBoard: Math.PI,
+  backBoard: 0,
+};
+
+function plainPicture(colour: string): HTMLCanvasElement {
+  const picture = document.createElement("canvas");
+  picture.width = 64;
+  picture.height = 96;
+  const context = picture.getContext("2d")!;
+  context.fillStyle = colour;
+  context.fillRect(0, 0, 64, 96);
+  return picture;
+}
+
+/** The colour where the middle of a page is seen. */
+function colourAt(stage: Stage, canvas: HTMLCanvasElement, x: number): number[] {
+  const copy = document.createElement("canvas");
+  copy.width = canvas.width;
+  copy.height = canvas.height;
+  const context = copy.getContext("2d")!;
+  stage.draw();
+  context.drawImage(canvas, 0, 0);
+  const place = stage.project([x, shape.height / 2, 0]);
+  return [...context.getImageData(Math.round(place.x), Math.round(place.y), 1, 1).data];
+}
+
+test("a flat page of a scan is exactly its own picture", () => {
+  const canvas = document.createElement("canvas");
+  const stage = newStage(canvas);
+  stage.setFace("left", plainPicture("#c08a4b"));
+  stage.setFace("right", plainPicture("#fbf5e8"));
+  stage.pose(open);
+  expect(colourAt(stage, canvas, -0.07)).toEqual([0xc0, 0x8a, 0x4b, 255]);
+  expect(colourAt(stage, canvas, 0.07)).toEqual([0xfb, 0xf5, 0xe8, 255]);
+});
+
+test("a forgotten picture leaves blank paper, and the table is clear", () => {
+  const canvas = document.createElement("canvas");
+  const stage = newStage(canvas);
+  const picture = plainPicture("#000000");
+  stage.setFace("right", picture);
+  stage.pose(open);
+  expect(colourAt(stage, canvas, 0.07)).toEqual([0, 0, 0, 255]);
+  stage.forget(picture);
+  expect(colourAt(stage, canvas, 0.07)).toEqual([0xfb, 0xf5, 0xe8, 255]);
+  expect(colourAt(stage, canvas, -0.5)[3]).toBe(0);
+});
+
+test("a line of sight meets the place that it is seen at", () => {
+  const stage = newStage(document.createElement("canvas"), { thickness: 0.02, cover: "hard" });
+  for (const frontBoard of [Math.PI, 1.2, 0]) {
+    stage.pose({ ...open, left: null, frontBoard });
+    const { origin, direction } = stage.rayAt(57, 83);
+    const t = (0.01 - origin[2]) / direction[2];
+    const met = stage.project([origin[0] + t * direction[0], origin[1] + t * direction[1], 0.01]);
+    expect(met.x).toBeCloseTo(57, 3);
+    expect(met.y).toBeCloseTo(83, 3);
+  }
+});
+
+test("at rest the canvas has two device pixels for each CSS pixel at least", () => {
+  const canvas = document.createElement("canvas");
+  const stage = newStage(canvas);
+  stage.pose(open);
+  stage.draw({ resting: true });
+  expect([canvas.width, canvas.height]).toEqual([400, 240]);
+  stage.draw();
+  expect([canvas.width, canvas.height]).toEqual([200, 120]);
+});
+
+test("a lost context comes back with everything on it", async () => {
+  const canvas = document.createElement("canvas");
+  const stage = newStage(canvas);
+  stage.setFace("right", plainPicture("#3366aa"));
+  stage.pose(open);
+  const before = colourAt(stage, canvas, 0.07);
+  const loss = canvas.getContext("webgl2")!.getExtension("WEBGL_lose_context")!;
+  const lost = new Promise((done) => canvas.addEventListener("webglcontextlost", done));
+  loss.loseContext();
+  await lost;
+  stage.draw();
+  const restored = new Promise<void>((done) => {
+    stage.onRestored = done;
+  });
+  // The browser gives a context back only after the event has run its course.
+  await new Promise((done) => setTimeout(done, 0));
+  loss.restoreContext();
+  await restored;
+  expect(colourAt(stage, canvas, 0.07)).toEqual(before);
+});
+
+test("without WebGL 2 one sentence says so", () => {
+  const canvas = document.createElement("canvas");
+  canvas.getContext = () => null;
+  expect(() => new Stage(canvas, shape)).toThrow(/needs WebGL 2/);
+});
