@@ -10,8 +10,8 @@ if command -v apt-get >/dev/null; then
   echo "Installing Chromium from the system's packages ..."
   $as_root apt-get update -q >/dev/null
   # Ubuntu calls it chromium-browser.
-  DEBIAN_FRONTEND=noninteractive $as_root apt-get install -yq --no-install-recommends chromium >/dev/null ||
-    DEBIAN_FRONTEND=noninteractive $as_root apt-get install -yq --no-install-recommends chromium-browser >/dev/null
+  $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -yq --no-install-recommends chromium fonts-liberation >/dev/null ||
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -yq --no-install-recommends chromium-browser fonts-liberation >/dev/null
 fi
 found || {
   echo "The tests need a Chromium: install one, or name it in the environment variable CHROMIUM." >&2

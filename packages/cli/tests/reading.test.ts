@@ -3,7 +3,7 @@
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { type Browser, chromium, type Page } from "playwright-core";
-import { afterAll, beforeAll, expect, test } from "vitest";
+import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
 import { png } from "./books.ts";
 import { folderOf, type Started, start } from "./command.ts";
@@ -21,6 +21,20 @@ beforeAll(async () => {
 });
 
 afterAll(() => browser?.close());
+
+/** Started by a test; stopped after it, however it ended. */
+const running: Started[] = [];
+
+afterEach(async () => {
+  for (const context of browser.contexts()) await context.close();
+  for (const served of running.splice(0)) await served.stop();
+});
+
+async function serve(path: string): Promise<Started> {
+  const served = await start(path, "--no-open", "--port", "0");
+  running.push(served);
+  return served;
+}
 
 /** What the page was asked to do over time, counted from inside. */
 interface Counts {
@@ -122,7 +136,7 @@ const leftText = { x: 0.27, y: 0.4, width: 0.17, height: 0.35 };
 const rightText = { x: 0.56, y: 0.4, width: 0.17, height: 0.35 };
 
 test("the default book opens, is dragged over, and rests", { timeout: 180_000 }, async () => {
-  const served = await start(book, "--no-open", "--port", "0");
+  const served = await serve(book);
   const { page, errors } = await open(served, "#page=22");
   expect(await shownPage(page)).toBe(22);
   expect(
@@ -179,12 +193,10 @@ test("the default book opens, is dragged over, and rests", { timeout: 180_000 },
   await page.waitForTimeout(800);
   expect(await counts(page)).toEqual(removed);
   expect(errors).toEqual([]);
-  await page.close();
-  await served.stop();
 });
 
 test("keys, clicks and commands turn pages and land where told", { timeout: 180_000 }, async () => {
-  const served = await start(book, "--no-open", "--port", "0");
+  const served = await serve(book);
   const { page, errors } = await open(served, "#page=30");
   await page.keyboard.press("ArrowRight");
   await settle(page);
@@ -222,12 +234,10 @@ test("keys, clicks and commands turn pages and land where told", { timeout: 180_
   expect([first, second]).toEqual([false, true]);
   expect(await shownPage(page)).toBe(20);
   expect(errors).toEqual([]);
-  await page.close();
-  await served.stop();
 });
 
 test("a running turn is caught and taken back", { timeout: 120_000 }, async () => {
-  const served = await start(book, "--no-open", "--port", "0");
+  const served = await serve(book);
   const { page, errors } = await open(served, "#page=40");
   await page.evaluate(() => {
     const element = document.querySelector("turnleaf-book");
@@ -245,12 +255,10 @@ test("a running turn is caught and taken back", { timeout: 120_000 }, async () =
   await settle(page);
   expect(await shownPage(page)).toBe(40);
   expect(errors).toEqual([]);
-  await page.close();
-  await served.stop();
 });
 
 test("another real PDF, with an odd number of pages", { timeout: 120_000 }, async () => {
-  const served = await start(other, "--no-open", "--port", "0");
+  const served = await serve(other);
   const { page, errors } = await open(served, "#page=4");
   expect(await page.evaluate(() => document.querySelector("turnleaf-book")?.pageCount)).toBe(9);
   expect((await ink(page, { x: 0.2, y: 0.2, width: 0.6, height: 0.6 })).dark).toBeGreaterThan(0.01);
@@ -260,8 +268,6 @@ test("another real PDF, with an odd number of pages", { timeout: 120_000 }, asyn
   await page.evaluate(() => document.querySelector("turnleaf-book")?.next());
   expect(await shownPage(page)).toBe(9);
   expect(errors).toEqual([]);
-  await page.close();
-  await served.stop();
 });
 
 /** The element's message where the page would be, and what it announces. */
@@ -284,8 +290,8 @@ test("what breaks after it was opened says so where the page would be", {
     "scans/2.png": png(30, 40),
     "scans/3.png": png(30, 40),
   });
-  const whole = await start(`${folder.path}/book.pdf`, "--no-open", "--port", "0");
-  const scans = await start(`${folder.path}/scans`, "--no-open", "--port", "0");
+  const whole = await serve(`${folder.path}/book.pdf`);
+  const scans = await serve(`${folder.path}/scans`);
   folder.remove();
   const page = await browser.newPage({ viewport });
 
@@ -297,7 +303,4 @@ test("what breaks after it was opened says so where the page would be", {
   await page.goto(scans.url);
   await expect.poll(async () => (await said(page)).live, { timeout: 20_000 }).toContain("1.png");
   expect((await said(page)).alert).toBe("");
-  await page.close();
-  await whole.stop();
-  await scans.stop();
 });
