@@ -36,6 +36,11 @@ export class LeafSection {
     return this.#views[row];
   }
 
+  /** Forgets the leaf. */
+  clear(): void {
+    this.counts.fill(0);
+  }
+
   /**
    * Cuts the leaf.
    *
@@ -45,7 +50,7 @@ export class LeafSection {
    */
   cut(leaf: Surface, sign: 1 | -1, slope: number, base: number, stride: number): void {
     const { positions, columns, rows } = leaf;
-    this.counts.fill(0);
+    this.clear();
     for (let column = 0; column < columns; column += stride) {
       for (let row = 0; row + 1 < rows; row++) {
         const a = 3 * (row * columns + column);

@@ -1,0 +1,240 @@
+/**
+ * The book as meshes: pages, blocks, leaf, boards, spine and their shadow on
+ * the table. A pose moves them; what a pose leaves where it was costs nothing.
+ */
+
+import { Group } from "three";
+import { BlockMesh } from "./block_mesh.ts";
+import { BoardMesh } from "./board_mesh.ts";
+import type { Framing } from "./camera.ts";
+import { caseSizes, placeCase, restingCase } from "./case_shape.ts";
+import { EndpaperMesh } from "./endpaper_mesh.ts";
+import { shadowOfCase, shadowOfLeaves } from "./footprint.ts";
+import { Ground } from "./ground.ts";
+import { LeafMesh } from "./leaf_mesh.ts";
+import { LeafSection } from "./leaf_section.ts";
+import { shadowSlopes } from "./light.ts";
+import type { BookMaterials } from "./materials.ts";
+import { type Overhead, PageMesh } from "./page_mesh.ts";
+import { obstacleStride, PileShape } from "./pile_shape.ts";
+import { type BookPose, type BookShape, pageRows } from "./pose.ts";
+import { HeadbandMesh, SpineMesh } from "./spine_mesh.ts";
+
+/** Smallest step, metres, of the gutter over the spine that is followed: a sixtieth of a pixel. */
+const leastStep = 5e-6;
+
+/** A side of the open book: its pile and what is drawn of it. */
+interface DrawnSide {
+  readonly pile: PileShape;
+  readonly page: PageMesh;
+  readonly block: BlockMesh;
+  readonly fold: EndpaperMesh;
+  readonly over: Overhead;
+}
+
+/** All meshes of one book. */
+export class DrawnBook {
+  readonly group: Group = new Group();
+  /** What the camera needs to know of the last pose. */
+  readonly framing: Framing;
+  readonly #shape: BookShape;
+  readonly #hard: boolean;
+  readonly #left: DrawnSide;
+  readonly #right: DrawnSide;
+  readonly #leaf: LeafMesh;
+  readonly #front: BoardMesh;
+  readonly #back: BoardMesh;
+  readonly #spine: SpineMesh;
+  readonly #headbands: HeadbandMesh;
+  readonly #ground: Ground;
+  readonly #case = restingCase();
+  #frontAngle = Number.NaN;
+  #backAngle = Number.NaN;
+  #leafVersion = -1;
+  #leafShown = true;
+
+  constructor(shape: BookShape, materials: BookMaterials) {
+    const { width, height, thickness } = shape;
+    this.#shape = shape;
+    this.#hard = shape.cover === "hard";
+    this.framing = { closedRight: 0, closedLeft: 0, middle: 0, boardEdges: [], room: 1 };
+    const section = (): LeafSection => new LeafSection(pageRows, height);
+    const side = (sign: 1 | -1): DrawnSide => ({
+      pile: new PileShape(sign),
+      page: new PageMesh(materials.paper[sign === 1 ? "right" : "left"], height, pageRows),
+      block: new BlockMesh(materials.leafEdges, sign, height, thickness),
+      fold: new EndpaperMesh(materials.endpaper, sign, height),
+      over: { sky: section(), keys: shadowSlopes.map(section), board: new Float32Array(4) },
+    });
+    this.#left = side(-1);
+    this.#right = side(1);
+    this.#leaf = new LeafMesh(materials.paper.recto, materials.paper.verso);
+    const { frontOutside, frontInside, backOutside, backInside } = materials.boards;
+    this.#front = new BoardMesh(true, width, height, frontOutside, frontInside);
+    this.#back = new BoardMesh(false, width, height, backOutside, backInside);
+    this.#spine = new SpineMesh(materials.spine, height, thickness);
+    this.#headbands = new HeadbandMesh(materials.headband, height);
+    const table = this.#hard ? -caseSizes.board - caseSizes.sink : 0;
+    this.#ground = new Ground(table, 12 * Math.max(width, height));
+
+    this.group.add(this.#ground.mesh, this.#leaf.recto, this.#leaf.verso);
+    for (const { page, block, fold } of [this.#left, this.#right]) {
+      page.mesh.visible = block.mesh.visible = fold.mesh.visible = false;
+      this.group.add(block.mesh, page.mesh);
+      if (this.#hard) this.group.add(fold.mesh);
+    }
+    if (this.#hard) {
+      this.group.add(this.#front.group, this.#back.group, this.#spine.mesh);
+      // A thin book is stapled and has none.
+      if (thickness > 0.004) this.group.add(this.#headbands.mesh);
+    }
+  }
+
+  /** Moves the book; answers whether the camera should follow. */
+  pose(pose: BookPose): boolean {
+    const middle = this.#middleOf(pose);
+    const caseMoved =
+      pose.frontBoard !== this.#frontAngle ||
+      pose.backBoard !== this.#backAngle ||
+      Math.abs(middle - this.framing.middle) > leastStep;
+    if (caseMoved) this.#placeCase(pose, middle);
+    const leftMoved = this.#placeSide(this.#left, pose.left);
+    const rightMoved = this.#placeSide(this.#right, pose.right);
+    const pilesMoved = leftMoved || rightMoved;
+    const still = !(pilesMoved || caseMoved);
+    if (!still && this.#hard) this.#placeBoards();
+    this.#light(pose.leaf, pilesMoved, still);
+    const [left, right] = [this.#left.pile, this.#right.pile];
+    if (!this.#hard) shadowOfLeaves(this.#ground, this.#shape, pose.leaf, left, right);
+    else if (!still) shadowOfCase(this.#ground, this.#shape, this.#case, left, right);
+    return caseMoved;
+  }
+
+  dispose(): void {
+    for (const { page, block, fold } of [this.#left, this.#right]) {
+      page.dispose();
+      block.dispose();
+      fold.dispose();
+    }
+    this.#leaf.dispose();
+    this.#front.dispose();
+    this.#back.dispose();
+    this.#spine.dispose();
+    this.#headbands.dispose();
+    this.#ground.dispose();
+    this.group.clear();
+  }
+
+  /**
+   * Middle of the block's spine: the gutter wanders over it as leaves go from
+   * side to side. The leaf in flight takes its share of the block along, so
+   * that nothing jumps where it takes off and lands.
+   */
+  #middleOf(pose: BookPose): number {
+    // A pile is as thick as its uppermost page is high at the fore-edge.
+    const high = (pile: BookPose["left"]): number => pile?.curves[2 * pile.columns - 1] ?? 0;
+    const [left, right] = [high(pose.left), high(pose.right)];
+    let middle = right - left;
+    if (pose.leaf) {
+      const { positions, columns, rows } = pose.leaf;
+      let over = 0;
+      for (let row = 0; row < rows; row++) over += positions[3 * ((row + 1) * columns - 1)];
+      const way = Math.min(1, Math.max(-1, over / (rows * 0.97 * this.#shape.width)));
+      middle += Math.max(0, this.#shape.thickness - left - right) * way;
+    }
+    return middle / 2;
+  }
+
+  #placeCase(pose: BookPose, middle: number): void {
+    this.#frontAngle = pose.frontBoard;
+    this.#backAngle = pose.backBoard;
+    const joint = this.#hard ? caseSizes.joint : 0;
+    const { thickness } = this.#shape;
+    placeCase(this.#case, thickness, middle, pose.frontBoard, pose.backBoard, joint);
+    this.framing.middle = middle;
+    this.framing.closedRight = this.#case.closedRight;
+    this.framing.closedLeft = this.#case.closedLeft;
+  }
+
+  #placeSide(side: DrawnSide, pile: BookPose["left"]): boolean {
+    if (!side.pile.update(pile, this.#case, this.#hard)) return false;
+    side.page.mesh.visible = side.block.mesh.visible = side.pile.present;
+    if (side.pile.present) {
+      side.page.shape(side.pile);
+      side.block.shape(side.pile);
+    }
+    return true;
+  }
+
+  #placeBoards(): void {
+    const shape = this.#case;
+    const [left, right] = [this.#left, this.#right];
+    this.#front.place(shape.frontHinge, shape.frontAngle);
+    this.#back.place(shape.backHinge, shape.backAngle);
+    this.#spine.shape(shape);
+    this.#headbands.shape(shape);
+    // Under a board that is nearly shut nobody sees the fold, and it would stick out at the hinge.
+    left.fold.mesh.visible = !left.pile.present && shape.frontAngle > 1.2;
+    right.fold.mesh.visible = !right.pile.present && shape.backAngle < Math.PI - 1.2;
+    for (const { fold } of [left, right]) {
+      if (fold.mesh.visible) fold.shape(shape, left.pile, right.pile);
+    }
+    const reach = this.#shape.width + caseSizes.rim - caseSizes.joint;
+    tipOf(right.over.board, shape.frontHinge, shape.frontAngle, reach, 1);
+    tipOf(left.over.board, shape.backHinge, shape.backAngle, reach, -1);
+    const edges = this.framing.boardEdges;
+    [edges[0], edges[1]] = [right.over.board[2], right.over.board[3]];
+    [edges[2], edges[3]] = [-left.over.board[2], left.over.board[3]];
+  }
+
+  #light(leaf: BookPose["leaf"], pilesMoved: boolean, still: boolean): void {
+    const [left, right] = [this.#left, this.#right];
+    this.#leaf.recto.visible = this.#leaf.verso.visible = leaf !== null;
+    const same = leaf ? leaf.version === this.#leafVersion : !this.#leafShown;
+    if (still && same) return;
+    this.#leafVersion = leaf ? leaf.version : -1;
+    this.#leafShown = leaf !== null;
+    if (leaf) {
+      this.#leaf.shape(leaf);
+      this.#leaf.light(leaf, left.pile, right.pile);
+    }
+    for (const { over, pile } of [left, right]) {
+      if (!leaf) {
+        over.sky.clear();
+        for (const key of over.keys) key.clear();
+        continue;
+      }
+      over.sky.cut(leaf, pile.sign, 0, 0, obstacleStride);
+      for (let k = 0; k < over.keys.length; k++) {
+        over.keys[k].cut(leaf, pile.sign, shadowSlopes[k], pile.top, obstacleStride);
+      }
+    }
+    if (left.pile.present) {
+      if (pilesMoved) left.page.open(left.pile, right.pile.mirrored);
+      left.page.light(left.pile, left.over);
+    }
+    if (right.pile.present) {
+      if (pilesMoved) right.page.open(right.pile, left.pile.obstacles);
+      right.page.light(right.pile, right.over);
+    }
+    if (!this.#hard) return;
+    // A board under pages shows its rim alone, where no leaf's shadow is looked for.
+    const [l, r] = [left.pile, right.pile];
+    if (!still || !l.present) this.#front.light(this.#case, l, r, left.over);
+    if (!still || !r.present) this.#back.light(this.#case, l, r, right.over);
+  }
+}
+
+/** Hinge and outer edge of a board that stands over the pages, as points that shut out light. */
+function tipOf(
+  out: Float32Array,
+  hinge: readonly [number, number],
+  angle: number,
+  reach: number,
+  sign: 1 | -1,
+): void {
+  out[0] = sign * hinge[0];
+  out[1] = hinge[1];
+  out[2] = sign * (hinge[0] + reach * Math.cos(angle));
+  out[3] = hinge[1] + reach * Math.sin(angle);
+}
