@@ -1,8 +1,9 @@
 /** Every material of a book, and the grains that they share. */
 
 import { Color, type Material, type Texture } from "three";
+import type { Face } from "../book/faces.ts";
 import { PaperMaterial } from "./paper.ts";
-import type { BookShape, Face } from "./pose.ts";
+import type { BookShape } from "./pose.ts";
 import { type SolidLook, SolidMaterial } from "./solid.ts";
 import { clothTexture, headbandTexture, leafEdgeTexture } from "./textures.ts";
 

@@ -1,11 +1,11 @@
 /** The uppermost resting page of one side: its pile's top curve swept along the spine. */
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh } from "three";
+import { columnPlace } from "../engine/shapes.ts";
 import type { LeafSection } from "./leaf_section.ts";
 import { compassToRadians, gapsOfRow, keyAngle, leftEndUnder, penumbra } from "./light.ts";
 import type { PaperMaterial } from "./paper.ts";
 import { obstacleStride, type PileShape } from "./pile_shape.ts";
-import { columnPlace } from "./pose.ts";
 
 /** What stands over a page: the leaf's sections for sky and key, and the tip of a board. */
 export interface Overhead {

@@ -19,17 +19,6 @@ export interface BookShape {
   readonly kind: "typeset" | "scan";
 }
 
-/** A face of the book that can carry a picture. */
-export type Face =
-  | "left"
-  | "right"
-  | "recto"
-  | "verso"
-  | "frontOutside"
-  | "frontInside"
-  | "backOutside"
-  | "backInside";
-
 /** Where the parts of the book are. Book space: see `engine/shapes.ts`; z = 0 is the boards' inner face. */
 export interface BookPose {
   /** Resting pages on the left; null where none lie. */
@@ -46,8 +35,3 @@ export interface BookPose {
 
 /** Rows of a resting page's mesh: how finely a leaf's shadow follows the leaf's shape. */
 export const pageRows = 33;
-
-/** Distance of a column from the spine as a share of the page's width. Columns crowd where pages bend. */
-export function columnPlace(column: number, columns: number): number {
-  return (column / (columns - 1)) ** 1.7;
-}

@@ -1,6 +1,7 @@
 import { afterEach, expect, test } from "vitest";
 import type { Pile } from "../engine/shapes.ts";
-import { type BookPose, type BookShape, columnPlace } from "./pose.ts";
+import { columnPlace } from "../engine/shapes.ts";
+import type { BookPose, BookShape } from "./pose.ts";
 import { Stage } from "./stage.ts";
 
 const shape: BookShape = {

@@ -5,13 +5,14 @@
  */
 
 import { PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderer } from "three";
+import type { Face } from "../book/faces.ts";
 import type { Ray, Vec3 } from "../engine/shapes.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import { fieldOfView, frameBook } from "./camera.ts";
 import { caseSizes } from "./case_shape.ts";
 import { DrawnBook } from "./drawn_book.ts";
 import { BookMaterials } from "./materials.ts";
-import type { BookPose, BookShape, Face } from "./pose.ts";
+import type { BookPose, BookShape } from "./pose.ts";
 import { PictureTextures } from "./textures.ts";
 
 /** Most pixels of a frame at rest. */

@@ -40,3 +40,11 @@ export interface Ray {
   readonly origin: Vec3;
   readonly direction: Vec3;
 }
+
+/**
+ * u of a column of leaves and piles, 0 at the spine and 1 at the fore-edge:
+ * they crowd where pages bend. The engine's `crowded_columns`, held to it by a test.
+ */
+export function columnPlace(column: number, columns: number): number {
+  return (column / (columns - 1)) ** 1.7;
+}
