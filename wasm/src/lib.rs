@@ -25,8 +25,9 @@ fn phase_number(phase: Phase) -> u32 {
         Phase::Resting(Side::Right) => 0,
         Phase::Resting(Side::Left) => 1,
         Phase::Held => 2,
-        Phase::Falling(_) => 3,
+        Phase::Falling(Side::Right) => 3,
         Phase::Playing(_) => 4,
+        Phase::Falling(Side::Left) => 5,
     }
 }
 

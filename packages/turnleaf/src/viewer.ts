@@ -210,6 +210,7 @@ export class Viewer {
 
   /** The hand moves to a place on the canvas, CSS pixels. */
   drag(x: number, y: number): void {
+    if (this.#destroyed) return;
     const place = handAt(this.#stage.rayAt(x, y), this.#heldU * this.#width, (at) =>
       this.#floor(at),
     );
@@ -243,6 +244,8 @@ export class Viewer {
     if (this.#destroyed) return;
     this.#destroyed = true;
     cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.turning.close();
     this.#pictures.close();
     this.#stage.destroy();
     this.#engine.destroy();
@@ -251,6 +254,8 @@ export class Viewer {
   #draw(now: number): void {
     this.#frame = 0;
     const moving = this.turning.moving && this.turning.step(this.#ticks(now));
+    // Whoever hears of a turn may take the book away at once.
+    if (this.#destroyed) return;
     this.#engine.update();
     this.#pose();
     this.#stage.draw({ resting: !moving });

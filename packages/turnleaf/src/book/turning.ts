@@ -45,6 +45,8 @@ export class Turning {
   #flight: Flight | null = null;
   /** Spreads still to reach, one turn each. */
   #plan: number[] = [];
+  /** Whether a hand has hold of the flight: until it lets go, or a command takes the leaf from it. */
+  #held = false;
   #promised: { spread: number; resolve: (landed: boolean) => void }[] = [];
 
   constructor(engine: EngineBook, binding: Binding, events: TurningEvents) {
@@ -72,8 +74,19 @@ export class Turning {
   lay(spread: number): void {
     this.#plan = [];
     this.#flight = null;
+    this.#held = false;
     this.#settle(spread);
     this.#keepPromises();
+  }
+
+  /** Stops where it is, for good: what was promised resolves to false, and the engine is told nothing more. */
+  close(): void {
+    this.#plan = [];
+    this.#flight = null;
+    this.#held = false;
+    const promised = this.#promised;
+    this.#promised = [];
+    for (const { resolve } of promised) resolve(false);
   }
 
   /** Turns to a spread; resolves to whether the book came to rest there. */
@@ -87,9 +100,11 @@ export class Turning {
   turn(by: 1 | -1): Promise<boolean> {
     const last = leafCount(this.#binding);
     const spread = Math.min(Math.max(this.destination + by, 0), last);
-    if (this.#opposes(by)) {
-      this.#sendToward(spread);
+    const flight = this.#flight;
+    if (flight !== null && (this.#held || this.#opposes(by))) {
+      // The same leaf goes there, though it may stand for many.
       this.#plan = [];
+      this.#play(flight, by === 1 ? Side.left : Side.right);
     } else if (spread !== this.destination && this.#plan.length < mostWaiting) {
       this.#plan.push(spread);
     }
@@ -102,18 +117,20 @@ export class Turning {
     const to = this.#spread + (side === Side.right ? 1 : -1);
     if (to < 0 || to > leafCount(this.#binding)) return false;
     this.#plan = [];
-    this.#take(to);
-    return true;
+    return this.#take(to) !== null;
   }
 
   /** The hand holds the leaf in flight at (u, v) of its surface. What was planned is off. */
   grab(u: number, v: number): void {
     this.#plan = [];
+    this.#held = this.#flight !== null;
     if (this.#flight?.part === "leaf") this.#engine.grab(u, v);
   }
 
   /** The hand pulls to a place in book space (metres). */
   hold(x: number, y: number, z: number): void {
+    // What a command took from the hand, and what was taken up since, is not its own.
+    if (!this.#held) return;
     const part = this.#flight?.part;
     if (part === "leaf") this.#engine.hold(x, y, z);
     else if (part !== undefined) this.#engine.holdBoard(part, Math.atan2(Math.max(z, 0), x));
@@ -121,9 +138,14 @@ export class Turning {
 
   /** The hand lets go. */
   release(): void {
-    const part = this.#flight?.part;
-    if (part === "leaf") this.#engine.release();
-    else if (part !== undefined) this.#engine.releaseBoard(part);
+    const flight = this.#flight;
+    if (flight === null || !this.#held) return;
+    this.#held = false;
+    if (flight.part === "leaf") this.#engine.release();
+    else this.#engine.releaseBoard(flight.part);
+    const phase = this.#advance(flight, 0);
+    if (phase === Phase.fallingLeft) flight.to = Side.left;
+    if (phase === Phase.fallingRight) flight.to = Side.right;
   }
 
   /** Steps by whole ticks; answers whether anything still moves or waits. */
@@ -131,10 +153,7 @@ export class Turning {
     this.#start();
     const flight = this.#flight;
     if (flight === null) return false;
-    const phase =
-      flight.part === "leaf"
-        ? this.#engine.step(ticks)
-        : this.#engine.stepBoard(flight.part, ticks);
+    const phase = this.#advance(flight, ticks);
     if (isResting(phase)) {
       this.#land(phase === Phase.restingLeft ? flight.high : flight.low);
       this.#start();
@@ -145,6 +164,10 @@ export class Turning {
   /** Whether a step would do anything. */
   get moving(): boolean {
     return this.#flight !== null || this.#plan.length > 0;
+  }
+
+  #advance({ part }: Flight, ticks: number): Phase {
+    return part === "leaf" ? this.#engine.step(ticks) : this.#engine.stepBoard(part, ticks);
   }
 
   #landing(): number | null {
@@ -175,11 +198,13 @@ export class Turning {
       return;
     }
     const next = this.#plan.shift();
-    if (next !== undefined && next !== this.#spread) this.#play(this.#take(next), null);
+    if (next === undefined || next === this.#spread) return;
+    const flight = this.#take(next);
+    if (flight !== null) this.#play(flight, flight.to);
   }
 
-  /** Takes up the leaf between here and the spread `to`. */
-  #take(to: number): Flight {
+  /** Takes up the leaf between here and the spread `to`; null where whoever heard of it put it down again. */
+  #take(to: number): Flight | null {
     const from = this.#spread;
     const [low, high] = from < to ? [from, to] : [to, from];
     const single = high - low === 1 && isBoard(this.#binding, low);
@@ -192,11 +217,12 @@ export class Turning {
       this.#engine.lift(side, read(low), read(high));
     }
     this.#events.started(flight);
-    return flight;
+    return this.#flight === flight ? flight : null;
   }
 
-  #play(flight: Flight, to: Side | null): void {
-    if (to !== null) flight.to = to;
+  #play(flight: Flight, to: Side): void {
+    flight.to = to;
+    this.#held = false;
     const seconds = Math.max(this.seconds / (1 + this.#plan.length), shortestTurn);
     if (flight.part === "leaf") this.#engine.play(flight.to, seconds);
     else this.#engine.playBoard(flight.part, flight.to, seconds);
@@ -205,6 +231,7 @@ export class Turning {
   #land(spread: number): void {
     const from = this.#flight?.from ?? this.#spread;
     this.#flight = null;
+    this.#held = false;
     this.#settle(spread);
     this.#events.landed(from, spread);
     if (this.#plan.length === 0) this.#keepPromises();

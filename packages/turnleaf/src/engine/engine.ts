@@ -11,7 +11,14 @@ export const Side = { right: 0, left: 1 } as const;
 export type Side = (typeof Side)[keyof typeof Side];
 
 /** What a leaf or a board is doing. */
-export const Phase = { restingRight: 0, restingLeft: 1, held: 2, falling: 3, playing: 4 } as const;
+export const Phase = {
+  restingRight: 0,
+  restingLeft: 1,
+  held: 2,
+  fallingRight: 3,
+  playing: 4,
+  fallingLeft: 5,
+} as const;
 export type Phase = (typeof Phase)[keyof typeof Phase];
 
 /** Which cover board. */
