@@ -312,9 +312,10 @@ export class Viewer {
   }
 
   #pictureOf(face: Face, page: number | null) {
-    // A board seen from the side alone is plain cloth rather than a page to come.
-    const wanted = page !== null && this.#pictures.isWanted(page);
-    if (page !== null) return wanted || !isBoardFace(face) ? this.#pictures.get(page) : null;
+    // A board seen by its edge alone is plain cloth rather than a page to come.
+    if (page !== null) {
+      return isBoardFace(face) ? this.#pictures.getIfDrawn(page) : this.#pictures.get(page);
+    }
     // A book with an odd number of pages ends in a bare verso.
     return face === "verso" ? this.#pictures.bare : null;
   }

@@ -63,7 +63,11 @@ export class DrawnBook {
       pile: new PileShape(sign),
       page: new PageMesh(materials.paper[sign === 1 ? "right" : "left"], height, pageRows),
       block: new BlockMesh(materials.leafEdges, sign, height, thickness),
-      fold: new EndpaperMesh(materials.endpaper, sign, height),
+      fold: new EndpaperMesh(
+        materials.endpapers[sign === -1 ? "frontInside" : "backInside"],
+        sign,
+        height,
+      ),
       over: { sky: section(), keys: shadowSlopes.map(section), board: new Float32Array(4) },
     });
     this.#left = side(-1);

@@ -11,6 +11,8 @@ import type { SolidMaterial } from "./solid.ts";
 import { SolidGeometry } from "./solid_geometry.ts";
 
 const steps = 9;
+/** Width of the fold as a share of a page's. */
+const foldShare = 0.07;
 const noLid = [0, 0, 0] as const;
 
 /** The fold on one side. */
@@ -70,11 +72,15 @@ export class EndpaperMesh {
         const point = end * steps + i;
         solid.place(point, x, end * this.#height, z);
         solid.face(point, nx, 0, nz);
+        // The picture's last strip before the hinge, mirrored: patterns run on unbroken.
+        const beyond = (foldShare * (steps - 1 - i)) / (steps - 1);
+        solid.uv[2 * point] = front ? 1 - beyond : beyond;
+        solid.uv[2 * point + 1] = 1 - end;
         solid.open[2 * point] = this.#shares.sky;
         solid.open[2 * point + 1] = this.#shares.key;
       }
     }
-    solid.touch("position", "normal", "open");
+    solid.touch("position", "normal", "uv", "open");
   }
 
   dispose(): void {

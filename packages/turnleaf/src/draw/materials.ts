@@ -19,7 +19,8 @@ export class BookMaterials {
   readonly boards: Record<BoardFace, SolidMaterial>;
   readonly spine: SolidMaterial;
   readonly leafEdges: SolidMaterial;
-  readonly endpaper: SolidMaterial;
+  /** The folds by the front and by the back board, which carry their pastedown's picture on. */
+  readonly endpapers: Record<"frontInside" | "backInside", SolidMaterial>;
   readonly headband: SolidMaterial;
   readonly #materials: Material[] = [];
   readonly #grains: Texture[];
@@ -58,12 +59,11 @@ export class BookMaterials {
       paperiness: 0.35,
       twoSided: true,
     });
-    this.endpaper = solid("#fbf5e8", {
-      grain: weave,
-      grainDepth: 0,
-      paperiness: 1,
-      twoSided: true,
-    });
+    const fold = (): SolidMaterial =>
+      solid("#fbf5e8", { grain: weave, grainDepth: 0, paperiness: 1, twoSided: true });
+    this.endpapers = { frontInside: fold(), backInside: fold() };
+    this.endpapers.frontInside.setPicture(blank);
+    this.endpapers.backInside.setPicture(blank);
     this.headband = solid("#b9a37e", {
       grain: stripes,
       grainDepth: 1,
@@ -78,6 +78,7 @@ export class BookMaterials {
       this.boards[face].setPicture(none ? null : texture);
     } else if (face === "frontInside" || face === "backInside") {
       this.boards[face].setPicture(texture);
+      this.endpapers[face].setPicture(texture);
     } else {
       this.paper[face].picture = texture;
       if (face === "recto") this.paper.verso.pictureBehind = texture;

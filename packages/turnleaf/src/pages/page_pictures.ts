@@ -2,7 +2,7 @@
 
 import type { PagePicture, PageSource } from "../sources/page_source.ts";
 import { fitToLeaf } from "./fit.ts";
-import { PagePool } from "./page_pool.ts";
+import { closePicture, PagePool } from "./page_pool.ts";
 import { barePage, failedPage, waitingPage } from "./stand_in.ts";
 
 /** Told when pictures come and go. */
@@ -22,8 +22,7 @@ export class PagePictures {
   readonly #pool: PagePool;
   readonly #aspect: number;
   readonly #options: PagePicturesOptions;
-  readonly #fitted = new Map<PagePicture, PagePicture>();
-  #wanted: ReadonlySet<number> = new Set();
+  #inSight: ReadonlySet<number> = new Set();
   readonly #standIns = new Map<string, HTMLCanvasElement>();
 
   /** @param aspect a leaf's width over its height */
@@ -31,15 +30,23 @@ export class PagePictures {
     this.#source = source;
     this.#aspect = aspect;
     this.#options = options;
-    this.#pool = new PagePool(source, {
-      onArrive: (index) => options.onArrive(index + 1),
-      onDrop: (picture) => this.#drop(picture),
-    });
+    // Fitted before the pool holds it: its bounds are then of what is truly held.
+    const draw: PageSource["draw"] = async (index, width, signal) => {
+      const picture = await source.draw(index, width, signal);
+      const fitted = fitToLeaf(picture, aspect, width);
+      if (fitted !== picture) closePicture(picture);
+      return fitted;
+    };
+    const { pageCount, title } = source;
+    this.#pool = new PagePool(
+      { pageCount, title, draw },
+      { onArrive: (index) => options.onArrive(index + 1), onDrop: options.onDrop },
+    );
   }
 
   /** Asks for pages (from 1), most urgent first, `width` device pixels wide; the first `inSight` are seen now. */
   want(pages: readonly number[], inSight: number, width: number): void {
-    this.#wanted = new Set(pages);
+    this.#inSight = new Set(pages.slice(0, inSight));
     this.#pool.want(
       pages.map((page) => ({ index: page - 1, width })),
       inSight,
@@ -48,19 +55,12 @@ export class PagePictures {
 
   /** The best picture of a page (from 1) that there is now; never nothing. */
   get(page: number): PagePicture {
-    const picture = this.#pool.get(page - 1);
-    if (picture === null) return this.#standIn(page);
-    let fitted = this.#fitted.get(picture);
-    if (fitted === undefined) {
-      fitted = fitToLeaf(picture, this.#aspect);
-      this.#fitted.set(picture, fitted);
-    }
-    return fitted;
+    return this.#pool.get(page - 1) ?? this.#standIn(page);
   }
 
-  /** Whether a page (from 1) is among those asked for last. */
-  isWanted(page: number): boolean {
-    return this.#wanted.has(page);
+  /** As `get`; null for a page out of sight that is not drawn. */
+  getIfDrawn(page: number): PagePicture | null {
+    return this.#inSight.has(page) || this.#pool.get(page - 1) !== null ? this.get(page) : null;
   }
 
   /** Why a page (from 1) cannot be shown, or null. */
@@ -111,11 +111,5 @@ export class PagePictures {
       if (canvas) this.#options.onDrop(canvas);
     }
     return kept;
-  }
-
-  #drop(picture: PagePicture): void {
-    const fitted = this.#fitted.get(picture) ?? picture;
-    this.#fitted.delete(picture);
-    this.#options.onDrop(fitted);
   }
 }

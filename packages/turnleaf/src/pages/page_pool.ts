@@ -30,6 +30,9 @@ const roughShare = 1 / 3;
 /** A sharp picture that takes no longer than this, in milliseconds, needs no rough one before it. */
 const quick = 40;
 
+/** What the pool needs of a book. */
+export type PoolSource = Pick<PageSource, "pageCount" | "title" | "draw">;
+
 interface Job {
   readonly index: number;
   readonly width: number;
@@ -43,7 +46,7 @@ interface Job {
  * timer and no request.
  */
 export class PagePool {
-  readonly #source: PageSource;
+  readonly #source: PoolSource;
   readonly #options: PagePoolOptions;
   readonly #held = new Map<number, Held>();
   readonly #failed = new Map<number, BookError>();
@@ -57,7 +60,7 @@ export class PagePool {
   #isPaused = false;
   #isClosed = false;
 
-  constructor(source: PageSource, options: PagePoolOptions = {}) {
+  constructor(source: PoolSource, options: PagePoolOptions = {}) {
     this.#source = source;
     this.#options = options;
   }
@@ -269,7 +272,8 @@ function defaultNow(): number {
   return performance.now();
 }
 
-function closePicture(picture: PagePicture): void {
+/** Frees a picture's memory at once. */
+export function closePicture(picture: PagePicture): void {
   if ("close" in picture) picture.close();
   else picture.width = picture.height = 0;
 }
