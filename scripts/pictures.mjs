@@ -21,7 +21,6 @@ const pictures = {
   spread: { page: 18, viewport: wide },
   "turn-1": { page: 18, viewport: wide, turn: 240 },
   "turn-2": { page: 18, viewport: wide, turn: 400 },
-  "turn-3": { page: 18, viewport: wide, turn: 560 },
   "cover-opening": { page: 1, viewport: wide, turn: 420 },
   drag: { page: 18, viewport: wide, drag: [0.82, 0.88, 0.6, 0.72] },
 };
