@@ -182,3 +182,196 @@ test("the context of the graphics card is lost and comes back", async () => {
   expect(element.page).toBe(2);
   expect(await element.next()).toBe(true);
 });
+
+test("whoever waits for a turn is told when the book goes away", async () => {
+  const element = book(scans(12), { duration: "400" });
+  await happens(element, "load");
+  const landed = [element.next(), element.goTo(9)];
+  await happens(element, "turnstart");
+  element.remove();
+  expect(await Promise.all(landed)).toEqual([false, false]);
+});
+
+test("a listener may take the book away", async () => {
+  const errors: unknown[] = [];
+  const heard = (event: ErrorEvent) => errors.push(event.error);
+  addEventListener("error", heard);
+  for (const name of ["turnstart", "pagechange"]) {
+    const element = book(scans(12), { duration: "80" });
+    await happens(element, "load");
+    element.addEventListener(name, () => element.remove());
+    void element.next();
+    await element.next();
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+  removeEventListener("error", heard);
+  expect(errors).toEqual([]);
+});
+
+test("a book that was replaced while it opened leaves the other alone", async () => {
+  const element = book(scans(4));
+  const late = new Blob(["%PDF-1.4"]);
+  let answered = false;
+  late.slice = () => {
+    const slow = new Blob();
+    slow.arrayBuffer = async () => {
+      await new Promise((resolve) => setTimeout(resolve, 400));
+      answered = true;
+      return await new Response((await (await fetch(scan(1))).blob()) as Blob).arrayBuffer();
+    };
+    return slow;
+  };
+  element.pages = late;
+  element.pages = scans(6);
+  await happens(element, "load");
+  const canvas = element.shadowRoot?.querySelector("canvas");
+  await expect.poll(() => answered).toBe(true);
+  await new Promise((resolve) => setTimeout(resolve, 100));
+  expect(element.shadowRoot?.querySelectorAll("canvas").length).toBe(1);
+  expect(element.shadowRoot?.querySelector("canvas")).toBe(canvas);
+  expect(element.pageCount).toBe(6);
+});
+
+test("a book stays where it lies in other covers, and comes back where it was asked for", async () => {
+  const element = book(scans(12), { page: "6" });
+  await happens(element, "load");
+  element.setAttribute("cloth", "#234");
+  await happens(element, "load");
+  expect(element.page).toBe(6);
+
+  element.remove();
+  element.setAttribute("page", "9");
+  document.body.append(element);
+  await happens(element, "load");
+  expect(element.page).toBe(8);
+
+  // Back at the beginning, whatever its attribute says.
+  element.setAttribute("duration", "80");
+  await element.goTo(1);
+  element.remove();
+  document.body.append(element);
+  await happens(element, "load");
+  expect(element.page).toBe(1);
+
+  // Another book opens where its attribute says, not where the last one was left.
+  await element.goTo(4);
+  element.remove();
+  element.pages = scans(14);
+  document.body.append(element);
+  await happens(element, "load");
+  expect(element.page).toBe(8);
+});
+
+test("a page asked for before the book opens is the one it opens at", async () => {
+  const element = document.createElement("turnleaf-book");
+  element.style.cssText = "width: 300px; height: 220px";
+  document.body.append(element);
+  element.page = 5;
+  expect(element.page).toBe(5);
+  element.pages = scans(12);
+  await happens(element, "load");
+  expect(element.page).toBe(4);
+});
+
+test("what is set before the element is defined counts", async () => {
+  const early = document.implementation.createHTMLDocument().createElement("turnleaf-book");
+  Object.assign(early, { pages: scans(6), page: 4 });
+  document.body.append(early);
+  const element = early as TurnleafBook;
+  await happens(element, "load");
+  expect(element.pageCount).toBe(6);
+  expect(element.page).toBe(4);
+});
+
+test("an element with many attributes fetches its book once", async () => {
+  const asked: unknown[] = [];
+  const real = globalThis.fetch;
+  globalThis.fetch = (...args) => {
+    asked.push(args[0]);
+    return real(...args);
+  };
+  try {
+    document.body.innerHTML = `<turnleaf-book src="/no-such.pdf" cover="none" cloth="#123" page="2"></turnleaf-book>`;
+    await happens(document.querySelector("turnleaf-book") as TurnleafBook, "error");
+  } finally {
+    globalThis.fetch = real;
+  }
+  expect(asked.length).toBe(1);
+});
+
+test("who asked for less motion sees none, by key either", async () => {
+  const real = globalThis.matchMedia;
+  globalThis.matchMedia = (query) =>
+    query.includes("reduced-motion") ? ({ matches: true } as MediaQueryList) : real(query);
+  try {
+    const element = book(scans(7));
+    await happens(element, "load");
+    element.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight" }));
+    expect(element.page).toBe(2);
+    expect(await element.goTo(7)).toBe(true);
+    expect(await element.next()).toBe(true);
+    expect(await element.next()).toBe(true);
+    expect(element.shadowRoot?.querySelector(".live")?.textContent).toBe("Back of 7");
+  } finally {
+    globalThis.matchMedia = real;
+  }
+});
+
+test("a leaf whose hand is lost falls", async () => {
+  const element = book(scans(12), { page: "4" });
+  await happens(element, "load");
+  await settled(element);
+  const canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
+  canvas.setPointerCapture = () => {};
+  const { left, top } = canvas.getBoundingClientRect();
+  const point = (name: string, x: number) =>
+    canvas.dispatchEvent(
+      new PointerEvent(name, {
+        pointerId: 1,
+        isPrimary: true,
+        pointerType: "mouse",
+        clientX: left + x,
+        clientY: top + 120,
+      }),
+    );
+  let x = 299;
+  for (; x > 150 && canvas.style.cursor !== "grab"; x -= 3) point("pointermove", x);
+  expect(canvas.style.cursor).toBe("grab");
+  point("pointerdown", x);
+  point("pointermove", x - 20);
+  await new Promise((resolve) => setTimeout(resolve, 300));
+  expect(element.settled).toBe(false);
+  point("lostpointercapture", x - 20);
+  await settled(element);
+  expect(element.page).toBe(4);
+});
+
+test("another screen's pixels, and room that comes late", async () => {
+  const real = globalThis.matchMedia;
+  const screens: EventTarget[] = [];
+  globalThis.matchMedia = (query) => {
+    if (!query.includes("dppx")) return real(query);
+    const screen = new EventTarget();
+    screens.push(screen);
+    return screen as MediaQueryList;
+  };
+  try {
+    const element = book(scans(4));
+    element.style.display = "none";
+    await happens(element, "load");
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    expect(element.settled).toBe(false);
+    element.style.display = "";
+    await settled(element);
+    const canvas = element.shadowRoot?.querySelector("canvas");
+    expect(canvas?.width).toBe(600);
+    Object.defineProperty(globalThis, "devicePixelRatio", { value: 3, configurable: true });
+    screens.at(-1)?.dispatchEvent(new Event("change"));
+    await settled(element);
+    expect(canvas?.width).toBe(900);
+    expect(screens.length).toBe(2);
+  } finally {
+    globalThis.matchMedia = real;
+    Reflect.deleteProperty(globalThis, "devicePixelRatio");
+  }
+});

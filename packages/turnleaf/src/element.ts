@@ -45,7 +45,11 @@ export class TurnleafBook extends Base {
   #opening: AbortController | null = null;
   #observer: ResizeObserver | null = null;
   #input: BookInput | null = null;
-  #page = 1;
+  /** The page asked for while no book is open, and the one where this book was left. */
+  #asked: number | null = null;
+  #left: number | null = null;
+  /** Ends what listens for as long as the element is in a document. */
+  #connected: AbortController | null = null;
   #canvas: HTMLCanvasElement | null = null;
 
   /** Address of a PDF, an image or a manifest of images. */
@@ -64,13 +68,14 @@ export class TurnleafBook extends Base {
 
   set pages(pages: BookInput | null) {
     this.#input = pages;
+    this.#left = null;
     this.#reopen();
   }
 
   /** The first page in sight, from 1. Setting it turns there. */
   get page(): number {
     const viewer = this.#book?.viewer;
-    return viewer ? pageOf(viewer.binding, viewer.turning.spread) : this.#page;
+    return viewer ? pageOf(viewer.binding, viewer.turning.spread) : this.#firstPage;
   }
 
   set page(page: number) {
@@ -112,7 +117,7 @@ export class TurnleafBook extends Base {
   goTo(page: number): Promise<boolean> {
     const book = this.#book;
     if (book === null) {
-      this.#page = page;
+      this.#asked = page;
       return Promise.resolve(false);
     }
     const spread = spreadOf(book.viewer.binding, page);
@@ -124,13 +129,18 @@ export class TurnleafBook extends Base {
 
   /** @internal */
   connectedCallback(): void {
+    this.#adopt();
     this.#build();
+    this.#connected = new AbortController();
+    this.#watchRatio(this.#connected.signal);
     this.#reopen();
   }
 
   /** @internal */
   disconnectedCallback(): void {
-    this.#page = this.page;
+    this.#leave();
+    this.#connected?.abort();
+    this.#connected = null;
     this.#close();
     this.#observer?.disconnect();
     this.#observer = null;
@@ -138,13 +148,36 @@ export class TurnleafBook extends Base {
 
   /** @internal */
   attributeChangedCallback(name: string, before: string | null, now: string | null): void {
-    if (before === now || !this.isConnected) return;
+    if (before === now) return;
     if (name === "page") void this.goTo(Number(now));
-    else if (name === "duration" && this.#book) {
-      this.#book.viewer.turning.seconds = this.#turnSeconds;
+    else if (name === "duration") {
+      if (this.#book) this.#book.viewer.turning.seconds = this.#turnSeconds;
     } else {
-      if (name === "src") this.#page = 1;
+      // Another book opens at its beginning; the same one in other covers where it lay.
+      if (name === "src") this.#left = null;
+      else this.#leave();
       this.#reopen();
+    }
+  }
+
+  /** The page at which a book opens, or would. */
+  get #firstPage(): number {
+    const page = this.#asked ?? this.#left ?? Number(this.getAttribute("page") ?? 1);
+    return Math.max(Math.round(page) || 1, 1);
+  }
+
+  /** Remembers where the open book lies. */
+  #leave(): void {
+    if (this.#book) this.#left = this.page;
+  }
+
+  /** Takes over what was set before the element was defined: it lies on the element and hides the accessors. */
+  #adopt(): void {
+    for (const name of ["src", "pages", "page"] as const) {
+      if (!Object.hasOwn(this, name)) continue;
+      const { value } = Object.getOwnPropertyDescriptor(this, name) ?? {};
+      Reflect.deleteProperty(this, name);
+      Reflect.set(this, name, value);
     }
   }
 
@@ -170,9 +203,9 @@ export class TurnleafBook extends Base {
   /** Shows a spread at once. */
   #lay(viewer: Viewer, spread: number): Promise<boolean> {
     const from = viewer.turning.spread;
-    const landed = viewer.lay(spread);
+    viewer.lay(spread);
     if (viewer.turning.spread !== from) this.#landed(from, viewer.turning.spread);
-    return Promise.resolve(landed);
+    return Promise.resolve(true);
   }
 
   #build(): void {
@@ -206,7 +239,8 @@ export class TurnleafBook extends Base {
   }
 
   #reopen(): void {
-    if (!this.isConnected) return;
+    // The parser's attributes come one by one before the element is connected: one book, not four.
+    if (this.#connected === null) return;
     this.#close();
     const input = this.#input ?? this.src;
     if (input === "") {
@@ -224,6 +258,8 @@ export class TurnleafBook extends Base {
   async #open(input: BookInput, signal: AbortSignal): Promise<void> {
     const source = await openSource(input, { signal });
     try {
+      // Another book may be open by now, on the canvas that this one would take away.
+      signal.throwIfAborted();
       const canvas = this.#freshCanvas();
       const viewer = await Viewer.open(
         canvas,
@@ -231,10 +267,7 @@ export class TurnleafBook extends Base {
         {
           cover: this.getAttribute("cover") === "none" ? "none" : "hard",
           cloth: this.getAttribute("cloth") ?? "#6a2a26",
-          page:
-            this.hasAttribute("page") && this.#page === 1
-              ? Number(this.getAttribute("page"))
-              : this.#page,
+          page: () => this.#firstPage,
           turnSeconds: this.#turnSeconds,
           onStart: (low, high, forward) => this.#started(low, high, forward),
           onLand: (from, to) => this.#landed(from, to),
@@ -242,11 +275,19 @@ export class TurnleafBook extends Base {
         },
         signal,
       );
-      this.#book = { source, viewer, input: new Input(canvas, this, viewer) };
+      if (signal.aborted) viewer.destroy();
+      signal.throwIfAborted();
+      this.#book = {
+        source,
+        viewer,
+        input: new Input(canvas, this, viewer, (by) => void this.#turn(by)),
+      };
     } catch (error) {
       source.close();
       throw error;
     }
+    this.#asked = null;
+    this.#left = null;
     this.#say("", "status");
     this.#watchSize();
     this.#describe();
@@ -269,6 +310,16 @@ export class TurnleafBook extends Base {
     this.#observer = new ResizeObserver(() => this.#resize());
     this.#observer.observe(this);
     this.#resize();
+  }
+
+  /** Follows the screen's pixel ratio, which changes with the zoom and from screen to screen. */
+  #watchRatio(signal: AbortSignal): void {
+    const media = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
+    const changed = (): void => {
+      this.#resize();
+      this.#watchRatio(signal);
+    };
+    media.addEventListener("change", changed, { once: true, signal });
   }
 
   #resize(): void {
@@ -302,7 +353,8 @@ export class TurnleafBook extends Base {
     const seen = [leftPage(viewer.binding, spread), rightPage(viewer.binding, spread)]
       .filter((page): page is number => page !== null)
       .map((page) => source.label(page - 1));
-    const text = `${seen.length === 1 ? "Page" : "Pages"} ${seen.join(" and ")} of ${source.pageCount}`;
+    const pages = `${seen.length === 1 ? "Page" : "Pages"} ${seen.join(" and ")}`;
+    const text = `${seen.length === 0 ? "Back" : pages} of ${source.pageCount}`;
     this.#canvas?.setAttribute("aria-label", `${source.title}. ${text}`);
     this.#announce(text);
   }

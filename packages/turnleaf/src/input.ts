@@ -14,13 +14,23 @@ const dragStart = 4;
 export class Input {
   readonly #canvas: HTMLCanvasElement;
   readonly #viewer: Viewer;
+  readonly #turn: (by: 1 | -1) => void;
   readonly #ended = new AbortController();
   #press: { id: number; x: number; y: number; hold: Hold; dragging: boolean } | null = null;
 
-  /** @param keys the element whose keys turn pages */
-  constructor(canvas: HTMLCanvasElement, keys: HTMLElement, viewer: Viewer) {
+  /**
+   * @param keys the element whose keys turn pages
+   * @param turn turns one leaf on (1) or back (-1), as the reader likes it: with a turn or without
+   */
+  constructor(
+    canvas: HTMLCanvasElement,
+    keys: HTMLElement,
+    viewer: Viewer,
+    turn: (by: 1 | -1) => void,
+  ) {
     this.#canvas = canvas;
     this.#viewer = viewer;
+    this.#turn = turn;
     const { signal } = this.#ended;
     const on = (name: string, handle: (event: PointerEvent) => void) =>
       canvas.addEventListener(name, handle as EventListener, { signal });
@@ -28,6 +38,8 @@ export class Input {
     on("pointermove", (event) => this.#move(event));
     on("pointerup", (event) => this.#up(event));
     on("pointercancel", (event) => this.#up(event));
+    // A menu or a dialog may swallow the end of a press; nobody must be left holding a leaf.
+    on("lostpointercapture", (event) => this.#up(event));
     keys.addEventListener("keydown", (event) => this.#key(event), { signal });
   }
 
@@ -85,11 +97,6 @@ export class Input {
     if (by === undefined) return;
     event.preventDefault();
     this.#turn(by as 1 | -1);
-  }
-
-  #turn(by: 1 | -1): void {
-    void this.#viewer.turning.turn(by);
-    this.#viewer.invalidate();
   }
 
   /** Where a pointer is on the canvas, CSS pixels. */

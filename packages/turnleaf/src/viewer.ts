@@ -30,8 +30,8 @@ export interface ViewerOptions {
   readonly cover: "hard" | "none";
   /** Colour of the boards' cloth, as CSS writes it. */
   readonly cloth: string;
-  /** The page (from 1) at which the book lies open first. */
-  readonly page: number;
+  /** The page (from 1) at which the book lies open first, asked for when it does. */
+  readonly page: () => number;
   /** Length of a played turn, seconds. */
   readonly turnSeconds: number;
   /** A turn begins between two spreads. */
@@ -127,7 +127,7 @@ export class Viewer {
       },
     });
     this.turning.seconds = options.turnSeconds;
-    this.turning.lay(spreadOf(binding, options.page));
+    this.turning.lay(spreadOf(binding, options.page()));
   }
 
   /**
@@ -172,12 +172,10 @@ export class Viewer {
     this.#show();
   }
 
-  /** Opens the book at a spread (clamped to the book) without a turn; answers whether it lies there. */
-  lay(spread: number): boolean {
-    const inside = Math.min(Math.max(spread, 0), leafCount(this.binding));
-    this.turning.lay(inside);
+  /** Opens the book at a spread (clamped to the book) without a turn. */
+  lay(spread: number): void {
+    this.turning.lay(Math.min(Math.max(spread, 0), leafCount(this.binding)));
     this.#show();
-    return inside === spread;
   }
 
   /** Asks for a frame, unless one is already asked for. */
@@ -236,7 +234,8 @@ export class Viewer {
 
   /** Whether every page in sight is shown at its full sharpness. */
   get settled(): boolean {
-    return this.#frame === 0 && this.#pictures.settled;
+    // Before there is room for the book no page is asked for, so none is missing.
+    return this.#cssWidth > 0 && this.#frame === 0 && this.#pictures.settled;
   }
 
   /** Stops everything and frees what the graphics card and the engine hold. */
