@@ -62,13 +62,16 @@ check-js: build
 	npm run --silent types
 	node scripts/check_imports.mjs
 
-bench: build tools-rust chromium
-	cargo bench --workspace
-	node bench/engine_wasm.mjs
+# Measures, and writes docs/performance.md.
+bench: build tools-rust
+	node scripts/performance.mjs
 
 # Screenshots of the README and docs, from the real thing.
-pictures: build chromium
+pictures: build chromium tools-rust
 	node scripts/pictures.mjs
+	cargo run --release --quiet -p lab -- picture --preset paper-2014 --out target/pictures
+	cargo run --release --quiet -p lab -- picture --preset book --gesture corner --out target/pictures
+	cp target/pictures/paper-2014-column.png target/pictures/book-corner.png docs/pictures/
 
 # The book that comes with it, set anew from its text.
 book: $(MODULES)
