@@ -85,7 +85,8 @@ impl Board {
             self.from = self.angle;
         }
         let share = (rest_angle(side) - self.from).abs() / core::f32::consts::PI;
-        self.seconds = (seconds.max(0.05) * share).max(TICK);
+        let whole = if seconds.is_finite() { seconds } else { 1.0 };
+        self.seconds = (whole.max(0.05) * share).max(TICK);
         self.time = course * self.seconds;
         self.phase = Phase::Playing(side);
     }
@@ -188,6 +189,15 @@ mod tests {
         board.release();
         ticks_to_rest(&mut board);
         assert_eq!(board.phase(), Phase::Resting(Side::Left));
+    }
+
+    #[test]
+    fn a_turn_of_no_length_ends_too() {
+        for seconds in [f32::INFINITY, f32::NAN, 0.0, -1.0] {
+            let mut board = Board::new(Side::Right);
+            board.play(Side::Left, seconds);
+            assert!(ticks_to_rest(&mut board) <= 242);
+        }
     }
 
     #[test]

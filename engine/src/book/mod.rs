@@ -98,6 +98,10 @@ impl Book {
     /// The hand that holds the leaf in flight pulls it to `place`, in book
     /// space, metres.
     pub fn hold(&mut self, place: [f32; 3]) {
+        // Asked before the clamp below, which would take what is no number for 0.
+        if !place.iter().all(|x| x.is_finite()) {
+            return;
+        }
         // The model's leaf turns over a flat table; the piles lift the drawn
         // one. What lies between the two is taken off the hand's place.
         let node = self.leaf.grabbed_point();
@@ -160,6 +164,9 @@ impl Book {
     }
 
     fn open_between(&mut self, low: f32, high: f32) {
+        if !low.is_finite() || !high.is_finite() {
+            return;
+        }
         let most = self.leaves as f32;
         let read = (low.clamp(0.0, most), high.clamp(0.0, most));
         if read == self.read {
@@ -195,5 +202,57 @@ fn index(side: Side) -> usize {
     match side {
         Side::Right => 0,
         Side::Left => 1,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn is_finite(book: &Book) -> bool {
+        let piles = [Side::Right, Side::Left].map(|side| book.pile(side).curves());
+        book.surface().positions.iter().all(|x| x.is_finite())
+            && piles
+                .iter()
+                .all(|curves| curves.iter().all(|x| x.is_finite()))
+    }
+
+    #[test]
+    fn a_book_has_a_size() {
+        assert!(Book::new(0.14, 0.21, 0, 0.0).is_some_and(|book| is_finite(&book)));
+        assert!(Book::new(f64::NAN, 0.21, 10, 0.01).is_none());
+        assert!(Book::new(0.14, 0.0, 10, 0.01).is_none());
+        assert!(Book::new(0.14, 0.21, 10, f64::NAN).is_none());
+    }
+
+    #[test]
+    fn what_is_no_number_changes_nothing() {
+        let mut book = Book::new(0.14, 0.21, 10, 0.01).unwrap();
+        book.lay(4.0);
+        let right = book.pile(Side::Right).curves().to_vec();
+        book.lay(f32::NAN);
+        assert_eq!(book.pile(Side::Right).curves(), right);
+        book.lift(Side::Right, f32::NAN, 5.0);
+        assert_eq!(book.pile(Side::Right).curves(), right);
+        book.lift(Side::Right, 4.0, 5.0);
+        book.hold([0.1, 0.1, 0.1]);
+        book.leaf_mut().grab(1.0, 0.5);
+        for place in [[f32::NAN, 0.1, 0.1], [0.0, 0.1, f32::NAN]] {
+            book.hold(place);
+            book.leaf_mut().step(40);
+            let held = book.leaf().grabbed_point();
+            assert!((held[0] - 0.14).abs() < 1e-3, "{held:?} after {place:?}");
+        }
+        book.update();
+        assert!(is_finite(&book));
+    }
+
+    #[test]
+    fn more_leaves_read_than_there_are_is_all_of_them() {
+        let mut book = Book::new(0.14, 0.21, 10, 0.01).unwrap();
+        book.lay(10.0);
+        let left = book.pile(Side::Left).curves().to_vec();
+        book.lay(99.0);
+        assert_eq!(book.pile(Side::Left).curves(), left);
     }
 }
