@@ -11,7 +11,7 @@ use core::ops::{Add, Mul, Sub};
 pub(crate) const ROW_LANES: usize = 8;
 
 #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
-mod lanes {
+mod target {
     pub type Lanes = [f32; 4];
 
     #[inline(always)]
@@ -41,7 +41,7 @@ mod lanes {
 }
 
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-mod lanes {
+mod target {
     use core::arch::wasm32::v128;
     pub use core::arch::wasm32::{f32x4_add as add, f32x4_mul as mul, f32x4_sub as sub};
 
@@ -62,12 +62,12 @@ mod lanes {
 
 /// Four floats.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Four(lanes::Lanes);
+pub(crate) struct Four(target::Lanes);
 
 impl Four {
     #[inline(always)]
     pub fn new(array: [f32; 4]) -> Self {
-        Self(lanes::from(array))
+        Self(target::from(array))
     }
 
     #[inline(always)]
@@ -77,7 +77,7 @@ impl Four {
 
     #[inline(always)]
     pub fn array(self) -> [f32; 4] {
-        lanes::array(self.0)
+        target::array(self.0)
     }
 }
 
@@ -85,7 +85,7 @@ impl Add for Four {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        Self(lanes::add(self.0, other.0))
+        Self(target::add(self.0, other.0))
     }
 }
 
@@ -93,7 +93,7 @@ impl Sub for Four {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        Self(lanes::sub(self.0, other.0))
+        Self(target::sub(self.0, other.0))
     }
 }
 
@@ -101,6 +101,6 @@ impl Mul for Four {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        Self(lanes::mul(self.0, other.0))
+        Self(target::mul(self.0, other.0))
     }
 }

@@ -26,6 +26,8 @@ mod interpolate;
 mod key_frames;
 mod lanes;
 mod models;
+#[cfg(test)]
+mod random;
 mod surface;
 mod synchronise;
 mod turn;

@@ -4,6 +4,8 @@
 mod format;
 mod record;
 mod replay;
+#[cfg(test)]
+mod tests;
 
 pub use format::{FORMAT_VERSION, KeyFrameError};
 pub use record::Recorder;

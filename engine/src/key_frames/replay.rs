@@ -11,7 +11,8 @@ pub enum Blend {
     /// In straight lines between two frames: the paper's.
     Linear,
     /// By cubic Hermite pieces through four frames, whose tangents are the
-    /// central differences of their neighbours (Catmull-Rom for uneven times).
+    /// central differences of their neighbours (Catmull and Rom 1974), and at the
+    /// ends those of a parabola.
     Hermite,
 }
 
@@ -190,14 +191,23 @@ impl Replay {
                 },
             ),
             Blend::Hermite => {
+                let (first, end) = (before == 0, after == last);
                 // Lengths over which the tangents at both ends are taken.
-                let (left, right) = (
-                    times[after] - times[frame[0]],
-                    times[frame[3]] - times[before],
-                );
+                let left = times[after] - times[frame[0]];
+                let right = times[frame[3]] - times[before];
                 let weights = |value: [f32; 4]| {
-                    let [h00, h10, h01, h11] = value;
-                    let (a, b) = (h10 * length / left, h11 * length / right);
+                    let [mut h00, h10, mut h01, h11] = value;
+                    let (mut a, mut b) = (h10, h11);
+                    // Where there is no neighbour, the tangent is that of the
+                    // parabola through the next three frames.
+                    if first && !end {
+                        (h00, h01, b) = (h00 - 2.0 * a, h01 + 2.0 * a, b - a);
+                        a = 0.0;
+                    } else if end && !first {
+                        (h00, h01, a) = (h00 - 2.0 * b, h01 + 2.0 * b, a - b);
+                        b = 0.0;
+                    }
+                    let (a, b) = (a * length / left, b * length / right);
                     [-a, h00 - b, h01 + a, b]
                 };
                 let (t2, t3) = (t * t, t * t * t);

@@ -21,11 +21,6 @@ pub(super) struct Held {
 /// would leave the springs no room for the sheet's own motion.
 const REACH: f32 = 0.999;
 
-/// How readily a node held by a hand yields to the strain limit, as part of a
-/// free node's readiness: enough that a pull which the sheet cannot follow moves
-/// the hand rather than stretches the sheet.
-const YIELD: f32 = 0.1;
-
 impl MassSpring {
     /// Starts a gesture now: the nodes it holds are held until
     /// [`MassSpring::release_all`], after its end where it left them.
@@ -193,7 +188,7 @@ impl MassSpring {
         self.limit_weight.copy_from_slice(&self.inverse_mass);
         for held in self.held.iter().filter(|held| !held.by_gesture) {
             let lane = grid.lane(held.column, held.row);
-            self.limit_weight[lane] = YIELD * self.own_inverse_mass[lane];
+            self.limit_weight[lane] = self.own_inverse_mass[lane];
         }
         self.synchroniser = Synchroniser::new(self.settings.synchronise, &grid, &self.free);
     }

@@ -194,7 +194,7 @@ impl MassSpring {
         self.limiter.apply(
             &self.grid,
             springs,
-            &self.limit_weight,
+            (&self.inverse_mass, &self.limit_weight),
             self.settings.floor,
             position,
         );

@@ -14,6 +14,9 @@ use crate::grid::Grid;
 /// disturb still ends within it.
 const MARGIN: f32 = 0.8;
 
+/// Strain before the first round up to which hands do not give way.
+const FIRM: f32 = 0.02;
+
 /// Room for one chain of nodes.
 #[derive(Clone, Debug)]
 struct Chain {
@@ -47,12 +50,14 @@ impl Limiter {
         matches!(self.kind, StrainLimit::Sweeps { .. })
     }
 
-    /// Projects the nodes; those of no inverse mass stay where they are.
+    /// Projects the nodes, each moved by its weight. Weights are `firm`, 0 for
+    /// every node that is fixed or held; where much is to be projected they are
+    /// `yielding`, and hands give way rather than crumple the sheet.
     pub fn apply(
         &mut self,
         grid: &Grid,
         springs: &SpringSystem,
-        inverse_mass: &[f32],
+        (firm, yielding): (&[f32], &[f32]),
         floor: bool,
         position: &mut [Vec<f32>; 3],
     ) {
@@ -60,21 +65,17 @@ impl Limiter {
             StrainLimit::Off => {}
             StrainLimit::Provot { limit, passes } => {
                 for _ in 0..passes {
-                    for family in springs.families.iter().filter(|family| family.holds_shape) {
-                        for (a, b) in family.springs() {
-                            let free =
-                                |lane: usize| if inverse_mass[lane] > 0.0 { 1.0 } else { 0.0 };
-                            let bounds = (0.0, family.rest * (1.0 + limit));
-                            project(a, b, (free(a), free(b)), bounds, position);
-                        }
-                    }
+                    shorten(springs, firm, limit, position);
                 }
             }
             StrainLimit::Sweeps { limit, passes } => {
+                let range = springs.strain(position);
+                let easy = range.max <= FIRM && range.min >= -FIRM;
+                let weight = if easy { firm } else { yielding };
                 for _ in 0..passes {
-                    self.sweep(grid, springs, inverse_mass, limit * MARGIN, position);
+                    self.sweep(grid, springs, weight, limit * MARGIN, position);
                     if floor {
-                        lift(&mut position[2][..grid.lanes()], inverse_mass);
+                        lift(&mut position[2][..grid.lanes()], weight);
                     }
                     let range = springs.strain(position);
                     if range.max <= limit && range.min >= -limit {
@@ -107,6 +108,17 @@ impl Limiter {
         for row in 0..grid.rows {
             let lanes = (row * grid.stride, 1, grid.columns);
             self.chain.hold(lanes, grid.du(), inverse_mass, position);
+        }
+    }
+}
+
+/// One of Provot's rounds: projects every spring that is too long.
+fn shorten(springs: &SpringSystem, firm: &[f32], limit: f32, position: &mut [Vec<f32>; 3]) {
+    for family in springs.families.iter().filter(|family| family.holds_shape) {
+        for (a, b) in family.springs() {
+            let free = |lane: usize| if firm[lane] > 0.0 { 1.0 } else { 0.0 };
+            let bounds = (0.0, family.rest * (1.0 + limit));
+            project(a, b, (free(a), free(b)), bounds, position);
         }
     }
 }
