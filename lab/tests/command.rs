@@ -1,0 +1,137 @@
+//! The command as its users meet it.
+
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+fn lab(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lab"));
+    command.args(arguments).output().expect("lab runs")
+}
+
+fn json(arguments: &[&str]) -> Value {
+    let output = lab(arguments);
+    assert!(output.status.success(), "{arguments:?}");
+    serde_json::from_slice(&output.stdout).expect("JSON")
+}
+
+#[test]
+fn wrong_arguments_are_refused_in_one_sentence() {
+    let wrong: [&[&str]; 10] = [
+        &[],
+        &["table2"],
+        &["turn", "--speed", "3"],
+        &["turn", "--seconds"],
+        &["turn", "--seconds", "soon"],
+        &["turn", "--seconds", "-1"],
+        &["turn", "--preset", "news"],
+        &["turn", "extra"],
+        &["table1", "--runs", "0"],
+        &["picture", "--frames", "1"],
+    ];
+    for arguments in wrong {
+        let output = lab(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        let sentence = String::from_utf8(output.stderr).expect("text");
+        assert!(sentence.trim_end().ends_with('.'), "{sentence}");
+        assert_eq!(sentence.trim_end().lines().count(), 1, "{sentence}");
+        assert!(output.stdout.is_empty());
+    }
+}
+
+#[test]
+fn a_turn_reports_its_strains() {
+    let paper = json(&[
+        "turn",
+        "--preset",
+        "paper-2014",
+        "--seconds",
+        "11.4",
+        "--json",
+    ]);
+    let strain = paper["max_edge_strain"].as_f64().expect("a number");
+    assert!((strain - 1.0).abs() < 0.1, "{strain}");
+    let corner = &[
+        "turn",
+        "--preset",
+        "book",
+        "--gesture",
+        "corner",
+        "--seconds",
+        "0.8",
+        "--json",
+    ];
+    let book = json(corner);
+    for key in ["max_edge_strain", "min_edge_strain"] {
+        assert!(book[key].as_f64().expect("a number").abs() <= 0.01);
+    }
+    for key in [
+        "max_surface_strain",
+        "steps",
+        "us_per_step",
+        "us_per_surface",
+    ] {
+        assert!(book[key].is_number(), "{key}");
+    }
+    assert_eq!(book["finite"], Value::Bool(true));
+    assert_eq!(book["hash"].as_str().map(str::len), Some(16));
+}
+
+#[test]
+fn options_change_the_turn() {
+    let hash = |more: &[&str]| {
+        json(&[&["turn", "--seconds", "1", "--settle", "0", "--json"], more].concat())["hash"]
+            .clone()
+    };
+    let plain = hash(&[]);
+    for more in [
+        &["--no-sync"][..],
+        &["--no-interpolation"],
+        &["--integrator", "runge-kutta-4"],
+        &["--gesture", "corner"],
+    ] {
+        assert_ne!(hash(more), plain, "{more:?}");
+    }
+    assert_eq!(hash(&[]), plain);
+}
+
+#[test]
+fn table_1_has_its_rows_and_means() {
+    let table = json(&["table1", "--runs", "2", "--json"]);
+    let runs = table["runs"].as_array().expect("rows");
+    assert_eq!(runs.len(), 2);
+    for key in ["live_ms", "replay_ms"] {
+        assert!(
+            runs.iter()
+                .all(|run| run[key].as_f64().is_some_and(|ms| ms > 0.0))
+        );
+    }
+    for key in ["mean_live_ms", "mean_replay_ms", "reduction_percent"] {
+        assert!(table[key].is_number(), "{key}");
+    }
+}
+
+#[test]
+fn pictures_are_written() {
+    let folder = std::env::temp_dir().join(format!("lab-pictures-{}", std::process::id()));
+    let out = folder.to_str().expect("a path of text");
+    let report = json(&[
+        "picture",
+        "--out",
+        out,
+        "--frames",
+        "2",
+        "--size",
+        "160",
+        "--seconds",
+        "1",
+        "--json",
+    ]);
+    let files = report["files"].as_array().expect("files");
+    assert_eq!(files.len(), 3);
+    for file in files {
+        let bytes = std::fs::read(file.as_str().expect("a path")).expect("a file");
+        assert!(bytes.starts_with(b"\x89PNG"));
+    }
+    std::fs::remove_dir_all(folder).expect("removed");
+}
