@@ -37,7 +37,10 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     }
     println!(
         "{} {} turn of {} s, and {} s after",
-        report["preset"], report["gesture"], report["seconds"], report["settle"]
+        scene.preset.name(),
+        scene.gesture,
+        report["seconds"],
+        report["settle"]
     );
     println!(
         "  edge strain     {:+.4} to {:+.4}",
