@@ -75,6 +75,14 @@ test("a book taken away in the middle of a turn keeps nobody waiting", async () 
   expect(turning.moving).toBe(false);
 });
 
+test("a turn called off before it began keeps nobody waiting", async () => {
+  const { turning } = await open(20, "none");
+  const away = turning.turn(1);
+  const back = turning.goTo(0);
+  expect(turning.moving).toBe(false);
+  expect([await now(away), await now(back)]).toEqual([false, true]);
+});
+
 test("nothing is asked of the engine once a listener took the book away", async () => {
   for (const event of ["started", "landed"] as const) {
     let close = () => {};

@@ -144,8 +144,9 @@ export class Turning {
     if (flight.part === "leaf") this.#engine.release();
     else this.#engine.releaseBoard(flight.part);
     const phase = this.#advance(flight, 0);
-    if (phase === Phase.fallingLeft) flight.to = Side.left;
-    if (phase === Phase.fallingRight) flight.to = Side.right;
+    // A board that was not moved yet rests where it was.
+    if (phase === Phase.fallingLeft || phase === Phase.restingLeft) flight.to = Side.left;
+    if (phase === Phase.fallingRight || phase === Phase.restingRight) flight.to = Side.right;
   }
 
   /** Steps by whole ticks; answers whether anything still moves or waits. */
@@ -248,8 +249,10 @@ export class Turning {
   }
 
   #promise(spread: number): Promise<boolean> {
-    if (!this.moving) return Promise.resolve(this.#spread === spread);
-    return new Promise((resolve) => this.#promised.push({ spread, resolve }));
+    const promised = new Promise<boolean>((resolve) => this.#promised.push({ spread, resolve }));
+    // Also a turn that was asked for and called off before it began.
+    if (!this.moving) this.#keepPromises();
+    return promised;
   }
 
   #keepPromises(): void {
