@@ -34,9 +34,6 @@ const KEY_INTERVAL: f32 = 0.05;
 const FOLLOW: f32 = 45.0;
 const FASTEST_HAND: f32 = 3.5;
 
-/// Strain from which a hand yields to the leaf, as part of the length.
-const YIELD: f32 = 0.01;
-
 /// Acceleration at the fore-edge by which a released leaf is helped over, m/s^2.
 const ASSIST: f32 = 14.0;
 
@@ -303,24 +300,18 @@ impl Leaf {
         let Some(mut grip) = self.grip else {
             return;
         };
-        let strain = self.model.strain();
-        if strain.max.max(-strain.min) > YIELD {
-            // The pull is more than the leaf can give: the hand yields to it.
-            self.model.release(grip.column, grip.row);
-            self.model.step();
-            grip.place = self.model.position(grip.column, grip.row);
-        } else {
-            let wanted = [0, 1, 2].map(|axis| grip.target[axis] + grip.offset[axis]);
-            let wanted = self.model.within_reach(grip.column, grip.row, wanted);
-            let d = [0, 1, 2].map(|axis| wanted[axis] - grip.place[axis]);
-            let distance = length(d);
-            let step = (distance * FOLLOW * TICK).min(FASTEST_HAND * TICK);
-            if distance > 1e-7 {
-                grip.place = [0, 1, 2].map(|axis| grip.place[axis] + d[axis] * (step / distance));
-            }
-            self.model.hold(grip.column, grip.row, grip.place);
-            self.model.step();
+        let wanted = [0, 1, 2].map(|axis| grip.target[axis] + grip.offset[axis]);
+        let wanted = self.model.within_reach(grip.column, grip.row, wanted);
+        let d = [0, 1, 2].map(|axis| wanted[axis] - grip.place[axis]);
+        let distance = length(d);
+        let step = (distance * FOLLOW * TICK).min(FASTEST_HAND * TICK);
+        if distance > 1e-7 {
+            grip.place = [0, 1, 2].map(|axis| grip.place[axis] + d[axis] * (step / distance));
         }
+        self.model.hold(grip.column, grip.row, grip.place);
+        self.model.step();
+        // A hand yields where the leaf cannot follow: it goes on from there.
+        grip.place = self.model.position(grip.column, grip.row);
         self.grip = Some(grip);
     }
 
@@ -669,8 +660,8 @@ mod tests {
             assert!(leaf.model.is_finite(), "not finite; seed {seed:#x}");
         }
         // Targets half a metre apart every 50 ms; a hand that did not yield
-        // stretched the leaf by more than half.
-        assert!(worst < 0.25, "strain {worst}; seed {seed:#x}");
+        // would stretch the leaf by more than half.
+        assert!(worst < 0.06, "strain {worst}; seed {seed:#x}");
         leaf.release();
         ticks_to_rest(&mut leaf);
         assert!(leaf.model.strain().max < 1e-5);
