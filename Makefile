@@ -21,6 +21,7 @@ read: build
 build: packages/cli/dist/.built
 
 $(MODULES): package.json package-lock.json packages/turnleaf/package.json packages/cli/package.json
+	@command -v node >/dev/null || { echo "Turnleaf needs Node 20.19 or later and npm: install them, then run it again." >&2; exit 1; }
 	@node -e 'const v=process.versions.node.split(".").map(Number);if(v[0]<20||(v[0]===20&&v[1]<19)){console.error("Turnleaf needs Node 20.19 or later; this is "+process.version+".");process.exit(1)}'
 	npm ci $(NPM_QUIET)
 	@touch $@
