@@ -149,17 +149,32 @@ test("a key during a hand's hold sends the leaf to the key's side", async () => 
   }
 });
 
-test("a leaf let go says where it falls", async () => {
-  const { turning, run } = await open(12, "none");
-  turning.lay(3);
-  turning.lift(0);
-  turning.grab(1, 0.5);
-  turning.hold(0.12, 0.1, 0.03);
-  turning.step(120);
-  turning.release();
-  // It falls back to the right: the next leaf back is the one before.
-  expect(turning.destination).toBe(3);
-  turning.turn(-1);
-  run();
-  expect(turning.spread).toBe(2);
+test("a leaf or a board let go says where it falls", async () => {
+  for (const [x, falls, by, end] of [
+    [0.12, 0, -1, 2],
+    [-0.12, 1, 1, 5],
+  ] as const) {
+    const { turning, run } = await open(12, "hard");
+    turning.lay(3);
+    turning.lift(0);
+    turning.grab(1, 0.5);
+    turning.hold(x, 0.1, 0.03);
+    turning.step(120);
+    turning.release();
+    // The next turn goes on from the side that it falls to.
+    expect(turning.destination).toBe(3 + falls);
+    turning.turn(by);
+    run();
+    expect(turning.spread).toBe(end);
+
+    turning.lay(0);
+    turning.lift(0);
+    turning.grab(1, 0.5);
+    turning.hold(x, 0.1, 0.03);
+    turning.step(120);
+    turning.release();
+    expect(turning.destination).toBe(falls);
+    run();
+    expect(turning.spread).toBe(falls);
+  }
 });
