@@ -153,6 +153,8 @@ function drawPage(paper, page) {
   const recto = n % 2 === 1;
   const left = blockLeft(recto);
   if (page.name) paper.place(page.name);
+  // A closed book shows a cover; this one lies open where its story begins.
+  if (page.name === "chapter-1") paper.openHere();
   if (page.title) paper.doc.outline.addItem(page.title);
   page.draw(paper, { left, recto });
   if (page.numbered) folio(paper, page.text, left);

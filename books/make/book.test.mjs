@@ -66,6 +66,8 @@ describe("the committed book", () => {
     expect(labels.at(-1)).toBe("Back cover");
     const first = labels.indexOf("1");
     expect(first % 2).toBe(0); // an even index is a right-hand page
+    const [opening] = (await pdf.getOpenAction()).get("dest");
+    expect(await pdf.getPageIndex(opening)).toBe(first);
     expect(letters(await textOf(first + 1))).toContain("loomings");
   });
 

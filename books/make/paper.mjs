@@ -184,6 +184,11 @@ export class Paper {
     this.doc.addNamedDestination(name, "Fit");
   }
 
+  /** The file asks readers to open it at the page being drawn. */
+  openHere() {
+    this.doc._root.data.OpenAction = [this.doc.page.dictionary, "Fit"];
+  }
+
   /** Close the file: page labels, then the bytes. */
   async finish() {
     const nums = [];

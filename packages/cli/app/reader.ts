@@ -16,8 +16,9 @@ async function start(): Promise<void> {
   // Pages already read are found again after a reload, and when the command is started anew.
   const memory = `turnleaf page of ${config.title}`;
   const book = document.createElement("turnleaf-book");
-  const page = pageOfHash(location.hash) ?? Number(recall(memory) ?? 1);
-  book.setAttribute("page", String(page));
+  // Where neither says, the book opens where it asks to.
+  const page = pageOfHash(location.hash) ?? recall(memory);
+  if (page !== null) book.setAttribute("page", String(page));
   book.setAttribute("src", config.src);
   const bar = new Bar(book);
   book.addEventListener("load", () => {

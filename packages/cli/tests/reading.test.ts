@@ -137,6 +137,9 @@ const rightText = { x: 0.56, y: 0.4, width: 0.17, height: 0.35 };
 
 test("the default book opens, is dragged over, and rests", { timeout: 180_000 }, async () => {
   const served = await serve(book);
+  // It lies open where it asks to: at the ship that faces its first chapter.
+  const { page: first } = await open(served, "");
+  expect(await shownPage(first)).toBe(18);
   const { page, errors } = await open(served, "#page=22");
   expect(await shownPage(page)).toBe(22);
   expect(

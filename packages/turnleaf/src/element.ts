@@ -75,7 +75,7 @@ export class TurnleafBook extends Base {
   /** The first page in sight, from 1. Setting it turns there. */
   get page(): number {
     const viewer = this.#book?.viewer;
-    return viewer ? pageOf(viewer.binding, viewer.turning.spread) : this.#firstPage;
+    return viewer ? pageOf(viewer.binding, viewer.turning.spread) : this.#firstPage();
   }
 
   set page(page: number) {
@@ -160,9 +160,10 @@ export class TurnleafBook extends Base {
     }
   }
 
-  /** The page at which a book opens, or would. */
-  get #firstPage(): number {
-    const page = this.#asked ?? this.#left ?? Number(this.getAttribute("page") ?? 1);
+  /** The page at which a book opens, or would: where it was asked for, else where its source says. */
+  #firstPage(source?: PageSource): number {
+    const said = this.getAttribute("page") ?? source?.openingPage ?? 1;
+    const page = this.#asked ?? this.#left ?? Number(said);
     return Math.max(Math.round(page) || 1, 1);
   }
 
@@ -267,7 +268,7 @@ export class TurnleafBook extends Base {
         {
           cover: this.getAttribute("cover") === "none" ? "none" : "hard",
           cloth: this.getAttribute("cloth") ?? "#6a2a26",
-          page: () => this.#firstPage,
+          page: () => this.#firstPage(source),
           turnSeconds: this.#turnSeconds,
           onStart: (low, high, forward) => this.#started(low, high, forward),
           onLand: (from, to) => this.#landed(from, to),

@@ -21,6 +21,8 @@ export interface PageSource {
   /** Side the book is bound on follows from the reading direction. */
   readonly direction: "ltr" | "rtl";
   readonly pageCount: number;
+  /** The page (from 1) at which the book asks to be opened, where it does. */
+  readonly openingPage?: number;
   /** Typeset pages keep paper shading to their own white; scans must not be brightened. */
   readonly kind: "typeset" | "scan";
   /** Size of page `index` (from 0). Rejects with a `BookError`. */

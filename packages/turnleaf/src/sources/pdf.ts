@@ -111,6 +111,18 @@ interface Description {
   readonly language: string;
   readonly direction: "ltr" | "rtl";
   readonly labels: readonly string[] | null;
+  readonly openingPage: number;
+}
+
+/** The page at which a PDF asks to be opened; the first where it does not say, or what it says makes no sense. */
+async function openingPageOf(document: PDFDocumentProxy): Promise<number> {
+  const action = await document.getOpenAction();
+  const target: unknown = action?.get("dest")?.[0];
+  const isReference = typeof target === "object" && target !== null;
+  const index = isReference
+    ? await document.getPageIndex(target as Parameters<typeof document.getPageIndex>[0])
+    : Number(target ?? 0);
+  return Number.isInteger(index) && index >= 0 && index < document.numPages ? index + 1 : 1;
 }
 
 async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<Description> {
@@ -122,10 +134,11 @@ async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<
       `${input.name} has ${count} pages; split it into ones of at most ${limits.pages}.`,
     );
   }
-  const [metadata, preferences, labels] = await Promise.all([
+  const [metadata, preferences, labels, openingPage] = await Promise.all([
     document.getMetadata().catch(() => null),
     document.getViewerPreferences().catch(() => null),
     document.getPageLabels().catch(() => null),
+    openingPageOf(document).catch(() => 1),
   ]);
   const info = (metadata?.info ?? {}) as Record<string, unknown>;
   return {
@@ -135,6 +148,7 @@ async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<
     language: cleanLanguage(info.Language),
     direction: preferences?.get("Direction") === "R2L" ? "rtl" : "ltr",
     labels,
+    openingPage,
   };
 }
 
@@ -143,6 +157,7 @@ class PdfSource implements PageSource {
   readonly language: string;
   readonly direction: "ltr" | "rtl";
   readonly pageCount: number;
+  readonly openingPage: number;
   readonly kind = "typeset";
   readonly #pdfjs: PdfLibrary;
   readonly #name: string;
@@ -158,6 +173,7 @@ class PdfSource implements PageSource {
     this.language = description.language;
     this.direction = description.direction;
     this.pageCount = description.document.numPages;
+    this.openingPage = description.openingPage;
     this.#pdfjs = pdfjs;
     this.#name = description.name;
     this.#document = description.document;
