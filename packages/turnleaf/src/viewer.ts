@@ -51,6 +51,13 @@ export interface Hold extends Hit {
 /** Longest time a frame may stand for; after a pause the turn goes on where it was. */
 const longestFrame = 0.1;
 
+/** Room above the head, from none to that of a leaf standing upright: at rest, and while something turns. */
+const restingRoom = 0.5;
+const turningRoom = 1;
+
+/** Time in seconds in which the camera does two thirds of its way between the two. */
+const roomTime = 0.11;
+
 /** Share of a leaf next to its fore-edge that a hand holds by the edge itself. */
 const edgeShare = 0.08;
 
@@ -89,6 +96,9 @@ export class Viewer {
   #frame = 0;
   #lastTime = 0;
   #remainder = 0;
+  #room = restingRoom;
+  /** Where on the canvas the hand is, CSS pixels, while it holds something. */
+  #handAt: [x: number, y: number] | null = null;
   /** u of the spot that a hand holds, and the height at which it does. */
   #heldU = 1;
   #destroyed = false;
@@ -108,6 +118,7 @@ export class Viewer {
     this.#height = shape.height;
     this.#stage = new Stage(canvas, shape);
     this.#stage.onRestored = () => this.invalidate();
+    this.#stage.room = restingRoom;
     this.#pictures = new PagePictures(source, aspect, {
       onArrive: (page) => {
         this.#show();
@@ -208,6 +219,7 @@ export class Viewer {
 
   /** The hand moves to a place on the canvas, CSS pixels. */
   drag(x: number, y: number): void {
+    this.#handAt = [x, y];
     if (this.#destroyed) return;
     const place = handAt(this.#stage.rayAt(x, y), this.#heldU * this.#width, (at) =>
       this.#floor(at),
@@ -218,6 +230,7 @@ export class Viewer {
 
   /** The hand lets go. */
   release(): void {
+    this.#handAt = null;
     this.turning.release();
     this.invalidate();
   }
@@ -252,15 +265,30 @@ export class Viewer {
 
   #draw(now: number): void {
     this.#frame = 0;
-    const moving = this.turning.moving && this.turning.step(this.#ticks(now));
+    const ticks = this.#ticks(now);
+    const turning = this.turning.moving && this.turning.step(ticks);
     // Whoever hears of a turn may take the book away at once.
     if (this.#destroyed) return;
+    const stepping = this.#stepBack(turning, ticks * tickSeconds);
+    if (stepping && this.#handAt !== null) this.drag(...this.#handAt);
+    const moving = turning || stepping;
     this.#engine.update();
     this.#pose();
     this.#stage.draw({ resting: !moving });
     this.#pictures.paused = moving;
     if (moving) this.invalidate();
     else this.#lastTime = 0;
+  }
+
+  /** Moves the camera back from a turning leaf and near again; answers whether it still moves. */
+  #stepBack(turning: boolean, seconds: number): boolean {
+    const wanted = turning ? turningRoom : restingRoom;
+    const apart = wanted - this.#room;
+    if (apart === 0) return false;
+    const arrived = Math.abs(apart) < 0.004;
+    this.#room = arrived ? wanted : this.#room + apart * (1 - Math.exp(-seconds / roomTime));
+    this.#stage.room = this.#room;
+    return !arrived;
   }
 
   /** Whole ticks since the last frame; none in the first of a movement. */
@@ -322,8 +350,11 @@ export class Viewer {
   /** Width in device pixels at which a page looks sharp, in steps, so that a small change of size redraws nothing. */
   #pictureWidth(): number {
     const middle = 0.4 * this.#height;
+    // As seen at rest: the pages of a turn are those of the rest after it.
+    this.#stage.room = restingRoom;
     const spine = this.#stage.project([0, middle, 0]);
     const edge = this.#stage.project([this.#width, middle, 0]);
+    this.#stage.room = this.#room;
     const onScreen = Math.hypot(edge.x - spine.x, edge.y - spine.y) * Math.max(this.#pixelRatio, 2);
     return Math.min(Math.ceil((onScreen * 1.2) / 256) * 256, 2048);
   }
