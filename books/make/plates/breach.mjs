@@ -1,7 +1,7 @@
 /** The frontispiece: the white whale, mouth agape, thrown half out of a black sea. */
 import { between, box, clamp, distance, lerp, pts, smooth, spline } from "./curves.mjs";
 import { noise, stream } from "./noise.mjs";
-import { sea } from "./sea.mjs";
+import { fleck, sea } from "./sea.mjs";
 import { heaped, sky } from "./sky.mjs";
 
 const SCALE = 1.17;
@@ -251,16 +251,7 @@ function spray(graver, foot) {
     const x = 118 + lines() * 150;
     const y = foot - lines() * 9;
     const r = 2 + lines() * 4;
-    graver.swell(
-      spline([
-        [x - r, y],
-        [x - r * 0.4, y - r * 0.7],
-        [x + r * 0.6, y - r * 0.5],
-        [x + r, y + 0.6],
-      ]),
-      (t) => 0.75 * Math.sin(Math.PI * t),
-      0.1,
-    );
+    fleck(graver, x, y, r, 0.75);
   }
 }
 

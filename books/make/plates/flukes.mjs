@@ -1,7 +1,7 @@
 /** The flukes of a sounding whale over a following sea, water pouring from them. */
 import { between, box, clamp, lerp, pts, smooth, spline } from "./curves.mjs";
 import { noise, stream } from "./noise.mjs";
-import { sea } from "./sea.mjs";
+import { fleck, sea } from "./sea.mjs";
 import { heaped, sky } from "./sky.mjs";
 
 const MIDDLE = 146;
@@ -178,16 +178,7 @@ function pour(graver) {
     const x = MIDDLE - 66 + random() * 132;
     const y = 283 - random() * 9;
     const r = 2 + random() * 4;
-    graver.swell(
-      spline([
-        [x - r, y],
-        [x - r * 0.4, y - r * 0.7],
-        [x + r * 0.6, y - r * 0.5],
-        [x + r, y + 0.6],
-      ]),
-      (t) => 0.8 * Math.sin(Math.PI * t),
-      0.1,
-    );
+    fleck(graver, x, y, r, 0.8);
   }
 }
 

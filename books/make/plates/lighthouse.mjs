@@ -1,7 +1,7 @@
 /** The lighthouse alone on its rock, its light thrown out over a heavy sea. */
 import { between, box, circle, clamp, lerp, pts, smooth, spline, straight } from "./curves.mjs";
 import { noise, stream } from "./noise.mjs";
-import { sea } from "./sea.mjs";
+import { fleck, sea } from "./sea.mjs";
 import { heaped, sky } from "./sky.mjs";
 
 const LIGHT = [138, 92];
@@ -336,16 +336,7 @@ function breakers(graver) {
     const x = 44 + random() * 196;
     const y = 299 - random() * 8;
     const r = 2 + random() * 4;
-    graver.swell(
-      spline([
-        [x - r, y],
-        [x - r * 0.4, y - r * 0.7],
-        [x + r * 0.6, y - r * 0.5],
-        [x + r, y + 0.6],
-      ]),
-      (t) => 0.8 * Math.sin(Math.PI * t),
-      0.1,
-    );
+    fleck(graver, x, y, r, 0.8);
   }
 }
 

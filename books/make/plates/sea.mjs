@@ -3,7 +3,7 @@
  * the row behind. A wave is cusped like Gerstner's trochoid, 1 - |sin|, and is
  * modelled by lines that follow its back and fade at its crest.
  */
-import { clamp, lerp, smooth } from "./curves.mjs";
+import { clamp, lerp, smooth, spline } from "./curves.mjs";
 import { noise } from "./noise.mjs";
 
 /**
@@ -68,4 +68,18 @@ function drawRow(graver, { x0, x1, y, deep, high, long, dark, lit, seed, pitch }
       0.16,
     );
   }
+}
+
+/** A fleck of ink on foam, a little crest of half-width `r` cut `weight` wide at its middle. */
+export function fleck(graver, x, y, r, weight) {
+  graver.swell(
+    spline([
+      [x - r, y],
+      [x - r * 0.4, y - r * 0.7],
+      [x + r * 0.6, y - r * 0.5],
+      [x + r, y + 0.6],
+    ]),
+    (t) => weight * Math.sin(Math.PI * t),
+    0.1,
+  );
 }
