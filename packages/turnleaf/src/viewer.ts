@@ -19,7 +19,7 @@ import { Turning } from "./book/turning.ts";
 import type { BookShape } from "./draw/pose.ts";
 import { Stage } from "./draw/stage.ts";
 import { Cover, EngineBook, Side, tickSeconds } from "./engine/engine.ts";
-import type { Ray, Vec3 } from "./engine/shapes.ts";
+import type { Ray } from "./engine/shapes.ts";
 import { type Hit, pickPile, pickSurface } from "./hand/pick.ts";
 import { handAt } from "./hand/reach.ts";
 import { PagePictures } from "./pages/page_pictures.ts";
@@ -99,7 +99,7 @@ export class Viewer {
   #room = restingRoom;
   /** Where on the canvas the hand is, CSS pixels, while it holds something. */
   #handAt: [x: number, y: number] | null = null;
-  /** u of the spot that a hand holds, and the height at which it does. */
+  /** u of the spot that a hand holds. */
   #heldU = 1;
   #destroyed = false;
 
@@ -219,8 +219,8 @@ export class Viewer {
 
   /** The hand moves to a place on the canvas, CSS pixels. */
   drag(x: number, y: number): void {
-    this.#handAt = [x, y];
     if (this.#destroyed) return;
+    this.#handAt = [x, y];
     const place = handAt(this.#stage.rayAt(x, y), this.#heldU * this.#width, (at) =>
       this.#floor(at),
     );
@@ -233,16 +233,6 @@ export class Viewer {
     this.#handAt = null;
     this.turning.release();
     this.invalidate();
-  }
-
-  /** A place in book space on the canvas, CSS pixels. */
-  project(point: Vec3): { x: number; y: number } {
-    return this.#stage.project(point);
-  }
-
-  /** A page's width and height, metres. */
-  get pageSize(): { readonly width: number; readonly height: number } {
-    return { width: this.#width, height: this.#height };
   }
 
   /** Whether every page in sight is shown at its full sharpness. */
@@ -272,7 +262,8 @@ export class Viewer {
     const stepping = this.#stepBack(turning, ticks * tickSeconds);
     if (stepping && this.#handAt !== null) this.drag(...this.#handAt);
     const moving = turning || stepping;
-    this.#engine.update();
+    // Without a turn nothing in the engine has moved since the book was laid open.
+    if (turning) this.#engine.update();
     this.#pose();
     this.#stage.draw({ resting: !moving });
     this.#pictures.paused = moving;

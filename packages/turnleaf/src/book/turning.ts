@@ -246,6 +246,7 @@ export class Turning {
       this.#engine.layBoard(Cover.front, spread > 0 ? Side.left : Side.right);
       this.#engine.layBoard(Cover.back, spread === last ? Side.left : Side.right);
     }
+    this.#engine.update();
   }
 
   #promise(spread: number): Promise<boolean> {

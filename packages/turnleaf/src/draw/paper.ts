@@ -3,18 +3,23 @@
 import { BackSide, FrontSide, ShaderMaterial, type Texture } from "three";
 import { gapChunk, lightChunk } from "./shading.ts";
 
-const vertexShader = /* glsl */ `
-attribute vec2 gapSky;
-attribute vec4 gapKey;
-attribute vec2 gapBehind;
-uniform float lit;
-uniform float ahead;
+/** What goes from the vertices to the fragments. */
+const varyings = /* glsl */ `
 varying vec3 vNormal;
 varying vec3 vPlace;
 varying vec2 vUv;
 varying vec2 vGapSky;
 varying vec4 vGapKey;
 varying vec2 vGapBehind;
+`;
+
+const vertexShader = /* glsl */ `
+attribute vec2 gapSky;
+attribute vec4 gapKey;
+attribute vec2 gapBehind;
+uniform float lit;
+uniform float ahead;
+${varyings}
 void main() {
   vNormal = normal * lit;
   vPlace = position;
@@ -38,12 +43,7 @@ uniform float thin;
 uniform float ceiling;
 uniform float pool;
 uniform vec2 size;
-varying vec3 vNormal;
-varying vec3 vPlace;
-varying vec2 vUv;
-varying vec2 vGapSky;
-varying vec4 vGapKey;
-varying vec2 vGapBehind;
+${varyings}
 ${lightChunk}
 ${gapChunk}
 

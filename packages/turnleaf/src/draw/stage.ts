@@ -79,11 +79,6 @@ export class Stage {
     this.#materials.show(face, this.#pictures.of(picture), picture === null);
   }
 
-  /** Sends a picture to the GPU ahead of the frame that shows it. */
-  prepare(picture: PagePicture): void {
-    this.#pictures.of(picture);
-  }
-
   /** Frees a picture's texture. Faces that still show it go blank. */
   forget(picture: PagePicture): void {
     for (const [face, shown] of this.#faces) if (shown === picture) this.setFace(face, null);

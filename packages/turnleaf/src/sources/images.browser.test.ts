@@ -1,6 +1,6 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
+import { messageOf } from "./message_of.ts";
 import { openSource } from "./open.ts";
-import { BookError } from "./page_source.ts";
 
 const never = new AbortController().signal;
 
@@ -18,15 +18,6 @@ async function image(width: number, height: number, type = "image/png"): Promise
 
 const address = async (width: number, height: number): Promise<string> =>
   URL.createObjectURL(await image(width, height));
-
-async function messageOf(promise: Promise<unknown>): Promise<string> {
-  const error = await promise.then(
-    () => new Error("It did not fail."),
-    (reason: unknown) => reason,
-  );
-  expect(error).toBeInstanceOf(BookError);
-  return (error as Error).message;
-}
 
 /** Answers every fetch with `answer`. */
 function serve(answer: (url: string, init?: RequestInit) => Response | Promise<Response>): void {

@@ -1,6 +1,7 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
+import { messageOf } from "./message_of.ts";
 import { openSource } from "./open.ts";
-import { BookError, type PagePicture, type PageSource } from "./page_source.ts";
+import type { PagePicture, PageSource } from "./page_source.ts";
 import { PackedDataFactory } from "./pdf_runtime.ts";
 import { type TinyPdf, tinyPdf } from "./tiny_pdf.ts";
 
@@ -28,15 +29,6 @@ function colourAt(picture: PagePicture, x: number, y: number): string {
   context.drawImage(picture, 0, 0);
   const at = [Math.floor(x * picture.width), Math.floor(y * picture.height)] as const;
   return [...context.getImageData(...at, 1, 1).data.slice(0, 3)].join(",");
-}
-
-async function messageOf(promise: Promise<unknown>): Promise<string> {
-  const error = await promise.then(
-    () => new Error("It did not fail."),
-    (reason: unknown) => reason,
-  );
-  expect(error).toBeInstanceOf(BookError);
-  return (error as Error).message;
 }
 
 describe("a PDF", () => {
