@@ -7,10 +7,10 @@ use crate::turn::TurnModel;
 /// Acceleration at the fore-edge by which a released leaf is helped over, m/s^2.
 const ASSIST: f32 = 14.0;
 
-/// A leaf lower than this (metres) and slower than this (m/s) everywhere is
+/// A leaf nearer to rest than this (metres) and slower than this (m/s) everywhere is
 /// eased to rest within `SETTLE_SECONDS`; so is one that has fallen for
 /// `LONGEST_FALL` ticks.
-const LOW: f32 = 0.004;
+const NEAR: f32 = 0.004;
 const SLOW: f32 = 0.5;
 const SETTLE_SECONDS: f32 = 0.14;
 const LONGEST_FALL: u32 = 360;
@@ -24,7 +24,7 @@ impl Leaf {
         self.help_over(side);
         self.model.step();
         self.fallen += 1;
-        let landed = self.height_over_rest(side) < LOW && self.model.greatest_speed() < SLOW;
+        let landed = self.farthest_from_rest(side) < NEAR && self.model.greatest_speed() < SLOW;
         if landed || self.fallen > LONGEST_FALL {
             self.read_nodes();
             self.settling = Some(Settling {
@@ -89,7 +89,7 @@ impl Leaf {
     }
 
     /// Greatest distance of a node from its place of rest on a side, metres.
-    fn height_over_rest(&self, side: Side) -> f32 {
+    fn farthest_from_rest(&self, side: Side) -> f32 {
         let (columns, rows) = self.model.grid_size();
         let mut greatest = 0.0f32;
         for row in 0..rows {

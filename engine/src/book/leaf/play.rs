@@ -54,13 +54,13 @@ impl Leaf {
         if self.recording.is_none() {
             self.recording = Some(self.record());
         }
-        let recorded = self.recording.as_ref().map_or(1.0, Replay::duration);
-        recorded
-            / if seconds.is_finite() {
-                seconds.max(0.05)
-            } else {
-                1.0
-            }
+        let seconds = if seconds.is_finite() {
+            seconds.max(0.05)
+        } else {
+            1.0
+        };
+        let recording = self.recording.as_ref().expect("recorded just now");
+        recording.duration() / seconds
     }
 
     /// Simulates a whole turn from the right and records it.
