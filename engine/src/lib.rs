@@ -13,6 +13,7 @@
 //! - [`TurnModel`], which every way of turning a page implements, and
 //!   [`Surface`], which every one yields
 //! - [`MassSpring`] with its [`Settings`]: the paper's model and its improvements
+//! - [`Stock`]: what the paper is
 //! - [`Gesture`]: how a hand turns a leaf
 //! - [`Lagrange`]: from few nodes to many points
 //! - [`book`]: the bound book, in which a leaf is held, falls and is played
@@ -28,6 +29,8 @@ mod lanes;
 mod models;
 #[cfg(test)]
 mod random;
+mod real;
+mod stock;
 mod surface;
 mod synchronise;
 mod turn;
@@ -43,6 +46,7 @@ pub use key_frames::{
 pub use models::mass_spring::{
     Integrator, InvalidSettings, MassSpring, Masses, Plate, Preset, Settings, Springs, StrainLimit,
 };
+pub use stock::{GRAVITY, Grain, InvalidStock, Stock};
 pub use surface::{StrainRange, Surface};
 pub use synchronise::Synchronise;
 pub use turn::{TurnModel, turn_hash};

@@ -1,0 +1,200 @@
+//! What a leaf's paper is.
+//!
+//! The five presets are the stocks of a page 148 mm wide whose grain runs along
+//! the spine, so that turning it bends the soft direction. Grammage and caliper
+//! are those printed on such papers; stiffness across the grain is a typical
+//! figure for them, stiffness along it follows from the ratio of the moduli of
+//! office paper, about 4.5 GPa along and 2.0 across the grain. All figures of
+//! stiffness, friction and loss are typical, not measured on a named product.
+
+/// Standard gravity, m/s^2.
+pub const GRAVITY: f64 = 9.80665;
+
+/// Stiffness along the grain over that across it: the moduli of office paper,
+/// 4.5 and 2.0 GPa (typical).
+const GRAIN_RATIO: f64 = 2.25;
+
+/// Which way the fibres of a leaf lie.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Grain {
+    /// Along the spine, as in a well-made book: pages turn softly.
+    #[default]
+    AlongSpine,
+    /// Across the spine: pages turn stiffly and stand up.
+    AcrossSpine,
+}
+
+/// A paper.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stock {
+    /// Mass of a square metre, kg/m^2.
+    pub grammage: f64,
+    /// Thickness of a sheet, m.
+    pub caliper: f64,
+    /// Bending stiffness along the grain, a moment per width and curvature, N m.
+    pub stiffness_along: f64,
+    /// Bending stiffness across the grain, N m.
+    pub stiffness_across: f64,
+    /// Geometric mean of the two Poisson ratios.
+    pub poisson: f64,
+    /// Coefficient of friction of the paper on itself.
+    pub friction: f64,
+    /// Loss tangent in bending: of the energy of a cycle, 2 pi times this is lost.
+    pub loss: f64,
+}
+
+/// A stock that is no paper.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct InvalidStock(
+    /// One sentence saying which figure is wrong and what it may be.
+    pub String,
+);
+
+impl core::fmt::Display for InvalidStock {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl core::error::Error for InvalidStock {}
+
+impl Stock {
+    /// Names of the presets, from the lightest to the heaviest.
+    pub const NAMES: [&'static str; 5] = ["bible", "book", "office", "coated", "card"];
+
+    /// Bible paper, 30 g/m^2: it floats.
+    pub const BIBLE: Stock = typical(0.030, 40e-6, 0.011e-3, 0.5);
+    /// Book paper, 70 g/m^2.
+    pub const BOOK: Stock = typical(0.070, 90e-6, 0.12e-3, 0.5);
+    /// Office paper, 80 g/m^2.
+    pub const OFFICE: Stock = typical(0.080, 104e-6, 0.19e-3, 0.5);
+    /// Coated paper of magazines and art books, 170 g/m^2.
+    pub const COATED: Stock = typical(0.170, 140e-6, 0.80e-3, 0.4);
+    /// Card, 250 g/m^2: it snaps.
+    pub const CARD: Stock = typical(0.250, 300e-6, 4.5e-3, 0.45);
+
+    /// The preset of a name, None where there is none.
+    pub fn named(name: &str) -> Option<Stock> {
+        let presets = [
+            Self::BIBLE,
+            Self::BOOK,
+            Self::OFFICE,
+            Self::COATED,
+            Self::CARD,
+        ];
+        let at = Self::NAMES.iter().position(|known| *known == name)?;
+        Some(presets[at])
+    }
+
+    /// A paper of grammage kg/m^2, caliper m and bending stiffness along and
+    /// across the grain, N m, with the Poisson ratio, friction and loss of book
+    /// paper.
+    ///
+    /// # Errors
+    /// Where a figure is no number or beyond what is made of paper.
+    pub fn new(
+        grammage: f64,
+        caliper: f64,
+        stiffness_along: f64,
+        stiffness_across: f64,
+    ) -> Result<Stock, InvalidStock> {
+        let stock = Stock {
+            grammage,
+            caliper,
+            stiffness_along,
+            stiffness_across,
+            ..Self::BOOK
+        };
+        stock.check()?;
+        Ok(stock)
+    }
+
+    /// Says which figure, if any, no sheet could have.
+    ///
+    /// # Errors
+    /// Names the first such figure.
+    pub fn check(&self) -> Result<(), InvalidStock> {
+        let figures = [
+            ("grammage", "kg/m^2", self.grammage, 1e-3, 5.0),
+            ("caliper", "m", self.caliper, 1e-6, 0.01),
+            (
+                "stiffness along the grain",
+                "N m",
+                self.stiffness_along,
+                1e-8,
+                10.0,
+            ),
+            (
+                "stiffness across the grain",
+                "N m",
+                self.stiffness_across,
+                1e-8,
+                10.0,
+            ),
+            ("Poisson ratio", "", self.poisson, 0.0, 0.499),
+            ("friction", "", self.friction, 0.0, 2.0),
+            ("loss tangent", "", self.loss, 0.0, 1.0),
+        ];
+        for (name, unit, value, least, most) in figures {
+            if !(least..=most).contains(&value) {
+                return Err(InvalidStock(format!(
+                    "The paper's {name} is {value}; it must lie between {least} and {most} {unit}"
+                )
+                .trim_end()
+                .to_owned()
+                    + "."));
+            }
+        }
+        Ok(())
+    }
+
+    /// Bending stiffness of a leaf across the spine (as it turns) and along it, N m.
+    pub fn stiffness(&self, grain: Grain) -> (f64, f64) {
+        match grain {
+            Grain::AlongSpine => (self.stiffness_across, self.stiffness_along),
+            Grain::AcrossSpine => (self.stiffness_along, self.stiffness_across),
+        }
+    }
+
+    /// Gamma, the weight of a leaf `width` metres wide over its stiffness as it
+    /// turns: (grammage g) width^3 / D. It alone decides how a page hangs.
+    pub fn heaviness(&self, width: f64, grain: Grain) -> f64 {
+        self.grammage * GRAVITY * width * width * width / self.stiffness(grain).0
+    }
+}
+
+const fn typical(grammage: f64, caliper: f64, across: f64, friction: f64) -> Stock {
+    Stock {
+        grammage,
+        caliper,
+        stiffness_along: GRAIN_RATIO * across,
+        stiffness_across: across,
+        poisson: 0.29,
+        friction,
+        loss: 0.03,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn presets_are_papers_of_the_heaviness_that_they_should_have() {
+        for (name, gamma) in Stock::NAMES.iter().zip([89.0, 18.0, 13.6, 6.8, 1.8]) {
+            let stock = Stock::named(name).unwrap();
+            stock.check().unwrap();
+            let own = stock.heaviness(0.148, Grain::AlongSpine);
+            assert!((own / gamma - 1.0).abs() < 0.04, "{name}: {own}");
+        }
+        assert_eq!(Stock::named("vellum"), None);
+    }
+
+    #[test]
+    fn a_stock_in_figures_is_checked() {
+        assert_eq!(Stock::new(0.07, 90e-6, 0.27e-3, 0.12e-3), Ok(Stock::BOOK));
+        let error = Stock::new(f64::NAN, 90e-6, 0.27e-3, 0.12e-3).unwrap_err();
+        assert!(error.0.contains("grammage"), "{error}");
+        assert!(Stock::new(0.07, 90e-6, 0.27e-3, -1.0).is_err());
+    }
+}
