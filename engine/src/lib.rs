@@ -15,7 +15,7 @@
 //! - [`MassSpring`] with its [`Settings`]: the paper's model and its improvements
 //! - [`Stock`]: what the paper is
 //! - [`Gesture`]: how a hand turns a leaf
-//! - [`Lagrange`]: from few nodes to many points
+//! - [`Interpolation`]: from few nodes to many points
 //! - [`book`]: the bound book, in which a leaf is held, falls and is played
 //! - [`KeyFrames`], [`Recorder`] and [`Replay`]: a turn recorded and played again
 
@@ -38,7 +38,7 @@ mod turn;
 pub use gesture::{Gesture, Grip};
 pub use grid::Side;
 pub use hash::BitHash;
-pub use interpolate::{Lagrange, lagrange_weights, uniform_samples};
+pub use interpolate::{Interpolation, lagrange_weights, uniform_samples};
 pub use key_frames::{
     Blend, FORMAT_VERSION, FrameKind, KeyFrameError, KeyFrames, ModelKind, PAPER_INTERVAL,
     Recorder, Replay,

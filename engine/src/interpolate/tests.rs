@@ -1,6 +1,6 @@
 //! Lagrange interpolation against polynomials and against the plain double sum.
 
-use super::{Lagrange, lagrange_weights, uniform_samples};
+use super::{Interpolation, lagrange_weights, uniform_samples};
 use crate::random::{Random, for_seeds};
 
 fn random_samples(random: &mut Random) -> Vec<f32> {
@@ -21,7 +21,7 @@ fn random_nodes(random: &mut Random, rows: usize, stride: usize) -> [Vec<f32>; 3
     })
 }
 
-fn apply(lagrange: &mut Lagrange, nodes: &[Vec<f32>; 3], stride: usize) -> Vec<f32> {
+fn apply(lagrange: &mut Interpolation, nodes: &[Vec<f32>; 3], stride: usize) -> Vec<f32> {
     let (columns, rows) = lagrange.samples();
     let mut points = vec![f32::NAN; 3 * columns * rows];
     lagrange.apply(nodes.each_ref().map(|axis| &axis[..]), stride, &mut points);
@@ -58,7 +58,7 @@ fn polynomials_of_degree_five_are_exact_in_both_directions() {
         let at = uniform_samples(6);
         let product = |i: usize| (value(&p, at[i % 6]) * value(&q, at[i / 6])) as f32;
         let nodes = [(0..36).map(product).collect(), vec![1.0; 36], vec![0.0; 36]];
-        let points = apply(&mut Lagrange::new(6, 6, &u, &v), &nodes, 6);
+        let points = apply(&mut Interpolation::lagrange(6, 6, &u, &v), &nodes, 6);
         for (i, point) in points.chunks_exact(3).enumerate() {
             let exact = value(&p, u[i % 26]) * value(&q, v[i / 26]);
             assert!((f64::from(point[0]) - exact).abs() < 2e-5);
@@ -81,7 +81,11 @@ fn any_grid_and_samples_agree_with_the_plain_double_sum() {
         }
         let stride = columns.next_multiple_of(8);
         let nodes = random_nodes(random, rows, stride);
-        let points = apply(&mut Lagrange::new(columns, rows, &u, &v), &nodes, stride);
+        let points = apply(
+            &mut Interpolation::lagrange(columns, rows, &u, &v),
+            &nodes,
+            stride,
+        );
         for (row, &v) in v.iter().enumerate() {
             let along_v = lagrange_weights(rows, v);
             for (column, &u_here) in u.iter().enumerate() {
@@ -110,7 +114,7 @@ fn the_ends_of_the_surface_are_the_outer_masses() {
     for_seeds(|random| {
         let nodes = random_nodes(random, 6, 8);
         let even = uniform_samples(26);
-        let points = apply(&mut Lagrange::new(6, 6, &even, &even), &nodes, 8);
+        let points = apply(&mut Interpolation::lagrange(6, 6, &even, &even), &nodes, 8);
         for (point, lane) in [(0, 0), (25, 5), (25 * 26, 40), (25 * 26 + 25, 45)] {
             for axis in 0..3 {
                 assert!((points[3 * point + axis] - nodes[axis][lane]).abs() < 1e-6);
@@ -122,11 +126,11 @@ fn the_ends_of_the_surface_are_the_outer_masses() {
 #[test]
 #[should_panic(expected = "samples must rise")]
 fn samples_that_fall_are_refused() {
-    Lagrange::new(6, 6, &[0.0, 0.6, 0.5, 1.0], &[0.0, 1.0]);
+    Interpolation::lagrange(6, 6, &[0.0, 0.6, 0.5, 1.0], &[0.0, 1.0]);
 }
 
 #[test]
 #[should_panic(expected = "samples must lie in 0..1")]
 fn samples_beyond_the_leaf_are_refused() {
-    Lagrange::new(6, 6, &[0.0, 1.1], &[0.0, 1.0]);
+    Interpolation::lagrange(6, 6, &[0.0, 1.1], &[0.0, 1.0]);
 }

@@ -1,7 +1,7 @@
 //! Repeating a recorded turn, itself a [`TurnModel`].
 
 use super::{FrameKind, KeyFrames};
-use crate::interpolate::{Lagrange, uniform_samples};
+use crate::interpolate::{Interpolation, uniform_samples};
 use crate::surface::Surface;
 use crate::turn::TurnModel;
 
@@ -39,7 +39,7 @@ pub struct Replay {
     /// On the average.
     frames_per_second: f32,
     /// From masses to the surface, and whether for every drawn frame anew.
-    interpolation: Option<Lagrange>,
+    interpolation: Option<Interpolation>,
     each_frame: bool,
     /// Surfaces of the frames near the present time; frame i lies in slot i % 4.
     slots: [Slot; 4],
@@ -113,10 +113,15 @@ impl Replay {
     /// 0..1. Frames of the surface are drawn as they were recorded.
     ///
     /// # Panics
-    /// As [`Lagrange::new`].
+    /// As [`Interpolation::lagrange`].
     pub fn draw_samples(&mut self, u: &[f32], v: &[f32]) {
         if self.frames.kind == FrameKind::Masses {
-            self.interpolation = Some(Lagrange::new(self.frames.columns, self.frames.rows, u, v));
+            self.interpolation = Some(Interpolation::lagrange(
+                self.frames.columns,
+                self.frames.rows,
+                u,
+                v,
+            ));
             for slot in &mut self.slots {
                 *slot = Slot {
                     frame: usize::MAX,
@@ -280,7 +285,7 @@ impl TurnModel for Replay {
 
     fn write_surface(&mut self, surface: &mut Surface) {
         let (mix, _) = self.mix(self.time());
-        let samples = self.interpolation.as_ref().map(Lagrange::samples);
+        let samples = self.interpolation.as_ref().map(Interpolation::samples);
         let (columns, rows) = samples.unwrap_or((self.frames.columns, self.frames.rows));
         surface.resize(columns, rows);
         if samples.is_none() {

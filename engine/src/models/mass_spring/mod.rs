@@ -22,7 +22,7 @@ pub use settings::{
 
 use crate::gesture::Gesture;
 use crate::grid::Grid;
-use crate::interpolate::{Lagrange, uniform_samples};
+use crate::interpolate::{Interpolation, uniform_samples};
 use crate::surface::{StrainRange, Surface};
 use crate::synchronise::Synchroniser;
 use crate::turn::TurnModel;
@@ -66,7 +66,7 @@ pub struct MassSpring {
     /// Positions before the substep, where velocities follow from positions.
     before: [Vec<f32>; 3],
     /// Where the surface is sampled; nothing when the nodes themselves are drawn.
-    interpolation: Option<Lagrange>,
+    interpolation: Option<Interpolation>,
 }
 
 impl MassSpring {
@@ -97,7 +97,7 @@ impl MassSpring {
             wind: settings.wind,
         };
         let uniform = uniform_samples(PAPER_SAMPLES);
-        let interpolation = Lagrange::new(grid.columns, grid.rows, &uniform, &uniform);
+        let interpolation = Interpolation::lagrange(grid.columns, grid.rows, &uniform, &uniform);
         let mut leaf = Self {
             motion: Motion::new(&grid, rest.clone(), settings.integrator),
             air: Air::new(&settings, &grid, &own_inverse_mass),
@@ -147,9 +147,14 @@ impl MassSpring {
     /// (0 foot, 1 head), rising and within 0..1, by Lagrange interpolation.
     ///
     /// # Panics
-    /// As [`Lagrange::new`].
+    /// As [`Interpolation::lagrange`].
     pub fn draw_samples(&mut self, u: &[f32], v: &[f32]) {
-        self.interpolation = Some(Lagrange::new(self.grid.columns, self.grid.rows, u, v));
+        self.interpolation = Some(Interpolation::lagrange(
+            self.grid.columns,
+            self.grid.rows,
+            u,
+            v,
+        ));
     }
 
     /// Draws the nodes themselves, without interpolation.
