@@ -13,14 +13,16 @@
 //! - [`TurnModel`], which every way of turning a page implements, and
 //!   [`Surface`], which every one yields
 //! - [`MassSpring`] with its [`Settings`]: the paper's model and its improvements
-//! - [`Stock`]: what the paper is
+//! - [`Stock`], its [`Rigidity`], and the [`Air`] around it: what the paper is
 //! - [`Gesture`]: how a hand turns a leaf
 //! - [`Interpolation`]: from few nodes to many points
 //! - [`book`]: the bound book, in which a leaf is held, falls and is played
 //! - [`KeyFrames`], [`Recorder`] and [`Replay`]: a turn recorded and played again
 
+mod air;
 pub mod book;
 mod gesture;
+mod grab;
 mod grid;
 mod hash;
 mod interpolate;
@@ -30,11 +32,13 @@ mod models;
 #[cfg(test)]
 mod random;
 mod real;
+mod rigidity;
 mod stock;
 mod surface;
 mod synchronise;
 mod turn;
 
+pub use air::Air;
 pub use gesture::{Gesture, Grip};
 pub use grid::Side;
 pub use hash::BitHash;
@@ -46,6 +50,7 @@ pub use key_frames::{
 pub use models::mass_spring::{
     Integrator, InvalidSettings, MassSpring, Masses, Plate, Preset, Settings, Springs, StrainLimit,
 };
+pub use rigidity::Rigidity;
 pub use stock::{GRAVITY, Grain, InvalidStock, Stock};
 pub use surface::{StrainRange, Surface};
 pub use synchronise::Synchronise;

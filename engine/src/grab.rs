@@ -1,0 +1,91 @@
+//! How a hand holds a leaf.
+//!
+//! A finger pad presses on some square centimetres. Each node under it is drawn
+//! by a spring of its own to its place in the pad, which moves and tilts with
+//! the leaf there: the hand pulls without tearing at one node, and without
+//! forcing a direction on the sheet. The springs together are soft, and their
+//! force is bounded, so that no pull however wild overwhelms the solver.
+
+use crate::real::Real;
+
+/// Radius of a finger pad, metres.
+const RADIUS: f64 = 0.014;
+
+/// Stiffness of all springs of a hand together, N/m.
+pub(crate) const STIFFNESS: f64 = 30.0;
+
+/// Greatest force of a hand, N: some twenty times the weight of a page.
+pub(crate) const STRONGEST: f64 = 0.5;
+
+/// A node under the pad.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pressed<T> {
+    /// Number of the node, row by row.
+    pub node: usize,
+    /// Its part of the pad; all together 1.
+    pub weight: T,
+    /// Where it lies from the middle of the pad on the flat leaf, metres along
+    /// u and along v.
+    pub apart: [T; 2],
+}
+
+/// The pad of a hand at (`u`, `v`), each 0 to 1, on a leaf of `columns` x `rows`
+/// nodes and `size` metres: the nodes within its radius, or else those next to
+/// it. The column at the spine is never held.
+pub(crate) fn pad<T: Real>(
+    (u, v): (f64, f64),
+    (columns, rows): (usize, usize),
+    size: [f64; 2],
+) -> Vec<Pressed<T>> {
+    let cell = [size[0] / (columns - 1) as f64, size[1] / (rows - 1) as f64];
+    let middle = [u.clamp(0.0, 1.0) * size[0], v.clamp(0.0, 1.0) * size[1]];
+    // Wide enough for the four corners of a cell to share the pull smoothly.
+    let radius = RADIUS.max(1.2 * cell[0]).max(1.2 * cell[1]);
+    let mut pressed: Vec<(usize, f64, [f64; 2])> = Vec::new();
+    for row in 0..rows {
+        for column in 1..columns {
+            let apart = [
+                column as f64 * cell[0] - middle[0],
+                row as f64 * cell[1] - middle[1],
+            ];
+            let share = 1.0 - (apart[0] * apart[0] + apart[1] * apart[1]) / (radius * radius);
+            if share > 0.0 {
+                pressed.push((row * columns + column, share * share, apart));
+            }
+        }
+    }
+    let total: f64 = pressed.iter().map(|p| p.1).sum();
+    let of = |(node, share, apart): (usize, f64, [f64; 2])| Pressed {
+        node,
+        weight: T::of(share / total),
+        apart: apart.map(T::of),
+    };
+    pressed.into_iter().map(of).collect()
+}
+
+/// The stiffness that a hand has when it is `away` metres from what it holds:
+/// less where its force would be beyond the greatest.
+pub(crate) fn stiffness<T: Real>(away: T) -> T {
+    T::of(STIFFNESS).min(T::of(STRONGEST) / away.max(T::of(1e-9)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_pad_weighs_one_and_lies_about_its_middle() {
+        for at in [(1.0, 0.0), (0.5, 0.5), (0.97, 0.33), (0.0, 1.0)] {
+            let pad = pad::<f64>(at, (12, 16), [0.148, 0.21]);
+            let total: f64 = pad.iter().map(|p| p.weight).sum();
+            assert!((total - 1.0).abs() < 1e-12 && !pad.is_empty(), "{at:?}");
+            assert!(pad.iter().all(|p| p.node % 12 > 0));
+        }
+    }
+
+    #[test]
+    fn a_hand_is_no_stronger_than_its_greatest_force() {
+        assert_eq!(stiffness(0.001f64), STIFFNESS);
+        assert!((stiffness(0.3f64) * 0.3 - STRONGEST).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,59 @@
+//! The bending of a leaf as an orthotropic plate.
+
+use crate::stock::{Grain, Stock};
+
+/// The four constants of the bending energy of a nearly inextensible sheet,
+///
+/// ```text
+/// E = 1/2 Int (D11 |x_uu|^2 + D22 |x_vv|^2 + 2 D12 x_uu.x_vv + 4 D66 |x_uv|^2) du dv
+/// ```
+///
+/// quadratic in positions, u across the spine and v along it in metres. All in
+/// N m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rigidity {
+    /// Against bending as the leaf turns.
+    pub d11: f64,
+    /// Against bending along the spine.
+    pub d22: f64,
+    /// Between the two (Poisson's effect).
+    pub d12: f64,
+    /// Against twist.
+    pub d66: f64,
+}
+
+impl Rigidity {
+    /// A stock's, bound with its grain as told. D12 and D66 follow from the
+    /// geometric means of stiffness and Poisson ratio (Huber 1923), which is
+    /// close for paper and exact for an isotropic sheet.
+    pub fn of(stock: &Stock, grain: Grain) -> Rigidity {
+        let (d11, d22) = stock.stiffness(grain);
+        let mean = (d11 * d22).sqrt();
+        Rigidity {
+            d11,
+            d22,
+            d12: stock.poisson * mean,
+            d66: (1.0 - stock.poisson) * mean / 2.0,
+        }
+    }
+
+    /// An isotropic sheet's of stiffness `d` (N m) and Poisson ratio `poisson`.
+    pub fn isotropic(d: f64, poisson: f64) -> Rigidity {
+        Rigidity {
+            d11: d,
+            d22: d,
+            d12: poisson * d,
+            d66: (1.0 - poisson) * d / 2.0,
+        }
+    }
+
+    /// D11 of a strip across the spine whose long edges are free to curl.
+    pub fn free_d11(&self) -> f64 {
+        self.d11 - self.d12 * self.d12 / self.d22
+    }
+
+    /// D22 of a strip along the spine whose long edges are free to curl.
+    pub fn free_d22(&self) -> f64 {
+        self.d22 - self.d12 * self.d12 / self.d11
+    }
+}
