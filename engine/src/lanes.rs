@@ -1,4 +1,4 @@
-//! Four floats at a time. Lanes never mix and nothing is fused, so every target
+//! Four numbers at a time. Lanes never mix and nothing is fused, so every target
 //! computes the same bits.
 //!
 //! In plain Rust, which compilers turn into 128-bit instructions of SSE2 or
@@ -60,9 +60,19 @@ mod target {
     }
 }
 
+/// Four numbers, as [`crate::real::Real`] knows them.
+pub trait Lanes<T>: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+    /// From an array.
+    fn of(array: [T; 4]) -> Self;
+    /// One number four times.
+    fn repeat(value: T) -> Self;
+    /// As an array.
+    fn to_array(self) -> [T; 4];
+}
+
 /// Four floats.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Four(target::Lanes);
+pub struct Four(target::Lanes);
 
 impl Four {
     #[inline(always)]
@@ -102,5 +112,63 @@ impl Mul for Four {
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
         Self(target::mul(self.0, other.0))
+    }
+}
+
+impl Lanes<f32> for Four {
+    #[inline(always)]
+    fn of(array: [f32; 4]) -> Self {
+        Self::new(array)
+    }
+    #[inline(always)]
+    fn repeat(value: f32) -> Self {
+        Self::splat(value)
+    }
+    #[inline(always)]
+    fn to_array(self) -> [f32; 4] {
+        self.array()
+    }
+}
+
+/// Four doubles.
+#[derive(Clone, Copy, Debug)]
+pub struct FourDoubles([f64; 4]);
+
+impl Add for FourDoubles {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self(core::array::from_fn(|i| self.0[i] + other.0[i]))
+    }
+}
+
+impl Sub for FourDoubles {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self(core::array::from_fn(|i| self.0[i] - other.0[i]))
+    }
+}
+
+impl Mul for FourDoubles {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self(core::array::from_fn(|i| self.0[i] * other.0[i]))
+    }
+}
+
+impl Lanes<f64> for FourDoubles {
+    #[inline(always)]
+    fn of(array: [f64; 4]) -> Self {
+        Self(array)
+    }
+    #[inline(always)]
+    fn repeat(value: f64) -> Self {
+        Self([value; 4])
+    }
+    #[inline(always)]
+    fn to_array(self) -> [f64; 4] {
+        self.0
     }
 }

@@ -20,6 +20,7 @@
 //! - [`KeyFrames`], [`Recorder`] and [`Replay`]: a turn recorded and played again
 
 mod air;
+mod band;
 pub mod book;
 mod gesture;
 mod grab;

@@ -1,6 +1,7 @@
 //! Single or double precision: what the interactive sheet (f32) and the offline
 //! shell (f64) share is written once, over this.
 
+use crate::lanes::{Four, FourDoubles, Lanes};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A floating-point number. Only operations that IEEE 754 rounds exactly, so
@@ -20,6 +21,8 @@ pub trait Real:
     + MulAssign
     + DivAssign
 {
+    /// Four of them, worked on at once.
+    type Four: Lanes<Self>;
     /// Zero.
     const ZERO: Self;
     /// One.
@@ -41,8 +44,9 @@ pub trait Real:
 }
 
 macro_rules! real {
-    ($type:ty) => {
+    ($type:ty, $four:ty) => {
         impl Real for $type {
+            type Four = $four;
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             #[inline(always)]
@@ -77,5 +81,5 @@ macro_rules! real {
     };
 }
 
-real!(f32);
-real!(f64);
+real!(f32, Four);
+real!(f64, FourDoubles);

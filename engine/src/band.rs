@@ -1,0 +1,416 @@
+//! A banded symmetric positive definite matrix, factorised and solved with.
+//!
+//! A = Lᵀ D L with L unit lower triangular: the unknowns are eliminated from the
+//! last to the first, because then both factors of every product lie along rows
+//! of the lower part, in which the matrix is assembled. It costs what Cholesky's
+//! own order costs, and no square root (Golub and Van Loan, Matrix Computations,
+//! 4.1 and 4.3.5).
+//!
+//! Four rows are finished at a time, in tiles that stay in registers: a tile is
+//! loaded, takes in all later rows, is eliminated within itself and stored, once.
+
+use crate::lanes::Lanes;
+use crate::real::Real;
+
+/// Rows that are finished together.
+const PANEL: usize = 4;
+
+/// Groups of four columns in a tile.
+const GROUPS: usize = 2;
+
+/// Columns of a tile.
+const WIDTH: usize = 4 * GROUPS;
+
+/// Four rows of a tile, from the first.
+type Tile<T> = [[<T as Real>::Four; GROUPS]; PANEL];
+
+/// A symmetric matrix whose entries further than the half-bandwidth from the
+/// diagonal are zero; after [`Band::factorise`], its factors.
+///
+/// Kept row by row: each has `lead` columns before its diagonal, of which the
+/// nearest `half_bandwidth` belong to the band and the others stay zero, so that
+/// tiles may reach over the band's edge. Column c of row r thus lies at
+/// `lead * r + lead + c`: whichever the row, a column is as well aligned. Rows
+/// are filled up to whole panels by those of the unit matrix.
+///
+/// Factors: in row k left of the diagonal d L, on it 1 / d.
+#[derive(Clone, Debug)]
+pub(crate) struct Band<T: Real> {
+    order: usize,
+    half_bandwidth: usize,
+    lead: usize,
+    entries: Vec<T>,
+    /// For every later row in reach of the panel, its L in the panel's columns.
+    factors: Vec<[T::Four; PANEL]>,
+}
+
+impl<T: Real> Band<T> {
+    /// A matrix of zeros with `order` rows.
+    pub fn new(order: usize, half_bandwidth: usize) -> Self {
+        let lead = (half_bandwidth + WIDTH + PANEL).next_multiple_of(4);
+        let padded = order.next_multiple_of(PANEL);
+        let mut band = Self {
+            order,
+            half_bandwidth,
+            lead,
+            entries: vec![T::ZERO; (padded + 1) * (lead + 1)],
+            factors: vec![[T::Four::repeat(T::ZERO); PANEL]; half_bandwidth],
+        };
+        band.clear();
+        band
+    }
+
+    /// Number of rows.
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// Greatest distance of an entry from the diagonal, in columns.
+    pub fn half_bandwidth(&self) -> usize {
+        self.half_bandwidth
+    }
+
+    /// Makes every entry zero again.
+    pub fn clear(&mut self) {
+        self.entries.fill(T::ZERO);
+        for row in self.order..self.padded() {
+            let diagonal = self.at(row, row + self.lead);
+            self.entries[diagonal] = T::ONE;
+        }
+    }
+
+    /// Becomes a copy of a matrix of the same shape.
+    pub fn copy_from(&mut self, other: &Band<T>) {
+        debug_assert_eq!(self.order, other.order);
+        debug_assert_eq!(self.half_bandwidth, other.half_bandwidth);
+        self.entries.copy_from_slice(&other.entries);
+    }
+
+    /// A row's columns `row - half_bandwidth ..= row`, the diagonal last. In the
+    /// first rows this begins before column 0, with entries that must stay zero.
+    pub fn row_mut(&mut self, row: usize) -> &mut [T] {
+        let diagonal = self.at(row, row + self.lead);
+        &mut self.entries[diagonal - self.half_bandwidth..=diagonal]
+    }
+
+    /// Adds to the entry of a row and a column, and to its mirror image.
+    /// `column` is at most `row`, and within the band.
+    pub fn add(&mut self, row: usize, column: usize, value: T) {
+        let place = self.half_bandwidth - (row - column);
+        self.row_mut(row)[place] += value;
+    }
+
+    /// Replaces the matrix by its factors and answers how many pivots were not
+    /// positive, beyond what rounding leaves of the diagonal entry. Such a pivot
+    /// is taken as infinite: its unknown is held, [`Band::solve`] answers zero
+    /// for it, and solves for the others as if it were not there. So the factors
+    /// stay finite, and an answer x to b has b·x > 0 unless it is zero.
+    pub fn factorise(&mut self) -> usize {
+        let firsts = (0..self.order).step_by(PANEL).rev();
+        firsts.map(|first| self.factorise_panel(first)).sum()
+    }
+
+    /// Replaces `b` by the solution of A x = b. [`Band::factorise`] comes before.
+    pub fn solve(&self, b: &mut [T]) {
+        debug_assert_eq!(b.len(), self.order);
+        for row in (0..self.order).rev() {
+            let diagonal = self.at(row, row + self.lead);
+            let reach = self.half_bandwidth.min(row);
+            b[row] *= self.entries[diagonal];
+            let z = b[row];
+            for i in 1..=reach {
+                b[row - i] -= self.entries[diagonal - i] * z;
+            }
+        }
+        for row in 0..self.order {
+            let diagonal = self.at(row, row + self.lead);
+            let reach = self.half_bandwidth.min(row);
+            let mut sum = T::ZERO;
+            for i in 1..=reach {
+                sum += self.entries[diagonal - i] * b[row - i];
+            }
+            b[row] -= self.entries[diagonal] * sum;
+        }
+    }
+
+    fn padded(&self) -> usize {
+        self.order.next_multiple_of(PANEL)
+    }
+
+    /// Where the entry of a row and a column is. Columns count from `lead` before
+    /// the first.
+    #[inline(always)]
+    fn at(&self, row: usize, column: usize) -> usize {
+        self.lead * row + column
+    }
+
+    fn factorise_panel(&mut self, first: usize) -> usize {
+        self.gather(first);
+        let mut right = self.lead + first + PANEL;
+        let mut tile = self.tile(first, right - WIDTH);
+        let diagonal =
+            core::array::from_fn(|i| self.entries[self.at(first + i, right - PANEL + i)]);
+        let pivots = Pivots::of(&mut tile, diagonal);
+        self.store_diagonal(first, &tile, &pivots);
+        right -= WIDTH;
+        let least = self.lead + first.saturating_sub(self.half_bandwidth);
+        while right > least {
+            let mut tile = self.tile(first, right - WIDTH);
+            pivots.eliminate(&mut tile);
+            self.store(first, right - WIDTH, &tile);
+            right -= WIDTH;
+        }
+        pivots.held
+    }
+
+    /// Rows after the panel that are not zero everywhere left of column `right`.
+    #[inline(always)]
+    fn later(&self, first: usize, right: usize) -> usize {
+        let end = (right + self.half_bandwidth - self.lead).min(self.padded());
+        end.saturating_sub(first + PANEL)
+    }
+
+    fn gather(&mut self, first: usize) {
+        let right = self.lead + first + PANEL;
+        for later in 0..self.later(first, right) {
+            let row = first + PANEL + later;
+            let inverse = self.entries[self.at(row, row + self.lead)];
+            let from = self.at(row, right - PANEL);
+            let four: [T; PANEL] = core::array::from_fn(|i| self.entries[from + i] * inverse);
+            self.factors[later] = four.map(T::Four::repeat);
+        }
+    }
+
+    /// The tile whose columns begin at `left`, with all later rows taken in, the
+    /// last first.
+    #[inline(always)]
+    fn tile(&self, first: usize, left: usize) -> Tile<T> {
+        let mut tile: Tile<T> = core::array::from_fn(|i| {
+            let from = self.at(first + i, left);
+            groups::<T>(&self.entries[from..from + WIDTH])
+        });
+        let later = self.later(first, left + WIDTH);
+        let from = self.at(first + PANEL, left);
+        let rows = self.entries[from..from + later * self.lead].chunks_exact(self.lead);
+        for (row, factors) in rows.zip(&self.factors[..later]).rev() {
+            let row = groups::<T>(row);
+            for i in 0..PANEL {
+                for group in 0..GROUPS {
+                    tile[i][group] = tile[i][group] - factors[i] * row[group];
+                }
+            }
+        }
+        tile
+    }
+
+    #[inline(always)]
+    fn store(&mut self, first: usize, left: usize, tile: &Tile<T>) {
+        for i in 0..PANEL {
+            let from = self.at(first + i, left);
+            let (to, _) = self.entries[from..from + WIDTH].as_chunks_mut::<4>();
+            for group in 0..GROUPS {
+                to[group] = tile[i][group].to_array();
+            }
+        }
+    }
+
+    /// Stores the tile that ends with the diagonal's block, but for the upper
+    /// part, in whose place the next row begins.
+    fn store_diagonal(&mut self, first: usize, tile: &Tile<T>, pivots: &Pivots<T>) {
+        for i in 0..PANEL {
+            let diagonal = self.at(first + i, self.lead + first + i);
+            for group in 0..GROUPS {
+                let values = tile[i][group].to_array();
+                let from = diagonal + 4 * group + PANEL - WIDTH - i;
+                let last = group == GROUPS - 1;
+                let count = if last { i } else { 4 };
+                self.entries[from..from + count].copy_from_slice(&values[..count]);
+            }
+            self.entries[diagonal] = pivots.inverses[i];
+        }
+    }
+}
+
+#[inline(always)]
+fn groups<T: Real>(columns: &[T]) -> [T::Four; GROUPS] {
+    let (fours, _) = columns.as_chunks::<4>();
+    let fours: &[[T; 4]; GROUPS] = fours.first_chunk().expect("a tile's columns");
+    core::array::from_fn(|group| T::Four::of(fours[group]))
+}
+
+/// How a panel is eliminated within itself.
+struct Pivots<T: Real> {
+    /// 1 / d, zero for an unknown that is held.
+    inverses: [T; PANEL],
+    /// L of row k in column i < k.
+    factors: [[T::Four; PANEL]; PANEL],
+    held: usize,
+}
+
+impl<T: Real> Pivots<T> {
+    /// From the tile that ends with the diagonal's block, which is eliminated, and
+    /// the matrix's diagonal there.
+    #[inline(always)]
+    fn of(tile: &mut Tile<T>, diagonal: [T; PANEL]) -> Self {
+        let mut inverses = [T::ZERO; PANEL];
+        let mut factors = [[T::Four::repeat(T::ZERO); PANEL]; PANEL];
+        let mut held = 0;
+        for k in (0..PANEL).rev() {
+            let row = tile[k][GROUPS - 1].to_array();
+            if diagonal[k] + row[k] > diagonal[k] {
+                inverses[k] = T::ONE / row[k];
+            } else {
+                held += 1;
+            }
+            for i in 0..k {
+                factors[k][i] = T::Four::repeat(row[i] * inverses[k]);
+                for group in 0..GROUPS {
+                    tile[i][group] = tile[i][group] - factors[k][i] * tile[k][group];
+                }
+            }
+        }
+        Self {
+            inverses,
+            factors,
+            held,
+        }
+    }
+
+    #[inline(always)]
+    fn eliminate(&self, tile: &mut Tile<T>) {
+        for k in (1..PANEL).rev() {
+            for i in 0..k {
+                for group in 0..GROUPS {
+                    tile[i][group] = tile[i][group] - self.factors[k][i] * tile[k][group];
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::{Random, for_seeds};
+
+    /// Orders and half-bandwidths about the sizes of panels and tiles.
+    const SHAPES: [(usize, usize); 12] = [
+        (0, 3),
+        (1, 0),
+        (1, 5),
+        (3, 1),
+        (5, 0),
+        (7, 9),
+        (8, 3),
+        (13, 4),
+        (30, 11),
+        (33, 12),
+        (61, 17),
+        (90, 68),
+    ];
+
+    /// Entries between -1 and 1, and a diagonal that is greater than its row's sum.
+    fn definite<T: Real>(random: &mut Random, order: usize, half_bandwidth: usize) -> Band<T> {
+        let mut band = Band::new(order, half_bandwidth);
+        for row in 0..order {
+            for column in row.saturating_sub(half_bandwidth)..row {
+                let value = T::of(f64::from(random.between(-1.0, 1.0)));
+                band.add(row, column, value);
+                band.add(row, row, value.abs());
+                band.add(column, column, value.abs());
+            }
+            band.add(row, row, T::of(f64::from(random.between(0.01, 1.0))));
+        }
+        band
+    }
+
+    fn dense<T: Real>(band: &Band<T>) -> Vec<Vec<T>> {
+        let mut dense = vec![vec![T::ZERO; band.order]; band.order];
+        let mut band = band.clone();
+        for row in 0..band.order {
+            for column in row.saturating_sub(band.half_bandwidth)..=row {
+                let place = band.half_bandwidth - (row - column);
+                let value = band.row_mut(row)[place];
+                dense[row][column] = value;
+                dense[column][row] = value;
+            }
+        }
+        dense
+    }
+
+    /// The same factors in scalars, one entry after the other, in the same order.
+    fn dense_factors<T: Real>(mut a: Vec<Vec<T>>) -> Vec<Vec<T>> {
+        for i in (0..a.len()).rev() {
+            for j in (0..=i).rev() {
+                for k in (i + 1..a.len()).rev() {
+                    let factor = a[k][i] * a[k][k];
+                    let product = factor * a[k][j];
+                    a[i][j] -= product;
+                }
+            }
+            a[i][i] = T::ONE / a[i][i];
+        }
+        a
+    }
+
+    fn times<T: Real>(a: &[Vec<T>], x: &[T]) -> Vec<T> {
+        let product = |row: &Vec<T>| {
+            let terms = row.iter().zip(x).map(|(&a, &x)| a * x);
+            terms.fold(T::ZERO, |sum, term| sum + term)
+        };
+        a.iter().map(product).collect()
+    }
+
+    fn greatest<T: Real>(values: impl IntoIterator<Item = T>) -> T {
+        values
+            .into_iter()
+            .fold(T::ZERO, |most, value| most.max(value.abs()))
+    }
+
+    fn factors_agree<T: Real>(random: &mut Random) {
+        for (order, half_bandwidth) in SHAPES {
+            let mut band = definite::<T>(random, order, half_bandwidth);
+            let expected = dense_factors(dense(&band));
+            assert_eq!(band.factorise(), 0);
+            let got = dense(&band);
+            for row in 0..order {
+                assert_eq!(
+                    got[row][..=row],
+                    expected[row][..=row],
+                    "row {row} of {order}, {half_bandwidth}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn factors_are_those_of_scalars_in_the_same_order() {
+        for_seeds(factors_agree::<f32>);
+        for_seeds(factors_agree::<f64>);
+    }
+
+    fn solution_multiplies_back<T: Real>(random: &mut Random, precision: f64) {
+        for (order, half_bandwidth) in SHAPES {
+            let mut band = definite::<T>(random, order, half_bandwidth);
+            let a = dense(&band);
+            let b: Vec<T> = (0..order)
+                .map(|_| T::of(f64::from(random.between(-1.0, 1.0))))
+                .collect();
+            let mut x = b.clone();
+            assert_eq!(band.factorise(), 0);
+            band.solve(&mut x);
+            let residual = greatest(times(&a, &x).iter().zip(&b).map(|(&ax, &b)| ax - b));
+            let scale = greatest(a.concat()) * greatest(x) * T::of(order as f64);
+            assert!(
+                residual <= scale * T::of(precision),
+                "{residual:?} of {scale:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn solution_multiplies_back_to_b() {
+        for_seeds(|random| solution_multiplies_back::<f32>(random, f64::from(f32::EPSILON)));
+        for_seeds(|random| solution_multiplies_back::<f64>(random, f64::EPSILON));
+    }
+}
