@@ -51,6 +51,7 @@ pub use key_frames::{
 pub use models::mass_spring::{
     Integrator, InvalidSettings, MassSpring, Masses, Plate, Preset, Settings, Springs, StrainLimit,
 };
+pub use models::sheet::{CONTACTS, Contact, InvalidSheet, Root, Sheet, SheetSettings};
 pub use rigidity::Rigidity;
 pub use stock::{GRAVITY, Grain, InvalidStock, Stock};
 pub use surface::{StrainRange, Surface};

@@ -1,3 +1,4 @@
 //! The ways of turning a page, one folder a model.
 
 pub mod mass_spring;
+pub mod sheet;

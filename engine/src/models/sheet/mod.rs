@@ -1,0 +1,476 @@
+//! The interactive sheet: a leaf that behaves as paper does.
+//!
+//! A near-isometric rectangular grid of few nodes with linear bending stiffness
+//! (see [`Rigidity`](crate::Rigidity)), stretch and shear stiff enough that no
+//! one sees them, weight and air, advanced by implicit Euler: one Newton step
+//! from where it is, solved directly by a banded Cholesky factorisation, then
+//! sweeps that restore every edge's length exactly. A cubic spline carries the
+//! drawn surface. docs/physics.md derives it and compares it with other ways.
+
+mod bending;
+mod contact;
+mod hand;
+mod membrane;
+mod settings;
+mod sweep;
+mod system;
+#[cfg(test)]
+mod tests;
+
+pub use contact::{CONTACTS, Contact};
+pub use settings::{InvalidSheet, Root, SheetSettings};
+
+use bending::Bending;
+use contact::{add_contact, dot};
+use hand::Hand;
+use membrane::Membrane;
+use sweep::Sweep;
+use system::System;
+
+use crate::band::Band;
+use crate::grid::{Grid, Side};
+use crate::interpolate::{Interpolation, uniform_samples};
+use crate::surface::Surface;
+use crate::synchronise::{Synchronise, Synchroniser};
+use crate::turn::TurnModel;
+
+/// Greatest speed of a node, m/s: nothing that a hand does to paper is faster.
+const FASTEST: f32 = 12.0;
+
+/// Stiffness that holds a pinned node, N/m.
+const PIN: f32 = 2e4;
+
+/// Angular frequency at which the stock's loss is met, rad/s: that of the first
+/// swings of a page. Loss in proportion to the rate damps higher ones more.
+const LOSS_AT: f64 = 10.0;
+
+/// A leaf of paper.
+#[derive(Clone, Debug)]
+pub struct Sheet {
+    settings: SheetSettings,
+    h: f32,
+    /// Kilograms of each node, and of the air it carries along its normal.
+    mass: Vec<f32>,
+    air_mass: Vec<f32>,
+    /// Weight of each node, N: x, y, z.
+    weight: Vec<f32>,
+    /// Other constant forces, N: x, y, z of each node.
+    loads: Vec<f32>,
+    bending: Bending,
+    membrane: Membrane,
+    sweep: Sweep,
+    system: System,
+    /// The part of the matrix that never changes: inertia and bending.
+    constant: Band<f32>,
+    positions: Vec<f32>,
+    velocities: Vec<f32>,
+    before: Vec<f32>,
+    normals: Vec<[f32; 3]>,
+    /// For each row the place to which the clamp's tangent points.
+    tangents: Vec<f32>,
+    contacts: Vec<[Contact; CONTACTS]>,
+    pins: Vec<Option<[f32; 3]>>,
+    hands: Vec<Hand>,
+    interpolation: Interpolation,
+    synchroniser: Option<(Grid, Synchroniser)>,
+    time: f64,
+}
+
+impl Sheet {
+    /// A sheet at rest on the right, flat and level.
+    ///
+    /// # Errors
+    /// Where a setting is no number or out of bounds.
+    pub fn new(settings: SheetSettings) -> Result<Sheet, InvalidSheet> {
+        settings.check()?;
+        let (columns, rows) = (settings.columns, settings.rows);
+        let nodes = columns * rows;
+        let h = settings.time_step as f32;
+        let of_area = |density: f64| -> Vec<f32> {
+            (0..nodes)
+                .map(|node| (density * settings.area(node % columns, node / columns)) as f32)
+                .collect()
+        };
+        let mass = of_area(settings.stock.grammage);
+        let weight = mass
+            .iter()
+            .flat_map(|m| settings.gravity.map(|g| m * g as f32))
+            .collect();
+        let samples = (
+            uniform_samples(4 * columns - 3),
+            uniform_samples(2 * rows - 1),
+        );
+        let mut sheet = Sheet {
+            h,
+            air_mass: of_area(settings.air.added_mass),
+            mass,
+            weight,
+            loads: vec![0.0; 3 * nodes],
+            bending: Bending::new(&settings),
+            membrane: Membrane::new(&settings),
+            sweep: Sweep::new(&settings),
+            system: System::new(columns, rows, settings.first()),
+            constant: System::new(columns, rows, settings.first()).matrix,
+            positions: vec![0.0; 3 * nodes],
+            velocities: vec![0.0; 3 * nodes],
+            before: vec![0.0; 3 * nodes],
+            normals: vec![[0.0, 0.0, 1.0]; nodes],
+            tangents: vec![0.0; 3 * rows],
+            contacts: vec![[Contact::default(); CONTACTS]; nodes],
+            pins: vec![None; nodes],
+            hands: Vec::new(),
+            interpolation: Interpolation::spline(columns, rows, &samples.0, &samples.1),
+            synchroniser: None,
+            time: 0.0,
+            settings,
+        };
+        sheet.prepare();
+        sheet.lay_flat(Side::Right);
+        Ok(sheet)
+    }
+
+    /// Computes what depends on the settings alone.
+    fn prepare(&mut self) {
+        let settings = &self.settings;
+        let h = settings.time_step;
+        let loss = (settings.stock.loss / (LOSS_AT * h)) as f32;
+        let first = settings.first();
+        self.constant.clear();
+        self.bending.add_to(&mut self.constant, first, 1.0 + loss);
+        for node in 0..self.mass.len() {
+            if self.system.moves(node) {
+                let at = self.system.unknown(node);
+                for axis in 0..3 {
+                    self.constant
+                        .add(at + axis, at + axis, self.mass[node] / (self.h * self.h));
+                }
+            }
+        }
+        self.synchroniser = (settings.synchronise != Synchronise::Off).then(|| {
+            let (width, height) = (settings.width as f32, settings.height as f32);
+            let grid = Grid::new(settings.columns, settings.rows, width, height);
+            let mut free = grid.zeros();
+            for lane in grid.node_lanes() {
+                free[lane] = if lane % grid.stride >= first {
+                    1.0
+                } else {
+                    0.0
+                };
+            }
+            let synchroniser = Synchroniser::new(settings.synchronise, &grid, &free);
+            (grid, synchroniser)
+        });
+    }
+
+    /// The settings it was made of.
+    pub fn settings(&self) -> &SheetSettings {
+        &self.settings
+    }
+
+    /// Lays the sheet flat and still on a side, nothing holding it.
+    pub fn lay_flat(&mut self, side: Side) {
+        let (columns, cell) = (self.settings.columns, self.settings.cell());
+        for (node, x) in self.positions.chunks_exact_mut(3).enumerate() {
+            x[0] = side.sign() * ((node % columns) as f64 * cell[0]) as f32;
+            x[1] = ((node / columns) as f64 * cell[1]) as f32;
+            x[2] = 0.0;
+        }
+        self.velocities.fill(0.0);
+        self.hands.clear();
+        let angle = match side {
+            Side::Right => 0.0,
+            Side::Left => core::f32::consts::PI,
+        };
+        self.set_clamp_angle(angle);
+    }
+
+    /// Sets the angle at which the sheet leaves the spine, radians: 0 level to
+    /// the right, pi level to the left.
+    pub fn set_clamp_angle(&mut self, angle: f32) {
+        let (sin, cos) = libm::sincosf(angle);
+        let [du, dv] = self.settings.cell().map(|cell| cell as f32);
+        for (row, tangent) in self.tangents.chunks_exact_mut(3).enumerate() {
+            tangent.copy_from_slice(&[du * cos, row as f32 * dv, du * sin]);
+        }
+    }
+
+    /// Positions of the nodes, metres: x, y, z of each, row by row from the
+    /// foot, each row from the spine to the fore-edge.
+    pub fn positions(&self) -> &[f32] {
+        &self.positions
+    }
+
+    /// Velocities of the nodes, m/s, as [`positions`](Self::positions).
+    pub fn velocities(&self) -> &[f32] {
+        &self.velocities
+    }
+
+    /// Moves every node: positions and velocities as
+    /// [`positions`](Self::positions).
+    ///
+    /// # Panics
+    /// If a slice is not three numbers a node long.
+    pub fn write_nodes(&mut self, positions: &[f32], velocities: &[f32]) {
+        self.positions.copy_from_slice(positions);
+        self.velocities.copy_from_slice(velocities);
+    }
+
+    /// Forces on the nodes beside weight and air, N: x, y, z of each. They stay
+    /// until changed.
+    pub fn loads_mut(&mut self) -> &mut [f32] {
+        &mut self.loads
+    }
+
+    /// What each node must not pass through, to be set before a step. It stays
+    /// until changed.
+    pub fn contacts_mut(&mut self) -> &mut [[Contact; CONTACTS]] {
+        &mut self.contacts
+    }
+
+    /// Holds a node at a place, or lets it go.
+    pub fn pin(&mut self, column: usize, row: usize, place: Option<[f32; 3]>) {
+        let node = row * self.settings.columns + column;
+        self.pins[node] = place;
+        self.sweep.release(&self.settings, node);
+        if place.is_some() {
+            self.sweep.mobility[node] = 0.0;
+        }
+    }
+
+    /// A hand takes hold at (`u`, `v`); one of the same number lets go of what
+    /// it held.
+    pub fn grab(&mut self, hand: u32, u: f32, v: f32) {
+        self.release(hand);
+        if u.is_finite() && v.is_finite() {
+            let hand = Hand::new(hand, u, v, &self.settings, &self.positions);
+            self.hands.push(hand);
+        }
+    }
+
+    /// A hand pulls what it holds to a place, metres. Nothing happens where it
+    /// holds nothing or the place is no number.
+    pub fn pull(&mut self, hand: u32, to: [f32; 3]) {
+        if let Some(hand) = self.hands.iter_mut().find(|known| known.id == hand) {
+            hand.pull(to);
+        }
+    }
+
+    /// A hand lets go.
+    pub fn release(&mut self, hand: u32) {
+        self.hands.retain(|known| known.id != hand);
+    }
+
+    /// Where the place that a hand holds is now, metres; None where it holds
+    /// nothing.
+    pub fn held_place(&self, hand: u32) -> Option<[f32; 3]> {
+        let hand = self.hands.iter().find(|known| known.id == hand)?;
+        Some(hand.held_place(&self.positions))
+    }
+
+    /// Draws at the values `u` and `v` (each rising and within 0 to 1).
+    ///
+    /// # Panics
+    /// As [`Interpolation::spline`].
+    pub fn draw_samples(&mut self, u: &[f32], v: &[f32]) {
+        let (columns, rows) = (self.settings.columns, self.settings.rows);
+        self.interpolation = Interpolation::spline(columns, rows, u, v);
+    }
+
+    /// Largest strain, stretch or compression, of any edge between neighbours
+    /// along rows and columns.
+    pub fn max_edge_strain(&self) -> f32 {
+        let (columns, rows) = (self.settings.columns, self.settings.rows);
+        let [du, dv] = self.settings.cell().map(|cell| cell as f32);
+        let x = self.positions.as_chunks::<3>().0;
+        let mut most = 0.0f32;
+        for node in 0..columns * rows {
+            let strain = |other: usize, rest: f32| {
+                let d: [f32; 3] = core::array::from_fn(|axis| x[other][axis] - x[node][axis]);
+                (dot(d, d).sqrt() / rest - 1.0).abs()
+            };
+            if node % columns + 1 < columns {
+                most = most.max(strain(node + 1, du));
+            }
+            if node / columns + 1 < rows {
+                most = most.max(strain(node + columns, dv));
+            }
+        }
+        most
+    }
+
+    /// The fastest node's speed, m/s.
+    pub fn greatest_speed(&self) -> f32 {
+        let v = self.velocities.as_chunks::<3>().0;
+        v.iter().map(|v| dot(*v, *v)).fold(0.0, f32::max).sqrt()
+    }
+
+    fn update_normals(&mut self) {
+        let (columns, rows) = (self.settings.columns, self.settings.rows);
+        let x = self.positions.as_chunks::<3>().0;
+        for row in 0..rows {
+            for column in 0..columns {
+                let node = row * columns + column;
+                let (left, right) = (
+                    node - usize::from(column > 0),
+                    node + usize::from(column + 1 < columns),
+                );
+                let (below, above) = (
+                    node - if row > 0 { columns } else { 0 },
+                    node + if row + 1 < rows { columns } else { 0 },
+                );
+                let u: [f32; 3] = core::array::from_fn(|axis| x[right][axis] - x[left][axis]);
+                let v: [f32; 3] = core::array::from_fn(|axis| x[above][axis] - x[below][axis]);
+                let n = [
+                    u[1] * v[2] - u[2] * v[1],
+                    u[2] * v[0] - u[0] * v[2],
+                    u[0] * v[1] - u[1] * v[0],
+                ];
+                let inverse = 1.0 / (dot(n, n).sqrt() + 1e-12);
+                self.normals[node] = n.map(|n| n * inverse);
+            }
+        }
+    }
+
+    /// Assembles forces and matrix at the present state.
+    fn assemble(&mut self) {
+        self.system.matrix.copy_from(&self.constant);
+        self.system.forces.copy_from_slice(&self.weight);
+        let forces = &mut self.system.forces;
+        for (force, load) in forces.iter_mut().zip(&self.loads) {
+            *force += load;
+        }
+        self.bending
+            .subtract_forces(&self.positions, &self.tangents, forces);
+        self.membrane.add_to(&self.positions, &mut self.system);
+        self.add_inertia_and_air();
+        for hand in &mut self.hands {
+            hand.add_to(&mut self.system, self.settings.columns, &self.positions);
+        }
+        self.add_bounds();
+    }
+
+    /// Adds what each node's velocity does: inertia, the air it carries and
+    /// the drag, both along its normal, which lags by a step.
+    fn add_inertia_and_air(&mut self) {
+        let settings = &self.settings;
+        let (h, wind) = (self.h, settings.air.wind.map(|w| w as f32));
+        let drag =
+            (0.5 * settings.air.density * settings.air.drag / settings.stock.grammage) as f32;
+        let v = self.velocities.as_chunks::<3>().0;
+        for node in 0..self.mass.len() {
+            if !self.system.moves(node) {
+                continue;
+            }
+            let (n, v, mass) = (self.normals[node], v[node], self.mass[node]);
+            let (along, blowing) = (dot(n, v), dot(n, wind));
+            let carried = self.air_mass[node] / h;
+            let resistance = drag * mass * (along - blowing).abs();
+            let push = carried * along + resistance * blowing;
+            let inertia = mass / h;
+            self.system.push(
+                node,
+                core::array::from_fn(|axis| inertia * v[axis] + push * n[axis]),
+            );
+            let k = (carried + resistance) / h;
+            self.system.add_product(node, node, n.map(|n| k * n), n);
+        }
+    }
+
+    /// Adds contacts and pins.
+    fn add_bounds(&mut self) {
+        let x = self.positions.as_chunks::<3>().0;
+        let v = self.velocities.as_chunks::<3>().0;
+        for node in 0..self.mass.len() {
+            if !self.system.moves(node) {
+                continue;
+            }
+            for contact in &self.contacts[node] {
+                if contact.normal != [0.0; 3] {
+                    let state = [x[node], v[node]];
+                    add_contact(
+                        &mut self.system,
+                        node,
+                        contact,
+                        state,
+                        self.mass[node],
+                        self.h,
+                    );
+                }
+            }
+            if let Some(place) = self.pins[node] {
+                let pull = core::array::from_fn(|axis| PIN * (place[axis] - x[node][axis]));
+                self.system.push(node, pull);
+                self.system.add_diagonal(node, PIN);
+            }
+        }
+    }
+
+    fn synchronise(&mut self) {
+        let Some((grid, synchroniser)) = &self.synchroniser else {
+            return;
+        };
+        let mut axes = grid.zeros3();
+        grid.deinterleave(&self.positions, &mut axes);
+        let first = self.settings.first();
+        let mut free = grid.zeros();
+        for lane in grid.node_lanes() {
+            free[lane] = if lane % grid.stride >= first {
+                1.0
+            } else {
+                0.0
+            };
+        }
+        synchroniser.apply(grid, &free, &grid.rest(Side::Right), &mut axes);
+        grid.interleave(&axes, &mut self.positions);
+    }
+}
+
+impl TurnModel for Sheet {
+    fn time_step(&self) -> f32 {
+        self.h
+    }
+
+    fn time(&self) -> f32 {
+        self.time as f32
+    }
+
+    fn step(&mut self) {
+        hand::follow(&mut self.hands, &self.settings, self.h);
+        self.update_normals();
+        self.assemble();
+        self.before.copy_from_slice(&self.positions);
+        if self.system.solve(&mut self.positions) {
+            self.sweep.run(&mut self.positions);
+            self.synchronise();
+        }
+        let inverse = 1.0 / self.h;
+        let states = self.velocities.chunks_exact_mut(3);
+        let moved = self
+            .positions
+            .chunks_exact(3)
+            .zip(self.before.chunks_exact(3));
+        for (v, (x, before)) in states.zip(moved) {
+            let new: [f32; 3] = core::array::from_fn(|axis| (x[axis] - before[axis]) * inverse);
+            let slower = (FASTEST / dot(new, new).sqrt().max(FASTEST)).min(1.0);
+            v.copy_from_slice(&new.map(|v| v * slower));
+        }
+        self.time += f64::from(self.h);
+    }
+
+    fn write_surface(&mut self, surface: &mut Surface) {
+        let (columns, rows) = self.interpolation.samples();
+        surface.resize(columns, rows);
+        self.interpolation
+            .apply_interleaved(&self.positions, &mut surface.positions);
+        surface.touch();
+    }
+
+    fn grid_size(&self) -> (usize, usize) {
+        (self.settings.columns, self.settings.rows)
+    }
+
+    fn read_nodes(&self, positions: &mut [f32], velocities: &mut [f32]) {
+        positions.copy_from_slice(&self.positions);
+        velocities.copy_from_slice(&self.velocities);
+    }
+}
