@@ -13,6 +13,7 @@
 //! - [`TurnModel`], which every way of turning a page implements, and
 //!   [`Surface`], which every one yields
 //! - [`MassSpring`] with its [`Settings`]: the paper's model and its improvements
+//! - [`Shell`] with its [`ShellSettings`]: the offline reference
 //! - [`Stock`], its [`Rigidity`], and the [`Air`] around it: what the paper is
 //! - [`Gesture`]: how a hand turns a leaf
 //! - [`Interpolation`]: from few nodes to many points
@@ -52,6 +53,9 @@ pub use models::mass_spring::{
     Integrator, InvalidSettings, MassSpring, Masses, Plate, Preset, Settings, Springs, StrainLimit,
 };
 pub use models::sheet::{CONTACTS, Contact, InvalidSheet, Root, Sheet, SheetSettings};
+pub use models::shell::{
+    Discretisation, Edge, Energies, InvalidShell, Scheme, Shell, ShellSettings, Table,
+};
 pub use rigidity::Rigidity;
 pub use stock::{GRAVITY, Grain, InvalidStock, Stock};
 pub use surface::{StrainRange, Surface};

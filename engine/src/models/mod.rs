@@ -2,3 +2,4 @@
 
 pub mod mass_spring;
 pub mod sheet;
+pub mod shell;

@@ -1,0 +1,20 @@
+//! What a discretisation of bending has to answer.
+
+use super::mesh::Clamps;
+use super::system::System;
+use super::vector::Vector;
+
+/// The bending energy of a leaf, with damping proportional to it: over a step
+/// damping is `ratio` times the energy of the change of curvature since its
+/// start (the incremental potential of stiffness-proportional damping).
+pub(super) trait Bending: core::fmt::Debug + Send {
+    /// Energy, J, with that of damping.
+    fn energy(&self, x: &[Vector], clamps: &Clamps) -> f64;
+
+    /// Adds gradient and Hessian: the exact one, or one without negative
+    /// directions.
+    fn add_to(&self, x: &[Vector], clamps: &Clamps, exact: bool, system: &mut System);
+
+    /// Damps the change of curvature from that of `from`; 0 ends it.
+    fn damp(&mut self, ratio: f64, from: &[Vector], clamps: &Clamps);
+}

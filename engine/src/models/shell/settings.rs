@@ -1,0 +1,209 @@
+//! What a shell is made of.
+
+use super::InvalidShell;
+use crate::air::Air;
+use crate::rigidity::Rigidity;
+use crate::stock::{GRAVITY, Grain, Stock};
+
+/// How an edge of a leaf is held.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Edge {
+    /// Not at all.
+    Free,
+    /// Its nodes and the direction of the leaf there: `angle` is that of the
+    /// direction of rising u over the x axis, in radians, positive upward.
+    Clamped {
+        /// Radians.
+        angle: f64,
+    },
+}
+
+/// How bending energy follows from the nodes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Discretisation {
+    /// Second differences over the grid: quadratic, the hessian constant
+    /// (after Bergou et al. 2006).
+    #[default]
+    Grid,
+    /// The shape operators of triangles by the angles of their hinges, over both
+    /// diagonals of each cell (after Grinspun et al. 2006).
+    Triangles,
+}
+
+/// How a leaf moves on in time. All three solve their equations to the end.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Scheme {
+    /// First order; damps fast motion.
+    ImplicitEuler,
+    /// The second-order backward differentiation formula; damps what is faster
+    /// than the step. Its first step is one of implicit Euler.
+    #[default]
+    Bdf2,
+    /// Second order, and keeps the energy of an undamped leaf but for a bounded
+    /// swing.
+    ImplicitMidpoint,
+}
+
+/// A table at z = 0 on which a leaf may lie.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Table {
+    /// Coefficient of friction.
+    pub friction: f64,
+}
+
+/// Everything that makes a [`super::Shell`], in SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShellSettings {
+    /// Columns of nodes from the spine to the fore-edge, 6 to 513.
+    pub columns: usize,
+    /// Rows of nodes from the foot to the head, 2 to 513.
+    pub rows: usize,
+    /// From the spine to the fore-edge, m.
+    pub width: f64,
+    /// From the foot to the head, m.
+    pub height: f64,
+    /// Bending stiffness.
+    pub rigidity: Rigidity,
+    /// Mass of a square metre, kg/m^2.
+    pub areal_mass: f64,
+    /// Stiffness against stretch, N/m: Young's modulus times caliper. Shear is
+    /// 0.4 of it. Paper has about 2e5; anything that keeps strain below some
+    /// 1e-4 gives the same shapes.
+    pub membrane: f64,
+    /// Acceleration of gravity, m/s^2.
+    pub gravity: [f64; 3],
+    /// The air around it.
+    pub air: Air,
+    /// The edge at u = 0, on the y axis.
+    pub spine: Edge,
+    /// The edge at u = 1.
+    pub fore_edge: Edge,
+    /// Whether there is a table.
+    pub table: Option<Table>,
+    /// Length of a step, s.
+    pub time_step: f64,
+    /// How it moves on in time.
+    pub scheme: Scheme,
+    /// How bending follows from the nodes.
+    pub discretisation: Discretisation,
+    /// Loss tangent of bending at the first frequency of the clamped leaf; the
+    /// damping is proportional to stiffness. 0 is undamped.
+    pub loss: f64,
+    /// A step is solved when no node moves further than this in a Newton step, m.
+    pub tolerance: f64,
+}
+
+impl ShellSettings {
+    /// A leaf of a stock, `width` x `height` metres, clamped level at the spine
+    /// in still air, of 33 x 45 nodes and steps of 1/240 s.
+    pub fn leaf(stock: &Stock, grain: Grain, width: f64, height: f64) -> Self {
+        Self {
+            columns: 33,
+            rows: 45,
+            width,
+            height,
+            rigidity: Rigidity::of(stock, grain),
+            areal_mass: stock.grammage,
+            membrane: 2e4,
+            gravity: [0.0, 0.0, -GRAVITY],
+            air: Air::still(width),
+            spine: Edge::Clamped { angle: 0.0 },
+            fore_edge: Edge::Free,
+            table: None,
+            time_step: 1.0 / 240.0,
+            scheme: Scheme::Bdf2,
+            discretisation: Discretisation::Grid,
+            loss: stock.loss,
+            tolerance: 1e-8,
+        }
+    }
+
+    /// A strip 1 m long and a hundredth of a metre wide, of `columns` x 2 nodes, of unit
+    /// mass per area and the given heaviness Gamma = weight x length^3 / D in a
+    /// vacuum: Poisson's ratio 0, clamped level, undamped, hanging in gravity.
+    pub fn strip(columns: usize, gamma: f64) -> Self {
+        let d = GRAVITY / gamma;
+        Self {
+            columns,
+            rows: 2,
+            width: 1.0,
+            height: 0.01,
+            rigidity: Rigidity::isotropic(d, 0.0),
+            areal_mass: 1.0,
+            membrane: 1e6 * GRAVITY.max(d),
+            gravity: [0.0, 0.0, -GRAVITY],
+            air: Air::NONE,
+            spine: Edge::Clamped { angle: 0.0 },
+            fore_edge: Edge::Free,
+            table: None,
+            time_step: 1e-3,
+            scheme: Scheme::Bdf2,
+            discretisation: Discretisation::Grid,
+            loss: 0.0,
+            tolerance: 1e-9,
+        }
+    }
+
+    /// Seconds of stiffness-proportional damping that give the loss tangent at
+    /// the first frequency of a clamped strip, 3.516 sqrt(D / m) / width^2.
+    pub(super) fn damping_time(&self) -> f64 {
+        const FIRST_ROOT: f64 = 1.875_104_068_7;
+        let rate = (self.rigidity.d11 / self.areal_mass).sqrt() / (self.width * self.width);
+        self.loss / (FIRST_ROOT * FIRST_ROOT * rate)
+    }
+
+    /// Whether the settings make a leaf.
+    pub(super) fn check(&self) -> Result<(), InvalidShell> {
+        let counts = [("columns", self.columns, 6), ("rows", self.rows, 2)];
+        for (what, count, least) in counts {
+            if !(least..=513).contains(&count) {
+                return Err(InvalidShell(format!(
+                    "A shell has {least} to 513 {what} of nodes, not {count}."
+                )));
+            }
+        }
+        let above_zero = [
+            ("width", self.width),
+            ("height", self.height),
+            ("bending stiffness across the spine", self.rigidity.d11),
+            ("bending stiffness along the spine", self.rigidity.d22),
+            ("stiffness against twist", self.rigidity.d66),
+            ("mass", self.areal_mass),
+            ("membrane stiffness", self.membrane),
+            ("time step", self.time_step),
+            ("tolerance", self.tolerance),
+        ];
+        for (what, value) in above_zero {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(InvalidShell(format!(
+                    "A shell's {what} is above 0 and finite, not {value}."
+                )));
+            }
+        }
+        let friction = self.table.map_or(0.0, |table| table.friction);
+        let air = [self.air.density, self.air.drag, self.air.added_mass];
+        let not_below_zero = [
+            ("loss", self.loss),
+            ("friction", friction),
+            ("coupling of bending", self.rigidity.d12),
+            (
+                "air",
+                air.into_iter()
+                    .fold(0.0, |least, a| if a >= least { least } else { a }),
+            ),
+        ];
+        for (what, value) in not_below_zero {
+            if !(value >= 0.0 && value.is_finite()) {
+                return Err(InvalidShell(format!(
+                    "A shell's {what} is 0 or above and finite, not {value}."
+                )));
+            }
+        }
+        if self.rigidity.d12 * self.rigidity.d12 >= 0.8 * self.rigidity.d11 * self.rigidity.d22 {
+            return Err(InvalidShell(
+                "A shell's D12 squared is below 0.8 D11 D22.".to_owned(),
+            ));
+        }
+        Ok(())
+    }
+}
