@@ -14,7 +14,7 @@
 mod bench;
 
 use turnleaf_engine::Side;
-use turnleaf_engine::book::{Book, Phase};
+use turnleaf_engine::book::{Book, MOST_FLIGHTS, Phase, TICK};
 
 fn side(number: u32) -> Side {
     if number == 0 { Side::Right } else { Side::Left }
@@ -26,9 +26,25 @@ fn phase_number(phase: Phase) -> u32 {
         Phase::Resting(Side::Left) => 1,
         Phase::Held => 2,
         Phase::Falling(Side::Right) => 3,
-        Phase::Playing(_) => 4,
-        Phase::Falling(Side::Left) => 5,
+        Phase::Falling(Side::Left) => 4,
+        Phase::Playing(Side::Right) => 5,
+        Phase::Playing(Side::Left) => 6,
     }
+}
+
+/// The phase of a flight that is over.
+const OVER: u32 = 7;
+
+/// Length of a tick, by which books and boards are stepped, seconds.
+#[unsafe(no_mangle)]
+pub extern "C" fn tl_tick() -> f32 {
+    TICK
+}
+
+/// Leaves that one book has in flight, at most.
+#[unsafe(no_mangle)]
+pub extern "C" fn tl_most_flights() -> usize {
+    MOST_FLIGHTS
 }
 
 /// Makes a book of `leaves` pages of paper, `width` x `height` metres, together
@@ -63,38 +79,51 @@ macro_rules! book_functions {
 
 book_functions! {
     /// Lays the book open with `read` leaves on the left and none in flight.
-    fn tl_book_lay(book, read: f32) { book.lay(read) }
-    /// Takes up the uppermost leaf of a side.
-    fn tl_book_lift(book, from: u32, low: f32, high: f32) { book.lift(side(from), low, high) }
-    /// A hand takes hold of the leaf in flight at (u, v).
-    fn tl_book_grab(book, u: f32, v: f32) { book.leaf_mut().grab(u, v) }
-    /// The hand pulls to a place in book space, metres.
-    fn tl_book_hold(book, x: f32, y: f32, z: f32) { book.hold([x, y, z]) }
-    /// The hand lets go.
-    fn tl_book_release(book) { book.leaf_mut().release() }
-    /// Plays the recorded turn to a side, `seconds` for a whole one.
-    fn tl_book_play(book, to: u32, seconds: f32) { book.leaf_mut().play(side(to), seconds) }
-    /// Steps the leaf by whole ticks; answers its phase.
-    fn tl_book_step(book, ticks: u32) -> u32 {
-        book.leaf_mut().step(ticks);
-        phase_number(book.leaf().phase())
+    fn tl_book_lay(book, read: u32) { book.lay(read) }
+    /// Takes up the uppermost leaves of a side; answers the flight's number, or 0.
+    fn tl_book_lift(book, from: u32, low: u32, high: u32) -> u32 {
+        book.lift(side(from), low, high).unwrap_or(0)
     }
-    /// Brings the drawn surface and the piles up to date.
+    /// A hand takes hold of a flight at (u, v).
+    fn tl_book_grab(book, id: u32, hand: u32, u: f32, v: f32) { book.grab(id, hand, u, v) }
+    /// The hand pulls to a place in book space, metres.
+    fn tl_book_hold(book, id: u32, hand: u32, x: f32, y: f32, z: f32) {
+        book.hold(id, hand, [x, y, z])
+    }
+    /// The hand lets go.
+    fn tl_book_release(book, id: u32, hand: u32) { book.release(id, hand) }
+    /// Plays the recorded turn to a side, `seconds` for a whole one.
+    fn tl_book_play(book, id: u32, to: u32, seconds: f32) { book.play(id, side(to), seconds) }
+    /// Steps all flights by whole ticks.
+    fn tl_book_step(book, ticks: u32) { book.step(ticks) }
+    /// What a flight is doing.
+    fn tl_book_phase(book, id: u32) -> u32 { book.phase(id).map_or(OVER, phase_number) }
+    /// Leaves of the left pile.
+    fn tl_book_read(book) -> u32 { book.read() }
+    /// Leaves in flight.
+    fn tl_book_flights(book) -> usize { book.flights() }
+    /// The number of the flight at an index from the left, or 0.
+    fn tl_book_flight(book, index: usize) -> u32 { book.flight_id(index).unwrap_or(0) }
+    /// Brings the drawn surfaces and the piles up to date.
     fn tl_book_update(book) { book.update() }
     /// Points along a row of a leaf, and along a curve of a pile.
-    fn tl_book_columns(book) -> usize { book.surface().columns }
+    fn tl_book_columns(book) -> usize { book.columns().len() }
     /// Rows of a leaf.
-    fn tl_book_rows(book) -> usize { book.surface().rows }
+    fn tl_book_rows(book) -> usize { book.rows() }
     /// Curves of a pile.
     fn tl_book_layers(_book) -> usize { turnleaf_engine::book::LAYERS }
     /// u of each column, f32.
     fn tl_book_u(book) -> *const f32 { book.columns().as_ptr() }
-    /// Positions of the leaf's surface, f32 x, y, z.
-    fn tl_book_positions(book) -> *const f32 { book.surface().positions.as_ptr() }
-    /// Normals of the leaf's surface, f32 x, y, z.
-    fn tl_book_normals(book) -> *const f32 { book.surface().normals.as_ptr() }
-    /// Version of the leaf's surface.
-    fn tl_book_version(book) -> u32 { book.surface().version }
+    /// Positions of a flight's surface, f32 x, y, z; by its index from the left.
+    fn tl_book_positions(book, index: usize) -> *const f32 {
+        book.surface(index).map_or(core::ptr::null(), |s| s.positions.as_ptr())
+    }
+    /// Normals of a flight's surface, f32 x, y, z.
+    fn tl_book_normals(book, index: usize) -> *const f32 {
+        book.surface(index).map_or(core::ptr::null(), |s| s.normals.as_ptr())
+    }
+    /// Version of a flight's surface.
+    fn tl_book_version(book, index: usize) -> u32 { book.surface(index).map_or(0, |s| s.version) }
     /// Curves of the pile on a side, f32 x, z.
     fn tl_book_pile(book, on: u32) -> *const f32 { book.pile(side(on)).curves().as_ptr() }
     /// A hand holds a board at an angle, radians.

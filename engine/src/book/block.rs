@@ -44,6 +44,12 @@ pub fn crowded_columns(columns: usize) -> Vec<f32> {
         .collect()
 }
 
+/// The column nearest to `u`, of so many that [`crowded_columns`] places.
+pub fn column_at(u: f32, columns: usize) -> usize {
+    let last = (columns - 1) as f32;
+    libm::roundf(libm::powf(u.clamp(0.0, 1.0), 1.0 / 1.7) * last) as usize
+}
+
 /// The resting pages of one side as curves in the plane across the spine.
 #[derive(Clone, Debug)]
 pub struct Pile {
@@ -112,10 +118,23 @@ impl Pile {
         mix(&mut self.angles, &a.angles, &b.angles);
     }
 
-    /// Moves this pile a share `t` (0 to 1) of the way toward `other`.
+    /// Moves this pile a share `t` (0 to 1) of the way toward `other`, which has
+    /// the same columns.
     pub fn blend_toward(&mut self, other: &Pile, t: f32) {
-        let from = self.clone();
-        self.blend(&from, other, t);
+        let mix = |own: &mut [f32], other: &[f32]| {
+            for (own, other) in own.iter_mut().zip(other) {
+                *own += (other - *own) * t;
+            }
+        };
+        mix(&mut self.curves, &other.curves);
+        mix(&mut self.angles, &other.angles);
+    }
+
+    /// Turns a pile of one side into the same pile on the other.
+    pub fn mirror(&mut self) {
+        for point in self.curves.chunks_exact_mut(2) {
+            point[0] = -point[0];
+        }
     }
 
     /// Points along each curve.
@@ -153,6 +172,23 @@ impl Pile {
     }
 }
 
+/// How strongly the sink bends a page at the arc length `s`, metres.
+fn bell(s: f64) -> f64 {
+    let t = s / SINK_LENGTH;
+    t * t * libm::exp(2.0 - 2.0 * t)
+}
+
+/// Steps of the quadrature of a fore-edge's height.
+const HEIGHT_STEPS: usize = 64;
+
+/// A step of that quadrature: the rise and the sink's bell in its middle, and
+/// its length in metres.
+struct Step {
+    rise: f64,
+    bell: f64,
+    ds: f64,
+}
+
 /// One page's curve: its place at the spine and the constants of its angle.
 struct PageCurve {
     /// Distance of the page's binding from the gutter, metres.
@@ -180,11 +216,16 @@ impl PageCurve {
             rise_length: (0.9 * thickness).max(0.004),
             sink: 0.0,
         };
+        let steps = page.steps(width);
         let (mut low, mut high) = (-1.5, 1.5);
         for _ in 0..30 {
             page.sink = 0.5 * (low + high);
+            let landed: f64 = steps
+                .iter()
+                .map(|step| libm::sin(step.rise - page.sink * step.bell) * step.ds)
+                .sum();
             // More sink, lower fore-edge.
-            if page.fore_edge_height(width) > height {
+            if landed > height {
                 low = page.sink;
             } else {
                 high = page.sink;
@@ -194,21 +235,26 @@ impl PageCurve {
     }
 
     fn angle(&self, s: f64) -> f64 {
-        let t = s / SINK_LENGTH;
-        self.rise_angle * libm::exp(-libm::pow(s / self.rise_length, 1.25))
-            - self.sink * t * t * libm::exp(2.0 - 2.0 * t)
+        self.rise(s) - self.sink * bell(s)
     }
 
-    fn fore_edge_height(&self, width: f64) -> f64 {
+    fn rise(&self, s: f64) -> f64 {
+        self.rise_angle * libm::exp(-libm::pow(s / self.rise_length, 1.25))
+    }
+
+    /// The quadrature of the fore-edge's height, all but the sink that is looked for.
+    fn steps(&self, width: f64) -> [Step; HEIGHT_STEPS] {
         // Steps crowd toward the spine as the columns do.
-        let n = 64;
-        let place = |i: usize| width * libm::pow(i as f64 / n as f64, 1.7);
-        (0..n)
-            .map(|i| {
-                let (s0, s1) = (place(i), place(i + 1));
-                libm::sin(self.angle(0.5 * (s0 + s1))) * (s1 - s0)
-            })
-            .sum()
+        let place = |i: usize| width * libm::pow(i as f64 / HEIGHT_STEPS as f64, 1.7);
+        core::array::from_fn(|i| {
+            let (s0, s1) = (place(i), place(i + 1));
+            let s = 0.5 * (s0 + s1);
+            Step {
+                rise: self.rise(s),
+                bell: bell(s),
+                ds: s1 - s0,
+            }
+        })
     }
 
     /// Writes x, z at the columns `u`.

@@ -77,6 +77,7 @@ struct Settling {
 }
 
 /// One leaf of paper between two piles.
+#[derive(Clone)]
 pub struct Leaf {
     model: MassSpring,
     phase: Phase,
@@ -93,6 +94,16 @@ pub struct Leaf {
     velocities: Vec<f32>,
 }
 
+impl Phase {
+    /// The side where it rests or is bound for; None while a hand holds it.
+    pub fn side(self) -> Option<Side> {
+        match self {
+            Phase::Held => None,
+            Phase::Resting(side) | Phase::Falling(side) | Phase::Playing(side) => Some(side),
+        }
+    }
+}
+
 impl Leaf {
     /// A leaf of `width` x `height` metres and `grammage` kg/m^2 at rest on the
     /// right, drawn at the columns `u` and at `rows` even rows.
@@ -105,7 +116,10 @@ impl Leaf {
         let mut model = MassSpring::new(settings).expect("the preset makes a leaf");
         let v: Vec<f32> = (0..rows).map(|j| j as f32 / (rows - 1) as f32).collect();
         model.draw_samples(u, &v);
-        Leaf::of(model)
+        let mut leaf = Leaf::of(model);
+        // Now rather than in the middle of the first turn, and once for all copies.
+        leaf.recording = Some(leaf.record());
+        leaf
     }
 
     /// A leaf of a model, at rest on the right.

@@ -1,21 +1,29 @@
-//! The mechanics of a bound book: how resting pages lie, how a leaf in flight
-//! moves and sits between them, and how the cover boards swing.
+//! The mechanics of a bound book: how resting pages lie, how leaves in flight
+//! move and sit between them, and how the cover boards swing.
 //!
 //! Book space: metres; x across the spine to the right, y along the spine to
 //! the head, z up from the boards; the gutter lies at x = 0, z = 0.
 
 mod block;
 mod board;
+mod flight;
+mod flights;
+mod knots;
 mod leaf;
 mod seat;
+#[cfg(test)]
+mod tests;
 
 pub use block::{LAYERS, Pile, crowded_columns};
 pub use board::Board;
+pub use flights::MOST_FLIGHTS;
 pub use leaf::{Leaf, Phase, TICK};
 pub use seat::seat;
 
 use crate::grid::Side;
 use crate::surface::Surface;
+use flights::Flights;
+use knots::Knots;
 
 /// Columns of the drawn leaf and of every pile: enough for the sharp bend out
 /// of the gutter.
@@ -27,21 +35,24 @@ const ROWS: usize = 25;
 /// Grammage of the leaves, kg/m^2: ordinary book paper.
 const GRAMMAGE: f32 = 0.070;
 
-/// A book that lies open: two piles of pages, at most one leaf of paper in
-/// flight, and two cover boards.
+/// Hands that a leaf tells apart, numbered from 0.
+pub const HANDS: usize = 4;
+
+/// A book that lies open: two piles of pages, the leaves in flight between
+/// them, and two cover boards.
+///
+/// Leaves of paper are numbered from 0 at the front. A flight is known by the
+/// number that [`lift`](Book::lift) answers; a command to one that is over, or
+/// by what is no number, changes nothing.
 pub struct Book {
-    width: f64,
     leaves: u32,
-    thickness: f64,
     u: Vec<f32>,
-    /// Leaves on the left, with the leaf in flight on the right and on the left.
-    read: (f32, f32),
-    /// Each side's pile at either end of `read`, then closed flat.
-    ends: [[Pile; 3]; 2],
+    knots: Knots,
+    /// Each side's pile closed flat, right and left.
+    closed: [Pile; 2],
     /// The piles as they lie now, right and left.
     piles: [Pile; 2],
-    leaf: Leaf,
-    surface: Surface,
+    flights: Flights,
     boards: [Board; 2],
 }
 
@@ -56,91 +67,125 @@ impl Book {
             return None;
         }
         let u = crowded_columns(COLUMNS);
-        let side = |side| {
-            let open = Pile::new(side, width, 0.0, &u);
-            [open.clone(), open, Pile::closed(side, width, thickness, &u)]
-        };
-        let ends = [side(Side::Right), side(Side::Left)];
-        let piles = [ends[0][0].clone(), ends[1][0].clone()];
+        let closed = [Side::Right, Side::Left].map(|side| Pile::closed(side, width, thickness, &u));
         let leaf = Leaf::new(width as f32, height as f32, GRAMMAGE, &u, ROWS);
         let mut book = Book {
-            width,
             leaves,
-            thickness,
-            u,
-            read: (f32::NAN, f32::NAN),
-            ends,
-            piles,
-            leaf,
-            surface: Surface::new(COLUMNS, ROWS),
+            knots: Knots::new(width, thickness, &u),
+            piles: closed.clone(),
+            closed,
+            flights: Flights::new(leaves, leaf, COLUMNS, ROWS),
             boards: [Board::new(Side::Right), Board::new(Side::Right)],
+            u,
         };
-        book.lay(0.0);
+        book.update();
         Some(book)
     }
 
-    /// Lays the book open with `read` leaves of paper on the left (clamped to
-    /// those there are) and none in flight.
-    pub fn lay(&mut self, read: f32) {
-        self.open_between(read, read);
-        self.leaf.lay(Side::Right);
+    /// Lays the book open with `read` leaves of paper on the left (at most those
+    /// there are) and none in flight.
+    pub fn lay(&mut self, read: u32) {
+        self.flights.lay(read);
         self.update();
     }
 
-    /// Takes up the uppermost leaf of side `from`. While it lies on the right,
-    /// `low` leaves are on the left; once it lies on the left, `high`.
-    pub fn lift(&mut self, from: Side, low: f32, high: f32) {
-        self.open_between(low, high);
-        self.leaf.lay(from);
+    /// Takes up the uppermost leaf of side `from`, or several that fly as one.
+    /// While it lies on the right, `low` leaves are on the left; once it lies on
+    /// the left, `high`. Answers the number of the flight, never 0.
+    ///
+    /// None where these are not the uppermost leaves of that side, or where
+    /// [`MOST_FLIGHTS`] are in flight.
+    pub fn lift(&mut self, from: Side, low: u32, high: u32) -> Option<u32> {
+        let id = self.flights.lift(from, low, high)?;
         self.update();
+        Some(id)
     }
 
-    /// The hand that holds the leaf in flight pulls it to `place`, in book
-    /// space, metres.
-    pub fn hold(&mut self, place: [f32; 3]) {
-        // Asked before the clamp below, which would take what is no number for 0.
-        if !place.iter().all(|x| x.is_finite()) {
-            return;
+    /// A hand (0 to 3) takes hold of a flight at (`u`, `v`).
+    pub fn grab(&mut self, id: u32, hand: u32, u: f32, v: f32) {
+        if let Some(flight) = self.flights.get_mut(id) {
+            flight.grab(hand, u, v);
         }
-        // The model's leaf turns over a flat table; the piles lift the drawn
-        // one. What lies between the two is taken off the hand's place.
-        let node = self.leaf.grabbed_point();
-        let (u, v) = self.leaf.grabbed_at();
-        let drawn = self.drawn_at(u, v);
-        let lift = (drawn[2] - node[2]).max(0.0);
-        self.leaf
-            .hold([place[0], place[1], (place[2] - lift).max(0.0)]);
     }
 
-    /// Brings the drawn surface and the piles up to date with leaf and boards.
+    /// A hand that holds a flight pulls it to `place`, in book space, metres.
+    pub fn hold(&mut self, id: u32, hand: u32, place: [f32; 3]) {
+        if let Some(flight) = self.flights.get_mut(id) {
+            flight.hold(hand, place);
+        }
+    }
+
+    /// A hand lets go of a flight. Once no hand holds it, it falls to the side
+    /// that its swing takes it, and the leaves between it and that side with it.
+    pub fn release(&mut self, id: u32, hand: u32) {
+        self.flights.release(id, hand);
+    }
+
+    /// Takes a flight to a side, out of every hand: from rest by the recorded
+    /// turn, `seconds` long. The leaves between it and that side go there too.
+    pub fn play(&mut self, id: u32, to: Side, seconds: f32) {
+        self.flights.play(id, to, seconds);
+    }
+
+    /// Steps all flights by `ticks` of [`TICK`] seconds, tick by tick. A flight
+    /// that rests is over once no other is between it and its pile.
+    pub fn step(&mut self, ticks: u32) {
+        for _ in 0..ticks {
+            self.flights.step();
+        }
+    }
+
+    /// Brings the drawn surfaces and the piles up to date with leaves and boards.
     pub fn update(&mut self) {
-        let turned = self.leaf.share_turned();
+        let turned = self.flights.turned() / self.leaves.max(1) as f32;
+        self.knots
+            .write(Side::Right, 1.0 - turned, &mut self.piles[0]);
+        self.knots.write(Side::Left, turned, &mut self.piles[1]);
         // The front board shuts the block on the right, the back board the left.
         let shut = [
             closing(self.boards[0].angle()),
             closing(core::f32::consts::PI - self.boards[1].angle()),
         ];
         for side in 0..2 {
-            let [low, high, closed] = &self.ends[side];
-            self.piles[side].blend(low, high, turned);
             if shut[side] > 0.0 {
-                self.piles[side].blend_toward(closed, shut[side]);
+                self.piles[side].blend_toward(&self.closed[side], shut[side]);
             }
         }
-        self.leaf.write_surface(&mut self.surface);
-        seat(&mut self.surface.positions, &self.piles[0], &self.piles[1]);
-        self.surface.update_normals();
-        self.surface.touch();
+        for flight in self.flights.order_mut() {
+            let surface = flight.flat_surface();
+            seat(&mut surface.positions, &self.piles[0], &self.piles[1]);
+            surface.update_normals();
+            surface.touch();
+        }
     }
 
-    /// The leaf in flight.
-    pub fn leaf(&self) -> &Leaf {
-        &self.leaf
+    /// Leaves of the left pile.
+    pub fn read(&self) -> u32 {
+        self.flights.left()
     }
 
-    /// The leaf in flight, to be held, played and stepped.
-    pub fn leaf_mut(&mut self) -> &mut Leaf {
-        &mut self.leaf
+    /// Leaves in flight.
+    pub fn flights(&self) -> usize {
+        self.flights.order().len()
+    }
+
+    /// The number of the flight at `index`, counted from the left.
+    pub fn flight_id(&self, index: usize) -> Option<u32> {
+        self.flights.order().get(index).map(|flight| flight.id())
+    }
+
+    /// What a flight is doing; None once it is over.
+    pub fn phase(&self, id: u32) -> Option<Phase> {
+        self.flights.get(id).map(|flight| flight.phase())
+    }
+
+    /// The drawn surface of the flight at `index`, counted from the left, as of
+    /// the last update.
+    pub fn surface(&self, index: usize) -> Option<&Surface> {
+        self.flights
+            .order()
+            .get(index)
+            .map(|flight| flight.surface())
     }
 
     /// The front board (0) or the back board (any other number).
@@ -148,45 +193,22 @@ impl Book {
         &mut self.boards[number.min(1) as usize]
     }
 
-    /// u of each column of the surface and of the piles.
+    /// u of each column of the surfaces and of the piles.
     pub fn columns(&self) -> &[f32] {
         &self.u
     }
 
-    /// The drawn surface of the leaf in flight, as of the last update.
-    pub fn surface(&self) -> &Surface {
-        &self.surface
+    /// Rows of every flight's surface.
+    pub fn rows(&self) -> usize {
+        ROWS
     }
 
     /// The pages at rest on a side, as of the last update.
     pub fn pile(&self, side: Side) -> &Pile {
-        &self.piles[index(side)]
-    }
-
-    fn open_between(&mut self, low: f32, high: f32) {
-        if !low.is_finite() || !high.is_finite() {
-            return;
+        match side {
+            Side::Right => &self.piles[0],
+            Side::Left => &self.piles[1],
         }
-        let most = self.leaves as f32;
-        let read = (low.clamp(0.0, most), high.clamp(0.0, most));
-        if read == self.read {
-            return;
-        }
-        for (end, read) in [(0, read.0), (1, read.1)] {
-            let share = read as f64 / (self.leaves.max(1)) as f64;
-            for (side, share) in [(Side::Right, 1.0 - share), (Side::Left, share)] {
-                let thickness = self.thickness * share;
-                self.ends[index(side)][end] = Pile::new(side, self.width, thickness, &self.u);
-            }
-        }
-        self.read = read;
-    }
-
-    /// The drawn place of a point of the leaf, by the nearest point of the mesh.
-    fn drawn_at(&self, u: f32, v: f32) -> [f32; 3] {
-        let column = self.u.partition_point(|&at| at < u).min(COLUMNS - 1);
-        let row = libm::roundf(v * (ROWS - 1) as f32) as usize;
-        self.surface.position(column, row.min(ROWS - 1))
     }
 }
 
@@ -195,64 +217,4 @@ impl Book {
 fn closing(angle: f32) -> f32 {
     let t = (1.0 - angle / core::f32::consts::FRAC_PI_2).clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
-}
-
-/// Where a side stands in arrays of two: right, then left, as in the browser's face.
-fn index(side: Side) -> usize {
-    match side {
-        Side::Right => 0,
-        Side::Left => 1,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn is_finite(book: &Book) -> bool {
-        let piles = [Side::Right, Side::Left].map(|side| book.pile(side).curves());
-        book.surface().positions.iter().all(|x| x.is_finite())
-            && piles
-                .iter()
-                .all(|curves| curves.iter().all(|x| x.is_finite()))
-    }
-
-    #[test]
-    fn a_book_has_a_size() {
-        assert!(Book::new(0.14, 0.21, 0, 0.0).is_some_and(|book| is_finite(&book)));
-        assert!(Book::new(f64::NAN, 0.21, 10, 0.01).is_none());
-        assert!(Book::new(0.14, 0.0, 10, 0.01).is_none());
-        assert!(Book::new(0.14, 0.21, 10, f64::NAN).is_none());
-    }
-
-    #[test]
-    fn what_is_no_number_changes_nothing() {
-        let mut book = Book::new(0.14, 0.21, 10, 0.01).unwrap();
-        book.lay(4.0);
-        let right = book.pile(Side::Right).curves().to_vec();
-        book.lay(f32::NAN);
-        assert_eq!(book.pile(Side::Right).curves(), right);
-        book.lift(Side::Right, f32::NAN, 5.0);
-        assert_eq!(book.pile(Side::Right).curves(), right);
-        book.lift(Side::Right, 4.0, 5.0);
-        book.hold([0.1, 0.1, 0.1]);
-        book.leaf_mut().grab(1.0, 0.5);
-        for place in [[f32::NAN, 0.1, 0.1], [0.0, 0.1, f32::NAN]] {
-            book.hold(place);
-            book.leaf_mut().step(40);
-            let held = book.leaf().grabbed_point();
-            assert!((held[0] - 0.14).abs() < 1e-3, "{held:?} after {place:?}");
-        }
-        book.update();
-        assert!(is_finite(&book));
-    }
-
-    #[test]
-    fn more_leaves_read_than_there_are_is_all_of_them() {
-        let mut book = Book::new(0.14, 0.21, 10, 0.01).unwrap();
-        book.lay(10.0);
-        let left = book.pile(Side::Left).curves().to_vec();
-        book.lay(99.0);
-        assert_eq!(book.pile(Side::Left).curves(), left);
-    }
 }

@@ -48,23 +48,22 @@ impl Leaf {
         self.model.write_nodes(&self.positions, &self.velocities);
     }
 
-    /// Recorded seconds a second that make a whole turn `seconds` long; records
-    /// the turn if it has not been yet.
-    pub(super) fn rate(&mut self, seconds: f32) -> f32 {
-        if self.recording.is_none() {
-            self.recording = Some(self.record());
-        }
+    /// Recorded seconds a second that make a whole turn `seconds` long.
+    pub(super) fn rate(&self, seconds: f32) -> f32 {
         let seconds = if seconds.is_finite() {
             seconds.max(0.05)
         } else {
             1.0
         };
-        let recording = self.recording.as_ref().expect("recorded just now");
+        let recording = self
+            .recording
+            .as_ref()
+            .expect("recorded before it is played");
         recording.duration() / seconds
     }
 
     /// Simulates a whole turn from the right and records it.
-    fn record(&self) -> Replay {
+    pub(super) fn record(&self) -> Replay {
         let mut leaf = Leaf::of(self.model.clone());
         let mut recorder = Recorder::new(&mut leaf.model, FrameKind::Masses, KEY_INTERVAL);
         let gesture = leaf.model.settings().corner_gesture(GESTURE_SECONDS);

@@ -1,0 +1,180 @@
+//! The leaves in flight, in their order around the spine.
+//!
+//! The leaves of a book lie in the order in which they are bound. Those in
+//! flight are a run of them: left of the run lies the left pile, right of it
+//! the right pile, and no leaf passes another. A leaf taken up from the right
+//! joins the run at its right end, one from the left at its left end; a leaf
+//! that has come to rest leaves the run only where nothing is in flight between
+//! it and its pile.
+
+use super::flight::Flight;
+use super::leaf::{Leaf, Phase};
+use crate::grid::Side;
+
+/// Leaves in flight at once, at most: what bounds a book's memory.
+pub const MOST_FLIGHTS: usize = 16;
+
+/// Length of a whole turn of a leaf that makes way for one let go, seconds.
+const WAY_SECONDS: f32 = 0.8;
+
+/// The leaves in flight, and how many lie on either side of them.
+pub struct Flights {
+    /// Leaves of the book, and those of the left pile.
+    leaves: u32,
+    left: u32,
+    /// From the left to the right.
+    order: Vec<Flight>,
+    /// Flights that are over, to be used again without an allocation.
+    spare: Vec<Flight>,
+    last_id: u32,
+}
+
+impl Flights {
+    /// No leaf in flight over a book of `leaves`; the first to fly is `pattern`,
+    /// others are its copies.
+    pub fn new(leaves: u32, pattern: Leaf, columns: usize, rows: usize) -> Flights {
+        let mut spare = Vec::with_capacity(MOST_FLIGHTS);
+        spare.push(Flight::new(pattern, columns, rows));
+        Flights {
+            leaves,
+            left: 0,
+            order: Vec::with_capacity(MOST_FLIGHTS),
+            spare,
+            last_id: 0,
+        }
+    }
+
+    /// Puts every leaf down, `left` of them (at most all) on the left.
+    pub fn lay(&mut self, left: u32) {
+        self.left = left.min(self.leaves);
+        self.spare.append(&mut self.order);
+    }
+
+    /// Leaves of the left pile.
+    pub fn left(&self) -> u32 {
+        self.left
+    }
+
+    /// Leaves on the left if every leaf in flight counts by how far it has turned.
+    pub fn turned(&self) -> f32 {
+        let flying = self.order.iter().map(Flight::leaves_turned);
+        self.left as f32 + flying.sum::<f32>()
+    }
+
+    /// Takes up the uppermost leaves of side `from`: `low` leaves are on the left
+    /// of them, `high` with them. Answers the flight's number, never 0.
+    ///
+    /// None where they are not the uppermost of that side, where there are none,
+    /// or where [`MOST_FLIGHTS`] are in flight.
+    pub fn lift(&mut self, from: Side, low: u32, high: u32) -> Option<u32> {
+        let right_end = self.order.last().map_or(self.left, Flight::high);
+        let is_uppermost = match from {
+            Side::Right => low == right_end && high <= self.leaves,
+            Side::Left => high == self.left,
+        };
+        if !is_uppermost || low >= high || self.order.len() == MOST_FLIGHTS {
+            return None;
+        }
+        let mut flight = self.take_spare();
+        self.last_id = self.last_id.wrapping_add(1).max(1);
+        flight.take_up(self.last_id, from, low, high);
+        match from {
+            Side::Right => self.order.push(flight),
+            Side::Left => {
+                self.left = low;
+                self.order.insert(0, flight);
+            }
+        }
+        Some(self.last_id)
+    }
+
+    /// The hand lets go; the leaf falls to the side that its swing takes it, and
+    /// those in its way go there too.
+    pub fn release(&mut self, id: u32, hand: u32) {
+        let Some(index) = self.index(id) else {
+            return;
+        };
+        self.order[index].release(hand);
+        if let Phase::Falling(side) = self.order[index].phase() {
+            self.clear_way(index, side, WAY_SECONDS);
+        }
+    }
+
+    /// Takes a flight to a side, out of every hand, and those in its way with it.
+    pub fn play(&mut self, id: u32, to: Side, seconds: f32) {
+        if let Some(index) = self.index(id) {
+            self.order[index].play(to, seconds);
+            self.clear_way(index, to, seconds);
+        }
+    }
+
+    /// Steps every flight by one tick, from the left to the right, and lets those
+    /// at rest join their piles.
+    pub fn step(&mut self) {
+        for flight in &mut self.order {
+            flight.step();
+        }
+        self.join_piles();
+    }
+
+    /// The flights from the left to the right.
+    pub fn order(&self) -> &[Flight] {
+        &self.order
+    }
+
+    /// The flights from the left to the right, to be drawn.
+    pub fn order_mut(&mut self) -> &mut [Flight] {
+        &mut self.order
+    }
+
+    /// The flight of a number; None once it is over.
+    pub fn get(&self, id: u32) -> Option<&Flight> {
+        self.order.iter().find(|flight| flight.id() == id)
+    }
+
+    /// The flight of a number, to be held.
+    pub fn get_mut(&mut self, id: u32) -> Option<&mut Flight> {
+        self.order.iter_mut().find(|flight| flight.id() == id)
+    }
+
+    fn index(&self, id: u32) -> Option<usize> {
+        self.order.iter().position(|flight| flight.id() == id)
+    }
+
+    /// Leaves cannot pass each other: those between flight `index` and `side` go
+    /// there as well, but for those that a hand holds.
+    fn clear_way(&mut self, index: usize, side: Side, seconds: f32) {
+        let in_the_way = match side {
+            Side::Left => 0..index,
+            Side::Right => index + 1..self.order.len(),
+        };
+        for flight in &mut self.order[in_the_way] {
+            if flight.phase() != Phase::Held && flight.phase().side() != Some(side) {
+                flight.play(side, seconds);
+            }
+        }
+    }
+
+    fn join_piles(&mut self) {
+        while let Some(first) = self.order.first()
+            && first.phase() == Phase::Resting(Side::Left)
+        {
+            self.left = first.high();
+            let over = self.order.remove(0);
+            self.spare.push(over);
+        }
+        while let Some(last) = self.order.last()
+            && last.phase() == Phase::Resting(Side::Right)
+            && let Some(over) = self.order.pop()
+        {
+            self.spare.push(over);
+        }
+    }
+
+    fn take_spare(&mut self) -> Flight {
+        self.spare.pop().unwrap_or_else(|| {
+            // One flight was made at the beginning: it is in the air now.
+            self.order[0].clone()
+        })
+    }
+}

@@ -1,0 +1,324 @@
+//! The book: its piles, and many leaves in flight.
+
+use super::*;
+use crate::random::{Random, for_seeds};
+
+/// A book that lies open, its front board on the left.
+fn book() -> Book {
+    let mut book = Book::new(0.14, 0.21, 40, 0.012).unwrap();
+    *book.board_mut(0) = Board::new(Side::Left);
+    book.update();
+    book
+}
+
+fn is_finite(book: &Book) -> bool {
+    let piles = [Side::Right, Side::Left].map(|side| book.pile(side).curves());
+    (0..book.flights()).all(|k| {
+        let surface = book.surface(k).unwrap();
+        surface.positions.iter().all(|x| x.is_finite())
+    }) && piles
+        .iter()
+        .all(|curves| curves.iter().all(|x| x.is_finite()))
+}
+
+/// Steps until no leaf is in flight; answers the ticks it took.
+fn rest(book: &mut Book) -> u32 {
+    for tick in 0..4000 {
+        if book.flights() == 0 {
+            return tick;
+        }
+        book.step(1);
+    }
+    panic!("{} leaves never came to rest", book.flights());
+}
+
+/// Lifts `count` single leaves from the right and sends them to the left.
+fn riffle(book: &mut Book, count: u32, apart: u32) -> Vec<u32> {
+    (0..count)
+        .map(|_| {
+            let low = book.read() + book.flights() as u32;
+            let id = book.lift(Side::Right, low, low + 1).unwrap();
+            book.play(id, Side::Left, 0.8);
+            book.step(apart);
+            id
+        })
+        .collect()
+}
+
+#[test]
+fn a_book_has_a_size() {
+    assert!(Book::new(0.14, 0.21, 0, 0.0).is_some_and(|book| is_finite(&book)));
+    assert!(Book::new(f64::NAN, 0.21, 10, 0.01).is_none());
+    assert!(Book::new(0.14, 0.0, 10, 0.01).is_none());
+    assert!(Book::new(0.14, 0.21, 10, f64::NAN).is_none());
+}
+
+#[test]
+fn more_leaves_read_than_there_are_is_all_of_them() {
+    let mut book = book();
+    book.lay(40);
+    let left = book.pile(Side::Left).curves().to_vec();
+    book.lay(99);
+    assert_eq!(book.pile(Side::Left).curves(), left);
+    assert_eq!(book.read(), 40);
+}
+
+#[test]
+fn what_is_no_number_changes_nothing() {
+    let mut book = book();
+    book.lay(4);
+    let id = book.lift(Side::Right, 4, 5).unwrap();
+    book.hold(id, 0, [0.1, 0.1, 0.1]);
+    book.grab(id, 0, f32::NAN, 0.5);
+    assert_eq!(book.phase(id), Some(Phase::Resting(Side::Right)));
+    book.grab(id, 9, 1.0, 0.5);
+    assert_eq!(book.phase(id), Some(Phase::Resting(Side::Right)));
+    let lying = book.surface(0).unwrap().position(48, 12);
+    book.grab(id, 0, 1.0, 0.5);
+    for place in [[f32::NAN, 0.1, 0.1], [0.0, 0.1, f32::NAN]] {
+        book.hold(id, 0, place);
+        book.step(40);
+        book.update();
+        let held = book.surface(0).unwrap().position(48, 12);
+        assert!(
+            (held[0] - lying[0]).abs() < 1e-3,
+            "{held:?} after {place:?}"
+        );
+    }
+    book.play(id, Side::Left, f32::NAN);
+    book.step(30);
+    book.update();
+    assert!(is_finite(&book));
+    // A flight that is not there.
+    book.grab(77, 0, 1.0, 0.5);
+    book.hold(77, 0, [0.0; 3]);
+    book.release(77, 0);
+    book.play(77, Side::Left, 0.8);
+    assert_eq!((book.phase(77), book.flights()), (None, 1));
+}
+
+#[test]
+fn only_the_uppermost_leaves_of_a_side_are_lifted() {
+    let mut book = book();
+    book.lay(10);
+    for (side, low, high) in [
+        (Side::Right, 11, 12),
+        (Side::Right, 9, 10),
+        (Side::Right, 10, 10),
+        (Side::Right, 10, 41),
+        (Side::Left, 10, 11),
+        (Side::Left, 8, 9),
+        (Side::Left, 10, 9),
+    ] {
+        assert_eq!(book.lift(side, low, high), None, "{side:?} {low} {high}");
+    }
+    assert!(book.lift(Side::Right, 10, 14).is_some());
+    assert!(book.lift(Side::Left, 9, 10).is_some());
+    assert_eq!(book.lift(Side::Right, 10, 11), None);
+    assert!(book.lift(Side::Right, 14, 15).is_some());
+    assert_eq!(book.flights(), 3);
+}
+
+#[test]
+fn twelve_leaves_fly_at_once_and_land_in_their_order() {
+    let mut book = book();
+    let ids = riffle(&mut book, 12, 15);
+    assert_eq!(book.flights(), 12);
+    let listed: Vec<u32> = (0..12).map(|k| book.flight_id(k).unwrap()).collect();
+    assert_eq!(listed, ids);
+    let mut landed = 0;
+    while book.flights() > 0 {
+        book.step(1);
+        for (k, &id) in ids.iter().enumerate() {
+            assert_eq!(book.phase(id).is_none(), k < book.read() as usize);
+        }
+        assert!(book.read() >= landed);
+        landed = book.read();
+    }
+    assert_eq!(landed, 12);
+}
+
+#[test]
+fn no_more_fly_than_memory_is_kept_for() {
+    let mut book = book();
+    for k in 0..MOST_FLIGHTS as u32 {
+        assert!(book.lift(Side::Right, k, k + 1).is_some());
+    }
+    let next = MOST_FLIGHTS as u32;
+    assert_eq!(book.lift(Side::Right, next, next + 1), None);
+    book.lay(0);
+    assert_eq!(book.flights(), 0);
+    assert!(book.lift(Side::Right, 0, 1).is_some());
+}
+
+#[test]
+fn leaves_from_both_sides_keep_their_order() {
+    let mut book = book();
+    book.lay(20);
+    let right = book.lift(Side::Right, 20, 21).unwrap();
+    let left = book.lift(Side::Left, 19, 20).unwrap();
+    let far = book.lift(Side::Left, 15, 19).unwrap();
+    let order: Vec<_> = (0..3).map(|k| book.flight_id(k).unwrap()).collect();
+    assert_eq!(order, [far, left, right]);
+    book.play(right, Side::Left, 0.8);
+    // It takes the two in its way back to the left.
+    book.step(20);
+    rest(&mut book);
+    assert_eq!(book.read(), 21);
+}
+
+#[test]
+fn the_last_command_wins_where_two_leaves_are_in_each_others_way() {
+    for (to, read) in [(Side::Left, 7), (Side::Right, 5)] {
+        let mut book = book();
+        book.lay(5);
+        let ids = riffle(&mut book, 2, 20);
+        // Against each other: the lower to the right, the upper to the left.
+        let other = to.opposite();
+        let (first, last) = match to {
+            Side::Left => (ids[0], ids[1]),
+            Side::Right => (ids[1], ids[0]),
+        };
+        book.play(first, other, 0.8);
+        book.step(10);
+        book.play(last, to, 0.8);
+        rest(&mut book);
+        assert_eq!(book.read(), read);
+    }
+}
+
+#[test]
+fn a_leaf_that_rests_upon_one_in_flight_waits_for_it() {
+    let mut book = book();
+    book.lay(5);
+    let ids = riffle(&mut book, 2, 30);
+    book.grab(ids[0], 0, 1.0, 0.5);
+    book.hold(ids[0], 0, [0.0, 0.1, 0.1]);
+    for _ in 0..400 {
+        book.step(1);
+    }
+    assert_eq!(book.phase(ids[1]), Some(Phase::Resting(Side::Left)));
+    assert_eq!((book.flights(), book.read()), (2, 5));
+    book.play(ids[0], Side::Left, 0.8);
+    rest(&mut book);
+    assert_eq!(book.read(), 7);
+}
+
+#[test]
+fn two_hands_hold_two_leaves_and_one_holds_on_when_the_other_lets_go() {
+    let mut book = book();
+    book.lay(5);
+    let right = book.lift(Side::Right, 5, 6).unwrap();
+    let left = book.lift(Side::Left, 4, 5).unwrap();
+    book.grab(right, 0, 1.0, 0.5);
+    book.grab(left, 1, 1.0, 0.5);
+    book.grab(left, 2, 1.0, 0.0);
+    for _ in 0..120 {
+        book.hold(right, 0, [0.09, 0.1, 0.06]);
+        book.hold(left, 1, [-0.09, 0.1, 0.06]);
+        book.hold(left, 2, [-0.08, 0.0, 0.07]);
+        book.step(1);
+        book.update();
+    }
+    assert_eq!(book.phase(right), Some(Phase::Held));
+    book.release(left, 1);
+    book.step(60);
+    book.update();
+    assert_eq!(book.phase(left), Some(Phase::Held));
+    let corner = book.surface(0).unwrap().position(48, 0);
+    assert!((corner[0] + 0.08).abs() < 0.01, "{corner:?}");
+    // A hand that holds nothing lets nothing go.
+    book.release(left, 1);
+    assert_eq!(book.phase(left), Some(Phase::Held));
+    book.release(left, 2);
+    book.release(right, 0);
+    rest(&mut book);
+    assert_eq!(book.read(), 5);
+}
+
+#[test]
+fn piles_change_steadily_while_many_leaves_fly() {
+    let mut book = book();
+    book.lay(8);
+    let mut before = [Side::Right, Side::Left].map(|side| book.pile(side).curves().to_vec());
+    let mut lifted = 0;
+    for tick in 0..700 {
+        if tick % 17 == 0 && lifted < 12 {
+            let id = book.lift(Side::Right, 8 + lifted, 9 + lifted).unwrap();
+            book.play(id, Side::Left, 0.8);
+            lifted += 1;
+        }
+        book.step(1);
+        book.update();
+        for (side, before) in [Side::Right, Side::Left].into_iter().zip(&mut before) {
+            let now = book.pile(side).curves();
+            let jump = before
+                .iter()
+                .zip(now)
+                .map(|(a, b)| (a - b).abs())
+                .fold(0.0, f32::max);
+            assert!(jump < 1e-4, "{jump} m at tick {tick}");
+            before.copy_from_slice(now);
+        }
+    }
+    assert_eq!((book.flights(), book.read()), (0, 20));
+}
+
+#[test]
+fn every_leaf_in_flight_lies_between_the_piles() {
+    let mut book = book();
+    book.lay(8);
+    riffle(&mut book, 10, 16);
+    book.update();
+    for k in 0..book.flights() {
+        for p in book.surface(k).unwrap().positions.chunks_exact(3) {
+            let side = if p[0] >= 0.0 { Side::Right } else { Side::Left };
+            let floor = book.pile(side).height(p[0].abs());
+            assert!(p[2] >= floor - 1e-6, "{p:?} under {floor}");
+        }
+    }
+}
+
+#[test]
+fn whatever_is_asked_all_come_to_rest() {
+    for_seeds(|random| {
+        let mut book = book();
+        book.lay(20);
+        for round in 0..120 {
+            ask_anything(&mut book, random);
+            book.step(6);
+            book.update();
+            assert!(is_finite(&book), "round {round}");
+        }
+        while let Some(id) = book.flight_id(0) {
+            book.play(id, Side::Left, 0.3);
+            book.step(400);
+        }
+        assert!(book.read() <= 40);
+    });
+}
+
+fn ask_anything(book: &mut Book, random: &mut Random) {
+    let flights = book.flights();
+    let id = book.flight_id(random.below(flights + 1)).unwrap_or(0);
+    let hand = random.below(5) as u32;
+    let side = [Side::Right, Side::Left][random.below(2)];
+    let mut between = |low, high| random.between(low, high);
+    match between(0.0, 5.0) as u32 {
+        0 if side == Side::Right => {
+            let read = book.read() + flights as u32;
+            book.lift(side, read, read + 1);
+        }
+        0 => {
+            let read = book.read();
+            book.lift(side, read.saturating_sub(1), read);
+        }
+        1 => book.grab(id, hand, between(0.0, 1.0), between(0.0, 1.0)),
+        2 => {
+            let place = [between(-0.5, 0.5), between(-0.4, 0.6), between(-0.1, 0.5)];
+            book.hold(id, hand, place);
+        }
+        3 => book.release(id, hand),
+        _ => book.play(id, side, between(0.0, 1.0)),
+    }
+}
