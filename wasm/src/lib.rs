@@ -14,7 +14,7 @@
 mod bench;
 
 use turnleaf_engine::Side;
-use turnleaf_engine::book::{Book, MOST_FLIGHTS, Phase, TICK};
+use turnleaf_engine::book::{Book, Phase, TICK};
 
 fn side(number: u32) -> Side {
     if number == 0 { Side::Right } else { Side::Left }
@@ -41,11 +41,6 @@ pub extern "C" fn tl_tick() -> f32 {
     TICK
 }
 
-/// Leaves that one book has in flight, at most.
-#[unsafe(no_mangle)]
-pub extern "C" fn tl_most_flights() -> usize {
-    MOST_FLIGHTS
-}
 
 /// Makes a book of `leaves` pages of paper, `width` x `height` metres, together
 /// `thickness` metres thick; 0 where the sizes are not those of a book.
@@ -102,8 +97,6 @@ book_functions! {
     fn tl_book_read(book) -> u32 { book.read() }
     /// Leaves in flight.
     fn tl_book_flights(book) -> usize { book.flights() }
-    /// The number of the flight at an index from the left, or 0.
-    fn tl_book_flight(book, index: usize) -> u32 { book.flight_id(index).unwrap_or(0) }
     /// Brings the drawn surfaces and the piles up to date.
     fn tl_book_update(book) { book.update() }
     /// Points along a row of a leaf, and along a curve of a pile.

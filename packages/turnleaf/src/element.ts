@@ -205,7 +205,7 @@ export class TurnleafBook extends Base {
   #lay(viewer: Viewer, spread: number): Promise<boolean> {
     const from = viewer.turning.spread;
     viewer.lay(spread);
-    if (viewer.turning.spread !== from) this.#landed(from, viewer.turning.spread);
+    if (viewer.turning.spread !== from) this.#rested(from, viewer.turning.spread);
     return Promise.resolve(true);
   }
 
@@ -271,7 +271,7 @@ export class TurnleafBook extends Base {
           page: () => this.#firstPage(source),
           turnSeconds: this.#turnSeconds,
           onStart: (low, high, forward) => this.#started(low, high, forward),
-          onLand: (from, to) => this.#landed(from, to),
+          onRest: (from, to) => this.#rested(from, to),
           onFailure: (sentence) => this.#announce(sentence),
         },
         signal,
@@ -338,7 +338,7 @@ export class TurnleafBook extends Base {
     this.#emit("turnstart", { from: pageOf(binding, from), to: pageOf(binding, to), direction });
   }
 
-  #landed(from: number, to: number): void {
+  #rested(from: number, to: number): void {
     const binding = this.#book?.viewer.binding;
     if (binding === undefined || from === to) return;
     this.#describe();

@@ -1,6 +1,6 @@
 /** Pointers and keys become commands to the book. */
 
-import { Side } from "./engine/engine.ts";
+import { handCount, Side } from "./engine/engine.ts";
 import type { Hold, Viewer } from "./viewer.ts";
 
 /** Share of a page next to its fore-edge, and of its height at head and foot, that a hand can take. */
@@ -10,13 +10,23 @@ const cornerZone = { u: 0.5, v: 0.2 };
 /** Movement in CSS pixels from which a press is a drag. */
 const dragStart = 4;
 
+/** A pointer that is down: the hand it stands for, where it came down, and whether it moves a leaf. */
+interface Press {
+  readonly hand: number;
+  readonly x: number;
+  readonly y: number;
+  readonly hold: Hold;
+  dragging: boolean;
+}
+
 /** Pointers and keys on one canvas; `destroy` takes every listener away. */
 export class Input {
   readonly #canvas: HTMLCanvasElement;
   readonly #viewer: Viewer;
   readonly #turn: (by: 1 | -1) => void;
   readonly #ended = new AbortController();
-  #press: { id: number; x: number; y: number; hold: Hold; dragging: boolean } | null = null;
+  /** By the pointer's number. */
+  readonly #presses = new Map<number, Press>();
 
   /**
    * @param keys the element whose keys turn pages
@@ -49,46 +59,50 @@ export class Input {
   }
 
   #down(event: PointerEvent): void {
-    if (this.#press !== null || !event.isPrimary || event.button !== 0) return;
+    const hand = this.#freeHand();
+    if (hand === null || this.#presses.has(event.pointerId) || event.button !== 0) return;
     const { x, y } = this.#place(event);
     const hold = this.#viewer.pick(x, y);
     if (hold === null || !canTake(hold)) return;
-    const dragging = hold.on === "flight";
-    this.#press = { id: event.pointerId, x, y, hold, dragging };
-    this.#canvas.setPointerCapture(event.pointerId);
     // A leaf already turning is caught at once, where it is.
-    if (dragging) {
-      this.#viewer.grab(hold);
-      this.#viewer.drag(x, y);
-    }
+    const dragging = isFlying(hold) && this.#viewer.grab(hold, hand);
+    this.#presses.set(event.pointerId, { hand, x, y, hold, dragging });
+    this.#canvas.setPointerCapture(event.pointerId);
+    if (dragging) this.#viewer.drag(hand, x, y);
   }
 
   #move(event: PointerEvent): void {
     const { x, y } = this.#place(event);
-    const press = this.#press;
-    if (press === null) {
+    const press = this.#presses.get(event.pointerId);
+    if (press === undefined) {
       const hold = event.pointerType === "mouse" ? this.#viewer.pick(x, y) : null;
       this.#canvas.style.cursor = hold !== null && canTake(hold) ? "grab" : "";
       return;
     }
-    if (press.id !== event.pointerId) return;
     if (!press.dragging && Math.hypot(x - press.x, y - press.y) > dragStart) {
-      press.dragging = this.#viewer.grab(press.hold);
+      press.dragging = this.#viewer.grab(press.hold, press.hand);
       this.#canvas.style.cursor = "grabbing";
     }
-    if (press.dragging) this.#viewer.drag(x, y);
+    if (press.dragging) this.#viewer.drag(press.hand, x, y);
   }
 
   #up(event: PointerEvent): void {
-    const press = this.#press;
-    if (press === null || press.id !== event.pointerId) return;
-    this.#press = null;
+    const press = this.#presses.get(event.pointerId);
+    if (press === undefined) return;
+    this.#presses.delete(event.pointerId);
     this.#canvas.style.cursor = "";
     if (press.dragging) {
-      this.#viewer.release();
-    } else if (event.type === "pointerup" && press.hold.on !== "flight") {
+      this.#viewer.release(press.hand);
+    } else if (event.type === "pointerup" && !isFlying(press.hold)) {
       this.#turn(press.hold.on === Side.right ? 1 : -1);
     }
+  }
+
+  /** A hand that no pointer stands for, or null. */
+  #freeHand(): number | null {
+    const taken = new Set([...this.#presses.values()].map(({ hand }) => hand));
+    for (let hand = 0; hand < handCount; hand++) if (!taken.has(hand)) return hand;
+    return null;
   }
 
   #key(event: KeyboardEvent): void {
@@ -106,8 +120,13 @@ export class Input {
   }
 }
 
+/** Whether it is a place on what is in flight rather than on a resting page. */
+function isFlying(hold: Hold): boolean {
+  return typeof hold.on !== "number";
+}
+
 /** Whether a hand takes hold there: at an edge or a corner; of a leaf in flight, anywhere. */
 function canTake(hold: Hold): boolean {
-  if (hold.on === "flight" || hold.u > 1 - edgeZone) return true;
+  if (isFlying(hold) || hold.u > 1 - edgeZone) return true;
   return hold.u > 1 - cornerZone.u && Math.abs(hold.v - 0.5) > 0.5 - cornerZone.v;
 }

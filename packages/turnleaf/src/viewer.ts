@@ -5,7 +5,14 @@
  * animation frame and no timer.
  */
 
-import { type Face, faceNames, facesBetween, isBoardFace, pagesWanted } from "./book/faces.ts";
+import {
+  type Face,
+  faceNames,
+  facesBetween,
+  facesOfLeaf,
+  isBoardFace,
+  pagesWanted,
+} from "./book/faces.ts";
 import {
   type Binding,
   bind,
@@ -15,11 +22,11 @@ import {
   rightPage,
   spreadOf,
 } from "./book/spreads.ts";
-import { Turning } from "./book/turning.ts";
+import { type Flight, Turning } from "./book/turning.ts";
 import type { BookShape } from "./draw/pose.ts";
 import { Stage } from "./draw/stage.ts";
-import { Cover, EngineBook, Side, tickSeconds } from "./engine/engine.ts";
-import type { Ray } from "./engine/shapes.ts";
+import { Cover, EngineBook, Side } from "./engine/engine.ts";
+import type { Pile, Ray, Surface } from "./engine/shapes.ts";
 import { type Hit, pickPile, pickSurface } from "./hand/pick.ts";
 import { handAt } from "./hand/reach.ts";
 import { PagePictures } from "./pages/page_pictures.ts";
@@ -37,15 +44,15 @@ export interface ViewerOptions {
   /** A turn begins between two spreads. */
   readonly onStart: (low: number, high: number, forward: boolean) => void;
   /** The book came to rest at a spread. */
-  readonly onLand: (from: number, to: number) => void;
+  readonly onRest: (from: number, to: number) => void;
   /** A page that lies open cannot be shown; the sentence says why. */
   readonly onFailure: (sentence: string) => void;
 }
 
 /** What a hand could take hold of. */
 export interface Hold extends Hit {
-  /** The leaf in flight, or the uppermost of a side. */
-  readonly on: "flight" | Side;
+  /** What is in flight there, or the side whose uppermost leaf it is. */
+  readonly on: Flight | Side;
 }
 
 /** Longest time a frame may stand for; after a pause the turn goes on where it was. */
@@ -97,10 +104,8 @@ export class Viewer {
   #lastTime = 0;
   #remainder = 0;
   #room = restingRoom;
-  /** Where on the canvas the hand is, CSS pixels, while it holds something. */
-  #handAt: [x: number, y: number] | null = null;
-  /** u of the spot that a hand holds. */
-  #heldU = 1;
+  /** Each hand that holds something: where on the canvas it is, CSS pixels, and u of the spot that it holds. */
+  readonly #hands = new Map<number, { x: number; y: number; u: number }>();
   #destroyed = false;
 
   private constructor(
@@ -132,10 +137,8 @@ export class Viewer {
         this.#show();
         options.onStart(flight.low, flight.high, flight.to === Side.left);
       },
-      landed: (from, to) => {
-        this.#show();
-        options.onLand(from, to);
-      },
+      landed: () => this.#show(),
+      rested: options.onRest,
     });
     this.turning.seconds = options.turnSeconds;
     this.turning.lay(spreadOf(binding, options.page()));
@@ -198,40 +201,45 @@ export class Viewer {
   /** What a hand at a place on the canvas (CSS pixels) could hold, or null. */
   pick(x: number, y: number): Hold | null {
     const ray = this.#stage.rayAt(x, y);
-    const u = this.#engine.columns;
-    if (this.turning.flight !== null) {
-      if (this.turning.flight.part !== "leaf") return this.#pickSide(ray);
-      const hit = pickSurface(ray, this.#engine.surface, u);
-      return hit && { ...hit, on: "flight" };
+    let best: Hold | null = this.#pickSide(ray);
+    for (const [index, flight] of this.turning.flights.entries()) {
+      // Of a board in flight every place counts, wherever its page is seen.
+      if (flight.part !== "leaf") return best && { ...best, on: flight };
+      const hit = pickSurface(ray, this.#engine.surface(index), this.#engine.columns);
+      // A leaf upon the page under it is the one that is taken.
+      if (hit && (best === null || hit.distance < best.distance + 0.001)) {
+        best = { ...hit, on: flight };
+      }
     }
-    return this.#pickSide(ray);
+    return best;
   }
 
-  /** Takes hold where `pick` found something; the leaf then follows `drag`. */
-  grab(hold: Hold): boolean {
-    if (hold.on !== "flight" && this.turning.flight === null && !this.turning.lift(hold.on)) {
-      return false;
-    }
-    this.#heldU = hold.u > 1 - edgeShare ? 1 : Math.max(hold.u, 0.3);
-    this.turning.grab(this.#heldU, Math.min(Math.max(hold.v, 0), 1));
+  /** A hand takes hold where `pick` found something; the leaf then follows `drag`. */
+  grab(hold: Hold, hand: number): boolean {
+    const flight = typeof hold.on === "number" ? this.turning.lift(hold.on) : hold.on;
+    if (flight === null || this.#destroyed) return false;
+    const u = hold.u > 1 - edgeShare ? 1 : Math.max(hold.u, 0.3);
+    this.turning.grab(flight, hand, u, Math.min(Math.max(hold.v, 0), 1));
+    this.#hands.set(hand, { x: 0, y: 0, u });
     return true;
   }
 
-  /** The hand moves to a place on the canvas, CSS pixels. */
-  drag(x: number, y: number): void {
-    if (this.#destroyed) return;
-    this.#handAt = [x, y];
-    const place = handAt(this.#stage.rayAt(x, y), this.#heldU * this.#width, (at) =>
-      this.#floor(at),
-    );
-    this.turning.hold(...place);
+  /** A hand that holds something moves to a place on the canvas, CSS pixels. */
+  drag(hand: number, x: number, y: number): void {
+    const held = this.#hands.get(hand);
+    if (this.#destroyed || held === undefined) return;
+    [held.x, held.y] = [x, y];
+    const ray = this.#stage.rayAt(x, y);
+    const place = handAt(ray, held.u * this.#width, (at) => this.#floor(at));
+    this.turning.hold(hand, ...place);
     this.invalidate();
   }
 
-  /** The hand lets go. */
-  release(): void {
-    this.#handAt = null;
-    this.turning.release();
+  /** A hand lets go. */
+  release(hand: number): void {
+    if (this.#destroyed) return;
+    this.#hands.delete(hand);
+    this.turning.release(hand);
     this.invalidate();
   }
 
@@ -256,14 +264,15 @@ export class Viewer {
   #draw(now: number): void {
     this.#frame = 0;
     const ticks = this.#ticks(now);
-    const turning = this.turning.moving && this.turning.step(ticks);
+    // Without a turn nothing in the engine has moved since the book was laid open.
+    const turned = this.turning.moving;
+    const turning = turned && this.turning.step(ticks);
     // Whoever hears of a turn may take the book away at once.
     if (this.#destroyed) return;
-    const stepping = this.#stepBack(turning, ticks * tickSeconds);
-    if (stepping && this.#handAt !== null) this.drag(...this.#handAt);
+    const stepping = this.#stepBack(turning, ticks * this.#engine.tick);
+    if (stepping) for (const [hand, { x, y }] of this.#hands) this.drag(hand, x, y);
     const moving = turning || stepping;
-    // Without a turn nothing in the engine has moved since the book was laid open.
-    if (turning) this.#engine.update();
+    if (turned) this.#engine.update();
     this.#pose();
     this.#stage.draw({ resting: !moving });
     this.#pictures.paused = moving;
@@ -287,7 +296,7 @@ export class Viewer {
     const seconds =
       this.#lastTime === 0 ? 0 : Math.min((now - this.#lastTime) / 1000, longestFrame);
     this.#lastTime = now;
-    this.#remainder += seconds / tickSeconds;
+    this.#remainder += seconds / this.#engine.tick;
     const ticks = Math.floor(this.#remainder);
     this.#remainder -= ticks;
     return ticks;
@@ -295,15 +304,20 @@ export class Viewer {
 
   #pose(): void {
     const engine = this.#engine;
-    const { flight, spread } = this.turning;
+    const { flights } = this.turning;
     const paper = paperLeaves(this.binding) > 0;
-    const low = flight?.low ?? spread;
-    const high = flight?.high ?? spread;
+    const [low, high] = this.#between;
     const boards = this.binding.hardCover ? 1 : 0;
+    const [left, right] = [engine.pile(Side.left), engine.pile(Side.right)];
+    const leaves: Surface[] = [];
+    for (const [index, { part }] of flights.entries()) {
+      if (part === "leaf") leaves.push(engine.surface(index));
+    }
     this.#stage.pose({
-      left: paper && low > boards ? engine.pile(Side.left) : null,
-      right: paper && high < leafCount(this.binding) - boards ? engine.pile(Side.right) : null,
-      leaf: flight?.part === "leaf" ? engine.surface : null,
+      left: paper && low > boards ? left : null,
+      right: paper && high < leafCount(this.binding) - boards ? right : null,
+      leaves,
+      lean: paper ? (heightOf(right) - heightOf(left)) / 2 : 0,
       frontBoard: engine.boardAngle(Cover.front),
       backBoard: engine.boardAngle(Cover.back),
     });
@@ -312,16 +326,26 @@ export class Viewer {
   /** Gives every face the best picture of its page, and asks for the pages wanted next. */
   #show(): void {
     if (this.#destroyed) return;
-    const { flight, spread } = this.turning;
-    const low = flight?.low ?? spread;
-    const high = flight?.high ?? spread;
+    const { flights, spread, destination } = this.turning;
     if (this.#cssWidth > 0) {
-      const { pages, inSight } = pagesWanted(this.binding, low, high);
+      const { pages, inSight } = pagesWanted(this.binding, spread, flights, destination);
       this.#pictures.want(pages, inSight, this.#pictureWidth());
     }
-    const pages = facesBetween(this.binding, low, high);
+    const pages = facesBetween(this.binding, ...this.#between);
     for (const face of faceNames) this.#stage.setFace(face, this.#pictureOf(face, pages[face]));
+    for (const [index, flight] of flights.entries()) {
+      if (flight.part !== "leaf") continue;
+      const { recto, verso } = facesOfLeaf(this.binding, flight);
+      this.#stage.setLeaf(index, "recto", this.#pictureOfPaper(recto));
+      this.#stage.setLeaf(index, "verso", this.#pictureOfPaper(verso));
+    }
     this.invalidate();
+  }
+
+  /** The spreads left and right of all that is in flight. */
+  get #between(): [low: number, high: number] {
+    const { flights, spread } = this.turning;
+    return [flights[0]?.low ?? spread, flights.at(-1)?.high ?? spread];
   }
 
   #lieOpen(page: number): boolean {
@@ -334,8 +358,12 @@ export class Viewer {
     if (page !== null) {
       return isBoardFace(face) ? this.#pictures.getIfDrawn(page) : this.#pictures.get(page);
     }
+    return null;
+  }
+
+  #pictureOfPaper(page: number | null) {
     // A book with an odd number of pages ends in a bare verso.
-    return face === "verso" ? this.#pictures.bare : null;
+    return page === null ? this.#pictures.bare : this.#pictures.get(page);
   }
 
   /** Width in device pixels at which a page looks sharp, in steps, so that a small change of size redraws nothing. */
@@ -352,9 +380,9 @@ export class Viewer {
 
   #pickSide(ray: Ray): Hold | null {
     let best: Hold | null = null;
+    const [low, high] = this.#between;
     for (const side of [Side.right, Side.left]) {
-      const to = this.turning.spread + (side === Side.right ? 1 : -1);
-      if (to < 0 || to > leafCount(this.binding)) continue;
+      if (side === Side.right ? high === leafCount(this.binding) : low === 0) continue;
       const sign = side === Side.right ? 1 : -1;
       const hit = pickPile(ray, this.#engine.pile(side), sign, this.#engine.columns, this.#height);
       if (hit && (best === null || hit.distance < best.distance)) best = { ...hit, on: side };
@@ -363,8 +391,12 @@ export class Viewer {
   }
 
   #floor(x: number): number {
-    const pile = this.#engine.pile(x >= 0 ? Side.right : Side.left);
     // The fore-edge's height does for a hand, which holds the leaf near its edge.
-    return pile.curves[2 * pile.columns - 1];
+    return heightOf(this.#engine.pile(x >= 0 ? Side.right : Side.left));
   }
+}
+
+/** Height of a pile's uppermost page at its fore-edge, metres: the pile's thickness. */
+function heightOf(pile: Pile): number {
+  return pile.curves[2 * pile.columns - 1];
 }

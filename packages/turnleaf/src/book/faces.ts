@@ -2,12 +2,10 @@
 
 import { type Binding, leafCount, leftPage, rightPage } from "./spreads.ts";
 
-/** The faces of the drawn book that carry a page. */
+/** The faces of the drawn book that carry a page, but for those of leaves in flight. */
 export const faceNames = [
   "left",
   "right",
-  "recto",
-  "verso",
   "frontOutside",
   "frontInside",
   "backOutside",
@@ -22,10 +20,16 @@ export function isBoardFace(face: Face): boolean {
   return face.startsWith("front") || face.startsWith("back");
 }
 
+/** What lies between two spreads: a leaf, or a sheaf that flies as one. */
+export interface Between {
+  /** The spread seen when it lies on the right, and on the left. */
+  readonly low: number;
+  readonly high: number;
+}
+
 /**
- * The page (from 1) on each face while a leaf or board is between the spreads
- * `low` and `high`, or at rest where the two are the same. A leaf that stands
- * for a whole sheaf carries the page seen first and the page seen last.
+ * The page (from 1) on each face while what is in flight is between the spreads
+ * `low` and `high`, or at rest where the two are the same.
  */
 export function facesBetween(
   binding: Binding,
@@ -37,13 +41,19 @@ export function facesBetween(
   return {
     left: leftPage(binding, low),
     right: rightPage(binding, high),
-    recto: rightPage(binding, low),
-    verso: leftPage(binding, high),
     frontOutside: board ? rightPage(binding, 0) : null,
     frontInside: board ? leftPage(binding, 1) : null,
     backInside: board ? rightPage(binding, last - 1) : null,
     backOutside: board ? leftPage(binding, last) : null,
   };
+}
+
+/** The pages on both sides of a leaf in flight; a sheaf shows its first and its last. */
+export function facesOfLeaf(
+  binding: Binding,
+  { low, high }: Between,
+): { recto: number | null; verso: number | null } {
+  return { recto: rightPage(binding, low), verso: leftPage(binding, high) };
 }
 
 /** Pages to have ready, most urgent first. */
@@ -54,20 +64,34 @@ export interface PagesWanted {
 }
 
 /**
- * The pages to have ready between two spreads: what is seen, then what the next
- * turns in either direction would show, then the boards' outsides.
+ * The pages to have ready at a spread where some leaves are in flight, told
+ * from the left to the right: what is seen, then what `to` shows, where the book
+ * will come to rest, what the next turns in either direction would show, and
+ * the boards' outsides.
  */
-export function pagesWanted(binding: Binding, low: number, high: number): PagesWanted {
-  const seen = facesBetween(binding, low, high);
-  const faces = [seen.right, seen.left, seen.recto, seen.verso];
-  if (low === 0) faces.push(seen.frontInside);
-  if (high === leafCount(binding)) faces.push(seen.backInside);
+export function pagesWanted(
+  binding: Binding,
+  spread: number,
+  flights: readonly Between[],
+  to: number,
+): PagesWanted {
+  const last = leafCount(binding);
+  const low = flights[0]?.low ?? spread;
+  const high = flights.at(-1)?.high ?? spread;
+  const faces = [rightPage(binding, high), leftPage(binding, low)];
+  for (const flight of flights) {
+    const { recto, verso } = facesOfLeaf(binding, flight);
+    faces.push(recto, verso);
+  }
+  const boards = facesBetween(binding, low, high);
+  if (low === 0) faces.push(boards.frontInside);
+  if (high === last) faces.push(boards.backInside);
   const inSight = existing(faces);
-  for (const s of [high + 1, low - 1, high + 2]) {
+  for (const s of [to, high + 1, low - 1, high + 2]) {
     faces.push(leftPage(binding, s), rightPage(binding, s));
   }
-  if (low <= 1) faces.push(seen.frontOutside, seen.frontInside);
-  if (high >= leafCount(binding) - 1) faces.push(seen.backInside, seen.backOutside);
+  if (low <= 1) faces.push(boards.frontOutside, boards.frontInside);
+  if (high >= last - 1) faces.push(boards.backInside, boards.backOutside);
   return { pages: existing(faces), inSight: inSight.length };
 }
 

@@ -59,13 +59,31 @@ test("page numbers outside the book are clamped, nonsense is the first page", ()
   expect(pageOf(book, 3)).toBe(6);
 });
 
-test("boards turn by themselves, paper in one leaf", () => {
-  const book = bind(40, "hard");
-  expect(waypoints(book, 0, 7)).toEqual([1, 7]);
-  expect(waypoints(book, 0, 20)).toEqual([1, 19, 20]);
-  expect(waypoints(book, 20, 0)).toEqual([19, 1, 0]);
-  expect(waypoints(book, 3, 9)).toEqual([9]);
-  expect(waypoints(book, 1, 0)).toEqual([0]);
+test("a short way turns every leaf, a long one a few that stand for many", () => {
+  const book = bind(400, "none");
+  expect(waypoints(book, 3, 7)).toEqual([4, 5, 6, 7]);
+  expect(waypoints(book, 7, 3)).toEqual([6, 5, 4, 3]);
   expect(waypoints(book, 5, 5)).toEqual([]);
-  expect(waypoints(bind(40, "none"), 0, 20)).toEqual([20]);
+  expect(waypoints(book, 0, 12).length).toBe(12);
+  for (const [from, to] of [
+    [0, 13],
+    [0, 200],
+    [170, 31],
+  ]) {
+    const way = waypoints(book, from, to);
+    expect(way.length).toBe(9);
+    expect(way.at(-1)).toBe(to);
+    const steps = way.map((spread, k) => Math.abs(spread - (way[k - 1] ?? from)));
+    expect(Math.max(...steps) - Math.min(...steps)).toBeLessThanOrEqual(1);
+  }
+});
+
+test("boards turn by themselves", () => {
+  const book = bind(40, "hard");
+  expect(waypoints(book, 0, 4)).toEqual([1, 2, 3, 4]);
+  expect(waypoints(book, 1, 0)).toEqual([0]);
+  expect(waypoints(book, 18, 20)).toEqual([19, 20]);
+  const through = waypoints(book, 20, 0);
+  expect([through[0], through.at(-2), through.at(-1)]).toEqual([19, 1, 0]);
+  expect(through.length).toBe(2 + 9);
 });

@@ -71,17 +71,33 @@ export function pageOf(binding: Binding, s: number): number {
   return leftPage(binding, s) ?? rightPage(binding, s) ?? binding.pageCount;
 }
 
+/** Leaves that a way turns one by one, at most. */
+const mostSingle = 12;
+
+/** Leaves that fly for all those of a longer way, each for its share, as under a thumb. */
+const riffled = 9;
+
 /**
  * The spreads at which a way from one spread to another stops: one turn each.
- * Paper turns in one leaf however many pages it skips; a board always turns by
- * itself, for it carries its own two pages.
+ * A short way turns every leaf of paper, a long one few that stand for many; a
+ * board always turns by itself, for it carries its own two pages.
  */
 export function waypoints(binding: Binding, from: number, to: number): number[] {
-  if (from === to) return [];
-  if (!binding.hardCover) return [to];
   const last = leafCount(binding);
-  const stops = from < to ? [1, last - 1] : [last - 1, 1];
-  const between = stops.filter((s) => (from < to ? s > from && s < to : s < from && s > to));
-  // Between the boards there is paper only, so the way takes at most three turns.
-  return [...between, to];
+  const boards = binding.hardCover ? [1, last - 1] : [];
+  const between = boards.filter((s) => (from < to ? s > from && s < to : s < from && s > to));
+  if (from > to) between.reverse();
+  const way: number[] = [];
+  for (const stop of [...between, to]) way.push(...turnsTo(way.at(-1) ?? from, stop));
+  return way;
+}
+
+/** The stops between two spreads that no board parts. */
+function turnsTo(from: number, to: number): number[] {
+  const leaves = Math.abs(to - from);
+  const turns = leaves <= mostSingle ? leaves : riffled;
+  return Array.from(
+    { length: turns },
+    (_, k) => from + Math.round(((to - from) * (k + 1)) / turns),
+  );
 }

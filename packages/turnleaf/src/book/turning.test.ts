@@ -15,55 +15,178 @@ async function open(pages: number, cover: "hard" | "none", heard: Partial<Turnin
       flights.push([flight.low, flight.high]);
       heard.started?.(flight);
     },
-    landed: (from, to) => heard.landed?.(from, to),
+    landed: (flight) => heard.landed?.(flight),
+    rested: (from, to) => heard.rested?.(from, to),
   });
   turning.lay(0);
   const run = (ticks = 4000) => {
     for (let tick = 0; tick < ticks && turning.moving; tick += 4) turning.step(4);
   };
-  return { engine, turning, flights, run };
+  const pass = (seconds: number) => turning.step(Math.round(seconds / engine.tick));
+  return { engine, turning, flights, run, pass };
 }
 
 /** What a promise holds by now; "pending" where it has not resolved. */
 const now = <T>(promise: Promise<T>): Promise<T | "pending"> =>
   Promise.race([promise, Promise.resolve().then(() => "pending" as const)]);
 
-test("a jump stops at both boards, and every turn keeps what it promised", async () => {
-  const { turning, flights, run } = await open(20, "hard");
-  const landed = turning.goTo(10);
+/** Seconds of leaves that follow each other at the usual pace. */
+const apart = 0.072;
+
+test("a way stops at both boards, and every turn keeps what it promised", async () => {
+  const { turning, flights, run } = await open(12, "hard");
+  const landed = turning.goTo(6);
   run();
   expect(flights).toEqual([
     [0, 1],
-    [1, 9],
-    [9, 10],
+    [1, 2],
+    [2, 3],
+    [3, 4],
+    [4, 5],
+    [5, 6],
   ]);
   expect(await landed).toBe(true);
   expect(await turning.turn(1)).toBe(true);
+  expect(turning.spread).toBe(6);
+});
+
+test("no leaf flies beside a board", async () => {
+  const { turning, run } = await open(20, "hard");
+  turning.goTo(10);
+  for (let tick = 0; tick < 8000 && turning.moving; tick++) {
+    turning.step(1);
+    const boards = turning.flights.filter(({ part }) => part !== "leaf");
+    if (boards.length > 0) expect(turning.flights.length).toBe(1);
+    // The same by hand.
+    if (boards.length > 0) expect(turning.lift(0)).toBeNull();
+  }
+  run();
   expect(turning.spread).toBe(10);
 });
 
-test("a step back takes the leaf in flight back, though it stands for many", async () => {
-  const { turning, flights, run } = await open(40, "none");
-  turning.lay(2);
-  const away = turning.goTo(15);
-  run(60);
-  const back = turning.turn(-1);
-  expect(turning.destination).toBe(2);
+test("a held key has ten leaves and more in flight, one after the other, and stops soon", async () => {
+  const { engine, turning, flights, run } = await open(200, "none");
+  const ticks = (seconds: number) => Math.round(seconds / engine.tick);
+  let most = 0;
+  for (let frame = 0; frame < 100; frame++) {
+    if (frame % 2 === 0) turning.turn(1);
+    turning.step(ticks(1 / 60));
+    most = Math.max(most, turning.flights.length);
+  }
+  expect(most).toBeGreaterThanOrEqual(10);
+  expect(most).toBeLessThanOrEqual(12);
+  // Steadily, one leaf every 72 ms.
+  expect(flights.length).toBeCloseTo(100 / 60 / apart, -0.5);
+  const begun = flights.length;
+  expect(turning.destination - begun).toBeLessThanOrEqual(3);
   run();
-  expect(turning.spread).toBe(2);
-  expect(flights).toEqual([[2, 15]]);
-  expect(await away).toBe(false);
-  expect(await back).toBe(true);
+  expect(turning.spread).toBe(flights.length);
+  expect(flights).toEqual(flights.map((_, k) => [k, k + 1]));
 });
 
-test("a held key turns at most three leaves more than the one in flight", async () => {
+test("turns that all are asked for at once wait, at most three of them", async () => {
   const { turning, run } = await open(60, "none");
   for (let repeat = 0; repeat < 30; repeat++) turning.turn(1);
+  expect(turning.destination).toBe(3);
   turning.step(1);
   for (let repeat = 0; repeat < 30; repeat++) turning.turn(1);
   expect(turning.destination).toBe(4);
   run();
   expect(turning.spread).toBe(4);
+});
+
+test("a step back sends the leaf taken up last back first", async () => {
+  const { engine, turning, run } = await open(60, "none");
+  turning.lay(10);
+  void turning.goTo(16);
+  turning.step(Math.round(0.5 / engine.tick));
+  expect(turning.flights.length).toBe(6);
+  const sides = () => turning.flights.map(({ to }) => to).join("");
+  const promised: Promise<boolean>[] = [];
+  for (const expected of ["111110", "111100", "111000"]) {
+    promised.push(turning.turn(-1));
+    expect(sides()).toBe(expected);
+  }
+  expect(turning.destination).toBe(13);
+  promised.push(turning.turn(1));
+  expect(sides()).toBe("111100");
+  run();
+  expect(turning.spread).toBe(14);
+  expect(await Promise.all(promised)).toEqual([false, true, false, true]);
+});
+
+test("a held key the other way first takes back what flies, then turns on", async () => {
+  const { engine, turning, run } = await open(100, "none");
+  turning.lay(20);
+  const frame = Math.round(1 / 60 / engine.tick);
+  for (const by of [1, -1] as const) {
+    for (let k = 0; k < 60; k++) {
+      if (k % 2 === 0) turning.turn(by);
+      turning.step(frame);
+      const sides = turning.flights.map(({ to }) => to).join("");
+      expect(sides).toMatch(/^1*0*$/);
+    }
+  }
+  const { destination } = turning;
+  run();
+  expect(turning.spread).toBe(destination);
+  expect(destination).toBeLessThan(20);
+});
+
+test("a far jump takes few leaves and little time, and lands where told", async () => {
+  const { engine, turning, flights } = await open(1000, "none");
+  for (const spread of [437, 12, 13, 400]) {
+    flights.length = 0;
+    const from = turning.spread;
+    const landed = turning.goTo(spread);
+    let ticks = 0;
+    for (; turning.moving; ticks++) turning.step(1);
+    expect(ticks * engine.tick).toBeLessThan(1.6);
+    expect(await landed).toBe(true);
+    expect([turning.spread, engine.read]).toEqual([spread, spread]);
+    expect(flights.length).toBe(Math.abs(spread - from) > 12 ? 9 : Math.abs(spread - from));
+  }
+});
+
+test("a slider dragged to and fro ends where it was let go", async () => {
+  const { engine, turning, run } = await open(600, "hard");
+  const promised: Promise<boolean>[] = [];
+  for (const spread of [5, 40, 90, 91, 70, 20, 22, 30, 180, 179, 177]) {
+    promised.push(turning.goTo(spread));
+    turning.step(Math.round(0.15 / engine.tick));
+    expect(turning.flights.length).toBeLessThanOrEqual(12);
+  }
+  expect(turning.destination).toBe(177);
+  run(20_000);
+  expect([turning.spread, engine.read]).toEqual([177, 176]);
+  expect((await Promise.all(promised)).at(-1)).toBe(true);
+});
+
+test("a jump back while leaves fly takes those back that need not have flown", async () => {
+  const { engine, turning, flights, run } = await open(60, "none");
+  void turning.goTo(10);
+  turning.step(Math.round(0.34 / engine.tick));
+  expect(turning.flights.length).toBe(5);
+  void turning.goTo(2);
+  expect(turning.flights.map(({ to }) => to).join("")).toBe("11000");
+  run();
+  expect(turning.spread).toBe(2);
+  expect(flights.length).toBe(5);
+});
+
+test("every leaf tells of its landing, and the book of its rest", async () => {
+  const told: string[] = [];
+  const { turning, run, pass } = await open(60, "none", {
+    landed: ({ low, to }) => told.push(`${low} ${to === 1 ? "left" : "right"}`),
+    rested: (from, to) => told.push(`${from} to ${to}`),
+  });
+  turning.lay(4);
+  void turning.goTo(8);
+  pass(0.3);
+  void turning.turn(-1);
+  run();
+  expect(told.sort()).toEqual(["4 left", "4 to 7", "5 left", "6 left", "7 right"]);
+  expect(turning.spread).toBe(7);
 });
 
 test("a book taken away in the middle of a turn keeps nobody waiting", async () => {
@@ -84,7 +207,7 @@ test("a turn called off before it began keeps nobody waiting", async () => {
 });
 
 test("nothing is asked of the engine once a listener took the book away", async () => {
-  for (const event of ["started", "landed"] as const) {
+  for (const event of ["started", "landed", "rested"] as const) {
     let close = () => {};
     const { engine, turning, run } = await open(20, "none", { [event]: () => close() });
     let touched = false;
@@ -107,21 +230,21 @@ test("nothing is asked of the engine once a listener took the book away", async 
 test("a hand has no hold on what a key took from it, nor on what flies next", async () => {
   const { turning, flights, run } = await open(12, "hard");
   turning.lay(4);
-  expect(turning.lift(0)).toBe(true);
-  turning.grab(1, 0.5);
-  turning.hold(0.1, 0.1, 0.08);
+  const flight = turning.lift(0) as Flight;
+  turning.grab(flight, 0, 1, 0.5);
+  turning.hold(0, 0.1, 0.1, 0.08);
   turning.step(40);
   // The leaf goes on to the left, and the back board after it.
-  expect(turning.flight?.high).toBe(5);
+  expect(turning.flights[0].high).toBe(5);
   const one = turning.turn(1);
   expect(turning.destination).toBe(5);
   const two = turning.turn(1);
   expect(turning.destination).toBe(6);
   for (let tick = 0; tick < 4000 && turning.moving; tick += 4) {
     turning.step(4);
-    turning.hold(0.14, 0.1, 0);
+    turning.hold(0, 0.14, 0.1, 0);
   }
-  turning.release();
+  turning.release(0);
   expect(flights).toEqual([
     [4, 5],
     [5, 6],
@@ -138,9 +261,8 @@ test("a key during a hand's hold sends the leaf to the key's side", async () => 
   ] as const) {
     const { turning, run } = await open(12, "none");
     turning.lay(3);
-    turning.lift(0);
-    turning.grab(1, 0.5);
-    turning.hold(0.05, 0.1, 0.1);
+    turning.grab(turning.lift(0) as Flight, 0, 1, 0.5);
+    turning.hold(0, 0.05, 0.1, 0.1);
     turning.step(60);
     const landed = turning.turn(by);
     run();
@@ -156,11 +278,10 @@ test("a leaf or a board let go says where it falls", async () => {
   ] as const) {
     const { turning, run } = await open(12, "hard");
     turning.lay(3);
-    turning.lift(0);
-    turning.grab(1, 0.5);
-    turning.hold(x, 0.1, 0.03);
+    turning.grab(turning.lift(0) as Flight, 0, 1, 0.5);
+    turning.hold(0, x, 0.1, 0.03);
     turning.step(120);
-    turning.release();
+    turning.release(0);
     // The next turn goes on from the side that it falls to.
     expect(turning.destination).toBe(3 + falls);
     turning.turn(by);
@@ -168,13 +289,63 @@ test("a leaf or a board let go says where it falls", async () => {
     expect(turning.spread).toBe(end);
 
     turning.lay(0);
-    turning.lift(0);
-    turning.grab(1, 0.5);
-    turning.hold(x, 0.1, 0.03);
+    turning.grab(turning.lift(0) as Flight, 0, 1, 0.5);
+    turning.hold(0, x, 0.1, 0.03);
     turning.step(120);
-    turning.release();
+    turning.release(0);
     expect(turning.destination).toBe(falls);
     run();
     expect(turning.spread).toBe(falls);
   }
+});
+
+test("two hands hold two leaves, and the one let go last says where both end", async () => {
+  const { turning, run } = await open(60, "none");
+  turning.lay(10);
+  const right = turning.lift(0) as Flight;
+  const left = turning.lift(1) as Flight;
+  expect([left.low, right.low]).toEqual([9, 10]);
+  turning.grab(right, 0, 1, 0.5);
+  turning.grab(left, 1, 1, 0.5);
+  turning.hold(0, 0.08, 0.1, 0.06);
+  turning.hold(1, -0.08, 0.1, 0.06);
+  turning.step(120);
+  turning.release(0);
+  expect(turning.flights.map(({ to }) => to)).toEqual([0, 0]);
+  turning.release(1);
+  expect(turning.destination).toBe(10);
+  run();
+  expect(turning.spread).toBe(10);
+
+  // The lower leaf is sent over: the upper one cannot stay where it lies.
+  const over = turning.lift(0) as Flight;
+  const under = turning.lift(1) as Flight;
+  turning.grab(over, 0, 1, 0.5);
+  turning.grab(under, 1, 1, 0.5);
+  for (let k = 0; k < 60; k++) {
+    turning.hold(0, -0.12, 0.1, 0.03);
+    turning.hold(1, 0.1, 0.1, 0.04);
+    turning.step(4);
+  }
+  turning.release(0);
+  turning.release(1);
+  run();
+  expect(turning.spread).toBe(9);
+});
+
+test("one leaf in two hands falls when the second lets go", async () => {
+  const { turning, run } = await open(60, "none");
+  turning.lay(10);
+  const flight = turning.lift(0) as Flight;
+  for (const hand of [0, 1]) {
+    turning.grab(flight, hand, 1, hand);
+    turning.hold(hand, 0.1, 0.2 * hand, 0.05);
+  }
+  turning.step(100);
+  turning.release(0);
+  turning.step(200);
+  expect(turning.flights).toEqual([flight]);
+  turning.release(1);
+  run();
+  expect(turning.spread).toBe(10);
 });

@@ -1,15 +1,17 @@
 /**
- * The book's state: where it lies open, which leaf or board is in flight, and
- * the turns still to come. Every change is a command to the engine; nothing
- * here knows of pointers, screens or clocks.
+ * The book's state: where it lies open, what is in flight, and the turns still
+ * to come. Every change is a command to the engine; nothing here knows of
+ * pointers, screens or clocks.
  */
 
-import { Cover, type EngineBook, isResting, Phase, Side } from "../engine/engine.ts";
+import { Cover, type EngineBook, isResting, Phase, Side, sideOf } from "../engine/engine.ts";
 import { type Binding, isBoard, leafCount, paperOnLeft, waypoints } from "./spreads.ts";
 
 /** A leaf or a board between two spreads. */
 export interface Flight {
   readonly part: "leaf" | Cover;
+  /** The engine's number of it; 0 for a board. */
+  readonly id: number;
   /** The spread seen when it lies on the right, and on the left. */
   readonly low: number;
   readonly high: number;
@@ -23,14 +25,23 @@ export interface Flight {
 export interface TurningEvents {
   /** A leaf or a board leaves its side. */
   started(flight: Flight): void;
-  /** It came to rest; `from` equals `to` where it fell back. */
-  landed(from: number, to: number): void;
+  /** It came to rest on a side. */
+  landed(flight: Flight): void;
+  /** Nothing is in flight any more; `from` is where that was so before, and equals `to` where all fell back. */
+  rested(from: number, to: number): void;
 }
 
-/** Turns that wait behind the one in flight, at most: a held key must stop soon after its release. */
+/** Leaves in flight at once, at most. */
+const mostFlights = 12;
+
+/** Turns that wait to begin, at most: a held key must stop soon after its release. */
 const mostWaiting = 3;
 
-/** Shortest a turn is hurried to, seconds. */
+/** Time between two leaves that follow each other, seconds and as a share of a turn. */
+const leastApart = 0.07;
+const shareApart = 0.09;
+
+/** Shortest a turn is, seconds. */
 const shortestTurn = 0.25;
 
 /** Where the book lies open and how it gets elsewhere. */
@@ -42,12 +53,20 @@ export class Turning {
   readonly #binding: Binding;
   readonly #events: TurningEvents;
   #spread = 0;
-  #flight: Flight | null = null;
-  /** Spreads still to reach, one turn each. */
+  /** The spread where nothing was in flight last. */
+  #restedAt = 0;
+  /** Leaves of paper from the left to the right, or one board by itself. */
+  #flights: Flight[] = [];
+  /** Spreads still to reach, one turn each, and whether they are the way of a `goTo`. */
   #plan: number[] = [];
-  /** Whether a hand has hold of the flight: until it lets go, or a command takes the leaf from it. */
-  #held = false;
+  #isJump = false;
+  /** Time since a leaf was taken up, seconds. */
+  #sinceLift = Number.POSITIVE_INFINITY;
+  /** What each hand has hold of: until it lets go, or a command takes it from it. */
+  readonly #held = new Map<number, Flight>();
   #promised: { spread: number; resolve: (landed: boolean) => void }[] = [];
+  /** Rises when everything in flight is put down at once: what was under way is void. */
+  #era = 0;
 
   constructor(engine: EngineBook, binding: Binding, events: TurningEvents) {
     this.#engine = engine;
@@ -55,35 +74,43 @@ export class Turning {
     this.#events = events;
   }
 
-  /** The spread that lies open, or from which the flight began. */
+  /** The spread that lies open, but for what is in flight. */
   get spread(): number {
     return this.#spread;
   }
 
-  /** The leaf or board in flight, or null at rest. */
-  get flight(): Flight | null {
-    return this.#flight;
+  /** What is in flight: leaves from the left to the right, or one board. */
+  get flights(): readonly Flight[] {
+    return this.#flights;
   }
 
   /** The spread where the book will lie when all that is asked for is done. */
   get destination(): number {
-    return this.#plan.at(-1) ?? this.#landing() ?? this.#spread;
+    return this.#plan.at(-1) ?? this.#landing;
+  }
+
+  /** Whether a step would do anything. */
+  get moving(): boolean {
+    return this.#flights.length > 0 || this.#plan.length > 0;
   }
 
   /** Opens the book at a spread at once, without a turn. */
   lay(spread: number): void {
-    this.#plan = [];
-    this.#flight = null;
-    this.#held = false;
-    this.#settle(spread);
+    this.#putDown();
+    this.#spread = this.#restedAt = spread;
+    this.#engine.lay(paperOnLeft(this.#binding, spread));
+    if (this.#binding.hardCover) {
+      const last = leafCount(this.#binding);
+      this.#engine.layBoard(Cover.front, spread > 0 ? Side.left : Side.right);
+      this.#engine.layBoard(Cover.back, spread === last ? Side.left : Side.right);
+    }
+    this.#engine.update();
     this.#keepPromises();
   }
 
   /** Stops where it is, for good: what was promised resolves to false, and the engine is told nothing more. */
   close(): void {
-    this.#plan = [];
-    this.#flight = null;
-    this.#held = false;
+    this.#putDown();
     const promised = this.#promised;
     this.#promised = [];
     for (const { resolve } of promised) resolve(false);
@@ -91,162 +118,233 @@ export class Turning {
 
   /** Turns to a spread; resolves to whether the book came to rest there. */
   goTo(spread: number): Promise<boolean> {
-    const from = this.#sendToward(spread);
-    this.#plan = waypoints(this.#binding, from, spread);
+    this.#plan = [];
+    for (const flight of this.#flights) {
+      const { low, high, to } = flight;
+      this.#play(flight, spread >= high ? Side.left : spread <= low ? Side.right : to);
+    }
+    this.#plan = waypoints(this.#binding, this.#landing, spread);
+    this.#isJump = true;
     return this.#promise(spread);
   }
 
-  /** Turns one leaf on (1) or back (-1); resolves to whether the book came to rest there. */
+  /**
+   * Turns one leaf on (1) or back (-1); resolves to whether the book came to
+   * rest there. Against the leaves in flight, the one taken up last goes back.
+   */
   turn(by: 1 | -1): Promise<boolean> {
-    const last = leafCount(this.#binding);
-    const spread = Math.min(Math.max(this.destination + by, 0), last);
-    const flight = this.#flight;
-    if (flight !== null && (this.#held || this.#opposes(by))) {
-      // The same leaf goes there, though it may stand for many.
-      this.#plan = [];
-      this.#play(flight, by === 1 ? Side.left : Side.right);
-    } else if (spread !== this.destination && this.#plan.length < mostWaiting) {
-      this.#plan.push(spread);
-    }
+    const to = by === 1 ? Side.left : Side.right;
+    const held = [...this.#held.values()].at(-1);
+    if (held !== undefined || (this.#isJump && this.#plansAgainst(by))) this.#plan = [];
+    const back = held ?? this.#nextBack(by);
+    if (this.#plansAgainst(by)) this.#plan.pop();
+    else if (back !== undefined && this.#plan.length === 0) this.#play(back, to);
+    else this.#planTurn(by);
     return this.#promise(this.destination);
   }
 
-  /** A hand takes up the leaf or board on top of `side`; false where there is none. */
-  lift(side: Side): boolean {
-    if (this.#flight !== null) return false;
-    const to = this.#spread + (side === Side.right ? 1 : -1);
-    if (to < 0 || to > leafCount(this.#binding)) return false;
+  /** A hand takes up the leaf or board on top of `side`; null where there is none, or where it has to wait. */
+  lift(side: Side): Flight | null {
+    const [low, high] =
+      side === Side.right
+        ? [this.#rightEnd, this.#rightEnd + 1]
+        : [this.#leftEnd - 1, this.#leftEnd];
+    if (low < 0 || high > leafCount(this.#binding) || !this.#mayFly(low)) return null;
     this.#plan = [];
-    return this.#take(to) !== null;
+    return this.#take(side, low, high);
   }
 
-  /** The hand holds the leaf in flight at (u, v) of its surface. What was planned is off. */
-  grab(u: number, v: number): void {
+  /** A hand holds a flight at (u, v) of its surface. What was planned is off. */
+  grab(flight: Flight, hand: number, u: number, v: number): void {
+    if (!this.#flights.includes(flight)) return;
     this.#plan = [];
-    this.#held = this.#flight !== null;
-    if (this.#flight?.part === "leaf") this.#engine.grab(u, v);
+    this.#held.set(hand, flight);
+    if (flight.part === "leaf") this.#engine.grab(flight.id, hand, u, v);
   }
 
-  /** The hand pulls to a place in book space (metres). */
-  hold(x: number, y: number, z: number): void {
+  /** A hand pulls to a place in book space (metres). */
+  hold(hand: number, x: number, y: number, z: number): void {
     // What a command took from the hand, and what was taken up since, is not its own.
-    if (!this.#held) return;
-    const part = this.#flight?.part;
-    if (part === "leaf") this.#engine.hold(x, y, z);
-    else if (part !== undefined) this.#engine.holdBoard(part, Math.atan2(Math.max(z, 0), x));
+    const flight = this.#held.get(hand);
+    if (flight?.part === "leaf") this.#engine.hold(flight.id, hand, x, y, z);
+    else if (flight) this.#engine.holdBoard(flight.part, Math.atan2(Math.max(z, 0), x));
   }
 
-  /** The hand lets go. */
-  release(): void {
-    const flight = this.#flight;
-    if (flight === null || !this.#held) return;
-    this.#held = false;
-    if (flight.part === "leaf") this.#engine.release();
-    else this.#engine.releaseBoard(flight.part);
-    const phase = this.#advance(flight, 0);
-    // A board that was not moved yet rests where it was.
-    if (phase === Phase.fallingLeft || phase === Phase.restingLeft) flight.to = Side.left;
-    if (phase === Phase.fallingRight || phase === Phase.restingRight) flight.to = Side.right;
+  /** A hand lets go. */
+  release(hand: number): void {
+    const flight = this.#held.get(hand);
+    this.#held.delete(hand);
+    if (flight === undefined || !this.#flights.includes(flight)) return;
+    if (flight.part === "leaf") this.#engine.release(flight.id, hand);
+    else if (![...this.#held.values()].includes(flight)) this.#engine.releaseBoard(flight.part);
+    this.#follow();
   }
 
   /** Steps by whole ticks; answers whether anything still moves or waits. */
   step(ticks: number): boolean {
-    this.#start();
-    const flight = this.#flight;
-    if (flight === null) return false;
-    const phase = this.#advance(flight, ticks);
-    if (isResting(phase)) {
-      this.#land(phase === Phase.restingLeft ? flight.high : flight.low);
-      this.#start();
-    }
-    return this.#flight !== null;
+    const { tick } = this.#engine;
+    let left = ticks;
+    do {
+      this.#liftNext();
+      const wait = Math.ceil((this.#apart - this.#sinceLift) / tick);
+      const now = this.#plan.length > 0 && wait > 0 ? Math.min(left, wait) : left;
+      this.#advance(now);
+      this.#sinceLift += now * tick;
+      left -= now;
+    } while (left > 0 && this.moving);
+    // What was planned may have come about by itself.
+    while (this.#plan.length > 0 && this.#plan[0] === this.#landing) this.#plan.shift();
+    if (!this.moving) this.#keepPromises();
+    return this.moving;
   }
 
-  /** Whether a step would do anything. */
-  get moving(): boolean {
-    return this.#flight !== null || this.#plan.length > 0;
+  /** Where the book will lie when all that is in flight has landed. */
+  get #landing(): number {
+    const back = this.#flights.find(({ to }) => to === Side.right);
+    return back?.low ?? this.#rightEnd;
   }
 
-  #advance({ part }: Flight, ticks: number): Phase {
-    return part === "leaf" ? this.#engine.step(ticks) : this.#engine.stepBoard(part, ticks);
+  /** The spreads left and right of all that is in flight. */
+  get #leftEnd(): number {
+    return this.#flights[0]?.low ?? this.#spread;
   }
 
-  #landing(): number | null {
-    const flight = this.#flight;
-    if (flight === null) return null;
-    return flight.to === Side.left ? flight.high : flight.low;
+  get #rightEnd(): number {
+    return this.#flights.at(-1)?.high ?? this.#spread;
   }
 
-  /** Whether a turn `by` goes against the one in flight, with nothing else waiting. */
-  #opposes(by: 1 | -1): boolean {
-    if (this.#flight === null || this.#plan.length > 0) return false;
-    return this.#flight.to === (by === 1 ? Side.right : Side.left);
+  get #apart(): number {
+    return Math.max(leastApart, shareApart * this.seconds);
   }
 
-  /** Sends what is in flight to its side nearer `spread`; answers the spread that gives. */
-  #sendToward(spread: number): number {
-    const flight = this.#flight;
-    if (flight === null) return this.#spread;
-    const to = spread >= flight.high ? Side.left : spread <= flight.low ? Side.right : flight.to;
-    this.#play(flight, to);
-    return to === Side.left ? flight.high : flight.low;
+  /** Whether leaf `low` may fly beside what is in flight: a board flies alone. */
+  #mayFly(low: number): boolean {
+    const { length } = this.#flights;
+    if (length === 0) return true;
+    return length < mostFlights && this.#flights[0].part === "leaf" && !isBoard(this.#binding, low);
   }
 
-  #start(): void {
-    if (this.#flight !== null) {
-      // Others wait: hurry what is in flight.
-      if (this.#plan.length > 0) this.#play(this.#flight, this.#flight.to);
-      return;
-    }
-    const next = this.#plan.shift();
-    if (next === undefined || next === this.#spread) return;
-    const flight = this.#take(next);
+  /** Whether what waits to begin goes against a turn `by`. */
+  #plansAgainst(by: 1 | -1): boolean {
+    return this.#plan.length > 0 && (this.destination - this.#landing) * by < 0;
+  }
+
+  /** The flight that a turn `by` sends back: the last that was sent the other way. */
+  #nextBack(by: 1 | -1): Flight | undefined {
+    return by === 1
+      ? this.#flights.find(({ to }) => to === Side.right)
+      : this.#flights.findLast(({ to }) => to === Side.left);
+  }
+
+  #planTurn(by: 1 | -1): void {
+    const spread = this.destination + by;
+    if (spread < 0 || spread > leafCount(this.#binding)) return;
+    if (this.#plan.length >= mostWaiting) return;
+    this.#plan.push(spread);
+    this.#isJump = false;
+  }
+
+  /** Begins the next turn that waits, if it may begin yet. */
+  #liftNext(): void {
+    while (this.#plan.length > 0 && this.#plan[0] === this.#landing) this.#plan.shift();
+    if (this.#plan.length === 0 || this.#sinceLift < this.#apart) return;
+    const [from, to] = [this.#landing, this.#plan[0]];
+    const side = from < to ? Side.right : Side.left;
+    const [low, high] = from < to ? [from, to] : [to, from];
+    // A leaf on its way to the side from which the next one comes must arrive there first.
+    if (!this.#mayFly(low) || this.#flights.some((flight) => flight.to === side)) return;
+    this.#plan.shift();
+    const flight = this.#take(side, low, high);
     if (flight !== null) this.#play(flight, flight.to);
   }
 
-  /** Takes up the leaf between here and the spread `to`; null where whoever heard of it put it down again. */
-  #take(to: number): Flight | null {
-    const from = this.#spread;
-    const [low, high] = from < to ? [from, to] : [to, from];
-    const single = high - low === 1 && isBoard(this.#binding, low);
-    const part = single ? (low === 0 ? Cover.front : Cover.back) : "leaf";
-    const flight: Flight = { part, low, high, from, to: from < to ? Side.left : Side.right };
-    this.#flight = flight;
-    if (part === "leaf") {
-      const side = from < to ? Side.right : Side.left;
-      const read = (s: number) => paperOnLeft(this.#binding, s);
-      this.#engine.lift(side, read(low), read(high));
+  /** Takes up what is between two spreads; null where it cannot be, or where whoever heard of it put it down again. */
+  #take(side: Side, low: number, high: number): Flight | null {
+    const board = high - low === 1 && isBoard(this.#binding, low);
+    const part = board ? (low === 0 ? Cover.front : Cover.back) : "leaf";
+    const read = (s: number): number => paperOnLeft(this.#binding, s);
+    const id = board ? 0 : this.#engine.lift(side, read(low), read(high));
+    if (!board && id === 0) {
+      this.#plan = [];
+      return null;
     }
+    const [from, to] = side === Side.right ? [low, Side.left] : [high, Side.right];
+    const flight: Flight = { part, id, low, high, from, to };
+    if (side === Side.right) this.#flights.push(flight);
+    else this.#flights.unshift(flight);
+    this.#sinceLift = 0;
     this.#events.started(flight);
-    return this.#flight === flight ? flight : null;
+    return this.#flights.includes(flight) ? flight : null;
   }
 
   #play(flight: Flight, to: Side): void {
+    for (const [hand, held] of this.#held) if (held === flight) this.#held.delete(hand);
     flight.to = to;
-    this.#held = false;
-    const seconds = Math.max(this.seconds / (1 + this.#plan.length), shortestTurn);
-    if (flight.part === "leaf") this.#engine.play(flight.to, seconds);
-    else this.#engine.playBoard(flight.part, flight.to, seconds);
-  }
-
-  #land(spread: number): void {
-    const from = this.#flight?.from ?? this.#spread;
-    this.#flight = null;
-    this.#held = false;
-    this.#settle(spread);
-    this.#events.landed(from, spread);
-    if (this.#plan.length === 0) this.#keepPromises();
-  }
-
-  #settle(spread: number): void {
-    const last = leafCount(this.#binding);
-    this.#spread = spread;
-    this.#engine.lay(paperOnLeft(this.#binding, spread));
-    if (this.#binding.hardCover) {
-      this.#engine.layBoard(Cover.front, spread > 0 ? Side.left : Side.right);
-      this.#engine.layBoard(Cover.back, spread === last ? Side.left : Side.right);
+    if (flight.part === "leaf") {
+      this.#engine.play(flight.id, to, Math.max(this.seconds, shortestTurn));
+      this.#follow();
+    } else {
+      // Others wait until it lies: it is swung faster.
+      const seconds = this.seconds / (this.#plan.length > 0 ? 2 : 1);
+      this.#engine.playBoard(flight.part, to, Math.max(seconds, shortestTurn));
     }
-    this.#engine.update();
+  }
+
+  /** Learns where each flight is bound for: one that lets go or is sent takes others along. */
+  #follow(): void {
+    for (const flight of this.#flights) flight.to = sideOf(this.#phase(flight)) ?? flight.to;
+  }
+
+  #phase({ part, id }: Flight): Phase {
+    return part === "leaf" ? this.#engine.phase(id) : this.#engine.stepBoard(part, 0);
+  }
+
+  #advance(ticks: number): void {
+    const [first] = this.#flights;
+    if (first === undefined) return;
+    if (first.part === "leaf") this.#engine.step(ticks);
+    else this.#engine.stepBoard(first.part, ticks);
+    const hasLanded = (flight: Flight): boolean => {
+      const phase = this.#phase(flight);
+      return flight.part === "leaf" ? phase === Phase.over : isResting(phase);
+    };
+    const landed = this.#flights.filter(hasLanded);
+    // Of a leaf that is over, the pile knows where it went.
+    const read = landed.length > 0 ? this.#engine.read : 0;
+    for (const flight of landed) {
+      if (flight.part !== "leaf") continue;
+      flight.to = paperOnLeft(this.#binding, flight.high) <= read ? Side.left : Side.right;
+    }
+    this.#follow();
+    this.#flights = this.#flights.filter((flight) => !landed.includes(flight));
+    this.#land(landed);
+  }
+
+  /** Tells of what came to rest, on either side from the pile on. */
+  #land(landed: readonly Flight[]): void {
+    const left = landed.filter(({ to }) => to === Side.left);
+    const right = landed.filter(({ to }) => to === Side.right).reverse();
+    const era = this.#era;
+    for (const flight of [...left, ...right]) {
+      const to = flight.to === Side.left ? flight.high : flight.low;
+      if (to !== flight.from) this.#spread = to;
+      for (const [hand, held] of this.#held) if (held === flight) this.#held.delete(hand);
+      this.#events.landed(flight);
+      // Whoever heard of it may have laid the book elsewhere, or taken it away.
+      if (era !== this.#era) return;
+    }
+    if (landed.length === 0 || this.#flights.length > 0) return;
+    const from = this.#restedAt;
+    this.#restedAt = this.#spread;
+    this.#events.rested(from, this.#spread);
+  }
+
+  #putDown(): void {
+    this.#era++;
+    this.#plan = [];
+    this.#flights = [];
+    this.#held.clear();
+    this.#sinceLift = Number.POSITIVE_INFINITY;
   }
 
   #promise(spread: number): Promise<boolean> {

@@ -1,9 +1,10 @@
 /**
- * The book as meshes: pages, blocks, leaf, boards, spine and their shadow on
+ * The book as meshes: pages, blocks, leaves, boards, spine and their shadow on
  * the table. A pose moves them; what a pose leaves where it was costs nothing.
  */
 
 import { Group } from "three";
+import type { Surface } from "../engine/shapes.ts";
 import { BlockMesh } from "./block_mesh.ts";
 import { BoardMesh } from "./board_mesh.ts";
 import type { Framing } from "./camera.ts";
@@ -41,7 +42,9 @@ export class DrawnBook {
   readonly #hard: boolean;
   readonly #left: DrawnSide;
   readonly #right: DrawnSide;
-  readonly #leaf: LeafMesh;
+  readonly #materials: BookMaterials;
+  /** Made as they are needed; those in use come first, from the left to the right. */
+  readonly #leaves: LeafMesh[] = [];
   readonly #front: BoardMesh;
   readonly #back: BoardMesh;
   readonly #spine: SpineMesh;
@@ -50,18 +53,20 @@ export class DrawnBook {
   readonly #case = restingCase();
   #frontAngle = Number.NaN;
   #backAngle = Number.NaN;
-  #leafVersion = -1;
-  #leafShown = true;
+  /** The leaves as they were lit last. */
+  #lit: readonly Surface[] = [];
+  #isLit = false;
 
   constructor(shape: BookShape, materials: BookMaterials) {
     const { width, height, thickness } = shape;
     this.#shape = shape;
+    this.#materials = materials;
     this.#hard = shape.cover === "hard";
     this.framing = { closedRight: 0, closedLeft: 0, middle: 0, boardEdges: [], room: 1 };
     const section = (): LeafSection => new LeafSection(pageRows, height);
     const side = (sign: 1 | -1): DrawnSide => ({
       pile: new PileShape(sign),
-      page: new PageMesh(materials.paper[sign === 1 ? "right" : "left"], height, pageRows),
+      page: new PageMesh(materials.pages[sign === 1 ? "right" : "left"], height, pageRows),
       block: new BlockMesh(materials.leafEdges, sign, height, thickness),
       fold: new EndpaperMesh(
         materials.endpapers[sign === -1 ? "frontInside" : "backInside"],
@@ -72,7 +77,6 @@ export class DrawnBook {
     });
     this.#left = side(-1);
     this.#right = side(1);
-    this.#leaf = new LeafMesh(materials.paper.recto, materials.paper.verso);
     const { frontOutside, frontInside, backOutside, backInside } = materials.boards;
     this.#front = new BoardMesh(true, width, height, frontOutside, frontInside);
     this.#back = new BoardMesh(false, width, height, backOutside, backInside);
@@ -81,7 +85,7 @@ export class DrawnBook {
     const table = this.#hard ? -caseSizes.board - caseSizes.sink : 0;
     this.#ground = new Ground(table, 12 * Math.max(width, height));
 
-    this.group.add(this.#ground.mesh, this.#leaf.recto, this.#leaf.verso);
+    this.group.add(this.#ground.mesh);
     for (const { page, block, fold } of [this.#left, this.#right]) {
       page.mesh.visible = block.mesh.visible = fold.mesh.visible = false;
       this.group.add(block.mesh, page.mesh);
@@ -96,7 +100,7 @@ export class DrawnBook {
 
   /** Moves the book; answers whether the camera should follow. */
   pose(pose: BookPose): boolean {
-    const middle = this.#middleOf(pose);
+    const middle = pose.lean;
     const caseMoved =
       pose.frontBoard !== this.#frontAngle ||
       pose.backBoard !== this.#backAngle ||
@@ -107,9 +111,9 @@ export class DrawnBook {
     const pilesMoved = leftMoved || rightMoved;
     const still = !(pilesMoved || caseMoved);
     if (!still && this.#hard) this.#placeBoards();
-    this.#light(pose.leaf, pilesMoved, still);
+    this.#light(pose.leaves, pilesMoved, still);
     const [left, right] = [this.#left.pile, this.#right.pile];
-    if (!this.#hard) shadowOfLeaves(this.#ground, this.#shape, pose.leaf, left, right);
+    if (!this.#hard) shadowOfLeaves(this.#ground, this.#shape, pose.leaves, left, right);
     else if (!still) shadowOfCase(this.#ground, this.#shape, this.#case, left, right);
     return caseMoved;
   }
@@ -120,33 +124,13 @@ export class DrawnBook {
       block.dispose();
       fold.dispose();
     }
-    this.#leaf.dispose();
+    for (const leaf of this.#leaves) leaf.dispose();
     this.#front.dispose();
     this.#back.dispose();
     this.#spine.dispose();
     this.#headbands.dispose();
     this.#ground.dispose();
     this.group.clear();
-  }
-
-  /**
-   * Middle of the block's spine: the gutter wanders over it as leaves go from
-   * side to side. The leaf in flight takes its share of the block along, so
-   * that nothing jumps where it takes off and lands.
-   */
-  #middleOf(pose: BookPose): number {
-    // A pile is as thick as its uppermost page is high at the fore-edge.
-    const high = (pile: BookPose["left"]): number => pile?.curves[2 * pile.columns - 1] ?? 0;
-    const [left, right] = [high(pose.left), high(pose.right)];
-    let middle = right - left;
-    if (pose.leaf) {
-      const { positions, columns, rows } = pose.leaf;
-      let over = 0;
-      for (let row = 0; row < rows; row++) over += positions[3 * ((row + 1) * columns - 1)];
-      const way = Math.min(1, Math.max(-1, over / (rows * 0.97 * this.#shape.width)));
-      middle += Math.max(0, this.#shape.thickness - left - right) * way;
-    }
-    return middle / 2;
   }
 
   #placeCase(pose: BookPose, middle: number): void {
@@ -158,6 +142,22 @@ export class DrawnBook {
     this.framing.middle = middle;
     this.framing.closedRight = this.#case.closedRight;
     this.framing.closedLeft = this.#case.closedLeft;
+  }
+
+  #placeLeaves(leaves: readonly Surface[]): void {
+    while (this.#leaves.length < leaves.length) {
+      const { recto, verso } = this.#materials.leaf(this.#leaves.length);
+      const mesh = new LeafMesh(recto, verso);
+      this.group.add(mesh.recto, mesh.verso);
+      this.#leaves.push(mesh);
+    }
+    const piles = [this.#left.pile, this.#right.pile] as const;
+    for (const [k, mesh] of this.#leaves.entries()) {
+      mesh.recto.visible = mesh.verso.visible = k < leaves.length;
+      if (k >= leaves.length) continue;
+      mesh.shape(leaves[k], k + 1, leaves.length - k);
+      mesh.light(leaves[k], ...piles, leaves[k - 1], leaves[k + 1]);
+    }
   }
 
   #placeSide(side: DrawnSide, pile: BookPose["left"]): boolean {
@@ -191,28 +191,17 @@ export class DrawnBook {
     [edges[2], edges[3]] = [-left.over.board[2], left.over.board[3]];
   }
 
-  #light(leaf: BookPose["leaf"], pilesMoved: boolean, still: boolean): void {
+  #light(leaves: readonly Surface[], pilesMoved: boolean, still: boolean): void {
     const [left, right] = [this.#left, this.#right];
-    this.#leaf.recto.visible = this.#leaf.verso.visible = leaf !== null;
-    const same = leaf ? leaf.version === this.#leafVersion : !this.#leafShown;
-    if (still && same) return;
-    this.#leafVersion = leaf ? leaf.version : -1;
-    this.#leafShown = leaf !== null;
-    if (leaf) {
-      this.#leaf.shape(leaf);
-      this.#leaf.light(leaf, left.pile, right.pile);
-    }
-    for (const { over, pile } of [left, right]) {
-      if (!leaf) {
-        over.sky.clear();
-        for (const key of over.keys) key.clear();
-        continue;
-      }
-      over.sky.cut(leaf, pile.sign, 0, 0, obstacleStride);
-      for (let k = 0; k < over.keys.length; k++) {
-        over.keys[k].cut(leaf, pile.sign, shadowSlopes[k], pile.top, obstacleStride);
-      }
-    }
+    const same =
+      leaves.length === this.#lit.length && leaves.every((leaf, k) => leaf === this.#lit[k]);
+    if (still && same && this.#isLit) return;
+    this.#lit = [...leaves];
+    this.#isLit = true;
+    this.#placeLeaves(leaves);
+    // Of all leaves the outermost on a side stands nearest over its page.
+    castOver(left, leaves[0]);
+    castOver(right, leaves.at(-1));
     if (left.pile.present) {
       if (pilesMoved) left.page.open(left.pile, right.pile.mirrored);
       left.page.light(left.pile, left.over);
@@ -226,6 +215,19 @@ export class DrawnBook {
     const [l, r] = [left.pile, right.pile];
     if (!still || !l.present) this.#front.light(this.#case, l, r, left.over);
     if (!still || !r.present) this.#back.light(this.#case, l, r, right.over);
+  }
+}
+
+/** Cuts what stands over a side's page: the leaf nearest to it, or nothing. */
+function castOver({ over, pile }: DrawnSide, leaf: Surface | undefined): void {
+  if (leaf === undefined) {
+    over.sky.clear();
+    for (const key of over.keys) key.clear();
+    return;
+  }
+  over.sky.cut(leaf, pile.sign, 0, 0, obstacleStride);
+  for (let k = 0; k < over.keys.length; k++) {
+    over.keys[k].cut(leaf, pile.sign, shadowSlopes[k], pile.top, obstacleStride);
   }
 }
 

@@ -43,7 +43,7 @@ export function shadowOfCase(
 export function shadowOfLeaves(
   ground: Ground,
   book: BookShape,
-  leaf: BookPose["leaf"],
+  leaves: BookPose["leaves"],
   left: PileShape,
   right: PileShape,
 ): void {
@@ -55,8 +55,7 @@ export function shadowOfLeaves(
       x1 = Math.max(x1, end);
     }
   }
-  if (leaf) {
-    const { positions, columns, rows } = leaf;
+  for (const { positions, columns, rows } of leaves) {
     for (let row = 0; row < rows; row += 4) {
       const at = 3 * (row * columns + columns - 1);
       // A leaf high above the table throws no shadow of its own.

@@ -1,13 +1,13 @@
-/** The leaf in flight: two sides over the engine's own memory. */
+/** A leaf in flight: two sides over the engine's own memory. */
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh } from "three";
 import type { Surface } from "../engine/shapes.ts";
-import { gapsOfRow } from "./light.ts";
-import { sheetGeometry, writeGap } from "./page_mesh.ts";
+import { LeafLight } from "./leaf_light.ts";
+import { sheetGeometry } from "./page_mesh.ts";
 import type { PaperMaterial } from "./paper.ts";
-import { obstacleStride, type PileShape } from "./pile_shape.ts";
+import type { PileShape } from "./pile_shape.ts";
 
-/** The leaf in flight. */
+/** A leaf in flight. */
 export class LeafMesh {
   readonly recto: Mesh<BufferGeometry, PaperMaterial>;
   readonly verso: Mesh<BufferGeometry, PaperMaterial>;
@@ -17,12 +17,7 @@ export class LeafMesh {
   #normal = new BufferAttribute(new Float32Array(0), 3);
   #rectoGap = new BufferAttribute(new Float32Array(0), 2);
   #versoGap = new BufferAttribute(new Float32Array(0), 2);
-  /** One row seen as if it lay on the right: x, z, normal's x and z, and its gaps. */
-  #x = new Float32Array(0);
-  #z = new Float32Array(0);
-  #nx = new Float32Array(0);
-  #nz = new Float32Array(0);
-  #gaps = new Float32Array(0);
+  #light = new LeafLight(2, 2);
 
   constructor(recto: PaperMaterial, verso: PaperMaterial) {
     this.recto = new Mesh(new BufferGeometry(), recto);
@@ -33,21 +28,40 @@ export class LeafMesh {
     }
   }
 
-  /** Shows the leaf; the positions and normals stay where the engine keeps them. */
-  shape(leaf: Surface): void {
+  /**
+   * Shows a leaf; the positions and normals stay where the engine keeps them.
+   *
+   * @param left,right how many sheets lie under it on either side, itself one of them
+   */
+  shape(leaf: Surface, left: number, right: number): void {
     if (leaf.columns !== this.#columns || leaf.rows !== this.#rows) this.#allot(leaf);
     // The engine's memory moves when it grows; the arrays' size stays.
     this.#position.array = leaf.positions;
     this.#normal.array = leaf.normals;
     this.#position.needsUpdate = true;
     this.#normal.needsUpdate = true;
+    this.recto.material.lieOver(left, right);
+    this.verso.material.lieOver(left, right);
   }
 
-  /** Finds the light on both sides of the leaf. */
-  light(leaf: Surface, left: PileShape, right: PileShape): void {
+  /**
+   * Finds the light on both sides of the leaf.
+   *
+   * @param before,after the next leaves in flight to the left and to the right
+   */
+  light(
+    leaf: Surface,
+    left: PileShape,
+    right: PileShape,
+    before: Surface | undefined,
+    after: Surface | undefined,
+  ): void {
     // The recto looks over the left pile; the verso, mirrored, over the right.
-    this.#lightSide(leaf, 1, left.obstacles, this.#rectoGap);
-    this.#lightSide(leaf, -1, right.mirrored, this.#versoGap);
+    const [recto, verso] = [this.#rectoGap, this.#versoGap];
+    this.#light.write(leaf, 1, left.obstacles, before, recto.array as Float32Array);
+    this.#light.write(leaf, -1, right.mirrored, after, verso.array as Float32Array);
+    recto.needsUpdate = true;
+    verso.needsUpdate = true;
   }
 
   dispose(): void {
@@ -55,45 +69,11 @@ export class LeafMesh {
     this.verso.geometry.dispose();
   }
 
-  #lightSide(leaf: Surface, sign: 1 | -1, opposite: Float32Array, gap: BufferAttribute): void {
-    const { positions, normals, columns, rows } = leaf;
-    const out = gap.array as Float32Array;
-    for (let row = 0; row < rows; row++) {
-      for (let i = 0; i < columns; i++) {
-        const at = 3 * (row * columns + i);
-        this.#x[i] = sign * positions[at];
-        this.#z[i] = positions[at + 2];
-        // The verso's normal is the recto's turned round, then mirrored.
-        this.#nx[i] = normals[at];
-        this.#nz[i] = sign * normals[at + 2];
-      }
-      gapsOfRow(
-        this.#x,
-        this.#z,
-        this.#nx,
-        this.#nz,
-        columns,
-        obstacleStride,
-        opposite,
-        this.#gaps,
-      );
-      for (let i = 0; i < columns; i++) {
-        const at = 2 * (row * columns + i);
-        writeGap(out, at, this.#gaps[2 * i], this.#gaps[2 * i + 1], sign);
-      }
-    }
-    gap.needsUpdate = true;
-  }
-
   #allot(leaf: Surface): void {
     const { columns, rows } = leaf;
     this.#columns = columns;
     this.#rows = rows;
-    this.#x = new Float32Array(columns);
-    this.#z = new Float32Array(columns);
-    this.#nx = new Float32Array(columns);
-    this.#nz = new Float32Array(columns);
-    this.#gaps = new Float32Array(2 * columns);
+    this.#light = new LeafLight(columns, rows);
     const dynamic = (array: Float32Array, size: number): BufferAttribute =>
       new BufferAttribute(array, size).setUsage(DynamicDrawUsage);
     this.#position = dynamic(leaf.positions, 3);

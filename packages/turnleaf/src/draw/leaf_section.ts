@@ -1,5 +1,5 @@
 /**
- * Cuts the leaf in flight with one plane for each row of a resting page: what
+ * Cuts a leaf in flight with one plane for each row of a resting page: what
  * of the leaf stands between that row and the light.
  *
  * The planes run across the spine. For the sky they are upright; for the key

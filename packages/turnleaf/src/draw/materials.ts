@@ -7,15 +7,18 @@ import type { BookShape } from "./pose.ts";
 import { type SolidLook, SolidMaterial } from "./solid.ts";
 import { clothTexture, headbandTexture, leafEdgeTexture } from "./textures.ts";
 
-/** A face of paper, resting or in flight. */
-export type PaperFace = "left" | "right" | "recto" | "verso";
+/** The uppermost page of a side. */
+export type PageFace = "left" | "right";
 
 /** A face of a board. */
-export type BoardFace = Exclude<Face, PaperFace>;
+export type BoardFace = Exclude<Face, PageFace>;
+
+/** A side of a leaf in flight. */
+export type LeafSide = "recto" | "verso";
 
 /** The materials of one book. */
 export class BookMaterials {
-  readonly paper: Record<PaperFace, PaperMaterial>;
+  readonly pages: Record<PageFace, PaperMaterial>;
   readonly boards: Record<BoardFace, SolidMaterial>;
   readonly spine: SolidMaterial;
   readonly leafEdges: SolidMaterial;
@@ -24,20 +27,17 @@ export class BookMaterials {
   readonly headband: SolidMaterial;
   readonly #materials: Material[] = [];
   readonly #grains: Texture[];
+  readonly #leaves: Record<LeafSide, PaperMaterial>[] = [];
+  readonly #sheet: (recto: boolean, thin: boolean) => PaperMaterial;
 
   /** @param blank what a face shows while it has no picture */
   constructor(shape: BookShape, blank: Texture) {
     const { kind, width, height } = shape;
-    const sheet = (recto: boolean, thin: boolean): PaperMaterial => {
+    this.#sheet = (recto, thin) => {
       const side = { recto, thin, ownNormals: !thin };
       return this.#keep(new PaperMaterial(side, kind, width, height, blank));
     };
-    this.paper = {
-      left: sheet(false, false),
-      right: sheet(true, false),
-      recto: sheet(true, true),
-      verso: sheet(false, true),
-    };
+    this.pages = { left: this.#sheet(false, false), right: this.#sheet(true, false) };
     const [edges, weave, stripes] = [leafEdgeTexture(), clothTexture(), headbandTexture()];
     this.#grains = [edges, weave, stripes];
     const solid = (colour: string, look: Omit<SolidLook, "base">): SolidMaterial =>
@@ -80,10 +80,24 @@ export class BookMaterials {
       this.boards[face].setPicture(texture);
       this.endpapers[face].setPicture(texture);
     } else {
-      this.paper[face].picture = texture;
-      if (face === "recto") this.paper.verso.pictureBehind = texture;
-      if (face === "verso") this.paper.recto.pictureBehind = texture;
+      this.pages[face].picture = texture;
     }
+  }
+
+  /** The materials of a leaf in flight by its place among them; made when it is first asked for. */
+  leaf(index: number): Record<LeafSide, PaperMaterial> {
+    while (this.#leaves.length <= index) {
+      this.#leaves.push({ recto: this.#sheet(true, true), verso: this.#sheet(false, true) });
+    }
+    return this.#leaves[index];
+  }
+
+  /** Shows a picture on one side of a leaf in flight, and through it on the other. */
+  showLeaf(index: number, side: LeafSide, texture: Texture): void {
+    const { recto, verso } = this.leaf(index);
+    const [seen, other] = side === "recto" ? [recto, verso] : [verso, recto];
+    seen.picture = texture;
+    other.pictureBehind = texture;
   }
 
   dispose(): void {

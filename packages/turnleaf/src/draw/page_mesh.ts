@@ -136,20 +136,6 @@ export class PageMesh {
   }
 }
 
-/** Writes a gap told for the right side as angles in book space. */
-export function writeGap(
-  out: Float32Array,
-  at: number,
-  left: number,
-  right: number,
-  sign: 1 | -1,
-): void {
-  const a = compassToRadians(left);
-  const b = compassToRadians(right);
-  out[at] = sign === 1 ? a : -b;
-  out[at + 1] = sign === 1 ? b : -a;
-}
-
 /** Triangles and texture places of a sheet whose points run row by row from the foot. */
 export function sheetGeometry(columns: number, rows: number): BufferGeometry {
   const uv = new Float32Array(2 * columns * rows);

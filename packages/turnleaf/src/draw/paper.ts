@@ -1,4 +1,4 @@
-/** The material of a printed sheet: a resting page, or one side of the leaf in flight. */
+/** The material of a printed sheet: a resting page, or one side of a leaf in flight. */
 
 import { BackSide, FrontSide, ShaderMaterial, type Texture } from "three";
 import { gapChunk, lightChunk } from "./shading.ts";
@@ -18,7 +18,7 @@ attribute vec2 gapSky;
 attribute vec4 gapKey;
 attribute vec2 gapBehind;
 uniform float lit;
-uniform float ahead;
+uniform vec2 ahead;
 ${varyings}
 void main() {
   vNormal = normal * lit;
@@ -30,7 +30,8 @@ void main() {
   vec4 seen = viewMatrix * vec4(position, 1.0);
   gl_Position = projectionMatrix * seen;
   // Only the depth comes nearer, not the picture.
-  vec4 nearer = projectionMatrix * (seen + vec4(0.0, 0.0, ahead, 0.0));
+  float lead = mix(ahead.x, ahead.y, smoothstep(-0.008, 0.008, position.x));
+  vec4 nearer = projectionMatrix * (seen + vec4(0.0, 0.0, lead, 0.0));
   gl_Position.z = nearer.z / nearer.w * gl_Position.w;
 }
 `;
@@ -82,11 +83,14 @@ void main() {
 }
 `;
 
+/** How much nearer in depth a leaf counts than the one it lies on, metres. */
+const leadOverOne = 0.0004;
+
 /** Which side of a sheet a material is for. */
 export interface PaperSide {
   /** The side that faces up where the sheet lies on the right. */
   readonly recto: boolean;
-  /** Whether light shines through: the leaf in flight, not a page on its pile. */
+  /** Whether light shines through: a leaf in flight, not a page on its pile. */
   readonly thin: boolean;
   /** Whether the mesh's normals are this side's own; the leaf's are its recto's. */
   readonly ownNormals: boolean;
@@ -111,9 +115,7 @@ export class PaperMaterial extends ShaderMaterial {
         lit: { value: side.recto || side.ownNormals ? 1 : -1 },
         mirrored: { value: side.recto ? 0 : 1 },
         thin: { value: side.thin ? 1 : 0 },
-        // A leaf that touches the page under it is the one seen, also where
-        // both are bent and their triangles cross: metres.
-        ahead: { value: side.thin ? 0.0004 : 0 },
+        ahead: { value: [0, 0] },
         ceiling: { value: kind === "scan" ? 1 : 1.03 },
         pool: { value: kind === "scan" ? 0 : 0.024 },
         size: { value: [width, height] },
@@ -124,6 +126,16 @@ export class PaperMaterial extends ShaderMaterial {
   /** The picture on this side. */
   set picture(texture: Texture) {
     this.uniforms.picture.value = texture;
+  }
+
+  /**
+   * A leaf that touches those under it is the one seen, also where all are bent
+   * and their triangles cross.
+   *
+   * @param left,right how many lie under it when it lies on that side
+   */
+  lieOver(left: number, right: number): void {
+    this.uniforms.ahead.value = [leadOverOne * left, leadOverOne * right];
   }
 
   /** The picture on the sheet's other side. */

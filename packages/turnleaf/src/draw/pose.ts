@@ -25,8 +25,10 @@ export interface BookPose {
   readonly left: Pile | null;
   /** Resting pages on the right; null where none lie. */
   readonly right: Pile | null;
-  /** The one leaf in flight. Its recto faces up where it lies on the right. */
-  readonly leaf: Surface | null;
+  /** The leaves in flight, from the left to the right. A recto faces up where its leaf lies on the right. */
+  readonly leaves: readonly Surface[];
+  /** Half of what the right block is thicker than the left, metres: so far the gutter is off the spine's middle. */
+  readonly lean: number;
   /** Radians: pi lies open on the left, 0 is closed over the right block. */
   readonly frontBoard: number;
   /** Radians: 0 lies open on the right, pi is closed over the left block. */

@@ -40,7 +40,8 @@ function flatPile(sign: number): Pile {
 const open: BookPose = {
   left: flatPile(-1),
   right: flatPile(1),
-  leaf: null,
+  leaves: [],
+  lean: 0,
   frontBoard: Math.PI,
   backBoard: 0,
 };

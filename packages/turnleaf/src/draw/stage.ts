@@ -4,14 +4,21 @@
  * no timer and no animation frame is ever asked for here.
  */
 
-import { PerspectiveCamera, Scene, SRGBColorSpace, Vector3, WebGLRenderer } from "three";
+import {
+  PerspectiveCamera,
+  Scene,
+  SRGBColorSpace,
+  type Texture,
+  Vector3,
+  WebGLRenderer,
+} from "three";
 import type { Face } from "../book/faces.ts";
 import type { Ray, Vec3 } from "../engine/shapes.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import { fieldOfView, frameBook } from "./camera.ts";
 import { caseSizes } from "./case_shape.ts";
 import { DrawnBook } from "./drawn_book.ts";
-import { BookMaterials } from "./materials.ts";
+import { BookMaterials, type LeafSide } from "./materials.ts";
 import type { BookPose, BookShape } from "./pose.ts";
 import { PictureTextures } from "./textures.ts";
 
@@ -23,6 +30,12 @@ export interface DrawOptions {
   /** Nothing moves: the frame is drawn at twice the CSS resolution at least, for sharp text. */
   readonly resting?: boolean;
 }
+
+/** A face of the book, or a side of a leaf in flight. */
+type Printed = Face | `${LeafSide} ${number}`;
+
+/** Shows a texture on a face; `none` says that it stands for no picture. */
+type Show = (texture: Texture, none: boolean) => void;
 
 /** One book on one canvas. */
 export class Stage {
@@ -36,7 +49,7 @@ export class Stage {
   readonly #pictures: PictureTextures;
   readonly #materials: BookMaterials;
   readonly #book: DrawnBook;
-  readonly #faces = new Map<Face, PagePicture | null>();
+  readonly #faces = new Map<Printed, { shown: PagePicture | null; show: Show }>();
   #width = 1;
   #height = 1;
   #ratio = 1;
@@ -74,14 +87,21 @@ export class Stage {
 
   /** What a face shows from the next frame on; null a blank page, or plain cloth outside. */
   setFace(face: Face, picture: PagePicture | null): void {
-    if (this.#faces.get(face) === picture) return;
-    this.#faces.set(face, picture);
-    this.#materials.show(face, this.#pictures.of(picture), picture === null);
+    this.#print(face, picture, (texture, none) => this.#materials.show(face, texture, none));
+  }
+
+  /** What a side of a leaf in flight, counted from the left, shows from the next frame on; null is blank. */
+  setLeaf(index: number, side: LeafSide, picture: PagePicture | null): void {
+    this.#print(`${side} ${index}`, picture, (texture) =>
+      this.#materials.showLeaf(index, side, texture),
+    );
   }
 
   /** Frees a picture's texture. Faces that still show it go blank. */
   forget(picture: PagePicture): void {
-    for (const [face, shown] of this.#faces) if (shown === picture) this.setFace(face, null);
+    for (const [face, { shown, show }] of this.#faces) {
+      if (shown === picture) this.#print(face, null, show);
+    }
     this.#pictures.forget(picture);
   }
 
@@ -133,6 +153,12 @@ export class Stage {
     this.#pictures.dispose();
     this.#scene.clear();
     this.#renderer.dispose();
+  }
+
+  #print(face: Printed, picture: PagePicture | null, show: Show): void {
+    if (this.#faces.get(face)?.shown === picture) return;
+    this.#faces.set(face, { shown: picture, show });
+    show(this.#pictures.of(picture), picture === null);
   }
 
   readonly #lost = (event: Event): void => event.preventDefault();

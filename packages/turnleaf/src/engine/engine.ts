@@ -16,8 +16,11 @@ export const Phase = {
   restingLeft: 1,
   held: 2,
   fallingRight: 3,
-  playing: 4,
-  fallingLeft: 5,
+  fallingLeft: 4,
+  playingRight: 5,
+  playingLeft: 6,
+  /** The leaf joined its pile: no flight of this number is left. */
+  over: 7,
 } as const;
 export type Phase = (typeof Phase)[keyof typeof Phase];
 
@@ -25,33 +28,53 @@ export type Phase = (typeof Phase)[keyof typeof Phase];
 export const Cover = { front: 0, back: 1 } as const;
 export type Cover = (typeof Cover)[keyof typeof Cover];
 
-/** Length of the engine's tick in seconds. */
-export const tickSeconds: number = 1 / 240;
+/** Hands that a leaf tells apart, numbered from 0. */
+export const handCount: number = 4;
 
 /** Whether a phase is one of rest. */
 export function isResting(phase: Phase): boolean {
   return phase === Phase.restingRight || phase === Phase.restingLeft;
 }
 
+/** The side where a leaf or board rests or is bound for; null while a hand holds it, and once it is over. */
+export function sideOf(phase: Phase): Side | null {
+  switch (phase) {
+    case Phase.restingRight:
+    case Phase.fallingRight:
+    case Phase.playingRight:
+      return Side.right;
+    case Phase.restingLeft:
+    case Phase.fallingLeft:
+    case Phase.playingLeft:
+      return Side.left;
+    default:
+      return null;
+  }
+}
+
 interface Exports {
   memory: WebAssembly.Memory;
+  tl_tick(): number;
   tl_book_new(width: number, height: number, leaves: number, thickness: number): number;
   tl_book_drop(book: number): void;
   tl_book_lay(book: number, read: number): void;
-  tl_book_lift(book: number, side: Side, low: number, high: number): void;
-  tl_book_grab(book: number, u: number, v: number): void;
-  tl_book_hold(book: number, x: number, y: number, z: number): void;
-  tl_book_release(book: number): void;
-  tl_book_play(book: number, side: Side, seconds: number): void;
-  tl_book_step(book: number, ticks: number): Phase;
+  tl_book_lift(book: number, side: Side, low: number, high: number): number;
+  tl_book_grab(book: number, id: number, hand: number, u: number, v: number): void;
+  tl_book_hold(book: number, id: number, hand: number, x: number, y: number, z: number): void;
+  tl_book_release(book: number, id: number, hand: number): void;
+  tl_book_play(book: number, id: number, side: Side, seconds: number): void;
+  tl_book_step(book: number, ticks: number): void;
+  tl_book_phase(book: number, id: number): Phase;
+  tl_book_read(book: number): number;
+  tl_book_flights(book: number): number;
   tl_book_update(book: number): void;
   tl_book_columns(book: number): number;
   tl_book_rows(book: number): number;
   tl_book_layers(book: number): number;
   tl_book_u(book: number): number;
-  tl_book_positions(book: number): number;
-  tl_book_normals(book: number): number;
-  tl_book_version(book: number): number;
+  tl_book_positions(book: number, index: number): number;
+  tl_book_normals(book: number, index: number): number;
+  tl_book_version(book: number, index: number): number;
   tl_book_pile(book: number, side: Side): number;
   tl_board_hold(book: number, cover: Cover, angle: number): void;
   tl_board_release(book: number, cover: Cover): void;
@@ -83,15 +106,23 @@ export interface BookSize {
   readonly thickness: number;
 }
 
-/** One bound book in the engine, with at most one leaf of paper in flight. */
+/**
+ * One bound book in the engine, with several leaves of paper in flight. A
+ * flight is known by the number that `lift` answers; a command to one that is
+ * over changes nothing. Flights are listed from the left to the right.
+ */
 export class EngineBook {
+  /** Length of the engine's tick in seconds. */
+  readonly tick: number;
   readonly #wasm: Exports;
   readonly #book: number;
-  #surface: Surface | undefined;
+  /** Surfaces by the address of their positions: the engine uses few, again and again. */
+  readonly #surfaces = new Map<number, Surface>();
   readonly #piles: (Pile | undefined)[] = [undefined, undefined];
 
   private constructor(wasm: Exports, size: BookSize) {
     this.#wasm = wasm;
+    this.tick = wasm.tl_tick();
     this.#book = wasm.tl_book_new(size.width, size.height, size.leaves, size.thickness);
     if (this.#book === 0) throw new Error("The engine refused a book of this size.");
   }
@@ -112,37 +143,55 @@ export class EngineBook {
     this.#wasm.tl_book_lay(this.#book, read);
   }
 
-  /** Takes up the uppermost leaf of `side`; with it on the right `low` leaves are read, on the left `high`. */
-  lift(side: Side, low: number, high: number): void {
-    this.#wasm.tl_book_lift(this.#book, side, low, high);
+  /**
+   * Takes up the uppermost leaves of `side`; with them on the right `low` leaves are read, on the
+   * left `high`. Answers the flight's number, or 0 where these are not the uppermost or too many fly.
+   */
+  lift(side: Side, low: number, high: number): number {
+    return this.#wasm.tl_book_lift(this.#book, side, low, high);
   }
 
-  /** A hand takes hold of the leaf in flight at (u, v). */
-  grab(u: number, v: number): void {
-    this.#wasm.tl_book_grab(this.#book, u, v);
+  /** A hand (0 to 3) takes hold of a flight at (u, v). */
+  grab(id: number, hand: number, u: number, v: number): void {
+    this.#wasm.tl_book_grab(this.#book, id, hand, u, v);
   }
 
-  /** The hand pulls what it holds to a place in book space, metres. */
-  hold(x: number, y: number, z: number): void {
-    this.#wasm.tl_book_hold(this.#book, x, y, z);
+  /** The hand pulls the flight that it holds to a place in book space, metres. */
+  hold(id: number, hand: number, x: number, y: number, z: number): void {
+    this.#wasm.tl_book_hold(this.#book, id, hand, x, y, z);
   }
 
-  /** The hand lets go. */
-  release(): void {
-    this.#wasm.tl_book_release(this.#book);
+  /** The hand lets go; with no other on it, the leaf falls, and those in its way with it. */
+  release(id: number, hand: number): void {
+    this.#wasm.tl_book_release(this.#book, id, hand);
   }
 
-  /** Plays the recorded turn to `side` from where the leaf is, `seconds` for a whole one. */
-  play(side: Side, seconds: number): void {
-    this.#wasm.tl_book_play(this.#book, side, seconds);
+  /** Takes a flight to `side` from where it is, `seconds` for a whole turn, and those in its way too. */
+  play(id: number, side: Side, seconds: number): void {
+    this.#wasm.tl_book_play(this.#book, id, side, seconds);
   }
 
-  /** Steps the leaf by whole ticks of `tickSeconds`; answers what it is doing then. */
-  step(ticks: number): Phase {
-    return this.#wasm.tl_book_step(this.#book, ticks);
+  /** Steps all flights by whole ticks. */
+  step(ticks: number): void {
+    this.#wasm.tl_book_step(this.#book, ticks);
   }
 
-  /** Brings surface and piles up to date with the last step. */
+  /** What a flight is doing. */
+  phase(id: number): Phase {
+    return this.#wasm.tl_book_phase(this.#book, id);
+  }
+
+  /** Leaves of paper on the left pile. */
+  get read(): number {
+    return this.#wasm.tl_book_read(this.#book);
+  }
+
+  /** Leaves in flight. */
+  get flights(): number {
+    return this.#wasm.tl_book_flights(this.#book);
+  }
+
+  /** Brings surfaces and piles up to date with the last step. */
   update(): void {
     this.#wasm.tl_book_update(this.#book);
   }
@@ -154,26 +203,22 @@ export class EngineBook {
     return new Float32Array(wasm.memory.buffer, wasm.tl_book_u(this.#book), count);
   }
 
-  /** The leaf in flight, as a view of the engine's memory. */
-  get surface(): Surface {
+  /** The flight at `index`, counted from the left, as a view of the engine's memory. */
+  surface(index: number): Surface {
     const wasm = this.#wasm;
-    const version = wasm.tl_book_version(this.#book);
-    let surface = this.#surface;
+    const at = wasm.tl_book_positions(this.#book, index);
+    const version = wasm.tl_book_version(this.#book, index);
+    let surface = this.#surfaces.get(at);
     if (surface === undefined || surface.positions.buffer !== wasm.memory.buffer) {
       const columns = wasm.tl_book_columns(this.#book);
       const rows = wasm.tl_book_rows(this.#book);
       const view = (at: number) => new Float32Array(wasm.memory.buffer, at, 3 * columns * rows);
-      surface = {
-        columns,
-        rows,
-        positions: view(wasm.tl_book_positions(this.#book)),
-        normals: view(wasm.tl_book_normals(this.#book)),
-        version,
-      };
+      const normals = view(wasm.tl_book_normals(this.#book, index));
+      surface = { columns, rows, positions: view(at), normals, version };
     } else if (surface.version !== version) {
       surface = { ...surface, version };
     }
-    this.#surface = surface;
+    this.#surfaces.set(at, surface);
     return surface;
   }
 

@@ -1,4 +1,4 @@
-/** What a line of sight meets: a place on a resting page, or on the leaf in flight. */
+/** What a line of sight meets: a place on a resting page, or on a leaf in flight. */
 
 import type { Pile, Ray, Surface } from "../engine/shapes.ts";
 
@@ -66,7 +66,7 @@ function pickStrip(
 }
 
 /**
- * Where a line of sight meets the leaf in flight, from either side
+ * Where a line of sight meets a leaf in flight, from either side
  * (Moeller and Trumbore 1997 for each half of a cell).
  *
  * @param u where the surface's columns lie
