@@ -74,7 +74,7 @@ impl<T: Real> Band<T> {
     pub fn clear(&mut self) {
         self.entries.fill(T::ZERO);
         for row in self.order..self.padded() {
-            let diagonal = self.at(row, row + self.lead);
+            let diagonal = self.diagonal(row);
             self.entries[diagonal] = T::ONE;
         }
     }
@@ -89,7 +89,7 @@ impl<T: Real> Band<T> {
     /// A row's columns `row - half_bandwidth ..= row`, the diagonal last. In the
     /// first rows this begins before column 0, with entries that must stay zero.
     pub fn row_mut(&mut self, row: usize) -> &mut [T] {
-        let diagonal = self.at(row, row + self.lead);
+        let diagonal = self.diagonal(row);
         &mut self.entries[diagonal - self.half_bandwidth..=diagonal]
     }
 
@@ -113,24 +113,89 @@ impl<T: Real> Band<T> {
     /// Replaces `b` by the solution of A x = b. [`Band::factorise`] comes before.
     pub fn solve(&self, b: &mut [T]) {
         debug_assert_eq!(b.len(), self.order);
-        for row in (0..self.order).rev() {
-            let diagonal = self.at(row, row + self.lead);
-            let reach = self.half_bandwidth.min(row);
-            b[row] *= self.entries[diagonal];
-            let z = b[row];
-            for i in 1..=reach {
-                b[row - i] -= self.entries[diagonal - i] * z;
+        for first in (0..self.order).step_by(PANEL).rev() {
+            self.solve_panel_upwards(first, b);
+        }
+        for first in (0..self.order).step_by(PANEL) {
+            self.solve_panel_downwards(first, b);
+        }
+    }
+
+    /// A panel of Lᵀ y = b, and z = y / D in its place.
+    fn solve_panel_upwards(&self, first: usize, b: &mut [T]) {
+        let (before, rest) = b.split_at_mut(first);
+        let mut z = [T::ZERO; PANEL];
+        let count = PANEL.min(rest.len());
+        z[..count].copy_from_slice(&rest[..count]);
+        for k in (0..PANEL).rev() {
+            let diagonal = self.diagonal(first + k);
+            z[k] *= self.entries[diagonal];
+            for i in 0..k {
+                z[i] -= self.entries[diagonal - k + i] * z[k];
             }
         }
-        for row in 0..self.order {
-            let diagonal = self.at(row, row + self.lead);
-            let reach = self.half_bandwidth.min(row);
-            let mut sum = T::ZERO;
-            for i in 1..=reach {
-                sum += self.entries[diagonal - i] * b[row - i];
-            }
-            b[row] -= self.entries[diagonal] * sum;
+        rest[..count].copy_from_slice(&z[..count]);
+        let z = z.map(T::Four::repeat);
+        let left = self.left(first);
+        let [row0, row1, row2, row3] = self.rows_before(first);
+        let (b, _) = before[left..].as_chunks_mut::<4>();
+        let rows = row0.iter().zip(row1).zip(row2).zip(row3);
+        for (b, (((&row0, &row1), &row2), &row3)) in b.iter_mut().zip(rows) {
+            let mut four = T::Four::of(*b);
+            four = four - T::Four::of(row3) * z[3];
+            four = four - T::Four::of(row2) * z[2];
+            four = four - T::Four::of(row1) * z[1];
+            four = four - T::Four::of(row0) * z[0];
+            *b = four.to_array();
         }
+    }
+
+    /// A panel of L x = z.
+    fn solve_panel_downwards(&self, first: usize, b: &mut [T]) {
+        let (before, rest) = b.split_at_mut(first);
+        let left = self.left(first);
+        let (x, _) = before[left..].as_chunks::<4>();
+        let [row0, row1, row2, row3] = self.rows_before(first);
+        let mut sums = [T::Four::repeat(T::ZERO); PANEL];
+        let rows = row0.iter().zip(row1).zip(row2).zip(row3);
+        for (&x, (((&row0, &row1), &row2), &row3)) in x.iter().zip(rows) {
+            let x = T::Four::of(x);
+            sums[0] = sums[0] + T::Four::of(row0) * x;
+            sums[1] = sums[1] + T::Four::of(row1) * x;
+            sums[2] = sums[2] + T::Four::of(row2) * x;
+            sums[3] = sums[3] + T::Four::of(row3) * x;
+        }
+        let mut sums = sums.map(|sum| {
+            let [a, b, c, d] = sum.to_array();
+            (a + b) + (c + d)
+        });
+        for (k, x) in rest.iter_mut().take(PANEL).enumerate() {
+            *x -= self.entries[self.diagonal(first + k)] * sums[k];
+            for i in k + 1..PANEL {
+                sums[i] += self.entries[self.diagonal(first + i) + k - i] * *x;
+            }
+        }
+    }
+
+    /// Where a group of four columns begins that the panel's band begins in.
+    #[inline(always)]
+    fn left(&self, first: usize) -> usize {
+        first.saturating_sub(self.half_bandwidth.next_multiple_of(4))
+    }
+
+    /// The panel's rows from there to the panel's block, in groups of four.
+    #[inline(always)]
+    fn rows_before(&self, first: usize) -> [&[[T; 4]]; PANEL] {
+        let columns = first - self.left(first);
+        core::array::from_fn(|i| {
+            let end = self.at(first + i, self.lead + first);
+            self.entries[end - columns..end].as_chunks::<4>().0
+        })
+    }
+
+    #[inline(always)]
+    fn diagonal(&self, row: usize) -> usize {
+        self.at(row, self.lead + row)
     }
 
     fn padded(&self) -> usize {
@@ -150,7 +215,9 @@ impl<T: Real> Band<T> {
         let mut tile = self.tile(first, right - WIDTH);
         let diagonal =
             core::array::from_fn(|i| self.entries[self.at(first + i, right - PANEL + i)]);
-        let pivots = Pivots::of(&mut tile, diagonal);
+        let block = tile.map(|row| row[GROUPS - 1].to_array());
+        let pivots = Pivots::of(block, diagonal);
+        pivots.eliminate(&mut tile);
         self.store_diagonal(first, &tile, &pivots);
         right -= WIDTH;
         let least = self.lead + first.saturating_sub(self.half_bandwidth);
@@ -174,7 +241,7 @@ impl<T: Real> Band<T> {
         let right = self.lead + first + PANEL;
         for later in 0..self.later(first, right) {
             let row = first + PANEL + later;
-            let inverse = self.entries[self.at(row, row + self.lead)];
+            let inverse = self.entries[self.diagonal(row)];
             let from = self.at(row, right - PANEL);
             let four: [T; PANEL] = core::array::from_fn(|i| self.entries[from + i] * inverse);
             self.factors[later] = four.map(T::Four::repeat);
@@ -218,7 +285,7 @@ impl<T: Real> Band<T> {
     /// part, in whose place the next row begins.
     fn store_diagonal(&mut self, first: usize, tile: &Tile<T>, pivots: &Pivots<T>) {
         for i in 0..PANEL {
-            let diagonal = self.at(first + i, self.lead + first + i);
+            let diagonal = self.diagonal(first + i);
             for group in 0..GROUPS {
                 let values = tile[i][group].to_array();
                 let from = diagonal + 4 * group + PANEL - WIDTH - i;
@@ -248,24 +315,24 @@ struct Pivots<T: Real> {
 }
 
 impl<T: Real> Pivots<T> {
-    /// From the tile that ends with the diagonal's block, which is eliminated, and
-    /// the matrix's diagonal there.
+    /// Of the diagonal's block, of which the lower part is read, and the matrix's
+    /// diagonal there.
     #[inline(always)]
-    fn of(tile: &mut Tile<T>, diagonal: [T; PANEL]) -> Self {
+    fn of(mut block: [[T; PANEL]; PANEL], diagonal: [T; PANEL]) -> Self {
         let mut inverses = [T::ZERO; PANEL];
         let mut factors = [[T::Four::repeat(T::ZERO); PANEL]; PANEL];
         let mut held = 0;
         for k in (0..PANEL).rev() {
-            let row = tile[k][GROUPS - 1].to_array();
-            if diagonal[k] + row[k] > diagonal[k] {
-                inverses[k] = T::ONE / row[k];
+            if diagonal[k] + block[k][k] > diagonal[k] {
+                inverses[k] = T::ONE / block[k][k];
             } else {
                 held += 1;
             }
             for i in 0..k {
-                factors[k][i] = T::Four::repeat(row[i] * inverses[k]);
-                for group in 0..GROUPS {
-                    tile[i][group] = tile[i][group] - factors[k][i] * tile[k][group];
+                let factor = block[k][i] * inverses[k];
+                factors[k][i] = T::Four::repeat(factor);
+                for j in 0..=i {
+                    block[i][j] -= factor * block[k][j];
                 }
             }
         }

@@ -1,16 +1,19 @@
 //! Four numbers at a time. Lanes never mix and nothing is fused, so every target
 //! computes the same bits.
 //!
-//! In plain Rust, which compilers turn into 128-bit instructions of SSE2 or
-//! NEON. For WASM the instructions are named, because there the compiler, left
-//! to itself, regroups loops over fours and takes several times as long.
+//! For WASM and x86-64 the instructions are named, because the compiler, left to
+//! itself, regroups loops over fours and takes several times as long. Elsewhere,
+//! and for doubles, it is plain Rust, which it does turn into 128-bit instructions.
 
 use core::ops::{Add, Mul, Sub};
 
 /// Lanes of a padded row are a multiple of this.
 pub(crate) const ROW_LANES: usize = 8;
 
-#[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+#[cfg(not(any(
+    target_arch = "x86_64",
+    all(target_arch = "wasm32", target_feature = "simd128")
+)))]
 mod target {
     pub type Lanes = [f32; 4];
 
@@ -57,6 +60,43 @@ mod target {
     pub fn array(lanes: Lanes) -> [f32; 4] {
         // SAFETY: both are 16 bytes, for which every pattern is valid.
         unsafe { core::mem::transmute(lanes) }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+mod target {
+    use core::arch::x86_64::{__m128, _mm_add_ps, _mm_mul_ps, _mm_sub_ps};
+
+    pub type Lanes = __m128;
+
+    #[inline(always)]
+    pub fn from(array: [f32; 4]) -> Lanes {
+        // SAFETY: both are 16 bytes, for which every pattern is valid.
+        unsafe { core::mem::transmute(array) }
+    }
+
+    #[inline(always)]
+    pub fn array(lanes: Lanes) -> [f32; 4] {
+        // SAFETY: both are 16 bytes, for which every pattern is valid.
+        unsafe { core::mem::transmute(lanes) }
+    }
+
+    #[inline(always)]
+    pub fn add(a: Lanes, b: Lanes) -> Lanes {
+        // SAFETY: SSE2 is part of x86-64.
+        unsafe { _mm_add_ps(a, b) }
+    }
+
+    #[inline(always)]
+    pub fn sub(a: Lanes, b: Lanes) -> Lanes {
+        // SAFETY: SSE2 is part of x86-64.
+        unsafe { _mm_sub_ps(a, b) }
+    }
+
+    #[inline(always)]
+    pub fn mul(a: Lanes, b: Lanes) -> Lanes {
+        // SAFETY: SSE2 is part of x86-64.
+        unsafe { _mm_mul_ps(a, b) }
     }
 }
 
