@@ -33,13 +33,15 @@ type Tile<T> = [[<T as Real>::Four; GROUPS]; PANEL];
 /// `lead * r + lead + c`: whichever the row, a column is as well aligned. Rows
 /// are filled up to whole panels by those of the unit matrix.
 ///
-/// Factors: in row k left of the diagonal d L, on it 1 / d.
+/// Factors: a row of D L, which on the diagonal is that of D.
 #[derive(Clone, Debug)]
 pub(crate) struct Band<T: Real> {
     order: usize,
     half_bandwidth: usize,
     lead: usize,
     entries: Vec<T>,
+    /// 1 / d of every row, zero for an unknown that is held.
+    inverses: Vec<T>,
     /// For every later row in reach of the panel, its L in the panel's columns.
     factors: Vec<[T::Four; PANEL]>,
 }
@@ -54,6 +56,7 @@ impl<T: Real> Band<T> {
             half_bandwidth,
             lead,
             entries: vec![T::ZERO; (padded + 1) * (lead + 1)],
+            inverses: vec![T::ZERO; padded],
             factors: vec![[T::Four::repeat(T::ZERO); PANEL]; half_bandwidth],
         };
         band.clear();
@@ -129,7 +132,7 @@ impl<T: Real> Band<T> {
         z[..count].copy_from_slice(&rest[..count]);
         for k in (0..PANEL).rev() {
             let diagonal = self.diagonal(first + k);
-            z[k] *= self.entries[diagonal];
+            z[k] *= self.inverses[first + k];
             for i in 0..k {
                 z[i] -= self.entries[diagonal - k + i] * z[k];
             }
@@ -170,7 +173,7 @@ impl<T: Real> Band<T> {
             (a + b) + (c + d)
         });
         for (k, x) in rest.iter_mut().take(PANEL).enumerate() {
-            *x -= self.entries[self.diagonal(first + k)] * sums[k];
+            *x -= self.inverses[first + k] * sums[k];
             for i in k + 1..PANEL {
                 sums[i] += self.entries[self.diagonal(first + i) + k - i] * *x;
             }
@@ -237,14 +240,17 @@ impl<T: Real> Band<T> {
         end.saturating_sub(first + PANEL)
     }
 
+    /// Gathers L of the later rows in the panel's columns.
     fn gather(&mut self, first: usize) {
         let right = self.lead + first + PANEL;
-        for later in 0..self.later(first, right) {
-            let row = first + PANEL + later;
-            let inverse = self.entries[self.diagonal(row)];
-            let from = self.at(row, right - PANEL);
-            let four: [T; PANEL] = core::array::from_fn(|i| self.entries[from + i] * inverse);
-            self.factors[later] = four.map(T::Four::repeat);
+        let later = self.later(first, right);
+        let from = self.at(first + PANEL, right - PANEL);
+        let rows = self.entries[from..from + later * self.lead].chunks_exact(self.lead);
+        let inverses = &self.inverses[first + PANEL..][..later];
+        for ((row, &inverse), factors) in rows.zip(inverses).zip(&mut self.factors) {
+            let four = T::Four::of(row[..PANEL].try_into().expect("four columns"));
+            let four = four * T::Four::repeat(inverse);
+            *factors = four.to_array().map(T::Four::repeat);
         }
     }
 
@@ -290,11 +296,11 @@ impl<T: Real> Band<T> {
                 let values = tile[i][group].to_array();
                 let from = diagonal + 4 * group + PANEL - WIDTH - i;
                 let last = group == GROUPS - 1;
-                let count = if last { i } else { 4 };
+                let count = if last { i + 1 } else { 4 };
                 self.entries[from..from + count].copy_from_slice(&values[..count]);
             }
-            self.entries[diagonal] = pivots.inverses[i];
         }
+        self.inverses[first..first + PANEL].copy_from_slice(&pivots.inverses);
     }
 }
 
@@ -407,15 +413,15 @@ mod tests {
 
     /// The same factors in scalars, one entry after the other, in the same order.
     fn dense_factors<T: Real>(mut a: Vec<Vec<T>>) -> Vec<Vec<T>> {
+        let mut inverses = vec![T::ZERO; a.len()];
         for i in (0..a.len()).rev() {
             for j in (0..=i).rev() {
                 for k in (i + 1..a.len()).rev() {
-                    let factor = a[k][i] * a[k][k];
-                    let product = factor * a[k][j];
+                    let product = a[k][i] * inverses[k] * a[k][j];
                     a[i][j] -= product;
                 }
             }
-            a[i][i] = T::ONE / a[i][i];
+            inverses[i] = T::ONE / a[i][i];
         }
         a
     }
