@@ -1,6 +1,9 @@
 //! Cost of factorising and solving with the matrices of the interactive sheet.
 //!
-//! The band is the engine's own affair, so its source is taken in by path.
+//! The band is the engine's own affair, so its source is taken in by path, and
+//! what its tests need with it.
+
+#![allow(dead_code, unused_imports, reason = "the bench calls a part of each")]
 
 use band::Band;
 use criterion::{Criterion, criterion_main};
@@ -8,13 +11,12 @@ use real::Real;
 use std::hint::black_box;
 
 #[path = "../src/band/mod.rs"]
-#[allow(dead_code, reason = "the bench calls a part")]
 mod band;
 #[path = "../src/lanes.rs"]
-#[allow(dead_code, reason = "the bench calls a part")]
 mod lanes;
+#[path = "../src/random.rs"]
+mod random;
 #[path = "../src/real.rs"]
-#[allow(dead_code, reason = "the bench calls a part")]
 mod real;
 
 /// A matrix that its diagonal dominates.
