@@ -61,7 +61,10 @@ fn error(columns: usize, rows: usize) -> f64 {
 fn frames(c: &mut Criterion) {
     for (columns, rows) in [(8, 12), (10, 14), (12, 16), (16, 24)] {
         let start = mid_turn(columns, rows);
-        let name = format!("sheet frame {columns} x {rows} ({:.2} %)", error(columns, rows));
+        let name = format!(
+            "sheet frame {columns} x {rows} ({:.2} %)",
+            error(columns, rows)
+        );
         let mut surface = Surface::new(2, 2);
         c.bench_function(&name, |b| {
             let mut sheet = start.clone();

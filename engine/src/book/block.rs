@@ -44,12 +44,6 @@ pub fn crowded_columns(columns: usize) -> Vec<f32> {
         .collect()
 }
 
-/// The column nearest to `u`, of so many that [`crowded_columns`] places.
-pub fn column_at(u: f32, columns: usize) -> usize {
-    let last = (columns - 1) as f32;
-    libm::roundf(libm::powf(u.clamp(0.0, 1.0), 1.0 / 1.7) * last) as usize
-}
-
 /// The resting pages of one side as curves in the plane across the spine.
 #[derive(Clone, Debug)]
 pub struct Pile {
@@ -158,6 +152,12 @@ impl Pile {
     /// Height in metres of the uppermost page at a distance `x` >= 0 from the
     /// gutter; beyond the fore-edge, the fore-edge's.
     pub fn height(&self, x: f32) -> f32 {
+        self.height_and_slope(x).0
+    }
+
+    /// Height in metres and slope away from the gutter of the uppermost page at
+    /// a distance `x` >= 0 from it; beyond the fore-edge it is level.
+    pub fn height_and_slope(&self, x: f32) -> (f32, f32) {
         let top = &self.curves[..2 * self.columns];
         let reach = |k: usize| top[2 * k].abs();
         // Columns crowd toward the spine, so walking from there is short where
@@ -167,8 +167,11 @@ impl Pile {
             k += 1;
         }
         let (x0, x1) = (reach(k - 1), reach(k));
-        let t = ((x - x0) / (x1 - x0).max(1e-9)).clamp(0.0, 1.0);
-        top[2 * k - 1] + (top[2 * k + 1] - top[2 * k - 1]) * t
+        let slope = (top[2 * k + 1] - top[2 * k - 1]) / (x1 - x0).max(1e-9);
+        if x > x1 {
+            return (top[2 * k + 1], 0.0);
+        }
+        (top[2 * k - 1] + slope * (x - x0).max(0.0), slope)
     }
 }
 

@@ -1,18 +1,18 @@
-//! One leaf in flight: its model, what is drawn of it, and the hands on it.
+//! One leaf in flight: its leaf of paper, and what is drawn of it.
 
-use super::HANDS;
-use super::block::column_at;
-use super::leaf::{Leaf, Phase};
+use super::block::Pile;
+use super::leaf::{Leaf, NODES, Phase};
+use super::mesh::Mesh;
+use super::seat::seat;
 use crate::grid::Side;
 use crate::surface::Surface;
 
-/// A hand on a leaf: where it took hold, and where it pulls to, if it does yet.
-#[derive(Clone, Copy, Debug)]
-struct Touch {
-    u: f32,
-    v: f32,
-    place: Option<[f32; 3]>,
-}
+/// Distance at which two drawn leaves lie upon each other, metres: seen as none,
+/// and enough for the depth buffer.
+const SLIVER: f32 = 5e-5;
+
+/// What overlaps by more than this, metres, was not lying upon the other there.
+const DEEPEST: f32 = 0.02;
 
 /// One leaf in flight; it may stand for several.
 #[derive(Clone)]
@@ -22,29 +22,28 @@ pub struct Flight {
     high: u32,
     leaf: Leaf,
     surface: Surface,
-    touches: [Option<Touch>; HANDS],
-    /// The hand that the leaf follows: it follows one at a time.
-    leader: usize,
+    /// For each column of the surface the leaf's cell that it lies in.
+    cells: Vec<usize>,
 }
 
 impl Flight {
-    /// A flight of a leaf, drawn at `columns` x `rows` points.
-    pub fn new(leaf: Leaf, columns: usize, rows: usize) -> Flight {
+    /// A flight of a leaf, drawn at the columns `u` and at `rows` rows.
+    pub fn new(leaf: Leaf, u: &[f32], rows: usize) -> Flight {
+        let last = NODES[0] - 2;
+        let cell = |u: &f32| ((u * (last + 1) as f32) as usize).min(last);
         Flight {
             id: 0,
             low: 0,
             high: 0,
             leaf,
-            surface: Surface::new(columns, rows),
-            touches: [None; HANDS],
-            leader: 0,
+            surface: Surface::new(u.len(), rows),
+            cells: u.iter().map(cell).collect(),
         }
     }
 
     /// Begins at rest on side `from`: `low` leaves lie left of it, `high` with it.
     pub fn take_up(&mut self, id: u32, from: Side, low: u32, high: u32) {
         (self.id, self.low, self.high) = (id, low, high);
-        self.touches = [None; HANDS];
         self.leaf.lay(from);
     }
 
@@ -73,92 +72,57 @@ impl Flight {
         &self.surface
     }
 
-    /// What is drawn of it, as its leaf is now, over a flat table.
-    pub fn flat_surface(&mut self) -> &mut Surface {
+    /// Draws the leaf as it is now, between the piles (right and left).
+    pub fn draw(&mut self, [right, left]: [&Pile; 2]) {
         self.leaf.write_surface(&mut self.surface);
-        &mut self.surface
+        seat(&mut self.surface.positions, right, left);
+        self.surface.update_normals();
     }
 
-    /// A hand takes hold at (`u`, `v`).
-    pub fn grab(&mut self, hand: u32, u: f32, v: f32) {
-        let hand = hand as usize;
-        if hand >= HANDS || !u.is_finite() || !v.is_finite() {
-            return;
-        }
-        let is_free = self.touches.iter().all(Option::is_none);
-        self.touches[hand] = Some(Touch { u, v, place: None });
-        if is_free || self.leader == hand {
-            self.follow(hand);
-        }
-    }
-
-    /// The hand pulls to `place`, in book space, metres.
-    pub fn hold(&mut self, hand: u32, place: [f32; 3]) {
-        let hand = hand as usize;
-        // Asked before the clamp below, which would take what is no number for 0.
-        if !place.iter().all(|x| x.is_finite()) {
-            return;
-        }
-        let Some(Some(touch)) = self.touches.get_mut(hand) else {
-            return;
+    /// Lifts what is drawn of it off the neighbour on a side, where the coarser
+    /// leaves that meet in the engine leave a sliver of overlap.
+    pub fn clear_of(&mut self, neighbour: &Flight, side: Side) {
+        let slot = if side == Side::Left { 0 } else { 1 };
+        // A leaf lies on the recto's side of the one on its right.
+        let sign = if side == Side::Left { -1.0 } else { 1.0 };
+        let mesh = Mesh {
+            columns: neighbour.surface.columns,
+            points: neighbour.surface.positions.as_chunks::<3>().0,
+            normals: neighbour.surface.normals.as_chunks::<3>().0,
         };
-        touch.place = Some(place);
-        if self.leader == hand {
-            self.pull(place);
+        let both_down = self.leaf.is_down() && neighbour.leaf.is_down();
+        let points = self.surface.positions.as_chunks_mut::<3>().0;
+        for (node, point) in points.iter_mut().enumerate() {
+            let (column, row) = (node % mesh.columns, node / mesh.columns);
+            let cell = self.cells[column];
+            let row = row * (NODES[1] - 1) / self.surface.rows;
+            if column == 0 || !(both_down || self.leaf.seated().is_close(slot, cell, row)) {
+                continue;
+            }
+            if let Some(near) = mesh.near_drawn(*point, node) {
+                let lack = SLIVER - sign * near.height;
+                if lack > 0.0 && (lack < DEEPEST || both_down) {
+                    for axis in 0..3 {
+                        point[axis] += sign * lack * near.normal[axis];
+                    }
+                }
+            }
         }
+        self.surface.update_normals();
     }
 
-    /// The hand lets go. When no other is left the leaf falls.
-    pub fn release(&mut self, hand: u32) {
-        let hand = hand as usize;
-        if !self.touches.get(hand).is_some_and(Option::is_some) {
-            return;
-        }
-        self.touches[hand] = None;
-        match self.touches.iter().position(Option::is_some) {
-            None => self.leaf.release(),
-            Some(other) if self.leader == hand => self.follow(other),
-            Some(_) => {}
-        }
+    /// Says that what is drawn has changed.
+    pub fn finish(&mut self) {
+        self.surface.touch();
     }
 
-    /// Takes the leaf to a side, out of every hand.
-    pub fn play(&mut self, to: Side, seconds: f32) {
-        self.touches = [None; HANDS];
-        self.leaf.play(to, seconds);
+    /// Its leaf, to be held, played and stepped.
+    pub fn leaf_mut(&mut self) -> &mut Leaf {
+        &mut self.leaf
     }
 
-    /// Steps by one tick.
-    pub fn step(&mut self) {
-        self.leaf.step(1);
-    }
-
-    fn follow(&mut self, hand: usize) {
-        self.leader = hand;
-        let Some(touch) = self.touches[hand] else {
-            return;
-        };
-        self.leaf.grab(touch.u, touch.v);
-        if let Some(place) = touch.place {
-            self.pull(place);
-        }
-    }
-
-    /// The model's leaf turns over a flat table; the piles lift the drawn one.
-    /// What lies between the two is taken off the hand's place.
-    fn pull(&mut self, place: [f32; 3]) {
-        let node = self.leaf.grabbed_point();
-        let (u, v) = self.leaf.grabbed_at();
-        let lift = (self.drawn_at(u, v)[2] - node[2]).max(0.0);
-        self.leaf
-            .hold([place[0], place[1], (place[2] - lift).max(0.0)]);
-    }
-
-    /// The drawn place of a point of the leaf, by the nearest point of the mesh.
-    fn drawn_at(&self, u: f32, v: f32) -> [f32; 3] {
-        let (columns, rows) = (self.surface.columns, self.surface.rows);
-        let column = column_at(u, columns);
-        let row = libm::roundf(v.clamp(0.0, 1.0) * (rows - 1) as f32) as usize;
-        self.surface.position(column, row)
+    /// Its leaf.
+    pub fn leaf(&self) -> &Leaf {
+        &self.leaf
     }
 }

@@ -7,12 +7,19 @@
 //! that has come to rest leaves the run only where nothing is in flight between
 //! it and its pile.
 
+use super::block::Pile;
 use super::flight::Flight;
+use super::gutter::Gutter;
 use super::leaf::{Leaf, Phase};
+use super::meet::Neighbour;
 use crate::grid::Side;
 
 /// Leaves in flight at once, at most: what bounds a book's memory.
 pub const MOST_FLIGHTS: usize = 16;
+
+/// How firmly a leaf meets one that is stepped after it: half of what overlaps
+/// is pushed out in a tick.
+const YIELDING: f32 = 0.01;
 
 /// Length of a whole turn of a leaf that makes way for one let go, seconds.
 const WAY_SECONDS: f32 = 0.8;
@@ -32,9 +39,9 @@ pub struct Flights {
 impl Flights {
     /// No leaf in flight over a book of `leaves`; the first to fly is `pattern`,
     /// others are its copies.
-    pub fn new(leaves: u32, pattern: Leaf, columns: usize, rows: usize) -> Flights {
+    pub fn new(leaves: u32, pattern: Leaf, u: &[f32], rows: usize) -> Flights {
         let mut spare = Vec::with_capacity(MOST_FLIGHTS);
-        spare.push(Flight::new(pattern, columns, rows));
+        spare.push(Flight::new(pattern, u, rows));
         Flights {
             leaves,
             left: 0,
@@ -94,7 +101,7 @@ impl Flights {
         let Some(index) = self.index(id) else {
             return;
         };
-        self.order[index].release(hand);
+        self.order[index].leaf_mut().release(hand);
         if let Phase::Falling(side) = self.order[index].phase() {
             self.clear_way(index, side, WAY_SECONDS);
         }
@@ -103,18 +110,110 @@ impl Flights {
     /// Takes a flight to a side, out of every hand, and those in its way with it.
     pub fn play(&mut self, id: u32, to: Side, seconds: f32) {
         if let Some(index) = self.index(id) {
-            self.order[index].play(to, seconds);
+            self.order[index].leaf_mut().play(to, seconds);
             self.clear_way(index, to, seconds);
         }
     }
 
-    /// Steps every flight by one tick, from the left to the right, and lets those
-    /// at rest join their piles.
-    pub fn step(&mut self) {
+    /// Steps every flight by one tick between the piles (right and left), and
+    /// lets those at rest join their piles.
+    pub fn step(&mut self, gutter: &Gutter, piles: [&Pile; 2]) {
+        self.wake();
         for flight in &mut self.order {
-            flight.step();
+            flight.leaf_mut().seat(gutter);
+        }
+        // From the piles inward, so that what lies upon another meets it where it
+        // will be; two leaves that push each other at once would shake.
+        let on_left = self.on_left();
+        for index in 0..on_left {
+            self.step_one(index, gutter, piles, [1.0, YIELDING]);
+        }
+        for index in (on_left..self.order.len()).rev() {
+            let left = if index == on_left { 1.0 } else { YIELDING };
+            self.step_one(index, gutter, piles, [left, 1.0]);
         }
         self.join_piles();
+    }
+
+    /// How many flights, from the left, are over the left pile.
+    fn on_left(&self) -> usize {
+        let over = |flight: &&Flight| flight.leaf().share_turned() > 0.5;
+        self.order.iter().take_while(over).count()
+    }
+
+    /// Draws every flight between the piles (right and left), each clear of
+    /// those that it lies upon.
+    pub fn draw(&mut self, piles: [&Pile; 2]) {
+        for flight in &mut self.order {
+            flight.draw(piles);
+        }
+        let on_left = self.on_left();
+        for index in 0..on_left {
+            self.clear_one(index, Side::Left);
+        }
+        for index in (on_left..self.order.len()).rev() {
+            self.clear_one(index, Side::Right);
+        }
+        if on_left < self.order.len() {
+            self.clear_one(on_left, Side::Left);
+        }
+        for flight in &mut self.order {
+            flight.finish();
+        }
+    }
+
+    /// Draws flight `index` clear of its neighbour on a side.
+    fn clear_one(&mut self, index: usize, side: Side) {
+        let (left, rest) = self.order.split_at_mut(index);
+        let (own, right) = rest
+            .split_first_mut()
+            .expect("the index is below the length");
+        let neighbour = match side {
+            Side::Left => left.last(),
+            Side::Right => right.first(),
+        };
+        if let Some(neighbour) = neighbour {
+            own.clear_of(neighbour, side);
+        }
+    }
+
+    /// Steps one flight; its neighbours, left and right, are as firm as said.
+    fn step_one(&mut self, index: usize, gutter: &Gutter, piles: [&Pile; 2], firm: [f32; 2]) {
+        let supported = self.is_supported(index);
+        let (left, rest) = self.order.split_at_mut(index);
+        let (own, right) = rest
+            .split_first_mut()
+            .expect("the index is below the length");
+        let leaf = own.leaf_mut();
+        if matches!(leaf.phase(), Phase::Resting(_)) {
+            return;
+        }
+        let left = left.last().map(|flight| neighbour_of(flight, firm[0]));
+        let right = right.first().map(|flight| neighbour_of(flight, firm[1]));
+        leaf.meet(piles, [left, right]);
+        leaf.step(supported);
+        leaf.seat(gutter);
+    }
+
+    /// Whether what flight `index` lies upon, or will, is down.
+    fn is_supported(&self, index: usize) -> bool {
+        let Some(side) = self.order[index].phase().side() else {
+            return false;
+        };
+        let under = match side {
+            Side::Right => self.order.get(index + 1),
+            Side::Left => index.checked_sub(1).and_then(|under| self.order.get(under)),
+        };
+        under.is_none_or(|under| under.leaf().is_down() && under.phase().side() == Some(side))
+    }
+
+    /// Wakes leaves that rest upon others that move.
+    fn wake(&mut self) {
+        for index in 0..self.order.len() {
+            if matches!(self.order[index].phase(), Phase::Resting(_)) && !self.is_supported(index) {
+                self.order[index].leaf_mut().wake();
+            }
+        }
     }
 
     /// The flights from the left to the right.
@@ -150,7 +249,7 @@ impl Flights {
         };
         for flight in &mut self.order[in_the_way] {
             if flight.phase() != Phase::Held && flight.phase().side() != Some(side) {
-                flight.play(side, seconds);
+                flight.leaf_mut().play(side, seconds);
             }
         }
     }
@@ -176,5 +275,12 @@ impl Flights {
             // One flight was made at the beginning: it is in the air now.
             self.order[0].clone()
         })
+    }
+}
+
+fn neighbour_of(flight: &Flight, firmness: f32) -> Neighbour<'_> {
+    Neighbour {
+        leaf: flight.leaf().seated(),
+        firmness,
     }
 }

@@ -1,35 +1,46 @@
-//! The leaf in flight: held by a hand, falling, or played from key frames.
+//! The leaf in flight: held by hands, falling, or turned by a hand of its own.
 //!
-//! The model is the mass-spring leaf of the preset `book`, over a flat table;
-//! [`seat`](super::seat()) then fits what is drawn between the two piles. A
-//! played turn is simulated once, with the paper's corner gesture, recorded as
-//! key frames and replayed from then on (Shangguan and Zeng 2014, section
-//! 2.2.3). A replay writes its nodes into the model, so that a hand can catch a
-//! leaf in the middle of it and the simulation goes on from there.
+//! It is a [`Sheet`] over a flat table, hinged along a straight spine; the
+//! gutter's bend is added where it meets the book and where it is drawn (see
+//! [`seat`](super::seat())). A played turn is a hand too: it takes the leaf
+//! near its corner, carries it over and lets go, so that whatever happens to
+//! the leaf meanwhile happens to paper.
 
 mod fall;
 mod play;
 #[cfg(test)]
 mod tests;
 
+use super::HANDS;
+use super::block::Pile;
+use super::gutter::Gutter;
+use super::meet::{Neighbour, Seated, Sheetlike, meet};
 use super::seat::share_turned;
+use crate::air::Air;
 use crate::grid::Side;
-use crate::key_frames::Replay;
-use crate::models::mass_spring::{MassSpring, Settings};
+use crate::models::sheet::{Root, Sheet, SheetSettings};
+use crate::stock::Stock;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
+use play::Course;
 
-/// Length of a tick, by which leaves and boards are stepped, seconds. A fourth
-/// of a frame at 60 Hz, so that frames of any rate stand for nearly equal times.
-pub const TICK: f32 = 1.0 / 240.0;
+/// Length of a tick, by which leaves and boards are stepped, seconds: half a
+/// frame at 60 Hz.
+pub const TICK: f32 = 1.0 / 120.0;
 
-/// How fast a held node follows the hand, 1/s, and at most, m/s: a hand that
-/// jumps must not tear the leaf.
-const FOLLOW: f32 = 45.0;
-const FASTEST_HAND: f32 = 3.5;
+/// Nodes of a leaf across and along the spine. A page of them hangs within
+/// 0.2 % of the exact shape at Gamma 10, and ten leaves fit into a frame.
+pub const NODES: [usize; 2] = [10, 14];
 
-/// How far ahead a released leaf's swing is looked at to choose its side, seconds.
+/// Stiffness of the binding against turning, N: weak against the paper of a
+/// cell, so that the leaf leaves the gutter without a crease and turns freely.
+const BINDING: f64 = 0.02;
+
+/// How far a released leaf's swing is looked at to choose its side, seconds.
 const LOOK_AHEAD: f32 = 0.12;
+
+/// Part of the way to the leaf's direction that the clamp goes in a tick.
+const CLAMP_FOLLOWS: f32 = 0.25;
 
 /// What a leaf or a board is doing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,58 +51,8 @@ pub enum Phase {
     Held,
     /// It falls to a side by itself.
     Falling(Side),
-    /// A recorded turn takes it to a side.
+    /// It is turned to a side.
     Playing(Side),
-}
-
-/// Where a hand holds the leaf.
-#[derive(Clone, Copy, Debug)]
-struct Grip {
-    u: f32,
-    v: f32,
-    column: usize,
-    row: usize,
-    /// From the place held to the node that is moved for it.
-    offset: [f32; 3],
-    /// Where the hand is, and where the node has followed it to.
-    target: [f32; 3],
-    place: [f32; 3],
-}
-
-/// A recorded turn being played.
-#[derive(Clone, Copy, Debug)]
-struct Course {
-    /// Side on which the recorded leaf was taken up.
-    from: Side,
-    /// Time in the recording, seconds.
-    time: f32,
-    /// Recorded seconds a second; negative backward.
-    rate: f32,
-}
-
-/// Easing of a landed leaf to rest.
-#[derive(Clone, Debug)]
-struct Settling {
-    from: Vec<f32>,
-    time: f32,
-}
-
-/// One leaf of paper between two piles.
-#[derive(Clone)]
-pub struct Leaf {
-    model: MassSpring,
-    phase: Phase,
-    grip: Option<Grip>,
-    course: Option<Course>,
-    settling: Option<Settling>,
-    recording: Option<Replay>,
-    /// Ticks since it was let go.
-    fallen: u32,
-    /// Share of the half turn done and its rate of change, 1/s.
-    share: f32,
-    share_rate: f32,
-    positions: Vec<f32>,
-    velocities: Vec<f32>,
 }
 
 impl Phase {
@@ -104,52 +65,103 @@ impl Phase {
     }
 }
 
-impl Leaf {
-    /// A leaf of `width` x `height` metres and `grammage` kg/m^2 at rest on the
-    /// right, drawn at the columns `u` and at `rows` even rows.
-    pub fn new(width: f32, height: f32, grammage: f32, u: &[f32], rows: usize) -> Leaf {
-        let settings = Settings {
-            time_step: TICK,
-            substeps: 2,
-            ..Settings::book(width, height, grammage)
-        };
-        let mut model = MassSpring::new(settings).expect("the preset makes a leaf");
-        let v: Vec<f32> = (0..rows).map(|j| j as f32 / (rows - 1) as f32).collect();
-        model.draw_samples(u, &v);
-        let mut leaf = Leaf::of(model);
-        // Now rather than in the middle of the first turn, and once for all copies.
-        leaf.recording = Some(leaf.record());
-        leaf
-    }
+/// What the leaves of a book are made of, and the air between them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Paper {
+    /// The stock of every leaf, its grain along the spine.
+    pub stock: Stock,
+    /// The air around them; None where it is still.
+    pub air: Option<Air>,
+    /// Whether a leaf let go is helped over to its side. Without it, it goes
+    /// where its own motion and gravity take it.
+    pub assist: bool,
+}
 
-    /// A leaf of a model, at rest on the right.
-    fn of(model: MassSpring) -> Leaf {
-        let (columns, rows) = model.grid_size();
-        let mut leaf = Leaf {
-            model,
+impl Default for Paper {
+    fn default() -> Paper {
+        Paper {
+            stock: Stock::BOOK,
+            air: None,
+            assist: true,
+        }
+    }
+}
+
+/// One leaf of paper between two piles.
+#[derive(Clone)]
+pub struct Leaf {
+    sheet: Sheet,
+    assist: bool,
+    phase: Phase,
+    /// Where each hand that holds the leaf pulls, in book space.
+    hands: [Option<[f32; 3]>; HANDS],
+    course: Option<Course>,
+    /// Seconds of easing to rest so far, once it has landed.
+    settling: Option<f32>,
+    /// How hard it is helped over: 1 after a hand, more after a quick turn.
+    haste: f32,
+    /// Ticks since it was let go.
+    fallen: u32,
+    /// Share of the half turn done and its rate of change, 1/s.
+    share: f32,
+    share_rate: f32,
+    clamp: f32,
+    seated: Seated,
+    /// Where it landed, and the nodes of a flat leaf on the right.
+    landed: Vec<f32>,
+    flat: Vec<f32>,
+}
+
+impl Leaf {
+    /// A leaf of `width` x `height` metres at rest on the right, drawn at the
+    /// columns `u` and at `rows` even rows.
+    pub fn new(width: f64, height: f64, paper: &Paper, u: &[f32], rows: usize) -> Leaf {
+        let settings = SheetSettings {
+            columns: NODES[0],
+            rows: NODES[1],
+            time_step: f64::from(TICK),
+            root: Root::Hinged(BINDING),
+            air: paper.air.unwrap_or(Air::still(width)),
+            ..SheetSettings::leaf(width, height, paper.stock)
+        };
+        let cell = [
+            width as f32 / (NODES[0] - 1) as f32,
+            height as f32 / (NODES[1] - 1) as f32,
+        ];
+        let mut sheet = Sheet::new(settings).expect("a book's sizes make a sheet");
+        let v: Vec<f32> = (0..rows).map(|j| j as f32 / (rows - 1) as f32).collect();
+        sheet.draw_samples(u, &v);
+        let flat = sheet.positions().to_vec();
+        Leaf {
+            sheet,
+            assist: paper.assist,
             phase: Phase::Resting(Side::Right),
-            grip: None,
+            hands: [None; HANDS],
             course: None,
             settling: None,
-            recording: None,
+            haste: 1.0,
             fallen: 0,
             share: 0.0,
             share_rate: 0.0,
-            positions: vec![0.0; 3 * columns * rows],
-            velocities: vec![0.0; 3 * columns * rows],
-        };
-        leaf.lay(Side::Right);
-        leaf
+            clamp: 0.0,
+            seated: Seated::new(NODES[0], NODES[1], cell),
+            landed: flat.clone(),
+            flat,
+        }
     }
 
     /// Lays the leaf flat and still on a side.
     pub fn lay(&mut self, side: Side) {
-        self.model.lay_flat(side);
-        self.grip = None;
+        self.sheet.lay_flat(side);
+        self.sheet.loads_mut().fill(0.0);
+        self.hands = [None; HANDS];
         self.course = None;
         self.settling = None;
-        self.share = if side == Side::Right { 0.0 } else { 1.0 };
+        let left = side == Side::Left;
+        self.share = if left { 1.0 } else { 0.0 };
+        self.clamp = if left { core::f32::consts::PI } else { 0.0 };
         self.share_rate = 0.0;
+        self.seated.forget();
         self.phase = Phase::Resting(side);
     }
 
@@ -163,173 +175,179 @@ impl Leaf {
         self.share
     }
 
-    /// Writes the leaf's surface, over a flat table (see [`seat`](super::seat())).
-    pub fn write_surface(&mut self, surface: &mut Surface) {
-        self.model.write_surface(surface);
+    /// The leaf's nodes in the book, as of the last [`seat`](Self::seat).
+    pub fn seated(&self) -> &Seated {
+        &self.seated
     }
 
-    /// A hand takes hold at (`u`, `v`): of the node nearest to it, which is the
-    /// paper's control point. Whatever the leaf was doing, it goes on from
-    /// where it is.
-    pub fn grab(&mut self, u: f32, v: f32) {
+    /// The sheet itself.
+    pub fn sheet(&self) -> &Sheet {
+        &self.sheet
+    }
+
+    /// Writes the leaf's surface, over a flat table (see [`seat`](super::seat())).
+    pub fn write_surface(&mut self, surface: &mut Surface) {
+        self.sheet.write_surface(surface);
+    }
+
+    /// A hand takes hold at (`u`, `v`). Whatever the leaf was doing, it goes on
+    /// from where it is.
+    pub fn grab(&mut self, hand: u32, u: f32, v: f32) {
+        let Some(own) = self.hands.get_mut(hand as usize) else {
+            return;
+        };
         if !u.is_finite() || !v.is_finite() {
             return;
         }
-        let (columns, rows) = self.model.grid_size();
-        let nearest =
-            |at: f32, count: usize| libm::roundf(at.clamp(0.0, 1.0) * (count - 1) as f32) as usize;
         // Next to the spine a hand would only tear at the binding.
-        let column = nearest(u, columns).max(columns / 2);
-        let row = nearest(v, rows);
-        let node = self.model.position(column, row);
-        let settings = self.model.settings();
-        let along = (row as f32 / (rows - 1) as f32 - v.clamp(0.0, 1.0)) * settings.height;
-        let across = (column as f32 / (columns - 1) as f32 - u.clamp(0.0, 1.0)) * settings.width;
-        let inner = self.model.position(column - 1, row);
-        let step = settings.width / (columns - 1) as f32;
-        let offset = [0, 1, 2].map(|axis| {
-            let tangent = (node[axis] - inner[axis]) / step;
-            across * tangent + if axis == 1 { along } else { 0.0 }
-        });
-        let place = node;
-        let target = [0, 1, 2].map(|axis| node[axis] - offset[axis]);
-        self.model.release_all();
-        self.model.hold(column, row, place);
-        self.grip = Some(Grip {
-            u,
-            v,
-            column,
-            row,
-            offset,
-            target,
-            place,
-        });
-        self.course = None;
-        self.settling = None;
-        self.phase = Phase::Held;
-    }
-
-    /// Where the hand holds the leaf, in u and v; the middle of the fore-edge
-    /// when none does.
-    pub fn grabbed_at(&self) -> (f32, f32) {
-        self.grip.map_or((1.0, 0.5), |grip| (grip.u, grip.v))
-    }
-
-    /// Where the held place is, over the flat table, metres.
-    pub fn grabbed_point(&self) -> [f32; 3] {
-        match &self.grip {
-            Some(grip) => [0, 1, 2].map(|axis| grip.place[axis] - grip.offset[axis]),
-            None => [0.0; 3],
+        self.sheet.grab(hand, u.max(0.25), v);
+        // Until it pulls somewhere it stays where it is.
+        *own = None;
+        if !matches!(self.phase, Phase::Held) {
+            self.drop_course();
+            self.phase = Phase::Held;
         }
     }
 
-    /// The hand pulls the held place to `target` (metres, over the flat table).
-    /// It is followed only so far as the leaf reaches.
-    pub fn hold(&mut self, target: [f32; 3]) {
-        if target.iter().all(|t| t.is_finite())
-            && let Some(grip) = &mut self.grip
+    /// The hand pulls to `place`, in book space, metres.
+    pub fn hold(&mut self, hand: u32, place: [f32; 3]) {
+        let is_held = self.sheet.held_place(hand).is_some();
+        if let Some(own) = self.hands.get_mut(hand as usize)
+            && is_held
+            && place.iter().all(|x| x.is_finite())
         {
-            grip.target = target;
+            *own = Some(place);
         }
     }
 
-    /// The hand lets go; the leaf falls to the side its swing takes it.
-    pub fn release(&mut self) {
-        if self.phase == Phase::Held {
-            let ahead = self.share + LOOK_AHEAD * self.share_rate;
-            self.fall(if ahead > 0.5 { Side::Left } else { Side::Right });
+    /// The hand lets go. When no other is left the leaf falls to the side that
+    /// its swing takes it.
+    pub fn release(&mut self, hand: u32) {
+        if hand as usize >= HANDS || self.sheet.held_place(hand).is_none() {
+            return;
+        }
+        self.sheet.release(hand);
+        self.hands[hand as usize] = None;
+        let is_held = (0..HANDS as u32).any(|hand| self.sheet.held_place(hand).is_some());
+        if !is_held && self.phase == Phase::Held {
+            self.fall(self.side_ahead(), 1.0);
         }
     }
 
-    /// Takes the leaf to a side: from rest by the recorded turn, `seconds` (at
-    /// least 0.05) long; a turn being played goes on at that pace, backward if
-    /// need be; a leaf that is held or falls is let fall there.
-    pub fn play(&mut self, to: Side, seconds: f32) {
+    /// The side on which the leaf will be in a moment if it goes on as it does.
+    fn side_ahead(&self) -> Side {
+        if self.share + LOOK_AHEAD * self.share_rate > 0.5 {
+            Side::Left
+        } else {
+            Side::Right
+        }
+    }
+
+    /// Finds where the leaf's nodes are in the book.
+    pub fn seat(&mut self, gutter: &Gutter) {
+        let seated = &mut self.seated;
+        gutter.seat(self.sheet.positions(), seated);
+        let velocities = self.sheet.velocities().as_chunks::<3>().0;
+        let states = seated.velocities.iter_mut().zip(velocities);
+        for ((own, v), [cos, sin]) in states.zip(&seated.turned) {
+            *own = [cos * v[0] - sin * v[2], v[1], sin * v[0] + cos * v[2]];
+        }
+    }
+
+    /// Finds what the leaf touches: the piles (right, left) and its neighbours
+    /// (left, right).
+    pub fn meet(&mut self, piles: [&Pile; 2], neighbours: [Option<Neighbour<'_>>; 2]) {
+        let friction = self.sheet.settings().stock.friction as f32;
+        let (flat, contacts) = self.sheet.contact_state();
+        let mut sheet = Sheetlike {
+            flat,
+            contacts,
+            friction,
+        };
+        meet(&mut self.seated, piles, neighbours, &mut sheet);
+    }
+
+    /// Wakes a leaf that rested upon one that moves now.
+    pub fn wake(&mut self) {
+        if let Phase::Resting(side) = self.phase {
+            self.fall(side, 1.0);
+        }
+    }
+
+    /// Whether it lies still, or is about to.
+    pub fn is_down(&self) -> bool {
+        matches!(self.phase, Phase::Resting(_)) || self.settling.is_some()
+    }
+
+    /// Steps by one tick of [`TICK`] seconds. `supported` says whether what lies
+    /// under it, where it goes, is down; only then may it come to rest.
+    pub fn step(&mut self, supported: bool) {
+        let before = self.share;
         match self.phase {
-            Phase::Resting(side) if side == to => {}
-            Phase::Resting(from) => {
-                let rate = self.rate(seconds);
-                self.course = Some(Course {
-                    from,
-                    time: 0.0,
-                    rate,
-                });
-                self.phase = Phase::Playing(to);
-            }
-            Phase::Playing(_) => {
-                let rate = self.rate(seconds);
-                if let Some(course) = &mut self.course {
-                    course.rate = if course.from == to { -rate } else { rate };
-                    self.phase = Phase::Playing(to);
-                }
-            }
-            Phase::Held | Phase::Falling(_) => self.fall(to),
+            Phase::Resting(_) => return,
+            Phase::Held => self.step_held(),
+            Phase::Falling(side) => self.step_falling(side, supported),
+            Phase::Playing(side) => self.step_playing(side),
         }
-    }
-
-    /// Steps by `ticks` of [`TICK`] seconds.
-    pub fn step(&mut self, ticks: u32) {
-        for _ in 0..ticks {
-            let before = self.share;
-            match self.phase {
-                Phase::Resting(_) => return,
-                Phase::Held => self.step_held(),
-                Phase::Falling(side) => self.step_falling(side),
-                Phase::Playing(side) => self.step_playing(side),
-            }
-            if let Phase::Resting(_) = self.phase {
-                return;
-            }
-            self.share = self.measure_share();
-            // Smoothed over about 20 ms: a hand's last twitch is not its throw.
-            let rate = (self.share - before) / TICK;
-            self.share_rate += (rate - self.share_rate) * 0.2;
+        if let Phase::Resting(_) = self.phase {
+            return;
         }
-    }
-
-    fn fall(&mut self, to: Side) {
-        self.model.release_all();
-        self.grip = None;
-        self.course = None;
-        if self.phase != Phase::Falling(to) {
-            self.settling = None;
-            self.fallen = 0;
-        }
-        self.phase = Phase::Falling(to);
+        self.share = self.measure_share();
+        // Smoothed over about 30 ms: a hand's last twitch is not its throw.
+        let rate = (self.share - before) / TICK;
+        self.share_rate += (rate - self.share_rate) * 0.3;
     }
 
     fn step_held(&mut self) {
-        let Some(mut grip) = self.grip else {
-            return;
-        };
-        let wanted = [0, 1, 2].map(|axis| grip.target[axis] + grip.offset[axis]);
-        let wanted = self.model.within_reach(grip.column, grip.row, wanted);
-        let d = [0, 1, 2].map(|axis| wanted[axis] - grip.place[axis]);
-        let distance = length(d);
-        let step = (distance * FOLLOW * TICK).min(FASTEST_HAND * TICK);
-        if distance > 1e-7 {
-            grip.place = [0, 1, 2].map(|axis| grip.place[axis] + d[axis] * (step / distance));
+        for hand in 0..HANDS as u32 {
+            if let Some(place) = self.hands[hand as usize] {
+                let place = self.over_table(hand, place);
+                self.sheet.pull(hand, place);
+            }
         }
-        self.model.hold(grip.column, grip.row, grip.place);
-        self.model.step();
-        // A hand yields where the leaf cannot follow: it goes on from there.
-        grip.place = self.model.position(grip.column, grip.row);
-        self.grip = Some(grip);
+        self.step_sheet();
+    }
+
+    fn step_sheet(&mut self) {
+        let wanted = self.root_angle();
+        self.clamp += (wanted - self.clamp) * CLAMP_FOLLOWS;
+        self.sheet.set_clamp_angle(self.clamp);
+        self.sheet.step();
+    }
+
+    /// The leaf's sheet turns over a flat table; in the book the gutter moves
+    /// what is held. What lies between the two is taken off a hand's place.
+    fn over_table(&self, hand: u32, place: [f32; 3]) -> [f32; 3] {
+        let Some(held) = self.sheet.held_place(hand) else {
+            return place;
+        };
+        let flat = self.sheet.positions().as_chunks::<3>().0;
+        let distance = |p: &[f32; 3]| {
+            let d = [p[0] - held[0], p[1] - held[1], p[2] - held[2]];
+            d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
+        };
+        let (mut node, mut least) = (0, f32::MAX);
+        for (k, point) in flat.iter().enumerate() {
+            if distance(point) < least {
+                (node, least) = (k, distance(point));
+            }
+        }
+        let seated = self.seated.points[node];
+        [0, 1, 2].map(|axis| place[axis] - (seated[axis] - flat[node][axis]))
+    }
+
+    /// Mean over the rows of the angle at which the leaf leaves the spine.
+    fn root_angle(&self) -> f32 {
+        let rows = self.sheet.positions().chunks_exact(3 * NODES[0]);
+        let sum: f32 = rows.map(|row| libm::atan2f(row[8].max(0.0), row[6])).sum();
+        sum / NODES[1] as f32
     }
 
     /// Mean over the fore-edge of how far it has turned.
     fn measure_share(&self) -> f32 {
-        let (columns, rows) = self.model.grid_size();
-        let sum: f32 = (0..rows)
-            .map(|row| {
-                let [x, _, z] = self.model.position(columns - 1, row);
-                share_turned(x, z)
-            })
-            .sum();
-        sum / rows as f32
+        let rows = self.sheet.positions().chunks_exact(3 * NODES[0]);
+        let end = 3 * (NODES[0] - 1);
+        let sum: f32 = rows.map(|row| share_turned(row[end], row[end + 2])).sum();
+        sum / NODES[1] as f32
     }
-}
-
-fn length(d: [f32; 3]) -> f32 {
-    (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt()
 }

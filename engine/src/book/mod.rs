@@ -8,8 +8,11 @@ mod block;
 mod board;
 mod flight;
 mod flights;
+mod gutter;
 mod knots;
 mod leaf;
+mod meet;
+mod mesh;
 mod seat;
 #[cfg(test)]
 mod tests;
@@ -17,12 +20,13 @@ mod tests;
 pub use block::{LAYERS, Pile, crowded_columns};
 pub use board::Board;
 pub use flights::MOST_FLIGHTS;
-pub use leaf::{Leaf, Phase, TICK};
+pub use leaf::{Leaf, Paper, Phase, TICK};
 pub use seat::seat;
 
 use crate::grid::Side;
 use crate::surface::Surface;
 use flights::Flights;
+use gutter::Gutter;
 use knots::Knots;
 
 /// Columns of the drawn leaf and of every pile: enough for the sharp bend out
@@ -31,9 +35,6 @@ const COLUMNS: usize = 49;
 
 /// Rows of the drawn leaf.
 const ROWS: usize = 25;
-
-/// Grammage of the leaves, kg/m^2: ordinary book paper.
-const GRAMMAGE: f32 = 0.070;
 
 /// Hands that a leaf tells apart, numbered from 0.
 pub const HANDS: usize = 4;
@@ -45,6 +46,8 @@ pub const HANDS: usize = 4;
 /// number that [`lift`](Book::lift) answers; a command to one that is over, or
 /// by what is no number, changes nothing.
 pub struct Book {
+    width: f64,
+    height: f64,
     leaves: u32,
     u: Vec<f32>,
     knots: Knots,
@@ -52,6 +55,7 @@ pub struct Book {
     closed: [Pile; 2],
     /// The piles as they lie now, right and left.
     piles: [Pile; 2],
+    gutter: Gutter,
     flights: Flights,
     boards: [Board; 2],
 }
@@ -68,18 +72,33 @@ impl Book {
         }
         let u = crowded_columns(COLUMNS);
         let closed = [Side::Right, Side::Left].map(|side| Pile::closed(side, width, thickness, &u));
-        let leaf = Leaf::new(width as f32, height as f32, GRAMMAGE, &u, ROWS);
+        let leaf = Leaf::new(width, height, &Paper::default(), &u, ROWS);
         let mut book = Book {
+            width,
+            height,
             leaves,
             knots: Knots::new(width, thickness, &u),
             piles: closed.clone(),
             closed,
-            flights: Flights::new(leaves, leaf, COLUMNS, ROWS),
+            gutter: Gutter::new(leaf::NODES[0], &u),
+            flights: Flights::new(leaves, leaf, &u, ROWS),
             boards: [Board::new(Side::Right), Board::new(Side::Right)],
             u,
         };
         book.update();
         Some(book)
+    }
+
+    /// Makes every leaf of another paper, in other air, helped over or not.
+    /// Leaves in flight are laid down first. A stock that is none changes nothing.
+    pub fn set_paper(&mut self, paper: &Paper) {
+        if paper.stock.check().is_err() {
+            return;
+        }
+        let leaf = Leaf::new(self.width, self.height, paper, &self.u, ROWS);
+        let read = self.flights.left();
+        self.flights = Flights::new(self.leaves, leaf, &self.u, ROWS);
+        self.lay(read);
     }
 
     /// Lays the book open with `read` leaves of paper on the left (at most those
@@ -104,14 +123,14 @@ impl Book {
     /// A hand (0 to 3) takes hold of a flight at (`u`, `v`).
     pub fn grab(&mut self, id: u32, hand: u32, u: f32, v: f32) {
         if let Some(flight) = self.flights.get_mut(id) {
-            flight.grab(hand, u, v);
+            flight.leaf_mut().grab(hand, u, v);
         }
     }
 
     /// A hand that holds a flight pulls it to `place`, in book space, metres.
     pub fn hold(&mut self, id: u32, hand: u32, place: [f32; 3]) {
         if let Some(flight) = self.flights.get_mut(id) {
-            flight.hold(hand, place);
+            flight.leaf_mut().hold(hand, place);
         }
     }
 
@@ -131,12 +150,23 @@ impl Book {
     /// that rests is over once no other is between it and its pile.
     pub fn step(&mut self, ticks: u32) {
         for _ in 0..ticks {
-            self.flights.step();
+            if self.flights.order().is_empty() {
+                return;
+            }
+            self.write_piles();
+            self.gutter.update(&self.piles[0], &self.piles[1]);
+            self.flights
+                .step(&self.gutter, [&self.piles[0], &self.piles[1]]);
         }
     }
 
     /// Brings the drawn surfaces and the piles up to date with leaves and boards.
     pub fn update(&mut self) {
+        self.write_piles();
+        self.flights.draw([&self.piles[0], &self.piles[1]]);
+    }
+
+    fn write_piles(&mut self) {
         let turned = self.flights.turned() / self.leaves.max(1) as f32;
         self.knots
             .write(Side::Right, 1.0 - turned, &mut self.piles[0]);
@@ -150,12 +180,6 @@ impl Book {
             if shut[side] > 0.0 {
                 self.piles[side].blend_toward(&self.closed[side], shut[side]);
             }
-        }
-        for flight in self.flights.order_mut() {
-            let surface = flight.flat_surface();
-            seat(&mut surface.positions, &self.piles[0], &self.piles[1]);
-            surface.update_normals();
-            surface.touch();
         }
     }
 

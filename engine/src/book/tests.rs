@@ -122,7 +122,7 @@ fn only_the_uppermost_leaves_of_a_side_are_lifted() {
 #[test]
 fn twelve_leaves_fly_at_once_and_land_in_their_order() {
     let mut book = book();
-    let ids = riffle(&mut book, 12, 15);
+    let ids = riffle(&mut book, 12, 7);
     assert_eq!(book.flights(), 12);
     let listed: Vec<u32> = (0..12).map(|k| book.flight_id(k).unwrap()).collect();
     assert_eq!(listed, ids);
@@ -197,7 +197,8 @@ fn a_leaf_that_rests_upon_one_in_flight_waits_for_it() {
     for _ in 0..400 {
         book.step(1);
     }
-    assert_eq!(book.phase(ids[1]), Some(Phase::Resting(Side::Left)));
+    // It is draped over the one that the hand holds.
+    assert_eq!(book.phase(ids[1]), Some(Phase::Falling(Side::Left)));
     assert_eq!((book.flights(), book.read()), (2, 5));
     book.play(ids[0], Side::Left, 0.8);
     rest(&mut book);

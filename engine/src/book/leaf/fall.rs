@@ -1,36 +1,50 @@
 //! A leaf let go: helped over, fallen, eased to rest.
 
-use super::{Leaf, Settling, TICK, length};
+use super::{Leaf, NODES, Phase, TICK};
 use crate::grid::Side;
-use crate::turn::TurnModel;
 
 /// Acceleration at the fore-edge by which a released leaf is helped over, m/s^2.
 const ASSIST: f32 = 14.0;
 
-/// A leaf nearer to rest than this (metres) and slower than this (m/s) everywhere is
-/// eased to rest within `SETTLE_SECONDS`; so is one that has fallen for
-/// `LONGEST_FALL` ticks.
-const NEAR: f32 = 0.004;
-const SLOW: f32 = 0.5;
-const SETTLE_SECONDS: f32 = 0.14;
-const LONGEST_FALL: u32 = 360;
+/// A leaf nearer to rest than this (metres) and slower than this (m/s)
+/// everywhere is eased to rest within `SETTLE_SECONDS`; so is one that has
+/// fallen for `LONGEST_FALL` ticks, over a longer time.
+const NEAR: f32 = 0.0025;
+const SLOW: f32 = 0.35;
+const SETTLE_SECONDS: f32 = 0.15;
+const LONGEST_FALL: u32 = 300;
 
 impl Leaf {
-    pub(super) fn step_falling(&mut self, side: Side) {
+    /// Lets the leaf fall to a side.
+    pub(super) fn fall(&mut self, to: Side, haste: f32) {
+        self.drop_course();
+        for hand in 0..self.hands.len() as u32 {
+            self.sheet.release(hand);
+        }
+        self.hands = [None; super::HANDS];
+        if self.phase != Phase::Falling(to) {
+            self.settling = None;
+            self.fallen = 0;
+        }
+        self.haste = haste;
+        self.phase = Phase::Falling(to);
+    }
+
+    pub(super) fn step_falling(&mut self, side: Side, supported: bool) {
         if self.settling.is_some() {
             self.step_settling(side);
             return;
         }
+        let side = if self.assist { side } else { self.side_ahead() };
+        self.phase = Phase::Falling(side);
         self.help_over(side);
-        self.model.step();
+        self.step_sheet();
         self.fallen += 1;
-        let landed = self.farthest_from_rest(side) < NEAR && self.model.greatest_speed() < SLOW;
-        if landed || self.fallen > LONGEST_FALL {
-            self.read_nodes();
-            self.settling = Some(Settling {
-                from: self.positions.clone(),
-                time: 0.0,
-            });
+        let landed = self.height_over_rest(side) < NEAR && self.sheet.greatest_speed() < SLOW;
+        if supported && (landed || self.fallen > LONGEST_FALL) {
+            self.landed.copy_from_slice(self.sheet.positions());
+            self.settling = Some(0.0);
+            self.sheet.loads_mut().fill(0.0);
         }
     }
 
@@ -41,79 +55,58 @@ impl Leaf {
             Side::Left => (1.0 - self.share, 1.0),
             Side::Right => (self.share, -1.0),
         };
-        let strength = ((to_go - 0.12) / 0.3).clamp(0.0, 1.0) * ASSIST * sign * TICK;
-        if strength == 0.0 {
-            return;
-        }
-        let (columns, rows) = self.model.grid_size();
-        for row in 0..rows {
-            for column in 1..columns {
-                let [x, _, z] = self.model.position(column, row);
-                let radius = (x * x + z * z).sqrt().max(1e-6);
-                let push = strength * column as f32 / (columns - 1) as f32 / radius;
-                let [vx, vy, vz] = self.model.velocity(column, row);
-                let velocity = [vx - push * z, vy, vz + push * x];
-                self.model.set_velocity(column, row, velocity);
-            }
+        let strength = ((to_go - 0.1) / 0.3).clamp(0.0, 1.0) * ASSIST * self.haste;
+        let strength = if self.assist { sign * strength } else { 0.0 };
+        let settings = self.sheet.settings();
+        // The air that a leaf carries along has to be helped over with it.
+        let density = (settings.stock.grammage + settings.air.added_mass) as f32;
+        let cell = (settings.width / (NODES[0] - 1) as f64) as f32
+            * (settings.height / (NODES[1] - 1) as f64) as f32;
+        let (positions, loads) = self.sheet.load_state();
+        let nodes = positions.as_chunks::<3>().0;
+        for (node, (x, load)) in nodes.iter().zip(loads.chunks_exact_mut(3)).enumerate() {
+            let column = node % NODES[0];
+            let radius = (x[0] * x[0] + x[2] * x[2]).sqrt().max(1e-6);
+            let part = column as f32 / (NODES[0] - 1) as f32;
+            let push = strength * density * cell * part / radius;
+            load.copy_from_slice(&[-push * x[2], 0.0, push * x[0]]);
         }
     }
 
     fn step_settling(&mut self, side: Side) {
-        let Some(settling) = &mut self.settling else {
+        let Some(time) = &mut self.settling else {
             return;
         };
-        settling.time += TICK;
-        let t = (settling.time / SETTLE_SECONDS).min(1.0);
+        *time += TICK;
+        let t = (*time / SETTLE_SECONDS).min(1.0);
         if t >= 1.0 {
             self.lay(side);
             return;
         }
         let eased = t * t * (3.0 - 2.0 * t);
-        let from = core::mem::take(&mut settling.from);
-        let (columns, rows) = self.model.grid_size();
-        for row in 0..rows {
-            for column in 0..columns {
-                let at = 3 * (row * columns + column);
-                let rest = self.rest_position(side, column, row);
-                for axis in 0..3 {
-                    self.positions[at + axis] =
-                        from[at + axis] + (rest[axis] - from[at + axis]) * eased;
-                }
-            }
-        }
-        self.velocities.fill(0.0);
-        self.model.write_nodes(&self.positions, &self.velocities);
-        if let Some(settling) = &mut self.settling {
-            settling.from = from;
-        }
+        let states = self.landed.iter().zip(&self.flat);
+        let eased = states.enumerate().map(|(k, (landed, flat))| {
+            let rest = if k % 3 == 0 {
+                side.sign() * flat
+            } else {
+                *flat
+            };
+            landed + (rest - landed) * eased
+        });
+        self.sheet.place(eased);
     }
 
     /// Greatest distance of a node from its place of rest on a side, metres.
-    fn farthest_from_rest(&self, side: Side) -> f32 {
-        let (columns, rows) = self.model.grid_size();
-        let mut greatest = 0.0f32;
-        for row in 0..rows {
-            for column in 1..columns {
-                let rest = self.rest_position(side, column, row);
-                let place = self.model.position(column, row);
-                greatest = greatest.max(length([0, 1, 2].map(|axis| place[axis] - rest[axis])));
-            }
-        }
-        greatest
-    }
-
-    fn rest_position(&self, side: Side, column: usize, row: usize) -> [f32; 3] {
-        let (columns, rows) = self.model.grid_size();
-        let settings = self.model.settings();
-        [
-            side.sign() * settings.width * column as f32 / (columns - 1) as f32,
-            settings.height * row as f32 / (rows - 1) as f32,
-            0.0,
-        ]
-    }
-
-    fn read_nodes(&mut self) {
-        self.model
-            .read_nodes(&mut self.positions, &mut self.velocities);
+    fn height_over_rest(&self, side: Side) -> f32 {
+        let states = self.sheet.positions().iter().zip(&self.flat);
+        let apart = states.enumerate().map(|(k, (x, flat))| {
+            let rest = if k % 3 == 0 {
+                side.sign() * flat
+            } else {
+                *flat
+            };
+            (x - rest).abs()
+        });
+        apart.fold(0.0, f32::max)
     }
 }

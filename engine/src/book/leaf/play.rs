@@ -1,95 +1,97 @@
-//! A turn played from key frames, recorded once (Shangguan and Zeng 2014,
-//! section 2.2.3).
+//! A turn without a reader's hand: a hand of its own turns the leaf.
 
 use super::{Leaf, Phase, TICK};
 use crate::grid::Side;
-use crate::key_frames::{Blend, FrameKind, Recorder, Replay};
-use crate::turn::TurnModel;
 
-/// Duration of the hand's part of the recorded turn, seconds; the leaf comes to
-/// rest a little later.
-const GESTURE_SECONDS: f32 = 0.70;
+/// Number of the hand that turns a leaf; readers' hands have lower ones.
+const TURNER: u32 = 1000;
 
-/// Longest recording, ticks: a leaf that has not come to rest by then is laid down.
-const LONGEST_RECORDING: u32 = 480;
+/// Where on the leaf it holds: at the fore-edge, a little above the foot.
+const PLACE: [f32; 2] = [1.0, 0.14];
 
-/// Time between key frames, seconds: half the paper's, as a book's turn is
-/// fifteen times as fast as the paper's.
-const KEY_INTERVAL: f32 = 0.05;
+/// Part of a turn's duration that the hand leads the leaf; the rest of it the
+/// leaf falls.
+const LED: f32 = 0.85;
+
+/// Part of its way at which the hand lets go.
+const LET_GO: f32 = 0.8;
+
+/// How far the hand is drawn in toward the spine half-way, as part of the
+/// width, so that the leaf bows up; and how far toward the head, of the height.
+const PULL: f32 = 0.16;
+const RISE: f32 = 0.05;
+
+/// Shortest turn, seconds.
+const SHORTEST: f32 = 0.2;
+
+/// Length of a turn after which a leaf falls without haste, seconds.
+const UNHURRIED: f32 = 0.8;
+
+/// The way of the hand that turns a leaf.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Course {
+    /// Where it is on its way from the right, 0, to the left, 1: the time of a
+    /// smooth start and stop.
+    time: f32,
+    /// Its change a second; negative to the right.
+    rate: f32,
+}
 
 impl Leaf {
+    /// Takes the leaf to a side: from rest by a hand of its own, `seconds` (at
+    /// least 0.2) long; a turn that it is in goes on at that pace, backward if
+    /// need be; a leaf that is held or falls is let fall there.
+    pub fn play(&mut self, to: Side, seconds: f32) {
+        let seconds = if seconds.is_finite() {
+            seconds.max(SHORTEST)
+        } else {
+            UNHURRIED
+        };
+        let rate = 1.0 / (LED * seconds);
+        let rate = if to == Side::Left { rate } else { -rate };
+        match self.phase {
+            Phase::Resting(side) if side == to => {}
+            Phase::Resting(from) => {
+                let time = if from == Side::Right { 0.0 } else { 1.0 };
+                self.sheet.grab(TURNER, PLACE[0], PLACE[1]);
+                self.course = Some(Course { time, rate });
+                self.phase = Phase::Playing(to);
+            }
+            Phase::Playing(_) => {
+                if let Some(course) = &mut self.course {
+                    course.rate = rate;
+                    self.phase = Phase::Playing(to);
+                }
+            }
+            Phase::Held | Phase::Falling(_) => self.fall(to, (UNHURRIED / seconds).max(1.0)),
+        }
+    }
+
+    pub(super) fn drop_course(&mut self) {
+        self.course = None;
+        self.sheet.release(TURNER);
+        self.sheet.loads_mut().fill(0.0);
+    }
+
     pub(super) fn step_playing(&mut self, side: Side) {
         let Some(mut course) = self.course else {
             return;
         };
-        course.time += TICK * course.rate;
+        course.time = (course.time + TICK * course.rate).clamp(0.0, 1.0);
         self.course = Some(course);
-        let recording = self
-            .recording
-            .as_ref()
-            .expect("recorded before it is played");
-        if course.time <= 0.0 || course.time >= recording.duration() {
-            self.lay(side);
-            return;
+        let s = course.time;
+        let way = s * s * (3.0 - 2.0 * s);
+        let settings = self.sheet.settings();
+        let (width, height) = (settings.width as f32, settings.height as f32);
+        let (sin, cos) = libm::sincosf(core::f32::consts::PI * way);
+        let radius = width * PLACE[0] * (1.0 - PULL * sin * sin);
+        let y = height * (PLACE[1] + RISE * sin * sin);
+        self.sheet.pull(TURNER, [radius * cos, y, radius * sin]);
+        self.step_sheet();
+        let gone = if side == Side::Left { way } else { 1.0 - way };
+        if gone > LET_GO {
+            let seconds = 1.0 / (LED * course.rate.abs());
+            self.fall(side, (UNHURRIED / seconds).max(1.0));
         }
-        recording.read_nodes_at(course.time, &mut self.positions, &mut self.velocities);
-        // Recorded from the right; from the left it is the mirror image.
-        let mirror = course.from.sign();
-        for (p, v) in self
-            .positions
-            .chunks_exact_mut(3)
-            .zip(self.velocities.chunks_exact_mut(3))
-        {
-            p[0] *= mirror;
-            v[0] *= mirror * course.rate;
-            v[1] *= course.rate;
-            v[2] *= course.rate;
-        }
-        self.model.write_nodes(&self.positions, &self.velocities);
-    }
-
-    /// Recorded seconds a second that make a whole turn `seconds` long.
-    pub(super) fn rate(&self, seconds: f32) -> f32 {
-        let seconds = if seconds.is_finite() {
-            seconds.max(0.05)
-        } else {
-            1.0
-        };
-        let recording = self
-            .recording
-            .as_ref()
-            .expect("recorded before it is played");
-        recording.duration() / seconds
-    }
-
-    /// Simulates a whole turn from the right and records it.
-    pub(super) fn record(&self) -> Replay {
-        let mut leaf = Leaf::of(self.model.clone());
-        let mut recorder = Recorder::new(&mut leaf.model, FrameKind::Masses, KEY_INTERVAL);
-        let gesture = leaf.model.settings().corner_gesture(GESTURE_SECONDS);
-        leaf.model.play(gesture);
-        let mut time = 0.0;
-        let gesture_ticks = libm::ceilf(GESTURE_SECONDS / TICK) as u32;
-        for tick in 1..=LONGEST_RECORDING {
-            if tick <= gesture_ticks {
-                leaf.model.step();
-                leaf.share = leaf.measure_share();
-            } else {
-                if tick == gesture_ticks + 1 {
-                    leaf.fall(Side::Left);
-                }
-                leaf.step(1);
-            }
-            time = tick as f32 * TICK;
-            recorder.observe_at(&mut leaf.model, time);
-            if let Phase::Resting(_) = leaf.phase
-                && tick > gesture_ticks
-            {
-                break;
-            }
-        }
-        leaf.lay(Side::Left);
-        let frames = recorder.finish_at(&mut leaf.model, time + TICK);
-        Replay::new(frames, Blend::Hermite, TICK)
     }
 }

@@ -8,7 +8,7 @@
 use super::system::System;
 
 /// Half-spaces a node, at most.
-pub const CONTACTS: usize = 3;
+pub const CONTACTS: usize = 4;
 
 /// A half-space that a node must stay in: the points x with
 /// normal . x >= offset.
@@ -18,10 +18,13 @@ pub struct Contact {
     pub normal: [f32; 3],
     /// Metres.
     pub offset: f32,
-    /// Velocity of what is touched, m/s.
+    /// Velocity of what is touched, m/s; friction drags along it. Where the
+    /// half-space will be at the end of the step is for `offset` to say.
     pub velocity: [f32; 3],
     /// Coefficient of friction.
     pub friction: f32,
+    /// 1 for what does not give way; less for what will be pushed itself.
+    pub firmness: f32,
 }
 
 /// Stiffness of contact in units of mass over the square of a frame at 60 Hz.
@@ -52,21 +55,21 @@ pub(super) fn add_contact(
 ) {
     let n = contact.normal;
     let depth = contact.depth(x);
-    let slip: [f32; 3] = core::array::from_fn(|axis| v[axis] - contact.velocity[axis]);
-    let approach = -dot(n, slip);
+    let approach = -dot(n, v);
     if depth + h * approach <= 0.0 {
         return;
     }
-    let stiffness = STIFFNESS * mass;
-    // Measured against where the obstacle will be at the end of the step.
-    let depth = depth + h * dot(n, contact.velocity);
+    let stiffness = STIFFNESS * contact.firmness * mass;
     system.push(node, n.map(|n| stiffness * depth * n));
     system.add_product(node, node, n.map(|n| stiffness * n), n);
-    let pressure = stiffness * (depth + h * approach.max(0.0)).max(0.0) / (1.0 + STIFFNESS * h * h);
+    let share = 1.0 + STIFFNESS * contact.firmness * h * h;
+    let pressure = stiffness * (depth + h * approach).max(0.0) / share;
     if contact.friction <= 0.0 || pressure <= 0.0 {
         return;
     }
-    let along: [f32; 3] = core::array::from_fn(|axis| slip[axis] + approach * n[axis]);
+    let slip: [f32; 3] = core::array::from_fn(|axis| v[axis] - contact.velocity[axis]);
+    let through = dot(n, slip);
+    let along: [f32; 3] = core::array::from_fn(|axis| slip[axis] - through * n[axis]);
     let speed = dot(along, along).sqrt();
     let drag = (contact.friction * pressure / (speed + SLIP)).min(mass / h);
     // -drag * (tangential part of the velocity at the end of the step).

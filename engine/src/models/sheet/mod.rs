@@ -215,6 +215,24 @@ impl Sheet {
         self.velocities.copy_from_slice(velocities);
     }
 
+    /// Moves every node to a place and stills it: x, y, z of each.
+    pub fn place(&mut self, positions: impl Iterator<Item = f32>) {
+        for (own, x) in self.positions.iter_mut().zip(positions) {
+            *own = x;
+        }
+        self.velocities.fill(0.0);
+    }
+
+    /// Positions, with the loads to be set according to them.
+    pub(crate) fn load_state(&mut self) -> (&[f32], &mut [f32]) {
+        (&self.positions, &mut self.loads)
+    }
+
+    /// Positions, with the contacts to be set according to them.
+    pub(crate) fn contact_state(&mut self) -> (&[f32], &mut [[Contact; CONTACTS]]) {
+        (&self.positions, &mut self.contacts)
+    }
+
     /// Forces on the nodes beside weight and air, N: x, y, z of each. They stay
     /// until changed.
     pub fn loads_mut(&mut self) -> &mut [f32] {

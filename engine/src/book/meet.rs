@@ -1,0 +1,283 @@
+//! What a leaf in flight must not pass through: the piles, its neighbours,
+//! itself.
+//!
+//! Contact is sought where the leaf is in the book and told to the sheet, which
+//! lives over a flat table, as half-spaces turned back by the gutter's bend.
+
+use super::block::Pile;
+use super::mesh::{Mesh, dot, sub, update_normals};
+use crate::models::sheet::{CONTACTS, Contact};
+
+/// Farther than this from each other, metres, nothing meets within a tick.
+const FAR: f32 = 0.07;
+
+/// Deepest that contact pushes from at once, metres: what is deeper comes out
+/// over several ticks.
+const DEEPEST: f32 = 0.006;
+
+/// Nodes of a cell farther than this from another leaf, metres, keep the whole
+/// cell clear of it.
+const CLOSE: f32 = 0.0015;
+
+/// Distance that leaves keep, metres: a node stands for a cell around it.
+const GAP: f32 = 2e-4;
+
+/// Places of a leaf closer than this along it, metres, do not meet each other.
+const APART: f32 = 0.045;
+
+/// Distance at which parts of one leaf are looked at for contact, metres.
+const CURLED: f32 = 0.012;
+
+/// Which contact of a node is whose.
+const PILE: usize = 0;
+const LEFT: usize = 1;
+const RIGHT: usize = 2;
+const SELF: usize = 3;
+
+/// A leaf's nodes in the book, and what it remembers of what they met.
+#[derive(Clone, Debug)]
+pub struct Seated {
+    columns: usize,
+    pub points: Vec<[f32; 3]>,
+    normals: Vec<[f32; 3]>,
+    /// Cosine and sine of the gutter's turn before each node.
+    pub turned: Vec<[f32; 2]>,
+    /// Velocities of the nodes, m/s.
+    pub velocities: Vec<[f32; 3]>,
+    /// Node of the left and of the right neighbour that each node was nearest to.
+    nearest: [Vec<u16>; 2],
+    /// Distance between columns and rows, metres.
+    cell: [f32; 2],
+    /// Deepest contact of the last meeting, metres.
+    pub depth: f32,
+    /// Distance of each node from the left and from the right neighbour, metres.
+    pub gaps: [Vec<f32>; 2],
+}
+
+impl Seated {
+    /// A leaf of `columns` x `rows` nodes, `cell` metres apart.
+    pub fn new(columns: usize, rows: usize, cell: [f32; 2]) -> Seated {
+        let nodes = columns * rows;
+        let same: Vec<u16> = (0..nodes as u16).collect();
+        Seated {
+            columns,
+            points: vec![[0.0; 3]; nodes],
+            normals: vec![[0.0, 0.0, 1.0]; nodes],
+            turned: vec![[1.0, 0.0]; nodes],
+            velocities: vec![[0.0; 3]; nodes],
+            nearest: [same.clone(), same],
+            cell,
+            depth: 0.0,
+            gaps: [vec![FAR; nodes], vec![FAR; nodes]],
+        }
+    }
+
+    /// The leaf as others meet it.
+    pub fn mesh(&self) -> Mesh<'_> {
+        Mesh {
+            columns: self.columns,
+            points: &self.points,
+            normals: &self.normals,
+        }
+    }
+
+    /// Whether a cell (its first column and row) may overlap the left (0) or the
+    /// right (1) neighbour between its nodes.
+    pub fn is_close(&self, side: usize, column: usize, row: usize) -> bool {
+        let node = row * self.columns + column;
+        let corners = [node, node + 1, node + self.columns, node + self.columns + 1];
+        corners.iter().any(|&node| self.gaps[side][node] < CLOSE)
+    }
+
+    /// Brings the normals up to date with the points.
+    pub fn update_normals(&mut self) {
+        update_normals(&self.points, self.columns, &mut self.normals);
+    }
+
+    /// Forgets what was met: each node is looked for next to its own place.
+    pub fn forget(&mut self) {
+        for nearest in &mut self.nearest {
+            for (node, nearest) in nearest.iter_mut().enumerate() {
+                *nearest = node as u16;
+            }
+        }
+    }
+
+    /// Whether nodes of this leaf come near enough to others of it to touch.
+    fn is_curled(&self) -> bool {
+        let normals = &self.normals;
+        let middle = normals[normals.len() / 2 + self.columns / 2];
+        normals.iter().any(|n| dot(*n, middle) < -0.2)
+    }
+}
+
+/// Where and what a sheet touches: its nodes over the flat table and its contacts.
+pub struct Sheetlike<'a> {
+    pub flat: &'a [f32],
+    pub contacts: &'a mut [[Contact; CONTACTS]],
+    pub friction: f32,
+}
+
+/// A neighbour of a leaf.
+#[derive(Clone, Copy)]
+pub struct Neighbour<'a> {
+    pub leaf: &'a Seated,
+    /// 1 where it is already where it will be at the end of the tick; else how
+    /// firmly it is pushed, as it will be pushed back itself.
+    pub firmness: f32,
+}
+
+/// Finds all contacts of a leaf: with the piles (right and left) and with the
+/// neighbours on its left and on its right, as far as there are any.
+pub fn meet(
+    leaf: &mut Seated,
+    piles: [&Pile; 2],
+    [left, right]: [Option<Neighbour<'_>>; 2],
+    sheet: &mut Sheetlike<'_>,
+) {
+    leaf.depth = 0.0;
+    meet_piles(leaf, piles, sheet);
+    // The left neighbour lies on the recto's side, the right one on the verso's.
+    meet_neighbour(leaf, LEFT, left, -1.0, sheet);
+    meet_neighbour(leaf, RIGHT, right, 1.0, sheet);
+    meet_itself(leaf, sheet);
+}
+
+/// The half-space whose boundary is `gap` metres from a node, toward `normal`
+/// in the book.
+fn half_space(
+    leaf: &Seated,
+    node: usize,
+    (normal, gap): ([f32; 3], f32),
+    velocity: [f32; 3],
+    sheet: &Sheetlike<'_>,
+) -> Contact {
+    let [cos, sin] = leaf.turned[node];
+    let length = (cos * cos + sin * sin).sqrt().max(1e-6);
+    let back = |v: [f32; 3]| {
+        [
+            (cos * v[0] + sin * v[2]) / length,
+            v[1],
+            (cos * v[2] - sin * v[0]) / length,
+        ]
+    };
+    let normal = back(normal);
+    let flat = sheet.flat.as_chunks::<3>().0[node];
+    Contact {
+        normal,
+        offset: dot(normal, flat) - gap.max(-DEEPEST),
+        velocity: back(velocity),
+        friction: sheet.friction,
+        firmness: 1.0,
+    }
+}
+
+fn meet_piles(leaf: &mut Seated, [right, left]: [&Pile; 2], sheet: &mut Sheetlike<'_>) {
+    for node in 0..leaf.points.len() {
+        let contact = &mut sheet.contacts[node][PILE];
+        *contact = Contact::default();
+        let [x, _, z] = leaf.points[node];
+        let (pile, sign) = if x >= 0.0 { (right, 1.0) } else { (left, -1.0) };
+        let (height, slope) = pile.height_and_slope(x.abs());
+        if z - height > FAR {
+            continue;
+        }
+        let inverse = 1.0 / (1.0 + slope * slope).sqrt();
+        let normal = [-sign * slope * inverse, 0.0, inverse];
+        let gap = (z - height) * inverse;
+        leaf.depth = leaf.depth.max(-gap);
+        sheet.contacts[node][PILE] = half_space(leaf, node, (normal, gap), [0.0; 3], sheet);
+    }
+}
+
+/// `side` is 1 where the leaf lies on the recto's side of the other.
+fn meet_neighbour(
+    leaf: &mut Seated,
+    slot: usize,
+    other: Option<Neighbour<'_>>,
+    side: f32,
+    sheet: &mut Sheetlike<'_>,
+) {
+    for contacts in sheet.contacts.iter_mut() {
+        contacts[slot] = Contact::default();
+    }
+    leaf.gaps[slot - 1].fill(FAR);
+    let Some(neighbour) = other else { return };
+    let other = neighbour.leaf;
+    let mesh = other.mesh();
+    let columns = leaf.columns;
+    for node in 0..leaf.points.len() {
+        // The column at the spine is everyone's.
+        if node % columns == 0 {
+            continue;
+        }
+        let point = leaf.points[node];
+        let start = leaf.nearest[slot - 1][node] as usize;
+        let Some(near) = mesh.near(point, start) else {
+            continue;
+        };
+        leaf.nearest[slot - 1][node] = near.node as u16;
+        let gap = side * near.height - GAP;
+        let away = sub(point, other.points[near.node]);
+        // What is far, or far to the wrong side, is not lying upon it there.
+        if gap > FAR || dot(away, away) > FAR * FAR {
+            continue;
+        }
+        leaf.gaps[slot - 1][node] = gap;
+        if neighbour.firmness == 1.0 {
+            leaf.depth = leaf.depth.max(-gap - GAP);
+        }
+        let normal = near.normal.map(|n| side * n);
+        let velocity = other.velocities[near.node];
+        sheet.contacts[node][slot] = Contact {
+            firmness: neighbour.firmness,
+            ..half_space(leaf, node, (normal, gap), velocity, sheet)
+        };
+    }
+}
+
+/// A curled leaf stays on the side of itself where it is.
+fn meet_itself(leaf: &mut Seated, sheet: &mut Sheetlike<'_>) {
+    for contacts in sheet.contacts.iter_mut() {
+        contacts[SELF] = Contact::default();
+    }
+    if !leaf.is_curled() {
+        return;
+    }
+    let columns = leaf.columns;
+    for node in 0..leaf.points.len() {
+        let Some(other) = nearest_of_itself(leaf, node) else {
+            continue;
+        };
+        let away = sub(leaf.points[node], leaf.points[other]);
+        let normal = leaf.normals[other];
+        let height = dot(away, normal);
+        let side = if height >= 0.0 { 1.0 } else { -1.0 };
+        if node % columns == 0 {
+            continue;
+        }
+        let space = (normal.map(|n| side * n), height.abs() - GAP);
+        let velocity = leaf.velocities[other];
+        sheet.contacts[node][SELF] = half_space(leaf, node, space, velocity, sheet);
+    }
+}
+
+/// The node nearest to a node of those far from it along the leaf, if it is
+/// near enough to touch.
+fn nearest_of_itself(leaf: &Seated, node: usize) -> Option<usize> {
+    let columns = leaf.columns;
+    let point = leaf.points[node];
+    let (mut best, mut least) = (None, CURLED * CURLED);
+    for (other, place) in leaf.points.iter().enumerate() {
+        let away = sub(point, *place);
+        let d = dot(away, away);
+        if d < least {
+            let u = (node % columns).abs_diff(other % columns) as f32 * leaf.cell[0];
+            let v = (node / columns).abs_diff(other / columns) as f32 * leaf.cell[1];
+            if u * u + v * v > APART * APART {
+                (best, least) = (Some(other), d);
+            }
+        }
+    }
+    best
+}
