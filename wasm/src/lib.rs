@@ -41,7 +41,6 @@ pub extern "C" fn tl_tick() -> f32 {
     TICK
 }
 
-
 /// Makes a book of `leaves` pages of paper, `width` x `height` metres, together
 /// `thickness` metres thick; 0 where the sizes are not those of a book.
 #[unsafe(no_mangle)]

@@ -221,11 +221,6 @@ impl Flights {
         &self.order
     }
 
-    /// The flights from the left to the right, to be drawn.
-    pub fn order_mut(&mut self) -> &mut [Flight] {
-        &mut self.order
-    }
-
     /// The flight of a number; None once it is over.
     pub fn get(&self, id: u32) -> Option<&Flight> {
         self.order.iter().find(|flight| flight.id() == id)
