@@ -1,6 +1,7 @@
 //! `lab`: experiments on the engine. Prints tables for people, and JSON with
 //! `--json`.
 
+mod exact;
 mod options;
 mod picture;
 mod simulate;
