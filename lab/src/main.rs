@@ -1,12 +1,21 @@
-//! `lab`: experiments on the engine. Prints tables for people, and JSON with
+//! `lab`: experiments on the engine. Prints lines for people, and JSON with
 //! `--json`.
 
+mod buckling;
+mod cantilever;
+mod convergence;
+mod drop_sheet;
+mod energy;
 mod exact;
 mod options;
+mod pear_loop;
 mod picture;
+mod report;
 mod simulate;
+mod specimen;
 mod table1;
 mod turn;
+mod vibration;
 
 use std::process::ExitCode;
 
@@ -34,8 +43,34 @@ Usage: lab EXPERIMENT [options]
               --integrator explicit-euler|semi-implicit-euler|runge-kutta-4
               --no-sync             without synchronisation
               --no-interpolation    draw the masses themselves
-  all take    --json                print JSON
+
+Experiments on a piece of paper; lengths are over its length, loads over its
+stiffness, and the exact answer stands beside what was found:
+
+  cantilever        clamped at one end it hangs by its own weight
+                      --gamma G       weight x length^3 / stiffness
+                      --clamp-angle DEG  upward from level (0)
+                      --nodes N       from the clamp to the tip
+  tip-load          the same, weightless, by a dead load P L^2 / stiffness
+                      --load P  --nodes N
+  pear-loop         its two ends in one clamp; --nodes N
+  vibration         first three roots, clamped at one end; --nodes N
+  upright           weight at which it falls over, clamped at the foot; --nodes N
+  lateral-buckling  the same, clamped at one end of a plate in a vertical plane
+                      --nu NU         Poisson's ratio
+                      --aspect B      height over length
+                      --nodes N
+  drop-sheet        speed at which it falls level in air, m/s
+                      --stock bible|book|office|coated|card
+  energy            what it loses as it swings undamped in a vacuum
+                      --periods N     (10)
+  convergence       orders by nodes and by step, hanging at Gamma 10
+  each takes  --model sheet|shell|mass-spring  (sheet)
+
+All take      --json                print JSON
 ";
+
+const NAMES: &str = "table1, turn, picture, cantilever, tip-load, pear-loop, vibration, upright, lateral-buckling, drop-sheet, energy and convergence";
 
 fn main() -> ExitCode {
     match run() {
@@ -56,18 +91,26 @@ fn run() -> Result<(), String> {
             return Ok(());
         }
         _ => {
-            return Err(
-                "Name an experiment first: table1, turn or picture; --help lists all options."
-                    .into(),
-            );
+            return Err(format!(
+                "Name an experiment first: {NAMES}; --help lists all options."
+            ));
         }
     };
     match name.as_str() {
+        "cantilever" => cantilever::run(&mut parser),
+        "tip-load" => cantilever::run_tip_load(&mut parser),
+        "pear-loop" => pear_loop::run(&mut parser),
+        "drop-sheet" => drop_sheet::run(&mut parser),
+        "upright" => buckling::run_upright(&mut parser),
+        "lateral-buckling" => buckling::run_lateral(&mut parser),
+        "vibration" => vibration::run(&mut parser),
+        "energy" => energy::run(&mut parser),
+        "convergence" => convergence::run(&mut parser),
         "table1" => table1::run(&mut parser),
         "turn" => turn::run(&mut parser),
         "picture" => picture::run(&mut parser),
         _ => Err(format!(
-            "There is no experiment \"{name}\"; there are table1, turn and picture."
+            "There is no experiment \"{name}\"; there are {NAMES}."
         )),
     }
 }

@@ -6,8 +6,8 @@ mod elastica;
 mod pear;
 
 pub use buckling::upright_gamma;
-pub use elastica::{Elastica, Hanging};
-pub use pear::{Pear, pear_loop};
+pub use elastica::Elastica;
+pub use pear::pear_loop;
 
 /// Roots of cos x cosh x = -1: the first three modes of a strip clamped at one
 /// end vibrate with the squares of these, times sqrt(D / mass) / L^2.

@@ -7,18 +7,29 @@ fn rows(table: &str) -> Vec<Vec<f64>> {
         env!("CARGO_MANIFEST_DIR")
     );
     let text = std::fs::read_to_string(path).expect("the table is there");
-    let row = |line: &str| line.split(',').map(|cell| cell.parse().expect("a number")).collect();
+    let row = |line: &str| {
+        line.split(',')
+            .map(|cell| cell.parse().expect("a number"))
+            .collect()
+    };
     text.lines().skip(1).map(row).collect()
 }
 
 fn assert_near(found: f64, exact: f64, tolerance: f64, what: &str) {
-    assert!((found - exact).abs() <= tolerance, "{what}: {found}, not {exact}");
+    assert!(
+        (found - exact).abs() <= tolerance,
+        "{what}: {found}, not {exact}"
+    );
 }
 
 #[test]
 fn a_level_strip_hangs_as_in_the_table() {
     for row in rows("heavy_elastica") {
-        let strip = Elastica { gamma: row[0], load: 0.0, clamp_angle: 0.0 };
+        let strip = Elastica {
+            gamma: row[0],
+            load: 0.0,
+            clamp_angle: 0.0,
+        };
         let hanging = strip.hanging();
         let what = format!("Gamma {}", row[0]);
         assert_near(hanging.reach, row[1], 1e-5, &what);
@@ -30,7 +41,11 @@ fn a_level_strip_hangs_as_in_the_table() {
 #[test]
 fn a_strip_clamped_at_an_angle_hangs_as_in_the_table() {
     for row in rows("heavy_elastica_clamp_angle") {
-        let strip = Elastica { gamma: row[0], load: 0.0, clamp_angle: row[1].to_radians() };
+        let strip = Elastica {
+            gamma: row[0],
+            load: 0.0,
+            clamp_angle: row[1].to_radians(),
+        };
         let hanging = strip.hanging();
         let what = format!("Gamma {} at {} degrees", row[0], row[1]);
         assert_near(hanging.reach, row[2], 1e-5, &what);
@@ -41,7 +56,11 @@ fn a_strip_clamped_at_an_angle_hangs_as_in_the_table() {
 
 #[test]
 fn a_strip_clamped_backward_is_the_mirror_image() {
-    let strip = |degrees: f64| Elastica { gamma: 4.0, load: 0.0, clamp_angle: degrees.to_radians() };
+    let strip = |degrees: f64| Elastica {
+        gamma: 4.0,
+        load: 0.0,
+        clamp_angle: degrees.to_radians(),
+    };
     let (front, back) = (strip(45.0).hanging(), strip(135.0).hanging());
     assert_near(back.reach, -front.reach, 1e-9, "reach");
     assert_near(back.drop, front.drop, 1e-9, "drop");
@@ -50,7 +69,11 @@ fn a_strip_clamped_backward_is_the_mirror_image() {
 #[test]
 fn a_loaded_tip_comes_down_as_in_the_table() {
     for row in rows("bisshopp_drucker") {
-        let strip = Elastica { gamma: 0.0, load: row[0], clamp_angle: 0.0 };
+        let strip = Elastica {
+            gamma: 0.0,
+            load: row[0],
+            clamp_angle: 0.0,
+        };
         let hanging = strip.hanging();
         let what = format!("load {}", row[0]);
         assert_near(hanging.drop, row[2], 1e-5, &what);

@@ -1,0 +1,104 @@
+//! `lab energy`: what a strip that swings undamped in a vacuum loses or gains.
+
+use serde_json::json;
+
+use crate::exact::vibration_roots;
+use crate::options;
+use crate::report;
+use crate::specimen::{Model, Piece, Specimen};
+
+/// Weight over stiffness of the strip, which starts level.
+const GAMMA: f64 = 1.0;
+
+/// Steps of a period for a model that takes any step.
+const FINE: f64 = 400.0;
+
+/// Runs the experiment.
+pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
+    let mut periods = 10;
+    let (model, json) = report::read(parser, |option, parser| {
+        if option != "periods" {
+            return Ok(false);
+        }
+        periods = options::number(parser, option, 2, 1000)?;
+        Ok(true)
+    })?;
+    let mut piece = Piece {
+        loss: Some(0.0),
+        air: false,
+        ..Piece::of_gamma(GAMMA)
+    };
+    let rate = vibration_roots()[0].powi(2) * (piece.stiffness / piece.grammage).sqrt()
+        / (piece.length * piece.length);
+    let period = 2.0 * std::f64::consts::PI / rate;
+    if model.takes_any_step() {
+        piece.time_step = Some(period / FINE);
+    }
+    let mut strip = model.make(&piece)?;
+    let (drift, how) = match strip.energy() {
+        Some(energy) => {
+            let swing = energy - energy_at_rest(model, &piece)?;
+            (drift(&mut *strip, period, periods) / swing, "energy")
+        }
+        None => (
+            -lost(&mut *strip, period, periods),
+            "height of the swing, squared",
+        ),
+    };
+    let figures = json!({
+        "model": model.name(),
+        "gamma": GAMMA,
+        "periods": periods,
+        "time_step": strip.time_step(),
+        "drift": drift,
+        "measured_by": how,
+        "exact": { "drift": 0.0 },
+    });
+    report::print(json, &figures);
+    Ok(())
+}
+
+fn energy_at_rest(model: Model, piece: &Piece) -> Result<f64, String> {
+    let damped = Piece {
+        loss: None,
+        air: true,
+        ..piece.clone()
+    };
+    let mut strip = model.make(&damped)?;
+    strip.rest()?;
+    strip
+        .energy()
+        .ok_or_else(|| "The strip keeps no account of its energy.".into())
+}
+
+/// How far the energy of a swinging strip strays most from what it was at first, J.
+fn drift(strip: &mut dyn Specimen, period: f64, periods: usize) -> f64 {
+    let start = strip.energy().unwrap_or(f64::NAN);
+    let mut most = 0.0f64;
+    for _ in 0..(periods as f64 * period / strip.time_step()).ceil() as usize {
+        strip.step();
+        let away = strip.energy().unwrap_or(f64::NAN) - start;
+        if !(away.abs() <= most.abs()) {
+            most = away;
+        }
+    }
+    most
+}
+
+/// The part of its energy that a swinging strip has lost by the last of some
+/// periods, by the heights of its swings: energy goes with their squares.
+fn lost(strip: &mut dyn Specimen, period: f64, periods: usize) -> f64 {
+    let steps = (period / strip.time_step()).round() as usize;
+    let mut heights = (0..periods).map(|_| {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for _ in 0..steps {
+            strip.step();
+            let z = strip.tip()[2];
+            (low, high) = (low.min(z), high.max(z));
+        }
+        high - low
+    });
+    let first = heights.next().unwrap_or(f64::NAN);
+    let last = heights.last().unwrap_or(f64::NAN);
+    1.0 - (last / first) * (last / first)
+}

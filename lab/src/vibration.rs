@@ -1,0 +1,136 @@
+//! `lab vibration`: how a weightless strip clamped at one end vibrates.
+//!
+//! A model with vibrations of its own is asked for them. Any other is loaded
+//! with its own inertia in the shape of a mode and rests in a shape nearer to
+//! it: inverse iteration with the model as the solver, so what is measured is
+//! its stiffness, with its mass lumped at the nodes.
+
+use std::f64::consts::PI;
+
+use serde_json::json;
+
+use crate::exact::vibration_roots;
+use crate::options;
+use crate::report;
+use crate::specimen::{Piece, Specimen};
+
+/// How far the tip is bent, over the length.
+const BENT: f64 = 0.03;
+
+/// Rounds of inverse iteration for a mode.
+const ROUNDS: usize = 5;
+
+/// Runs the experiment.
+pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
+    let mut columns = None;
+    let (model, json) = report::read(parser, |option, parser| {
+        if option != "nodes" {
+            return Ok(false);
+        }
+        columns = Some(options::number(parser, option, 8, 513)?);
+        Ok(true)
+    })?;
+    let piece = Piece {
+        columns,
+        ..Piece::weightless()
+    };
+    // A narrow strip in a vacuum, so that its own modes are those of bending.
+    let narrow = Piece {
+        breadth: 0.02 * piece.length,
+        rows: Some(2),
+        air: false,
+        ..piece.clone()
+    };
+    let unit = (piece.grammage / piece.stiffness).sqrt() * piece.length * piece.length;
+    let (rates, how) = match model
+        .make(&narrow)
+        .ok()
+        .and_then(|mut strip| strip.frequencies(3))
+    {
+        Some(rates) => (rates, "eigenvalues of its stiffness and mass"),
+        None => (
+            by_loads(&mut *model.make(&piece)?, &piece)?,
+            "inverse iteration with its stiffness",
+        ),
+    };
+    let roots: Vec<f64> = rates.iter().map(|rate| (rate * unit).sqrt()).collect();
+    let exact = vibration_roots();
+    let errors: Vec<_> = roots
+        .iter()
+        .zip(exact)
+        .map(|(root, exact)| report::error(*root, exact))
+        .collect();
+    let figures = json!({
+        "model": model.name(),
+        "roots": roots,
+        "measured_by": how,
+        "exact": { "roots": exact },
+        "error": { "roots": errors },
+    });
+    report::print(json, &figures);
+    Ok(())
+}
+
+/// The first three angular frequencies of a piece, rad/s.
+fn by_loads(specimen: &mut dyn Specimen, piece: &Piece) -> Result<Vec<f64>, String> {
+    let columns = specimen.grid().0;
+    let cell = piece.length / (columns - 1) as f64;
+    let mass = |column: usize| {
+        let share = if column + 1 == columns { 0.5 } else { 1.0 };
+        share * piece.grammage * piece.breadth * cell
+    };
+    let product = |a: &[f64], b: &[f64]| -> f64 {
+        (0..columns)
+            .map(|column| mass(column) * a[column] * b[column])
+            .sum()
+    };
+    let slowest = (piece.stiffness / piece.grammage).sqrt() / (piece.length * piece.length);
+    let mut modes: Vec<Vec<f64>> = Vec::new();
+    let mut rates = Vec::new();
+    for mode in 0..3 {
+        let wave = (mode as f64 + 0.5) * PI;
+        let mut square = (wave * wave * slowest).powi(2);
+        let mut shape: Vec<f64> = (0..columns)
+            .map(|column| column as f64 / (columns - 1) as f64)
+            .map(|u| u * u * (wave * u).cos())
+            .collect();
+        for _ in 0..ROUNDS {
+            for other in &modes {
+                let part = product(&shape, other) / product(other, other);
+                for (shape, other) in shape.iter_mut().zip(other) {
+                    *shape -= part * other;
+                }
+            }
+            let most = shape.iter().fold(0.0, |most: f64, z| most.max(z.abs()));
+            for z in &mut shape {
+                *z *= BENT * piece.length / most;
+            }
+            for column in 1..columns {
+                let force = square * mass(column) * shape[column];
+                specimen.load_column(column, [0.0, 0.0, force])?;
+            }
+            specimen.rest()?;
+            let answer = mean_heights(specimen);
+            square *= product(&answer, &shape) / product(&answer, &answer);
+            shape = answer;
+        }
+        modes.push(shape);
+        rates.push(square.sqrt());
+    }
+    Ok(rates)
+}
+
+/// Heights of the columns of a piece at rest, m: the mean of a second, as a
+/// sheet in single precision trembles.
+fn mean_heights(piece: &mut dyn Specimen) -> Vec<f64> {
+    let columns = piece.grid().0;
+    let steps = (1.0 / piece.time_step()).round() as usize;
+    let mut sum = vec![0.0; columns];
+    for _ in 0..steps {
+        piece.step();
+        for (column, sum) in sum.iter_mut().enumerate() {
+            *sum += piece.middle(column)[2];
+        }
+    }
+    sum.iter().map(|sum| sum / steps as f64).collect()
+}

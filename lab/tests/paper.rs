@@ -1,0 +1,161 @@
+//! The experiments on a piece of paper, and how near each model must come to
+//! the exact answers.
+
+use std::process::Command;
+
+use serde_json::Value;
+
+fn lab(line: &str) -> Value {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lab"));
+    let output = command
+        .args(line.split(' '))
+        .arg("--json")
+        .output()
+        .expect("lab runs");
+    let sentence = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{line}: {sentence}");
+    serde_json::from_slice(&output.stdout).expect("JSON")
+}
+
+/// The figure at a path of an experiment.
+fn figure(found: &Value, path: &str) -> f64 {
+    let value = path.split('.').fold(found, |value, name| &value[name]);
+    value
+        .as_f64()
+        .unwrap_or_else(|| panic!("{path} of {found}"))
+}
+
+fn assert_within(line: &str, paths: &[&str], most: f64) {
+    let found = lab(line);
+    for path in paths {
+        let error = figure(&found, path);
+        assert!(
+            error.abs() <= most,
+            "{line}: {path} is {error}, beyond {most}"
+        );
+    }
+    if let Some(strain) = found["max_edge_strain"].as_f64() {
+        assert!(strain < 1e-3, "{line}: strain {strain}");
+    }
+}
+
+#[test]
+fn a_sheet_hangs_as_paper_does() {
+    for gamma in [1, 10, 100] {
+        let line = format!("cantilever --gamma {gamma}");
+        assert_within(&line, &["error.drop", "error.tip"], 0.01);
+    }
+    for gamma in ["0.1", "3", "30", "300", "1000"] {
+        let line = format!("cantilever --gamma {gamma}");
+        assert_within(&line, &["error.drop", "error.tip"], 0.02);
+    }
+    for (gamma, angle) in [("0.5", 60), ("4", 75), ("10", 90), ("30", -30), ("15", 135)] {
+        let line = format!("cantilever --gamma {gamma} --clamp-angle {angle}");
+        assert_within(&line, &["error.tip"], 0.02);
+    }
+}
+
+#[test]
+fn a_shell_hangs_as_paper_does() {
+    for gamma in ["0.1", "1", "10", "100", "1000"] {
+        let line = format!("cantilever --model shell --gamma {gamma}");
+        assert_within(&line, &["error.drop", "error.tip"], 0.002);
+    }
+    for (gamma, angle) in [("4", 75), ("10", 90), ("30", -30)] {
+        let line = format!("cantilever --model shell --gamma {gamma} --clamp-angle {angle}");
+        assert_within(&line, &["error.tip"], 0.005);
+    }
+}
+
+#[test]
+fn a_loaded_tip_comes_down() {
+    for (model, most) in [("sheet", 0.02), ("shell", 0.005)] {
+        for load in ["0.1", "1", "5"] {
+            let line = format!("tip-load --model {model} --load {load}");
+            assert_within(&line, &["error.w", "error.u"], most);
+        }
+    }
+}
+
+#[test]
+fn a_loop_of_two_ends_is_a_pear() {
+    for (model, most) in [("sheet", 0.02), ("shell", 0.005)] {
+        let line = format!("pear-loop --model {model}");
+        assert_within(&line, &["error.height", "error.width"], most);
+    }
+}
+
+#[test]
+fn what_stands_falls_over_at_its_weight() {
+    assert_within("upright", &["error.gamma_critical"], 0.02);
+    assert_within("upright --model shell", &["error.gamma_critical"], 0.005);
+    // Ritz's method, about a thousandth.
+    for (model, most) in [("sheet", 0.05), ("shell", 0.01)] {
+        let found = lab(&format!(
+            "lateral-buckling --model {model} --nu 0.3 --aspect 0.5"
+        ));
+        let error = figure(&found, "gamma_critical") / 21.60207 - 1.0;
+        assert!(error.abs() <= most, "{model}: {error}");
+    }
+}
+
+#[test]
+fn a_strip_vibrates_at_its_pitches() {
+    for (model, most) in [("sheet", [0.005, 0.02, 0.05]), ("shell", [0.001; 3])] {
+        let found = lab(&format!("vibration --model {model}"));
+        for (mode, most) in most.iter().enumerate() {
+            let error = found["error"]["roots"][mode].as_f64().expect("a number");
+            assert!(error.abs() <= *most, "{model}, mode {mode}: {error}");
+        }
+    }
+}
+
+#[test]
+fn a_level_sheet_falls_at_its_speed() {
+    for stock in ["bible", "book", "office", "coated", "card"] {
+        let line = format!("drop-sheet --stock {stock}");
+        assert_within(&line, &["error.terminal_speed"], 0.02);
+    }
+}
+
+#[test]
+fn a_shell_keeps_its_energy() {
+    assert_within("energy --model shell --periods 10", &["drift"], 0.01);
+    // The interactive sheet damps as implicit Euler does: it loses, and never gains.
+    let drift = figure(&lab("energy"), "drift");
+    assert!((-1.0..=0.0).contains(&drift), "{drift}");
+}
+
+#[test]
+fn refinement_is_of_second_order() {
+    let shell = lab("convergence --model shell");
+    assert!(figure(&shell, "order") >= 1.8, "{shell}");
+    assert!(figure(&shell, "order_in_time") >= 1.8, "{shell}");
+    let sheet = lab("convergence --model sheet");
+    assert!(figure(&sheet, "order") >= 1.8, "{sheet}");
+}
+
+#[test]
+fn what_a_model_cannot_do_it_says() {
+    let wrong = [
+        "tip-load --model mass-spring --load 1",
+        "pear-loop --model mass-spring",
+        "drop-sheet --model mass-spring --stock book",
+        "lateral-buckling --model mass-spring --nu 0.3 --aspect 0.5",
+        "cantilever",
+        "cantilever --gamma nothing",
+        "cantilever --gamma 1 --nodes 2",
+        "cantilever --gamma 1 --nodes 400",
+        "drop-sheet --stock vellum",
+        "tip-load",
+    ];
+    for line in wrong {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_lab"));
+        let output = command.args(line.split(' ')).output().expect("lab runs");
+        assert_eq!(output.status.code(), Some(2), "{line}");
+        let sentence = String::from_utf8(output.stderr).expect("text");
+        assert!(sentence.trim_end().ends_with('.'), "{line}: {sentence}");
+        assert_eq!(sentence.trim_end().lines().count(), 1, "{line}: {sentence}");
+        assert!(output.stdout.is_empty());
+    }
+}
