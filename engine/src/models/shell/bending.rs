@@ -1,6 +1,6 @@
 //! What a discretisation of bending has to answer.
 
-use super::mesh::Clamps;
+use super::clamp::Clamps;
 use super::system::System;
 use super::vector::Vector;
 

@@ -1,8 +1,9 @@
 //! All forces on a leaf that have a potential.
 
 use super::bending::Bending;
+use super::clamp::Clamps;
 use super::membrane::Membrane;
-use super::mesh::{Clamps, Mesh};
+use super::mesh::Mesh;
 use super::newton::Potential;
 use super::system::System;
 use super::vector::{Vector, advance, along, difference, dot, length, scale};

@@ -1,15 +1,18 @@
-//! Bending by second differences over the grid: an energy quadratic in the
-//! positions, whose Hessian is constant (Bergou et al. 2006, "A quadratic
+//! Bending by second differences over the grid (Bergou et al. 2006, "A quadratic
 //! bending model for inextensible surfaces", is the same idea on triangles).
 //!
 //! On a nearly inextensible sheet |x_uu|, |x_vv| and |x_uv| are the curvatures
-//! and the twist. Along a free edge bending across the edge costs nothing, so
-//! there the energy is the least over it.
+//! and the twist. A second difference is 2 sin(angle / 2) over the distance of
+//! the nodes, so that the energy quadratic in it is soft where a cell bends far;
+//! the next term of angle^2 = s^2 + s^4 / 12 + ... makes that good. Along a free
+//! edge bending across the edge costs nothing, so there the energy is the least
+//! over it.
 
 use super::bending::Bending;
-use super::mesh::{Clamps, Mesh};
+use super::clamp::Clamps;
+use super::mesh::Mesh;
 use super::system::System;
-use super::vector::{Vector, dot, scale};
+use super::vector::{Vector, along, dot, scale};
 use crate::rigidity::Rigidity;
 
 /// A weighted sum of places, and of the direction beyond a clamped edge.
@@ -19,8 +22,21 @@ struct Stencil {
     /// Node on a clamped edge beyond which the sum goes on, and the weight of
     /// the unit direction there.
     beyond: Option<(usize, f64)>,
-    /// Energy is half of this times the sum squared.
+    /// Energy is half of this times the sum's square and `arc` times its fourth
+    /// power.
     stiffness: f64,
+    arc: f64,
+}
+
+impl Stencil {
+    /// The same, its fourth power as for a stiffness `ratio` times its own: the
+    /// mixed sum has none.
+    fn with_arc_of(self, ratio: f64) -> Self {
+        Self {
+            arc: ratio * self.arc,
+            ..self
+        }
+    }
 }
 
 /// The bending energy of a grid.
@@ -35,15 +51,15 @@ pub(super) struct GridBending {
 
 impl GridBending {
     pub fn new(mesh: &Mesh, rigidity: &Rigidity, clamps: &Clamps) -> Self {
-        let weights = clamps.end_weights(mesh);
+        let plates = clamps.plates(mesh, rigidity);
         let mut stencils = Vec::new();
         for (column, row) in mesh.places() {
             let clamped = clamps.hold(column, mesh);
             let uu = along_u(mesh, column, row, clamped);
             let vv = along_v(mesh, column, row).filter(|_| !clamped);
             let area = mesh.width_at(column) * mesh.height_at(row);
-            let (weight, d12) = (weights[column], rigidity.d12);
-            let free = weight * rigidity.d11 - d12 * d12 / rigidity.d22;
+            let plate = &plates[column];
+            let Rigidity { d11, d22, d12, .. } = *plate;
             let mut add = |stencil: Stencil, d: f64| {
                 stencils.push(Stencil {
                     stiffness: d * area,
@@ -54,12 +70,12 @@ impl GridBending {
                 (Some(uu), Some(vv)) => {
                     // 2 uu.vv is |uu + vv|^2 less |uu|^2 and |vv|^2.
                     add(sum(&uu, &vv), d12);
-                    add(uu, weight * rigidity.d11 - d12);
-                    add(vv, rigidity.d22 - d12);
+                    add(uu.with_arc_of(d11 / (d11 - d12)), d11 - d12);
+                    add(vv.with_arc_of(d22 / (d22 - d12)), d22 - d12);
                 }
-                (Some(uu), None) if clamped => add(uu, weight * rigidity.d11),
-                (Some(uu), None) => add(uu, free),
-                (None, Some(vv)) => add(vv, rigidity.free_d22()),
+                (Some(uu), None) if clamped => add(uu, d11),
+                (Some(uu), None) => add(uu, plate.free_d11()),
+                (None, Some(vv)) => add(vv, plate.free_d22()),
                 (None, None) => {}
             }
         }
@@ -81,8 +97,7 @@ impl GridBending {
             }
         }
         if let Some((edge, weight)) = stencil.beyond {
-            let beyond = clamps.beyond(edge % self.mesh.columns, &self.mesh);
-            let beyond = beyond.unwrap_or_default();
+            let beyond = clamps.beyond(edge, &self.mesh);
             for axis in 0..3 {
                 sum[axis] += weight * beyond[axis];
             }
@@ -97,7 +112,9 @@ impl Bending for GridBending {
         for (stencil, &damped) in self.stencils.iter().zip(&self.damped) {
             let sum = self.sum(stencil, x, clamps);
             let apart = super::vector::difference(sum, damped);
-            energy += 0.5 * stencil.stiffness * (dot(sum, sum) + self.damping * dot(apart, apart));
+            let square = dot(sum, sum);
+            let bent = square + stencil.arc * square * square;
+            energy += 0.5 * stencil.stiffness * (bent + self.damping * dot(apart, apart));
         }
         energy
     }
@@ -105,15 +122,24 @@ impl Bending for GridBending {
     fn add_to(&self, x: &[Vector], clamps: &Clamps, _exact: bool, system: &mut System) {
         for (stencil, &damped) in self.stencils.iter().zip(&self.damped) {
             let sum = self.sum(stencil, x, clamps);
+            let arc = 2.0 * stencil.arc;
+            let straight = 1.0 + arc * dot(sum, sum);
             let mut pull = [0.0; 3];
             for axis in 0..3 {
-                pull[axis] = sum[axis] + self.damping * (sum[axis] - damped[axis]);
+                pull[axis] = straight * sum[axis] + self.damping * (sum[axis] - damped[axis]);
             }
-            let stiffness = stencil.stiffness * (1.0 + self.damping);
+            let stiffness = stencil.stiffness;
+            let block = along(
+                stiffness * (straight + self.damping),
+                2.0 * stiffness * arc,
+                sum,
+            );
             for &(a, weight) in &stencil.terms {
                 system.add_gradient(a, scale(stencil.stiffness * weight, pull));
                 for &(b, other) in &stencil.terms {
-                    system.add_scalar(a, b, stiffness * weight * other);
+                    if system.wants(a, b) {
+                        system.add_block(a, b, block.map(|row| scale(weight * other, row)));
+                    }
                 }
             }
         }
@@ -147,6 +173,7 @@ fn along_u(mesh: &Mesh, column: usize, row: usize, clamped: bool) -> Option<Sten
         terms,
         beyond,
         stiffness: 0.0,
+        arc: mesh.du * mesh.du / if clamped { 48.0 } else { 12.0 },
     })
 }
 
@@ -161,6 +188,7 @@ fn along_v(mesh: &Mesh, column: usize, row: usize) -> Option<Stencil> {
         terms: vec![(below, w), (here, -2.0 * w), (above, w)],
         beyond: None,
         stiffness: 0.0,
+        arc: mesh.dv * mesh.dv / 12.0,
     })
 }
 
@@ -176,6 +204,7 @@ fn sum(uu: &Stencil, vv: &Stencil) -> Stencil {
         terms,
         beyond: None,
         stiffness: 0.0,
+        arc: 0.0,
     }
 }
 
@@ -187,5 +216,6 @@ fn twist(mesh: &Mesh, (column, row): (usize, usize), d66: f64) -> Stencil {
         terms: vec![(here, w), (here + 1, -w), (above, -w), (above + 1, w)],
         beyond: None,
         stiffness: 4.0 * d66 * area,
+        arc: 0.0,
     }
 }

@@ -1,9 +1,6 @@
-//! The nodes of a leaf, and how its edges are held.
+//! The nodes of a leaf.
 
-use super::vector::{Vector, advance, cross, difference, length, scale};
-
-/// Marks the node beyond a clamped edge, which follows from the clamp.
-pub(super) const GHOST: usize = usize::MAX;
+use super::vector::{Vector, cross, difference, length, scale};
 
 /// A regular grid of nodes, numbered row by row from the foot.
 #[derive(Clone, Copy, Debug)]
@@ -81,56 +78,4 @@ fn half_at_ends(i: usize, count: usize) -> f64 {
 
 fn neighbours(i: usize, count: usize) -> (usize, usize) {
     (i.saturating_sub(1), (i + 1).min(count - 1))
-}
-
-/// The clamps at the spine and at the fore-edge: where there is one, the unit
-/// direction in which the leaf would go on beyond that edge.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Clamps {
-    pub spine: Option<Vector>,
-    pub fore_edge: Option<Vector>,
-}
-
-impl Clamps {
-    /// Whether the nodes of a column are held by a clamp.
-    pub fn hold(&self, column: usize, mesh: &Mesh) -> bool {
-        self.beyond(column, mesh).is_some()
-    }
-
-    /// Direction beyond a clamped edge column, None elsewhere.
-    pub fn beyond(&self, column: usize, mesh: &Mesh) -> Option<Vector> {
-        if column == 0 {
-            self.spine
-        } else if column + 1 == mesh.columns {
-            self.fore_edge
-        } else {
-            None
-        }
-    }
-
-    /// Place of a node, or where it is a ghost that of the node beyond `edge`.
-    pub fn place(&self, node: usize, edge: usize, mesh: &Mesh, x: &[Vector]) -> Vector {
-        if node != GHOST {
-            return x[node];
-        }
-        let beyond = self.beyond(edge % mesh.columns, mesh).unwrap_or_default();
-        advance(x[edge], mesh.du, beyond)
-    }
-
-    /// Factors of the stiffness across each column that make clamped ends exact
-    /// to third order: one over the weights of Gregory's rule, relative to those
-    /// of the trapezoidal rule. The turn of a leaf between two places is the
-    /// integral of moment over stiffness, and this is the better quadrature.
-    pub fn end_weights(&self, mesh: &Mesh) -> Vec<f64> {
-        let mut weights = vec![1.0; mesh.columns];
-        for (i, weight) in [4.0 / 3.0, 6.0 / 7.0, 24.0 / 23.0].into_iter().enumerate() {
-            if self.spine.is_some() {
-                weights[i] = weight;
-            }
-            if self.fore_edge.is_some() {
-                weights[mesh.columns - 1 - i] = weight;
-            }
-        }
-        weights
-    }
 }

@@ -7,6 +7,7 @@
 //! hardly strains.
 
 mod bending;
+mod clamp;
 mod forces;
 mod grid;
 mod hinge;
@@ -19,21 +20,26 @@ mod statics;
 mod stepping;
 mod system;
 mod triangles;
+mod triangulation;
 mod vector;
 
+#[cfg(test)]
+mod motion_tests;
 #[cfg(test)]
 mod tests;
 
 pub use settings::{Discretisation, Edge, Scheme, ShellSettings, Table};
 
 use crate::grab;
+use crate::interpolate::Interpolation;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
 use bending::Bending;
+use clamp::{Clamp, Clamps, direction};
 use forces::{Forces, Hand};
 use grid::GridBending;
 use membrane::Membrane;
-use mesh::{Clamps, Mesh};
+use mesh::Mesh;
 use system::System;
 use triangles::TriangleBending;
 use vector::{Vector, advance, dot, scale};
@@ -87,6 +93,7 @@ pub struct Shell {
     before: Option<(Vec<Vector>, Vec<Vector>)>,
     steps: u64,
     unsolved: u64,
+    interpolation: Option<Interpolation>,
 }
 
 impl Shell {
@@ -104,16 +111,14 @@ impl Shell {
             du: settings.width / (settings.columns - 1) as f64,
             dv: settings.height / (settings.rows - 1) as f64,
         };
-        let direction = |edge: Edge| match edge {
-            Edge::Free => None,
-            Edge::Clamped { angle } => Some(direction(angle)),
-        };
-        let leaf = direction(settings.spine);
         let clamps = Clamps {
-            spine: leaf.map(|t| scale(-1.0, t)),
-            fore_edge: direction(settings.fore_edge),
+            spine: Clamp::of(settings.spine, -1.0),
+            fore_edge: Clamp::of(settings.fore_edge, 1.0),
         };
-        let along = leaf.unwrap_or([1.0, 0.0, 0.0]);
+        let along = match settings.spine {
+            Edge::Free => direction(0.0),
+            Edge::Clamped { angle } | Edge::Hinged { angle, .. } => direction(angle),
+        };
         let flat = |(column, row): (usize, usize)| {
             let foot = [0.0, row as f64 * mesh.dv, 0.0];
             advance(foot, column as f64 * mesh.du, along)
@@ -145,6 +150,7 @@ impl Shell {
             before: None,
             steps: 0,
             unsolved: 0,
+            interpolation: None,
             mesh,
             settings,
         })
@@ -155,20 +161,20 @@ impl Shell {
         &self.settings
     }
 
-    /// Turns the clamp at the spine to `angle` radians over the x axis. Nothing
+    /// Turns the clamp or hinge at the spine to `angle` radians over the x axis. Nothing
     /// happens at a free spine.
     pub fn set_clamp_angle(&mut self, angle: f64) {
         if let Some(spine) = &mut self.forces.clamps.spine {
-            *spine = scale(-1.0, direction(angle));
+            spine.beyond = scale(-1.0, direction(angle));
         }
     }
 
-    /// Moves a clamped fore-edge to `x` and `z` metres, each node keeping its
+    /// Moves a clamped or hinged fore-edge to `x` and `z` metres, each node keeping its
     /// height along the spine, and turns it to `angle` radians. Nothing happens
     /// at a free fore-edge.
     pub fn hold_fore_edge(&mut self, x: f64, z: f64, angle: f64) {
         if let Some(fore_edge) = &mut self.forces.clamps.fore_edge {
-            *fore_edge = direction(angle);
+            fore_edge.beyond = direction(angle);
             for row in 0..self.mesh.rows {
                 let node = self.mesh.node(self.mesh.columns - 1, row);
                 self.x[node] = [x, row as f64 * self.mesh.dv, z];
@@ -222,7 +228,7 @@ impl Shell {
     }
 
     /// Moves the hand to a place, m. Nothing happens without one.
-    pub fn hold(&mut self, target: [f64; 3]) {
+    pub fn pull(&mut self, target: [f64; 3]) {
         if let Some(hand) = &mut self.forces.hand {
             hand.target = target;
         }
@@ -252,6 +258,17 @@ impl Shell {
         self.x.as_flattened_mut().copy_from_slice(positions);
         self.v.as_flattened_mut().copy_from_slice(velocities);
         self.before = None;
+    }
+
+    /// Draws the surface at every pair of `u` (0 spine, 1 fore-edge) and `v`
+    /// (0 foot, 1 head), rising and within 0..1, by cubic splines through the
+    /// nodes, instead of the nodes themselves.
+    ///
+    /// # Panics
+    /// As [`Interpolation::spline`], so with fewer than 4 rows.
+    pub fn draw_samples(&mut self, u: &[f32], v: &[f32]) {
+        let (columns, rows) = (self.mesh.columns, self.mesh.rows);
+        self.interpolation = Some(Interpolation::spline(columns, rows, u, v));
     }
 
     /// Energies now.
@@ -296,9 +313,17 @@ impl TurnModel for Shell {
     }
 
     fn write_surface(&mut self, surface: &mut Surface) {
-        surface.resize(self.mesh.columns, self.mesh.rows);
-        for (to, from) in surface.positions.iter_mut().zip(self.positions()) {
-            *to = *from as f32;
+        let nodes: Vec<f32> = self.positions().iter().map(|x| *x as f32).collect();
+        match &mut self.interpolation {
+            Some(interpolation) => {
+                let (columns, rows) = interpolation.samples();
+                surface.resize(columns, rows);
+                interpolation.apply_interleaved(&nodes, &mut surface.positions);
+            }
+            None => {
+                surface.resize(self.mesh.columns, self.mesh.rows);
+                surface.positions.copy_from_slice(&nodes);
+            }
         }
         surface.touch();
     }
@@ -319,11 +344,6 @@ impl TurnModel for Shell {
             }
         }
     }
-}
-
-/// The unit direction `angle` radians over the x axis.
-fn direction(angle: f64) -> Vector {
-    [libm::cos(angle), 0.0, libm::sin(angle)]
 }
 
 fn bending(settings: &ShellSettings, mesh: &Mesh, clamps: &Clamps) -> Box<dyn Bending> {

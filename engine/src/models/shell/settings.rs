@@ -10,6 +10,13 @@ use crate::stock::{GRAVITY, Grain, Stock};
 pub enum Edge {
     /// Not at all.
     Free,
+    /// Its nodes only, and the direction of the leaf by a hinge in between.
+    Hinged {
+        /// Direction in which the hinge is at rest, as that of a clamp.
+        angle: f64,
+        /// Moment per width and radian of the hinge, N: 0 turns freely.
+        stiffness: f64,
+    },
     /// Its nodes and the direction of the leaf there: `angle` is that of the
     /// direction of rising u over the x axis, in radians, positive upward.
     Clamped {
@@ -21,8 +28,7 @@ pub enum Edge {
 /// How bending energy follows from the nodes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Discretisation {
-    /// Second differences over the grid: quadratic, the hessian constant
-    /// (after Bergou et al. 2006).
+    /// Second differences over the grid (after Bergou et al. 2006).
     #[default]
     Grid,
     /// The shape operators of triangles by the angles of their hinges, over both
@@ -104,7 +110,7 @@ impl ShellSettings {
             height,
             rigidity: Rigidity::of(stock, grain),
             areal_mass: stock.grammage,
-            membrane: 2e4,
+            membrane: 1e5,
             gravity: [0.0, 0.0, -GRAVITY],
             air: Air::still(width),
             spine: Edge::Clamped { angle: 0.0 },
@@ -180,9 +186,15 @@ impl ShellSettings {
                 )));
             }
         }
+        let hinge = |edge: Edge| match edge {
+            Edge::Hinged { stiffness, .. } => stiffness,
+            Edge::Free | Edge::Clamped { .. } => 0.0,
+        };
         let friction = self.table.map_or(0.0, |table| table.friction);
         let air = [self.air.density, self.air.drag, self.air.added_mass];
         let not_below_zero = [
+            ("hinge at the spine", hinge(self.spine)),
+            ("hinge at the fore-edge", hinge(self.fore_edge)),
             ("loss", self.loss),
             ("friction", friction),
             ("coupling of bending", self.rigidity.d12),

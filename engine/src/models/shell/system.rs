@@ -114,6 +114,11 @@ impl System {
         self.by_node(&answer)
     }
 
+    #[cfg(test)]
+    pub fn gradient(&self) -> Vec<Vector> {
+        self.by_node(&self.gradient)
+    }
+
     fn of_free<'a>(
         &'a self,
         forces: &'a [Vector],

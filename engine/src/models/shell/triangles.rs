@@ -10,31 +10,88 @@
 //! energy knows angles only, and is not quadratic.
 
 use super::bending::Bending;
+use super::clamp::{Clamps, GHOST};
 use super::hinge::{Angle, angle, second_derivative};
-use super::mesh::{Clamps, GHOST, Mesh};
+use super::mesh::Mesh;
 use super::system::System;
-use super::vector::{Vector, outer, scale};
+use super::triangulation::{Diagonal, Hinge, across, leg_along_u, leg_along_v, shape_operator};
+use super::vector::{Block, Vector, advance, scale};
 use crate::rigidity::Rigidity;
-
-/// The two ways to cut a cell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Diagonal {
-    /// From the foot at the fore-edge to the head at the spine.
-    Falling,
-    /// From the foot at the spine to the head at the fore-edge.
-    Rising,
-}
-
-/// Nodes of an edge and of the apexes on its left and right.
-type Hinge = [usize; 4];
 
 /// A right triangle: its hinges over the leg along v, the leg along u and the
 /// diagonal, and the stiffness that couples them.
 #[derive(Clone, Debug)]
 struct Triangle {
     hinges: [Option<usize>; 3],
+    /// Its nodes and the apexes across its edges, and where among them the
+    /// vertices of each hinge are.
+    nodes: Vec<usize>,
+    vertices: [[Option<usize>; 4]; 3],
     /// Energy is half of the angles' product with this.
     stiffness: [[f64; 3]; 3],
+}
+
+impl Triangle {
+    fn new(hinges: [Option<usize>; 3], all: &[Hinge], stiffness: [[f64; 3]; 3]) -> Self {
+        let mut nodes = Vec::new();
+        let vertices = hinges.map(|hinge| {
+            let hinge = hinge.map_or([GHOST; 4], |hinge| all[hinge]);
+            hinge.map(|node| {
+                if node == GHOST {
+                    return None;
+                }
+                let known = nodes.iter().position(|known| *known == node);
+                Some(known.unwrap_or_else(|| {
+                    nodes.push(node);
+                    nodes.len() - 1
+                }))
+            })
+        });
+        Self {
+            hinges,
+            nodes,
+            vertices,
+            stiffness,
+        }
+    }
+
+    /// Adds the part of the Hessian that is products of the angles' slopes.
+    fn add_to(&self, angles: &[Angle], factor: f64, system: &mut System) {
+        // By node and hinge.
+        let mut slopes = [[[0.0; 3]; 3]; 6];
+        for (side, (hinge, vertices)) in self.hinges.iter().zip(&self.vertices).enumerate() {
+            let Some(hinge) = *hinge else { continue };
+            for (vertex, slope) in vertices.iter().zip(&angles[hinge].gradient) {
+                if let Some(vertex) = *vertex {
+                    slopes[vertex][side] = *slope;
+                }
+            }
+        }
+        for (i, &a) in self.nodes.iter().enumerate() {
+            let mut moments = [[0.0; 3]; 3];
+            for (j, moment) in moments.iter_mut().enumerate() {
+                for k in 0..3 {
+                    *moment = advance(*moment, factor * self.stiffness[j][k], slopes[i][k]);
+                }
+            }
+            for (j, &b) in self.nodes.iter().enumerate() {
+                if system.wants(a, b) {
+                    system.add_block(a, b, product(&moments, &slopes[j]));
+                }
+            }
+        }
+    }
+}
+
+/// The sum of the outer products of corresponding vectors.
+fn product(a: &[Vector; 3], b: &[Vector; 3]) -> Block {
+    let mut block = [[0.0; 3]; 3];
+    for (a, b) in a.iter().zip(b) {
+        for axis in 0..3 {
+            block[axis] = advance(block[axis], a[axis], *b);
+        }
+    }
+    block
 }
 
 /// The bending energy of a leaf of triangles.
@@ -68,39 +125,33 @@ impl TriangleBending {
         let mesh = self.mesh;
         let mut legs_v = vec![None; mesh.nodes()];
         let mut legs_u = vec![None; mesh.nodes()];
-        let mut add = |hinge: Option<Hinge>| {
-            hinge.map(|hinge| {
-                self.hinges.push(hinge);
-                self.hinges.len() - 1
-            })
-        };
         for (column, row) in mesh.places() {
             let here = mesh.node(column, row);
-            legs_v[here] = add(leg_along_v(&mesh, diagonal, clamps, column, row));
-            legs_u[here] = add(leg_along_u(&mesh, diagonal, column, row));
+            legs_v[here] = self.add(leg_along_v(&mesh, diagonal, clamps, column, row));
+            legs_u[here] = self.add(leg_along_u(&mesh, diagonal, column, row));
         }
-        let weights = clamps.end_weights(&mesh);
+        let plates = clamps.plates(&mesh, rigidity);
         for (column, row) in mesh.cells() {
-            let across = add(Some(across(&mesh, diagonal, column, row)));
+            let across = self.add(Some(across(&mesh, diagonal, column, row)));
             for upper in [false, true] {
                 // The corner of the right angle.
                 let right = upper == (diagonal == Diagonal::Falling);
                 let (column_v, row_u) = (column + usize::from(right), row + usize::from(upper));
                 let leg_v = legs_v[mesh.node(column_v, row)];
                 let leg_u = legs_u[mesh.node(column, row_u)];
-                let weighted = Rigidity {
-                    d11: weights[column_v] * rigidity.d11,
-                    ..*rigidity
-                };
                 let clamped = clamps.hold(column_v, &mesh);
                 let shape = shape_operator(&mesh, diagonal, clamped);
                 let free = [leg_v.is_none(), leg_u.is_none()];
-                self.triangles.push(Triangle {
-                    hinges: [leg_v, leg_u, across],
-                    stiffness: stiffness(&mesh, &plate(&weighted, free), &shape),
-                });
+                let stiffness = stiffness(&mesh, &moments(&plates[column_v], free), &shape);
+                let triangle = Triangle::new([leg_v, leg_u, across], &self.hinges, stiffness);
+                self.triangles.push(triangle);
             }
         }
+    }
+
+    fn add(&mut self, hinge: Option<Hinge>) -> Option<usize> {
+        self.hinges.extend(hinge);
+        hinge.map(|_| self.hinges.len() - 1)
     }
 
     fn vertices(&self, hinge: &Hinge, x: &[Vector], clamps: &Clamps) -> [Vector; 4] {
@@ -121,41 +172,20 @@ impl TriangleBending {
         })
     }
 
-    /// Adds what the angles' first derivatives give, and sums up the moment over
-    /// each hinge.
-    fn add_angles(&self, angles: &[Angle], system: &mut System) -> Vec<f64> {
+    /// Moment over each hinge.
+    fn moments(&self, angles: &[Angle]) -> Vec<f64> {
         let mut moments = vec![0.0; self.hinges.len()];
         for triangle in &self.triangles {
             let bent = triangle.hinges.map(|hinge| self.bent(hinge, angles));
-            for (i, first) in triangle.hinges.iter().enumerate() {
-                let Some(first) = *first else { continue };
-                for (j, second) in triangle.hinges.iter().enumerate() {
-                    let Some(second) = *second else { continue };
-                    let k = triangle.stiffness[i][j];
-                    moments[first] += k * (bent[j].0 + self.damping * bent[j].1);
-                    let stiffness = k * (1.0 + self.damping);
-                    self.couple(stiffness, first, second, angles, system);
+            for (i, hinge) in triangle.hinges.iter().enumerate() {
+                let Some(hinge) = *hinge else { continue };
+                for j in 0..3 {
+                    let angle = bent[j].0 + self.damping * bent[j].1;
+                    moments[hinge] += triangle.stiffness[i][j] * angle;
                 }
             }
         }
         moments
-    }
-
-    fn couple(
-        &self,
-        stiffness: f64,
-        first: usize,
-        second: usize,
-        angles: &[Angle],
-        system: &mut System,
-    ) {
-        for (a, slope) in self.hinges[first].iter().zip(&angles[first].gradient) {
-            for (b, other) in self.hinges[second].iter().zip(&angles[second].gradient) {
-                if *a != GHOST && *b != GHOST && system.wants(*a, *b) {
-                    system.add_block(*a, *b, outer(stiffness, *slope, *other));
-                }
-            }
-        }
     }
 }
 
@@ -177,7 +207,10 @@ impl Bending for TriangleBending {
 
     fn add_to(&self, x: &[Vector], clamps: &Clamps, exact: bool, system: &mut System) {
         let angles = self.angles(x, clamps);
-        let moments = self.add_angles(&angles, system);
+        for triangle in &self.triangles {
+            triangle.add_to(&angles, 1.0 + self.damping, system);
+        }
+        let moments = self.moments(&angles);
         for ((hinge, angle), &moment) in self.hinges.iter().zip(&angles).zip(&moments) {
             for (&node, &slope) in hinge.iter().zip(&angle.gradient) {
                 if node != GHOST {
@@ -202,78 +235,8 @@ impl Bending for TriangleBending {
     }
 }
 
-/// Hinge over the edge from a node to the one above it; at a clamped edge
-/// against the clamp, at a free edge none.
-fn leg_along_v(
-    mesh: &Mesh,
-    diagonal: Diagonal,
-    clamps: &Clamps,
-    column: usize,
-    row: usize,
-) -> Option<Hinge> {
-    let outer = column == 0 || column + 1 == mesh.columns;
-    if row + 1 == mesh.rows || (outer && !clamps.hold(column, mesh)) {
-        return None;
-    }
-    let here = mesh.node(column, row);
-    let above = here + mesh.columns;
-    let falling = diagonal == Diagonal::Falling;
-    let left = if falling { above } else { here };
-    let right = if falling { here } else { above };
-    let left = if column == 0 { GHOST } else { left - 1 };
-    let last = column + 1 == mesh.columns;
-    let right = if last { GHOST } else { right + 1 };
-    Some([here, above, left, right])
-}
-
-/// Hinge over the edge from a node to the next towards the fore-edge; none at
-/// the foot and the head.
-fn leg_along_u(mesh: &Mesh, diagonal: Diagonal, column: usize, row: usize) -> Option<Hinge> {
-    if column + 1 == mesh.columns || row == 0 || row + 1 == mesh.rows {
-        return None;
-    }
-    let here = mesh.node(column, row);
-    let next = here + 1;
-    Some(match diagonal {
-        Diagonal::Falling => [here, next, here + mesh.columns, next - mesh.columns],
-        Diagonal::Rising => [here, next, next + mesh.columns, here - mesh.columns],
-    })
-}
-
-/// Hinge over the diagonal of a cell.
-fn across(mesh: &Mesh, diagonal: Diagonal, column: usize, row: usize) -> Hinge {
-    let foot = mesh.node(column, row);
-    let head = foot + mesh.columns;
-    match diagonal {
-        Diagonal::Falling => [foot + 1, head, foot, head + 1],
-        Diagonal::Rising => [foot, head + 1, head, foot + 1],
-    }
-}
-
-/// Curvatures (along u, along v, twice the twist) of a triangle by the angles of
-/// its three hinges. Half of an angle belongs to a triangle, against a clamp all.
-fn shape_operator(mesh: &Mesh, diagonal: Diagonal, clamped: bool) -> [[f64; 3]; 3] {
-    let (du, dv) = (mesh.du, mesh.dv);
-    let long = du * du + dv * dv;
-    let sign = match diagonal {
-        Diagonal::Falling => 1.0,
-        Diagonal::Rising => -1.0,
-    };
-    let leg_v = if clamped { 2.0 / du } else { 1.0 / du };
-    let scale = long.sqrt() / (du * dv) / long;
-    [
-        [leg_v, 0.0, 0.0],
-        [0.0, 1.0 / dv, 0.0],
-        [
-            scale * dv * dv,
-            scale * du * du,
-            scale * 2.0 * sign * du * dv,
-        ],
-    ]
-}
-
 /// Moments by curvatures, where those across free edges are left to themselves.
-fn plate(rigidity: &Rigidity, free: [bool; 2]) -> [[f64; 3]; 3] {
+fn moments(rigidity: &Rigidity, free: [bool; 2]) -> [[f64; 3]; 3] {
     let Rigidity { d11, d22, d12, d66 } = *rigidity;
     let (uu, vv, uv) = match free {
         [false, false] => (d11, d22, d12),
