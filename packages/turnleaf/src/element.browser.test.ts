@@ -1,43 +1,8 @@
 /** The element in real Chromium: opening, turning, failing, going away. */
 
 import { afterEach, expect, test } from "vitest";
-import "./index.ts";
 import type { TurnDetail, TurnleafBook } from "./element.ts";
-
-/** A scan of a page: its number in black on paper. */
-function scan(number: number, width = 90, height = 120): string {
-  const canvas = document.createElement("canvas");
-  canvas.width = width;
-  canvas.height = height;
-  const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
-  pen.fillStyle = "#f4ead2";
-  pen.fillRect(0, 0, width, height);
-  pen.fillStyle = "#000";
-  pen.font = "40px serif";
-  pen.fillText(String(number), 20, 70);
-  return canvas.toDataURL("image/png");
-}
-
-const scans = (count: number) => Array.from({ length: count }, (_, i) => ({ src: scan(i + 1) }));
-
-function book(pages: TurnleafBook["pages"], attributes: Record<string, string> = {}): TurnleafBook {
-  const element = document.createElement("turnleaf-book");
-  element.style.cssText = "width: 300px; height: 220px";
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  element.pages = pages;
-  document.body.append(element);
-  return element;
-}
-
-const happens = <T>(element: TurnleafBook, name: string): Promise<T> =>
-  new Promise((resolve) =>
-    element.addEventListener(name, (event) => resolve((event as CustomEvent<T>).detail), {
-      once: true,
-    }),
-  );
-
-const settled = (element: TurnleafBook) =>
-  expect.poll(() => element.settled, { timeout: 20_000, interval: 50 }).toBe(true);
+import { book, happens, scan, scans, settled } from "./element_for_tests.ts";
 
 const message = (element: TurnleafBook) =>
   element.shadowRoot?.querySelector<HTMLElement>("[part=message]");

@@ -62,6 +62,9 @@ const longestFrame = 0.1;
 const restingRoom = 0.5;
 const turningRoom = 1;
 
+/** Leaves in flight whose pages are drawn as sharp as those at rest: many pass by too fast to be read. */
+const mostSharpFlights = 2;
+
 /** Time in seconds in which the camera does two thirds of its way between the two. */
 const roomTime = 0.11;
 
@@ -328,8 +331,9 @@ export class Viewer {
     if (this.#destroyed) return;
     const { flights, spread, destination } = this.turning;
     if (this.#cssWidth > 0) {
-      const { pages, inSight } = pagesWanted(this.binding, spread, flights, destination);
-      this.#pictures.want(pages, inSight, this.#pictureWidth());
+      const wanted = pagesWanted(this.binding, spread, flights, destination);
+      const isRiffle = flights.length > mostSharpFlights;
+      this.#pictures.want(wanted, this.#pictureWidth(), isRiffle);
     }
     const pages = facesBetween(this.binding, ...this.#between);
     for (const face of faceNames) this.#stage.setFace(face, this.#pictureOf(face, pages[face]));

@@ -59,8 +59,9 @@ export function facesOfLeaf(
 /** Pages to have ready, most urgent first. */
 export interface PagesWanted {
   readonly pages: readonly number[];
-  /** How many of the first are seen now. */
+  /** How many of the first are seen now, and how many of those lie open rather than fly. */
   readonly inSight: number;
+  readonly lyingOpen: number;
 }
 
 /**
@@ -79,20 +80,24 @@ export function pagesWanted(
   const low = flights[0]?.low ?? spread;
   const high = flights.at(-1)?.high ?? spread;
   const faces = [rightPage(binding, high), leftPage(binding, low)];
-  for (const flight of flights) {
-    const { recto, verso } = facesOfLeaf(binding, flight);
-    faces.push(recto, verso);
-  }
   const boards = facesBetween(binding, low, high);
   if (low === 0) faces.push(boards.frontInside);
   if (high === last) faces.push(boards.backInside);
+  const lyingOpen = existing(faces);
+  // Of the leaves in flight those first that will be seen longest.
+  const toGo = (flight: Between): number =>
+    Math.min(Math.abs(flight.low - to), Math.abs(flight.high - to));
+  for (const flight of [...flights].sort((a, b) => toGo(a) - toGo(b))) {
+    const { recto, verso } = facesOfLeaf(binding, flight);
+    faces.push(verso, recto);
+  }
   const inSight = existing(faces);
   for (const s of [to, high + 1, low - 1, high + 2]) {
     faces.push(leftPage(binding, s), rightPage(binding, s));
   }
   if (low <= 1) faces.push(boards.frontOutside, boards.frontInside);
   if (high >= last - 1) faces.push(boards.backInside, boards.backOutside);
-  return { pages: existing(faces), inSight: inSight.length };
+  return { pages: existing(faces), inSight: inSight.length, lyingOpen: lyingOpen.length };
 }
 
 function existing(pages: readonly (number | null)[]): number[] {

@@ -61,7 +61,7 @@ test("of a picture that was fitted the fitted one alone is held, and freed at th
     onArrive: () => {},
     onDrop: (picture) => dropped.push(picture),
   });
-  pictures.want([1], 1, 256);
+  pictures.want({ pages: [1], inSight: 1, lyingOpen: 1 }, 256, false);
   await expect.poll(() => pictures.settled).toBe(true);
   for (const { width } of drawn) expect(width).toBe(0);
   const shown = pictures.get(1);

@@ -2,7 +2,7 @@
 
 import type { PagePicture, PageSource } from "../sources/page_source.ts";
 import { fitToLeaf } from "./fit.ts";
-import { closePicture, PagePool } from "./page_pool.ts";
+import { closePicture, PagePool, roughShare } from "./page_pool.ts";
 import { barePage, failedPage, waitingPage } from "./stand_in.ts";
 
 /** Told when pictures come and go. */
@@ -13,8 +13,16 @@ export interface PagePicturesOptions {
   readonly onDrop: (picture: PagePicture) => void;
 }
 
-/** Stand-ins kept: as many as a turn shows at once, and as many again. */
-const standInsKept = 16;
+/** Stand-ins kept: more than a riffle shows at once, for one that is shown may not be dropped. */
+const standInsKept = 32;
+
+/** What is wanted of a page, most urgent first. */
+interface PagesWanted {
+  readonly pages: readonly number[];
+  /** How many of the first are seen now, and how many of those lie open. */
+  readonly inSight: number;
+  readonly lyingOpen: number;
+}
 
 /** A book's pages as pictures of its leaf's proportions. */
 export class PagePictures {
@@ -44,11 +52,19 @@ export class PagePictures {
     );
   }
 
-  /** Asks for pages (from 1), most urgent first, `width` device pixels wide; the first `inSight` are seen now. */
-  want(pages: readonly number[], inSight: number, width: number): void {
+  /**
+   * Asks for pages (from 1), `width` device pixels wide.
+   *
+   * @param roughly whether pages in flight are wanted only roughly: two dozen
+   *   sharp ones would take more memory than the pool may
+   */
+  want({ pages, inSight, lyingOpen }: PagesWanted, width: number, roughly: boolean): void {
     this.#inSight = new Set(pages.slice(0, inSight));
+    const rough = Math.ceil(width * roughShare);
+    const widthOf = (at: number): number =>
+      roughly && at >= lyingOpen && at < inSight ? rough : width;
     this.#pool.want(
-      pages.map((page) => ({ index: page - 1, width })),
+      pages.map((page, at) => ({ index: page - 1, width: widthOf(at) })),
       inSight,
     );
   }

@@ -26,7 +26,7 @@ export interface PagePoolOptions {
 }
 
 /** A rough picture's share of the wanted width. */
-const roughShare = 1 / 3;
+export const roughShare: number = 1 / 3;
 /** A sharp picture that takes no longer than this, in milliseconds, needs no rough one before it. */
 const quick = 40;
 

@@ -9,10 +9,15 @@ const paper = "#fbf5e8";
 const ink = "#211d1a";
 const faintInk = "rgb(33 29 26 / 0.28)";
 
-const width = 640;
+/** Width of a sentence to be read, and of a mere label, of which a riffle shows two dozen. */
+const sentenceWidth = 640;
+const labelWidth = 320;
 const serif = "'EB Garamond', 'Iowan Old Style', Palatino, Georgia, serif";
 
-function sheet(aspect: number): { canvas: HTMLCanvasElement; pen: CanvasRenderingContext2D } {
+function sheet(
+  aspect: number,
+  width: number,
+): { canvas: HTMLCanvasElement; pen: CanvasRenderingContext2D } {
   const canvas = document.createElement("canvas");
   canvas.width = width;
   canvas.height = Math.round(width / aspect);
@@ -26,19 +31,21 @@ function sheet(aspect: number): { canvas: HTMLCanvasElement; pen: CanvasRenderin
 
 /** A page still being drawn: its label in faint ink between two short rules. */
 export function waitingPage(label: string, aspect: number): HTMLCanvasElement {
-  const { canvas, pen } = sheet(aspect);
-  const [x, y] = [canvas.width / 2, canvas.height / 2];
+  const { canvas, pen } = sheet(aspect, labelWidth);
+  const { width } = canvas;
+  const [x, y] = [width / 2, canvas.height / 2];
   pen.fillStyle = faintInk;
   pen.font = `${width * 0.06}px ${serif}`;
   pen.fillText(label, x, y, width * 0.8);
-  pen.fillRect(x - width * 0.06, y - width * 0.06, width * 0.12, 1.5);
-  pen.fillRect(x - width * 0.06, y + width * 0.06, width * 0.12, 1.5);
+  pen.fillRect(x - width * 0.06, y - width * 0.06, width * 0.12, width / 400);
+  pen.fillRect(x - width * 0.06, y + width * 0.06, width * 0.12, width / 400);
   return canvas;
 }
 
 /** A page that cannot be drawn: the sentence that says why. */
 export function failedPage(sentence: string, aspect: number): HTMLCanvasElement {
-  const { canvas, pen } = sheet(aspect);
+  const { canvas, pen } = sheet(aspect, sentenceWidth);
+  const { width } = canvas;
   const size = width * 0.042;
   pen.fillStyle = ink;
   pen.font = `italic ${size}px ${serif}`;
@@ -52,7 +59,7 @@ export function failedPage(sentence: string, aspect: number): HTMLCanvasElement 
 
 /** Paper with nothing on it: the back of a last page that has none. */
 export function barePage(aspect: number): HTMLCanvasElement {
-  return sheet(aspect).canvas;
+  return sheet(aspect, labelWidth).canvas;
 }
 
 /** Breaks text into lines at its spaces, as many words a line as `fits` allows. */
