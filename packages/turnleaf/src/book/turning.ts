@@ -99,11 +99,11 @@ export class Turning {
     this.#putDown();
     this.#spread = this.#restedAt = spread;
     this.#engine.lay(paperOnLeft(this.#binding, spread));
-    if (this.#binding.hardCover) {
-      const last = leafCount(this.#binding);
-      this.#engine.layBoard(Cover.front, spread > 0 ? Side.left : Side.right);
-      this.#engine.layBoard(Cover.back, spread === last ? Side.left : Side.right);
-    }
+    // Where there are no boards, none presses the pages flat.
+    const { hardCover } = this.#binding;
+    const last = leafCount(this.#binding);
+    this.#engine.layBoard(Cover.front, spread > 0 || !hardCover ? Side.left : Side.right);
+    this.#engine.layBoard(Cover.back, spread === last && hardCover ? Side.left : Side.right);
     this.#engine.update();
     this.#keepPromises();
   }

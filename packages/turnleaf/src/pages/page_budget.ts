@@ -5,6 +5,8 @@ export interface WantedPage {
   /** From 0. */
   readonly index: number;
   readonly width: number;
+  /** That width is rough already: it is not drawn more roughly before. */
+  readonly isRough?: boolean;
 }
 
 /** A picture that the pool holds. */

@@ -2,7 +2,7 @@
 
 import type { PagePicture, PageSource } from "../sources/page_source.ts";
 import { fitToLeaf } from "./fit.ts";
-import { closePicture, PagePool, roughShare } from "./page_pool.ts";
+import { closePicture, PagePool } from "./page_pool.ts";
 import { barePage, failedPage, waitingPage } from "./stand_in.ts";
 
 /** Told when pictures come and go. */
@@ -15,6 +15,9 @@ export interface PagePicturesOptions {
 
 /** Stand-ins kept: more than a riffle shows at once, for one that is shown may not be dropped. */
 const standInsKept = 32;
+
+/** Width at which a page that passes by looks like itself, device pixels. */
+const leastRoughWidth = 512;
 
 /** What is wanted of a page, most urgent first. */
 interface PagesWanted {
@@ -60,13 +63,12 @@ export class PagePictures {
    */
   want({ pages, inSight, lyingOpen }: PagesWanted, width: number, roughly: boolean): void {
     this.#inSight = new Set(pages.slice(0, inSight));
-    const rough = Math.ceil(width * roughShare);
-    const widthOf = (at: number): number =>
-      roughly && at >= lyingOpen && at < inSight ? rough : width;
-    this.#pool.want(
-      pages.map((page, at) => ({ index: page - 1, width: widthOf(at) })),
-      inSight,
-    );
+    const rough = Math.min(width, Math.max(Math.ceil(width / 3), leastRoughWidth));
+    const wanted = pages.map((page, at) => {
+      const isRough = roughly && at >= lyingOpen && at < inSight;
+      return { index: page - 1, width: isRough ? rough : width, isRough };
+    });
+    this.#pool.want(wanted, inSight);
   }
 
   /** The best picture of a page (from 1) that there is now; never nothing. */

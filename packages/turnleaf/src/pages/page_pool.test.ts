@@ -123,6 +123,13 @@ describe("what is drawn", () => {
     expect(source.open).toEqual(["1:300"]);
   });
 
+  it("draws at once what is wanted roughly", async () => {
+    const source = new FakeSource();
+    const pool = new PagePool(source);
+    pool.want([{ index: 4, width: 500, isRough: true }, ...at(900, 5)]);
+    expect(source.open).toEqual(["4:500", "5:300"]);
+  });
+
   it("aborts what is no longer wanted and draws what is", async () => {
     const source = new FakeSource();
     const pool = new PagePool(source);

@@ -26,7 +26,7 @@ export interface PagePoolOptions {
 }
 
 /** A rough picture's share of the wanted width. */
-export const roughShare: number = 1 / 3;
+const roughShare = 1 / 3;
 /** A sharp picture that takes no longer than this, in milliseconds, needs no rough one before it. */
 const quick = 40;
 
@@ -161,7 +161,7 @@ export class PagePool {
       ({ index }) => !this.#jobs.has(index) && !this.#failed.has(index),
     );
     const bare = open.find((page) => this.#isInSight(page) && !this.#held.has(page.index));
-    if (bare) return this.#job(bare, this.#roughPays());
+    if (bare) return this.#job(bare, !bare.isRough && this.#roughPays());
     if (this.#isPaused) return null;
     const affordable = withinBudget(this.#wanted, this.#held, this.#bounds, this.#ratios);
     const next = open.find(
