@@ -7,6 +7,7 @@ mod convergence;
 mod drop_sheet;
 mod energy;
 mod exact;
+mod gestures;
 mod options;
 mod pear_loop;
 mod picture;
@@ -67,10 +68,18 @@ stiffness, and the exact answer stands beside what was found:
   convergence       orders by nodes and by step, hanging at Gamma 10
   each takes  --model sheet|shell|mass-spring  (sheet)
 
+Experiments on a book:
+
+  gestures          random hands on its leaves: strain, penetration, time of a frame
+                      --count N       gestures (1000)
+                      --seed S        seed of the first; each has the next one (1)
+                      --stock bible|book|office|coated|card|all  (all, in turn)
+                      --worst N       lists the seeds of the N worst (0)
+
 All take      --json                print JSON
 ";
 
-const NAMES: &str = "table1, turn, picture, cantilever, tip-load, pear-loop, vibration, upright, lateral-buckling, drop-sheet, energy and convergence";
+const NAMES: &str = "table1, turn, picture, cantilever, tip-load, pear-loop, vibration, upright, lateral-buckling, drop-sheet, energy, convergence and gestures";
 
 fn main() -> ExitCode {
     match run() {
@@ -109,6 +118,7 @@ fn run() -> Result<(), String> {
         "table1" => table1::run(&mut parser),
         "turn" => turn::run(&mut parser),
         "picture" => picture::run(&mut parser),
+        "gestures" => gestures::run(&mut parser),
         _ => Err(format!(
             "There is no experiment \"{name}\"; there are {NAMES}."
         )),

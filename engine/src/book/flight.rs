@@ -57,6 +57,11 @@ impl Flight {
         self.high
     }
 
+    /// Leaves of paper that it stands for.
+    pub fn leaves(&self) -> u32 {
+        self.high - self.low
+    }
+
     /// What it is doing.
     pub fn phase(&self) -> Phase {
         self.leaf.phase()
@@ -64,7 +69,7 @@ impl Flight {
 
     /// The leaves that it stands for, by how far it has turned.
     pub fn leaves_turned(&self) -> f32 {
-        self.leaf.share_turned() * (self.high - self.low) as f32
+        self.leaf.share_turned() * self.leaves() as f32
     }
 
     /// What is drawn of it.

@@ -198,6 +198,15 @@ impl Book {
         self.flights.order().get(index).map(|flight| flight.id())
     }
 
+    /// Leaves of paper that the flight at `index`, counted from the left, stands
+    /// for.
+    pub fn leaves(&self, index: usize) -> Option<u32> {
+        self.flights
+            .order()
+            .get(index)
+            .map(|flight| flight.leaves())
+    }
+
     /// What a flight is doing; None once it is over.
     pub fn phase(&self, id: u32) -> Option<Phase> {
         self.flights.get(id).map(|flight| flight.phase())
@@ -210,6 +219,20 @@ impl Book {
             .order()
             .get(index)
             .map(|flight| flight.surface())
+    }
+
+    /// Largest strain, stretch or compression, of any edge between neighbouring
+    /// nodes of the flight at `index`, counted from the left.
+    pub fn strain(&self, index: usize) -> Option<f32> {
+        let flight = self.flights.order().get(index)?;
+        Some(flight.leaf().sheet().max_edge_strain())
+    }
+
+    /// Deepest contact of a node of the flight at `index` in the last tick,
+    /// metres, before the tick pushed it out; counted from the left.
+    pub fn depth(&self, index: usize) -> Option<f32> {
+        let flight = self.flights.order().get(index)?;
+        Some(flight.leaf().seated().depth)
     }
 
     /// The front board (0) or the back board (any other number).

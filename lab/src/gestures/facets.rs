@@ -1,0 +1,344 @@
+//! A drawn leaf as flat facets, and what of it is next to a point.
+
+use turnleaf_engine::Surface;
+
+pub type Point = [f32; 3];
+
+/// Cells along a side of a block of facets that one box bounds, and blocks along
+/// a side of a group.
+const BLOCK: usize = 3;
+const GROUP: usize = 4;
+
+/// Where a point is from a surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Near {
+    /// Distance to the nearest facet, metres.
+    pub distance: f32,
+    /// Whether the point lies on the side of the recto of that facet.
+    pub recto: bool,
+    /// Whether the nearest place is on the rim, so that the point has no side.
+    pub rim: bool,
+}
+
+/// A surface cut into its facets, as the viewer draws it: each cell's diagonal
+/// runs from its corner next to the spine and the foot.
+pub struct Facets<'a> {
+    columns: usize,
+    rows: usize,
+    points: &'a [Point],
+    blocks: Vec<Block>,
+    groups: Vec<(Bounds, core::ops::Range<usize>)>,
+}
+
+struct Block {
+    bounds: Bounds,
+    columns: core::ops::Range<usize>,
+    rows: core::ops::Range<usize>,
+}
+
+#[derive(Clone, Copy)]
+pub struct Bounds([f32; 3], [f32; 3]);
+
+impl Bounds {
+    const NONE: Bounds = Bounds([f32::MAX; 3], [f32::MIN; 3]);
+
+    pub fn of(points: impl IntoIterator<Item = Point>) -> Bounds {
+        points.into_iter().fold(Bounds::NONE, |b, p| {
+            Bounds(
+                core::array::from_fn(|i| b.0[i].min(p[i])),
+                core::array::from_fn(|i| b.1[i].max(p[i])),
+            )
+        })
+    }
+
+    fn square_distance(&self, p: Point) -> f32 {
+        let out = |i: usize| (self.0[i] - p[i]).max(p[i] - self.1[i]).max(0.0);
+        let d = [out(0), out(1), out(2)];
+        dot(d, d)
+    }
+
+    fn meets(&self, other: &Bounds) -> bool {
+        (0..3).all(|i| self.0[i] <= other.1[i] && other.0[i] <= self.1[i])
+    }
+}
+
+impl<'a> Facets<'a> {
+    /// Of a drawn surface.
+    pub fn new(surface: &'a Surface) -> Facets<'a> {
+        let (columns, rows) = (surface.columns, surface.rows);
+        let points = surface.positions.as_chunks::<3>().0;
+        let (mut blocks, mut groups) = (Vec::new(), Vec::new());
+        let group = BLOCK * GROUP;
+        for (row, column) in places(rows - 1, columns - 1, group) {
+            let from = blocks.len();
+            let (high, wide) = (group.min(rows - 1 - row), group.min(columns - 1 - column));
+            for (r, c) in places(high, wide, BLOCK) {
+                let columns_of = column + c..(column + c + BLOCK).min(columns - 1);
+                let rows_of = row + r..(row + r + BLOCK).min(rows - 1);
+                let corners = (rows_of.start..=rows_of.end)
+                    .flat_map(|r| (columns_of.start..=columns_of.end).map(move |c| (r, c)));
+                blocks.push(Block {
+                    bounds: Bounds::of(corners.map(|(r, c)| points[r * columns + c])),
+                    columns: columns_of,
+                    rows: rows_of,
+                });
+            }
+            let all = blocks[from..]
+                .iter()
+                .flat_map(|b: &Block| [b.bounds.0, b.bounds.1]);
+            groups.push((Bounds::of(all), from..blocks.len()));
+        }
+        Facets {
+            columns,
+            rows,
+            points,
+            blocks,
+            groups,
+        }
+    }
+
+    pub fn points(&self) -> &'a [Point] {
+        self.points
+    }
+
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// Every edge of every facet, as numbers of points.
+    pub fn edges(&self) -> impl Iterator<Item = [usize; 2]> + use<> {
+        let (columns, rows) = (self.columns, self.rows);
+        (0..columns * rows).flat_map(move |node| {
+            let (right, up) = (node % columns + 1 < columns, node / columns + 1 < rows);
+            [
+                right.then_some([node, node + 1]),
+                up.then_some([node, node + columns]),
+                (right && up).then_some([node, node + columns + 1]),
+            ]
+            .into_iter()
+            .flatten()
+        })
+    }
+
+    /// The two facets of a cell, each turning left as the recto sees it.
+    fn cell(&self, row: usize, column: usize) -> [[usize; 3]; 2] {
+        let here = row * self.columns + column;
+        let above = here + self.columns;
+        [[here, here + 1, above + 1], [here, above + 1, above]]
+    }
+
+    /// What is next to a point, where that is nearer than `within` metres.
+    pub fn near(&self, point: Point, within: f32) -> Option<Near> {
+        let mut best: Option<(f32, f32, Near)> = None;
+        let mut least = within * within;
+        for (bounds, blocks) in &self.groups {
+            if bounds.square_distance(point) > least {
+                continue;
+            }
+            for block in &self.blocks[blocks.clone()] {
+                if block.bounds.square_distance(point) > least {
+                    continue;
+                }
+                for row in block.rows.clone() {
+                    for column in block.columns.clone() {
+                        for facet in self.cell(row, column) {
+                            self.nearer(point, facet, &mut least, &mut best);
+                        }
+                    }
+                }
+            }
+        }
+        best.map(|best| best.2)
+    }
+
+    /// Keeps the facet where it is nearer than those before; of those equally
+    /// near, as at a common edge, the one that the point is most clearly beside.
+    fn nearer(
+        &self,
+        point: Point,
+        facet: [usize; 3],
+        least: &mut f32,
+        best: &mut Option<(f32, f32, Near)>,
+    ) {
+        let [a, b, c] = facet.map(|node| self.points[node]);
+        let (place, parts) = nearest_of_triangle(point, a, b, c);
+        let away = sub(point, place);
+        let d = dot(away, away);
+        if d > *least * 1.0001 + 1e-14 {
+            return;
+        }
+        let normal = cross(sub(b, a), sub(c, a));
+        let height = dot(away, normal) / dot(normal, normal).sqrt().max(1e-20);
+        let clearer =
+            best.is_none_or(|(known, clear, _)| d < known * 0.9999 - 1e-14 || height.abs() > clear);
+        if clearer {
+            let near = Near {
+                distance: d.sqrt(),
+                recto: height >= 0.0,
+                rim: self.is_on_rim(facet, parts),
+            };
+            *best = Some((d, height.abs(), near));
+        }
+        *least = least.min(d);
+    }
+
+    /// Whether the place with these parts of a facet's corners is on the rim.
+    fn is_on_rim(&self, facet: [usize; 3], parts: [f32; 3]) -> bool {
+        let used = || facet.iter().zip(parts).filter(|(_, part)| *part > 0.0);
+        let all = |is: &dyn Fn(usize) -> bool| used().all(|(node, _)| is(*node));
+        all(&|node| node / self.columns == 0)
+            || all(&|node| node / self.columns + 1 == self.rows)
+            || all(&|node| node % self.columns == 0)
+            || all(&|node| node % self.columns + 1 == self.columns)
+    }
+
+    /// Where along the edge from `p` to `q` (0 to 1) it goes through facets.
+    pub fn crossings(&self, p: Point, q: Point) -> Vec<f32> {
+        let mut found = Vec::new();
+        let edge = Bounds::of([p, q]);
+        for (bounds, blocks) in &self.groups {
+            if !bounds.meets(&edge) {
+                continue;
+            }
+            for block in &self.blocks[blocks.clone()] {
+                if !block.bounds.meets(&edge) {
+                    continue;
+                }
+                for row in block.rows.clone() {
+                    for column in block.columns.clone() {
+                        for facet in self.cell(row, column) {
+                            let corners = facet.map(|node| self.points[node]);
+                            found.extend(crossing(p, q, corners));
+                        }
+                    }
+                }
+            }
+        }
+        found
+    }
+}
+
+/// First rows and columns of squares of a size in a grid.
+fn places(rows: usize, columns: usize, size: usize) -> impl Iterator<Item = (usize, usize)> {
+    (0..rows)
+        .step_by(size)
+        .flat_map(move |row| (0..columns).step_by(size).map(move |column| (row, column)))
+}
+
+/// Where along p q it goes through the inside of a triangle (Moeller and
+/// Trumbore 1997).
+fn crossing(p: Point, q: Point, [a, b, c]: [Point; 3]) -> Option<f32> {
+    let (direction, u, v) = (sub(q, p), sub(b, a), sub(c, a));
+    let h = cross(direction, v);
+    let determinant = dot(u, h);
+    if determinant.abs() < 1e-16 {
+        return None;
+    }
+    let s = sub(p, a);
+    let x = dot(s, h) / determinant;
+    let k = cross(s, u);
+    let y = dot(direction, k) / determinant;
+    let at = dot(v, k) / determinant;
+    (x >= 0.0 && y >= 0.0 && x + y <= 1.0 && at > 0.0 && at < 1.0).then_some(at)
+}
+
+/// The place of a triangle nearest to a point, and its parts of the corners
+/// (Ericson, Real-Time Collision Detection, 5.1.5).
+fn nearest_of_triangle(p: Point, a: Point, b: Point, c: Point) -> (Point, [f32; 3]) {
+    let parts = nearest_parts(p, a, b, c);
+    let place = core::array::from_fn(|i| parts[0] * a[i] + parts[1] * b[i] + parts[2] * c[i]);
+    (place, parts)
+}
+
+fn nearest_parts(p: Point, a: Point, b: Point, c: Point) -> [f32; 3] {
+    let (ab, ac, ap) = (sub(b, a), sub(c, a), sub(p, a));
+    let (d1, d2) = (dot(ab, ap), dot(ac, ap));
+    if d1 <= 0.0 && d2 <= 0.0 {
+        return [1.0, 0.0, 0.0];
+    }
+    let bp = sub(p, b);
+    let (d3, d4) = (dot(ab, bp), dot(ac, bp));
+    if d3 >= 0.0 && d4 <= d3 {
+        return [0.0, 1.0, 0.0];
+    }
+    let vc = d1 * d4 - d3 * d2;
+    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
+        let v = d1 / (d1 - d3).max(1e-30);
+        return [1.0 - v, v, 0.0];
+    }
+    let cp = sub(p, c);
+    let (d5, d6) = (dot(ab, cp), dot(ac, cp));
+    if d6 >= 0.0 && d5 <= d6 {
+        return [0.0, 0.0, 1.0];
+    }
+    let vb = d5 * d2 - d1 * d6;
+    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
+        let w = d2 / (d2 - d6).max(1e-30);
+        return [1.0 - w, 0.0, w];
+    }
+    let va = d3 * d6 - d5 * d4;
+    let (e, f) = (d4 - d3, d5 - d6);
+    if va <= 0.0 && e >= 0.0 && f >= 0.0 {
+        let w = e / (e + f).max(1e-30);
+        return [0.0, 1.0 - w, w];
+    }
+    let whole = 1.0 / (va + vb + vc).max(1e-30);
+    let (v, w) = (vb * whole, vc * whole);
+    [1.0 - v - w, v, w]
+}
+
+pub fn dot(a: Point, b: Point) -> f32 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub fn sub(a: Point, b: Point) -> Point {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+fn cross(a: Point, b: Point) -> Point {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A level surface of 7 x 5 points, a centimetre apart.
+    fn level() -> Surface {
+        let mut surface = Surface::new(7, 5);
+        for (node, point) in surface.positions.chunks_exact_mut(3).enumerate() {
+            point.copy_from_slice(&[(node % 7) as f32 * 0.01, (node / 7) as f32 * 0.01, 0.0]);
+        }
+        surface
+    }
+
+    #[test]
+    fn points_over_and_under_and_beside() {
+        let surface = level();
+        let facets = Facets::new(&surface);
+        let over = facets.near([0.033, 0.022, 0.002], 0.01).unwrap();
+        assert!(over.recto && !over.rim && (over.distance - 0.002).abs() < 1e-7);
+        let under = facets.near([0.02, 0.02, -0.003], 0.01).unwrap();
+        assert!(!under.recto && !under.rim && (under.distance - 0.003).abs() < 1e-7);
+        assert!(facets.near([0.065, 0.02, -0.001], 0.01).unwrap().rim);
+        assert!(facets.near([0.03, 0.02, 0.02], 0.01).is_none());
+    }
+
+    #[test]
+    fn an_edge_goes_through_where_it_does() {
+        let surface = level();
+        let facets = Facets::new(&surface);
+        let through = facets.crossings([0.031, 0.022, -0.001], [0.031, 0.022, 0.003]);
+        assert_eq!(through.len(), 1);
+        assert!((through[0] - 0.25).abs() < 1e-6);
+        assert!(
+            facets
+                .crossings([0.031, 0.022, 0.001], [0.03, 0.02, 0.003])
+                .is_empty()
+        );
+    }
+}
