@@ -1,5 +1,5 @@
 /**
- * Cost of the paper's step and surface in WASM.
+ * Cost in WASM: the paper's step and surface, the sheet's frame, a riffle.
  *
  *   RUSTFLAGS="-C target-feature=+simd128" \
  *     cargo build --release -p turnleaf-wasm --target wasm32-unknown-unknown
@@ -26,6 +26,9 @@ const engine = instance.exports;
 const PAPER = 0;
 const BOOK = 1;
 
+/** Tip of a page that hangs with Gamma 10, over its width: the heavy elastica. */
+const exact = { drop: 0.7001997155, reach: 0.6563537612 };
+
 /** Microseconds of one of the `count` things that `work(count)` does. */
 function measure(work, count) {
   const batches = [];
@@ -51,6 +54,30 @@ const results = {
 };
 engine.tl_bench_drop(paper);
 engine.tl_bench_drop(book);
+
+/** A fixed amount of work at a time, so that slow things take no longer than quick ones. */
+const times = (work) => (count) => {
+  for (let i = 0; i < count; i++) work();
+};
+for (const [columns, rows] of [
+  [8, 12],
+  [10, 14],
+  [12, 16],
+  [16, 24],
+]) {
+  const sheet = engine.tl_bench_sheet_new(columns, rows, 10);
+  const [drop, reach] = [engine.tl_bench_sheet_drop(sheet), engine.tl_bench_sheet_reach(sheet)];
+  const error = 100 * Math.hypot(drop - exact.drop, reach - exact.reach);
+  const name = `sheet frame ${columns} x ${rows}, off by ${error.toFixed(2)} %`;
+  results[name] = measure(times(() => engine.tl_bench_sheet_frame(sheet)), 8);
+  engine.tl_bench_sheet_free(sheet);
+}
+for (const leaves of [1, 10]) {
+  const riffle = engine.tl_bench_riffle_new(leaves);
+  const frame = () => engine.tl_bench_riffle_frame(riffle);
+  results[`book frame, ${leaves} in flight`] = measure(times(frame), 4);
+  engine.tl_bench_riffle_free(riffle);
+}
 
 if (process.argv.includes("--json")) {
   console.log(JSON.stringify({ node: process.version, file, results }, null, 2));

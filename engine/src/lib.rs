@@ -18,6 +18,7 @@
 //! - [`Gesture`]: how a hand turns a leaf
 //! - [`Interpolation`]: from few nodes to many points
 //! - [`book`]: the bound book, in which a leaf is held, falls and is played
+//! - [`trials`]: scenes that benches, golden tests and the lab share
 //! - [`KeyFrames`], [`Recorder`] and [`Replay`]: a turn recorded and played again
 
 mod air;
@@ -38,6 +39,7 @@ mod rigidity;
 mod stock;
 mod surface;
 mod synchronise;
+pub mod trials;
 mod turn;
 
 pub use air::Air;

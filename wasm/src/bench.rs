@@ -1,7 +1,8 @@
-//! Exports for the WASM benchmark and for the golden test: the paper's leaf in
-//! mid-turn, and hashes of whole turns. No book uses them.
+//! Exports for the WASM benchmarks and for the golden test: leaves in mid-turn, a
+//! hanging page, a riffle, and hashes of whole turns. No book uses them.
 
-use turnleaf_engine::{MassSpring, Settings, Surface, TurnModel, turn_hash};
+use turnleaf_engine::trials::{Riffle, frame, hanging, mid_turn, riffle_hash, settle, tip};
+use turnleaf_engine::{MassSpring, Settings, Sheet, Stock, Surface, TurnModel, turn_hash};
 
 /// A leaf in mid-turn, and its surface.
 pub struct Bench {
@@ -97,4 +98,89 @@ pub extern "C" fn tl_turn_hash(preset: u32, gesture: u32, seconds: f32, settle: 
     leaf.play(path);
     let steps = (f64::from(seconds) + f64::from(settle)) / f64::from(leaf.time_step());
     turn_hash(&mut leaf, (steps + 0.5) as usize)
+}
+
+/// A sheet to be timed, its surface, and the same grid as a hanging page.
+pub struct BenchSheet {
+    sheet: Sheet,
+    surface: Surface,
+    hanging: Sheet,
+}
+
+/// Makes a leaf of `columns` x `rows` nodes in mid-turn, and a page that hangs
+/// with `gamma`.
+#[unsafe(no_mangle)]
+pub extern "C" fn tl_bench_sheet_new(columns: usize, rows: usize, gamma: f64) -> *mut BenchSheet {
+    Box::into_raw(Box::new(BenchSheet {
+        sheet: mid_turn(columns, rows),
+        surface: Surface::new(49, 25),
+        hanging: hanging(columns, rows, gamma),
+    }))
+}
+
+/// Frees it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_bench_sheet_free(bench: *mut BenchSheet) {
+    // SAFETY: a handle of `tl_bench_sheet_new`, not used again.
+    drop(unsafe { Box::from_raw(bench) });
+}
+
+/// A frame at 60 Hz of the leaf in mid-turn: two steps, its surface, its normals.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_bench_sheet_frame(bench: *mut BenchSheet) {
+    // SAFETY: a live handle of `tl_bench_sheet_new`.
+    let bench = unsafe { &mut *bench };
+    frame(&mut bench.sheet, &mut bench.surface);
+}
+
+/// Drop of the tip of the hanging page over its width, once it hangs still.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_bench_sheet_drop(bench: *mut BenchSheet) -> f64 {
+    // SAFETY: a live handle of `tl_bench_sheet_new`.
+    let bench = unsafe { &mut *bench };
+    settle(&mut bench.hanging);
+    tip(&bench.hanging)[1]
+}
+
+/// Reach of the tip of the hanging page over its width, as it hangs now.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_bench_sheet_reach(bench: *mut BenchSheet) -> f64 {
+    // SAFETY: a live handle of `tl_bench_sheet_new`.
+    tip(&unsafe { &*bench }.hanging)[0]
+}
+
+/// Makes a riffle of book paper with `leaves` in flight.
+#[unsafe(no_mangle)]
+pub extern "C" fn tl_bench_riffle_new(leaves: usize) -> *mut Riffle {
+    Box::into_raw(Box::new(Riffle::new(Stock::BOOK, leaves)))
+}
+
+/// Frees it.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_bench_riffle_free(riffle: *mut Riffle) {
+    // SAFETY: a handle of `tl_bench_riffle_new`, not used again.
+    drop(unsafe { Box::from_raw(riffle) });
+}
+
+/// A frame at 60 Hz of the riffle, all leaves stepped and drawn; answers how
+/// many are in flight.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_bench_riffle_frame(riffle: *mut Riffle) -> usize {
+    // SAFETY: a live handle of `tl_bench_riffle_new`.
+    let riffle = unsafe { &mut *riffle };
+    riffle.frame();
+    riffle.book().flights()
+}
+
+/// Hash of all bits of half a second of the sheet in mid-turn.
+#[unsafe(no_mangle)]
+pub extern "C" fn tl_sheet_hash() -> u64 {
+    turn_hash(&mut mid_turn(12, 16), 60)
+}
+
+/// Hash of all bits of a riffle of a stock, by its number; 0 where there is none.
+#[unsafe(no_mangle)]
+pub extern "C" fn tl_riffle_hash(stock: usize) -> u64 {
+    let name = Stock::NAMES.get(stock);
+    name.and_then(|name| riffle_hash(name)).unwrap_or(0)
 }

@@ -32,7 +32,7 @@ const STIFFNESS: f32 = 200.0 * 3600.0;
 
 /// Speed below which friction yields rather than slips, m/s: Coulomb's law is
 /// rounded off there, or it would chatter.
-const SLIP: f32 = 0.02;
+const SLIP: f32 = 0.004;
 
 impl Contact {
     /// How far a point is inside what is touched, metres; 0 or below where it is not.
@@ -42,28 +42,32 @@ impl Contact {
 }
 
 /// Adds a contact's force and stiffness to the system of a step of `h` seconds
-/// for a node of `mass` kg at `x` that moves at `v`.
+/// for a node of `mass` kg at `x` that moves at `v` and falls by `gravity`.
 ///
-/// A node that would be inside at the end of the step is already stopped.
+/// A node that would be inside at the end of the step is already stopped: one
+/// that was only pushed out once it is inside would leave again in the same
+/// step, fall back in the next, and chatter.
 pub(super) fn add_contact(
     system: &mut System,
     node: usize,
     contact: &Contact,
-    [x, v]: [[f32; 3]; 2],
+    [x, v, gravity]: [[f32; 3]; 3],
     mass: f32,
     h: f32,
 ) {
     let n = contact.normal;
     let depth = contact.depth(x);
-    let approach = -dot(n, v);
+    let falling: [f32; 3] = core::array::from_fn(|axis| v[axis] + h * gravity[axis]);
+    let approach = -dot(n, falling);
     if depth + h * approach <= 0.0 {
         return;
     }
     let stiffness = STIFFNESS * contact.firmness * mass;
     system.push(node, n.map(|n| stiffness * depth * n));
     system.add_product(node, node, n.map(|n| stiffness * n), n);
-    let share = 1.0 + STIFFNESS * contact.firmness * h * h;
-    let pressure = stiffness * (depth + h * approach).max(0.0) / share;
+    // What presses now, and what stops the node.
+    let stopped = h * (-dot(n, v)).max(0.0) / (1.0 + STIFFNESS * contact.firmness * h * h);
+    let pressure = stiffness * (depth.max(0.0) + stopped);
     if contact.friction <= 0.0 || pressure <= 0.0 {
         return;
     }
@@ -71,7 +75,7 @@ pub(super) fn add_contact(
     let through = dot(n, slip);
     let along: [f32; 3] = core::array::from_fn(|axis| slip[axis] - through * n[axis]);
     let speed = dot(along, along).sqrt();
-    let drag = (contact.friction * pressure / (speed + SLIP)).min(mass / h);
+    let drag = contact.friction * pressure / (speed + SLIP);
     // -drag * (tangential part of the velocity at the end of the step).
     let carried = dot(n, contact.velocity);
     let of_obstacle: [f32; 3] =

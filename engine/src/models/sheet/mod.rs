@@ -223,6 +223,11 @@ impl Sheet {
         self.velocities.fill(0.0);
     }
 
+    /// Stops every node.
+    pub fn still(&mut self) {
+        self.velocities.fill(0.0);
+    }
+
     /// Positions, with the loads to be set according to them.
     pub(crate) fn load_state(&mut self) -> (&[f32], &mut [f32]) {
         (&self.positions, &mut self.loads)
@@ -396,6 +401,7 @@ impl Sheet {
 
     /// Adds contacts and pins.
     fn add_bounds(&mut self) {
+        let gravity = self.settings.gravity.map(|g| g as f32);
         let x = self.positions.as_chunks::<3>().0;
         let v = self.velocities.as_chunks::<3>().0;
         for node in 0..self.mass.len() {
@@ -404,7 +410,7 @@ impl Sheet {
             }
             for contact in &self.contacts[node] {
                 if contact.normal != [0.0; 3] {
-                    let state = [x[node], v[node]];
+                    let state = [x[node], v[node], gravity];
                     add_contact(
                         &mut self.system,
                         node,
