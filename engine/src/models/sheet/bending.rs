@@ -124,16 +124,24 @@ impl Bending {
     /// Subtracts the Hessian times `positions` from `forces`. `tangents` are,
     /// for each row, the places to which the clamp's tangent points, one cell
     /// from the spine.
+    ///
+    /// Each row of the Hessian sums to nothing, so it acts on differences from
+    /// the node's own place; on places themselves its rounding would pull the
+    /// sheet toward the origin.
     pub fn subtract_forces(&self, positions: &[f32], tangents: &[f32], forces: &mut [f32]) {
         let all = positions.len();
         for (lanes, coefficients) in self.lanes.iter().zip(&self.coefficients) {
+            if *lanes == 0 {
+                continue;
+            }
             let start = (-lanes).max(0) as usize;
             let end = (all as isize - lanes).min(all as isize) as usize;
-            let shifted =
-                &positions[(start as isize + lanes) as usize..(end as isize + lanes) as usize];
-            let (coefficients, forces) = (&coefficients[start..end], &mut forces[start..end]);
-            for ((force, k), x) in forces.iter_mut().zip(coefficients).zip(shifted) {
-                *force -= k * x;
+            let from = (start as isize + lanes) as usize;
+            let others = &positions[from..from + end - start];
+            let (own, k) = (&positions[start..end], &coefficients[start..end]);
+            let terms = own.iter().zip(others).zip(k);
+            for (force, ((own, other), k)) in forces[start..end].iter_mut().zip(terms) {
+                *force -= k * (other - own);
             }
         }
         self.subtract_stiffening(positions, tangents, forces);
@@ -145,7 +153,7 @@ impl Bending {
         {
             let at = 3 * (row * self.columns + 1);
             for axis in 0..3 {
-                forces[at + axis] -= k * tangent[axis];
+                forces[at + axis] -= k * (tangent[axis] - positions[at + axis]);
             }
         }
     }

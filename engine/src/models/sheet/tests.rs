@@ -32,15 +32,14 @@ fn a_level_sheet_falls_at_its_terminal_speed() {
         };
         let terminal = settings.air.terminal_speed(stock.grammage);
         let mut sheet = Sheet::new(settings).unwrap();
-        // A stiff sheet begins to flutter once it has that speed.
-        let mut falls = 0.0f64;
-        for _ in 0..240 {
+        // So far down that a force which grew with the sheet's place would tell.
+        for _ in 0..360 {
             sheet.step();
-            let speeds = sheet.velocities().chunks_exact(3).map(|v| f64::from(-v[2]));
-            falls = falls.max(speeds.sum::<f64>() / 192.0);
         }
+        let speeds = sheet.velocities().chunks_exact(3).map(|v| f64::from(-v[2]));
+        let falls = speeds.sum::<f64>() / 192.0;
         assert!(
-            (falls / terminal - 1.0).abs() < 0.02,
+            (falls / terminal - 1.0).abs() < 0.01,
             "{name}: {falls} for {terminal}"
         );
     }
