@@ -12,7 +12,7 @@ use super::bending::Bending;
 use super::clamp::Clamps;
 use super::mesh::Mesh;
 use super::system::System;
-use super::vector::{Vector, along, dot, scale};
+use super::vector::{Vector, along, difference, dot, scale};
 use crate::rigidity::Rigidity;
 
 /// A weighted sum of places, and of the direction beyond a clamped edge.
@@ -111,7 +111,7 @@ impl Bending for GridBending {
         let mut energy = 0.0;
         for (stencil, &damped) in self.stencils.iter().zip(&self.damped) {
             let sum = self.sum(stencil, x, clamps);
-            let apart = super::vector::difference(sum, damped);
+            let apart = difference(sum, damped);
             let square = dot(sum, sum);
             let bent = square + stencil.arc * square * square;
             energy += 0.5 * stencil.stiffness * (bent + self.damping * dot(apart, apart));

@@ -2,7 +2,7 @@
 //! second derivatives (as in Tamstorf and Grinspun 2013, "Discrete bending
 //! forces and their Jacobians", arranged by triangles).
 
-use super::vector::{Block, Vector, cross, difference, dot, length, outer, scale};
+use super::vector::{Block, Vector, advance, cross, difference, dot, length, outer, scale};
 
 /// An angle and its derivatives by the places of the edge's two ends and of the
 /// apexes on its left and on its right.
@@ -42,7 +42,7 @@ pub(super) fn second_derivative(x: &[Vector; 4], mut add: impl FnMut(usize, usiz
         let side = Side::new(x, apex);
         let (of_slope, of_foot) = side.derivatives();
         let by_vertex = [
-            (0, of_slope[0], scale(1.0, of_foot[0])),
+            (0, of_slope[0], of_foot[0]),
             (1, of_slope[1], of_foot[1]),
             (apex, of_slope[2], of_foot[2]),
         ];
@@ -105,7 +105,7 @@ impl Side {
             unit[axis] = 1.0;
             let of_normal = |change: Vector| {
                 let along = 2.0 * dot(n, change) / nn;
-                scale(-long / nn, super::vector::advance(change, -along, n))
+                scale(-long / nn, advance(change, -along, n))
             };
             let edge = of_normal(cross(unit, d));
             let arm = of_normal(cross(e, unit));
@@ -120,9 +120,9 @@ impl Side {
                 by_start[row][axis] = -by_edge[row][axis] - by_arm[row][axis];
             }
         }
-        let foot_edge = super::vector::advance(scale(1.0 / ee, d), -2.0 * self.foot / ee, e);
+        let foot_edge = advance(scale(1.0 / ee, d), -2.0 * self.foot / ee, e);
         let foot_arm = scale(1.0 / ee, e);
-        let foot_start = super::vector::advance(scale(-1.0, foot_edge), -1.0, foot_arm);
+        let foot_start = advance(scale(-1.0, foot_edge), -1.0, foot_arm);
         (
             [by_start, by_edge, by_arm],
             [foot_start, foot_edge, foot_arm],

@@ -8,6 +8,7 @@
 
 mod bending;
 mod clamp;
+mod energy;
 mod forces;
 mod grid;
 mod hinge;
@@ -28,6 +29,7 @@ mod motion_tests;
 #[cfg(test)]
 mod tests;
 
+pub use energy::Energies;
 pub use settings::{Discretisation, Edge, Scheme, ShellSettings, Table};
 
 use crate::grab;
@@ -42,7 +44,7 @@ use membrane::Membrane;
 use mesh::Mesh;
 use system::System;
 use triangles::TriangleBending;
-use vector::{Vector, advance, dot, scale};
+use vector::{Vector, advance, scale};
 
 /// Why settings make no shell, or a shell finds no equilibrium, in one sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -58,26 +60,6 @@ impl core::fmt::Display for InvalidShell {
 }
 
 impl core::error::Error for InvalidShell {}
-
-/// Energies of a leaf, J.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Energies {
-    /// Of motion, with that of the air carried along.
-    pub kinetic: f64,
-    /// Of bending and twist.
-    pub bending: f64,
-    /// Of stretch and shear.
-    pub membrane: f64,
-    /// Of weight and constant loads; 0 at the origin.
-    pub gravity: f64,
-}
-
-impl Energies {
-    /// All together.
-    pub fn total(&self) -> f64 {
-        self.kinetic + self.bending + self.membrane + self.gravity
-    }
-}
 
 /// A leaf of paper, solved to the end.
 #[derive(Debug)]
@@ -269,22 +251,6 @@ impl Shell {
     pub fn draw_samples(&mut self, u: &[f32], v: &[f32]) {
         let (columns, rows) = (self.mesh.columns, self.mesh.rows);
         self.interpolation = Some(Interpolation::spline(columns, rows, u, v));
-    }
-
-    /// Energies now.
-    pub fn energy(&self) -> Energies {
-        let normals = self.mesh.normals(&self.x);
-        let kinetic = |node: usize| {
-            let across = dot(self.v[node], normals[node]);
-            let carried = self.settings.air.added_mass * self.areas[node] * across * across;
-            0.5 * (self.forces.masses[node] * dot(self.v[node], self.v[node]) + carried)
-        };
-        Energies {
-            kinetic: (0..self.mesh.nodes()).map(kinetic).sum(),
-            bending: self.forces.bending.energy(&self.x, &self.forces.clamps),
-            membrane: self.forces.membrane.energy(&self.x),
-            gravity: self.forces.of_weight(&self.x),
-        }
     }
 
     /// Largest change of length of a grid edge along u or v, relative to it.

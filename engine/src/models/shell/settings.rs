@@ -191,18 +191,15 @@ impl ShellSettings {
             Edge::Free | Edge::Clamped { .. } => 0.0,
         };
         let friction = self.table.map_or(0.0, |table| table.friction);
-        let air = [self.air.density, self.air.drag, self.air.added_mass];
         let not_below_zero = [
             ("hinge at the spine", hinge(self.spine)),
             ("hinge at the fore-edge", hinge(self.fore_edge)),
             ("loss", self.loss),
             ("friction", friction),
             ("coupling of bending", self.rigidity.d12),
-            (
-                "air",
-                air.into_iter()
-                    .fold(0.0, |least, a| if a >= least { least } else { a }),
-            ),
+            ("density of the air", self.air.density),
+            ("drag coefficient", self.air.drag),
+            ("added mass", self.air.added_mass),
         ];
         for (what, value) in not_below_zero {
             if !(value >= 0.0 && value.is_finite()) {

@@ -17,6 +17,15 @@ const STIFFEN: f64 = 20.0;
 /// Most rounds of inverse iteration for a mode, and of turning a hand's pad.
 const ROUNDS: usize = 500;
 
+/// A mode of vibration.
+struct Mode {
+    shape: Vec<Vector>,
+    /// Mass times shape, node by node.
+    momentum: Vec<Vector>,
+    /// Square of its angular frequency.
+    square: f64,
+}
+
 impl Shell {
     /// Brings the leaf to rest in the equilibrium next downhill, without air and
     /// friction: Newton's method, first on a leaf soft in stretch, which can
@@ -80,45 +89,59 @@ impl Shell {
             return None;
         }
         let normals = self.mesh.normals(&self.x);
-        let inertia = |shape: &[Vector]| -> Vec<Vector> {
-            let of = |node: usize| {
-                let carried = self.settings.air.added_mass * self.areas[node];
-                let across = carried * dot(shape[node], normals[node]);
-                let own = scale(self.forces.masses[node], shape[node]);
-                advance(own, across, normals[node])
-            };
-            (0..shape.len()).map(of).collect()
-        };
-        let mut modes: Vec<(Vec<Vector>, Vec<Vector>)> = Vec::new();
-        let mut found = Vec::new();
-        for mode in 0..count {
-            let mut shape = self.first_guess(mode, &normals);
-            let mut square = 0.0;
-            for _ in 0..ROUNDS {
-                for (other, moment) in &modes {
-                    let part = product(&shape, moment);
-                    for (s, o) in shape.iter_mut().zip(other) {
-                        *s = advance(*s, -part, *o);
-                    }
-                }
-                let moment = inertia(&shape);
-                let size = 1.0 / product(&shape, &moment).sqrt();
-                let moment: Vec<Vector> = moment.iter().map(|m| scale(size, *m)).collect();
-                let answer = self.system.solve(&moment);
-                let before = square;
-                square = 1.0 / product(&answer, &moment);
-                shape = answer;
-                if (square - before).abs() < 1e-12 * square {
-                    break;
+        let mut modes: Vec<Mode> = Vec::new();
+        for number in 0..count {
+            let guess = self.first_guess(number, &normals);
+            modes.push(self.mode_beside(&modes, guess, &normals));
+        }
+        Some(modes.iter().map(|mode| mode.square.sqrt()).collect())
+    }
+
+    /// The lowest mode that has no part in the others, of the factorised Hessian.
+    fn mode_beside(&self, others: &[Mode], guess: Vec<Vector>, normals: &[Vector]) -> Mode {
+        let mut mode = self.mode_of(guess, normals);
+        for _ in 0..ROUNDS {
+            let mut shape = self.system.solve(&mode.momentum);
+            for other in others {
+                let part = product(&shape, &other.momentum);
+                for (s, o) in shape.iter_mut().zip(&other.shape) {
+                    *s = advance(*s, -part, *o);
                 }
             }
-            let moment = inertia(&shape);
-            let size = 1.0 / product(&shape, &moment).sqrt();
-            let sized = |of: &[Vector]| of.iter().map(|m| scale(size, *m)).collect();
-            modes.push((sized(&shape), sized(&moment)));
-            found.push(square.sqrt());
+            let square = 1.0 / product(&shape, &mode.momentum);
+            let settled = (square - mode.square).abs() < 1e-12 * square;
+            mode = Mode {
+                square,
+                ..self.mode_of(shape, normals)
+            };
+            if settled {
+                break;
+            }
         }
-        Some(found)
+        mode
+    }
+
+    /// A shape at the size at which it and its momentum have the product 1.
+    fn mode_of(&self, mut shape: Vec<Vector>, normals: &[Vector]) -> Mode {
+        let of = |(node, shape): (usize, &Vector)| {
+            let carried = self.settings.air.added_mass * self.areas[node];
+            let across = carried * dot(*shape, normals[node]);
+            advance(
+                scale(self.forces.masses[node], *shape),
+                across,
+                normals[node],
+            )
+        };
+        let mut momentum: Vec<Vector> = shape.iter().enumerate().map(of).collect();
+        let size = 1.0 / product(&shape, &momentum).sqrt();
+        for vector in shape.iter_mut().chain(&mut momentum) {
+            *vector = scale(size, *vector);
+        }
+        Mode {
+            shape,
+            momentum,
+            square: 0.0,
+        }
     }
 
     /// A shape in which any mode may have a part.

@@ -107,8 +107,10 @@ impl System {
     /// What the factorised Hessian answers to a force on each node.
     pub fn solve(&self, forces: &[Vector]) -> Vec<Vector> {
         let mut answer = vec![0.0; self.gradient.len()];
-        for ((&first, force), _) in self.of_free(forces) {
-            answer[first..first + 3].copy_from_slice(force);
+        for ((&first, force), held) in self.first.iter().zip(forces).zip(&self.held) {
+            if !held {
+                answer[first..first + 3].copy_from_slice(force);
+            }
         }
         self.matrix.solve(&mut answer);
         self.by_node(&answer)
@@ -117,14 +119,6 @@ impl System {
     #[cfg(test)]
     pub fn gradient(&self) -> Vec<Vector> {
         self.by_node(&self.gradient)
-    }
-
-    fn of_free<'a>(
-        &'a self,
-        forces: &'a [Vector],
-    ) -> impl Iterator<Item = ((&'a usize, &'a Vector), &'a bool)> {
-        let all = self.first.iter().zip(forces).zip(&self.held);
-        all.filter(|(_, held)| !**held)
     }
 
     fn by_node(&self, values: &[f64]) -> Vec<Vector> {

@@ -1,7 +1,7 @@
 //! The shell against the exact solutions, and its two discretisations against
 //! each other.
 
-use super::vector::{cross, difference, furthest, length};
+use super::vector::{cross, difference, dot, furthest, length};
 use super::*;
 use crate::rigidity::Rigidity;
 use crate::stock::{GRAVITY, Grain, Stock};
