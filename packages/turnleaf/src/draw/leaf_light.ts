@@ -15,6 +15,8 @@ const columnStep = 2;
 /** Every how many of those columns are looked at as obstacles. */
 const obstacleStep = 2;
 
+const noPoints = new Float32Array(0);
+
 /** Computes the gaps of a leaf's sides; what it computes in is used again and again. */
 export class LeafLight {
   readonly #columns: Blend;
@@ -27,8 +29,8 @@ export class LeafLight {
   readonly #gaps: Float32Array;
   /** The gaps found, as angles in book space. */
   readonly #found: Float32Array;
-  /** x, z of what bounds a row's sky: a pile and a row of the next leaf. */
-  #bounds = new Float32Array(0);
+  /** x, z of points of the next leaf's row. */
+  readonly #next: Float32Array;
 
   /** @param columns,rows of the leaf's mesh */
   constructor(columns: number, rows: number) {
@@ -40,6 +42,7 @@ export class LeafLight {
     this.#nx = new Float32Array(count);
     this.#nz = new Float32Array(count);
     this.#gaps = new Float32Array(2 * count);
+    this.#next = new Float32Array(2 * Math.ceil(count / obstacleStep));
     this.#found = new Float32Array(2 * count * this.#rows.places.length);
   }
 
@@ -62,8 +65,8 @@ export class LeafLight {
     let at = 0;
     for (const row of this.#rows.places) {
       this.#read(leaf, row, sign);
-      const bounds = next ? this.#boundsOf(pile, next, row, sign) : pile;
-      gapsOfRow(this.#x, this.#z, this.#nx, this.#nz, count, obstacleStep, bounds, this.#gaps);
+      const over = next ? this.#readNext(next, row, sign) : noPoints;
+      gapsOfRow(this.#x, this.#z, this.#nx, this.#nz, count, obstacleStep, pile, over, this.#gaps);
       for (let i = 0; i < count; i++, at += 2) {
         const left = compassToRadians(this.#gaps[2 * i]);
         const right = compassToRadians(this.#gaps[2 * i + 1]);
@@ -86,18 +89,15 @@ export class LeafLight {
     }
   }
 
-  #boundsOf(pile: Float32Array, next: Surface, row: number, sign: 1 | -1): Float32Array {
+  /** Every few points of a row of the next leaf. */
+  #readNext(next: Surface, row: number, sign: 1 | -1): Float32Array {
     const { places } = this.#columns;
-    const points = Math.floor((places.length - 1) / obstacleStep) + 1;
-    const length = pile.length + 2 * points;
-    if (this.#bounds.length !== length) this.#bounds = new Float32Array(length);
-    this.#bounds.set(pile);
-    for (let k = 0, to = pile.length; k < places.length; k += obstacleStep, to += 2) {
+    for (let k = 0, to = 0; k < places.length; k += obstacleStep, to += 2) {
       const at = 3 * (row * next.columns + places[k]);
-      this.#bounds[to] = sign * next.positions[at];
-      this.#bounds[to + 1] = next.positions[at + 2];
+      this.#next[to] = sign * next.positions[at];
+      this.#next[to + 1] = next.positions[at + 2];
     }
-    return this.#bounds;
+    return this.#next;
   }
 
   /** Blends what was found to every point. */

@@ -13,7 +13,11 @@ import {
 const none = new Float32Array(0);
 
 /** Gaps, in radians, of a row given by its x and z on the right side. */
-function gaps(points: [number, number][], opposite: [number, number][]): [number, number][] {
+function gaps(
+  points: [number, number][],
+  opposite: [number, number][],
+  next: [number, number][] = [],
+): [number, number][] {
   const count = points.length;
   const [x, z] = [0, 1].map((k) => Float32Array.from(points, (p) => p[k]));
   const nx = new Float32Array(count);
@@ -25,7 +29,8 @@ function gaps(points: [number, number][], opposite: [number, number][]): [number
     nz[i] = (x[b] - x[a]) / length;
   }
   const out = new Float32Array(2 * count);
-  gapsOfRow(x, z, nx, nz, count, 1, Float32Array.from(opposite.flat()), out);
+  const [pile, over] = [opposite, next].map((points) => Float32Array.from(points.flat()));
+  gapsOfRow(x, z, nx, nz, count, 1, pile, over, out);
   return points.map((_, i) => [compassToRadians(out[2 * i]), compassToRadians(out[2 * i + 1])]);
 }
 
@@ -82,6 +87,19 @@ test("a leaf overhead shuts out sky and key; a leaf laid away does not", () => {
   const open = compassToRadians(leftEndUnder(0.06, 0.01, away, away.length));
   expect(skyShare(open, Math.PI / 2, 0)).toBe(1);
   expect(keyShare(open, Math.PI / 2)).toBe(1);
+});
+
+test("a leaf close over another shuts it, down to where both are bound", () => {
+  for (const degrees of [0, 40, 80, 100, 140]) {
+    const at = (angle: number): [number, number][] =>
+      flat.map(([x]) => [x * Math.cos(angle), x * Math.sin(angle)]);
+    const lower = at((degrees * Math.PI) / 180);
+    const seen = gaps(lower, [], at(((degrees + 4) * Math.PI) / 180));
+    for (const [k, [left, right]] of seen.slice(1, 11).entries()) {
+      const normal = (-degrees * Math.PI) / 180;
+      expect(skyShare(left, right, normal), `${degrees} degrees, point ${k}`).toBeLessThan(0.12);
+    }
+  }
 });
 
 test("only the points in use shut out light", () => {

@@ -2,7 +2,7 @@
  * Light on paper, without a shadow map.
  *
  * A point of a page sees the sky through one gap in the plane across the
- * spine, between the page's own rise, the pile opposite and the leaf in flight.
+ * spine, between the page's own rise, the pile opposite and the leaves in flight.
  * The gap's two ends are angles from straight up, positive to the right. From
  * them follow how much of the sky and how much of the key light arrive:
  *
@@ -71,6 +71,7 @@ function near(c: number, center: number): number {
  * @param count points in the row
  * @param stride every how many points are looked at as obstacles; divides count - 1
  * @param opposite x, z of the pile across the gutter, may be empty
+ * @param next x, z of a leaf in flight that the lit side faces, may be empty
  * @param out left and right end for each point, as compass numbers
  */
 export function gapsOfRow(
@@ -81,6 +82,7 @@ export function gapsOfRow(
   count: number,
   stride: number,
   opposite: Float32Array,
+  next: Float32Array,
   out: Float32Array,
 ): void {
   for (let i = 0; i < count; i++) {
@@ -96,6 +98,13 @@ export function gapsOfRow(
       const dz = opposite[k + 1] - pz;
       if (Math.abs(dx) + Math.abs(dz) < 1e-6) continue;
       left = Math.max(left, near(compass(dx, dz), normal - 1));
+    }
+    for (let k = 0; k < next.length; k += 2) {
+      const dx = next[k] - px;
+      const dz = next[k + 1] - pz;
+      if (Math.abs(dx) + Math.abs(dz) < 1e-6) continue;
+      // It rises on the left and may reach over the point and beyond.
+      left = Math.max(left, near(compass(dx, dz), normal));
     }
     for (let k = 0; k < count; k += stride) {
       if (k === i) continue;

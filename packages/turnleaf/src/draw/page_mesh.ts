@@ -7,6 +7,8 @@ import { compassToRadians, gapsOfRow, keyAngle, leftEndUnder, penumbra } from ".
 import type { PaperMaterial } from "./paper.ts";
 import { obstacleStride, type PileShape } from "./pile_shape.ts";
 
+const noPoints = new Float32Array(0);
+
 /** What stands over a page: the leaf's sections for sky and key, and the tip of a board. */
 export interface Overhead {
   readonly sky: LeafSection;
@@ -63,7 +65,7 @@ export class PageMesh {
    */
   open(pile: PileShape, opposite: Float32Array): void {
     const { x, z, nx, nz, columns } = pile;
-    gapsOfRow(x, z, nx, nz, columns, obstacleStride, opposite, this.#gaps);
+    gapsOfRow(x, z, nx, nz, columns, obstacleStride, opposite, noPoints, this.#gaps);
     for (let k = 0; k < 2 * columns; k++) this.#gaps[k] = compassToRadians(this.#gaps[k]);
   }
 
