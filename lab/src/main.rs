@@ -1,6 +1,7 @@
 //! `lab`: experiments on the engine. Prints lines for people, and JSON with
 //! `--json`.
 
+mod agree;
 mod buckling;
 mod cantilever;
 mod convergence;
@@ -65,8 +66,10 @@ stiffness, and the exact answer stands beside what was found:
                       --stock bible|book|office|coated|card
   energy            what it loses as it swings undamped in a vacuum
                       --periods N     (10)
+  agree             sheet against shell, turned by the same hand
+                      --stock bible|book|office|coated|card  (book)
   convergence       orders by nodes and by step, hanging at Gamma 10
-  each takes  --model sheet|shell|mass-spring  (sheet)
+  all but agree take  --model sheet|shell|mass-spring  (sheet)
 
 Experiments on a book:
 
@@ -79,7 +82,7 @@ Experiments on a book:
 All take      --json                print JSON
 ";
 
-const NAMES: &str = "table1, turn, picture, cantilever, tip-load, pear-loop, vibration, upright, lateral-buckling, drop-sheet, energy, convergence and gestures";
+const NAMES: &str = "table1, turn, picture, cantilever, tip-load, pear-loop, vibration, upright, lateral-buckling, drop-sheet, energy, convergence, agree and gestures";
 
 fn main() -> ExitCode {
     match run() {
@@ -118,6 +121,7 @@ fn run() -> Result<(), String> {
         "table1" => table1::run(&mut parser),
         "turn" => turn::run(&mut parser),
         "picture" => picture::run(&mut parser),
+        "agree" => agree::run(&mut parser),
         "gestures" => gestures::run(&mut parser),
         _ => Err(format!(
             "There is no experiment \"{name}\"; there are {NAMES}."

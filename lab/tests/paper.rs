@@ -136,6 +136,41 @@ fn refinement_is_of_second_order() {
 }
 
 #[test]
+fn the_sheet_turns_as_the_shell_does() {
+    let found = lab("agree");
+    for by in ["corner", "edge"] {
+        let rms = figure(&found, &format!("{by}.rms"));
+        assert!(rms < 0.02, "{by}: {rms}");
+        // At the end both lie on the left.
+        let samples = found[by]["by_time"].as_array().expect("samples");
+        let last = figure(samples.last().expect("a sample"), "worst");
+        assert!(last < 0.005, "{by}: {last}");
+    }
+}
+
+#[test]
+fn gestures_are_repeated_by_their_seed() {
+    let line = "gestures --count 4 --seed 7 --stock card";
+    let (first, second) = (lab(line), lab(line));
+    for name in [
+        "edge_strain_median",
+        "edge_strain_p99",
+        "edge_strain_worst",
+        "edge_strain_after_release",
+        "drawn_penetration_mm",
+        "solver_penetration_mm",
+        "seed",
+    ] {
+        assert!(first[name].is_number(), "{name}");
+        assert_eq!(first[name], second[name], "{name}");
+    }
+    assert_eq!(first["finite"], Value::Bool(true));
+    for name in ["us_per_frame_p50", "us_per_frame_p99"] {
+        assert!(figure(&first, name) > 0.0);
+    }
+}
+
+#[test]
 fn what_a_model_cannot_do_it_says() {
     let wrong = [
         "tip-load --model mass-spring --load 1",
@@ -148,6 +183,8 @@ fn what_a_model_cannot_do_it_says() {
         "cantilever --gamma 1 --nodes 400",
         "drop-sheet --stock vellum",
         "tip-load",
+        "agree --model sheet",
+        "gestures --count 0",
     ];
     for line in wrong {
         let mut command = Command::new(env!("CARGO_BIN_EXE_lab"));
