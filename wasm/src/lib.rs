@@ -13,8 +13,8 @@
 
 mod bench;
 
-use turnleaf_engine::Side;
-use turnleaf_engine::book::{Book, Phase, TICK};
+use turnleaf_engine::book::{Book, Paper, Phase, TICK};
+use turnleaf_engine::{Grain, Side, Stock};
 
 fn side(number: u32) -> Side {
     if number == 0 { Side::Right } else { Side::Left }
@@ -58,6 +58,13 @@ pub unsafe extern "C" fn tl_book_drop(book: *mut Book) {
     drop(unsafe { Box::from_raw(book) });
 }
 
+/// Changes a book's paper; answers whether leaves can be made of it.
+fn change(book: &mut Book, how: impl FnOnce(&mut Paper)) -> bool {
+    let mut paper = *book.paper();
+    how(&mut paper);
+    book.set_paper(&paper)
+}
+
 /// Declares exported functions on a book, each a call to the engine.
 macro_rules! book_functions {
     ($($(#[$doc:meta])* fn $name:ident($book:ident $(, $arg:ident: $type:ty)*) $(-> $result:ty)? $body:block)*) => {$(
@@ -72,6 +79,30 @@ macro_rules! book_functions {
 }
 
 book_functions! {
+    /// Makes the leaves of a preset stock, by its number; 0 where there is none.
+    fn tl_book_set_stock(book, number: usize) -> u32 {
+        let stock = Stock::NAMES.get(number).and_then(|name| Stock::named(name));
+        stock.is_some_and(|stock| change(book, |paper| paper.stock = stock)).into()
+    }
+    /// Makes the leaves of a stock in figures: kg/m^2, m, N m; 0 where it is none.
+    fn tl_book_set_figures(book, grammage: f64, caliper: f64, along: f64, across: f64) -> u32 {
+        let stock = Stock::new(grammage, caliper, along, across);
+        stock.is_ok_and(|stock| change(book, |paper| paper.stock = stock)).into()
+    }
+    /// Binds the leaves with their grain across the spine or along it, and with a
+    /// stiffness in N; 0 where it is none.
+    fn tl_book_set_binding(book, across_spine: u32, stiffness: f64) -> u32 {
+        let grain = if across_spine == 0 { Grain::AlongSpine } else { Grain::AcrossSpine };
+        change(book, |paper| (paper.grain, paper.binding) = (grain, stiffness)).into()
+    }
+    /// Sets the velocity of the air, m/s; 0 where it is none.
+    fn tl_book_set_wind(book, x: f64, y: f64, z: f64) -> u32 {
+        change(book, |paper| paper.wind = [x, y, z]).into()
+    }
+    /// Whether a leaf let go is helped over to its side.
+    fn tl_book_set_assist(book, on: u32) {
+        change(book, |paper| paper.assist = on != 0);
+    }
     /// Lays the book open with `read` leaves on the left and none in flight.
     fn tl_book_lay(book, read: u32) { book.lay(read) }
     /// Takes up the uppermost leaves of a side; answers the flight's number, or 0.

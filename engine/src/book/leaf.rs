@@ -19,7 +19,7 @@ use super::seat::share_turned;
 use crate::air::Air;
 use crate::grid::Side;
 use crate::models::sheet::{Root, Sheet, SheetSettings};
-use crate::stock::Stock;
+use crate::stock::{Grain, Stock};
 use crate::surface::Surface;
 use crate::turn::TurnModel;
 use play::Course;
@@ -65,13 +65,20 @@ impl Phase {
     }
 }
 
-/// What the leaves of a book are made of, and the air between them.
+/// What the leaves of a book are made of, how they are bound, and what moves
+/// them beside hands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Paper {
-    /// The stock of every leaf, its grain along the spine.
+    /// The stock of every leaf.
     pub stock: Stock,
-    /// The air around them; None where it is still.
-    pub air: Option<Air>,
+    /// Which way it is bound.
+    pub grain: Grain,
+    /// Stiffness of the binding against a leaf that leaves the gutter in another
+    /// direction than its neighbours in the same leaf, N (moment per width and
+    /// radian), 0 to 1.
+    pub binding: f64,
+    /// Velocity of the air, m/s, each component within 20.
+    pub wind: [f64; 3],
     /// Whether a leaf let go is helped over to its side. Without it, it goes
     /// where its own motion and gravity take it.
     pub assist: bool,
@@ -81,9 +88,20 @@ impl Default for Paper {
     fn default() -> Paper {
         Paper {
             stock: Stock::BOOK,
-            air: None,
+            grain: Grain::AlongSpine,
+            binding: BINDING,
+            wind: [0.0; 3],
             assist: true,
         }
+    }
+}
+
+impl Paper {
+    /// Whether leaves can be made of it.
+    pub(super) fn is_sound(&self) -> bool {
+        self.stock.check().is_ok()
+            && (0.0..=1.0).contains(&self.binding)
+            && self.wind.iter().all(|w| (-20.0..=20.0).contains(w))
     }
 }
 
@@ -120,8 +138,12 @@ impl Leaf {
             columns: NODES[0],
             rows: NODES[1],
             time_step: f64::from(TICK),
-            root: Root::Hinged(BINDING),
-            air: paper.air.unwrap_or(Air::still(width)),
+            grain: paper.grain,
+            root: Root::Hinged(paper.binding),
+            air: Air {
+                wind: paper.wind,
+                ..Air::still(width)
+            },
             ..SheetSettings::leaf(width, height, paper.stock)
         };
         let cell = [

@@ -48,6 +48,7 @@ pub const HANDS: usize = 4;
 pub struct Book {
     width: f64,
     height: f64,
+    paper: Paper,
     leaves: u32,
     u: Vec<f32>,
     knots: Knots,
@@ -72,10 +73,12 @@ impl Book {
         }
         let u = crowded_columns(COLUMNS);
         let closed = [Side::Right, Side::Left].map(|side| Pile::closed(side, width, thickness, &u));
-        let leaf = Leaf::new(width, height, &Paper::default(), &u, ROWS);
+        let paper = Paper::default();
+        let leaf = Leaf::new(width, height, &paper, &u, ROWS);
         let mut book = Book {
             width,
             height,
+            paper,
             leaves,
             knots: Knots::new(width, thickness, &u),
             piles: closed.clone(),
@@ -89,16 +92,23 @@ impl Book {
         Some(book)
     }
 
-    /// Makes every leaf of another paper, in other air, helped over or not.
-    /// Leaves in flight are laid down first. A stock that is none changes nothing.
-    pub fn set_paper(&mut self, paper: &Paper) {
-        if paper.stock.check().is_err() {
-            return;
+    /// What the leaves are made of.
+    pub fn paper(&self) -> &Paper {
+        &self.paper
+    }
+
+    /// Makes every leaf of another paper; leaves in flight are laid down first.
+    /// Answers whether leaves can be made of it; where not, nothing changes.
+    pub fn set_paper(&mut self, paper: &Paper) -> bool {
+        if !paper.is_sound() {
+            return false;
         }
+        self.paper = *paper;
         let leaf = Leaf::new(self.width, self.height, paper, &self.u, ROWS);
         let read = self.flights.left();
         self.flights = Flights::new(self.leaves, leaf, &self.u, ROWS);
         self.lay(read);
+        true
     }
 
     /// Lays the book open with `read` leaves of paper on the left (at most those

@@ -113,8 +113,8 @@ fn open(random: &mut Random, stock: Stock) -> Book {
     *book.board_mut(0) = Board::new(Side::Left);
     book.set_paper(&Paper {
         stock,
-        air: None,
         assist: !random.once_in(8),
+        ..Paper::default()
     });
     book.lay(match random.below(4) {
         0 => 0,

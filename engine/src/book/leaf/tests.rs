@@ -249,3 +249,41 @@ fn no_hand_tears_a_leaf() {
         );
     });
 }
+
+#[test]
+fn a_stiffer_stock_bows_less_and_wind_carries_a_leaf_over() {
+    let lean = |stock: Stock| {
+        let mut book = book();
+        assert!(book.set_paper(&Paper {
+            stock,
+            ..Paper::default()
+        }));
+        let id = book.lift(Side::Right, 40, 41).unwrap();
+        book.grab(id, 0, 1.0, 0.5);
+        book.hold(id, 0, [0.06, 0.1, 0.08]);
+        book.step(360);
+        // Height of the middle of the leaf over the chord from spine to hand.
+        let nodes = &leaf(&book).seated().points;
+        nodes[7 * NODES[0] + 5][2]
+    };
+    assert!(lean(Stock::CARD) > lean(Stock::BIBLE) + 0.005);
+
+    let mut book = book();
+    let paper = Paper {
+        wind: [-3.0, 0.0, 0.0],
+        assist: false,
+        ..Paper::default()
+    };
+    assert!(book.set_paper(&paper));
+    let id = book.lift(Side::Right, 40, 41).unwrap();
+    book.grab(id, 0, 1.0, 0.5);
+    book.hold(id, 0, [0.06, 0.1, 0.12]);
+    book.step(120);
+    book.release(id, 0);
+    rest(&mut book, |_| {});
+    assert_eq!(book.read(), 41);
+    assert!(!book.set_paper(&Paper {
+        wind: [f64::NAN, 0.0, 0.0],
+        ..paper
+    }));
+}
