@@ -22,6 +22,7 @@ const pictures = {
   "turn-1": { page: 18, viewport: wide, turn: 240 },
   "turn-2": { page: 18, viewport: wide, turn: 400 },
   "cover-opening": { page: 1, viewport: wide, turn: 420 },
+  riffle: { page: 60, viewport: wide, riffle: 870 },
   drag: { page: 18, viewport: wide, drag: [0.82, 0.88, 0.6, 0.72] },
 };
 
@@ -49,9 +50,10 @@ function driveClock() {
   const clock = {
     free: true,
     /** Lets a time pass, in frames of 60 Hz. */
-    pass(milliseconds) {
+    pass(milliseconds, before) {
       for (let t = 0; t < milliseconds; t += 1000 / 60) {
         now += 1000 / 60;
+        before?.();
         const calls = waiting;
         waiting = [];
         for (const { call } of calls) call(now);
@@ -72,7 +74,7 @@ function driveClock() {
 }
 
 async function take(browser, url, name) {
-  const { page: number, viewport, turn, drag } = pictures[name];
+  const { page: number, viewport, turn, riffle, drag } = pictures[name];
   const page = await browser.newPage({ viewport });
   await page.addInitScript(driveClock);
   await page.goto(`${url}#page=${number}`);
@@ -91,6 +93,15 @@ async function take(browser, url, name) {
       document.querySelector("turnleaf-book").next();
       window.clock.pass(milliseconds);
     }, turn);
+  }
+  if (riffle) {
+    // In pieces, so that the pages that come into sight are drawn in between.
+    for (let t = 0; t < riffle; t += 60) {
+      await page.evaluate(() => {
+        window.clock.pass(59, () => document.querySelector("turnleaf-book").next());
+      });
+      await page.waitForTimeout(1500);
+    }
   }
   if (drag) {
     const [x0, y0, x1, y1] = drag.map((share, i) => share * (i % 2 ? wide.height : wide.width));
