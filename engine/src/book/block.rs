@@ -149,6 +149,12 @@ impl Pile {
         &self.angles
     }
 
+    /// Greatest height of the uppermost page, metres.
+    pub fn highest(&self) -> f32 {
+        let top = self.curves[..2 * self.columns].chunks_exact(2);
+        top.map(|point| point[1]).fold(0.0, f32::max)
+    }
+
     /// Height in metres of the uppermost page at a distance `x` >= 0 from the
     /// gutter; beyond the fore-edge, the fore-edge's.
     pub fn height(&self, x: f32) -> f32 {

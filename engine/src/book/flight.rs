@@ -3,7 +3,7 @@
 use super::block::Pile;
 use super::leaf::{Leaf, NODES, Phase};
 use super::mesh::Mesh;
-use super::seat::seat;
+use super::seat::{lift, seat};
 use crate::grid::Side;
 use crate::surface::Surface;
 
@@ -116,8 +116,10 @@ impl Flight {
         self.surface.update_normals();
     }
 
-    /// Says that what is drawn has changed.
-    pub fn finish(&mut self) {
+    /// Lifts what others pushed into the piles (right and left) out of them, and
+    /// says that what is drawn has changed.
+    pub fn finish(&mut self, [right, left]: [&Pile; 2]) {
+        lift(&mut self.surface.positions, right, left);
         self.surface.touch();
     }
 

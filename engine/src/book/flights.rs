@@ -21,6 +21,11 @@ pub const MOST_FLIGHTS: usize = 16;
 /// is pushed out in a tick.
 const YIELDING: f32 = 0.01;
 
+/// Depth after a tick, metres, from which a leaf is brought out of what it met,
+/// and how often at most.
+const DEEP: f32 = 1.5e-3;
+const MOST_ROUNDS: usize = 6;
+
 /// Length of a whole turn of a leaf that makes way for one let go, seconds.
 const WAY_SECONDS: f32 = 0.8;
 
@@ -132,6 +137,7 @@ impl Flights {
             let left = if index == on_left { 1.0 } else { YIELDING };
             self.step_one(index, gutter, piles, [left, 1.0]);
         }
+        self.relax(gutter, piles);
         self.join_piles();
     }
 
@@ -158,7 +164,7 @@ impl Flights {
             self.clear_one(on_left, Side::Left);
         }
         for flight in &mut self.order {
-            flight.finish();
+            flight.finish(piles);
         }
     }
 
@@ -193,6 +199,47 @@ impl Flights {
         leaf.meet(piles, [left, right]);
         leaf.step(supported);
         leaf.seat(gutter);
+    }
+
+    /// Brings out of each other, of the piles and of neighbours, what a tick drove
+    /// in: contact is told to the sheet as planes, and what moved fast is
+    /// elsewhere than they said; and a leaf between two others yields to both.
+    fn relax(&mut self, gutter: &Gutter, piles: [&Pile; 2]) {
+        let count = self.order.len();
+        for round in 0..MOST_ROUNDS {
+            let mut is_clear = true;
+            for k in 0..count {
+                let index = if round % 2 == 0 { count - 1 - k } else { k };
+                is_clear &= self.relax_one(index, gutter, piles);
+            }
+            if is_clear {
+                break;
+            }
+        }
+        for flight in &mut self.order {
+            flight.leaf_mut().give_way(DEEP);
+        }
+    }
+
+    /// Brings one flight out of what it overlaps; answers whether there was none.
+    fn relax_one(&mut self, index: usize, gutter: &Gutter, piles: [&Pile; 2]) -> bool {
+        let (left, rest) = self.order.split_at_mut(index);
+        let (own, right) = rest
+            .split_first_mut()
+            .expect("the index is below the length");
+        let leaf = own.leaf_mut();
+        if matches!(leaf.phase(), Phase::Resting(_)) {
+            return true;
+        }
+        let left = left.last().map(|flight| neighbour_of(flight, 1.0));
+        let right = right.first().map(|flight| neighbour_of(flight, 1.0));
+        leaf.meet(piles, [left, right]);
+        if leaf.seated().firm_depth < DEEP {
+            return true;
+        }
+        leaf.push_out();
+        leaf.seat(gutter);
+        false
     }
 
     /// Whether what flight `index` lies upon, or will, is down.

@@ -227,6 +227,7 @@ impl Leaf {
         *own = None;
         if !matches!(self.phase, Phase::Held) {
             self.drop_course();
+            self.settling = None;
             self.phase = Phase::Held;
         }
     }
@@ -287,6 +288,22 @@ impl Leaf {
             friction,
         };
         meet(&mut self.seated, piles, neighbours, &mut sheet);
+    }
+
+    /// Brings what a tick drove deep into piles or firm neighbours back out.
+    pub fn push_out(&mut self) {
+        if !self.is_down() {
+            self.sheet.push_out();
+        }
+    }
+
+    /// Ends a tick: hands give way to what the leaf is still deeper in than
+    /// `deep`, metres.
+    pub fn give_way(&mut self, deep: f32) {
+        if self.seated.depth > deep {
+            self.sheet.give_way();
+        }
+        self.seated.note_tangled();
     }
 
     /// Wakes a leaf that rested upon one that moves now.

@@ -13,7 +13,19 @@ const FAR: f32 = 0.07;
 
 /// Deepest that contact pushes from at once, metres: what is deeper comes out
 /// over several ticks.
-const DEEPEST: f32 = 0.006;
+const DEEPEST: f32 = 0.02;
+
+/// Depth at which a node was not pushed in but came round, metres.
+const WRONG: f32 = 0.03;
+
+/// Depth in a neighbour, metres, from which a node that could not be pushed out is
+/// led out slowly, to which, and how firmly.
+const TANGLED: f32 = 0.0035;
+const FREE: f32 = 0.001;
+const UNTANGLING: f32 = 0.005;
+
+/// Firmness of a contact that is a spring alone.
+const SPRING: f32 = 0.99;
 
 /// Nodes of a cell farther than this from another leaf, metres, keep the whole
 /// cell clear of it.
@@ -50,6 +62,10 @@ pub struct Seated {
     cell: [f32; 2],
     /// Deepest contact of the last meeting, metres.
     pub depth: f32,
+    /// The same of contacts that are firm.
+    pub firm_depth: f32,
+    /// Which nodes came too deep into the left and the right neighbour.
+    tangled: [Vec<bool>; 2],
     /// Distance of each node from the left and from the right neighbour, metres.
     pub gaps: [Vec<f32>; 2],
 }
@@ -68,6 +84,8 @@ impl Seated {
             nearest: [same.clone(), same],
             cell,
             depth: 0.0,
+            firm_depth: 0.0,
+            tangled: [vec![false; nodes], vec![false; nodes]],
             gaps: [vec![FAR; nodes], vec![FAR; nodes]],
         }
     }
@@ -96,9 +114,26 @@ impl Seated {
 
     /// Forgets what was met: each node is looked for next to its own place.
     pub fn forget(&mut self) {
+        for tangled in &mut self.tangled {
+            tangled.fill(false);
+        }
         for nearest in &mut self.nearest {
             for (node, nearest) in nearest.iter_mut().enumerate() {
                 *nearest = node as u16;
+            }
+        }
+    }
+
+    fn is_tangled(&self) -> bool {
+        self.tangled.iter().any(|tangled| tangled.contains(&true))
+    }
+
+    /// Notes which nodes are still deep in a neighbour when a tick is done: those
+    /// that could be pushed out have been.
+    pub fn note_tangled(&mut self) {
+        for (tangled, gaps) in self.tangled.iter_mut().zip(&self.gaps) {
+            for (tangled, gap) in tangled.iter_mut().zip(gaps) {
+                *tangled = *gap < if *tangled { -FREE } else { -TANGLED };
             }
         }
     }
@@ -136,6 +171,7 @@ pub fn meet(
     sheet: &mut Sheetlike<'_>,
 ) {
     leaf.depth = 0.0;
+    leaf.firm_depth = 0.0;
     meet_piles(leaf, piles, sheet);
     // The left neighbour lies on the recto's side, the right one on the verso's.
     meet_neighbour(leaf, LEFT, left, -1.0, sheet);
@@ -186,6 +222,7 @@ fn meet_piles(leaf: &mut Seated, [right, left]: [&Pile; 2], sheet: &mut Sheetlik
         let normal = [-sign * slope * inverse, 0.0, inverse];
         let gap = (z - height) * inverse;
         leaf.depth = leaf.depth.max(-gap);
+        leaf.firm_depth = leaf.firm_depth.max(-gap);
         sheet.contacts[node][PILE] = half_space(leaf, node, (normal, gap), [0.0; 3], sheet);
     }
 }
@@ -206,34 +243,69 @@ fn meet_neighbour(
     let other = neighbour.leaf;
     let mesh = other.mesh();
     let columns = leaf.columns;
+    let is_tangled = leaf.tangled[slot - 1].contains(&true) || other.is_tangled();
+    // The place of the other that the row's last node was next to, and 1 where
+    // that node was on the side where the leaf belongs, -1 where it was not.
+    let mut last = (0, 1.0);
     for node in 0..leaf.points.len() {
         // The column at the spine is everyone's.
         if node % columns == 0 {
+            last = (node, 1.0);
             continue;
         }
         let point = leaf.points[node];
         let start = leaf.nearest[slot - 1][node] as usize;
         let Some(near) = mesh.near(point, start) else {
+            last.0 = usize::MAX;
             continue;
         };
         leaf.nearest[slot - 1][node] = near.node as u16;
+        let belongs = if is_next(columns, near.node, last.0) {
+            last.1
+        } else if side * near.height >= 0.0 {
+            // Round the rim of the other, over a part of it that is turned over.
+            1.0
+        } else {
+            -1.0
+        };
+        last = (near.node, belongs);
+        let side = belongs * side;
         let gap = side * near.height - GAP;
         let away = sub(point, other.points[near.node]);
         // What is far, or far to the wrong side, is not lying upon it there.
-        if gap > FAR || dot(away, away) > FAR * FAR {
+        if gap > FAR || gap < -WRONG || dot(away, away) > FAR * FAR {
             continue;
         }
         leaf.gaps[slot - 1][node] = gap;
+        // What has come so deep is led out slowly: by force it would tear.
+        let firmness = if leaf.tangled[slot - 1][node] {
+            UNTANGLING
+        } else if is_tangled {
+            neighbour.firmness.min(SPRING)
+        } else {
+            neighbour.firmness
+        };
         if neighbour.firmness == 1.0 {
             leaf.depth = leaf.depth.max(-gap - GAP);
+            if !is_tangled {
+                leaf.firm_depth = leaf.firm_depth.max(-gap - GAP);
+            }
         }
         let normal = near.normal.map(|n| side * n);
         let velocity = other.velocities[near.node];
         sheet.contacts[node][slot] = Contact {
-            firmness: neighbour.firmness,
+            firmness,
             ..half_space(leaf, node, (normal, gap), velocity, sheet)
         };
     }
+}
+
+/// Whether two nodes of a leaf are no farther apart than those that are next to
+/// two neighbours of a leaf upon it.
+fn is_next(columns: usize, a: usize, b: usize) -> bool {
+    b != usize::MAX
+        && (a % columns).abs_diff(b % columns) <= 2
+        && (a / columns).abs_diff(b / columns) <= 2
 }
 
 /// A curled leaf stays on the side of itself where it is.
@@ -258,7 +330,11 @@ fn meet_itself(leaf: &mut Seated, sheet: &mut Sheetlike<'_>) {
         }
         let space = (normal.map(|n| side * n), height.abs() - GAP);
         let velocity = leaf.velocities[other];
-        sheet.contacts[node][SELF] = half_space(leaf, node, space, velocity, sheet);
+        // The other node is pushed itself.
+        sheet.contacts[node][SELF] = Contact {
+            firmness: 0.5,
+            ..half_space(leaf, node, space, velocity, sheet)
+        };
     }
 }
 

@@ -27,9 +27,19 @@ pub fn seat(positions: &mut [f32], right: &Pile, left: &Pile) {
     debug_assert_eq!(columns, left.columns());
     for row in positions.chunks_exact_mut(3 * columns) {
         bend_row(row, right.angles(), left.angles());
+    }
+    lift(positions, right, left);
+}
+
+/// Lifts onto the piles what of a leaf lies inside them; arguments as in [`seat`].
+pub fn lift(positions: &mut [f32], right: &Pile, left: &Pile) {
+    let highest = right.highest().max(left.highest());
+    for row in positions.chunks_exact_mut(3 * right.columns()) {
         for point in row.chunks_exact_mut(3).skip(1) {
-            let pile = if point[0] >= 0.0 { right } else { left };
-            point[2] = point[2].max(pile.height(point[0].abs()));
+            if point[2] < highest {
+                let pile = if point[0] >= 0.0 { right } else { left };
+                point[2] = point[2].max(pile.height(point[0].abs()));
+            }
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use turnleaf_engine::book::{Board, Book, Paper, Phase, TICK};
-use turnleaf_engine::{Side, Stock};
+use turnleaf_engine::{Side, Stock, Surface};
 
 use super::overlap::{Overlap, measure};
 use super::random::Random;
@@ -68,6 +68,7 @@ struct Scene {
     /// For each flight the ticks since a hand of any kind held it.
     free: Vec<(u32, u32)>,
     outcome: Outcome,
+    ticks: u32,
 }
 
 /// Plays the gesture of a seed on leaves of a stock.
@@ -79,6 +80,7 @@ pub fn play(seed: u64, stock: Stock) -> Outcome {
         random,
         hands: Vec::new(),
         free: Vec::new(),
+        ticks: 0,
         outcome: Outcome {
             finite: true,
             ..Outcome::default()
@@ -175,6 +177,10 @@ impl Scene {
 
     fn grab(&mut self, flight: u32) {
         let number = self.random.below(4);
+        // A reader has two hands.
+        if self.hands.len() == 2 {
+            return;
+        }
         if self
             .hands
             .iter()
@@ -228,8 +234,8 @@ impl Scene {
         }
         self.outcome.leaves = self.outcome.leaves.max(leaves);
         let drawn = (0..self.book.flights()).filter_map(|index| self.book.surface(index));
-        let finite = drawn.map(|surface| surface.positions.iter().all(|x| x.is_finite()));
-        self.outcome.finite &= finite.fold(true, |all, one| all && one);
+        let finite = |surface: &Surface| surface.positions.iter().all(|x| x.is_finite());
+        self.outcome.finite &= { drawn }.all(finite);
         self.outcome.drawn = self.outcome.drawn.worse(measure(&self.book));
     }
 
@@ -266,6 +272,7 @@ impl Scene {
 
     /// Looks at the leaves after a tick.
     fn look(&mut self) {
+        self.ticks += 1;
         let before = std::mem::take(&mut self.free);
         for index in 0..self.book.flights() {
             let Some(id) = self.book.flight_id(index) else {

@@ -31,10 +31,11 @@ impl Leaf {
     }
 
     pub(super) fn step_falling(&mut self, side: Side, supported: bool) {
-        if self.settling.is_some() {
+        if self.settling.is_some() && supported {
             self.step_settling(side);
             return;
         }
+        self.settling = None;
         let side = if self.assist { side } else { self.side_ahead() };
         self.phase = Phase::Falling(side);
         self.help_over(side);

@@ -215,6 +215,48 @@ fn leaves_of_a_riffle_do_not_pass_through_each_other() {
 }
 
 #[test]
+fn no_hand_presses_a_leaf_into_its_pile() {
+    for place in [[0.1, 0.1, -0.2], [-0.1, 0.1, -0.1], [0.02, 0.05, 0.0]] {
+        let mut book = book();
+        let id = book.lift(Side::Right, 40, 41).unwrap();
+        book.grab(id, 0, 1.0, 0.5);
+        for _ in 0..120 {
+            book.hold(id, 0, place);
+            book.step(1);
+            let (strain, depth) = worst(&book);
+            assert!(strain < 0.01 && depth < 3e-3, "{strain} {depth} m");
+        }
+    }
+}
+
+#[test]
+fn a_leaf_pulled_up_under_another_lifts_it() {
+    let mut book = book();
+    let upper = book.lift(Side::Left, 39, 40).unwrap();
+    let lower = book.lift(Side::Left, 38, 39).unwrap();
+    book.grab(lower, 0, 1.0, 0.5);
+    for _ in 0..60 {
+        book.hold(lower, 0, [0.0, 0.1, 0.12]);
+        book.step(1);
+        let (strain, depth) = worst(&book);
+        assert!(strain < 0.01 && depth < 3e-3, "{strain} {depth} m");
+    }
+    assert_eq!(book.phase(upper), Some(Phase::Falling(Side::Left)));
+}
+
+#[test]
+fn a_leaf_caught_as_it_settles_is_no_longer_down() {
+    let mut book = book();
+    let id = book.lift(Side::Right, 40, 41).unwrap();
+    book.play(id, Side::Left, 0.5);
+    while !leaf(&book).is_down() || book.phase(id) == Some(Phase::Resting(Side::Right)) {
+        book.step(1);
+    }
+    book.grab(id, 0, 1.0, 0.5);
+    assert!(!leaf(&book).is_down());
+}
+
+#[test]
 fn no_hand_tears_a_leaf() {
     for_seeds(|random| {
         let mut book = book();

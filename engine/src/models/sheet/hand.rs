@@ -9,11 +9,18 @@ use super::system::System;
 use crate::grab::{Pressed, pad, stiffness};
 
 /// Greatest speed of a held place, m/s.
-const FASTEST: f32 = 4.0;
+const FASTEST: f32 = 3.0;
 
 /// Part of what paper reaches that a hand may use: pulled quite taut, the last
 /// of a leaf's curl would come out by force.
 const REACH: f32 = 0.995;
+
+/// Part of its greatest speed with which a hand begins, that it keeps when it
+/// gives way, the least of it, and how much of it comes back with a step.
+const FIRST: f32 = 0.1;
+const HESITATION: f32 = 0.3;
+const SLOWEST: f32 = 0.02;
+const RECOVERY: f32 = 0.05;
 
 /// A hand that holds a sheet.
 #[derive(Clone, Debug)]
@@ -25,6 +32,8 @@ pub(super) struct Hand {
     /// Where the hand wants the place to be, and where it has come.
     wanted: [f32; 3],
     target: [f32; 3],
+    /// Part of the greatest speed at which it goes on.
+    pace: f32,
     /// Tangents along u and v at the place, of about unit length.
     frame: [[f32; 3]; 2],
 }
@@ -40,6 +49,7 @@ impl Hand {
             pad: pad((f64::from(u), f64::from(v)), grid, size),
             wanted: [0.0; 3],
             target: [0.0; 3],
+            pace: FIRST,
             frame: [[0.0; 3]; 2],
         };
         hand.tilt(settings.columns, positions);
@@ -53,6 +63,13 @@ impl Hand {
         if to.iter().all(|x| x.is_finite()) {
             self.wanted = to.map(|x| x.clamp(-1e3, 1e3));
         }
+    }
+
+    /// Paper that lies in its way does not let the hand through: it goes on from
+    /// where the leaf is, slower.
+    pub fn give_way(&mut self, positions: &[f32]) {
+        self.target = self.held_place(positions);
+        self.pace = (self.pace * HESITATION).max(SLOWEST);
     }
 
     /// Where the pad's middle is on the leaf.
@@ -128,7 +145,8 @@ impl Hand {
 pub(super) fn follow(hands: &mut [Hand], settings: &SheetSettings, h: f32) {
     for hand in hands.iter_mut() {
         let away = distance(hand.wanted, hand.target);
-        let part = (FASTEST * h / away.max(1e-9)).min(1.0);
+        let part = (hand.pace * FASTEST * h / away.max(1e-9)).min(1.0);
+        hand.pace = (hand.pace + RECOVERY).min(1.0);
         for axis in 0..3 {
             hand.target[axis] += part * (hand.wanted[axis] - hand.target[axis]);
         }

@@ -354,6 +354,34 @@ impl Sheet {
         }
     }
 
+    /// Brings what is deep in its firm contacts back out of them, for contacts found
+    /// anew where the step led. It stops what moved in, and throws nothing out.
+    pub(crate) fn push_out(&mut self) {
+        self.before.copy_from_slice(&self.positions);
+        self.sweep.run(&mut self.positions, &self.contacts);
+        let x = self.positions.as_chunks::<3>().0;
+        let before = self.before.as_chunks::<3>().0;
+        let v = self.velocities.as_chunks_mut::<3>().0;
+        for ((v, x), before) in v.iter_mut().zip(x).zip(before) {
+            let out: [f32; 3] = core::array::from_fn(|axis| x[axis] - before[axis]);
+            let square = dot(out, out);
+            let against = dot(*v, out).min(0.0);
+            if against < 0.0 {
+                let stop = (square / self.h).min(-against) / square;
+                for axis in 0..3 {
+                    v[axis] += stop * out[axis];
+                }
+            }
+        }
+    }
+
+    /// Hands give way to what they could not draw the sheet through.
+    pub(crate) fn give_way(&mut self) {
+        for hand in &mut self.hands {
+            hand.give_way(&self.positions);
+        }
+    }
+
     /// Assembles forces and matrix at the present state.
     fn assemble(&mut self) {
         self.system.matrix.copy_from(&self.constant);
@@ -464,7 +492,7 @@ impl TurnModel for Sheet {
         self.assemble();
         self.before.copy_from_slice(&self.positions);
         if self.system.solve(&mut self.positions) {
-            self.sweep.run(&mut self.positions);
+            self.sweep.run(&mut self.positions, &self.contacts);
             self.synchronise();
         }
         let inverse = 1.0 / self.h;

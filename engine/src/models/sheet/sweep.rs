@@ -5,15 +5,34 @@
 //! solve (Goldenthal et al. 2007 project all at once; chains one after another
 //! converge nearly as fast on a sheet and cost a thousandth). Sweeps repeat
 //! until every edge has its length.
+//!
+//! What a hand's pull or a throw drove through a firm contact within the step is
+//! brought back between the sweeps, so that the paper around it follows.
 
+use super::contact::{CONTACTS, Contact};
 use super::settings::SheetSettings;
 
 /// Sweeps go on until no edge is longer or shorter by more than this part.
 const TOLERANCE: f32 = 2e-4;
 
+/// Depth in a firm contact that is left to its spring, metres; what is deeper is
+/// brought back to it.
+const LEFT: f32 = 3e-4;
+
+/// Contacts no nearer than this after the solution, metres, stay out of the
+/// sweeps' reach.
+const BEYOND: f32 = 5e-3;
+
+/// Sweeps after which contacts yield to lengths: between two hands there may be
+/// no place for a leaf, but tear it shall not.
+const YIELD: usize = 10;
+
+/// Most by which a sweep brings a node back, metres.
+const STRIDE: f32 = 4e-3;
+
 /// Fewest and most sweeps of a step.
 const FEWEST: usize = 2;
-const MOST: usize = 24;
+const MOST: usize = 32;
 
 /// Restores the lengths of a sheet's edges.
 #[derive(Clone, Debug)]
@@ -25,6 +44,8 @@ pub(super) struct Sweep {
     /// One over a node's area, relative to an inner node's; 0 where it is held.
     pub mobility: Vec<f32>,
     links: Vec<Link>,
+    /// Firm contacts that nodes are in or near: node, contact.
+    firm: Vec<(usize, Contact)>,
 }
 
 /// An edge of a chain: its direction, its excess length, its row of the system.
@@ -47,6 +68,7 @@ impl Sweep {
             cell: [du as f32, dv as f32],
             mobility: vec![0.0; columns * rows],
             links: vec![Link::default(); columns.max(rows)],
+            firm: Vec::with_capacity(columns * rows),
         };
         for node in 0..columns * rows {
             sweep.release(settings, node);
@@ -66,11 +88,16 @@ impl Sweep {
     }
 
     /// Sweeps; answers how far the worst edge was off when it was done.
-    pub fn run(&mut self, positions: &mut [f32]) -> f32 {
+    pub fn run(&mut self, positions: &mut [f32], contacts: &[[Contact; CONTACTS]]) -> f32 {
         let (columns, rows) = (self.columns, self.rows);
+        self.find_firm(positions, contacts);
         let mut off = 0.0;
         for round in 0..MOST {
-            off = 0.0f32;
+            off = if round < YIELD {
+                self.bring_back(positions)
+            } else {
+                0.0
+            };
             for column in self.first..columns {
                 off = off.max(self.chain(positions, column, columns, rows, self.cell[1]));
             }
@@ -82,6 +109,42 @@ impl Sweep {
             }
         }
         off
+    }
+
+    fn find_firm(&mut self, positions: &[f32], contacts: &[[Contact; CONTACTS]]) {
+        let x = positions.as_chunks::<3>().0;
+        self.firm.clear();
+        for (node, contacts) in contacts.iter().enumerate() {
+            for contact in contacts {
+                let is_firm = contact.firmness >= 1.0 && contact.normal != [0.0; 3];
+                if is_firm && self.mobility[node] > 0.0 && contact.depth(x[node]) > -BEYOND {
+                    self.firm.push((node, *contact));
+                }
+            }
+        }
+    }
+
+    /// Brings back what is deep in a firm contact; answers by how much at most,
+    /// as a part of a cell.
+    fn bring_back(&self, positions: &mut [f32]) -> f32 {
+        let x = positions.as_chunks_mut::<3>().0;
+        let mut most = 0.0f32;
+        for (node, contact) in &self.firm {
+            let deep = contact.depth(x[*node]) - LEFT;
+            if deep > 0.0 {
+                let back = deep.min(STRIDE);
+                for axis in 0..3 {
+                    x[*node][axis] += back * contact.normal[axis];
+                }
+                most = most.max(deep);
+            }
+        }
+        // A tenth of what is left to the springs is no reason to go on.
+        if most > 0.1 * LEFT {
+            most / self.cell[0]
+        } else {
+            0.0
+        }
     }
 
     /// Restores one chain of `count` nodes from node `start`, each `step` nodes
