@@ -273,7 +273,7 @@ fn meet_neighbour(
         let gap = side * near.height - GAP;
         let away = sub(point, other.points[near.node]);
         // What is far, or far to the wrong side, is not lying upon it there.
-        if gap > FAR || gap < -WRONG || dot(away, away) > FAR * FAR {
+        if !(-WRONG..=FAR).contains(&gap) || dot(away, away) > FAR * FAR {
             continue;
         }
         leaf.gaps[slot - 1][node] = gap;
