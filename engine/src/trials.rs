@@ -34,19 +34,20 @@ pub fn hanging(columns: usize, rows: usize, gamma: f64) -> Sheet {
     Sheet::new(settings).expect("nodes and gamma make a sheet")
 }
 
-/// Lets a sheet come to rest. A page swings for half a minute; it is stopped
-/// whenever it slows down (kinetic damping), which leaves its shape at rest as
-/// it is.
+/// Lets a sheet come to rest, slowed by more than air would, in which it swings
+/// for half a minute. Its shape at rest is as it is without.
 pub fn settle(sheet: &mut Sheet) {
-    let mut before = 0.0;
-    for step in 0..120 * 20 {
+    let h = sheet.time_step();
+    let mut quiet = 0;
+    for _ in 0..(20.0 / h) as usize {
         sheet.step();
-        let now: f32 = sheet.velocities().iter().map(|v| v * v).sum();
-        if now < before {
-            sheet.still();
-        }
-        before = now;
-        if step > 60 && now < 1e-8 {
+        sheet.slow(1.0 - 4.0 * h);
+        quiet = if sheet.greatest_speed() < 1e-4 {
+            quiet + 1
+        } else {
+            0
+        };
+        if quiet == 100 {
             break;
         }
     }
@@ -77,18 +78,21 @@ pub fn mid_turn(columns: usize, rows: usize) -> Sheet {
         |count: usize| -> Vec<f32> { (0..count).map(|i| i as f32 / (count - 1) as f32).collect() };
     sheet.draw_samples(&samples(49), &samples(25));
     sheet.grab(0, 1.0, 0.0);
-    for step in 0..60 {
-        let (sin, cos) = libm::sincosf(1.8 * step as f32 / 60.0);
+    let steps = (0.5 / sheet.time_step()) as usize;
+    for step in 0..steps {
+        let (sin, cos) = libm::sincosf(1.8 * step as f32 / steps as f32);
         sheet.pull(0, [0.14 * cos, 0.02, 0.14 * sin]);
         sheet.step();
     }
     sheet
 }
 
-/// A frame at 60 Hz of a sheet: two steps, its surface and normals.
+/// A frame at 60 Hz of a sheet: as many steps as it has, its surface and normals.
 pub fn frame(sheet: &mut Sheet, surface: &mut Surface) {
-    sheet.step();
-    sheet.step();
+    let steps = libm::roundf(1.0 / (60.0 * sheet.time_step())) as usize;
+    for _ in 0..steps {
+        sheet.step();
+    }
     sheet.write_surface(surface);
     surface.update_normals();
 }

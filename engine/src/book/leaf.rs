@@ -32,6 +32,10 @@ pub const TICK: f32 = 1.0 / 120.0;
 /// 0.2 % of the exact shape at Gamma 10, and ten leaves fit into a frame.
 pub const NODES: [usize; 2] = [10, 14];
 
+/// Stiffness against stretch, N/m: softer than that of a sheet with shorter
+/// steps, as longer ones would jitter.
+const STRETCH: f64 = 2000.0;
+
 /// Stiffness of the binding against turning, N: weak against the paper of a
 /// cell, so that the leaf leaves the gutter without a crease and turns freely.
 const BINDING: f64 = 0.02;
@@ -138,6 +142,8 @@ impl Leaf {
             columns: NODES[0],
             rows: NODES[1],
             time_step: f64::from(TICK),
+            stretch: STRETCH,
+            shear: 0.4 * STRETCH,
             grain: paper.grain,
             root: Root::Hinged(paper.binding),
             air: Air {

@@ -223,9 +223,11 @@ impl Sheet {
         self.velocities.fill(0.0);
     }
 
-    /// Stops every node.
-    pub fn still(&mut self) {
-        self.velocities.fill(0.0);
+    /// Multiplies every velocity by `part`.
+    pub fn slow(&mut self, part: f32) {
+        for v in &mut self.velocities {
+            *v *= part;
+        }
     }
 
     /// Positions, with the loads to be set according to them.

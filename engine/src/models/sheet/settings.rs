@@ -40,7 +40,8 @@ pub struct SheetSettings {
     /// Length of a step, seconds.
     pub time_step: f64,
     /// Stiffness against stretch, N/m. Real paper's, about 1.8e5, makes the
-    /// solver jitter; what this one leaves of stretch the length sweeps remove.
+    /// solver jitter in single precision; what this leaves of stretch the length
+    /// sweeps remove.
     pub stretch: f64,
     /// Stiffness against shear, N/m.
     pub shear: f64,
@@ -51,7 +52,7 @@ pub struct SheetSettings {
 
 impl SheetSettings {
     /// The interactive sheet: a leaf of 12 x 16 nodes in still air over which
-    /// gravity acts, hinged at the spine, two steps a frame at 60 Hz.
+    /// gravity acts, clamped at the spine, three steps a frame at 60 Hz.
     pub fn leaf(width: f64, height: f64, stock: Stock) -> SheetSettings {
         SheetSettings {
             columns: 12,
@@ -63,9 +64,9 @@ impl SheetSettings {
             gravity: [0.0, 0.0, -GRAVITY],
             air: Air::still(width),
             root: Root::Clamped,
-            time_step: 1.0 / 120.0,
-            stretch: 2000.0,
-            shear: 800.0,
+            time_step: 1.0 / 180.0,
+            stretch: 8000.0,
+            shear: 3200.0,
             synchronise: Synchronise::Off,
         }
     }

@@ -98,7 +98,7 @@ fn a_half_space_holds_a_sheet_up_and_friction_holds_it_back() {
                 firmness: 1.0,
             };
         }
-        for _ in 0..120 {
+        for _ in 0..(1.0 / sheet.time_step()) as usize {
             sheet.step();
         }
         let at = sheet.positions().as_chunks().0[50];
