@@ -28,7 +28,7 @@ const viewer = {
 const packages = { three: /^draw\//, "pdfjs-dist": /^sources\/pdf/ };
 
 /** The engine's modules that nothing below them may use. */
-const engine = ["key_frames", "book"];
+const engine = ["key_frames", "book", "trials"];
 
 const errors = [];
 

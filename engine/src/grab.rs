@@ -14,8 +14,15 @@ const RADIUS: f64 = 0.02;
 /// Stiffness of all springs of a hand together, N/m.
 pub(crate) const STIFFNESS: f64 = 30.0;
 
-/// Greatest force of a hand, N: some twenty times the weight of a page.
-pub(crate) const STRONGEST: f64 = 0.5;
+/// Greatest force of any hand, N, and in weights of the leaf: a finger that would
+/// lift book paper easily would tear bible paper.
+const STRONGEST: f64 = 0.5;
+const WEIGHTS: f64 = 14.0;
+
+/// Greatest force of a hand, N, on a leaf that weighs `weight` N.
+pub(crate) fn strongest(weight: f64) -> f64 {
+    (WEIGHTS * weight).min(STRONGEST)
+}
 
 /// A node under the pad.
 #[derive(Clone, Copy, Debug)]
@@ -64,9 +71,9 @@ pub(crate) fn pad<T: Real>(
 }
 
 /// The stiffness that a hand has when it is `away` metres from what it holds:
-/// less where its force would be beyond the greatest.
-pub(crate) fn stiffness<T: Real>(away: T) -> T {
-    T::of(STIFFNESS).min(T::of(STRONGEST) / away.max(T::of(1e-9)))
+/// less where its force would be beyond `strongest`, N.
+pub(crate) fn stiffness<T: Real>(away: T, strongest: T) -> T {
+    T::of(STIFFNESS).min(strongest / away.max(T::of(1e-9)))
 }
 
 #[cfg(test)]
@@ -85,7 +92,9 @@ mod tests {
 
     #[test]
     fn a_hand_is_no_stronger_than_its_greatest_force() {
-        assert_eq!(stiffness(0.001f64), STIFFNESS);
-        assert!((stiffness(0.3f64) * 0.3 - STRONGEST).abs() < 1e-12);
+        assert_eq!(stiffness(0.001f64, 0.5), STIFFNESS);
+        assert!((stiffness(0.3f64, 0.4) * 0.3 - 0.4).abs() < 1e-12);
+        assert_eq!(strongest(1.0), STRONGEST);
+        assert!((strongest(0.01) - 0.01 * WEIGHTS).abs() < 1e-12);
     }
 }

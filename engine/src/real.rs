@@ -30,16 +30,17 @@ pub trait Real:
     /// The nearest number to a double.
     fn of(value: f64) -> Self;
     /// As a double, exactly.
+    #[cfg(test)]
     fn to_f64(self) -> f64;
-    /// Square root.
-    fn sqrt(self) -> Self;
     /// Absolute value.
+    #[cfg(test)]
     fn abs(self) -> Self;
     /// The smaller of two.
     fn min(self, other: Self) -> Self;
     /// The larger of two.
     fn max(self, other: Self) -> Self;
     /// Whether it is neither infinite nor no number.
+    #[cfg(test)]
     fn is_finite(self) -> bool;
 }
 
@@ -53,15 +54,11 @@ macro_rules! real {
             fn of(value: f64) -> Self {
                 value as $type
             }
-            #[inline(always)]
+            #[cfg(test)]
             fn to_f64(self) -> f64 {
                 f64::from(self)
             }
-            #[inline(always)]
-            fn sqrt(self) -> Self {
-                <$type>::sqrt(self)
-            }
-            #[inline(always)]
+            #[cfg(test)]
             fn abs(self) -> Self {
                 <$type>::abs(self)
             }
@@ -73,7 +70,7 @@ macro_rules! real {
             fn max(self, other: Self) -> Self {
                 <$type>::max(self, other)
             }
-            #[inline(always)]
+            #[cfg(test)]
             fn is_finite(self) -> bool {
                 <$type>::is_finite(self)
             }

@@ -45,6 +45,9 @@ pub fn run_upright(parser: &mut lexopt::Parser) -> Result<(), String> {
     Ok(())
 }
 
+/// Columns of the shell as a plate in a vertical plane.
+const SHELL_COLUMNS: usize = 33;
+
 /// Runs `lab lateral-buckling`.
 pub fn run_lateral(parser: &mut lexopt::Parser) -> Result<(), String> {
     let (mut nu, mut aspect, mut columns) = (None, None, None);
@@ -59,8 +62,16 @@ pub fn run_lateral(parser: &mut lexopt::Parser) -> Result<(), String> {
     })?;
     let nu = nu.ok_or("Lateral buckling needs --nu, Poisson's ratio.")?;
     let aspect: f64 = aspect.ok_or("Lateral buckling needs --aspect, height over length.")?;
+    // The shell's cells are square, so that a high plate is as finely cut as a narrow one.
+    let square = model == Model::Shell;
+    let columns = columns.or(square.then_some(SHELL_COLUMNS));
+    let rows = columns.filter(|_| square).map(|columns| {
+        let cells = (columns - 1) as f64 * aspect;
+        (cells.round() as usize + 1).clamp(9, 49)
+    });
     let standing = |gamma: f64| Piece {
         columns,
+        rows,
         breadth: aspect * LENGTH,
         poisson: nu,
         gravity: [0.0, -GRAVITY, 0.0],

@@ -65,11 +65,6 @@ impl<T: Real> Band<T> {
         band
     }
 
-    /// Number of rows.
-    pub fn order(&self) -> usize {
-        self.order
-    }
-
     /// Greatest distance of an entry from the diagonal, in columns.
     pub fn half_bandwidth(&self) -> usize {
         self.half_bandwidth

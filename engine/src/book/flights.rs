@@ -100,6 +100,20 @@ impl Flights {
         Some(self.last_id)
     }
 
+    /// A hand takes hold of a flight at (`u`, `v`). A reader holds one leaf at a
+    /// time, with as many fingers as there are: what was held before is let go,
+    /// and all others in flight make way to the sides where they belong.
+    pub fn grab(&mut self, id: u32, hand: u32, u: f32, v: f32) {
+        let Some(index) = self.index(id) else {
+            return;
+        };
+        self.order[index].leaf_mut().grab(hand, u, v);
+        if self.order[index].phase() == Phase::Held {
+            self.send(0..index, Side::Left, WAY_SECONDS);
+            self.send(index + 1..self.order.len(), Side::Right, WAY_SECONDS);
+        }
+    }
+
     /// The hand lets go; the leaf falls to the side that its swing takes it, and
     /// those in its way go there too.
     pub fn release(&mut self, id: u32, hand: u32) {
@@ -113,8 +127,15 @@ impl Flights {
     }
 
     /// Takes a flight to a side, out of every hand, and those in its way with it.
+    /// While a hand holds another, it goes to its own side of that one.
     pub fn play(&mut self, id: u32, to: Side, seconds: f32) {
+        let held = |flight: &Flight| flight.phase() == Phase::Held;
         if let Some(index) = self.index(id) {
+            let to = match self.order.iter().position(held) {
+                Some(held) if index < held => Side::Left,
+                Some(held) if index > held => Side::Right,
+                _ => to,
+            };
             self.order[index].leaf_mut().play(to, seconds);
             self.clear_way(index, to, seconds);
         }
@@ -283,14 +304,18 @@ impl Flights {
     }
 
     /// Leaves cannot pass each other: those between flight `index` and `side` go
-    /// there as well, but for those that a hand holds.
+    /// there as well.
     fn clear_way(&mut self, index: usize, side: Side, seconds: f32) {
         let in_the_way = match side {
             Side::Left => 0..index,
             Side::Right => index + 1..self.order.len(),
         };
-        for flight in &mut self.order[in_the_way] {
-            if flight.phase() != Phase::Held && flight.phase().side() != Some(side) {
+        self.send(in_the_way, side, seconds);
+    }
+
+    fn send(&mut self, flights: core::ops::Range<usize>, side: Side, seconds: f32) {
+        for flight in &mut self.order[flights] {
+            if flight.phase().side() != Some(side) {
                 flight.leaf_mut().play(side, seconds);
             }
         }

@@ -15,8 +15,15 @@ const FAR: f32 = 0.07;
 /// over several ticks.
 const DEEPEST: f32 = 0.02;
 
-/// Depth at which a node was not pushed in but came round, metres.
-const WRONG: f32 = 0.03;
+/// Depth to which a node that was not next to a neighbour before may have been
+/// pushed in, metres; deeper, it has come round its rim.
+const WRONG: f32 = 0.004;
+
+/// By how much a node may come nearer to a neighbour between two looks, metres.
+const LEAP: f32 = 0.025;
+
+/// Depth from which nothing is pushed out any more, metres.
+const LOST: f32 = 0.03;
 
 /// Depth in a neighbour, metres, from which a node that could not be pushed out is
 /// led out slowly, to which, and how firmly.
@@ -114,8 +121,9 @@ impl Seated {
 
     /// Forgets what was met: each node is looked for next to its own place.
     pub fn forget(&mut self) {
-        for tangled in &mut self.tangled {
+        for (tangled, gaps) in self.tangled.iter_mut().zip(&mut self.gaps) {
             tangled.fill(false);
+            gaps.fill(FAR);
         }
         for nearest in &mut self.nearest {
             for (node, nearest) in nearest.iter_mut().enumerate() {
@@ -238,42 +246,31 @@ fn meet_neighbour(
     for contacts in sheet.contacts.iter_mut() {
         contacts[slot] = Contact::default();
     }
-    leaf.gaps[slot - 1].fill(FAR);
-    let Some(neighbour) = other else { return };
+    let Some(neighbour) = other else {
+        leaf.gaps[slot - 1].fill(FAR);
+        return;
+    };
     let other = neighbour.leaf;
     let mesh = other.mesh();
     let columns = leaf.columns;
     let is_tangled = leaf.tangled[slot - 1].contains(&true) || other.is_tangled();
-    // The place of the other that the row's last node was next to, and 1 where
-    // that node was on the side where the leaf belongs, -1 where it was not.
-    let mut last = (0, 1.0);
     for node in 0..leaf.points.len() {
         // The column at the spine is everyone's.
         if node % columns == 0 {
-            last = (node, 1.0);
             continue;
         }
+        let before = core::mem::replace(&mut leaf.gaps[slot - 1][node], FAR);
         let point = leaf.points[node];
         let start = leaf.nearest[slot - 1][node] as usize;
         let Some(near) = mesh.near(point, start) else {
-            last.0 = usize::MAX;
             continue;
         };
         leaf.nearest[slot - 1][node] = near.node as u16;
-        let belongs = if is_next(columns, near.node, last.0) {
-            last.1
-        } else if side * near.height >= 0.0 {
-            // Round the rim of the other, over a part of it that is turned over.
-            1.0
-        } else {
-            -1.0
-        };
-        last = (near.node, belongs);
-        let side = belongs * side;
         let gap = side * near.height - GAP;
         let away = sub(point, other.points[near.node]);
         // What is far, or far to the wrong side, is not lying upon it there.
-        if !(-WRONG..=FAR).contains(&gap) || dot(away, away) > FAR * FAR {
+        let was_next = before < FAR && gap > before - LEAP && gap > -LOST;
+        if gap > FAR || !(gap > -WRONG || was_next) || dot(away, away) > FAR * FAR {
             continue;
         }
         leaf.gaps[slot - 1][node] = gap;
@@ -298,14 +295,6 @@ fn meet_neighbour(
             ..half_space(leaf, node, (normal, gap), velocity, sheet)
         };
     }
-}
-
-/// Whether two nodes of a leaf are no farther apart than those that are next to
-/// two neighbours of a leaf upon it.
-fn is_next(columns: usize, a: usize, b: usize) -> bool {
-    b != usize::MAX
-        && (a % columns).abs_diff(b % columns) <= 2
-        && (a / columns).abs_diff(b / columns) <= 2
 }
 
 /// A curled leaf stays on the side of itself where it is.

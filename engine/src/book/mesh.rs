@@ -22,7 +22,7 @@ pub struct Near {
 }
 
 /// How far beyond an edge, in cells, a point is still above the mesh.
-const OVERHANG: f32 = 0.25;
+const OVERHANG: f32 = 1.0;
 
 /// Most steps of the walk to the nearest node. Contacts move by less than a
 /// cell from one tick to the next, so nearly all walks are of one step.

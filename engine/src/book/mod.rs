@@ -130,11 +130,11 @@ impl Book {
         Some(id)
     }
 
-    /// A hand (0 to 3) takes hold of a flight at (`u`, `v`).
+    /// A hand (0 to 3) takes hold of a flight at (`u`, `v`). A reader holds one leaf
+    /// at a time, with several fingers if need be: what was held before is let go,
+    /// and the other leaves in flight make way to their sides of it.
     pub fn grab(&mut self, id: u32, hand: u32, u: f32, v: f32) {
-        if let Some(flight) = self.flights.get_mut(id) {
-            flight.leaf_mut().grab(hand, u, v);
-        }
+        self.flights.grab(id, hand, u, v);
     }
 
     /// A hand that holds a flight pulls it to `place`, in book space, metres.

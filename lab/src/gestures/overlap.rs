@@ -93,8 +93,14 @@ fn under([right, left]: [&Pile; 2], [x, _, z]: Point) -> f32 {
     ((height - z) / (1.0 + slope * slope).sqrt()).max(0.0)
 }
 
-/// Deepest point of a leaf on the wrong side of another, that of its recto or
-/// not, and how many of its edges go through the other.
+/// Deepest point of a leaf that went through another, that of its recto or not,
+/// and how many of its edges go through the other.
+///
+/// Two leaves that share their spine in the right order lie inside each other
+/// only where one goes through the other. A point that has a leaf on its wrong
+/// side without that has come round a rim, or lies under a flap that is folded
+/// over: so depth is looked for from where edges go through facets on, as far as
+/// the points hang together that are on the wrong side.
 fn inside_leaf(leaf: &Facets<'_>, other: &Facets<'_>, recto: bool) -> (f32, usize) {
     let points = leaf.points();
     // The column at the spine is everyone's.
@@ -107,8 +113,10 @@ fn inside_leaf(leaf: &Facets<'_>, other: &Facets<'_>, recto: bool) -> (f32, usiz
         Some(near) if near.recto == recto && !near.rim => near.distance,
         _ => 0.0,
     };
-    let mut deepest = near.iter().map(wrong).fold(0.0, f32::max);
+    let mut deepest = 0.0f32;
     let mut crossed = 0;
+    let mut reached = vec![false; points.len()];
+    let mut open = Vec::new();
     for [a, b] in leaf.edges() {
         let (Some(from), Some(to)) = (near[a], near[b]) else {
             continue;
@@ -124,6 +132,7 @@ fn inside_leaf(leaf: &Facets<'_>, other: &Facets<'_>, recto: bool) -> (f32, usiz
             continue;
         }
         crossed += 1;
+        open.extend([a, b]);
         // Between its ends, an edge is deepest about half-way from one facet
         // that it goes through to the next.
         let (low, high) = (
@@ -133,6 +142,23 @@ fn inside_leaf(leaf: &Facets<'_>, other: &Facets<'_>, recto: bool) -> (f32, usiz
         let at = 0.5 * (low + high);
         let middle = core::array::from_fn(|i| p[i] + at * (q[i] - p[i]));
         deepest = deepest.max(wrong(&other.near(middle, WITHIN)));
+    }
+    let columns = leaf.columns();
+    while let Some(node) = open.pop() {
+        let depth = wrong(&near[node]);
+        if reached[node] || depth == 0.0 {
+            continue;
+        }
+        reached[node] = true;
+        deepest = deepest.max(depth);
+        let (column, rows) = (node % columns, points.len() / columns);
+        let beside = [
+            (column > 0).then(|| node - 1),
+            (column + 1 < columns).then_some(node + 1),
+            node.checked_sub(columns),
+            (node / columns + 1 < rows).then_some(node + columns),
+        ];
+        open.extend(beside.into_iter().flatten());
     }
     (deepest, crossed)
 }

@@ -6,7 +6,8 @@
 
 use super::settings::{Root, SheetSettings};
 use super::system::System;
-use crate::grab::{Pressed, pad, stiffness};
+use crate::grab::{Pressed, pad, stiffness, strongest};
+use crate::stock::GRAVITY;
 
 /// Greatest speed of a held place, m/s.
 const FASTEST: f32 = 3.0;
@@ -32,6 +33,8 @@ pub(super) struct Hand {
     /// Where the hand wants the place to be, and where it has come.
     wanted: [f32; 3],
     target: [f32; 3],
+    /// Its greatest force, N.
+    strength: f32,
     /// Part of the greatest speed at which it goes on.
     pace: f32,
     /// Tangents along u and v at the place, of about unit length.
@@ -49,6 +52,7 @@ impl Hand {
             pad: pad((f64::from(u), f64::from(v)), grid, size),
             wanted: [0.0; 3],
             target: [0.0; 3],
+            strength: strongest(settings.stock.grammage * GRAVITY * size[0] * size[1]) as f32,
             pace: FIRST,
             frame: [[0.0; 3]; 2],
         };
@@ -130,7 +134,7 @@ impl Hand {
     pub fn add_to(&mut self, system: &mut System, columns: usize, positions: &[f32]) {
         self.tilt(columns, positions);
         let held = self.held_place(positions);
-        let k = stiffness(distance(held, self.target));
+        let k = stiffness(distance(held, self.target), self.strength);
         let x = positions.as_chunks::<3>().0;
         for spot in &self.pad {
             let (offset, k) = (self.offset(spot), k * spot.weight);

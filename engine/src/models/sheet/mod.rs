@@ -215,11 +215,13 @@ impl Sheet {
         self.velocities.copy_from_slice(velocities);
     }
 
-    /// Moves every node to a place and stills it: x, y, z of each.
+    /// Moves every node to a place and stills it: x, y, z of each. The edges keep
+    /// their lengths, so it may come to lie a little beside it.
     pub fn place(&mut self, positions: impl Iterator<Item = f32>) {
         for (own, x) in self.positions.iter_mut().zip(positions) {
             *own = x;
         }
+        self.sweep.run(&mut self.positions, &[]);
         self.velocities.fill(0.0);
     }
 

@@ -18,6 +18,8 @@ const TABLE: f64 = 200.0 * 60.0 * 60.0;
 pub(super) struct Hand {
     pub pad: Vec<Pressed<f64>>,
     pub target: Vector,
+    /// Its greatest force, N.
+    pub strength: f64,
     /// Directions of u and v in the leaf under the pad.
     pub frame: [Vector; 2],
 }
@@ -49,11 +51,11 @@ impl Hand {
     fn value(&self, x: &[Vector]) -> f64 {
         let of = |pressed: &Pressed<f64>| {
             let far = length(self.away(pressed, x));
-            let reach = grab::STRONGEST / grab::STIFFNESS;
+            let reach = self.strength / grab::STIFFNESS;
             let energy = if far < reach {
                 0.5 * grab::STIFFNESS * far * far
             } else {
-                grab::STRONGEST * (far - 0.5 * reach)
+                self.strength * (far - 0.5 * reach)
             };
             pressed.weight * energy
         };
@@ -64,10 +66,10 @@ impl Hand {
         for pressed in &self.pad {
             let away = self.away(pressed, x);
             let far = length(away);
-            let stiffness = pressed.weight * grab::stiffness(far);
+            let stiffness = pressed.weight * grab::stiffness(far, self.strength);
             system.add_gradient(pressed.node, scale(stiffness, away));
             // Beyond its greatest force the spring does not stiffen along itself.
-            let capped = grab::STIFFNESS * far > grab::STRONGEST;
+            let capped = grab::STIFFNESS * far > self.strength;
             let radial = if capped {
                 -stiffness / (far * far)
             } else {

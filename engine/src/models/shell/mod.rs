@@ -34,6 +34,7 @@ pub use settings::{Discretisation, Edge, Scheme, ShellSettings, Table};
 
 use crate::grab;
 use crate::interpolate::Interpolation;
+use crate::stock::GRAVITY;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
 use bending::Bending;
@@ -206,7 +207,14 @@ impl Shell {
             target = advance(target, pressed.weight, self.x[pressed.node]);
         }
         let frame = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-        self.forces.hand = Some(Hand { pad, target, frame });
+        let area = self.settings.width * self.settings.height;
+        let strength = grab::strongest(self.settings.areal_mass * GRAVITY * area);
+        self.forces.hand = Some(Hand {
+            pad,
+            target,
+            strength,
+            frame,
+        });
     }
 
     /// Moves the hand to a place, m. Nothing happens without one.
