@@ -311,6 +311,30 @@ test("a leaf whose hand is lost falls", async () => {
   expect(element.page).toBe(4);
 });
 
+test("the paper changes without opening the book anew; unknown words are the usual paper", async () => {
+  const element = book(scans(12), { page: "4", duration: "80", stock: "vellum", assist: "maybe" });
+  await happens(element, "load");
+  await settled(element);
+  expect(element.stock).toBe("book");
+  const canvas = element.shadowRoot?.querySelector("canvas");
+  for (const stock of ["card", "bible", "", "coated"] as const) {
+    element.setAttribute("stock", stock);
+    expect(element.stock).toBe(stock || "book");
+    const turned = element.next();
+    // In mid-turn too: what flies lands first.
+    element.stock = "office";
+    element.setAttribute("assist", stock === "card" ? "off" : "on");
+    element.paper = { grain: "across", wind: [0.1, 0, 0], binding: Number.NaN };
+    expect(await turned).toBe(true);
+    element.paper = null;
+    expect(await element.previous()).toBe(true);
+  }
+  element.removeAttribute("stock");
+  expect(element.stock).toBe("book");
+  expect(element.page).toBe(4);
+  expect(element.shadowRoot?.querySelector("canvas")).toBe(canvas);
+});
+
 test("another screen's pixels, and room that comes late", async () => {
   const real = globalThis.matchMedia;
   const screens: EventTarget[] = [];

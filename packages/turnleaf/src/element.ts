@@ -1,7 +1,9 @@
 /** `<turnleaf-book>`: a book on a web page. */
 
+import { isStock, type Paper } from "./book/paper.ts";
 import { leftPage, pageOf, rightPage, spreadOf } from "./book/spreads.ts";
 import { style } from "./element.css.ts";
+import type { Stock } from "./engine/shapes.ts";
 import { Input } from "./input.ts";
 import { type BookInput, openSource } from "./sources/open.ts";
 import { BookError, type PageSource } from "./sources/page_source.ts";
@@ -30,7 +32,10 @@ export interface TurnleafEventMap {
 const Base: typeof HTMLElement =
   globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElement);
 
-/** The element's class. Attributes: `src`, `page`, `cover` ("hard" or "none"), `cloth` (a colour), `duration` (ms). */
+/**
+ * The element's class. Attributes: `src`, `page`, `cover` ("hard" or "none"), `cloth` (a colour), `duration` (ms),
+ * `stock` (a preset paper), `assist` ("on" or "off").
+ */
 export class TurnleafBook extends Base {
   /** Attributes that are answered when they change. */
   static readonly observedAttributes: readonly string[] = [
@@ -39,12 +44,15 @@ export class TurnleafBook extends Base {
     "cover",
     "cloth",
     "duration",
+    "stock",
+    "assist",
   ];
 
   #book: { source: PageSource; viewer: Viewer; input: Input } | null = null;
   #opening: AbortController | null = null;
   #observer: ResizeObserver | null = null;
   #input: BookInput | null = null;
+  #paper: Paper | null = null;
   /** The page asked for while no book is open, and the one where this book was left. */
   #asked: number | null = null;
   #left: number | null = null;
@@ -70,6 +78,26 @@ export class TurnleafBook extends Base {
     this.#input = pages;
     this.#left = null;
     this.#reopen();
+  }
+
+  /** The preset that the leaves are made of: "book" where the attribute names none. */
+  get stock(): Stock {
+    const stock = this.getAttribute("stock");
+    return isStock(stock) ? stock : "book";
+  }
+
+  set stock(stock: Stock) {
+    this.setAttribute("stock", stock);
+  }
+
+  /** The paper in figures, how it is bound, and the wind; what it says goes before the attributes. */
+  get paper(): Paper | null {
+    return this.#paper;
+  }
+
+  set paper(paper: Paper | null) {
+    this.#paper = paper;
+    this.#book?.viewer.setPaper(this.#leaves);
   }
 
   /** The first page in sight, from 1. Setting it turns there. */
@@ -152,7 +180,8 @@ export class TurnleafBook extends Base {
     if (name === "page") void this.goTo(Number(now));
     else if (name === "duration") {
       if (this.#book) this.#book.viewer.turning.seconds = this.#turnSeconds;
-    } else {
+    } else if (name === "stock" || name === "assist") this.#book?.viewer.setPaper(this.#leaves);
+    else {
       // Another book opens at its beginning; the same one in other covers where it lay.
       if (name === "src") this.#left = null;
       else this.#leave();
@@ -174,7 +203,7 @@ export class TurnleafBook extends Base {
 
   /** Takes over what was set before the element was defined: it lies on the element and hides the accessors. */
   #adopt(): void {
-    for (const name of ["src", "pages", "page"] as const) {
+    for (const name of ["src", "pages", "stock", "paper", "page"] as const) {
       if (!Object.hasOwn(this, name)) continue;
       const { value } = Object.getOwnPropertyDescriptor(this, name) ?? {};
       Reflect.deleteProperty(this, name);
@@ -185,6 +214,10 @@ export class TurnleafBook extends Base {
   get #turnSeconds(): number {
     const milliseconds = Number(this.getAttribute("duration") ?? 800);
     return milliseconds > 0 && milliseconds <= 60_000 ? milliseconds / 1000 : 0.8;
+  }
+
+  get #leaves(): Paper {
+    return { stock: this.stock, assist: this.getAttribute("assist") !== "off", ...this.#paper };
   }
 
   /** Whether the reader asked the system for less motion. */
@@ -268,8 +301,9 @@ export class TurnleafBook extends Base {
         {
           cover: this.getAttribute("cover") === "none" ? "none" : "hard",
           cloth: this.getAttribute("cloth") ?? "#6a2a26",
+          paper: () => this.#leaves,
           page: () => this.#firstPage(source),
-          turnSeconds: this.#turnSeconds,
+          turnSeconds: () => this.#turnSeconds,
           onStart: (low, high, forward) => this.#started(low, high, forward),
           onRest: (from, to) => this.#rested(from, to),
           onFailure: (sentence) => this.#announce(sentence),

@@ -7,7 +7,9 @@
 
 import { TurnleafBook } from "./element.ts";
 
+export type { Paper } from "./book/paper.ts";
 export { type TurnDetail, TurnleafBook, type TurnleafEventMap } from "./element.ts";
+export type { Stock, StockFigures, Vec3 } from "./engine/shapes.ts";
 export type { BookInput } from "./sources/open.ts";
 export { BookError } from "./sources/page_source.ts";
 

@@ -13,10 +13,11 @@ afterEach(() => {
 });
 
 /** Counts the leaves that are drawn at once. */
-function watchFlights(): { most: number } {
-  const seen = { most: 0 };
+function watchFlights(): { now: number; most: number } {
+  const seen = { now: 0, most: 0 };
   DrawnBook.prototype.pose = function (parts) {
-    seen.most = Math.max(seen.most, parts.leaves.length);
+    seen.now = parts.leaves.length;
+    seen.most = Math.max(seen.most, seen.now);
     return pose.call(this, parts);
   };
   return seen;
@@ -87,7 +88,7 @@ test("a far jump lands where told, with many leaves and one change of page", asy
   await settled(element);
 });
 
-test("two hands hold two leaves", async () => {
+test("a second hand takes up another leaf, and the first hand's falls", async () => {
   const element = book(scans(40), { page: "20" });
   await happens(element, "load");
   await settled(element);
@@ -119,13 +120,18 @@ test("two hands hold two leaves", async () => {
   point("pointerdown", 2, leftEdge);
   point("pointermove", 1, rightEdge - 30);
   point("pointermove", 2, leftEdge + 30);
-  await pause(400);
+  await pause(200);
   expect(flights.most).toBe(2);
-  point("pointerup", 2, leftEdge + 30);
-  point("pointermove", 1, rightEdge - 6);
-  await pause(300);
+  // The finger that lost its leaf moves on and goes away; the other holds.
+  point("pointermove", 1, rightEdge - 60);
+  await pause(1500);
+  expect(flights.now).toBe(1);
+  point("pointerup", 1, rightEdge - 60);
+  await pause(200);
   expect(element.settled).toBe(false);
-  point("pointerup", 1, rightEdge - 6);
+  point("pointermove", 2, leftEdge + 6);
+  await pause(300);
+  point("pointerup", 2, leftEdge + 6);
   await settled(element);
   expect(element.page).toBe(20);
 });

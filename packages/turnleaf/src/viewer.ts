@@ -13,6 +13,7 @@ import {
   isBoardFace,
   pagesWanted,
 } from "./book/faces.ts";
+import { makeOf, type Paper } from "./book/paper.ts";
 import {
   type Binding,
   bind,
@@ -37,10 +38,12 @@ export interface ViewerOptions {
   readonly cover: "hard" | "none";
   /** Colour of the boards' cloth, as CSS writes it. */
   readonly cloth: string;
+  /** What the leaves are made of, asked for when the book lies open. */
+  readonly paper: () => Paper;
   /** The page (from 1) at which the book lies open first, asked for when it does. */
   readonly page: () => number;
-  /** Length of a played turn, seconds. */
-  readonly turnSeconds: number;
+  /** Length of a played turn, seconds, asked for likewise. */
+  readonly turnSeconds: () => number;
   /** A turn begins between two spreads. */
   readonly onStart: (low: number, high: number, forward: boolean) => void;
   /** The book came to rest at a spread. */
@@ -109,6 +112,8 @@ export class Viewer {
   #room = restingRoom;
   /** Each hand that holds something: where on the canvas it is, CSS pixels, and u of the spot that it holds. */
   readonly #hands = new Map<number, { x: number; y: number; u: number }>();
+  /** Paper that waits for the leaves in flight to land. */
+  #nextPaper: Paper | null;
   #destroyed = false;
 
   private constructor(
@@ -122,6 +127,7 @@ export class Viewer {
   ) {
     this.binding = binding;
     this.#engine = engine;
+    this.#nextPaper = options.paper();
     this.#width = shape.width;
     this.#height = shape.height;
     this.#stage = new Stage(canvas, shape);
@@ -141,9 +147,13 @@ export class Viewer {
         options.onStart(flight.low, flight.high, flight.to === Side.left);
       },
       landed: () => this.#show(),
-      rested: options.onRest,
+      rested: (from, to) => {
+        this.#changePaper();
+        options.onRest(from, to);
+      },
     });
-    this.turning.seconds = options.turnSeconds;
+    this.turning.seconds = options.turnSeconds();
+    this.#changePaper();
     this.turning.lay(spreadOf(binding, options.page()));
   }
 
@@ -192,7 +202,14 @@ export class Viewer {
   /** Opens the book at a spread (clamped to the book) without a turn. */
   lay(spread: number): void {
     this.turning.lay(Math.min(Math.max(spread, 0), leafCount(this.binding)));
+    this.#changePaper();
     this.#show();
+  }
+
+  /** Makes the leaves of another paper: at once, or as soon as none is in flight. */
+  setPaper(paper: Paper): void {
+    this.#nextPaper = paper;
+    this.#changePaper();
   }
 
   /** Asks for a frame, unless one is already asked for. */
@@ -281,6 +298,12 @@ export class Viewer {
     this.#pictures.paused = moving;
     if (moving) this.invalidate();
     else this.#lastTime = 0;
+  }
+
+  #changePaper(): void {
+    if (this.#nextPaper === null || this.turning.flights.length > 0) return;
+    makeOf(this.#nextPaper, this.#engine);
+    this.#nextPaper = null;
   }
 
   /** Moves the camera back from a turning leaf and near again; answers whether it still moves. */

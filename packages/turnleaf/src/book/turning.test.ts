@@ -1,7 +1,7 @@
 /** The book's state over the real engine, its clock driven by hand. */
 
 import { expect, test } from "vitest";
-import { EngineBook } from "../engine/engine.ts";
+import { EngineBook, Phase } from "../engine/engine.ts";
 import { bind, paperLeaves } from "./spreads.ts";
 import { type Flight, Turning, type TurningEvents } from "./turning.ts";
 
@@ -299,36 +299,53 @@ test("a leaf or a board let go says where it falls", async () => {
   }
 });
 
-test("two hands hold two leaves, and the one let go last says where both end", async () => {
+test("the second hand's leaf is held, and the first hand's falls to its side", async () => {
+  for (const [first, second] of [
+    [0, 1],
+    [1, 0],
+  ] as const) {
+    const { engine, turning, run } = await open(60, "none");
+    turning.lay(10);
+    const sign = first === 0 ? 1 : -1;
+    const one = turning.lift(first) as Flight;
+    turning.grab(one, 0, 1, 0.5);
+    turning.hold(0, sign * 0.08, 0.1, 0.06);
+    turning.step(60);
+    const two = turning.lift(second) as Flight;
+    turning.grab(two, 1, 1, 0.5);
+    turning.hold(1, -sign * 0.08, 0.1, 0.06);
+    expect(one.to).toBe(first);
+    expect(engine.phase(one.id)).toBe(first === 0 ? Phase.fallingRight : Phase.fallingLeft);
+    for (let k = 0; k < 120; k++) {
+      // What the first hand does is no business of either leaf's any more.
+      turning.hold(0, -sign * 0.1, 0.1, 0.1);
+      turning.step(4);
+    }
+    expect(turning.flights).toEqual([two]);
+    turning.release(0);
+    expect(engine.phase(two.id)).toBe(Phase.held);
+    turning.release(1);
+    run();
+    expect(turning.spread).toBe(10);
+  }
+});
+
+test("a key after a second hand's grab turns that hand's leaf", async () => {
   const { turning, run } = await open(60, "none");
   turning.lay(10);
-  const right = turning.lift(0) as Flight;
-  const left = turning.lift(1) as Flight;
-  expect([left.low, right.low]).toEqual([9, 10]);
-  turning.grab(right, 0, 1, 0.5);
-  turning.grab(left, 1, 1, 0.5);
+  const one = turning.lift(0) as Flight;
+  turning.grab(one, 0, 1, 0.5);
   turning.hold(0, 0.08, 0.1, 0.06);
+  turning.step(30);
+  const two = turning.lift(1) as Flight;
+  turning.grab(two, 1, 1, 0.5);
   turning.hold(1, -0.08, 0.1, 0.06);
-  turning.step(120);
-  turning.release(0);
-  expect(turning.flights.map(({ to }) => to)).toEqual([0, 0]);
+  turning.step(30);
   turning.release(1);
-  expect(turning.destination).toBe(10);
-  run();
-  expect(turning.spread).toBe(10);
-
-  // The lower leaf is sent over: the upper one cannot stay where it lies.
-  const over = turning.lift(0) as Flight;
-  const under = turning.lift(1) as Flight;
-  turning.grab(over, 0, 1, 0.5);
-  turning.grab(under, 1, 1, 0.5);
-  for (let k = 0; k < 60; k++) {
-    turning.hold(0, -0.12, 0.1, 0.03);
-    turning.hold(1, 0.1, 0.1, 0.04);
-    turning.step(4);
-  }
-  turning.release(0);
-  turning.release(1);
+  // The finger that lost its leaf is still down; no leaf is its own.
+  expect([one.to, two.to]).toEqual([0, 1]);
+  turning.turn(-1);
+  expect([one.to, two.to]).toEqual([0, 0]);
   run();
   expect(turning.spread).toBe(9);
 });

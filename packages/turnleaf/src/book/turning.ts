@@ -154,12 +154,18 @@ export class Turning {
     return this.#take(side, low, high);
   }
 
-  /** A hand holds a flight at (u, v) of its surface. What was planned is off. */
+  /**
+   * A hand holds a flight at (u, v) of its surface. What was planned is off, and
+   * a leaf that another hand held is let go: one is in hand at a time.
+   */
   grab(flight: Flight, hand: number, u: number, v: number): void {
     if (!this.#flights.includes(flight)) return;
     this.#plan = [];
+    for (const [other, held] of this.#held) if (held !== flight) this.#held.delete(other);
     this.#held.set(hand, flight);
-    if (flight.part === "leaf") this.#engine.grab(flight.id, hand, u, v);
+    if (flight.part !== "leaf") return;
+    this.#engine.grab(flight.id, hand, u, v);
+    this.#follow();
   }
 
   /** A hand pulls to a place in book space (metres). */

@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
+import { makeOf } from "../book/paper.ts";
 import { Cover, EngineBook, isResting, Phase, Side } from "./engine.ts";
-import { columnPlace } from "./shapes.ts";
+import { columnPlace, stocks } from "./shapes.ts";
 
 const size = { width: 0.14, height: 0.21, leaves: 40, thickness: 0.012 };
 
@@ -14,6 +15,13 @@ test("columns lie where the viewer's pictures expect them", async () => {
   book.destroy();
 });
 
+/** A book that lies open, as one must for its leaves to turn: a shut board would press on them. */
+async function open(): Promise<EngineBook> {
+  const book = await EngineBook.create(size);
+  book.layBoard(Cover.front, Side.left);
+  return book;
+}
+
 /** Steps a book until no leaf is in flight; answers the ticks it took. */
 function rest(book: EngineBook): number {
   for (let ticks = 0; ticks < 2000; ticks++) {
@@ -24,7 +32,7 @@ function rest(book: EngineBook): number {
 }
 
 test("a leaf is lifted, played and laid down on the other pile", async () => {
-  const book = await EngineBook.create(size);
+  const book = await open();
   book.lay(10);
   const id = book.lift(Side.right, 10, 11);
   const { version } = book.surface(0);
@@ -41,7 +49,7 @@ test("a leaf is lifted, played and laid down on the other pile", async () => {
 });
 
 test("twelve leaves fly at once, each with its own surface", async () => {
-  const book = await EngineBook.create(size);
+  const book = await open();
   const ids = Array.from({ length: 12 }, (_, k) => {
     const id = book.lift(Side.right, k, k + 1);
     book.play(id, Side.left, 0.8);
@@ -62,7 +70,7 @@ test("twelve leaves fly at once, each with its own surface", async () => {
 });
 
 test("a held leaf follows the hand; let go it falls", async () => {
-  const book = await EngineBook.create(size);
+  const book = await open();
   const id = book.lift(Side.right, 0, 1);
   book.grab(id, 0, 1, 0);
   const tick = Math.round(1 / 60 / book.tick);
@@ -100,4 +108,47 @@ test("sizes that are no book's are refused", async () => {
   ]) {
     await expect(EngineBook.create(bad)).rejects.toThrow("size");
   }
+});
+
+/** Positions of a leaf of a paper, held by its corner for half a second. */
+async function hang(change: (book: EngineBook) => void): Promise<number[]> {
+  const book = await open();
+  book.lay(10);
+  change(book);
+  const id = book.lift(Side.right, 10, 11);
+  book.grab(id, 0, 1, 0);
+  book.hold(id, 0, 0.06, 0.02, 0.07);
+  book.step(Math.round(0.5 / book.tick));
+  book.update();
+  const positions = [...book.surface(0).positions];
+  book.destroy();
+  return positions;
+}
+
+test("the paper's usual figures are the engine's own", async () => {
+  const usual = await hang(() => {});
+  expect(await hang((book) => makeOf({}, book))).toEqual(usual);
+  expect(await hang((book) => void book.setStock("book"))).toEqual(usual);
+  const figures = { grammage: 70, caliper: 90, stiffnessAlong: 0.27, stiffnessAcross: 0.12 };
+  const inFigures = await hang((book) => void book.setStock(figures));
+  for (const [k, x] of inFigures.entries()) expect(x).toBeCloseTo(usual[k], 6);
+});
+
+test("each paper, binding and wind hangs in its own way, and what is none changes nothing", async () => {
+  const ways = [
+    ...stocks.map((stock) => hang((book) => expect(book.setStock(stock)).toBe(true))),
+    hang((book) => expect(book.setBinding("across", 0.02)).toBe(true)),
+    hang((book) => expect(book.setWind([-2, 0, 0])).toBe(true)),
+  ];
+  const seen = new Set((await Promise.all(ways)).map((positions) => positions.join()));
+  expect(seen.size).toBe(ways.length);
+  const usual = await hang(() => {});
+  const refused = await hang((book) => {
+    expect(book.setStock("vellum" as never)).toBe(false);
+    expect(book.setStock({} as never)).toBe(false);
+    expect(book.setBinding("along", -1)).toBe(false);
+    expect(book.setWind([Number.NaN, 0, 0])).toBe(false);
+    makeOf({ stock: "vellum" as never, binding: 7, wind: [1e9, 0, 0] }, book);
+  });
+  expect(refused).toEqual(usual);
 });

@@ -3,7 +3,14 @@
  * book frees all of its memory. Numbers and flat arrays alone cross the wall.
  */
 
-import type { Pile, Surface } from "./shapes.ts";
+import {
+  type Pile,
+  type Stock,
+  type StockFigures,
+  type Surface,
+  stocks,
+  type Vec3,
+} from "./shapes.ts";
 import code from "./turnleaf.wasm";
 
 /** A side of the open book, as the engine counts them. */
@@ -57,6 +64,17 @@ interface Exports {
   tl_tick(): number;
   tl_book_new(width: number, height: number, leaves: number, thickness: number): number;
   tl_book_drop(book: number): void;
+  tl_book_set_stock(book: number, stock: number): number;
+  tl_book_set_figures(
+    book: number,
+    grammage: number,
+    caliper: number,
+    along: number,
+    across: number,
+  ): number;
+  tl_book_set_binding(book: number, acrossSpine: number, stiffness: number): number;
+  tl_book_set_wind(book: number, x: number, y: number, z: number): number;
+  tl_book_set_assist(book: number, on: number): void;
   tl_book_lay(book: number, read: number): void;
   tl_book_lift(book: number, side: Side, low: number, high: number): number;
   tl_book_grab(book: number, id: number, hand: number, u: number, v: number): void;
@@ -136,6 +154,53 @@ export class EngineBook {
   /** Frees the book in the engine. Nothing may be called afterwards. */
   destroy(): void {
     this.#wasm.tl_book_drop(this.#book);
+  }
+
+  /**
+   * Makes the leaves of a stock: a preset, or one in figures. This and the next
+   * three lay down what is in flight. Answers whether leaves can be made of it;
+   * where not, nothing changes.
+   */
+  setStock(stock: Stock | StockFigures): boolean {
+    if (typeof stock === "string") {
+      return this.#changed(this.#wasm.tl_book_set_stock(this.#book, stocks.indexOf(stock)));
+    }
+    const { grammage, caliper, stiffnessAlong, stiffnessAcross } = stock;
+    return this.#changed(
+      this.#wasm.tl_book_set_figures(
+        this.#book,
+        grammage * 1e-3,
+        caliper * 1e-6,
+        stiffnessAlong * 1e-3,
+        stiffnessAcross * 1e-3,
+      ),
+    );
+  }
+
+  /**
+   * Binds the leaves with their grain along the spine or across it, and with a
+   * stiffness against turning in the gutter, N (0 to 1). Answers whether it could.
+   */
+  setBinding(grain: "along" | "across", stiffness: number): boolean {
+    const across = grain === "across" ? 1 : 0;
+    return this.#changed(this.#wasm.tl_book_set_binding(this.#book, across, stiffness));
+  }
+
+  /** Sets the velocity of the air, m/s, each component within 20. Answers whether it could. */
+  setWind(wind: Vec3): boolean {
+    return this.#changed(this.#wasm.tl_book_set_wind(this.#book, ...wind));
+  }
+
+  /** Whether a leaf let go is helped over to its side, or left to gravity. */
+  setAssist(on: boolean): void {
+    this.#wasm.tl_book_set_assist(this.#book, on ? 1 : 0);
+    this.#changed(1);
+  }
+
+  /** New leaves lie elsewhere in the engine's memory: views of the old ones are void. */
+  #changed(answer: number): boolean {
+    this.#surfaces.clear();
+    return answer !== 0;
   }
 
   /** Lays the book open with `read` leaves of paper on the left and none in flight. */

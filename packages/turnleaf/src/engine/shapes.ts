@@ -32,6 +32,23 @@ export interface Pile {
   readonly curves: Float32Array;
 }
 
+/** The preset stocks, from the lightest to the heaviest; the engine counts them in this order. */
+export const stocks = ["bible", "book", "office", "coated", "card"] as const;
+
+/** A preset stock: 30, 70, 80, 170 or 250 g/m². */
+export type Stock = (typeof stocks)[number];
+
+/** A stock in figures, in the units of the paper trade. */
+export interface StockFigures {
+  /** Mass of a square metre, g/m². */
+  readonly grammage: number;
+  /** Thickness of a sheet, µm. */
+  readonly caliper: number;
+  /** Bending stiffness along and across the grain, mN·m. */
+  readonly stiffnessAlong: number;
+  readonly stiffnessAcross: number;
+}
+
 /** A point or direction in book space. */
 export type Vec3 = readonly [x: number, y: number, z: number];
 
