@@ -25,7 +25,9 @@ const lab = (...args) =>
 
 /** Criterion's medians in microseconds by the name of the bench. */
 function criterion() {
-  run("cargo", "bench", "--quiet", "-p", "turnleaf-engine", "--bench", "mass_spring");
+  for (const bench of ["mass_spring", "sheet", "band"]) {
+    run("cargo", "bench", "--quiet", "-p", "turnleaf-engine", "--bench", bench);
+  }
   const folder = join(root, "target/criterion");
   const found = {};
   for (const name of readdirSync(folder)) {
@@ -102,6 +104,56 @@ function strains() {
 ${rows.join("\n")}`;
 }
 
+/** Tips of hanging pages beside the heavy elastica. */
+function hanging() {
+  const rows = ["0.1", "1", "10", "100", "1000"].map((gamma) => {
+    const off = (model) => {
+      const found = lab("cantilever", "--gamma", gamma, "--model", model);
+      return `${percent(found.error.tip)} | ${found.max_edge_strain.toExponential(1)}`;
+    };
+    return `| ${gamma} | ${off("sheet")} | ${off("shell")} |`;
+  });
+  return `| Gamma | sheet, tip off by | edge strain | shell, tip off by | edge strain |
+|---|---|---|---|---|
+${rows.join("\n")}`;
+}
+
+/** The sheet beside the shell over whole turns. */
+function agreement() {
+  const rows = ["bible", "book", "office", "coated", "card"].map((stock) => {
+    const { corner, edge } = lab("agree", "--stock", stock);
+    const of = (turn) => `${percent(turn.rms)} | ${percent(turn.worst)}`;
+    return `| ${stock} | ${of(corner)} | ${of(edge)} |`;
+  });
+  return `| stock | corner turn, RMS | worst | edge turn, RMS | worst |
+|---|---|---|---|---|
+${rows.join("\n")}`;
+}
+
+/** Random hands on a book's leaves. */
+function gestures() {
+  const found = lab("gestures", "--count", "500", "--seed", "1");
+  const rows = [
+    ["all finite", found.finite ? "yes" : "no"],
+    ["edge strain, median", percent(found.edge_strain_median)],
+    ["edge strain, 99th percentile", percent(found.edge_strain_p99)],
+    ["edge strain, worst", percent(found.edge_strain_worst)],
+    ["edge strain half a second after letting go, worst", percent(found.edge_strain_after_release)],
+    ["drawn surface inside block, cover or leaf, median, mm", n(found.drawn_penetration_median_mm)],
+    ["the same, 99th percentile", n(found.drawn_penetration_p99_mm)],
+    ["the same, worst", n(found.drawn_penetration_mm)],
+    ["the same, in the piles alone, worst", n(found.drawn_penetration_in_piles_mm)],
+    ["depth in the solver, median, mm", n(found.solver_penetration_median_mm)],
+    ["the same, 90th percentile", n(found.solver_penetration_p90_mm)],
+    ["the same, worst", n(found.solver_penetration_mm)],
+    ["a frame, median, us", n(found.us_per_frame_p50, 0)],
+    ["a frame, 99th percentile, us", n(found.us_per_frame_p99, 0)],
+  ];
+  return `| of ${found.count} gestures from seed ${found.seed}, all stocks | |
+|---|---|
+${rows.map(([name, value]) => `| ${name} | ${value} |`).join("\n")}`;
+}
+
 function sizes() {
   const dist = join(root, "packages/turnleaf/dist");
   const gzip = (file) => gzipSync(readFileSync(file), { level: 9 }).length;
@@ -151,6 +203,24 @@ Greatest stretch and compression of any structural or shear spring over all step
 ${strains()}
 
 The paper's constants stretch the sheet: its drag is large against its springs. The preset \`book\` holds its springs within 1 %. Its drawn surface strains more than its springs do, because a polynomial through six masses is not isometric between them where the leaf bends sharply.
+
+## The sheet and the exact hanging page
+
+The interactive sheet at its own settings, and the offline shell; errors of the tip over the length.
+
+${hanging()}
+
+## The sheet and the shell
+
+Both turned by the same hand; distances over the width of the page. With the lightest and the stiffest stock the moment at which a corner snaps over differs.
+
+${agreement()}
+
+## Gestures
+
+Random drags, throws, jumps, two hands, several leaves at once (\`lab gestures\`). What goes deep are leaves that a wild hand presses into each other.
+
+${gestures()}
 
 ## Size
 

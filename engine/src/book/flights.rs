@@ -254,7 +254,7 @@ impl Flights {
         }
         let left = left.last().map(|flight| neighbour_of(flight, 1.0));
         let right = right.first().map(|flight| neighbour_of(flight, 1.0));
-        leaf.meet(piles, [left, right]);
+        leaf.meet_others(piles, [left, right]);
         if leaf.seated().firm_depth < DEEP {
             return true;
         }

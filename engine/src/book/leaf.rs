@@ -14,7 +14,7 @@ mod tests;
 use super::HANDS;
 use super::block::Pile;
 use super::gutter::Gutter;
-use super::meet::{Neighbour, Seated, Sheetlike, meet};
+use super::meet::{Neighbour, Seated, Sheetlike, meet, meet_others};
 use super::seat::share_turned;
 use crate::air::Air;
 use crate::grid::Side;
@@ -283,8 +283,8 @@ impl Leaf {
         }
     }
 
-    /// Finds what the leaf touches: the piles (right, left) and its neighbours
-    /// (left, right).
+    /// Finds what the leaf touches: itself, the piles (right, left) and its
+    /// neighbours (left, right).
     pub fn meet(&mut self, piles: [&Pile; 2], neighbours: [Option<Neighbour<'_>>; 2]) {
         let friction = self.sheet.settings().stock.friction as f32;
         let (flat, contacts) = self.sheet.contact_state();
@@ -294,6 +294,18 @@ impl Leaf {
             friction,
         };
         meet(&mut self.seated, piles, neighbours, &mut sheet);
+    }
+
+    /// As [`meet`](Self::meet), but for itself: where it is after a step.
+    pub fn meet_others(&mut self, piles: [&Pile; 2], neighbours: [Option<Neighbour<'_>>; 2]) {
+        let friction = self.sheet.settings().stock.friction as f32;
+        let (flat, contacts) = self.sheet.contact_state();
+        let mut sheet = Sheetlike {
+            flat,
+            contacts,
+            friction,
+        };
+        meet_others(&mut self.seated, piles, neighbours, &mut sheet);
     }
 
     /// Brings what a tick drove deep into piles or firm neighbours back out.

@@ -75,6 +75,8 @@ pub struct Seated {
     tangled: [Vec<bool>; 2],
     /// Distance of each node from the left and from the right neighbour, metres.
     pub gaps: [Vec<f32>; 2],
+    /// The box around each row, metres: its lowest and its highest corner.
+    bounds: Vec<[[f32; 3]; 2]>,
 }
 
 impl Seated {
@@ -94,6 +96,7 @@ impl Seated {
             firm_depth: 0.0,
             tangled: [vec![false; nodes], vec![false; nodes]],
             gaps: [vec![FAR; nodes], vec![FAR; nodes]],
+            bounds: vec![[[0.0; 3]; 2]; rows],
         }
     }
 
@@ -146,6 +149,22 @@ impl Seated {
         }
     }
 
+    fn bound_rows(&mut self) {
+        for (bounds, row) in self
+            .bounds
+            .iter_mut()
+            .zip(self.points.chunks_exact(self.columns))
+        {
+            *bounds = [row[0], row[0]];
+            for point in row {
+                for axis in 0..3 {
+                    bounds[0][axis] = bounds[0][axis].min(point[axis]);
+                    bounds[1][axis] = bounds[1][axis].max(point[axis]);
+                }
+            }
+        }
+    }
+
     /// Whether nodes of this leaf come near enough to others of it to touch.
     fn is_curled(&self) -> bool {
         let normals = &self.normals;
@@ -170,9 +189,20 @@ pub struct Neighbour<'a> {
     pub firmness: f32,
 }
 
-/// Finds all contacts of a leaf: with the piles (right and left) and with the
-/// neighbours on its left and on its right, as far as there are any.
+/// Finds all contacts of a leaf: with itself, with the piles (right and left) and
+/// with the neighbours on its left and on its right, as far as there are any.
 pub fn meet(
+    leaf: &mut Seated,
+    piles: [&Pile; 2],
+    neighbours: [Option<Neighbour<'_>>; 2],
+    sheet: &mut Sheetlike<'_>,
+) {
+    meet_others(leaf, piles, neighbours, sheet);
+    meet_itself(leaf, sheet);
+}
+
+/// Finds the contacts of a leaf with piles and neighbours anew.
+pub fn meet_others(
     leaf: &mut Seated,
     piles: [&Pile; 2],
     [left, right]: [Option<Neighbour<'_>>; 2],
@@ -184,7 +214,6 @@ pub fn meet(
     // The left neighbour lies on the recto's side, the right one on the verso's.
     meet_neighbour(leaf, LEFT, left, -1.0, sheet);
     meet_neighbour(leaf, RIGHT, right, 1.0, sheet);
-    meet_itself(leaf, sheet);
 }
 
 /// The half-space whose boundary is `gap` metres from a node, toward `normal`
@@ -305,8 +334,12 @@ fn meet_itself(leaf: &mut Seated, sheet: &mut Sheetlike<'_>) {
     if !leaf.is_curled() {
         return;
     }
+    leaf.bound_rows();
     let columns = leaf.columns;
     for node in 0..leaf.points.len() {
+        if node % columns == 0 {
+            continue;
+        }
         let Some(other) = nearest_of_itself(leaf, node) else {
             continue;
         };
@@ -314,9 +347,6 @@ fn meet_itself(leaf: &mut Seated, sheet: &mut Sheetlike<'_>) {
         let normal = leaf.normals[other];
         let height = dot(away, normal);
         let side = if height >= 0.0 { 1.0 } else { -1.0 };
-        if node % columns == 0 {
-            continue;
-        }
         let space = (normal.map(|n| side * n), height.abs() - GAP);
         let velocity = leaf.velocities[other];
         // The other node is pushed itself.
@@ -333,14 +363,21 @@ fn nearest_of_itself(leaf: &Seated, node: usize) -> Option<usize> {
     let columns = leaf.columns;
     let point = leaf.points[node];
     let (mut best, mut least) = (None, CURLED * CURLED);
-    for (other, place) in leaf.points.iter().enumerate() {
-        let away = sub(point, *place);
-        let d = dot(away, away);
-        if d < least {
-            let u = (node % columns).abs_diff(other % columns) as f32 * leaf.cell[0];
-            let v = (node / columns).abs_diff(other / columns) as f32 * leaf.cell[1];
-            if u * u + v * v > APART * APART {
-                (best, least) = (Some(other), d);
+    for (row, [low, high]) in leaf.bounds.iter().enumerate() {
+        let beside =
+            |axis: usize| point[axis] < low[axis] - CURLED || point[axis] > high[axis] + CURLED;
+        if (0..3).any(beside) {
+            continue;
+        }
+        for other in row * columns..(row + 1) * columns {
+            let away = sub(point, leaf.points[other]);
+            let d = dot(away, away);
+            if d < least {
+                let u = (node % columns).abs_diff(other % columns) as f32 * leaf.cell[0];
+                let v = (node / columns).abs_diff(row) as f32 * leaf.cell[1];
+                if u * u + v * v > APART * APART {
+                    (best, least) = (Some(other), d);
+                }
             }
         }
     }
