@@ -10,7 +10,7 @@
 use super::block::Pile;
 use super::flight::Flight;
 use super::gutter::Gutter;
-use super::leaf::{Leaf, Phase};
+use super::leaf::{Leaf, Phase, TICK};
 use super::meet::Neighbour;
 use crate::grid::Side;
 
@@ -231,7 +231,7 @@ impl Flights {
             let mut is_clear = true;
             for k in 0..count {
                 let index = if round % 2 == 0 { count - 1 - k } else { k };
-                is_clear &= self.relax_one(index, gutter, piles);
+                is_clear &= self.relax_one(index, gutter, piles, round == 0);
             }
             if is_clear {
                 break;
@@ -243,7 +243,14 @@ impl Flights {
     }
 
     /// Brings one flight out of what it overlaps; answers whether there was none.
-    fn relax_one(&mut self, index: usize, gutter: &Gutter, piles: [&Pile; 2]) -> bool {
+    /// At first nothing is looked for where nothing can be.
+    fn relax_one(
+        &mut self,
+        index: usize,
+        gutter: &Gutter,
+        piles: [&Pile; 2],
+        is_first: bool,
+    ) -> bool {
         let (left, rest) = self.order.split_at_mut(index);
         let (own, right) = rest
             .split_first_mut()
@@ -252,8 +259,12 @@ impl Flights {
         if matches!(leaf.phase(), Phase::Resting(_)) {
             return true;
         }
-        let left = left.last().map(|flight| neighbour_of(flight, 1.0));
-        let right = right.first().map(|flight| neighbour_of(flight, 1.0));
+        let neighbours = [left.last(), right.first()];
+        let seated = neighbours.map(|flight| flight.map(|flight| flight.leaf().seated()));
+        if is_first && leaf.seated().is_clear(seated, DEEP, TICK) {
+            return true;
+        }
+        let [left, right] = neighbours.map(|flight| Some(neighbour_of(flight?, 1.0)));
         leaf.meet_others(piles, [left, right]);
         if leaf.seated().firm_depth < DEEP {
             return true;

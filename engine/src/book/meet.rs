@@ -75,6 +75,8 @@ pub struct Seated {
     tangled: [Vec<bool>; 2],
     /// Distance of each node from the left and from the right neighbour, metres.
     pub gaps: [Vec<f32>; 2],
+    /// Distance of each node from the pile under it, metres.
+    pile_gaps: Vec<f32>,
     /// The box around each row, metres: its lowest and its highest corner.
     bounds: Vec<[[f32; 3]; 2]>,
 }
@@ -96,6 +98,7 @@ impl Seated {
             firm_depth: 0.0,
             tangled: [vec![false; nodes], vec![false; nodes]],
             gaps: [vec![FAR; nodes], vec![FAR; nodes]],
+            pile_gaps: vec![FAR; nodes],
             bounds: vec![[[0.0; 3]; 2]; rows],
         }
     }
@@ -147,6 +150,28 @@ impl Seated {
                 *tangled = *gap < if *tangled { -FREE } else { -TANGLED };
             }
         }
+    }
+
+    /// Whether no node can have come deeper than `deep` metres into anything within
+    /// `seconds` since all was looked for, at the velocities of now: so far off was
+    /// everything.
+    pub fn is_clear(&self, [left, right]: [Option<&Seated>; 2], deep: f32, seconds: f32) -> bool {
+        let apart = |v: [f32; 3], w: [f32; 3]| {
+            let d = sub(v, w);
+            seconds * dot(d, d).sqrt()
+        };
+        (0..self.points.len()).all(|node| {
+            let v = self.velocities[node];
+            let clear_of = |side: usize, other: Option<&Seated>| {
+                let nearest = self.nearest[side][node] as usize;
+                other.is_none_or(|other| {
+                    self.gaps[side][node] + deep > apart(v, other.velocities[nearest])
+                })
+            };
+            self.pile_gaps[node] + deep > apart(v, [0.0; 3])
+                && clear_of(0, left)
+                && clear_of(1, right)
+        })
     }
 
     fn bound_rows(&mut self) {
@@ -252,6 +277,7 @@ fn meet_piles(leaf: &mut Seated, [right, left]: [&Pile; 2], sheet: &mut Sheetlik
         let [x, _, z] = leaf.points[node];
         let (pile, sign) = if x >= 0.0 { (right, 1.0) } else { (left, -1.0) };
         let (height, slope) = pile.height_and_slope(x.abs());
+        leaf.pile_gaps[node] = z - height;
         if z - height > FAR {
             continue;
         }
