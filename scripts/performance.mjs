@@ -132,7 +132,7 @@ ${rows.join("\n")}`;
 
 /** Random hands on a book's leaves. */
 function gestures() {
-  const found = lab("gestures", "--count", "500", "--seed", "1");
+  const found = lab("gestures", "--count", "300", "--seed", "1");
   const rows = [
     ["all finite", found.finite ? "yes" : "no"],
     ["edge strain, median", percent(found.edge_strain_median)],

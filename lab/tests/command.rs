@@ -135,20 +135,3 @@ fn pictures_are_written() {
     }
     std::fs::remove_dir_all(folder).expect("removed");
 }
-
-#[test]
-fn gestures_are_those_of_their_seed() {
-    let command = [
-        "gestures", "--count", "4", "--seed", "21", "--stock", "book", "--json",
-    ];
-    let [a, b] = [json(&command), json(&command)];
-    assert_eq!(a["finite"], true);
-    for figure in [
-        "edge_strain_worst",
-        "drawn_penetration_mm",
-        "solver_penetration_mm",
-    ] {
-        assert!(a[figure].as_f64().is_some());
-        assert_eq!(a[figure], b[figure]);
-    }
-}

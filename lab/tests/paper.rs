@@ -148,6 +148,25 @@ fn the_sheet_turns_as_the_shell_does() {
     }
 }
 
+/// What hands can do to paper. How deep leaves may be pressed into each other is
+/// not held here: see docs/physics.md.
+#[test]
+fn a_thousand_gestures_do_not_stretch_the_paper() {
+    let found = lab("gestures --count 1000 --seed 1");
+    assert_eq!(found["finite"], Value::Bool(true));
+    for (name, most) in [
+        ("edge_strain_median", 0.003),
+        ("edge_strain_p99", 0.01),
+        ("edge_strain_worst", 0.05),
+        ("edge_strain_after_release", 0.001),
+        ("solver_penetration_median_mm", 3.0),
+        ("drawn_penetration_median_mm", 0.1),
+    ] {
+        let value = figure(&found, name);
+        assert!(value <= most, "{name} is {value}, beyond {most}");
+    }
+}
+
 #[test]
 fn gestures_are_repeated_by_their_seed() {
     let line = "gestures --count 4 --seed 7 --stock card";

@@ -30,9 +30,11 @@ const YIELD: usize = 10;
 /// Most by which a sweep brings a node back, metres.
 const STRIDE: f32 = 4e-3;
 
-/// Fewest and most sweeps of a step.
+/// Fewest and most sweeps of a step. Nearly all steps need few; one in which a
+/// wild hand crumples a light leaf needs many, and with fewer it would keep some
+/// stretch.
 const FEWEST: usize = 2;
-const MOST: usize = 32;
+const MOST: usize = 160;
 
 /// Restores the lengths of a sheet's edges.
 #[derive(Clone, Debug)]
