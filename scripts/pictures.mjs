@@ -14,6 +14,7 @@ import { chromiumArguments, findChromium } from "./chromium.mjs";
 const root = join(import.meta.dirname, "..");
 const out = join(root, "docs/pictures");
 const wide = { width: 1280, height: 800 };
+const small = { width: 600, height: 450 };
 
 /** Each picture: where the book lies open, and what is done before it is taken. */
 const pictures = {
@@ -24,6 +25,12 @@ const pictures = {
   "cover-opening": { page: 1, viewport: wide, turn: 420 },
   riffle: { page: 60, viewport: wide, riffle: 870 },
   drag: { page: 18, viewport: wide, drag: [0.82, 0.88, 0.6, 0.72] },
+  ...Object.fromEntries(
+    ["bible", "book", "office", "coated", "card"].map((stock) => [
+      `stock-${stock}`,
+      { page: 18, viewport: small, stock, drag: [0.86, 0.83, 0.66, 0.5] },
+    ]),
+  ),
 };
 
 /** Serves the book that comes with the project; answers its address. */
@@ -74,7 +81,7 @@ function driveClock() {
 }
 
 async function take(browser, url, name) {
-  const { page: number, viewport, turn, riffle, drag } = pictures[name];
+  const { page: number, viewport, stock, turn, riffle, drag } = pictures[name];
   const page = await browser.newPage({ viewport });
   await page.addInitScript(driveClock);
   await page.goto(`${url}#page=${number}`);
@@ -88,6 +95,11 @@ async function take(browser, url, name) {
     window.clock.free = false;
     document.querySelector("#bar")?.remove();
   });
+  if (stock) {
+    await page.evaluate((stock) => {
+      document.querySelector("turnleaf-book").stock = stock;
+    }, stock);
+  }
   if (turn) {
     await page.evaluate((milliseconds) => {
       document.querySelector("turnleaf-book").next();
@@ -104,7 +116,9 @@ async function take(browser, url, name) {
     }
   }
   if (drag) {
-    const [x0, y0, x1, y1] = drag.map((share, i) => share * (i % 2 ? wide.height : wide.width));
+    const [x0, y0, x1, y1] = drag.map(
+      (share, i) => share * (i % 2 ? viewport.height : viewport.width),
+    );
     await page.mouse.move(x0, y0);
     await page.mouse.down();
     await page.mouse.move(x1, y1, { steps: 8 });
