@@ -69,7 +69,10 @@ for (const [columns, rows] of [
   const [drop, reach] = [engine.tl_bench_sheet_drop(sheet), engine.tl_bench_sheet_reach(sheet)];
   const error = 100 * Math.hypot(drop - exact.drop, reach - exact.reach);
   const name = `sheet frame ${columns} x ${rows}, off by ${error.toFixed(2)} %`;
-  results[name] = measure(times(() => engine.tl_bench_sheet_frame(sheet)), 8);
+  results[name] = measure(
+    times(() => engine.tl_bench_sheet_frame(sheet)),
+    8,
+  );
   engine.tl_bench_sheet_free(sheet);
 }
 for (const leaves of [1, 10]) {
