@@ -19,8 +19,8 @@ const viewer = {
   "viewer.ts": ["book", "draw", "engine", "hand", "pages", "sources"],
   "input.ts": ["engine", "viewer.ts"],
   "element.css.ts": [],
-  "element.ts": ["book", "sources", "viewer.ts", "input.ts", "element.css.ts"],
-  "index.ts": ["element.ts", "sources"],
+  "element.ts": ["book", "engine", "sources", "viewer.ts", "input.ts", "element.css.ts"],
+  "index.ts": ["book", "engine", "element.ts", "sources"],
   "element_for_tests.ts": ["element.ts", "index.ts"],
 };
 
