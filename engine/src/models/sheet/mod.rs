@@ -7,6 +7,7 @@
 //! sweeps that restore every edge's length exactly. A cubic spline carries the
 //! drawn surface. docs/physics.md derives it and compares it with other ways.
 
+mod assemble;
 mod bending;
 mod contact;
 mod hand;
@@ -21,7 +22,7 @@ pub use contact::{CONTACTS, Contact};
 pub use settings::{InvalidSheet, Root, SheetSettings};
 
 use bending::Bending;
-use contact::{add_contact, dot};
+use contact::dot;
 use hand::Hand;
 use membrane::Membrane;
 use sweep::Sweep;
@@ -331,33 +332,6 @@ impl Sheet {
         v.iter().map(|v| dot(*v, *v)).fold(0.0, f32::max).sqrt()
     }
 
-    fn update_normals(&mut self) {
-        let (columns, rows) = (self.settings.columns, self.settings.rows);
-        let x = self.positions.as_chunks::<3>().0;
-        for row in 0..rows {
-            for column in 0..columns {
-                let node = row * columns + column;
-                let (left, right) = (
-                    node - usize::from(column > 0),
-                    node + usize::from(column + 1 < columns),
-                );
-                let (below, above) = (
-                    node - if row > 0 { columns } else { 0 },
-                    node + if row + 1 < rows { columns } else { 0 },
-                );
-                let u: [f32; 3] = core::array::from_fn(|axis| x[right][axis] - x[left][axis]);
-                let v: [f32; 3] = core::array::from_fn(|axis| x[above][axis] - x[below][axis]);
-                let n = [
-                    u[1] * v[2] - u[2] * v[1],
-                    u[2] * v[0] - u[0] * v[2],
-                    u[0] * v[1] - u[1] * v[0],
-                ];
-                let inverse = 1.0 / (dot(n, n).sqrt() + 1e-12);
-                self.normals[node] = n.map(|n| n * inverse);
-            }
-        }
-    }
-
     /// Brings what is deep in its firm contacts back out of them, for contacts found
     /// anew where the step led. It stops what moved in, and throws nothing out.
     pub(crate) fn push_out(&mut self) {
@@ -383,81 +357,6 @@ impl Sheet {
     pub(crate) fn give_way(&mut self) {
         for hand in &mut self.hands {
             hand.give_way(&self.positions);
-        }
-    }
-
-    /// Assembles forces and matrix at the present state.
-    fn assemble(&mut self) {
-        self.system.matrix.copy_from(&self.constant);
-        self.system.forces.copy_from_slice(&self.weight);
-        let forces = &mut self.system.forces;
-        for (force, load) in forces.iter_mut().zip(&self.loads) {
-            *force += load;
-        }
-        self.bending
-            .subtract_forces(&self.positions, &self.tangents, forces);
-        self.membrane.add_to(&self.positions, &mut self.system);
-        self.add_inertia_and_air();
-        for hand in &mut self.hands {
-            hand.add_to(&mut self.system, self.settings.columns, &self.positions);
-        }
-        self.add_bounds();
-    }
-
-    /// Adds what each node's velocity does: inertia, the air it carries and
-    /// the drag, both along its normal, which lags by a step.
-    fn add_inertia_and_air(&mut self) {
-        let settings = &self.settings;
-        let (h, wind) = (self.h, settings.air.wind.map(|w| w as f32));
-        let drag =
-            (0.5 * settings.air.density * settings.air.drag / settings.stock.grammage) as f32;
-        let v = self.velocities.as_chunks::<3>().0;
-        for node in 0..self.mass.len() {
-            if !self.system.moves(node) {
-                continue;
-            }
-            let (n, v, mass) = (self.normals[node], v[node], self.mass[node]);
-            let (along, blowing) = (dot(n, v), dot(n, wind));
-            let carried = self.air_mass[node] / h;
-            let resistance = drag * mass * (along - blowing).abs();
-            let push = carried * along + resistance * blowing;
-            let inertia = mass / h;
-            self.system.push(
-                node,
-                core::array::from_fn(|axis| inertia * v[axis] + push * n[axis]),
-            );
-            let k = (carried + resistance) / h;
-            self.system.add_product(node, node, n.map(|n| k * n), n);
-        }
-    }
-
-    /// Adds contacts and pins.
-    fn add_bounds(&mut self) {
-        let gravity = self.settings.gravity.map(|g| g as f32);
-        let x = self.positions.as_chunks::<3>().0;
-        let v = self.velocities.as_chunks::<3>().0;
-        for node in 0..self.mass.len() {
-            if !self.system.moves(node) {
-                continue;
-            }
-            for contact in &self.contacts[node] {
-                if contact.normal != [0.0; 3] {
-                    let state = [x[node], v[node], gravity];
-                    add_contact(
-                        &mut self.system,
-                        node,
-                        contact,
-                        state,
-                        self.mass[node],
-                        self.h,
-                    );
-                }
-            }
-            if let Some(place) = self.pins[node] {
-                let pull = core::array::from_fn(|axis| PIN * (place[axis] - x[node][axis]));
-                self.system.push(node, pull);
-                self.system.add_diagonal(node, PIN);
-            }
         }
     }
 

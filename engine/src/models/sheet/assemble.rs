@@ -1,0 +1,109 @@
+//! Forces and matrix of a step, at the sheet's present state.
+
+use super::contact::{add_contact, dot};
+use super::{PIN, Sheet};
+
+impl Sheet {
+    /// Finds the nodes' normals, along which the air acts.
+    pub(super) fn update_normals(&mut self) {
+        let (columns, rows) = (self.settings.columns, self.settings.rows);
+        let x = self.positions.as_chunks::<3>().0;
+        for row in 0..rows {
+            for column in 0..columns {
+                let node = row * columns + column;
+                let (left, right) = (
+                    node - usize::from(column > 0),
+                    node + usize::from(column + 1 < columns),
+                );
+                let (below, above) = (
+                    node - if row > 0 { columns } else { 0 },
+                    node + if row + 1 < rows { columns } else { 0 },
+                );
+                let u: [f32; 3] = core::array::from_fn(|axis| x[right][axis] - x[left][axis]);
+                let v: [f32; 3] = core::array::from_fn(|axis| x[above][axis] - x[below][axis]);
+                let n = [
+                    u[1] * v[2] - u[2] * v[1],
+                    u[2] * v[0] - u[0] * v[2],
+                    u[0] * v[1] - u[1] * v[0],
+                ];
+                let inverse = 1.0 / (dot(n, n).sqrt() + 1e-12);
+                self.normals[node] = n.map(|n| n * inverse);
+            }
+        }
+    }
+
+    /// Assembles forces and matrix at the present state.
+    pub(super) fn assemble(&mut self) {
+        self.system.matrix.copy_from(&self.constant);
+        self.system.forces.copy_from_slice(&self.weight);
+        let forces = &mut self.system.forces;
+        for (force, load) in forces.iter_mut().zip(&self.loads) {
+            *force += load;
+        }
+        self.bending
+            .subtract_forces(&self.positions, &self.tangents, forces);
+        self.membrane.add_to(&self.positions, &mut self.system);
+        self.add_inertia_and_air();
+        for hand in &mut self.hands {
+            hand.add_to(&mut self.system, self.settings.columns, &self.positions);
+        }
+        self.add_bounds();
+    }
+
+    /// Adds what each node's velocity does: inertia, the air it carries and
+    /// the drag, both along its normal, which lags by a step.
+    fn add_inertia_and_air(&mut self) {
+        let settings = &self.settings;
+        let (h, wind) = (self.h, settings.air.wind.map(|w| w as f32));
+        let drag =
+            (0.5 * settings.air.density * settings.air.drag / settings.stock.grammage) as f32;
+        let v = self.velocities.as_chunks::<3>().0;
+        for node in 0..self.mass.len() {
+            if !self.system.moves(node) {
+                continue;
+            }
+            let (n, v, mass) = (self.normals[node], v[node], self.mass[node]);
+            let (along, blowing) = (dot(n, v), dot(n, wind));
+            let carried = self.air_mass[node] / h;
+            let resistance = drag * mass * (along - blowing).abs();
+            let push = carried * along + resistance * blowing;
+            let inertia = mass / h;
+            self.system.push(
+                node,
+                core::array::from_fn(|axis| inertia * v[axis] + push * n[axis]),
+            );
+            let k = (carried + resistance) / h;
+            self.system.add_product(node, node, n.map(|n| k * n), n);
+        }
+    }
+
+    /// Adds contacts and pins.
+    fn add_bounds(&mut self) {
+        let gravity = self.settings.gravity.map(|g| g as f32);
+        let x = self.positions.as_chunks::<3>().0;
+        let v = self.velocities.as_chunks::<3>().0;
+        for node in 0..self.mass.len() {
+            if !self.system.moves(node) {
+                continue;
+            }
+            for contact in &self.contacts[node] {
+                if contact.normal != [0.0; 3] {
+                    let state = [x[node], v[node], gravity];
+                    add_contact(
+                        &mut self.system,
+                        node,
+                        contact,
+                        state,
+                        self.mass[node],
+                        self.h,
+                    );
+                }
+            }
+            if let Some(place) = self.pins[node] {
+                let pull = core::array::from_fn(|axis| PIN * (place[axis] - x[node][axis]));
+                self.system.push(node, pull);
+                self.system.add_diagonal(node, PIN);
+            }
+        }
+    }
+}
