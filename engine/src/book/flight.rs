@@ -3,7 +3,7 @@
 use super::block::Pile;
 use super::leaf::{Leaf, NODES, Phase};
 use super::mesh::Mesh;
-use super::seat::{lift, seat};
+use super::seat::{lift, lift_edges, seat};
 use crate::grid::Side;
 use crate::surface::Surface;
 
@@ -120,6 +120,9 @@ impl Flight {
     /// says that what is drawn has changed.
     pub fn finish(&mut self, [right, left]: [&Pile; 2]) {
         lift(&mut self.surface.positions, right, left);
+        if !self.leaf.is_down() {
+            lift_edges(&mut self.surface.positions, right, left);
+        }
         self.surface.touch();
     }
 

@@ -44,6 +44,31 @@ pub fn lift(positions: &mut [f32], right: &Pile, left: &Pile) {
     }
 }
 
+/// Lifts edges whose middle lies inside a pile, at both ends: over a ridge two
+/// points may lie clear of the pile and what is drawn between them not.
+pub fn lift_edges(positions: &mut [f32], right: &Pile, left: &Pile) {
+    let highest = right.highest().max(left.highest());
+    let columns = right.columns();
+    let points = positions.as_chunks_mut::<3>().0;
+    // Along a row, along a column, along the diagonal of a cell as it is drawn.
+    for step in [1, columns, columns + 1] {
+        for node in 0..points.len() - step {
+            let (a, b) = (points[node], points[node + step]);
+            let at_rim = (node + 1) % columns == 0 && step != columns;
+            if at_rim || node % columns == 0 || a[2].min(b[2]) > highest {
+                continue;
+            }
+            let [x, z] = [0, 2].map(|axis| 0.5 * (a[axis] + b[axis]));
+            let pile = if x >= 0.0 { right } else { left };
+            let lack = pile.height(x.abs()) - z;
+            if lack > 0.0 {
+                points[node][2] += lack;
+                points[node + step][2] += lack;
+            }
+        }
+    }
+}
+
 fn bend_row(row: &mut [f32], right: &[f32], left: &[f32]) {
     let (mut x0, mut z0) = (row[0], row[2]);
     let (mut x, mut z) = (0.0, 0.0);
