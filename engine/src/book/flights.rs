@@ -189,15 +189,21 @@ impl Flights {
         }
     }
 
-    /// Draws flight `index` clear of its neighbour on a side.
-    fn clear_one(&mut self, index: usize, side: Side) {
+    /// Flight `index` and its neighbours, left and right.
+    fn among(&mut self, index: usize) -> (&mut Flight, [Option<&Flight>; 2]) {
         let (left, rest) = self.order.split_at_mut(index);
         let (own, right) = rest
             .split_first_mut()
             .expect("the index is below the length");
+        (own, [left.last(), right.first()])
+    }
+
+    /// Draws flight `index` clear of its neighbour on a side.
+    fn clear_one(&mut self, index: usize, side: Side) {
+        let (own, [left, right]) = self.among(index);
         let neighbour = match side {
-            Side::Left => left.last(),
-            Side::Right => right.first(),
+            Side::Left => left,
+            Side::Right => right,
         };
         if let Some(neighbour) = neighbour {
             own.clear_of(neighbour, side);
@@ -207,17 +213,14 @@ impl Flights {
     /// Steps one flight; its neighbours, left and right, are as firm as said.
     fn step_one(&mut self, index: usize, gutter: &Gutter, piles: [&Pile; 2], firm: [f32; 2]) {
         let supported = self.is_supported(index);
-        let (left, rest) = self.order.split_at_mut(index);
-        let (own, right) = rest
-            .split_first_mut()
-            .expect("the index is below the length");
+        let (own, [left, right]) = self.among(index);
         let leaf = own.leaf_mut();
         if matches!(leaf.phase(), Phase::Resting(_)) {
             return;
         }
-        let left = left.last().map(|flight| neighbour_of(flight, firm[0]));
-        let right = right.first().map(|flight| neighbour_of(flight, firm[1]));
-        leaf.meet(piles, [left, right]);
+        let left = left.map(|flight| neighbour_of(flight, firm[0]));
+        let right = right.map(|flight| neighbour_of(flight, firm[1]));
+        leaf.meet(piles, [left, right], true);
         leaf.step(supported);
         leaf.seat(gutter);
     }
@@ -251,21 +254,17 @@ impl Flights {
         piles: [&Pile; 2],
         is_first: bool,
     ) -> bool {
-        let (left, rest) = self.order.split_at_mut(index);
-        let (own, right) = rest
-            .split_first_mut()
-            .expect("the index is below the length");
+        let (own, neighbours) = self.among(index);
         let leaf = own.leaf_mut();
         if matches!(leaf.phase(), Phase::Resting(_)) {
             return true;
         }
-        let neighbours = [left.last(), right.first()];
         let seated = neighbours.map(|flight| flight.map(|flight| flight.leaf().seated()));
         if is_first && leaf.seated().is_clear(seated, DEEP, TICK) {
             return true;
         }
         let [left, right] = neighbours.map(|flight| Some(neighbour_of(flight?, 1.0)));
-        leaf.meet_others(piles, [left, right]);
+        leaf.meet(piles, [left, right], false);
         if leaf.seated().firm_depth < DEEP {
             return true;
         }

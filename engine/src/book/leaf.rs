@@ -14,7 +14,7 @@ mod tests;
 use super::HANDS;
 use super::block::Pile;
 use super::gutter::Gutter;
-use super::meet::{Neighbour, Seated, Sheetlike, meet, meet_others};
+use super::meet::{Neighbour, Seated, Sheetlike, meet_itself, meet_others};
 use super::seat::share_turned;
 use crate::air::Air;
 use crate::grid::Side;
@@ -283,21 +283,14 @@ impl Leaf {
         }
     }
 
-    /// Finds what the leaf touches: itself, the piles (right, left) and its
-    /// neighbours (left, right).
-    pub fn meet(&mut self, piles: [&Pile; 2], neighbours: [Option<Neighbour<'_>>; 2]) {
-        let friction = self.sheet.settings().stock.friction as f32;
-        let (flat, contacts) = self.sheet.contact_state();
-        let mut sheet = Sheetlike {
-            flat,
-            contacts,
-            friction,
-        };
-        meet(&mut self.seated, piles, neighbours, &mut sheet);
-    }
-
-    /// As [`meet`](Self::meet), but for itself: where it is after a step.
-    pub fn meet_others(&mut self, piles: [&Pile; 2], neighbours: [Option<Neighbour<'_>>; 2]) {
+    /// Finds what the leaf touches: the piles (right, left), its neighbours (left,
+    /// right) and, where `itself` says so, its own other parts.
+    pub fn meet(
+        &mut self,
+        piles: [&Pile; 2],
+        neighbours: [Option<Neighbour<'_>>; 2],
+        itself: bool,
+    ) {
         let friction = self.sheet.settings().stock.friction as f32;
         let (flat, contacts) = self.sheet.contact_state();
         let mut sheet = Sheetlike {
@@ -306,6 +299,9 @@ impl Leaf {
             friction,
         };
         meet_others(&mut self.seated, piles, neighbours, &mut sheet);
+        if itself {
+            meet_itself(&mut self.seated, &mut sheet);
+        }
     }
 
     /// Brings what a tick drove deep into piles or firm neighbours back out.

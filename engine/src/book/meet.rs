@@ -214,19 +214,8 @@ pub struct Neighbour<'a> {
     pub firmness: f32,
 }
 
-/// Finds all contacts of a leaf: with itself, with the piles (right and left) and
-/// with the neighbours on its left and on its right, as far as there are any.
-pub fn meet(
-    leaf: &mut Seated,
-    piles: [&Pile; 2],
-    neighbours: [Option<Neighbour<'_>>; 2],
-    sheet: &mut Sheetlike<'_>,
-) {
-    meet_others(leaf, piles, neighbours, sheet);
-    meet_itself(leaf, sheet);
-}
-
-/// Finds the contacts of a leaf with piles and neighbours anew.
+/// Finds the contacts of a leaf with the piles (right and left) and with the
+/// neighbours on its left and on its right, as far as there are any.
 pub fn meet_others(
     leaf: &mut Seated,
     piles: [&Pile; 2],
@@ -352,8 +341,9 @@ fn meet_neighbour(
     }
 }
 
-/// A curled leaf stays on the side of itself where it is.
-fn meet_itself(leaf: &mut Seated, sheet: &mut Sheetlike<'_>) {
+/// Finds the contacts of a leaf with itself: a curled one stays on the side of
+/// itself where it is.
+pub fn meet_itself(leaf: &mut Seated, sheet: &mut Sheetlike<'_>) {
     for contacts in sheet.contacts.iter_mut() {
         contacts[SELF] = Contact::default();
     }

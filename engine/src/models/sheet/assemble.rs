@@ -45,7 +45,7 @@ impl Sheet {
         self.membrane.add_to(&self.positions, &mut self.system);
         self.add_inertia_and_air();
         for hand in &mut self.hands {
-            hand.add_to(&mut self.system, self.settings.columns, &self.positions);
+            hand.add_to(&mut self.system, &self.positions);
         }
         self.add_bounds();
     }

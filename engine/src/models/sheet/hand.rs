@@ -56,7 +56,7 @@ impl Hand {
             pace: FIRST,
             frame: [[0.0; 3]; 2],
         };
-        hand.tilt(settings.columns, positions);
+        hand.tilt(positions);
         hand.target = hand.held_place(positions);
         hand.wanted = hand.target;
         hand
@@ -96,7 +96,7 @@ impl Hand {
 
     /// Finds the tangents under the pad: the linear map that takes its places on
     /// the flat leaf to where its nodes are, by least squares.
-    fn tilt(&mut self, columns: usize, positions: &[f32]) {
+    fn tilt(&mut self, positions: &[f32]) {
         let x = positions.as_chunks::<3>().0;
         let (mut mean, mut apart) = ([0.0f32; 3], [0.0f32; 2]);
         for spot in &self.pad {
@@ -120,7 +120,7 @@ impl Hand {
             }
         }
         let determinant = uu * vv - uv * uv;
-        if !(determinant > 1e-18 && columns > 0) {
+        if determinant.is_nan() || determinant <= 1e-18 {
             return;
         }
         let inverse = 1.0 / determinant;
@@ -131,8 +131,8 @@ impl Hand {
     }
 
     /// Adds the pad's springs.
-    pub fn add_to(&mut self, system: &mut System, columns: usize, positions: &[f32]) {
-        self.tilt(columns, positions);
+    pub fn add_to(&mut self, system: &mut System, positions: &[f32]) {
+        self.tilt(positions);
         let held = self.held_place(positions);
         let k = stiffness(distance(held, self.target), self.strength);
         let x = positions.as_chunks::<3>().0;

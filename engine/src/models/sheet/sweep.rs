@@ -89,13 +89,12 @@ impl Sweep {
         };
     }
 
-    /// Sweeps; answers how far the worst edge was off when it was done.
-    pub fn run(&mut self, positions: &mut [f32], contacts: &[[Contact; CONTACTS]]) -> f32 {
+    /// Sweeps until every edge has its length, or as often as there is time for.
+    pub fn run(&mut self, positions: &mut [f32], contacts: &[[Contact; CONTACTS]]) {
         let (columns, rows) = (self.columns, self.rows);
         self.find_firm(positions, contacts);
-        let mut off = 0.0;
         for round in 0..MOST {
-            off = if round < YIELD {
+            let mut off = if round < YIELD {
                 self.bring_back(positions)
             } else {
                 0.0
@@ -110,7 +109,6 @@ impl Sweep {
                 break;
             }
         }
-        off
     }
 
     fn find_firm(&mut self, positions: &[f32], contacts: &[[Contact; CONTACTS]]) {
