@@ -11,7 +11,7 @@ export type { Paper } from "./book/paper.ts";
 export { type TurnDetail, TurnleafBook, type TurnleafEventMap } from "./element.ts";
 export type { Stock, StockFigures, Vec3 } from "./engine/shapes.ts";
 export type { BookInput } from "./sources/open.ts";
-export { BookError } from "./sources/page_source.ts";
+export { BookError, type OutlineEntry } from "./sources/page_source.ts";
 
 if (globalThis.customElements && !customElements.get("turnleaf-book")) {
   customElements.define("turnleaf-book", TurnleafBook);

@@ -9,6 +9,69 @@ export interface PageSize {
   readonly height: number;
 }
 
+/** A rectangle of a page. Its unit is told where it is used. */
+export interface PageBox {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+/**
+ * A piece of a page's text that lies on one straight line. The box is in the
+ * unit of `size()`, from the page's top left corner, and as it is before it is
+ * turned: x, y is the corner at which the line begins, at its upper side, and
+ * what the box is turned about.
+ */
+export interface TextRun extends PageBox {
+  readonly text: string;
+  /** Clockwise as it is seen, radians: 0 runs to the right, pi / 2 down the page. */
+  readonly angle: number;
+  /** Whether a line ends with this run. */
+  readonly end: boolean;
+  /** Whether its letters stand below each other, as in vertical Japanese: `height` is then along the line. */
+  readonly vertical?: boolean;
+}
+
+/** Where a link leads: a page (from 1) of this book, or an address of the web or of mail. */
+export type LinkTarget = { readonly page: number } | { readonly href: string };
+
+/** A place on a page that leads elsewhere; its box as that of a `TextRun`, never turned. */
+export interface PageLink extends PageBox {
+  /** What it says of itself; empty where it says nothing. */
+  readonly title: string;
+  readonly to: LinkTarget;
+}
+
+/** A field of a form on a page; its box as that of a `TextRun`, never turned. */
+export interface PageField extends PageBox {
+  readonly kind: "text" | "check" | "radio" | "choice";
+  /** Tells the fields of a book apart; buttons of one radio group share it, and so do views of one field. */
+  readonly name: string;
+  /** What the field asks for, in words. */
+  readonly title: string;
+  /** What it holds as the book comes; of a check or radio "" where it is off. */
+  readonly value: string;
+  /** What a check or radio holds when it is on; empty for others. */
+  readonly on: string;
+  /** What a choice offers; empty for others. */
+  readonly options: readonly { readonly value: string; readonly label: string }[];
+  readonly multiline: boolean;
+  readonly readonly: boolean;
+  /** Most characters of a text; 0 where it does not matter. */
+  readonly maxLength: number;
+}
+
+/** A line of a book's contents. */
+export interface OutlineEntry {
+  readonly title: string;
+  /** From 1; null where it leads nowhere in this book. */
+  readonly page: number | null;
+  /** An address of the web that it leads to instead. */
+  readonly href?: string;
+  readonly children: readonly OutlineEntry[];
+}
+
 /** A drawn page, ready to become a texture. `close` frees a bitmap's memory at once. */
 export type PagePicture = ImageBitmap | HTMLCanvasElement;
 
@@ -33,8 +96,26 @@ export interface PageSource {
    * Draws page `index` (from 0) so that it is `width` device pixels wide
    * (never beyond the source's own limits on memory).
    * Rejects with a `BookError`, or with the signal's reason when aborted.
+   *
+   * @param region what of the page is drawn, as shares of its width and height
+   *   from its top left corner; `width` is then the region's. All of it where
+   *   it is not given.
    */
-  draw(index: number, width: number, signal: AbortSignal): Promise<PagePicture>;
+  draw(index: number, width: number, signal: AbortSignal, region?: PageBox): Promise<PagePicture>;
+  /** What the book's owner lets a reader do; all of it where it is not given. */
+  readonly allows?: { readonly print: boolean; readonly copy: boolean };
+  /** The text of page `index` (from 0) in reading order. Rejects as `draw` does. */
+  text?(index: number, signal: AbortSignal): Promise<readonly TextRun[]>;
+  /** What the pictures of page `index` (from 0) show, in words; empty where nobody says. Rejects as `draw` does. */
+  alt?(index: number, signal: AbortSignal): Promise<string>;
+  /** The links of page `index` (from 0). Rejects as `draw` does. */
+  links?(index: number, signal: AbortSignal): Promise<readonly PageLink[]>;
+  /** The form fields of page `index` (from 0). Rejects as `draw` does. */
+  fields?(index: number, signal: AbortSignal): Promise<readonly PageField[]>;
+  /** The book's table of contents; empty where it has none. Rejects as `draw` does. */
+  outline?(signal: AbortSignal): Promise<readonly OutlineEntry[]>;
+  /** The book's own file, to be kept by the reader; absent where it is no one file. Rejects as `draw` does. */
+  file?(): Promise<Blob>;
   /** Frees workers, files and memory. Drawing afterwards rejects. */
   close(): void;
 }
