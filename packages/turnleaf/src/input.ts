@@ -1,7 +1,8 @@
 /** Pointers and keys become commands to the book. */
 
 import { handCount, Side } from "./engine/engine.ts";
-import type { Hold, Viewer } from "./viewer.ts";
+import type { Hold } from "./view/holding.ts";
+import type { Viewer } from "./viewer.ts";
 
 /** Share of a page next to its fore-edge, and of its height at head and foot, that a hand can take. */
 const edgeZone = 0.3;

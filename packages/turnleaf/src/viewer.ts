@@ -5,14 +5,7 @@
  * animation frame and no timer.
  */
 
-import {
-  type Face,
-  faceNames,
-  facesBetween,
-  facesOfLeaf,
-  isBoardFace,
-  pagesWanted,
-} from "./book/faces.ts";
+import { faceOf } from "./book/faces.ts";
 import { makeOf, type Paper } from "./book/paper.ts";
 import {
   type Binding,
@@ -23,15 +16,16 @@ import {
   rightPage,
   spreadOf,
 } from "./book/spreads.ts";
-import { type Flight, Turning } from "./book/turning.ts";
+import { Turning } from "./book/turning.ts";
 import type { BookShape } from "./draw/pose.ts";
 import { Stage } from "./draw/stage.ts";
 import { Cover, EngineBook, Side } from "./engine/engine.ts";
-import type { Pile, Ray, Surface } from "./engine/shapes.ts";
-import { type Hit, pickPile, pickSurface } from "./hand/pick.ts";
-import { handAt } from "./hand/reach.ts";
+import type { Surface } from "./engine/shapes.ts";
 import { PagePictures } from "./pages/page_pictures.ts";
 import type { PageSource } from "./sources/page_source.ts";
+import { type Hold, Holding, heightOf } from "./view/holding.ts";
+import { Picturing, spreadsBetween } from "./view/picturing.ts";
+import { Ticks } from "./view/ticks.ts";
 
 /** How a book is shown. */
 export interface ViewerOptions {
@@ -52,27 +46,12 @@ export interface ViewerOptions {
   readonly onFailure: (sentence: string) => void;
 }
 
-/** What a hand could take hold of. */
-export interface Hold extends Hit {
-  /** What is in flight there, or the side whose uppermost leaf it is. */
-  readonly on: Flight | Side;
-}
-
-/** Longest time a frame may stand for; after a pause the turn goes on where it was. */
-const longestFrame = 0.1;
-
 /** Room above the head, from none to that of a leaf standing upright: at rest, and while something turns. */
 const restingRoom = 0.5;
 const turningRoom = 1;
 
-/** Leaves in flight whose pages are drawn as sharp as those at rest: many pass by too fast to be read. */
-const mostSharpFlights = 2;
-
 /** Time in seconds in which the camera does two thirds of its way between the two. */
 const roomTime = 0.11;
-
-/** Share of a leaf next to its fore-edge that a hand holds by the edge itself. */
-const edgeShare = 0.08;
 
 /** A square-rooted page area of 140 x 210 mm, metres: every book has paper of this size. */
 const paperSize = Math.sqrt(0.14 * 0.21);
@@ -102,18 +81,20 @@ export class Viewer {
   readonly #engine: EngineBook;
   readonly #stage: Stage;
   readonly #pictures: PagePictures;
+  readonly #picturing: Picturing;
+  readonly #holding: Holding;
+  readonly #ticks: Ticks;
+  readonly #listeners = new Set<() => void>();
   readonly #width: number;
   readonly #height: number;
   #cssWidth = 0;
   #pixelRatio = 1;
   #frame = 0;
-  #lastTime = 0;
-  #remainder = 0;
   #room = restingRoom;
-  /** Each hand that holds something: where on the canvas it is, CSS pixels, and u of the spot that it holds. */
-  readonly #hands = new Map<number, { x: number; y: number; u: number }>();
   /** Paper that waits for the leaves in flight to land. */
   #nextPaper: Paper | null;
+  /** The view that listeners were told of last. */
+  #toldView = "";
   #destroyed = false;
 
   private constructor(
@@ -152,6 +133,16 @@ export class Viewer {
         options.onRest(from, to);
       },
     });
+    this.#picturing = new Picturing(binding, this.#stage, this.turning, this.#pictures);
+    this.#holding = new Holding({
+      engine,
+      stage: this.#stage,
+      turning: this.turning,
+      width: shape.width,
+      height: shape.height,
+      hasLeaf: (side) => this.#hasLeaf(side),
+    });
+    this.#ticks = new Ticks(engine.tick);
     this.turning.seconds = options.turnSeconds();
     this.#changePaper();
     this.turning.lay(spreadOf(binding, options.page()));
@@ -220,47 +211,48 @@ export class Viewer {
 
   /** What a hand at a place on the canvas (CSS pixels) could hold, or null. */
   pick(x: number, y: number): Hold | null {
-    const ray = this.#stage.rayAt(x, y);
-    let best: Hold | null = this.#pickSide(ray);
-    for (const [index, flight] of this.turning.flights.entries()) {
-      // Of a board in flight every place counts, wherever its page is seen.
-      if (flight.part !== "leaf") return best && { ...best, on: flight };
-      const hit = pickSurface(ray, this.#engine.surface(index), this.#engine.columns);
-      // A leaf upon the page under it is the one that is taken.
-      if (hit && (best === null || hit.distance < best.distance + 0.001)) {
-        best = { ...hit, on: flight };
-      }
-    }
-    return best;
+    return this.#holding.pick(x, y);
   }
 
   /** A hand takes hold where `pick` found something; the leaf then follows `drag`. */
   grab(hold: Hold, hand: number): boolean {
-    const flight = typeof hold.on === "number" ? this.turning.lift(hold.on) : hold.on;
-    if (flight === null || this.#destroyed) return false;
-    const u = hold.u > 1 - edgeShare ? 1 : Math.max(hold.u, 0.3);
-    this.turning.grab(flight, hand, u, Math.min(Math.max(hold.v, 0), 1));
-    this.#hands.set(hand, { x: 0, y: 0, u });
-    return true;
+    return !this.#destroyed && this.#holding.grab(hold, hand);
   }
 
   /** A hand that holds something moves to a place on the canvas, CSS pixels. */
   drag(hand: number, x: number, y: number): void {
-    const held = this.#hands.get(hand);
-    if (this.#destroyed || held === undefined) return;
-    [held.x, held.y] = [x, y];
-    const ray = this.#stage.rayAt(x, y);
-    const place = handAt(ray, held.u * this.#width, (at) => this.#floor(at));
-    this.turning.hold(hand, ...place);
-    this.invalidate();
+    if (!this.#destroyed && this.#holding.drag(hand, x, y)) this.invalidate();
   }
 
   /** A hand lets go. */
   release(hand: number): void {
     if (this.#destroyed) return;
-    this.#hands.delete(hand);
-    this.turning.release(hand);
+    this.#holding.release(hand);
     this.invalidate();
+  }
+
+  /**
+   * Where a place on a page is seen, CSS pixels from the canvas's upper left
+   * corner; null where that page does not lie open, or leaves are in flight.
+   *
+   * @param page from 1
+   * @param x,y shares of the page from its upper left corner
+   */
+  project(page: number, x: number, y: number): { x: number; y: number } | null {
+    if (this.#destroyed || this.#cssWidth === 0 || this.turning.moving) return null;
+    const face = faceOf(this.binding, this.turning.spread, page);
+    return face && this.#stage.projectOn(face, x, y);
+  }
+
+  /**
+   * Calls `listener` after a frame in which the book came to rest as it was not
+   * before: other pages lie open, or they are seen elsewhere. What `project`
+   * answers holds until the next call or the next turn. Answers how to take the
+   * listener away.
+   */
+  onView(listener: () => void): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
   }
 
   /** Whether every page in sight is shown at its full sharpness. */
@@ -283,21 +275,32 @@ export class Viewer {
 
   #draw(now: number): void {
     this.#frame = 0;
-    const ticks = this.#ticks(now);
+    const ticks = this.#ticks.pass(now);
     // Without a turn nothing in the engine has moved since the book was laid open.
     const turned = this.turning.moving;
     const turning = turned && this.turning.step(ticks);
     // Whoever hears of a turn may take the book away at once.
     if (this.#destroyed) return;
     const stepping = this.#stepBack(turning, ticks * this.#engine.tick);
-    if (stepping) for (const [hand, { x, y }] of this.#hands) this.drag(hand, x, y);
+    if (stepping) this.#holding.follow();
     const moving = turning || stepping;
     if (turned) this.#engine.update();
     this.#pose();
     this.#stage.draw({ resting: !moving });
     this.#pictures.paused = moving;
     if (moving) this.invalidate();
-    else this.#lastTime = 0;
+    else {
+      this.#ticks.stop();
+      this.#tellView();
+    }
+  }
+
+  /** Tells of another view, once for each. */
+  #tellView(): void {
+    const view = `${this.turning.spread} ${this.#stage.viewKey}`;
+    if (view === this.#toldView) return;
+    this.#toldView = view;
+    for (const listener of this.#listeners) listener();
   }
 
   #changePaper(): void {
@@ -317,22 +320,11 @@ export class Viewer {
     return !arrived;
   }
 
-  /** Whole ticks since the last frame; none in the first of a movement. */
-  #ticks(now: number): number {
-    const seconds =
-      this.#lastTime === 0 ? 0 : Math.min((now - this.#lastTime) / 1000, longestFrame);
-    this.#lastTime = now;
-    this.#remainder += seconds / this.#engine.tick;
-    const ticks = Math.floor(this.#remainder);
-    this.#remainder -= ticks;
-    return ticks;
-  }
-
   #pose(): void {
     const engine = this.#engine;
     const { flights } = this.turning;
     const paper = paperLeaves(this.binding) > 0;
-    const [low, high] = this.#between;
+    const [low, high] = spreadsBetween(this.turning);
     const boards = this.binding.hardCover ? 1 : 0;
     const [left, right] = [engine.pile(Side.left), engine.pile(Side.right)];
     const leaves: Surface[] = [];
@@ -349,48 +341,22 @@ export class Viewer {
     });
   }
 
-  /** Gives every face the best picture of its page, and asks for the pages wanted next. */
+  /** Brings every face's picture up to date, and asks for the pages wanted next. */
   #show(): void {
     if (this.#destroyed) return;
-    const { flights, spread, destination } = this.turning;
-    if (this.#cssWidth > 0) {
-      const wanted = pagesWanted(this.binding, spread, flights, destination);
-      const isRiffle = flights.length > mostSharpFlights;
-      this.#pictures.want(wanted, this.#pictureWidth(), isRiffle);
-    }
-    const pages = facesBetween(this.binding, ...this.#between);
-    for (const face of faceNames) this.#stage.setFace(face, this.#pictureOf(face, pages[face]));
-    for (const [index, flight] of flights.entries()) {
-      if (flight.part !== "leaf") continue;
-      const { recto, verso } = facesOfLeaf(this.binding, flight);
-      this.#stage.setLeaf(index, "recto", this.#pictureOfPaper(recto));
-      this.#stage.setLeaf(index, "verso", this.#pictureOfPaper(verso));
-    }
+    if (this.#cssWidth > 0) this.#picturing.want(this.#pictureWidth());
+    this.#picturing.show();
     this.invalidate();
   }
 
-  /** The spreads left and right of all that is in flight. */
-  get #between(): [low: number, high: number] {
-    const { flights, spread } = this.turning;
-    return [flights[0]?.low ?? spread, flights.at(-1)?.high ?? spread];
+  #hasLeaf(side: Side): boolean {
+    const [low, high] = spreadsBetween(this.turning);
+    return side === Side.right ? high < leafCount(this.binding) : low > 0;
   }
 
   #lieOpen(page: number): boolean {
     const { spread } = this.turning;
     return page === leftPage(this.binding, spread) || page === rightPage(this.binding, spread);
-  }
-
-  #pictureOf(face: Face, page: number | null) {
-    // A board seen by its edge alone is plain cloth rather than a page to come.
-    if (page !== null) {
-      return isBoardFace(face) ? this.#pictures.getIfDrawn(page) : this.#pictures.get(page);
-    }
-    return null;
-  }
-
-  #pictureOfPaper(page: number | null) {
-    // A book with an odd number of pages ends in a bare verso.
-    return page === null ? this.#pictures.bare : this.#pictures.get(page);
   }
 
   /** Width in device pixels at which a page looks sharp, in steps, so that a small change of size redraws nothing. */
@@ -404,26 +370,4 @@ export class Viewer {
     const onScreen = Math.hypot(edge.x - spine.x, edge.y - spine.y) * Math.max(this.#pixelRatio, 2);
     return Math.min(Math.ceil((onScreen * 1.2) / 256) * 256, 2048);
   }
-
-  #pickSide(ray: Ray): Hold | null {
-    let best: Hold | null = null;
-    const [low, high] = this.#between;
-    for (const side of [Side.right, Side.left]) {
-      if (side === Side.right ? high === leafCount(this.binding) : low === 0) continue;
-      const sign = side === Side.right ? 1 : -1;
-      const hit = pickPile(ray, this.#engine.pile(side), sign, this.#engine.columns, this.#height);
-      if (hit && (best === null || hit.distance < best.distance)) best = { ...hit, on: side };
-    }
-    return best;
-  }
-
-  #floor(x: number): number {
-    // The fore-edge's height does for a hand, which holds the leaf near its edge.
-    return heightOf(this.#engine.pile(x >= 0 ? Side.right : Side.left));
-  }
-}
-
-/** Height of a pile's uppermost page at its fore-edge, metres: the pile's thickness. */
-function heightOf(pile: Pile): number {
-  return pile.curves[2 * pile.columns - 1];
 }

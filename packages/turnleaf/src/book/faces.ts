@@ -48,6 +48,19 @@ export function facesBetween(
   };
 }
 
+/** The face on which a page (from 1) is seen while the book rests at a spread; null where it does not lie open. */
+export function faceOf(binding: Binding, spread: number, page: number): Face | null {
+  const last = leafCount(binding);
+  const { hardCover } = binding;
+  if (page === rightPage(binding, spread)) {
+    if (hardCover && spread === 0) return "frontOutside";
+    return hardCover && spread === last - 1 ? "backInside" : "right";
+  }
+  if (page !== leftPage(binding, spread)) return null;
+  if (hardCover && spread === last) return "backOutside";
+  return hardCover && spread === 1 ? "frontInside" : "left";
+}
+
 /** The pages on both sides of a leaf in flight; a sheaf shows its first and its last. */
 export function facesOfLeaf(
   binding: Binding,

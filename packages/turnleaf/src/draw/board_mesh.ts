@@ -1,6 +1,7 @@
 /** A cover board: a rigid plate with rounded corners and bevels, cloth or picture outside, pastedown inside. */
 
-import { type BufferGeometry, Group, Mesh } from "three";
+import { type BufferGeometry, Group, Mesh, Vector3 } from "three";
+import type { Vec3 } from "../engine/shapes.ts";
 import { type CaseShape, caseSizes } from "./case_shape.ts";
 import type { LeafSection } from "./leaf_section.ts";
 import {
@@ -52,7 +53,7 @@ export class BoardMesh {
     this.#inside = new Mesh(this.#inner.geometry, inside);
     // The pastedown leaves a border of turned-in cloth, but not at the hinge.
     const [edge, end] = [(1.1 * rim) / this.#width, (1.1 * rim) / (pageHeight + 2 * rim)];
-    inside.setPanel(front ? [edge, end, 1.001, 1 - end] : [-0.001, end, 1 - edge, 1 - end]);
+    inside.panel = front ? [edge, end, 1.001, 1 - end] : [-0.001, end, 1 - edge, 1 - end];
     for (const mesh of [this.#outside, this.#inside]) {
       mesh.frustumCulled = false;
       this.group.add(mesh);
@@ -74,6 +75,19 @@ export class BoardMesh {
       0, 0, 0, 1,
     );
     this.group.matrixWorldNeedsUpdate = true;
+  }
+
+  /** A place on the picture of the outer or the inner face, shares from its upper left corner, in book space. */
+  placeOn(outer: boolean, x: number, y: number): Vec3 {
+    const { rim, board } = caseSizes;
+    const [left, top, right, bottom] = (outer ? this.#outside : this.#inside).material.panel;
+    const u = left + (right - left) * x;
+    const v = top + (bottom - top) * y;
+    // The way back of what dresses the faces.
+    const across = this.#width * (outer === this.#front ? u : 1 - u);
+    const along = (1 - v) * (this.#height + 2 * rim) - rim;
+    const place = new Vector3(across, along, outer ? -board : 0);
+    return place.applyMatrix4(this.group.matrix).toArray();
   }
 
   /**

@@ -4,7 +4,8 @@
  */
 
 import { Group } from "three";
-import type { Surface } from "../engine/shapes.ts";
+import { type Face, isBoardFace } from "../book/faces.ts";
+import type { Surface, Vec3 } from "../engine/shapes.ts";
 import { BlockMesh } from "./block_mesh.ts";
 import { BoardMesh } from "./board_mesh.ts";
 import type { Framing } from "./camera.ts";
@@ -116,6 +117,17 @@ export class DrawnBook {
     if (!this.#hard) shadowOfLeaves(this.#ground, this.#shape, pose.leaves, left, right);
     else if (!still) shadowOfCase(this.#ground, this.#shape, this.#case, left, right);
     return caseMoved;
+  }
+
+  /** A place on a face's picture, shares from its upper left corner, in book space as posed last. */
+  placeOn(face: Face, x: number, y: number): Vec3 {
+    if (isBoardFace(face)) {
+      const board = face.startsWith("front") ? this.#front : this.#back;
+      return board.placeOn(face.endsWith("Outside"), x, y);
+    }
+    const { pile } = face === "right" ? this.#right : this.#left;
+    const at = pile.pointAt(face === "right" ? x : 1 - x);
+    return [at[0], this.#shape.height * (1 - y), at[1]];
   }
 
   dispose(): void {

@@ -1,6 +1,6 @@
 /** The resting pages of one side as they are drawn: the engine's pile, squared up under a closing board. */
 
-import type { Pile } from "../engine/shapes.ts";
+import { columnPlace, type Pile } from "../engine/shapes.ts";
 import { type CaseShape, lidHeight } from "./case_shape.ts";
 
 /** Every how many columns the light looks at a page as an obstacle. */
@@ -56,6 +56,16 @@ export class PileShape {
   /** Height of the uppermost page at its fore-edge, metres; 0 where no page lies. */
   get top(): number {
     return this.present ? this.z[this.columns - 1] : 0;
+  }
+
+  /** x and z of the uppermost page at u, 0 at the spine to 1 at the fore-edge, metres. */
+  pointAt(u: number): [x: number, z: number] {
+    const { columns, sign, x, z } = this;
+    let k = 0;
+    while (k + 2 < columns && columnPlace(k + 1, columns) < u) k++;
+    const [from, to] = [columnPlace(k, columns), columnPlace(k + 1, columns)];
+    const t = (u - from) / (to - from);
+    return [sign * (x[k] + (x[k + 1] - x[k]) * t), z[k] + (z[k + 1] - z[k]) * t];
   }
 
   #differs(pile: Pile): boolean {

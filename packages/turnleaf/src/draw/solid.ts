@@ -97,7 +97,11 @@ export class SolidMaterial extends ShaderMaterial {
   }
 
   /** The part of the face, left, top, right, bottom from 0 to 1, that the picture covers. */
-  setPanel(panel: readonly [number, number, number, number]): void {
+  get panel(): readonly [number, number, number, number] {
+    return this.uniforms.panel.value;
+  }
+
+  set panel(panel: readonly [number, number, number, number]) {
     this.uniforms.panel.value = panel;
   }
 }

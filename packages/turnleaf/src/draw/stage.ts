@@ -141,6 +141,22 @@ export class Stage {
     return { x: (0.5 + 0.5 * seen.x) * this.#width, y: (0.5 - 0.5 * seen.y) * this.#height };
   }
 
+  /** Where a place on a face's picture, shares from its upper left corner, is on the canvas, likewise. */
+  projectOn(face: Face, x: number, y: number): { x: number; y: number } {
+    return this.project(this.#book.placeOn(face, x, y));
+  }
+
+  /** What the projection follows from, as a key: where two are the same, so is what is projected. */
+  get viewKey(): string {
+    const { matrixWorld, projectionMatrix } = this.#camera;
+    return [
+      ...matrixWorld.elements,
+      ...projectionMatrix.elements,
+      this.#width,
+      this.#height,
+    ].join();
+  }
+
   /** Frees everything on the GPU and gives its context back. The canvas cannot be drawn on again. */
   destroy(): void {
     this.#canvas.removeEventListener("webglcontextlost", this.#lost);

@@ -1,0 +1,113 @@
+/** Hands on the book: what they could take hold of, and where they pull it. */
+
+import type { Flight, Turning } from "../book/turning.ts";
+import type { Stage } from "../draw/stage.ts";
+import { type EngineBook, Side } from "../engine/engine.ts";
+import type { Pile, Ray } from "../engine/shapes.ts";
+import { type Hit, pickPile, pickSurface } from "../hand/pick.ts";
+import { handAt } from "../hand/reach.ts";
+
+/** What a hand could take hold of. */
+export interface Hold extends Hit {
+  /** What is in flight there, or the side whose uppermost leaf it is. */
+  readonly on: Flight | Side;
+}
+
+/** What hands need of the book. */
+export interface HoldingBook {
+  readonly engine: EngineBook;
+  readonly stage: Stage;
+  readonly turning: Turning;
+  /** A page's size, metres. */
+  readonly width: number;
+  readonly height: number;
+  /** Whether a leaf or board lies on a side, beside all that is in flight. */
+  hasLeaf(side: Side): boolean;
+}
+
+/** Share of a leaf next to its fore-edge that a hand holds by the edge itself. */
+const edgeShare = 0.08;
+
+/** The hands on one book. */
+export class Holding {
+  readonly #book: HoldingBook;
+  /** Each hand that holds something: where on the canvas it is, CSS pixels, and u of the spot that it holds. */
+  readonly #hands = new Map<number, { x: number; y: number; u: number }>();
+
+  constructor(book: HoldingBook) {
+    this.#book = book;
+  }
+
+  /** What a hand at a place on the canvas (CSS pixels) could hold, or null. */
+  pick(x: number, y: number): Hold | null {
+    const { engine, stage, turning } = this.#book;
+    const ray = stage.rayAt(x, y);
+    let best: Hold | null = this.#pickSide(ray);
+    for (const [index, flight] of turning.flights.entries()) {
+      // Of a board in flight every place counts, wherever its page is seen.
+      if (flight.part !== "leaf") return best && { ...best, on: flight };
+      const hit = pickSurface(ray, engine.surface(index), engine.columns);
+      // A leaf upon the page under it is the one that is taken.
+      if (hit && (best === null || hit.distance < best.distance + 0.001)) {
+        best = { ...hit, on: flight };
+      }
+    }
+    return best;
+  }
+
+  /** A hand takes hold where `pick` found something; the leaf then follows `drag`. */
+  grab(hold: Hold, hand: number): boolean {
+    const { turning } = this.#book;
+    const flight = typeof hold.on === "number" ? turning.lift(hold.on) : hold.on;
+    if (flight === null) return false;
+    const u = hold.u > 1 - edgeShare ? 1 : Math.max(hold.u, 0.3);
+    turning.grab(flight, hand, u, Math.min(Math.max(hold.v, 0), 1));
+    this.#hands.set(hand, { x: 0, y: 0, u });
+    return true;
+  }
+
+  /** A hand moves to a place on the canvas, CSS pixels; answers whether it holds something. */
+  drag(hand: number, x: number, y: number): boolean {
+    const held = this.#hands.get(hand);
+    if (held === undefined) return false;
+    const { stage, turning, width } = this.#book;
+    [held.x, held.y] = [x, y];
+    const ray = stage.rayAt(x, y);
+    const place = handAt(ray, held.u * width, (at) => this.#floor(at));
+    turning.hold(hand, ...place);
+    return true;
+  }
+
+  /** The camera moved: what hands hold is carried along under them. */
+  follow(): void {
+    for (const [hand, { x, y }] of this.#hands) this.drag(hand, x, y);
+  }
+
+  /** A hand lets go. */
+  release(hand: number): void {
+    this.#hands.delete(hand);
+    this.#book.turning.release(hand);
+  }
+
+  #pickSide(ray: Ray): Hold | null {
+    const { engine, height } = this.#book;
+    let best: Hold | null = null;
+    for (const side of [Side.right, Side.left]) {
+      if (!this.#book.hasLeaf(side)) continue;
+      const sign = side === Side.right ? 1 : -1;
+      const hit = pickPile(ray, engine.pile(side), sign, engine.columns, height);
+      if (hit && (best === null || hit.distance < best.distance)) best = { ...hit, on: side };
+    }
+    return best;
+  }
+
+  #floor(x: number): number {
+    // The fore-edge's height does for a hand, which holds the leaf near its edge.
+    return heightOf(this.#book.engine.pile(x >= 0 ? Side.right : Side.left));
+  }
+}
+
+/** Height of a pile's uppermost page at its fore-edge, metres: the pile's thickness. */
+export function heightOf(pile: Pile): number {
+  return pile.curves[2 * pile.columns - 1];
+}
