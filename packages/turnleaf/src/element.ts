@@ -5,9 +5,10 @@ import { leftPage, pageOf, rightPage, spreadOf } from "./book/spreads.ts";
 import { style } from "./element.css.ts";
 import type { Stock } from "./engine/shapes.ts";
 import { Input } from "./input.ts";
+import { openViewer } from "./open_viewer.ts";
 import { type BookInput, openSource } from "./sources/open.ts";
 import { BookError, type PageSource } from "./sources/page_source.ts";
-import { Viewer } from "./viewer.ts";
+import type { Viewer } from "./viewer.ts";
 
 /** Where a turn leads, in page numbers from 1: the first page seen before and after. */
 export interface TurnDetail {
@@ -295,7 +296,7 @@ export class TurnleafBook extends Base {
       // Another book may be open by now, on the canvas that this one would take away.
       signal.throwIfAborted();
       const canvas = this.#freshCanvas();
-      const viewer = await Viewer.open(
+      const viewer = await openViewer(
         canvas,
         source,
         {

@@ -1,6 +1,6 @@
 /** Pointers and keys become commands to the book. */
 
-import { handCount, Side } from "./engine/engine.ts";
+import { handCount, Side } from "./engine/phases.ts";
 import type { Hold } from "./view/holding.ts";
 import type { Viewer } from "./viewer.ts";
 

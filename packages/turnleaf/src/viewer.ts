@@ -18,14 +18,21 @@ import {
 } from "./book/spreads.ts";
 import { Turning } from "./book/turning.ts";
 import type { BookShape } from "./draw/pose.ts";
-import { Stage } from "./draw/stage.ts";
-import { Cover, EngineBook, Side } from "./engine/engine.ts";
+import type { BookStage } from "./draw/stage.ts";
+import type { BookEngine, BookSize } from "./engine/engine.ts";
+import { Cover, Side } from "./engine/phases.ts";
 import type { Surface } from "./engine/shapes.ts";
 import { PagePictures } from "./pages/page_pictures.ts";
 import type { PageSource } from "./sources/page_source.ts";
 import { type Hold, Holding, heightOf } from "./view/holding.ts";
 import { Picturing, spreadsBetween } from "./view/picturing.ts";
 import { Ticks } from "./view/ticks.ts";
+
+/** What moves a book's leaves and what draws them; the two of a craft are made for each other. */
+export interface Craft {
+  engine(size: BookSize): Promise<BookEngine>;
+  stage(canvas: HTMLCanvasElement, shape: BookShape): BookStage;
+}
 
 /** How a book is shown. */
 export interface ViewerOptions {
@@ -78,8 +85,8 @@ async function leafAspect(source: PageSource, signal: AbortSignal): Promise<numb
 export class Viewer {
   readonly binding: Binding;
   readonly turning: Turning;
-  readonly #engine: EngineBook;
-  readonly #stage: Stage;
+  readonly #engine: BookEngine;
+  readonly #stage: BookStage;
   readonly #pictures: PagePictures;
   readonly #picturing: Picturing;
   readonly #holding: Holding;
@@ -98,11 +105,11 @@ export class Viewer {
   #destroyed = false;
 
   private constructor(
-    canvas: HTMLCanvasElement,
     source: PageSource,
     aspect: number,
     binding: Binding,
-    engine: EngineBook,
+    engine: BookEngine,
+    stage: BookStage,
     shape: BookShape,
     options: ViewerOptions,
   ) {
@@ -111,7 +118,7 @@ export class Viewer {
     this.#nextPaper = options.paper();
     this.#width = shape.width;
     this.#height = shape.height;
-    this.#stage = new Stage(canvas, shape);
+    this.#stage = stage;
     this.#stage.onRestored = () => this.invalidate();
     this.#stage.room = restingRoom;
     this.#pictures = new PagePictures(source, aspect, {
@@ -157,6 +164,7 @@ export class Viewer {
     canvas: HTMLCanvasElement,
     source: PageSource,
     options: ViewerOptions,
+    craft: Craft,
     signal: AbortSignal,
   ): Promise<Viewer> {
     const binding = bind(source.pageCount, options.cover);
@@ -166,7 +174,7 @@ export class Viewer {
     const leaves = paperLeaves(binding);
     // Thicker than the paper would be, so that reading on is seen; but no book is a brick.
     const thickness = 0.024 * (1 - Math.exp((-leaves * 0.0004) / 0.024));
-    const engine = await EngineBook.create({ width, height, leaves, thickness });
+    const engine = await craft.engine({ width, height, leaves, thickness });
     signal.throwIfAborted();
     const { kind } = source;
     const cover = binding.hardCover ? "hard" : "none";
@@ -179,7 +187,8 @@ export class Viewer {
       cloth: options.cloth,
       kind,
     };
-    return new Viewer(canvas, source, aspect, binding, engine, shape, options);
+    const stage = craft.stage(canvas, shape);
+    return new Viewer(source, aspect, binding, engine, stage, shape, options);
   }
 
   /** Fits the book to the canvas's size in CSS pixels. */

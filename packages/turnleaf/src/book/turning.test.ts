@@ -1,7 +1,8 @@
 /** The book's state over the real engine, its clock driven by hand. */
 
 import { expect, test } from "vitest";
-import { EngineBook, Phase } from "../engine/engine.ts";
+import { EngineBook } from "../engine/engine.ts";
+import { Phase } from "../engine/phases.ts";
 import { bind, paperLeaves } from "./spreads.ts";
 import { type Flight, Turning, type TurningEvents } from "./turning.ts";
 

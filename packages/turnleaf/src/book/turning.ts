@@ -4,7 +4,8 @@
  * pointers, screens or clocks.
  */
 
-import { Cover, type EngineBook, isResting, Phase, Side, sideOf } from "../engine/engine.ts";
+import type { BookEngine } from "../engine/engine.ts";
+import { Cover, isResting, Phase, Side, sideOf } from "../engine/phases.ts";
 import { type Binding, isBoard, leafCount, paperOnLeft, waypoints } from "./spreads.ts";
 
 /** A leaf or a board between two spreads. */
@@ -49,7 +50,7 @@ export class Turning {
   /** Length of a whole turn in seconds. */
   seconds = 0.8;
 
-  readonly #engine: EngineBook;
+  readonly #engine: BookEngine;
   readonly #binding: Binding;
   readonly #events: TurningEvents;
   #spread = 0;
@@ -68,7 +69,7 @@ export class Turning {
   /** Rises when everything in flight is put down at once: what was under way is void. */
   #era = 0;
 
-  constructor(engine: EngineBook, binding: Binding, events: TurningEvents) {
+  constructor(engine: BookEngine, binding: Binding, events: TurningEvents) {
     this.#engine = engine;
     this.#binding = binding;
     this.#events = events;

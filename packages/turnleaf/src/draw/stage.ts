@@ -17,6 +17,7 @@ import type { Ray, Vec3 } from "../engine/shapes.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import { fieldOfView, frameBook } from "./camera.ts";
 import { caseSizes } from "./case_shape.ts";
+import { openContext } from "./context.ts";
 import { DrawnBook } from "./drawn_book.ts";
 import { BookMaterials, type LeafSide } from "./materials.ts";
 import type { BookPose, BookShape } from "./pose.ts";
@@ -36,6 +37,9 @@ type Printed = Face | `${LeafSide} ${number}`;
 
 /** Shows a texture on a face; `none` says that it stands for no picture. */
 type Show = (texture: Texture, none: boolean) => void;
+
+/** What draws a book, whether in space or on the flat. */
+export type BookStage = Pick<Stage, keyof Stage>;
 
 /** One book on one canvas. */
 export class Stage {
@@ -214,18 +218,8 @@ export class Stage {
 }
 
 function openRenderer(canvas: HTMLCanvasElement): WebGLRenderer {
-  const context = canvas.getContext("webgl2", {
-    alpha: true,
-    antialias: true,
-    depth: true,
-    stencil: false,
-    premultipliedAlpha: true,
-  });
-  if (!context) {
-    throw new Error(
-      "This book needs WebGL 2, which this browser does not offer or has switched off.",
-    );
-  }
+  const context = openContext(canvas);
+  if (!context) throw new Error("The graphics card has no context to give.");
   const renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: true });
   renderer.outputColorSpace = SRGBColorSpace;
   renderer.setClearColor(0, 0);

@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import { makeOf } from "../book/paper.ts";
-import { Cover, EngineBook, isResting, Phase, Side } from "./engine.ts";
+import { EngineBook } from "./engine.ts";
+import { Cover, isResting, Phase, Side } from "./phases.ts";
 import { columnPlace, stocks } from "./shapes.ts";
 
 const size = { width: 0.14, height: 0.21, leaves: 40, thickness: 0.012 };

@@ -3,6 +3,7 @@
  * book frees all of its memory. Numbers and flat arrays alone cross the wall.
  */
 
+import type { Cover, Phase, Side } from "./phases.ts";
 import {
   type Pile,
   type Stock,
@@ -12,52 +13,6 @@ import {
   type Vec3,
 } from "./shapes.ts";
 import code from "./turnleaf.wasm";
-
-/** A side of the open book, as the engine counts them. */
-export const Side = { right: 0, left: 1 } as const;
-export type Side = (typeof Side)[keyof typeof Side];
-
-/** What a leaf or a board is doing. */
-export const Phase = {
-  restingRight: 0,
-  restingLeft: 1,
-  held: 2,
-  fallingRight: 3,
-  fallingLeft: 4,
-  playingRight: 5,
-  playingLeft: 6,
-  /** The leaf joined its pile: no flight of this number is left. */
-  over: 7,
-} as const;
-export type Phase = (typeof Phase)[keyof typeof Phase];
-
-/** Which cover board. */
-export const Cover = { front: 0, back: 1 } as const;
-export type Cover = (typeof Cover)[keyof typeof Cover];
-
-/** Hands that a leaf tells apart, numbered from 0. */
-export const handCount: number = 4;
-
-/** Whether a phase is one of rest. */
-export function isResting(phase: Phase): boolean {
-  return phase === Phase.restingRight || phase === Phase.restingLeft;
-}
-
-/** The side where a leaf or board rests or is bound for; null while a hand holds it, and once it is over. */
-export function sideOf(phase: Phase): Side | null {
-  switch (phase) {
-    case Phase.restingRight:
-    case Phase.fallingRight:
-    case Phase.playingRight:
-      return Side.right;
-    case Phase.restingLeft:
-    case Phase.fallingLeft:
-    case Phase.playingLeft:
-      return Side.left;
-    default:
-      return null;
-  }
-}
 
 interface Exports {
   memory: WebAssembly.Memory;
@@ -123,6 +78,9 @@ export interface BookSize {
   /** Thickness of all the paper together, metres. */
   readonly thickness: number;
 }
+
+/** What moves a book's leaves and boards, whether as paper or more plainly. */
+export type BookEngine = Pick<EngineBook, keyof EngineBook>;
 
 /**
  * One bound book in the engine, with several leaves of paper in flight. A

@@ -1,8 +1,9 @@
 /** Hands on the book: what they could take hold of, and where they pull it. */
 
 import type { Flight, Turning } from "../book/turning.ts";
-import type { Stage } from "../draw/stage.ts";
-import { type EngineBook, Side } from "../engine/engine.ts";
+import type { BookStage } from "../draw/stage.ts";
+import type { BookEngine } from "../engine/engine.ts";
+import { Side } from "../engine/phases.ts";
 import type { Pile, Ray } from "../engine/shapes.ts";
 import { type Hit, pickPile, pickSurface } from "../hand/pick.ts";
 import { handAt } from "../hand/reach.ts";
@@ -15,8 +16,8 @@ export interface Hold extends Hit {
 
 /** What hands need of the book. */
 export interface HoldingBook {
-  readonly engine: EngineBook;
-  readonly stage: Stage;
+  readonly engine: BookEngine;
+  readonly stage: BookStage;
   readonly turning: Turning;
   /** A page's size, metres. */
   readonly width: number;

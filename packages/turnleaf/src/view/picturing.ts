@@ -10,7 +10,7 @@ import {
 } from "../book/faces.ts";
 import type { Binding } from "../book/spreads.ts";
 import type { Turning } from "../book/turning.ts";
-import type { Stage } from "../draw/stage.ts";
+import type { BookStage } from "../draw/stage.ts";
 import type { PagePictures } from "../pages/page_pictures.ts";
 
 /** Leaves in flight whose pages are drawn as sharp as those at rest: many pass by too fast to be read. */
@@ -24,11 +24,11 @@ export function spreadsBetween({ flights, spread }: Turning): [low: number, high
 /** Brings a book's pictures onto its stage. */
 export class Picturing {
   readonly #binding: Binding;
-  readonly #stage: Stage;
+  readonly #stage: BookStage;
   readonly #turning: Turning;
   readonly #pictures: PagePictures;
 
-  constructor(binding: Binding, stage: Stage, turning: Turning, pictures: PagePictures) {
+  constructor(binding: Binding, stage: BookStage, turning: Turning, pictures: PagePictures) {
     this.#binding = binding;
     this.#stage = stage;
     this.#turning = turning;

@@ -1,8 +1,9 @@
 /** Where pages are seen, measured on the canvas in real Chromium. */
 
 import { afterEach, expect, test } from "vitest";
+import { openViewer } from "../open_viewer.ts";
 import { openSource } from "../sources/open.ts";
-import { Viewer } from "../viewer.ts";
+import type { Viewer } from "../viewer.ts";
 
 /** A page with a black square about a place of it, shares of the page. */
 function marked(x: number, y: number): { src: string } {
@@ -34,7 +35,7 @@ async function opened(page: number, cover: "hard" | "none"): Promise<HTMLCanvasE
   const pages = Array.from({ length: 12 }, () => marked(mark.x, mark.y));
   const source = await openSource(pages, {});
   const nothing = () => {};
-  viewer = await Viewer.open(
+  viewer = await openViewer(
     canvas,
     source,
     {
