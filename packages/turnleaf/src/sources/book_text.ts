@@ -15,6 +15,27 @@ export function cleanText(text: unknown, length: number = limits.titleLength): s
   return [...line].slice(0, length).join("");
 }
 
+/** A piece of a page's text as it is: spaces stay, unprintable characters go, lone halves of characters too. */
+export function cleanRun(text: unknown): string {
+  if (typeof text !== "string") return "";
+  return text
+    .slice(0, limits.runLength)
+    .replace(/[\t\n\r\u2028\u2029]+/g, " ")
+    .replace(unprintable, "")
+    .replace(/\p{Surrogate}/gu, "");
+}
+
+/** An address that a book's link may lead to, of the web or of mail; empty where `address` is none. */
+export function cleanAddress(address: unknown): string {
+  if (typeof address !== "string" || address.length > limits.urlLength) return "";
+  try {
+    const { protocol, href } = new URL(address);
+    return /^(https?|mailto):$/.test(protocol) ? href : "";
+  } catch {
+    return "";
+  }
+}
+
 /** A BCP 47 tag in its canonical form; empty where `tag` is none. */
 export function cleanLanguage(tag: unknown): string {
   const text = cleanText(tag, 60).replaceAll("_", "-");

@@ -55,6 +55,37 @@ describe("a book of images", () => {
     expect(await source.size(0)).toEqual({ width: 40, height: 60 });
   });
 
+  it("draws a part of a page, and no sharper than the image is", async () => {
+    const canvas = new OffscreenCanvas(100, 200);
+    const pen = canvas.getContext("2d")!;
+    pen.fillStyle = "#f00";
+    pen.fillRect(50, 100, 50, 100);
+    const source = await openSource(
+      new File([await canvas.convertToBlob()], "page.png", { type: "image/png" }),
+    );
+    const region = { x: 0.5, y: 0.5, width: 0.25, height: 0.5 };
+    const part = (await source.draw(0, 10, never, region)) as ImageBitmap;
+    expect([part.width, part.height]).toEqual([10, 40]);
+    pen.drawImage(part, 0, 0);
+    expect([...pen.getImageData(5, 2, 1, 1).data]).toEqual([255, 0, 0, 255]);
+    expect((await source.draw(0, 900, never, region)).width).toBe(25);
+    expect((await source.file!()).type).toBe("image/png");
+  });
+
+  it("tells text and links in its image's own pixels", async () => {
+    const box = { x: 400, y: 100, width: 400, height: 50 };
+    const said = { text: [{ ...box, text: "Call" }], links: [{ ...box, page: 1 }], alt: "A whale" };
+    const pages = [{ src: await address(40, 60), width: 4000, height: 1000, ...said }];
+    const source = await openSource({ title: "Atlas", outline: [{ title: "A", page: 1 }], pages });
+    expect((await source.text!(0, never))[0]).toMatchObject(box);
+    await source.draw(0, 40, never);
+    const scaled = { x: 4, y: 6, width: 4, height: 3 };
+    expect((await source.text!(0, never))[0]).toMatchObject(scaled);
+    expect((await source.links!(0, never))[0]).toMatchObject({ ...scaled, to: { page: 1 } });
+    expect(await source.alt!(0, never)).toBe("A whale");
+    expect(await source.outline!(never)).toEqual([{ title: "A", page: 1, children: [] }]);
+  });
+
   it.each(["image/png", "image/jpeg", "image/webp"])("opens one %s as a page", async (type) => {
     const source = await openSource(new File([await image(30, 20, type)], "page"));
     expect(await source.size(0)).toEqual({ width: 30, height: 20 });

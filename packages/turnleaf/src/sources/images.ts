@@ -1,8 +1,17 @@
 import { nameOfUrl } from "./book_text.ts";
 import { fetchChecked, readBounded } from "./fetch_bytes.ts";
-import { fitPixels, isPageSize, limits } from "./limits.ts";
+import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import type { ImageBook, ImagePage } from "./manifest.ts";
-import { BookError, type PagePicture, type PageSize, type PageSource } from "./page_source.ts";
+import {
+  BookError,
+  type OutlineEntry,
+  type PageBox,
+  type PageLink,
+  type PagePicture,
+  type PageSize,
+  type PageSource,
+  type TextRun,
+} from "./page_source.ts";
 import { SharedTasks } from "./shared_tasks.ts";
 
 /** Encoded images kept, so that a page drawn sharper is not fetched again. */
@@ -19,6 +28,8 @@ export class ImageSource implements PageSource {
   readonly direction: "ltr" | "rtl";
   readonly kind: "typeset" | "scan";
   readonly pageCount: number;
+  /** One image alone is a file; many are not. */
+  readonly file?: () => Promise<Blob>;
   readonly #book: ImageBook;
   readonly #sizes: (PageSize | undefined)[];
   readonly #measured = new Set<number>();
@@ -34,6 +45,7 @@ export class ImageSource implements PageSource {
     this.pageCount = book.pages.length;
     this.#book = book;
     this.#sizes = book.pages.map((page) => page.size);
+    if (this.pageCount === 1) this.file = () => this.#image(0);
   }
 
   async size(index: number, signal?: AbortSignal): Promise<PageSize> {
@@ -46,22 +58,53 @@ export class ImageSource implements PageSource {
     return this.#book.pages[index]?.label ?? String(index + 1);
   }
 
-  async draw(index: number, width: number, signal: AbortSignal): Promise<PagePicture> {
+  async draw(
+    index: number,
+    width: number,
+    signal: AbortSignal,
+    region: PageBox = wholePage,
+  ): Promise<PagePicture> {
     const image = await this.#image(index, signal);
     const size = await this.#measure(index, image);
     signal.throwIfAborted();
-    const pixels = fitPixels(size, Math.min(width, size.width));
-    const picture = await this.#decode(index, image, pixels);
+    const part = scaleBox(region, size);
+    const pixels = fitPixels(part, Math.min(width, part.width));
+    const picture = await this.#decode(index, image, region === wholePage ? null : part, pixels);
     if (!signal.aborted && !this.#closed) return picture;
     picture.close();
     signal.throwIfAborted();
     throw new BookError(`${this.#book.name} is closed; open it again.`);
   }
 
+  async text(index: number): Promise<readonly TextRun[]> {
+    return this.#toScale(index, this.#book.pages[index]?.text);
+  }
+
+  async links(index: number): Promise<readonly PageLink[]> {
+    return this.#toScale(index, this.#book.pages[index]?.links);
+  }
+
+  async alt(index: number): Promise<string> {
+    return this.#book.pages[index]?.alt ?? "";
+  }
+
+  async outline(): Promise<readonly OutlineEntry[]> {
+    return this.#book.outline ?? [];
+  }
+
   close(): void {
     this.#closed = true;
     this.#images.clear();
     this.#fetching.abortAll();
+  }
+
+  /** Boxes in the unit of `size()`, which is the image's own pixels once they are known, not what a manifest claims. */
+  #toScale<T extends PageBox>(index: number, boxes: readonly T[] = []): readonly T[] {
+    const claimed = this.#book.pages[index]?.size;
+    const size = this.#sizes[index];
+    if (!claimed || !size) return boxes;
+    const scale = { width: size.width / claimed.width, height: size.height / claimed.height };
+    return boxes.map((box) => ({ ...box, ...scaleBox(box, scale) }));
   }
 
   /** The image's own size, which may differ from what a manifest claims. */
@@ -82,13 +125,21 @@ export class ImageSource implements PageSource {
     return size;
   }
 
-  async #decode(index: number, image: Blob, pixels: PageSize): Promise<ImageBitmap> {
+  /** @param part what of the image is wanted, in its pixels; null for all of it */
+  async #decode(
+    index: number,
+    image: Blob,
+    part: PageBox | null,
+    pixels: PageSize,
+  ): Promise<ImageBitmap> {
+    const options: ImageBitmapOptions = {
+      resizeWidth: pixels.width,
+      resizeHeight: pixels.height,
+      resizeQuality: "high",
+    };
     try {
-      return await createImageBitmap(image, {
-        resizeWidth: pixels.width,
-        resizeHeight: pixels.height,
-        resizeQuality: "high",
-      });
+      if (part === null) return await createImageBitmap(image, options);
+      return await createImageBitmap(image, part.x, part.y, part.width, part.height, options);
     } catch {
       throw this.#undecodable(index);
     }
@@ -141,6 +192,10 @@ export class ImageSource implements PageSource {
     const suffix = file === "this book" ? "" : ` (${file})`;
     return `Page ${index + 1} of ${this.#book.name}${suffix}`;
   }
+}
+
+function scaleBox({ x, y, width, height }: PageBox, by: PageSize): PageBox {
+  return { x: x * by.width, y: y * by.height, width: width * by.width, height: height * by.height };
 }
 
 /** An image's size in pixels, turned upright as its EXIF data says. */

@@ -1,4 +1,4 @@
-import type { PageSize } from "./page_source.ts";
+import type { PageBox, PageSize } from "./page_source.ts";
 
 /**
  * Bounds on everything that comes from a file, so that no book, broken or
@@ -23,7 +23,24 @@ export const limits = {
   urlLength: 4096,
   /** Length of an image written into a manifest as a data: URL. */
   dataUrlLength: 4_000_000,
+  /** Pieces of a page's text, characters of one, and of all. */
+  runs: 8000,
+  runLength: 4000,
+  textLength: 200_000,
+  /** Characters that say what a page's pictures show. */
+  altLength: 2000,
+  /** Links or fields of a page. */
+  annotations: 2000,
+  /** Characters that a field holds, and what a choice offers. */
+  fieldLength: 20_000,
+  options: 500,
+  /** Lines of the contents, and how deep they go. */
+  outlineEntries: 5000,
+  outlineDepth: 8,
 } as const;
+
+/** All of a page, in shares of its size. */
+export const wholePage: PageBox = { x: 0, y: 0, width: 1, height: 1 };
 
 /**
  * The pixels at which a page of `size` is drawn to be `width` wide: whole
@@ -44,6 +61,15 @@ export function fitPixels(size: PageSize, width: number): PageSize {
 /** Whether `size` is one a page can have: finite, positive and within `limits.pageSide`. */
 export function isPageSize(size: PageSize): boolean {
   return isSide(size.width) && isSide(size.height);
+}
+
+/** Whether `box` lies somewhere about a page and has some size. */
+export function isPageBox({ x, y, width, height }: PageBox): boolean {
+  return (
+    Math.abs(x) <= limits.pageSide &&
+    Math.abs(y) <= limits.pageSide &&
+    isPageSize({ width, height })
+  );
 }
 
 function isSide(value: number): boolean {

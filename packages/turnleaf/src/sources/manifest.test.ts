@@ -56,6 +56,79 @@ describe("a good manifest", () => {
   });
 });
 
+describe("what a manifest says of text, links and contents", () => {
+  const box = { x: 10, y: 20, width: 300, height: 40 };
+
+  it("is taken over, cleaned", () => {
+    const { pages, outline } = parse({
+      outline: [{ title: "One", page: 1, children: [{ title: "Web", href: "https://x.example" }] }],
+      pages: [
+        {
+          src: "1.jpg",
+          alt: "A\u0000 whale",
+          text: [
+            { ...box, text: "Call\u202e me" },
+            { ...box, text: "Ishmael", angle: 90, end: false },
+          ],
+          links: [
+            { ...box, page: 1, title: "Back" },
+            { ...box, href: "mailto:ahab@pequod.example" },
+          ],
+        },
+      ],
+    });
+    expect(outline).toEqual([
+      {
+        title: "One",
+        page: 1,
+        children: [{ title: "Web", page: null, href: "https://x.example/", children: [] }],
+      },
+    ]);
+    expect(pages[0]?.alt).toBe("A whale");
+    expect(pages[0]?.text).toEqual([
+      { ...box, text: "Call me", angle: 0, end: true },
+      { ...box, text: "Ishmael", angle: Math.PI / 2, end: false },
+    ]);
+    expect(pages[0]?.links).toEqual([
+      { ...box, title: "Back", to: { page: 1 } },
+      { ...box, title: "", to: { href: "mailto:ahab@pequod.example" } },
+    ]);
+  });
+
+  const page = (members: object): object => ({ pages: [{ src: "1.jpg", ...members }] });
+  const deep = (levels: number): object[] => [
+    { title: "x", ...(levels > 1 ? { children: deep(levels - 1) } : {}) },
+  ];
+  const faults: readonly (readonly [string, unknown, RegExp])[] = [
+    ["text that is none", page({ text: "Call" }), /page 1 has a "text" that is no list; /],
+    ["an empty text", page({ text: [{ ...box }] }), /page 1: text 1 has no "text"; /],
+    ["a text nowhere", page({ text: [{ text: "a" }] }), /page 1: text 1 has no usable place; /],
+    [
+      "an endless text",
+      page({ text: Array(60).fill({ ...box, text: "x".repeat(9999) }) }),
+      /makes the text of the page too long/,
+    ],
+    ["too many", page({ text: Array(8001).fill(0) }), /has a "text" of 8001; write at most 8000/],
+    [
+      "a link to a script",
+      page({ links: [{ ...box, href: "javascript:x" }] }),
+      /address that is none/,
+    ],
+    [
+      "a link out of the book",
+      page({ links: [{ ...box, page: 2 }] }),
+      /that the book does not have/,
+    ],
+    ["a link to nothing", page({ links: [box] }), /page 1: link 1 leads nowhere; /],
+    ["contents too deep", { outline: deep(9), pages: ["1"] }, /contents deeper than 8; /],
+    ["contents without a title", { outline: [{ page: 1 }], pages: ["1"] }, /without a title/],
+  ];
+  it.each(faults)("is refused where it is %s", (_, value, sentence) => {
+    expect(() => parse(value)).toThrow(BookError);
+    expect(() => parse(value)).toThrow(sentence);
+  });
+});
+
 describe("a bad manifest is told in one sentence that names it and the place", () => {
   const cases: readonly (readonly [string, unknown, RegExp])[] = [
     ["null", null, /^book\.json is not a manifest; /],
@@ -121,7 +194,10 @@ it("takes any JSON without another failure than a BookError", () => {
     return Math.floor((state / 2 ** 32) * most);
   };
   const leaves = [null, 0, -1, 1e308, "", "1.jpg", "\ud800", "data:,", true, "__proto__"];
-  const keys = ["pages", "src", "width", "height", "label", "title", "direction", "__proto__"];
+  const keys =
+    "pages src width height label title direction text links outline children href page x y __proto__".split(
+      " ",
+    );
   const grow = (depth: number): unknown => {
     const kind = depth > 4 ? 0 : random(3);
     if (kind === 0) return leaves[random(leaves.length)];

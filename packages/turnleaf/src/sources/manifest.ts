@@ -1,6 +1,15 @@
 import { cleanLanguage, cleanText } from "./book_text.ts";
 import { limits } from "./limits.ts";
-import { BookError, type PageSize } from "./page_source.ts";
+import { fault, isRecord, isSide, textOf } from "./manifest_checks.ts";
+import {
+  type ManifestLink,
+  type ManifestOutline,
+  type ManifestText,
+  parseLinks,
+  parseOutline,
+  parseText,
+} from "./manifest_text.ts";
+import type { OutlineEntry, PageLink, PageSize, TextRun } from "./page_source.ts";
 
 /** One page of a book of images. */
 export interface ImagePage {
@@ -9,6 +18,11 @@ export interface ImagePage {
   /** Pixels, where they are known before the image is there. */
   readonly size?: PageSize;
   readonly label?: string;
+  /** What the image shows, in words. */
+  readonly alt?: string;
+  /** Text and links; their boxes in the unit of `size`, or in the image's own pixels. */
+  readonly text?: readonly TextRun[];
+  readonly links?: readonly PageLink[];
 }
 
 /** A book made of images, checked and with every URL resolved. */
@@ -20,6 +34,7 @@ export interface ImageBook {
   readonly direction: "ltr" | "rtl";
   readonly kind: "typeset" | "scan";
   readonly pages: readonly ImagePage[];
+  readonly outline?: readonly OutlineEntry[];
 }
 
 /** A page as a manifest writes it: a URL, or the URL with what is known of it. */
@@ -30,9 +45,12 @@ export type ManifestPage =
       readonly width?: number;
       readonly height?: number;
       readonly label?: string;
+      readonly alt?: string;
+      readonly text?: readonly ManifestText[];
+      readonly links?: readonly ManifestLink[];
     };
 
-/** What a manifest says: `{title, language, direction, kind, pages}`, all but `pages` optional. */
+/** What a manifest says: `{title, language, direction, kind, outline, pages}`, all but `pages` optional. */
 export interface Manifest {
   readonly title?: string;
   /** BCP 47 tag. */
@@ -40,6 +58,7 @@ export interface Manifest {
   readonly direction?: "ltr" | "rtl";
   /** "scan" unless it says "typeset": pages whose paper is pure white. */
   readonly kind?: "typeset" | "scan";
+  readonly outline?: readonly ManifestOutline[];
   readonly pages: readonly ManifestPage[];
 }
 
@@ -67,27 +86,37 @@ export function parseManifest(value: unknown, base: string, name: string): Image
       `split it into books of at most ${limits.pages}`,
     );
   }
+  const outline = parseOutline(fields, pages.length, name);
   return {
     name,
-    title: text(fields, "title", limits.titleLength, name) || name,
+    title: textOf(fields, "title", limits.titleLength, name) || name,
     language: language(fields.language, name),
     direction: choice(fields, "direction", ["ltr", "rtl"], name),
     kind: choice(fields, "kind", ["scan", "typeset"], name),
-    pages: pages.map((page, index) => parsePage(page, base, `${name}: page ${index + 1}`)),
+    ...(outline.length > 0 ? { outline } : {}),
+    pages: pages.map((page, index) =>
+      parsePage(page, base, pages.length, `${name}: page ${index + 1}`),
+    ),
   };
 }
 
-function parsePage(value: unknown, base: string, place: string): ImagePage {
+function parsePage(value: unknown, base: string, pages: number, place: string): ImagePage {
   const fields = typeof value === "string" ? { src: value } : value;
   if (!isRecord(fields) || typeof fields.src !== "string" || fields.src === "") {
     throw fault(place, 'has no "src"', 'write "001.jpg" or {"src": "001.jpg"}');
   }
   const size = pageSize(fields, place);
-  const label = text(fields, "label", limits.labelLength, place);
+  const label = textOf(fields, "label", limits.labelLength, place);
+  const alt = textOf(fields, "alt", limits.altLength, place);
+  const text = parseText(fields, place);
+  const links = parseLinks(fields, pages, place);
   return {
     src: resolveImage(fields.src, base, place),
     ...(size ? { size } : {}),
     ...(label ? { label } : {}),
+    ...(alt ? { alt } : {}),
+    ...(text.length > 0 ? { text } : {}),
+    ...(links.length > 0 ? { links } : {}),
   };
 }
 
@@ -132,19 +161,6 @@ function pageSize(fields: Record<string, unknown>, place: string): PageSize | nu
   throw fault(place, "has no usable width and height", "give both in pixels, or neither");
 }
 
-function isSide(value: unknown): value is number {
-  return (
-    typeof value === "number" && Number.isFinite(value) && value > 0 && value <= limits.pageSide
-  );
-}
-
-function text(fields: Record<string, unknown>, key: string, most: number, place: string): string {
-  const value = fields[key];
-  if (value === undefined || value === null) return "";
-  if (typeof value !== "string") throw fault(place, `has a ${key} that is no text`, "quote it");
-  return cleanText(value, most);
-}
-
 function language(value: unknown, name: string): string {
   if (value === undefined || value === null || value === "") return "";
   const tag = cleanLanguage(value);
@@ -172,14 +188,6 @@ function choice<T extends string>(
   return found;
 }
 
-function isRecord(value: unknown): value is Record<string, unknown> {
-  return typeof value === "object" && value !== null && !Array.isArray(value);
-}
-
 function shorten(text: string): string {
   return cleanText(text, 80);
-}
-
-function fault(place: string, what: string, remedy: string): BookError {
-  return new BookError(`${place} ${what}; ${remedy}.`);
 }

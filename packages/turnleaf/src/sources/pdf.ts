@@ -1,8 +1,19 @@
 import type { PDFDocumentLoadingTask, PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist";
 import { cleanLanguage, cleanText } from "./book_text.ts";
 import { refusal } from "./fetch_bytes.ts";
-import { fitPixels, isPageSize, limits } from "./limits.ts";
-import { BookError, type PagePicture, type PageSize, type PageSource } from "./page_source.ts";
+import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
+import {
+  BookError,
+  type OutlineEntry,
+  type PageBox,
+  type PageField,
+  type PageLink,
+  type PagePicture,
+  type PageSize,
+  type PageSource,
+  type TextRun,
+} from "./page_source.ts";
+import { fieldsOfPage, linksOfPage } from "./pdf_annotations.ts";
 import {
   loadPdfLibrary,
   PackedDataFactory,
@@ -10,7 +21,12 @@ import {
   startPdfWorker,
   WorkerRefused,
 } from "./pdf_runtime.ts";
+import { outlineOf, PdfTargets } from "./pdf_targets.ts";
+import { textOfPage } from "./pdf_text.ts";
 import { orAborted } from "./shared_tasks.ts";
+
+/** Bits of a protected file's permissions, as ISO 32000 numbers them. */
+const permission = { print: 0x04, copy: 0x10 } as const;
 
 /** Where a PDF's bytes are. */
 export interface PdfInput {
@@ -112,17 +128,14 @@ interface Description {
   readonly direction: "ltr" | "rtl";
   readonly labels: readonly string[] | null;
   readonly openingPage: number;
+  readonly allows: { readonly print: boolean; readonly copy: boolean };
+  readonly targets: PdfTargets;
 }
 
 /** The page at which a PDF asks to be opened; the first where it does not say, or what it says makes no sense. */
-async function openingPageOf(document: PDFDocumentProxy): Promise<number> {
+async function openingPageOf(document: PDFDocumentProxy, targets: PdfTargets): Promise<number> {
   const action = await document.getOpenAction();
-  const target: unknown = action?.get("dest")?.[0];
-  const isReference = typeof target === "object" && target !== null;
-  const index = isReference
-    ? await document.getPageIndex(target as Parameters<typeof document.getPageIndex>[0])
-    : Number(target ?? 0);
-  return Number.isInteger(index) && index >= 0 && index < document.numPages ? index + 1 : 1;
+  return (await targets.page(action?.get("dest"))) ?? 1;
 }
 
 async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<Description> {
@@ -134,11 +147,13 @@ async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<
       `${input.name} has ${count} pages; split it into ones of at most ${limits.pages}.`,
     );
   }
-  const [metadata, preferences, labels, openingPage] = await Promise.all([
+  const targets = new PdfTargets(document);
+  const [metadata, preferences, labels, openingPage, permissions] = await Promise.all([
     document.getMetadata().catch(() => null),
     document.getViewerPreferences().catch(() => null),
     document.getPageLabels().catch(() => null),
-    openingPageOf(document).catch(() => 1),
+    openingPageOf(document, targets).catch(() => 1),
+    document.getPermissions().catch(() => null),
   ]);
   const info = (metadata?.info ?? {}) as Record<string, unknown>;
   return {
@@ -149,6 +164,11 @@ async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<
     direction: preferences?.get("Direction") === "R2L" ? "rtl" : "ltr",
     labels,
     openingPage,
+    allows: {
+      print: permissions?.has(permission.print) ?? true,
+      copy: permissions?.has(permission.copy) ?? true,
+    },
+    targets,
   };
 }
 
@@ -158,11 +178,13 @@ class PdfSource implements PageSource {
   readonly direction: "ltr" | "rtl";
   readonly pageCount: number;
   readonly openingPage: number;
+  readonly allows: { readonly print: boolean; readonly copy: boolean };
   readonly kind = "typeset";
   readonly #pdfjs: PdfLibrary;
   readonly #name: string;
   readonly #document: PDFDocumentProxy;
   readonly #labels: readonly string[] | null;
+  readonly #targets: PdfTargets;
   readonly #stop: () => void;
   /** Pages in the order in which they were last drawn. */
   readonly #drawn = new Map<number, PDFPageProxy>();
@@ -174,10 +196,12 @@ class PdfSource implements PageSource {
     this.direction = description.direction;
     this.pageCount = description.document.numPages;
     this.openingPage = description.openingPage;
+    this.allows = description.allows;
     this.#pdfjs = pdfjs;
     this.#name = description.name;
     this.#document = description.document;
     this.#labels = description.labels;
+    this.#targets = description.targets;
     this.#stop = stop;
   }
 
@@ -189,15 +213,23 @@ class PdfSource implements PageSource {
     return cleanText(this.#labels?.[index], limits.labelLength) || String(index + 1);
   }
 
-  async draw(index: number, width: number, signal: AbortSignal): Promise<PagePicture> {
+  async draw(
+    index: number,
+    width: number,
+    signal: AbortSignal,
+    region: PageBox = wholePage,
+  ): Promise<PagePicture> {
     const page = await this.#page(index, signal);
     const size = this.#sizeOf(page, index);
-    const pixels = fitPixels(size, width);
+    const part = { width: size.width * region.width, height: size.height * region.height };
+    const pixels = fitPixels(part, width);
     const canvas = new OffscreenCanvas(pixels.width, pixels.height);
-    const scale = pixels.width / size.width;
+    const scale = pixels.width / part.width;
+    const offsetX = -region.x * size.width * scale;
+    const offsetY = -region.y * size.height * scale;
     const task = page.render({
       canvas: canvas as unknown as HTMLCanvasElement,
-      viewport: page.getViewport({ scale }),
+      viewport: page.getViewport({ scale, offsetX, offsetY }),
     });
     const cancel = (): void => task.cancel();
     signal.addEventListener("abort", cancel, { once: true });
@@ -214,11 +246,47 @@ class PdfSource implements PageSource {
     }
   }
 
+  async text(index: number, signal: AbortSignal): Promise<readonly TextRun[]> {
+    return await this.#read(index, signal, (page) => textOfPage(page, signal));
+  }
+
+  async links(index: number, signal: AbortSignal): Promise<readonly PageLink[]> {
+    return await this.#read(index, signal, (page) => linksOfPage(page, this.#targets));
+  }
+
+  async fields(index: number, signal: AbortSignal): Promise<readonly PageField[]> {
+    return await this.#read(index, signal, fieldsOfPage);
+  }
+
+  async outline(signal: AbortSignal): Promise<readonly OutlineEntry[]> {
+    return await orAborted(outlineOf(this.#document, this.#targets), signal);
+  }
+
+  async file(): Promise<Blob> {
+    return new Blob([(await this.#document.getData()) as Uint8Array<ArrayBuffer>], {
+      type: "application/pdf",
+    });
+  }
+
   close(): void {
     if (this.#closed) return;
     this.#closed = true;
     this.#drawn.clear();
     this.#stop();
+  }
+
+  /** What `read` finds on a page; its failures are told as those of drawing are. */
+  async #read<T>(
+    index: number,
+    signal: AbortSignal,
+    read: (page: PDFPageProxy) => Promise<T>,
+  ): Promise<T> {
+    const page = await this.#page(index, signal);
+    try {
+      return await orAborted(read(page), signal);
+    } catch (error) {
+      throw this.#told(error, index, signal);
+    }
   }
 
   #sizeOf(page: PDFPageProxy, index: number): PageSize {

@@ -1,0 +1,103 @@
+import type { PDFPageProxy } from "pdfjs-dist";
+import { cleanText } from "./book_text.ts";
+import { isPageBox, limits } from "./limits.ts";
+import type { PageBox, PageField, PageLink } from "./page_source.ts";
+import type { PdfTargets } from "./pdf_targets.ts";
+
+/** What pdf.js says of an annotation, as far as it is used here; what stands in the file can be anything. */
+interface Annotation {
+  readonly subtype?: string;
+  readonly rect: readonly number[];
+  readonly url?: string | null;
+  readonly dest?: unknown;
+  readonly action?: string | null;
+  readonly contentsObj?: { readonly str?: string };
+  readonly hidden?: boolean;
+  readonly readOnly?: boolean;
+  readonly fieldType?: string | null;
+  readonly fieldName?: string;
+  readonly fieldValue?: unknown;
+  readonly alternativeText?: string;
+  readonly checkBox?: boolean;
+  readonly radioButton?: boolean;
+  readonly password?: boolean;
+  readonly exportValue?: string;
+  readonly buttonValue?: string | null;
+  readonly options?: readonly { readonly exportValue?: string; readonly displayValue?: string }[];
+  readonly multiSelect?: boolean;
+  readonly multiLine?: boolean;
+  readonly maxLen?: number;
+}
+
+/** The links of a page. Rejects as pdf.js does. */
+export async function linksOfPage(page: PDFPageProxy, targets: PdfTargets): Promise<PageLink[]> {
+  const links = await annotationsOf(page, (one) => one.subtype === "Link");
+  const found = links.map(async (one): Promise<PageLink | null> => {
+    const to = await targets.of(one, page.pageNumber);
+    const box = boxOf(page, one);
+    return to && box && { ...box, title: cleanText(one.contentsObj?.str), to };
+  });
+  return (await Promise.all(found)).filter((link) => link !== null);
+}
+
+/** The form fields of a page: text, check boxes, radio buttons and choices. Rejects as pdf.js does. */
+export async function fieldsOfPage(page: PDFPageProxy): Promise<PageField[]> {
+  const widgets = await annotationsOf(page, (one) => one.subtype === "Widget" && !one.hidden);
+  return widgets.flatMap((one) => {
+    const kind = kindOf(one);
+    const box = boxOf(page, one);
+    return kind && box ? [fieldOf(one, kind, box)] : [];
+  });
+}
+
+async function annotationsOf(
+  page: PDFPageProxy,
+  isWanted: (one: Annotation) => boolean,
+): Promise<Annotation[]> {
+  const all: Annotation[] = await page.getAnnotations();
+  return all.filter(isWanted).slice(0, limits.annotations);
+}
+
+function boxOf(page: PDFPageProxy, { rect }: Annotation): PageBox | null {
+  const [a, b, c, d, e, f] = page.getViewport({ scale: 1 }).transform as readonly number[];
+  const [x1, x2] = [a * rect[0] + c * rect[1] + e, a * rect[2] + c * rect[3] + e];
+  const [y1, y2] = [b * rect[0] + d * rect[1] + f, b * rect[2] + d * rect[3] + f];
+  const box = {
+    x: Math.min(x1, x2),
+    y: Math.min(y1, y2),
+    width: Math.abs(x2 - x1),
+    height: Math.abs(y2 - y1),
+  };
+  return isPageBox(box) ? box : null;
+}
+
+function kindOf(one: Annotation): PageField["kind"] | null {
+  if (one.fieldType === "Tx") return one.password ? null : "text";
+  if (one.fieldType === "Ch") return one.multiSelect ? null : "choice";
+  if (one.fieldType !== "Btn") return null;
+  return one.checkBox ? "check" : one.radioButton ? "radio" : null;
+}
+
+function fieldOf(one: Annotation, kind: PageField["kind"], box: PageBox): PageField {
+  const most = limits.fieldLength;
+  const said = Array.isArray(one.fieldValue) ? one.fieldValue[0] : one.fieldValue;
+  const held = typeof said === "string" ? said.slice(0, most) : "";
+  const on = cleanText((kind === "check" ? one.exportValue : one.buttonValue) ?? "");
+  const isSwitch = kind === "check" || kind === "radio";
+  const options = (one.options ?? []).slice(0, limits.options).map((option) => ({
+    value: cleanText(option.exportValue),
+    label: cleanText(option.displayValue),
+  }));
+  return {
+    ...box,
+    kind,
+    name: cleanText(one.fieldName),
+    title: cleanText(one.alternativeText) || cleanText(one.fieldName),
+    value: isSwitch && held !== on ? "" : held,
+    on: isSwitch ? on : "",
+    options: kind === "choice" ? options : [],
+    multiline: one.multiLine === true,
+    readonly: one.readOnly === true,
+    maxLength: Math.min(Math.max(Math.floor(Number(one.maxLen)) || 0, 0), most),
+  };
+}
