@@ -22,16 +22,9 @@ const viewer = {
   "open_viewer.ts": ["draw", "sources", "solid.ts", "viewer.ts"],
   "input.ts": ["engine", "view", "viewer.ts"],
   "element.css.ts": [],
-  "element.ts": [
-    "book",
-    "engine",
-    "sources",
-    "viewer.ts",
-    "open_viewer.ts",
-    "input.ts",
-    "element.css.ts",
-  ],
-  "index.ts": ["book", "engine", "element.ts", "sources"],
+  element: ["book", "engine", "sources", "viewer.ts", "open_viewer.ts", "input.ts"],
+  "element.ts": ["book", "element", "engine", "sources", "viewer.ts", "element.css.ts"],
+  "index.ts": ["book", "element", "engine", "element.ts", "sources"],
   "element_for_tests.ts": ["element.ts", "index.ts"],
 };
 

@@ -1,7 +1,8 @@
 /** The element in real Chromium: opening, turning, failing, going away. */
 
 import { afterEach, expect, test } from "vitest";
-import type { TurnDetail, TurnleafBook } from "./element.ts";
+import type { TurnDetail } from "./element/events.ts";
+import type { TurnleafBook } from "./element.ts";
 import { book, happens, scan, scans, settled } from "./element_for_tests.ts";
 
 const message = (element: TurnleafBook) =>

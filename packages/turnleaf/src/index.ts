@@ -8,7 +8,8 @@
 import { TurnleafBook } from "./element.ts";
 
 export type { Paper } from "./book/paper.ts";
-export { type TurnDetail, TurnleafBook, type TurnleafEventMap } from "./element.ts";
+export type { TurnDetail, TurnleafEventMap } from "./element/events.ts";
+export { TurnleafBook } from "./element.ts";
 export type { Stock, StockFigures, Vec3 } from "./engine/shapes.ts";
 export type { BookInput } from "./sources/open.ts";
 export { BookError, type OutlineEntry } from "./sources/page_source.ts";

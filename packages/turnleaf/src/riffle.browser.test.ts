@@ -2,7 +2,8 @@
 
 import { afterEach, expect, test } from "vitest";
 import { DrawnBook } from "./draw/drawn_book.ts";
-import type { TurnDetail, TurnleafBook } from "./element.ts";
+import type { TurnDetail } from "./element/events.ts";
+import type { TurnleafBook } from "./element.ts";
 import { book, happens, scans, settled } from "./element_for_tests.ts";
 
 const pose = DrawnBook.prototype.pose;

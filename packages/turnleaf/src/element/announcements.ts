@@ -1,0 +1,41 @@
+/** What the element says in words: to those who look, and to those who listen. */
+
+import { leftPage, rightPage } from "../book/spreads.ts";
+import type { PageSource } from "../sources/page_source.ts";
+import type { Viewer } from "../viewer.ts";
+
+/** The two places in an element's shadow tree where it speaks. */
+export class Announcements {
+  readonly #message: HTMLElement = document.createElement("div");
+  readonly #live: HTMLElement = document.createElement("div");
+
+  constructor(root: ShadowRoot) {
+    this.#message.setAttribute("part", "message");
+    this.#message.setAttribute("role", "status");
+    this.#live.className = "live";
+    this.#live.setAttribute("aria-live", "polite");
+    root.append(this.#message, this.#live);
+  }
+
+  /** Shows a sentence where the page would be; an empty one takes it away. */
+  say(sentence: string, role: "status" | "alert" = "status"): void {
+    this.#message.setAttribute("role", role);
+    this.#message.textContent = sentence;
+    this.#message.hidden = sentence === "";
+  }
+
+  /** Tells those who listen rather than look. */
+  announce(text: string): void {
+    this.#live.textContent = text;
+  }
+}
+
+/** Which pages lie open, such as "Pages iv and v of 112". */
+export function openPages(source: PageSource, viewer: Viewer): string {
+  const { spread } = viewer.turning;
+  const seen = [leftPage(viewer.binding, spread), rightPage(viewer.binding, spread)]
+    .filter((page): page is number => page !== null)
+    .map((page) => source.label(page - 1));
+  const pages = `${seen.length === 1 ? "Page" : "Pages"} ${seen.join(" and ")}`;
+  return `${seen.length === 0 ? "Back" : pages} of ${source.pageCount}`;
+}

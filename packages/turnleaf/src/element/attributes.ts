@@ -1,0 +1,66 @@
+/** The attributes of `<turnleaf-book>`: what each says, and what a change of it asks for. */
+
+import { isStock, type Paper } from "../book/paper.ts";
+import type { Stock } from "../engine/shapes.ts";
+
+/** What a change of an attribute can ask of the element. */
+export interface Answers {
+  /** Another book: it opens at its beginning. */
+  open(): void;
+  /** The same book, bound anew, where it lay. */
+  rebind(): void;
+  /** The book turns to a page. */
+  goTo(page: number): void;
+  /** The leaves are made of another paper. */
+  changePaper(): void;
+  /** Turns take another time. */
+  changePace(): void;
+}
+
+/** Every attribute that is answered when it changes, and how. */
+export const attributes: Readonly<
+  Record<string, (answers: Answers, value: string | null) => void>
+> = {
+  src: (answers) => answers.open(),
+  page: (answers, value) => answers.goTo(Number(value)),
+  cover: (answers) => answers.rebind(),
+  cloth: (answers) => answers.rebind(),
+  duration: (answers) => answers.changePace(),
+  stock: (answers) => answers.changePaper(),
+  assist: (answers) => answers.changePaper(),
+};
+
+/** `stock`: a preset; "book" where the attribute names none. */
+export function stockOf(element: Element): Stock {
+  const stock = element.getAttribute("stock");
+  return isStock(stock) ? stock : "book";
+}
+
+/** The paper that the attributes name. */
+export function paperOf(element: Element): Paper {
+  return { stock: stockOf(element), assist: element.getAttribute("assist") !== "off" };
+}
+
+/** `duration`: length of a turn in seconds; 0.8 where the attribute gives none up to a minute. */
+export function turnSecondsOf(element: Element): number {
+  const milliseconds = Number(element.getAttribute("duration") ?? 800);
+  return milliseconds > 0 && milliseconds <= 60_000 ? milliseconds / 1000 : 0.8;
+}
+
+/** How the book is bound: `cover` and `cloth`. */
+export function bindingOf(element: Element): { cover: "hard" | "none"; cloth: string } {
+  return {
+    cover: element.getAttribute("cover") === "none" ? "none" : "hard",
+    cloth: element.getAttribute("cloth") ?? "#6a2a26",
+  };
+}
+
+/** Takes over what was set before the element was defined: it lies on the element and hides the accessors. */
+export function adopt(element: HTMLElement, names: readonly string[]): void {
+  for (const name of names) {
+    if (!Object.hasOwn(element, name)) continue;
+    const { value } = Object.getOwnPropertyDescriptor(element, name) ?? {};
+    Reflect.deleteProperty(element, name);
+    Reflect.set(element, name, value);
+  }
+}

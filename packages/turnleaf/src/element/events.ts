@@ -1,0 +1,20 @@
+/** What `<turnleaf-book>` tells its page. */
+
+/** Where a turn leads, in page numbers from 1: the first page seen before and after. */
+export interface TurnDetail {
+  readonly from: number;
+  readonly to: number;
+  readonly direction: "forward" | "backward";
+}
+
+/** The events of `<turnleaf-book>` by name. */
+export interface TurnleafEventMap {
+  /** The book is open and can be turned. */
+  load: CustomEvent<{ pageCount: number; title: string }>;
+  /** A leaf leaves its side, by hand or by command. */
+  turnstart: CustomEvent<TurnDetail>;
+  /** The book came to rest at another spread. */
+  pagechange: CustomEvent<TurnDetail>;
+  /** The book could not be opened; the sentence says why. */
+  error: CustomEvent<{ message: string }>;
+}

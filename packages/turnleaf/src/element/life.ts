@@ -1,0 +1,131 @@
+/** The life of the book in an element: opened, fitted to the element's size, closed. */
+
+import { Input } from "../input.ts";
+import { openViewer } from "../open_viewer.ts";
+import { type BookInput, openSource } from "../sources/open.ts";
+import type { PageSource } from "../sources/page_source.ts";
+import type { Viewer, ViewerOptions } from "../viewer.ts";
+
+/** A book that lies open: where its pages come from, what shows it, and the canvas it is shown on. */
+export interface OpenBook {
+  readonly source: PageSource;
+  readonly viewer: Viewer;
+  readonly canvas: HTMLCanvasElement;
+}
+
+/** What an element tells and is told of its book's life. */
+export interface LifeHooks {
+  /** How a book is shown. */
+  options(source: PageSource): ViewerOptions;
+  /** Turns one leaf on (1) or back (-1), as the reader likes it: with a turn or without. */
+  turn(by: 1 | -1): void;
+  /** A book lies open. */
+  opened(book: OpenBook): void;
+  /** It could not be opened. */
+  failed(error: unknown): void;
+}
+
+/** At most one book at a time, open or about to be. */
+export class Life {
+  readonly #element: HTMLElement;
+  readonly #hooks: LifeHooks;
+  #book: (OpenBook & { readonly ended: AbortController; readonly input: Input }) | null = null;
+  #opening: AbortController | null = null;
+  #canvas: HTMLCanvasElement | null = null;
+
+  constructor(element: HTMLElement, hooks: LifeHooks) {
+    this.#element = element;
+    this.#hooks = hooks;
+  }
+
+  /** The book that lies open, if one does. */
+  get book(): OpenBook | null {
+    return this.#book;
+  }
+
+  /** Opens a book in place of the one before. */
+  open(input: BookInput): void {
+    this.close();
+    const opening = new AbortController();
+    this.#opening = opening;
+    this.#open(input, opening.signal).catch((error: unknown) => {
+      if (opening.signal.aborted) return;
+      this.close();
+      this.#hooks.failed(error);
+    });
+  }
+
+  /** Closes what is open or about to be, and frees all it holds. */
+  close(): void {
+    this.#opening?.abort();
+    this.#opening = null;
+    const book = this.#book;
+    if (book) {
+      book.ended.abort();
+      book.input.destroy();
+      book.viewer.destroy();
+      book.source.close();
+    }
+    this.#book = null;
+    this.#canvas?.remove();
+    this.#canvas = null;
+  }
+
+  async #open(input: BookInput, signal: AbortSignal): Promise<void> {
+    const source = await openSource(input, { signal });
+    try {
+      // Another book may be open by now, on the canvas that this one would take away.
+      signal.throwIfAborted();
+      const canvas = this.#freshCanvas();
+      const viewer = await openViewer(canvas, source, this.#hooks.options(source), signal);
+      if (signal.aborted) viewer.destroy();
+      signal.throwIfAborted();
+      const turn = (by: 1 | -1): void => this.#hooks.turn(by);
+      const hands = new Input(canvas, this.#element, viewer, turn);
+      const ended = new AbortController();
+      this.#book = { source, viewer, canvas, input: hands, ended };
+      this.#follow(viewer, ended.signal);
+    } catch (error) {
+      source.close();
+      throw error;
+    }
+    this.#hooks.opened(this.#book);
+  }
+
+  /** A canvas whose context was given up cannot be used again: every book gets its own. */
+  #freshCanvas(): HTMLCanvasElement {
+    this.#canvas?.remove();
+    const canvas = document.createElement("canvas");
+    canvas.setAttribute("part", "canvas");
+    canvas.setAttribute("role", "img");
+    // Before all that lies upon it.
+    this.#element.shadowRoot?.prepend(canvas);
+    this.#canvas = canvas;
+    return canvas;
+  }
+
+  /** Keeps a book as large as its element, at the screen's pixel ratio. */
+  #follow(viewer: Viewer, signal: AbortSignal): void {
+    const resize = (): void => {
+      const { clientWidth, clientHeight } = this.#element;
+      if (clientWidth > 0 && clientHeight > 0) {
+        viewer.resize(clientWidth, clientHeight, devicePixelRatio);
+      }
+    };
+    const observer = new ResizeObserver(resize);
+    observer.observe(this.#element);
+    signal.addEventListener("abort", () => observer.disconnect(), { once: true });
+    watchRatio(resize, signal);
+    resize();
+  }
+}
+
+/** Follows the screen's pixel ratio, which changes with the zoom and from screen to screen. */
+function watchRatio(changed: () => void, signal: AbortSignal): void {
+  const media = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
+  const again = (): void => {
+    changed();
+    watchRatio(changed, signal);
+  };
+  media.addEventListener("change", again, { once: true, signal });
+}
