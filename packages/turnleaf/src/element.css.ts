@@ -3,6 +3,7 @@ export const style: string = `
 :host { display: block; position: relative; overflow: hidden; min-height: 12rem; outline: none; }
 :host(:focus-visible) { outline: 2px solid rgb(60 110 180 / 0.7); outline-offset: -2px; }
 :host([hidden]) { display: none; }
+[part="stage"] { position: absolute; inset: 0; overflow: hidden; }
 canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: pan-y; }
 [part="message"] {
   position: absolute; inset: 0; margin: auto; width: min(20rem, 70%); aspect-ratio: 2 / 3; max-height: 84%;

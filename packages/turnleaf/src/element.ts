@@ -32,7 +32,9 @@ export class TurnleafBook extends Base {
   /** Attributes that are answered when they change. */
   static readonly observedAttributes: readonly string[] = Object.keys(attributes);
 
-  readonly #life = new Life(this, {
+  /** What the book lies on: the element without its controls. */
+  readonly #stage = document.createElement("div");
+  readonly #life = new Life(this, this.#stage, {
     options: (source) => this.#options(source),
     turn: (by) => void this.#turn(by),
     opened: (book) => this.#opened(book),
@@ -226,7 +228,9 @@ export class TurnleafBook extends Base {
       const sheet = new CSSStyleSheet();
       sheet.replaceSync(style);
       root.adoptedStyleSheets = [sheet];
-      this.#words = new Announcements(root);
+      this.#stage.setAttribute("part", "stage");
+      root.append(this.#stage);
+      this.#words = new Announcements(this.#stage);
     }
     if (!this.hasAttribute("tabindex")) this.tabIndex = 0;
     if (!this.hasAttribute("role")) this.setAttribute("role", "group");

@@ -9,7 +9,7 @@ export class Announcements {
   readonly #message: HTMLElement = document.createElement("div");
   readonly #live: HTMLElement = document.createElement("div");
 
-  constructor(root: ShadowRoot) {
+  constructor(root: ParentNode) {
     this.#message.setAttribute("part", "message");
     this.#message.setAttribute("role", "status");
     this.#live.className = "live";

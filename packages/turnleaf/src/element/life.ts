@@ -28,13 +28,19 @@ export interface LifeHooks {
 /** At most one book at a time, open or about to be. */
 export class Life {
   readonly #element: HTMLElement;
+  readonly #stage: HTMLElement;
   readonly #hooks: LifeHooks;
   #book: (OpenBook & { readonly ended: AbortController; readonly input: Input }) | null = null;
   #opening: AbortController | null = null;
   #canvas: HTMLCanvasElement | null = null;
 
-  constructor(element: HTMLElement, hooks: LifeHooks) {
+  /**
+   * @param element whose keys turn pages
+   * @param stage the place for the canvas, which is as large
+   */
+  constructor(element: HTMLElement, stage: HTMLElement, hooks: LifeHooks) {
     this.#element = element;
+    this.#stage = stage;
     this.#hooks = hooks;
   }
 
@@ -99,21 +105,21 @@ export class Life {
     canvas.setAttribute("part", "canvas");
     canvas.setAttribute("role", "img");
     // Before all that lies upon it.
-    this.#element.shadowRoot?.prepend(canvas);
+    this.#stage.prepend(canvas);
     this.#canvas = canvas;
     return canvas;
   }
 
-  /** Keeps a book as large as its element, at the screen's pixel ratio. */
+  /** Keeps a book as large as its stage, at the screen's pixel ratio. */
   #follow(viewer: Viewer, signal: AbortSignal): void {
     const resize = (): void => {
-      const { clientWidth, clientHeight } = this.#element;
+      const { clientWidth, clientHeight } = this.#stage;
       if (clientWidth > 0 && clientHeight > 0) {
         viewer.resize(clientWidth, clientHeight, devicePixelRatio);
       }
     };
     const observer = new ResizeObserver(resize);
-    observer.observe(this.#element);
+    observer.observe(this.#stage);
     signal.addEventListener("abort", () => observer.disconnect(), { once: true });
     watchRatio(resize, signal);
     resize();
