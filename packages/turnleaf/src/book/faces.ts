@@ -105,7 +105,9 @@ export function pagesWanted(
     faces.push(verso, recto);
   }
   const inSight = existing(faces);
-  for (const s of [to, high + 1, low - 1, high + 2]) {
+  // The next turn, the one back, and the one after the next.
+  const nexts = binding.reversed ? [low - 1, high + 1, low - 2] : [high + 1, low - 1, high + 2];
+  for (const s of [to, ...nexts]) {
     faces.push(leftPage(binding, s), rightPage(binding, s));
   }
   if (low <= 1) faces.push(boards.frontOutside, boards.frontInside);

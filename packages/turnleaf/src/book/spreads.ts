@@ -1,30 +1,100 @@
 /**
  * Which page lies where: the arithmetic of leaves and spreads.
  *
- * Leaf k (from 0) carries page 2k + 1 on its recto and 2k + 2 on its verso;
- * pages count from 1. At spread s, s leaves lie on the left: page 2s faces page
- * 2s + 1. With hard covers the first and the last leaf are the boards.
+ * Leaf k (from 0) has two faces, recto 2k and verso 2k + 1, counted as they lie
+ * in a book that is bound on its left or, rolled by a quarter turn, at its top:
+ * it turns from the right to the left. A book that is bound on its right or at
+ * its bottom is the same book with its pages counted from the other end. At
+ * spread s, s leaves lie on the left: face 2s - 1 is seen beside face 2s. Pages
+ * count from 1. With hard covers the first and the last leaf are the boards.
  */
 
-/** A book's leaves and covers. */
+/** The edge at which a book is bound, as its reader holds it. */
+export type Edge = "left" | "right" | "top" | "bottom";
+
+/** Pages on both sides of every leaf and two of them seen, or one on each leaf and alone in sight. */
+export type Layout = "spread" | "single";
+
+/** What holds the leaves: boards in cloth, card, or nothing. */
+export type CoverKind = "hard" | "soft" | "none";
+
+/** How a book is to be bound; what is left out is as usual: at the left, as spreads, page 1 alone. */
+export interface BindingOptions {
+  readonly edge?: Edge;
+  readonly layout?: Layout;
+  /** 1: page 1 has nothing beside it, as usual; 0: pages 1 and 2 face each other. */
+  readonly offset?: 0 | 1;
+  /** Pages (from 1) on leaves of board. */
+  readonly hardPages?: Iterable<number>;
+}
+
+/** A book's leaves and covers, and where its pages are on them. */
 export interface Binding {
   readonly pageCount: number;
+  /** Leaves, boards included; also the number of the spread at which all lie on the left. */
+  readonly leaves: number;
   /** Whether the first and the last leaf are stiff boards. */
   readonly hardCover: boolean;
+  /** Whether the first and the last leaf are card. */
+  readonly softCover: boolean;
+  readonly edge: Edge;
+  readonly layout: Layout;
+  /** Whether reading goes from the left of the engine's book to its right. */
+  readonly reversed: boolean;
+  /** Whether the spine lies across the screen: the engine's right is then below it. */
+  readonly rolled: boolean;
+  /** The first and the last spread at which the book may lie open: without boards, no bare one. */
+  readonly first: number;
+  readonly last: number;
+  /** Leaves of board among the paper, from 0. */
+  readonly hardLeaves: ReadonlySet<number>;
+  /** The face of page 1 in the order of reading, and how many faces on each next page is. */
+  readonly lead: number;
+  readonly step: 1 | 2;
 }
 
 /** Fewest leaves with which two boards still hold paper between them. */
 const leavesForBoards = 3;
 
 /** A book's binding: hard covers only where paper is left between them. */
-export function bind(pageCount: number, cover: "hard" | "none"): Binding {
-  const leaves = Math.ceil(pageCount / 2);
-  return { pageCount, hardCover: cover === "hard" && leaves >= leavesForBoards };
+export function bind(pageCount: number, cover: CoverKind, options: BindingOptions = {}): Binding {
+  const { edge = "left", layout = "spread", offset = 1, hardPages = [] } = options;
+  const step = layout === "single" ? 2 : 1;
+  const shifted = step === 1 && offset === 0;
+  // Where no page is left for the boards they are bare, and page 1 has a leaf's back to itself.
+  const bareBoards = shifted && cover === "hard";
+  const lead = bareBoards ? 3 : shifted ? 1 : 0;
+  const faces = lead + step * (pageCount - 1) + 1;
+  const leaves = Math.ceil(faces / 2) + (bareBoards ? 1 : 0);
+  const hardCover = cover === "hard" && leaves >= leavesForBoards;
+  const reversed = edge === "right" || edge === "bottom";
+  // A spread with nothing on it but bare paper is no place to lie open at.
+  const begin = lead === 0 || hardCover ? 0 : 1;
+  const end = step === 2 || (faces < 2 * leaves && !hardCover) ? leaves - 1 : leaves;
+  const binding = {
+    pageCount,
+    leaves,
+    hardCover,
+    softCover: cover === "soft" && leaves >= leavesForBoards,
+    edge,
+    layout,
+    reversed,
+    rolled: edge === "top" || edge === "bottom",
+    first: reversed ? leaves - end : begin,
+    last: reversed ? leaves - begin : end,
+    hardLeaves: new Set<number>(),
+    lead,
+    step,
+  } as const;
+  for (const page of hardPages) {
+    if (page >= 1 && page <= pageCount) binding.hardLeaves.add(faceOfPage(binding, page) >> 1);
+  }
+  return binding;
 }
 
-/** Leaves of the book, boards included; also the number of its last spread. */
+/** Leaves of the book, boards included; also the number of the spread at which all lie on the left. */
 export function leafCount(binding: Binding): number {
-  return Math.ceil(binding.pageCount / 2);
+  return binding.leaves;
 }
 
 /** Leaves of paper, without the boards. */
@@ -43,32 +113,59 @@ export function isBoard(binding: Binding, k: number): boolean {
   return binding.hardCover && (k === 0 || k === leafCount(binding) - 1);
 }
 
-/** The page on the left at spread `s`, or null on the closed book. */
+/** The page on the engine's left at spread `s`, or null where there is none. */
 export function leftPage(binding: Binding, s: number): number | null {
-  return existing(binding, 2 * s);
+  return pageOnFace(binding, 2 * s - 1);
 }
 
-/** The page on the right at spread `s`, or null on the closed book. */
+/** The page on the engine's right at spread `s`, or null where there is none. */
 export function rightPage(binding: Binding, s: number): number | null {
-  return existing(binding, 2 * s + 1);
+  return pageOnFace(binding, 2 * s);
 }
 
-function existing(binding: Binding, page: number): number | null {
-  return page >= 1 && page <= binding.pageCount ? page : null;
+/** The pages that lie open at spread `s`, in the order of reading. */
+export function pagesAt(binding: Binding, s: number): number[] {
+  const pages = [leftPage(binding, s), rightPage(binding, s)].filter((page) => page !== null);
+  return binding.reversed ? pages.reverse() : pages;
+}
+
+/** Which way the spreads count as reading goes on. */
+export function forward(binding: Binding): 1 | -1 {
+  return binding.reversed ? -1 : 1;
+}
+
+/** A spread as near as may be to `s` at which the book may lie open. */
+export function clampSpread(binding: Binding, s: number): number {
+  return Math.min(Math.max(s, binding.first), binding.last);
 }
 
 /** The spread that shows page `page` (clamped to the book). */
 export function spreadOf(binding: Binding, page: number): number {
   const clamped = Math.min(Math.max(Math.round(page) || 1, 1), binding.pageCount);
-  return Math.floor(clamped / 2);
+  return (faceOfPage(binding, clamped) + 1) >> 1;
 }
 
 /**
- * The first page seen at spread `s`: the left one, on the closed front the
- * cover; on a closed back without a page of its own, the last page.
+ * The first page seen at spread `s`, in the order of reading; on a closed side
+ * without a page of its own, the nearest.
  */
 export function pageOf(binding: Binding, s: number): number {
-  return leftPage(binding, s) ?? rightPage(binding, s) ?? binding.pageCount;
+  const [page] = pagesAt(binding, s);
+  if (page !== undefined) return page;
+  const read = binding.reversed ? leafCount(binding) - s : s;
+  return 2 * read <= binding.lead ? 1 : binding.pageCount;
+}
+
+/** The face of a page, which is of this book. */
+function faceOfPage(binding: Pick<Binding, "lead" | "step" | "reversed" | "leaves">, page: number) {
+  const read = binding.lead + binding.step * (page - 1);
+  return binding.reversed ? 2 * binding.leaves - 1 - read : read;
+}
+
+function pageOnFace(binding: Binding, face: number): number | null {
+  const read = binding.reversed ? 2 * leafCount(binding) - 1 - face : face;
+  const page = (read - binding.lead) / binding.step + 1;
+  return Number.isInteger(page) && page >= 1 && page <= binding.pageCount ? page : null;
 }
 
 /** Leaves that a way turns one by one, at most. */

@@ -150,7 +150,8 @@ export class Turning {
       side === Side.right
         ? [this.#rightEnd, this.#rightEnd + 1]
         : [this.#leftEnd - 1, this.#leftEnd];
-    if (low < 0 || high > leafCount(this.#binding) || !this.#mayFly(low)) return null;
+    const { first, last } = this.#binding;
+    if (low < first || high > last || !this.#mayFly(low)) return null;
     this.#plan = [];
     return this.#take(side, low, high);
   }
@@ -245,7 +246,7 @@ export class Turning {
 
   #planTurn(by: 1 | -1): void {
     const spread = this.destination + by;
-    if (spread < 0 || spread > leafCount(this.#binding)) return;
+    if (spread < this.#binding.first || spread > this.#binding.last) return;
     if (this.#plan.length >= mostWaiting) return;
     this.#plan.push(spread);
     this.#isJump = false;

@@ -1,0 +1,63 @@
+/** How a book is to be bound and laid out, from what is asked for and the space there is. */
+
+import type { CoverKind, Edge, Layout } from "./spreads.ts";
+
+/** What is asked for; "auto" leaves it to the book or to the space. */
+export interface BindingWish {
+  readonly cover: CoverKind;
+  readonly binding: "auto" | Edge;
+  readonly layout: "auto" | Layout;
+  readonly offset: 0 | 1;
+  /** Page numbers and ranges from 1, such as "1-2,9". */
+  readonly hardPages: string;
+}
+
+/** The edge at which a book is bound that reads in a direction. */
+export function edgeFor(wish: BindingWish["binding"], direction: "ltr" | "rtl"): Edge {
+  return wish === "auto" ? (direction === "rtl" ? "right" : "left") : wish;
+}
+
+/**
+ * A page alone is shown where it is so much larger than in a spread, and goes
+ * back where it is less so: between the two shares, the layout stays.
+ */
+const singleBelow = 0.6;
+const spreadAbove = 0.68;
+
+/**
+ * The layout for a place.
+ *
+ * @param aspect a page's width over its height
+ * @param rolled whether the two pages of a spread lie one above the other
+ * @param width,height of the place, both 0 while it is not known
+ * @param before the layout there was, null at first
+ */
+export function layoutFor(
+  wish: BindingWish["layout"],
+  aspect: number,
+  rolled: boolean,
+  width: number,
+  height: number,
+  before: Layout | null,
+): Layout {
+  if (wish !== "auto") return wish;
+  if (width === 0 || height === 0) return before ?? "spread";
+  const [across, down] = rolled ? [1, 2] : [2, 1];
+  const inSpread = Math.min(height / down, width / across / aspect);
+  const share = inSpread / Math.min(height, width / aspect);
+  return share < (before === "single" ? spreadAbove : singleBelow) ? "single" : "spread";
+}
+
+/** Most numbers of a list of pages that are read: a longer one is no list of pages. */
+const mostNumbers = 10_000;
+
+/** The pages that a list such as "1-2,9" names, those of a book of `pageCount`; what is no number names none. */
+export function pagesNamed(list: string, pageCount: number): number[] {
+  const pages = new Set<number>();
+  for (const part of list.split(",", mostNumbers)) {
+    const [, from, to = from] = /^\s*(\d+)\s*(?:-\s*(\d+)\s*)?$/.exec(part) ?? [];
+    const last = Math.min(Number(to), pageCount);
+    for (let page = Math.max(Number(from), 1); page <= last; page++) pages.add(page);
+  }
+  return [...pages];
+}
