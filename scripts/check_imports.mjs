@@ -20,7 +20,7 @@ const viewer = {
   "viewer.ts": ["book", "draw", "engine", "pages", "sources", "view"],
   "solid.ts": ["draw", "engine", "viewer.ts"],
   "open_viewer.ts": ["draw", "sources", "solid.ts", "viewer.ts"],
-  "input.ts": ["engine", "view", "viewer.ts"],
+  "input.ts": ["book", "engine", "view", "viewer.ts"],
   "element.css.ts": [],
   element: ["book", "engine", "sources", "viewer.ts", "open_viewer.ts", "input.ts"],
   "element.ts": ["book", "element", "engine", "sources", "viewer.ts", "element.css.ts"],

@@ -201,9 +201,12 @@ test("a book that was replaced while it opened leaves the other alone", async ()
 test("a book stays where it lies in other covers, and comes back where it was asked for", async () => {
   const element = book(scans(12), { page: "6" });
   await happens(element, "load");
+  const canvas = element.shadowRoot?.querySelector("canvas");
   element.setAttribute("cloth", "#234");
-  await happens(element, "load");
+  element.setAttribute("cover", "none");
+  await settled(element);
   expect(element.page).toBe(6);
+  expect(element.shadowRoot?.querySelector("canvas")).toBe(canvas);
 
   element.remove();
   element.setAttribute("page", "9");

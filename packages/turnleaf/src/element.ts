@@ -1,19 +1,19 @@
 /** `<turnleaf-book>`: a book on a web page. */
 
 import type { Paper } from "./book/paper.ts";
-import { pageOf, spreadOf } from "./book/spreads.ts";
+import { directionOf, forward, leftPage, pageOf, rightPage, spreadOf } from "./book/spreads.ts";
 import { Announcements, openPages } from "./element/announcements.ts";
 import {
   type Answers,
   adopt,
   attributes,
-  bindingOf,
   paperOf,
   stockOf,
   turnSecondsOf,
 } from "./element/attributes.ts";
 import type { TurnleafEventMap } from "./element/events.ts";
 import { Life, type OpenBook } from "./element/life.ts";
+import { wishOf } from "./element/wish.ts";
 import { style } from "./element.css.ts";
 import type { Stock } from "./engine/shapes.ts";
 import type { BookInput } from "./sources/open.ts";
@@ -113,6 +113,20 @@ export class TurnleafBook extends Base {
     return this.#viewer?.settled ?? false;
   }
 
+  /** The pages that lie open, by the side they are seen on: left, or above the spine; right, or below it. */
+  get spread(): { left: number | null; right: number | null } {
+    const viewer = this.#viewer;
+    if (!viewer) return { left: null, right: null };
+    const { binding, turning } = viewer;
+    return { left: leftPage(binding, turning.spread), right: rightPage(binding, turning.spread) };
+  }
+
+  /** Which way the book is read: as it is bound, else as its source says. */
+  get direction(): "ltr" | "rtl" {
+    const edge = this.#viewer?.binding.edge ?? this.getAttribute("binding");
+    return edge === "right" ? "rtl" : "ltr";
+  }
+
   /** What a page (from 1) calls itself, such as "iv" or "23". */
   label(page: number): string {
     const source = this.#life.book?.source;
@@ -168,10 +182,7 @@ export class TurnleafBook extends Base {
       this.#left = null;
       this.#reopen();
     },
-    rebind: () => {
-      this.#leave();
-      this.#reopen();
-    },
+    rebind: () => this.#viewer?.rebind(wishOf(this)),
     goTo: (page) => void this.goTo(page),
     changePaper: () => this.#viewer?.setPaper(this.#leaves),
     changePace: () => {
@@ -207,8 +218,9 @@ export class TurnleafBook extends Base {
   #turn(by: 1 | -1): Promise<boolean> {
     const viewer = this.#viewer;
     if (viewer === undefined) return Promise.resolve(false);
-    if (this.#calm) return this.#lay(viewer, viewer.turning.destination + by);
-    const landed = viewer.turning.turn(by);
+    const way = (by * forward(viewer.binding)) as 1 | -1;
+    if (this.#calm) return this.#lay(viewer, viewer.turning.destination + way);
+    const landed = viewer.turning.turn(way);
     viewer.invalidate();
     return landed;
   }
@@ -247,13 +259,14 @@ export class TurnleafBook extends Base {
 
   #options(source: PageSource): ViewerOptions {
     return {
-      ...bindingOf(this),
+      ...wishOf(this),
       paper: () => this.#leaves,
       page: () => this.#firstPage(source),
       turnSeconds: () => turnSecondsOf(this),
       onStart: (low, high, forward) => this.#started(low, high, forward),
       onRest: (from, to) => this.#rested(from, to),
       onFailure: (sentence) => this.#words?.announce(sentence),
+      onLayout: () => this.#laidOut(),
     };
   }
 
@@ -265,11 +278,11 @@ export class TurnleafBook extends Base {
     this.#emit("load", { pageCount: source.pageCount, title: source.title });
   }
 
-  #started(low: number, high: number, forward: boolean): void {
+  #started(low: number, high: number, toLeft: boolean): void {
     const binding = this.#viewer?.binding;
     if (binding === undefined) return;
-    const [from, to] = forward ? [low, high] : [high, low];
-    const direction = forward ? "forward" : "backward";
+    const [from, to] = toLeft ? [low, high] : [high, low];
+    const direction = directionOf(binding, from, to);
     this.#emit("turnstart", { from: pageOf(binding, from), to: pageOf(binding, to), direction });
   }
 
@@ -277,8 +290,15 @@ export class TurnleafBook extends Base {
     const binding = this.#viewer?.binding;
     if (binding === undefined || from === to) return;
     this.#describe();
-    const direction = to > from ? "forward" : "backward";
+    const direction = directionOf(binding, from, to);
     this.#emit("pagechange", { from: pageOf(binding, from), to: pageOf(binding, to), direction });
+  }
+
+  #laidOut(): void {
+    const binding = this.#viewer?.binding;
+    if (binding === undefined) return;
+    this.#describe();
+    this.#emit("layoutchange", { layout: binding.layout, binding: binding.edge });
   }
 
   /** Says which pages lie open, to those who hear it. */

@@ -1,5 +1,7 @@
 /** Pointers and keys become commands to the book. */
 
+import { turnOfKey } from "./book/layout.ts";
+import { forward } from "./book/spreads.ts";
 import { handCount, Side } from "./engine/phases.ts";
 import type { Hold } from "./view/holding.ts";
 import type { Viewer } from "./viewer.ts";
@@ -95,7 +97,8 @@ export class Input {
     if (press.dragging) {
       this.#viewer.release(press.hand);
     } else if (event.type === "pointerup" && !isFlying(press.hold)) {
-      this.#turn(press.hold.on === Side.right ? 1 : -1);
+      const way = forward(this.#viewer.binding);
+      this.#turn(press.hold.on === Side.right ? way : (-way as 1 | -1));
     }
   }
 
@@ -108,10 +111,10 @@ export class Input {
 
   #key(event: KeyboardEvent): void {
     if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
-    const by = { ArrowRight: 1, PageDown: 1, ArrowLeft: -1, PageUp: -1 }[event.key];
-    if (by === undefined) return;
+    const by = turnOfKey(event.key, this.#viewer.binding.edge);
+    if (by === 0) return;
     event.preventDefault();
-    this.#turn(by as 1 | -1);
+    this.#turn(by);
   }
 
   /** Where a pointer is on the canvas, CSS pixels. */

@@ -7,26 +7,16 @@
 
 import { faceOf } from "./book/faces.ts";
 import { makeOf, type Paper } from "./book/paper.ts";
-import {
-  type Binding,
-  bind,
-  leafCount,
-  leftPage,
-  paperLeaves,
-  rightPage,
-  spreadOf,
-} from "./book/spreads.ts";
-import { Turning } from "./book/turning.ts";
+import { type Binding, clampSpread, pageOf, pagesAt, spreadOf } from "./book/spreads.ts";
+import type { Turning } from "./book/turning.ts";
 import type { BookShape } from "./draw/pose.ts";
 import type { BookStage } from "./draw/stage.ts";
 import type { BookEngine, BookSize } from "./engine/engine.ts";
-import { Cover, Side } from "./engine/phases.ts";
-import type { Surface } from "./engine/shapes.ts";
+import { Side } from "./engine/phases.ts";
 import { PagePictures } from "./pages/page_pictures.ts";
 import type { PageSource } from "./sources/page_source.ts";
-import { type Hold, Holding, heightOf } from "./view/holding.ts";
-import { Picturing, spreadsBetween } from "./view/picturing.ts";
-import { Ticks } from "./view/ticks.ts";
+import { type Bindable, type BindingPlan, Bound, planBinding, type Wish } from "./view/bound.ts";
+import type { Hold } from "./view/holding.ts";
 
 /** What moves a book's leaves and what draws them; the two of a craft are made for each other. */
 export interface Craft {
@@ -35,10 +25,7 @@ export interface Craft {
 }
 
 /** How a book is shown. */
-export interface ViewerOptions {
-  readonly cover: "hard" | "none";
-  /** Colour of the boards' cloth, as CSS writes it. */
-  readonly cloth: string;
+export interface ViewerOptions extends Partial<Wish> {
   /** What the leaves are made of, asked for when the book lies open. */
   readonly paper: () => Paper;
   /** The page (from 1) at which the book lies open first, asked for when it does. */
@@ -51,7 +38,19 @@ export interface ViewerOptions {
   readonly onRest: (from: number, to: number) => void;
   /** A page that lies open cannot be shown; the sentence says why. */
   readonly onFailure: (sentence: string) => void;
+  /** The book is laid out or bound in another way than before. */
+  readonly onLayout?: () => void;
 }
+
+/** How a book is bound where nothing is said. */
+const usualWish: Wish = {
+  cover: "hard",
+  cloth: "#6a2a26",
+  binding: "auto",
+  layout: "auto",
+  offset: 1,
+  hardPages: "",
+};
 
 /** Room above the head, from none to that of a leaf standing upright: at rest, and while something turns. */
 const restingRoom = 0.5;
@@ -59,9 +58,6 @@ const turningRoom = 1;
 
 /** Time in seconds in which the camera does two thirds of its way between the two. */
 const roomTime = 0.11;
-
-/** A square-rooted page area of 140 x 210 mm, metres: every book has paper of this size. */
-const paperSize = Math.sqrt(0.14 * 0.21);
 
 /**
  * A leaf's width over its height: that of an inner page, as covers often have
@@ -83,45 +79,43 @@ async function leafAspect(source: PageSource, signal: AbortSignal): Promise<numb
 
 /** One book on one canvas. */
 export class Viewer {
-  readonly binding: Binding;
-  readonly turning: Turning;
-  readonly #engine: BookEngine;
+  readonly #book: Bindable;
+  readonly #options: ViewerOptions;
   readonly #stage: BookStage;
   readonly #pictures: PagePictures;
-  readonly #picturing: Picturing;
-  readonly #holding: Holding;
-  readonly #ticks: Ticks;
   readonly #listeners = new Set<() => void>();
-  readonly #width: number;
-  readonly #height: number;
+  #bound: Bound;
+  #wish: Wish;
+  /** The page to keep in sight however the book is bound. */
+  #place: number;
+  #mustRebind = false;
   #cssWidth = 0;
+  #cssHeight = 0;
   #pixelRatio = 1;
   #frame = 0;
   #room = restingRoom;
   /** Paper that waits for the leaves in flight to land. */
-  #nextPaper: Paper | null;
+  #nextPaper: Paper | null = null;
   /** The view that listeners were told of last. */
   #toldView = "";
   #destroyed = false;
 
   private constructor(
     source: PageSource,
-    aspect: number,
-    binding: Binding,
+    book: Bindable,
+    plan: BindingPlan,
     engine: BookEngine,
     stage: BookStage,
-    shape: BookShape,
     options: ViewerOptions,
   ) {
-    this.binding = binding;
-    this.#engine = engine;
-    this.#nextPaper = options.paper();
-    this.#width = shape.width;
-    this.#height = shape.height;
+    this.#book = book;
+    this.#options = options;
+    this.#wish = { ...usualWish, ...options };
+    this.#place = options.page();
     this.#stage = stage;
     this.#stage.onRestored = () => this.invalidate();
     this.#stage.room = restingRoom;
-    this.#pictures = new PagePictures(source, aspect, {
+    this.#pictures = new PagePictures(source, book.aspect, {
       onArrive: (page) => {
         this.#show();
         const sentence = this.#pictures.failure(page);
@@ -129,30 +123,7 @@ export class Viewer {
       },
       onDrop: (picture) => this.#stage.forget(picture),
     });
-    this.turning = new Turning(engine, binding, {
-      started: (flight) => {
-        this.#show();
-        options.onStart(flight.low, flight.high, flight.to === Side.left);
-      },
-      landed: () => this.#show(),
-      rested: (from, to) => {
-        this.#changePaper();
-        options.onRest(from, to);
-      },
-    });
-    this.#picturing = new Picturing(binding, this.#stage, this.turning, this.#pictures);
-    this.#holding = new Holding({
-      engine,
-      stage: this.#stage,
-      turning: this.turning,
-      width: shape.width,
-      height: shape.height,
-      hasLeaf: (side) => this.#hasLeaf(side),
-    });
-    this.#ticks = new Ticks(engine.tick);
-    this.turning.seconds = options.turnSeconds();
-    this.#changePaper();
-    this.turning.lay(spreadOf(binding, options.page()));
+    this.#bound = this.#bind(plan, engine);
   }
 
   /**
@@ -167,42 +138,51 @@ export class Viewer {
     craft: Craft,
     signal: AbortSignal,
   ): Promise<Viewer> {
-    const binding = bind(source.pageCount, options.cover);
-    const aspect = await leafAspect(source, signal);
-    const width = paperSize * Math.sqrt(aspect);
-    const height = paperSize / Math.sqrt(aspect);
-    const leaves = paperLeaves(binding);
-    // Thicker than the paper would be, so that reading on is seen; but no book is a brick.
-    const thickness = 0.024 * (1 - Math.exp((-leaves * 0.0004) / 0.024));
-    const engine = await craft.engine({ width, height, leaves, thickness });
+    const book = { source, aspect: await leafAspect(source, signal) };
+    const { clientWidth, clientHeight } = canvas;
+    const plan = planBinding(book, { ...usualWish, ...options }, clientWidth, clientHeight);
+    const engine = await craft.engine(plan.shape);
     signal.throwIfAborted();
-    const { kind } = source;
-    const cover = binding.hardCover ? "hard" : "none";
-    const shape: BookShape = {
-      width,
-      height,
-      thickness,
-      leaves,
-      cover,
-      cloth: options.cloth,
-      kind,
-    };
-    const stage = craft.stage(canvas, shape);
-    return new Viewer(source, aspect, binding, engine, stage, shape, options);
+    const stage = craft.stage(canvas, plan.shape);
+    return new Viewer(source, book, plan, engine, stage, options);
+  }
+
+  /** How the book is bound now. Another once `rebind` has done its work. */
+  get binding(): Binding {
+    return this.#bound.binding;
+  }
+
+  /** Where the book lies open and how it gets elsewhere; another with every binding. */
+  get turning(): Turning {
+    return this.#bound.turning;
+  }
+
+  /**
+   * Binds the book anew, as soon as it lies still, with the page in sight that
+   * is in sight now. What is left out stays as it was.
+   */
+  rebind(changes: Partial<Wish>): void {
+    this.#wish = { ...this.#wish, ...changes };
+    this.#mustRebind = true;
+    if (!this.turning.moving) this.#bindAnew();
   }
 
   /** Fits the book to the canvas's size in CSS pixels. */
   resize(cssWidth: number, cssHeight: number, pixelRatio: number): void {
     this.#cssWidth = cssWidth;
+    this.#cssHeight = cssHeight;
     this.#pixelRatio = pixelRatio;
     this.#stage.resize(cssWidth, cssHeight, pixelRatio);
+    if (this.#plan().binding.layout !== this.binding.layout) this.rebind({});
     this.#show();
   }
 
   /** Opens the book at a spread (clamped to the book) without a turn. */
   lay(spread: number): void {
-    this.turning.lay(Math.min(Math.max(spread, 0), leafCount(this.binding)));
+    this.turning.lay(clampSpread(this.binding, spread));
     this.#changePaper();
+    this.#keepPlace();
+    if (this.#mustRebind) this.#bindAnew();
     this.#show();
   }
 
@@ -220,23 +200,23 @@ export class Viewer {
 
   /** What a hand at a place on the canvas (CSS pixels) could hold, or null. */
   pick(x: number, y: number): Hold | null {
-    return this.#holding.pick(x, y);
+    return this.#bound.holding.pick(x, y);
   }
 
   /** A hand takes hold where `pick` found something; the leaf then follows `drag`. */
   grab(hold: Hold, hand: number): boolean {
-    return !this.#destroyed && this.#holding.grab(hold, hand);
+    return !this.#destroyed && this.#bound.holding.grab(hold, hand);
   }
 
   /** A hand that holds something moves to a place on the canvas, CSS pixels. */
   drag(hand: number, x: number, y: number): void {
-    if (!this.#destroyed && this.#holding.drag(hand, x, y)) this.invalidate();
+    if (!this.#destroyed && this.#bound.holding.drag(hand, x, y)) this.invalidate();
   }
 
   /** A hand lets go. */
   release(hand: number): void {
     if (this.#destroyed) return;
-    this.#holding.release(hand);
+    this.#bound.holding.release(hand);
     this.invalidate();
   }
 
@@ -276,30 +256,31 @@ export class Viewer {
     this.#destroyed = true;
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
-    this.turning.close();
+    this.#bound.destroy();
     this.#pictures.close();
     this.#stage.destroy();
-    this.#engine.destroy();
   }
 
   #draw(now: number): void {
     this.#frame = 0;
-    const ticks = this.#ticks.pass(now);
+    const { engine, ticks } = this.#bound;
+    const passed = ticks.pass(now);
     // Without a turn nothing in the engine has moved since the book was laid open.
     const turned = this.turning.moving;
-    const turning = turned && this.turning.step(ticks);
+    const turning = turned && this.turning.step(passed);
     // Whoever hears of a turn may take the book away at once.
     if (this.#destroyed) return;
-    const stepping = this.#stepBack(turning, ticks * this.#engine.tick);
-    if (stepping) this.#holding.follow();
+    if (!turning && this.#mustRebind) this.#bindAnew();
+    else if (turned) engine.update();
+    const stepping = this.#stepBack(turning, passed * engine.tick);
+    if (stepping) this.#bound.holding.follow();
     const moving = turning || stepping;
-    if (turned) this.#engine.update();
-    this.#pose();
+    this.#stage.pose(this.#bound.pose());
     this.#stage.draw({ resting: !moving });
     this.#pictures.paused = moving;
     if (moving) this.invalidate();
     else {
-      this.#ticks.stop();
+      this.#bound.ticks.stop();
       this.#tellView();
     }
   }
@@ -314,7 +295,7 @@ export class Viewer {
 
   #changePaper(): void {
     if (this.#nextPaper === null || this.turning.flights.length > 0) return;
-    makeOf(this.#nextPaper, this.#engine);
+    makeOf(this.#nextPaper, this.#bound.engine);
     this.#nextPaper = null;
   }
 
@@ -329,52 +310,81 @@ export class Viewer {
     return !arrived;
   }
 
-  #pose(): void {
-    const engine = this.#engine;
-    const { flights } = this.turning;
-    const paper = paperLeaves(this.binding) > 0;
-    const [low, high] = spreadsBetween(this.turning);
-    const boards = this.binding.hardCover ? 1 : 0;
-    const [left, right] = [engine.pile(Side.left), engine.pile(Side.right)];
-    const leaves: Surface[] = [];
-    for (const [index, { part }] of flights.entries()) {
-      if (part === "leaf") leaves.push(engine.surface(index));
-    }
-    this.#stage.pose({
-      left: paper && low > boards ? left : null,
-      right: paper && high < leafCount(this.binding) - boards ? right : null,
-      leaves,
-      lean: paper ? (heightOf(right) - heightOf(left)) / 2 : 0,
-      frontBoard: engine.boardAngle(Cover.front),
-      backBoard: engine.boardAngle(Cover.back),
+  #plan(): BindingPlan {
+    return planBinding(
+      this.#book,
+      this.#wish,
+      this.#cssWidth,
+      this.#cssHeight,
+      this.binding.layout,
+    );
+  }
+
+  /** Binds the book as planned, at the page to keep in sight. */
+  #bind(plan: BindingPlan, engine: BookEngine): Bound {
+    const options = this.#options;
+    const bound = new Bound(plan, engine, this.#stage, this.#pictures, {
+      started: (flight) => {
+        this.#show();
+        options.onStart(flight.low, flight.high, flight.to === Side.left);
+      },
+      landed: () => this.#show(),
+      rested: (from, to) => {
+        this.#changePaper();
+        this.#keepPlace();
+        options.onRest(from, to);
+      },
     });
+    bound.turning.seconds = options.turnSeconds();
+    makeOf(options.paper(), engine);
+    this.#nextPaper = null;
+    bound.turning.lay(spreadOf(plan.binding, this.#place));
+    return bound;
+  }
+
+  #bindAnew(): void {
+    this.#mustRebind = false;
+    const before = this.#bound;
+    const plan = this.#plan();
+    this.#stage.bind(plan.shape);
+    this.#bound = this.#bind(plan, before.engine.another(plan.shape));
+    before.destroy();
+    this.#toldView = "";
+    const { edge, layout } = before.binding;
+    if (edge !== this.binding.edge || layout !== this.binding.layout) this.#options.onLayout?.();
+    this.#show();
+  }
+
+  /** Of two pages in sight, the one that was asked for stays the place. */
+  #keepPlace(): void {
+    const { spread } = this.turning;
+    if (!pagesAt(this.binding, spread).includes(this.#place)) {
+      this.#place = pageOf(this.binding, spread);
+    }
   }
 
   /** Brings every face's picture up to date, and asks for the pages wanted next. */
   #show(): void {
     if (this.#destroyed) return;
-    if (this.#cssWidth > 0) this.#picturing.want(this.#pictureWidth());
-    this.#picturing.show();
+    if (this.#cssWidth > 0) this.#bound.picturing.want(this.#pictureWidth());
+    this.#bound.picturing.show();
     this.invalidate();
   }
 
-  #hasLeaf(side: Side): boolean {
-    const [low, high] = spreadsBetween(this.turning);
-    return side === Side.right ? high < leafCount(this.binding) : low > 0;
-  }
-
   #lieOpen(page: number): boolean {
-    const { spread } = this.turning;
-    return page === leftPage(this.binding, spread) || page === rightPage(this.binding, spread);
+    return pagesAt(this.binding, this.turning.spread).includes(page);
   }
 
   /** Width in device pixels at which a page looks sharp, in steps, so that a small change of size redraws nothing. */
   #pictureWidth(): number {
-    const middle = 0.4 * this.#height;
+    const { width, height, rolled, alone } = this.#bound.shape;
+    const [u, v] = rolled
+      ? [0.6 * width * (alone || 1), height]
+      : [width * (alone || 1), 0.4 * height];
     // As seen at rest: the pages of a turn are those of the rest after it.
     this.#stage.room = restingRoom;
-    const spine = this.#stage.project([0, middle, 0]);
-    const edge = this.#stage.project([this.#width, middle, 0]);
+    const spine = this.#stage.project(rolled ? [u, 0, 0] : [0, v, 0]);
+    const edge = this.#stage.project([u, v, 0]);
     this.#stage.room = this.#room;
     const onScreen = Math.hypot(edge.x - spine.x, edge.y - spine.y) * Math.max(this.#pixelRatio, 2);
     return Math.min(Math.ceil((onScreen * 1.2) / 256) * 256, 2048);

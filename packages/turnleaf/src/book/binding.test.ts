@@ -100,7 +100,6 @@ test("bound on the right, the second page lies left of the third, and on goes to
 
 test("random books: the leaves on both sides are all there are, and hard pages share a leaf", () => {
   const seed = Math.floor(Math.random() * 2 ** 31);
-  console.log(`seed ${seed}`);
   let state = seed;
   const random = (below: number): number => {
     state = (Math.imul(state, 1664525) + 1013904223) >>> 0;

@@ -48,6 +48,21 @@ export function layoutFor(
   return share < (before === "single" ? spreadAbove : singleBelow) ? "single" : "spread";
 }
 
+/**
+ * Which way a key turns a book bound at an edge: 1 on, -1 back, 0 for a key that
+ * turns nothing. Arrows point to where the leaf lies that is turned; on a book
+ * that turns up or down, those to the sides do as on one bound at the left.
+ */
+export function turnOfKey(key: string, edge: Edge): 1 | 0 | -1 {
+  if (key === "PageDown") return 1;
+  if (key === "PageUp") return -1;
+  const across = { ArrowRight: 1, ArrowLeft: -1 }[key] ?? 0;
+  const down = { ArrowDown: 1, ArrowUp: -1 }[key] ?? 0;
+  if (edge === "left") return across as 1 | 0 | -1;
+  if (edge === "right") return -across as 1 | 0 | -1;
+  return (across || (edge === "top" ? down : -down)) as 1 | 0 | -1;
+}
+
 /** Most numbers of a list of pages that are read: a longer one is no list of pages. */
 const mostNumbers = 10_000;
 

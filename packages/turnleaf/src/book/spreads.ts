@@ -134,6 +134,11 @@ export function forward(binding: Binding): 1 | -1 {
   return binding.reversed ? -1 : 1;
 }
 
+/** Whether a way from one spread to another goes on in the book or back. */
+export function directionOf(binding: Binding, from: number, to: number): "forward" | "backward" {
+  return (to - from) * forward(binding) > 0 ? "forward" : "backward";
+}
+
 /** A spread as near as may be to `s` at which the book may lie open. */
 export function clampSpread(binding: Binding, s: number): number {
   return Math.min(Math.max(s, binding.first), binding.last);

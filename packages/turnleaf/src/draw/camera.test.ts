@@ -10,6 +10,8 @@ const shape: BookShape = {
   cover: "hard",
   cloth: "#6a2a26",
   kind: "typeset",
+  rolled: false,
+  alone: 0,
 };
 const rim = 0.0032;
 const framing = (part: Partial<Framing>): Framing => ({

@@ -34,6 +34,14 @@ const closedAzimuth = 9;
 
 const radians = Math.PI / 180;
 
+/** Around an open book, around one page of it, and around a closed one. */
+const openMargins: Margins = { sides: 0.035, top: 0.03, bottom: 0.05 };
+const aloneMargins: Margins = { sides: 0.012, top: 0.03, bottom: 0.04 };
+const closedMargins: Margins = { sides: 0.12, top: 0.1, bottom: 0.1 };
+
+/** How much beyond the spine is seen beside a page that stands alone, as a share of its width. */
+const sliver = 0.03;
+
 /** What the camera needs to know of a pose. */
 export interface Framing {
   /** 0 open, 1 closed over the right block. */
@@ -55,38 +63,47 @@ export function frameBook(shape: BookShape, framing: Framing, aspect: number, ri
   const closed = Math.min(1, right + left);
   const elevation = openElevation + (closedElevation - openElevation) * closed;
   const azimuth = closedAzimuth * (left - right);
-  const axes = axesOf(elevation * radians, azimuth * radians);
-  const margins = { sides: 0.035, top: 0.03, bottom: 0.05 };
-
-  const open = fitPoints(openPoints(shape, framing, rim), axes, aspect, margins);
+  const axes = axesOf(elevation * radians, azimuth * radians, shape.rolled);
+  const { alone } = shape;
+  const open =
+    alone === 0
+      ? fitPoints(openPoints(shape, framing, rim), axes, aspect, openMargins)
+      : fitPoints(alonePoints(shape, framing, alone), axes, aspect, aloneMargins);
   const fit: Fit = [...open];
   for (const [share, sign] of [
     [right, 1],
     [left, -1],
   ]) {
     if (share <= 0) continue;
-    const shut = fitPoints(closedPoints(shape, framing, sign, rim), axes, aspect, {
-      sides: 0.12,
-      top: 0.1,
-      bottom: 0.1,
-    });
+    const shut = fitPoints(closedPoints(shape, framing, sign, rim), axes, aspect, closedMargins);
     for (let k = 0; k < 3; k++) fit[k] += (shut[k] - open[k]) * share;
   }
   return viewOf(fit, axes);
 }
 
-/** The three axes of a camera `elevation` above the table that is turned `azimuth` about the upright, radians. */
-export function axesOf(elevation: number, azimuth: number): Pick<View, "right" | "up" | "back"> {
+/**
+ * The three axes in book space of a camera `elevation` above the table that is
+ * turned `azimuth` about the upright, radians.
+ *
+ * @param rolled whether the camera stands where the book's right side is near
+ */
+export function axesOf(
+  elevation: number,
+  azimuth: number,
+  rolled = false,
+): Pick<View, "right" | "up" | "back"> {
   const [ce, se, ca, sa] = [
     Math.cos(elevation),
     Math.sin(elevation),
     Math.cos(azimuth),
     Math.sin(azimuth),
   ];
+  const turned = (x: number, y: number, z: number): [number, number, number] =>
+    rolled ? [-y, x, z] : [x, y, z];
   return {
-    right: [ca, sa, 0],
-    up: [-sa * se, ca * se, ce],
-    back: [sa * ce, -ca * ce, se],
+    right: turned(ca, sa, 0),
+    up: turned(-sa * se, ca * se, ce),
+    back: turned(sa * ce, -ca * ce, se),
   };
 }
 
@@ -144,17 +161,38 @@ function openPoints(shape: BookShape, framing: Framing, rim: number): number[] {
   for (const x of [framing.middle - reach, framing.middle + reach]) {
     for (const y of [-rim, height + rim]) points.push(x, y, 0, x, y, thickness / 2);
   }
+  addSwing(points, shape, framing, () => true);
+  addBoards(points, shape, framing, rim);
+  return points;
+}
+
+/** Corners of one page and a sliver beyond the spine, and where its leaf swings until it is upright. */
+function alonePoints(shape: BookShape, framing: Framing, sign: number): number[] {
+  const { width, height, thickness } = shape;
+  const points: number[] = [];
+  for (const x of [-sliver * sign * width, sign * width]) {
+    for (const y of [0, height]) points.push(x, y, 0, x, y, thickness);
+  }
+  addSwing(points, shape, framing, (x) => x * sign > 0);
+  return points;
+}
+
+/** Where the far edge of a leaf swings. */
+function addSwing(
+  points: number[],
+  { width, height, rolled }: BookShape,
+  framing: Framing,
+  isSeen: (x: number) => boolean,
+): void {
   for (let k = 1; k < 12; k++) {
     const angle = (k * Math.PI) / 12;
     // A leaf bends while it turns, and so never stands at its full height.
-    points.push(
-      0.96 * width * Math.cos(angle),
-      height,
-      0.88 * framing.room * width * Math.sin(angle),
-    );
+    const x = 0.96 * width * Math.cos(angle);
+    const z = 0.88 * framing.room * width * Math.sin(angle);
+    if (!isSeen(x)) continue;
+    points.push(x, height, z);
+    if (rolled) points.push(x, 0, z);
   }
-  addBoards(points, shape, framing, rim);
-  return points;
 }
 
 function closedPoints(shape: BookShape, framing: Framing, sign: number, rim: number): number[] {

@@ -120,7 +120,9 @@ export class DrawnBook {
   }
 
   /** A place on a face's picture, shares from its upper left corner, in book space as posed last. */
-  placeOn(face: Face, x: number, y: number): Vec3 {
+  placeOn(face: Face, pictureX: number, pictureY: number): Vec3 {
+    // The way back of `onPicture`.
+    const [x, y] = this.#shape.rolled ? [pictureY, 1 - pictureX] : [pictureX, pictureY];
     if (isBoardFace(face)) {
       const board = face.startsWith("front") ? this.#front : this.#back;
       return board.placeOn(face.endsWith("Outside"), x, y);

@@ -32,16 +32,15 @@ export class BookMaterials {
 
   /** @param blank what a face shows while it has no picture */
   constructor(shape: BookShape, blank: Texture) {
-    const { kind, width, height } = shape;
     this.#sheet = (recto, thin) => {
       const side = { recto, thin, ownNormals: !thin };
-      return this.#keep(new PaperMaterial(side, kind, width, height, blank));
+      return this.#keep(new PaperMaterial(side, shape, blank));
     };
     this.pages = { left: this.#sheet(false, false), right: this.#sheet(true, false) };
     const [edges, weave, stripes] = [leafEdgeTexture(), clothTexture(), headbandTexture()];
     this.#grains = [edges, weave, stripes];
-    const solid = (colour: string, look: Omit<SolidLook, "base">): SolidMaterial =>
-      this.#keep(new SolidMaterial({ base: new Color(colour), ...look }));
+    const solid = (colour: string, look: Omit<SolidLook, "base" | "rolled">): SolidMaterial =>
+      this.#keep(new SolidMaterial({ base: new Color(colour), rolled: shape.rolled, ...look }));
     const cloth = (): SolidMaterial =>
       solid(shape.cloth, { grain: weave, grainDepth: 1, paperiness: 0 });
     this.boards = {

@@ -1,7 +1,8 @@
 /** The material of a printed sheet: a resting page, or one side of a leaf in flight. */
 
 import { BackSide, FrontSide, ShaderMaterial, type Texture } from "three";
-import { gapChunk, lightChunk } from "./shading.ts";
+import type { BookShape } from "./pose.ts";
+import { gapChunk, lightChunk, pictureChunk } from "./shading.ts";
 
 /** What goes from the vertices to the fragments. */
 const varyings = /* glsl */ `
@@ -47,6 +48,7 @@ uniform vec2 size;
 ${varyings}
 ${lightChunk}
 ${gapChunk}
+${pictureChunk}
 
 // What shines through a leaf from its other side, with that side's print in it.
 vec3 throughLeaf(vec3 normal, vec2 uv) {
@@ -54,7 +56,7 @@ vec3 throughLeaf(vec3 normal, vec2 uv) {
   float key = away * keyShare(vGapBehind);
   float sky = skyShare(vGapBehind, -normal);
   vec3 light = 0.46 * key * vec3(1.05, 0.93, 0.76) + 0.09 * sky * vec3(1.0, 0.93, 0.80);
-  vec3 print = texture2D(pictureBehind, vec2(1.0 - uv.x, uv.y), 2.2).rgb;
+  vec3 print = texture2D(pictureBehind, onPicture(vec2(1.0 - uv.x, uv.y)), 2.2).rgb;
   return thin * light * mix(vec3(1.0), print, 0.75);
 }
 
@@ -72,7 +74,7 @@ float keyHere() {
 void main() {
   vec3 normal = normalize(vNormal);
   vec2 uv = vec2(mix(vUv.x, 1.0 - vUv.x, mirrored), vUv.y);
-  vec3 ink = texture2D(picture, uv, -0.4).rgb;
+  vec3 ink = texture2D(picture, onPicture(uv), -0.4).rgb;
   vec3 light = arriving(normal, amongPaper(skyShare(vGapSky, normal)), keyHere());
   light = min(light + throughLeaf(normal, uv), vec3(ceiling));
   vec2 fromLight = (vPlace.xy - vec2(-0.35 * size.x, 0.65 * size.y)) / (1.5 * size);
@@ -98,14 +100,9 @@ export interface PaperSide {
 
 /** A printed sheet's material, by its two pictures. */
 export class PaperMaterial extends ShaderMaterial {
-  constructor(
-    side: PaperSide,
-    kind: "typeset" | "scan",
-    width: number,
-    height: number,
-    paper: Texture,
-  ) {
+  constructor(side: PaperSide, { kind, width, height, rolled }: BookShape, paper: Texture) {
     super({
+      defines: rolled ? { ROLLED: "" } : {},
       vertexShader,
       fragmentShader,
       side: side.recto ? FrontSide : BackSide,

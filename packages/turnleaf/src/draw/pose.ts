@@ -11,8 +11,12 @@ export interface BookShape {
   /** Thickness of all leaves together. */
   readonly thickness: number;
   readonly leaves: number;
-  /** Boards of card in cloth, or nothing but leaves. */
+  /** Boards in cloth, or nothing but leaves. */
   readonly cover: "hard" | "none";
+  /** Whether the spine lies across the screen and the right side below it. */
+  readonly rolled: boolean;
+  /** The side whose pages alone are read, 1 right or -1 left; 0 where both are. */
+  readonly alone: 1 | 0 | -1;
   /** CSS colour of the boards and the spine. */
   readonly cloth: string;
   /** Scans are never drawn brighter than they are. */

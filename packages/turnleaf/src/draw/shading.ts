@@ -41,6 +41,20 @@ vec3 dithered(vec3 colour) {
 }
 `;
 
+/**
+ * `onPicture(uv)`: the place on a page's picture that is printed on a place of
+ * its leaf, both from the upper left corner as a book bound at the left is seen.
+ */
+export const pictureChunk: string = /* glsl */ `
+vec2 onPicture(vec2 uv) {
+#ifdef ROLLED
+  return vec2(1.0 - uv.y, uv.x);
+#else
+  return uv;
+#endif
+}
+`;
+
 /** Shares of sky and key seen through a gap (left, right), radians from straight up. */
 export const gapChunk: string = /* glsl */ `
 float edgeSine(float angle, vec2 across) {

@@ -1,7 +1,7 @@
 /** The material of all that is not a sheet: leaf edges, cloth, boards, headbands. */
 
 import { type Color, DoubleSide, FrontSide, ShaderMaterial, type Texture } from "three";
-import { lightChunk } from "./shading.ts";
+import { lightChunk, pictureChunk } from "./shading.ts";
 
 const vertexShader = /* glsl */ `
 attribute vec2 open;
@@ -35,6 +35,7 @@ varying vec2 vGrainAt;
 varying vec2 vOpen;
 varying vec3 vPlace;
 ${lightChunk}
+${pictureChunk}
 
 void main() {
   vec3 normal = normalize(gl_FrontFacing ? vNormal : -vNormal);
@@ -46,7 +47,7 @@ void main() {
   vec2 within = smoothstep(-soft, soft, at) * smoothstep(-soft, soft, 1.0 - at);
   // A panel that covers the whole face goes round its bevel too.
   float share = pictured * (panel.y <= 0.0 ? 1.0 : within.x * within.y);
-  colour = mix(colour, texture2D(picture, at, -0.4).rgb, share);
+  colour = mix(colour, texture2D(picture, onPicture(at), -0.4).rgb, share);
 
   vec3 sky = vec3(vOpen.x * (0.5 + 0.5 * normal.z));
   sky = mix(sky, amongPaper(sky.x), max(paperiness, share));
@@ -69,6 +70,8 @@ export interface SolidLook {
   readonly paperiness: number;
   /** Seen from both sides. */
   readonly twoSided?: boolean;
+  /** Whether the book lies with its spine across the screen, and pictures with it. */
+  readonly rolled: boolean;
 }
 
 /** A solid surface's material, with a picture on a panel of it where it has one. */
@@ -77,6 +80,7 @@ export class SolidMaterial extends ShaderMaterial {
     super({
       vertexShader,
       fragmentShader,
+      defines: look.rolled ? { ROLLED: "" } : {},
       side: look.twoSided ? DoubleSide : FrontSide,
       uniforms: {
         base: { value: look.base },

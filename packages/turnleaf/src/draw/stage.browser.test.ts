@@ -12,6 +12,8 @@ const shape: BookShape = {
   cover: "none",
   cloth: "#6a2a26",
   kind: "scan",
+  rolled: false,
+  alone: 0,
 };
 
 const stages: Stage[] = [];

@@ -46,13 +46,13 @@ export class Stage {
   /** Called when the GPU's context came back after a loss and a frame should be drawn again. */
   onRestored: (() => void) | null = null;
   readonly #canvas: HTMLCanvasElement;
-  readonly #shape: BookShape;
+  #shape: BookShape;
   readonly #renderer: WebGLRenderer;
   readonly #scene = new Scene();
   readonly #camera: PerspectiveCamera;
   readonly #pictures: PictureTextures;
-  readonly #materials: BookMaterials;
-  readonly #book: DrawnBook;
+  #materials: BookMaterials;
+  #book: DrawnBook;
   readonly #faces = new Map<Printed, { shown: PagePicture | null; show: Show }>();
   #width = 1;
   #height = 1;
@@ -73,6 +73,20 @@ export class Stage {
     this.#camera.matrixAutoUpdate = false;
     canvas.addEventListener("webglcontextlost", this.#lost);
     canvas.addEventListener("webglcontextrestored", this.#restored);
+  }
+
+  /** Shows a book of another shape in place of the one before, at first with nothing on its faces. */
+  bind(shape: BookShape): void {
+    const { room } = this.#book.framing;
+    this.#scene.remove(this.#book.group);
+    this.#book.dispose();
+    this.#materials.dispose();
+    this.#faces.clear();
+    this.#shape = shape;
+    this.#materials = new BookMaterials(shape, this.#pictures.paper);
+    this.#book = new DrawnBook(shape, this.#materials);
+    this.#book.framing.room = room;
+    this.#scene.add(this.#book.group);
   }
 
   /** The canvas's place is `cssWidth` by `cssHeight` CSS pixels, each `pixelRatio` device pixels. */

@@ -1,6 +1,6 @@
 /** What the element says in words: to those who look, and to those who listen. */
 
-import { leftPage, rightPage } from "../book/spreads.ts";
+import { pagesAt } from "../book/spreads.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Viewer } from "../viewer.ts";
 
@@ -33,9 +33,7 @@ export class Announcements {
 /** Which pages lie open, such as "Pages iv and v of 112". */
 export function openPages(source: PageSource, viewer: Viewer): string {
   const { spread } = viewer.turning;
-  const seen = [leftPage(viewer.binding, spread), rightPage(viewer.binding, spread)]
-    .filter((page): page is number => page !== null)
-    .map((page) => source.label(page - 1));
+  const seen = pagesAt(viewer.binding, spread).map((page) => source.label(page - 1));
   const pages = `${seen.length === 1 ? "Page" : "Pages"} ${seen.join(" and ")}`;
   return `${seen.length === 0 ? "Back" : pages} of ${source.pageCount}`;
 }

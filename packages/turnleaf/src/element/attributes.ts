@@ -2,6 +2,7 @@
 
 import { isStock, type Paper } from "../book/paper.ts";
 import type { Stock } from "../engine/shapes.ts";
+import { bindingAttributes } from "./wish.ts";
 
 /** What a change of an attribute can ask of the element. */
 export interface Answers {
@@ -23,8 +24,7 @@ export const attributes: Readonly<
 > = {
   src: (answers) => answers.open(),
   page: (answers, value) => answers.goTo(Number(value)),
-  cover: (answers) => answers.rebind(),
-  cloth: (answers) => answers.rebind(),
+  ...Object.fromEntries(bindingAttributes.map((name) => [name, (to: Answers) => to.rebind()])),
   duration: (answers) => answers.changePace(),
   stock: (answers) => answers.changePaper(),
   assist: (answers) => answers.changePaper(),
@@ -45,14 +45,6 @@ export function paperOf(element: Element): Paper {
 export function turnSecondsOf(element: Element): number {
   const milliseconds = Number(element.getAttribute("duration") ?? 800);
   return milliseconds > 0 && milliseconds <= 60_000 ? milliseconds / 1000 : 0.8;
-}
-
-/** How the book is bound: `cover` and `cloth`. */
-export function bindingOf(element: Element): { cover: "hard" | "none"; cloth: string } {
-  return {
-    cover: element.getAttribute("cover") === "none" ? "none" : "hard",
-    cloth: element.getAttribute("cloth") ?? "#6a2a26",
-  };
 }
 
 /** Takes over what was set before the element was defined: it lies on the element and hides the accessors. */

@@ -1,5 +1,7 @@
 /** What `<turnleaf-book>` tells its page. */
 
+import type { Edge, Layout } from "../book/spreads.ts";
+
 /** Where a turn leads, in page numbers from 1: the first page seen before and after. */
 export interface TurnDetail {
   readonly from: number;
@@ -15,6 +17,8 @@ export interface TurnleafEventMap {
   turnstart: CustomEvent<TurnDetail>;
   /** The book came to rest at another spread. */
   pagechange: CustomEvent<TurnDetail>;
+  /** The book is bound at another edge, or shows two pages rather than one, or one rather than two. */
+  layoutchange: CustomEvent<{ layout: Layout; binding: Edge }>;
   /** The book could not be opened; the sentence says why. */
   error: CustomEvent<{ message: string }>;
 }

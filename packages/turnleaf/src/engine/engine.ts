@@ -109,6 +109,15 @@ export class EngineBook {
     return new EngineBook(instance.exports as unknown as Exports, size);
   }
 
+  /**
+   * Another book in the same memory, beside this one.
+   *
+   * @throws Error where the engine refuses a book of this size
+   */
+  another(size: BookSize): BookEngine {
+    return new EngineBook(this.#wasm, size);
+  }
+
   /** Frees the book in the engine. Nothing may be called afterwards. */
   destroy(): void {
     this.#wasm.tl_book_drop(this.#book);

@@ -1,0 +1,165 @@
+/** A book as it is bound now. Bound anew, it is another one, which the same stage shows. */
+
+import { type BindingWish, edgeFor, layoutFor, pagesNamed } from "../book/layout.ts";
+import { type Binding, bind, type Layout, leafCount, paperLeaves } from "../book/spreads.ts";
+import { Turning, type TurningEvents } from "../book/turning.ts";
+import type { BookPose, BookShape } from "../draw/pose.ts";
+import type { BookStage } from "../draw/stage.ts";
+import type { BookEngine } from "../engine/engine.ts";
+import { Cover, Side } from "../engine/phases.ts";
+import type { Surface } from "../engine/shapes.ts";
+import type { PagePictures } from "../pages/page_pictures.ts";
+import type { PageSource } from "../sources/page_source.ts";
+import { Holding, heightOf } from "./holding.ts";
+import { Picturing, spreadsBetween } from "./picturing.ts";
+import { Ticks } from "./ticks.ts";
+
+/** A square-rooted page area of 140 x 210 mm, metres: every book has paper of this size. */
+const paperSize = Math.sqrt(0.14 * 0.21);
+
+/** How a book is to be bound, and the colour of its cloth as CSS writes it. */
+export interface Wish extends BindingWish {
+  readonly cloth: string;
+}
+
+/** What of a book is the same however it is bound. */
+export interface Bindable {
+  readonly source: Pick<PageSource, "pageCount" | "direction" | "kind">;
+  /** A page's width over its height. */
+  readonly aspect: number;
+}
+
+/** Where pages lie and what the stage is to draw. */
+export interface BindingPlan {
+  readonly binding: Binding;
+  readonly shape: BookShape;
+}
+
+/**
+ * How a book is bound as wished.
+ *
+ * @param width,height of the place where it is shown, CSS pixels; 0 where not known
+ * @param before the layout there was, null at first
+ */
+export function planBinding(
+  book: Bindable,
+  wish: Wish,
+  width: number,
+  height: number,
+  before: Layout | null = null,
+): BindingPlan {
+  const { pageCount, direction, kind } = book.source;
+  const { cover, offset, cloth } = wish;
+  const edge = edgeFor(wish.binding, direction);
+  const isRolled = edge === "top" || edge === "bottom";
+  const layout = layoutFor(wish.layout, book.aspect, isRolled, width, height, before);
+  const hardPages = pagesNamed(wish.hardPages, pageCount);
+  const binding = bind(pageCount, cover, { edge, layout, offset, hardPages });
+  const { rolled, reversed } = binding;
+  // The engine's book is as wide as its pages reach from the spine.
+  const aspect = rolled ? 1 / book.aspect : book.aspect;
+  const leaves = paperLeaves(binding);
+  // Thicker than the paper would be, so that reading on is seen; but no book is a brick.
+  const thickness = 0.024 * (1 - Math.exp((-leaves * 0.0004) / 0.024));
+  const shape: BookShape = {
+    width: paperSize * Math.sqrt(aspect),
+    height: paperSize / Math.sqrt(aspect),
+    thickness,
+    leaves,
+    cover: binding.hardCover ? "hard" : "none",
+    cloth,
+    kind,
+    rolled,
+    alone: layout === "spread" ? 0 : reversed ? -1 : 1,
+  };
+  return { binding, shape };
+}
+
+/** One way that a book is bound: its engine's book, its state, and the hands on it. */
+export class Bound {
+  readonly binding: Binding;
+  readonly shape: BookShape;
+  readonly engine: BookEngine;
+  readonly turning: Turning;
+  readonly picturing: Picturing;
+  readonly holding: Holding;
+  readonly ticks: Ticks;
+
+  constructor(
+    { binding, shape }: BindingPlan,
+    engine: BookEngine,
+    stage: BookStage,
+    pictures: PagePictures,
+    events: TurningEvents,
+  ) {
+    this.binding = binding;
+    this.shape = shape;
+    this.engine = engine;
+    this.turning = new Turning(engine, binding, events);
+    this.picturing = new Picturing(binding, stage, this.turning, pictures);
+    const { width, height } = shape;
+    const hasLeaf = (side: Side): boolean => this.#hasLeaf(side);
+    this.holding = new Holding({ engine, stage, turning: this.turning, width, height, hasLeaf });
+    this.ticks = new Ticks(engine.tick);
+  }
+
+  /** Where the book's parts are now. */
+  pose(): BookPose {
+    const { engine, binding } = this;
+    const { flights } = this.turning;
+    const paper = paperLeaves(binding) > 0;
+    const [low, high] = spreadsBetween(this.turning);
+    const boards = binding.hardCover ? 1 : 0;
+    const [left, right] = [engine.pile(Side.left), engine.pile(Side.right)];
+    const leaves: Surface[] = [];
+    for (const [index, { part }] of flights.entries()) {
+      if (part === "leaf") leaves.push(engine.surface(index));
+    }
+    return {
+      left: paper && low > boards ? left : null,
+      right: paper && high < leafCount(binding) - boards ? right : null,
+      leaves,
+      lean: paper ? (heightOf(right) - heightOf(left)) / 2 : 0,
+      ...this.#covers(leaves),
+    };
+  }
+
+  /** Ends what is under way and frees the engine's book. */
+  destroy(): void {
+    this.turning.close();
+    this.engine.destroy();
+  }
+
+  /** The boards' angles; where there are none, how far the outermost leaves have opened the book. */
+  #covers(leaves: readonly Surface[]): Pick<BookPose, "frontBoard" | "backBoard"> {
+    const { engine, binding } = this;
+    if (binding.hardCover) {
+      return {
+        frontBoard: engine.boardAngle(Cover.front),
+        backBoard: engine.boardAngle(Cover.back),
+      };
+    }
+    // Of a book of single pages one side is shown, which stays where it is.
+    if (binding.layout === "single") return { frontBoard: Math.PI, backBoard: 0 };
+    const [low, high] = spreadsBetween(this.turning);
+    return {
+      frontBoard: low > 0 ? Math.PI : this.#angleOf(leaves[0], 0),
+      backBoard: high < leafCount(binding) ? 0 : this.#angleOf(leaves.at(-1), Math.PI),
+    };
+  }
+
+  /** How far a leaf has turned, 0 on the right to pi on the left; `resting` where there is none. */
+  #angleOf(leaf: Surface | undefined, resting: number): number {
+    if (leaf === undefined) return resting;
+    const { positions, columns, rows } = leaf;
+    const edge = 3 * ((rows >> 1) * columns + columns - 1);
+    const x = positions[edge];
+    const under = heightOf(this.engine.pile(x > 0 ? Side.right : Side.left));
+    return Math.atan2(Math.max(positions[edge + 2] - under, 0), x);
+  }
+
+  #hasLeaf(side: Side): boolean {
+    const [low, high] = spreadsBetween(this.turning);
+    return side === Side.right ? high < this.binding.last : low > this.binding.first;
+  }
+}
