@@ -1,0 +1,164 @@
+/**
+ * Draws a book on the flat, with a 2D canvas: what stands in for the stage where
+ * there is no WebGL. It answers to the same calls. Inside it, lengths are metres
+ * and y runs down from the head.
+ */
+
+import type { Face } from "../book/faces.ts";
+import type { LeafSide } from "../draw/materials.ts";
+import type { BookPose, BookShape } from "../draw/pose.ts";
+import type { BookStage, DrawOptions } from "../draw/stage.ts";
+import { Side } from "../engine/phases.ts";
+import type { Ray, Vec3 } from "../engine/shapes.ts";
+import type { PagePicture } from "../sources/page_source.ts";
+import { drawBoard } from "./draw_board.ts";
+import { drawCase, drawPage, drawStack, thicknessOf } from "./draw_book.ts";
+import { drawFlat, drawFolded } from "./draw_leaf.ts";
+import { type Layout, layOut, panelOf } from "./layout.ts";
+import type { PeeledSurface } from "./plain_book.ts";
+
+/** Most pixels of a frame at rest, and device pixels a CSS pixel while something moves, at most. */
+const mostPixels = 16e6;
+const mostMovingRatio = 1.5;
+
+/** One flat book on one canvas. */
+export class PlainStage implements BookStage {
+  /** Never called: what is drawn without a graphics card is not lost. */
+  onRestored: (() => void) | null = null;
+  readonly #canvas: HTMLCanvasElement;
+  readonly #pen: CanvasRenderingContext2D;
+  readonly #shape: BookShape;
+  readonly #shown = new Map<Face | `${LeafSide} ${number}`, PagePicture | null>();
+  #pose: BookPose;
+  #layout: Layout = { scale: 1, x: 0, y: 0 };
+  #width = 1;
+  #height = 1;
+  #ratio = 1;
+
+  /** @throws Error in one sentence where the canvas has no 2D context to give. */
+  constructor(canvas: HTMLCanvasElement, shape: BookShape) {
+    const pen = canvas.getContext("2d");
+    if (!pen) throw new Error("This book needs a canvas, which this browser does not offer.");
+    this.#canvas = canvas;
+    this.#pen = pen;
+    this.#shape = shape;
+    const [frontBoard, backBoard] = [Math.PI, 0];
+    this.#pose = { left: null, right: null, leaves: [], lean: 0, frontBoard, backBoard };
+  }
+
+  resize(cssWidth: number, cssHeight: number, pixelRatio: number): void {
+    this.#width = Math.max(1, cssWidth);
+    this.#height = Math.max(1, cssHeight);
+    this.#ratio = Math.max(0.25, pixelRatio);
+    this.#aim();
+  }
+
+  /** A flat book needs no room above its head. */
+  set room(_: number) {}
+
+  setFace(face: Face, picture: PagePicture | null): void {
+    this.#shown.set(face, picture);
+  }
+
+  setLeaf(index: number, side: LeafSide, picture: PagePicture | null): void {
+    this.#shown.set(`${side} ${index}`, picture);
+  }
+
+  forget(picture: PagePicture): void {
+    for (const [face, shown] of this.#shown) if (shown === picture) this.#shown.set(face, null);
+  }
+
+  pose(pose: BookPose): void {
+    this.#pose = pose;
+    this.#aim();
+  }
+
+  draw(options?: DrawOptions): void {
+    const fit = Math.sqrt(mostPixels / (this.#width * this.#height));
+    const ratio = Math.min(this.#ratio, options?.resting ? fit : mostMovingRatio);
+    const [width, height] = [Math.floor(this.#width * ratio), Math.floor(this.#height * ratio)];
+    if (this.#canvas.width !== width || this.#canvas.height !== height) {
+      this.#canvas.width = width;
+      this.#canvas.height = height;
+    }
+    const pen = this.#pen;
+    const { scale, x, y } = this.#layout;
+    pen.setTransform(1, 0, 0, 1, 0, 0);
+    pen.clearRect(0, 0, width, height);
+    const unit = scale * ratio;
+    pen.setTransform(unit, 0, 0, unit, x * ratio, y * ratio);
+    pen.imageSmoothingQuality = options?.resting ? "high" : "medium";
+    this.#paint(unit);
+  }
+
+  rayAt(x: number, y: number): Ray {
+    const { scale } = this.#layout;
+    const across = (x - this.#layout.x) / scale;
+    const along = this.#shape.height - (y - this.#layout.y) / scale;
+    return { origin: [across, along, 1], direction: [0, 0, -1] };
+  }
+
+  project([x, y]: Vec3): { x: number; y: number } {
+    const { scale } = this.#layout;
+    return { x: this.#layout.x + scale * x, y: this.#layout.y + scale * (this.#shape.height - y) };
+  }
+
+  projectOn(face: Face, x: number, y: number): { x: number; y: number } {
+    const { height } = this.#shape;
+    const [left, top, right, bottom] = panelOf(this.#shape, face);
+    return this.project([left + (right - left) * x, height - top - (bottom - top) * y, 0]);
+  }
+
+  get viewKey(): string {
+    return [...Object.values(this.#layout), this.#width, this.#height].join();
+  }
+
+  destroy(): void {
+    this.#shown.clear();
+    // Frees the pixels at once.
+    this.#canvas.width = this.#canvas.height = 0;
+  }
+
+  #aim(): void {
+    this.#layout = layOut(this.#shape, this.#pose, this.#width, this.#height);
+  }
+
+  #paint(unit: number): void {
+    const brush = { pen: this.#pen, shape: this.#shape, unit };
+    const pose = this.#pose;
+    const { frontBoard, backBoard } = pose;
+    const isHard = this.#shape.cover === "hard";
+    const show = (name: Face | `${LeafSide} ${number}`) => this.#shown.get(name) ?? null;
+    drawCase(brush, pose);
+    for (const [sign, side, inside, lies] of [
+      [-1, "left", "frontInside", frontBoard >= Math.PI],
+      [1, "right", "backInside", backBoard <= 0],
+    ] as const) {
+      if (pose[side]) {
+        drawStack(brush, sign, thicknessOf(pose, side));
+        drawPage(brush, sign, show(side));
+      } else if (isHard && lies) drawPage(brush, sign, show(inside));
+    }
+    const leaves = pose.leaves as readonly PeeledSurface[];
+    const order = leaves
+      .map((leaf, index) => ({ leaf, index }))
+      .sort((a, b) => a.leaf.id - b.leaf.id);
+    const up = ({ leaf, index }: (typeof order)[number]) =>
+      show(leaf.side === Side.right ? `recto ${index}` : `verso ${index}`);
+    const under = ({ leaf, index }: (typeof order)[number]) =>
+      show(leaf.side === Side.right ? `verso ${index}` : `recto ${index}`);
+    // What was taken up later lay beneath, and is folded over what was before.
+    for (const item of order.toReversed()) drawFlat(brush, item.leaf, up(item));
+    const isScan = this.#shape.kind === "scan";
+    for (const item of order) drawFolded(brush, item.leaf, under(item), isScan ? null : up(item));
+    if (!isHard) return;
+    if (frontBoard < Math.PI) {
+      const isOutside = frontBoard < Math.PI / 2;
+      drawBoard(brush, frontBoard, show(isOutside ? "frontOutside" : "frontInside"), isOutside);
+    }
+    if (backBoard > 0) {
+      const isOutside = backBoard > Math.PI / 2;
+      drawBoard(brush, backBoard, show(isOutside ? "backOutside" : "backInside"), isOutside);
+    }
+  }
+}

@@ -1,0 +1,65 @@
+/** A cover board that swings about the spine: held, let go, or played. */
+
+import { Phase, Side } from "../engine/phases.ts";
+
+/** Time in seconds in which a board let go would swing from side to side. */
+const fallSeconds = 0.6;
+
+/** A board's angle from the right-hand side, radians, and where it is bound. */
+export class Swing {
+  angle = 0;
+  #way: { from: number; to: Side; seconds: number; time: number; isFall: boolean } | null = null;
+  #isHeld = false;
+
+  get phase(): Phase {
+    if (this.#isHeld) return Phase.held;
+    const way = this.#way;
+    if (way === null) return this.angle > 1 ? Phase.restingLeft : Phase.restingRight;
+    if (way.isFall) return way.to === Side.left ? Phase.fallingLeft : Phase.fallingRight;
+    return way.to === Side.left ? Phase.playingLeft : Phase.playingRight;
+  }
+
+  /** Puts it down on a side at once. */
+  lay(side: Side): void {
+    this.#way = null;
+    this.#isHeld = false;
+    this.angle = angleOf(side);
+  }
+
+  /** A hand holds it at an angle. */
+  hold(angle: number): void {
+    this.#way = null;
+    this.#isHeld = true;
+    this.angle = Math.min(Math.max(angle, 0), Math.PI);
+  }
+
+  /** The hand lets go: it falls to the nearer side. */
+  release(): void {
+    if (this.#isHeld)
+      this.send(this.angle > Math.PI / 2 ? Side.left : Side.right, fallSeconds, true);
+  }
+
+  /** Swings it to a side, `seconds` for a whole half turn. */
+  send(to: Side, seconds: number, isFall = false): void {
+    this.#isHeld = false;
+    const share = Math.abs(angleOf(to) - this.angle) / Math.PI;
+    this.#way = { from: this.angle, to, seconds: Math.max(seconds * share, 0.1), time: 0, isFall };
+  }
+
+  /** Lets time pass, seconds. */
+  step(seconds: number): void {
+    const way = this.#way;
+    if (way === null) return;
+    way.time += seconds;
+    const t = Math.min(way.time / way.seconds, 1);
+    const share = way.isFall ? t * t : t * t * (3 - 2 * t);
+    this.angle = way.from + (angleOf(way.to) - way.from) * share;
+    if (t < 1) return;
+    this.angle = angleOf(way.to);
+    this.#way = null;
+  }
+}
+
+function angleOf(side: Side): number {
+  return side === Side.left ? Math.PI : 0;
+}
