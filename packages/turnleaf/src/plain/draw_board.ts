@@ -3,12 +3,13 @@
 import { caseSizes } from "../draw/case_shape.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import { type Brush, fillBetween, light, type Stops, shade } from "./draw_book.ts";
+import { stretchTo } from "./layout.ts";
 
 /** How much larger the fore-edge of a board that stands upright looks: it is nearer to the eye. */
 const nearness = 0.16;
 
-/** Slices in which a picture is drawn on a board that is seen at an angle. */
-const slices = 40;
+/** Width in device pixels of the slices in which a picture is drawn on a board that is seen at an angle. */
+const sliceWidth = 3;
 
 /** The hinge's groove and the rounded fore-edge of a board seen from outside. */
 const groove: Stops = [
@@ -63,7 +64,7 @@ export function drawBoard(
   const inset = isOutside ? 0 : rim;
   const share = (width - inset) / width;
   if (picture && picture.width > 0) {
-    const count = sin < 0.01 ? 1 : slices;
+    const count = sin < 0.01 ? 1 : Math.ceil((Math.abs(cos) * width * unit) / sliceWidth) + 1;
     for (let k = 0; k < count; k++) {
       const [u0, u1] = [k / count, (k + 1) / count];
       const [x0, top] = at(u0 * share, inset - rim);
@@ -71,18 +72,16 @@ export function drawBoard(
       const [, bottom] = at(u0 * share, height + rim - inset);
       const from = cos > 0 ? u0 : 1 - u1;
       // A little wider, or the ground would shine through between two slices.
-      const wide = Math.abs(x1 - x0) + (count > 1 ? 1 / unit : 0);
-      pen.drawImage(
-        picture,
-        from * picture.width,
-        0,
-        picture.width / count,
-        picture.height,
-        Math.min(x0, x1),
-        top,
-        wide,
-        bottom - top,
-      );
+      const start = Math.min(x0, x1);
+      const end = start + Math.abs(x1 - x0) + (count > 1 ? 1 / unit : 0);
+      const { width: w, height: h } = picture;
+      const part: [number, number, number, number] = shape.rolled
+        ? [0, from * h, w, h / count]
+        : [from * w, 0, w / count, h];
+      pen.save();
+      stretchTo(pen, [start, top, end, bottom], shape.rolled);
+      pen.drawImage(picture, ...part, 0, 0, 1, 1);
+      pen.restore();
     }
   }
   const edge = cos * width;

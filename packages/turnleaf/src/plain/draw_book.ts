@@ -3,7 +3,7 @@
 import { caseSizes } from "../draw/case_shape.ts";
 import type { BookPose, BookShape } from "../draw/pose.ts";
 import type { PagePicture } from "../sources/page_source.ts";
-import { type Box, boardBox, pageBox, stackDrop, stackShare } from "./layout.ts";
+import { type Box, boardBox, pageBox, stackDrop, stackShare, stretchTo } from "./layout.ts";
 
 /** What a book is drawn with: a pen in metres, y down from the head, and device pixels a metre. */
 export interface Brush {
@@ -63,8 +63,12 @@ export function fillBetween(
 export function drawPage({ pen, shape }: Brush, sign: 1 | -1, picture: PagePicture | null): void {
   const box = pageBox(shape, sign);
   const { width, height } = shape;
-  if (picture && picture.width > 0) pen.drawImage(picture, box[0], 0, width, height);
-  else {
+  if (picture && picture.width > 0) {
+    pen.save();
+    stretchTo(pen, box, shape.rolled);
+    pen.drawImage(picture, 0, 0, 1, 1);
+    pen.restore();
+  } else {
     pen.fillStyle = paper;
     pen.fillRect(box[0], 0, width, height);
   }

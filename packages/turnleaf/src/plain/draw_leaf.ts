@@ -81,7 +81,7 @@ export function drawFolded(
     pen.scale(-1, 1);
     drawPage(brush, sign === 1 ? -1 : 1, picture);
     pen.restore();
-    pen.globalAlpha = showThrough;
+    pen.globalAlpha = showThrough * height;
     drawPage(brush, sign, behind);
   } else {
     pen.scale(-1, 1);

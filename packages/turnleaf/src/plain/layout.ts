@@ -4,7 +4,7 @@ import type { Face } from "../book/faces.ts";
 import { caseSizes } from "../draw/case_shape.ts";
 import type { BookPose, BookShape } from "../draw/pose.ts";
 
-/** From book space to the canvas: CSS pixels a metre, and where the spine's head is, CSS pixels. */
+/** From book space to the canvas: CSS pixels a metre, and where the spine's end is that is seen at the upper left. */
 export interface Layout {
   readonly scale: number;
   readonly x: number;
@@ -15,40 +15,54 @@ export interface Layout {
 export const stackShare = 0.3;
 export const stackDrop = 0.18;
 
+interface Margins {
+  readonly sides: number;
+  readonly ends: number;
+}
+
 /** Free room at either side of an open and of a closed book, and above and below, shares of the canvas. */
-const openMargin = { sides: 0.04, ends: 0.07 };
-const closedMargin = { sides: 0.1, ends: 0.09 };
+const openMargins: Margins = { sides: 0.04, ends: 0.07 };
+const closedMargins: Margins = { sides: 0.1, ends: 0.09 };
 
 /** How far a book is shut over its right-hand side, and over its left, 0 to 1. */
 export function shutness({ frontBoard, backBoard }: BookPose): [right: number, left: number] {
   return [ease(1 - frontBoard / Math.PI), ease(backBoard / Math.PI)];
 }
 
+/** How much beyond the spine is seen beside a page that stands alone, as a share of its width. */
+const sliver = 0.03;
+
 /** Fits a book to a canvas of CSS pixels: the open spread, the closed book in the middle, or between the two. */
 export function layOut(shape: BookShape, pose: BookPose, width: number, height: number): Layout {
+  const { alone, rolled } = shape;
   const rim = shape.cover === "hard" ? caseSizes.rim : 0;
-  const depth = stackShare * shape.thickness;
-  const reach = shape.width + rim + depth;
+  const out = stackShare * shape.thickness;
+  const drop = stackDrop * shape.thickness;
+  const reach = shape.width + rim + out;
+  const spine = alone === 0 ? 0.5 * out : sliver * shape.width;
+  const onRight = (margin: Margins) => fit(-spine, reach, margin);
+  const onLeft = (margin: Margins) => fit(-reach, spine, margin);
   const [right, left] = shutness(pose);
-  const open = fit(-reach, reach, openMargin);
-  const spine = 0.5 * depth;
-  const shutRight = fit(-spine, reach, closedMargin);
-  const shutLeft = fit(-reach, spine, closedMargin);
+  const open =
+    alone === 0 ? fit(-reach, reach, openMargins) : (alone === 1 ? onRight : onLeft)(openMargins);
   const mix = (of: (layout: Layout) => number): number =>
-    of(open) + right * (of(shutRight) - of(open)) + left * (of(shutLeft) - of(open));
+    of(open) +
+    right * (of(onRight(closedMargins)) - of(open)) +
+    left * (of(onLeft(closedMargins)) - of(open));
   return { scale: mix(({ scale }) => scale), x: mix(({ x }) => x), y: mix(({ y }) => y) };
 
-  function fit(from: number, to: number, margin: typeof openMargin): Layout {
-    const tall = shape.height + 2 * rim + depth;
+  function fit(from: number, to: number, margin: Margins): Layout {
+    const [head, foot] = [-rim, shape.height + rim + drop];
+    const [room, length] = rolled ? [height, width] : [width, height];
     const scale = Math.min(
-      (width * (1 - 2 * margin.sides)) / (to - from),
-      (height * (1 - 2 * margin.ends)) / tall,
+      (room * (1 - 2 * (rolled ? margin.ends : margin.sides))) / (to - from),
+      (length * (1 - 2 * (rolled ? margin.sides : margin.ends))) / (foot - head),
     );
-    return {
-      scale,
-      x: width / 2 - (scale * (from + to)) / 2,
-      y: height / 2 - scale * (tall / 2 - rim),
-    };
+    const across = room / 2 - (scale * (from + to)) / 2;
+    const along = length / 2 - (scale * (head + foot)) / 2;
+    // Rolled, the foot of the spine is at the left and its head at the right.
+    const start = length - along - scale * shape.height;
+    return rolled ? { scale, x: start, y: across } : { scale, x: across, y: along };
   }
 }
 
@@ -76,4 +90,14 @@ export function panelOf(shape: BookShape, face: Face): Box {
   if (face === "frontOutside") return boardBox(shape, 1);
   if (face === "backOutside") return boardBox(shape, -1);
   return pageBox(shape, face === "right" || face === "backInside" ? 1 : -1);
+}
+
+/** From here on a pen draws in a square of side 1 what is seen upright in a box. */
+export function stretchTo(
+  pen: CanvasRenderingContext2D,
+  [left, top, right, bottom]: Box,
+  rolled: boolean,
+): void {
+  if (rolled) pen.transform(0, top - bottom, right - left, 0, left, bottom);
+  else pen.transform(right - left, 0, 0, bottom - top, left, top);
 }

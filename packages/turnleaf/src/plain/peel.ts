@@ -111,9 +111,11 @@ export class Peel {
     this.#held = withinReach(this.#rest, [x + dx, y + dy], this.#size.height);
   }
 
-  /** A hand lets go: with no other on it, the leaf falls to the side that its swing takes it. */
-  release(hand: number): void {
-    if (!this.#hands.delete(hand) || this.#hands.size > 0) return;
+  /** A hand lets go, or every hand: with none on it, the leaf falls to the side that its swing takes it. */
+  release(hand?: number): void {
+    if (hand === undefined) this.#hands.clear();
+    else this.#hands.delete(hand);
+    if (this.#hands.size > 0) return;
     const landing = this.#held[0] + lookAhead * this.#speed;
     this.send(landing < 0 ? Side.left : Side.right, fallSeconds, true);
   }

@@ -16,9 +16,11 @@ import { Swing } from "./swing.ts";
 const columns = 13;
 const rows = 13;
 
-/** Heights over the table at which a leaf in flight is found: above every pile, what is folded over on top. */
+/** Height over the table at which a leaf in flight is found, metres: above every pile. */
 const flatHeight = 0.03;
-const foldedHeight = 0.031;
+
+/** How high what is folded over is taken to arch, as a share of a page's width. */
+const archShare = 0.6;
 
 /** Leaves in flight at once, at most. */
 const mostPeels = 12;
@@ -37,7 +39,10 @@ export interface PeeledSurface extends Surface {
 /** One bound book of flat leaves. */
 export class PlainBook implements BookEngine {
   readonly tick: number = 1 / 120;
-  readonly columns: Float32Array = Float32Array.from({ length: columns }, (_, k) => k / (columns - 1));
+  readonly columns: Float32Array = Float32Array.from(
+    { length: columns },
+    (_, k) => k / (columns - 1),
+  );
   readonly #size: BookSize;
   readonly #boards = [new Swing(), new Swing()];
   /** From the left to the right. */
@@ -48,6 +53,10 @@ export class PlainBook implements BookEngine {
 
   constructor(size: BookSize) {
     this.#size = size;
+  }
+
+  another(size: BookSize): BookEngine {
+    return new PlainBook(size);
   }
 
   destroy(): void {
@@ -91,6 +100,8 @@ export class PlainBook implements BookEngine {
   }
 
   grab(id: number, hand: number, u: number, v: number): void {
+    // One leaf is in hand at a time: another falls.
+    for (const other of this.#peels) if (other.id !== id) this.#letGo(other);
     this.#find(id)?.grab(hand, u, v);
   }
 
@@ -100,8 +111,7 @@ export class PlainBook implements BookEngine {
 
   release(id: number, hand: number): void {
     const peel = this.#find(id);
-    peel?.release(hand);
-    if (peel && peel.goal !== null) this.#takeAlong(peel, peel.goal, null);
+    if (peel) this.#letGo(peel, hand);
   }
 
   play(id: number, side: Side, seconds: number): void {
@@ -150,7 +160,8 @@ export class PlainBook implements BookEngine {
       const flat: Point = [sign * u * width, v * height];
       const isFolded = crease !== null && beyond(crease, flat) > 0;
       const [x, y] = isFolded ? mirrored(crease, flat) : flat;
-      positions.set([x, y, isFolded ? foldedHeight : flatHeight], 3 * k);
+      const arch = isFolded ? 0.001 + archShare * Math.sqrt(Math.max(width ** 2 - x * x, 0)) : 0;
+      positions.set([x, y, flatHeight + arch], 3 * k);
     }
     const normals = new Float32Array(0);
     return { columns, rows, positions, normals, version: this.#version, id, side, ...fold };
@@ -191,6 +202,13 @@ export class PlainBook implements BookEngine {
 
   boardAngle(cover: Cover): number {
     return this.#boards[cover].angle;
+  }
+
+  /** A hand lets a leaf go, or every hand does. */
+  #letGo(peel: Peel, hand?: number): void {
+    if (peel.phase !== Phase.held) return;
+    peel.release(hand);
+    if (peel.goal !== null) this.#takeAlong(peel, peel.goal, null);
   }
 
   /** Sends those in the way of a leaf along with it: none may lie upon one that it lies under. */

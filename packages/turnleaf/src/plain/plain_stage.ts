@@ -21,15 +21,25 @@ import type { PeeledSurface } from "./plain_book.ts";
 const mostPixels = 16e6;
 const mostMovingRatio = 1.5;
 
+/** An open book of which nothing is known yet. */
+const lying: BookPose = {
+  left: null,
+  right: null,
+  leaves: [],
+  lean: 0,
+  frontBoard: Math.PI,
+  backBoard: 0,
+};
+
 /** One flat book on one canvas. */
 export class PlainStage implements BookStage {
   /** Never called: what is drawn without a graphics card is not lost. */
   onRestored: (() => void) | null = null;
   readonly #canvas: HTMLCanvasElement;
   readonly #pen: CanvasRenderingContext2D;
-  readonly #shape: BookShape;
+  #shape: BookShape;
   readonly #shown = new Map<Face | `${LeafSide} ${number}`, PagePicture | null>();
-  #pose: BookPose;
+  #pose = lying;
   #layout: Layout = { scale: 1, x: 0, y: 0 };
   #width = 1;
   #height = 1;
@@ -42,8 +52,13 @@ export class PlainStage implements BookStage {
     this.#canvas = canvas;
     this.#pen = pen;
     this.#shape = shape;
-    const [frontBoard, backBoard] = [Math.PI, 0];
-    this.#pose = { left: null, right: null, leaves: [], lean: 0, frontBoard, backBoard };
+  }
+
+  bind(shape: BookShape): void {
+    this.#shape = shape;
+    this.#shown.clear();
+    this.#pose = lying;
+    this.#aim();
   }
 
   resize(cssWidth: number, cssHeight: number, pixelRatio: number): void {
@@ -86,27 +101,31 @@ export class PlainStage implements BookStage {
     pen.setTransform(1, 0, 0, 1, 0, 0);
     pen.clearRect(0, 0, width, height);
     const unit = scale * ratio;
-    pen.setTransform(unit, 0, 0, unit, x * ratio, y * ratio);
+    if (this.#shape.rolled) {
+      pen.setTransform(0, unit, -unit, 0, x * ratio + unit * this.#shape.height, y * ratio);
+    } else pen.setTransform(unit, 0, 0, unit, x * ratio, y * ratio);
     pen.imageSmoothingQuality = options?.resting ? "high" : "medium";
     this.#paint(unit);
   }
 
   rayAt(x: number, y: number): Ray {
     const { scale } = this.#layout;
-    const across = (x - this.#layout.x) / scale;
-    const along = this.#shape.height - (y - this.#layout.y) / scale;
+    const [right, down] = [(x - this.#layout.x) / scale, (y - this.#layout.y) / scale];
+    const [across, along] = this.#shape.rolled ? [down, right] : [right, this.#shape.height - down];
     return { origin: [across, along, 1], direction: [0, 0, -1] };
   }
 
   project([x, y]: Vec3): { x: number; y: number } {
     const { scale } = this.#layout;
-    return { x: this.#layout.x + scale * x, y: this.#layout.y + scale * (this.#shape.height - y) };
+    const [right, down] = this.#shape.rolled ? [y, x] : [x, this.#shape.height - y];
+    return { x: this.#layout.x + scale * right, y: this.#layout.y + scale * down };
   }
 
   projectOn(face: Face, x: number, y: number): { x: number; y: number } {
     const { height } = this.#shape;
     const [left, top, right, bottom] = panelOf(this.#shape, face);
-    return this.project([left + (right - left) * x, height - top - (bottom - top) * y, 0]);
+    const [u, v] = this.#shape.rolled ? [y, 1 - x] : [x, y];
+    return this.project([left + (right - left) * u, height - top - (bottom - top) * v, 0]);
   }
 
   get viewKey(): string {
