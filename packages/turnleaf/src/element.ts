@@ -13,6 +13,7 @@ import {
 } from "./element/attributes.ts";
 import type { TurnleafEventMap } from "./element/events.ts";
 import { Life, type OpenBook } from "./element/life.ts";
+import { PageChanges } from "./element/page_changes.ts";
 import { wishOf } from "./element/wish.ts";
 import { style } from "./element.css.ts";
 import type { Stock } from "./engine/shapes.ts";
@@ -40,6 +41,7 @@ export class TurnleafBook extends Base {
     opened: (book) => this.#opened(book),
     failed: (error) => this.#fail(error),
   });
+  readonly #pageChanges = new PageChanges();
   #words: Announcements | null = null;
   #input: BookInput | null = null;
   #paper: Paper | null = null;
@@ -155,6 +157,25 @@ export class TurnleafBook extends Base {
     const landed = viewer.turning.goTo(spread);
     viewer.invalidate();
     return landed;
+  }
+
+  /**
+   * Puts pages before page `at` (from 1), or behind the last. The page in sight stays.
+   * Resolves, once the book lies still and they are in it, to whether they are.
+   * Rejects with a `BookError` where they cannot be opened or there is no such page.
+   */
+  insertPages(at: number, pages: BookInput): Promise<boolean> {
+    return this.#changePages(at, 0, pages);
+  }
+
+  /** Takes out `count` pages from page `from` (from 1) on. Resolves and rejects as `insertPages` does. */
+  removePages(from: number, count = 1): Promise<boolean> {
+    return this.#changePages(from, count, null);
+  }
+
+  /** Puts other pages in place of page `page` (from 1). Resolves and rejects as `insertPages` does. */
+  replacePage(page: number, pages: BookInput): Promise<boolean> {
+    return this.#changePages(page, 1, pages);
   }
 
   /** @internal */
@@ -292,6 +313,15 @@ export class TurnleafBook extends Base {
     this.#describe();
     const direction = directionOf(binding, from, to);
     this.#emit("pagechange", { from: pageOf(binding, from), to: pageOf(binding, to), direction });
+  }
+
+  async #changePages(at: number, count: number, input: BookInput | null): Promise<boolean> {
+    const isDone = await this.#pageChanges.change(() => this.#life.book, at, count, input);
+    if (isDone && this.#life.book) {
+      this.#describe();
+      this.#emit("pageschange", { pageCount: this.pageCount });
+    }
+    return isDone;
   }
 
   #laidOut(): void {

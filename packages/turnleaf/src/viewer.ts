@@ -89,6 +89,8 @@ export class Viewer {
   /** The page to keep in sight however the book is bound. */
   #place: number;
   #mustRebind = false;
+  /** Changes of the pages that wait for the book to lie still. */
+  readonly #changes: (() => void)[] = [];
   #cssWidth = 0;
   #cssHeight = 0;
   #pixelRatio = 1;
@@ -167,6 +169,34 @@ export class Viewer {
     if (!this.turning.moving) this.#bindAnew();
   }
 
+  /**
+   * Changes the book's pages, as soon as it lies still; the page in sight stays,
+   * or the one that lies in its place does.
+   *
+   * Resolves to whether it was done: not where the book was taken away before.
+   * Rejects as `change` throws.
+   *
+   * @param change changes the source and answers where a page (from 0) lies then, null where it is gone
+   */
+  changePages(change: () => (index: number) => number | null): Promise<boolean> {
+    const changed = new Promise<boolean>((resolve, reject) => {
+      this.#changes.push(() => {
+        if (this.#destroyed) return resolve(false);
+        try {
+          const moved = change();
+          this.#pictures.renumber(moved);
+          this.#place = this.#placeAfter(moved);
+          this.#mustRebind = true;
+          resolve(true);
+        } catch (error) {
+          reject(error);
+        }
+      });
+    });
+    if (this.#destroyed || !this.turning.moving) this.#bindAnew();
+    return changed;
+  }
+
   /** Fits the book to the canvas's size in CSS pixels. */
   resize(cssWidth: number, cssHeight: number, pixelRatio: number): void {
     this.#cssWidth = cssWidth;
@@ -182,7 +212,7 @@ export class Viewer {
     this.turning.lay(clampSpread(this.binding, spread));
     this.#changePaper();
     this.#keepPlace();
-    if (this.#mustRebind) this.#bindAnew();
+    this.#bindAnew();
     this.#show();
   }
 
@@ -256,6 +286,7 @@ export class Viewer {
     this.#destroyed = true;
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
+    this.#bindAnew();
     this.#bound.destroy();
     this.#pictures.close();
     this.#stage.destroy();
@@ -270,8 +301,8 @@ export class Viewer {
     const turning = turned && this.turning.step(passed);
     // Whoever hears of a turn may take the book away at once.
     if (this.#destroyed) return;
-    if (!turning && this.#mustRebind) this.#bindAnew();
-    else if (turned) engine.update();
+    if (turned) engine.update();
+    if (!turning) this.#bindAnew();
     const stepping = this.#stepBack(turning, passed * engine.tick);
     if (stepping) this.#bound.holding.follow();
     const moving = turning || stepping;
@@ -342,7 +373,10 @@ export class Viewer {
     return bound;
   }
 
+  /** Does what waited for the book to lie still. */
   #bindAnew(): void {
+    for (const change of this.#changes.splice(0)) change();
+    if (!this.#mustRebind || this.#destroyed) return;
     this.#mustRebind = false;
     const before = this.#bound;
     const plan = this.#plan();
@@ -353,6 +387,15 @@ export class Viewer {
     const { edge, layout } = before.binding;
     if (edge !== this.binding.edge || layout !== this.binding.layout) this.#options.onLayout?.();
     this.#show();
+  }
+
+  /** Where the place is once pages have moved: at its own page, else behind the one before it. */
+  #placeAfter(moved: (index: number) => number | null): number {
+    for (let index = this.#place - 1; index >= 0; index--) {
+      const now = moved(index);
+      if (now !== null) return now + (index === this.#place - 1 ? 1 : 2);
+    }
+    return 1;
   }
 
   /** Of two pages in sight, the one that was asked for stays the place. */

@@ -19,6 +19,8 @@ export interface TurnleafEventMap {
   pagechange: CustomEvent<TurnDetail>;
   /** The book is bound at another edge, or shows two pages rather than one, or one rather than two. */
   layoutchange: CustomEvent<{ layout: Layout; binding: Edge }>;
+  /** Pages were added, taken out or replaced. */
+  pageschange: CustomEvent<{ pageCount: number }>;
   /** The book could not be opened; the sentence says why. */
   error: CustomEvent<{ message: string }>;
 }

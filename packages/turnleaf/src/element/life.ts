@@ -3,12 +3,13 @@
 import { Input } from "../input.ts";
 import { openViewer } from "../open_viewer.ts";
 import { type BookInput, openSource } from "../sources/open.ts";
+import { PageList } from "../sources/page_list.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Viewer, ViewerOptions } from "../viewer.ts";
 
 /** A book that lies open: where its pages come from, what shows it, and the canvas it is shown on. */
 export interface OpenBook {
-  readonly source: PageSource;
+  readonly source: PageList;
   readonly viewer: Viewer;
   readonly canvas: HTMLCanvasElement;
 }
@@ -78,7 +79,7 @@ export class Life {
   }
 
   async #open(input: BookInput, signal: AbortSignal): Promise<void> {
-    const source = await openSource(input, { signal });
+    const source = new PageList(await openSource(input, { signal }));
     try {
       // Another book may be open by now, on the canvas that this one would take away.
       signal.throwIfAborted();

@@ -2,7 +2,7 @@
 
 import type { PagePicture, PageSource } from "../sources/page_source.ts";
 import { fitToLeaf } from "./fit.ts";
-import { closePicture, PagePool } from "./page_pool.ts";
+import { closePicture, PagePool, type PoolSource } from "./page_pool.ts";
 import { barePage, failedPage, waitingPage } from "./stand_in.ts";
 
 /** Told when pictures come and go. */
@@ -48,11 +48,17 @@ export class PagePictures {
       if (fitted !== picture) closePicture(picture);
       return fitted;
     };
-    const { pageCount, title } = source;
-    this.#pool = new PagePool(
-      { pageCount, title, draw },
-      { onArrive: (index) => options.onArrive(index + 1), onDrop: options.onDrop },
-    );
+    const book: PoolSource = {
+      get pageCount() {
+        return source.pageCount;
+      },
+      title: source.title,
+      draw,
+    };
+    this.#pool = new PagePool(book, {
+      onArrive: (index) => options.onArrive(index + 1),
+      onDrop: options.onDrop,
+    });
   }
 
   /**
@@ -69,6 +75,12 @@ export class PagePictures {
       return { index: page - 1, width: isRough ? rough : width, isRough };
     });
     this.#pool.want(wanted, inSight);
+  }
+
+  /** The book's pages are others than before; `moved` answers where a page (from 0) is now, or null. */
+  renumber(moved: (index: number) => number | null): void {
+    this.#inSight = new Set();
+    this.#pool.renumber(moved);
   }
 
   /** The best picture of a page (from 1) that there is now; never nothing. */

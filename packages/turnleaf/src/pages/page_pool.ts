@@ -102,6 +102,26 @@ export class PagePool {
     return this.#held.has(index) ? null : (this.#failed.get(index) ?? null);
   }
 
+  /**
+   * The book's pages are others than before: pictures stay with their pages.
+   *
+   * @param moved where a page lies now; null where it is gone
+   */
+  renumber(moved: (index: number) => number | null): void {
+    for (const job of [...this.#jobs.values()]) this.#abort(job);
+    this.#wanted = [];
+    for (const index of this.#held.keys()) if (moved(index) === null) this.#drop(index);
+    this.#failed.clear();
+    for (const kept of [this.#held, this.#ratios] as Map<number, unknown>[]) {
+      const entries = [...kept];
+      kept.clear();
+      for (const [index, value] of entries) {
+        const now = moved(index);
+        if (now !== null) kept.set(now, value);
+      }
+    }
+  }
+
   /** Forgets failures, so that the pages on the list are tried again. */
   retry(): void {
     this.#failed.clear();

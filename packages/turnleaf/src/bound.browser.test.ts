@@ -1,0 +1,214 @@
+/** Books bound in other ways, turned by hand in real Chromium: which page is seen where, by its colour. */
+
+import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
+import type { TurnleafBook } from "./element.ts";
+import { book, happens, settled } from "./element_for_tests.ts";
+
+const { getContext } = HTMLCanvasElement.prototype;
+
+beforeAll(() => {
+  // What a WebGL canvas shows can be read at any time then, not within its frame alone.
+  HTMLCanvasElement.prototype.getContext = function (
+    this: HTMLCanvasElement,
+    kind: string,
+    how?: object,
+  ) {
+    return getContext.call(this, kind, { ...how, preserveDrawingBuffer: true });
+  } as typeof getContext;
+});
+
+afterAll(() => {
+  HTMLCanvasElement.prototype.getContext = getContext;
+});
+
+afterEach(() => document.body.replaceChildren());
+
+/** A colour for each page, told apart by its hue. */
+const hueOf = (page: number): number => (page * 47) % 360;
+
+function plain(page: number, width = 80, height = 120): { src: string } {
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [width, height];
+  const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
+  pen.fillStyle = `hsl(${hueOf(page)} 90% 60%)`;
+  pen.fillRect(0, 0, width, height);
+  return { src: canvas.toDataURL("image/png") };
+}
+
+const pages = (count: number): { src: string }[] =>
+  Array.from({ length: count }, (_, k) => plain(k + 1));
+
+/** The hue at a place of the element, shares of its size; null where there is no strong colour. */
+async function hueAt(element: TurnleafBook, x: number, y: number): Promise<number | null> {
+  await settled(element);
+  const canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
+  const copy = document.createElement("canvas");
+  [copy.width, copy.height] = [1, 1];
+  const pen = copy.getContext("2d") as CanvasRenderingContext2D;
+  pen.drawImage(canvas, -x * canvas.width, -y * canvas.height);
+  const [r, g, b] = pen.getImageData(0, 0, 1, 1).data;
+  const most = Math.max(r, g, b);
+  const span = most - Math.min(r, g, b);
+  if (span < 60) return null;
+  const sixth = most === r ? (g - b) / span : most === g ? 2 + (b - r) / span : 4 + (r - g) / span;
+  return (60 * sixth + 360) % 360;
+}
+
+/** Expects a page's colour at a place. */
+async function expectPage(element: TurnleafBook, page: number, x: number, y: number) {
+  const hue = await hueAt(element, x, y);
+  expect(hue, `page ${page} at ${x}, ${y}`).not.toBeNull();
+  const off = Math.abs((hue as number) - hueOf(page));
+  expect(Math.min(off, 360 - off), `page ${page} at ${x}, ${y}`).toBeLessThan(12);
+}
+
+/** Drags from one place to another, shares of the element's size, slowly enough for the leaf to follow. */
+async function drag(element: TurnleafBook, from: [number, number], to: [number, number]) {
+  const canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
+  canvas.setPointerCapture = () => {};
+  const box = canvas.getBoundingClientRect();
+  const point = (name: string, x: number, y: number) =>
+    canvas.dispatchEvent(
+      new PointerEvent(name, {
+        pointerId: 1,
+        isPrimary: true,
+        pointerType: "mouse",
+        button: 0,
+        bubbles: true,
+        clientX: box.left + x * box.width,
+        clientY: box.top + y * box.height,
+      }),
+    );
+  point("pointerdown", ...from);
+  for (let step = 1; step <= 40; step++) {
+    const t = step / 40;
+    point("pointermove", from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t);
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+  point("pointerup", ...to);
+  await settled(element);
+}
+
+async function opened(attributes: Record<string, string>, size = [420, 300], count = 12) {
+  const element = book(pages(count), { duration: "80", ...attributes });
+  [element.style.width, element.style.height] = [`${size[0]}px`, `${size[1]}px`];
+  await happens(element, "load");
+  await settled(element);
+  return element;
+}
+
+test("bound on the right: the second page is on the right, and on is dragged from the left", async () => {
+  const element = await opened({ binding: "right", page: "4" });
+  expect(element.direction).toBe("rtl");
+  expect(element.spread).toEqual({ left: 5, right: 4 });
+  await expectPage(element, 5, 0.35, 0.6);
+  await expectPage(element, 4, 0.65, 0.6);
+  await drag(element, [0.14, 0.6], [0.85, 0.6]);
+  expect([element.page, element.spread]).toEqual([6, { left: 7, right: 6 }]);
+  await expectPage(element, 7, 0.35, 0.6);
+  await expectPage(element, 6, 0.65, 0.6);
+  element.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }));
+  await expect.poll(() => element.page, { timeout: 20_000 }).toBe(8);
+  element.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight" }));
+  await expect.poll(() => element.page, { timeout: 20_000 }).toBe(6);
+});
+
+test("bound at the top: pages lie above each other, and on is dragged from below", async () => {
+  const element = await opened({ binding: "top", layout: "spread", page: "4" }, [300, 420]);
+  expect(element.spread).toEqual({ left: 4, right: 5 });
+  await expectPage(element, 4, 0.5, 0.35);
+  await expectPage(element, 5, 0.5, 0.75);
+  await drag(element, [0.5, 0.9], [0.5, 0.2]);
+  expect(element.page).toBe(6);
+  await expectPage(element, 6, 0.5, 0.35);
+  await expectPage(element, 7, 0.5, 0.75);
+  element.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowDown" }));
+  await expect.poll(() => element.page, { timeout: 20_000 }).toBe(8);
+});
+
+test("bound at the bottom, the next page lies above", async () => {
+  const element = await opened({ binding: "bottom", layout: "spread", page: "4" }, [300, 420]);
+  await expectPage(element, 5, 0.5, 0.35);
+  await expectPage(element, 4, 0.5, 0.75);
+  expect(await element.next()).toBe(true);
+  await expectPage(element, 7, 0.5, 0.35);
+});
+
+test("a narrow place shows one page, and a wide one two, at the same place in the book", async () => {
+  const element = await opened({ page: "5" });
+  const canvas = element.shadowRoot?.querySelector("canvas");
+  expect(element.spread).toEqual({ left: 4, right: 5 });
+  const laidOut = happens(element, "layoutchange");
+  [element.style.width, element.style.height] = ["200px", "400px"];
+  expect(await laidOut).toEqual({ layout: "single", binding: "left" });
+  await settled(element);
+  expect(element.spread).toEqual({ left: null, right: 5 });
+  await expectPage(element, 5, 0.5, 0.5);
+  expect(await element.next()).toBe(true);
+  expect(element.page).toBe(6);
+  await expectPage(element, 6, 0.5, 0.5);
+  expect(await element.next()).toBe(true);
+  const back = happens(element, "layoutchange");
+  [element.style.width, element.style.height] = ["420px", "300px"];
+  expect(await back).toEqual({ layout: "spread", binding: "left" });
+  expect(element.spread).toEqual({ left: 6, right: 7 });
+  element.setAttribute("layout", "single");
+  expect(element.page).toBe(7);
+  expect(element.shadowRoot?.querySelector("canvas")).toBe(canvas);
+});
+
+test("what is bound anew in the middle of a turn lands first", async () => {
+  const element = await opened({ page: "4", cover: "none" });
+  const turned = element.next();
+  element.setAttribute("offset", "0");
+  element.setAttribute("binding", "right");
+  expect(await turned).toBe(true);
+  await settled(element);
+  // Page 6 came into sight; beside it now lies 5.
+  expect(element.spread).toEqual({ left: 6, right: 5 });
+  await expectPage(element, 6, 0.35, 0.6);
+  await expectPage(element, 5, 0.65, 0.6);
+});
+
+test("the closed book lies in the middle, front and back, with boards or without", async () => {
+  for (const cover of ["hard", "none"]) {
+    const element = await opened({ cover, page: "1" });
+    await expectPage(element, 1, 0.5, 0.5);
+    expect(await hueAt(element, 0.12, 0.5)).toBeNull();
+    expect(await element.goTo(12)).toBe(true);
+    await expectPage(element, 12, 0.5, 0.5);
+    expect(await hueAt(element, 0.88, 0.5)).toBeNull();
+    element.remove();
+  }
+});
+
+test("pages are added, taken out and replaced while the book lies open, which keeps its place", async () => {
+  const element = await opened({ page: "6" });
+  const changes: number[] = [];
+  element.addEventListener("pageschange", (event) =>
+    changes.push((event as CustomEvent<{ pageCount: number }>).detail.pageCount),
+  );
+  expect(await element.insertPages(1, [plain(20), plain(21)])).toBe(true);
+  await settled(element);
+  expect([element.pageCount, element.page]).toEqual([14, 8]);
+  await expectPage(element, 6, 0.35, 0.6);
+  await expectPage(element, 7, 0.65, 0.6);
+  expect(await element.removePages(1, 2)).toBe(true);
+  expect([element.pageCount, element.page]).toEqual([12, 6]);
+  expect(await element.replacePage(7, [plain(25)])).toBe(true);
+  await settled(element);
+  await expectPage(element, 6, 0.35, 0.6);
+  await expectPage(element, 25, 0.65, 0.6);
+  // In the middle of a turn: the leaf lands first.
+  const turned = element.next();
+  const removed = element.removePages(6, 2);
+  expect([await turned, await removed]).toEqual([true, true]);
+  await settled(element);
+  expect([element.pageCount, element.page]).toEqual([10, 6]);
+  await expectPage(element, 8, 0.35, 0.6);
+  expect(changes).toEqual([14, 12, 12, 10]);
+  await expect(element.removePages(10, 2)).rejects.toThrow("pages 1 to 10 alone");
+  await expect(element.removePages(1, 10)).rejects.toThrow("needs a page");
+  await expect(element.replacePage(1, [])).rejects.toThrow();
+  expect(element.pageCount).toBe(10);
+});

@@ -1,0 +1,113 @@
+import { expect, test } from "vitest";
+import { PageList } from "./page_list.ts";
+import { BookError, type PageSource } from "./page_source.ts";
+
+/** A source whose pages say where they come from, and which says when it is closed. */
+function source(name: string, pageCount: number, closed: string[] = [], labels = ""): PageSource {
+  return {
+    title: name,
+    language: "en",
+    direction: "rtl",
+    kind: "typeset",
+    pageCount,
+    size: async (index) => ({ width: index + 1, height: 1 }),
+    label: (index) => (labels ? labels[index] : String(index + 1)),
+    draw: async (index) => `${name}${index + 1}` as never,
+    links: async () => [
+      { x: 0, y: 0, width: 1, height: 1, title: "", to: { page: pageCount } },
+      { x: 0, y: 0, width: 1, height: 1, title: "", to: { href: "https://example.org" } },
+    ],
+    outline: async () => [
+      { title: "Begin", page: 1, children: [{ title: "End", page: pageCount, children: [] }] },
+    ],
+    file: async () => new Blob(),
+    close: () => closed.push(name),
+  };
+}
+
+const signal = new AbortController().signal;
+
+/** Which page lies at every place. */
+const pages = async (list: PageList) =>
+  await Promise.all(
+    Array.from({ length: list.pageCount }, (_, index) => list.draw(index, 1, signal) as unknown),
+  );
+
+test("pages are put in, taken out and replaced, and others keep theirs", async () => {
+  const list = new PageList(source("a", 4));
+  const inserted = list.splice(1, 0, source("b", 2));
+  expect(await pages(list)).toEqual(["a1", "b1", "b2", "a2", "a3", "a4"]);
+  expect([0, 1, 3].map(inserted)).toEqual([0, 3, 5]);
+  const removed = list.splice(2, 2, null);
+  expect(await pages(list)).toEqual(["a1", "b1", "a3", "a4"]);
+  expect([0, 1, 2, 3, 4, 5].map(removed)).toEqual([0, 1, null, null, 2, 3]);
+  const replaced = list.splice(0, 1, source("c", 1));
+  expect(await pages(list)).toEqual(["c1", "b1", "a3", "a4"]);
+  expect([0, 1, 3].map(replaced)).toEqual([null, 1, 3]);
+  expect((await list.size(2)).width).toBe(3);
+  expect([list.title, list.direction, list.kind]).toEqual(["a", "rtl", "typeset"]);
+});
+
+test("pages that there are not are refused, and nothing changes", async () => {
+  const list = new PageList(source("a", 2));
+  for (const [at, count] of [
+    [3, 0],
+    [-1, 1],
+    [1, 2],
+    [0.5, 1],
+    [Number.NaN, 0],
+    [0, Number.NaN],
+    [0, -1],
+  ]) {
+    expect(() => list.splice(at, count, source("b", 1))).toThrow("a has pages 1 to 2 alone");
+  }
+  expect(await pages(list)).toEqual(["a1", "a2"]);
+  list.splice(2, 0, source("b", 1));
+  expect(await pages(list)).toEqual(["a1", "a2", "b1"]);
+  await expect(list.draw(4, 1, signal)).rejects.toThrow("a has no page 5");
+});
+
+test("pages that are merely counted are counted anew, labels stay", () => {
+  const list = new PageList(source("a", 3, [], "iv5"));
+  list.splice(1, 0, source("b", 1));
+  expect([0, 1, 2, 3].map((index) => list.label(index))).toEqual(["i", "2", "v", "5"]);
+});
+
+test("links and contents follow their pages; those to pages that are gone lead nowhere", async () => {
+  const list = new PageList(source("a", 3));
+  const targets = async () => (await list.links(1, signal)).map(({ to }) => to);
+  list.splice(0, 0, source("b", 1));
+  expect(await targets()).toEqual([{ page: 4 }, { href: "https://example.org" }]);
+  const [begin] = await list.outline(signal);
+  expect([begin.page, begin.children[0].page]).toEqual([2, 4]);
+  list.splice(3, 1, null);
+  expect(await targets()).toEqual([{ href: "https://example.org" }]);
+  expect((await list.outline(signal))[0].children[0].page).toBeNull();
+});
+
+test("the book's own file is given for as long as it is the book", () => {
+  const list = new PageList(source("a", 3));
+  expect(list.file).toBeDefined();
+  list.splice(3, 0, source("b", 1));
+  expect(list.file).toBeUndefined();
+  list.splice(3, 1, null);
+  expect(list.file).toBeDefined();
+});
+
+test("a source is closed when its last page goes; the book's own stays for its title", () => {
+  const closed: string[] = [];
+  const list = new PageList(source("a", 2, closed));
+  list.splice(0, 0, source("b", 2, closed));
+  list.splice(0, 1, null);
+  expect(closed).toEqual([]);
+  list.splice(0, 3, source("c", 1, closed));
+  expect(closed).toEqual(["b"]);
+  list.close();
+  expect(closed.sort()).toEqual(["a", "b", "c"]);
+});
+
+test("a book keeps a page", async () => {
+  const list = new PageList(source("a", 2));
+  expect(() => list.splice(0, 2, null)).toThrow(BookError);
+  expect(await pages(list)).toEqual(["a1", "a2"]);
+});

@@ -1,0 +1,184 @@
+/** A book whose pages may be added to, taken away and replaced while it is open. */
+
+import {
+  BookError,
+  type LinkTarget,
+  type OutlineEntry,
+  type PageBox,
+  type PageField,
+  type PageLink,
+  type PagePicture,
+  type PageSize,
+  type PageSource,
+  type TextRun,
+} from "./page_source.ts";
+
+/** A page of a list: which page (from 0) of which source it is. */
+interface Entry {
+  readonly source: PageSource;
+  readonly index: number;
+}
+
+/** Where a page (from 0) lies after a change; null where it is gone. */
+export type Moved = (index: number) => number | null;
+
+/** Most pages of a list: far more than a book has, few enough to keep in mind. */
+const mostPages = 100_000;
+
+/**
+ * Pages of several sources as those of one book. It is called, read and opened
+ * as the first source says, and closes every source once none of its pages is left.
+ */
+export class PageList implements PageSource {
+  readonly #first: PageSource;
+  #entries: Entry[];
+
+  constructor(source: PageSource) {
+    this.#first = source;
+    this.#entries = entriesOf(source);
+  }
+
+  get title(): string {
+    return this.#first.title;
+  }
+
+  get language(): string {
+    return this.#first.language;
+  }
+
+  get direction(): "ltr" | "rtl" {
+    return this.#first.direction;
+  }
+
+  get kind(): "typeset" | "scan" {
+    return this.#first.kind;
+  }
+
+  get pageCount(): number {
+    return this.#entries.length;
+  }
+
+  get openingPage(): number | undefined {
+    return this.#first.openingPage;
+  }
+
+  get allows(): PageSource["allows"] {
+    return this.#first.allows;
+  }
+
+  /** The first source's file, for as long as the book is nothing else. */
+  get file(): (() => Promise<Blob>) | undefined {
+    const first = this.#first;
+    const isWhole =
+      this.#entries.length === first.pageCount &&
+      this.#entries.every(({ source, index }, k) => source === first && index === k);
+    return isWhole ? first.file?.bind(first) : undefined;
+  }
+
+  size(index: number, signal?: AbortSignal): Promise<PageSize> {
+    return this.#of(index, (source, own) => source.size(own, signal));
+  }
+
+  label(index: number): string {
+    const entry = this.#entries[index];
+    const label = entry?.source.label(entry.index);
+    // What is merely counted is counted anew.
+    return label === undefined || label === String(entry.index + 1) ? String(index + 1) : label;
+  }
+
+  draw(index: number, width: number, signal: AbortSignal, region?: PageBox): Promise<PagePicture> {
+    return this.#of(index, (source, own) => source.draw(own, width, signal, region));
+  }
+
+  text(index: number, signal: AbortSignal): Promise<readonly TextRun[]> {
+    return this.#of(index, async (source, own) => (await source.text?.(own, signal)) ?? []);
+  }
+
+  alt(index: number, signal: AbortSignal): Promise<string> {
+    return this.#of(index, async (source, own) => (await source.alt?.(own, signal)) ?? "");
+  }
+
+  fields(index: number, signal: AbortSignal): Promise<readonly PageField[]> {
+    return this.#of(index, async (source, own) => (await source.fields?.(own, signal)) ?? []);
+  }
+
+  /** A page's links; those to pages that are gone are left out. */
+  links(index: number, signal: AbortSignal): Promise<readonly PageLink[]> {
+    return this.#of(index, async (source, own) => {
+      const links = (await source.links?.(own, signal)) ?? [];
+      return links.flatMap((link) => {
+        const to = this.#target(source, link.to);
+        return to ? [{ ...link, to }] : [];
+      });
+    });
+  }
+
+  async outline(signal: AbortSignal): Promise<readonly OutlineEntry[]> {
+    const moved = (entries: readonly OutlineEntry[]): readonly OutlineEntry[] =>
+      entries.map((entry) => ({
+        ...entry,
+        page: entry.page && this.#pageOf(this.#first, entry.page),
+        children: moved(entry.children),
+      }));
+    return moved((await this.#first.outline?.(signal)) ?? []);
+  }
+
+  /** Closes every source. */
+  close(): void {
+    const sources = new Set(this.#entries.map(({ source }) => source)).add(this.#first);
+    this.#entries = [];
+    for (const source of sources) source.close();
+  }
+
+  /**
+   * Puts another source's pages in place of `count` pages from `at` (from 0) on,
+   * or behind the last. The list owns the source from then on.
+   *
+   * @throws BookError where there are no such pages, or where none would be left
+   *   or too many; nothing has changed then
+   */
+  splice(at: number, count: number, source: PageSource | null): Moved {
+    const before = this.#entries;
+    const added = source ? entriesOf(source) : [];
+    const left = before.length - count + added.length;
+    if (!Number.isInteger(at) || !(at >= 0 && count >= 0 && at + count <= before.length)) {
+      throw new BookError(`${this.title} has pages 1 to ${before.length} alone; name those.`);
+    }
+    if (left === 0) throw new BookError("A book needs a page; leave one of them.");
+    if (left > mostPages) throw new BookError(`A book has ${mostPages} pages at most; add fewer.`);
+    this.#entries = [...before.slice(0, at), ...added, ...before.slice(at + count)];
+    const inUse = new Set(this.#entries.map((entry) => entry.source)).add(this.#first);
+    for (const used of new Set(before.map((entry) => entry.source))) {
+      if (!inUse.has(used)) used.close();
+    }
+    return (index) => {
+      if (index < at) return index;
+      return index < at + count ? null : index - count + added.length;
+    };
+  }
+
+  async #of<T>(index: number, ask: (source: PageSource, own: number) => Promise<T>): Promise<T> {
+    const entry = this.#entries[index];
+    if (!entry) throw new BookError(`${this.title} has no page ${index + 1}; turn to another.`);
+    return await ask(entry.source, entry.index);
+  }
+
+  /** The page (from 1) of this book that is a source's page (from 1), or null. */
+  #pageOf(source: PageSource, page: number): number | null {
+    const here = (entry: Entry | undefined): boolean =>
+      entry?.source === source && entry.index === page - 1;
+    // Most books are never changed.
+    if (here(this.#entries[page - 1])) return page;
+    return this.#entries.findIndex(here) + 1 || null;
+  }
+
+  #target(source: PageSource, to: LinkTarget): LinkTarget | null {
+    if (!("page" in to)) return to;
+    const page = this.#pageOf(source, to.page);
+    return page === null ? null : { page };
+  }
+}
+
+function entriesOf(source: PageSource): Entry[] {
+  return Array.from({ length: source.pageCount }, (_, index) => ({ source, index }));
+}
