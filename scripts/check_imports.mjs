@@ -23,9 +23,10 @@ const viewer = {
   "open_viewer.ts": ["draw", "plain", "sources", "solid.ts", "viewer.ts"],
   "input.ts": ["book", "engine", "view", "viewer.ts"],
   "element.css.ts": [],
-  element: ["book", "engine", "sources", "viewer.ts", "open_viewer.ts", "input.ts"],
-  "element.ts": ["book", "element", "engine", "sources", "viewer.ts", "element.css.ts"],
-  "index.ts": ["book", "element", "engine", "element.ts", "sources"],
+  text: ["pages", "sources"],
+  element: ["book", "engine", "sources", "viewer.ts", "open_viewer.ts", "input.ts", "text"],
+  "element.ts": ["book", "element", "engine", "sources", "text", "viewer.ts", "element.css.ts"],
+  "index.ts": ["book", "element", "engine", "element.ts", "sources", "text"],
   "element_for_tests.ts": ["element.ts", "index.ts"],
 };
 

@@ -18,7 +18,9 @@ import { wishOf } from "./element/wish.ts";
 import { style } from "./element.css.ts";
 import type { Stock } from "./engine/shapes.ts";
 import type { BookInput } from "./sources/open.ts";
-import { BookError, type PageSource } from "./sources/page_source.ts";
+import { BookError, type OutlineEntry, type PageSource } from "./sources/page_source.ts";
+import type { SearchHit } from "./text/searching.ts";
+import { textStyle } from "./text/text.css.ts";
 import type { Viewer, ViewerOptions } from "./viewer.ts";
 
 /** On a server there is no DOM: importing the package is safe there, using the element is not. */
@@ -38,6 +40,7 @@ export class TurnleafBook extends Base {
   readonly #life = new Life(this, this.#stage, {
     options: (source) => this.#options(source),
     turn: (by) => void this.#turn(by),
+    goTo: (page) => void this.goTo(page),
     opened: (book) => this.#opened(book),
     failed: (error) => this.#fail(error),
   });
@@ -178,6 +181,29 @@ export class TurnleafBook extends Base {
     return this.#changePages(page, 1, pages);
   }
 
+  /**
+   * Every place of the book where a text stands, in reading order, at most 2,000; none while no book is open.
+   * Case, accents, ligatures, quotation marks and hyphens do not count.
+   * Rejects with the signal's reason when aborted, or when the book is closed.
+   */
+  async search(query: string, options?: { signal?: AbortSignal }): Promise<readonly SearchHit[]> {
+    return (await this.#life.book?.reading.search(query, options?.signal)) ?? [];
+  }
+
+  /**
+   * Turns to a hit and marks it, strongly, and faintly every other place of its query that comes in sight;
+   * null takes the marks away. Resolves, once the book is at rest, to whether the hit lies open.
+   */
+  showHit(hit: SearchHit | null): Promise<boolean> {
+    this.#life.book?.reading.mark(hit);
+    return hit ? this.goTo(hit.page) : Promise.resolve(true);
+  }
+
+  /** The book's table of contents; empty where it has none, or no book is open. Rejects with a `BookError`. */
+  async outline(): Promise<readonly OutlineEntry[]> {
+    return (await this.#life.book?.reading.outline()) ?? [];
+  }
+
   /** @internal */
   connectedCallback(): void {
     adopt(this, ["src", "pages", "stock", "paper", "page"]);
@@ -259,7 +285,7 @@ export class TurnleafBook extends Base {
       const root = this.attachShadow({ mode: "open" });
       // Not a <style> element: pages with a strict security policy forbid those.
       const sheet = new CSSStyleSheet();
-      sheet.replaceSync(style);
+      sheet.replaceSync(style + textStyle);
       root.adoptedStyleSheets = [sheet];
       this.#stage.setAttribute("part", "stage");
       root.append(this.#stage);

@@ -13,6 +13,7 @@ export { TurnleafBook } from "./element.ts";
 export type { Stock, StockFigures, Vec3 } from "./engine/shapes.ts";
 export type { BookInput } from "./sources/open.ts";
 export { BookError, type OutlineEntry } from "./sources/page_source.ts";
+export type { SearchHit } from "./text/searching.ts";
 
 if (globalThis.customElements && !customElements.get("turnleaf-book")) {
   customElements.define("turnleaf-book", TurnleafBook);

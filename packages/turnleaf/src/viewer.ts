@@ -149,6 +149,11 @@ export class Viewer {
     return new Viewer(source, book, plan, engine, stage, options);
   }
 
+  /** A leaf's width over its height. */
+  get aspect(): number {
+    return this.#book.aspect;
+  }
+
   /** How the book is bound now. Another once `rebind` has done its work. */
   get binding(): Binding {
     return this.#bound.binding;
@@ -264,10 +269,10 @@ export class Viewer {
   }
 
   /**
-   * Calls `listener` after a frame in which the book came to rest as it was not
-   * before: other pages lie open, or they are seen elsewhere. What `project`
-   * answers holds until the next call or the next turn. Answers how to take the
-   * listener away.
+   * Calls `listener` after a frame in which the book came to rest: other pages
+   * lie open, or they are seen elsewhere, or the same lie still again; and after
+   * the first frame in which it leaves that rest. What `project` answers holds
+   * until the next call. Answers how to take the listener away.
    */
   onView(listener: () => void): () => void {
     this.#listeners.add(listener);
@@ -310,15 +315,13 @@ export class Viewer {
     this.#stage.draw({ resting: !moving });
     this.#pictures.paused = moving;
     if (moving) this.invalidate();
-    else {
-      this.#bound.ticks.stop();
-      this.#tellView();
-    }
+    else this.#bound.ticks.stop();
+    this.#tellView(moving);
   }
 
-  /** Tells of another view, once for each. */
-  #tellView(): void {
-    const view = `${this.turning.spread} ${this.#stage.viewKey}`;
+  /** Tells of another view, once for each; of a book that moves there is none. */
+  #tellView(moving: boolean): void {
+    const view = moving ? "" : `${this.turning.spread} ${this.#stage.viewKey}`;
     if (view === this.#toldView) return;
     this.#toldView = view;
     for (const listener of this.#listeners) listener();

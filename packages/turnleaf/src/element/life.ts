@@ -6,12 +6,14 @@ import { type BookInput, openSource } from "../sources/open.ts";
 import { PageList } from "../sources/page_list.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Viewer, ViewerOptions } from "../viewer.ts";
+import { Reading } from "./reading.ts";
 
 /** A book that lies open: where its pages come from, what shows it, and the canvas it is shown on. */
 export interface OpenBook {
   readonly source: PageList;
   readonly viewer: Viewer;
   readonly canvas: HTMLCanvasElement;
+  readonly reading: Reading;
 }
 
 /** What an element tells and is told of its book's life. */
@@ -20,6 +22,8 @@ export interface LifeHooks {
   options(source: PageSource): ViewerOptions;
   /** Turns one leaf on (1) or back (-1), as the reader likes it: with a turn or without. */
   turn(by: 1 | -1): void;
+  /** Turns to a page (from 1). */
+  goTo(page: number): void;
   /** A book lies open. */
   opened(book: OpenBook): void;
   /** It could not be opened. */
@@ -70,6 +74,7 @@ export class Life {
     if (book) {
       book.ended.abort();
       book.input.destroy();
+      book.reading.destroy();
       book.viewer.destroy();
       book.source.close();
     }
@@ -89,8 +94,9 @@ export class Life {
       signal.throwIfAborted();
       const turn = (by: 1 | -1): void => this.#hooks.turn(by);
       const hands = new Input(canvas, this.#element, viewer, turn);
+      const reading = new Reading(source, viewer, canvas, (page) => this.#hooks.goTo(page));
       const ended = new AbortController();
-      this.#book = { source, viewer, canvas, input: hands, ended };
+      this.#book = { source, viewer, canvas, reading, input: hands, ended };
       this.#follow(viewer, ended.signal);
     } catch (error) {
       source.close();

@@ -39,7 +39,8 @@ async function apply(
   try {
     isDone = await book.viewer.changePages(() => book.source.splice(at - 1, count, added));
   } finally {
-    if (!isDone) added?.close();
+    if (isDone) book.reading.changed();
+    else added?.close();
   }
   return isDone;
 }

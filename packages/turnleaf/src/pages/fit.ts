@@ -1,9 +1,16 @@
 /** Fits pictures of other proportions onto the book's leaf. */
 
-import type { PagePicture } from "../sources/page_source.ts";
+import type { PageBox, PagePicture } from "../sources/page_source.ts";
 
 /** Difference of proportions that nobody sees, so that a picture may just be stretched. */
 const unseen = 0.015;
+
+/** The part of a leaf that a page of other proportions covers, shares from its upper left corner. */
+export function placeOnLeaf(own: number, aspect: number): PageBox {
+  if (Math.abs(own / aspect - 1) <= unseen) return { x: 0, y: 0, width: 1, height: 1 };
+  const [width, height] = [Math.min(own / aspect, 1), Math.min(aspect / own, 1)];
+  return { x: (1 - width) / 2, y: (1 - height) / 2, width, height };
+}
 
 /**
  * The picture itself where its proportions are the leaf's; else one of the

@@ -98,7 +98,7 @@ test.each([
   }
 });
 
-test("listeners are told of another view, once, and not at all of the same", async () => {
+test("listeners are told of another view and of leaving it, once, and not at all of the same", async () => {
   await opened(6, "none");
   let told = 0;
   const stop = viewer?.onView(() => told++);
@@ -111,11 +111,12 @@ test("listeners are told of another view, once, and not at all of the same", asy
   const turned = viewer?.turning.turn(1);
   viewer?.invalidate();
   expect(viewer?.project(6, 0, 0)).toBeNull();
+  await expect.poll(() => told, { timeout: 20_000 }).toBeGreaterThan(1);
   await turned;
-  await expect.poll(() => told, { timeout: 20_000 }).toBe(2);
+  await expect.poll(() => told, { timeout: 20_000 }).toBe(3);
   expect(viewer?.project(8, 0, 0)).not.toBeNull();
   stop?.();
   viewer?.resize(400, 300, 1);
   await expect.poll(() => viewer?.settled, { timeout: 20_000 }).toBe(true);
-  expect(told).toBe(2);
+  expect(told).toBe(3);
 });

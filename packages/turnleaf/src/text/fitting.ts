@@ -1,0 +1,23 @@
+/** How wide text is in the layer's one font, so that it can be fitted over printed text of any other. */
+
+/** The layer's font size, CSS pixels; what is laid out at it is scaled to the page. */
+export const fontSize = 20;
+
+/** The layer's font, as CSS and a canvas write it. */
+export const font: string = `${fontSize}px serif`;
+
+let pen: CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | null = null;
+
+/** Width of `text` on one line, CSS pixels; never 0. */
+export function widthOf(text: string): number {
+  pen ??= new OffscreenCanvas(1, 1).getContext("2d");
+  if (pen === null) return text.length * fontSize * 0.5;
+  pen.font = font;
+  return Math.max(pen.measureText(text).width, 0.01);
+}
+
+/** What share of a run's line lies before its character `at`. */
+export function shareBefore(text: string, at: number): number {
+  const whole = text.trimEnd();
+  return Math.min(widthOf(whole.slice(0, at)) / widthOf(whole), 1);
+}

@@ -1,0 +1,91 @@
+/** Text as it is compared when something is looked for: case, accents, ligatures and hyphens do not count. */
+
+import type { TextRun } from "../sources/page_source.ts";
+
+/** Marks on letters that a reader may leave out; vowels of Indic scripts and voiced kana are letters of their own. */
+const accents =
+  /(?![\u3099\u309a])(?=[\p{Script=Inherited}\p{Script=Hebrew}\p{Script=Arabic}])\p{Mn}/gu;
+const singleQuotes = /[\u2018-\u201b\u2032\u02bc]/g;
+const doubleQuotes = /[\u201c-\u201f\u2033\u00ab\u00bb]/g;
+const hyphens = /[\u2010\u2011\u2212\u00ad]/g;
+/** Dashes part words as spaces do. */
+const dashes = /[\u2012-\u2015]/g;
+/** Scripts that set no spaces between words, so that a line ends anywhere. */
+const unspaced =
+  /[\p{Script=Han}\p{Script=Hiragana}\p{Script=Katakana}\u3000-\u303f\uff00-\uffef]/u;
+const letter = /[\p{L}\p{M}]/u;
+
+/** Folded text, and where in the page's runs each of its characters stands. */
+export interface Folded {
+  readonly text: string;
+  /** Index of the run, and the character's place in it, for each character of `text`. */
+  readonly runs: Uint32Array;
+  readonly places: Uint32Array;
+}
+
+/** One character as it is compared; may be several, or none. */
+function foldCharacter(character: string): string {
+  // Most of what is read is plain, and a book has millions of characters.
+  if (character < "\u0080") return character.toLowerCase();
+  if (character >= "\u4e00" && character <= "\u9fff") return character;
+  return character
+    .normalize("NFKD")
+    .toUpperCase()
+    .toLowerCase()
+    .normalize("NFKD")
+    .replace(accents, "")
+    .replace(singleQuotes, "'")
+    .replace(doubleQuotes, '"')
+    .replace(hyphens, "-")
+    .replace(dashes, " ")
+    .normalize("NFC");
+}
+
+/** The text of a page's runs, folded into one line. */
+export function foldRuns(runs: readonly Pick<TextRun, "text" | "end">[]): Folded {
+  const text: string[] = [];
+  const at: [run: number, place: number][] = [];
+  let last = "";
+  const put = (characters: string, run: number, place: number): void => {
+    for (const character of characters) {
+      text.push(character);
+      for (let k = 0; k < character.length; k++) at.push([run, place]);
+      last = character;
+    }
+  };
+  /** What was met between two letters and counts only where it separates them. */
+  let space = false;
+  let broken = 0;
+  for (const [run, { text: said, end }] of runs.entries()) {
+    let place = 0;
+    for (const character of said) {
+      const folded = foldCharacter(character);
+      if (folded === "-") broken++;
+      else if (folded.trim() === "") space ||= folded !== "";
+      else {
+        const between = broken > 0 || space;
+        if (between && last !== "") {
+          const isJoined = letter.test(last) && letter.test(folded) && broken === 1 && !space;
+          const isRunOn = broken === 0 && unspaced.test(last) && unspaced.test(folded);
+          if (!isJoined && !isRunOn) put(broken > 0 ? "-".repeat(broken) : " ", run, place);
+        }
+        put(folded, run, place);
+        space = false;
+        broken = 0;
+      }
+      place += character.length;
+    }
+    // A hyphen at a line's end stands for nothing but the end itself.
+    if (end && broken === 0) space = true;
+  }
+  return {
+    text: text.join(""),
+    runs: Uint32Array.from(at, ([run]) => run),
+    places: Uint32Array.from(at, ([, place]) => place),
+  };
+}
+
+/** A query, folded as the text it is looked for in. */
+export function foldQuery(query: string): string {
+  return foldRuns([{ text: query, end: false }]).text;
+}

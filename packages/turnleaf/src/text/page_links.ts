@@ -1,0 +1,50 @@
+/** The links of an open page as real ones, over what they are printed on. */
+
+import type { LinkTarget, PageLink, TextRun } from "../sources/page_source.ts";
+import { layOver, type Project, placeIn } from "./placing.ts";
+
+/**
+ * A page's links as elements.
+ *
+ * @param nameOf what a place that a link leads to is called
+ * @param goTo follows a link within the book
+ */
+export function layLinks(
+  links: readonly PageLink[],
+  runs: readonly TextRun[],
+  project: Project,
+  nameOf: (to: LinkTarget) => string,
+  goTo: (page: number) => void,
+): HTMLElement[] {
+  return links.map((link) => {
+    const { to } = link;
+    const a = document.createElement("a");
+    layOver(a, placeIn(link, project));
+    a.title = link.title || nameOf(to);
+    a.setAttribute("aria-label", link.title || textUnder(link, runs) || nameOf(to));
+    if ("page" in to) {
+      a.href = `#page=${to.page}`;
+      a.addEventListener("click", (event) => {
+        event.preventDefault();
+        goTo(to.page);
+      });
+    } else {
+      a.href = to.href;
+      a.target = "_blank";
+      a.rel = "noopener noreferrer";
+    }
+    return a;
+  });
+}
+
+/** What is printed where a link is: the share of each level run that lies in it. */
+function textUnder(link: PageLink, runs: readonly TextRun[]): string {
+  const parts = runs.map((run) => {
+    const middle = run.y + run.height / 2;
+    if (run.angle !== 0 || middle < link.y || middle > link.y + link.height) return "";
+    const at = (x: number): number =>
+      Math.round(Math.min(Math.max((x - run.x) / run.width, 0), 1) * run.text.length);
+    return run.text.slice(at(link.x), at(link.x + link.width));
+  });
+  return parts.join("").replace(/\s+/g, " ").trim();
+}

@@ -1,0 +1,53 @@
+/** Marks on an open page where something was found. */
+
+import type { TextRun } from "../sources/page_source.ts";
+import { shareBefore } from "./fitting.ts";
+import { isFlat, layOver, type Project, placeIn } from "./placing.ts";
+import { findIn, type SearchHit, type Stretch } from "./searching.ts";
+
+/** What is marked: every place of a query faintly, and the one hit strongly. */
+export type Shown = Pick<SearchHit, "query" | "page" | "index">;
+
+/** How far a mark goes beyond the letters, as a share of their height. */
+const beyond = 0.08;
+
+/** Pieces in which a mark that does not lie flat is laid. */
+const mostPieces = 8;
+
+/** The marks of a page, none where nothing of what is shown stands on it. */
+export function layMarks(
+  runs: readonly TextRun[],
+  shown: Shown | null,
+  page: number,
+  project: Project,
+): HTMLElement[] {
+  if (shown === null) return [];
+  return findIn(runs, shown.query).flatMap((stretches, index) => {
+    const isStrong = page === shown.page && index === shown.index;
+    return stretches.flatMap((stretch) => layStretch(runs, stretch, isStrong, project));
+  });
+}
+
+function layStretch(
+  runs: readonly TextRun[],
+  { run, from, to }: Stretch,
+  isStrong: boolean,
+  project: Project,
+): HTMLElement[] {
+  const box = runs[run];
+  const place = placeIn(box, project);
+  const along = (at: number): number => shareBefore(box.text, at);
+  // Along a vertical line the box's height is what the letters share.
+  const part: typeof place = box.vertical ? (u, v) => place(v, u) : place;
+  const margin = (beyond * Math.min(box.width, box.height)) / Math.max(box.width, box.height);
+  const [start, end] = [along(from) - margin, along(to) + margin];
+  const pieces = isFlat(part, start, end) ? 1 : mostPieces;
+  return Array.from({ length: pieces }, (_, k) => {
+    const [a, b] = [k, k + 1].map((at) => start + ((end - start) * at) / pieces);
+    const mark = document.createElement("div");
+    mark.className = isStrong ? "mark strong" : "mark";
+    mark.setAttribute("part", isStrong ? "mark strong" : "mark");
+    layOver(mark, part, a, b);
+    return mark;
+  });
+}

@@ -1,0 +1,73 @@
+/** One open page's text as elements: transparent, selectable, each piece exactly over its print. */
+
+import type { TextRun } from "../sources/page_source.ts";
+import { fontSize, shareBefore, widthOf } from "./fitting.ts";
+import { isFlat, matrixOf, type Project, placeIn } from "./placing.ts";
+
+/** A piece of a run that is laid out as one: from one character to another. */
+interface Piece {
+  readonly text: string;
+  readonly from: number;
+  readonly to: number;
+}
+
+/** The page's text as elements in reading order, a line's end after each line. */
+export function layText(runs: readonly TextRun[], project: Project): Node[] {
+  return runs.flatMap((run) => {
+    const place = placeIn(run, project);
+    const pieces = run.vertical ? [wholeOf(run)] : piecesOf(run, place);
+    const nodes: Node[] = pieces.map((piece) => {
+      const span = document.createElement("span");
+      span.textContent = piece.text;
+      span.dir = "auto";
+      const printed = piece.text.trimEnd() || piece.text;
+      const length = widthOf(printed);
+      const [width, height] = run.vertical ? [fontSize, length] : [length, fontSize];
+      const matrix = matrixOf(place, piece.from, piece.to, width, height);
+      if (matrix === null) span.hidden = true;
+      else {
+        // The width is the print's: a space at the end goes beyond it, on whichever side that is.
+        Object.assign(span.style, {
+          transform: matrix,
+          width: `${width}px`,
+          height: `${height}px`,
+        });
+        if (run.vertical) span.style.writingMode = "vertical-rl";
+      }
+      return span;
+    });
+    if (run.end) nodes.push(document.createElement("br"));
+    return nodes;
+  });
+}
+
+function wholeOf({ text }: TextRun): Piece {
+  return { text, from: 0, to: 1 };
+}
+
+/** A run in as few pieces as lie on the page where it curves; each ends with a word where it can. */
+function piecesOf(run: TextRun, place: ReturnType<typeof placeIn>): Piece[] {
+  const split = (from: number, to: number): Piece[] => {
+    const [start, end] = [shareBefore(run.text, from), shareBefore(run.text, to)];
+    const text = run.text.slice(from, to);
+    const cut = middleOf(text);
+    if (cut === 0 || isFlat(place, start, end)) {
+      const printed = shareBefore(run.text, from + (text.trimEnd().length || text.length));
+      return [{ text, from: start, to: printed }];
+    }
+    return [...split(from, from + cut), ...split(from + cut, to)];
+  };
+  return split(0, run.text.length);
+}
+
+/** Where a text can be cut near its middle: after a space, else between letters; 0 where it is too short. */
+function middleOf(text: string): number {
+  const half = text.length >> 1;
+  const after = text.indexOf(" ", half) + 1;
+  const before = text.lastIndexOf(" ", half) + 1;
+  const cut = after > 0 && (before === 0 || after - half < half - before) ? after : before;
+  if (cut > 0 && cut < text.length) return cut;
+  // Scripts without spaces; never within a character of two units.
+  const isSafe = half > 1 && !/[\ud800-\udbff]/.test(text[half - 1]);
+  return isSafe && !text.trim().includes(" ") && text.length > 8 ? half : 0;
+}

@@ -1,0 +1,62 @@
+/** The text of a book's pages, read when it is asked for, and a bounded part of it kept. */
+
+import type { PageSource, TextRun } from "../sources/page_source.ts";
+
+/** Most characters kept: those of some five hundred full pages. */
+const mostLetters = 1_500_000;
+
+/** What a run costs beside its letters, in letters. */
+const runCost = 40;
+
+/** Text of pages, by page number. */
+export class PageTexts {
+  readonly #source: PageSource;
+  /** In the order in which they were last asked for. */
+  readonly #kept = new Map<number, readonly TextRun[]>();
+  #cost = 0;
+
+  constructor(source: PageSource) {
+    this.#source = source;
+  }
+
+  /** The runs of a page (from 1); none where it has no text or cannot be read. Rejects with the signal's reason alone. */
+  async of(page: number, signal: AbortSignal): Promise<readonly TextRun[]> {
+    const kept = this.#kept.get(page);
+    if (kept) {
+      this.#kept.delete(page);
+      this.#kept.set(page, kept);
+      return kept;
+    }
+    try {
+      const runs = (await this.#source.text?.(page - 1, signal)) ?? [];
+      signal.throwIfAborted();
+      this.#keep(page, runs);
+      return runs;
+    } catch {
+      // A page that cannot be read is told where it would be seen.
+      signal.throwIfAborted();
+      return [];
+    }
+  }
+
+  /** Forgets all: the pages are others than before. */
+  clear(): void {
+    this.#kept.clear();
+    this.#cost = 0;
+  }
+
+  #keep(page: number, runs: readonly TextRun[]): void {
+    if (this.#kept.has(page)) return;
+    this.#kept.set(page, runs);
+    this.#cost += costOf(runs);
+    for (const [oldest, old] of this.#kept) {
+      if (this.#cost <= mostLetters || oldest === page) break;
+      this.#kept.delete(oldest);
+      this.#cost -= costOf(old);
+    }
+  }
+}
+
+function costOf(runs: readonly TextRun[]): number {
+  return runs.reduce((sum, { text }) => sum + text.length + runCost, runCost);
+}

@@ -1,0 +1,19 @@
+/** What the text needs of the book under it: where its pages are seen, and when that changes. */
+
+/** A place on the screen, CSS pixels from the book's upper left corner. */
+export interface Point {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** A book of which two pages may lie open. */
+export interface PageView {
+  /** The pages (from 1) that lie open, in the order in which they are read. */
+  readonly openPages: readonly number[];
+  /** A leaf's width over its height. */
+  readonly aspect: number;
+  /** Where a place on a page (shares of its leaf from the upper left) is seen; null where it is not, or moves. */
+  project(page: number, x: number, y: number): Point | null;
+  /** Calls `listener` when the book has come to rest in another view, and when it leaves it. */
+  onView(listener: () => void): () => void;
+}

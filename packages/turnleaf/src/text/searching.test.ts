@@ -1,0 +1,124 @@
+import { describe, expect, it } from "vitest";
+import type { PageSource, TextRun } from "../sources/page_source.ts";
+import { PageTexts } from "./page_texts.ts";
+import { findIn, searchBook } from "./searching.ts";
+
+const never = new AbortController().signal;
+
+/** Runs of lines, one a line; a line that ends in "+" goes on in the next run. */
+const lines = (...texts: string[]): TextRun[] =>
+  texts.map((text) => ({
+    text: text.replace(/\+$/, ""),
+    x: 0,
+    y: 0,
+    width: 100,
+    height: 10,
+    angle: 0,
+    end: !text.endsWith("+"),
+  }));
+
+/** What was found, as the page writes it. */
+const found = (query: string, ...texts: string[]): string[] => {
+  const runs = lines(...texts);
+  return findIn(runs, query).map((stretches) =>
+    stretches.map(({ run, from, to }) => runs[run].text.slice(from, to)).join("|"),
+  );
+};
+
+describe("what is found", () => {
+  it.each([
+    ["case", "ISHMAEL", ["Call me Ishmael."], ["Ishmael"]],
+    ["accents of the page", "cafe", ["Un café, un cafe\u0301"], ["café", "cafe"]],
+    ["accents of the query", "naïve", ["naive"], ["naive"]],
+    ["ligatures", "office", ["o\ufb03ce"], ["o\ufb03ce"]],
+    ["full width", "ABC", ["ＡＢＣ"], ["ＡＢＣ"]],
+    ["a sharp s", "strasse", ["Straße"], ["Straße"]],
+    ["a final sigma", "ΛΌΓΟΣ", ["λόγος"], ["λόγος"]],
+    ["a dotted I", "istanbul", ["İstanbul"], ["İstanbul"]],
+    ["quotes and dashes", "o'er the – sea", ["o’er the—sea"], ["o’er the—sea"]],
+    ["a broken word", "shadiest", ["the dreamiest, shadi-", "est, quietest"], ["shadi|est"]],
+    ["a hyphen", "hill-side", ["their hill-", "side blue"], ["hill|side"]],
+    ["a hyphen left out", "hillside", ["their hill-side blue"], ["hill-side"]],
+    ["a soft hyphen", "shadiest", ["shadi\u00adest"], ["shadi\u00adest"]],
+    ["a line's end", "me ishmael", ["Call me", "Ishmael."], ["me|Ishmael"]],
+    ["runs of one word", "ishmael", ["Ish+", "mael."], ["Ish|mael"]],
+    ["many spaces", " call   me ", ["Call  me"], ["Call  me"]],
+    ["Chinese over a line's end", "白鲸", ["看见白", "鲸了"], ["白|鲸"]],
+    ["Japanese, voiced letters apart", "かき", ["がき、かき"], ["かき"]],
+    ["Korean", "고래", ["흰 고래가"], ["고래"]],
+    ["Hebrew without points", "שלום", ["שָׁלוֹם"], ["שָׁלוֹם"]],
+    ["beyond the first plane", "\u{1d400}b", ["xABx"], ["AB"]],
+    ["every place, none twice", "aa", ["aaaaa"], ["aa", "aa"]],
+    ["nothing for nothing", " - ", ["a - b"], []],
+    ["nothing where it is not", "whale", ["Call me Ishmael."], []],
+  ] as const)("%s", (_, query, texts, expected) => {
+    expect(found(query, ...texts)).toEqual(expected);
+  });
+});
+
+/** A source of pages of text, and which of them were asked for. */
+function sourceOf(pages: readonly (readonly TextRun[])[]): { source: PageSource; asked: number[] } {
+  const asked: number[] = [];
+  const text = async (index: number): Promise<readonly TextRun[]> => {
+    asked.push(index + 1);
+    if (pages[index].length === 0) throw new Error("damaged");
+    return pages[index];
+  };
+  return { source: { pageCount: pages.length, text } as unknown as PageSource, asked };
+}
+
+describe("a search", () => {
+  it("tells the page, the place and what stands about it", async () => {
+    const { source } = sourceOf([
+      lines("Loomings."),
+      [],
+      lines(
+        "Call me Ishmael. Some years ago—never mind how",
+        "long precisely—having lit-",
+        "tle money",
+      ),
+    ]);
+    const hits = await searchBook(new PageTexts(source), 3, "some", never);
+    expect(hits).toEqual([
+      {
+        page: 3,
+        before: "Call me Ishmael. ",
+        text: "Some",
+        after: " years ago—never mind how long precisely—having …",
+        query: "some",
+        index: 0,
+      },
+    ]);
+    const [broken] = await searchBook(new PageTexts(source), 3, "little", never);
+    expect(broken).toMatchObject({ text: "little", after: " money" });
+    expect(broken.before).toMatch(/^… .*having $/);
+  });
+
+  it("ends when told to, and at its bounds", async () => {
+    const { source, asked } = sourceOf(Array.from({ length: 90 }, () => lines("a ".repeat(60))));
+    const texts = new PageTexts(source);
+    const controller = new AbortController();
+    const searching = searchBook(texts, 90, "a", controller.signal);
+    controller.abort(new Error("another query"));
+    await expect(searching).rejects.toThrow("another query");
+    expect(asked.length).toBeLessThan(3);
+    const hits = await searchBook(texts, 90, "a", never);
+    expect(hits.length).toBe(2000);
+    expect(await searchBook(texts, 90, "", never)).toEqual([]);
+    expect((await searchBook(texts, 90, "a".repeat(1e6), never)).length).toBe(0);
+  });
+
+  it("reads a page once, and keeps no more than its bound", async () => {
+    const few = sourceOf([lines("whale"), lines("whale")]);
+    const texts = new PageTexts(few.source);
+    await searchBook(texts, 2, "whale", never);
+    await searchBook(texts, 2, "ship", never);
+    expect(few.asked).toEqual([1, 2]);
+    const many = sourceOf(Array.from({ length: 5 }, () => lines("x".repeat(700_000))));
+    const bounded = new PageTexts(many.source);
+    await searchBook(bounded, 5, "y", never);
+    await bounded.of(5, never);
+    await bounded.of(1, never);
+    expect(many.asked).toEqual([1, 2, 3, 4, 5, 1]);
+  });
+});

@@ -1,0 +1,138 @@
+/** Finds a word or phrase in a whole book. */
+
+import type { TextRun } from "../sources/page_source.ts";
+import { foldQuery, foldRuns } from "./folding.ts";
+import type { PageTexts } from "./page_texts.ts";
+
+/** A place where something was found. */
+export interface SearchHit {
+  /** From 1. */
+  readonly page: number;
+  /** What was found, as the page writes it, and what stands about it on the page. */
+  readonly before: string;
+  readonly text: string;
+  readonly after: string;
+  /** What was looked for, and the how manyth place of the page this is, from 0. */
+  readonly query: string;
+  readonly index: number;
+}
+
+/** A stretch of one run: from one character to another, UTF-16 units. */
+export interface Stretch {
+  readonly run: number;
+  readonly from: number;
+  readonly to: number;
+}
+
+/** Longest query in characters, and most hits of a book: more than anybody looks through. */
+const longestQuery = 200;
+const mostHits = 2000;
+
+/** Characters of a page about a hit. */
+const about = 48;
+
+/** Pages after which the screen gets its turn. */
+const pagesAtOnce = 8;
+
+/**
+ * Every place of a book where a text stands, in reading order, at most 2,000.
+ * Case, accents, ligatures, width, quotation marks and hyphens do not count; a
+ * line's end counts as a space. Rejects with the signal's reason when aborted.
+ *
+ * @param count number of pages
+ */
+export async function searchBook(
+  texts: PageTexts,
+  count: number,
+  query: string,
+  signal: AbortSignal,
+): Promise<readonly SearchHit[]> {
+  signal.throwIfAborted();
+  const hits: SearchHit[] = [];
+  if (foldQuery(query.slice(0, longestQuery)) === "") return hits;
+  for (let page = 1; page <= count && hits.length < mostHits; page++) {
+    if (page % pagesAtOnce === 0) await new Promise((resolve) => setTimeout(resolve));
+    const runs = await texts.of(page, signal);
+    signal.throwIfAborted();
+    for (const [index, stretches] of findIn(runs, query).entries()) {
+      hits.push({ page, ...contextOf(runs, stretches), query, index });
+      if (hits.length === mostHits) break;
+    }
+  }
+  return hits;
+}
+
+/** Every place of a page where a text stands, each as the stretches of the runs that it covers. */
+export function findIn(runs: readonly TextRun[], query: string): readonly (readonly Stretch[])[] {
+  const wanted = foldQuery(query.slice(0, longestQuery));
+  const found: Stretch[][] = [];
+  if (wanted === "") return found;
+  const folded = foldRuns(runs);
+  for (let at = folded.text.indexOf(wanted); at >= 0; ) {
+    const stretches: Stretch[] = [];
+    for (let k = at; k < at + wanted.length; k++) {
+      const [run, place] = [folded.runs[k], folded.places[k]];
+      const to = place + lengthAt(runs[run].text, place);
+      const last = stretches.at(-1);
+      if (last?.run === run) stretches[stretches.length - 1] = { ...last, to };
+      else stretches.push({ run, from: place, to });
+    }
+    found.push(stretches);
+    if (found.length === mostHits) break;
+    at = folded.text.indexOf(wanted, at + wanted.length);
+  }
+  return found;
+}
+
+/** UTF-16 units of the character at a place. */
+function lengthAt(text: string, place: number): number {
+  return (text.codePointAt(place) ?? 0) > 0xffff ? 2 : 1;
+}
+
+function contextOf(
+  runs: readonly TextRun[],
+  stretches: readonly Stretch[],
+): Pick<SearchHit, "before" | "text" | "after"> {
+  const [first, last] = [stretches[0], stretches[stretches.length - 1]];
+  let before = runs[first.run].text.slice(0, first.from);
+  for (let run = first.run - 1; run >= 0 && before.length < about; run--) {
+    before = joined(runs[run]) + before;
+  }
+  let after = last.to < runs[last.run].text.length ? joined(runs[last.run]).slice(last.to) : "";
+  for (let run = last.run + 1; run < runs.length && after.length < about; run++) {
+    after += joined(runs[run]);
+  }
+  const text = stretches
+    .map(({ run, from, to }, k) => {
+      const isLast = k === stretches.length - 1;
+      return isLast ? runs[run].text.slice(from, to) : joined(runs[run]).slice(from);
+    })
+    .join("");
+  return { before: startOf(before), text: oneLine(text).trim(), after: endOf(after) };
+}
+
+/** A run with what follows it on one line: a space at a line's end, and no hyphen there. */
+function joined({ text, end }: TextRun): string {
+  if (!end) return text;
+  const isBroken = /\p{L}[-\u00ad\u2010]\s*$/u.test(text);
+  return isBroken ? text.replace(/[-\u00ad\u2010]\s*$/, "") : `${text} `;
+}
+
+const oneLine = (text: string): string => text.replace(/\s+/g, " ");
+
+/** The end of a text, beginning with a whole word where there is one. */
+function startOf(text: string): string {
+  const line = oneLine(text);
+  if (line.length <= about) return line.trimStart();
+  const cut = line.slice(-about);
+  const space = cut.indexOf(" ");
+  return `… ${space >= 0 && space < about / 2 ? cut.slice(space + 1) : cut}`;
+}
+
+function endOf(text: string): string {
+  const line = oneLine(text);
+  if (line.length <= about) return line.trimEnd();
+  const cut = line.slice(0, about);
+  const space = cut.lastIndexOf(" ");
+  return `${space > about / 2 ? cut.slice(0, space) : cut} …`;
+}

@@ -1,0 +1,40 @@
+/** Keeps a selection that is being dragged where the pointer is. */
+
+/**
+ * Between lines and beside them a browser would take everything up to the
+ * layer's end. A guard that cannot be selected lies behind the text while the
+ * pointer drags, next in order to the piece that the selection has reached.
+ *
+ * @param signal takes the listeners away
+ */
+export function keepSelection(layer: HTMLElement, signal: AbortSignal): void {
+  const guard = document.createElement("div");
+  guard.className = "guard";
+  const end = (): void => {
+    guard.remove();
+    layer.classList.remove("selecting");
+  };
+  layer.addEventListener(
+    "pointerdown",
+    (event) => {
+      const piece = pieceOf(event);
+      if (piece === null || event.button !== 0) return;
+      layer.classList.add("selecting");
+      piece.after(guard);
+      const down = new AbortController();
+      const until = AbortSignal.any([signal, down.signal]);
+      const over = (at: PointerEvent): void => pieceOf(at)?.after(guard);
+      layer.addEventListener("pointerover", over, { signal: until });
+      for (const name of ["pointerup", "pointercancel", "blur"]) {
+        globalThis.addEventListener(name, () => down.abort(), { signal: until });
+      }
+      until.addEventListener("abort", end, { once: true });
+    },
+    { signal },
+  );
+}
+
+function pieceOf(event: PointerEvent): HTMLElement | null {
+  const { target } = event;
+  return target instanceof HTMLElement && target.localName === "span" ? target : null;
+}

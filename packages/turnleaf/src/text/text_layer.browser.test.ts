@@ -1,0 +1,282 @@
+/** The text over a resting book, in a real browser: where it lies, and what a reader does with it. */
+
+import { afterEach, beforeEach, expect, test } from "vitest";
+import { cdp } from "vitest/browser";
+import type { TurnleafBook } from "../element.ts";
+import { book, happens, settled } from "../element_for_tests.ts";
+import { tinyPdf } from "../sources/tiny_pdf.ts";
+
+const fonts = "/Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica >> >>";
+/** A line of text on a page of 200 x 300 points, its baseline so far above the foot. */
+const line = (text: string, y: number, x = 30): string =>
+  `BT /F1 16 Tf ${x} ${y} Td (${text}) Tj ET\n`;
+const link = (target: string): string =>
+  `<< /Type /Annot /Subtype /Link /Rect [20 90 180 125] ${target} >>`;
+
+/** Eight pages; the second and third lie open together. */
+function pdf(): File {
+  const pages = Array.from({ length: 8 }, (_, i) => line(`Page number ${i + 1}`, 150));
+  pages[1] =
+    line("Call me", 230) + line("Ishmael. Some", 205) + line("years ago", 180) + line("End", 100);
+  pages[2] = line("never mind how", 230) + line("long Ishmael", 205);
+  const bytes = tinyPdf({
+    pages,
+    resources: `${fonts} >> /Annots [10 0 R] /Ignored <<`,
+    objects: [link("/Dest [6 /Fit]")],
+    catalog: "/Lang (en-GB) /PageLabels << /Nums [0 << /S /r >>] >>",
+  });
+  return new File([bytes], "whale.pdf");
+}
+
+let element: TurnleafBook;
+
+beforeEach(async () => {
+  element = book(null, { cover: "none", page: "2", duration: "60" });
+  element.style.cssText = "position: fixed; left: 0; top: 0; width: 640px; height: 460px";
+  const loaded = happens(element, "load");
+  element.pages = pdf();
+  await loaded;
+  await settled(element);
+  await expect.poll(() => spans().length, { timeout: 20_000 }).toBeGreaterThan(5);
+});
+
+afterEach(() => {
+  getSelection()?.removeAllRanges();
+  element.remove();
+});
+
+const root = (): ShadowRoot => element.shadowRoot as ShadowRoot;
+const spans = (): HTMLElement[] => [...root().querySelectorAll<HTMLElement>(".text span")];
+const spanOf = (text: string): HTMLElement => {
+  const found = spans().find(({ textContent }) => textContent?.includes(text));
+  if (!found) throw new Error(`No "${text}" on the page.`);
+  return found;
+};
+
+/** The box of the ink that is seen on the screen within a box, CSS pixels. */
+async function inkIn(box: DOMRect): Promise<DOMRect> {
+  const { x: left, y: top, scale } = frame();
+  const [x, y, width, height] = [box.x, box.y, box.width, box.height].map(Math.round);
+  const sharper = 2;
+  const { data } = (await session().send("Page.captureScreenshot", {
+    clip: {
+      x: left + x * scale,
+      y: top + y * scale,
+      width: width * scale,
+      height: height * scale,
+      scale: sharper / scale,
+    },
+  })) as { data: string };
+  const picture = await createImageBitmap(
+    await (await fetch(`data:image/png;base64,${data}`)).blob(),
+  );
+  const [w, h] = [picture.width, picture.height];
+  const pen = new OffscreenCanvas(w, h).getContext("2d") as OffscreenCanvasRenderingContext2D;
+  pen.drawImage(picture, 0, 0);
+  const pixels = pen.getImageData(0, 0, w, h).data;
+  const ink = { left: w, top: h, right: 0, bottom: 0 };
+  for (let row = 0; row < h; row++) {
+    for (let column = 0; column < w; column++) {
+      if (pixels[4 * (row * w + column)] > 110) continue;
+      ink.left = Math.min(ink.left, column);
+      ink.right = Math.max(ink.right, column + 1);
+      ink.top = Math.min(ink.top, row);
+      ink.bottom = Math.max(ink.bottom, row + 1);
+    }
+  }
+  return new DOMRect(
+    x + ink.left / sharper,
+    y + ink.top / sharper,
+    (ink.right - ink.left) / sharper,
+    (ink.bottom - ink.top) / sharper,
+  );
+}
+
+/** A box with some room about it. */
+const around = ({ x, y, width, height }: DOMRect, room: number): DOMRect =>
+  new DOMRect(x - room, y - room, width + 2 * room, height + 2 * room);
+
+test("each line lies over its print", async () => {
+  for (const text of ["Call me", "years ago", "never mind how", "long Ishmael"]) {
+    const box = spanOf(text).getBoundingClientRect();
+    const ink = await inkIn(around(box, 4));
+    const words = spanOf(text).getBoundingClientRect();
+    expect(Math.abs(words.left - ink.left), text).toBeLessThan(2);
+    expect(Math.abs(words.right - ink.right), text).toBeLessThan(2);
+    expect(words.top, text).toBeLessThan(ink.top + 1);
+    expect(words.bottom, text).toBeGreaterThan(ink.bottom - 1);
+  }
+});
+
+test("a drag with the mouse selects, and what is copied has words and lines", async () => {
+  await dragMouse(edgeOf(spanOf("Call me"), 0), edgeOf(spanOf("years ago"), 1));
+  expect(String(getSelection())).toBe("Call me\nIshmael. Some\nyears ago");
+  expect(element.page).toBe(2);
+  let copied = "";
+  const input = document.createElement("textarea");
+  document.addEventListener("copy", () => (copied = String(getSelection())), { once: true });
+  expect(document.execCommand("copy")).toBe(true);
+  input.remove();
+  expect(copied).toBe("Call me\nIshmael. Some\nyears ago");
+});
+
+test("the text is away while a leaf turns, and another lies there afterwards", async () => {
+  const layer = root().querySelector(".reading") as HTMLElement;
+  const turned = element.next();
+  await expect.poll(() => layer.hidden).toBe(true);
+  await turned;
+  await expect.poll(() => layer.hidden, { timeout: 20_000 }).toBe(false);
+  const groups = [...root().querySelectorAll("[role=group]")];
+  expect(groups.map(({ ariaLabel }) => ariaLabel)).toEqual(["Page iv", "Page v"]);
+  await expect
+    .poll(() => groups.map(({ textContent }) => textContent))
+    .toEqual(["Page number 4", "Page number 5"]);
+});
+
+test("a link of the book turns it", async () => {
+  const anchor = root().querySelector("a") as HTMLAnchorElement;
+  expect(anchor.getAttribute("aria-label")).toBe("End");
+  expect(anchor.title).toBe("Page vii");
+  const print = spanOf("End").getBoundingClientRect();
+  const box = anchor.getBoundingClientRect();
+  expect(box.left).toBeLessThan(print.left);
+  expect(box.bottom).toBeGreaterThan(print.bottom);
+  const changed = happens(element, "pagechange");
+  await clickMouse(box.left + box.width / 2, box.top + box.height / 2);
+  await changed;
+  expect(element.page).toBe(6);
+});
+
+test("what is searched for is found, turned to and marked where it is printed", async () => {
+  await element.goTo(6);
+  const hits = await element.search("ISHMAEL");
+  expect(hits.map(({ page, before, text, after }) => [page, before, text, after])).toEqual([
+    [2, "Call me ", "Ishmael", ". Some years ago End"],
+    [3, "never mind how long ", "Ishmael", ""],
+  ]);
+  expect(await element.showHit(hits[1])).toBe(true);
+  await settled(element);
+  await expect.poll(() => root().querySelectorAll(".mark").length, { timeout: 20_000 }).toBe(2);
+  const [strong, ...others] = root().querySelectorAll(".strong");
+  expect(others).toEqual([]);
+  const faint = root().querySelector(".mark:not(.strong)") as HTMLElement;
+  // The words as printed: "long" and a space before the one, nothing before the other.
+  const line = await inkIn(around(spanOf("long Ishmael").getBoundingClientRect(), 3));
+  expect(Math.abs(strong.getBoundingClientRect().right - line.right)).toBeLessThan(5);
+  expect(strong.getBoundingClientRect().left).toBeGreaterThan(line.left + line.width * 0.25);
+  expect(strong.getBoundingClientRect().left).toBeLessThan(line.left + line.width * 0.45);
+  const first = await inkIn(around(spanOf("Ishmael. Some").getBoundingClientRect(), 3));
+  expect(Math.abs(faint.getBoundingClientRect().left - first.left)).toBeLessThan(5);
+  await element.showHit(null);
+  expect(root().querySelectorAll(".mark").length).toBe(0);
+});
+
+test("the tree of accessibility has the pages in order, each with its text, and no picture", async () => {
+  const canvas = root().querySelector("canvas") as HTMLCanvasElement;
+  expect(canvas.ariaHidden).toBe("true");
+  expect((root().querySelector(".text") as HTMLElement).lang).toBe("en-GB");
+  const { nodes } = (await session().send("Accessibility.getFullAXTree", {
+    frameId: await frameId(),
+  })) as AXTree;
+  const byId = new Map(nodes.map((node) => [node.nodeId, node]));
+  const said: string[] = [];
+  const read = (id: string): void => {
+    const node = byId.get(id);
+    const role = node?.role?.value;
+    if (!node?.ignored && /^(group|StaticText|link|image)$/.test(role ?? ""))
+      said.push(`${role}: ${node?.name?.value ?? ""}`.trim());
+    if (role !== "StaticText" && role !== "link") node?.childIds?.forEach(read);
+  };
+  read(nodes[0].nodeId);
+  const from = said.indexOf("group: Page ii");
+  expect(said.slice(from, from + 11)).toEqual([
+    "group: Page ii",
+    "StaticText: Call me",
+    "StaticText: Ishmael. Some",
+    "StaticText: years ago",
+    "StaticText: End",
+    "link: End",
+    "group: Page iii",
+    "StaticText: never mind how",
+    "StaticText: long Ishmael",
+    "link: Page vii",
+    // What is said of every spread, to those who only listen.
+    "StaticText: Pages ii and iii of 8",
+  ]);
+});
+
+interface AXTree {
+  readonly nodes: readonly {
+    readonly nodeId: string;
+    readonly childIds?: readonly string[];
+    readonly ignored: boolean;
+    readonly role?: { readonly value: string };
+    readonly name?: { readonly value: string };
+  }[];
+}
+
+/** The browser's own interface for tools, as far as it is used here. */
+interface Session {
+  send(method: string, parameters?: object): Promise<unknown>;
+}
+const session = (): Session => cdp() as unknown as Session;
+
+/** This document's frame among those of the test's page. */
+async function frameId(): Promise<string> {
+  interface Tree {
+    readonly frame: { readonly id: string; readonly url: string };
+    readonly childFrames?: readonly Tree[];
+  }
+  const { frameTree } = (await session().send("Page.getFrameTree")) as { frameTree: Tree };
+  const find = (tree: Tree): string | undefined =>
+    tree.frame.url === location.href ? tree.frame.id : tree.childFrames?.map(find).find(Boolean);
+  return find(frameTree) ?? frameTree.frame.id;
+}
+
+/** Where the middle of an element's left (0) or right (1) edge is. */
+function edgeOf(target: HTMLElement, side: 0 | 1): { x: number; y: number } {
+  const { left, width, top, height } = target.getBoundingClientRect();
+  return { x: left + (side === 0 ? 1 : width - 1), y: top + height / 2 };
+}
+
+/** Where this document lies on the outermost page, of which the tools speak. */
+function frame(): { x: number; y: number; scale: number } {
+  const box = frameElement?.getBoundingClientRect();
+  return { x: box?.left ?? 0, y: box?.top ?? 0, scale: box ? box.width / innerWidth : 1 };
+}
+
+/** A real mouse. */
+async function mouse(type: string, x: number, y: number, buttons: number): Promise<void> {
+  const { x: left, y: top, scale } = frame();
+  await session().send("Input.dispatchMouseEvent", {
+    type,
+    x: left + x * scale,
+    y: top + y * scale,
+    button: type === "mouseMoved" && buttons === 0 ? "none" : "left",
+    buttons,
+    clickCount: 1,
+  });
+}
+
+async function clickMouse(x: number, y: number): Promise<void> {
+  await mouse("mouseMoved", x, y, 0);
+  await mouse("mousePressed", x, y, 1);
+  await mouse("mouseReleased", x, y, 0);
+}
+
+async function dragMouse(
+  from: { x: number; y: number },
+  to: { x: number; y: number },
+): Promise<void> {
+  await mouse("mouseMoved", from.x, from.y, 0);
+  await mouse("mousePressed", from.x, from.y, 1);
+  for (let k = 1; k <= 8; k++) {
+    await mouse(
+      "mouseMoved",
+      from.x + ((to.x - from.x) * k) / 8,
+      from.y + ((to.y - from.y) * k) / 8,
+      1,
+    );
+  }
+  await mouse("mouseReleased", to.x, to.y, 0);
+}
