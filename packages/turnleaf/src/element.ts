@@ -156,7 +156,7 @@ export class TurnleafBook extends Base {
       return Promise.resolve(false);
     }
     const spread = spreadOf(viewer.binding, page);
-    if (this.#calm) return this.#lay(viewer, spread);
+    if (this.#calm) return viewer.fadeTo(spread);
     const landed = viewer.turning.goTo(spread);
     viewer.invalidate();
     return landed;
@@ -266,18 +266,10 @@ export class TurnleafBook extends Base {
     const viewer = this.#viewer;
     if (viewer === undefined) return Promise.resolve(false);
     const way = (by * forward(viewer.binding)) as 1 | -1;
-    if (this.#calm) return this.#lay(viewer, viewer.turning.destination + way);
+    if (this.#calm) return viewer.fadeTo(viewer.turning.destination + way);
     const landed = viewer.turning.turn(way);
     viewer.invalidate();
     return landed;
-  }
-
-  /** Shows a spread at once. */
-  #lay(viewer: Viewer, spread: number): Promise<boolean> {
-    const from = viewer.turning.spread;
-    viewer.lay(spread);
-    if (viewer.turning.spread !== from) this.#rested(from, viewer.turning.spread);
-    return Promise.resolve(true);
   }
 
   #build(): void {

@@ -16,6 +16,7 @@ import { Side } from "./engine/phases.ts";
 import { PagePictures } from "./pages/page_pictures.ts";
 import type { PageSource } from "./sources/page_source.ts";
 import { type Bindable, type BindingPlan, Bound, planBinding, type Wish } from "./view/bound.ts";
+import { Fade } from "./view/fade.ts";
 import type { Hold } from "./view/holding.ts";
 
 /** What moves a book's leaves and what draws them; the two of a craft are made for each other. */
@@ -83,6 +84,7 @@ export class Viewer {
   readonly #options: ViewerOptions;
   readonly #stage: BookStage;
   readonly #pictures: PagePictures;
+  readonly #fade: Fade;
   readonly #listeners = new Set<() => void>();
   #bound: Bound;
   #wish: Wish;
@@ -103,6 +105,7 @@ export class Viewer {
   #destroyed = false;
 
   private constructor(
+    canvas: HTMLCanvasElement,
     source: PageSource,
     book: Bindable,
     plan: BindingPlan,
@@ -117,6 +120,7 @@ export class Viewer {
     this.#stage = stage;
     this.#stage.onRestored = () => this.invalidate();
     this.#stage.room = restingRoom;
+    this.#fade = new Fade(canvas, (from) => options.onRest(from, this.turning.spread));
     this.#pictures = new PagePictures(source, book.aspect, {
       onArrive: (page) => {
         this.#show();
@@ -146,7 +150,7 @@ export class Viewer {
     const engine = await craft.engine(plan.shape);
     signal.throwIfAborted();
     const stage = craft.stage(canvas, plan.shape);
-    return new Viewer(source, book, plan, engine, stage, options);
+    return new Viewer(canvas, source, book, plan, engine, stage, options);
   }
 
   /** A leaf's width over its height. */
@@ -221,6 +225,24 @@ export class Viewer {
     this.#show();
   }
 
+  /**
+   * Opens the book at a spread (clamped to the book) by a quiet cross-fade.
+   * Resolves, once that is over, to whether it lies there.
+   */
+  fadeTo(spread: number): Promise<boolean> {
+    const from = this.turning.spread;
+    const to = clampSpread(this.binding, spread);
+    if (to !== from) this.#options.onStart(Math.min(from, to), Math.max(from, to), to > from);
+    // Whoever hears of it may take the book away at once.
+    if (this.#destroyed) return Promise.resolve(false);
+    if (to !== from || this.turning.moving) {
+      this.#stage.draw({ resting: true });
+      this.#fade.begin(from);
+      this.lay(to);
+    }
+    return this.#fade.isOn ? this.#fade.promise(to) : Promise.resolve(true);
+  }
+
   /** Makes the leaves of another paper: at once, or as soon as none is in flight. */
   setPaper(paper: Paper): void {
     this.#nextPaper = paper;
@@ -291,6 +313,7 @@ export class Viewer {
     this.#destroyed = true;
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
+    this.#fade.close();
     this.#bindAnew();
     this.#bound.destroy();
     this.#pictures.close();
@@ -314,9 +337,12 @@ export class Viewer {
     this.#stage.pose(this.#bound.pose());
     this.#stage.draw({ resting: !moving });
     this.#pictures.paused = moving;
-    if (moving) this.invalidate();
+    this.#fade.step(now, this.turning.spread);
+    if (this.#destroyed) return;
+    const isRestless = moving || this.#fade.isOn;
+    if (isRestless) this.invalidate();
     else this.#bound.ticks.stop();
-    this.#tellView(moving);
+    this.#tellView(isRestless);
   }
 
   /** Tells of another view, once for each; of a book that moves there is none. */
