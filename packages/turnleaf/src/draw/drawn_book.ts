@@ -161,13 +161,13 @@ export class DrawnBook {
   #placeLeaves(leaves: readonly Surface[]): void {
     while (this.#leaves.length < leaves.length) {
       const { recto, verso } = this.#materials.leaf(this.#leaves.length);
-      const mesh = new LeafMesh(recto, verso);
-      this.group.add(mesh.recto, mesh.verso);
+      const mesh = new LeafMesh(recto, verso, this.#materials.leafEdges);
+      this.group.add(mesh.recto, mesh.verso, mesh.rim.mesh);
       this.#leaves.push(mesh);
     }
     const piles = [this.#left.pile, this.#right.pile] as const;
     for (const [k, mesh] of this.#leaves.entries()) {
-      mesh.recto.visible = mesh.verso.visible = k < leaves.length;
+      mesh.recto.visible = mesh.verso.visible = mesh.rim.mesh.visible = k < leaves.length;
       if (k >= leaves.length) continue;
       mesh.shape(leaves[k], k + 1, leaves.length - k);
       mesh.light(leaves[k], ...piles, leaves[k - 1], leaves[k + 1]);

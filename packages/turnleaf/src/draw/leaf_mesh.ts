@@ -6,11 +6,14 @@ import { LeafLight } from "./leaf_light.ts";
 import { sheetGeometry } from "./page_mesh.ts";
 import type { PaperMaterial } from "./paper.ts";
 import type { PileShape } from "./pile_shape.ts";
+import { RimMesh } from "./rim_mesh.ts";
+import type { SolidMaterial } from "./solid.ts";
 
 /** A leaf in flight. */
 export class LeafMesh {
   readonly recto: Mesh<BufferGeometry, PaperMaterial>;
   readonly verso: Mesh<BufferGeometry, PaperMaterial>;
+  readonly rim: RimMesh;
   #columns = 0;
   #rows = 0;
   #position = new BufferAttribute(new Float32Array(0), 3);
@@ -19,13 +22,15 @@ export class LeafMesh {
   #versoGap = new BufferAttribute(new Float32Array(0), 2);
   #light = new LeafLight(2, 2);
 
-  constructor(recto: PaperMaterial, verso: PaperMaterial) {
+  constructor(recto: PaperMaterial, verso: PaperMaterial, edges: SolidMaterial) {
+    this.rim = new RimMesh(edges);
     this.recto = new Mesh(new BufferGeometry(), recto);
     this.verso = new Mesh(new BufferGeometry(), verso);
     for (const mesh of [this.recto, this.verso]) {
       mesh.frustumCulled = false;
       mesh.visible = false;
     }
+    this.rim.mesh.visible = false;
   }
 
   /**
@@ -42,6 +47,8 @@ export class LeafMesh {
     this.#normal.needsUpdate = true;
     this.recto.material.lieOver(left, right);
     this.verso.material.lieOver(left, right);
+    this.recto.material.thickness = this.verso.material.thickness = leaf.thickness ?? 0;
+    this.rim.shape(leaf);
   }
 
   /**
@@ -67,6 +74,7 @@ export class LeafMesh {
   dispose(): void {
     this.recto.geometry.dispose();
     this.verso.geometry.dispose();
+    this.rim.dispose();
   }
 
   #allot(leaf: Surface): void {

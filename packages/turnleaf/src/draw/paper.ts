@@ -20,15 +20,16 @@ attribute vec4 gapKey;
 attribute vec2 gapBehind;
 uniform float lit;
 uniform vec2 ahead;
+uniform float thick;
 ${varyings}
 void main() {
   vNormal = normal * lit;
-  vPlace = position;
+  vPlace = position + 0.5 * thick * vNormal;
   vUv = uv;
   vGapSky = gapSky;
   vGapKey = gapKey;
   vGapBehind = gapBehind;
-  vec4 seen = viewMatrix * vec4(position, 1.0);
+  vec4 seen = viewMatrix * vec4(vPlace, 1.0);
   gl_Position = projectionMatrix * seen;
   // Only the depth comes nearer, not the picture.
   float lead = mix(ahead.x, ahead.y, smoothstep(-0.008, 0.008, position.x));
@@ -113,6 +114,7 @@ export class PaperMaterial extends ShaderMaterial {
         mirrored: { value: side.recto ? 0 : 1 },
         thin: { value: side.thin ? 1 : 0 },
         ahead: { value: [0, 0] },
+        thick: { value: 0 },
         ceiling: { value: kind === "scan" ? 1 : 1.03 },
         pool: { value: kind === "scan" ? 0 : 0.024 },
         size: { value: [width, height] },
@@ -133,6 +135,11 @@ export class PaperMaterial extends ShaderMaterial {
    */
   lieOver(left: number, right: number): void {
     this.uniforms.ahead.value = [leadOverOne * left, leadOverOne * right];
+  }
+
+  /** How thick the sheet is, metres, so that its two sides stand apart; 0 for paper. */
+  set thickness(metres: number) {
+    this.uniforms.thick.value = metres;
   }
 
   /** The picture on the sheet's other side. */

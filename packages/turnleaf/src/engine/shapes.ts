@@ -17,6 +17,8 @@ export interface Surface {
   readonly normals: Float32Array;
   /** Rises whenever positions change. */
   readonly version: number;
+  /** Metres, where the leaf is so thick that its edges are seen. */
+  readonly thickness?: number;
 }
 
 /**

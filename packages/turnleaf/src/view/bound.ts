@@ -12,6 +12,7 @@ import type { PagePictures } from "../pages/page_pictures.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import { Holding, heightOf } from "./holding.ts";
 import { Picturing, spreadsBetween } from "./picturing.ts";
+import { paperPerBoard, Stiffening } from "./stiff.ts";
 import { Ticks } from "./ticks.ts";
 
 /** A square-rooted page area of 140 x 210 mm, metres: every book has paper of this size. */
@@ -60,7 +61,8 @@ export function planBinding(
   const aspect = rolled ? 1 / book.aspect : book.aspect;
   const leaves = paperLeaves(binding);
   // Thicker than the paper would be, so that reading on is seen; but no book is a brick.
-  const thickness = 0.024 * (1 - Math.exp((-leaves * 0.0004) / 0.024));
+  const bulk = leaves + binding.hardLeaves.size * (paperPerBoard - 1);
+  const thickness = 0.024 * (1 - Math.exp((-bulk * 0.0004) / 0.024));
   const shape: BookShape = {
     width: paperSize * Math.sqrt(aspect),
     height: paperSize / Math.sqrt(aspect),
@@ -84,6 +86,7 @@ export class Bound {
   readonly picturing: Picturing;
   readonly holding: Holding;
   readonly ticks: Ticks;
+  readonly #stiffening: Stiffening;
 
   constructor(
     { binding, shape }: BindingPlan,
@@ -101,6 +104,7 @@ export class Bound {
     const hasLeaf = (side: Side): boolean => this.#hasLeaf(side);
     this.holding = new Holding({ engine, stage, turning: this.turning, width, height, hasLeaf });
     this.ticks = new Ticks(engine.tick);
+    this.#stiffening = new Stiffening(binding, width);
   }
 
   /** Where the book's parts are now. */
@@ -112,12 +116,13 @@ export class Bound {
     const boards = binding.hardCover ? 1 : 0;
     const [left, right] = [engine.pile(Side.left), engine.pile(Side.right)];
     const leaves: Surface[] = [];
-    for (const [index, { part }] of flights.entries()) {
-      if (part === "leaf") leaves.push(engine.surface(index));
+    for (const [index, flight] of flights.entries()) {
+      if (flight.part === "leaf") leaves.push(this.#stiffening.leaf(engine.surface(index), flight));
     }
+    const [onLeft, onRight] = this.#stiffening.piles(left, right, low, flights, leaves);
     return {
-      left: paper && low > boards ? left : null,
-      right: paper && high < leafCount(binding) - boards ? right : null,
+      left: paper && low > boards ? onLeft : null,
+      right: paper && high < leafCount(binding) - boards ? onRight : null,
       leaves,
       lean: paper ? (heightOf(right) - heightOf(left)) / 2 : 0,
       ...this.#covers(leaves),
