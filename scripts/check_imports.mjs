@@ -28,6 +28,7 @@ const viewer = {
   "element.ts": ["book", "element", "engine", "sources", "text", "viewer.ts", "element.css.ts"],
   "index.ts": ["book", "element", "engine", "element.ts", "sources", "text"],
   "element_for_tests.ts": ["element.ts", "index.ts"],
+  "viewer_for_tests.ts": ["open_viewer.ts", "sources", "viewer.ts"],
 };
 
 /** Packages that only these places of the viewer may import: heavy ones stay where they are used. */

@@ -23,6 +23,9 @@ import type { SearchHit } from "./text/searching.ts";
 import { textStyle } from "./text/text.css.ts";
 import type { Viewer, ViewerOptions } from "./viewer.ts";
 
+/** Time that a zoom by command takes, seconds. */
+const zoomSeconds = 0.25;
+
 /** On a server there is no DOM: importing the package is safe there, using the element is not. */
 const Base: typeof HTMLElement =
   globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElement);
@@ -204,6 +207,22 @@ export class TurnleafBook extends Base {
     return (await this.#life.book?.reading.outline()) ?? [];
   }
 
+  /** How near the book is seen: 1, all of it, to 8. Setting it zooms about the middle. */
+  get zoom(): number {
+    return this.#viewer?.zoomLevel ?? 1;
+  }
+
+  set zoom(level: number) {
+    this.zoomTo(level);
+  }
+
+  /** Zooms to a level (1 to 8) about a place in the element, CSS pixels from its upper left corner; its middle where none is given. */
+  zoomTo(level: number, at?: { x: number; y: number }): void {
+    const { clientWidth, clientHeight } = this.#stage;
+    const place = at ?? { x: clientWidth / 2, y: clientHeight / 2 };
+    this.#viewer?.zoom(Number(level), place, place, this.#calm ? 0 : zoomSeconds);
+  }
+
   /** @internal */
   connectedCallback(): void {
     adopt(this, ["src", "pages", "stock", "paper", "page"]);
@@ -306,6 +325,7 @@ export class TurnleafBook extends Base {
       onRest: (from, to) => this.#rested(from, to),
       onFailure: (sentence) => this.#words?.announce(sentence),
       onLayout: () => this.#laidOut(),
+      onZoom: (zoom) => this.#emit("zoomchange", { zoom }),
     };
   }
 

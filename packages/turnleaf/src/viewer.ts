@@ -10,14 +10,18 @@ import { makeOf, type Paper } from "./book/paper.ts";
 import { type Binding, clampSpread, pageOf, pagesAt, spreadOf } from "./book/spreads.ts";
 import type { Turning } from "./book/turning.ts";
 import type { BookShape } from "./draw/pose.ts";
-import type { BookStage } from "./draw/stage.ts";
+import type { BookStage, Place } from "./draw/stage.ts";
 import type { BookEngine, BookSize } from "./engine/engine.ts";
 import { Side } from "./engine/phases.ts";
+import { leafAspect } from "./pages/leaf_aspect.ts";
 import { PagePictures } from "./pages/page_pictures.ts";
 import type { PageSource } from "./sources/page_source.ts";
 import { type Bindable, type BindingPlan, Bound, planBinding, type Wish } from "./view/bound.ts";
+import { Details } from "./view/details.ts";
 import { Fade } from "./view/fade.ts";
 import type { Hold } from "./view/holding.ts";
+import { pictureWidth } from "./view/picturing.ts";
+import { Viewing } from "./view/viewing.ts";
 
 /** What moves a book's leaves and what draws them; the two of a craft are made for each other. */
 export interface Craft {
@@ -39,6 +43,8 @@ export interface ViewerOptions extends Partial<Wish> {
   readonly onRest: (from: number, to: number) => void;
   /** A page that lies open cannot be shown; the sentence says why. */
   readonly onFailure: (sentence: string) => void;
+  /** The book is seen from nearer or farther: the level that is shown, or on the way to being. */
+  readonly onZoom?: (level: number) => void;
   /** The book is laid out or bound in another way than before. */
   readonly onLayout?: () => void;
 }
@@ -53,38 +59,15 @@ const usualWish: Wish = {
   hardPages: "",
 };
 
-/** Room above the head, from none to that of a leaf standing upright: at rest, and while something turns. */
-const restingRoom = 0.5;
-const turningRoom = 1;
-
-/** Time in seconds in which the camera does two thirds of its way between the two. */
-const roomTime = 0.11;
-
-/**
- * A leaf's width over its height: that of an inner page, as covers often have
- * another size; of another page where that one cannot be read.
- */
-async function leafAspect(source: PageSource, signal: AbortSignal): Promise<number> {
-  let failure: unknown;
-  for (const index of [2, 3, 1, 0, 4].filter((index) => index < source.pageCount)) {
-    try {
-      const { width, height } = await source.size(index, signal);
-      return Math.min(Math.max(width / height, 0.25), 4);
-    } catch (error) {
-      signal.throwIfAborted();
-      failure = error;
-    }
-  }
-  throw failure;
-}
-
 /** One book on one canvas. */
 export class Viewer {
   readonly #book: Bindable;
   readonly #options: ViewerOptions;
   readonly #stage: BookStage;
+  readonly #viewing: Viewing;
   readonly #pictures: PagePictures;
   readonly #fade: Fade;
+  readonly #details: Details;
   readonly #listeners = new Set<() => void>();
   #bound: Bound;
   #wish: Wish;
@@ -97,7 +80,7 @@ export class Viewer {
   #cssHeight = 0;
   #pixelRatio = 1;
   #frame = 0;
-  #room = restingRoom;
+  #handled = false;
   /** Paper that waits for the leaves in flight to land. */
   #nextPaper: Paper | null = null;
   /** The view that listeners were told of last. */
@@ -119,8 +102,9 @@ export class Viewer {
     this.#place = options.page();
     this.#stage = stage;
     this.#stage.onRestored = () => this.invalidate();
-    this.#stage.room = restingRoom;
     this.#fade = new Fade(canvas, (from) => options.onRest(from, this.turning.spread));
+    this.#viewing = new Viewing(stage);
+    this.#details = new Details(source, stage, book.aspect, () => this.invalidate());
     this.#pictures = new PagePictures(source, book.aspect, {
       onArrive: (page) => {
         this.#show();
@@ -277,6 +261,31 @@ export class Viewer {
     this.invalidate();
   }
 
+  /** How near the book is seen, from 1 for all of it to 8; on the way there, what it leads to. */
+  get zoomLevel(): number {
+    return this.#viewing.level;
+  }
+
+  /**
+   * Shows the book at a level so that what is seen at `from` comes to `to`, CSS
+   * pixels on the canvas, as far as the book reaches.
+   *
+   * @param seconds that it takes; 0 at once
+   */
+  zoom(level: number, from: Place, to: Place, seconds: number): void {
+    if (this.#destroyed || !(level > 0)) return;
+    const before = this.#viewing.level;
+    this.#viewing.zoom(level, from, to, seconds);
+    this.invalidate();
+    if (this.#viewing.level !== before) this.#options.onZoom?.(this.#viewing.level);
+  }
+
+  /** Whether fingers are at the view: frames are drawn as while something moves, and none sharper between them. */
+  set handled(handled: boolean) {
+    this.#handled = handled;
+    this.invalidate();
+  }
+
   /**
    * Where a place on a page is seen, CSS pixels from the canvas's upper left
    * corner; null where that page does not lie open, or leaves are in flight.
@@ -284,7 +293,7 @@ export class Viewer {
    * @param page from 1
    * @param x,y shares of the page from its upper left corner
    */
-  project(page: number, x: number, y: number): { x: number; y: number } | null {
+  project(page: number, x: number, y: number): Place | null {
     if (this.#destroyed || this.#cssWidth === 0 || this.turning.moving) return null;
     const face = faceOf(this.binding, this.turning.spread, page);
     return face && this.#stage.projectOn(face, x, y);
@@ -304,7 +313,8 @@ export class Viewer {
   /** Whether every page in sight is shown at its full sharpness. */
   get settled(): boolean {
     // Before there is room for the book no page is asked for, so none is missing.
-    return this.#cssWidth > 0 && this.#frame === 0 && this.#pictures.settled;
+    if (this.#cssWidth === 0 || this.#frame !== 0) return false;
+    return this.#pictures.settled && this.#details.settled;
   }
 
   /** Stops everything and frees what the graphics card and the engine hold. */
@@ -316,6 +326,7 @@ export class Viewer {
     this.#fade.close();
     this.#bindAnew();
     this.#bound.destroy();
+    this.#details.close();
     this.#pictures.close();
     this.#stage.destroy();
   }
@@ -331,18 +342,22 @@ export class Viewer {
     if (this.#destroyed) return;
     if (turned) engine.update();
     if (!turning) this.#bindAnew();
-    const stepping = this.#stepBack(turning, passed * engine.tick);
+    const stepping = this.#viewing.step(turning, passed * engine.tick);
     if (stepping) this.#bound.holding.follow();
     const moving = turning || stepping;
+    const resting = !moving && !this.#handled;
     this.#stage.pose(this.#bound.pose());
-    this.#stage.draw({ resting: !moving });
-    this.#pictures.paused = moving;
+    this.#stage.draw({ resting });
+    this.#pictures.paused = !resting;
     this.#fade.step(now, this.turning.spread);
     if (this.#destroyed) return;
     const isRestless = moving || this.#fade.isOn;
     if (isRestless) this.invalidate();
     else this.#bound.ticks.stop();
-    this.#tellView(isRestless);
+    if (resting) {
+      this.#details.look(this.#bound.picturing.open, this.#cssWidth, this.#cssHeight);
+    } else this.#details.pause();
+    this.#tellView(isRestless || !resting);
   }
 
   /** Tells of another view, once for each; of a book that moves there is none. */
@@ -357,17 +372,6 @@ export class Viewer {
     if (this.#nextPaper === null || this.turning.flights.length > 0) return;
     makeOf(this.#nextPaper, this.#bound.engine);
     this.#nextPaper = null;
-  }
-
-  /** Moves the camera back from a turning leaf and near again; answers whether it still moves. */
-  #stepBack(turning: boolean, seconds: number): boolean {
-    const wanted = turning ? turningRoom : restingRoom;
-    const apart = wanted - this.#room;
-    if (apart === 0) return false;
-    const arrived = Math.abs(apart) < 0.004;
-    this.#room = arrived ? wanted : this.#room + apart * (1 - Math.exp(-seconds / roomTime));
-    this.#stage.room = this.#room;
-    return !arrived;
   }
 
   #plan(): BindingPlan {
@@ -409,6 +413,7 @@ export class Viewer {
     this.#mustRebind = false;
     const before = this.#bound;
     const plan = this.#plan();
+    this.#details.close();
     this.#stage.bind(plan.shape);
     this.#bound = this.#bind(plan, before.engine.another(plan.shape));
     before.destroy();
@@ -438,27 +443,16 @@ export class Viewer {
   /** Brings every face's picture up to date, and asks for the pages wanted next. */
   #show(): void {
     if (this.#destroyed) return;
-    if (this.#cssWidth > 0) this.#bound.picturing.want(this.#pictureWidth());
+    if (this.#cssWidth > 0) {
+      const { shape, picturing } = this.#bound;
+      picturing.want(pictureWidth(shape, this.#stage, this.#viewing, this.#pixelRatio));
+    }
     this.#bound.picturing.show();
+    this.#details.keep(this.#bound.picturing.pages);
     this.invalidate();
   }
 
   #lieOpen(page: number): boolean {
     return pagesAt(this.binding, this.turning.spread).includes(page);
-  }
-
-  /** Width in device pixels at which a page looks sharp, in steps, so that a small change of size redraws nothing. */
-  #pictureWidth(): number {
-    const { width, height, rolled, alone } = this.#bound.shape;
-    const [u, v] = rolled
-      ? [0.6 * width * (alone || 1), height]
-      : [width * (alone || 1), 0.4 * height];
-    // As seen at rest: the pages of a turn are those of the rest after it.
-    this.#stage.room = restingRoom;
-    const spine = this.#stage.project(rolled ? [u, 0, 0] : [0, v, 0]);
-    const edge = this.#stage.project([u, v, 0]);
-    this.#stage.room = this.#room;
-    const onScreen = Math.hypot(edge.x - spine.x, edge.y - spine.y) * Math.max(this.#pixelRatio, 2);
-    return Math.min(Math.ceil((onScreen * 1.2) / 256) * 256, 2048);
   }
 }

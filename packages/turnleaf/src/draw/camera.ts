@@ -1,6 +1,7 @@
 /** Where the camera stands so that the book fills the canvas. Pure arithmetic, no three.js. */
 
 import type { BookShape } from "./pose.ts";
+import { overheadAt, type Share, type Sight } from "./zoom.ts";
 
 /** Vertical field of view, degrees. */
 export const fieldOfView = 20;
@@ -56,13 +57,24 @@ export interface Framing {
   room: number;
 }
 
-/** The view that frames the book, a continuous function of the framing. */
-export function frameBook(shape: BookShape, framing: Framing, aspect: number, rim: number): View {
+/**
+ * The view that frames the book, a continuous function of the framing.
+ *
+ * @param overhead 0 from where a reader sits, 1 from right over the book
+ */
+export function frameBook(
+  shape: BookShape,
+  framing: Framing,
+  aspect: number,
+  rim: number,
+  overhead = 0,
+): View {
   const right = ease(framing.closedRight);
   const left = ease(framing.closedLeft);
   const closed = Math.min(1, right + left);
-  const elevation = openElevation + (closedElevation - openElevation) * closed;
-  const azimuth = closedAzimuth * (left - right);
+  const seated = openElevation + (closedElevation - openElevation) * closed;
+  const elevation = seated + (90 - seated) * overhead;
+  const azimuth = closedAzimuth * (left - right) * (1 - overhead);
   const axes = axesOf(elevation * radians, azimuth * radians, shape.rolled);
   const { alone } = shape;
   const open =
@@ -79,6 +91,48 @@ export function frameBook(shape: BookShape, framing: Framing, aspect: number, ri
     for (let k = 0; k < 3; k++) fit[k] += (shut[k] - open[k]) * share;
   }
   return viewOf(fit, axes);
+}
+
+/** The picture of the whole book that zoom `level` magnifies. */
+export function sightOf(
+  shape: BookShape,
+  framing: Framing,
+  aspect: number,
+  rim: number,
+  level: number,
+): Sight {
+  const view = frameBook(shape, framing, aspect, rim, overheadAt(level));
+  const { position, right, up, back } = view;
+  const half = Math.tan(0.5 * fieldOfView * radians);
+  const plane = shape.thickness / 2;
+  const seen = (x: number, y: number): Share => {
+    const away = [x - position[0], y - position[1], plane - position[2]];
+    const reach = -2 * half * along(back, away, 0);
+    return [0.5 + along(right, away, 0) / (reach * aspect), 0.5 - along(up, away, 0) / reach];
+  };
+  const point = ([x, y]: Share): Share => {
+    const [across, rise] = [(2 * x - 1) * half * aspect, (1 - 2 * y) * half];
+    const way = (k: number): number => across * right[k] + rise * up[k] - back[k];
+    const t = (plane - position[2]) / way(2);
+    return [position[0] + t * way(0), position[1] + t * way(1)];
+  };
+  const places = sidesOf(shape, framing, rim).flatMap((x) =>
+    [-rim, shape.height + rim].map((y) => seen(x, y)),
+  );
+  const [xs, ys] = [0, 1].map((k) => places.map((place) => place[k]));
+  return {
+    seen,
+    point,
+    book: [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)],
+  };
+}
+
+/** x of the book's outline at either side, metres: open, closed, or on the way between. */
+function sidesOf({ width, thickness, alone }: BookShape, framing: Framing, rim: number): number[] {
+  if (alone !== 0) return [-sliver * alone * width, alone * width];
+  const reach = width + rim + thickness / 2;
+  const { closedRight, closedLeft, middle } = framing;
+  return [middle - (1 - ease(closedRight)) * reach, middle + (1 - ease(closedLeft)) * reach];
 }
 
 /**

@@ -2,8 +2,10 @@
 
 import { Color, type Material, type Texture } from "three";
 import type { Face } from "../book/faces.ts";
+import type { PageBox } from "../sources/page_source.ts";
 import { PaperMaterial } from "./paper.ts";
 import type { BookShape } from "./pose.ts";
+import { layDetail } from "./print.ts";
 import { type SolidLook, SolidMaterial } from "./solid.ts";
 import { clothTexture, headbandTexture, leafEdgeTexture } from "./textures.ts";
 
@@ -81,6 +83,12 @@ export class BookMaterials {
     } else {
       this.pages[face].picture = texture;
     }
+  }
+
+  /** Lays a sharper picture over a part of a face's; null for the part takes it away. */
+  showDetail(face: Face, texture: Texture, box: PageBox | null): void {
+    const isPage = face === "left" || face === "right";
+    layDetail((isPage ? this.pages[face] : this.boards[face]).uniforms, texture, box);
   }
 
   /** The materials of a leaf in flight by its place among them; made when it is first asked for. */

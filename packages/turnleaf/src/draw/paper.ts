@@ -2,6 +2,7 @@
 
 import { BackSide, FrontSide, ShaderMaterial, type Texture } from "three";
 import type { BookShape } from "./pose.ts";
+import { printChunk, printUniforms } from "./print.ts";
 import { gapChunk, lightChunk, pictureChunk } from "./shading.ts";
 
 /** What goes from the vertices to the fragments. */
@@ -39,7 +40,6 @@ void main() {
 `;
 
 const fragmentShader = /* glsl */ `
-uniform sampler2D picture;
 uniform sampler2D pictureBehind;
 uniform float mirrored;
 uniform float thin;
@@ -50,6 +50,7 @@ ${varyings}
 ${lightChunk}
 ${gapChunk}
 ${pictureChunk}
+${printChunk}
 
 // What shines through a leaf from its other side, with that side's print in it.
 vec3 throughLeaf(vec3 normal, vec2 uv) {
@@ -75,7 +76,7 @@ float keyHere() {
 void main() {
   vec3 normal = normalize(vNormal);
   vec2 uv = vec2(mix(vUv.x, 1.0 - vUv.x, mirrored), vUv.y);
-  vec3 ink = texture2D(picture, onPicture(uv), -0.4).rgb;
+  vec3 ink = printed(onPicture(uv));
   vec3 light = arriving(normal, amongPaper(skyShare(vGapSky, normal)), keyHere());
   light = min(light + throughLeaf(normal, uv), vec3(ceiling));
   vec2 fromLight = (vPlace.xy - vec2(-0.35 * size.x, 0.65 * size.y)) / (1.5 * size);
@@ -108,7 +109,7 @@ export class PaperMaterial extends ShaderMaterial {
       fragmentShader,
       side: side.recto ? FrontSide : BackSide,
       uniforms: {
-        picture: { value: paper },
+        ...printUniforms(paper),
         pictureBehind: { value: paper },
         lit: { value: side.recto || side.ownNormals ? 1 : -1 },
         mirrored: { value: side.recto ? 0 : 1 },

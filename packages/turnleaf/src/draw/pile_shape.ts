@@ -1,6 +1,6 @@
 /** The resting pages of one side as they are drawn: the engine's pile, squared up under a closing board. */
 
-import { columnPlace, type Pile } from "../engine/shapes.ts";
+import { columnAt, columnPlace, type Pile } from "../engine/shapes.ts";
 import { type CaseShape, lidHeight } from "./case_shape.ts";
 
 /** Every how many columns the light looks at a page as an obstacle. */
@@ -61,8 +61,7 @@ export class PileShape {
   /** x and z of the uppermost page at u, 0 at the spine to 1 at the fore-edge, metres. */
   pointAt(u: number): [x: number, z: number] {
     const { columns, sign, x, z } = this;
-    let k = 0;
-    while (k + 2 < columns && columnPlace(k + 1, columns) < u) k++;
+    const k = Math.min(Math.floor(columnAt(u, columns)), columns - 2);
     const [from, to] = [columnPlace(k, columns), columnPlace(k + 1, columns)];
     const t = (u - from) / (to - from);
     return [sign * (x[k] + (x[k + 1] - x[k]) * t), z[k] + (z[k + 1] - z[k]) * t];

@@ -1,6 +1,7 @@
 /** The material of all that is not a sheet: leaf edges, cloth, boards, headbands. */
 
 import { type Color, DoubleSide, FrontSide, ShaderMaterial, type Texture } from "three";
+import { printChunk, printUniforms } from "./print.ts";
 import { lightChunk, pictureChunk } from "./shading.ts";
 
 const vertexShader = /* glsl */ `
@@ -25,7 +26,6 @@ const fragmentShader = /* glsl */ `
 uniform vec3 base;
 uniform sampler2D grain;
 uniform float grainDepth;
-uniform sampler2D picture;
 uniform float pictured;
 uniform vec4 panel;
 uniform float paperiness;
@@ -36,6 +36,7 @@ varying vec2 vOpen;
 varying vec3 vPlace;
 ${lightChunk}
 ${pictureChunk}
+${printChunk}
 
 void main() {
   vec3 normal = normalize(gl_FrontFacing ? vNormal : -vNormal);
@@ -47,7 +48,7 @@ void main() {
   vec2 within = smoothstep(-soft, soft, at) * smoothstep(-soft, soft, 1.0 - at);
   // A panel that covers the whole face goes round its bevel too.
   float share = pictured * (panel.y <= 0.0 ? 1.0 : within.x * within.y);
-  colour = mix(colour, texture2D(picture, onPicture(at), -0.4).rgb, share);
+  colour = mix(colour, printed(onPicture(at)), share);
 
   vec3 sky = vec3(vOpen.x * (0.5 + 0.5 * normal.z));
   sky = mix(sky, amongPaper(sky.x), max(paperiness, share));
@@ -87,7 +88,7 @@ export class SolidMaterial extends ShaderMaterial {
         grain: { value: look.grain },
         grainDepth: { value: look.grainDepth },
         paperiness: { value: look.paperiness },
-        picture: { value: look.grain },
+        ...printUniforms(look.grain),
         pictured: { value: 0 },
         panel: { value: [0, 0, 1, 1] },
       },

@@ -14,17 +14,30 @@ import {
 } from "three";
 import type { Face } from "../book/faces.ts";
 import type { Ray, Vec3 } from "../engine/shapes.ts";
-import type { PagePicture } from "../sources/page_source.ts";
-import { fieldOfView, frameBook } from "./camera.ts";
+import type { PageBox, PagePicture } from "../sources/page_source.ts";
+import { fieldOfView, frameBook, sightOf } from "./camera.ts";
 import { caseSizes } from "./case_shape.ts";
 import { openContext } from "./context.ts";
 import { DrawnBook } from "./drawn_book.ts";
 import { BookMaterials, type LeafSide } from "./materials.ts";
 import type { BookPose, BookShape } from "./pose.ts";
 import { PictureTextures } from "./textures.ts";
+import { overheadAt, type Zoom, Zooming } from "./zoom.ts";
 
 /** Most pixels of a frame at rest. */
 const mostPixels = 16e6;
+
+/** A place on the canvas, CSS pixels from its upper left corner. */
+export interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** A sharper picture of a part of a face's own; the part in shares of that from its upper left corner. */
+export interface FaceDetail {
+  readonly picture: PagePicture;
+  readonly box: PageBox;
+}
 
 /** How a frame is drawn. */
 export interface DrawOptions {
@@ -57,6 +70,9 @@ export class Stage {
   #width = 1;
   #height = 1;
   #ratio = 1;
+  readonly #zooming = new Zooming((level) =>
+    sightOf(this.#shape, this.#book.framing, this.#aspect, this.#rim, level),
+  );
 
   /**
    * @throws Error in one sentence where the browser has no WebGL 2.
@@ -103,6 +119,24 @@ export class Stage {
     this.#aim();
   }
 
+  /** How near the book is seen, and what of it. What is set is kept to the book. */
+  get zoom(): Zoom {
+    return this.#zooming.zoom;
+  }
+
+  set zoom(zoom: Zoom) {
+    this.#aim(zoom);
+  }
+
+  /**
+   * The zoom at `level` in which what is seen at `from` now is seen at `to`, as
+   * far as the book reaches; CSS pixels from the canvas's upper left corner.
+   */
+  zoomed(level: number, from: Place, to: Place): Zoom {
+    const share = ({ x, y }: Place) => [x / this.#width, y / this.#height] as const;
+    return this.#zooming.zoomed(level, share(from), share(to));
+  }
+
   /** What a face shows from the next frame on; null a blank page, or plain cloth outside. */
   setFace(face: Face, picture: PagePicture | null): void {
     this.#print(face, picture, (texture, none) => this.#materials.show(face, texture, none));
@@ -113,6 +147,25 @@ export class Stage {
     this.#print(`${side} ${index}`, picture, (texture) =>
       this.#materials.showLeaf(index, side, texture),
     );
+  }
+
+  /**
+   * Lays a sharper picture over a part of a face's own from the next frame on;
+   * null takes it away. It stays the caller's, who says when to `forget` it.
+   */
+  setDetail(face: Face, detail: FaceDetail | null): void {
+    const texture = this.#pictures.of(detail?.picture ?? null);
+    this.#materials.showDetail(face, texture, detail?.box ?? null);
+  }
+
+  /** Canvas pixels for each CSS pixel in a frame at rest. */
+  get restingRatio(): number {
+    const ratio = Math.max(2, this.#ratio);
+    // No canvas larger than the GPU takes.
+    const most = this.#renderer.capabilities.maxTextureSize;
+    const longest = Math.max(this.#width, this.#height);
+    const fit = Math.min(most / longest, Math.sqrt(mostPixels / (this.#width * this.#height)));
+    return Math.max(Math.min(this.#ratio, fit), Math.min(ratio, fit));
   }
 
   /** Frees a picture's texture. Faces that still show it go blank. */
@@ -130,7 +183,7 @@ export class Stage {
 
   /** Draws one frame, now. */
   draw(options?: DrawOptions): void {
-    const ratio = options?.resting ? this.#restingRatio() : this.#ratio;
+    const ratio = options?.resting ? this.restingRatio : this.#ratio;
     const [width, height] = [Math.floor(this.#width * ratio), Math.floor(this.#height * ratio)];
     if (this.#canvas.width !== width || this.#canvas.height !== height) {
       // Clears the canvas; it is filled again below before anyone can see.
@@ -143,8 +196,9 @@ export class Stage {
   rayAt(x: number, y: number): Ray {
     const { elements: m } = this.#camera.matrixWorld;
     const { elements: p } = this.#camera.projectionMatrix;
-    const right = ((2 * x) / this.#width - 1) / p[0];
-    const up = (1 - (2 * y) / this.#height) / p[5];
+    // Zoomed in, the middle of the canvas is not that of the lens.
+    const right = ((2 * x) / this.#width - 1 + p[8]) / p[0];
+    const up = (1 - (2 * y) / this.#height + p[9]) / p[5];
     const way = [0, 1, 2].map((k) => right * m[k] + up * m[4 + k] - m[8 + k]);
     const length = Math.hypot(way[0], way[1], way[2]);
     return {
@@ -154,13 +208,13 @@ export class Stage {
   }
 
   /** Where a point of book space is on the canvas, CSS pixels from its upper left corner. */
-  project(point: Vec3): { x: number; y: number } {
+  project(point: Vec3): Place {
     const seen = new Vector3(...point).project(this.#camera);
     return { x: (0.5 + 0.5 * seen.x) * this.#width, y: (0.5 - 0.5 * seen.y) * this.#height };
   }
 
   /** Where a place on a face's picture, shares from its upper left corner, is on the canvas, likewise. */
-  projectOn(face: Face, x: number, y: number): { x: number; y: number } {
+  projectOn(face: Face, x: number, y: number): Place {
     return this.project(this.#book.placeOn(face, x, y));
   }
 
@@ -201,10 +255,18 @@ export class Stage {
     this.onRestored?.();
   };
 
-  #aim(): void {
-    const rim = this.#shape.cover === "hard" ? caseSizes.rim : 0;
-    const aspect = this.#width / this.#height;
-    const view = frameBook(this.#shape, this.#book.framing, aspect, rim);
+  get #aspect(): number {
+    return this.#width / this.#height;
+  }
+
+  get #rim(): number {
+    return this.#shape.cover === "hard" ? caseSizes.rim : 0;
+  }
+
+  #aim(zoom: Zoom = this.#zooming.zoom): void {
+    const { level } = zoom;
+    const [aspect, overhead] = [this.#aspect, overheadAt(level)];
+    const view = frameBook(this.#shape, this.#book.framing, aspect, this.#rim, overhead);
     const camera = this.#camera;
     camera.matrix.makeBasis(
       new Vector3(...view.right),
@@ -214,20 +276,12 @@ export class Stage {
     camera.matrix.setPosition(...view.position);
     camera.matrixWorldNeedsUpdate = true;
     camera.updateMatrixWorld(true);
-    camera.aspect = aspect;
     const size = 2 * Math.max(this.#shape.width, this.#shape.height);
     camera.near = Math.max(0.02, view.distance - size);
     camera.far = view.distance + 2 * size;
-    camera.updateProjectionMatrix();
-  }
-
-  #restingRatio(): number {
-    const ratio = Math.max(2, this.#ratio);
-    // No canvas larger than the GPU takes.
-    const most = this.#renderer.capabilities.maxTextureSize;
-    const longest = Math.max(this.#width, this.#height);
-    const fit = Math.min(most / longest, Math.sqrt(mostPixels / (this.#width * this.#height)));
-    return Math.max(Math.min(this.#ratio, fit), Math.min(ratio, fit));
+    const [x, y] = this.#zooming.show(zoom);
+    const [left, top] = [(x - 0.5 / level) * aspect, y - 0.5 / level];
+    camera.setViewOffset(aspect, 1, left, top, aspect / level, 1 / level);
   }
 }
 

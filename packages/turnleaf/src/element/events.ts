@@ -21,6 +21,8 @@ export interface TurnleafEventMap {
   layoutchange: CustomEvent<{ layout: Layout; binding: Edge }>;
   /** Pages were added, taken out or replaced. */
   pageschange: CustomEvent<{ pageCount: number }>;
+  /** The book is seen from nearer or farther; `zoom` as the property is. */
+  zoomchange: CustomEvent<{ zoom: number }>;
   /** The book could not be opened; the sentence says why. */
   error: CustomEvent<{ message: string }>;
 }

@@ -67,3 +67,8 @@ export interface Ray {
 export function columnPlace(column: number, columns: number): number {
   return (column / (columns - 1)) ** 1.7;
 }
+
+/** The column at u, with the share of the way to the next; the way back of `columnPlace`. */
+export function columnAt(u: number, columns: number): number {
+  return Math.min(Math.max(u, 0), 1) ** (1 / 1.7) * (columns - 1);
+}

@@ -88,6 +88,11 @@ export class PagePictures {
     return this.#pool.get(page - 1) ?? this.#standIn(page);
   }
 
+  /** Width of a page's picture in device pixels; infinite where there is none sharper to be had. */
+  sharpness(page: number): number {
+    return this.#pool.failed(page - 1) ? Number.POSITIVE_INFINITY : this.#pool.sharpness(page - 1);
+  }
+
   /** As `get`; null for a page out of sight that is not drawn. */
   getIfDrawn(page: number): PagePicture | null {
     return this.#inSight.has(page) || this.#pool.get(page - 1) !== null ? this.get(page) : null;

@@ -97,6 +97,14 @@ export class PagePool {
     return this.#held.get(index)?.picture ?? null;
   }
 
+  /** Width of that picture in device pixels: 0 of none, infinite where the source has no sharper one. */
+  sharpness(index: number): number {
+    const held = this.#held.get(index);
+    if (held === undefined) return 0;
+    // A page of other proportions than asked for may lack a pixel by rounding.
+    return held.picture.width < held.asked - 2 ? Number.POSITIVE_INFINITY : held.picture.width;
+  }
+
   /** Why page `index` has no picture; null while it has one or may yet get one. */
   failed(index: number): BookError | null {
     return this.#held.has(index) ? null : (this.#failed.get(index) ?? null);

@@ -1,8 +1,9 @@
 /** A cover board that is not open on the table: it swings about the spine, or lies closed over the leaves. */
 
 import { caseSizes } from "../draw/case_shape.ts";
+import type { FaceDetail } from "../draw/stage.ts";
 import type { PagePicture } from "../sources/page_source.ts";
-import { type Brush, fillBetween, light, type Stops, shade } from "./draw_book.ts";
+import { type Brush, drawDetail, fillBetween, light, type Stops, shade } from "./draw_book.ts";
 import { stretchTo } from "./layout.ts";
 
 /** How much larger the fore-edge of a board that stands upright looks: it is nearer to the eye. */
@@ -30,12 +31,14 @@ const groove: Stops = [
  * @param angle radians from lying on the right
  * @param picture on the face that is seen
  * @param isOutside whether that is the outer one
+ * @param detail on the same face, seen where the board lies flat
  */
 export function drawBoard(
   brush: Brush,
   angle: number,
   picture: PagePicture | null,
   isOutside: boolean,
+  detail: FaceDetail | null,
 ): void {
   const { pen, shape, unit } = brush;
   const { rim } = caseSizes;
@@ -81,6 +84,7 @@ export function drawBoard(
       pen.save();
       stretchTo(pen, [start, top, end, bottom], shape.rolled);
       pen.drawImage(picture, ...part, 0, 0, 1, 1);
+      if (count === 1) drawDetail(pen, detail);
       pen.restore();
     }
   }

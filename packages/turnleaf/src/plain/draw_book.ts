@@ -2,6 +2,7 @@
 
 import { caseSizes } from "../draw/case_shape.ts";
 import type { BookPose, BookShape } from "../draw/pose.ts";
+import type { FaceDetail } from "../draw/stage.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import { type Box, boardBox, pageBox, stackDrop, stackShare, stretchTo } from "./layout.ts";
 
@@ -60,19 +61,32 @@ export function fillBetween(
 }
 
 /** A page that lies on one side, in the light that falls on it. */
-export function drawPage({ pen, shape }: Brush, sign: 1 | -1, picture: PagePicture | null): void {
+export function drawPage(
+  { pen, shape }: Brush,
+  sign: 1 | -1,
+  picture: PagePicture | null,
+  detail: FaceDetail | null = null,
+): void {
   const box = pageBox(shape, sign);
   const { width, height } = shape;
   if (picture && picture.width > 0) {
     pen.save();
     stretchTo(pen, box, shape.rolled);
     pen.drawImage(picture, 0, 0, 1, 1);
+    drawDetail(pen, detail);
     pen.restore();
   } else {
     pen.fillStyle = paper;
     pen.fillRect(box[0], 0, width, height);
   }
   fillBetween(pen, [0, 0, sign * width, 0], sign === 1 ? rightGutter : leftGutter, box);
+}
+
+/** Draws a detail over its picture, which fills the square of side 1. */
+export function drawDetail(pen: CanvasRenderingContext2D, detail: FaceDetail | null): void {
+  if (detail === null) return;
+  const { x, y, width, height } = detail.box;
+  pen.drawImage(detail.picture, x, y, width, height);
 }
 
 /** The edges of the leaves under a side's uppermost page, `thickness` metres of them. */

@@ -3,6 +3,7 @@
 import type { Face } from "../book/faces.ts";
 import { caseSizes } from "../draw/case_shape.ts";
 import type { BookPose, BookShape } from "../draw/pose.ts";
+import type { Share, Sight } from "../draw/zoom.ts";
 
 /** From book space to the canvas: CSS pixels a metre, and where the spine's end is that is seen at the upper left. */
 export interface Layout {
@@ -64,6 +65,47 @@ export function layOut(shape: BookShape, pose: BookPose, width: number, height: 
     const start = length - along - scale * shape.height;
     return rolled ? { scale, x: start, y: across } : { scale, x: across, y: along };
   }
+}
+
+/** The picture of a whole flat book, which zoom magnifies. */
+export function sightOf(shape: BookShape, pose: BookPose, width: number, height: number): Sight {
+  const layout = layOut(shape, pose, width, height);
+  const seen = (x: number, y: number): Share => {
+    const [right, down] = shape.rolled ? [y, x] : [x, shape.height - y];
+    return [(layout.x + layout.scale * right) / width, (layout.y + layout.scale * down) / height];
+  };
+  const point = ([x, y]: Share): Share => {
+    const right = (x * width - layout.x) / layout.scale;
+    const down = (y * height - layout.y) / layout.scale;
+    return shape.rolled ? [down, right] : [right, shape.height - down];
+  };
+  const [right, left] = shutness(pose);
+  const reach = shape.width + (shape.cover === "hard" ? caseSizes.rim : 0);
+  const { alone } = shape;
+  const from = alone === 1 ? 0 : (right - 1) * reach;
+  const to = alone === -1 ? 0 : (1 - left) * reach;
+  const corners = [seen(from, 0), seen(to, shape.height)];
+  const [xs, ys] = [0, 1].map((k) => corners.map((corner) => corner[k]));
+  return {
+    seen,
+    point,
+    book: [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)],
+  };
+}
+
+/** A layout magnified about a place of its canvas, shares of it, that comes to the middle. */
+export function magnified(
+  { scale, x, y }: Layout,
+  level: number,
+  middle: Share,
+  width: number,
+  height: number,
+): Layout {
+  return {
+    scale: scale * level,
+    x: (x - middle[0] * width) * level + width / 2,
+    y: (y - middle[1] * height) * level + height / 2,
+  };
 }
 
 function ease(t: number): number {

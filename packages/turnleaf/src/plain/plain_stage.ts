@@ -7,14 +7,15 @@
 import type { Face } from "../book/faces.ts";
 import type { LeafSide } from "../draw/materials.ts";
 import type { BookPose, BookShape } from "../draw/pose.ts";
-import type { BookStage, DrawOptions } from "../draw/stage.ts";
+import type { BookStage, DrawOptions, FaceDetail, Place } from "../draw/stage.ts";
+import { type Zoom, Zooming } from "../draw/zoom.ts";
 import { Side } from "../engine/phases.ts";
 import type { Ray, Vec3 } from "../engine/shapes.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import { drawBoard } from "./draw_board.ts";
 import { drawCase, drawPage, drawStack, thicknessOf } from "./draw_book.ts";
 import { drawFlat, drawFolded } from "./draw_leaf.ts";
-import { type Layout, layOut, panelOf } from "./layout.ts";
+import { type Layout, layOut, magnified, panelOf, sightOf } from "./layout.ts";
 import type { PeeledSurface } from "./plain_book.ts";
 
 /** Most pixels of a frame at rest, and device pixels a CSS pixel while something moves, at most. */
@@ -39,6 +40,10 @@ export class PlainStage implements BookStage {
   readonly #pen: CanvasRenderingContext2D;
   #shape: BookShape;
   readonly #shown = new Map<Face | `${LeafSide} ${number}`, PagePicture | null>();
+  readonly #details = new Map<Face, FaceDetail>();
+  readonly #zooming = new Zooming(() =>
+    sightOf(this.#shape, this.#pose, this.#width, this.#height),
+  );
   #pose = lying;
   #layout: Layout = { scale: 1, x: 0, y: 0 };
   #width = 1;
@@ -57,6 +62,7 @@ export class PlainStage implements BookStage {
   bind(shape: BookShape): void {
     this.#shape = shape;
     this.#shown.clear();
+    this.#details.clear();
     this.#pose = lying;
     this.#aim();
   }
@@ -70,6 +76,28 @@ export class PlainStage implements BookStage {
 
   /** A flat book needs no room above its head. */
   set room(_: number) {}
+
+  get zoom(): Zoom {
+    return this.#zooming.zoom;
+  }
+
+  set zoom(zoom: Zoom) {
+    this.#aim(zoom);
+  }
+
+  zoomed(level: number, from: Place, to: Place): Zoom {
+    const share = ({ x, y }: Place) => [x / this.#width, y / this.#height] as const;
+    return this.#zooming.zoomed(level, share(from), share(to));
+  }
+
+  setDetail(face: Face, detail: FaceDetail | null): void {
+    if (detail) this.#details.set(face, detail);
+    else this.#details.delete(face);
+  }
+
+  get restingRatio(): number {
+    return Math.min(this.#ratio, Math.sqrt(mostPixels / (this.#width * this.#height)));
+  }
 
   setFace(face: Face, picture: PagePicture | null): void {
     this.#shown.set(face, picture);
@@ -89,8 +117,7 @@ export class PlainStage implements BookStage {
   }
 
   draw(options?: DrawOptions): void {
-    const fit = Math.sqrt(mostPixels / (this.#width * this.#height));
-    const ratio = Math.min(this.#ratio, options?.resting ? fit : mostMovingRatio);
+    const ratio = options?.resting ? this.restingRatio : Math.min(this.#ratio, mostMovingRatio);
     const [width, height] = [Math.floor(this.#width * ratio), Math.floor(this.#height * ratio)];
     if (this.#canvas.width !== width || this.#canvas.height !== height) {
       this.#canvas.width = width;
@@ -115,13 +142,13 @@ export class PlainStage implements BookStage {
     return { origin: [across, along, 1], direction: [0, 0, -1] };
   }
 
-  project([x, y]: Vec3): { x: number; y: number } {
+  project([x, y]: Vec3): Place {
     const { scale } = this.#layout;
     const [right, down] = this.#shape.rolled ? [y, x] : [x, this.#shape.height - y];
     return { x: this.#layout.x + scale * right, y: this.#layout.y + scale * down };
   }
 
-  projectOn(face: Face, x: number, y: number): { x: number; y: number } {
+  projectOn(face: Face, x: number, y: number): Place {
     const { height } = this.#shape;
     const [left, top, right, bottom] = panelOf(this.#shape, face);
     const [u, v] = this.#shape.rolled ? [y, 1 - x] : [x, y];
@@ -138,8 +165,10 @@ export class PlainStage implements BookStage {
     this.#canvas.width = this.#canvas.height = 0;
   }
 
-  #aim(): void {
-    this.#layout = layOut(this.#shape, this.#pose, this.#width, this.#height);
+  #aim(zoom: Zoom = this.#zooming.zoom): void {
+    const [width, height] = [this.#width, this.#height];
+    const whole = layOut(this.#shape, this.#pose, width, height);
+    this.#layout = magnified(whole, zoom.level, this.#zooming.show(zoom), width, height);
   }
 
   #paint(unit: number): void {
@@ -148,6 +177,7 @@ export class PlainStage implements BookStage {
     const { frontBoard, backBoard } = pose;
     const isHard = this.#shape.cover === "hard";
     const show = (name: Face | `${LeafSide} ${number}`) => this.#shown.get(name) ?? null;
+    const detail = (face: Face) => this.#details.get(face) ?? null;
     drawCase(brush, pose);
     for (const [sign, side, inside, lies] of [
       [-1, "left", "frontInside", frontBoard >= Math.PI],
@@ -155,8 +185,8 @@ export class PlainStage implements BookStage {
     ] as const) {
       if (pose[side]) {
         drawStack(brush, sign, thicknessOf(pose, side));
-        drawPage(brush, sign, show(side));
-      } else if (isHard && lies) drawPage(brush, sign, show(inside));
+        drawPage(brush, sign, show(side), detail(side));
+      } else if (isHard && lies) drawPage(brush, sign, show(inside), detail(inside));
     }
     const leaves = pose.leaves as readonly PeeledSurface[];
     const order = leaves
@@ -173,11 +203,13 @@ export class PlainStage implements BookStage {
     if (!isHard) return;
     if (frontBoard < Math.PI) {
       const isOutside = frontBoard < Math.PI / 2;
-      drawBoard(brush, frontBoard, show(isOutside ? "frontOutside" : "frontInside"), isOutside);
+      const face = isOutside ? "frontOutside" : "frontInside";
+      drawBoard(brush, frontBoard, show(face), isOutside, detail(face));
     }
     if (backBoard > 0) {
       const isOutside = backBoard > Math.PI / 2;
-      drawBoard(brush, backBoard, show(isOutside ? "backOutside" : "backInside"), isOutside);
+      const face = isOutside ? "backOutside" : "backInside";
+      drawBoard(brush, backBoard, show(face), isOutside, detail(face));
     }
   }
 }

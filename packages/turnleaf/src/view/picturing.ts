@@ -3,15 +3,19 @@
 import {
   type Face,
   faceNames,
+  faceOf,
   facesBetween,
   facesOfLeaf,
   isBoardFace,
   pagesWanted,
 } from "../book/faces.ts";
-import type { Binding } from "../book/spreads.ts";
+import { type Binding, pagesAt } from "../book/spreads.ts";
 import type { Turning } from "../book/turning.ts";
+import type { BookShape } from "../draw/pose.ts";
 import type { BookStage } from "../draw/stage.ts";
 import type { PagePictures } from "../pages/page_pictures.ts";
+import type { OpenPage } from "./details.ts";
+import type { Viewing } from "./viewing.ts";
 
 /** Leaves in flight whose pages are drawn as sharp as those at rest: many pass by too fast to be read. */
 const mostSharpFlights = 2;
@@ -19,6 +23,28 @@ const mostSharpFlights = 2;
 /** The spreads left and right of all that is in flight. */
 export function spreadsBetween({ flights, spread }: Turning): [low: number, high: number] {
   return [flights[0]?.low ?? spread, flights.at(-1)?.high ?? spread];
+}
+
+/**
+ * Width in device pixels at which a page looks sharp where all of the book is
+ * shown, in steps, so that a small change of size redraws nothing.
+ */
+export function pictureWidth(
+  { width, height, rolled, alone }: BookShape,
+  stage: BookStage,
+  viewing: Viewing,
+  pixelRatio: number,
+): number {
+  const [u, v] = rolled
+    ? [0.6 * width * (alone || 1), height]
+    : [width * (alone || 1), 0.4 * height];
+  // The pages of a turn are those of the rest after it.
+  const onScreen = viewing.atRest(() => {
+    const spine = stage.project(rolled ? [u, 0, 0] : [0, v, 0]);
+    const edge = stage.project([u, v, 0]);
+    return Math.hypot(edge.x - spine.x, edge.y - spine.y) * Math.max(pixelRatio, 2);
+  });
+  return Math.min(Math.ceil((onScreen * 1.2) / 256) * 256, 2048);
 }
 
 /** Brings a book's pictures onto its stage. */
@@ -42,9 +68,23 @@ export class Picturing {
     this.#pictures.want(wanted, width, flights.length > mostSharpFlights);
   }
 
+  /** The page on each face. */
+  get pages(): Record<Face, number | null> {
+    return facesBetween(this.#binding, ...spreadsBetween(this.#turning));
+  }
+
+  /** The pages that lie open where nothing is in flight. */
+  get open(): OpenPage[] {
+    const { spread } = this.#turning;
+    return pagesAt(this.#binding, spread).flatMap((page) => {
+      const face = faceOf(this.#binding, spread, page);
+      return face ? [{ face, page, width: this.#pictures.sharpness(page) }] : [];
+    });
+  }
+
   /** Shows on every face what there is. */
   show(): void {
-    const pages = facesBetween(this.#binding, ...spreadsBetween(this.#turning));
+    const { pages } = this;
     for (const face of faceNames) this.#stage.setFace(face, this.#pictureOf(face, pages[face]));
     for (const [index, flight] of this.#turning.flights.entries()) {
       if (flight.part !== "leaf") continue;

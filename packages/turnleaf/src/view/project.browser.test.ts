@@ -1,9 +1,8 @@
 /** Where pages are seen, measured on the canvas in real Chromium. */
 
 import { afterEach, expect, test } from "vitest";
-import { openViewer } from "../open_viewer.ts";
 import { openSource } from "../sources/open.ts";
-import type { Viewer } from "../viewer.ts";
+import { brightness, opened, settledViewer } from "../viewer_for_tests.ts";
 
 /** A page with a black square about a place of it, shares of the page. */
 function marked(x: number, y: number): { src: string } {
@@ -19,55 +18,45 @@ function marked(x: number, y: number): { src: string } {
 
 const mark = { x: 0.3, y: 0.25 };
 
-let viewer: Viewer | null = null;
+let book: Awaited<ReturnType<typeof opened>> | null = null;
 
 afterEach(() => {
-  viewer?.destroy();
-  viewer = null;
+  book?.viewer.destroy();
+  book = null;
   document.body.replaceChildren();
 });
 
-/** Opens a book of marked pages at a page, and answers its canvas once it rests. */
-async function opened(page: number, cover: "hard" | "none"): Promise<HTMLCanvasElement> {
-  const canvas = document.createElement("canvas");
-  canvas.style.cssText = "width: 400px; height: 300px; background: white";
-  document.body.append(canvas);
+/** Opens a book of marked pages at a page. */
+async function openedAt(page: number, cover: "hard" | "none") {
   const pages = Array.from({ length: 12 }, () => marked(mark.x, mark.y));
-  const source = await openSource(pages, {});
-  const nothing = () => {};
-  viewer = await openViewer(
-    canvas,
-    source,
-    {
-      cover,
-      cloth: "#6a2a26",
-      paper: () => ({}),
-      page: () => page,
-      turnSeconds: () => 0.1,
-      onStart: nothing,
-      onRest: nothing,
-      onFailure: nothing,
-    },
-    new AbortController().signal,
-  );
-  viewer.resize(400, 300, 1);
-  await expect.poll(() => viewer?.settled, { timeout: 20_000 }).toBe(true);
-  return canvas;
+  book = await opened(await openSource(pages, {}), { cover, page: () => page });
+  return book;
 }
 
+const spotOf = (place: { x: number; y: number } | null): [number, number] => [
+  place?.x ?? Number.NaN,
+  place?.y ?? Number.NaN,
+];
+
 /** Brightness of the canvas where a page's place is seen, 0 to 255. */
-async function seenAt(canvas: HTMLCanvasElement, page: number, x: number, y: number) {
-  const place = viewer?.project(page, x, y);
-  if (!place) return null;
-  const copy = document.createElement("canvas");
-  [copy.width, copy.height] = [1, 1];
-  const pen = copy.getContext("2d") as CanvasRenderingContext2D;
-  const scale = canvas.width / 400;
-  // Within a frame: afterwards a WebGL canvas may be empty.
-  viewer?.invalidate();
-  await new Promise((resolve) => requestAnimationFrame(resolve));
-  pen.drawImage(canvas, -place.x * scale, -place.y * scale);
-  return pen.getImageData(0, 0, 1, 1).data[0];
+async function seenAt(page: number, x: number, y: number) {
+  const place = book?.viewer.project(page, x, y);
+  return place && book ? (await brightness(book, place, 1))[0] : null;
+}
+
+/** That the mark of every page in sight, and its surroundings, are seen where they are said to be. */
+async function expectMarks(pages: readonly number[]) {
+  for (const page of pages) {
+    expect(await seenAt(page, mark.x, mark.y)).toBeLessThan(60);
+    for (const [dx, dy] of [
+      [0.12, 0],
+      [-0.12, 0],
+      [0, 0.08],
+      [0, -0.08],
+    ]) {
+      expect(await seenAt(page, mark.x + dx, mark.y + dy)).toBeGreaterThan(120);
+    }
+  }
 }
 
 test.each([
@@ -78,45 +67,68 @@ test.each([
   { page: 2, cover: "hard", seen: [2, 3] },
   { page: 11, cover: "hard", seen: [10, 11] },
   { page: 12, cover: "hard", seen: [12] },
-] as const)("a page's place is seen where it is said, page $page, cover $cover", async (book) => {
-  const canvas = await opened(book.page, book.cover);
-  for (const page of book.seen) {
-    expect(await seenAt(canvas, page, mark.x, mark.y)).toBeLessThan(60);
-    for (const [dx, dy] of [
-      [0.12, 0],
-      [-0.12, 0],
-      [0, 0.08],
-      [0, -0.08],
-    ]) {
-      expect(await seenAt(canvas, page, mark.x + dx, mark.y + dy)).toBeGreaterThan(120);
-    }
-  }
-  for (const page of [0, 5, 8, 13, Number.NaN]) {
-    if (!(book.seen as readonly number[]).includes(page)) {
-      expect(viewer?.project(page, 0.5, 0.5)).toBeNull();
-    }
-  }
-});
+] as const)(
+  "a page's place is seen where it is said, page $page, cover $cover",
+  async ({ page, cover, seen }) => {
+    const { viewer } = await openedAt(page, cover);
+    await expectMarks(seen);
+    for (const page of [0, 5, 8, 13, Number.NaN]) expect(viewer.project(page, 0.5, 0.5)).toBeNull();
+  },
+);
 
 test("listeners are told of another view and of leaving it, once, and not at all of the same", async () => {
-  await opened(6, "none");
+  const { viewer } = await openedAt(6, "none");
   let told = 0;
-  const stop = viewer?.onView(() => told++);
-  viewer?.invalidate();
-  await expect.poll(() => viewer?.settled).toBe(true);
+  const stop = viewer.onView(() => told++);
+  viewer.invalidate();
+  await expect.poll(() => viewer.settled).toBe(true);
   expect(told).toBe(0);
-  viewer?.resize(360, 300, 1);
+  viewer.resize(360, 300, 1);
   await expect.poll(() => told).toBe(1);
-  expect(viewer?.project(6, 0, 0)).not.toBeNull();
-  const turned = viewer?.turning.turn(1);
-  viewer?.invalidate();
-  expect(viewer?.project(6, 0, 0)).toBeNull();
+  expect(viewer.project(6, 0, 0)).not.toBeNull();
+  const turned = viewer.turning.turn(1);
+  viewer.invalidate();
+  expect(viewer.project(6, 0, 0)).toBeNull();
   await expect.poll(() => told, { timeout: 20_000 }).toBeGreaterThan(1);
   await turned;
   await expect.poll(() => told, { timeout: 20_000 }).toBe(3);
-  expect(viewer?.project(8, 0, 0)).not.toBeNull();
-  stop?.();
-  viewer?.resize(400, 300, 1);
-  await expect.poll(() => viewer?.settled, { timeout: 20_000 }).toBe(true);
+  expect(viewer.project(8, 0, 0)).not.toBeNull();
+  stop();
+  viewer.resize(400, 300, 1);
+  await expect.poll(() => viewer.settled, { timeout: 20_000 }).toBe(true);
   expect(told).toBe(3);
+});
+
+test("zoomed and panned, a page's place is seen where it is said, and what is pointed at stays there", async () => {
+  const { viewer } = await openedAt(6, "hard");
+  const at = viewer.project(7, mark.x, mark.y);
+  if (at === null) throw new Error("Page 7 does not lie open.");
+  for (const level of [2, 5, 3]) {
+    viewer.zoom(level, at, at, 0);
+    await settledViewer(viewer);
+    expect(viewer.zoomLevel).toBe(level);
+    const now = viewer.project(7, mark.x, mark.y);
+    // Between what sits and what looks straight down, the heights of the pages part them a little.
+    expect(now?.x).toBeCloseTo(at.x, -1);
+    expect(now?.y).toBeCloseTo(at.y, -1);
+    expect(await seenAt(7, mark.x, mark.y)).toBeLessThan(60);
+    if (level === 5) continue;
+    expect(await seenAt(7, mark.x - 0.12, mark.y)).toBeGreaterThan(120);
+    expect(await seenAt(7, mark.x, mark.y + 0.08)).toBeGreaterThan(120);
+  }
+  const before = viewer.project(7, 0, 0);
+  viewer.zoom(3, { x: 100, y: 100 }, { x: 80, y: 110 }, 0);
+  await settledViewer(viewer);
+  const after = viewer.project(7, 0, 0);
+  expect((after?.x ?? 0) - (before?.x ?? 0)).toBeCloseTo(-20, 0);
+  expect((after?.y ?? 0) - (before?.y ?? 0)).toBeCloseTo(10, 0);
+  expect(await seenAt(7, mark.x, mark.y)).toBeLessThan(60);
+  // What a hand would take is where it is seen.
+  const hold = viewer.pick(...spotOf(viewer.project(7, 0.9, 0.5)));
+  expect(hold?.u).toBeCloseTo(0.9, 1);
+  expect(hold?.v).toBeCloseTo(0.5, 1);
+  viewer.zoom(1, at, at, 0);
+  await settledViewer(viewer);
+  expect(viewer.project(7, mark.x, mark.y)?.x).toBeCloseTo(at.x, 3);
+  expect(viewer.project(7, mark.x, mark.y)?.y).toBeCloseTo(at.y, 3);
 });

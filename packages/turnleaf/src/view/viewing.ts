@@ -1,0 +1,91 @@
+/** How the book is looked at: zoom, pan, and the step back from a turning leaf. */
+
+import type { BookStage, Place } from "../draw/stage.ts";
+import { type Zoom, zoomBetween } from "../draw/zoom.ts";
+
+/** The nearest that a book is seen from. */
+export const mostZoom = 8;
+
+/** Room above the head, from none to that of a leaf standing upright: at rest, and while something turns. */
+const restingRoom = 0.5;
+const turningRoom = 1;
+
+/** Time in seconds in which the camera does two thirds of its way between the two. */
+const roomTime = 0.11;
+
+/** The camera over one book. */
+export class Viewing {
+  readonly #stage: BookStage;
+  #room = restingRoom;
+  #glide: { from: Zoom; to: Zoom; passed: number; seconds: number } | null = null;
+
+  constructor(stage: BookStage) {
+    this.#stage = stage;
+    stage.room = restingRoom;
+  }
+
+  /** The level that is shown, or on the way to being. */
+  get level(): number {
+    return this.#glide?.to.level ?? this.#stage.zoom.level;
+  }
+
+  /** Whether the camera is on its way. */
+  get gliding(): boolean {
+    return this.#glide !== null;
+  }
+
+  /**
+   * Shows the book at a level (1 to 8) so that what is seen at `from` comes to
+   * `to`, as far as the book reaches.
+   *
+   * @param seconds that it takes; 0 at once
+   */
+  zoom(level: number, from: Place, to: Place, seconds: number): void {
+    const wanted = Math.min(Math.max(level, 1), mostZoom);
+    const zoom = this.#stage.zoomed(wanted, from, to);
+    if (seconds > 0) this.#glide = { from: this.#stage.zoom, to: zoom, passed: 0, seconds };
+    else {
+      this.#glide = null;
+      this.#stage.zoom = zoom;
+    }
+  }
+
+  /** Moves the camera on; answers whether it still moves. */
+  step(turning: boolean, seconds: number): boolean {
+    const stepping = this.#stepBack(turning, seconds);
+    return this.#glideOn(seconds) || stepping;
+  }
+
+  /** Looks at something as it is seen where all of the book is shown at rest. */
+  atRest<T>(look: () => T): T {
+    const { zoom } = this.#stage;
+    this.#stage.room = restingRoom;
+    this.#stage.zoom = { level: 1, x: 0, y: 0 };
+    const seen = look();
+    this.#stage.room = this.#room;
+    this.#stage.zoom = zoom;
+    return seen;
+  }
+
+  #glideOn(seconds: number): boolean {
+    const glide = this.#glide;
+    if (glide === null) return false;
+    glide.passed += seconds;
+    const t = Math.min(glide.passed / glide.seconds, 1);
+    this.#stage.zoom = zoomBetween(glide.from, glide.to, 1 - (1 - t) ** 3);
+    if (t === 1) this.#glide = null;
+    return t < 1;
+  }
+
+  /** Moves the camera back from a turning leaf and near again; answers whether it still moves. */
+  #stepBack(turning: boolean, seconds: number): boolean {
+    // Right over the book, a leaf that stands upright takes no room above the head.
+    const wanted = turning && this.level === 1 ? turningRoom : restingRoom;
+    const apart = wanted - this.#room;
+    if (apart === 0) return false;
+    const arrived = Math.abs(apart) < 0.004;
+    this.#room = arrived ? wanted : this.#room + apart * (1 - Math.exp(-seconds / roomTime));
+    this.#stage.room = this.#room;
+    return !arrived;
+  }
+}
