@@ -31,7 +31,7 @@ packages/cli/dist/.built: $(MODULES) $(SOURCES)
 	@touch $@
 
 # The engine as WASM. The file is committed, so that a build needs no Rust.
-wasm: tools-rust
+wasm: $(MODULES) tools-rust
 	node scripts/build_wasm.mjs
 
 tools-rust:
@@ -55,7 +55,7 @@ check: check-rust check-js
 
 check-rust: tools-rust
 	cargo fmt --all --check
-	cargo clippy --workspace --all-targets --quiet -- -D warnings
+	cargo clippy --workspace --all-targets --all-features --quiet -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --quiet
 
 check-js: build

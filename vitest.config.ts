@@ -13,7 +13,11 @@ export default defineConfig({
         test: {
           name: "node",
           environment: "node",
-          include: ["packages/**/*.test.ts", "books/**/*.test.{ts,mjs}", "scripts/**/*.test.mjs"],
+          include: [
+            "packages/**/*.test.{ts,mjs}",
+            "books/**/*.test.{ts,mjs}",
+            "scripts/**/*.test.mjs",
+          ],
           exclude: ["**/*.browser.test.ts", "**/node_modules/**", "**/dist/**"],
           testTimeout: 60_000,
         },

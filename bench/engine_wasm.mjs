@@ -1,28 +1,30 @@
 /**
- * Cost in WASM: the paper's step and surface, the sheet's frame, a riffle.
+ * Cost in WASM: the paper's step and surface, the sheet's frame, and a riffle,
+ * which is turned by the machine code that the viewer ships.
  *
- *   RUSTFLAGS="-C target-feature=+simd128" \
- *     cargo build --release -p turnleaf-wasm --target wasm32-unknown-unknown
- *   node bench/engine_wasm.mjs [FILE.wasm] [--json]
+ *   node scripts/build_wasm.mjs --trials
+ *   node bench/engine_wasm.mjs [--json]
  *
- * Prints the median over batches, and the 5th and 95th percentile. Without a
- * file it takes the one that cargo built, else the viewer's.
+ * Prints the median over batches, and the 5th and 95th percentile.
  */
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
+import { Riffle } from "../wasm/tests/riffle.mjs";
 
 const root = join(import.meta.dirname, "..");
-const built = join(root, "target/wasm32-unknown-unknown/release/turnleaf_wasm.wasm");
-const kept = join(root, "packages/turnleaf/src/engine/turnleaf.wasm");
-const named = process.argv.slice(2).find((argument) => !argument.startsWith("--"));
-const file = named ?? (existsSync(built) ? built : kept);
+const shipped = join(root, "packages/turnleaf/src/engine/turnleaf.wasm");
+const file = join(root, "target/trials.wasm");
 if (!existsSync(file)) {
-  console.error(`There is no ${file}; build it first.`);
+  console.error(`There is no ${file}: run node scripts/build_wasm.mjs --trials.`);
   process.exit(2);
 }
 
-const { instance } = await WebAssembly.instantiate(readFileSync(file), {});
-const engine = instance.exports;
+async function load(file) {
+  const { instance } = await WebAssembly.instantiate(readFileSync(file), {});
+  return instance.exports;
+}
+
+const engine = await load(file);
 const PAPER = 0;
 const BOOK = 1;
 
@@ -76,14 +78,15 @@ for (const [columns, rows] of [
   engine.tl_bench_sheet_free(sheet);
 }
 for (const leaves of [1, 10]) {
-  const riffle = engine.tl_bench_riffle_new(leaves);
-  const frame = () => engine.tl_bench_riffle_frame(riffle);
-  results[`book frame, ${leaves} in flight`] = measure(times(frame), 4);
-  engine.tl_bench_riffle_free(riffle);
+  const riffle = new Riffle(await load(shipped), "book", leaves);
+  results[`book frame, ${leaves} in flight`] = measure(
+    times(() => riffle.frame()),
+    4,
+  );
 }
 
 if (process.argv.includes("--json")) {
-  console.log(JSON.stringify({ node: process.version, file, results }, null, 2));
+  console.log(JSON.stringify({ node: process.version, results }, null, 2));
 } else {
   for (const [name, { median_us, p5_us, p95_us }] of Object.entries(results)) {
     const spread = `${p5_us.toFixed(2)} to ${p95_us.toFixed(2)}`;

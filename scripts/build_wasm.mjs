@@ -1,34 +1,35 @@
 /**
  * Builds the engine as WASM and commits to it: the file goes beside the viewer's
  * sources with a stamp of the Rust sources it was built from, so that a clone
- * needs no Rust to read a book.
+ * needs no Rust to read a book. It holds what the viewer calls; the scenes of
+ * benches and golden tests are in a second one, target/trials.wasm, which has
+ * the viewer's exports too and is in no package.
  *
- *   node scripts/build_wasm.mjs            build, write the file and its stamp
+ *   node scripts/build_wasm.mjs            build, write the file and its stamp, and
+ *                                          the trials
  *   node scripts/build_wasm.mjs --verify   fail when the stamp is stale; where the
- *                                          wasm32 target is there, rebuild and compare
+ *                                          wasm32 target is there, rebuild and compare,
+ *                                          and write the trials
+ *   node scripts/build_wasm.mjs --trials   write the trials
  */
 import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
-import {
-  copyFileSync,
-  existsSync,
-  readdirSync,
-  readFileSync,
-  statSync,
-  writeFileSync,
-} from "node:fs";
+import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { homedir } from "node:os";
 import { join } from "node:path";
+import { shrinkWasm } from "./shrink_wasm.mjs";
 
 const root = join(import.meta.dirname, "..");
-const built = join(root, "target/wasm32-unknown-unknown/release/turnleaf_wasm.wasm");
+const target = "wasm32-unknown-unknown";
+const cargoTarget = process.env.CARGO_TARGET_DIR ?? join(root, "target");
+const built = join(cargoTarget, target, "wasm/turnleaf_wasm.wasm");
+const trials = join(root, "target/trials.wasm");
 const kept = join(root, "packages/turnleaf/src/engine/turnleaf.wasm");
 const stampFile = `${kept}.stamp.json`;
-const target = "wasm32-unknown-unknown";
 
 const sha256 = (bytes) => createHash("sha256").update(bytes).digest("hex");
 
-/** Every file whose change may change the machine code. */
+/** Every file whose change may change the machine code, the tool that shrinks it among them. */
 function sources() {
   const under = (folder) =>
     readdirSync(join(root, folder), { recursive: true })
@@ -40,13 +41,15 @@ function sources() {
     "rust-toolchain.toml",
     "engine/Cargo.toml",
     "wasm/Cargo.toml",
+    "scripts/shrink_wasm.mjs",
     ...under("engine/src"),
     ...under("wasm/src"),
   ].sort();
 }
 
 function sourcesHash() {
-  const hash = createHash("sha256");
+  const { devDependencies } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
+  const hash = createHash("sha256").update(`binaryen ${devDependencies.binaryen}\0`);
   // Line ends may differ between checkouts; machine code does not.
   for (const name of sources()) {
     hash
@@ -65,7 +68,8 @@ function hasTarget() {
   }
 }
 
-function build() {
+/** The machine code, with the scenes of benches and golden tests or without. */
+function build(features = []) {
   const cargoHome = process.env.CARGO_HOME ?? join(homedir(), ".cargo");
   const flags = [
     "-Ctarget-feature=+simd128",
@@ -75,13 +79,22 @@ function build() {
   ];
   execFileSync(
     "cargo",
-    ["build", "--release", "--quiet", "--locked", "-p", "turnleaf-wasm", "--target", target],
+    [
+      ...["build", "--profile", "wasm", "--quiet", "--locked", "-p", "turnleaf-wasm"],
+      ...["--target", target, "--features", features.join(",")],
+    ],
     {
       cwd: root,
       stdio: ["ignore", "inherit", "inherit"],
       env: { ...process.env, CARGO_ENCODED_RUSTFLAGS: flags.join("\x1f") },
     },
   );
+  return readFileSync(built);
+}
+
+function buildTrials() {
+  mkdirSync(join(root, "target"), { recursive: true });
+  writeFileSync(trials, build(["trials"]));
 }
 
 function fail(sentence) {
@@ -102,18 +115,19 @@ if (process.argv.includes("--verify")) {
   if (!hasTarget()) {
     console.log(`turnleaf.wasm matches its stamp (not rebuilt: no ${target} target here)`);
   } else {
-    build();
-    if (sha256(readFileSync(built)) !== stamp.wasm) {
+    if (sha256(shrinkWasm(build())) !== stamp.wasm) {
       fail("Rebuilding turnleaf.wasm gave other bytes; run `make wasm` and commit the result.");
     }
+    buildTrials();
     console.log("turnleaf.wasm matches its stamp, and rebuilding gave the same bytes");
   }
 } else {
   if (!hasTarget()) {
     fail(`Building the engine for the browser needs its target: rustup target add ${target}`);
   }
-  build();
-  copyFileSync(built, kept);
+  buildTrials();
+  if (process.argv.includes("--trials")) process.exit(0);
+  writeFileSync(kept, shrinkWasm(build()));
   const stamp = { sources: sourcesHash(), wasm: sha256(readFileSync(kept)) };
   writeFileSync(stampFile, `${JSON.stringify(stamp, null, 2)}\n`);
   console.log(`turnleaf.wasm: ${statSync(kept).size} bytes`);

@@ -175,9 +175,8 @@ ${rows.join("\n")}
 
 run("npm", "run", "--silent", "build");
 const native = criterion();
-const wasm = JSON.parse(
-  run("node", "bench/engine_wasm.mjs", "packages/turnleaf/src/engine/turnleaf.wasm", "--json"),
-).results;
+run("node", "scripts/build_wasm.mjs", "--trials");
+const wasm = JSON.parse(run("node", "bench/engine_wasm.mjs", "--json")).results;
 const text = `# Performance
 
 Written by \`node scripts/performance.mjs\`; every number is that run's. One core of: ${cpus()[0].model.trim()}, Node ${process.version}. Shared machines are noisy: compare ratios within one run.

@@ -14,7 +14,7 @@ import { join } from "node:path";
 import { FRAME, hangSheet, loadJolt } from "./jolt.mjs";
 
 const root = join(import.meta.dirname, "../..");
-const engineFile = join(root, "packages/turnleaf/src/engine/turnleaf.wasm");
+const engineFile = join(root, "target/trials.wasm");
 const GRAVITY = 9.80665;
 const PAGE = { width: 0.148, height: 0.21, columns: 12, rows: 16, grammage: 0.07 };
 const GAMMA = 10;

@@ -44,15 +44,34 @@ pub struct Stock {
 }
 
 /// A stock that is no paper.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct InvalidStock(
-    /// One sentence saying which figure is wrong and what it may be.
-    pub String,
-);
+#[derive(Clone, Debug, PartialEq)]
+pub struct InvalidStock {
+    /// Which figure is wrong.
+    pub figure: &'static str,
+    /// Its unit, empty where it has none.
+    pub unit: &'static str,
+    /// What it is.
+    pub value: f64,
+    /// The least that it may be.
+    pub least: f64,
+    /// The most that it may be.
+    pub most: f64,
+}
 
 impl core::fmt::Display for InvalidStock {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(&self.0)
+        let InvalidStock {
+            figure,
+            unit,
+            value,
+            least,
+            most,
+        } = self;
+        let space = if unit.is_empty() { "" } else { " " };
+        write!(
+            f,
+            "The paper's {figure} is {value}; it must lie between {least} and {most}{space}{unit}."
+        )
     }
 }
 
@@ -135,14 +154,15 @@ impl Stock {
             ("friction", "", self.friction, 0.0, 2.0),
             ("loss tangent", "", self.loss, 0.0, 1.0),
         ];
-        for (name, unit, value, least, most) in figures {
+        for (figure, unit, value, least, most) in figures {
             if !(least..=most).contains(&value) {
-                return Err(InvalidStock(format!(
-                    "The paper's {name} is {value}; it must lie between {least} and {most} {unit}"
-                )
-                .trim_end()
-                .to_owned()
-                    + "."));
+                return Err(InvalidStock {
+                    figure,
+                    unit,
+                    value,
+                    least,
+                    most,
+                });
             }
         }
         Ok(())
@@ -194,7 +214,8 @@ mod tests {
     fn a_stock_in_figures_is_checked() {
         assert_eq!(Stock::new(0.07, 90e-6, 0.27e-3, 0.12e-3), Ok(Stock::BOOK));
         let error = Stock::new(f64::NAN, 90e-6, 0.27e-3, 0.12e-3).unwrap_err();
-        assert!(error.0.contains("grammage"), "{error}");
+        let sentence = "The paper's grammage is NaN; it must lie between 0.001 and 5 kg/m^2.";
+        assert_eq!(error.to_string(), sentence);
         assert!(Stock::new(0.07, 90e-6, 0.27e-3, -1.0).is_err());
     }
 }

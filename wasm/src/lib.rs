@@ -11,7 +11,8 @@
 
 #![allow(clippy::missing_safety_doc, reason = "said once, above")]
 
-mod bench;
+#[cfg(feature = "trials")]
+mod trials;
 
 use turnleaf_engine::book::{Book, Paper, Phase, TICK};
 use turnleaf_engine::{Grain, Side, Stock};

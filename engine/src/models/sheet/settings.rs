@@ -1,7 +1,7 @@
 //! What a sheet is made of and how it is bound.
 
 use crate::air::Air;
-use crate::stock::{GRAVITY, Grain, Stock};
+use crate::stock::{GRAVITY, Grain, InvalidStock, Stock};
 use crate::synchronise::Synchronise;
 
 /// How a sheet is held at u = 0.
@@ -93,12 +93,10 @@ impl SheetSettings {
 
     /// Whether the settings make a sheet.
     pub(super) fn check(&self) -> Result<(), InvalidSheet> {
-        self.stock.check().map_err(|error| InvalidSheet(error.0))?;
+        self.stock.check().map_err(InvalidSheet::Stock)?;
         for (what, count) in [("columns", self.columns), ("rows", self.rows)] {
             if !(4..=64).contains(&count) {
-                return Err(InvalidSheet(format!(
-                    "A sheet has 4 to 64 {what} of nodes, not {count}."
-                )));
+                return Err(InvalidSheet::Nodes { what, count });
             }
         }
         let hinge = match self.root {
@@ -120,25 +118,60 @@ impl SheetSettings {
         let fields = forces.map(|&value| ("gravity or wind", value, -1e4, 1e4));
         for (what, value, least, greatest) in figures.into_iter().chain(fields) {
             if !(least..=greatest).contains(&value) {
-                return Err(InvalidSheet(format!(
-                    "A sheet's {what} lies between {least} and {greatest}, not at {value}."
-                )));
+                return Err(InvalidSheet::Figure {
+                    what,
+                    value,
+                    least,
+                    greatest,
+                });
             }
         }
         Ok(())
     }
 }
 
-/// Settings that make no sheet.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct InvalidSheet(
-    /// One sentence saying what is wrong and what it may be.
-    pub String,
-);
+/// Settings that make no sheet. Its sentence says what is wrong and what it may be.
+#[derive(Clone, Debug, PartialEq)]
+pub enum InvalidSheet {
+    /// The paper is none.
+    Stock(InvalidStock),
+    /// Too few or too many nodes.
+    Nodes {
+        /// Columns or rows.
+        what: &'static str,
+        /// How many.
+        count: usize,
+    },
+    /// A figure is out of bounds.
+    Figure {
+        /// Which figure.
+        what: &'static str,
+        /// What it is.
+        value: f64,
+        /// The least that it may be.
+        least: f64,
+        /// The greatest that it may be.
+        greatest: f64,
+    },
+}
 
 impl core::fmt::Display for InvalidSheet {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(&self.0)
+        match self {
+            InvalidSheet::Stock(error) => error.fmt(f),
+            InvalidSheet::Nodes { what, count } => {
+                write!(f, "A sheet has 4 to 64 {what} of nodes, not {count}.")
+            }
+            InvalidSheet::Figure {
+                what,
+                value,
+                least,
+                greatest,
+            } => write!(
+                f,
+                "A sheet's {what} lies between {least} and {greatest}, not at {value}."
+            ),
+        }
     }
 }
 

@@ -180,6 +180,7 @@ fn what_makes_no_sheet_is_refused_in_a_sentence() {
     bad[4].root = Root::Hinged(-1.0);
     for settings in bad {
         let error = Sheet::new(settings).unwrap_err();
-        assert!(error.0.ends_with('.') && error.0.len() > 20, "{error}");
+        let sentence = error.to_string();
+        assert!(sentence.ends_with('.') && sentence.len() > 20, "{sentence}");
     }
 }

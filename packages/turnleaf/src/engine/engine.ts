@@ -3,6 +3,7 @@
  * book frees all of its memory. Numbers and flat arrays alone cross the wall.
  */
 
+import { unpackLzma } from "./lzma.ts";
 import type { Cover, Phase, Side } from "./phases.ts";
 import {
   type Pile,
@@ -62,8 +63,8 @@ let compiled: Promise<WebAssembly.Module> | undefined;
 /** Compiles the engine once a page, at the first book. */
 function compile(): Promise<WebAssembly.Module> {
   compiled ??= (async () => {
-    const bytes = Uint8Array.from(atob(code), (c) => c.charCodeAt(0));
-    return WebAssembly.compile(bytes);
+    const packed = Uint8Array.from(atob(code), (c) => c.charCodeAt(0));
+    return WebAssembly.compile(unpackLzma(packed));
   })();
   return compiled;
 }

@@ -1,8 +1,8 @@
 //! Exports for the WASM benchmarks and for the golden test: leaves in mid-turn, a
-//! hanging page, a riffle, and hashes of whole turns. No book uses them.
+//! hanging page, and hashes of whole turns. No book uses them.
 
-use turnleaf_engine::trials::{Riffle, frame, hanging, mid_turn, riffle_hash, settle, tip};
-use turnleaf_engine::{MassSpring, Settings, Sheet, Stock, Surface, TurnModel, turn_hash};
+use turnleaf_engine::trials::{frame, hanging, mid_turn, settle, tip};
+use turnleaf_engine::{MassSpring, Settings, Sheet, Surface, TurnModel, turn_hash};
 
 /// A leaf in mid-turn, and its surface.
 pub struct Bench {
@@ -149,38 +149,8 @@ pub unsafe extern "C" fn tl_bench_sheet_reach(bench: *mut BenchSheet) -> f64 {
     tip(&unsafe { &*bench }.hanging)[0]
 }
 
-/// Makes a riffle of book paper with `leaves` in flight.
-#[unsafe(no_mangle)]
-pub extern "C" fn tl_bench_riffle_new(leaves: usize) -> *mut Riffle {
-    Box::into_raw(Box::new(Riffle::new(Stock::BOOK, leaves)))
-}
-
-/// Frees it.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tl_bench_riffle_free(riffle: *mut Riffle) {
-    // SAFETY: a handle of `tl_bench_riffle_new`, not used again.
-    drop(unsafe { Box::from_raw(riffle) });
-}
-
-/// A frame at 60 Hz of the riffle, all leaves stepped and drawn; answers how
-/// many are in flight.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn tl_bench_riffle_frame(riffle: *mut Riffle) -> usize {
-    // SAFETY: a live handle of `tl_bench_riffle_new`.
-    let riffle = unsafe { &mut *riffle };
-    riffle.frame();
-    riffle.book().flights()
-}
-
 /// Hash of all bits of half a second of the sheet in mid-turn.
 #[unsafe(no_mangle)]
 pub extern "C" fn tl_sheet_hash() -> u64 {
     turn_hash(&mut mid_turn(12, 16), 60)
-}
-
-/// Hash of all bits of a riffle of a stock, by its number; 0 where there is none.
-#[unsafe(no_mangle)]
-pub extern "C" fn tl_riffle_hash(stock: usize) -> u64 {
-    let name = Stock::NAMES.get(stock);
-    name.and_then(|name| riffle_hash(name)).unwrap_or(0)
 }

@@ -1,0 +1,76 @@
+/**
+ * The riffle of the engine's `trials`, through the exports that the viewer
+ * calls: what a golden test and a benchmark learn from it holds for the machine
+ * code that is shipped.
+ */
+
+/** Presets of paper by the engine's numbers. */
+export const stocks = ["bible", "book", "office", "coated", "card"];
+
+const [RIGHT, LEFT] = [0, 1];
+const OVER = 7;
+
+/** A thumb that lets the leaves of a book go, one after another, `most` of them in flight. */
+export class Riffle {
+  #engine;
+  #book;
+  #most;
+  #next = 1000;
+  #flights = [];
+
+  constructor(engine, stock, most) {
+    this.#engine = engine;
+    this.#most = most;
+    this.#book = engine.tl_book_new(0.148, 0.21, 4000, 0.016);
+    engine.tl_book_set_stock(this.#book, stocks.indexOf(stock));
+    engine.tl_board_lay(this.#book, 0, LEFT);
+    engine.tl_book_lay(this.#book, this.#next);
+    for (let frame = 0; frame < 120; frame++) this.frame();
+  }
+
+  /** A frame at 60 Hz: a leaf is let go where too few fly; all are stepped and drawn. */
+  frame() {
+    const [engine, book] = [this.#engine, this.#book];
+    if (engine.tl_book_flights(book) < this.#most) {
+      const id = engine.tl_book_lift(book, RIGHT, this.#next, this.#next + 1);
+      if (id !== 0) {
+        engine.tl_book_play(book, id, LEFT, 0.6);
+        this.#flights.push(id);
+        this.#next++;
+      }
+    }
+    if (this.#next > 3900) {
+      this.#next = 1000;
+      engine.tl_book_lay(book, this.#next);
+    }
+    engine.tl_book_step(book, 2);
+    engine.tl_book_update(book);
+    this.#flights = this.#flights.filter((id) => engine.tl_book_phase(book, id) !== OVER);
+  }
+
+  /** Two hands catch the fourth leaf in flight from the left and pull it about. */
+  catchOne() {
+    const [engine, book, id] = [this.#engine, this.#book, this.#flights[3]];
+    if (id === undefined) return;
+    engine.tl_book_grab(book, id, 0, 1.0, 0.1);
+    engine.tl_book_grab(book, id, 1, 0.8, 0.9);
+    engine.tl_book_hold(book, id, 0, 0.3, -0.2, 0.2);
+    engine.tl_book_hold(book, id, 1, -0.1, 0.3, 0.05);
+  }
+
+  /** The bytes of what is drawn now: of each leaf in flight its positions and its normals. */
+  *drawn() {
+    const [engine, book] = [this.#engine, this.#book];
+    const length = 3 * 4 * engine.tl_book_columns(book) * engine.tl_book_rows(book);
+    for (let index = 0; index < engine.tl_book_flights(book); index++) {
+      for (const of of [engine.tl_book_positions, engine.tl_book_normals]) {
+        yield new Uint8Array(engine.memory.buffer, of(book, index), length);
+      }
+    }
+  }
+
+  /** Frees the book. */
+  drop() {
+    this.#engine.tl_book_drop(this.#book);
+  }
+}
