@@ -44,6 +44,7 @@ export class TurnleafBook extends Base {
     options: (source) => this.#options(source),
     turn: (by) => void this.#turn(by),
     goTo: (page) => void this.goTo(page),
+    leaving: () => this.#leave(),
     opened: (book) => this.#opened(book),
     failed: (error) => this.#fail(error),
   });

@@ -1,8 +1,8 @@
 /** Opens a book as well as this machine can show it. */
 
-import { openContext } from "./draw/context.ts";
-import type { PageSource } from "./sources/page_source.ts";
-import { type Craft, Viewer, type ViewerOptions } from "./viewer.ts";
+import { giveUpContext, openContext } from "./draw/context.ts";
+import { BookError, type PageSource } from "./sources/page_source.ts";
+import { Viewer, type ViewerOptions } from "./viewer.ts";
 
 /** The shortest module there is: its magic number and version. */
 const emptyModule = Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0);
@@ -16,23 +16,36 @@ function mayRunEngine(): boolean {
   }
 }
 
-/** What shows a book: in space with WebGL 2 and the engine; else on the flat, and then neither is loaded. */
-async function craftFor(canvas: HTMLCanvasElement): Promise<Craft> {
-  const isSolid = mayRunEngine() && openContext(canvas) !== null;
-  return (await (isSolid ? import("./solid.ts") : import("./plain/plain.ts"))).craft;
-}
-
 /**
- * Opens a book on a canvas that nothing was drawn on before.
+ * Opens a book: in space where there is WebGL 2 and the engine may run; else on
+ * the flat, and then neither three.js nor the engine is loaded.
  * Rejects with a `BookError` where no page's size can be had.
+ *
+ * @param freshCanvas a canvas that nothing was drawn on, in place of the one before
+ * @param isFlat whether the graphics card is not to be asked
  */
 export async function openViewer(
-  canvas: HTMLCanvasElement,
+  freshCanvas: () => HTMLCanvasElement,
   source: PageSource,
   options: ViewerOptions,
   signal: AbortSignal,
+  isFlat = false,
 ): Promise<Viewer> {
-  const craft = await craftFor(canvas);
+  let canvas = freshCanvas();
+  if (!isFlat && mayRunEngine() && openContext(canvas)) {
+    try {
+      const { craft } = await import("./solid.ts");
+      signal.throwIfAborted();
+      return await Viewer.open(canvas, source, options, craft, signal);
+    } catch (error) {
+      giveUpContext(canvas);
+      signal.throwIfAborted();
+      // Without its pages there is no book; without its card there is a plainer one.
+      if (error instanceof BookError) throw error;
+      canvas = freshCanvas();
+    }
+  }
+  const { craft } = await import("./plain/plain.ts");
   signal.throwIfAborted();
   return Viewer.open(canvas, source, options, craft, signal);
 }

@@ -45,6 +45,8 @@ export interface ViewerOptions extends Partial<Wish> {
   readonly onFailure: (sentence: string) => void;
   /** The book is seen from nearer or farther: the level that is shown, or on the way to being. */
   readonly onZoom?: (level: number) => void;
+  /** The graphics card failed for good: nothing of the book is seen any more. */
+  readonly onGone?: () => void;
   /** The book is laid out or bound in another way than before. */
   readonly onLayout?: () => void;
 }
@@ -102,6 +104,7 @@ export class Viewer {
     this.#place = options.page();
     this.#stage = stage;
     this.#stage.onRestored = () => this.invalidate();
+    this.#stage.onGone = () => options.onGone?.();
     this.#fade = new Fade(canvas, (from) => options.onRest(from, this.turning.spread));
     this.#viewing = new Viewing(stage);
     this.#details = new Details(source, stage, book.aspect, () => this.invalidate());
@@ -313,7 +316,7 @@ export class Viewer {
   /** Whether every page in sight is shown at its full sharpness. */
   get settled(): boolean {
     // Before there is room for the book no page is asked for, so none is missing.
-    if (this.#cssWidth === 0 || this.#frame !== 0) return false;
+    if (this.#cssWidth === 0 || this.#frame !== 0 || this.#stage.isLost) return false;
     return this.#pictures.settled && this.#details.settled;
   }
 

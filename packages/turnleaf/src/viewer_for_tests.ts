@@ -19,7 +19,7 @@ export async function opened(
   document.body.append(canvas);
   const nothing = () => {};
   const viewer = await openViewer(
-    canvas,
+    () => canvas,
     source,
     {
       cover: "none",

@@ -17,7 +17,7 @@ import type { Ray, Vec3 } from "../engine/shapes.ts";
 import type { PageBox, PagePicture } from "../sources/page_source.ts";
 import { fieldOfView, frameBook, sightOf } from "./camera.ts";
 import { caseSizes } from "./case_shape.ts";
-import { openContext } from "./context.ts";
+import { ContextWatch, openContext } from "./context.ts";
 import { DrawnBook } from "./drawn_book.ts";
 import { BookMaterials, type LeafSide } from "./materials.ts";
 import type { BookPose, BookShape } from "./pose.ts";
@@ -58,9 +58,12 @@ export type BookStage = Pick<Stage, keyof Stage>;
 export class Stage {
   /** Called when the GPU's context came back after a loss and a frame should be drawn again. */
   onRestored: (() => void) | null = null;
+  /** Called when it is lost and did not come back in time: this stage shows nothing any more. */
+  onGone: (() => void) | null = null;
   readonly #canvas: HTMLCanvasElement;
   #shape: BookShape;
   readonly #renderer: WebGLRenderer;
+  readonly #context: ContextWatch;
   readonly #scene = new Scene();
   readonly #camera: PerspectiveCamera;
   readonly #pictures: PictureTextures;
@@ -87,8 +90,10 @@ export class Stage {
     this.#scene.add(this.#book.group);
     this.#camera = new PerspectiveCamera(fieldOfView, 1, 0.05, 10);
     this.#camera.matrixAutoUpdate = false;
-    canvas.addEventListener("webglcontextlost", this.#lost);
-    canvas.addEventListener("webglcontextrestored", this.#restored);
+    this.#context = new ContextWatch(canvas, {
+      restored: () => this.onRestored?.(),
+      gone: () => this.onGone?.(),
+    });
   }
 
   /** Shows a book of another shape in place of the one before, at first with nothing on its faces. */
@@ -207,6 +212,11 @@ export class Stage {
     };
   }
 
+  /** Whether the GPU's context is lost just now, so that nothing is seen. */
+  get isLost(): boolean {
+    return this.#context.isLost;
+  }
+
   /** Where a point of book space is on the canvas, CSS pixels from its upper left corner. */
   project(point: Vec3): Place {
     const seen = new Vector3(...point).project(this.#camera);
@@ -231,11 +241,9 @@ export class Stage {
 
   /** Frees everything on the GPU and gives its context back. The canvas cannot be drawn on again. */
   destroy(): void {
-    this.#canvas.removeEventListener("webglcontextlost", this.#lost);
-    this.#canvas.removeEventListener("webglcontextrestored", this.#restored);
-    this.onRestored = null;
+    this.#context.destroy();
     // Frees all of the GPU's memory at once; the rest lets go of what three.js keeps.
-    this.#renderer.forceContextLoss();
+    if (!this.isLost) this.#renderer.forceContextLoss();
     this.#book.dispose();
     this.#materials.dispose();
     this.#pictures.dispose();
@@ -248,12 +256,6 @@ export class Stage {
     this.#faces.set(face, { shown: picture, show });
     show(this.#pictures.of(picture), picture === null);
   }
-
-  readonly #lost = (event: Event): void => event.preventDefault();
-
-  readonly #restored = (): void => {
-    this.onRestored?.();
-  };
 
   get #aspect(): number {
     return this.#width / this.#height;

@@ -24,6 +24,8 @@ export interface LifeHooks {
   turn(by: 1 | -1): void;
   /** Turns to a page (from 1). */
   goTo(page: number): void;
+  /** The open book is about to go, to come back where it lies. */
+  leaving(): void;
   /** A book lies open. */
   opened(book: OpenBook): void;
   /** It could not be opened. */
@@ -57,17 +59,28 @@ export class Life {
   /** Opens a book in place of the one before. */
   open(input: BookInput): void {
     this.close();
+    this.#begin((signal) => this.#open(input, signal));
+  }
+
+  /** Closes what is open or about to be, and frees all it holds. */
+  close(): void {
+    const source = this.#book?.source;
+    this.#end();
+    source?.close();
+  }
+
+  #begin(open: (signal: AbortSignal) => Promise<void>): void {
     const opening = new AbortController();
     this.#opening = opening;
-    this.#open(input, opening.signal).catch((error: unknown) => {
+    open(opening.signal).catch((error: unknown) => {
       if (opening.signal.aborted) return;
       this.close();
       this.#hooks.failed(error);
     });
   }
 
-  /** Closes what is open or about to be, and frees all it holds. */
-  close(): void {
+  /** Ends the open book but for where its pages come from, or the opening of one. */
+  #end(): void {
     this.#opening?.abort();
     this.#opening = null;
     const book = this.#book;
@@ -76,7 +89,6 @@ export class Life {
       book.input.destroy();
       book.reading.destroy();
       book.viewer.destroy();
-      book.source.close();
     }
     this.#book = null;
     this.#canvas?.remove();
@@ -85,13 +97,34 @@ export class Life {
 
   async #open(input: BookInput, signal: AbortSignal): Promise<void> {
     const source = new PageList(await openSource(input, { signal }));
+    await this.#show(source, false, signal);
+  }
+
+  /** Shows the book whose graphics card failed on the flat, at the same page. */
+  #flatten({ source }: OpenBook): void {
+    this.#hooks.leaving();
+    this.#end();
+    this.#begin((signal) => this.#show(source, true, signal));
+  }
+
+  /**
+   * Shows a book, which is then this one's to close.
+   *
+   * @param isFlat whether without a graphics card
+   */
+  async #show(source: PageList, isFlat: boolean, signal: AbortSignal): Promise<void> {
     try {
       // Another book may be open by now, on the canvas that this one would take away.
       signal.throwIfAborted();
-      const canvas = this.#freshCanvas();
-      const viewer = await openViewer(canvas, source, this.#hooks.options(source), signal);
+      const options: ViewerOptions = {
+        ...this.#hooks.options(source),
+        onGone: () => this.#book && this.#flatten(this.#book),
+      };
+      const fresh = (): HTMLCanvasElement => this.#freshCanvas();
+      const viewer = await openViewer(fresh, source, options, signal, isFlat);
       if (signal.aborted) viewer.destroy();
       signal.throwIfAborted();
+      const canvas = this.#canvas as HTMLCanvasElement;
       const turn = (by: 1 | -1): void => this.#hooks.turn(by);
       const hands = new Input(canvas, this.#element, viewer, turn);
       const reading = new Reading(source, viewer, canvas, (page) => this.#hooks.goTo(page));

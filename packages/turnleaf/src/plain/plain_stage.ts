@@ -36,6 +36,8 @@ const lying: BookPose = {
 export class PlainStage implements BookStage {
   /** Never called: what is drawn without a graphics card is not lost. */
   onRestored: (() => void) | null = null;
+  onGone: (() => void) | null = null;
+  readonly isLost: boolean = false;
   readonly #canvas: HTMLCanvasElement;
   readonly #pen: CanvasRenderingContext2D;
   #shape: BookShape;

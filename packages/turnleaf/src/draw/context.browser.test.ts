@@ -1,0 +1,150 @@
+/** The graphics card is lost: for a while, or for good. */
+
+import { afterEach, expect, test } from "vitest";
+import type { TurnleafBook } from "../element.ts";
+import { book, happens, scans, settled } from "../element_for_tests.ts";
+
+afterEach(() => document.body.replaceChildren());
+
+const canvasOf = (element: TurnleafBook) =>
+  element.shadowRoot?.querySelector("[part=canvas]") as HTMLCanvasElement;
+
+const card = (canvas: HTMLCanvasElement) =>
+  canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context");
+
+/** Copies an element's canvas, small, after every frame; answers its last picture. */
+function photographer(element: TurnleafBook) {
+  const copy = document.createElement("canvas");
+  [copy.width, copy.height] = [60, 44];
+  const pen = copy.getContext("2d", { willReadFrequently: true }) as CanvasRenderingContext2D;
+  const real = globalThis.requestAnimationFrame;
+  globalThis.requestAnimationFrame = (call) =>
+    real((now) => {
+      call(now);
+      // Frames that others ask for leave the canvas empty.
+      const canvas = canvasOf(element);
+      const before = pen.getImageData(0, 0, 60, 44);
+      pen.clearRect(0, 0, 60, 44);
+      if (canvas) pen.drawImage(canvas, 0, 0, 60, 44);
+      if (!pen.getImageData(0, 0, 60, 44).data.some((value) => value > 0))
+        pen.putImageData(before, 0, 0);
+    });
+  return {
+    last: () => pen.getImageData(0, 0, 60, 44).data,
+    stop: () => {
+      globalThis.requestAnimationFrame = real;
+    },
+  };
+}
+
+/** Errors and complaints while something is done. */
+async function complaintsOf(work: () => Promise<void>): Promise<unknown[]> {
+  const complaints: unknown[] = [];
+  const heard = (event: Event) => complaints.push((event as ErrorEvent).message ?? event.type);
+  const { error, warn } = console;
+  console.error = console.warn = (...words) => complaints.push(words);
+  for (const name of ["error", "unhandledrejection"]) addEventListener(name, heard);
+  try {
+    await work();
+  } finally {
+    for (const name of ["error", "unhandledrejection"]) removeEventListener(name, heard);
+    [console.error, console.warn] = [error, warn];
+  }
+  return complaints;
+}
+
+test("the same book is seen again when it comes back, wherever it lies by then", async () => {
+  const element = book(scans(12), { page: "4", duration: "80" });
+  await happens(element, "load");
+  await settled(element);
+  expect(element.page).toBe(4);
+  const canvas = canvasOf(element);
+  const extension = card(canvas);
+  const complaints = await complaintsOf(async () => {
+    const lost = new Promise((done) => canvas.addEventListener("webglcontextlost", done));
+    extension?.loseContext();
+    await lost;
+    expect(element.settled).toBe(false);
+    // Whatever is asked of it meanwhile is done.
+    expect(await element.next()).toBe(true);
+    expect(await element.goTo(4)).toBe(true);
+    element.setAttribute("cloth", "#234");
+    element.style.width = "310px";
+    const restored = new Promise((done) => canvas.addEventListener("webglcontextrestored", done));
+    extension?.restoreContext();
+    await restored;
+    await settled(element);
+  });
+  expect(complaints).toEqual([]);
+  expect(element.page).toBe(4);
+  expect(canvasOf(element)).toBe(canvas);
+  expect(await element.next()).toBe(true);
+  expect(element.page).toBe(6);
+});
+
+test("the pictures of its pages come back too", async () => {
+  const element = book(scans(12), { page: "4" });
+  const camera = photographer(element);
+  try {
+    await happens(element, "load");
+    await settled(element);
+    const before = camera.last();
+    expect(before.some((value) => value > 0)).toBe(true);
+    const canvas = canvasOf(element);
+    const extension = card(canvas);
+    const lost = new Promise((done) => canvas.addEventListener("webglcontextlost", done));
+    extension?.loseContext();
+    await lost;
+    // Not before everyone has heard of the loss.
+    await new Promise((resolve) => setTimeout(resolve));
+    const restored = new Promise((done) => canvas.addEventListener("webglcontextrestored", done));
+    extension?.restoreContext();
+    await restored;
+    await settled(element);
+    const after = camera.last();
+    const apart = after.reduce((sum, value, k) => sum + Math.abs(value - before[k]), 0);
+    expect(apart / after.length).toBeLessThan(0.5);
+  } finally {
+    camera.stop();
+  }
+});
+
+test("a book whose card does not come back goes on on the flat, at the same page", async () => {
+  const element = book(scans(12), { page: "4", duration: "80" });
+  await happens(element, "load");
+  await settled(element);
+  expect(await element.next()).toBe(true);
+  const before = canvasOf(element);
+  const waiting = element.goTo(1);
+  const again = happens(element, "load");
+  card(before)?.loseContext();
+  await again;
+  expect(await waiting).toBe(true);
+  await settled(element);
+  const canvas = canvasOf(element);
+  expect(canvas).not.toBe(before);
+  expect(canvas.getContext("2d")).not.toBeNull();
+  expect(element.shadowRoot?.querySelectorAll("canvas").length).toBe(1);
+  expect(element.page).toBe(1);
+  expect(await element.goTo(5)).toBe(true);
+  expect(element.page).toBe(4);
+  // Opened anew, it asks the card again.
+  element.pages = scans(6);
+  await happens(element, "load");
+  expect(canvasOf(element).getContext("webgl2")).not.toBeNull();
+});
+
+test("a book taken away while its card is lost waits for nothing", async () => {
+  const element = book(scans(6));
+  await happens(element, "load");
+  await settled(element);
+  const canvas = canvasOf(element);
+  const lost = new Promise((done) => canvas.addEventListener("webglcontextlost", done));
+  card(canvas)?.loseContext();
+  await lost;
+  let loads = 0;
+  element.addEventListener("load", () => loads++);
+  element.remove();
+  await new Promise((resolve) => setTimeout(resolve, 4500));
+  expect(loads).toBe(0);
+});
