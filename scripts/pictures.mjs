@@ -85,6 +85,11 @@ async function take(browser, url, name) {
   const page = await browser.newPage({ viewport });
   await page.addInitScript(driveClock);
   await page.goto(`${url}#page=${number}`);
+  // The book alone, on the warm desk.
+  await page.locator("turnleaf-book").evaluate((book) => {
+    book.controls = false;
+    book.theme = "paper";
+  });
   await page.waitForFunction(() => document.querySelector("turnleaf-book")?.settled, null, {
     polling: 100,
     timeout: 60_000,
@@ -93,7 +98,6 @@ async function take(browser, url, name) {
   await page.waitForTimeout(3000);
   await page.evaluate(() => {
     window.clock.free = false;
-    document.querySelector("#bar")?.remove();
   });
   if (stock) {
     await page.evaluate((stock) => {

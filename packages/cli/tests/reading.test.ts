@@ -12,7 +12,7 @@ const book = fileURLToPath(new URL("../../../books/moby-dick.pdf", import.meta.u
 const other = fileURLToPath(new URL("../../../books/others/charis-features.pdf", import.meta.url));
 
 // Small: drawing is in software here.
-const viewport = { width: 760, height: 520 };
+const viewport = { width: 760, height: 620 };
 
 let browser: Browser;
 
@@ -132,8 +132,8 @@ async function ink(page: Page, box: { x: number; y: number; width: number; heigh
   );
 }
 
-const leftText = { x: 0.27, y: 0.4, width: 0.17, height: 0.35 };
-const rightText = { x: 0.56, y: 0.4, width: 0.17, height: 0.35 };
+const leftText = { x: 0.27, y: 0.41, width: 0.17, height: 0.29 };
+const rightText = { x: 0.56, y: 0.41, width: 0.17, height: 0.29 };
 
 test("the default book opens, is dragged over, and rests", { timeout: 180_000 }, async () => {
   const served = await serve(book);

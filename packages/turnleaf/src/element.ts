@@ -2,42 +2,34 @@
 
 import type { Paper } from "./book/paper.ts";
 import { directionOf, forward, leftPage, pageOf, rightPage, spreadOf } from "./book/spreads.ts";
+import { Furnishing } from "./controls/furnish.ts";
 import { Announcements, openPages } from "./element/announcements.ts";
-import {
-  type Answers,
-  adopt,
-  attributes,
-  paperOf,
-  stockOf,
-  turnSecondsOf,
-} from "./element/attributes.ts";
-import type { TurnleafEventMap } from "./element/events.ts";
+import { type Answers, adopt, attributes, paperOf, turnSecondsOf } from "./element/attributes.ts";
 import { Life, type OpenBook } from "./element/life.ts";
 import { PageChanges } from "./element/page_changes.ts";
+import { ReaderElement } from "./element/reader_element.ts";
 import { wishOf } from "./element/wish.ts";
 import { style } from "./element.css.ts";
-import type { Stock } from "./engine/shapes.ts";
 import type { BookInput } from "./sources/open.ts";
 import { BookError, type OutlineEntry, type PageSource } from "./sources/page_source.ts";
 import type { SearchHit } from "./text/searching.ts";
 import { textStyle } from "./text/text.css.ts";
 import type { Viewer, ViewerOptions } from "./viewer.ts";
+import { elementTexts, languageOf } from "./words/languages.ts";
 
 /** Time that a zoom by command takes, seconds. */
 const zoomSeconds = 0.25;
-
-/** On a server there is no DOM: importing the package is safe there, using the element is not. */
-const Base: typeof HTMLElement =
-  globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElement);
 
 /**
  * The element's class. Attributes: `src`, `page`, `cover` ("hard" or "none"), `cloth` (a colour), `duration` (ms),
  * `stock` (a preset paper), `assist` ("on" or "off").
  */
-export class TurnleafBook extends Base {
+export class TurnleafBook extends ReaderElement {
   /** Attributes that are answered when they change. */
   static readonly observedAttributes: readonly string[] = Object.keys(attributes);
 
+  /** Holds the book's stage and the controls about it. */
+  readonly #frame = document.createElement("div");
   /** What the book lies on: the element without its controls. */
   readonly #stage = document.createElement("div");
   readonly #life = new Life(this, this.#stage, {
@@ -49,6 +41,7 @@ export class TurnleafBook extends Base {
     failed: (error) => this.#fail(error),
   });
   readonly #pageChanges = new PageChanges();
+  readonly #furnishing = new Furnishing();
   #words: Announcements | null = null;
   #input: BookInput | null = null;
   #paper: Paper | null = null;
@@ -58,15 +51,6 @@ export class TurnleafBook extends Base {
   /** Whether the element is in a document. */
   #connected = false;
 
-  /** Address of a PDF, an image or a manifest of images. */
-  get src(): string {
-    return this.getAttribute("src") ?? "";
-  }
-
-  set src(src: string) {
-    this.setAttribute("src", src);
-  }
-
   /** What the book is made of where it has no address: images in order, a manifest, or a file. */
   get pages(): BookInput | null {
     return this.#input;
@@ -74,17 +58,8 @@ export class TurnleafBook extends Base {
 
   set pages(pages: BookInput | null) {
     this.#input = pages;
-    this.#left = null;
+    this.#forget();
     this.#reopen();
-  }
-
-  /** The preset that the leaves are made of: "book" where the attribute names none. */
-  get stock(): Stock {
-    return stockOf(this);
-  }
-
-  set stock(stock: Stock) {
-    this.setAttribute("stock", stock);
   }
 
   /** The paper in figures, how it is bound, and the wind; what it says goes before the attributes. */
@@ -134,6 +109,11 @@ export class TurnleafBook extends Base {
   get direction(): "ltr" | "rtl" {
     const edge = this.#viewer?.binding.edge ?? this.getAttribute("binding");
     return edge === "right" ? "rtl" : "ltr";
+  }
+
+  /** How the book is laid out: as asked for, or as the space there is asks. */
+  get shownLayout(): "spread" | "single" {
+    return this.#viewer?.binding.layout ?? "spread";
   }
 
   /** What a page (from 1) calls itself, such as "iv" or "23". */
@@ -226,16 +206,20 @@ export class TurnleafBook extends Base {
 
   /** @internal */
   connectedCallback(): void {
-    adopt(this, ["src", "pages", "stock", "paper", "page"]);
+    adopt(this);
     this.#build();
     this.#connected = true;
+    this.connectReader();
+    this.#furnish();
     this.#reopen();
   }
 
   /** @internal */
   disconnectedCallback(): void {
     this.#leave();
+    this.disconnectReader();
     this.#connected = false;
+    this.#furnish();
     this.#life.close();
   }
 
@@ -246,7 +230,7 @@ export class TurnleafBook extends Base {
 
   readonly #answers: Answers = {
     open: () => {
-      this.#left = null;
+      this.#forget();
       this.#reopen();
     },
     rebind: () => this.#viewer?.rebind(wishOf(this)),
@@ -255,7 +239,13 @@ export class TurnleafBook extends Base {
     changePace: () => {
       if (this.#viewer) this.#viewer.turning.seconds = turnSecondsOf(this);
     },
+    furnish: () => this.#furnish(),
   };
+
+  /** The open book's pages. */
+  protected override get source(): PageSource | undefined {
+    return this.#life.book?.source;
+  }
 
   get #viewer(): Viewer | undefined {
     return this.#life.book?.viewer;
@@ -264,13 +254,24 @@ export class TurnleafBook extends Base {
   /** The page at which a book opens, or would: where it was asked for, else where its source says. */
   #firstPage(source?: PageSource): number {
     const said = this.getAttribute("page") ?? source?.openingPage ?? 1;
-    const page = this.#asked ?? this.#left ?? Number(said);
+    const page = this.#asked ?? this.keptPage(source, this.#left) ?? Number(said);
     return Math.max(Math.round(page) || 1, 1);
   }
 
-  /** Remembers where the open book lies. */
+  /** Another book is to open: at its beginning, without the other's bookmarks. */
+  #forget(): void {
+    this.forgetBook();
+    this.#left = null;
+  }
+
+  /** Keeps in mind where the open book lies. */
   #leave(): void {
     if (this.#life.book) this.#left = this.page;
+  }
+
+  #furnish(): void {
+    const shown = this.#connected && this.controls;
+    this.#furnishing.set(shown, this, this.#frame, this.#stage);
   }
 
   get #leaves(): Paper {
@@ -300,7 +301,9 @@ export class TurnleafBook extends Base {
       sheet.replaceSync(style + textStyle);
       root.adoptedStyleSheets = [sheet];
       this.#stage.setAttribute("part", "stage");
-      root.append(this.#stage);
+      this.#frame.className = "frame";
+      this.#frame.append(this.#stage);
+      root.append(this.#frame);
       this.#words = new Announcements(this.#stage);
     }
     if (!this.hasAttribute("tabindex")) this.tabIndex = 0;
@@ -311,7 +314,7 @@ export class TurnleafBook extends Base {
     // The parser's attributes come one by one before the element is connected: one book, not four.
     if (!this.#connected) return;
     const input = this.#input ?? this.src;
-    this.#words?.say(input === "" ? "" : "Opening the book …");
+    this.#words?.say(input === "" ? "" : elementTexts(languageOf(this)).opening);
     if (input === "") this.#life.close();
     else this.#life.open(input);
   }
@@ -326,7 +329,7 @@ export class TurnleafBook extends Base {
       onRest: (from, to) => this.#rested(from, to),
       onFailure: (sentence) => this.#words?.announce(sentence),
       onLayout: () => this.#laidOut(),
-      onZoom: (zoom) => this.#emit("zoomchange", { zoom }),
+      onZoom: (zoom) => this.emit("zoomchange", { zoom }),
     };
   }
 
@@ -335,7 +338,7 @@ export class TurnleafBook extends Base {
     this.#left = null;
     this.#words?.say("");
     this.#describe();
-    this.#emit("load", { pageCount: source.pageCount, title: source.title });
+    this.emit("load", { pageCount: source.pageCount, title: source.title });
   }
 
   #started(low: number, high: number, toLeft: boolean): void {
@@ -343,7 +346,7 @@ export class TurnleafBook extends Base {
     if (binding === undefined) return;
     const [from, to] = toLeft ? [low, high] : [high, low];
     const direction = directionOf(binding, from, to);
-    this.#emit("turnstart", { from: pageOf(binding, from), to: pageOf(binding, to), direction });
+    this.emit("turnstart", { from: pageOf(binding, from), to: pageOf(binding, to), direction });
   }
 
   #rested(from: number, to: number): void {
@@ -351,14 +354,14 @@ export class TurnleafBook extends Base {
     if (binding === undefined || from === to) return;
     this.#describe();
     const direction = directionOf(binding, from, to);
-    this.#emit("pagechange", { from: pageOf(binding, from), to: pageOf(binding, to), direction });
+    this.emit("pagechange", { from: pageOf(binding, from), to: pageOf(binding, to), direction });
   }
 
   async #changePages(at: number, count: number, input: BookInput | null): Promise<boolean> {
     const isDone = await this.#pageChanges.change(() => this.#life.book, at, count, input);
     if (isDone && this.#life.book) {
       this.#describe();
-      this.#emit("pageschange", { pageCount: this.pageCount });
+      this.emit("pageschange", { pageCount: this.pageCount });
     }
     return isDone;
   }
@@ -367,14 +370,14 @@ export class TurnleafBook extends Base {
     const binding = this.#viewer?.binding;
     if (binding === undefined) return;
     this.#describe();
-    this.#emit("layoutchange", { layout: binding.layout, binding: binding.edge });
+    this.emit("layoutchange", { layout: binding.layout, binding: binding.edge });
   }
 
   /** Says which pages lie open, to those who hear it. */
   #describe(): void {
     const book = this.#life.book;
     if (book === null) return;
-    const text = openPages(book.source, book.viewer);
+    const text = openPages(book.source, book.viewer, languageOf(this));
     book.canvas.setAttribute("aria-label", `${book.source.title}. ${text}`);
     this.#words?.announce(text);
   }
@@ -383,12 +386,8 @@ export class TurnleafBook extends Base {
     const message =
       error instanceof BookError || error instanceof Error
         ? error.message
-        : "The book could not be opened; load the page again.";
+        : elementTexts(languageOf(this)).notOpened;
     this.#words?.say(message, "alert");
-    this.#emit("error", { message });
-  }
-
-  #emit<K extends keyof TurnleafEventMap>(name: K, detail: TurnleafEventMap[K]["detail"]): void {
-    this.dispatchEvent(new CustomEvent(name, { detail }));
+    this.emit("error", { message });
   }
 }

@@ -9,11 +9,14 @@ import { TurnleafBook } from "./element.ts";
 
 export type { Paper } from "./book/paper.ts";
 export type { TurnDetail, TurnleafEventMap } from "./element/events.ts";
+export type { PrintOptions } from "./element/print.ts";
 export { TurnleafBook } from "./element.ts";
 export type { Stock, StockFigures, Vec3 } from "./engine/shapes.ts";
 export type { BookInput } from "./sources/open.ts";
 export { BookError, type OutlineEntry } from "./sources/page_source.ts";
 export type { SearchHit } from "./text/searching.ts";
+export { addLanguage } from "./words/languages.ts";
+export type { ControlTexts, ElementTexts, Plural, Texts } from "./words/texts.ts";
 
 if (globalThis.customElements && !customElements.get("turnleaf-book")) {
   customElements.define("turnleaf-book", TurnleafBook);

@@ -25,6 +25,7 @@ interface Press {
 /** Pointers and keys on one canvas; `destroy` takes every listener away. */
 export class Input {
   readonly #canvas: HTMLCanvasElement;
+  readonly #keys: HTMLElement;
   readonly #viewer: Viewer;
   readonly #turn: (by: 1 | -1) => void;
   readonly #ended = new AbortController();
@@ -42,6 +43,7 @@ export class Input {
     turn: (by: 1 | -1) => void,
   ) {
     this.#canvas = canvas;
+    this.#keys = keys;
     this.#viewer = viewer;
     this.#turn = turn;
     const { signal } = this.#ended;
@@ -111,10 +113,18 @@ export class Input {
 
   #key(event: KeyboardEvent): void {
     if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
+    if (!this.#isMeant(event.composedPath()[0])) return;
     const by = turnOfKey(event.key, this.#viewer.binding.edge);
     if (by === 0) return;
     event.preventDefault();
     this.#turn(by);
+  }
+
+  /** Whether a key pressed there is the book's: not a field's on a page, nor one of the controls beside it. */
+  #isMeant(target: EventTarget | undefined): boolean {
+    if (target === this.#keys) return true;
+    const isField = target instanceof Element && target.matches("input, textarea, select");
+    return !isField && (this.#canvas.parentElement?.contains(target as Node) ?? false);
   }
 
   /** Where a pointer is on the canvas, CSS pixels. */

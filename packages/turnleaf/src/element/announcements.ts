@@ -3,6 +3,7 @@
 import { pagesAt } from "../book/spreads.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Viewer } from "../viewer.ts";
+import { elementTexts, fill, list, number } from "../words/languages.ts";
 
 /** The two places in an element's shadow tree where it speaks. */
 export class Announcements {
@@ -30,10 +31,11 @@ export class Announcements {
   }
 }
 
-/** Which pages lie open, such as "Pages iv and v of 112". */
-export function openPages(source: PageSource, viewer: Viewer): string {
+/** Which pages lie open, such as "Pages iv and v of 112", in a language. */
+export function openPages(source: PageSource, viewer: Viewer, tag: string): string {
   const { spread } = viewer.turning;
   const seen = pagesAt(viewer.binding, spread).map((page) => source.label(page - 1));
-  const pages = `${seen.length === 1 ? "Page" : "Pages"} ${seen.join(" and ")}`;
-  return `${seen.length === 0 ? "Back" : pages} of ${source.pageCount}`;
+  const { back, pageOpen, pagesOpen } = elementTexts(tag);
+  const text = [back, pageOpen][seen.length] ?? pagesOpen;
+  return fill(text, { pages: list(tag, seen), n: number(tag, source.pageCount) });
 }

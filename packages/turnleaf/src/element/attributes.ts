@@ -16,6 +16,8 @@ export interface Answers {
   changePaper(): void;
   /** Turns take another time. */
   changePace(): void;
+  /** The controls come or go. */
+  furnish(): void;
 }
 
 /** Every attribute that is answered when it changes, and how. */
@@ -28,6 +30,7 @@ export const attributes: Readonly<
   duration: (answers) => answers.changePace(),
   stock: (answers) => answers.changePaper(),
   assist: (answers) => answers.changePaper(),
+  controls: (answers) => answers.furnish(),
 };
 
 /** `stock`: a preset; "book" where the attribute names none. */
@@ -48,10 +51,10 @@ export function turnSecondsOf(element: Element): number {
 }
 
 /** Takes over what was set before the element was defined: it lies on the element and hides the accessors. */
-export function adopt(element: HTMLElement, names: readonly string[]): void {
-  for (const name of names) {
-    if (!Object.hasOwn(element, name)) continue;
-    const { value } = Object.getOwnPropertyDescriptor(element, name) ?? {};
+export function adopt(element: HTMLElement): void {
+  for (const name of Object.keys(element)) {
+    if (!(name in Object.getPrototypeOf(element))) continue;
+    const value: unknown = Reflect.get(element, name);
     Reflect.deleteProperty(element, name);
     Reflect.set(element, name, value);
   }

@@ -23,6 +23,10 @@ export interface TurnleafEventMap {
   pageschange: CustomEvent<{ pageCount: number }>;
   /** The book is seen from nearer or farther; `zoom` as the property is. */
   zoomchange: CustomEvent<{ zoom: number }>;
+  /** Other pages are bookmarked. */
+  bookmarkchange: CustomEvent<{ bookmarks: readonly number[] }>;
+  /** The slide-show begins or ends. */
+  playchange: CustomEvent<{ playing: boolean }>;
   /** The book could not be opened; the sentence says why. */
   error: CustomEvent<{ message: string }>;
 }

@@ -18,9 +18,3 @@ export function findPage(book: Labelled, text: string): number | null {
   const page = Number(wanted);
   return Number.isInteger(page) && page >= 1 && page <= book.pageCount ? page : null;
 }
-
-/** The page that an address such as `#page=12` names; null where it names none. */
-export function pageOfHash(hash: string): number | null {
-  const digits = /^#page=(\d{1,6})$/.exec(hash)?.[1];
-  return digits === undefined || Number(digits) < 1 ? null : Number(digits);
-}

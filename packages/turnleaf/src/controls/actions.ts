@@ -1,0 +1,116 @@
+/** What can be done with the book: one table, that the toolbar, the menu and the keys share. */
+
+import type { ControlledBook } from "./book.ts";
+import type { Icon } from "./make.ts";
+import type { Say } from "./say.ts";
+
+/** The tabs of the side panel. */
+export const tabs = ["contents", "thumbnails", "search", "bookmarks"] as const;
+export type Tab = (typeof tabs)[number];
+
+/** What the reader can ask for. */
+export interface Action {
+  icon(): Icon;
+  label(): string;
+  /** @param opener the button, to which the focus returns */
+  run(opener: HTMLElement): void;
+  /** The key that does the same. */
+  readonly key?: string;
+  /** Whether it is on, of what can be on and off. */
+  pressed?(): boolean;
+  disabled?(): boolean;
+  hidden?(): boolean;
+}
+
+export type ActionName =
+  | "zoomIn"
+  | "zoomOut"
+  | "layout"
+  | "bookmark"
+  | "fullscreen"
+  | "play"
+  | "sound"
+  | "print"
+  | "download";
+
+/** How much nearer one press brings the book. */
+const zoomStep = 1.5;
+export const most = 8;
+
+/** The page that a bookmark is set at: the first in sight. */
+export const isMarked = (book: ControlledBook): boolean => book.bookmarks.includes(book.page);
+
+/** Zooms by one step in or out, or (0) back to the whole book. */
+export function zoomBy(book: ControlledBook, by: 1 | 0 | -1): void {
+  book.zoomTo(by === 0 ? 1 : Math.min(Math.max(book.zoom * zoomStep ** by, 1), most));
+}
+
+/**
+ * Everything that can be done.
+ * @param print asks what is to be printed
+ */
+export function actionsOf(
+  book: ControlledBook,
+  { texts }: Say,
+  print: () => void,
+): Readonly<Record<ActionName, Action>> {
+  const isFull = (): boolean => document.fullscreenElement === book;
+  return {
+    zoomOut: {
+      icon: () => "zoomOut",
+      label: () => texts.zoomOut,
+      key: "-",
+      run: () => zoomBy(book, -1),
+      disabled: () => book.zoom <= 1,
+    },
+    zoomIn: {
+      icon: () => "zoomIn",
+      label: () => texts.zoomIn,
+      key: "+",
+      run: () => zoomBy(book, 1),
+      disabled: () => book.zoom >= most,
+    },
+    layout: {
+      icon: () => (book.shownLayout === "single" ? "spread" : "single"),
+      label: () => (book.shownLayout === "single" ? texts.spread : texts.single),
+      run: () => book.setAttribute("layout", book.shownLayout === "single" ? "spread" : "single"),
+    },
+    bookmark: {
+      icon: () => "bookmark",
+      label: () => (isMarked(book) ? texts.removeBookmark : texts.addBookmark),
+      key: "b",
+      run: () => book.toggleBookmark(),
+      pressed: () => isMarked(book),
+    },
+    fullscreen: {
+      icon: () => (isFull() ? "leaveFullscreen" : "fullscreen"),
+      label: () => (isFull() ? texts.leaveFullscreen : texts.fullscreen),
+      key: "f",
+      run: () => void book.toggleFullscreen(),
+      hidden: () => !document.fullscreenEnabled,
+    },
+    play: {
+      icon: () => (book.playing ? "pause" : "play"),
+      label: () => (book.playing ? texts.pause : texts.play),
+      run: () => (book.playing ? book.pause() : book.play()),
+    },
+    sound: {
+      icon: () => "sound",
+      label: () => texts.sound,
+      run: () => void book.toggleAttribute("sound"),
+      pressed: () => book.hasAttribute("sound"),
+    },
+    print: {
+      icon: () => "print",
+      label: () => texts.print,
+      run: print,
+      hidden: () => !book.allows.print,
+    },
+    download: {
+      icon: () => "download",
+      label: () => texts.download,
+      run: () => void book.download(),
+      hidden: () => !book.allows.download,
+    },
+  };
+}

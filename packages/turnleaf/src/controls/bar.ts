@@ -1,0 +1,90 @@
+/** The toolbar at the head of the book. */
+
+import { type Action, type ActionName, type Tab, tabs } from "./actions.ts";
+import type { ControlledBook } from "./book.ts";
+import { actionButton, iconButton } from "./buttons.ts";
+import { make, roving } from "./make.ts";
+import { Menu } from "./menu.ts";
+import type { Say } from "./say.ts";
+
+/** Tabs that have a button where there is little room, and actions that have one where there is much. */
+const narrowTabs: readonly Tab[] = ["contents", "search"];
+const inBar: readonly ActionName[] = ["zoomOut", "zoomIn", "layout", "bookmark", "fullscreen"];
+
+/** Buttons in a row, one of them in the order of tabs; arrows go from one to the next. */
+export class Bar {
+  readonly element: HTMLElement;
+  readonly menu: Menu;
+  readonly #book: ControlledBook;
+  readonly #title: HTMLElement = make("span", { part: "title", class: "title", dir: "auto" });
+  readonly #tabButtons = new Map<Tab, HTMLButtonElement>();
+  readonly #refreshers: (() => void)[] = [];
+
+  /** @param toggle opens a tab of the panel, or closes it */
+  constructor(
+    book: ControlledBook,
+    say: Say,
+    actions: Readonly<Record<ActionName, Action>>,
+    toggle: (tab: Tab, opener: HTMLElement) => void,
+  ) {
+    this.#book = book;
+    const start = make("div", { class: "group" });
+    for (const tab of tabs) {
+      const button = iconButton(tab, say.texts[tab], { "aria-expanded": "false" });
+      if (!narrowTabs.includes(tab)) button.classList.add("wide");
+      button.addEventListener("click", () => toggle(tab, button));
+      this.#tabButtons.set(tab, button);
+      start.append(button);
+    }
+    const end = make("div", { class: "group end" });
+    for (const name of inBar) {
+      const { button, refresh } = actionButton(actions[name]);
+      if (name !== "bookmark") button.classList.add("wide");
+      this.#refreshers.push(refresh);
+      end.append(button);
+    }
+    const more = iconButton("more", say.texts.more);
+    end.append(more);
+    this.menu = new Menu(book, say, actions, more);
+    this.element = make("div", {
+      role: "toolbar",
+      part: "toolbar",
+      class: "bar",
+      "aria-label": say.texts.toolbar,
+    });
+    this.element.append(start, this.#title, end, this.menu.element);
+    const keys = { on: ["ArrowRight"], back: ["ArrowLeft"] };
+    const isRtl = getComputedStyle(book).direction === "rtl";
+    roving(this.element, () => this.#buttons(), isRtl ? { on: keys.back, back: keys.on } : keys);
+    this.refresh();
+  }
+
+  refresh(): void {
+    this.#title.textContent = this.#book.bookTitle;
+    for (const refresh of this.#refreshers) refresh();
+    this.menu.refresh();
+    const all = [...this.element.querySelectorAll<HTMLElement>(".group button")];
+    if (all.every(({ tabIndex }) => tabIndex === 0)) for (const button of all) button.tabIndex = -1;
+    // The one that Tab reaches must be one that is there.
+    const buttons = this.#buttons();
+    if (buttons[0] && !buttons.some(({ tabIndex }) => tabIndex === 0)) buttons[0].tabIndex = 0;
+  }
+
+  /** Tells which tab of the panel is open. */
+  showTab(open: Tab | null): void {
+    for (const [tab, button] of this.#tabButtons) {
+      button.setAttribute("aria-expanded", String(tab === open));
+    }
+  }
+
+  /** The button of a tab; where it has no room, the first one. */
+  buttonOf(tab: Tab): HTMLElement | undefined {
+    const button = this.#tabButtons.get(tab);
+    return button?.offsetParent ? button : this.#buttons()[0];
+  }
+
+  #buttons(): HTMLElement[] {
+    const all = this.element.querySelectorAll<HTMLElement>(".group button");
+    return [...all].filter((button) => button.offsetParent !== null);
+  }
+}

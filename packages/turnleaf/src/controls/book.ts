@@ -1,0 +1,47 @@
+/** What the controls need of a book: a part of the element's public face, so that a stand-in can take its place. */
+
+import type { PrintOptions } from "../element/print.ts";
+import type { OutlineEntry, PagePicture } from "../sources/page_source.ts";
+
+/** A place where something was found, as far as a list shows it. */
+export interface FoundPlace {
+  readonly page: number;
+  readonly before: string;
+  readonly text: string;
+  readonly after: string;
+}
+
+/** A `<turnleaf-book>` as its controls see it. */
+export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTMLElement {
+  readonly page: number;
+  readonly pageCount: number;
+  readonly bookTitle: string;
+  readonly direction: "ltr" | "rtl";
+  /** The pages that lie open. */
+  readonly spread: { readonly left: number | null; readonly right: number | null };
+  /** 1 where the first page stands alone. */
+  readonly offset: 0 | 1;
+  readonly shownLayout: "spread" | "single";
+  readonly zoom: number;
+  readonly bookmarks: readonly number[];
+  readonly playing: boolean;
+  /** What the book's owner and its source let a reader do. */
+  readonly allows: { readonly print: boolean; readonly download: boolean };
+  label(page: number): string;
+  next(): Promise<boolean>;
+  previous(): Promise<boolean>;
+  first(): Promise<boolean>;
+  last(): Promise<boolean>;
+  goTo(page: number): Promise<boolean>;
+  zoomTo(level: number): void;
+  search(query: string, options?: { signal?: AbortSignal }): Promise<readonly Hit[]>;
+  showHit(hit: Hit | null): Promise<boolean>;
+  outline(): Promise<readonly OutlineEntry[]>;
+  drawPage(page: number, width: number, signal?: AbortSignal): Promise<PagePicture>;
+  toggleBookmark(page?: number): void;
+  print(options?: PrintOptions): Promise<boolean>;
+  download(): Promise<boolean>;
+  toggleFullscreen(): Promise<boolean>;
+  play(secondsPerPage?: number): void;
+  pause(): void;
+}

@@ -1,0 +1,145 @@
+/** The tab of the book's table of contents. */
+
+import type { OutlineEntry } from "../sources/page_source.ts";
+import type { ControlledBook } from "./book.ts";
+import { make } from "./make.ts";
+import type { View } from "./panel.ts";
+import type { Say } from "./say.ts";
+
+/** Most lines shown, and how deep: no book is read by more. */
+const mostLines = 3000;
+const deepest = 8;
+
+/** Asked for when it is first shown, and again for another book. */
+export class Contents implements View {
+  readonly element: HTMLElement = make("div", { class: "view" });
+  readonly #book: ControlledBook;
+  readonly #say: Say;
+  readonly #picked: () => void;
+  #lines: { readonly page: number; readonly button: HTMLButtonElement }[] = [];
+  /** The question under way or answered, null before it is put. */
+  #asked: object | null = null;
+
+  /** @param picked hears that the reader went to an entry */
+  constructor(book: ControlledBook, say: Say, picked: () => void) {
+    this.#book = book;
+    this.#say = say;
+    this.#picked = picked;
+  }
+
+  show(): void {
+    if (this.#asked === null) void this.#ask();
+    else this.refresh();
+  }
+
+  hide(): void {}
+
+  async #ask(): Promise<void> {
+    const asked = {};
+    this.#asked = asked;
+    const { wait, noContents } = this.#say.texts;
+    this.#tell(wait);
+    let sentence = noContents;
+    let entries: readonly OutlineEntry[] = [];
+    try {
+      entries = await this.#book.outline();
+    } catch (error) {
+      if (error instanceof Error) sentence = error.message;
+    }
+    // Another book may be open by now.
+    if (this.#asked !== asked) return;
+    if (entries.length === 0) {
+      this.#tell(sentence);
+      return;
+    }
+    const hadFocus = this.element === activeIn(this.element);
+    this.element.replaceChildren(this.#list(entries, 1));
+    this.refresh();
+    if (hadFocus) this.focus();
+  }
+
+  #tell(sentence: string): void {
+    this.element.replaceChildren(make("p", { class: "note" }, sentence));
+  }
+
+  /** Another book is open: what was shown is not its own. */
+  forget(): void {
+    this.#asked = null;
+    this.#lines = [];
+    this.element.replaceChildren();
+  }
+
+  refresh(): void {
+    if (this.#asked === null) {
+      this.show();
+      return;
+    }
+    const current = this.#current();
+    for (const { button } of this.#lines) button.removeAttribute("aria-current");
+    current?.setAttribute("aria-current", "true");
+    current?.scrollIntoView({ block: "nearest" });
+  }
+
+  focus(): void {
+    const to = this.#current() ?? this.#lines[0]?.button;
+    if (to) to.focus();
+    else {
+      this.element.tabIndex = -1;
+      this.element.focus();
+    }
+  }
+
+  /** The last entry that begins before the pages in sight end. */
+  #current(): HTMLButtonElement | null {
+    const { page, spread } = this.#book;
+    const seen = Math.max(page, spread.left ?? 0, spread.right ?? 0);
+    let best: { page: number; button: HTMLButtonElement } | null = null;
+    for (const line of this.#lines) {
+      if (line.page <= seen && line.page >= (best?.page ?? 1)) best = line;
+    }
+    return best?.button ?? null;
+  }
+
+  #list(entries: readonly OutlineEntry[], depth: number): HTMLElement {
+    const list = make("ul", { class: "contents" });
+    for (const entry of entries) {
+      if (this.#lines.length >= mostLines) break;
+      const item = make("li", {}, this.#line(entry));
+      if (entry.children.length > 0 && depth < deepest) {
+        item.append(this.#list(entry.children, depth + 1));
+      }
+      list.append(item);
+    }
+    return list;
+  }
+
+  #line({ title, page, href }: OutlineEntry): HTMLElement {
+    if (page === null) {
+      // Of addresses only those of the web and of mail are followed.
+      if (!href || !/^(https?|mailto):/i.test(href)) return make("span", { class: "line" }, title);
+      return make(
+        "a",
+        { class: "line", href, target: "_blank", rel: "noopener noreferrer" },
+        title,
+      );
+    }
+    const button = make(
+      "button",
+      { type: "button", class: "line" },
+      make("span", { dir: "auto" }, title),
+      make("span", { class: "label" }, this.#book.label(page)),
+    );
+    button.addEventListener("click", () => {
+      void this.#book.goTo(page);
+      this.#picked();
+    });
+    this.#lines.push({ page, button });
+    return button;
+  }
+}
+
+/** What has the focus in the shadow tree of an element. */
+function activeIn(element: Element): Element | null {
+  const root = element.getRootNode();
+  return root instanceof ShadowRoot ? root.activeElement : null;
+}

@@ -1,0 +1,121 @@
+/** How the controls look. Colours are the themes', in the element's own style. */
+export const style: string = `
+.frame { --wide: 304px; color: var(--turnleaf-ink); font: max(14px, 0.875rem)/1.4 var(--turnleaf-font); accent-color: var(--turnleaf-accent); }
+.frame [hidden] { display: none !important; }
+.unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+.frame button, .frame input { font: inherit; color: inherit; }
+.frame button { border: 0; background: none; padding: 0; cursor: pointer; -webkit-tap-highlight-color: transparent; touch-action: manipulation; }
+.frame svg { width: 22px; height: 22px; fill: none; stroke: currentColor; stroke-width: 1.5; stroke-linecap: round; stroke-linejoin: round; display: block; flex: none; }
+.frame :focus-visible { outline: 2px solid var(--turnleaf-accent); outline-offset: -2px; }
+[part~="button"] { width: 44px; height: 44px; display: grid; place-items: center; border-radius: 10px; flex: none; transition: background 0.15s; }
+@media (hover: hover) { [part~="button"]:hover, .line:is(button, a):hover, .menu button:hover, .tabs button:hover { background: var(--turnleaf-hover); } }
+.frame [aria-disabled="true"] { opacity: 0.35; cursor: default; }
+[part~="button"]:is([aria-expanded="true"], [aria-pressed="true"]), .tabs [aria-selected="true"] { color: var(--turnleaf-accent); background: var(--turnleaf-hover); }
+[part~="button"][aria-pressed="true"] path { fill: currentColor; }
+
+.bar, .pages, .panel { position: absolute; inset-inline: 0; box-sizing: border-box; background: var(--turnleaf-surface); z-index: 2; }
+.bar { top: 0; height: 48px; display: flex; align-items: center; padding-inline: 4px; border-bottom: 1px solid var(--turnleaf-line); z-index: 4; }
+.group { display: flex; flex: 1 1 0; min-width: max-content; }
+.end { justify-content: flex-end; }
+.title { overflow: hidden; white-space: nowrap; text-overflow: ellipsis; padding-inline: 12px; color: var(--turnleaf-muted); font-family: var(--turnleaf-serif); font-size: 1.07em; }
+.pages { bottom: 0; height: 52px; display: flex; align-items: center; gap: 2px; padding-inline: 4px; border-top: 1px solid var(--turnleaf-line); }
+.pages[dir="rtl"] > button svg { scale: -1 1; }
+.place { display: flex; align-items: center; gap: 6px; margin: 0; padding-inline: 8px 10px; font-variant-numeric: tabular-nums; white-space: nowrap; color: var(--turnleaf-muted); }
+.frame .field { box-sizing: border-box; height: 32px; min-width: 44px; max-width: 9ch; width: 6ch; field-sizing: content; padding: 0 8px; border: 1px solid var(--turnleaf-line); border-radius: 7px; background: var(--turnleaf-field); color: var(--turnleaf-ink); text-align: center; }
+.frame .field[aria-invalid="true"] { border-color: var(--turnleaf-accent); color: var(--turnleaf-accent); }
+
+.track { position: relative; flex: 1; height: 44px; margin-inline: 6px; }
+.track input { appearance: none; width: 100%; height: 100%; margin: 0; background: none; cursor: pointer; touch-action: none; border-radius: 8px; }
+.track { --past: linear-gradient(to right, var(--turnleaf-accent) calc(9px + var(--share, 0) * (100% - 18px)), var(--turnleaf-track) 0); }
+[dir="rtl"] > .track { --past: linear-gradient(to left, var(--turnleaf-accent) calc(9px + var(--share, 0) * (100% - 18px)), var(--turnleaf-track) 0); }
+.track input::-webkit-slider-runnable-track { height: 4px; border-radius: 2px; background: var(--past); }
+.track input::-moz-range-track { height: 4px; border-radius: 2px; background: var(--past); }
+.track input::-webkit-slider-thumb { appearance: none; width: 18px; height: 18px; margin-top: -7px; border: 2px solid var(--turnleaf-surface); border-radius: 50%; background: var(--turnleaf-accent); box-shadow: 0 1px 3px rgb(0 0 0 / 0.3); }
+.track input::-moz-range-thumb { box-sizing: border-box; width: 18px; height: 18px; border: 2px solid var(--turnleaf-surface); border-radius: 50%; background: var(--turnleaf-accent); }
+.bubble { position: absolute; bottom: 44px; inset-inline-start: calc(9px + var(--share, 0) * (100% - 18px)); translate: -50% 0; padding: 3px 12px; border-radius: 8px; background: var(--turnleaf-ink); color: var(--turnleaf-surface); font-variant-numeric: tabular-nums; white-space: nowrap; opacity: 0; pointer-events: none; transition: opacity 0.15s; }
+[dir="rtl"] > .track .bubble { translate: 50% 0; }
+.held .bubble { opacity: 1; }
+
+.panel { top: 48px; bottom: 52px; inset-inline-end: auto; width: var(--wide); display: flex; flex-direction: column; border-inline-end: 1px solid var(--turnleaf-line); z-index: 3; }
+.frame.open > [part="stage"] { inset-inline-start: var(--wide); }
+.head { display: flex; padding: 4px; border-bottom: 1px solid var(--turnleaf-line); }
+.head h2 { flex: 1; margin: 0; padding-inline: 12px; align-self: center; font: 1.15em var(--turnleaf-serif); }
+.tabs { display: flex; flex: 1; gap: 2px; }
+.tabs button { flex: 1; height: 44px; display: grid; place-items: center; border-radius: 10px; color: var(--turnleaf-muted); }
+.body { flex: 1; min-height: 0; position: relative; }
+.view { position: absolute; inset: 0; overflow: auto; overscroll-behavior: contain; padding: 6px; box-sizing: border-box; scrollbar-width: thin; scrollbar-color: var(--turnleaf-track) transparent; }
+.note { margin: 0; padding: 8px 10px; color: var(--turnleaf-muted); }
+.contents, .rows { list-style: none; margin: 0; padding: 0; }
+.contents .contents { padding-inline-start: 14px; }
+.line { box-sizing: border-box; width: 100%; min-height: 44px; display: flex; justify-content: space-between; align-items: baseline; gap: 12px; padding: 11px 10px !important; border-radius: 8px; text-align: start; text-decoration: none; color: inherit; overflow-wrap: anywhere; }
+.line .label { color: var(--turnleaf-muted); font-variant-numeric: tabular-nums; flex: none; }
+.line[aria-current] { background: var(--turnleaf-hover); color: var(--turnleaf-accent); }
+.line[aria-current] .label { color: inherit; }
+.row { display: flex; }
+.row [part~="button"] svg { width: 16px; }
+.hit { display: block; }
+.hit .label { display: block; font-size: 0.86em; }
+.hit mark { background: var(--turnleaf-mark); color: #2b2116; border-radius: 2px; padding: 0 1px; }
+.found { display: flex; flex-direction: column; }
+.ask { display: flex; align-items: center; margin: 0; position: sticky; top: 0; z-index: 1; }
+.ask svg { position: absolute; inset-inline-start: 10px; width: 18px; color: var(--turnleaf-muted); pointer-events: none; }
+.frame .query { flex: 1; min-width: 0; height: 44px; padding-inline: 36px 8px; border: 1px solid var(--turnleaf-line); border-radius: 10px; background: var(--turnleaf-field); appearance: none; }
+.frame .query::placeholder { color: var(--turnleaf-muted); opacity: 1; }
+.thumbnails { padding: 0; }
+.sheet { position: relative; list-style: none; margin: 0 12px; padding: 0; }
+.sheet li { position: absolute; width: 50%; height: 192px; }
+.sheet button { width: 100%; height: 100%; display: flex; flex-direction: column; align-items: center; justify-content: flex-end; gap: 6px; padding-bottom: 8px; border-radius: 10px; color: var(--turnleaf-muted); font-variant-numeric: tabular-nums; }
+.small { max-width: 104px; max-height: 150px; background: var(--turnleaf-page); filter: var(--turnleaf-dim); box-shadow: 0 1px 4px rgb(0 0 0 / 0.28); }
+.small:not(.drawn) { width: 100px; height: 140px; opacity: 0.45; }
+.sheet .seen .small { box-shadow: 0 0 0 2px var(--turnleaf-surface), 0 0 0 4px var(--turnleaf-track); }
+.sheet [aria-current] { color: var(--turnleaf-accent); font-weight: 600; }
+.sheet [aria-current] .small { box-shadow: 0 0 0 2px var(--turnleaf-surface), 0 0 0 4px var(--turnleaf-accent); }
+
+.menu, .dialog { background: var(--turnleaf-surface); color: var(--turnleaf-ink); border: 1px solid var(--turnleaf-line); border-radius: 12px; box-shadow: 0 6px 28px rgb(0 0 0 / 0.22); }
+.menu { position: absolute; top: 46px; inset-inline-end: 6px; min-width: 220px; max-height: min(70vh, 480px); overflow: auto; padding: 6px; z-index: 5; }
+.menu button { width: 100%; min-height: 44px; display: flex; align-items: center; gap: 12px; padding: 0 12px 0 10px; border-radius: 8px; text-align: start; }
+.menu svg { color: var(--turnleaf-muted); }
+.menu [aria-checked="true"] { color: var(--turnleaf-accent); }
+.menu [aria-checked="true"] svg { color: inherit; }
+.menu [role="menuitemcheckbox"][aria-checked="true"]::after { content: ""; width: 11px; height: 6px; margin-inline-start: auto; border: solid currentColor; border-width: 0 0 2px 2px; rotate: -45deg; translate: 0 -2px; }
+.themes { display: grid; grid-template-columns: repeat(4, 1fr); margin-top: 6px; padding-top: 6px; border-top: 1px solid var(--turnleaf-line); }
+.themes button { flex-direction: column; justify-content: center; gap: 5px; padding: 8px 0; font-size: 0.86em; }
+.swatch { width: 26px; height: 26px; border-radius: 50%; border: 1px solid var(--turnleaf-muted); box-sizing: border-box; }
+.menu [aria-checked="true"] .swatch { outline: 2px solid; outline-offset: 2px; }
+.swatch.light { background: #fbfaf8; }
+.swatch.dark { background: #26231f; }
+.swatch.paper { background: #ecdcb8; }
+.swatch.auto { background: linear-gradient(135deg, #fbfaf8 50%, #26231f 50%); }
+.dialog { padding: 20px 24px; min-width: 260px; box-sizing: border-box; max-width: calc(100vw - 32px); }
+.dialog::backdrop { background: rgb(0 0 0 / 0.35); }
+.dialog h2 { margin: 0 0 12px; font: 1.2em var(--turnleaf-serif); }
+.dialog label { display: flex; align-items: center; justify-content: space-between; gap: 16px; min-height: 44px; }
+.dialog .note { padding-inline: 0; max-width: 30ch; }
+.dialog progress { width: 100%; }
+.choices { display: flex; justify-content: flex-end; gap: 8px; margin-top: 12px; }
+.frame .plain { min-height: 44px; padding-inline: 16px; border: 1px solid var(--turnleaf-line); border-radius: 10px; }
+.view > .plain { margin: 4px 10px; }
+.frame .strong { background: var(--turnleaf-accent); color: var(--turnleaf-surface); border-color: transparent; }
+
+.narrow { display: none !important; }
+@container turnleaf (max-width: 719px) {
+  .narrow:not([hidden]) { display: flex !important; }
+  .wide { display: none !important; }
+  .panel { width: 100%; border: 0; }
+  .frame.open > [part="stage"] { inset-inline-start: 0; }
+  .frame :is(.field, .query) { font-size: 16px; }
+  .place { padding-inline: 2px 4px; }
+}
+.frame.full > [part="stage"] { inset-block: 0; }
+.full > :is(.bar, .pages) { transition: translate 0.25s, visibility 0.25s; }
+.full:not(.awake, .open) > .bar:not(:focus-within) { translate: 0 -100%; visibility: hidden; }
+.full:not(.awake, .open) > .pages:not(:focus-within) { translate: 0 100%; visibility: hidden; }
+@media (prefers-reduced-motion: reduce) { .frame * { transition: none !important; } }
+@media (forced-colors: active) {
+  .frame :is(.bar, .pages, .panel, .menu) { border-color: CanvasText; }
+  [part~="button"]:is([aria-expanded="true"], [aria-pressed="true"]), .tabs [aria-selected="true"], .frame [aria-current], .menu [aria-checked="true"] { outline: 2px solid Highlight; outline-offset: -3px; }
+  .frame [aria-disabled="true"] { color: GrayText; opacity: 1; }
+  .track input::-webkit-slider-runnable-track { background: CanvasText; forced-color-adjust: none; }
+  .track input::-webkit-slider-thumb { background: Highlight; forced-color-adjust: none; }
+}
+`;

@@ -1,0 +1,147 @@
+/** The reader's controls about a book: toolbar, side panel, slider, keys. */
+
+import { languageOf } from "../words/languages.ts";
+import { actionsOf, type Tab, zoomBy } from "./actions.ts";
+import { Bar } from "./bar.ts";
+import type { ControlledBook, FoundPlace } from "./book.ts";
+import { Bookmarks } from "./bookmarks.ts";
+import { Contents } from "./contents.ts";
+import { style } from "./controls.css.ts";
+import { Found } from "./found.ts";
+import { watchFullScreen } from "./full_screen.ts";
+import { listenToKeys } from "./keys.ts";
+import { PagesBar } from "./pages_bar.ts";
+import { Panel } from "./panel.ts";
+import { askPrint } from "./print_dialog.ts";
+import { speak } from "./say.ts";
+import { Thumbnails } from "./thumbnails.ts";
+
+/** Attributes of the element that change what the controls show. */
+const watched = ["lang", "dir", "sound", "theme", "layout"];
+
+/** What the book says of itself that the controls show. */
+const heard = ["pagechange", "zoomchange", "layoutchange", "bookmarkchange", "playchange"];
+
+/** Width in CSS pixels below which the panel lies over the book and goes when something is picked in it. */
+const narrow = 720;
+
+/**
+ * Puts controls about a book.
+ * @param frame holds the stage; the controls go before and after it
+ * @returns takes them away again, with every listener
+ */
+export function addControls<Hit extends FoundPlace>(
+  book: ControlledBook<Hit>,
+  frame: HTMLElement,
+  stage: HTMLElement,
+): () => void {
+  const root = frame.getRootNode() as ShadowRoot;
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(style);
+  root.adoptedStyleSheets = [...root.adoptedStyleSheets, sheet];
+  let remove = build(book, frame, stage);
+  const language = (): string => `${languageOf(book)} ${getComputedStyle(book).direction}`;
+  let spoken = language();
+  // Another language: all words are others.
+  const observer = new MutationObserver(() => {
+    if (language() === spoken) return;
+    spoken = language();
+    remove();
+    remove = build(book, frame, stage);
+  });
+  observer.observe(book, { attributeFilter: ["lang", "dir"] });
+  return () => {
+    observer.disconnect();
+    remove();
+    root.adoptedStyleSheets = root.adoptedStyleSheets.filter((other) => other !== sheet);
+  };
+}
+
+function build<Hit extends FoundPlace>(
+  book: ControlledBook<Hit>,
+  frame: HTMLElement,
+  stage: HTMLElement,
+): () => void {
+  const say = speak(languageOf(book));
+  const ended = new AbortController();
+  const { signal } = ended;
+  const isNarrow = (): boolean => frame.clientWidth < narrow;
+
+  const close = (): void => {
+    const { tab } = panel;
+    if (tab === null) return;
+    const hadFocus = panel.element.contains((frame.getRootNode() as ShadowRoot).activeElement);
+    panel.close();
+    // Not into nothing: back to the button that opens it.
+    if (hadFocus) (bar.buttonOf(tab) ?? book).focus({ preventScroll: true });
+  };
+  const picked = (): void => {
+    if (!isNarrow()) return;
+    panel.close();
+    book.focus({ preventScroll: true });
+  };
+  const toggle = (tab: Tab): void => {
+    if (panel.tab === tab) close();
+    else {
+      panel.open(tab);
+      panel.focus();
+    }
+  };
+
+  const views = {
+    contents: new Contents(book, say, picked),
+    thumbnails: new Thumbnails(book, say, picked),
+    search: new Found(book, say, picked),
+    bookmarks: new Bookmarks(book, say, picked),
+  };
+  const actions = actionsOf(book, say, () => askPrint(book, say, frame));
+  const bar = new Bar(book, say, actions, toggle);
+  const pages = new PagesBar(book, say);
+  const panel = new Panel(say, views, close, (tab) => {
+    bar.showTab(tab);
+    frame.classList.toggle("open", tab !== null);
+  });
+  frame.prepend(bar.element, panel.element);
+  stage.after(pages.element);
+
+  const refresh = (): void => {
+    bar.refresh();
+    pages.refresh();
+    panel.refresh();
+  };
+  for (const name of heard) book.addEventListener(name, refresh, { signal });
+  const renew = (): void => {
+    views.contents.forget();
+    views.thumbnails.forget();
+    views.search.forget();
+    refresh();
+  };
+  for (const name of ["load", "pageschange"]) book.addEventListener(name, renew, { signal });
+  const observer = new MutationObserver(refresh);
+  observer.observe(book, { attributeFilter: watched });
+  watchFullScreen(book, frame, refresh, signal);
+  listenToKeys(
+    book,
+    {
+      search: () => {
+        panel.open("search");
+        panel.focus();
+      },
+      escape: () => {
+        const wasOpen = panel.tab !== null;
+        close();
+        return wasOpen;
+      },
+      zoom: (by) => zoomBy(book, by),
+    },
+    signal,
+  );
+  refresh();
+
+  return () => {
+    ended.abort();
+    observer.disconnect();
+    if (panel.tab !== null) panel.close();
+    for (const part of [bar, pages, panel]) part.element.remove();
+  };
+}

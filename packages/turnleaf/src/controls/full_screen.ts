@@ -1,0 +1,43 @@
+/** In full screen the bars make room for the book, and come back when they are looked for. */
+
+/** Milliseconds that the bars stay after the last movement. */
+const sight = 2500;
+
+/**
+ * Follows the pointer while an element fills the screen. No timer runs once the bars are away.
+ * @param frame what is marked: `full` in full screen, `awake` while the bars are in sight
+ * @param changed hears that full screen began or ended
+ */
+export function watchFullScreen(
+  book: HTMLElement,
+  frame: HTMLElement,
+  changed: () => void,
+  signal: AbortSignal,
+): void {
+  let timer = 0;
+  const sleep = (): void => {
+    clearTimeout(timer);
+    frame.classList.remove("awake");
+  };
+  const wake = (): void => {
+    if (!frame.classList.contains("full")) return;
+    clearTimeout(timer);
+    frame.classList.add("awake");
+    timer = window.setTimeout(sleep, sight);
+  };
+  const follow = (): void => {
+    const isFull = document.fullscreenElement === book;
+    frame.classList.toggle("full", isFull);
+    if (isFull) wake();
+    else sleep();
+    changed();
+  };
+  for (const type of ["pointermove", "pointerdown"]) {
+    book.addEventListener(type, wake, { passive: true, signal });
+  }
+  document.addEventListener("fullscreenchange", follow, { signal });
+  signal.addEventListener("abort", () => {
+    sleep();
+    frame.classList.remove("full");
+  });
+}

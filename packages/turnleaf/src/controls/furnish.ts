@@ -1,0 +1,37 @@
+/** The reader's controls, loaded when they are first shown. */
+
+import type { ControlledBook, FoundPlace } from "./book.ts";
+
+/** Shows and hides the controls of one element. */
+export class Furnishing {
+  #wanted = false;
+  #remove: (() => void) | null = null;
+
+  /**
+   * Shows the controls about a stage, or takes them away.
+   * @param frame what holds the stage
+   */
+  set<Hit extends FoundPlace>(
+    shown: boolean,
+    book: ControlledBook<Hit>,
+    frame: HTMLElement,
+    stage: HTMLElement,
+  ): void {
+    if (this.#wanted === shown) return;
+    this.#wanted = shown;
+    if (shown) void this.#load(book, frame, stage);
+    else {
+      this.#remove?.();
+      this.#remove = null;
+    }
+  }
+
+  async #load<Hit extends FoundPlace>(
+    book: ControlledBook<Hit>,
+    frame: HTMLElement,
+    stage: HTMLElement,
+  ): Promise<void> {
+    const { addControls } = await import("./controls.ts");
+    if (this.#wanted && this.#remove === null) this.#remove = addControls(book, frame, stage);
+  }
+}

@@ -1,0 +1,58 @@
+/** Keys of a reader. Those that turn one page are the element's own. */
+
+import type { ControlledBook } from "./book.ts";
+
+/** What keys ask for beside the book itself. */
+export interface KeyCommands {
+  search(): void;
+  /** Closes what is open; answers whether something was. */
+  escape(): boolean;
+  zoom(by: 1 | 0 | -1): void;
+}
+
+/**
+ * Listens on the element until the signal. Keys with Ctrl, Alt or Meta are the
+ * browser's; those typed into a field, or meant for a button, stay there.
+ */
+export function listenToKeys(
+  book: ControlledBook,
+  commands: KeyCommands,
+  signal: AbortSignal,
+): void {
+  book.addEventListener("keydown", (event) => handle(event, book, commands), { signal });
+}
+
+function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommands): void {
+  if (event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey) return;
+  if (event.key === "Escape") {
+    if (commands.escape()) event.preventDefault();
+    return;
+  }
+  const target = event.composedPath()[0];
+  if (isTyping(target)) return;
+  const anywhere: Record<string, () => unknown> = {
+    "+": () => commands.zoom(1),
+    "=": () => commands.zoom(1),
+    "-": () => commands.zoom(-1),
+    "0": () => commands.zoom(0),
+    f: () => book.toggleFullscreen(),
+    b: () => book.toggleBookmark(),
+    "/": () => commands.search(),
+  };
+  const onBook: Record<string, () => unknown> = {
+    Home: () => book.first(),
+    End: () => book.last(),
+    " ": () => (event.shiftKey ? book.previous() : book.next()),
+  };
+  const command = anywhere[event.key] ?? (target === book ? onBook[event.key] : undefined);
+  if (command === undefined) return;
+  event.preventDefault();
+  void command();
+}
+
+/** Whether a key typed there is a letter rather than a command. */
+function isTyping(target: EventTarget | undefined): boolean {
+  if (!(target instanceof HTMLElement)) return false;
+  if (target.isContentEditable || /^(TEXTAREA|SELECT)$/.test(target.tagName)) return true;
+  return target instanceof HTMLInputElement && target.type !== "range";
+}

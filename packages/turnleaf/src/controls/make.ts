@@ -1,0 +1,80 @@
+/** Elements and icons, made in code: a strict security policy allows no markup with style. */
+
+/** An element with its attributes and children; `true` is an attribute without a value, `false` none. */
+export function make<K extends keyof HTMLElementTagNameMap>(
+  tag: K,
+  attributes: Readonly<Record<string, string | number | boolean>> = {},
+  ...children: (Node | string)[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value !== false) element.setAttribute(name, value === true ? "" : String(value));
+  }
+  element.append(...children);
+  return element;
+}
+
+/** Paths on a field of 24 x 24, drawn with a round pen. */
+const paths = {
+  contents: "M9.5 6.5h10M9.5 12h10M9.5 17.5h10M4.5 6.5h1M4.5 12h1M4.5 17.5h1",
+  thumbnails: "M4.5 4.5h6v6h-6zM13.5 4.5h6v6h-6zM4.5 13.5h6v6h-6zM13.5 13.5h6v6h-6z",
+  search: "M16 10.5a5.5 5.5 0 1 1-11 0a5.5 5.5 0 0 1 11 0M14.6 14.6l5 5",
+  bookmarks: "M8.5 7.5V4.5h10V17l-2.5-1.9M5.5 7.5h10V20l-5-3.8L5.5 20z",
+  bookmark: "M7 4.5h10V20l-5-3.8L7 20z",
+  previous: "M14.5 5.5 8 12l6.5 6.5",
+  next: "M9.5 5.5 16 12l-6.5 6.5",
+  zoomIn: "M16 10.5a5.5 5.5 0 1 1-11 0a5.5 5.5 0 0 1 11 0M14.6 14.6l5 5M10.5 8.2v4.6M8.2 10.5h4.6",
+  zoomOut: "M16 10.5a5.5 5.5 0 1 1-11 0a5.5 5.5 0 0 1 11 0M14.6 14.6l5 5M8.2 10.5h4.6",
+  spread: "M12 7c-2-1.6-4.6-2-8-2v12.5c3.4 0 6 .4 8 2 2-1.6 4.6-2 8-2V5c-3.4 0-6 .4-8 2zM12 7v12",
+  single: "M6.5 4h11v16h-11zM9.5 8h5M9.5 11.5h5",
+  fullscreen: "M9 4.5H4.5V9M15 4.5h4.5V9M9 19.5H4.5V15M15 19.5h4.5V15",
+  leaveFullscreen: "M4.5 9H9V4.5M19.5 9H15V4.5M4.5 15H9v4.5M19.5 15H15v4.5",
+  print: "M7.5 9V4.5h9V9M7.5 16.5H4.5V9h15v7.5h-3M7.5 13.5h9v6h-9z",
+  download: "M12 4.5v10M7.5 10.5 12 15l4.5-4.5M5 19.5h14",
+  play: "M8 5.5v13l10.5-6.5z",
+  pause: "M8.5 5.5v13M15.5 5.5v13",
+  sound: "M4.5 9.5v5h3l4.5 4v-13l-4.5 4zM15.5 9c1.5 1.8 1.5 4.2 0 6M18 6.5c3 3.3 3 7.7 0 11",
+  theme: "M12 4a8 8 0 1 0 0 16a8 8 0 1 0 0-16zM12 4v16M12 8l5.5 0M12 12h8M12 16l5.5 0",
+  more: "M11 6a1 1 0 1 0 2 0a1 1 0 1 0-2 0M11 12a1 1 0 1 0 2 0a1 1 0 1 0-2 0M11 18a1 1 0 1 0 2 0a1 1 0 1 0-2 0",
+  close: "M6.5 6.5l11 11M17.5 6.5l-11 11",
+} as const;
+
+/** The name of an icon. */
+export type Icon = keyof typeof paths;
+
+/** A small drawing in the colour of the text about it. */
+export function icon(name: Icon): SVGSVGElement {
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  svg.setAttribute("viewBox", "0 0 24 24");
+  svg.setAttribute("aria-hidden", "true");
+  const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
+  path.setAttribute("d", paths[name]);
+  svg.append(path);
+  return svg;
+}
+
+/** Shows another icon on a button. */
+export function setIcon(button: Element, name: Icon): void {
+  button.querySelector("path")?.setAttribute("d", paths[name]);
+}
+
+/** Makes a keyboard of a row: arrows, Home and End go from one to the next of what `items` finds. */
+export function roving(
+  row: HTMLElement,
+  items: () => HTMLElement[],
+  keys: { readonly on: readonly string[]; readonly back: readonly string[] },
+): void {
+  row.addEventListener("keydown", (event) => {
+    const all = items();
+    const at = all.indexOf((row.getRootNode() as ShadowRoot).activeElement as HTMLElement);
+    let to = -1;
+    if (keys.on.includes(event.key)) to = (at + 1) % all.length;
+    else if (keys.back.includes(event.key)) to = (at - 1 + all.length) % all.length;
+    else if (event.key === "Home") to = 0;
+    else if (event.key === "End") to = all.length - 1;
+    if (to < 0 || event.defaultPrevented) return;
+    event.preventDefault();
+    for (const item of all) item.tabIndex = item === all[to] ? 0 : -1;
+    all[to]?.focus();
+  });
+}

@@ -1,0 +1,124 @@
+/** The menu of everything that has no place in the toolbar. */
+
+import type { Action, ActionName } from "./actions.ts";
+import type { ControlledBook } from "./book.ts";
+import { icon, make, roving, setIcon } from "./make.ts";
+import type { Say } from "./say.ts";
+
+const themes = ["auto", "light", "dark", "paper"] as const;
+
+/** The menu's order; those of the first line have a button of their own where there is room. */
+const inBar: readonly ActionName[] = ["zoomIn", "zoomOut", "layout", "fullscreen"];
+const always: readonly ActionName[] = ["play", "sound", "print", "download"];
+
+/** A menu under its button. */
+export class Menu {
+  readonly element: HTMLElement;
+  readonly #opener: HTMLButtonElement;
+  readonly #book: ControlledBook;
+  #refreshers: (() => void)[] = [];
+
+  /** @param opener the button under which it opens */
+  constructor(
+    book: ControlledBook,
+    say: Say,
+    actions: Readonly<Record<ActionName, Action>>,
+    opener: HTMLButtonElement,
+  ) {
+    this.#book = book;
+    this.#opener = opener;
+    this.element = make("div", {
+      role: "menu",
+      part: "menu",
+      class: "menu",
+      "aria-label": say.texts.more,
+      hidden: true,
+    });
+    for (const name of inBar) this.#add(actions[name], "narrow");
+    for (const name of always) this.#add(actions[name], "");
+    this.#addThemes(say);
+    opener.setAttribute("aria-haspopup", "menu");
+    opener.setAttribute("aria-expanded", "false");
+    opener.addEventListener("click", () => (this.element.hidden ? this.open() : this.close()));
+    const keys = { on: ["ArrowDown", "ArrowRight"], back: ["ArrowUp", "ArrowLeft"] };
+    roving(this.element, () => this.#items(), keys);
+    this.element.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape" && event.key !== "Tab") return;
+      if (event.key === "Escape") event.preventDefault();
+      this.close();
+    });
+    this.element.addEventListener("focusout", ({ relatedTarget }) => {
+      const to = relatedTarget as Node | null;
+      if (to !== opener && !this.element.contains(to)) this.close(false);
+    });
+  }
+
+  open(): void {
+    this.refresh();
+    this.element.hidden = false;
+    this.#opener.setAttribute("aria-expanded", "true");
+    this.#items()[0]?.focus();
+  }
+
+  /** @param returns whether the focus goes back to the button */
+  close(returns = true): void {
+    if (this.element.hidden) return;
+    this.element.hidden = true;
+    this.#opener.setAttribute("aria-expanded", "false");
+    if (returns) this.#opener.focus();
+  }
+
+  refresh(): void {
+    for (const refresh of this.#refreshers) refresh();
+  }
+
+  #items(): HTMLElement[] {
+    const items = this.element.querySelectorAll<HTMLElement>("[role^=menuitem]");
+    return [...items].filter((item) => item.offsetParent !== null);
+  }
+
+  #add(action: Action, where: string): void {
+    const text = make("span");
+    const role = action.pressed ? "menuitemcheckbox" : "menuitem";
+    const item = make("button", { type: "button", role, tabindex: -1, class: where });
+    item.append(icon(action.icon()), text);
+    item.addEventListener("click", () => {
+      if (item.ariaDisabled === "true") return;
+      this.close();
+      action.run(this.#opener);
+    });
+    this.element.append(item);
+    this.#refreshers.push(() => {
+      setIcon(item, action.icon());
+      text.textContent = action.label();
+      if (action.pressed) item.ariaChecked = String(action.pressed());
+      if (action.disabled) item.ariaDisabled = String(action.disabled());
+      if (action.hidden) item.hidden = action.hidden();
+    });
+  }
+
+  #addThemes({ texts }: Say): void {
+    const names = {
+      auto: texts.themeAuto,
+      light: texts.themeLight,
+      dark: texts.themeDark,
+      paper: texts.themePaper,
+    };
+    const group = make("div", { role: "group", class: "themes", "aria-label": texts.theme });
+    for (const theme of themes) {
+      const item = make("button", { type: "button", role: "menuitemradio", tabindex: -1 });
+      item.append(make("i", { class: `swatch ${theme}` }), make("span", {}, names[theme]));
+      item.addEventListener("click", () => {
+        this.#book.setAttribute("theme", theme);
+        this.refresh();
+      });
+      group.append(item);
+      this.#refreshers.push(() => {
+        const chosen = this.#book.getAttribute("theme");
+        const known = themes.find((name) => name === chosen) ?? "auto";
+        item.ariaChecked = String(known === theme);
+      });
+    }
+    this.element.append(group);
+  }
+}

@@ -1,0 +1,144 @@
+/** The row at the foot of the book: one page back and on, the slider, the page field. */
+
+import { fill } from "../words/languages.ts";
+import type { ControlledBook } from "./book.ts";
+import { iconButton } from "./buttons.ts";
+import { findPage } from "./find_page.ts";
+import { make } from "./make.ts";
+import type { Say } from "./say.ts";
+
+/** Where the book lies open, and the ways elsewhere. */
+export class PagesBar {
+  readonly element: HTMLElement;
+  readonly #book: ControlledBook;
+  readonly #say: Say;
+  readonly #slider: HTMLInputElement;
+  readonly #bubble: HTMLElement = make("span", { class: "bubble", "aria-hidden": "true" });
+  readonly #field: HTMLInputElement;
+  readonly #count: HTMLElement = make("span", { class: "count", dir: "auto" });
+  readonly #status: HTMLElement = make("span", { role: "status", class: "unseen" });
+  readonly #previous: HTMLButtonElement;
+  readonly #next: HTMLButtonElement;
+  /** Whether the reader has hold of the slider: it then shows where to, not where the book is. */
+  #sliding = false;
+
+  constructor(book: ControlledBook, say: Say) {
+    this.#book = book;
+    this.#say = say;
+    const { texts } = say;
+    this.#previous = iconButton("previous", texts.previous);
+    this.#next = iconButton("next", texts.next);
+    this.#previous.addEventListener("click", () => this.#turn(this.#previous));
+    this.#next.addEventListener("click", () => this.#turn(this.#next));
+    this.#slider = make("input", {
+      type: "range",
+      min: 1,
+      part: "slider",
+      "aria-label": texts.page,
+    });
+    this.#field = make("input", {
+      class: "field",
+      part: "field",
+      "aria-label": texts.page,
+      autocomplete: "off",
+      spellcheck: "false",
+      enterkeyhint: "go",
+    });
+    const form = make("form", { class: "place" }, this.#field, this.#count);
+    this.element = make(
+      "div",
+      { role: "group", part: "pages", class: "pages", "aria-label": texts.pages },
+      this.#previous,
+      make("div", { class: "track" }, this.#slider, this.#bubble),
+      this.#next,
+      form,
+      this.#status,
+    );
+    this.#listen(form);
+    this.refresh();
+  }
+
+  /** Shows which page lies open. */
+  refresh(): void {
+    const { page, pageCount, direction } = this.#book;
+    this.element.dir = direction;
+    this.element.hidden = pageCount === 0;
+    this.#slider.max = String(Math.max(pageCount, 1));
+    if (!this.#sliding) this.#slide(page);
+    this.#field.removeAttribute("aria-invalid");
+    const label = this.#book.label(page);
+    if ((this.element.getRootNode() as ShadowRoot).activeElement !== this.#field) {
+      this.#field.value = label;
+    }
+    const { texts, number } = this.#say;
+    const values = { page: number(page), n: number(pageCount) };
+    this.#count.textContent = fill(label === String(page) ? texts.of : texts.pageOf, values);
+    this.#previous.ariaDisabled = String(page <= 1);
+    this.#next.ariaDisabled = String(page >= pageCount);
+  }
+
+  #listen(form: HTMLFormElement): void {
+    const slider = this.#slider;
+    slider.addEventListener("input", () => {
+      this.#sliding = true;
+      const page = Number(slider.value);
+      this.#slide(page);
+      void this.#book.goTo(page);
+    });
+    slider.addEventListener("change", () => {
+      this.#sliding = false;
+    });
+    const held = (is: boolean) => () => this.element.classList.toggle("held", is);
+    slider.addEventListener("pointerdown", held(true));
+    for (const end of ["pointerup", "pointercancel", "blur"]) {
+      slider.addEventListener(end, held(false));
+    }
+    const field = this.#field;
+    field.addEventListener("focus", () => field.select());
+    field.addEventListener("input", () => field.removeAttribute("aria-invalid"));
+    field.addEventListener("blur", () => this.refresh());
+    field.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape") return;
+      event.preventDefault();
+      this.#book.focus({ preventScroll: true });
+    });
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      this.#go();
+    });
+  }
+
+  #turn(button: HTMLButtonElement): void {
+    if (button.ariaDisabled === "true") return;
+    void (button === this.#next ? this.#book.next() : this.#book.previous());
+  }
+
+  #go(): void {
+    const page = findPage(this.#book, this.#field.value);
+    if (page === null) {
+      this.#field.setAttribute("aria-invalid", "true");
+      const label = this.#field.value.slice(0, 40);
+      this.#status.textContent = fill(this.#say.texts.noSuchPage, { label });
+      this.#field.select();
+      return;
+    }
+    this.#status.textContent = "";
+    this.#book.focus({ preventScroll: true });
+    void this.#book.goTo(page);
+  }
+
+  /** Sets the slider at a page and says so. */
+  #slide(page: number): void {
+    const { texts, number } = this.#say;
+    const { pageCount } = this.#book;
+    const label = this.#book.label(page);
+    this.#slider.value = String(page);
+    this.#slider.setAttribute(
+      "aria-valuetext",
+      fill(texts.place, { label, page: number(page), n: number(pageCount) }),
+    );
+    this.#bubble.textContent = label;
+    const share = pageCount > 1 ? (page - 1) / (pageCount - 1) : 0;
+    this.element.style.setProperty("--share", share.toFixed(4));
+  }
+}

@@ -1,0 +1,117 @@
+/** The side panel: tabs of contents, thumbnails, search and bookmarks. */
+
+import { type Tab, tabs } from "./actions.ts";
+import { iconButton } from "./buttons.ts";
+import { icon, make, roving } from "./make.ts";
+import type { Say } from "./say.ts";
+
+/** What a tab shows. */
+export interface View {
+  readonly element: HTMLElement;
+  /** It comes into sight. */
+  show(): void;
+  /** It goes out of sight. */
+  hide(): void;
+  /** The book lies open elsewhere, or its bookmarks are others. */
+  refresh(): void;
+  /** Takes the focus to where the reader goes on. */
+  focus(): void;
+}
+
+/** One tab at a time, beside the book; on a narrow element, over it. */
+export class Panel {
+  readonly element: HTMLElement;
+  readonly #views: Readonly<Record<Tab, View>>;
+  readonly #tabButtons = new Map<Tab, HTMLButtonElement>();
+  readonly #body: HTMLElement;
+  /** Names the tab where the row of tabs is not needed: beside the toolbar's own buttons. */
+  readonly #heading: HTMLElement = make("h2", { class: "wide" });
+  readonly #say: Say;
+  readonly #changed: (tab: Tab | null) => void;
+  #open: Tab | null = null;
+
+  /** @param changed hears which tab is open */
+  constructor(
+    say: Say,
+    views: Readonly<Record<Tab, View>>,
+    close: () => void,
+    changed: (tab: Tab | null) => void,
+  ) {
+    this.#views = views;
+    this.#say = say;
+    this.#changed = changed;
+    const { texts } = say;
+    const row = make("div", { role: "tablist", class: "tabs narrow" });
+    for (const tab of tabs) {
+      const button = make("button", {
+        type: "button",
+        role: "tab",
+        id: `tab-${tab}`,
+        "aria-controls": "body",
+        "aria-label": texts[tab],
+        title: texts[tab],
+        tabindex: -1,
+      });
+      button.append(icon(tab));
+      button.addEventListener("click", () => this.open(tab));
+      button.addEventListener("focus", () => this.open(tab));
+      this.#tabButtons.set(tab, button);
+      row.append(button);
+    }
+    const buttons = [...this.#tabButtons.values()];
+    // In the order in which they are seen.
+    const isRtl = (): boolean => getComputedStyle(row).direction === "rtl";
+    const keys = (rtl: boolean) => ({
+      on: [rtl ? "ArrowLeft" : "ArrowRight"],
+      back: [rtl ? "ArrowRight" : "ArrowLeft"],
+    });
+    roving(row, () => buttons, keys(isRtl()));
+    const shut = iconButton("close", texts.close);
+    shut.addEventListener("click", close);
+    this.#body = make("div", { role: "tabpanel", id: "body", class: "body" });
+    for (const tab of tabs) this.#body.append(views[tab].element);
+    this.element = make("section", { part: "panel", class: "panel", hidden: true });
+    this.element.append(make("div", { class: "head" }, row, this.#heading, shut), this.#body);
+  }
+
+  /** The tab that is open, or null. */
+  get tab(): Tab | null {
+    return this.#open;
+  }
+
+  /** Shows a tab. */
+  open(tab: Tab): void {
+    if (this.#open === tab) return;
+    if (this.#open) this.#views[this.#open].hide();
+    this.#open = tab;
+    this.element.hidden = false;
+    for (const [name, button] of this.#tabButtons) {
+      button.ariaSelected = String(name === tab);
+      button.tabIndex = name === tab ? 0 : -1;
+      this.#views[name].element.hidden = name !== tab;
+    }
+    this.#heading.textContent = this.#say.texts[tab];
+    this.#body.setAttribute("aria-labelledby", `tab-${tab}`);
+    this.element.setAttribute("aria-labelledby", `tab-${tab}`);
+    this.#views[tab].show();
+    this.#changed(tab);
+  }
+
+  /** Takes the focus to where the reader goes on in the open tab. */
+  focus(): void {
+    if (this.#open) this.#views[this.#open].focus();
+  }
+
+  /** Takes it away. */
+  close(): void {
+    if (this.#open) this.#views[this.#open].hide();
+    this.#open = null;
+    this.element.hidden = true;
+    this.#changed(null);
+  }
+
+  /** Shows what has become of the book. */
+  refresh(): void {
+    if (this.#open) this.#views[this.#open].refresh();
+  }
+}

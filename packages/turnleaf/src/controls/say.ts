@@ -1,0 +1,29 @@
+/** A language as the controls use it. */
+
+import { fill, number, plural, textsFor } from "../words/languages.ts";
+import type { ControlTexts, Plural } from "../words/texts.ts";
+import { en } from "./texts_en.ts";
+import { zh } from "./texts_zh.ts";
+
+/** What the controls say, and how they write numbers. */
+export interface Say {
+  readonly texts: ControlTexts;
+  number(n: number): string;
+  plural(forms: Plural, n: number): string;
+}
+
+/** The controls' words in a language, English where nobody taught it. */
+export function speak(tag: string): Say {
+  return {
+    texts: textsFor(tag, { en, zh }),
+    number: (n) => number(tag, n),
+    plural: (forms, n) => plural(tag, forms, n),
+  };
+}
+
+/** A page (from 1) by its own name, such as "Page iv". */
+export const namePage = (
+  { texts }: Say,
+  book: { label(page: number): string },
+  page: number,
+): string => fill(texts.pageNamed, { label: book.label(page) });

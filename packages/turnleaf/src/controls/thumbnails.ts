@@ -1,0 +1,187 @@
+/** The tab of small pages. */
+
+import type { ControlledBook } from "./book.ts";
+import { make } from "./make.ts";
+import type { View } from "./panel.ts";
+import { namePage, type Say } from "./say.ts";
+import { ThumbnailPictures } from "./thumbnail_pictures.ts";
+
+/** A row of two pages, CSS pixels; the style sheet draws it so high. */
+const rowHeight = 192;
+const perRow = 2;
+/** Rows that stand ready above and below what is in sight. */
+const spare = 2;
+
+/** A page that stands in the list. */
+interface Cell {
+  readonly button: HTMLButtonElement;
+  readonly gone: AbortController;
+}
+
+/** A list as long as the book, of which only what is in sight exists. */
+export class Thumbnails implements View {
+  readonly element: HTMLElement = make("div", { class: "view thumbnails", tabindex: -1 });
+  readonly #book: ControlledBook;
+  readonly #say: Say;
+  readonly #picked: () => void;
+  readonly #list: HTMLElement;
+  readonly #pictures: ThumbnailPictures;
+  readonly #cells = new Map<number, Cell>();
+  readonly #observer = new ResizeObserver(() => this.#fill());
+  /** The page that the keyboard is at. */
+  #at = 1;
+  #isShown = false;
+
+  /** @param picked hears that the reader went to a page */
+  constructor(book: ControlledBook, say: Say, picked: () => void) {
+    this.#book = book;
+    this.#say = say;
+    this.#picked = picked;
+    this.#pictures = new ThumbnailPictures(book);
+    this.#list = make("ol", { class: "sheet", "aria-label": say.texts.thumbnails });
+    this.element.append(this.#list);
+    this.element.addEventListener("scroll", () => this.#fill(), { passive: true });
+    this.#list.addEventListener("keydown", (event) => this.#key(event));
+  }
+
+  show(): void {
+    this.#isShown = true;
+    this.#observer.observe(this.element);
+    this.#at = this.#book.page;
+    this.#list.dir = this.#book.direction;
+    this.#list.style.height = `${(this.#rowOf(this.#book.pageCount) + 1) * rowHeight}px`;
+    this.#reveal(this.#at);
+    this.refresh();
+  }
+
+  hide(): void {
+    this.#isShown = false;
+    this.#observer.disconnect();
+    for (const page of [...this.#cells.keys()]) this.#remove(page);
+  }
+
+  /** Another book is open: its pages are others. */
+  forget(): void {
+    for (const page of [...this.#cells.keys()]) this.#remove(page);
+    this.#pictures.clear();
+    if (this.#isShown) this.show();
+  }
+
+  refresh(): void {
+    if (!this.#isShown) return;
+    const { page } = this.#book;
+    if (!this.element.contains((this.element.getRootNode() as ShadowRoot).activeElement)) {
+      this.#at = page;
+      this.#reveal(page);
+    }
+    this.#fill();
+  }
+
+  /** Shows which pages lie open. */
+  #mark(): void {
+    const { page } = this.#book;
+    const { left, right } = this.#book.spread;
+    for (const [at, { button }] of this.#cells) {
+      button.classList.toggle("seen", at === left || at === right);
+      if (at === page) button.setAttribute("aria-current", "page");
+      else button.removeAttribute("aria-current");
+    }
+  }
+
+  focus(): void {
+    this.#focusPage(this.#book.page);
+  }
+
+  /** The row of a page, from 0: pages that face each other share one. */
+  #rowOf(page: number): number {
+    return Math.floor((page - 1 + this.#book.offset) / perRow);
+  }
+
+  /** Brings the row of a page into sight. */
+  #reveal(page: number): void {
+    const top = this.#rowOf(page) * rowHeight;
+    const { scrollTop, clientHeight } = this.element;
+    if (top < scrollTop || top + rowHeight > scrollTop + clientHeight) {
+      this.element.scrollTop = top - Math.max((clientHeight - rowHeight) / 2, 0);
+    }
+  }
+
+  /** Makes the cells that are in sight, and takes the others away. */
+  #fill(): void {
+    if (!this.#isShown) return;
+    const { scrollTop, clientHeight } = this.element;
+    const { offset, pageCount } = this.#book;
+    const above = Math.floor(scrollTop / rowHeight) - spare;
+    const below = Math.ceil((scrollTop + clientHeight) / rowHeight) + spare;
+    const first = Math.max(above * perRow + 1 - offset, 1);
+    const last = Math.min(below * perRow - offset, pageCount);
+    for (const page of [...this.#cells.keys()]) {
+      if ((page < first || page > last) && page !== this.#at) this.#remove(page);
+    }
+    for (let page = first; page <= last; page++) this.#cellOf(page);
+    for (const [page, { button }] of this.#cells) button.tabIndex = page === this.#at ? 0 : -1;
+    this.#mark();
+  }
+
+  #cellOf(page: number): Cell {
+    const there = this.#cells.get(page);
+    if (there) return there;
+    const { pageCount } = this.#book;
+    const picture = make("canvas", { class: "small", "aria-hidden": "true" });
+    const button = make(
+      "button",
+      { type: "button", "aria-label": namePage(this.#say, this.#book, page) },
+      picture,
+      make("span", { "aria-hidden": "true" }, this.#book.label(page)),
+    );
+    button.addEventListener("click", () => {
+      this.#at = page;
+      void this.#book.goTo(page);
+      this.#picked();
+    });
+    const item = make("li", { "aria-setsize": pageCount, "aria-posinset": page }, button);
+    item.style.top = `${this.#rowOf(page) * rowHeight}px`;
+    item.style.insetInlineStart = `${(((page - 1 + this.#book.offset) % perRow) * 100) / perRow}%`;
+    const cell = { button, gone: new AbortController() };
+    this.#cells.set(page, cell);
+    // In the book's order, as those who listen go through it.
+    const after = [...this.#cells.keys()].filter((other) => other > page).sort((a, b) => a - b)[0];
+    const next = after === undefined ? null : this.#cells.get(after)?.button.parentElement;
+    this.#list.insertBefore(item, next ?? null);
+    void this.#pictures.paint(page, picture, cell.gone.signal);
+    return cell;
+  }
+
+  #remove(page: number): void {
+    const cell = this.#cells.get(page);
+    cell?.gone.abort();
+    cell?.button.parentElement?.remove();
+    this.#cells.delete(page);
+  }
+
+  #focusPage(page: number): void {
+    this.#at = page;
+    this.#reveal(page);
+    this.#fill();
+    this.#cellOf(page).button.focus({ preventScroll: true });
+  }
+
+  #key(event: KeyboardEvent): void {
+    const { direction, pageCount } = this.#book;
+    const across = direction === "rtl" ? -1 : 1;
+    const steps: Record<string, number> = {
+      ArrowRight: across,
+      ArrowLeft: -across,
+      ArrowDown: perRow,
+      ArrowUp: -perRow,
+      PageDown: 3 * perRow,
+      PageUp: -3 * perRow,
+      Home: -pageCount,
+      End: pageCount,
+    };
+    const step = steps[event.key];
+    if (step === undefined) return;
+    event.preventDefault();
+    this.#focusPage(Math.min(Math.max(this.#at + step, 1), pageCount));
+  }
+}

@@ -1,0 +1,120 @@
+/** Prints the pages of a book, a sheet each, and hands out its file. */
+
+import { BookError, type PagePicture, type PageSource } from "../sources/page_source.ts";
+
+/** Which pages are printed, and how it goes on. */
+export interface PrintOptions {
+  /** First and last page, from 1; the whole book where they are not given. */
+  readonly from?: number;
+  readonly to?: number;
+  readonly signal?: AbortSignal;
+  /** Called before a page (from 1) is drawn. */
+  readonly onPage?: (page: number) => void;
+}
+
+/** Width of a printed page in pixels: A4 at 150 dots an inch, A5 at 210. */
+const printWidth = 1240;
+
+/** Most pages printed at once: each is half a megabyte until it is on paper. */
+export const mostPrinted = 300;
+
+/**
+ * Draws pages and opens the browser's print dialog with them, each upright on a
+ * sheet of its own. Resolves, once they went to the dialog, to true.
+ * Rejects with a `BookError` where a page cannot be drawn or there are too many,
+ * or with the signal's reason.
+ */
+export async function printPages(source: PageSource, options: PrintOptions): Promise<true> {
+  const { from = 1, to = source.pageCount, onPage } = options;
+  const [first, last] = [Math.max(from, 1), Math.min(to, source.pageCount)];
+  if (last - first >= mostPrinted) {
+    throw new BookError(`${mostPrinted} pages can be printed at once; print fewer.`);
+  }
+  const signal = options.signal ?? new AbortController().signal;
+  const urls: string[] = [];
+  const frame = document.createElement("iframe");
+  const end = (): void => {
+    frame.remove();
+    for (const url of urls) URL.revokeObjectURL(url);
+  };
+  try {
+    document.body.append(hidden(frame));
+    const { document: sheets, window } = inside(frame);
+    sheets.title = source.title;
+    for (let page = first; page <= last; page++) {
+      onPage?.(page);
+      const picture = await source.draw(page - 1, printWidth, signal);
+      const url = URL.createObjectURL(await encode(picture));
+      urls.push(url);
+      const image = sheets.createElement("img");
+      image.src = url;
+      sheets.body.append(image);
+      await image.decode();
+      signal.throwIfAborted();
+    }
+    window.addEventListener("afterprint", () => setTimeout(end), { once: true });
+    window.focus();
+    window.print();
+    return true;
+  } catch (error) {
+    end();
+    throw error;
+  }
+}
+
+/** Out of sight but there: what is not rendered is not printed. */
+function hidden(frame: HTMLIFrameElement): HTMLIFrameElement {
+  frame.ariaHidden = "true";
+  frame.tabIndex = -1;
+  Object.assign(frame.style, {
+    position: "fixed",
+    inset: "auto auto 0 0",
+    width: "1px",
+    height: "1px",
+    border: "0",
+    opacity: "0",
+  });
+  return frame;
+}
+
+function inside(frame: HTMLIFrameElement): { document: Document; window: Window } {
+  const window = frame.contentWindow as Window & typeof globalThis;
+  const sheet = new window.CSSStyleSheet();
+  sheet.replaceSync(`@page { margin: 0; } html, body { margin: 0; }
+    img { display: block; width: 100vw; height: 100vh; object-fit: contain; break-after: page; break-inside: avoid; }`);
+  window.document.adoptedStyleSheets = [sheet];
+  return { document: window.document, window };
+}
+
+/** A drawn page as a file; its bitmap is freed. */
+async function encode(picture: PagePicture): Promise<Blob> {
+  const canvas = document.createElement("canvas");
+  canvas.width = picture.width;
+  canvas.height = picture.height;
+  canvas.getContext("2d")?.drawImage(picture, 0, 0);
+  if ("close" in picture) picture.close();
+  const blob = await new Promise<Blob | null>((resolve) =>
+    canvas.toBlob(resolve, "image/jpeg", 0.92),
+  );
+  canvas.width = 0;
+  if (blob === null)
+    throw new BookError("There is no memory left to print with; print fewer pages.");
+  return blob;
+}
+
+/** Hands the source's own file to the reader; resolves to whether there is one. */
+export async function downloadFile(source: PageSource): Promise<boolean> {
+  const file = await source.file?.();
+  if (file === undefined) return false;
+  const link = document.createElement("a");
+  const ending = { "application/pdf": ".pdf", "application/epub+zip": ".epub" }[file.type] ?? "";
+  // What no file system takes in a name.
+  const name = source.title.replace(/[\p{C}\\/:*?"<>|]+/gu, " ").trim() || "book";
+  const isNamed = ending !== "" && name.toLowerCase().endsWith(ending);
+  link.download = isNamed ? name : name + ending;
+  link.href = URL.createObjectURL(file);
+  link.click();
+  // The browser has taken it by the next turn of its loop, at the latest in a minute.
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+  return true;
+}

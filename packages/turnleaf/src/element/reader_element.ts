@@ -1,0 +1,148 @@
+/** What makes a reader of an open book: bookmarks, slide-show, print, full screen, controls, its place kept. */
+
+import type { PagePicture, PageSource } from "../sources/page_source.ts";
+import { BookError } from "../sources/page_source.ts";
+import { cleanBookmarks } from "./memory.ts";
+import { Place } from "./place.ts";
+import type { PrintOptions } from "./print.ts";
+import { ReflectingElement } from "./reflecting.ts";
+import { SlideShow } from "./slide_show.ts";
+
+/** Widest a page is drawn for whoever asks, pixels. */
+const widestDrawn = 2048;
+
+/** Everything about the book that is not the book: its own subclass opens and turns it. */
+export abstract class ReaderElement extends ReflectingElement {
+  abstract readonly page: number;
+  abstract readonly pageCount: number;
+  abstract readonly bookTitle: string;
+  abstract zoom: number;
+  abstract goTo(page: number): Promise<boolean>;
+  abstract next(): Promise<boolean>;
+  /** The open book's pages. */
+  protected abstract get source(): PageSource | undefined;
+
+  readonly #place = new Place(this);
+  readonly #show = new SlideShow(this, () =>
+    this.emit("playchange", { playing: this.#show.playing }),
+  );
+  #bookmarks: readonly number[] = [];
+
+  /** The bookmarked pages, from 1, in order; at most 500. */
+  get bookmarks(): readonly number[] {
+    return this.#bookmarks;
+  }
+
+  set bookmarks(pages: readonly number[]) {
+    this.#bookmarks = cleanBookmarks(pages);
+    this.emit("bookmarkchange", { bookmarks: this.#bookmarks });
+  }
+
+  /** Bookmarks a page (from 1), the first in sight where none is given; one that is bookmarked no more. */
+  toggleBookmark(page: number = this.page): void {
+    const others = this.#bookmarks.filter((other) => other !== page);
+    this.bookmarks = others.length < this.#bookmarks.length ? others : [...others, page];
+  }
+
+  /** Whether the pages turn by themselves. */
+  get playing(): boolean {
+    return this.#show.playing;
+  }
+
+  /** Turns the pages one after another, each shown for so many seconds (1 to 3600; 6), until the last or `pause()`. */
+  play(secondsPerPage?: number): void {
+    this.#show.play(secondsPerPage);
+  }
+
+  /** Ends the slide-show. */
+  pause(): void {
+    this.#show.pause();
+  }
+
+  /** Turns to the first page. Resolves as `goTo` does. */
+  first(): Promise<boolean> {
+    return this.goTo(1);
+  }
+
+  /** Turns to the last page. Resolves as `goTo` does. */
+  last(): Promise<boolean> {
+    return this.goTo(this.pageCount);
+  }
+
+  /**
+   * Draws a page (from 1) by itself, `width` pixels wide (at most 2048), as for a thumbnail.
+   * A bitmap is whoever's who asked for it: `close()` frees it.
+   * Rejects with a `BookError`, or with the signal's reason.
+   */
+  async drawPage(page: number, width: number, signal?: AbortSignal): Promise<PagePicture> {
+    const { source } = this;
+    if (!source || !(page >= 1 && page <= source.pageCount)) {
+      throw new BookError(`There is no page ${page} to draw; open a book that has it.`);
+    }
+    const across = Math.min(width, widestDrawn);
+    return await source.draw(Math.round(page) - 1, across, signal ?? new AbortController().signal);
+  }
+
+  /** What the book's owner and its source let a reader do; nothing while none is open. */
+  get allows(): { readonly print: boolean; readonly download: boolean } {
+    const { source } = this;
+    return {
+      print: source !== undefined && source.allows?.print !== false,
+      download: source?.file !== undefined,
+    };
+  }
+
+  /**
+   * Draws the pages and opens the browser's print dialog with them, a sheet each.
+   * Resolves to whether it may be printed. Rejects with a `BookError` where a
+   * page cannot be drawn or more than 300 are asked for.
+   */
+  async print(options: PrintOptions = {}): Promise<boolean> {
+    const { source } = this;
+    if (!source || !this.allows.print) return false;
+    const { printPages } = await import("./print.ts");
+    return await printPages(source, options);
+  }
+
+  /** Hands the book's own file to the reader. Resolves to whether there is one. */
+  async download(): Promise<boolean> {
+    const { source } = this;
+    if (!source || !this.allows.download) return false;
+    const { downloadFile } = await import("./print.ts");
+    return await downloadFile(source);
+  }
+
+  /** Fills the screen with the element, or leaves full screen. Resolves to whether the browser let it. */
+  async toggleFullscreen(): Promise<boolean> {
+    try {
+      if (document.fullscreenElement === this) await document.exitFullscreen();
+      else await this.requestFullscreen();
+      return true;
+    } catch {
+      return false;
+    }
+  }
+
+  /** The element is in a document. */
+  protected connectReader(): void {
+    this.#place.follow();
+  }
+
+  /** The element leaves its document, its book still open. */
+  protected disconnectReader(): void {
+    this.pause();
+    this.#place.leave();
+  }
+
+  /** Another book takes the place of the one that is open. */
+  protected forgetBook(): void {
+    this.pause();
+    this.#place.closed();
+    this.#bookmarks = [];
+  }
+
+  /** The page at which a book is to open, as the address says or where it was left; null where neither does. */
+  protected keptPage(source: PageSource | undefined, left: number | null): number | null {
+    return this.#place.opening(source, left);
+  }
+}

@@ -1,0 +1,153 @@
+/** The properties of `<turnleaf-book>` that are its attributes. */
+
+import type { Stock } from "../engine/shapes.ts";
+import { stockOf, turnSecondsOf } from "./attributes.ts";
+import type { TurnleafEventMap } from "./events.ts";
+import { wishOf } from "./wish.ts";
+
+/** On a server there is no DOM: importing the package is safe there, using the element is not. */
+const Base: typeof HTMLElement =
+  globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElement);
+
+const themes = ["auto", "light", "dark", "paper"] as const;
+/** How the element is coloured; `auto` is light or dark, as the system is. */
+export type Theme = (typeof themes)[number];
+
+type Wish = ReturnType<typeof wishOf>;
+
+/** An element whose attributes can be read and set as properties. */
+export class ReflectingElement extends Base {
+  /** Address of a PDF, an image or a manifest of images. */
+  get src(): string {
+    return this.getAttribute("src") ?? "";
+  }
+
+  set src(src: string) {
+    this.setAttribute("src", src);
+  }
+
+  /** The preset that the leaves are made of: "book" where the attribute names none. */
+  get stock(): Stock {
+    return stockOf(this);
+  }
+
+  set stock(stock: Stock) {
+    this.setAttribute("stock", stock);
+  }
+
+  /** Whether a leaf let go is helped over to its side, rather than left to gravity. */
+  get assist(): boolean {
+    return this.getAttribute("assist") !== "off";
+  }
+
+  set assist(assist: boolean) {
+    this.setAttribute("assist", assist ? "on" : "off");
+  }
+
+  /** Length of a played turn, milliseconds. */
+  get duration(): number {
+    return turnSecondsOf(this) * 1000;
+  }
+
+  set duration(milliseconds: number) {
+    this.setAttribute("duration", String(milliseconds));
+  }
+
+  /** What the first and the last leaf are: boards, soft covers, or paper like the rest. */
+  get cover(): Wish["cover"] {
+    return wishOf(this).cover;
+  }
+
+  set cover(cover: Wish["cover"]) {
+    this.setAttribute("cover", cover);
+  }
+
+  /** Colour of the boards. */
+  get cloth(): string {
+    return wishOf(this).cloth;
+  }
+
+  set cloth(colour: string) {
+    this.setAttribute("cloth", colour);
+  }
+
+  /** The edge at which the book is bound; `auto` follows the direction it is read in. */
+  get binding(): Wish["binding"] {
+    return wishOf(this).binding;
+  }
+
+  set binding(edge: Wish["binding"]) {
+    this.setAttribute("binding", edge);
+  }
+
+  /** Two pages or one; `auto` follows the space there is. */
+  get layout(): Wish["layout"] {
+    return wishOf(this).layout;
+  }
+
+  set layout(layout: Wish["layout"]) {
+    this.setAttribute("layout", layout);
+  }
+
+  /** 1: the first page stands alone; 0: pages 1 and 2 face each other. */
+  get offset(): Wish["offset"] {
+    return wishOf(this).offset;
+  }
+
+  set offset(offset: Wish["offset"]) {
+    this.setAttribute("offset", String(offset));
+  }
+
+  /** Pages of board, as numbers and ranges from 1, such as "1-2,9". */
+  get hardPages(): string {
+    return wishOf(this).hardPages;
+  }
+
+  set hardPages(pages: string) {
+    this.setAttribute("hard-pages", pages);
+  }
+
+  /** Whether the reader's controls are shown: toolbar, side panel, slider. */
+  get controls(): boolean {
+    return this.hasAttribute("controls");
+  }
+
+  set controls(shown: boolean) {
+    this.toggleAttribute("controls", shown);
+  }
+
+  /** How the element is coloured. */
+  get theme(): Theme {
+    const theme = this.getAttribute("theme");
+    return themes.find((known) => known === theme) ?? "auto";
+  }
+
+  set theme(theme: Theme) {
+    this.setAttribute("theme", theme);
+  }
+
+  /** Whether the page is kept in the page's own address, as `#page=23`: for one book of a page. */
+  get address(): boolean {
+    return this.hasAttribute("address");
+  }
+
+  set address(kept: boolean) {
+    this.toggleAttribute("address", kept);
+  }
+
+  /** Whether page, zoom and bookmarks are kept over a reload, in the browser's local storage. */
+  get remember(): boolean {
+    return this.hasAttribute("remember");
+  }
+
+  set remember(kept: boolean) {
+    this.toggleAttribute("remember", kept);
+  }
+
+  protected emit<K extends keyof TurnleafEventMap>(
+    name: K,
+    detail: TurnleafEventMap[K]["detail"],
+  ): void {
+    this.dispatchEvent(new CustomEvent(name, { detail }));
+  }
+}

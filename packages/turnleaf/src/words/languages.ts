@@ -1,0 +1,86 @@
+/** Which language the element speaks, and how a text is filled in. */
+
+import type { ElementTexts, Plural, Texts } from "./texts.ts";
+
+const added = new Map<string, Texts>();
+
+/**
+ * Teaches every `<turnleaf-book>` a language, or other words for one it knows.
+ * Elements speak it from when they are next shown or their `lang` changes.
+ * @param tag BCP 47, such as "de" or "pt-BR"; "pt" serves every kind of Portuguese
+ */
+export function addLanguage(tag: string, texts: Texts): void {
+  added.set(tag.toLowerCase(), texts);
+}
+
+const en: ElementTexts = {
+  opening: "Opening the book …",
+  pageOpen: "Page {pages} of {n}",
+  pagesOpen: "Pages {pages} of {n}",
+  back: "Back of {n}",
+  notOpened: "The book could not be opened; load the page again.",
+};
+
+const zh: ElementTexts = {
+  opening: "正在打开书籍…",
+  pageOpen: "第 {pages} 页，共 {n} 页",
+  pagesOpen: "第 {pages} 页，共 {n} 页",
+  back: "封底，共 {n} 页",
+  notOpened: "无法打开此书，请重新加载页面。",
+};
+
+/** What the element itself says in a language. */
+export const elementTexts = (tag: string): ElementTexts => textsFor(tag, { en, zh });
+
+/** The texts for a language: those added, those built in, of the language without its region, English. */
+export function textsFor<T>(tag: string, own: { readonly [tag: string]: T; readonly en: T }): T {
+  let name = tag.toLowerCase();
+  while (name !== "") {
+    const texts = (added.get(name) as T | undefined) ?? (Object.hasOwn(own, name) && own[name]);
+    if (texts) return texts;
+    name = name.slice(0, Math.max(name.lastIndexOf("-"), 0));
+  }
+  return own.en;
+}
+
+/** The language of an element: its own, that of what it stands in, the browser's. */
+export function languageOf(element: Element): string {
+  let at: Element | null = element;
+  while (at) {
+    const tag = at.closest("[lang]")?.getAttribute("lang");
+    if (tag) return tag;
+    const root: Node = at.getRootNode();
+    at = root instanceof ShadowRoot ? root.host : null;
+  }
+  return navigator.language;
+}
+
+/** A text with what stands in braces filled in. */
+export function fill(text: string, values: Readonly<Record<string, string>>): string {
+  return text.replace(/\{(\w+)\}/g, (whole, name: string) => values[name] ?? whole);
+}
+
+/** A number as a language writes it; plainly where the tag is none. */
+export function number(tag: string, n: number): string {
+  return attempt(() => new Intl.NumberFormat(tag).format(n)) ?? String(n);
+}
+
+/** The wording for a number, which is filled in for `{n}`. */
+export function plural(tag: string, forms: Plural, n: number): string {
+  const form = attempt(() => forms[new Intl.PluralRules(tag).select(n)]) ?? forms.other;
+  return fill(form, { n: number(tag, n) });
+}
+
+/** Words in a row, such as "iv and v". */
+export function list(tag: string, words: readonly string[]): string {
+  return attempt(() => new Intl.ListFormat(tag).format(words)) ?? words.join(", ");
+}
+
+/** Intl throws at a tag that is none. */
+function attempt<T>(make: () => T): T | undefined {
+  try {
+    return make();
+  } catch {
+    return undefined;
+  }
+}

@@ -1,0 +1,77 @@
+/** What the element and its controls say, in one language. */
+
+/**
+ * A text that depends on a number: one wording for each of the language's plural
+ * forms that differ, `other` for the rest. `{n}` stands for the number.
+ */
+export type Plural = { readonly other: string } & Partial<
+  Readonly<Record<Intl.LDMLPluralRule, string>>
+>;
+
+/** What the element says by itself. Words in braces stand for what is filled in. */
+export interface ElementTexts {
+  readonly opening: string;
+  /** Which pages lie open: `{pages}` are their labels, `{n}` is how many the book has. */
+  readonly pageOpen: string;
+  readonly pagesOpen: string;
+  /** The closed back: `{n}` is how many pages the book has. */
+  readonly back: string;
+  readonly notOpened: string;
+}
+
+/** What the controls say. Words in braces stand for what is filled in. */
+export interface ControlTexts {
+  readonly toolbar: string;
+  readonly pages: string;
+  readonly contents: string;
+  readonly thumbnails: string;
+  readonly search: string;
+  readonly bookmarks: string;
+  readonly close: string;
+  readonly more: string;
+  readonly next: string;
+  readonly previous: string;
+  readonly page: string;
+  /** After the page field: `{n}` is how many pages there are. */
+  readonly of: string;
+  /** After the page field where the label is no number: `{page}` of `{n}`. */
+  readonly pageOf: string;
+  /** The slider's place: the page's label, its number, how many there are. */
+  readonly place: string;
+  readonly noSuchPage: string;
+  readonly zoomIn: string;
+  readonly zoomOut: string;
+  readonly spread: string;
+  readonly single: string;
+  readonly addBookmark: string;
+  readonly removeBookmark: string;
+  readonly fullscreen: string;
+  readonly leaveFullscreen: string;
+  readonly print: string;
+  readonly download: string;
+  readonly play: string;
+  readonly pause: string;
+  readonly sound: string;
+  readonly theme: string;
+  readonly themeAuto: string;
+  readonly themeLight: string;
+  readonly themeDark: string;
+  readonly themePaper: string;
+  readonly noContents: string;
+  readonly noBookmarks: string;
+  readonly searchHint: string;
+  readonly searching: string;
+  readonly found: Plural;
+  readonly nothingFound: string;
+  readonly pageNamed: string;
+  readonly from: string;
+  readonly to: string;
+  readonly cancel: string;
+  /** Most pages that are printed at once. */
+  readonly mostPrinted: Plural;
+  readonly drawing: string;
+  readonly wait: string;
+}
+
+/** Everything that is said, so that a language is added whole. */
+export type Texts = ElementTexts & ControlTexts;
