@@ -36,7 +36,6 @@ export class Reading {
     };
     this.#layer = new TextLayer(view, {
       source,
-      texts: this.#texts,
       name: (page) => `Page ${source.label(page - 1)}`,
       goTo,
       onText: (isText) => {

@@ -90,8 +90,8 @@ export class PageList implements PageSource {
     return this.#of(index, (source, own) => source.draw(own, width, signal, region));
   }
 
-  text(index: number, signal: AbortSignal): Promise<readonly TextRun[]> {
-    return this.#of(index, async (source, own) => (await source.text?.(own, signal)) ?? []);
+  text(index: number, signal: AbortSignal, exact?: boolean): Promise<readonly TextRun[]> {
+    return this.#of(index, async (source, own) => (await source.text?.(own, signal, exact)) ?? []);
   }
 
   alt(index: number, signal: AbortSignal): Promise<string> {

@@ -31,6 +31,8 @@ export interface TextRun extends PageBox {
   readonly end: boolean;
   /** Whether its letters stand below each other, as in vertical Japanese: `height` is then along the line. */
   readonly vertical?: boolean;
+  /** Where each of its letters (UTF-16 units) begins, as a share of the box's width, where the source knows. */
+  readonly places?: readonly number[];
 }
 
 /** Where a link leads: a page (from 1) of this book, or an address of the web or of mail. */
@@ -104,8 +106,12 @@ export interface PageSource {
   draw(index: number, width: number, signal: AbortSignal, region?: PageBox): Promise<PagePicture>;
   /** What the book's owner lets a reader do; all of it where it is not given. */
   readonly allows?: { readonly print: boolean; readonly copy: boolean };
-  /** The text of page `index` (from 0) in reading order. Rejects as `draw` does. */
-  text?(index: number, signal: AbortSignal): Promise<readonly TextRun[]>;
+  /**
+   * The text of page `index` (from 0) in reading order. Rejects as `draw` does.
+   *
+   * @param exact whether the letters' places are wanted, which may take longer
+   */
+  text?(index: number, signal: AbortSignal, exact?: boolean): Promise<readonly TextRun[]>;
   /** What the pictures of page `index` (from 0) show, in words; empty where nobody says. Rejects as `draw` does. */
   alt?(index: number, signal: AbortSignal): Promise<string>;
   /** The links of page `index` (from 0). Rejects as `draw` does. */

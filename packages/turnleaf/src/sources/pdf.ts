@@ -14,6 +14,7 @@ import {
   type TextRun,
 } from "./page_source.ts";
 import { fieldsOfPage, linksOfPage } from "./pdf_annotations.ts";
+import { lettersOfPage } from "./pdf_letters.ts";
 import {
   loadPdfLibrary,
   PackedDataFactory,
@@ -246,8 +247,11 @@ class PdfSource implements PageSource {
     }
   }
 
-  async text(index: number, signal: AbortSignal): Promise<readonly TextRun[]> {
-    return await this.#read(index, signal, (page) => textOfPage(page, signal));
+  async text(index: number, signal: AbortSignal, exact = false): Promise<readonly TextRun[]> {
+    return await this.#read(index, signal, (page) => {
+      const letters = exact ? () => lettersOfPage(this.#pdfjs, page) : undefined;
+      return textOfPage(page, signal, letters);
+    });
   }
 
   async links(index: number, signal: AbortSignal): Promise<readonly PageLink[]> {

@@ -2,6 +2,7 @@ import type { PDFPageProxy } from "pdfjs-dist";
 import { cleanRun } from "./book_text.ts";
 import { isPageSize, limits } from "./limits.ts";
 import type { TextRun } from "./page_source.ts";
+import { type Letter, placeLetters } from "./pdf_letters.ts";
 
 /** What pdf.js says of a piece of text; what stands in the file can still be anything. */
 interface Item {
@@ -24,10 +25,35 @@ interface Chunk {
   readonly styles: Readonly<Record<string, Style>>;
 }
 
-/** The text of a page in the order of its file, which is the order of reading. Rejects as pdf.js does. */
-export async function textOfPage(page: PDFPageProxy, signal: AbortSignal): Promise<TextRun[]> {
+/** A piece of text, and its font's size along the line in the unit of the page. */
+interface Piece {
+  readonly run: TextRun;
+  readonly em: number;
+}
+
+/**
+ * The text of a page in the order of its file, which is the order of reading. Rejects as pdf.js does.
+ * @param letters where each letter stands is found with this
+ */
+export async function textOfPage(
+  page: PDFPageProxy,
+  signal: AbortSignal,
+  letters?: () => Promise<readonly Letter[]>,
+): Promise<TextRun[]> {
+  const pieces = await readPieces(page, signal);
+  const isLevel = ({ run }: Piece): boolean => !run.vertical;
+  if (letters === undefined || !pieces.some(isLevel)) return pieces.map(({ run }) => run);
+  const lines = pieces.map(({ run, em }) => ({ text: run.text, width: run.width, em }));
+  const places = placeLetters(lines, await letters());
+  return pieces.map((piece, k) => {
+    const found = places[k];
+    return found && isLevel(piece) ? { ...piece.run, places: found } : piece.run;
+  });
+}
+
+async function readPieces(page: PDFPageProxy, signal: AbortSignal): Promise<Piece[]> {
   const view = page.getViewport({ scale: 1 });
-  const runs: TextRun[] = [];
+  const pieces: Piece[] = [];
   const styles: Record<string, Style> = Object.create(null);
   let letters = 0;
   const reader = (page.streamTextContent() as ReadableStream<Chunk>).getReader();
@@ -35,16 +61,16 @@ export async function textOfPage(page: PDFPageProxy, signal: AbortSignal): Promi
     for (;;) {
       const { value, done } = await reader.read();
       signal.throwIfAborted();
-      if (done) return runs;
+      if (done) return pieces;
       Object.assign(styles, value.styles);
       for (const item of value.items) {
         if (item.str === undefined) continue;
-        const run = runOf(item, styles[item.fontName], view.transform);
-        if (run && isWithin(run, view)) {
-          letters += run.text.length;
-          if (runs.length >= limits.runs || letters > limits.textLength) return runs;
-          runs.push(run);
-        } else follow(runs, item);
+        const piece = pieceOf(item, styles[item.fontName], view.transform);
+        if (piece && isWithin(piece.run, view)) {
+          letters += piece.run.text.length;
+          if (pieces.length >= limits.runs || letters > limits.textLength) return pieces;
+          pieces.push(piece);
+        } else follow(pieces, item);
       }
     }
   } finally {
@@ -54,18 +80,16 @@ export async function textOfPage(page: PDFPageProxy, signal: AbortSignal): Promi
 }
 
 /** Spaces and ends of lines that come as items of their own belong to the run before them. */
-function follow(runs: TextRun[], item: Item): void {
-  const last = runs.at(-1);
+function follow(pieces: Piece[], item: Item): void {
+  const last = pieces.at(-1);
   if (last === undefined) return;
-  const isGap = item.str !== "" && !/\s$/.test(last.text);
-  runs[runs.length - 1] = {
-    ...last,
-    text: isGap && item.str?.trim() === "" ? `${last.text} ` : last.text,
-    end: last.end || item.hasEOL,
-  };
+  const { text, end } = last.run;
+  const isGap = item.str !== "" && item.str?.trim() === "" && !/\s$/.test(text);
+  const run = { ...last.run, text: isGap ? `${text} ` : text, end: end || item.hasEOL };
+  pieces[pieces.length - 1] = { ...last, run };
 }
 
-function runOf(item: Item, style: Style | undefined, view: readonly number[]): TextRun | null {
+function pieceOf(item: Item, style: Style | undefined, view: readonly number[]): Piece | null {
   const text = cleanRun(item.str);
   if (text.trim() === "") return null;
   const [a, b, c, d, e, f] = item.transform;
@@ -76,32 +100,23 @@ function runOf(item: Item, style: Style | undefined, view: readonly number[]): T
   const size = Math.hypot(view[0] * c + view[2] * d, view[1] * c + view[3] * d);
   const angle = Math.atan2(along.y, along.x) || 0;
   const unit = Math.hypot(view[0], view[1]);
+  const em = Math.hypot(along.x, along.y);
   const end = item.hasEOL;
   if (style?.vertical) {
     const across = { x: Math.cos(angle) * (size / 2), y: Math.sin(angle) * (size / 2) };
     const height = item.height * unit;
-    return {
-      text,
-      x: x - across.x,
-      y: y - across.y,
-      width: size,
-      height,
-      angle,
-      end,
-      vertical: true,
-    };
+    const box = { x: x - across.x, y: y - across.y, width: size, height };
+    return { run: { ...box, text, angle, end, vertical: true }, em };
   }
   const ascent = size * between(style?.ascent, 0.5, 1.2, 0.8);
   const descent = size * between(style?.descent && -style.descent, 0.05, 0.5, 0.2);
-  return {
-    text,
+  const box = {
     x: x + ascent * Math.sin(angle),
     y: y - ascent * Math.cos(angle),
     width: item.width * unit,
     height: ascent + descent,
-    angle,
-    end,
   };
+  return { run: { ...box, text, angle, end }, em };
 }
 
 function between(value: number | undefined, low: number, high: number, otherwise: number): number {

@@ -1,5 +1,7 @@
 /** How wide text is in the layer's one font, so that it can be fitted over printed text of any other. */
 
+import type { TextRun } from "../sources/page_source.ts";
+
 /** The layer's font size, CSS pixels; what is laid out at it is scaled to the page. */
 export const fontSize = 20;
 
@@ -16,8 +18,12 @@ export function widthOf(text: string): number {
   return Math.max(pen.measureText(text).width, 0.01);
 }
 
-/** What share of a run's line lies before its character `at`. */
-export function shareBefore(text: string, at: number): number {
+/** What share of a run's line lies before its character `at`: as its source says, or as it would be in the layer's font. */
+export function shareBefore(
+  { text, places }: Pick<TextRun, "text" | "places">,
+  at: number,
+): number {
   const whole = text.trimEnd();
-  return Math.min(widthOf(whole.slice(0, at)) / widthOf(whole), 1);
+  if (at >= whole.length) return 1;
+  return places?.[at] ?? Math.min(widthOf(whole.slice(0, at)) / widthOf(whole), 1);
 }

@@ -19,8 +19,8 @@ const letter = /[\p{L}\p{M}]/u;
 export interface Folded {
   readonly text: string;
   /** Index of the run, and the character's place in it, for each character of `text`. */
-  readonly runs: Uint32Array;
-  readonly places: Uint32Array;
+  readonly runs: readonly number[];
+  readonly places: readonly number[];
 }
 
 /** One character as it is compared; may be several, or none. */
@@ -43,15 +43,17 @@ function foldCharacter(character: string): string {
 
 /** The text of a page's runs, folded into one line. */
 export function foldRuns(runs: readonly Pick<TextRun, "text" | "end">[]): Folded {
-  const text: string[] = [];
-  const at: [run: number, place: number][] = [];
+  let text = "";
+  const runsAt: number[] = [];
+  const placesAt: number[] = [];
   let last = "";
   const put = (characters: string, run: number, place: number): void => {
-    for (const character of characters) {
-      text.push(character);
-      for (let k = 0; k < character.length; k++) at.push([run, place]);
-      last = character;
+    text += characters;
+    for (let k = 0; k < characters.length; k++) {
+      runsAt.push(run);
+      placesAt.push(place);
     }
+    last = characters;
   };
   /** What was met between two letters and counts only where it separates them. */
   let space = false;
@@ -78,11 +80,7 @@ export function foldRuns(runs: readonly Pick<TextRun, "text" | "end">[]): Folded
     // A hyphen at a line's end stands for nothing but the end itself.
     if (end && broken === 0) space = true;
   }
-  return {
-    text: text.join(""),
-    runs: Uint32Array.from(at, ([run]) => run),
-    places: Uint32Array.from(at, ([, place]) => place),
-  };
+  return { text, runs: runsAt, places: placesAt };
 }
 
 /** A query, folded as the text it is looked for in. */

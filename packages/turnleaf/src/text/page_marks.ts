@@ -36,7 +36,7 @@ function layStretch(
 ): HTMLElement[] {
   const box = runs[run];
   const place = placeIn(box, project);
-  const along = (at: number): number => shareBefore(box.text, at);
+  const along = (at: number): number => shareBefore(box, at);
   // Along a vertical line the box's height is what the letters share.
   const part: typeof place = box.vertical ? (u, v) => place(v, u) : place;
   const margin = (beyond * Math.min(box.width, box.height)) / Math.max(box.width, box.height);

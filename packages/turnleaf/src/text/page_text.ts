@@ -11,6 +11,9 @@ interface Piece {
   readonly to: number;
 }
 
+/** How far a word may lie beside its print, CSS pixels. */
+const mostOff = 1;
+
 /** The page's text as elements in reading order, a line's end after each line. */
 export function layText(runs: readonly TextRun[], project: Project): Node[] {
   return runs.flatMap((run) => {
@@ -45,19 +48,35 @@ function wholeOf({ text }: TextRun): Piece {
   return { text, from: 0, to: 1 };
 }
 
-/** A run in as few pieces as lie on the page where it curves; each ends with a word where it can. */
+/** A run in as few pieces as lie over its print, letter for letter; each ends with a word where it can. */
 function piecesOf(run: TextRun, place: ReturnType<typeof placeIn>): Piece[] {
+  const [left, right] = [place(0, 0), place(1, 0)];
+  const length = left && right ? Math.hypot(right.x - left.x, right.y - left.y) : 0;
   const split = (from: number, to: number): Piece[] => {
-    const [start, end] = [shareBefore(run.text, from), shareBefore(run.text, to)];
     const text = run.text.slice(from, to);
+    const printed = from + (text.trimEnd().length || text.length);
+    const [start, end] = [shareBefore(run, from), shareBefore(run, printed)];
     const cut = middleOf(text);
-    if (cut === 0 || isFlat(place, start, end)) {
-      const printed = shareBefore(run.text, from + (text.trimEnd().length || text.length));
-      return [{ text, from: start, to: printed }];
-    }
+    const isRight = (): boolean => offPrint(run, from, printed) * length < mostOff;
+    if (cut === 0 || (isFlat(place, start, end) && isRight()))
+      return [{ text, from: start, to: end }];
     return [...split(from, from + cut), ...split(from + cut, to)];
   };
   return split(0, run.text.length);
+}
+
+/** How far the words of a piece would lie beside their print if it were laid out as one, as a share of the run. */
+function offPrint(run: TextRun, from: number, to: number): number {
+  const { text, places } = run;
+  if (places === undefined) return 0;
+  const [start, end] = [shareBefore(run, from), shareBefore(run, to)];
+  const scale = (end - start) / widthOf(text.slice(from, to));
+  let most = 0;
+  for (let at = text.indexOf(" ", from) + 1; at > 0 && at < to; at = text.indexOf(" ", at) + 1) {
+    const laid = start + scale * widthOf(text.slice(from, at));
+    most = Math.max(most, Math.abs(laid - places[at]));
+  }
+  return most;
 }
 
 /** Where a text can be cut near its middle: after a space, else between letters; 0 where it is too short. */

@@ -12,7 +12,7 @@ const runCost = 40;
 export class PageTexts {
   readonly #source: PageSource;
   /** In the order in which they were last asked for. */
-  readonly #kept = new Map<number, readonly TextRun[]>();
+  #kept = new Map<number, readonly TextRun[]>();
   #cost = 0;
 
   constructor(source: PageSource) {
@@ -21,16 +21,18 @@ export class PageTexts {
 
   /** The runs of a page (from 1); none where it has no text or cannot be read. Rejects with the signal's reason alone. */
   async of(page: number, signal: AbortSignal): Promise<readonly TextRun[]> {
-    const kept = this.#kept.get(page);
+    const all = this.#kept;
+    const kept = all.get(page);
     if (kept) {
-      this.#kept.delete(page);
-      this.#kept.set(page, kept);
+      all.delete(page);
+      all.set(page, kept);
       return kept;
     }
     try {
       const runs = (await this.#source.text?.(page - 1, signal)) ?? [];
       signal.throwIfAborted();
-      this.#keep(page, runs);
+      // What was asked for before the pages changed is not this page's any more.
+      if (all === this.#kept) this.#keep(page, runs);
       return runs;
     } catch {
       // A page that cannot be read is told where it would be seen.
@@ -41,7 +43,7 @@ export class PageTexts {
 
   /** Forgets all: the pages are others than before. */
   clear(): void {
-    this.#kept.clear();
+    this.#kept = new Map();
     this.#cost = 0;
   }
 

@@ -15,7 +15,6 @@ import type {
 import { layLinks } from "./page_links.ts";
 import { layMarks, type Shown } from "./page_marks.ts";
 import { layText } from "./page_text.ts";
-import type { PageTexts } from "./page_texts.ts";
 import type { PageView } from "./page_view.ts";
 import type { Project } from "./placing.ts";
 import { keepSelection } from "./selecting.ts";
@@ -32,7 +31,6 @@ interface Content {
 /** What the layer needs beside the view. */
 export interface TextLayerOptions {
   readonly source: PageSource;
-  readonly texts: PageTexts;
   /** What a page's group is called: "Page iv". */
   readonly name: (page: number) => string;
   /** A link within the book is followed. */
@@ -141,10 +139,10 @@ export class TextLayer {
   }
 
   async #read(page: number, signal: AbortSignal): Promise<Content> {
-    const { source, texts } = this.#options;
+    const { source } = this.#options;
     const index = page - 1;
     const [runs, links, alt] = await Promise.all([
-      texts.of(page, signal),
+      source.text?.(index, signal, true).catch(() => []) ?? [],
       source.links?.(index, signal).catch(() => []) ?? [],
       source.alt?.(index, signal).catch(() => "") ?? "",
     ]);
