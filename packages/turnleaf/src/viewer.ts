@@ -70,7 +70,7 @@ export class Viewer {
   readonly #pictures: PagePictures;
   readonly #fade: Fade;
   readonly #details: Details;
-  readonly #listeners = new Set<() => void>();
+  readonly #listeners = new Set<(rests: boolean) => void>();
   #bound: Bound;
   #wish: Wish;
   /** The page to keep in sight however the book is bound. */
@@ -236,6 +236,11 @@ export class Viewer {
     this.#changePaper();
   }
 
+  /** Draws a page (from 1) anew, as its source shows something else there now. */
+  redraw(page: number): void {
+    if (!this.#destroyed) this.#pictures.redraw(page);
+  }
+
   /** Asks for a frame, unless one is already asked for. */
   invalidate(): void {
     if (this.#destroyed || this.#frame !== 0) return;
@@ -305,10 +310,10 @@ export class Viewer {
   /**
    * Calls `listener` after a frame in which the book came to rest: other pages
    * lie open, or they are seen elsewhere, or the same lie still again; and after
-   * the first frame in which it leaves that rest. What `project` answers holds
-   * until the next call. Answers how to take the listener away.
+   * the first frame in which it leaves that rest, with whether it rests. What
+   * `project` answers then holds until the next call. Answers how to take the listener away.
    */
-  onView(listener: () => void): () => void {
+  onView(listener: (rests: boolean) => void): () => void {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);
   }
@@ -368,7 +373,7 @@ export class Viewer {
     const view = moving ? "" : `${this.turning.spread} ${this.#stage.viewKey}`;
     if (view === this.#toldView) return;
     this.#toldView = view;
-    for (const listener of this.#listeners) listener();
+    for (const listener of this.#listeners) listener(!moving);
   }
 
   #changePaper(): void {

@@ -38,6 +38,7 @@ export class Reading {
       source,
       name: (page) => `Page ${source.label(page - 1)}`,
       goTo,
+      redraw: (page) => viewer.redraw(page),
       onText: (isText) => {
         canvas.ariaHidden = isText ? "true" : null;
       },

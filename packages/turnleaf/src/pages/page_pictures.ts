@@ -83,6 +83,11 @@ export class PagePictures {
     this.#pool.renumber(moved);
   }
 
+  /** The picture of a page (from 1) is out of date; it is shown until the next is drawn. */
+  redraw(page: number): void {
+    this.#pool.redraw(page - 1);
+  }
+
   /** The best picture of a page (from 1) that there is now; never nothing. */
   get(page: number): PagePicture {
     return this.#pool.get(page - 1) ?? this.#standIn(page);

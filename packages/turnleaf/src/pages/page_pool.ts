@@ -130,6 +130,15 @@ export class PagePool {
     }
   }
 
+  /** The picture of page `index` is out of date; it is held until another is drawn. */
+  redraw(index: number): void {
+    const job = [...this.#jobs.values()].find((running) => running.index === index);
+    if (job) this.#abort(job);
+    const held = this.#held.get(index);
+    if (held) this.#held.set(index, { ...held, asked: 0 });
+    this.#drawNext();
+  }
+
   /** Forgets failures, so that the pages on the list are tried again. */
   retry(): void {
     this.#failed.clear();

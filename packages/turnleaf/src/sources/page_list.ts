@@ -102,6 +102,11 @@ export class PageList implements PageSource {
     return this.#of(index, async (source, own) => (await source.fields?.(own, signal)) ?? []);
   }
 
+  fill(index: number, name: string, value: string): void {
+    const entry = this.#entries[index];
+    entry?.source.fill?.(entry.index, name, value);
+  }
+
   /** A page's links; those to pages that are gone are left out. */
   links(index: number, signal: AbortSignal): Promise<readonly PageLink[]> {
     return this.#of(index, async (source, own) => {

@@ -118,6 +118,8 @@ export interface PageSource {
   links?(index: number, signal: AbortSignal): Promise<readonly PageLink[]>;
   /** The form fields of page `index` (from 0). Rejects as `draw` does. */
   fields?(index: number, signal: AbortSignal): Promise<readonly PageField[]>;
+  /** A field of page `index` (from 0) holds another value: it is drawn, and kept in `file()`, from now on. */
+  fill?(index: number, name: string, value: string): void;
   /** The book's table of contents; empty where it has none. Rejects as `draw` does. */
   outline?(signal: AbortSignal): Promise<readonly OutlineEntry[]>;
   /** The book's own file, to be kept by the reader; absent where it is no one file. Rejects as `draw` does. */

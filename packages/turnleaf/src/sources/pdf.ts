@@ -13,7 +13,8 @@ import {
   type PageSource,
   type TextRun,
 } from "./page_source.ts";
-import { fieldsOfPage, linksOfPage } from "./pdf_annotations.ts";
+import { linksOfPage, PdfForm } from "./pdf_annotations.ts";
+import { type PdfInput, place } from "./pdf_bytes.ts";
 import { lettersOfPage } from "./pdf_letters.ts";
 import {
   loadPdfLibrary,
@@ -29,23 +30,12 @@ import { orAborted } from "./shared_tasks.ts";
 /** Bits of a protected file's permissions, as ISO 32000 numbers them. */
 const permission = { print: 0x04, copy: 0x10 } as const;
 
-/** Where a PDF's bytes are. */
-export interface PdfInput {
-  /** What sentences call the file. */
-  readonly name: string;
-  readonly from: string | Blob;
-  /** Bytes, where they are known. */
-  readonly length?: number;
-}
-
 export interface PdfOptions {
   /** Address of pdf.js's worker script, for pages whose security policy forbids blob workers. */
   readonly pdfWorker?: string;
   readonly signal?: AbortSignal;
 }
 
-/** From here on a file is read in the pieces that its shown pages need, never whole. */
-const largeFile = 24 << 20;
 /** Bytes of one such piece. */
 const piece = 1 << 16;
 /** Milliseconds that a worker has to end by itself before it is ended. */
@@ -94,32 +84,6 @@ export async function openPdf(input: PdfInput, options: PdfOptions = {}): Promis
   }
 }
 
-/** The part of pdf.js's parameters that says where the bytes come from. */
-async function place(pdfjs: PdfLibrary, input: PdfInput): Promise<object> {
-  const { from } = input;
-  const isLarge = (input.length ?? 0) > largeFile;
-  if (typeof from === "string") {
-    return { url: from, disableAutoFetch: isLarge, disableStream: isLarge };
-  }
-  if (!isLarge) return { data: new Uint8Array(await from.arrayBuffer()) };
-  return { range: blobRange(pdfjs, from), disableAutoFetch: true };
-}
-
-/** Reads a large file of this machine piece by piece. */
-function blobRange(pdfjs: PdfLibrary, blob: Blob): object {
-  class BlobRange extends pdfjs.PDFDataRangeTransport {
-    override requestDataRange(begin: number, end: number): void {
-      blob
-        .slice(begin, end)
-        .arrayBuffer()
-        .then((bytes) => this.onDataRange(begin, new Uint8Array(bytes)))
-        // The file was taken away: the pages not yet read stay unread.
-        .catch(() => this.abort());
-    }
-  }
-  return new BlobRange(blob.size, null);
-}
-
 /** What is known of a document once it is open. */
 interface Description {
   readonly name: string;
@@ -131,6 +95,7 @@ interface Description {
   readonly openingPage: number;
   readonly allows: { readonly print: boolean; readonly copy: boolean };
   readonly targets: PdfTargets;
+  readonly form: PdfForm;
 }
 
 /** The page at which a PDF asks to be opened; the first where it does not say, or what it says makes no sense. */
@@ -170,6 +135,7 @@ async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<
       copy: permissions?.has(permission.copy) ?? true,
     },
     targets,
+    form: new PdfForm(document),
   };
 }
 
@@ -186,6 +152,7 @@ class PdfSource implements PageSource {
   readonly #document: PDFDocumentProxy;
   readonly #labels: readonly string[] | null;
   readonly #targets: PdfTargets;
+  readonly #form: PdfForm;
   readonly #stop: () => void;
   /** Pages in the order in which they were last drawn. */
   readonly #drawn = new Map<number, PDFPageProxy>();
@@ -203,6 +170,7 @@ class PdfSource implements PageSource {
     this.#document = description.document;
     this.#labels = description.labels;
     this.#targets = description.targets;
+    this.#form = description.form;
     this.#stop = stop;
   }
 
@@ -228,9 +196,11 @@ class PdfSource implements PageSource {
     const scale = pixels.width / part.width;
     const offsetX = -region.x * size.width * scale;
     const offsetY = -region.y * size.height * scale;
+    const modes = this.#pdfjs.AnnotationMode;
     const task = page.render({
       canvas: canvas as unknown as HTMLCanvasElement,
       viewport: page.getViewport({ scale, offsetX, offsetY }),
+      annotationMode: this.#form.isFilled ? modes.ENABLE_STORAGE : modes.ENABLE,
     });
     const cancel = (): void => task.cancel();
     signal.addEventListener("abort", cancel, { once: true });
@@ -259,7 +229,11 @@ class PdfSource implements PageSource {
   }
 
   async fields(index: number, signal: AbortSignal): Promise<readonly PageField[]> {
-    return await this.#read(index, signal, fieldsOfPage);
+    return await this.#read(index, signal, (page) => this.#form.fieldsOf(page));
+  }
+
+  fill(_index: number, name: string, value: string): void {
+    if (!this.#closed) this.#form.fill(name, value);
   }
 
   async outline(signal: AbortSignal): Promise<readonly OutlineEntry[]> {
@@ -267,9 +241,9 @@ class PdfSource implements PageSource {
   }
 
   async file(): Promise<Blob> {
-    return new Blob([(await this.#document.getData()) as Uint8Array<ArrayBuffer>], {
-      type: "application/pdf",
-    });
+    const document = this.#document;
+    const bytes = this.#form.isFilled ? document.saveDocument() : document.getData();
+    return new Blob([(await bytes) as Uint8Array<ArrayBuffer>], { type: "application/pdf" });
   }
 
   close(): void {

@@ -1,4 +1,4 @@
-import type { PDFPageProxy } from "pdfjs-dist";
+import type { PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist";
 import { cleanText } from "./book_text.ts";
 import { isPageBox, limits } from "./limits.ts";
 import type { PageBox, PageField, PageLink } from "./page_source.ts";
@@ -6,6 +6,7 @@ import type { PdfTargets } from "./pdf_targets.ts";
 
 /** What pdf.js says of an annotation, as far as it is used here; what stands in the file can be anything. */
 interface Annotation {
+  readonly id: string;
   readonly subtype?: string;
   readonly rect: readonly number[];
   readonly url?: string | null;
@@ -40,14 +41,49 @@ export async function linksOfPage(page: PDFPageProxy, targets: PdfTargets): Prom
   return (await Promise.all(found)).filter((link) => link !== null);
 }
 
-/** The form fields of a page: text, check boxes, radio buttons and choices. Rejects as pdf.js does. */
-export async function fieldsOfPage(page: PDFPageProxy): Promise<PageField[]> {
-  const widgets = await annotationsOf(page, (one) => one.subtype === "Widget" && !one.hidden);
-  return widgets.flatMap((one) => {
-    const kind = kindOf(one);
-    const box = boxOf(page, one);
-    return kind && box ? [fieldOf(one, kind, box)] : [];
-  });
+/** What a document's fields hold, kept where pdf.js draws and saves it from. */
+export class PdfForm {
+  readonly #storage: PDFDocumentProxy["annotationStorage"];
+  readonly #widgets = new Map<string, Map<string, PageField>>();
+  readonly #values = new Map<string, string>();
+
+  constructor(document: PDFDocumentProxy) {
+    this.#storage = document.annotationStorage;
+  }
+
+  /** Whether a field holds something else than its file says. */
+  get isFilled(): boolean {
+    return this.#values.size > 0;
+  }
+
+  /** The fields of a page: text, check boxes, radio buttons and choices. Rejects as pdf.js does. */
+  async fieldsOf(page: PDFPageProxy): Promise<PageField[]> {
+    const all = await annotationsOf(page, (one) => one.subtype === "Widget" && !one.hidden);
+    return all.flatMap((one) => {
+      const kind = kindOf(one);
+      const box = boxOf(page, one);
+      if (!kind || !box) return [];
+      const field = fieldOf(one, kind, box);
+      const views = this.#widgets.get(field.name) ?? new Map<string, PageField>();
+      this.#widgets.set(field.name, views.set(one.id, field));
+      const value = this.#values.get(field.name);
+      if (value === undefined) return [field];
+      this.#store(one.id, field, value);
+      return [{ ...field, value: field.on !== "" && field.on !== value ? "" : value }];
+    });
+  }
+
+  /** A field holds another value from now on, in every view of it. */
+  fill(name: string, value: string): void {
+    const held = value.slice(0, limits.fieldLength);
+    this.#values.set(name, held);
+    for (const [id, field] of this.#widgets.get(name) ?? []) this.#store(id, field, held);
+  }
+
+  #store(id: string, { kind, on }: PageField, value: string): void {
+    const isSwitch = kind === "check" || kind === "radio";
+    this.#storage.setValue(id, { value: isSwitch ? value !== "" && value === on : value });
+  }
 }
 
 async function annotationsOf(

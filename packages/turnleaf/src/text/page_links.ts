@@ -1,7 +1,8 @@
 /** The links of an open page as real ones, over what they are printed on. */
 
 import type { LinkTarget, PageLink, TextRun } from "../sources/page_source.ts";
-import { layOver, type Project, placeIn } from "./placing.ts";
+import type { Laid } from "./page_fields.ts";
+import { layOver, placeIn } from "./placing.ts";
 
 /**
  * A page's links as elements.
@@ -9,17 +10,15 @@ import { layOver, type Project, placeIn } from "./placing.ts";
  * @param nameOf what a place that a link leads to is called
  * @param goTo follows a link within the book
  */
-export function layLinks(
+export function makeLinks(
   links: readonly PageLink[],
   runs: readonly TextRun[],
-  project: Project,
   nameOf: (to: LinkTarget) => string,
   goTo: (page: number) => void,
-): HTMLElement[] {
+): Laid[] {
   return links.map((link) => {
     const { to } = link;
     const a = document.createElement("a");
-    layOver(a, placeIn(link, project));
     a.title = link.title || nameOf(to);
     a.setAttribute("aria-label", link.title || textUnder(link, runs) || nameOf(to));
     if ("page" in to) {
@@ -33,7 +32,7 @@ export function layLinks(
       a.target = "_blank";
       a.rel = "noopener noreferrer";
     }
-    return a;
+    return { element: a, lay: (project) => layOver(a, placeIn(link, project)) };
   });
 }
 

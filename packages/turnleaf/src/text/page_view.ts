@@ -14,6 +14,6 @@ export interface PageView {
   readonly aspect: number;
   /** Where a place on a page (shares of its leaf from the upper left) is seen; null where it is not, or moves. */
   project(page: number, x: number, y: number): Point | null;
-  /** Calls `listener` when the book has come to rest in another view, and when it leaves it. */
-  onView(listener: () => void): () => void;
+  /** Calls `listener` when the book has come to rest in another view, and when it leaves it, with whether it rests. */
+  onView(listener: (rests: boolean) => void): () => void;
 }

@@ -1,6 +1,6 @@
 /** The text over a resting book, in a real browser: where it lies, and what a reader does with it. */
 
-import { afterEach, beforeEach, expect, test } from "vitest";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cdp } from "vitest/browser";
 import type { TurnleafBook } from "../element.ts";
 import { book, happens, settled } from "../element_for_tests.ts";
@@ -27,6 +27,9 @@ function pdf(): File {
   });
   return new File([bytes], "whale.pdf");
 }
+
+// Real turns on a busy machine that draws in software take their time.
+vi.setConfig({ testTimeout: 180_000 });
 
 let element: TurnleafBook;
 
@@ -304,3 +307,76 @@ async function dragMouse(
   }
   await mouse("mouseReleased", to.x, to.y, 0);
 }
+
+test("zoomed, the text lies where the print is", async () => {
+  const offPrint = async (): Promise<number[]> => {
+    const box = boxOf("Call me");
+    const ink = await inkIn(around(box, 10));
+    return [box.left - ink.left, box.right - ink.right];
+  };
+  const before = await offPrint();
+  element.zoomTo(2, { x: 140, y: 145 });
+  const layer = root().querySelector(".reading") as HTMLElement;
+  await expect.poll(() => layer.hidden, { timeout: 20_000 }).toBe(true);
+  await expect.poll(() => layer.hidden, { timeout: 20_000 }).toBe(false);
+  await settled(element);
+  const after = await offPrint();
+  for (const side of [0, 1]) expect(Math.abs(after[side] - 2 * before[side])).toBeLessThan(3);
+});
+
+test("what is written in a form stays, and is printed on the leaf", async () => {
+  const field = (more: string, y: number): string =>
+    `<< /Type /Annot /Subtype /Widget /Rect [30 ${y} 130 ${y + 24}] /DA (/Helv 12 Tf 0 g) ${more} >>`;
+  const bytes = tinyPdf({
+    pages: ["", "", "", ""],
+    catalog: "/AcroForm << /Fields [10 0 R 11 0 R 12 0 R] /DR << /Font << /Helv 13 0 R >> >> >>",
+    objects: [
+      field("/FT /Tx /T (name) /TU (Your name)", 200),
+      field("/FT /Btn /T (aboard) /AS /Off /AP << /N << /Yes 14 0 R /Off 14 0 R >> >>", 150),
+      field("/FT /Ch /Ff 131072 /T (ship) /Opt [(Pequod) (Rachel)] /V (Pequod)", 100),
+      "<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica >>",
+      "<< /Length 0 /Type /XObject /Subtype /Form /BBox [0 0 1 1] >>\nstream\n\nendstream",
+    ],
+    resources: ">> /Annots [10 0 R 11 0 R 12 0 R] /Ignored <<",
+  });
+  const loaded = happens(element, "load");
+  element.pages = new File([bytes], "form.pdf");
+  await loaded;
+  const fields = <T extends Element>(selector: string): T[] => [
+    ...root().querySelectorAll<T>(selector),
+  ];
+  await expect.poll(() => fields(".field").length, { timeout: 20_000 }).toBe(6);
+  await settled(element);
+  const [name] = fields<HTMLInputElement>("input[aria-label='Your name']");
+  expect(fields<HTMLSelectElement>("select").map(({ value }) => value)).toEqual([
+    "Pequod",
+    "Pequod",
+  ]);
+  const box = name.getBoundingClientRect();
+  await clickMouse(box.left + box.width / 2, box.top + box.height / 2);
+  expect(root().activeElement).toBe(name);
+  await session().send("Input.insertText", { text: "MMMMMMMM" });
+  await session().send("Input.dispatchKeyEvent", { type: "keyDown", key: "ArrowRight" });
+  await session().send("Input.dispatchKeyEvent", { type: "keyUp", key: "ArrowRight" });
+  expect(element.page).toBe(2);
+  const [check] = fields<HTMLInputElement>("[type=checkbox]");
+  check.click();
+  // Both pages show the same fields: one value, whatever the view.
+  expect(fields<HTMLInputElement>("[type=checkbox]")[1].checked).toBe(true);
+  await settled(element);
+  name.style.visibility = "hidden";
+  await expect
+    .poll(async () => (await inkIn(box)).width, { timeout: 20_000, interval: 500 })
+    .toBeGreaterThan(box.width / 3);
+  await element.goTo(4);
+  await expect.poll(() => fields(".field").length, { timeout: 20_000 }).toBe(3);
+  await element.goTo(2);
+  await expect
+    .poll(
+      () => fields<HTMLInputElement>("input[aria-label='Your name']").map(({ value }) => value),
+      {
+        timeout: 20_000,
+      },
+    )
+    .toEqual(["MMMMMMMM", "MMMMMMMM"]);
+});

@@ -7,12 +7,14 @@
 import { placeOnLeaf } from "../pages/fit.ts";
 import type {
   LinkTarget,
+  PageField,
   PageLink,
   PageSize,
   PageSource,
   TextRun,
 } from "../sources/page_source.ts";
-import { layLinks } from "./page_links.ts";
+import { type Laid, makeFields, type Values } from "./page_fields.ts";
+import { makeLinks } from "./page_links.ts";
 import { layMarks, type Shown } from "./page_marks.ts";
 import { layText } from "./page_text.ts";
 import type { PageView } from "./page_view.ts";
@@ -25,7 +27,15 @@ interface Content {
   readonly size: PageSize;
   readonly runs: readonly TextRun[];
   readonly links: readonly PageLink[];
+  readonly fields: readonly PageField[];
   readonly alt: string;
+}
+
+/** An open page's elements: its text, laid anew in every view, and what keeps its focus and its value. */
+interface Group {
+  readonly element: HTMLElement;
+  readonly text: HTMLElement;
+  laid: readonly Laid[] | null;
 }
 
 /** What the layer needs beside the view. */
@@ -35,6 +45,8 @@ export interface TextLayerOptions {
   readonly name: (page: number) => string;
   /** A link within the book is followed. */
   readonly goTo: (page: number) => void;
+  /** The print of a page is out of date: one of its fields holds something else. */
+  readonly redraw: (page: number) => void;
   /** Called with whether the pages in sight can be read as text. */
   readonly onText: (isText: boolean) => void;
 }
@@ -51,7 +63,8 @@ export class TextLayer {
   /** Ends the reading of pages that lie open no more. */
   #reading = new AbortController();
   #contents = new Map<number, Content>();
-  #groups = new Map<number, HTMLElement>();
+  #groups = new Map<number, Group>();
+  readonly #values: Values = new Map();
   #shown: Shown | null = null;
 
   constructor(view: PageView, options: TextLayerOptions) {
@@ -71,7 +84,7 @@ export class TextLayer {
     const { signal } = this.#ended;
     if (source.allows?.copy === false) text.classList.add("uncopied");
     else keepSelection(text, signal);
-    const stop = view.onView(() => this.#update());
+    const stop = view.onView((rests) => this.#update(rests));
     signal.addEventListener("abort", stop);
     this.#update();
   }
@@ -98,9 +111,9 @@ export class TextLayer {
   }
 
   /** Follows the view: hides while it moves, else lays out the pages that lie open. */
-  #update(): void {
+  #update(rests = true): void {
     const pages = this.#view.openPages;
-    const isSeen = pages.some((page) => this.#view.project(page, 0.5, 0.5) !== null);
+    const isSeen = rests && pages.some((page) => this.#view.project(page, 0.5, 0.5) !== null);
     this.element.hidden = !isSeen;
     if (!isSeen) return;
     if (pages.join() !== [...this.#groups.keys()].join()) this.#open(pages);
@@ -114,13 +127,15 @@ export class TextLayer {
     const { signal } = this.#reading;
     this.#groups = new Map(
       pages.map((page) => {
-        const group = document.createElement("div");
-        group.setAttribute("role", "group");
-        group.setAttribute("aria-label", this.#options.name(page));
-        return [page, group];
+        const element = document.createElement("div");
+        element.setAttribute("role", "group");
+        element.setAttribute("aria-label", this.#options.name(page));
+        const text = document.createElement("div");
+        element.append(text);
+        return [page, { element, text, laid: null }];
       }),
     );
-    this.#text.replaceChildren(...this.#groups.values());
+    this.#text.replaceChildren(...[...this.#groups.values()].map(({ element }) => element));
     this.#options.onText(false);
     for (const page of this.#contents.keys())
       if (!pages.includes(page)) this.#contents.delete(page);
@@ -141,12 +156,13 @@ export class TextLayer {
   async #read(page: number, signal: AbortSignal): Promise<Content> {
     const { source } = this.#options;
     const index = page - 1;
-    const [runs, links, alt] = await Promise.all([
+    const [runs, links, fields, alt] = await Promise.all([
       source.text?.(index, signal, true).catch(() => []) ?? [],
       source.links?.(index, signal).catch(() => []) ?? [],
+      source.fields?.(index, signal).catch(() => []) ?? [],
       source.alt?.(index, signal).catch(() => "") ?? "",
     ]);
-    return { page, runs, links, alt, size: await source.size(index, signal) };
+    return { page, runs, links, fields, alt, size: await source.size(index, signal) };
   }
 
   /** Lays what is known of the open pages over them as they are seen now. */
@@ -162,8 +178,8 @@ export class TextLayer {
     this.#options.onText(isText);
   }
 
-  #fill(group: HTMLElement, content: Content): void {
-    const { page, size, runs, links, alt } = content;
+  #fill(group: Group, content: Content): void {
+    const { page, size, runs } = content;
     const place = placeOnLeaf(size.width / size.height, this.#view.aspect);
     const project: Project = (x, y) =>
       this.#view.project(
@@ -171,16 +187,41 @@ export class TextLayer {
         place.x + (x / size.width) * place.width,
         place.y + (y / size.height) * place.height,
       );
-    const { name, goTo } = this.#options;
-    const nameOf = (to: LinkTarget): string => ("page" in to ? name(to.page) : to.href);
     this.#marks.append(...layMarks(runs, this.#shown, page, project));
-    const nodes = [...layText(runs, project), ...layLinks(links, runs, project, nameOf, goTo)];
+    group.text.replaceChildren(...layText(runs, project));
+    if (group.laid === null) {
+      group.laid = this.#make(content);
+      group.element.append(...group.laid.map(({ element }) => element));
+    }
+    for (const { lay } of group.laid) lay(project);
+  }
+
+  /** Open pages with a field of this name are out of date; others are drawn when they are turned to. */
+  #redraw(field: string): void {
+    for (const { page, fields } of this.#contents.values()) {
+      if (fields.some(({ name }) => name === field)) this.#options.redraw(page);
+    }
+  }
+
+  /** Links, fields and what stands for pictures. */
+  #make({ page, runs, links, fields, alt }: Content): readonly Laid[] {
+    const { name, goTo, source } = this.#options;
+    const nameOf = (to: LinkTarget): string => ("page" in to ? name(to.page) : to.href);
+    const made = [
+      ...makeLinks(links, runs, nameOf, goTo),
+      ...makeFields(fields, this.#values, (field, isDone) => {
+        source.fill?.(page - 1, field, this.#values.get(field) ?? "");
+        for (const { laid } of this.#groups.values())
+          for (const { refresh } of laid ?? []) refresh?.();
+        if (isDone) this.#redraw(field);
+      }),
+    ];
     if (alt !== "") {
       const picture = document.createElement("div");
       picture.setAttribute("role", "img");
       picture.setAttribute("aria-label", alt);
-      nodes.push(picture);
+      made.push({ element: picture, lay: () => {} });
     }
-    group.replaceChildren(...nodes);
+    return made;
   }
 }

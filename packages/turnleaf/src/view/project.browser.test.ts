@@ -81,10 +81,10 @@ test("listeners are told of another view and of leaving it, once, and not at all
   let told = 0;
   const stop = viewer.onView(() => told++);
   viewer.invalidate();
-  await expect.poll(() => viewer.settled).toBe(true);
+  await expect.poll(() => viewer.settled, { timeout: 20_000 }).toBe(true);
   expect(told).toBe(0);
   viewer.resize(360, 300, 1);
-  await expect.poll(() => told).toBe(1);
+  await expect.poll(() => told, { timeout: 20_000 }).toBe(1);
   expect(viewer.project(6, 0, 0)).not.toBeNull();
   const turned = viewer.turning.turn(1);
   viewer.invalidate();

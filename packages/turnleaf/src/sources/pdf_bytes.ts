@@ -1,0 +1,39 @@
+import type { PdfLibrary } from "./pdf_runtime.ts";
+
+/** Where a PDF's bytes are. */
+export interface PdfInput {
+  /** What sentences call the file. */
+  readonly name: string;
+  readonly from: string | Blob;
+  /** Bytes, where they are known. */
+  readonly length?: number;
+}
+
+/** From here on a file is read in the pieces that its shown pages need, never whole. */
+const largeFile = 24 << 20;
+
+/** The part of pdf.js's parameters that says where the bytes come from. */
+export async function place(pdfjs: PdfLibrary, input: PdfInput): Promise<object> {
+  const { from } = input;
+  const isLarge = (input.length ?? 0) > largeFile;
+  if (typeof from === "string") {
+    return { url: from, disableAutoFetch: isLarge, disableStream: isLarge };
+  }
+  if (!isLarge) return { data: new Uint8Array(await from.arrayBuffer()) };
+  return { range: blobRange(pdfjs, from), disableAutoFetch: true };
+}
+
+/** Reads a large file of this machine piece by piece. */
+function blobRange(pdfjs: PdfLibrary, blob: Blob): object {
+  class BlobRange extends pdfjs.PDFDataRangeTransport {
+    override requestDataRange(begin: number, end: number): void {
+      blob
+        .slice(begin, end)
+        .arrayBuffer()
+        .then((bytes) => this.onDataRange(begin, new Uint8Array(bytes)))
+        // The file was taken away: the pages not yet read stay unread.
+        .catch(() => this.abort());
+    }
+  }
+  return new BlobRange(blob.size, null);
+}

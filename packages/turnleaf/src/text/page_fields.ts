@@ -1,0 +1,93 @@
+/** The form fields of an open page as real ones, over those that are printed. */
+
+import type { PageField } from "../sources/page_source.ts";
+import { layOver, type Project, placeIn } from "./placing.ts";
+
+/** What fields of a book hold, by their names; it outlives the pages' elements. */
+export type Values = Map<string, string>;
+
+/** An element, and how it is laid onto the page. */
+export interface Laid {
+  readonly element: HTMLElement;
+  readonly lay: (project: Project) => void;
+  /** Shows what a field holds by now, which another view of it may have changed. */
+  readonly refresh?: () => void;
+}
+
+type Control = HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement;
+
+/** The most and least size of letters in a field, as a share of its height and in CSS pixels. */
+const letters = { share: 0.62, least: 6, most: 40 };
+
+/**
+ * A page's fields as elements, which hold what `values` says.
+ *
+ * @param changed called with a field's name after it got another value, and
+ *   with whether that is done for now, or the reader is still at it
+ */
+export function makeFields(
+  fields: readonly PageField[],
+  values: Values,
+  changed: (name: string, isDone: boolean) => void,
+): Laid[] {
+  return fields.map((field) => {
+    const element = makeField(field);
+    const refresh = (): void => fillIn(element, field, values.get(field.name) ?? field.value);
+    const take = (isDone: boolean): void => {
+      values.set(field.name, heldBy(element, field));
+      changed(field.name, isDone);
+    };
+    refresh();
+    element.addEventListener("input", () => take(false));
+    element.addEventListener("change", () => take(true));
+    // What is typed is no command to the book.
+    element.addEventListener("keydown", (event) => event.stopPropagation());
+    const lay = (project: Project): void => {
+      layOver(element, placeIn(field, project));
+      const height = field.multiline ? lineHeight : Number.parseFloat(element.style.height) || 0;
+      const size = Math.min(Math.max(letters.share * height, letters.least), letters.most);
+      element.style.fontSize = `${size}px`;
+    };
+    return { element, lay, refresh };
+  });
+}
+
+/** Height of a line in a field of several, CSS pixels. */
+const lineHeight = 20;
+
+function makeField(field: PageField): Control {
+  const { kind, multiline, maxLength, title } = field;
+  const element = document.createElement(
+    kind === "choice" ? "select" : kind === "text" && multiline ? "textarea" : "input",
+  );
+  element.className = "field";
+  element.setAttribute("part", "field");
+  element.setAttribute("aria-label", title);
+  element.title = title;
+  element.disabled = field.readonly;
+  if (element instanceof HTMLSelectElement) {
+    element.append(...field.options.map(({ label, value }) => new Option(label, value)));
+  } else if (kind === "text") {
+    if (maxLength > 0) element.maxLength = maxLength;
+    element.autocomplete = "off";
+  } else if (element instanceof HTMLInputElement) {
+    element.type = kind === "check" ? "checkbox" : "radio";
+    element.name = field.name;
+  }
+  return element;
+}
+
+function fillIn(element: Control, field: PageField, value: string): void {
+  if (isSwitch(element)) element.checked = value !== "" && value === field.on;
+  // Whoever writes there keeps the caret.
+  else if (element.value !== value) element.value = value;
+}
+
+function heldBy(element: Control, field: PageField): string {
+  if (!isSwitch(element)) return element.value;
+  return element.checked ? field.on : "";
+}
+
+function isSwitch(element: Control): element is HTMLInputElement {
+  return element instanceof HTMLInputElement && element.type !== "text";
+}
