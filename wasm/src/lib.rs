@@ -11,11 +11,17 @@
 
 #![allow(clippy::missing_safety_doc, reason = "said once, above")]
 
+#[cfg(target_arch = "wasm32")]
+mod allocator;
 #[cfg(feature = "trials")]
 mod trials;
 
 use turnleaf_engine::book::{Book, Paper, Phase, TICK};
 use turnleaf_engine::{Grain, Side, Stock};
+
+#[cfg(target_arch = "wasm32")]
+#[global_allocator]
+static ALLOCATOR: allocator::Blocks = allocator::Blocks::new();
 
 fn side(number: u32) -> Side {
     if number == 0 { Side::Right } else { Side::Left }
