@@ -15,6 +15,7 @@ import {
   pagesAt,
   paperLeaves,
   paperOnLeft,
+  spineOf,
   spreadOf,
   waypoints,
 } from "./spreads.ts";
@@ -96,6 +97,21 @@ test("bound on the right, the second page lies left of the third, and on goes to
   expect([spreadOf(book, 1), spreadOf(book, 2), spreadOf(book, 8)]).toEqual([4, 3, 0]);
   expect([4, 3, 2, 1, 0].map((s) => pageOf(book, s))).toEqual([1, 2, 4, 6, 8]);
   expect(waypoints(book, 4, 0)).toEqual([3, 2, 1, 0]);
+});
+
+test("the spine lies at the inner edge of a page, whichever way the book is bound", () => {
+  for (const [edge, second, third] of [
+    ["left", "right", "left"],
+    ["right", "left", "right"],
+    ["top", "bottom", "top"],
+    ["bottom", "top", "bottom"],
+  ] as const) {
+    const book = bind(8, "hard", { edge });
+    expect([4, 5].map((page) => spineOf(book, page))).toEqual([second, third]);
+    expect([1, 2, 7, 8].map((page) => spineOf(book, page))).toEqual(Array(4).fill("board"));
+    const single = bind(8, "none", { edge, layout: "single" });
+    expect([1, 2, 8].map((page) => spineOf(single, page))).toEqual(Array(3).fill(third));
+  }
 });
 
 test("random books: the leaves on both sides are all there are, and hard pages share a leaf", () => {

@@ -161,6 +161,15 @@ export function pageOf(binding: Binding, s: number): number {
   return 2 * read <= binding.lead ? 1 : binding.pageCount;
 }
 
+/** The edge of a page that lies at the spine, as it is read; "board" of a page on the boards of a hard cover. */
+export function spineOf(binding: Binding, page: number): Edge | "board" {
+  const face = faceOfPage(binding, page);
+  if (isBoard(binding, face >> 1)) return "board";
+  const isRecto = face % 2 === 0;
+  if (binding.rolled) return isRecto ? "top" : "bottom";
+  return isRecto ? "left" : "right";
+}
+
 /** The face of a page, which is of this book. */
 function faceOfPage(binding: Pick<Binding, "lead" | "step" | "reversed" | "leaves">, page: number) {
   const read = binding.lead + binding.step * (page - 1);
