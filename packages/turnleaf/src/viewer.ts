@@ -7,15 +7,15 @@
 
 import { faceOf } from "./book/faces.ts";
 import { makeOf, type Paper } from "./book/paper.ts";
-import { type Binding, clampSpread, pageOf, pagesAt, spreadOf } from "./book/spreads.ts";
+import { type Binding, clampSpread, pageOf, pagesAt, spineOf, spreadOf } from "./book/spreads.ts";
 import type { Turning } from "./book/turning.ts";
 import type { BookShape } from "./draw/pose.ts";
 import type { BookStage, Place } from "./draw/stage.ts";
 import type { BookEngine, BookSize } from "./engine/engine.ts";
 import { Side } from "./engine/phases.ts";
-import { leafAspect } from "./pages/leaf_aspect.ts";
+import { leafSize } from "./pages/leaf_size.ts";
 import { PagePictures } from "./pages/page_pictures.ts";
-import type { PageSource } from "./sources/page_source.ts";
+import type { PageBox, PageSize, PageSource } from "./sources/page_source.ts";
 import { type Bindable, type BindingPlan, Bound, planBinding, type Wish } from "./view/bound.ts";
 import { Details } from "./view/details.ts";
 import { Fade } from "./view/fade.ts";
@@ -107,8 +107,7 @@ export class Viewer {
     this.#stage.onGone = () => options.onGone?.();
     this.#fade = new Fade(canvas, (from) => options.onRest(from, this.turning.spread));
     this.#viewing = new Viewing(stage);
-    this.#details = new Details(source, stage, book.aspect, () => this.invalidate());
-    this.#pictures = new PagePictures(source, book.aspect, {
+    this.#pictures = new PagePictures(source, book.leaf, {
       onArrive: (page) => {
         this.#show();
         const sentence = this.#pictures.failure(page);
@@ -116,6 +115,8 @@ export class Viewer {
       },
       onDrop: (picture) => this.#stage.forget(picture),
     });
+    const arrived = (): void => this.invalidate();
+    this.#details = new Details(source, stage, book.aspect, this.#pictures, arrived);
     this.#bound = this.#bind(plan, engine);
   }
 
@@ -131,7 +132,8 @@ export class Viewer {
     craft: Craft,
     signal: AbortSignal,
   ): Promise<Viewer> {
-    const book = { source, aspect: await leafAspect(source, signal) };
+    const leaf = await leafSize(source, signal);
+    const book = { source, leaf, aspect: leaf.width / leaf.height };
     const { clientWidth, clientHeight } = canvas;
     const plan = planBinding(book, { ...usualWish, ...options }, clientWidth, clientHeight);
     const engine = await craft.engine(plan.shape);
@@ -140,9 +142,9 @@ export class Viewer {
     return new Viewer(canvas, source, book, plan, engine, stage, options);
   }
 
-  /** A leaf's width over its height. */
-  get aspect(): number {
-    return this.#book.aspect;
+  /** The part of its leaf that a page (from 1) of some size covers, shares from the upper left corner. */
+  placeOf(page: number, size: PageSize): PageBox {
+    return this.#pictures.placeOf(page, size);
   }
 
   /** How the book is bound now. Another once `rebind` has done its work. */
@@ -407,6 +409,7 @@ export class Viewer {
         options.onRest(from, to);
       },
     });
+    this.#pictures.bind((page) => spineOf(plan.binding, page));
     bound.turning.seconds = options.turnSeconds();
     makeOf(options.paper(), engine);
     this.#nextPaper = null;

@@ -41,6 +41,7 @@ void main() {
 
 const fragmentShader = /* glsl */ `
 uniform sampler2D pictureBehind;
+uniform sampler2D beneath;
 uniform float mirrored;
 uniform float thin;
 uniform float ceiling;
@@ -73,10 +74,28 @@ float keyHere() {
   return (keyShare(vec2(ends.x, other)) + keyShare(vec2(ends.y, other)) + keyShare(vec2(ends.z, other))) / 3.0;
 }
 
+const vec3 BARE = vec3(0.965, 0.913, 0.807);
+
+// Beside a page that is smaller than the book its leaf is cut, or bare where its other side is larger.
+vec3 besidePrint(vec4 print, vec2 uv) {
+  float behind = texture2D(pictureBehind, onPicture(vec2(1.0 - uv.x, uv.y))).a;
+  float leaf = max(print.a, behind);
+  if (thin > 0.5 && leaf < 0.5) discard;
+  vec3 ink = mix(BARE, print.rgb, smoothstep(0.4, 0.6, print.a));
+  if (thin > 0.5) return ink;
+  vec4 under = solid(texture2D(beneath, onPicture(uv), -0.4));
+  // The edge shades what lies under it.
+  float near = texture2D(picture, onPicture(uv), 4.0).a;
+  vec3 lower = mix(BARE, under.rgb, under.a) * (1.0 - 0.3 * near);
+  return mix(lower, ink, smoothstep(0.4, 0.6, leaf));
+}
+
 void main() {
   vec3 normal = normalize(vNormal);
   vec2 uv = vec2(mix(vUv.x, 1.0 - vUv.x, mirrored), vUv.y);
-  vec3 ink = printed(onPicture(uv));
+  vec4 print = printed(onPicture(uv));
+  vec3 ink = print.rgb;
+  if (print.a < 0.99) ink = besidePrint(print, uv);
   vec3 light = arriving(normal, amongPaper(skyShare(vGapSky, normal)), keyHere());
   light = min(light + throughLeaf(normal, uv), vec3(ceiling));
   vec2 fromLight = (vPlace.xy - vec2(-0.35 * size.x, 0.65 * size.y)) / (1.5 * size);
@@ -111,6 +130,7 @@ export class PaperMaterial extends ShaderMaterial {
       uniforms: {
         ...printUniforms(paper),
         pictureBehind: { value: paper },
+        beneath: { value: paper },
         lit: { value: side.recto || side.ownNormals ? 1 : -1 },
         mirrored: { value: side.recto ? 0 : 1 },
         thin: { value: side.thin ? 1 : 0 },
@@ -136,6 +156,11 @@ export class PaperMaterial extends ShaderMaterial {
    */
   lieOver(left: number, right: number): void {
     this.uniforms.ahead.value = [leadOverOne * left, leadOverOne * right];
+  }
+
+  /** The picture of the page that is seen beside this one where its leaf is cut smaller. */
+  set beneath(texture: Texture) {
+    this.uniforms.beneath.value = texture;
   }
 
   /** How thick the sheet is, metres, so that its two sides stand apart; 0 for paper. */

@@ -6,16 +6,25 @@
 import type { IUniform, Texture } from "three";
 import type { PageBox } from "../sources/page_source.ts";
 
-/** `printed(uv)`: the print's colour at a place of the picture, from its upper left corner. */
+/**
+ * `printed(uv)`: the print's colour at a place of the picture, from its upper
+ * left corner, and how far there is one: 0 where a picture is clear.
+ */
 export const printChunk: string = /* glsl */ `
 uniform sampler2D picture;
 uniform sampler2D detail;
 uniform vec4 detailBox;
 
-vec3 printed(vec2 uv) {
+vec4 solid(vec4 seen) {
+  // What is clear is black, and takes from the colour of the pixels that it is blended into.
+  return vec4(seen.rgb / max(seen.a, 0.01), seen.a);
+}
+
+vec4 printed(vec2 uv) {
   vec2 at = (uv - detailBox.xy) / detailBox.zw;
   vec2 within = step(vec2(0.0), at) * step(at, vec2(1.0));
-  return mix(texture2D(picture, uv, -0.4).rgb, texture2D(detail, at, -0.4).rgb, within.x * within.y);
+  vec4 whole = solid(texture2D(picture, uv, -0.4));
+  return mix(whole, vec4(texture2D(detail, at, -0.4).rgb, 1.0), within.x * within.y);
 }
 `;
 

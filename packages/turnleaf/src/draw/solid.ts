@@ -48,7 +48,9 @@ void main() {
   vec2 within = smoothstep(-soft, soft, at) * smoothstep(-soft, soft, 1.0 - at);
   // A panel that covers the whole face goes round its bevel too.
   float share = pictured * (panel.y <= 0.0 ? 1.0 : within.x * within.y);
-  colour = mix(colour, printed(onPicture(at)), share);
+  vec4 print = printed(onPicture(at));
+  share *= print.a;
+  colour = mix(colour, print.rgb, share);
 
   vec3 sky = vec3(vOpen.x * (0.5 + 0.5 * normal.z));
   sky = mix(sky, amongPaper(sky.x), max(paperiness, share));

@@ -19,7 +19,7 @@ import { fieldOfView, frameBook, sightOf } from "./camera.ts";
 import { caseSizes } from "./case_shape.ts";
 import { ContextWatch, openContext } from "./context.ts";
 import { DrawnBook } from "./drawn_book.ts";
-import { BookMaterials, type LeafSide } from "./materials.ts";
+import { BookMaterials, type LeafSide, type PageFace } from "./materials.ts";
 import type { BookPose, BookShape } from "./pose.ts";
 import { PictureTextures } from "./textures.ts";
 import { overheadAt, type Zoom, Zooming } from "./zoom.ts";
@@ -46,7 +46,7 @@ export interface DrawOptions {
 }
 
 /** A face of the book, or a side of a leaf in flight. */
-type Printed = Face | `${LeafSide} ${number}`;
+type Printed = Face | `${LeafSide} ${number}` | `${"behind" | "beneath"} ${PageFace}`;
 
 /** Shows a texture on a face; `none` says that it stands for no picture. */
 type Show = (texture: Texture, none: boolean) => void;
@@ -152,6 +152,20 @@ export class Stage {
     this.#print(`${side} ${index}`, picture, (texture) =>
       this.#materials.showLeaf(index, side, texture),
     );
+  }
+
+  /**
+   * What is seen beside the page on a side where its leaf is cut smaller: the
+   * page printed on its other side bounds it too, and the one beneath shows.
+   */
+  setUnder(side: PageFace, behind: PagePicture | null, beneath: PagePicture | null): void {
+    const page = this.#materials.pages[side];
+    this.#print(`behind ${side}`, behind, (texture) => {
+      page.pictureBehind = texture;
+    });
+    this.#print(`beneath ${side}`, beneath, (texture) => {
+      page.beneath = texture;
+    });
   }
 
   /**

@@ -3,6 +3,7 @@
 import { pagesAt } from "../book/spreads.ts";
 import type { OutlineEntry, PageSource } from "../sources/page_source.ts";
 import { PageTexts } from "../text/page_texts.ts";
+import type { PageView } from "../text/page_view.ts";
 import { type SearchHit, searchBook } from "../text/searching.ts";
 import { TextLayer } from "../text/text_layer.ts";
 import type { Viewer } from "../viewer.ts";
@@ -26,11 +27,11 @@ export class Reading {
   ) {
     this.#source = source;
     this.#texts = new PageTexts(source);
-    const view = {
+    const view: PageView = {
       get openPages() {
         return pagesAt(viewer.binding, viewer.turning.spread);
       },
-      aspect: viewer.aspect,
+      placeOf: (page, size) => viewer.placeOf(page, size),
       project: viewer.project.bind(viewer),
       onView: viewer.onView.bind(viewer),
     };

@@ -1,40 +1,103 @@
-/** Fits pictures of other proportions onto the book's leaf. */
+/** Fits pictures of pages of other sizes onto the book's leaf. */
 
 import type { PageBox, PagePicture } from "../sources/page_source.ts";
+import { foldAt, isFoldOut, isTrimmed, whole } from "./placing.ts";
 
-/** Difference of proportions that nobody sees, so that a picture may just be stretched. */
-const unseen = 0.015;
-
-/** The part of a leaf that a page of other proportions covers, shares from its upper left corner. */
-export function placeOnLeaf(own: number, aspect: number): PageBox {
-  if (Math.abs(own / aspect - 1) <= unseen) return { x: 0, y: 0, width: 1, height: 1 };
-  const [width, height] = [Math.min(own / aspect, 1), Math.min(aspect / own, 1)];
-  return { x: (1 - width) / 2, y: (1 - height) / 2, width, height };
-}
+const paper = "#fbf5e8";
 
 /**
- * The picture itself where its proportions are the leaf's; else one of the
- * leaf's proportions with the whole picture centred on paper, no sharper than
- * the picture is and no wider than the leaf is wanted.
+ * The picture itself where it covers its leaf; else one of the leaf's
+ * proportions, no sharper than the picture is and no wider than the leaf is
+ * wanted. Where the leaf is cut to a smaller page it is clear, and so is a board
+ * beside its cover; a little margin is paper. A fold-out is folded in.
  *
+ * @param place the part of the leaf that the page covers
  * @param aspect the leaf's width over its height
  * @param width of the leaf in device pixels
  */
-export function fitToLeaf(picture: PagePicture, aspect: number, width: number): PagePicture {
-  const own = picture.width / picture.height;
-  if (Math.abs(own / aspect - 1) <= unseen) return picture;
-  // A narrow picture of a wide leaf takes a part of it: at the leaf's width it
-  // would make a canvas many times as large as what is asked for.
-  const whole = own > aspect ? picture.width : picture.height * aspect;
-  const scale = Math.min(width / whole, 1);
-  const [w, h] = [picture.width * scale, picture.height * scale];
-  const canvas = document.createElement("canvas");
-  canvas.width = Math.max(Math.round(whole * scale), 1);
-  canvas.height = Math.max(Math.round((whole * scale) / aspect), 1);
-  const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
-  pen.fillStyle = "#fbf5e8";
-  pen.fillRect(0, 0, canvas.width, canvas.height);
-  pen.imageSmoothingQuality = "high";
-  pen.drawImage(picture, (canvas.width - w) / 2, (canvas.height - h) / 2, w, h);
+export function fitToLeaf(
+  picture: PagePicture,
+  place: PageBox,
+  aspect: number,
+  width: number,
+): PagePicture {
+  if (place === whole) return picture;
+  const { canvas, pen } = leafFor(picture, place, aspect, width);
+  if (!isTrimmed(place)) {
+    pen.fillStyle = paper;
+    pen.fillRect(0, 0, canvas.width, canvas.height);
+  }
+  drawOn(pen, picture, place);
+  if (isFoldOut(place)) drawFolded(pen, place);
   return canvas;
+}
+
+/** The two parts of a fold-out that lies open, each as high as the leaf: what is on it, and what is beyond its fold. */
+export function unfold(
+  picture: PagePicture,
+  place: PageBox,
+  aspect: number,
+  width: number,
+): { page: HTMLCanvasElement; flap: HTMLCanvasElement } {
+  const { canvas: page, pen } = leafFor(picture, place, aspect, width);
+  drawOn(pen, picture, place);
+  const isRight = place.x < 0;
+  pen.clearRect(isRight ? 0 : foldAt * page.width, 0, (1 - foldAt) * page.width, page.height);
+  const flap = document.createElement("canvas");
+  const share = place.width - foldAt;
+  flap.width = Math.max(Math.round(share * page.width), 1);
+  flap.height = page.height;
+  const flapPen = flap.getContext("2d") as CanvasRenderingContext2D;
+  flapPen.imageSmoothingQuality = "high";
+  flapPen.translate((isRight ? share - (1 - foldAt) : -foldAt) * page.width, 0);
+  drawOn(flapPen, picture, place, page.width, page.height);
+  return { page, flap };
+}
+
+/** A canvas of the leaf's proportions, as large as the picture fills it and no wider than wanted. */
+function leafFor(picture: PagePicture, place: PageBox, aspect: number, width: number) {
+  const across = Math.min(picture.width / place.width, width);
+  const canvas = document.createElement("canvas");
+  canvas.width = Math.max(Math.round(across), 1);
+  canvas.height = Math.max(Math.round(across / aspect), 1);
+  const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
+  pen.imageSmoothingQuality = "high";
+  return { canvas, pen };
+}
+
+function drawOn(
+  pen: CanvasRenderingContext2D,
+  picture: PagePicture,
+  { x, y, width, height }: PageBox,
+  across = pen.canvas.width,
+  down = pen.canvas.height,
+): void {
+  pen.drawImage(picture, x * across, y * down, width * across, height * down);
+}
+
+/** Lays the back of a fold-out's flap over its page, with the shadow of its free edge. */
+function drawFolded(pen: CanvasRenderingContext2D, place: PageBox): void {
+  const { width, height } = pen.canvas;
+  const isRight = place.x < 0;
+  // Told for a page whose spine is on its left.
+  if (isRight) {
+    pen.translate(width, 0);
+    pen.scale(-1, 1);
+  }
+  const [free, fold] = [(2 * foldAt - place.width) * width, foldAt * width];
+  const [top, tall] = [place.y * height, place.height * height];
+  pen.clearRect(fold, 0, width - fold, height);
+  const shadow = pen.createLinearGradient(free - 0.03 * width, 0, free, 0);
+  shadow.addColorStop(0, "rgb(60 45 25 / 0)");
+  shadow.addColorStop(1, "rgb(60 45 25 / 0.3)");
+  pen.fillStyle = shadow;
+  pen.fillRect(free - 0.03 * width, top, 0.03 * width, tall);
+  pen.fillStyle = paper;
+  pen.fillRect(free, top, fold - free, tall);
+  // The fold's round catches less light.
+  const bend = pen.createLinearGradient(fold - 0.03 * width, 0, fold, 0);
+  bend.addColorStop(0, "rgb(60 45 25 / 0)");
+  bend.addColorStop(1, "rgb(60 45 25 / 0.14)");
+  pen.fillStyle = bend;
+  pen.fillRect(fold - 0.03 * width, top, 0.03 * width, tall);
 }

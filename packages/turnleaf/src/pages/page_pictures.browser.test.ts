@@ -1,9 +1,10 @@
 /** Pictures fitted to the leaf: their size, and what is held of them. */
 
 import { expect, test } from "vitest";
-import type { PagePicture, PageSource } from "../sources/page_source.ts";
-import { fitToLeaf } from "./fit.ts";
+import type { PageBox, PagePicture, PageSource } from "../sources/page_source.ts";
+import { fitToLeaf, unfold } from "./fit.ts";
 import { PagePictures } from "./page_pictures.ts";
+import { placeOnLeaf, whole } from "./placing.ts";
 
 function sheet(width: number, height: number): HTMLCanvasElement {
   const canvas = document.createElement("canvas");
@@ -14,7 +15,7 @@ function sheet(width: number, height: number): HTMLCanvasElement {
 
 test("a picture of the leaf's proportions is left alone", () => {
   const picture = sheet(300, 400);
-  expect(fitToLeaf(picture, 0.75, 300)).toBe(picture);
+  expect(fitToLeaf(picture, whole, 0.75, 300)).toBe(picture);
 });
 
 test("other proportions take no more pixels than the leaf is wanted with", () => {
@@ -23,26 +24,57 @@ test("other proportions take no more pixels than the leaf is wanted with", () =>
     [512, 128, 0.25],
     [512, 700, 0.7],
   ]) {
-    const { width: w, height: h } = fitToLeaf(sheet(width, height), aspect, 512);
+    const place = placeOnLeaf({ width, height }, { width: aspect, height: 1 }, false, "left");
+    const { width: w, height: h } = fitToLeaf(sheet(width, height), place, aspect, 512);
     expect(w).toBeLessThanOrEqual(512);
     expect(Math.abs(w / h / aspect - 1)).toBeLessThan(0.02);
   }
   // A small picture is not blown up: the graphics card does that as well.
-  expect(fitToLeaf(sheet(100, 50), 0.5, 512).width).toBe(100);
+  const half = { x: 0, y: 0.375, width: 1, height: 0.25 };
+  expect(fitToLeaf(sheet(100, 50), half, 0.5, 512).width).toBe(100);
 });
 
-test("the whole picture is in the middle of the paper", () => {
+test("a smaller page lies on a clear leaf, a little smaller one on paper", () => {
   const picture = sheet(100, 100);
   const pen = picture.getContext("2d") as CanvasRenderingContext2D;
   pen.fillStyle = "#00f";
   pen.fillRect(0, 0, 100, 100);
-  const fitted = fitToLeaf(picture, 2, 100) as HTMLCanvasElement;
-  const seen = fitted.getContext("2d") as CanvasRenderingContext2D;
-  const at = (x: number, y: number) => [...seen.getImageData(x, y, 1, 1).data];
-  expect([fitted.width, fitted.height]).toEqual([100, 50]);
-  expect(at(50, 25)).toEqual([0, 0, 255, 255]);
-  expect(at(28, 2)).toEqual([0, 0, 255, 255]);
-  expect(at(20, 25)).toEqual([0xfb, 0xf5, 0xe8, 255]);
+  const colours = (place: PageBox, ...places: [number, number][]) => {
+    const fitted = fitToLeaf(picture, place, 2, 100) as HTMLCanvasElement;
+    const seen = fitted.getContext("2d") as CanvasRenderingContext2D;
+    expect([fitted.width, fitted.height]).toEqual([100, 50]);
+    return places.map(([x, y]) => [...seen.getImageData(x, y, 1, 1).data]);
+  };
+  const blue = [0, 0, 255, 255];
+  const half = { x: 0.5, y: 0, width: 0.5, height: 1 };
+  expect(colours(half, [52, 2], [98, 48], [48, 25])).toEqual([blue, blue, [0, 0, 0, 0]]);
+  const most = { x: 0, y: 0, width: 0.95, height: 1 };
+  expect(colours(most, [2, 2], [93, 48], [98, 25])).toEqual([blue, blue, [0xfb, 0xf5, 0xe8, 255]]);
+});
+
+test("a fold-out is folded in: its flap's back lies on the page, at its fore-edge", () => {
+  for (const [on, free] of [
+    ["left", 0.4],
+    ["right", 0.6],
+  ] as const) {
+    const picture = sheet(150, 100);
+    const pen = picture.getContext("2d") as CanvasRenderingContext2D;
+    pen.fillStyle = "#00f";
+    pen.fillRect(0, 0, 150, 100);
+    const place = placeOnLeaf({ width: 15, height: 10 }, { width: 1, height: 1 }, false, on);
+    const fitted = fitToLeaf(picture, place, 1, 100) as HTMLCanvasElement;
+    const seen = fitted.getContext("2d") as CanvasRenderingContext2D;
+    const at = (x: number) => [...seen.getImageData(x, 50, 1, 1).data];
+    expect(at(100 * (0.5 + 1.2 * (free > 0.5 ? 0.3 : -0.3)))).toEqual([0, 0, 255, 255]);
+    expect(at(100 * (1 - free))).toEqual([0xfb, 0xf5, 0xe8, 255]);
+    const { page, flap } = unfold(picture, place, 1, 100);
+    expect([page.width, flap.width]).toEqual([100, 52]);
+    for (const part of [page, flap]) {
+      const pixels = part.getContext("2d") as CanvasRenderingContext2D;
+      const { width, height } = part;
+      expect([...pixels.getImageData(width / 2, height / 2, 1, 1).data]).toEqual([0, 0, 255, 255]);
+    }
+  }
 });
 
 test("of a picture that was fitted the fitted one alone is held, and freed at the end", async () => {
@@ -51,16 +83,22 @@ test("of a picture that was fitted the fitted one alone is held, and freed at th
     title: "Slides",
     pageCount: 1,
     label: () => "1",
+    kind: "scan",
+    size: async () => ({ width: 2, height: 1 }),
     draw: async (_: number, width: number) => {
       drawn.push(sheet(width, width / 2));
       return drawn.at(-1);
     },
   } as unknown as PageSource;
   const dropped: PagePicture[] = [];
-  const pictures = new PagePictures(source, 0.7, {
-    onArrive: () => {},
-    onDrop: (picture) => dropped.push(picture),
-  });
+  const pictures = new PagePictures(
+    source,
+    { width: 2.2, height: 1 },
+    {
+      onArrive: () => {},
+      onDrop: (picture) => dropped.push(picture),
+    },
+  );
   pictures.want({ pages: [1], inSight: 1, lyingOpen: 1 }, 256, false);
   await expect.poll(() => pictures.settled).toBe(true);
   for (const { width } of drawn) expect(width).toBe(0);

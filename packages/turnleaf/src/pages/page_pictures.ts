@@ -1,8 +1,9 @@
 /** The pages as pictures to print on leaves: the pool's own, fitted, or what stands in for them. */
 
-import type { PagePicture, PageSource } from "../sources/page_source.ts";
+import type { PageBox, PagePicture, PageSize, PageSource } from "../sources/page_source.ts";
 import { fitToLeaf } from "./fit.ts";
 import { closePicture, PagePool, type PoolSource } from "./page_pool.ts";
+import { isFoldOut, type PrintedOn, placeOnLeaf, whole } from "./placing.ts";
 import { barePage, failedPage, waitingPage } from "./stand_in.ts";
 
 /** Told when pictures come and go. */
@@ -31,20 +32,30 @@ interface PagesWanted {
 export class PagePictures {
   readonly #source: PageSource;
   readonly #pool: PagePool;
+  readonly #leaf: PageSize;
   readonly #aspect: number;
   readonly #options: PagePicturesOptions;
   #inSight: ReadonlySet<number> = new Set();
   readonly #standIns = new Map<string, HTMLCanvasElement>();
 
-  /** @param aspect a leaf's width over its height */
-  constructor(source: PageSource, aspect: number, options: PagePicturesOptions) {
+  /** What each page is printed on, and the part of it that each page drawn so far covers. */
+  #printedOn: (page: number) => PrintedOn = () => "left";
+  readonly #places = new Map<number, PageBox>();
+
+  /** @param leaf size of the book's leaves, in the source's unit */
+  constructor(source: PageSource, leaf: PageSize, options: PagePicturesOptions) {
     this.#source = source;
-    this.#aspect = aspect;
+    this.#leaf = leaf;
+    this.#aspect = leaf.width / leaf.height;
     this.#options = options;
     // Fitted before the pool holds it: its bounds are then of what is truly held.
     const draw: PageSource["draw"] = async (index, width, signal) => {
-      const picture = await source.draw(index, width, signal);
-      const fitted = fitToLeaf(picture, aspect, width);
+      const before = this.placeOf(index + 1, await source.size(index, signal));
+      const picture = await source.draw(index, Math.ceil(width * before.width), signal);
+      // A scan's true size is known only now.
+      const place = this.placeOf(index + 1, await source.size(index, signal));
+      this.#places.set(index + 1, place);
+      const fitted = fitToLeaf(picture, place, this.#aspect, width);
       if (fitted !== picture) closePicture(picture);
       return fitted;
     };
@@ -77,9 +88,46 @@ export class PagePictures {
     this.#pool.want(wanted, inSight);
   }
 
+  /**
+   * The book is bound: `printedOn` tells of each page (from 1) where its spine
+   * is, or that it is on a board. Pictures that lie otherwise then are dropped.
+   */
+  bind(printedOn: (page: number) => PrintedOn): void {
+    const before = this.#printedOn;
+    this.#printedOn = printedOn;
+    for (const [page, place] of this.#places) {
+      if (before(page) === printedOn(page)) continue;
+      this.#places.delete(page);
+      if (place !== whole) this.#pool.renumber((index) => (index === page - 1 ? null : index));
+    }
+  }
+
+  /** The part of its leaf that a page (from 1) of some size covers, shares from the upper left corner. */
+  placeOf(page: number, size: PageSize): PageBox {
+    const isTrue = this.#source.kind === "typeset";
+    return placeOnLeaf(size, this.#leaf, isTrue, this.#printedOn(page));
+  }
+
+  /** The same of a page whose picture there was; all of the leaf of others. */
+  placeOfDrawn(page: number): PageBox {
+    return this.#places.get(page) ?? whole;
+  }
+
   /** The book's pages are others than before; `moved` answers where a page (from 0) is now, or null. */
   renumber(moved: (index: number) => number | null): void {
     this.#inSight = new Set();
+    // Where their leaves are now, `bind` will tell.
+    const on = this.#printedOn;
+    const places = [...this.#places];
+    const before = new Map<number, number>();
+    this.#places.clear();
+    for (const [page, place] of places) {
+      const now = moved(page - 1);
+      if (now === null) continue;
+      this.#places.set(now + 1, place);
+      before.set(now + 1, page);
+    }
+    this.#printedOn = (page) => on(before.get(page) ?? page);
     this.#pool.renumber(moved);
   }
 
@@ -95,7 +143,10 @@ export class PagePictures {
 
   /** Width of a page's picture in device pixels; infinite where there is none sharper to be had. */
   sharpness(page: number): number {
-    return this.#pool.failed(page - 1) ? Number.POSITIVE_INFINITY : this.#pool.sharpness(page - 1);
+    // On a fold-out that is folded in, what is drawn sharper would lie over the flap.
+    const isFolded = isFoldOut(this.placeOfDrawn(page));
+    if (isFolded || this.#pool.failed(page - 1)) return Number.POSITIVE_INFINITY;
+    return this.#pool.sharpness(page - 1);
   }
 
   /** As `get`; null for a page out of sight that is not drawn. */

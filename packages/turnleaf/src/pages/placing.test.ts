@@ -59,6 +59,12 @@ test("a page clearly wider than the book folds out at the fore-edge, never at he
   expect(isFoldOut(onLeaf(800, 600, "top"))).toBe(false);
 });
 
+test("a scan folds out where it is as high as others and wider, and fits where it is as wide", () => {
+  expect(isFoldOut(onLeaf(800, 600, "left", false))).toBe(true);
+  const square = onLeaf(400, 400, "left", false);
+  expect([square.width, square.height]).toEqual([1, expect.closeTo(2 / 3)]);
+});
+
 test("a cover is cut to its board, or lies upon it whole where it is quite another shape", () => {
   const wide = onLeaf(440, 600, "board");
   expect([wide.width, wide.height]).toEqual([1.1, 1].map((n) => expect.closeTo(n)));

@@ -48,6 +48,7 @@ export function placeOnLeaf(
   const aspect = size.width / size.height / (leaf.width / leaf.height);
   if (on === "board") return placeOnBoard(aspect);
   const [width, height] = sharesOf(size, leaf, aspect, isTrue, on === "left" || on === "right");
+  if (width === 1 && height === 1) return whole;
   return {
     x: on === "left" ? 0 : on === "right" ? 1 - width : (1 - width) / 2,
     y: on === "top" ? 0 : on === "bottom" ? 1 - height : (1 - height) / 2,
@@ -64,8 +65,12 @@ function sharesOf(
   isTrue: boolean,
   mayFold: boolean,
 ): [width: number, height: number] {
-  let scale = isTrue ? size.height / leaf.height : 1;
-  const most = mayFold && aspect * Math.min(scale, 1) > foldFrom ? widest : 1;
+  const tall = size.height / leaf.height;
+  let scale = isTrue ? tall : 1;
+  // A scan as high as others and wider is of a wider page; another may be of any.
+  const isAsHigh = isTrue || Math.abs(Math.log(tall)) < Math.log(1.3);
+  const isWide = aspect * Math.min(scale, 1) > foldFrom;
+  const most = mayFold && isAsHigh && isWide ? widest : 1;
   scale = Math.min(Math.max(scale, least / Math.max(aspect, 1)), 1, most / aspect);
   if (Math.abs(aspect - 1) <= unseen && scale > 1 - margin) return [1, 1];
   return [aspect * scale, scale];

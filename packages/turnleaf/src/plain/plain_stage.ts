@@ -5,7 +5,7 @@
  */
 
 import type { Face } from "../book/faces.ts";
-import type { LeafSide } from "../draw/materials.ts";
+import type { LeafSide, PageFace } from "../draw/materials.ts";
 import type { BookPose, BookShape } from "../draw/pose.ts";
 import type { BookStage, DrawOptions, FaceDetail, Place } from "../draw/stage.ts";
 import { type Zoom, Zooming } from "../draw/zoom.ts";
@@ -32,6 +32,9 @@ const lying: BookPose = {
   backBoard: 0,
 };
 
+/** What shows a picture: a face, a side of a leaf, or what is seen beside a page that is smaller. */
+type Shown = Face | `${LeafSide} ${number}` | `beneath ${PageFace}`;
+
 /** One flat book on one canvas. */
 export class PlainStage implements BookStage {
   /** Never called: what is drawn without a graphics card is not lost. */
@@ -41,7 +44,7 @@ export class PlainStage implements BookStage {
   readonly #canvas: HTMLCanvasElement;
   readonly #pen: CanvasRenderingContext2D;
   #shape: BookShape;
-  readonly #shown = new Map<Face | `${LeafSide} ${number}`, PagePicture | null>();
+  readonly #shown = new Map<Shown, PagePicture | null>();
   readonly #details = new Map<Face, FaceDetail>();
   readonly #zooming = new Zooming(() =>
     sightOf(this.#shape, this.#pose, this.#width, this.#height),
@@ -107,6 +110,10 @@ export class PlainStage implements BookStage {
 
   setLeaf(index: number, side: LeafSide, picture: PagePicture | null): void {
     this.#shown.set(`${side} ${index}`, picture);
+  }
+
+  setUnder(side: PageFace, _behind: PagePicture | null, beneath: PagePicture | null): void {
+    this.#shown.set(`beneath ${side}`, beneath);
   }
 
   forget(picture: PagePicture): void {
@@ -178,7 +185,7 @@ export class PlainStage implements BookStage {
     const pose = this.#pose;
     const { frontBoard, backBoard } = pose;
     const isHard = this.#shape.cover === "hard";
-    const show = (name: Face | `${LeafSide} ${number}`) => this.#shown.get(name) ?? null;
+    const show = (name: Shown) => this.#shown.get(name) ?? null;
     const detail = (face: Face) => this.#details.get(face) ?? null;
     drawCase(brush, pose);
     for (const [sign, side, inside, lies] of [
@@ -187,6 +194,7 @@ export class PlainStage implements BookStage {
     ] as const) {
       if (pose[side]) {
         drawStack(brush, sign, thicknessOf(pose, side));
+        drawPage(brush, sign, show(`beneath ${side}`));
         drawPage(brush, sign, show(side), detail(side));
       } else if (isHard && lies) drawPage(brush, sign, show(inside), detail(inside));
     }

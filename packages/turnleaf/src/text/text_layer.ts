@@ -4,7 +4,6 @@
  * moves and comes back at rest; at rest nothing runs.
  */
 
-import { placeOnLeaf } from "../pages/fit.ts";
 import type {
   LinkTarget,
   PageField,
@@ -180,7 +179,7 @@ export class TextLayer {
 
   #fill(group: Group, content: Content): void {
     const { page, size, runs } = content;
-    const place = placeOnLeaf(size.width / size.height, this.#view.aspect);
+    const place = this.#view.placeOf(page, size);
     const project: Project = (x, y) =>
       this.#view.project(
         page,

@@ -9,7 +9,7 @@ import type { BookEngine } from "../engine/engine.ts";
 import { Cover, Side } from "../engine/phases.ts";
 import type { Surface } from "../engine/shapes.ts";
 import type { PagePictures } from "../pages/page_pictures.ts";
-import type { PageSource } from "../sources/page_source.ts";
+import type { PageSize, PageSource } from "../sources/page_source.ts";
 import { Holding, heightOf } from "./holding.ts";
 import { Picturing, spreadsBetween } from "./picturing.ts";
 import { paperPerBoard, Stiffening } from "./stiff.ts";
@@ -26,7 +26,8 @@ export interface Wish extends BindingWish {
 /** What of a book is the same however it is bound. */
 export interface Bindable {
   readonly source: Pick<PageSource, "pageCount" | "direction" | "kind">;
-  /** A page's width over its height. */
+  /** A page's size in the source's unit, and its width over its height. */
+  readonly leaf: PageSize;
   readonly aspect: number;
 }
 

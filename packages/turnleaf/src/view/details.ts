@@ -5,7 +5,7 @@
 
 import type { Face } from "../book/faces.ts";
 import type { BookStage } from "../draw/stage.ts";
-import { placeOnLeaf } from "../pages/fit.ts";
+import type { PagePictures } from "../pages/page_pictures.ts";
 import { closePicture } from "../pages/page_pool.ts";
 import type { PageBox, PagePicture, PageSource } from "../sources/page_source.ts";
 
@@ -53,15 +53,24 @@ export class Details {
   readonly #source: PageSource;
   readonly #stage: BookStage;
   readonly #aspect: number;
+  readonly #pictures: Pick<PagePictures, "placeOf">;
   readonly #arrived: () => void;
   readonly #shown = new Map<Face, Detail>();
   readonly #coming = new Map<Face, Detail>();
 
   /**
    * @param aspect a leaf's width over its height
+   * @param pictures knows where on its leaf a page lies
    * @param arrived a detail came, and a frame should be drawn
    */
-  constructor(source: PageSource, stage: BookStage, aspect: number, arrived: () => void) {
+  constructor(
+    source: PageSource,
+    stage: BookStage,
+    aspect: number,
+    pictures: Pick<PagePictures, "placeOf">,
+    arrived: () => void,
+  ) {
+    this.#pictures = pictures;
     this.#source = source;
     this.#stage = stage;
     this.#aspect = aspect;
@@ -78,7 +87,9 @@ export class Details {
     this.keep(Object.fromEntries(open.map(({ face, page }) => [face, page])));
     for (const { face, page, width: have } of open) {
       const across = this.#acrossAt(face, 0.5, 0.5);
-      const box = across > have ? this.#boxInSight(face, width, height) : null;
+      // Where its own picture is to come, nobody knows yet how the page lies on its leaf.
+      const isCoarse = have > 0 && across > have;
+      const box = isCoarse ? this.#boxInSight(face, width, height) : null;
       if (box === null) this.#drop(face);
       else this.#want(face, page, { box, across: this.#acrossAt(face, ...middleOf(box)) });
     }
@@ -119,8 +130,9 @@ export class Details {
     const { page, box, texels, drawing } = detail;
     const { signal } = drawing;
     try {
-      const { width, height } = await this.#source.size(page - 1, signal);
-      const place = placeOnLeaf(width / height, this.#aspect);
+      const size = await this.#source.size(page - 1, signal);
+      const { width, height } = size;
+      const place = this.#pictures.placeOf(page, size);
       const dots = texels * place.width;
       const region = onDots(within(box, place), dots, (dots * height) / width);
       // A hair more than whole dots, which a rounding would else take one of.

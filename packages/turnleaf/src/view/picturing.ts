@@ -9,11 +9,12 @@ import {
   isBoardFace,
   pagesWanted,
 } from "../book/faces.ts";
-import { type Binding, pagesAt } from "../book/spreads.ts";
+import { type Binding, leftPage, pagesAt, rightPage } from "../book/spreads.ts";
 import type { Turning } from "../book/turning.ts";
 import type { BookShape } from "../draw/pose.ts";
 import type { BookStage } from "../draw/stage.ts";
 import type { PagePictures } from "../pages/page_pictures.ts";
+import { isTrimmed } from "../pages/placing.ts";
 import type { OpenPage } from "./details.ts";
 import type { Viewing } from "./viewing.ts";
 
@@ -86,12 +87,24 @@ export class Picturing {
   show(): void {
     const { pages } = this;
     for (const face of faceNames) this.#stage.setFace(face, this.#pictureOf(face, pages[face]));
+    const [low, high] = spreadsBetween(this.#turning);
+    this.#showUnder("left", pages.left, rightPage(this.#binding, low - 1), low - 1);
+    this.#showUnder("right", pages.right, leftPage(this.#binding, high + 1), high + 1);
     for (const [index, flight] of this.#turning.flights.entries()) {
       if (flight.part !== "leaf") continue;
       const { recto, verso } = facesOfLeaf(this.#binding, flight);
       this.#stage.setLeaf(index, "recto", this.#pictureOfPaper(recto));
       this.#stage.setLeaf(index, "verso", this.#pictureOfPaper(verso));
     }
+  }
+
+  /** What is seen beside a page whose leaf is cut: the page on its back, and the next that lies on its side. */
+  #showUnder(side: "left" | "right", page: number | null, behind: number | null, next: number) {
+    const isCut = page !== null && isTrimmed(this.#pictures.placeOfDrawn(page));
+    const under = side === "left" ? leftPage(this.#binding, next) : rightPage(this.#binding, next);
+    const picture = (page: number | null) =>
+      page === null ? null : this.#pictures.getIfDrawn(page);
+    this.#stage.setUnder(side, isCut ? picture(behind) : null, isCut ? picture(under) : null);
   }
 
   #pictureOf(face: Face, page: number | null) {

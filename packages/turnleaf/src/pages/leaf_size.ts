@@ -1,0 +1,24 @@
+/** The size of a book's leaves. */
+
+import type { PageSize, PageSource } from "../sources/page_source.ts";
+
+/** Proportions that a leaf may have, width over height. */
+const [narrowest, widest] = [0.25, 4];
+
+/**
+ * A leaf's size in the source's unit: that of an inner page, as covers often
+ * have another size; of another page where that one cannot be read.
+ */
+export async function leafSize(source: PageSource, signal: AbortSignal): Promise<PageSize> {
+  let failure: unknown;
+  for (const index of [2, 3, 1, 0, 4].filter((index) => index < source.pageCount)) {
+    try {
+      const { width, height } = await source.size(index, signal);
+      return { width: Math.min(Math.max(width, narrowest * height), widest * height), height };
+    } catch (error) {
+      signal.throwIfAborted();
+      failure = error;
+    }
+  }
+  throw failure;
+}
