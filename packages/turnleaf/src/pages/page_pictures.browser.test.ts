@@ -61,7 +61,7 @@ test("a fold-out is folded in: its flap's back lies on the page, at its fore-edg
     const pen = picture.getContext("2d") as CanvasRenderingContext2D;
     pen.fillStyle = "#00f";
     pen.fillRect(0, 0, 150, 100);
-    const place = placeOnLeaf({ width: 15, height: 10 }, { width: 1, height: 1 }, false, on);
+    const place = placeOnLeaf({ width: 15, height: 10 }, { width: 10, height: 10 }, false, on);
     const fitted = fitToLeaf(picture, place, 1, 100) as HTMLCanvasElement;
     const seen = fitted.getContext("2d") as CanvasRenderingContext2D;
     const at = (x: number) => [...seen.getImageData(x, 50, 1, 1).data];
