@@ -24,7 +24,7 @@ export default defineConfig({
       },
       {
         plugins: [wasmInline(), packedFiles()],
-        optimizeDeps: { include: ["three", "pdfjs-dist"] },
+        optimizeDeps: { include: ["three", "pdfjs-dist", "axe-core"] },
         test: {
           name: "chromium",
           include: ["packages/**/*.browser.test.ts"],

@@ -35,7 +35,7 @@ const viewer = {
     "input.ts",
     "text",
   ],
-  controls: ["element", "sources", "words"],
+  controls: ["element", "element.css.ts", "sources", "words"],
   "element.ts": [
     "book",
     "controls",

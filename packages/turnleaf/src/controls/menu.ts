@@ -57,7 +57,9 @@ export class Menu {
     this.refresh();
     this.element.hidden = false;
     this.#opener.setAttribute("aria-expanded", "true");
-    this.#items()[0]?.focus();
+    const items = this.#items();
+    for (const [index, item] of items.entries()) item.tabIndex = index === 0 ? 0 : -1;
+    items[0]?.focus();
   }
 
   /** @param returns whether the focus goes back to the button */

@@ -1,0 +1,358 @@
+/** The controls in real Chromium, about a stand-in: what each asks of the book, by pointer and by key. */
+
+import { afterEach, expect, test } from "vitest";
+import { userEvent } from "vitest/browser";
+import { addLanguage } from "../words/languages.ts";
+import { standIn } from "./stand_in_for_tests.ts";
+import { en } from "./texts_en.ts";
+
+afterEach(() => document.body.replaceChildren());
+
+const named = (root: ShadowRoot, name: string): HTMLElement => {
+  const all = root.querySelectorAll<HTMLElement>(`[aria-label="${name}"]`);
+  const found = [...all].find((element) => element.offsetParent !== null);
+  if (!found) throw new Error(`Nothing in sight is called ${name}.`);
+  return found;
+};
+const active = (root: ShadowRoot): string =>
+  root.activeElement?.getAttribute("aria-label") ?? root.activeElement?.textContent ?? "";
+
+test("Tab goes through the book, the toolbar, the panel and the row of pages, and on", async () => {
+  const { book, root } = standIn();
+  const before = document.createElement("button");
+  const after = document.createElement("button");
+  book.before(before);
+  book.after(after);
+  named(root, "Contents").click();
+  await expect.poll(() => root.querySelectorAll(".contents .line").length).toBe(5);
+  before.focus();
+  const way: string[] = [];
+  for (let i = 0; i < 20 && document.activeElement !== after; i++) {
+    await userEvent.tab();
+    way.push(document.activeElement === after ? "after" : active(root) || "book");
+  }
+  expect(way).toEqual([
+    "book",
+    "Contents",
+    "Close",
+    "Loomingsii",
+    "The Carpet-Bag1",
+    "The Inn3",
+    "Elsewhere",
+    "Previous page",
+    "Page",
+    "Next page",
+    "Page",
+    "after",
+  ]);
+});
+
+test("arrows go along the toolbar; each button says what it does", async () => {
+  const { book, root } = standIn();
+  named(root, "Contents").focus();
+  const way = [active(root)];
+  for (let i = 0; i < 9; i++) {
+    await userEvent.keyboard("{ArrowRight}");
+    way.push(active(root));
+  }
+  expect(way).toEqual([
+    "Contents",
+    "Thumbnails",
+    "Search",
+    "Bookmarks",
+    "Zoom out",
+    "Zoom in",
+    "One page",
+    "Bookmark this page",
+    "Full screen",
+    "More",
+  ]);
+  await userEvent.keyboard("{Home}");
+  expect(active(root)).toBe("Contents");
+  // None of it turned a page.
+  expect(book.asked).toEqual([]);
+
+  expect(named(root, "Zoom out").ariaDisabled).toBe("true");
+  named(root, "Zoom out").click();
+  named(root, "Zoom in").click();
+  expect(book.asked).toEqual(["zoom 1.5"]);
+  expect(named(root, "Zoom out").ariaDisabled).toBe("false");
+  named(root, "Bookmark this page").click();
+  expect(book.bookmarks).toEqual([4]);
+  expect(named(root, "Remove the bookmark").ariaPressed).toBe("true");
+  named(root, "One page").click();
+  expect(book.getAttribute("layout")).toBe("single");
+});
+
+test("the panel takes the focus and gives it back", async () => {
+  const { book, root } = standIn();
+  const button = named(root, "Contents");
+  button.focus();
+  await userEvent.keyboard("{Enter}");
+  expect(button.ariaExpanded).toBe("true");
+  // The chapter in sight.
+  await expect.poll(() => active(root)).toBe("Loomingsii");
+  expect(root.activeElement?.getAttribute("aria-current")).toBe("true");
+  await userEvent.keyboard("{Escape}");
+  expect(active(root)).toBe("Contents");
+  expect(button.ariaExpanded).toBe("false");
+  expect(root.querySelector<HTMLElement>("[part=panel]")?.hidden).toBe(true);
+
+  button.click();
+  [...root.querySelectorAll<HTMLElement>(".contents .line")][2]?.click();
+  expect(book.asked).toEqual(["goTo 9"]);
+  // Links of the web alone are links.
+  const links = [...root.querySelectorAll<HTMLAnchorElement>(".contents a")];
+  expect(links.map(({ href, rel }) => [href, rel])).toEqual([
+    ["https://example.org/", "noopener noreferrer"],
+  ]);
+});
+
+test("on a narrow element the panel goes when something is picked", async () => {
+  const { book, root } = standIn(390);
+  named(root, "Contents").click();
+  await expect.poll(() => root.querySelectorAll(".contents .line").length).toBe(5);
+  const tabs = [...root.querySelectorAll<HTMLElement>("[role=tab]")];
+  expect(tabs.every((tab) => tab.offsetHeight >= 44)).toBe(true);
+  tabs[0]?.focus();
+  await userEvent.keyboard("{ArrowRight}{ArrowRight}");
+  expect(tabs.map((tab) => tab.ariaSelected)).toEqual(["false", "false", "true", "false"]);
+  await userEvent.keyboard("{Home}");
+  root.querySelector<HTMLElement>(".contents .line")?.click();
+  expect(book.asked).toContain("goTo 2");
+  expect(root.querySelector<HTMLElement>("[part=panel]")?.hidden).toBe(true);
+  expect(document.activeElement).toBe(book);
+  expect(root.activeElement).toBe(null);
+});
+
+test("everything that is pressed is 44 pixels tall and wide, on a desk and on a phone", () => {
+  for (const width of [780, 390]) {
+    const { root, book } = standIn(width);
+    named(root, "More").click();
+    const small = [...root.querySelectorAll<HTMLElement>("button, input[type=range]")]
+      .filter((element) => element.offsetParent !== null)
+      .filter(({ offsetWidth, offsetHeight }) => Math.min(offsetWidth, offsetHeight) < 44)
+      .map((element) => element.outerHTML);
+    expect(small).toEqual([]);
+    // Nothing sticks out.
+    const bars = [...root.querySelectorAll<HTMLElement>(".bar, .pages")];
+    for (const bar of bars) expect(bar.scrollWidth).toBeLessThanOrEqual(width);
+    book.remove();
+  }
+});
+
+test("the slider says where it is and turns as it is dragged", async () => {
+  const { book, root } = standIn();
+  const slider = root.querySelector<HTMLInputElement>("[part=slider]") as HTMLInputElement;
+  expect(slider.getAttribute("aria-valuetext")).toBe("Page iv, 4 of 30");
+  slider.focus();
+  await userEvent.keyboard("{ArrowRight}{ArrowRight}");
+  expect(book.asked).toEqual(["goTo 5", "goTo 6"]);
+  expect(slider.getAttribute("aria-valuetext")).toBe("Page vi, 6 of 30");
+  await userEvent.keyboard("{End}");
+  expect(book.asked.at(-1)).toBe("goTo 30");
+  expect(root.querySelector(".bubble")?.textContent).toBe("24");
+  expect(named(root, "Next page").ariaDisabled).toBe("true");
+  // A book bound at the right runs the other way.
+  book.direction = "rtl";
+  book.dispatchEvent(new CustomEvent("layoutchange"));
+  expect(getComputedStyle(slider).direction).toBe("rtl");
+});
+
+test("the page field finds labels and numbers, and says what is not there", async () => {
+  const { book, root } = standIn();
+  const field = root.querySelector<HTMLInputElement>(".field") as HTMLInputElement;
+  const said = () => root.querySelector(".pages [role=status]")?.textContent;
+  expect(field.value).toBe("iv");
+  expect(root.querySelector(".count")?.textContent).toBe("4 of 30");
+  field.focus();
+  await userEvent.keyboard("VI{Enter}");
+  await expect.poll(() => book.asked).toEqual(["goTo 6"]);
+  expect(document.activeElement).toBe(book);
+  field.focus();
+  await userEvent.keyboard("99{Enter}");
+  expect(field.ariaInvalid).toBe("true");
+  expect(said()).toBe("There is no page 99");
+  await userEvent.keyboard("{Escape}");
+  expect(field.value).toBe("vi");
+});
+
+test("keys turn, zoom and search; those of a field and of the browser are left alone", async () => {
+  const { book, root } = standIn();
+  book.focus();
+  await userEvent.keyboard(" {Shift>} {/Shift}{End}{Home}+-0fb");
+  expect(book.asked).toEqual([
+    "next",
+    "previous",
+    "last",
+    "first",
+    "zoom 1.5",
+    "zoom 1",
+    "zoom 1",
+    "fullscreen",
+  ]);
+  expect(book.bookmarks).toEqual([1]);
+  book.asked.length = 0;
+  const find = new KeyboardEvent("keydown", { key: "f", ctrlKey: true, cancelable: true });
+  book.dispatchEvent(find);
+  expect(find.defaultPrevented).toBe(false);
+  expect(book.asked).toEqual([]);
+  await userEvent.keyboard("/");
+  expect(active(root)).toBe("Find in this book");
+  await userEvent.keyboard("f+ b0");
+  expect(root.querySelector<HTMLInputElement>(".query")?.value).toBe("f+ b0");
+  expect(book.asked).toEqual([]);
+});
+
+test("a search lists its places with what stands about them, and counts them", async () => {
+  const hits = Array.from({ length: 450 }, (_, i) => ({
+    page: (i % 30) + 1,
+    before: "the white ",
+    text: "<b>Whale</b>",
+    after: ` ${i}`,
+  }));
+  const { book, root } = standIn(780, { hits });
+  named(root, "Search").click();
+  await userEvent.keyboard("whale{Enter}");
+  const status = () => root.querySelector(".found [role=status]")?.textContent;
+  await expect.poll(status).toBe("450 places");
+  const rows = () => [...root.querySelectorAll<HTMLElement>(".hit")];
+  expect(rows().length).toBe(200);
+  expect(rows()[0]?.querySelector("mark")?.textContent).toBe("<b>Whale</b>");
+  expect(rows()[0]?.querySelector("b")).toBe(null);
+  [...root.querySelectorAll<HTMLElement>(".found .line")].at(-1)?.click();
+  expect(rows().length).toBe(400);
+  expect(root.activeElement).toBe(rows()[200]);
+  rows()[2]?.click();
+  expect(book.asked.at(-1)).toBe("hit 3");
+  expect(rows()[2]?.getAttribute("aria-current")).toBe("true");
+  // The marks go with the panel.
+  named(root, "Close").click();
+  expect(book.asked.at(-1)).toBe("hit none");
+  book.hits = [];
+  named(root, "Search").click();
+  await userEvent.keyboard("shark{Enter}");
+  await expect.poll(status).toBe("Nothing found.");
+});
+
+test("bookmarks are listed in the book's order and can be taken off", async () => {
+  const { book, root } = standIn();
+  named(root, "Bookmarks").click();
+  expect(active(root)).toBe("Bookmark this page");
+  await userEvent.keyboard("{Enter}");
+  book.toggleBookmark(2);
+  const names = () => [...root.querySelectorAll(".rows .line")].map((row) => row.textContent);
+  expect(names()).toEqual(["Page ii", "Page iv"]);
+  root.querySelectorAll<HTMLElement>(".rows .line")[0]?.click();
+  expect(book.asked).toEqual(["goTo 2"]);
+  named(root, "Remove the bookmark: Page iv").click();
+  expect(names()).toEqual(["Page ii"]);
+});
+
+test("of 5,000 small pages only those in sight exist, and one is drawn at a time", async () => {
+  const { book, root } = standIn(780, { pageCount: 5000, page: 2500 });
+  named(root, "Thumbnails").click();
+  expect(active(root)).toBe("Page 2494");
+  const cells = () => root.querySelectorAll(".sheet li").length;
+  await expect.poll(() => book.drawn).toBe(cells());
+  expect(cells()).toBeLessThan(24);
+  for (let i = 0; i < 6; i++) {
+    await userEvent.keyboard("{PageDown}");
+    expect(cells()).toBeLessThan(24);
+  }
+  expect(active(root)).toBe("Page 2530");
+  await userEvent.keyboard("{End}");
+  expect(active(root)).toBe("Page 4994");
+  expect(book.mostDrawing).toBe(1);
+  await userEvent.keyboard("{Enter}");
+  expect(book.asked.at(-1)).toBe("goTo 5000");
+  // Nothing is drawn once the panel is gone.
+  named(root, "Close").click();
+  expect(cells()).toBe(0);
+  await expect.poll(() => book.drawing).toBe(0);
+});
+
+test("the menu works by key and chooses a theme", async () => {
+  const { book, root } = standIn();
+  const more = named(root, "More");
+  more.focus();
+  await userEvent.keyboard("{Enter}");
+  expect(active(root)).toBe("Start the slide-show");
+  await userEvent.keyboard("{ArrowDown}{ArrowDown}{ArrowDown}");
+  expect(active(root)).toBe("Download");
+  await userEvent.keyboard("{Enter}");
+  expect(book.asked).toEqual(["download"]);
+  expect(root.activeElement).toBe(more);
+  await userEvent.keyboard("{Enter}{Enter}");
+  expect(book.playing).toBe(true);
+  await userEvent.keyboard("{Enter}");
+  expect(active(root)).toBe("Stop the slide-show");
+  await userEvent.keyboard("{End}{Enter}");
+  expect(book.getAttribute("theme")).toBe("paper");
+  expect((root.activeElement as HTMLElement).ariaChecked).toBe("true");
+  await userEvent.keyboard("{Escape}");
+  expect(root.activeElement).toBe(more);
+  book.allows = { print: false, download: false };
+  more.click();
+  const items = [...root.querySelectorAll<HTMLElement>("[role=menuitem]")];
+  const seen = items.filter((item) => item.offsetParent).map((item) => item.textContent);
+  expect(seen).toEqual(["Stop the slide-show"]);
+});
+
+test("the print dialog asks for pages and closes when they are printed", async () => {
+  const { book, root } = standIn();
+  named(root, "More").click();
+  [...root.querySelectorAll<HTMLElement>("[role=menuitem]")]
+    .find((item) => item.textContent === "Print")
+    ?.click();
+  const dialog = root.querySelector("dialog") as HTMLDialogElement;
+  expect(dialog.open).toBe(true);
+  const [from] = [...dialog.querySelectorAll("input")];
+  if (from) from.value = "nowhere";
+  dialog.querySelector<HTMLElement>("[type=submit]")?.click();
+  expect(dialog.querySelector("[role=status]")?.textContent).toBe("There is no page nowhere");
+  expect(book.asked).toEqual([]);
+  if (from) from.value = "iv";
+  dialog.querySelector<HTMLElement>("[type=submit]")?.click();
+  await expect.poll(() => root.querySelector("dialog")).toBe(null);
+  expect(book.asked).toEqual(["print"]);
+});
+
+test("it speaks Chinese, and what it is taught", async () => {
+  const { book, root } = standIn();
+  book.lang = "zh-CN";
+  await expect.poll(() => root.querySelector("[role=toolbar]")?.ariaLabel).toBe("阅读器");
+  expect(root.querySelector("[part=slider]")?.getAttribute("aria-valuetext")).toBe(
+    "页码 iv，第 4 页，共 30 页",
+  );
+  addLanguage("ar", {
+    ...en,
+    toolbar: "القارئ",
+    opening: "",
+    pageOpen: "",
+    pagesOpen: "",
+    back: "",
+    notOpened: "",
+  });
+  book.lang = "ar";
+  book.dir = "rtl";
+  await expect.poll(() => root.querySelector("[role=toolbar]")?.ariaLabel).toBe("القارئ");
+  // The toolbar begins at the right, and its arrows follow.
+  named(root, "Contents").focus();
+  await userEvent.keyboard("{ArrowLeft}");
+  expect(active(root)).toBe("Thumbnails");
+  // A language nobody knows, and what is none.
+  book.lang = "xx-not a language";
+  await expect.poll(() => root.querySelector("[role=toolbar]")?.ariaLabel).toBe("Reader");
+});
+
+test("taken away, nothing is left, and no key is answered", async () => {
+  const { book, root, remove } = standIn();
+  named(root, "Thumbnails").click();
+  remove();
+  expect(root.querySelectorAll("button, input, section").length).toBe(0);
+  expect(root.adoptedStyleSheets.length).toBe(1);
+  book.focus();
+  await userEvent.keyboard(" f");
+  expect(book.asked.filter((what) => what !== "hit none")).toEqual([]);
+});

@@ -1,0 +1,82 @@
+import { afterEach, expect, it, vi } from "vitest";
+import { cleanBookmarks, keep, recall } from "./memory.ts";
+
+afterEach(() => vi.unstubAllGlobals());
+
+/** A storage that holds `text`. */
+function storage(text: string | null = null): { text: string | null } {
+  const held = { text };
+  vi.stubGlobal("localStorage", {
+    getItem: () => held.text,
+    setItem: (_key: string, value: string) => {
+      held.text = value;
+    },
+  });
+  return held;
+}
+
+it("keeps a book's place and gives it back", () => {
+  storage();
+  expect(recall("a")).toBe(null);
+  keep("a", { page: 7, zoom: 1.5, bookmarks: [2, 9] });
+  keep("b", { page: 3, zoom: 1, bookmarks: [] });
+  expect(recall("a")).toEqual({ page: 7, zoom: 1.5, bookmarks: [2, 9] });
+  keep("a", { page: 8, zoom: 1, bookmarks: [] });
+  expect(recall("a")).toEqual({ page: 8, zoom: 1, bookmarks: [] });
+  expect(recall("b")?.page).toBe(3);
+});
+
+it("keeps a hundred books, the last read", () => {
+  const held = storage();
+  for (let i = 1; i <= 150; i++) keep(`${i}`, { page: i, zoom: 1, bookmarks: [] });
+  expect(recall("50")).toBe(null);
+  expect(recall("51")?.page).toBe(51);
+  expect(JSON.parse(held.text ?? "").length).toBe(100);
+});
+
+it("takes nothing from a storage that somebody else wrote", () => {
+  const texts = [
+    "",
+    "{",
+    "null",
+    "{}",
+    '"turnleaf"',
+    "[[]]",
+    '[["a"]]',
+    '[[1,2,3,4],null,"a",{"0":"a"}]',
+    `[["a",1,1,[]]${" ".repeat(500_000)}]`,
+  ];
+  for (const text of texts) {
+    storage(text);
+    expect(recall("a")).toBe(null);
+  }
+  const rows: [string, number, number, number[]][] = [
+    ['["a","7",99,["x",2,2,1,0,-1,1.5,1e9]]', 1, 1, [1, 2]],
+    ['["a",1e300,null,{}]', 1, 1, []],
+    ['["a",5,0.5,null]', 5, 1, []],
+  ];
+  for (const [row, page, zoom, bookmarks] of rows) {
+    storage(`[${row}]`);
+    expect(recall("a")).toEqual({ page, zoom, bookmarks });
+  }
+});
+
+it("lives without a storage, and with one that is full", () => {
+  const kept = { page: 1, zoom: 1, bookmarks: [] };
+  expect(() => keep("a", kept)).not.toThrow();
+  expect(recall("a")).toBe(null);
+  vi.stubGlobal("localStorage", {
+    getItem: () => null,
+    setItem: () => {
+      throw new Error("full");
+    },
+  });
+  expect(() => keep("a", kept)).not.toThrow();
+});
+
+it("bounds the bookmarks", () => {
+  const many = Array.from({ length: 20_000 }, (_, i) => 20_000 - i);
+  const kept = cleanBookmarks(many);
+  expect(kept.length).toBe(500);
+  expect(cleanBookmarks("1,2")).toEqual([]);
+});

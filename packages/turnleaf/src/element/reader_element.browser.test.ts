@@ -1,0 +1,161 @@
+/** What the element does for a reader beside turning: its place kept, slide-show, print, download. */
+
+import { afterEach, beforeEach, expect, test } from "vitest";
+import { book, happens, scans, settled } from "../element_for_tests.ts";
+
+beforeEach(() => {
+  localStorage.clear();
+  history.replaceState(null, "", "#");
+});
+afterEach(() => document.body.replaceChildren());
+
+const small = { duration: "80" };
+
+test("page, zoom and bookmarks outlive the element, for the same book alone", async () => {
+  const first = book(scans(12), { ...small, remember: "" });
+  await happens(first, "load");
+  first.toggleBookmark(5);
+  first.bookmarks = [9, 5, 5, 0, 2.5];
+  expect(first.bookmarks).toEqual([5, 9]);
+  first.toggleBookmark(9);
+  expect(first.bookmarks).toEqual([5]);
+  await first.goTo(6);
+  await settled(first);
+  first.zoom = 2;
+  await expect.poll(() => first.zoom).toBe(2);
+  first.remove();
+
+  const again = book(scans(12), { ...small, remember: "" });
+  await happens(again, "load");
+  expect(again.page).toBe(6);
+  expect(again.bookmarks).toEqual([5]);
+  await expect.poll(() => again.zoom).toBe(2);
+  // Another book in the same element begins anew.
+  const loaded = happens(again, "load");
+  again.pages = scans(10);
+  await loaded;
+  expect([again.page, again.bookmarks.length]).toEqual([1, 0]);
+  again.remove();
+
+  const other = book(scans(12), small);
+  await happens(other, "load");
+  expect([other.page, other.bookmarks.length]).toEqual([1, 0]);
+});
+
+test("the address says the page, and the page follows the address", async () => {
+  history.replaceState(null, "", "#chapter&page=7");
+  const element = book(scans(12), { ...small, address: "" });
+  await happens(element, "load");
+  expect(element.page).toBe(6);
+  const steps = history.length;
+  await element.next();
+  expect(location.hash).toBe("#chapter&page=8");
+  expect(history.length).toBe(steps);
+  const changed = happens<{ to: number }>(element, "pagechange");
+  location.hash = "#page=2";
+  expect((await changed).to).toBe(2);
+  // What names no page turns nothing, and stays.
+  location.hash = "#elsewhere";
+  await new Promise((resolve) => addEventListener("hashchange", resolve, { once: true }));
+  expect(element.page).toBe(2);
+  expect(location.hash).toBe("#elsewhere");
+  element.remove();
+  location.hash = "#page=9";
+  await new Promise((resolve) => addEventListener("hashchange", resolve, { once: true }));
+  document.body.append(element);
+  await happens(element, "load");
+  expect(element.page).toBe(8);
+});
+
+test("a slide-show turns page after page until the last, and leaves no timer", async () => {
+  const element = book(scans(6), small);
+  await happens(element, "load");
+  const told: boolean[] = [];
+  element.addEventListener("playchange", (event) => {
+    told.push((event as CustomEvent<{ playing: boolean }>).detail.playing);
+  });
+  element.play(1);
+  element.play(1);
+  expect(element.playing).toBe(true);
+  await expect.poll(() => element.playing, { timeout: 30_000 }).toBe(false);
+  expect(element.page).toBe(6);
+  expect(told).toEqual([true, false]);
+  await element.goTo(1);
+  element.play(3600);
+  element.remove();
+  expect(told).toEqual([true, false, true, false]);
+});
+
+test("printing draws a sheet a page in a frame of its own, and takes it away", async () => {
+  const element = book(scans(6), small);
+  expect(await element.print()).toBe(false);
+  await happens(element, "load");
+  let images = 0;
+  let frame: HTMLIFrameElement | null = null;
+  const observer = new MutationObserver(() => {
+    frame = document.querySelector("iframe");
+    const inside = frame?.contentWindow;
+    if (inside) {
+      inside.print = () => {
+        images = inside.document.images.length;
+        inside.dispatchEvent(new Event("afterprint"));
+      };
+    }
+  });
+  observer.observe(document.body, { childList: true });
+  const pages: number[] = [];
+  expect(await element.print({ from: 2, to: 4, onPage: (page) => pages.push(page) })).toBe(true);
+  expect(pages).toEqual([2, 3, 4]);
+  expect(images).toBe(3);
+  expect(frame).not.toBe(null);
+  await expect.poll(() => document.querySelector("iframe")).toBe(null);
+  // Given up half-way, nothing is left either.
+  const ended = new AbortController();
+  const printing = element.print({ signal: ended.signal, onPage: () => ended.abort() });
+  await expect(printing).rejects.toThrow();
+  expect(document.querySelector("iframe")).toBe(null);
+  observer.disconnect();
+});
+
+test("what cannot be drawn or given says so", async () => {
+  const element = book(scans(4), small);
+  await expect(element.drawPage(1, 50)).rejects.toThrow("There is no page 1");
+  await happens(element, "load");
+  expect(element.allows).toEqual({ print: true, download: false });
+  expect(await element.download()).toBe(false);
+  const picture = await element.drawPage(2, 60);
+  expect(picture.width).toBe(60);
+  await expect(element.drawPage(5, 60)).rejects.toThrow("There is no page 5");
+  await expect(element.drawPage(Number.NaN, 60)).rejects.toThrow();
+});
+
+test("the controls come with their attribute, leave the book its room, and go with it", async () => {
+  const element = book(scans(6), small);
+  element.style.cssText = "width: 500px; height: 400px";
+  await happens(element, "load");
+  const root = element.shadowRoot as ShadowRoot;
+  const stage = root.querySelector<HTMLElement>("[part=stage]") as HTMLElement;
+  expect(stage.clientHeight).toBe(400);
+  element.controls = true;
+  await expect.poll(() => root.querySelector("[role=toolbar]"), { timeout: 20_000 }).not.toBe(null);
+  expect(stage.clientHeight).toBe(300);
+  // A key in the controls turns no page; one on the book does.
+  const slider = root.querySelector("input[type=range]");
+  slider?.dispatchEvent(
+    new KeyboardEvent("keydown", { key: "ArrowRight", bubbles: true, composed: true }),
+  );
+  root
+    .querySelector("[role=toolbar] button")
+    ?.dispatchEvent(
+      new KeyboardEvent("keydown", { key: "PageDown", bubbles: true, composed: true }),
+    );
+  await settled(element);
+  expect(element.page).toBe(1);
+  const changed = happens(element, "pagechange");
+  element.dispatchEvent(new KeyboardEvent("keydown", { key: " " }));
+  await changed;
+  expect(root.querySelector<HTMLInputElement>("input[type=range]")?.value).toBe("2");
+  element.controls = false;
+  expect(root.querySelector("[role=toolbar]")).toBe(null);
+  expect(stage.clientHeight).toBe(400);
+});
