@@ -1,0 +1,227 @@
+/** The life of books on a page: strict pages, many of them one after the other, very long ones. */
+
+import { type Browser, chromium, type Page } from "playwright-core";
+import type { TurnleafBook } from "turnleaf";
+import { afterAll, afterEach, beforeAll, describe, expect, test } from "vitest";
+import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { pdf, png } from "./books.ts";
+import { countHoldings, holdingsOf, serveViewer, type ViewerSite } from "./viewer_page.ts";
+
+let browser: Browser;
+let site: ViewerSite | undefined;
+
+beforeAll(async () => {
+  browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
+});
+afterAll(() => browser?.close());
+afterEach(async () => {
+  for (const context of browser.contexts()) await context.close();
+  await site?.stop();
+  site = undefined;
+});
+
+const pageCount = 5000;
+const grey = (page: number): number => 40 + ((page * 37) % 200);
+
+/** A manifest of so many images, and each of them. */
+function images(count: number): (path: string) => Buffer | string | null {
+  const manifest = JSON.stringify({
+    title: "A Long Book",
+    pages: Array.from({ length: count }, (_, k) => `pages/${k + 1}.png`),
+  });
+  return (path) => {
+    if (path === "/book.json") return manifest;
+    const page = Number(/^\/pages\/(\d+)\.png$/.exec(path)?.[1]);
+    return page >= 1 && page <= count ? png(60, 90, grey(page)) : null;
+  };
+}
+
+async function open(
+  answer: (path: string) => Buffer | string | null,
+  options: { policy?: string; flat?: boolean; calm?: boolean } = {},
+) {
+  site = await serveViewer(answer, options.policy);
+  const page = await browser.newPage({
+    viewport: { width: 400, height: 300 },
+    reducedMotion: options.calm ? "reduce" : "no-preference",
+  });
+  const complaints: string[] = [];
+  page.on("pageerror", (error) => complaints.push(error.message));
+  page.on("console", (message) => {
+    if (message.type() === "error") complaints.push(message.text());
+  });
+  await page.addInitScript(countHoldings);
+  if (options.flat) {
+    await page.addInitScript(() => {
+      const { getContext } = HTMLCanvasElement.prototype;
+      HTMLCanvasElement.prototype.getContext = function (this: unknown, ...args: unknown[]) {
+        return args[0] === "webgl2" ? null : Reflect.apply(getContext, this, args);
+      } as typeof getContext;
+    });
+  }
+  await page.goto(site.url);
+  const session = await page.context().newCDPSession(page);
+  await session.send("Performance.enable");
+  return { page, session, complaints, asked: site.asked };
+}
+
+/** Puts a book on the page and waits until it is there and sharp. */
+async function show(page: Page, src: string, attributes: Record<string, string> = {}) {
+  await page.evaluate(
+    async ([src, attributes]) => {
+      const book = document.createElement("turnleaf-book") as TurnleafBook;
+      for (const [name, value] of Object.entries(attributes)) book.setAttribute(name, value);
+      const loaded = new Promise((resolve, reject) => {
+        book.addEventListener("load", resolve, { once: true });
+        const failed = (event: Event) => reject(new Error((event as CustomEvent).detail?.message));
+        book.addEventListener("error", failed, { once: true });
+      });
+      book.src = src;
+      document.body.append(book);
+      await loaded;
+    },
+    [src, attributes] as const,
+  );
+  await settled(page);
+}
+
+async function settled(page: Page): Promise<void> {
+  await page.waitForFunction(
+    () => document.querySelector<TurnleafBook>("turnleaf-book")?.settled,
+    null,
+    { polling: 50, timeout: 30_000 },
+  );
+}
+
+const pagesAsked = (asked: readonly string[]): number =>
+  asked.filter((path) => path.startsWith("/pages/")).length;
+
+test("a page that refuses WebAssembly shows a book on the flat, and no error", async () => {
+  const policy =
+    "default-src 'none'; script-src 'self' 'nonce-map'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'";
+  const { page, complaints, asked } = await open(images(12), { policy });
+  await show(page, "/book.json", { duration: "80" });
+  expect(await page.evaluate(() => document.querySelector("turnleaf-book")?.next())).toBe(true);
+  const at = await page.evaluate(() => document.querySelector("turnleaf-book")?.page);
+  expect(at).toBe(2);
+  expect(asked.filter((path) => /three|solid/.test(path))).toEqual([]);
+  expect(asked.some((path) => path.includes("plain"))).toBe(true);
+  expect(complaints).toEqual([]);
+});
+
+/** Bytes of heap that ten books may leave: what the browser compiles and learns while they run. */
+const mostHeapLeft = 400_000;
+
+describe.each([
+  ["images in space", "/book.json", false],
+  ["images on the flat", "/book.json", true],
+  ["a PDF", "/book.pdf", true],
+])("books that come and go: %s", (_, src, flat) => {
+  test("ten of them leave nothing behind", { timeout: 120_000 }, async () => {
+    const file = pdf(9);
+    const pages = images(12);
+    const answer = (path: string) => (path === "/book.pdf" ? file : pages(path));
+    const { page, session, complaints } = await open(answer, { flat, calm: true });
+    const comeAndGo = (times: number) =>
+      page.evaluate(
+        async ([times, src]) => {
+          for (let round = 0; round < times; round++) {
+            const book = document.createElement("turnleaf-book") as TurnleafBook;
+            const loaded = new Promise((resolve) => {
+              book.addEventListener("load", resolve, { once: true });
+            });
+            book.src = src;
+            document.body.append(book);
+            await loaded;
+            await book.next();
+            book.remove();
+          }
+        },
+        [times, src] as const,
+      );
+    // What the first ones load and compile stays for those to come.
+    await comeAndGo(12);
+    const before = await holdingsOf(page, session);
+    await comeAndGo(10);
+    const after = await holdingsOf(page, session);
+    expect(after.nodes).toBeLessThanOrEqual(before.nodes + 5);
+    expect(after.listeners).toBeLessThanOrEqual(before.listeners + 2);
+    // What ten books hold is several times as much.
+    expect(after.heap - before.heap).toBeLessThan(mostHeapLeft);
+    expect(after.contexts).toBe(0);
+    expect(after.memories).toBe(0);
+    expect(after.urls).toBeLessThanOrEqual(before.urls);
+    expect(after.workers).toBeLessThanOrEqual(before.workers);
+    expect(after.pictureBytes).toBe(0);
+    // Nor does anything go on.
+    const frames = () =>
+      page.evaluate(
+        () => (globalThis as unknown as { holdings: { frames: number } }).holdings.frames,
+      );
+    const drawn = await frames();
+    await page.waitForTimeout(500);
+    expect(await frames()).toBe(drawn);
+    expect(complaints).toEqual([]);
+  });
+});
+
+test("a book of 5,000 pages opens with few of them, goes far and back", {
+  timeout: 120_000,
+}, async () => {
+  const { page, asked, complaints } = await open(images(pageCount));
+  await show(page, "/book.json", { duration: "300" });
+  expect(await page.evaluate(() => document.querySelector("turnleaf-book")?.pageCount)).toBe(5000);
+  expect(pagesAsked(asked)).toBeLessThanOrEqual(10);
+  const goTo = (number: number) =>
+    page.evaluate((to) => document.querySelector("turnleaf-book")?.goTo(to), number);
+  for (const [to, at] of [
+    [4321, 4320],
+    [1, 1],
+  ] as const) {
+    const before = pagesAsked(asked);
+    expect(await goTo(to)).toBe(true);
+    await settled(page);
+    expect(await page.evaluate(() => document.querySelector("turnleaf-book")?.page)).toBe(at);
+    // The leaves that fly for all the others, and what lies open at the end with its neighbours.
+    expect(pagesAsked(asked) - before).toBeLessThanOrEqual(60);
+  }
+  expect(complaints).toEqual([]);
+});
+
+/** Bytes that 480 more jumps may add to the heap: what is known of each page seen is a number or two. */
+const mostHeapGrowth = 1_500_000;
+
+test("after 500 jumps a book holds no more than after 20", { timeout: 300_000 }, async () => {
+  const { page, session, asked, complaints } = await open(images(pageCount), { calm: true });
+  await show(page, "/book.json");
+  const jump = (from: number, to: number) =>
+    page.evaluate(
+      async ([from, to, pageCount]) => {
+        const book = document.querySelector("turnleaf-book") as TurnleafBook;
+        for (let k = from; k < to; k++) {
+          // The same pages every time, and no order in them.
+          const page = 1 + ((k * 2654435761) % pageCount);
+          void book.goTo(page);
+          // Time enough for some to be fetched and drawn, and for others to be called off.
+          await new Promise(requestAnimationFrame);
+          if (k % 20 === 0) while (!book.settled) await new Promise(requestAnimationFrame);
+        }
+      },
+      [from, to, pageCount] as const,
+    );
+  await jump(0, 20);
+  await settled(page);
+  const before = await holdingsOf(page, session);
+  await jump(20, 500);
+  await settled(page);
+  const after = await holdingsOf(page, session);
+  // Pages called off in time are never asked for at all.
+  expect(pagesAsked(asked)).toBeLessThanOrEqual(500 * 12);
+  expect(after.heap - before.heap).toBeLessThan(mostHeapGrowth);
+  expect(after.textureBytes).toBeLessThanOrEqual(1.1 * before.textureBytes);
+  expect(after.pictureBytes).toBeLessThanOrEqual(1.1 * before.pictureBytes);
+  expect(after.nodes).toBeLessThanOrEqual(before.nodes + 20);
+  expect(after.listeners).toBeLessThanOrEqual(before.listeners + 5);
+  expect(after.urls).toBeLessThanOrEqual(before.urls);
+  expect(complaints).toEqual([]);
+});
