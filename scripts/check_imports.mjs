@@ -25,6 +25,7 @@ const viewer = {
   "input.ts": ["book", "engine", "view", "viewer.ts"],
   "element.css.ts": [],
   text: ["pages", "sources"],
+  sound: ["draw", "engine"],
   element: [
     "book",
     "engine",
@@ -34,6 +35,7 @@ const viewer = {
     "open_viewer.ts",
     "input.ts",
     "text",
+    "sound",
   ],
   controls: ["element", "element.css.ts", "sources", "words"],
   "element.ts": [

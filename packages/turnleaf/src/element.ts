@@ -8,6 +8,7 @@ import { type Answers, adopt, attributes, paperOf, turnSecondsOf } from "./eleme
 import { Life, type OpenBook } from "./element/life.ts";
 import { PageChanges } from "./element/page_changes.ts";
 import { ReaderElement } from "./element/reader_element.ts";
+import { Senses } from "./element/senses.ts";
 import { wishOf } from "./element/wish.ts";
 import { style } from "./element.css.ts";
 import type { BookInput } from "./sources/open.ts";
@@ -42,6 +43,7 @@ export class TurnleafBook extends ReaderElement {
   });
   readonly #pageChanges = new PageChanges();
   readonly #furnishing = new Furnishing();
+  readonly #senses = new Senses(this, () => this.#leaves.stock ?? "book");
   #words: Announcements | null = null;
   #input: BookInput | null = null;
   #paper: Paper | null = null;
@@ -240,6 +242,7 @@ export class TurnleafBook extends ReaderElement {
       if (this.#viewer) this.#viewer.turning.seconds = turnSecondsOf(this);
     },
     furnish: () => this.#furnish(),
+    hush: () => this.#senses.close(),
   };
 
   /** The open book's pages. */
@@ -264,8 +267,9 @@ export class TurnleafBook extends ReaderElement {
     this.#left = null;
   }
 
-  /** Keeps in mind where the open book lies. */
+  /** Keeps in mind where the open book lies, and is silent. */
   #leave(): void {
+    this.#senses.close();
     if (this.#life.book) this.#left = this.page;
   }
 
@@ -313,6 +317,7 @@ export class TurnleafBook extends ReaderElement {
   #reopen(): void {
     // The parser's attributes come one by one before the element is connected: one book, not four.
     if (!this.#connected) return;
+    this.#senses.close();
     const input = this.#input ?? this.src;
     this.#words?.say(input === "" ? "" : elementTexts(languageOf(this)).opening);
     if (input === "") this.#life.close();
@@ -329,6 +334,7 @@ export class TurnleafBook extends ReaderElement {
       onRest: (from, to) => this.#rested(from, to),
       onFailure: (sentence) => this.#words?.announce(sentence),
       onLayout: () => this.#laidOut(),
+      onMotion: this.#senses.follow,
       onZoom: (zoom) => this.emit("zoomchange", { zoom }),
     };
   }
@@ -344,6 +350,7 @@ export class TurnleafBook extends ReaderElement {
   #started(low: number, high: number, toLeft: boolean): void {
     const binding = this.#viewer?.binding;
     if (binding === undefined) return;
+    this.#senses.take();
     const [from, to] = toLeft ? [low, high] : [high, low];
     const direction = directionOf(binding, from, to);
     this.emit("turnstart", { from: pageOf(binding, from), to: pageOf(binding, to), direction });
@@ -351,6 +358,7 @@ export class TurnleafBook extends ReaderElement {
 
   #rested(from: number, to: number): void {
     const binding = this.#viewer?.binding;
+    this.#senses.lie();
     if (binding === undefined || from === to) return;
     this.#describe();
     const direction = directionOf(binding, from, to);

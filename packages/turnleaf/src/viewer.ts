@@ -9,7 +9,7 @@ import { faceOf } from "./book/faces.ts";
 import { makeOf, type Paper } from "./book/paper.ts";
 import { type Binding, clampSpread, pageOf, pagesAt, spineOf, spreadOf } from "./book/spreads.ts";
 import type { Turning } from "./book/turning.ts";
-import type { BookShape } from "./draw/pose.ts";
+import type { BookPose, BookShape } from "./draw/pose.ts";
 import type { BookStage, Place } from "./draw/stage.ts";
 import type { BookEngine, BookSize } from "./engine/engine.ts";
 import { Side } from "./engine/phases.ts";
@@ -47,6 +47,8 @@ export interface ViewerOptions extends Partial<Wish> {
   readonly onZoom?: (level: number) => void;
   /** The graphics card failed for good: nothing of the book is seen any more. */
   readonly onGone?: () => void;
+  /** A frame: where the book's parts are, seconds since the one before, and whether leaves are in flight. */
+  readonly onMotion?: (pose: BookPose, seconds: number, moving: boolean) => void;
   /** The book is laid out or bound in another way than before. */
   readonly onLayout?: () => void;
 }
@@ -356,7 +358,9 @@ export class Viewer {
     if (stepping) this.#bound.holding.follow();
     const moving = turning || stepping;
     const resting = !moving && !this.#handled;
-    this.#stage.pose(this.#bound.pose());
+    const pose = this.#bound.pose();
+    this.#stage.pose(pose);
+    this.#options.onMotion?.(pose, passed * engine.tick, turning);
     this.#stage.draw({ resting });
     this.#pictures.paused = !resting;
     this.#fade.step(now, this.turning.spread);

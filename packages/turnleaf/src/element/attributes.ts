@@ -18,6 +18,8 @@ export interface Answers {
   changePace(): void;
   /** The controls come or go. */
   furnish(): void;
+  /** The book falls silent, until a leaf moves that is to be heard. */
+  hush(): void;
 }
 
 /** Every attribute that is answered when it changes, and how. */
@@ -31,6 +33,7 @@ export const attributes: Readonly<
   stock: (answers) => answers.changePaper(),
   assist: (answers) => answers.changePaper(),
   controls: (answers) => answers.furnish(),
+  sound: (answers) => answers.hush(),
 };
 
 /** `stock`: a preset; "book" where the attribute names none. */

@@ -144,6 +144,24 @@ export class ReflectingElement extends Base {
     this.toggleAttribute("remember", kept);
   }
 
+  /** Whether the leaves are heard, from the reader's first gesture on. */
+  get sound(): boolean {
+    return this.hasAttribute("sound");
+  }
+
+  set sound(heard: boolean) {
+    this.toggleAttribute("sound", heard);
+  }
+
+  /** Whether a phone stirs when a leaf is taken and when it lies. */
+  get vibrate(): boolean {
+    return this.hasAttribute("vibrate");
+  }
+
+  set vibrate(felt: boolean) {
+    this.toggleAttribute("vibrate", felt);
+  }
+
   protected emit<K extends keyof TurnleafEventMap>(
     name: K,
     detail: TurnleafEventMap[K]["detail"],

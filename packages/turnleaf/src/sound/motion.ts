@@ -1,0 +1,102 @@
+/** What of a moving book is heard: how fast its leaves bend, and how hard they and the boards arrive. */
+
+import type { BookPose } from "../draw/pose.ts";
+import type { Surface } from "../engine/shapes.ts";
+
+/** Points along a row and along the spine that a leaf is followed at. */
+const places = 5;
+
+/** Points that sink slower than this make no sound when they are stopped, m/s. */
+const leastFall = 0.15;
+
+/** How loud a book's motion would be. */
+export interface Motion {
+  /** Bending speed of the leaves in flight, summed: radians a second between neighbouring places. */
+  readonly bending: number;
+  /** Speed that falling paper and boards lost in this frame, m/s: what they bring to where they land. */
+  readonly impact: number;
+}
+
+/** What is kept of a leaf: for each place its normal, its height and how fast that rose. */
+type Kept = Float32Array;
+const each = 5;
+
+/** Follows a book from frame to frame. */
+export class MotionMeter {
+  /** By where a leaf lies in the engine's memory. */
+  #leaves = new Map<Float32Array, Kept>();
+  #boards: number[] = [];
+  #swing: number[] = [];
+
+  /** The motion since the frame before, `seconds` ago. A leaf that was not there then is silent yet. */
+  measure(pose: BookPose, seconds: number): Motion {
+    if (!(seconds > 0)) return { bending: 0, impact: 0 };
+    let [bending, impact] = [0, 0];
+    const leaves = new Map<Float32Array, Kept>();
+    for (const leaf of pose.leaves) {
+      const before = this.#leaves.get(leaf.positions);
+      const now = sample(leaf, before, seconds);
+      leaves.set(leaf.positions, now);
+      if (before === undefined) continue;
+      bending += bendingBetween(before, now) / seconds;
+      impact += impactBetween(before, now);
+    }
+    this.#leaves = leaves;
+    const boards = [pose.frontBoard, pose.backBoard];
+    const swing = boards.map((angle, k) => (angle - (this.#boards[k] ?? angle)) / seconds);
+    for (const [k, speed] of swing.entries()) {
+      const lost = Math.abs(this.#swing[k] ?? 0) - Math.abs(speed);
+      // A board that stops within a frame has met what it falls on; its edge is a hand's breadth out.
+      if (speed === 0 && lost > 0) impact += 0.15 * lost;
+    }
+    this.#boards = boards;
+    this.#swing = swing;
+    return { bending, impact };
+  }
+}
+
+function sample(leaf: Surface, before: Kept | undefined, seconds: number): Kept {
+  const kept = new Float32Array(each * places * places);
+  for (let j = 0; j < places; j++) {
+    const row = Math.round((j * (leaf.rows - 1)) / (places - 1));
+    for (let i = 0; i < places; i++) {
+      const column = Math.round((i * (leaf.columns - 1)) / (places - 1));
+      const from = 3 * (row * leaf.columns + column);
+      const to = each * (j * places + i);
+      for (let axis = 0; axis < 3; axis++) kept[to + axis] = leaf.normals[from + axis];
+      kept[to + 3] = leaf.positions[from + 2];
+      kept[to + 4] = before ? (kept[to + 3] - before[to + 3]) / seconds : 0;
+    }
+  }
+  return kept;
+}
+
+/** Mean change of the angles between neighbouring places of a row, radians: a leaf that turns stiffly has none. */
+function bendingBetween(before: Kept, now: Kept): number {
+  let sum = 0;
+  for (let at = 0; at + each < now.length; at += each) {
+    if ((at / each + 1) % places === 0) continue;
+    // Leaves on the flat have no normals: they are heard as they land alone.
+    sum += Math.abs(angle(now, at) - angle(before, at)) || 0;
+  }
+  return sum / (places * (places - 1));
+}
+
+function angle(kept: Kept, at: number): number {
+  const next = at + each;
+  const across = Math.hypot(
+    kept[at] - kept[next],
+    kept[at + 1] - kept[next + 1],
+    kept[at + 2] - kept[next + 2],
+  );
+  return 2 * Math.asin(Math.min(across / 2, 1));
+}
+
+/** Mean speed that sinking places lost. */
+function impactBetween(before: Kept, now: Kept): number {
+  let sum = 0;
+  for (let at = 4; at < now.length; at += each) {
+    if (before[at] < -leastFall) sum += Math.max(now[at] - before[at], 0);
+  }
+  return sum / (places * places);
+}

@@ -1,0 +1,100 @@
+import { afterEach, beforeEach, expect, test } from "vitest";
+import { userEvent } from "vitest/browser";
+import { book, happens, scans } from "../element_for_tests.ts";
+import type { Stock } from "../engine/shapes.ts";
+import type { Motion } from "./motion.ts";
+import { Rustle } from "./rustle.ts";
+
+const rate = 22_050;
+
+/** Loudness (root mean square) of a second of motion, and of what is left a second later. */
+async function loudness(motion: Motion, stock: Stock = "book"): Promise<[number, number]> {
+  const context = new OfflineAudioContext(1, 3 * rate, rate);
+  const rustle = new Rustle(context);
+  rustle.stock = stock;
+  for (let time = 0; time < 1; time += 1 / 60) rustle.move(motion, time);
+  rustle.rest(1, () => {});
+  const samples = (await context.startRendering()).getChannelData(0);
+  const of = (from: number, to: number): number => {
+    const part = samples.subarray(from * rate, to * rate);
+    return Math.sqrt(part.reduce((sum, x) => sum + x * x, 0) / part.length);
+  };
+  return [of(0.2, 1), of(2, 3)];
+}
+
+test("paper is heard while it bends, the louder the faster, and not at rest", async () => {
+  const [still] = await loudness({ bending: 0, impact: 0 });
+  const [slow, afterSlow] = await loudness({ bending: 0.3, impact: 0 });
+  const [fast, afterFast] = await loudness({ bending: 1.5, impact: 0 });
+  expect(still).toBe(0);
+  expect(slow).toBeGreaterThan(0.003);
+  expect(fast).toBeGreaterThan(2 * slow);
+  expect([afterSlow, afterFast]).toEqual([0, 0]);
+});
+
+test("it is heard when it lands, card louder than bible paper", async () => {
+  const landing = { bending: 0, impact: 0.5 };
+  const [bible] = await loudness(landing, "bible");
+  const [card] = await loudness(landing, "card");
+  expect(bible).toBeGreaterThan(0.003);
+  expect(card).toBeGreaterThan(1.5 * bible);
+});
+
+const Native = globalThis.AudioContext;
+const made: AudioContext[] = [];
+
+beforeEach(() => {
+  made.length = 0;
+  globalThis.AudioContext = class extends Native {
+    constructor(options?: AudioContextOptions) {
+      super(options);
+      made.push(this);
+    }
+  };
+});
+
+afterEach(() => {
+  globalThis.AudioContext = Native;
+});
+
+test("nothing is made where nobody asked for sound", async () => {
+  const element = book(scans(4), { cover: "none" });
+  await happens(element, "load");
+  await userEvent.click(document.body);
+  await element.next();
+  expect(made).toEqual([]);
+  element.remove();
+});
+
+test("with sound, a context runs while leaves move, is suspended at rest and closed with the book", async () => {
+  const element = book(scans(8), { cover: "none", sound: "" });
+  expect(element.sound).toBe(true);
+  await happens(element, "load");
+  expect(made).toEqual([]);
+  await userEvent.click(document.body);
+  await element.next();
+  // What sounds is loaded with the first turn and may be late for it.
+  await element.next();
+  expect(made.length).toBe(1);
+  const [context] = made;
+  await expect.poll(() => context.state, { timeout: 10_000 }).toBe("suspended");
+  const turn = element.next();
+  await expect.poll(() => context.state, { timeout: 10_000 }).toBe("running");
+  await turn;
+  element.remove();
+  await expect.poll(() => context.state, { timeout: 10_000 }).toBe("closed");
+  expect(made.length).toBe(1);
+});
+
+test("taking the attribute away silences the book", async () => {
+  const element = book(scans(8), { cover: "none", sound: "" });
+  await happens(element, "load");
+  await userEvent.click(document.body);
+  await element.next();
+  await element.next();
+  element.sound = false;
+  await expect.poll(() => made[0].state, { timeout: 10_000 }).toBe("closed");
+  await element.next();
+  expect(made.length).toBe(1);
+  element.remove();
+});

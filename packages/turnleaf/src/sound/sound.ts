@@ -1,0 +1,53 @@
+/**
+ * A book that is heard. Its audio context is made at the first motion after the
+ * reader's first gesture, as browsers demand one, and is suspended while the
+ * book lies still: at rest no audio thread runs.
+ */
+
+import type { BookPose } from "../draw/pose.ts";
+import type { Stock, StockFigures } from "../engine/shapes.ts";
+import { MotionMeter } from "./motion.ts";
+import { Rustle } from "./rustle.ts";
+
+/** The sound of one book; `close` ends it. */
+export class Sound {
+  readonly #meter = new MotionMeter();
+  #context: AudioContext | null = null;
+  #rustle: Rustle | null = null;
+  #closed = false;
+
+  /**
+   * Follows a frame of a book.
+   *
+   * @param seconds since the frame before
+   * @param moving whether there is another to come
+   */
+  follow(pose: BookPose, seconds: number, moving: boolean, stock: Stock | StockFigures): void {
+    // Screens that are quicker than the engine draw a frame twice.
+    if (this.#closed || (moving && seconds === 0)) return;
+    const motion = this.#meter.measure(pose, seconds);
+    if (!moving) {
+      this.#rustle?.rest(this.#context?.currentTime ?? 0, () => {
+        this.#context?.suspend().catch(() => {});
+      });
+      return;
+    }
+    if (this.#context === null) {
+      if (navigator.userActivation?.hasBeenActive === false) return;
+      this.#context = new AudioContext({ latencyHint: "interactive" });
+      this.#rustle = new Rustle(this.#context);
+    }
+    if (this.#context.state === "suspended") void this.#context.resume().catch(() => {});
+    if (this.#rustle) {
+      this.#rustle.stock = stock;
+      this.#rustle.move(motion, this.#context.currentTime);
+    }
+  }
+
+  /** Falls silent for good. */
+  close(): void {
+    this.#closed = true;
+    this.#context?.close().catch(() => {});
+    this.#context = this.#rustle = null;
+  }
+}
