@@ -64,6 +64,20 @@ describe("the text of a PDF's page", () => {
     expect(first.angle).toBe(0);
   });
 
+  it("says where each letter stands, where it is asked to", async () => {
+    // Words set far apart by hand, as a justified line is.
+    const set = (x: number, text: string): string => say(text, `1 0 0 1 ${x} 250`);
+    const content = `${set(20, "iii")}${set(44, "WWW")}${say("apart", "1 0 0 1 20 200")}`;
+    const source = await open({ pages: [content], resources: fonts });
+    const [first, second] = await source.text!(0, never, true);
+    expect(first.text.trim()).toBe("iii WWW");
+    const at = (first.places?.[4] ?? 0) * first.width + first.x;
+    expect(Math.abs(at - 44)).toBeLessThan(1);
+    expect(first.places?.[0]).toBe(0);
+    expect(second.places?.length).toBe(second.text.length);
+    expect((await source.text!(0, never))[0].places).toBeUndefined();
+  });
+
   it("may run up the page, and down a page that is turned", async () => {
     const [up] = await textOf(say("Aloft", "0 1 -1 0 100 50"));
     expect(up.angle).toBeCloseTo(-Math.PI / 2, 6);
@@ -210,6 +224,30 @@ describe("a PDF's form", () => {
       { value: "p", label: "Pequod" },
       { value: "Rachel", label: "Rachel" },
     ]);
+  });
+});
+
+describe("a filled form", () => {
+  it("is drawn with what it holds, on every view of a field, and saved with it", async () => {
+    const field = "/FT /Tx /T (name) /DA (/Helv 20 Tf 0 g) /Rect [20 200 180 240]";
+    const source = await open({
+      pages: ["", ""],
+      catalog: "/AcroForm << /Fields [10 0 R] /DR << /Font << /Helv 11 0 R >> >> >>",
+      objects: [
+        `<< /Type /Annot /Subtype /Widget ${field} >>`,
+        "<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica >>",
+      ],
+      resources: ">> /Annots [10 0 R] /Ignored <<",
+    });
+    expect(inkOf(await source.draw(0, 200, never)).right).toBe(0);
+    await source.fields!(0, never);
+    source.fill!(0, "name", "AHAB");
+    expect(inkOf(await source.draw(0, 200, never)).right).toBeGreaterThan(0.2);
+    expect((await source.fields!(1, never))[0].value).toBe("AHAB");
+    expect(inkOf(await source.draw(1, 200, never)).right).toBeGreaterThan(0.2);
+    const saved = await openSource(new File([await source.file!()], "saved.pdf"));
+    opened.push(saved);
+    expect((await saved.fields!(0, never))[0].value).toBe("AHAB");
   });
 });
 

@@ -45,8 +45,8 @@ function layStretch(
   return Array.from({ length: pieces }, (_, k) => {
     const [a, b] = [k, k + 1].map((at) => start + ((end - start) * at) / pieces);
     const mark = document.createElement("div");
-    mark.className = isStrong ? "mark strong" : "mark";
-    mark.setAttribute("part", isStrong ? "mark strong" : "mark");
+    mark.className = isStrong ? "mark here" : "mark";
+    mark.setAttribute("part", isStrong ? "mark mark-here" : "mark");
     layOver(mark, part, a, b);
     return mark;
   });

@@ -175,9 +175,9 @@ test("what is searched for is found, turned to and marked where it is printed", 
   expect(await element.showHit(hits[1])).toBe(true);
   await settled(element);
   await expect.poll(() => root().querySelectorAll(".mark").length, { timeout: 20_000 }).toBe(2);
-  const [strong, ...others] = root().querySelectorAll(".strong");
+  const [strong, ...others] = root().querySelectorAll(".here");
   expect(others).toEqual([]);
-  const faint = root().querySelector(".mark:not(.strong)") as HTMLElement;
+  const faint = root().querySelector(".mark:not(.here)") as HTMLElement;
   // The words as printed: "long" and a space before the one, nothing before the other.
   const line = await inkIn(around(boxOf("long Ishmael"), 3));
   expect(Math.abs(strong.getBoundingClientRect().right - line.right)).toBeLessThan(4.5);

@@ -130,6 +130,7 @@ export class TextLayer {
         element.setAttribute("role", "group");
         element.setAttribute("aria-label", this.#options.name(page));
         const text = document.createElement("div");
+        text.className = "print";
         element.append(text);
         return [page, { element, text, laid: null }];
       }),
