@@ -22,7 +22,7 @@ const viewer = {
   "solid.ts": ["draw", "engine", "viewer.ts"],
   plain: ["book", "draw", "engine", "sources", "viewer.ts"],
   "open_viewer.ts": ["draw", "plain", "sources", "solid.ts", "viewer.ts"],
-  "input.ts": ["book", "engine", "view", "viewer.ts"],
+  input: ["book", "draw", "engine", "view", "viewer.ts"],
   "element.css.ts": [],
   text: ["pages", "sources"],
   sound: ["draw", "engine"],
@@ -33,7 +33,7 @@ const viewer = {
     "words",
     "viewer.ts",
     "open_viewer.ts",
-    "input.ts",
+    "input",
     "text",
     "sound",
   ],
@@ -51,6 +51,7 @@ const viewer = {
   ],
   "index.ts": ["book", "element", "engine", "element.ts", "sources", "text", "words"],
   "element_for_tests.ts": ["element.ts", "index.ts"],
+  "hands_for_tests.ts": ["element.ts"],
   "viewer_for_tests.ts": ["open_viewer.ts", "sources", "viewer.ts"],
 };
 

@@ -340,6 +340,7 @@ test("the paper changes without opening the book anew; unknown words are the usu
 });
 
 test("another screen's pixels, and room that comes late", async () => {
+  const ratio = Object.getOwnPropertyDescriptor(globalThis, "devicePixelRatio");
   const real = globalThis.matchMedia;
   const screens: EventTarget[] = [];
   globalThis.matchMedia = (query) => {
@@ -365,6 +366,6 @@ test("another screen's pixels, and room that comes late", async () => {
     expect(screens.length).toBe(2);
   } finally {
     globalThis.matchMedia = real;
-    Reflect.deleteProperty(globalThis, "devicePixelRatio");
+    if (ratio) Object.defineProperty(globalThis, "devicePixelRatio", ratio);
   }
 });

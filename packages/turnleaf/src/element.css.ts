@@ -36,7 +36,7 @@ ${dark(':host([theme="dark"])')}
 .frame { position: absolute; inset: 0; container: turnleaf / inline-size; }
 [part="stage"] { position: absolute; inset: 0; overflow: hidden; color-scheme: light; }
 :host([controls]) [part="stage"] { inset-block: 48px 52px; }
-[part="canvas"] { position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: pan-y; }
+[part="canvas"] { position: absolute; inset: 0; width: 100%; height: 100%; display: block; }
 :host(:is([controls], [theme])) [part="canvas"] { filter: var(--turnleaf-dim); }
 [part="message"] {
   position: absolute; inset: 0; margin: auto; width: min(20rem, 70%); aspect-ratio: 2 / 3; max-height: 84%;

@@ -36,6 +36,7 @@ export class TurnleafBook extends ReaderElement {
   readonly #life = new Life(this, this.#stage, {
     options: (source) => this.#options(source),
     turn: (by) => void this.#turn(by),
+    calm: () => this.#calm,
     goTo: (page) => void this.goTo(page),
     leaving: () => this.#leave(),
     opened: (book) => this.#opened(book),
@@ -143,9 +144,7 @@ export class TurnleafBook extends ReaderElement {
     }
     const spread = spreadOf(viewer.binding, page);
     if (this.#calm) return viewer.fadeTo(spread);
-    const landed = viewer.turning.goTo(spread);
-    viewer.invalidate();
-    return landed;
+    return viewer.goTo(spread);
   }
 
   /**
@@ -292,9 +291,7 @@ export class TurnleafBook extends ReaderElement {
     if (viewer === undefined) return Promise.resolve(false);
     const way = (by * forward(viewer.binding)) as 1 | -1;
     if (this.#calm) return viewer.fadeTo(viewer.turning.destination + way);
-    const landed = viewer.turning.turn(way);
-    viewer.invalidate();
-    return landed;
+    return viewer.turn(way);
   }
 
   #build(): void {

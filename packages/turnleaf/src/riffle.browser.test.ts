@@ -117,9 +117,10 @@ test("a second hand takes up another leaf, and the first hand's falls", async ()
     return x;
   };
   const [rightEdge, leftEdge] = [edge(300, -3), edge(0, 3)];
+  // A second finger beside one that turns nothing yet would zoom.
   point("pointerdown", 1, rightEdge);
-  point("pointerdown", 2, leftEdge);
   point("pointermove", 1, rightEdge - 30);
+  point("pointerdown", 2, leftEdge);
   point("pointermove", 2, leftEdge + 30);
   await pause(200);
   expect(flights.most).toBe(2);

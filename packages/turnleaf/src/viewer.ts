@@ -8,7 +8,7 @@
 import { faceOf } from "./book/faces.ts";
 import { makeOf, type Paper } from "./book/paper.ts";
 import { type Binding, clampSpread, pageOf, pagesAt, spineOf, spreadOf } from "./book/spreads.ts";
-import type { Turning } from "./book/turning.ts";
+import type { Flight, Turning } from "./book/turning.ts";
 import type { BookPose, BookShape } from "./draw/pose.ts";
 import type { BookStage, Place } from "./draw/stage.ts";
 import type { BookEngine, BookSize } from "./engine/engine.ts";
@@ -21,7 +21,9 @@ import { Details } from "./view/details.ts";
 import { Fade } from "./view/fade.ts";
 import type { Hold } from "./view/holding.ts";
 import { pictureWidth } from "./view/picturing.ts";
+import { Stillness } from "./view/stillness.ts";
 import { Viewing } from "./view/viewing.ts";
+import { Views } from "./view/views.ts";
 
 /** What moves a book's leaves and what draws them; the two of a craft are made for each other. */
 export interface Craft {
@@ -72,7 +74,8 @@ export class Viewer {
   readonly #pictures: PagePictures;
   readonly #fade: Fade;
   readonly #details: Details;
-  readonly #listeners = new Set<(rests: boolean) => void>();
+  readonly #views = new Views();
+  readonly #stillness = new Stillness();
   #bound: Bound;
   #wish: Wish;
   /** The page to keep in sight however the book is bound. */
@@ -87,8 +90,6 @@ export class Viewer {
   #handled = false;
   /** Paper that waits for the leaves in flight to land. */
   #nextPaper: Paper | null = null;
-  /** The view that listeners were told of last. */
-  #toldView = "";
   #destroyed = false;
 
   private constructor(
@@ -166,6 +167,7 @@ export class Viewer {
   rebind(changes: Partial<Wish>): void {
     this.#wish = { ...this.#wish, ...changes };
     this.#mustRebind = true;
+    this.peek(null);
     if (!this.turning.moving) this.#bindAnew();
   }
 
@@ -193,6 +195,7 @@ export class Viewer {
         }
       });
     });
+    this.peek(null);
     if (this.#destroyed || !this.turning.moving) this.#bindAnew();
     return changed;
   }
@@ -237,28 +240,72 @@ export class Viewer {
   /** Makes the leaves of another paper: at once, or as soon as none is in flight. */
   setPaper(paper: Paper): void {
     this.#nextPaper = paper;
+    this.peek(null);
     this.#changePaper();
   }
 
   /** Draws a page (from 1) anew, as its source shows something else there now. */
   redraw(page: number): void {
-    if (!this.#destroyed) this.#pictures.redraw(page);
+    if (this.#destroyed) return;
+    this.#pictures.redraw(page);
+    this.#details.redraw(page);
+    this.invalidate();
   }
 
   /** Asks for a frame, unless one is already asked for. */
   invalidate(): void {
-    if (this.#destroyed || this.#frame !== 0) return;
-    this.#frame = requestAnimationFrame((now) => this.#draw(now));
+    this.#stillness.stir();
+    this.#askForFrame();
   }
 
   /** What a hand at a place on the canvas (CSS pixels) could hold, or null. */
   pick(x: number, y: number): Hold | null {
-    return this.#bound.holding.pick(x, y);
+    const { holding, peek } = this.#bound;
+    const hold = holding.pick(x, y);
+    // Beside a corner that is lifted a hand takes that leaf, not the one under it.
+    return hold && peek.flight && hold.on === peek.side ? { ...hold, on: peek.flight } : hold;
   }
 
   /** A hand takes hold where `pick` found something; the leaf then follows `drag`. */
   grab(hold: Hold, hand: number): boolean {
-    return !this.#destroyed && this.#bound.holding.grab(hold, hand);
+    if (this.#destroyed) return false;
+    const { holding, peek } = this.#bound;
+    const taken = typeof hold.on === "number" ? null : peek.take(hold.on);
+    const grabbed = holding.grab(hold, hand);
+    peek.end();
+    if (taken) this.#tellStart(taken);
+    return grabbed && !this.#destroyed;
+  }
+
+  /** The corner of a resting leaf lifts a little, until null is told. Answers whether it does. */
+  peek(hold: Hold | null): boolean {
+    if (this.#destroyed) return false;
+    const { peek, holding } = this.#bound;
+    if (hold === null) peek.end();
+    const lifts = hold !== null && peek.begin(hold, holding.floor(hold.on === Side.right ? 1 : -1));
+    if (this.turning.moving) this.invalidate();
+    return lifts;
+  }
+
+  /** Whether a place that `pick` found is on a leaf that only lifts a corner. */
+  peeks(hold: Hold): boolean {
+    return hold.on === this.#bound.peek.flight;
+  }
+
+  /** Turns a leaf to the left (1) or the right (-1); resolves as `Turning.turn` does. */
+  turn(way: 1 | -1): Promise<boolean> {
+    return this.#command(
+      () => this.turning.turn(way),
+      (flight) => (flight.from === flight.low) === (way === 1),
+    );
+  }
+
+  /** Turns to a spread; resolves as `Turning.goTo` does. */
+  goTo(spread: number): Promise<boolean> {
+    return this.#command(
+      () => this.turning.goTo(spread),
+      () => false,
+    );
   }
 
   /** A hand that holds something moves to a place on the canvas, CSS pixels. */
@@ -269,6 +316,8 @@ export class Viewer {
   /** A hand lets go. */
   release(hand: number): void {
     if (this.#destroyed) return;
+    const way = this.turning.holds(hand) ? this.#bound.holding.carried(hand) : 0;
+    if (way !== 0) void this.turning.turn(way);
     this.#bound.holding.release(hand);
     this.invalidate();
   }
@@ -286,6 +335,7 @@ export class Viewer {
    */
   zoom(level: number, from: Place, to: Place, seconds: number): void {
     if (this.#destroyed || !(level > 0)) return;
+    this.#bound.peek.end();
     const before = this.#viewing.level;
     this.#viewing.zoom(level, from, to, seconds);
     this.invalidate();
@@ -306,7 +356,8 @@ export class Viewer {
    * @param x,y shares of the page from its upper left corner
    */
   project(page: number, x: number, y: number): Place | null {
-    if (this.#destroyed || this.#cssWidth === 0 || this.turning.moving) return null;
+    if (this.#destroyed || this.#cssWidth === 0) return null;
+    if (this.turning.moving && this.#bound.peek.flight === null) return null;
     const face = faceOf(this.binding, this.turning.spread, page);
     return face && this.#stage.projectOn(face, x, y);
   }
@@ -318,8 +369,7 @@ export class Viewer {
    * `project` answers then holds until the next call. Answers how to take the listener away.
    */
   onView(listener: (rests: boolean) => void): () => void {
-    this.#listeners.add(listener);
-    return () => this.#listeners.delete(listener);
+    return this.#views.add(listener);
   }
 
   /** Whether every page in sight is shown at its full sharpness. */
@@ -343,6 +393,11 @@ export class Viewer {
     this.#stage.destroy();
   }
 
+  #askForFrame(): void {
+    if (this.#destroyed || this.#frame !== 0) return;
+    this.#frame = requestAnimationFrame((now) => this.#draw(now));
+  }
+
   #draw(now: number): void {
     this.#frame = 0;
     const { engine, ticks } = this.#bound;
@@ -354,32 +409,57 @@ export class Viewer {
     if (this.#destroyed) return;
     if (turned) engine.update();
     if (!turning) this.#bindAnew();
-    const stepping = this.#viewing.step(turning, passed * engine.tick);
-    if (stepping) this.#bound.holding.follow();
-    const moving = turning || stepping;
-    const resting = !moving && !this.#handled;
+    const { peek } = this.#bound;
     const pose = this.#bound.pose();
+    const seconds = passed * engine.tick;
+    peek.step(seconds);
+    const stepping = this.#viewing.step(turning && peek.flight === null, seconds);
+    if (stepping) this.#bound.holding.follow();
+    // What is held quite still takes no more frames until the hand moves.
+    const still = turning && this.turning.inHand && this.#stillness.check(pose.leaves);
+    const moving = (turning && !still) || stepping;
+    const resting = !moving && !this.#handled;
     this.#stage.pose(pose);
-    this.#options.onMotion?.(pose, passed * engine.tick, turning);
+    this.#options.onMotion?.(pose, seconds, turning && !still);
     this.#stage.draw({ resting });
     this.#pictures.paused = !resting;
     this.#fade.step(now, this.turning.spread);
     if (this.#destroyed) return;
-    const isRestless = moving || this.#fade.isOn;
-    if (isRestless) this.invalidate();
-    else this.#bound.ticks.stop();
-    if (resting) {
-      this.#details.look(this.#bound.picturing.open, this.#cssWidth, this.#cssHeight);
-    } else this.#details.pause();
-    this.#tellView(isRestless || !resting);
+    if (moving || this.#fade.isOn) this.#askForFrame();
+    else ticks.stop();
+    if (!resting) this.#details.pause();
+    else if (!turning) this.#lookClosely();
+    const gone = stepping || this.#handled || this.#fade.isOn || (turning && !peek.flight);
+    this.#views.tell(gone ? "" : `${this.turning.spread} ${this.#stage.viewKey}`);
   }
 
-  /** Tells of another view, once for each; of a book that moves there is none. */
-  #tellView(moving: boolean): void {
-    const view = moving ? "" : `${this.turning.spread} ${this.#stage.viewKey}`;
-    if (view === this.#toldView) return;
-    this.#toldView = view;
-    for (const listener of this.#listeners) listener(!moving);
+  /** Draws anew what is seen larger than its picture is. */
+  #lookClosely(): void {
+    this.#details.look(this.#bound.picturing.open, this.#cssWidth, this.#cssHeight);
+  }
+
+  /**
+   * A command while a corner is lifted: that leaf falls back, or is turned.
+   *
+   * @param turns whether the command is to turn that leaf
+   */
+  #command(order: () => Promise<boolean>, turns: (flight: Flight) => boolean): Promise<boolean> {
+    const { peek } = this.#bound;
+    const { flight } = peek;
+    if (flight === null || !turns(flight)) peek.end();
+    const done = order();
+    // Whether it was meant or only lay in the way: it is a turn from now on.
+    const turned =
+      flight !== null && (flight.to === Side.left) === (flight.from === flight.low)
+        ? peek.take(flight)
+        : null;
+    if (turned) this.#tellStart(turned);
+    this.invalidate();
+    return done;
+  }
+
+  #tellStart({ low, high, from }: Flight): void {
+    this.#options.onStart(low, high, from === low);
   }
 
   #changePaper(): void {
@@ -404,7 +484,7 @@ export class Viewer {
     const bound = new Bound(plan, engine, this.#stage, this.#pictures, {
       started: (flight) => {
         this.#show();
-        options.onStart(flight.low, flight.high, flight.to === Side.left);
+        if (!bound.peek.lifting) this.#tellStart(flight);
       },
       landed: () => this.#show(),
       rested: (from, to) => {
@@ -432,7 +512,7 @@ export class Viewer {
     this.#stage.bind(plan.shape);
     this.#bound = this.#bind(plan, before.engine.another(plan.shape));
     before.destroy();
-    this.#toldView = "";
+    this.#views.forget();
     const { edge, layout } = before.binding;
     if (edge !== this.binding.edge || layout !== this.binding.layout) this.#options.onLayout?.();
     this.#show();

@@ -178,6 +178,17 @@ export class Turning {
     else if (flight) this.#engine.holdBoard(flight.part, Math.atan2(Math.max(z, 0), x));
   }
 
+  /** Whether a hand has hold of something. */
+  holds(hand: number): boolean {
+    return this.#held.has(hand);
+  }
+
+  /** Whether all that moves is in hand, and nothing else is to come. */
+  get inHand(): boolean {
+    const held = [...this.#held.values()];
+    return this.#plan.length === 0 && this.#flights.every((flight) => held.includes(flight));
+  }
+
   /** A hand lets go. */
   release(hand: number): void {
     const flight = this.#held.get(hand);

@@ -1,6 +1,6 @@
 /** The life of the book in an element: opened, fitted to the element's size, closed. */
 
-import { Input } from "../input.ts";
+import { Input } from "../input/input.ts";
 import { openViewer } from "../open_viewer.ts";
 import { type BookInput, openSource } from "../sources/open.ts";
 import { PageList } from "../sources/page_list.ts";
@@ -26,6 +26,8 @@ export interface LifeHooks {
   goTo(page: number): void;
   /** The open book is about to go, to come back where it lies. */
   leaving(): void;
+  /** Whether the reader asked for less motion. */
+  calm(): boolean;
   /** A book lies open. */
   opened(book: OpenBook): void;
   /** It could not be opened. */
@@ -125,8 +127,7 @@ export class Life {
       if (signal.aborted) viewer.destroy();
       signal.throwIfAborted();
       const canvas = this.#canvas as HTMLCanvasElement;
-      const turn = (by: 1 | -1): void => this.#hooks.turn(by);
-      const hands = new Input(canvas, this.#element, viewer, turn);
+      const hands = new Input(canvas, this.#stage, this.#element, viewer, this.#hooks);
       const reading = new Reading(source, viewer, canvas, (page) => this.#hooks.goTo(page));
       const ended = new AbortController();
       this.#book = { source, viewer, canvas, reading, input: hands, ended };

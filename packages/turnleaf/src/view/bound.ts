@@ -11,6 +11,7 @@ import type { Surface } from "../engine/shapes.ts";
 import type { PagePictures } from "../pages/page_pictures.ts";
 import type { PageSize, PageSource } from "../sources/page_source.ts";
 import { Holding, heightOf } from "./holding.ts";
+import { Peek } from "./peek.ts";
 import { Picturing, spreadsBetween } from "./picturing.ts";
 import { paperPerBoard, Stiffening } from "./stiff.ts";
 import { Ticks } from "./ticks.ts";
@@ -86,6 +87,7 @@ export class Bound {
   readonly turning: Turning;
   readonly picturing: Picturing;
   readonly holding: Holding;
+  readonly peek: Peek;
   readonly ticks: Ticks;
   readonly #stiffening: Stiffening;
 
@@ -104,6 +106,7 @@ export class Bound {
     const { width, height } = shape;
     const hasLeaf = (side: Side): boolean => this.#hasLeaf(side);
     this.holding = new Holding({ engine, stage, turning: this.turning, width, height, hasLeaf });
+    this.peek = new Peek(this.turning, binding, shape);
     this.ticks = new Ticks(engine.tick);
     this.#stiffening = new Stiffening(binding, width);
   }

@@ -102,6 +102,13 @@ export class Details {
     }
   }
 
+  /** Takes away what is shown of a page (from 1): it looks otherwise now. */
+  redraw(page: number): void {
+    for (const details of [this.#shown, this.#coming]) {
+      for (const [face, detail] of details) if (detail.page === page) this.#drop(face);
+    }
+  }
+
   /** Stops drawing; what is shown stays. */
   pause(): void {
     for (const face of [...this.#coming.keys()]) this.#abort(face);

@@ -29,11 +29,26 @@ export interface HoldingBook {
 /** Share of a leaf next to its fore-edge that a hand holds by the edge itself. */
 const edgeShare = 0.08;
 
+/** Up to this u a leaf is held far from its edge; and how far beyond the spine it is then carried over, shares of its width. */
+const farFromEdge = 0.65;
+const beyondSpine = 0.12;
+
+/** A hand that holds something. */
+interface Hand {
+  /** Where on the canvas it is, CSS pixels. */
+  x: number;
+  y: number;
+  /** u of the spot that it holds. */
+  readonly u: number;
+  /** Where it is across the spine, metres. */
+  across: number;
+}
+
 /** The hands on one book. */
 export class Holding {
   readonly #book: HoldingBook;
-  /** Each hand that holds something: where on the canvas it is, CSS pixels, and u of the spot that it holds. */
-  readonly #hands = new Map<number, { x: number; y: number; u: number }>();
+  /** Each hand that holds something. */
+  readonly #hands = new Map<number, Hand>();
 
   constructor(book: HoldingBook) {
     this.#book = book;
@@ -63,7 +78,7 @@ export class Holding {
     if (flight === null) return false;
     const u = hold.u > 1 - edgeShare ? 1 : Math.max(hold.u, 0.3);
     turning.grab(flight, hand, u, Math.min(Math.max(hold.v, 0), 1));
-    this.#hands.set(hand, { x: 0, y: 0, u });
+    this.#hands.set(hand, { x: 0, y: 0, u, across: 0 });
     return true;
   }
 
@@ -74,9 +89,22 @@ export class Holding {
     const { stage, turning, width } = this.#book;
     [held.x, held.y] = [x, y];
     const ray = stage.rayAt(x, y);
-    const place = handAt(ray, held.u * width, (at) => this.#floor(at));
+    const place = handAt(ray, held.u * width, (at) => this.floor(at));
+    held.across = place[0];
     turning.hold(hand, ...place);
     return true;
+  }
+
+  /**
+   * The side, 1 left or -1 right, to which a hand has carried a leaf that it
+   * holds far from the edge: let go at rest such a leaf would fall back, as most
+   * of it still hangs over the other side. 0 where the leaf itself knows.
+   */
+  carried(hand: number): 1 | 0 | -1 {
+    const held = this.#hands.get(hand);
+    if (held === undefined || held.u >= farFromEdge) return 0;
+    if (Math.abs(held.across) < beyondSpine * this.#book.width) return 0;
+    return held.across < 0 ? 1 : -1;
   }
 
   /** The camera moved: what hands hold is carried along under them. */
@@ -90,6 +118,12 @@ export class Holding {
     this.#book.turning.release(hand);
   }
 
+  /** Height of the pages under x, metres. */
+  floor(x: number): number {
+    // The fore-edge's height does for a hand, which holds the leaf near its edge.
+    return heightOf(this.#book.engine.pile(x >= 0 ? Side.right : Side.left));
+  }
+
   #pickSide(ray: Ray): Hold | null {
     const { engine, height } = this.#book;
     let best: Hold | null = null;
@@ -100,11 +134,6 @@ export class Holding {
       if (hit && (best === null || hit.distance < best.distance)) best = { ...hit, on: side };
     }
     return best;
-  }
-
-  #floor(x: number): number {
-    // The fore-edge's height does for a hand, which holds the leaf near its edge.
-    return heightOf(this.#book.engine.pile(x >= 0 ? Side.right : Side.left));
   }
 }
 

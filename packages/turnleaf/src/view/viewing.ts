@@ -41,13 +41,12 @@ export class Viewing {
    * @param seconds that it takes; 0 at once
    */
   zoom(level: number, from: Place, to: Place, seconds: number): void {
-    const wanted = Math.min(Math.max(level, 1), mostZoom);
-    const zoom = this.#stage.zoomed(wanted, from, to);
-    if (seconds > 0) this.#glide = { from: this.#stage.zoom, to: zoom, passed: 0, seconds };
-    else {
-      this.#glide = null;
-      this.#stage.zoom = zoom;
-    }
+    const shown = this.#stage.zoom;
+    // What is asked for on the way goes on from where that way leads.
+    if (this.#glide) this.#stage.zoom = this.#glide.to;
+    const zoom = this.#stage.zoomed(Math.min(Math.max(level, 1), mostZoom), from, to);
+    this.#stage.zoom = seconds > 0 ? shown : zoom;
+    this.#glide = seconds > 0 ? { from: shown, to: zoom, passed: 0, seconds } : null;
   }
 
   /** Moves the camera on; answers whether it still moves. */

@@ -1,0 +1,87 @@
+/** A reader's hands, for tests in a browser. */
+
+import type { TurnleafBook } from "./element.ts";
+
+/** What hands do to one book: places in CSS pixels from the element's upper left corner. */
+export class Hands {
+  readonly element: TurnleafBook;
+  readonly canvas: HTMLCanvasElement;
+  readonly stage: HTMLElement;
+
+  constructor(element: TurnleafBook) {
+    this.element = element;
+    this.stage = element.shadowRoot?.querySelector("[part=stage]") as HTMLElement;
+    this.canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
+    // Pointers that no device moves cannot be captured.
+    this.canvas.setPointerCapture = () => {};
+  }
+
+  /** A pointer event; answers whether the page around may do with it what it likes. */
+  point(name: string, x: number, y: number, more: PointerEventInit = {}): boolean {
+    const { left, top } = this.element.getBoundingClientRect();
+    return this.canvas.dispatchEvent(
+      new PointerEvent(name, {
+        pointerId: 1,
+        pointerType: "mouse",
+        isPrimary: true,
+        bubbles: true,
+        composed: true,
+        cancelable: true,
+        clientX: left + x,
+        clientY: top + y,
+        ...more,
+      }),
+    );
+  }
+
+  /** Presses and lifts. */
+  click(x: number, y: number, more: PointerEventInit = {}): void {
+    this.point("pointerdown", x, y, more);
+    this.point("pointerup", x, y, more);
+  }
+
+  /** Moves in small steps from one place to another, as fast as events come. */
+  flick(from: [number, number], to: [number, number], more: PointerEventInit = {}): void {
+    for (let k = 1; k <= 4; k++) {
+      const [x, y] = [0, 1].map((i) => from[i] + ((to[i] - from[i]) * k) / 4);
+      this.point("pointermove", x, y, more);
+    }
+  }
+
+  /** Moves in small steps from one place to another, some at a frame. */
+  async move(
+    from: [number, number],
+    to: [number, number],
+    more: PointerEventInit = {},
+  ): Promise<void> {
+    for (let k = 1; k <= 6; k++) {
+      const share = k / 6;
+      const [x, y] = [0, 1].map((i) => from[i] + (to[i] - from[i]) * share);
+      this.point("pointermove", x, y, more);
+      await new Promise((resolve) => setTimeout(resolve, 8));
+    }
+  }
+
+  /** A wheel event; answers whether the page around may scroll by it. */
+  roll(deltaX: number, deltaY: number, more: WheelEventInit = {}): boolean {
+    const { left, top } = this.element.getBoundingClientRect();
+    return this.canvas.dispatchEvent(
+      new WheelEvent("wheel", {
+        deltaX,
+        deltaY,
+        bubbles: true,
+        composed: true,
+        cancelable: true,
+        clientX: left + 200,
+        clientY: top + 100,
+        ...more,
+      }),
+    );
+  }
+
+  key(key: string): void {
+    this.element.dispatchEvent(
+      new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }),
+    );
+  }
+}

@@ -1,0 +1,26 @@
+/** How fast a pointer went when it was lifted. */
+
+import type { Place } from "../draw/stage.ts";
+
+/** Time before the end that counts, milliseconds. */
+const recent = 90;
+
+/** The last places of one pointer. */
+export class Flick {
+  #places: (Place & { readonly time: number })[] = [];
+
+  /** Takes down a place, CSS pixels, and its time, milliseconds. */
+  move({ x, y }: Place, time: number): void {
+    this.#places = this.#places.filter((place) => time - place.time <= recent);
+    this.#places.push({ x, y, time });
+  }
+
+  /** Velocity at a time, CSS pixels a millisecond: none where the pointer had stopped before. */
+  velocity(time: number): Place {
+    const places = this.#places.filter((place) => time - place.time <= recent);
+    const [first, last] = [places[0], places.at(-1)];
+    if (first === undefined || last === undefined) return { x: 0, y: 0 };
+    const passed = Math.max(time - first.time, 1);
+    return { x: (last.x - first.x) / passed, y: (last.y - first.y) / passed };
+  }
+}

@@ -1,0 +1,352 @@
+/** Hands on the element in real Chromium: drag, flick, hover, pinch, wheel, keys. */
+
+import { afterEach, expect, test } from "vitest";
+import { DrawnBook } from "../draw/drawn_book.ts";
+import type { TurnDetail } from "../element/events.ts";
+import type { TurnleafBook } from "../element.ts";
+import { book, happens, scans, settled } from "../element_for_tests.ts";
+import { Hands } from "../hands_for_tests.ts";
+
+const pose = DrawnBook.prototype.pose;
+const request = globalThis.requestAnimationFrame;
+
+afterEach(() => {
+  DrawnBook.prototype.pose = pose;
+  globalThis.requestAnimationFrame = request;
+  document.body.replaceChildren();
+  document.body.style.cssText = "";
+});
+
+/** A book of pages that lies open at page 6, and hands on it. */
+async function opened(attributes: Record<string, string> = {}) {
+  const element = book(scans(12), { page: "6", cover: "none", duration: "120", ...attributes });
+  await happens(element, "load");
+  await settled(element);
+  return { element, hands: new Hands(element) };
+}
+
+/** Counts the animation frames that are asked for. */
+function watchFrames(): { count: number } {
+  const seen = { count: 0 };
+  globalThis.requestAnimationFrame = (call) => {
+    seen.count++;
+    return request(call);
+  };
+  return seen;
+}
+
+/** The leaves that are drawn in flight. */
+function watchFlights(): { positions: Float32Array[] } {
+  const seen: { positions: Float32Array[] } = { positions: [] };
+  DrawnBook.prototype.pose = function (parts) {
+    seen.positions = parts.leaves.map(({ positions }) => positions);
+    return pose.call(this, parts);
+  };
+  return seen;
+}
+
+function count(element: TurnleafBook, name: string): { times: number } {
+  const seen = { times: 0 };
+  element.addEventListener(name, () => seen.times++);
+  return seen;
+}
+
+const calls = (times: number) =>
+  Promise.all(Array.from({ length: times }, () => new Promise((done) => setTimeout(done, 60))));
+
+test("a drag in the middle of a page turns it, a click there does not", async () => {
+  const { element, hands } = await opened();
+  hands.click(200, 110);
+  await calls(1);
+  expect(element.settled).toBe(true);
+  hands.point("pointerdown", 205, 110);
+  await hands.move([205, 110], [60, 100]);
+  // Held still it comes to rest in the hand.
+  await settled(element);
+  hands.point("pointerup", 60, 100);
+  await settled(element);
+  expect(element.page).toBe(8);
+});
+
+test("a click at an edge turns, and a flick of a finger on either page does", async () => {
+  const { element, hands } = await opened();
+  hands.click(245, 110);
+  expect((await happens<TurnDetail>(element, "pagechange")).to).toBe(8);
+  const touch = { pointerType: "touch", pointerId: 7 };
+  // Outward on the left page: no leaf there goes that way, but the reader wants on.
+  for (const [from, to, page] of [
+    [120, 70, 10],
+    [80, 140, 8],
+    [180, 130, 10],
+    [180, 240, 8],
+  ]) {
+    const changed = happens<TurnDetail>(element, "pagechange");
+    hands.point("pointerdown", from, 110, touch);
+    hands.flick([from, 110], [to, 112], touch);
+    hands.point("pointerup", to, 112, touch);
+    expect((await changed).to).toBe(page);
+    await settled(element);
+  }
+});
+
+test("a finger that scrolls the page turns nothing, and one that is taken away lets go", async () => {
+  const { element, hands } = await opened();
+  const started = count(element, "turnstart");
+  const touch = { pointerType: "touch", pointerId: 7 };
+  expect(getComputedStyle(hands.stage).touchAction).toBe("pan-y");
+  hands.point("pointerdown", 220, 80, touch);
+  await hands.move([220, 80], [222, 140], touch);
+  hands.point("pointercancel", 222, 140, touch);
+  expect(started.times).toBe(0);
+  hands.point("pointerdown", 220, 80, touch);
+  await hands.move([220, 80], [200, 82], touch);
+  hands.point("pointercancel", 200, 82, touch);
+  await settled(element);
+  expect(element.page).toBe(6);
+  // One finger may scroll; two are the book's.
+  const finger = (identifier: number) =>
+    new Touch({ identifier, target: hands.canvas, clientX: 20 * identifier, clientY: 20 });
+  const touchmove = (touches: Touch[]) =>
+    hands.canvas.dispatchEvent(
+      new TouchEvent("touchmove", { touches, bubbles: true, cancelable: true, composed: true }),
+    );
+  expect(touchmove([finger(1)])).toBe(true);
+  expect(touchmove([finger(1), finger(2)])).toBe(false);
+  element.zoom = 3;
+  expect(touchmove([finger(1)])).toBe(false);
+  await settled(element);
+  expect(getComputedStyle(hands.stage).touchAction).toBe("none");
+  element.zoom = 1;
+  await settled(element);
+  expect(getComputedStyle(hands.stage).touchAction).toBe("pan-y");
+  element.setAttribute("binding", "top");
+  await settled(element);
+  expect(getComputedStyle(hands.stage).touchAction).toBe("pan-x");
+});
+
+test("a corner lifts under a mouse, holds still without a frame, and lies down", async () => {
+  const { element, hands } = await opened();
+  const started = count(element, "turnstart");
+  const flights = watchFlights();
+  let corner: [number, number] = [0, 0];
+  // The corner of the page at the foot, wherever it is seen.
+  for (let y = 215; y > 150 && flights.positions.length === 0; y -= 3) {
+    for (let x = 296; x > 200 && flights.positions.length === 0; x -= 3) {
+      hands.point("pointermove", x, y);
+      if (hands.canvas.style.cursor !== "grab") continue;
+      corner = [x - 4, y - 4];
+      hands.point("pointermove", ...corner);
+      await new Promise((resolve) => request(() => request(resolve)));
+      break;
+    }
+  }
+  expect(flights.positions.length).toBe(1);
+  await settled(element);
+  // Higher at that corner than anywhere else near its edge.
+  const heights = flights.positions[0].filter((_, k) => k % 3 === 2);
+  expect(Math.max(...heights)).toBeGreaterThan(heights[heights.length - 1] + 0.006);
+  const frames = watchFrames();
+  await calls(1);
+  expect(frames.count).toBe(0);
+  expect(started.times).toBe(0);
+  // On the same corner nothing begins anew.
+  hands.point("pointermove", corner[0] - 2, corner[1] - 2);
+  await calls(1);
+  expect(frames.count).toBe(0);
+  hands.point("pointermove", 200, 60);
+  await settled(element);
+  expect(flights.positions.length).toBe(0);
+  expect(element.page).toBe(6);
+  expect(started.times).toBe(0);
+
+  // Lifted, a click turns it; the other way goes the other way.
+  hands.point("pointermove", ...corner);
+  await settled(element);
+  hands.click(...corner);
+  expect((await happens<TurnDetail>(element, "pagechange")).to).toBe(8);
+  expect(started.times).toBe(1);
+  await settled(element);
+  hands.point("pointermove", 200, 60);
+  await settled(element);
+  hands.point("pointermove", ...corner);
+  await settled(element);
+  expect(await element.previous()).toBe(true);
+  expect(element.page).toBe(6);
+  expect(started.times).toBe(2);
+
+  // A drag takes it from where it is lifted, and holds still without frames too.
+  await settled(element);
+  hands.point("pointermove", 200, 60);
+  await settled(element);
+  hands.point("pointermove", ...corner);
+  await settled(element);
+  hands.point("pointerdown", ...corner);
+  await hands.move(corner, [corner[0] - 60, corner[1] - 20]);
+  expect(started.times).toBe(3);
+  await settled(element);
+  frames.count = 0;
+  await calls(1);
+  expect(frames.count).toBe(0);
+  expect(flights.positions.length).toBe(1);
+  await hands.move([corner[0] - 60, corner[1] - 20], [40, 120]);
+  await settled(element);
+  hands.point("pointerup", 40, 120);
+  await settled(element);
+  expect(element.page).toBe(8);
+  // Away from the element it lies down as well.
+  hands.point("pointermove", 200, 60);
+  hands.point("pointermove", ...corner);
+  await expect.poll(() => flights.positions.length).toBe(1);
+  hands.stage.dispatchEvent(new PointerEvent("pointerleave"));
+  await settled(element);
+  expect(flights.positions.length).toBe(0);
+});
+
+test("two fingers zoom about what is between them, one then pans, and edges hold", async () => {
+  const { element, hands } = await opened();
+  const zooms: number[] = [];
+  element.addEventListener("zoomchange", (event) =>
+    zooms.push((event as CustomEvent<{ zoom: number }>).detail.zoom),
+  );
+  const [a, b] = [1, 2].map((pointerId) => ({ pointerId, pointerType: "touch" }));
+  hands.point("pointerdown", 140, 110, a);
+  hands.point("pointerdown", 160, 110, b);
+  await Promise.all([hands.move([140, 110], [120, 100], a), hands.move([160, 110], [180, 120], b)]);
+  expect(element.zoom).toBeGreaterThan(2.9);
+  expect(element.zoom).toBeLessThan(3.4);
+  expect(zooms.at(-1)).toBe(element.zoom);
+  hands.point("pointerup", 180, 120, b);
+  const level = element.zoom;
+  await hands.move([120, 100], [60, 60], a);
+  hands.point("pointerup", 60, 60, a);
+  await settled(element);
+  expect(element.zoom).toBe(level);
+  expect(element.page).toBe(6);
+  // No swipe turns while zoomed.
+  hands.point("pointerdown", 250, 110, a);
+  hands.flick([250, 110], [100, 110], a);
+  hands.point("pointerup", 100, 110, a);
+  await settled(element);
+  expect(element.page).toBe(6);
+  // Pinched together it is whole again, and no smaller.
+  hands.point("pointerdown", 60, 110, a);
+  hands.point("pointerdown", 240, 110, b);
+  await Promise.all([hands.move([60, 110], [145, 110], a), hands.move([240, 110], [155, 110], b)]);
+  hands.point("pointerup", 155, 110, b);
+  hands.point("pointerup", 145, 110, a);
+  expect(element.zoom).toBe(1);
+  await settled(element);
+});
+
+test("a double tap zooms to the page and back, keys zoom and pan", async () => {
+  const { element, hands } = await opened();
+  const touch = { pointerType: "touch", pointerId: 3 };
+  hands.click(200, 100, touch);
+  hands.click(203, 102, touch);
+  expect(element.zoom).toBeGreaterThanOrEqual(2);
+  await settled(element);
+  const cursor = hands.canvas.style.cursor;
+  hands.point("pointermove", 150, 100);
+  expect(hands.canvas.style.cursor).toBe("grab");
+  hands.canvas.style.cursor = cursor;
+  hands.click(120, 100, touch);
+  hands.click(120, 100, touch);
+  expect(element.zoom).toBe(1);
+  await settled(element);
+  hands.click(200, 100);
+  hands.click(200, 100);
+  expect(element.zoom).toBeGreaterThanOrEqual(2);
+  hands.key("0");
+  expect(element.zoom).toBe(1);
+  hands.key("+");
+  expect(element.zoom).toBeCloseTo(Math.SQRT2, 6);
+  hands.key("+");
+  expect(element.zoom).toBeCloseTo(2, 6);
+  hands.key("ArrowRight");
+  await settled(element);
+  expect(element.page).toBe(6);
+  hands.key("-");
+  hands.key("-");
+  hands.key("-");
+  expect(element.zoom).toBe(1);
+  hands.key("ArrowRight");
+  await happens(element, "pagechange");
+  expect(element.page).toBe(8);
+});
+
+test("the wheel zooms with Ctrl, pans while zoomed, turns where nothing else scrolls", async () => {
+  const { element, hands } = await opened();
+  expect(hands.roll(0, -40, { ctrlKey: true })).toBe(false);
+  expect(element.zoom).toBeGreaterThan(1.3);
+  await settled(element);
+  const level = element.zoom;
+  expect(hands.roll(30, 20)).toBe(false);
+  await settled(element);
+  expect(element.zoom).toBe(level);
+  expect(element.page).toBe(6);
+  element.zoom = 1;
+  await settled(element);
+
+  // Across it turns, once a swipe.
+  for (let k = 0; k < 6; k++) expect(hands.roll(30, 2)).toBe(false);
+  await settled(element);
+  expect(element.page).toBe(8);
+  await calls(4);
+
+  // Down, the page scrolls if it can.
+  const tall = document.createElement("div");
+  tall.style.height = "3000px";
+  document.body.append(tall);
+  expect(hands.roll(0, 120)).toBe(true);
+  await settled(element);
+  expect(element.page).toBe(8);
+  tall.remove();
+  document.documentElement.style.overflow = "hidden";
+  try {
+    expect(hands.roll(0, 120)).toBe(false);
+    expect((await happens<TurnDetail>(element, "pagechange")).to).toBe(10);
+    await calls(4);
+    expect(hands.roll(0, -120)).toBe(false);
+    expect((await happens<TurnDetail>(element, "pagechange")).to).toBe(8);
+  } finally {
+    document.documentElement.style.overflow = "";
+  }
+});
+
+test("a slider drawn over the block redirects the leaves, and the book lands where it was told last", async () => {
+  const element = book(scans(60), { cover: "none", duration: "200" });
+  await happens(element, "load");
+  await settled(element);
+  const flights = watchFlights();
+  let most = 0;
+  const told: Promise<boolean>[] = [];
+  for (const page of [4, 10, 16, 24, 34, 44, 50, 46, 38, 30, 26, 22]) {
+    told.push(element.goTo(page));
+    await calls(1);
+    most = Math.max(most, flights.positions.length);
+  }
+  expect((await Promise.all(told)).at(-1)).toBe(true);
+  await settled(element);
+  expect(element.page).toBe(22);
+  expect(most).toBeGreaterThan(1);
+});
+
+test("who asked for less motion sees no corner lift and no glide", async () => {
+  const real = globalThis.matchMedia;
+  globalThis.matchMedia = (query) =>
+    query.includes("reduced-motion") ? ({ matches: true } as MediaQueryList) : real(query);
+  try {
+    const { element, hands } = await opened();
+    const flights = watchFlights();
+    for (let y = 215; y > 150; y -= 6) {
+      for (let x = 296; x > 240; x -= 6) hands.point("pointermove", x, y);
+    }
+    element.zoom = 4;
+    expect(element.zoom).toBe(4);
+    await new Promise((resolve) => request(() => request(resolve)));
+    expect(flights.positions.length).toBe(0);
+    await settled(element);
+  } finally {
+    globalThis.matchMedia = real;
+  }
+});

@@ -1,0 +1,390 @@
+/** Pointers, wheel and keys become commands to the book. */
+
+import { turnOfKey } from "../book/layout.ts";
+import { forward } from "../book/spreads.ts";
+import type { Place } from "../draw/stage.ts";
+import { handCount, Side } from "../engine/phases.ts";
+import type { Hold } from "../view/holding.ts";
+import type { Viewer } from "../viewer.ts";
+import { Flick } from "./flick.ts";
+import { pageZoom } from "./page_zoom.ts";
+import { Pinch } from "./pinch.ts";
+import { Taps } from "./taps.ts";
+import { Wheel } from "./wheel.ts";
+
+/** Share of a page next to its fore-edge, and of its height at head and foot, where a click turns. */
+const edgeZone = 0.3;
+const cornerZone = { u: 0.5, v: 0.2 };
+
+/** The corner that lifts under a pointer, and the larger one in which it stays up. */
+const liftZone = { u: 0.16, v: 0.13 };
+const stayZone = { u: 0.3, v: 0.24 };
+
+/** Movement in CSS pixels from which a press is a drag: fingers are less sure. */
+const dragStart = { mouse: 4, other: 8 };
+
+/** From here on a pointer that is lifted flicks the leaf over, CSS pixels a millisecond; and the longest such a press is, ms. */
+const flickSpeed = 0.45;
+const flickTime = 450;
+
+/** How far a panned book glides on, in seconds of its speed, and the time that it takes, seconds. */
+const glideOn = 0.13;
+const glideTime = 0.4;
+
+/** Time that a zoom by key or double tap takes, seconds, and the zoom of one key. */
+const zoomTime = 0.28;
+const zoomStep = Math.SQRT2;
+
+/** Share of the canvas that an arrow key pans by. */
+const panStep = 0.15;
+
+/** A pointer that is down. */
+interface Press extends Place {
+  /** The hand that it stands for. */
+  readonly hand: number;
+  readonly hold: Hold | null;
+  readonly kind: string;
+  readonly time: number;
+  readonly flick: Flick;
+  /** What it does by now: nothing yet, move a leaf, or the view. */
+  does: "wait" | "drag" | "pan";
+  /** Where it is. */
+  at: Place;
+}
+
+/** What of a page takes pointers itself: links and fields; and text, from a mouse or pen that selects it. */
+const ownPointers = "a, button, input, select, textarea";
+const selected = "span, .guard";
+
+/** What input asks of the element. */
+export interface InputHooks {
+  /** Turns one leaf on (1) or back (-1), as the reader likes it: with a turn or without. */
+  turn(by: 1 | -1): void;
+  /** Whether the reader asked for less motion. */
+  calm(): boolean;
+}
+
+/** Everything that a reader does to one book by hand; `destroy` takes every listener away. */
+export class Input {
+  readonly #canvas: HTMLCanvasElement;
+  readonly #stage: HTMLElement;
+  readonly #keys: HTMLElement;
+  readonly #viewer: Viewer;
+  readonly #hooks: InputHooks;
+  readonly #ended = new AbortController();
+  /** By the pointer's number. */
+  readonly #presses = new Map<number, Press>();
+  readonly #taps = new Taps();
+  readonly #wheel: Wheel;
+  #pinch: Pinch | null = null;
+  #isPeeking = false;
+
+  /**
+   * @param stage what the canvas and the text over it lie in
+   * @param keys the element whose keys turn pages
+   */
+  constructor(
+    canvas: HTMLCanvasElement,
+    stage: HTMLElement,
+    keys: HTMLElement,
+    viewer: Viewer,
+    hooks: InputHooks,
+  ) {
+    this.#canvas = canvas;
+    this.#stage = stage;
+    this.#keys = keys;
+    this.#viewer = viewer;
+    this.#hooks = hooks;
+    this.#wheel = new Wheel({ viewer, turn: hooks.turn, calm: hooks.calm });
+    const { signal } = this.#ended;
+    // Caught on the way down: what lies upon the canvas has pointers of its own.
+    const on = (name: string, handle: (event: PointerEvent) => void) =>
+      stage.addEventListener(name, handle as EventListener, { signal, capture: true });
+    on("pointerdown", (event) => this.#down(event));
+    on("pointermove", (event) => this.#move(event));
+    on("pointerup", (event) => this.#up(event));
+    on("pointercancel", (event) => this.#up(event));
+    // A menu or a dialog may swallow the end of a press; nobody must be left holding a leaf.
+    on("lostpointercapture", (event) => {
+      if (event.target === canvas) this.#up(event);
+    });
+    stage.addEventListener("pointerleave", () => this.#peek(null), { signal });
+    stage.addEventListener("wheel", (event) => this.#wheel.roll(event, this.#place(event)), {
+      signal,
+      passive: false,
+    });
+    // Two fingers are the book's; so is one on a book that is zoomed. Else the page scrolls as it likes.
+    stage.addEventListener("touchmove", (event) => this.#touch(event), { signal, passive: false });
+    keys.addEventListener("keydown", (event) => this.#key(event), { signal });
+    const unfollow = viewer.onView(() => this.#follow());
+    signal.addEventListener("abort", unfollow, { once: true });
+    this.#follow();
+  }
+
+  /** Takes every listener away. */
+  destroy(): void {
+    this.#ended.abort();
+    this.#stage.style.touchAction = "";
+  }
+
+  /** Lets the page scroll by the drags that turn no leaf, unless they move a book that is zoomed. */
+  #follow(): void {
+    const scroll = this.#viewer.binding.rolled ? "pan-x" : "pan-y";
+    this.#stage.style.touchAction = this.#viewer.zoomLevel > 1 ? "none" : scroll;
+  }
+
+  #down(event: PointerEvent): void {
+    const kind = event.pointerType;
+    if (this.#presses.has(event.pointerId) || event.button !== 0 || isElsewhere(event)) return;
+    const at = this.#place(event);
+    if (this.#beginPinch(event, at)) return;
+    const hand = this.#freeHand();
+    if (hand === null || this.#pinch) return;
+    const isZoomed = this.#viewer.zoomLevel > 1;
+    const hold = isZoomed ? null : this.#viewer.pick(at.x, at.y);
+    if (hold === null && !isZoomed) return;
+    const flick = new Flick();
+    flick.move(at, event.timeStamp);
+    const press: Press = {
+      ...at,
+      at,
+      hand,
+      hold,
+      kind,
+      flick,
+      time: event.timeStamp,
+      does: "wait",
+    };
+    // A leaf already turning is caught at once, where it is.
+    if (hold && this.#isFlying(hold) && this.#viewer.grab(hold, hand)) press.does = "drag";
+    this.#presses.set(event.pointerId, press);
+    this.#canvas.setPointerCapture(event.pointerId);
+    if (press.does === "drag") this.#viewer.drag(hand, at.x, at.y);
+  }
+
+  #move(event: PointerEvent): void {
+    const at = this.#place(event);
+    if (this.#pinch?.move(event.pointerId, at)) return;
+    const press = this.#presses.get(event.pointerId);
+    if (press === undefined) this.#hover(event, at);
+    else {
+      press.flick.move(at, event.timeStamp);
+      if (press.does === "wait") this.#begin(press, at);
+      if (press.does === "drag") this.#viewer.drag(press.hand, at.x, at.y);
+      if (press.does === "pan") this.#viewer.zoom(this.#viewer.zoomLevel, press.at, at, 0);
+      press.at = at;
+    }
+  }
+
+  /** A press that has moved becomes a drag or a pan. */
+  #begin(press: Press, at: Place): void {
+    const [x, y] = [at.x - press.x, at.y - press.y];
+    const isMouse = press.kind === "mouse";
+    if (Math.hypot(x, y) <= (isMouse ? dragStart.mouse : dragStart.other)) return;
+    this.#taps.forget();
+    if (press.hold === null) {
+      press.does = "pan";
+      this.#viewer.handled = true;
+    } else {
+      // Along the page's own way to scroll a finger scrolls it: the browser will say so.
+      const { rolled } = this.#viewer.binding;
+      if (press.kind === "touch" && Math.abs(rolled ? x : y) > Math.abs(rolled ? y : x)) return;
+      if (this.#viewer.grab(press.hold, press.hand)) press.does = "drag";
+      this.#isPeeking = false;
+    }
+    this.#canvas.style.cursor = "grabbing";
+  }
+
+  #up(event: PointerEvent): void {
+    if (this.#endPinch(event)) return;
+    const press = this.#presses.get(event.pointerId);
+    if (press === undefined) return;
+    this.#presses.delete(event.pointerId);
+    this.#canvas.style.cursor = "";
+    const isDone = event.type === "pointerup";
+    if (press.does === "drag") this.#letGo(press, isDone ? event.timeStamp : null);
+    else if (press.does === "pan") this.#letGlide(press, isDone ? event.timeStamp : null);
+    else if (isDone) this.#tap(press, event);
+  }
+
+  /** A leaf falls where it is let go; a flick turns it over, or one of the other side. */
+  #letGo({ hold, hand, flick, time }: Press, now: number | null): void {
+    const way = now !== null && now - time <= flickTime ? this.#flicked(flick.velocity(now)) : 0;
+    const isOwn = hold === null || sideOf(hold) === (way === 1 ? Side.right : Side.left);
+    if (way !== 0 && isOwn) this.#hooks.turn((way * forward(this.#viewer.binding)) as 1 | -1);
+    this.#viewer.release(hand);
+    if (way !== 0 && !isOwn) this.#hooks.turn((way * forward(this.#viewer.binding)) as 1 | -1);
+  }
+
+  /** The way that a flick turns: 1 to the left, -1 to the right, 0 for none. */
+  #flicked(velocity: Place): 1 | 0 | -1 {
+    const { rolled } = this.#viewer.binding;
+    const along = rolled ? velocity.y : velocity.x;
+    const beside = rolled ? velocity.x : velocity.y;
+    if (Math.abs(along) < flickSpeed || Math.abs(along) < Math.abs(beside)) return 0;
+    return along < 0 ? 1 : -1;
+  }
+
+  #letGlide({ at, flick }: Press, now: number | null): void {
+    const { x, y } = flick.velocity(now ?? 0);
+    const far = 1000 * glideOn;
+    if (now !== null && Math.hypot(x, y) > 0.1 && !this.#hooks.calm()) {
+      const to = { x: at.x + far * x, y: at.y + far * y };
+      this.#viewer.zoom(this.#viewer.zoomLevel, at, to, glideTime);
+    }
+    this.#viewer.handled = false;
+  }
+
+  #tap({ hold, at }: Press, event: PointerEvent): void {
+    const inside = hold === null || !turnsByClick(hold);
+    if (inside && this.#taps.tap(event)) {
+      const { level, from, to } = pageZoom(this.#viewer, at, this.#canvas.clientWidth);
+      this.#viewer.zoom(level, from, to, this.#seconds(zoomTime));
+      return;
+    }
+    if (hold === null || inside || this.#isFlying(hold)) return;
+    const isRight = sideOf(hold) === Side.right;
+    const way = forward(this.#viewer.binding);
+    this.#hooks.turn(isRight ? way : (-way as 1 | -1));
+  }
+
+  /** A second finger zooms, unless the first already turns a leaf: then it is another hand. */
+  #beginPinch(event: PointerEvent, at: Place): boolean {
+    if (event.pointerType !== "touch" || this.#pinch) return false;
+    const other = [...this.#presses].find(
+      ([, press]) => press.kind === "touch" && press.does !== "drag",
+    );
+    if (other === undefined) return false;
+    const [id, press] = other;
+    this.#presses.delete(id);
+    this.#taps.forget();
+    this.#viewer.handled = true;
+    this.#pinch = new Pinch(this.#viewer, [id, press.at], [event.pointerId, at]);
+    this.#canvas.setPointerCapture(event.pointerId);
+    return true;
+  }
+
+  #endPinch(event: PointerEvent): boolean {
+    const left = this.#pinch?.lift(event.pointerId) ?? null;
+    if (left === null) return false;
+    this.#pinch = null;
+    const [id, at] = left;
+    const flick = new Flick();
+    const hand = this.#freeHand() ?? 0;
+    const press = { ...at, at, hand, hold: null, kind: "touch", flick, time: event.timeStamp };
+    // The finger that stays goes on moving what is zoomed.
+    if (this.#viewer.zoomLevel > 1) this.#presses.set(id, { ...press, does: "pan" });
+    else this.#viewer.handled = false;
+    return true;
+  }
+
+  #touch(event: TouchEvent): void {
+    if (!event.cancelable || (event.touches.length < 2 && this.#viewer.zoomLevel <= 1)) return;
+    event.preventDefault();
+  }
+
+  /** A mouse or pen that hovers: its cursor, and the corner that lifts under it. */
+  #hover(event: PointerEvent, at: Place): void {
+    if (event.pointerType === "touch" || event.buttons !== 0 || this.#presses.size > 0) return;
+    const isZoomed = this.#viewer.zoomLevel > 1;
+    const hold = isZoomed || event.target !== this.#canvas ? null : this.#viewer.pick(at.x, at.y);
+    this.#canvas.style.cursor = hold !== null || isZoomed ? "grab" : "";
+    this.#peek(hold);
+  }
+
+  /** Lifts the corner at a place, or lets it fall. */
+  #peek(hold: Hold | null): void {
+    const zone = this.#isPeeking ? stayZone : liftZone;
+    const isCorner = hold !== null && hold.u > 1 - zone.u && Math.abs(hold.v - 0.5) > 0.5 - zone.v;
+    const lifts = isCorner && !this.#hooks.calm();
+    if (lifts === this.#isPeeking) return;
+    this.#isPeeking = this.#viewer.peek(lifts ? hold : null);
+  }
+
+  /** A hand that no pointer stands for, or null. The last is that of a lifted corner. */
+  #freeHand(): number | null {
+    const taken = new Set([...this.#presses.values()].map(({ hand }) => hand));
+    for (let hand = 0; hand < handCount - 1; hand++) if (!taken.has(hand)) return hand;
+    return null;
+  }
+
+  #key(event: KeyboardEvent): void {
+    if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
+    if (!this.#isMeant(event.composedPath()[0])) return;
+    const done = this.#zoomByKey(event.key) || this.#panByKey(event.key);
+    const by = done ? 0 : turnOfKey(event.key, this.#viewer.binding.edge);
+    if (!done && by === 0) return;
+    event.preventDefault();
+    if (by !== 0) this.#hooks.turn(by);
+  }
+
+  /** Whether a key pressed there is the book's: not a field's on a page, nor one of the controls beside it. */
+  #isMeant(target: EventTarget | undefined): boolean {
+    if (target === this.#keys) return true;
+    const isField = target instanceof Element && target.matches("input, textarea, select");
+    return !isField && this.#stage.contains(target as Node);
+  }
+
+  #zoomByKey(key: string): boolean {
+    const factor = { "+": zoomStep, "=": zoomStep, "-": 1 / zoomStep, "0": 0 }[key];
+    if (factor === undefined) return false;
+    const { zoomLevel } = this.#viewer;
+    const middle = this.#middle;
+    this.#viewer.zoom(Math.max(zoomLevel * factor, 1), middle, middle, this.#seconds(zoomTime));
+    return true;
+  }
+
+  /** Arrows move what is zoomed: the view goes where they point. */
+  #panByKey(key: string): boolean {
+    if (this.#viewer.zoomLevel <= 1) return false;
+    const way = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[
+      key
+    ];
+    if (way === undefined) return false;
+    const from = this.#middle;
+    const step = 2 * panStep;
+    const to = { x: from.x * (1 + step * way[0]), y: from.y * (1 + step * way[1]) };
+    this.#viewer.zoom(this.#viewer.zoomLevel, from, to, this.#seconds(zoomTime));
+    return true;
+  }
+
+  get #middle(): Place {
+    const { clientWidth, clientHeight } = this.#canvas;
+    return { x: clientWidth / 2, y: clientHeight / 2 };
+  }
+
+  #seconds(usual: number): number {
+    return this.#hooks.calm() ? 0 : usual;
+  }
+
+  /** Whether it is a place on what is in flight, rather than on a resting page or a corner that only lifts. */
+  #isFlying(hold: Hold): boolean {
+    return typeof hold.on !== "number" && !this.#viewer.peeks(hold);
+  }
+
+  /** Where a pointer is on the canvas, CSS pixels. */
+  #place(event: MouseEvent): Place {
+    const box = this.#canvas.getBoundingClientRect();
+    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  }
+}
+
+/** The side where a leaf was taken. */
+function sideOf({ on }: Hold): Side {
+  if (typeof on === "number") return on;
+  return on.from === on.low ? Side.right : Side.left;
+}
+
+/** Whether a click there turns the leaf: at an edge or a corner. */
+function turnsByClick({ u, v }: Hold): boolean {
+  if (u > 1 - edgeZone) return true;
+  return u > 1 - cornerZone.u && Math.abs(v - 0.5) > 0.5 - cornerZone.v;
+}
+
+/** Whether a press is for something upon the page: a link or field, or text that it selects. */
+function isElsewhere(event: PointerEvent): boolean {
+  const { target } = event;
+  if (!(target instanceof Element)) return false;
+  if (target.closest(ownPointers)) return true;
+  return event.pointerType === "mouse" && target.closest(selected) !== null;
+}

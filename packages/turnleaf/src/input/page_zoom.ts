@@ -1,0 +1,41 @@
+/** The zoom of a double tap: to the page that was tapped, and back. */
+
+import { pagesAt } from "../book/spreads.ts";
+import type { Place } from "../draw/stage.ts";
+import type { Viewer } from "../viewer.ts";
+
+/** Share of the canvas that the page's width is to fill. */
+const filled = 0.94;
+
+/** Least and most that a double tap zooms. */
+const least = 2;
+const most = 4;
+
+/** A zoom to ask for: the level, and what comes to where. */
+interface AskedZoom {
+  readonly level: number;
+  readonly from: Place;
+  readonly to: Place;
+}
+
+/**
+ * What a double tap at a place asks for: the page there across the whole
+ * canvas; from a book that is zoomed, all of it.
+ *
+ * @param width of the canvas, CSS pixels
+ */
+export function pageZoom(viewer: Viewer, at: Place, width: number): AskedZoom {
+  const whole = { level: 1, from: at, to: at };
+  if (viewer.zoomLevel > 1) return whole;
+  const pages = pagesAt(viewer.binding, viewer.turning.spread).flatMap((page) => {
+    const [left, right] = [viewer.project(page, 0, 0.5), viewer.project(page, 1, 0.5)];
+    return left && right ? [{ middle: (left.x + right.x) / 2, across: right.x - left.x }] : [];
+  });
+  const [page] = pages.sort((a, b) => Math.abs(a.middle - at.x) - Math.abs(b.middle - at.x));
+  if (page === undefined) return { ...whole, level: least };
+  const level = Math.min(Math.max((filled * width) / page.across, least), most);
+  // Where the page is wider than the canvas, what was tapped stays in sight.
+  const fits = level * page.across <= width;
+  const from = fits ? { x: page.middle, y: at.y } : at;
+  return { level, from, to: fits ? { x: width / 2, y: at.y } : at };
+}

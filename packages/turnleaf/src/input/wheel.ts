@@ -1,0 +1,100 @@
+/** The wheel: zoom with Ctrl or by pinching a trackpad, pan while zoomed, turn where it scrolls nothing else. */
+
+import { forward } from "../book/spreads.ts";
+import type { Place } from "../draw/stage.ts";
+import type { Viewer } from "../viewer.ts";
+
+/** CSS pixels of a line, for wheels that count in lines. */
+const line = 16;
+
+/** Zoom for each pixel of a pinch, as an exponent, and the most pixels that one event counts for. */
+const zoomRate = 0.009;
+const mostZoomStep = 40;
+
+/** From this many pixels on an event is a notch of a wheel, and turns a leaf by itself. */
+const notch = 90;
+
+/** Pixels of a smooth wheel that turn a leaf. */
+const swipe = 60;
+
+/** Least time between two leaves, and the pause that parts one swipe from the next, milliseconds. */
+const leastApart = 120;
+const pause = 150;
+
+/** Time that a zoom or pan by wheel takes, seconds: wheels go in steps. */
+const glide = 0.12;
+
+/** What the wheel turns to. */
+export interface WheelTarget {
+  readonly viewer: Viewer;
+  /** Turns one leaf on (1) or back (-1). */
+  turn(by: 1 | -1): void;
+  /** Whether the reader asked for less motion. */
+  calm(): boolean;
+}
+
+/** The wheel over one book. */
+export class Wheel {
+  readonly #target: WheelTarget;
+  #sum = 0;
+  /** When the last event came and the last leaf was turned, and whether this swipe has turned one. */
+  #last = Number.NEGATIVE_INFINITY;
+  #turned = Number.NEGATIVE_INFINITY;
+  #isSpent = false;
+
+  constructor(target: WheelTarget) {
+    this.#target = target;
+  }
+
+  /** Answers an event at a place on the canvas. What it takes, the page around it does not scroll by. */
+  roll(event: WheelEvent, at: Place): void {
+    if (event.defaultPrevented) return;
+    const { viewer } = this.#target;
+    const unit = event.deltaMode === 0 ? 1 : event.deltaMode === 1 ? line : 20 * line;
+    const [x, y] = [event.deltaX * unit, event.deltaY * unit];
+    const seconds = this.#target.calm() ? 0 : glide;
+    if (event.ctrlKey || event.metaKey) {
+      const step = Math.min(Math.max(y, -mostZoomStep), mostZoomStep);
+      viewer.zoom(viewer.zoomLevel * Math.exp(-zoomRate * step), at, at, seconds);
+    } else if (viewer.zoomLevel > 1) {
+      viewer.zoom(viewer.zoomLevel, at, { x: at.x - x, y: at.y - y }, seconds);
+    } else if (!this.#turn(event, x, y)) return;
+    event.preventDefault();
+  }
+
+  /** Turns leaves; answers whether the event is the book's. */
+  #turn(event: WheelEvent, x: number, y: number): boolean {
+    const isAcross = Math.abs(x) > Math.abs(y);
+    if (!isAcross && scrolls(event)) return false;
+    const delta = isAcross ? x * forward(this.#target.viewer.binding) : y;
+    const time = event.timeStamp;
+    const isNotch = event.deltaMode !== 0 || Math.abs(delta) >= notch;
+    if (time - this.#last > pause || delta * this.#sum < 0) {
+      this.#sum = 0;
+      this.#isSpent = false;
+    }
+    this.#last = time;
+    this.#sum += delta;
+    // A trackpad goes on by itself after a swipe: that turns no more leaves.
+    const isEnough = isNotch || (!this.#isSpent && Math.abs(this.#sum) >= swipe);
+    if (isEnough && time - this.#turned >= leastApart) {
+      this.#isSpent = true;
+      this.#turned = time;
+      this.#target.turn(delta > 0 ? 1 : -1);
+    }
+    return true;
+  }
+}
+
+/** Whether the wheel would scroll what is around the book, up to what fills the screen. */
+function scrolls(event: WheelEvent): boolean {
+  const { fullscreenElement, scrollingElement } = document;
+  for (const node of event.composedPath()) {
+    if (!(node instanceof Element)) continue;
+    if (node === fullscreenElement) return false;
+    if (node.scrollHeight <= node.clientHeight + 1) continue;
+    if (node === scrollingElement) return getComputedStyle(node).overflowY !== "hidden";
+    if (/auto|scroll/.test(getComputedStyle(node).overflowY)) return true;
+  }
+  return false;
+}
