@@ -85,7 +85,6 @@ export class Viewer {
   readonly #changes: (() => void)[] = [];
   #cssWidth = 0;
   #cssHeight = 0;
-  #pixelRatio = 1;
   #frame = 0;
   #handled = false;
   /** Paper that waits for the leaves in flight to land. */
@@ -204,7 +203,6 @@ export class Viewer {
   resize(cssWidth: number, cssHeight: number, pixelRatio: number): void {
     this.#cssWidth = cssWidth;
     this.#cssHeight = cssHeight;
-    this.#pixelRatio = pixelRatio;
     this.#stage.resize(cssWidth, cssHeight, pixelRatio);
     if (this.#plan().binding.layout !== this.binding.layout) this.rebind({});
     this.#show();
@@ -540,7 +538,7 @@ export class Viewer {
     if (this.#destroyed) return;
     if (this.#cssWidth > 0) {
       const { shape, picturing } = this.#bound;
-      picturing.want(pictureWidth(shape, this.#stage, this.#viewing, this.#pixelRatio));
+      picturing.want(pictureWidth(shape, this.#stage, this.#viewing));
     }
     this.#bound.picturing.show();
     this.#details.keep(this.#bound.picturing.pages);

@@ -17,7 +17,7 @@ export interface Brush {
 export type Stops = readonly (readonly [at: number, color: string])[];
 
 /** Paper without a picture. */
-const paper = "#fbf5e8";
+export const paper = "#fbf5e8";
 
 /** Warm shade of an opacity, as on paper that other paper lights. */
 export const shade = (opacity: number): string => `rgb(58 40 22 / ${opacity})`;

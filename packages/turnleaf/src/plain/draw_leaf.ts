@@ -2,7 +2,7 @@
 
 import { Side } from "../engine/phases.ts";
 import type { PagePicture } from "../sources/page_source.ts";
-import { type Brush, drawPage, light, type Stops, shade } from "./draw_book.ts";
+import { type Brush, drawPage, light, paper, type Stops, shade } from "./draw_book.ts";
 import { beyond, type Crease, creaseOf, mirrored, type Point, partOf } from "./fold.ts";
 import { pageBox } from "./layout.ts";
 import type { PeeledSurface } from "./plain_book.ts";
@@ -66,7 +66,7 @@ export function drawFolded(
   pen.shadowColor = `rgb(29 21 14 / ${0.42 * height})`;
   pen.shadowBlur = 0.13 * height * shape.width * unit;
   pen.shadowOffsetY = 0.025 * height * shape.width * unit;
-  pen.fillStyle = "#fbf5e8";
+  pen.fillStyle = paper;
   trace(pen, outline);
   pen.fill();
   pen.restore();

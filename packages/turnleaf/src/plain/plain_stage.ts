@@ -13,7 +13,7 @@ import { Side } from "../engine/phases.ts";
 import type { Ray, Vec3 } from "../engine/shapes.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import { drawBoard } from "./draw_board.ts";
-import { drawCase, drawPage, drawStack, thicknessOf } from "./draw_book.ts";
+import { type Brush, drawCase, drawPage, drawStack, thicknessOf } from "./draw_book.ts";
 import { drawFlat, drawFolded } from "./draw_leaf.ts";
 import { type Layout, layOut, magnified, panelOf, sightOf } from "./layout.ts";
 import type { PeeledSurface } from "./plain_book.ts";
@@ -207,19 +207,39 @@ export class PlainStage implements BookStage {
     const under = ({ leaf, index }: (typeof order)[number]) =>
       show(leaf.side === Side.right ? `verso ${index}` : `recto ${index}`);
     // What was taken up later lay beneath, and is folded over what was before.
-    for (const item of order.toReversed()) drawFlat(brush, item.leaf, up(item));
-    const isScan = this.#shape.kind === "scan";
-    for (const item of order) drawFolded(brush, item.leaf, under(item), isScan ? null : up(item));
-    if (!isHard) return;
-    if (frontBoard < Math.PI) {
-      const isOutside = frontBoard < Math.PI / 2;
-      const face = isOutside ? "frontOutside" : "frontInside";
-      drawBoard(brush, frontBoard, show(face), isOutside, detail(face));
+    for (const item of order.toReversed()) {
+      if (!isBoard(item.leaf)) drawFlat(brush, item.leaf, up(item));
     }
-    if (backBoard > 0) {
-      const isOutside = backBoard > Math.PI / 2;
-      const face = isOutside ? "backOutside" : "backInside";
-      drawBoard(brush, backBoard, show(face), isOutside, detail(face));
+    const isScan = this.#shape.kind === "scan";
+    for (const item of order) {
+      if (isBoard(item.leaf)) {
+        const angle = angleOf(item.leaf);
+        const picture = show(angle < Math.PI / 2 ? `recto ${item.index}` : `verso ${item.index}`);
+        drawBoard(brush, { side: "leaf", angle, picture, detail: null });
+      } else drawFolded(brush, item.leaf, under(item), isScan ? null : up(item));
+    }
+    if (isHard) {
+      if (frontBoard < Math.PI) this.#paintCover(brush, "front", frontBoard);
+      if (backBoard > 0) this.#paintCover(brush, "back", backBoard);
     }
   }
+
+  #paintCover(brush: Brush, name: "front" | "back", angle: number): void {
+    const isOutside = angle < Math.PI / 2 === (name === "front");
+    const face = isOutside ? (`${name}Outside` as const) : (`${name}Inside` as const);
+    const [picture, detail] = [this.#shown.get(face) ?? null, this.#details.get(face) ?? null];
+    drawBoard(brush, { side: isOutside ? "outside" : "inside", angle, picture, detail });
+  }
+}
+
+/** Thickness from which a leaf is a board and turns without a fold, metres. */
+const leastBoard = 0.001;
+
+function isBoard({ thickness = 0 }: PeeledSurface): boolean {
+  return thickness >= leastBoard;
+}
+
+/** How far what is held of a leaf has turned about the spine, radians from the right. */
+function angleOf({ rest, held }: PeeledSurface): number {
+  return Math.acos(Math.min(Math.max(held[0] / Math.abs(rest[0]), -1), 1));
 }

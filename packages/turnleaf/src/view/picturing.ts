@@ -34,7 +34,6 @@ export function pictureWidth(
   { width, height, rolled, alone }: BookShape,
   stage: BookStage,
   viewing: Viewing,
-  pixelRatio: number,
 ): number {
   const [u, v] = rolled
     ? [0.6 * width * (alone || 1), height]
@@ -43,7 +42,7 @@ export function pictureWidth(
   const onScreen = viewing.atRest(() => {
     const spine = stage.project(rolled ? [u, 0, 0] : [0, v, 0]);
     const edge = stage.project([u, v, 0]);
-    return Math.hypot(edge.x - spine.x, edge.y - spine.y) * Math.max(pixelRatio, 2);
+    return Math.hypot(edge.x - spine.x, edge.y - spine.y) * stage.restingRatio;
   });
   return Math.min(Math.ceil((onScreen * 1.2) / 256) * 256, 2048);
 }
