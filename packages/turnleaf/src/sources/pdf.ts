@@ -13,6 +13,7 @@ import {
   type PageSource,
   type TextRun,
 } from "./page_source.ts";
+import { altOfPage } from "./pdf_alt.ts";
 import { linksOfPage, PdfForm } from "./pdf_annotations.ts";
 import { type PdfInput, place } from "./pdf_bytes.ts";
 import { lettersOfPage } from "./pdf_letters.ts";
@@ -222,6 +223,10 @@ class PdfSource implements PageSource {
       const letters = exact ? () => lettersOfPage(this.#pdfjs, page) : undefined;
       return textOfPage(page, signal, letters);
     });
+  }
+
+  async alt(index: number, signal: AbortSignal): Promise<string> {
+    return await this.#read(index, signal, altOfPage);
   }
 
   async links(index: number, signal: AbortSignal): Promise<readonly PageLink[]> {

@@ -114,6 +114,21 @@ describe("the text of a PDF's page", () => {
   });
 });
 
+it("what a tagged PDF's pictures show is said", async () => {
+  const source = await open({
+    pages: ["/Figure << /MCID 0 >> BDC 0 0 50 50 re f EMC"],
+    catalog: "/MarkInfo << /Marked true >> /StructTreeRoot 10 0 R",
+    objects: [
+      "<< /Type /StructTreeRoot /K 11 0 R /ParentTree << /Nums [0 [12 0 R]] >> >>",
+      "<< /Type /StructElem /S /Document /P 10 0 R /K [12 0 R] >>",
+      "<< /Type /StructElem /S /Figure /P 11 0 R /Pg 13 0 R /K 0 /Alt (A whale\\000) >>",
+    ],
+    resources: ">> /StructParents 0 /Ignored <<",
+  });
+  expect(await source.alt!(0, never)).toBe("A whale");
+  expect(await (await open({ pages: [""] })).alt!(0, never)).toBe("");
+});
+
 describe("a PDF's links and contents", () => {
   const link = (target: string, rect = "[10 20 60 40]"): string =>
     `<< /Type /Annot /Subtype /Link /Rect ${rect} ${target} >>`;

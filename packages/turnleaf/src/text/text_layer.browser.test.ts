@@ -3,7 +3,7 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cdp } from "vitest/browser";
 import type { TurnleafBook } from "../element.ts";
-import { book, happens, settled } from "../element_for_tests.ts";
+import { book, happens, scans, settled } from "../element_for_tests.ts";
 import { tinyPdf } from "../sources/tiny_pdf.ts";
 
 const fonts = "/Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica >> >>";
@@ -322,6 +322,49 @@ test("zoomed, the text lies where the print is", async () => {
   await settled(element);
   const after = await offPrint();
   for (const side of [0, 1]) expect(Math.abs(after[side] - 2 * before[side])).toBeLessThan(3);
+});
+
+test("scans say what they show and what stands on them, from right to left too", async () => {
+  const loaded = happens(element, "load");
+  const line = { x: 10, y: 20, width: 70, height: 14 };
+  const upright = { x: 60, y: 20, width: 14, height: 70, vertical: true };
+  element.pages = {
+    direction: "rtl",
+    language: "ja",
+    pages: scans(6).map(({ src }, i) => ({
+      src,
+      width: 90,
+      height: 120,
+      label: `p${i + 1}`,
+      ...(i === 1 ? { alt: "A whale", text: [{ ...upright, text: "白鯨の話" }] } : {}),
+      ...(i === 2 ? { text: [{ ...line, text: "שלום" }] } : {}),
+    })),
+  };
+  await loaded;
+  const groups = () => [...root().querySelectorAll<HTMLElement>(".text [role=group]")];
+  await expect
+    .poll(() => groups().map(({ textContent }) => textContent), { timeout: 20_000 })
+    .toEqual(["白鯨の話", "שלום"]);
+  const [first, second] = groups();
+  expect([first.ariaLabel, second.ariaLabel]).toEqual(["Page p2", "Page p3"]);
+  expect((root().querySelector(".text") as HTMLElement).lang).toBe("ja");
+  expect(first.querySelector("[role=img]")?.ariaLabel).toBe("A whale");
+  // The page that is read first lies on the right, and its letters stand below each other.
+  const [one, two] = [first, second].map((group) => group.querySelector("span") as HTMLElement);
+  const [high, wide] = [one.getBoundingClientRect(), two.getBoundingClientRect()];
+  expect(high.left).toBeGreaterThan(wide.right);
+  expect(high.height).toBeGreaterThan(2.5 * high.width);
+  expect(wide.width).toBeGreaterThan(2.5 * wide.height);
+  const [hit] = await element.search("鯨の");
+  await element.showHit(hit);
+  // Where the page curves a mark is laid in pieces.
+  const marks = [...root().querySelectorAll(".here")].map((mark) => mark.getBoundingClientRect());
+  const top = Math.min(...marks.map((mark) => mark.top));
+  const bottom = Math.max(...marks.map((mark) => mark.bottom));
+  expect(Math.abs((top + bottom) / 2 - (high.top + high.height / 2))).toBeLessThan(
+    high.height / 16,
+  );
+  expect(Math.abs(bottom - top - high.height / 2)).toBeLessThan(high.height / 8);
 });
 
 test("what is written in a form stays, and is printed on the leaf", async () => {
