@@ -21,6 +21,7 @@ import { Details } from "./view/details.ts";
 import { Fade } from "./view/fade.ts";
 import type { Hold } from "./view/holding.ts";
 import { pictureWidth } from "./view/picturing.ts";
+import { QualityGovernor } from "./view/quality.ts";
 import { Stillness } from "./view/stillness.ts";
 import { Viewing } from "./view/viewing.ts";
 import { Views } from "./view/views.ts";
@@ -76,6 +77,7 @@ export class Viewer {
   readonly #details: Details;
   readonly #views = new Views();
   readonly #stillness = new Stillness();
+  readonly #governor = new QualityGovernor();
   #bound: Bound;
   #wish: Wish;
   /** The page to keep in sight however the book is bound. */
@@ -417,9 +419,13 @@ export class Viewer {
     const still = turning && this.turning.inHand && this.#stillness.check(pose.leaves);
     const moving = (turning && !still) || stepping;
     const resting = !moving && !this.#handled;
-    this.#stage.pose(pose);
+    // Of a view that fingers move, the next frame comes when they do.
+    if (moving) this.#governor.frame(now);
+    else this.#governor.rest();
+    const { pixels, roughly } = this.#governor.quality;
+    this.#stage.pose(pose, roughly && !resting);
     this.#options.onMotion?.(pose, seconds, turning && !still);
-    this.#stage.draw({ resting });
+    this.#stage.draw({ resting, pixels });
     this.#pictures.paused = !resting;
     this.#fade.step(now, this.turning.spread);
     if (this.#destroyed) return;

@@ -57,6 +57,8 @@ export class DrawnBook {
   /** The leaves as they were lit last. */
   #lit: readonly Surface[] = [];
   #isLit = false;
+  /** Whether the light stays as it was found in the pose before. */
+  #isDim = false;
 
   constructor(shape: BookShape, materials: BookMaterials) {
     const { width, height, thickness } = shape;
@@ -100,7 +102,7 @@ export class DrawnBook {
   }
 
   /** Moves the book; answers whether the camera should follow. */
-  pose(pose: BookPose): boolean {
+  pose(pose: BookPose, roughly = false): boolean {
     const middle = pose.lean;
     const caseMoved =
       pose.frontBoard !== this.#frontAngle ||
@@ -112,6 +114,7 @@ export class DrawnBook {
     const pilesMoved = leftMoved || rightMoved;
     const still = !(pilesMoved || caseMoved);
     if (!still && this.#hard) this.#placeBoards();
+    this.#isDim = roughly && !this.#isDim && still && pose.leaves.length === this.#lit.length;
     this.#light(pose.leaves, pilesMoved, still);
     const [left, right] = [this.#left.pile, this.#right.pile];
     if (!this.#hard) shadowOfLeaves(this.#ground, this.#shape, pose.leaves, left, right);
@@ -170,7 +173,7 @@ export class DrawnBook {
       mesh.recto.visible = mesh.verso.visible = mesh.rim.mesh.visible = k < leaves.length;
       if (k >= leaves.length) continue;
       mesh.shape(leaves[k], k + 1, leaves.length - k);
-      mesh.light(leaves[k], ...piles, leaves[k - 1], leaves[k + 1]);
+      if (!this.#isDim) mesh.light(leaves[k], ...piles, leaves[k - 1], leaves[k + 1]);
     }
   }
 
@@ -211,8 +214,9 @@ export class DrawnBook {
       leaves.length === this.#lit.length && leaves.every((leaf, k) => leaf === this.#lit[k]);
     if (still && same && this.#isLit) return;
     this.#lit = [...leaves];
-    this.#isLit = true;
+    this.#isLit = !this.#isDim;
     this.#placeLeaves(leaves);
+    if (this.#isDim) return;
     // Of all leaves the outermost on a side stands nearest over its page.
     castOver(left, leaves[0]);
     castOver(right, leaves.at(-1));

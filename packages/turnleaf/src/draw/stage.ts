@@ -43,6 +43,8 @@ export interface FaceDetail {
 export interface DrawOptions {
   /** Nothing moves: the frame is drawn at twice the CSS resolution at least, for sharp text. */
   readonly resting?: boolean;
+  /** Of a frame that is not at rest: share of the screen's pixel ratio; all of it where none is given. */
+  readonly pixels?: number;
 }
 
 /** A face of the book, or a side of a leaf in flight. */
@@ -195,14 +197,18 @@ export class Stage {
     this.#pictures.forget(picture);
   }
 
-  /** Where the book's parts are from the next frame on. What stays where it was costs nothing. */
-  pose(pose: BookPose): void {
-    if (this.#book.pose(pose)) this.#aim();
+  /**
+   * Where the book's parts are from the next frame on. What stays where it was costs nothing.
+   *
+   * @param roughly whether light between leaves is found in every other pose alone
+   */
+  pose(pose: BookPose, roughly = false): void {
+    if (this.#book.pose(pose, roughly)) this.#aim();
   }
 
   /** Draws one frame, now. */
   draw(options?: DrawOptions): void {
-    const ratio = options?.resting ? this.restingRatio : this.#ratio;
+    const ratio = options?.resting ? this.restingRatio : this.#ratio * (options?.pixels ?? 1);
     const [width, height] = [Math.floor(this.#width * ratio), Math.floor(this.#height * ratio)];
     if (this.#canvas.width !== width || this.#canvas.height !== height) {
       // Clears the canvas; it is filled again below before anyone can see.

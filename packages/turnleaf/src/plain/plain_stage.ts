@@ -126,7 +126,9 @@ export class PlainStage implements BookStage {
   }
 
   draw(options?: DrawOptions): void {
-    const ratio = options?.resting ? this.restingRatio : Math.min(this.#ratio, mostMovingRatio);
+    const ratio = options?.resting
+      ? this.restingRatio
+      : Math.min(this.#ratio, mostMovingRatio) * (options?.pixels ?? 1);
     const [width, height] = [Math.floor(this.#width * ratio), Math.floor(this.#height * ratio)];
     if (this.#canvas.width !== width || this.#canvas.height !== height) {
       this.#canvas.width = width;
