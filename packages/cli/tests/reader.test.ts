@@ -85,6 +85,8 @@ it("keeps its controls beside the book, never over it", async () => {
   const [top, bottom] = bars;
   expect(stage && top && top.y + top.height).toBe(stage?.y);
   expect(stage && stage.y + stage.height).toBe(bottom?.y);
+  const field = await page.getByRole("textbox", { name: "Page" }).boundingBox();
+  expect(field?.y).toBeGreaterThan(bottom?.y ?? 0);
 });
 
 it("shows a book of scans, and one sentence where a page would be if it is gone", async () => {

@@ -12,8 +12,7 @@ import { Senses } from "./element/senses.ts";
 import { wishOf } from "./element/wish.ts";
 import { style } from "./element.css.ts";
 import type { BookInput } from "./sources/open.ts";
-import { BookError, type OutlineEntry, type PageSource } from "./sources/page_source.ts";
-import type { SearchHit } from "./text/searching.ts";
+import { BookError, type PageSource } from "./sources/page_source.ts";
 import { textStyle } from "./text/text.css.ts";
 import type { Viewer, ViewerOptions } from "./viewer.ts";
 import { elementTexts, languageOf } from "./words/languages.ts";
@@ -85,16 +84,6 @@ export class TurnleafBook extends ReaderElement {
     void this.goTo(page);
   }
 
-  /** Number of pages; 0 until the book is open. */
-  get pageCount(): number {
-    return this.#life.book?.source.pageCount ?? 0;
-  }
-
-  /** The book's title; empty until it is open. */
-  get bookTitle(): string {
-    return this.#life.book?.source.title ?? "";
-  }
-
   /** Whether the pages in sight are at full sharpness and nothing moves. */
   get settled(): boolean {
     return this.#viewer?.settled ?? false;
@@ -117,12 +106,6 @@ export class TurnleafBook extends ReaderElement {
   /** How the book is laid out: as asked for, or as the space there is asks. */
   get shownLayout(): "spread" | "single" {
     return this.#viewer?.binding.layout ?? "spread";
-  }
-
-  /** What a page (from 1) calls itself, such as "iv" or "23". */
-  label(page: number): string {
-    const source = this.#life.book?.source;
-    return source && page >= 1 && page <= source.pageCount ? source.label(page - 1) : String(page);
   }
 
   /** Turns one leaf on. Resolves, once the book is at rest, to whether it lies there. */
@@ -164,29 +147,6 @@ export class TurnleafBook extends ReaderElement {
   /** Puts other pages in place of page `page` (from 1). Resolves and rejects as `insertPages` does. */
   replacePage(page: number, pages: BookInput): Promise<boolean> {
     return this.#changePages(page, 1, pages);
-  }
-
-  /**
-   * Every place of the book where a text stands, in reading order, at most 2,000; none while no book is open.
-   * Case, accents, ligatures, quotation marks and hyphens do not count.
-   * Rejects with the signal's reason when aborted, or when the book is closed.
-   */
-  async search(query: string, options?: { signal?: AbortSignal }): Promise<readonly SearchHit[]> {
-    return (await this.#life.book?.reading.search(query, options?.signal)) ?? [];
-  }
-
-  /**
-   * Turns to a hit and marks it, strongly, and faintly every other place of its query that comes in sight;
-   * null takes the marks away. Resolves, once the book is at rest, to whether the hit lies open.
-   */
-  showHit(hit: SearchHit | null): Promise<boolean> {
-    this.#life.book?.reading.mark(hit);
-    return hit ? this.goTo(hit.page) : Promise.resolve(true);
-  }
-
-  /** The book's table of contents; empty where it has none, or no book is open. Rejects with a `BookError`. */
-  async outline(): Promise<readonly OutlineEntry[]> {
-    return (await this.#life.book?.reading.outline()) ?? [];
   }
 
   /** How near the book is seen: 1, all of it, to 8. Setting it zooms about the middle. */
@@ -244,9 +204,8 @@ export class TurnleafBook extends ReaderElement {
     hush: () => this.#senses.close(),
   };
 
-  /** The open book's pages. */
-  protected override get source(): PageSource | undefined {
-    return this.#life.book?.source;
+  protected override get book(): OpenBook | null {
+    return this.#life.book;
   }
 
   get #viewer(): Viewer | undefined {

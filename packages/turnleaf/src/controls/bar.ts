@@ -49,7 +49,7 @@ export class Bar {
     this.element = make("div", {
       role: "toolbar",
       part: "toolbar",
-      class: "bar",
+      class: "ui bar",
       "aria-label": say.texts.toolbar,
     });
     this.element.append(start, this.#title, end, this.menu.element);

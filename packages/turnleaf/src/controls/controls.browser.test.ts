@@ -161,7 +161,7 @@ test("the slider says where it is and turns as it is dragged", async () => {
 
 test("the page field finds labels and numbers, and says what is not there", async () => {
   const { book, root } = standIn();
-  const field = root.querySelector<HTMLInputElement>(".field") as HTMLInputElement;
+  const field = root.querySelector<HTMLInputElement>(".entry") as HTMLInputElement;
   const said = () => root.querySelector(".pages [role=status]")?.textContent;
   expect(field.value).toBe("iv");
   expect(root.querySelector(".count")?.textContent).toBe("4 of 30");
@@ -333,6 +333,7 @@ test("it speaks Chinese, and what it is taught", async () => {
     pagesOpen: "",
     back: "",
     notOpened: "",
+    pageNamed: "",
   });
   book.lang = "ar";
   book.dir = "rtl";

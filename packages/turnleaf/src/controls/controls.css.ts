@@ -1,15 +1,16 @@
 /** How the controls look. Colours are the themes', in the element's own style. */
 export const style: string = `
-.frame { --wide: 304px; color: var(--turnleaf-ink); font: max(14px, 0.875rem)/1.4 var(--turnleaf-font); accent-color: var(--turnleaf-accent); }
-.frame [hidden] { display: none !important; }
+.frame { --wide: 304px; }
+.ui { color: var(--turnleaf-ink); font: max(14px, 0.875rem)/1.4 var(--turnleaf-font); accent-color: var(--turnleaf-accent); }
+.ui[hidden], .ui [hidden] { display: none !important; }
 .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
-.frame button, .frame input { font: inherit; color: inherit; }
-.frame button { border: 0; background: none; padding: 0; cursor: pointer; -webkit-tap-highlight-color: transparent; touch-action: manipulation; }
-.frame svg { width: 22px; height: 22px; fill: none; stroke: currentColor; stroke-width: 1.5; stroke-linecap: round; stroke-linejoin: round; display: block; flex: none; }
-.frame :focus-visible { outline: 2px solid var(--turnleaf-accent); outline-offset: -2px; }
+.ui button, .ui input { font: inherit; color: inherit; }
+.ui button { border: 0; background: none; padding: 0; cursor: pointer; -webkit-tap-highlight-color: transparent; touch-action: manipulation; }
+.ui svg { width: 22px; height: 22px; fill: none; stroke: currentColor; stroke-width: 1.5; stroke-linecap: round; stroke-linejoin: round; display: block; flex: none; }
+.ui :focus-visible { outline: 2px solid var(--turnleaf-accent); outline-offset: -2px; }
 [part~="button"] { width: 44px; height: 44px; display: grid; place-items: center; border-radius: 10px; flex: none; transition: background 0.15s; }
 @media (hover: hover) { [part~="button"]:hover, .line:is(button, a):hover, .menu button:hover, .tabs button:hover { background: var(--turnleaf-hover); } }
-.frame [aria-disabled="true"] { opacity: 0.35; cursor: default; }
+.ui [aria-disabled="true"] { opacity: 0.35; cursor: default; }
 [part~="button"]:is([aria-expanded="true"], [aria-pressed="true"]), .tabs [aria-selected="true"] { color: var(--turnleaf-accent); background: var(--turnleaf-hover); }
 [part~="button"][aria-pressed="true"] path { fill: currentColor; }
 
@@ -21,8 +22,8 @@ export const style: string = `
 .pages { bottom: 0; height: 52px; display: flex; align-items: center; gap: 2px; padding-inline: 4px; border-top: 1px solid var(--turnleaf-line); }
 .pages[dir="rtl"] > button svg { scale: -1 1; }
 .place { display: flex; align-items: center; gap: 6px; margin: 0; padding-inline: 8px 10px; font-variant-numeric: tabular-nums; white-space: nowrap; color: var(--turnleaf-muted); }
-.frame .field { box-sizing: border-box; height: 32px; min-width: 44px; max-width: 9ch; width: 6ch; field-sizing: content; padding: 0 8px; border: 1px solid var(--turnleaf-line); border-radius: 7px; background: var(--turnleaf-field); color: var(--turnleaf-ink); text-align: center; }
-.frame .field[aria-invalid="true"] { border-color: var(--turnleaf-accent); color: var(--turnleaf-accent); }
+.ui .entry { box-sizing: border-box; height: 32px; min-width: 44px; max-width: 9ch; width: 6ch; field-sizing: content; padding: 0 8px; border: 1px solid var(--turnleaf-line); border-radius: 7px; background: var(--turnleaf-field); color: var(--turnleaf-ink); text-align: center; }
+.ui .entry[aria-invalid="true"] { border-color: var(--turnleaf-accent); color: var(--turnleaf-accent); }
 
 .track { position: relative; flex: 1; height: 44px; margin-inline: 6px; }
 .track input { appearance: none; width: 100%; height: 100%; margin: 0; background: none; cursor: pointer; touch-action: none; border-radius: 8px; }
@@ -59,8 +60,8 @@ export const style: string = `
 .found { display: flex; flex-direction: column; }
 .ask { display: flex; align-items: center; margin: 0; position: sticky; top: 0; z-index: 1; }
 .ask svg { position: absolute; inset-inline-start: 10px; width: 18px; color: var(--turnleaf-muted); pointer-events: none; }
-.frame .query { flex: 1; min-width: 0; height: 44px; padding-inline: 36px 8px; border: 1px solid var(--turnleaf-line); border-radius: 10px; background: var(--turnleaf-field); appearance: none; }
-.frame .query::placeholder { color: var(--turnleaf-muted); opacity: 1; }
+.ui .query { flex: 1; min-width: 0; height: 44px; padding-inline: 36px 8px; border: 1px solid var(--turnleaf-line); border-radius: 10px; background: var(--turnleaf-field); appearance: none; }
+.ui .query::placeholder { color: var(--turnleaf-muted); opacity: 1; }
 .thumbnails { padding: 0; }
 .sheet { position: relative; list-style: none; margin: 0 12px; padding: 0; }
 .sheet li { position: absolute; width: 50%; height: 192px; }
@@ -90,12 +91,13 @@ export const style: string = `
 .dialog::backdrop { background: rgb(0 0 0 / 0.35); }
 .dialog h2 { margin: 0 0 12px; font: 1.2em var(--turnleaf-serif); }
 .dialog label { display: flex; align-items: center; justify-content: space-between; gap: 16px; min-height: 44px; }
+.dialog .entry { width: 12ch; max-width: none; }
 .dialog .note { padding-inline: 0; max-width: 30ch; }
 .dialog progress { width: 100%; }
 .choices { display: flex; justify-content: flex-end; gap: 8px; margin-top: 12px; }
-.frame .plain { min-height: 44px; padding-inline: 16px; border: 1px solid var(--turnleaf-line); border-radius: 10px; }
+.ui .plain { min-height: 44px; padding-inline: 16px; border: 1px solid var(--turnleaf-line); border-radius: 10px; }
 .view > .plain { margin: 4px 10px; }
-.frame .strong { background: var(--turnleaf-accent); color: var(--turnleaf-surface); border-color: transparent; }
+.ui .strong { background: var(--turnleaf-accent); color: var(--turnleaf-surface); border-color: transparent; }
 
 .narrow { display: none !important; }
 @container turnleaf (max-width: 719px) {
@@ -103,18 +105,18 @@ export const style: string = `
   .wide { display: none !important; }
   .panel { width: 100%; border: 0; }
   .frame.open > [part="stage"] { inset-inline-start: 0; }
-  .frame :is(.field, .query) { font-size: 16px; }
+  .ui :is(.entry, .query) { font-size: 16px; }
   .place { padding-inline: 2px 4px; }
 }
 .frame.full > [part="stage"] { inset-block: 0; }
 .full > :is(.bar, .pages) { transition: translate 0.25s, visibility 0.25s; }
 .full:not(.awake, .open) > .bar:not(:focus-within) { translate: 0 -100%; visibility: hidden; }
 .full:not(.awake, .open) > .pages:not(:focus-within) { translate: 0 100%; visibility: hidden; }
-@media (prefers-reduced-motion: reduce) { .frame * { transition: none !important; } }
+@media (prefers-reduced-motion: reduce) { .ui * { transition: none !important; } }
 @media (forced-colors: active) {
-  .frame :is(.bar, .pages, .panel, .menu) { border-color: CanvasText; }
-  [part~="button"]:is([aria-expanded="true"], [aria-pressed="true"]), .tabs [aria-selected="true"], .frame [aria-current], .menu [aria-checked="true"] { outline: 2px solid Highlight; outline-offset: -3px; }
-  .frame [aria-disabled="true"] { color: GrayText; opacity: 1; }
+  .ui, .menu { border-color: CanvasText; }
+  [part~="button"]:is([aria-expanded="true"], [aria-pressed="true"]), .tabs [aria-selected="true"], .ui [aria-current], .menu [aria-checked="true"] { outline: 2px solid Highlight; outline-offset: -3px; }
+  .ui [aria-disabled="true"] { color: GrayText; opacity: 1; }
   .track input::-webkit-slider-runnable-track { background: CanvasText; forced-color-adjust: none; }
   .track input::-webkit-slider-thumb { background: Highlight; forced-color-adjust: none; }
 }

@@ -32,9 +32,12 @@ export function watchFullScreen(
     else sleep();
     changed();
   };
-  for (const type of ["pointermove", "pointerdown"]) {
-    book.addEventListener(type, wake, { passive: true, signal });
-  }
+  const moved = ({ movementX, movementY }: PointerEvent): void => {
+    // Browsers tell of a move too when what lies under a still pointer changes, as it does when the bars go.
+    if (movementX !== 0 || movementY !== 0) wake();
+  };
+  book.addEventListener("pointermove", moved, { passive: true, signal });
+  book.addEventListener("pointerdown", wake, { passive: true, signal });
   document.addEventListener("fullscreenchange", follow, { signal });
   signal.addEventListener("abort", () => {
     sleep();

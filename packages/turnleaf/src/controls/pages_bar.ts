@@ -37,7 +37,7 @@ export class PagesBar {
       "aria-label": texts.page,
     });
     this.#field = make("input", {
-      class: "field",
+      class: "entry",
       part: "field",
       "aria-label": texts.page,
       autocomplete: "off",
@@ -47,7 +47,7 @@ export class PagesBar {
     const form = make("form", { class: "place" }, this.#field, this.#count);
     this.element = make(
       "div",
-      { role: "group", part: "pages", class: "pages", "aria-label": texts.pages },
+      { role: "group", part: "pages", class: "ui pages", "aria-label": texts.pages },
       this.#previous,
       make("div", { class: "track" }, this.#slider, this.#bubble),
       this.#next,

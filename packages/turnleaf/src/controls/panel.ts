@@ -70,7 +70,7 @@ export class Panel {
     shut.addEventListener("click", close);
     this.#body = make("div", { role: "tabpanel", id: "body", class: "body" });
     for (const tab of tabs) this.#body.append(views[tab].element);
-    this.element = make("section", { part: "panel", class: "panel", hidden: true });
+    this.element = make("section", { part: "panel", class: "ui panel", hidden: true });
     this.element.append(make("div", { class: "head" }, row, this.#heading, shut), this.#body);
   }
 

@@ -12,7 +12,7 @@ export function askPrint(book: ControlledBook, say: Say, host: Node): void {
   const { texts, number } = say;
   const ended = new AbortController();
   const field = (label: string, page: number) => {
-    const input = make("input", { class: "field", autocomplete: "off", spellcheck: "false" });
+    const input = make("input", { class: "entry", autocomplete: "off", spellcheck: "false" });
     input.value = book.label(page);
     return { input, line: make("label", {}, make("span", {}, label), input) };
   };
@@ -27,7 +27,7 @@ export function askPrint(book: ControlledBook, say: Say, host: Node): void {
   form.append(from.line, to.line, status, progress, make("div", { class: "choices" }, cancel, go));
   const dialog = make(
     "dialog",
-    { part: "dialog", class: "dialog", "aria-labelledby": "print" },
+    { part: "dialog", class: "ui dialog", "aria-labelledby": "print" },
     form,
   );
 

@@ -1,6 +1,6 @@
 /** A language as the controls use it. */
 
-import { fill, number, plural, textsFor } from "../words/languages.ts";
+import { elementTexts, fill, number, plural, textsFor } from "../words/languages.ts";
 import type { ControlTexts, Plural } from "../words/texts.ts";
 import { en } from "./texts_en.ts";
 import { zh } from "./texts_zh.ts";
@@ -8,6 +8,8 @@ import { zh } from "./texts_zh.ts";
 /** What the controls say, and how they write numbers. */
 export interface Say {
   readonly texts: ControlTexts;
+  /** A page by its label, such as "Page iv". */
+  readonly pageNamed: string;
   number(n: number): string;
   plural(forms: Plural, n: number): string;
 }
@@ -16,6 +18,7 @@ export interface Say {
 export function speak(tag: string): Say {
   return {
     texts: textsFor(tag, { en, zh }),
+    pageNamed: elementTexts(tag).pageNamed,
     number: (n) => number(tag, n),
     plural: (forms, n) => plural(tag, forms, n),
   };
@@ -23,7 +26,7 @@ export function speak(tag: string): Say {
 
 /** A page (from 1) by its own name, such as "Page iv". */
 export const namePage = (
-  { texts }: Say,
+  { pageNamed }: Say,
   book: { label(page: number): string },
   page: number,
-): string => fill(texts.pageNamed, { label: book.label(page) });
+): string => fill(pageNamed, { label: book.label(page) });

@@ -41,7 +41,6 @@ export const en: ControlTexts = {
   searching: "Searching …",
   found: { one: "{n} place", other: "{n} places" },
   nothingFound: "Nothing found.",
-  pageNamed: "Page {label}",
   from: "From page",
   to: "to page",
   cancel: "Cancel",

@@ -41,7 +41,6 @@ export const zh: ControlTexts = {
   searching: "正在搜索…",
   found: { other: "找到 {n} 处" },
   nothingFound: "没有找到。",
-  pageNamed: "第 {label} 页",
   from: "从",
   to: "到",
   cancel: "取消",

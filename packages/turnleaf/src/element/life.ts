@@ -6,6 +6,7 @@ import { type BookInput, openSource } from "../sources/open.ts";
 import { PageList } from "../sources/page_list.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Viewer, ViewerOptions } from "../viewer.ts";
+import { languageOf } from "../words/languages.ts";
 import { Reading } from "./reading.ts";
 
 /** A book that lies open: where its pages come from, what shows it, and the canvas it is shown on. */
@@ -128,7 +129,8 @@ export class Life {
       signal.throwIfAborted();
       const canvas = this.#canvas as HTMLCanvasElement;
       const hands = new Input(canvas, this.#stage, this.#element, viewer, this.#hooks);
-      const reading = new Reading(source, viewer, canvas, (page) => this.#hooks.goTo(page));
+      const goTo = (page: number): void => this.#hooks.goTo(page);
+      const reading = new Reading(source, viewer, canvas, goTo, () => languageOf(this.#element));
       const ended = new AbortController();
       this.#book = { source, viewer, canvas, reading, input: hands, ended };
       this.#follow(viewer, ended.signal);

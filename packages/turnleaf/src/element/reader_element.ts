@@ -1,7 +1,13 @@
-/** What makes a reader of an open book: bookmarks, slide-show, print, full screen, controls, its place kept. */
+/** What a reader does with an open book beside turning it: finds, marks, prints, keeps the place. */
 
-import type { PagePicture, PageSource } from "../sources/page_source.ts";
-import { BookError } from "../sources/page_source.ts";
+import {
+  BookError,
+  type OutlineEntry,
+  type PagePicture,
+  type PageSource,
+} from "../sources/page_source.ts";
+import type { SearchHit } from "../text/searching.ts";
+import type { OpenBook } from "./life.ts";
 import { cleanBookmarks } from "./memory.ts";
 import { Place } from "./place.ts";
 import type { PrintOptions } from "./print.ts";
@@ -14,19 +20,56 @@ const widestDrawn = 2048;
 /** Everything about the book that is not the book: its own subclass opens and turns it. */
 export abstract class ReaderElement extends ReflectingElement {
   abstract readonly page: number;
-  abstract readonly pageCount: number;
-  abstract readonly bookTitle: string;
   abstract zoom: number;
   abstract goTo(page: number): Promise<boolean>;
   abstract next(): Promise<boolean>;
-  /** The open book's pages. */
-  protected abstract get source(): PageSource | undefined;
+  /** The book that lies open. */
+  protected abstract get book(): OpenBook | null;
 
   readonly #place = new Place(this);
   readonly #show = new SlideShow(this, () =>
     this.emit("playchange", { playing: this.#show.playing }),
   );
   #bookmarks: readonly number[] = [];
+
+  /** Number of pages; 0 until the book is open. */
+  get pageCount(): number {
+    return this.source?.pageCount ?? 0;
+  }
+
+  /** The book's title; empty until it is open. */
+  get bookTitle(): string {
+    return this.source?.title ?? "";
+  }
+
+  /** What a page (from 1) calls itself, such as "iv" or "23". */
+  label(page: number): string {
+    const { source } = this;
+    return source && page >= 1 && page <= source.pageCount ? source.label(page - 1) : String(page);
+  }
+
+  /**
+   * Every place of the book where a text stands, in reading order, at most 2,000; none while no book is open.
+   * Case, accents, ligatures, quotation marks and hyphens do not count.
+   * Rejects with the signal's reason when aborted, or when the book is closed.
+   */
+  async search(query: string, options?: { signal?: AbortSignal }): Promise<readonly SearchHit[]> {
+    return (await this.book?.reading.search(query, options?.signal)) ?? [];
+  }
+
+  /**
+   * Turns to a hit and marks it, strongly, and faintly every other place of its query that comes in sight;
+   * null takes the marks away. Resolves, once the book is at rest, to whether the hit lies open.
+   */
+  showHit(hit: SearchHit | null): Promise<boolean> {
+    this.book?.reading.mark(hit);
+    return hit ? this.goTo(hit.page) : Promise.resolve(true);
+  }
+
+  /** The book's table of contents; empty where it has none, or no book is open. Rejects with a `BookError`. */
+  async outline(): Promise<readonly OutlineEntry[]> {
+    return (await this.book?.reading.outline()) ?? [];
+  }
 
   /** The bookmarked pages, from 1, in order; at most 500. */
   get bookmarks(): readonly number[] {
@@ -121,6 +164,11 @@ export abstract class ReaderElement extends ReflectingElement {
     } catch {
       return false;
     }
+  }
+
+  /** The open book's pages. */
+  protected get source(): PageSource | undefined {
+    return this.book?.source;
   }
 
   /** The element is in a document. */

@@ -7,6 +7,7 @@ import type { PageView } from "../text/page_view.ts";
 import { type SearchHit, searchBook } from "../text/searching.ts";
 import { TextLayer } from "../text/text_layer.ts";
 import type { Viewer } from "../viewer.ts";
+import { elementTexts, fill } from "../words/languages.ts";
 
 /** What an open book has to read. */
 export class Reading {
@@ -18,12 +19,14 @@ export class Reading {
   /**
    * @param canvas what the text is laid over; it is read out only where there is none
    * @param goTo turns to a page (from 1)
+   * @param language tag of the language that the element speaks
    */
   constructor(
     source: PageSource,
     viewer: Viewer,
     canvas: HTMLCanvasElement,
     goTo: (page: number) => void,
+    language: () => string,
   ) {
     this.#source = source;
     this.#texts = new PageTexts(source);
@@ -37,7 +40,7 @@ export class Reading {
     };
     this.#layer = new TextLayer(view, {
       source,
-      name: (page) => `Page ${source.label(page - 1)}`,
+      name: (page) => fill(elementTexts(language()).pageNamed, { label: source.label(page - 1) }),
       goTo,
       redraw: (page) => viewer.redraw(page),
       onText: (isText) => {

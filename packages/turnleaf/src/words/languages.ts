@@ -19,6 +19,7 @@ const en: ElementTexts = {
   pagesOpen: "Pages {pages} of {n}",
   back: "Back of {n}",
   notOpened: "The book could not be opened; load the page again.",
+  pageNamed: "Page {label}",
 };
 
 const zh: ElementTexts = {
@@ -27,6 +28,7 @@ const zh: ElementTexts = {
   pagesOpen: "第 {pages} 页，共 {n} 页",
   back: "封底，共 {n} 页",
   notOpened: "无法打开此书，请重新加载页面。",
+  pageNamed: "第 {label} 页",
 };
 
 /** What the element itself says in a language. */

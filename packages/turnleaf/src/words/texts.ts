@@ -17,6 +17,8 @@ export interface ElementTexts {
   /** The closed back: `{n}` is how many pages the book has. */
   readonly back: string;
   readonly notOpened: string;
+  /** A page by its label. */
+  readonly pageNamed: string;
 }
 
 /** What the controls say. Words in braces stand for what is filled in. */
@@ -63,7 +65,6 @@ export interface ControlTexts {
   readonly searching: string;
   readonly found: Plural;
   readonly nothingFound: string;
-  readonly pageNamed: string;
   readonly from: string;
   readonly to: string;
   readonly cancel: string;
