@@ -249,7 +249,11 @@ export class TurnleafBook extends ReaderElement {
     const viewer = this.#viewer;
     if (viewer === undefined) return Promise.resolve(false);
     const way = (by * forward(viewer.binding)) as 1 | -1;
-    if (this.#calm) return viewer.fadeTo(viewer.turning.destination + way);
+    if (this.#calm) {
+      // A corner that only lifts is no turn to go on from.
+      viewer.peek(null);
+      return viewer.fadeTo(viewer.turning.destination + way);
+    }
     return viewer.turn(way);
   }
 

@@ -1,15 +1,31 @@
-/** The book's state over the real engine, its clock driven by hand. */
+/** The book's state over the real engine and over the flat book, its clock driven by hand. */
 
 import { expect, test } from "vitest";
-import { EngineBook } from "../engine/engine.ts";
+import { type BookEngine, type BookSize, EngineBook } from "../engine/engine.ts";
 import { Phase } from "../engine/phases.ts";
+import { PlainBook } from "../plain/plain_book.ts";
 import { bind, paperLeaves } from "./spreads.ts";
 import { type Flight, Turning, type TurningEvents } from "./turning.ts";
+
+let make: (size: BookSize) => Promise<BookEngine>;
+
+/** A test over the engine, and over what stands in for it. */
+function both(name: string, run: () => Promise<void>): void {
+  for (const [over, create] of [
+    ["paper", (size: BookSize) => EngineBook.create(size)],
+    ["flat leaves", async (size: BookSize) => new PlainBook(size)],
+  ] as const) {
+    test(`${name}, ${over}`, async () => {
+      make = create;
+      await run();
+    });
+  }
+}
 
 async function open(pages: number, cover: "hard" | "none", heard: Partial<TurningEvents> = {}) {
   const binding = bind(pages, cover);
   const leaves = paperLeaves(binding);
-  const engine = await EngineBook.create({ width: 0.14, height: 0.21, leaves, thickness: 0.01 });
+  const engine = await make({ width: 0.14, height: 0.21, leaves, thickness: 0.01 });
   const flights: [number, number][] = [];
   const turning = new Turning(engine, binding, {
     started: (flight: Flight) => {
@@ -34,7 +50,7 @@ const now = <T>(promise: Promise<T>): Promise<T | "pending"> =>
 /** Seconds of leaves that follow each other at the usual pace. */
 const apart = 0.072;
 
-test("a way stops at both boards, and every turn keeps what it promised", async () => {
+both("a way stops at both boards, and every turn keeps what it promised", async () => {
   const { turning, flights, run } = await open(12, "hard");
   const landed = turning.goTo(6);
   run();
@@ -51,7 +67,7 @@ test("a way stops at both boards, and every turn keeps what it promised", async 
   expect(turning.spread).toBe(6);
 });
 
-test("no leaf flies beside a board", async () => {
+both("no leaf flies beside a board", async () => {
   const { turning, run } = await open(20, "hard");
   turning.goTo(10);
   for (let tick = 0; tick < 8000 && turning.moving; tick++) {
@@ -65,27 +81,30 @@ test("no leaf flies beside a board", async () => {
   expect(turning.spread).toBe(10);
 });
 
-test("a held key has ten leaves and more in flight, one after the other, and stops soon", async () => {
-  const { engine, turning, flights, run } = await open(200, "none");
-  const ticks = (seconds: number) => Math.round(seconds / engine.tick);
-  let most = 0;
-  for (let frame = 0; frame < 100; frame++) {
-    if (frame % 2 === 0) turning.turn(1);
-    turning.step(ticks(1 / 60));
-    most = Math.max(most, turning.flights.length);
-  }
-  expect(most).toBeGreaterThanOrEqual(10);
-  expect(most).toBeLessThanOrEqual(12);
-  // Steadily, one leaf every 72 ms.
-  expect(flights.length).toBeCloseTo(100 / 60 / apart, -0.5);
-  const begun = flights.length;
-  expect(turning.destination - begun).toBeLessThanOrEqual(3);
-  run();
-  expect(turning.spread).toBe(flights.length);
-  expect(flights).toEqual(flights.map((_, k) => [k, k + 1]));
-});
+both(
+  "a held key has ten leaves and more in flight, one after the other, and stops soon",
+  async () => {
+    const { engine, turning, flights, run } = await open(200, "none");
+    const ticks = (seconds: number) => Math.round(seconds / engine.tick);
+    let most = 0;
+    for (let frame = 0; frame < 100; frame++) {
+      if (frame % 2 === 0) turning.turn(1);
+      turning.step(ticks(1 / 60));
+      most = Math.max(most, turning.flights.length);
+    }
+    expect(most).toBeGreaterThanOrEqual(10);
+    expect(most).toBeLessThanOrEqual(12);
+    // Steadily, one leaf every 72 ms.
+    expect(flights.length).toBeCloseTo(100 / 60 / apart, -0.5);
+    const begun = flights.length;
+    expect(turning.destination - begun).toBeLessThanOrEqual(3);
+    run();
+    expect(turning.spread).toBe(flights.length);
+    expect(flights).toEqual(flights.map((_, k) => [k, k + 1]));
+  },
+);
 
-test("turns that all are asked for at once wait, at most three of them", async () => {
+both("turns that all are asked for at once wait, at most three of them", async () => {
   const { turning, run } = await open(60, "none");
   for (let repeat = 0; repeat < 30; repeat++) turning.turn(1);
   expect(turning.destination).toBe(3);
@@ -96,7 +115,7 @@ test("turns that all are asked for at once wait, at most three of them", async (
   expect(turning.spread).toBe(4);
 });
 
-test("a step back sends the leaf taken up last back first", async () => {
+both("a step back sends the leaf taken up last back first", async () => {
   const { engine, turning, run } = await open(60, "none");
   turning.lay(10);
   void turning.goTo(16);
@@ -116,7 +135,7 @@ test("a step back sends the leaf taken up last back first", async () => {
   expect(await Promise.all(promised)).toEqual([false, true, false, true]);
 });
 
-test("a held key the other way first takes back what flies, then turns on", async () => {
+both("a held key the other way first takes back what flies, then turns on", async () => {
   const { engine, turning, run } = await open(100, "none");
   turning.lay(20);
   const frame = Math.round(1 / 60 / engine.tick);
@@ -134,7 +153,7 @@ test("a held key the other way first takes back what flies, then turns on", asyn
   expect(destination).toBeLessThan(20);
 });
 
-test("a far jump takes few leaves and little time, and lands where told", async () => {
+both("a far jump takes few leaves and little time, and lands where told", async () => {
   const { engine, turning, flights } = await open(1000, "none");
   for (const spread of [437, 12, 13, 400]) {
     flights.length = 0;
@@ -149,7 +168,7 @@ test("a far jump takes few leaves and little time, and lands where told", async 
   }
 });
 
-test("a slider dragged to and fro ends where it was let go", async () => {
+both("a slider dragged to and fro ends where it was let go", async () => {
   const { engine, turning, run } = await open(600, "hard");
   const promised: Promise<boolean>[] = [];
   for (const spread of [5, 40, 90, 91, 70, 20, 22, 30, 180, 179, 177]) {
@@ -163,7 +182,7 @@ test("a slider dragged to and fro ends where it was let go", async () => {
   expect((await Promise.all(promised)).at(-1)).toBe(true);
 });
 
-test("a jump back while leaves fly takes those back that need not have flown", async () => {
+both("a jump back while leaves fly takes those back that need not have flown", async () => {
   const { engine, turning, flights, run } = await open(60, "none");
   void turning.goTo(10);
   turning.step(Math.round(0.34 / engine.tick));
@@ -175,7 +194,7 @@ test("a jump back while leaves fly takes those back that need not have flown", a
   expect(flights.length).toBe(5);
 });
 
-test("every leaf tells of its landing, and the book of its rest", async () => {
+both("every leaf tells of its landing, and the book of its rest", async () => {
   const told: string[] = [];
   const { turning, run, pass } = await open(60, "none", {
     landed: ({ low, to }) => told.push(`${low} ${to === 1 ? "left" : "right"}`),
@@ -190,7 +209,7 @@ test("every leaf tells of its landing, and the book of its rest", async () => {
   expect(turning.spread).toBe(7);
 });
 
-test("a book taken away in the middle of a turn keeps nobody waiting", async () => {
+both("a book taken away in the middle of a turn keeps nobody waiting", async () => {
   const { turning, run } = await open(20, "hard");
   const promised = [turning.goTo(6), turning.turn(1)];
   run(30);
@@ -199,7 +218,7 @@ test("a book taken away in the middle of a turn keeps nobody waiting", async () 
   expect(turning.moving).toBe(false);
 });
 
-test("a turn called off before it began keeps nobody waiting", async () => {
+both("a turn called off before it began keeps nobody waiting", async () => {
   const { turning } = await open(20, "none");
   const away = turning.turn(1);
   const back = turning.goTo(0);
@@ -207,7 +226,7 @@ test("a turn called off before it began keeps nobody waiting", async () => {
   expect([await now(away), await now(back)]).toEqual([false, true]);
 });
 
-test("nothing is asked of the engine once a listener took the book away", async () => {
+both("nothing is asked of the engine once a listener took the book away", async () => {
   for (const event of ["started", "landed", "rested"] as const) {
     let close = () => {};
     const { engine, turning, run } = await open(20, "none", { [event]: () => close() });
@@ -228,7 +247,7 @@ test("nothing is asked of the engine once a listener took the book away", async 
   }
 });
 
-test("a hand has no hold on what a key took from it, nor on what flies next", async () => {
+both("a hand has no hold on what a key took from it, nor on what flies next", async () => {
   const { turning, flights, run } = await open(12, "hard");
   turning.lay(4);
   const flight = turning.lift(0) as Flight;
@@ -255,7 +274,7 @@ test("a hand has no hold on what a key took from it, nor on what flies next", as
   run();
 });
 
-test("a key during a hand's hold sends the leaf to the key's side", async () => {
+both("a key during a hand's hold sends the leaf to the key's side", async () => {
   for (const [by, spread] of [
     [1, 4],
     [-1, 3],
@@ -272,7 +291,7 @@ test("a key during a hand's hold sends the leaf to the key's side", async () => 
   }
 });
 
-test("a leaf or a board let go says where it falls", async () => {
+both("a leaf or a board let go says where it falls", async () => {
   for (const [x, falls, by, end] of [
     [0.12, 0, -1, 2],
     [-0.12, 1, 1, 5],
@@ -300,7 +319,7 @@ test("a leaf or a board let go says where it falls", async () => {
   }
 });
 
-test("the second hand's leaf is held, and the first hand's falls to its side", async () => {
+both("the second hand's leaf is held, and the first hand's falls to its side", async () => {
   for (const [first, second] of [
     [0, 1],
     [1, 0],
@@ -331,7 +350,7 @@ test("the second hand's leaf is held, and the first hand's falls to its side", a
   }
 });
 
-test("a key after a second hand's grab turns that hand's leaf", async () => {
+both("a key after a second hand's grab turns that hand's leaf", async () => {
   const { turning, run } = await open(60, "none");
   turning.lay(10);
   const one = turning.lift(0) as Flight;
@@ -351,7 +370,7 @@ test("a key after a second hand's grab turns that hand's leaf", async () => {
   expect(turning.spread).toBe(9);
 });
 
-test("one leaf in two hands falls when the second lets go", async () => {
+both("one leaf in two hands falls when the second lets go", async () => {
   const { turning, run } = await open(60, "none");
   turning.lay(10);
   const flight = turning.lift(0) as Flight;

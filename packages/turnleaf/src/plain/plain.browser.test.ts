@@ -106,6 +106,38 @@ test("a leaf is peeled from a corner, an edge or the foot, and falls to the side
   }
 });
 
+test("a corner lifts under the pointer, and takes no frame once it holds still", async () => {
+  const element = book(scans(12), { page: "6", layout: "spread" });
+  await happens(element, "load");
+  await settled(element);
+  let edge = 299;
+  for (; edge > 150 && canvasOf(element).style.cursor !== "grab"; edge--) {
+    point(element, "pointermove", edge, 110);
+  }
+  let foot = 219;
+  for (; foot > 110 && colourAt(element, edge - 6, foot)[0] < 200; foot--);
+  const turned: unknown[] = [];
+  for (const name of ["turnstart", "pagechange"]) {
+    element.addEventListener(name, () => turned.push(name));
+  }
+  /** What is seen about the corner. */
+  const seen = (): Uint8ClampedArray => {
+    const canvas = canvasOf(element);
+    const scale = canvas.width / canvas.clientWidth;
+    const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
+    const [x, y, size] = [edge - 24, foot - 24, 24].map((length) => length * scale);
+    return pen.getImageData(x, y, size, size).data;
+  };
+  const before = seen();
+  const changed = () => seen().filter((value, k) => Math.abs(value - before[k]) > 12).length;
+  point(element, "pointermove", edge - 4, foot - 4);
+  await expect.poll(changed).toBeGreaterThan(30);
+  await settled(element);
+  point(element, "pointermove", 150, 2);
+  await expect.poll(changed).toBe(0);
+  expect(turned).toEqual([]);
+});
+
 test("nothing runs at rest, and a removed book is gone", async () => {
   const element = book(scans(6), { page: "3" });
   await happens(element, "load");
