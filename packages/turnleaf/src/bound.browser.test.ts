@@ -182,6 +182,55 @@ test("the closed book lies in the middle, front and back, with boards or without
   }
 });
 
+/** A page twice as wide as others: its own colour, and another's on the half that folds out. */
+function wide(page: number, beyond: number): { src: string } {
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [140, 120];
+  const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
+  for (const [k, hue] of [hueOf(page), hueOf(beyond)].entries()) {
+    pen.fillStyle = `hsl(${hue} 90% 60%)`;
+    pen.fillRect(78 * k, 0, 80, 120);
+  }
+  return { src: canvas.toDataURL("image/png") };
+}
+
+test("a fold-out is folded in, unfolds beside the book, and folds in before a turn", async () => {
+  const sheets = pages(12);
+  sheets[4] = wide(5, 30);
+  const element = book(sheets, { duration: "80", page: "4", cover: "none" });
+  [element.style.width, element.style.height] = ["560px", "300px"];
+  await happens(element, "load");
+  await settled(element);
+  // The flap's back lies on most of the page.
+  await expectPage(element, 5, 0.52, 0.6);
+  expect(await hueAt(element, 0.65, 0.6)).toBeNull();
+  expect(await element.unfold(4)).toBe(false);
+  expect(await element.unfold(5)).toBe(true);
+  await expectPage(element, 5, 0.5, 0.6);
+  await expectPage(element, 30, 0.8, 0.6);
+  expect(await element.next()).toBe(true);
+  expect(element.page).toBe(6);
+  await expectPage(element, 7, 0.6, 0.6);
+  expect(await element.previous()).toBe(true);
+  await settled(element);
+  expect(await hueAt(element, 0.65, 0.6)).toBeNull();
+});
+
+test("a smaller page lies at the spine, and beside it the page beneath is seen", async () => {
+  const sheets = pages(12);
+  sheets[4] = plain(5, 50, 120);
+  sheets[5] = plain(6, 50, 120);
+  const element = book(sheets, { duration: "80", page: "4", cover: "none" });
+  [element.style.width, element.style.height] = ["420px", "300px"];
+  await happens(element, "load");
+  await settled(element);
+  await expectPage(element, 5, 0.6, 0.6);
+  await expectPage(element, 7, 0.82, 0.6);
+  expect(await element.next()).toBe(true);
+  await expectPage(element, 6, 0.4, 0.6);
+  await expectPage(element, 4, 0.18, 0.6);
+});
+
 test("pages are added, taken out and replaced while the book lies open, which keeps its place", async () => {
   const element = await opened({ page: "6" });
   const changes: number[] = [];

@@ -131,6 +131,19 @@ export class TurnleafBook extends ReaderElement {
   }
 
   /**
+   * Unfolds a page (from 1) that lies open and is clearly wider than the book, as
+   * a click on it does. Resolves, once it does, to whether it lies unfolded.
+   */
+  unfold(page: number): Promise<boolean> {
+    return this.#viewer?.unfold(page) ?? Promise.resolve(false);
+  }
+
+  /** Folds in the page that lies unfolded, as any turn does first. Resolves once it does. */
+  foldIn(): Promise<void> {
+    return this.#viewer?.foldIn() ?? Promise.resolve();
+  }
+
+  /**
    * Puts pages before page `at` (from 1), or behind the last. The page in sight stays.
    * Resolves, once the book lies still and they are in it, to whether they are.
    * Rejects with a `BookError` where they cannot be opened or there is no such page.

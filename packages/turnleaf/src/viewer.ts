@@ -7,7 +7,16 @@
 
 import { faceOf } from "./book/faces.ts";
 import { makeOf, type Paper } from "./book/paper.ts";
-import { type Binding, clampSpread, pageOf, pagesAt, spineOf, spreadOf } from "./book/spreads.ts";
+import {
+  type Binding,
+  clampSpread,
+  leftPage,
+  pageOf,
+  pagesAt,
+  rightPage,
+  spineOf,
+  spreadOf,
+} from "./book/spreads.ts";
 import type { Flight, Turning } from "./book/turning.ts";
 import type { BookPose, BookShape } from "./draw/pose.ts";
 import type { BookStage, Place } from "./draw/stage.ts";
@@ -15,10 +24,12 @@ import type { BookEngine, BookSize } from "./engine/engine.ts";
 import { Side } from "./engine/phases.ts";
 import { leafSize } from "./pages/leaf_size.ts";
 import { PagePictures } from "./pages/page_pictures.ts";
+import { isFoldOut } from "./pages/placing.ts";
 import type { PageBox, PageSize, PageSource } from "./sources/page_source.ts";
 import { type Bindable, type BindingPlan, Bound, planBinding, type Wish } from "./view/bound.ts";
 import { Details } from "./view/details.ts";
 import { Fade } from "./view/fade.ts";
+import { Folding } from "./view/folding.ts";
 import type { Hold } from "./view/holding.ts";
 import { pictureWidth } from "./view/picturing.ts";
 import { QualityGovernor } from "./view/quality.ts";
@@ -75,6 +86,7 @@ export class Viewer {
   readonly #pictures: PagePictures;
   readonly #fade: Fade;
   readonly #details: Details;
+  readonly #folding: Folding;
   readonly #views = new Views();
   readonly #stillness = new Stillness();
   readonly #governor = new QualityGovernor();
@@ -121,6 +133,7 @@ export class Viewer {
     });
     const arrived = (): void => this.invalidate();
     this.#details = new Details(source, stage, book.aspect, this.#pictures, arrived);
+    this.#folding = new Folding(this.#pictures, () => this.#show());
     this.#bound = this.#bind(plan, engine);
   }
 
@@ -212,6 +225,7 @@ export class Viewer {
 
   /** Opens the book at a spread (clamped to the book) without a turn. */
   lay(spread: number): void {
+    this.#folding.close();
     this.turning.lay(clampSpread(this.binding, spread));
     this.#changePaper();
     this.#keepPlace();
@@ -235,6 +249,42 @@ export class Viewer {
       this.lay(to);
     }
     return this.#fade.isOn ? this.#fade.promise(to) : Promise.resolve(true);
+  }
+
+  /** The page (from 1) of the fold-out that lies open or opens, or null. */
+  get unfolded(): number | null {
+    return this.#folding.page;
+  }
+
+  /**
+   * Unfolds a page (from 1) that lies open and is wider than the book. Resolves,
+   * once it does, to whether it lies unfolded.
+   */
+  unfold(page: number): Promise<boolean> {
+    const { spread, moving } = this.turning;
+    const face = this.#destroyed || moving ? null : faceOf(this.binding, spread, page);
+    const isPage = face === "left" || face === "right";
+    if (!isPage || !this.#stage.unfolds) return Promise.resolve(false);
+    const sign = face === "right" ? 1 : -1;
+    return this.#folding.unfold(page, sign, this.#pictureWidth);
+  }
+
+  /** Folds in the page that lies unfolded. Resolves once it does. */
+  foldIn(): Promise<void> {
+    const folded = this.#folding.foldIn();
+    this.invalidate();
+    return folded;
+  }
+
+  /** A tap at a place on the canvas, CSS pixels: unfolds the fold-out there, and folds it in again. */
+  tap(x: number, y: number): void {
+    if (this.#destroyed || this.turning.moving) return;
+    if (this.unfolded !== null) return void this.foldIn();
+    const on = this.pick(x, y)?.on;
+    if (typeof on !== "number") return;
+    const { spread } = this.turning;
+    const page = (on === Side.right ? rightPage : leftPage)(this.binding, spread);
+    if (page !== null && isFoldOut(this.#pictures.placeOfDrawn(page))) void this.unfold(page);
   }
 
   /** Makes the leaves of another paper: at once, or as soon as none is in flight. */
@@ -279,7 +329,8 @@ export class Viewer {
 
   /** The corner of a resting leaf lifts a little, until null is told. Answers whether it does. */
   peek(hold: Hold | null): boolean {
-    if (this.#destroyed) return false;
+    // A page that lies unfolded keeps its corners.
+    if (this.#destroyed || (hold !== null && this.#folding.parts !== null)) return false;
     const { peek, holding } = this.#bound;
     if (hold === null) peek.end();
     const lifts = hold !== null && peek.begin(hold, holding.floor(hold.on === Side.right ? 1 : -1));
@@ -359,7 +410,8 @@ export class Viewer {
     if (this.#destroyed || this.#cssWidth === 0) return null;
     if (this.turning.moving && this.#bound.peek.flight === null) return null;
     const face = faceOf(this.binding, this.turning.spread, page);
-    return face && this.#stage.projectOn(face, x, y);
+    if (face === null || !this.#pictures.isBare(page, x)) return null;
+    return this.#stage.projectOn(face, x, y);
   }
 
   /**
@@ -386,6 +438,7 @@ export class Viewer {
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
     this.#fade.close();
+    this.#folding.close();
     this.#bindAnew();
     this.#bound.destroy();
     this.#details.close();
@@ -410,10 +463,12 @@ export class Viewer {
     if (turned) engine.update();
     if (!turning) this.#bindAnew();
     const { peek } = this.#bound;
-    const pose = this.#bound.pose();
     const seconds = passed * engine.tick;
     peek.step(seconds);
-    const stepping = this.#viewing.step(turning && peek.flight === null, seconds);
+    const folding = this.#folding.step(seconds);
+    const stepping = this.#viewing.step(turning && peek.flight === null, seconds) || folding;
+    const posed = this.#bound.pose();
+    const pose = { ...posed, flap: this.#folding.surface(posed, this.#bound.shape) };
     if (stepping) this.#bound.holding.follow();
     // What is held quite still takes no more frames until the hand moves.
     const still = turning && this.turning.inHand && this.#stillness.check(pose.leaves);
@@ -442,12 +497,18 @@ export class Viewer {
     this.#details.look(this.#bound.picturing.open, this.#cssWidth, this.#cssHeight);
   }
 
+  async #afterFolding(command: () => Promise<boolean>): Promise<boolean> {
+    await this.foldIn();
+    return this.#destroyed ? false : await command();
+  }
+
   /**
    * A command while a corner is lifted: that leaf falls back, or is turned.
    *
    * @param turns whether the command is to turn that leaf
    */
   #command(order: () => Promise<boolean>, turns: (flight: Flight) => boolean): Promise<boolean> {
+    if (this.unfolded !== null) return this.#afterFolding(() => this.#command(order, turns));
     const { peek } = this.#bound;
     const { flight } = peek;
     if (flight === null || !turns(flight)) peek.end();
@@ -487,6 +548,7 @@ export class Viewer {
     const options = this.#options;
     const bound = new Bound(plan, engine, this.#stage, this.#pictures, {
       started: (flight) => {
+        this.#folding.close();
         this.#show();
         if (!bound.peek.lifting) this.#tellStart(flight);
       },
@@ -507,6 +569,7 @@ export class Viewer {
 
   /** Does what waited for the book to lie still. */
   #bindAnew(): void {
+    if (this.#changes.length > 0 || this.#mustRebind) this.#folding.close();
     for (const change of this.#changes.splice(0)) change();
     if (!this.#mustRebind || this.#destroyed) return;
     this.#mustRebind = false;
@@ -543,12 +606,15 @@ export class Viewer {
   #show(): void {
     if (this.#destroyed) return;
     if (this.#cssWidth > 0) {
-      const { shape, picturing } = this.#bound;
-      picturing.want(pictureWidth(shape, this.#stage, this.#viewing));
+      this.#bound.picturing.want(this.#pictureWidth);
     }
-    this.#bound.picturing.show();
+    this.#bound.picturing.show(this.#folding.parts);
     this.#details.keep(this.#bound.picturing.pages);
     this.invalidate();
+  }
+
+  get #pictureWidth(): number {
+    return pictureWidth(this.#bound.shape, this.#stage, this.#viewing);
   }
 
   #lieOpen(page: number): boolean {

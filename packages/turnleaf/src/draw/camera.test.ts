@@ -19,6 +19,7 @@ const framing = (part: Partial<Framing>): Framing => ({
   closedLeft: 0,
   middle: 0,
   boardEdges: [],
+  flapEdge: [],
   room: 1,
   ...part,
 });

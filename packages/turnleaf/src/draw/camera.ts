@@ -53,6 +53,8 @@ export interface Framing {
   middle: number;
   /** x, z of the outer edges of the boards, which stay in the picture as they swing. */
   boardEdges: number[];
+  /** x, z of the outer edge of a fold-out that lies open; empty for none. */
+  flapEdge: number[];
   /** 0: no free room above the head; 1: room for a leaf standing upright. */
   room: number;
 }
@@ -228,6 +230,7 @@ function alonePoints(shape: BookShape, framing: Framing, sign: number): number[]
     for (const y of [0, height]) points.push(x, y, 0, x, y, thickness);
   }
   addSwing(points, shape, framing, (x) => x * sign > 0);
+  addEdges(points, shape, framing.flapEdge, 0);
   return points;
 }
 
@@ -261,7 +264,12 @@ function closedPoints(shape: BookShape, framing: Framing, sign: number, rim: num
 }
 
 function addBoards(points: number[], shape: BookShape, framing: Framing, rim: number): void {
-  const edges = framing.boardEdges;
+  addEdges(points, shape, framing.boardEdges, rim);
+  addEdges(points, shape, framing.flapEdge, 0);
+}
+
+/** The ends of edges along the spine, told by their x and z. */
+function addEdges(points: number[], shape: BookShape, edges: number[], rim: number): void {
   for (let k = 0; k < edges.length; k += 2) {
     for (const y of [-rim, shape.height + rim]) points.push(edges[k], y, edges[k + 1]);
   }

@@ -11,7 +11,7 @@ import { BoardMesh } from "./board_mesh.ts";
 import type { Framing } from "./camera.ts";
 import { caseSizes, placeCase, restingCase } from "./case_shape.ts";
 import { EndpaperMesh } from "./endpaper_mesh.ts";
-import { shadowOfCase, shadowOfLeaves } from "./footprint.ts";
+import { shadowOfCase, shadowOfFlap, shadowOfLeaves } from "./footprint.ts";
 import { Ground } from "./ground.ts";
 import { LeafMesh } from "./leaf_mesh.ts";
 import { LeafSection } from "./leaf_section.ts";
@@ -65,7 +65,14 @@ export class DrawnBook {
     this.#shape = shape;
     this.#materials = materials;
     this.#hard = shape.cover === "hard";
-    this.framing = { closedRight: 0, closedLeft: 0, middle: 0, boardEdges: [], room: 1 };
+    this.framing = {
+      closedRight: 0,
+      closedLeft: 0,
+      middle: 0,
+      boardEdges: [],
+      flapEdge: [],
+      room: 1,
+    };
     const section = (): LeafSection => new LeafSection(pageRows, height);
     const side = (sign: 1 | -1): DrawnSide => ({
       pile: new PileShape(sign),
@@ -114,12 +121,24 @@ export class DrawnBook {
     const pilesMoved = leftMoved || rightMoved;
     const still = !(pilesMoved || caseMoved);
     if (!still && this.#hard) this.#placeBoards();
-    this.#isDim = roughly && !this.#isDim && still && pose.leaves.length === this.#lit.length;
-    this.#light(pose.leaves, pilesMoved, still);
+    const flapMoved = this.#followFlap(pose.flap ?? null);
+    const sheets = pose.flap ? [...pose.leaves, pose.flap] : pose.leaves;
+    this.#isDim = roughly && !this.#isDim && still && sheets.length === this.#lit.length;
+    this.#light(pose.leaves, sheets, pilesMoved, still);
     const [left, right] = [this.#left.pile, this.#right.pile];
     if (!this.#hard) shadowOfLeaves(this.#ground, this.#shape, pose.leaves, left, right);
     else if (!still) shadowOfCase(this.#ground, this.#shape, this.#case, left, right);
-    return caseMoved;
+    if (flapMoved) shadowOfFlap(this.#ground, this.#shape, pose.flap ?? null);
+    return caseMoved || flapMoved;
+  }
+
+  /** Keeps the flap of a fold-out in the picture; answers whether it moved. */
+  #followFlap(flap: Surface | null): boolean {
+    const edge = this.framing.flapEdge;
+    const before = edge.join();
+    edge.length = 0;
+    if (flap) edge.push(...[0, 2].map((axis) => flap.positions[3 * (flap.columns - 1) + axis]));
+    return edge.join() !== before;
   }
 
   /** A place on a face's picture, shares from its upper left corner, in book space as posed last. */
@@ -208,14 +227,20 @@ export class DrawnBook {
     [edges[2], edges[3]] = [-left.over.board[2], left.over.board[3]];
   }
 
-  #light(leaves: readonly Surface[], pilesMoved: boolean, still: boolean): void {
+  /** @param sheets the leaves and a flap, which hangs on a fore-edge and throws no shadow on its page */
+  #light(
+    leaves: readonly Surface[],
+    sheets: readonly Surface[],
+    pilesMoved: boolean,
+    still: boolean,
+  ): void {
     const [left, right] = [this.#left, this.#right];
     const same =
-      leaves.length === this.#lit.length && leaves.every((leaf, k) => leaf === this.#lit[k]);
+      sheets.length === this.#lit.length && sheets.every((sheet, k) => sheet === this.#lit[k]);
     if (still && same && this.#isLit) return;
-    this.#lit = [...leaves];
+    this.#lit = [...sheets];
     this.#isLit = !this.#isDim;
-    this.#placeLeaves(leaves);
+    this.#placeLeaves(sheets);
     if (this.#isDim) return;
     // Of all leaves the outermost on a side stands nearest over its page.
     castOver(left, leaves[0]);

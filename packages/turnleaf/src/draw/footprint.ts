@@ -1,5 +1,6 @@
 /** What of the book stands on the table, and what hangs over it: the shadow it throws there. */
 
+import type { Surface } from "../engine/shapes.ts";
 import { type CaseShape, caseSizes } from "./case_shape.ts";
 import type { Ground } from "./ground.ts";
 import type { PileShape } from "./pile_shape.ts";
@@ -65,4 +66,16 @@ export function shadowOfLeaves(
     }
   }
   ground.shadow(x0, 0, x1, book.height, Math.max(left.top, right.top));
+}
+
+/** Throws the shadow of a fold-out's flap beside the book; of none where it is null. */
+export function shadowOfFlap(ground: Ground, book: BookShape, flap: Surface | null): void {
+  if (flap === null) {
+    ground.raise(0, 0, 0, 0, 0);
+    return;
+  }
+  const { positions, columns } = flap;
+  const [fold, edge] = [positions[0], positions[3 * (columns - 1)]];
+  const high = (positions[2] + positions[3 * columns - 1]) / 2;
+  ground.raise(Math.min(fold, edge), 0, Math.max(fold, edge), book.height, high);
 }

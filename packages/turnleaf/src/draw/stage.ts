@@ -120,6 +120,11 @@ export class Stage {
     this.#aim();
   }
 
+  /** Whether fold-outs can lie open. */
+  get unfolds(): boolean {
+    return true;
+  }
+
   /** How much room is kept above the head: 0 none, 1 for a leaf standing upright. */
   set room(room: number) {
     this.#book.framing.room = Math.min(1, Math.max(0, room));

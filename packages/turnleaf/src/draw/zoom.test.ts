@@ -16,7 +16,15 @@ const shape: BookShape = {
 };
 
 function zoomingOver(framing: Partial<Framing> = {}, aspect = 1.6) {
-  const whole = { closedRight: 0, closedLeft: 0, middle: 0, boardEdges: [], room: 0.5, ...framing };
+  const whole = {
+    closedRight: 0,
+    closedLeft: 0,
+    middle: 0,
+    boardEdges: [],
+    flapEdge: [],
+    room: 0.5,
+    ...framing,
+  };
   const sightAt = (level: number) => sightOf(shape, whole, aspect, 0.0032, level);
   const zooming = new Zooming(sightAt);
   /** Where a point is on the canvas. */

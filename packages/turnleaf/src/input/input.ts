@@ -242,6 +242,7 @@ export class Input {
       this.#viewer.zoom(level, from, to, this.#seconds(zoomTime));
       return;
     }
+    if (inside) this.#viewer.tap(at.x, at.y);
     if (hold === null || inside || this.#isFlying(hold)) return;
     const isRight = sideOf(hold) === Side.right;
     const way = forward(this.#viewer.binding);

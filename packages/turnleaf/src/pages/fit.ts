@@ -32,13 +32,16 @@ export function fitToLeaf(
   return canvas;
 }
 
-/** The two parts of a fold-out that lies open, each as high as the leaf: what is on it, and what is beyond its fold. */
+/**
+ * The parts of a fold-out that lies open, each as high as the leaf: what is on
+ * it, what is beyond its fold, and the bare back of that.
+ */
 export function unfold(
   picture: PagePicture,
   place: PageBox,
   aspect: number,
   width: number,
-): { page: HTMLCanvasElement; flap: HTMLCanvasElement } {
+): { page: HTMLCanvasElement; flap: HTMLCanvasElement; back: HTMLCanvasElement } {
   const { canvas: page, pen } = leafFor(picture, place, aspect, width);
   drawOn(pen, picture, place);
   const isRight = place.x < 0;
@@ -51,7 +54,12 @@ export function unfold(
   flapPen.imageSmoothingQuality = "high";
   flapPen.translate((isRight ? share - (1 - foldAt) : -foldAt) * page.width, 0);
   drawOn(flapPen, picture, place, page.width, page.height);
-  return { page, flap };
+  const back = document.createElement("canvas");
+  [back.width, back.height] = [flap.width, flap.height];
+  const backPen = back.getContext("2d") as CanvasRenderingContext2D;
+  backPen.fillStyle = paper;
+  backPen.fillRect(0, place.y * back.height, back.width, place.height * back.height);
+  return { page, flap, back };
 }
 
 /** A canvas of the leaf's proportions, as large as the picture fills it and no wider than wanted. */

@@ -1,9 +1,9 @@
 /** The pages as pictures to print on leaves: the pool's own, fitted, or what stands in for them. */
 
 import type { PageBox, PagePicture, PageSize, PageSource } from "../sources/page_source.ts";
-import { fitToLeaf } from "./fit.ts";
+import { fitToLeaf, unfold } from "./fit.ts";
 import { closePicture, PagePool, type PoolSource } from "./page_pool.ts";
-import { isFoldOut, type PrintedOn, placeOnLeaf, whole } from "./placing.ts";
+import { foldAt, isFoldOut, type PrintedOn, placeOnLeaf, whole } from "./placing.ts";
 import { barePage, failedPage, waitingPage } from "./stand_in.ts";
 
 /** Told when pictures come and go. */
@@ -28,6 +28,17 @@ interface PagesWanted {
   readonly lyingOpen: number;
 }
 
+/** A fold-out that lies open: the pictures of its parts, and the part of its leaf that all of it covers. */
+export interface Unfolded {
+  readonly page: PagePicture;
+  readonly flap: PagePicture;
+  readonly back: PagePicture;
+  readonly place: PageBox;
+}
+
+/** Most pixels across a fold-out. */
+const mostAcross = 4096;
+
 /** A book's pages as pictures of its leaf's proportions. */
 export class PagePictures {
   readonly #source: PageSource;
@@ -41,6 +52,7 @@ export class PagePictures {
   /** What each page is printed on, and the part of it that each page drawn so far covers. */
   #printedOn: (page: number) => PrintedOn = () => "left";
   readonly #places = new Map<number, PageBox>();
+  #unfolded: { number: number; parts: Unfolded } | null = null;
 
   /** @param leaf size of the book's leaves, in the source's unit */
   constructor(source: PageSource, leaf: PageSize, options: PagePicturesOptions) {
@@ -113,6 +125,40 @@ export class PagePictures {
     return this.#places.get(page) ?? whole;
   }
 
+  /**
+   * Draws a fold-out (a page from 1) that is to lie open; it is shown so until
+   * it is folded in. Null for a page that is none. Rejects as drawing does.
+   */
+  async unfold(page: number, width: number, signal: AbortSignal): Promise<Unfolded | null> {
+    const place = this.placeOfDrawn(page);
+    if (!isFoldOut(place)) return null;
+    const across = Math.min(Math.ceil(width * place.width), mostAcross);
+    const picture = await this.#source.draw(page - 1, across, signal);
+    const parts = { ...unfold(picture, place, this.#aspect, width), place };
+    closePicture(picture);
+    this.foldIn();
+    this.#unfolded = { number: page, parts };
+    return parts;
+  }
+
+  /** Shows every fold-out folded in again. */
+  foldIn(): void {
+    const { parts } = this.#unfolded ?? {};
+    this.#unfolded = null;
+    for (const picture of parts ? [parts.page, parts.flap, parts.back] : []) {
+      this.#options.onDrop(picture);
+      closePicture(picture);
+    }
+  }
+
+  /** Whether a place on a page's leaf, `x` from its left edge, is not under a folded flap. */
+  isBare(page: number, x: number): boolean {
+    const place = this.placeOfDrawn(page);
+    if (!isFoldOut(place) || this.#unfolded?.number === page) return true;
+    const free = 2 * foldAt - place.width;
+    return place.x < 0 ? x > 1 - free : x < free;
+  }
+
   /** The book's pages are others than before; `moved` answers where a page (from 0) is now, or null. */
   renumber(moved: (index: number) => number | null): void {
     this.#inSight = new Set();
@@ -138,6 +184,7 @@ export class PagePictures {
 
   /** The best picture of a page (from 1) that there is now; never nothing. */
   get(page: number): PagePicture {
+    if (this.#unfolded?.number === page) return this.#unfolded.parts.page;
     return this.#pool.get(page - 1) ?? this.#standIn(page);
   }
 
@@ -176,6 +223,7 @@ export class PagePictures {
 
   /** Drops every picture. */
   close(): void {
+    this.foldIn();
     this.#pool.close();
     for (const canvas of this.#standIns.values()) this.#options.onDrop(canvas);
     this.#standIns.clear();

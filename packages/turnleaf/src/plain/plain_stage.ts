@@ -79,6 +79,11 @@ export class PlainStage implements BookStage {
     this.#aim();
   }
 
+  /** On the flat, fold-outs stay folded in. */
+  get unfolds(): boolean {
+    return false;
+  }
+
   /** A flat book needs no room above its head. */
   set room(_: number) {}
 

@@ -16,6 +16,7 @@ import type { BookStage } from "../draw/stage.ts";
 import type { PagePictures } from "../pages/page_pictures.ts";
 import { isTrimmed } from "../pages/placing.ts";
 import type { OpenPage } from "./details.ts";
+import type { Folding } from "./folding.ts";
 import type { Viewing } from "./viewing.ts";
 
 /** Leaves in flight whose pages are drawn as sharp as those at rest: many pass by too fast to be read. */
@@ -82,10 +83,15 @@ export class Picturing {
     });
   }
 
-  /** Shows on every face what there is. */
-  show(): void {
+  /** Shows on every face what there is, and on the flap of a fold-out that lies open. */
+  show(flap: Folding["parts"]): void {
     const { pages } = this;
     for (const face of faceNames) this.#stage.setFace(face, this.#pictureOf(face, pages[face]));
+    if (flap) {
+      const [front, back] = flap.sign === 1 ? [flap.flap, flap.back] : [flap.back, flap.flap];
+      this.#stage.setLeaf(0, "recto", front);
+      this.#stage.setLeaf(0, "verso", back);
+    }
     const [low, high] = spreadsBetween(this.#turning);
     this.#showUnder("left", pages.left, rightPage(this.#binding, low - 1), low - 1);
     this.#showUnder("right", pages.right, leftPage(this.#binding, high + 1), high + 1);

@@ -1,0 +1,117 @@
+/** The fold-out that lies open, or is on its way there or back. At most one is. */
+
+import type { BookPose, BookShape } from "../draw/pose.ts";
+import type { Surface } from "../engine/shapes.ts";
+import type { PagePictures, Unfolded } from "../pages/page_pictures.ts";
+import { foldAt } from "../pages/placing.ts";
+import { flapSurface } from "./flap.ts";
+
+/** Time in which a flap opens, seconds. */
+const openTime = 0.6;
+
+/** A fold-out and how far it is open. */
+interface Flap {
+  readonly page: number;
+  readonly sign: 1 | -1;
+  readonly parts: Unfolded;
+  open: number;
+  to: 0 | 1;
+}
+
+/** Opens a fold-out, and folds it in. */
+export class Folding {
+  readonly #pictures: PagePictures;
+  readonly #changed: () => void;
+  #flap: Flap | null = null;
+  #drawing: AbortController | null = null;
+  #waiting: ((done: boolean) => void)[] = [];
+  #surface: { open: number; surface: Surface } | null = null;
+  #version = 0;
+
+  /** @param changed other pictures are to be shown than before */
+  constructor(pictures: PagePictures, changed: () => void) {
+    this.#pictures = pictures;
+    this.#changed = changed;
+  }
+
+  /** The page (from 1) that lies open or opens; null where none does. */
+  get page(): number | null {
+    return this.#flap?.to === 1 ? this.#flap.page : null;
+  }
+
+  /** What is printed on the flap, and the side of the book that it belongs to; null where none is seen. */
+  get parts(): (Unfolded & { readonly sign: 1 | -1 }) | null {
+    return this.#flap && { ...this.#flap.parts, sign: this.#flap.sign };
+  }
+
+  /**
+   * Opens the fold-out of a page on a side. Resolves, once it lies open, to whether it does.
+   *
+   * @param width of the leaf in device pixels
+   */
+  async unfold(page: number, sign: 1 | -1, width: number): Promise<boolean> {
+    this.close();
+    const drawing = new AbortController();
+    this.#drawing = drawing;
+    const parts = await this.#pictures.unfold(page, width, drawing.signal).catch(() => null);
+    if (drawing.signal.aborted || parts === null) {
+      if (parts) this.#pictures.foldIn();
+      return false;
+    }
+    this.#flap = { page, sign, parts, open: 0, to: 1 };
+    this.#changed();
+    return await new Promise((resolve) => this.#waiting.push(resolve));
+  }
+
+  /** Folds in what lies open. Resolves once it does. */
+  async foldIn(): Promise<void> {
+    this.#drawing?.abort();
+    if (this.#flap === null) return;
+    this.#tell(false);
+    this.#flap.to = 0;
+    await new Promise((resolve) => this.#waiting.push(resolve));
+  }
+
+  /** Moves on; answers whether anything moves. */
+  step(seconds: number): boolean {
+    const flap = this.#flap;
+    if (flap === null || (flap.to === 1 && flap.open === 1)) return false;
+    const way = seconds / openTime;
+    flap.open = flap.to === 1 ? Math.min(flap.open + way, 1) : Math.max(flap.open - way, 0);
+    if (flap.open !== flap.to) return true;
+    if (flap.to === 0) this.close();
+    else this.#tell(true);
+    return false;
+  }
+
+  /** The flap over the pages as they are posed. */
+  surface(pose: BookPose, { width, height }: BookShape): Surface | null {
+    const flap = this.#flap;
+    const pile = flap?.sign === 1 ? pose.right : pose.left;
+    if (flap === null || pile === null) return null;
+    const { sign, open } = flap;
+    if (this.#surface?.open !== open) {
+      const place = { sign, open, fold: foldAt, share: flap.parts.place.width - foldAt };
+      this.#surface = {
+        open,
+        surface: flapSurface(place, pile, width, height, ++this.#version),
+      };
+    }
+    return this.#surface.surface;
+  }
+
+  /** Puts everything away at once. */
+  close(): void {
+    this.#drawing?.abort();
+    this.#surface = null;
+    if (this.#flap === null) return;
+    this.#flap = null;
+    this.#pictures.foldIn();
+    this.#changed();
+    this.#tell(false);
+  }
+
+  #tell(done: boolean): void {
+    for (const resolve of this.#waiting.splice(0)) resolve(done);
+  }
+}
