@@ -71,6 +71,19 @@ function boxOf(text: string): DOMRect {
   throw new Error(`No "${text}" on the page.`);
 }
 
+/** Does something that moves the view: the text goes away, however shortly, and comes back at rest. */
+async function awayAndBack(move: () => unknown): Promise<void> {
+  const layer = root().querySelector(".reading") as HTMLElement;
+  const states: boolean[] = [];
+  const observer = new MutationObserver(() => states.push(layer.hasAttribute("hidden")));
+  observer.observe(layer, { attributeFilter: ["hidden"] });
+  await move();
+  await expect.poll(() => states.at(-1), { timeout: 30_000 }).toBe(false);
+  expect(states).toContain(true);
+  observer.disconnect();
+  await settled(element);
+}
+
 /** The box of the ink that is seen on the screen within a box, CSS pixels. */
 async function inkIn(box: DOMRect): Promise<DOMRect> {
   const { x: left, y: top, scale } = frame();
@@ -139,11 +152,7 @@ test("a drag with the mouse selects, and what is copied has words and lines", as
 });
 
 test("the text is away while a leaf turns, and another lies there afterwards", async () => {
-  const layer = root().querySelector(".reading") as HTMLElement;
-  const turned = element.next();
-  await expect.poll(() => layer.hidden).toBe(true);
-  await turned;
-  await expect.poll(() => layer.hidden, { timeout: 20_000 }).toBe(false);
+  await awayAndBack(() => element.next());
   const groups = [...root().querySelectorAll("[role=group]")];
   expect(groups.map(({ ariaLabel }) => ariaLabel)).toEqual(["Page iv", "Page v"]);
   await expect
@@ -315,11 +324,7 @@ test("zoomed, the text lies where the print is", async () => {
     return [box.left - ink.left, box.right - ink.right];
   };
   const before = await offPrint();
-  element.zoomTo(2, { x: 140, y: 145 });
-  const layer = root().querySelector(".reading") as HTMLElement;
-  await expect.poll(() => layer.hidden, { timeout: 20_000 }).toBe(true);
-  await expect.poll(() => layer.hidden, { timeout: 20_000 }).toBe(false);
-  await settled(element);
+  await awayAndBack(() => element.zoomTo(2, { x: 140, y: 145 }));
   const after = await offPrint();
   for (const side of [0, 1]) expect(Math.abs(after[side] - 2 * before[side])).toBeLessThan(3);
 });
