@@ -64,7 +64,7 @@ check-js: build
 	node scripts/check_imports.mjs
 
 # Measures, and writes docs/performance.md.
-bench: build tools-rust
+bench: build chromium tools-rust
 	node scripts/performance.mjs
 
 # Screenshots of the README and docs, from the real thing.

@@ -8,6 +8,8 @@ import { readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { cpus } from "node:os";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
+import { scriptTimes } from "./script_time.mjs";
+import { viewerSize } from "./size.mjs";
 
 const root = join(import.meta.dirname, "..");
 
@@ -154,6 +156,19 @@ function gestures() {
 ${rows.map(([name, value]) => `| ${name} | ${value} |`).join("\n")}`;
 }
 
+/** What a turn costs the page's thread. */
+async function frames() {
+  const rows = Object.entries(await scriptTimes()).map(
+    ([name, { frames, script, style, layout, all, least, most }]) =>
+      `| ${name} | ${frames} | ${n(script)} | ${n(style)} | ${n(layout)} | ${n(all)} (${n(least)} to ${n(most)}) |`,
+  );
+  return `| a turn of | frames | script, ms a frame | style | layout | together, least and most |
+|---|---|---|---|---|---|
+${rows.join("\n")}
+
+In Chromium, by its own count of the thread's time, the engine's steps included; medians of fresh pages. Wanted are 4 ms for one leaf.`;
+}
+
 function sizes() {
   const dist = join(root, "packages/turnleaf/dist");
   const gzip = (file) => gzipSync(readFileSync(file), { level: 9 }).length;
@@ -170,7 +185,7 @@ function sizes() {
 |---|---|---|
 ${rows.join("\n")}
 
-\`index.js\` is what a page loads, the engine's WASM inside it, three.js not; everything else is loaded when it is needed: a PDF, a character map, a JPEG 2000.`;
+The viewer without three.js and the page sources, the engine's WASM inlined, is ${kilobytes(viewerSize().gzip)} kB gzip, of which a page loads at once what \`index.js\` imports, and everything else when it is needed (\`node scripts/size.mjs\`).`;
 }
 
 run("npm", "run", "--silent", "build");
@@ -220,6 +235,10 @@ ${agreement()}
 Random drags, throws, jumps, two hands, several leaves at once (\`lab gestures\`). What goes deep are leaves that a wild hand presses into each other.
 
 ${gestures()}
+
+## Script time
+
+${await frames()}
 
 ## Size
 

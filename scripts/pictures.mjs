@@ -5,11 +5,11 @@
  *
  *   node scripts/pictures.mjs [name ...]
  */
-import { spawn } from "node:child_process";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
 import { chromiumArguments, findChromium } from "./chromium.mjs";
+import { driveClock, serve } from "./reader_page.mjs";
 
 const root = join(import.meta.dirname, "..");
 const out = join(root, "docs/pictures");
@@ -32,53 +32,6 @@ const pictures = {
     ]),
   ),
 };
-
-/** Serves the book that comes with the project; answers its address. */
-async function serve() {
-  const command = join(root, "packages/cli/dist/main.js");
-  const book = join(root, "books/moby-dick.pdf");
-  const child = spawn(process.execPath, [command, "read", book, "--no-open", "--port", "0"]);
-  child.stderr.pipe(process.stderr);
-  const url = await new Promise((resolve, reject) => {
-    child.stdout.on("data", (data) => {
-      const found = /http:\S+/.exec(String(data));
-      if (found) resolve(found[0]);
-    });
-    child.on("exit", () => reject(new Error("The reader did not start.")));
-  });
-  return { url, stop: () => child.kill() };
-}
-
-/** Runs in the page before anything else: frames come when they are called for. */
-function driveClock() {
-  let waiting = [];
-  let now = 1000;
-  let count = 0;
-  const clock = {
-    free: true,
-    /** Lets a time pass, in frames of 60 Hz. */
-    pass(milliseconds, before) {
-      for (let t = 0; t < milliseconds; t += 1000 / 60) {
-        now += 1000 / 60;
-        before?.();
-        const calls = waiting;
-        waiting = [];
-        for (const { call } of calls) call(now);
-      }
-    },
-  };
-  Object.assign(window, {
-    clock,
-    requestAnimationFrame(call) {
-      waiting.push({ id: ++count, call });
-      if (clock.free) setTimeout(() => clock.pass(1), 0);
-      return count;
-    },
-    cancelAnimationFrame(id) {
-      waiting = waiting.filter((frame) => frame.id !== id);
-    },
-  });
-}
 
 async function take(browser, url, name) {
   const { page: number, viewport, stock, turn, riffle, drag } = pictures[name];
