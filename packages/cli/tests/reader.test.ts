@@ -89,6 +89,22 @@ it("keeps its controls beside the book, never over it", async () => {
   expect(field?.y).toBeGreaterThan(bottom?.y ?? 0);
 });
 
+it("takes its controls away in full screen, and brings them when the pointer moves", async () => {
+  const bars = () =>
+    page.locator("[part=toolbar]").evaluate((bar) => getComputedStyle(bar).visibility);
+  await book((book) => book.focus());
+  await page.keyboard.press("f");
+  await expect.poll(bars, { timeout: 30_000 }).toBe("hidden");
+  await page.mouse.move(100, 100);
+  await page.mouse.move(120, 120);
+  await expect.poll(bars, { timeout: 15_000 }).toBe("visible");
+  await page.evaluate(() => document.exitFullscreen());
+  await expect
+    .poll(() => page.evaluate(() => document.fullscreenElement === null), { timeout: 15_000 })
+    .toBe(true);
+  expect(await bars()).toBe("visible");
+});
+
 it("shows a book of scans, and one sentence where a page would be if it is gone", async () => {
   const scans = await start(join(folder.path, "scans"), "--port", "0");
   await open(scans.url);

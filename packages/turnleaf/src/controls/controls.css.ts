@@ -61,6 +61,7 @@ export const style: string = `
 .ask { display: flex; align-items: center; margin: 0; position: sticky; top: 0; z-index: 1; }
 .ask svg { position: absolute; inset-inline-start: 10px; width: 18px; color: var(--turnleaf-muted); pointer-events: none; }
 .ui .query { flex: 1; min-width: 0; height: 44px; padding-inline: 36px 8px; border: 1px solid var(--turnleaf-line); border-radius: 10px; background: var(--turnleaf-field); appearance: none; }
+.query::-webkit-search-cancel-button { filter: grayscale(1); }
 .ui .query::placeholder { color: var(--turnleaf-muted); opacity: 1; }
 .thumbnails { padding: 0; }
 .sheet { position: relative; list-style: none; margin: 0 12px; padding: 0; }
@@ -112,7 +113,7 @@ export const style: string = `
 .full > :is(.bar, .pages) { transition: translate 0.25s, visibility 0.25s; }
 .full:not(.awake, .open) > .bar:not(:focus-within) { translate: 0 -100%; visibility: hidden; }
 .full:not(.awake, .open) > .pages:not(:focus-within) { translate: 0 100%; visibility: hidden; }
-@media (prefers-reduced-motion: reduce) { .ui * { transition: none !important; } }
+@media (prefers-reduced-motion: reduce) { .ui, .ui * { transition: none !important; } }
 @media (forced-colors: active) {
   .ui, .menu { border-color: CanvasText; }
   [part~="button"]:is([aria-expanded="true"], [aria-pressed="true"]), .tabs [aria-selected="true"], .ui [aria-current], .menu [aria-checked="true"] { outline: 2px solid Highlight; outline-offset: -3px; }
