@@ -21,7 +21,7 @@ const liftTime = 0.09;
 export class Peek {
   readonly #turning: Turning;
   readonly #binding: Binding;
-  readonly #shape: BookShape;
+  readonly #shape: Pick<BookShape, "width" | "height">;
   #flight: Flight | null = null;
   #lifting = false;
   #side: Side = Side.right;
@@ -30,7 +30,7 @@ export class Peek {
   /** How much of its way it is lifted. */
   #share = 0;
 
-  constructor(turning: Turning, binding: Binding, shape: BookShape) {
+  constructor(turning: Turning, binding: Binding, shape: Pick<BookShape, "width" | "height">) {
     this.#turning = turning;
     this.#binding = binding;
     this.#shape = shape;
