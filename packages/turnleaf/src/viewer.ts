@@ -18,9 +18,8 @@ import {
   spreadOf,
 } from "./book/spreads.ts";
 import type { Flight, Turning } from "./book/turning.ts";
-import type { BookPose, BookShape } from "./draw/pose.ts";
 import type { BookStage, Place } from "./draw/stage.ts";
-import type { BookEngine, BookSize } from "./engine/engine.ts";
+import type { BookEngine } from "./engine/engine.ts";
 import { Side } from "./engine/phases.ts";
 import { leafSize } from "./pages/leaf_size.ts";
 import { PagePictures } from "./pages/page_pictures.ts";
@@ -31,51 +30,14 @@ import { Details } from "./view/details.ts";
 import { Fade } from "./view/fade.ts";
 import { Folding } from "./view/folding.ts";
 import type { Hold } from "./view/holding.ts";
+import { type Craft, usualWish, type ViewerOptions } from "./view/options.ts";
 import { pictureWidth } from "./view/picturing.ts";
 import { QualityGovernor } from "./view/quality.ts";
 import { Stillness } from "./view/stillness.ts";
 import { Viewing } from "./view/viewing.ts";
 import { Views } from "./view/views.ts";
 
-/** What moves a book's leaves and what draws them; the two of a craft are made for each other. */
-export interface Craft {
-  engine(size: BookSize): Promise<BookEngine>;
-  stage(canvas: HTMLCanvasElement, shape: BookShape): BookStage;
-}
-
-/** How a book is shown. */
-export interface ViewerOptions extends Partial<Wish> {
-  /** What the leaves are made of, asked for when the book lies open. */
-  readonly paper: () => Paper;
-  /** The page (from 1) at which the book lies open first, asked for when it does. */
-  readonly page: () => number;
-  /** Length of a played turn, seconds, asked for likewise. */
-  readonly turnSeconds: () => number;
-  /** A turn begins between two spreads. */
-  readonly onStart: (low: number, high: number, forward: boolean) => void;
-  /** The book came to rest at a spread. */
-  readonly onRest: (from: number, to: number) => void;
-  /** A page that lies open cannot be shown; the sentence says why. */
-  readonly onFailure: (sentence: string) => void;
-  /** The book is seen from nearer or farther: the level that is shown, or on the way to being. */
-  readonly onZoom?: (level: number) => void;
-  /** The graphics card failed for good: nothing of the book is seen any more. */
-  readonly onGone?: () => void;
-  /** A frame: where the book's parts are, seconds since the one before, and whether leaves are in flight. */
-  readonly onMotion?: (pose: BookPose, seconds: number, moving: boolean) => void;
-  /** The book is laid out or bound in another way than before. */
-  readonly onLayout?: () => void;
-}
-
-/** How a book is bound where nothing is said. */
-const usualWish: Wish = {
-  cover: "hard",
-  cloth: "#6a2a26",
-  binding: "auto",
-  layout: "auto",
-  offset: 1,
-  hardPages: "",
-};
+export type { Craft, ViewerOptions } from "./view/options.ts";
 
 /** One book on one canvas. */
 export class Viewer {
