@@ -157,6 +157,18 @@ test("a narrow place shows one page, and a wide one two, at the same place in th
   expect(element.shadowRoot?.querySelector("canvas")).toBe(canvas);
 });
 
+test("a page alone is drawn away from its spine to bring the one before it back", async () => {
+  for (const [binding, from, to] of [
+    ["left", [0.4, 0.6], [0.95, 0.6]],
+    ["right", [0.6, 0.6], [0.05, 0.6]],
+  ] as [string, [number, number], [number, number]][]) {
+    const element = await opened({ page: "5", binding, layout: "single" }, [220, 360]);
+    await drag(element, from, to);
+    expect(element.page, binding).toBe(4);
+    element.remove();
+  }
+});
+
 test("what is bound anew in the middle of a turn lands first", async () => {
   const element = await opened({ page: "4", cover: "none" });
   const turned = element.next();

@@ -278,10 +278,15 @@ export class Viewer {
     return hold && peek.flight && hold.on === peek.side ? { ...hold, on: peek.flight } : hold;
   }
 
-  /** A hand takes hold where `pick` found something; the leaf then follows `drag`. */
-  grab(hold: Hold, hand: number): boolean {
+  /**
+   * A hand takes hold where `pick` found something; the leaf then follows `drag`.
+   *
+   * @param pull how far the hand has moved since, CSS pixels
+   */
+  grab(found: Hold, hand: number, pull: Place = { x: 0, y: 0 }): boolean {
     if (this.#destroyed) return false;
     const { holding, peek } = this.#bound;
+    const hold = this.#bound.pulled(found, pull.x, pull.y);
     const taken = typeof hold.on === "number" ? null : peek.take(hold.on);
     const grabbed = holding.grab(hold, hand);
     peek.end();

@@ -189,7 +189,7 @@ export class Input {
       // Along the page's own way to scroll a finger scrolls it: the browser will say so.
       const { rolled } = this.#viewer.binding;
       if (press.kind === "touch" && Math.abs(rolled ? x : y) > Math.abs(rolled ? y : x)) return;
-      if (this.#viewer.grab(press.hold, press.hand)) press.does = "drag";
+      if (this.#viewer.grab(press.hold, press.hand, { x, y })) press.does = "drag";
       this.#isPeeking = false;
     }
     this.#canvas.style.cursor = "grabbing";

@@ -10,7 +10,7 @@ import { Cover, Side } from "../engine/phases.ts";
 import type { Surface } from "../engine/shapes.ts";
 import type { PagePictures } from "../pages/page_pictures.ts";
 import type { PageSize, PageSource } from "../sources/page_source.ts";
-import { Holding, heightOf } from "./holding.ts";
+import { type Hold, Holding, heightOf } from "./holding.ts";
 import { Peek } from "./peek.ts";
 import { Picturing, spreadsBetween } from "./picturing.ts";
 import { paperPerBoard, Stiffening } from "./stiff.ts";
@@ -131,6 +131,18 @@ export class Bound {
       lean: paper ? (heightOf(right) - heightOf(left)) / 2 : 0,
       ...this.#covers(leaves),
     };
+  }
+
+  /**
+   * What a hand takes that pulls by x, y CSS pixels from where it found `hold`:
+   * where a page stands alone, a pull away from its spine brings the one before it back.
+   */
+  pulled(hold: Hold, x: number, y: number): Hold {
+    const { alone, rolled } = this.shape;
+    const shown = alone === 1 ? Side.right : Side.left;
+    const isOutward = (rolled ? y : x) * alone > 0;
+    if (!isOutward || hold.on !== shown) return hold;
+    return { ...hold, on: alone === 1 ? Side.left : Side.right, u: 1 };
   }
 
   /** Ends what is under way and frees the engine's book. */
