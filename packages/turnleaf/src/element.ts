@@ -173,8 +173,10 @@ export class TurnleafBook extends ReaderElement {
 
   /** Zooms to a level (1 to 8) about a place in the element, CSS pixels from its upper left corner; its middle where none is given. */
   zoomTo(level: number, at?: { x: number; y: number }): void {
-    const { clientWidth, clientHeight } = this.#stage;
-    const place = at ?? { x: clientWidth / 2, y: clientHeight / 2 };
+    const { clientWidth, clientHeight, offsetLeft, offsetTop } = this.#stage;
+    const place = at
+      ? { x: at.x - offsetLeft, y: at.y - offsetTop }
+      : { x: clientWidth / 2, y: clientHeight / 2 };
     this.#viewer?.zoom(Number(level), place, place, this.#calm ? 0 : zoomSeconds);
   }
 
