@@ -226,10 +226,12 @@ function openPoints(shape: BookShape, framing: Framing, rim: number): number[] {
 function alonePoints(shape: BookShape, framing: Framing, sign: number): number[] {
   const { width, height, thickness } = shape;
   const points: number[] = [];
-  for (const x of [-sliver * sign * width, sign * width]) {
+  // Out of a thick book's gutter pages rise first, and so reach less far.
+  const reach = width - 0.35 * thickness;
+  for (const x of [-sliver * sign * width, sign * reach]) {
     for (const y of [0, height]) points.push(x, y, 0, x, y, thickness);
   }
-  addSwing(points, shape, framing, (x) => x * sign > 0);
+  addSwing(points, shape, framing, (x) => x * sign > 0 && Math.abs(x) < reach);
   addEdges(points, shape, framing.flapEdge, 0);
   return points;
 }
