@@ -135,8 +135,8 @@ test("a lost context comes back with everything on it", async () => {
   expect(colourAt(stage, canvas, 0.07)).toEqual(before);
 });
 
-test("without WebGL 2 one sentence says so", () => {
+test("a card without a context says so in one sentence", () => {
   const canvas = document.createElement("canvas");
   canvas.getContext = () => null;
-  expect(() => new Stage(canvas, shape)).toThrow(/needs WebGL 2/);
+  expect(() => new Stage(canvas, shape)).toThrow(/has no context to give/);
 });
