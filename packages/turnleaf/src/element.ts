@@ -20,10 +20,7 @@ import { elementTexts, languageOf } from "./words/languages.ts";
 /** Time that a zoom by command takes, seconds. */
 const zoomSeconds = 0.25;
 
-/**
- * The element's class. Attributes: `src`, `page`, `cover` ("hard" or "none"), `cloth` (a colour), `duration` (ms),
- * `stock` (a preset paper), `assist` ("on" or "off").
- */
+/** The element's class: opens the book and turns it. Its attributes are told where their properties are. */
 export class TurnleafBook extends ReaderElement {
   /** Attributes that are answered when they change. */
   static readonly observedAttributes: readonly string[] = Object.keys(attributes);
