@@ -1,18 +1,11 @@
 //! One leaf in flight: its leaf of paper, and what is drawn of it.
 
 use super::block::Pile;
+use super::clear::{Drawn, clear, find_bends};
 use super::leaf::{Leaf, NODES, Phase};
-use super::mesh::Mesh;
 use super::seat::{lift, lift_edges, seat};
 use crate::grid::Side;
 use crate::surface::Surface;
-
-/// Distance at which two drawn leaves lie upon each other, metres: seen as none,
-/// and enough for the depth buffer.
-const SLIVER: f32 = 5e-5;
-
-/// What overlaps by more than this, metres, was not lying upon the other there.
-const DEEPEST: f32 = 0.02;
 
 /// One leaf in flight; it may stand for several.
 #[derive(Clone)]
@@ -24,6 +17,8 @@ pub struct Flight {
     surface: Surface,
     /// For each column of the surface the leaf's cell that it lies in.
     cells: Vec<usize>,
+    /// How much the surface bends at each of its points, metres.
+    bends: Vec<f32>,
 }
 
 impl Flight {
@@ -37,6 +32,7 @@ impl Flight {
             high: 0,
             leaf,
             surface: Surface::new(u.len(), rows),
+            bends: vec![0.0; u.len() * rows],
             cells: u.iter().map(cell).collect(),
         }
     }
@@ -82,37 +78,37 @@ impl Flight {
         self.leaf.write_surface(&mut self.surface);
         seat(&mut self.surface.positions, right, left);
         self.surface.update_normals();
+        if self.leaf.was_held() {
+            find_bends(&self.surface, &mut self.bends);
+        } else {
+            self.bends.fill(0.0);
+        }
     }
 
-    /// Lifts what is drawn of it off the neighbour on a side, where the coarser
-    /// leaves that meet in the engine leave a sliver of overlap.
+    /// Moves what is drawn of it off the neighbour on a side.
     pub fn clear_of(&mut self, neighbour: &Flight, side: Side) {
         let slot = if side == Side::Left { 0 } else { 1 };
         // A leaf lies on the recto's side of the one on its right.
         let sign = if side == Side::Left { -1.0 } else { 1.0 };
-        let mesh = Mesh {
-            columns: neighbour.surface.columns,
-            points: neighbour.surface.positions.as_chunks::<3>().0,
-            normals: neighbour.surface.normals.as_chunks::<3>().0,
-        };
         let both_down = self.leaf.is_down() && neighbour.leaf.is_down();
-        let points = self.surface.positions.as_chunks_mut::<3>().0;
-        for (node, point) in points.iter_mut().enumerate() {
-            let (column, row) = (node % mesh.columns, node / mesh.columns);
-            let cell = self.cells[column];
-            let row = row * (NODES[1] - 1) / self.surface.rows;
-            if column == 0 || !(both_down || self.leaf.seated().is_close(slot, cell, row)) {
-                continue;
-            }
-            if let Some(near) = mesh.near_drawn(*point, node) {
-                let lack = SLIVER - sign * near.height;
-                if lack > 0.0 && (lack < DEEPEST || both_down) {
-                    for axis in 0..3 {
-                        point[axis] += sign * lack * near.normal[axis];
-                    }
-                }
-            }
-        }
+        let rows = self.surface.rows;
+        let cells = &self.cells;
+        let is_close = |leaf: &Leaf, slot: usize, column: usize, row: usize| {
+            let row = row * (NODES[1] - 1) / rows;
+            both_down || leaf.seated().is_close(slot, cells[column], row)
+        };
+        let other = Drawn {
+            surface: &neighbour.surface,
+            bends: &neighbour.bends,
+        };
+        clear(
+            (&mut self.surface, &self.bends),
+            &other,
+            sign,
+            self.leaf.was_held() || neighbour.leaf.was_held(),
+            |column, row| is_close(&self.leaf, slot, column, row),
+            |column, row| is_close(&neighbour.leaf, 1 - slot, column, row),
+        );
         self.surface.update_normals();
     }
 

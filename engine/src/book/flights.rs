@@ -148,6 +148,7 @@ impl Flights {
         for flight in &mut self.order {
             flight.leaf_mut().seat(gutter);
         }
+        self.make_room();
         // From the piles inward, so that what lies upon another meets it where it
         // will be; two leaves that push each other at once would shake.
         let on_left = self.on_left();
@@ -160,6 +161,26 @@ impl Flights {
         }
         self.relax(gutter, piles);
         self.join_piles();
+    }
+
+    /// Keeps hands from pulling what they hold through the leaves beside it: they
+    /// follow these as they make way.
+    fn make_room(&mut self) {
+        for index in 0..self.order.len() {
+            let (own, [left, right]) = self.among(index);
+            if own.phase() != Phase::Held {
+                continue;
+            }
+            let least = right.map_or(0.0, |flight| flight.leaf().seated().reach(1.0));
+            let most = left.map_or(1.0, |flight| 1.0 - flight.leaf().seated().reach(-1.0));
+            let middle = 0.5 * (least + most);
+            let room = if least < most {
+                [least, most]
+            } else {
+                [middle; 2]
+            };
+            own.leaf_mut().set_room(room);
+        }
     }
 
     /// How many flights, from the left, are over the left pile.

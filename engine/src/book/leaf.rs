@@ -43,6 +43,10 @@ const BINDING: f64 = 0.02;
 /// How far a released leaf's swing is looked at to choose its side, seconds.
 const LOOK_AHEAD: f32 = 0.12;
 
+/// A hand that has the inverse of this share of the half turn for its leaf between
+/// others is free.
+const ROOMY: f32 = 2.5;
+
 /// Part of the way to the leaf's direction that the clamp goes in a tick.
 const CLAMP_FOLLOWS: f32 = 0.25;
 
@@ -115,8 +119,9 @@ pub struct Leaf {
     sheet: Sheet,
     assist: bool,
     phase: Phase,
-    /// Where each hand that holds the leaf pulls, in book space.
+    /// Where each hand that holds the leaf pulls, in book space, and what it holds.
     hands: [Option<[f32; 3]>; HANDS],
+    hold_of: [[f32; 2]; HANDS],
     course: Option<Course>,
     /// Seconds of easing to rest so far, once it has landed.
     settling: Option<f32>,
@@ -128,6 +133,8 @@ pub struct Leaf {
     share: f32,
     share_rate: f32,
     clamp: f32,
+    /// Shares of the half turn between which hands may pull.
+    room: [f32; 2],
     seated: Seated,
     /// Where it landed, and the nodes of a flat leaf on the right.
     landed: Vec<f32>,
@@ -165,6 +172,7 @@ impl Leaf {
             assist: paper.assist,
             phase: Phase::Resting(Side::Right),
             hands: [None; HANDS],
+            hold_of: [[1.0; 2]; HANDS],
             course: None,
             settling: None,
             haste: 1.0,
@@ -172,6 +180,7 @@ impl Leaf {
             share: 0.0,
             share_rate: 0.0,
             clamp: 0.0,
+            room: [0.0, 1.0],
             seated: Seated::new(NODES[0], NODES[1], cell),
             landed: flat.clone(),
             flat,
@@ -203,6 +212,11 @@ impl Leaf {
         self.share
     }
 
+    /// Whether a hand has held it since it last lay still, and may have crumpled it.
+    pub fn was_held(&self) -> bool {
+        self.seated.was_held
+    }
+
     /// The leaf's nodes in the book, as of the last [`seat`](Self::seat).
     pub fn seated(&self) -> &Seated {
         &self.seated
@@ -228,12 +242,15 @@ impl Leaf {
             return;
         }
         // Next to the spine a hand would only tear at the binding.
-        self.sheet.grab(hand, u.max(0.25), v);
+        let u = u.clamp(0.25, 1.0);
+        self.sheet.grab(hand, u, v);
+        self.hold_of[hand as usize] = [u, v.clamp(0.0, 1.0)];
         // Until it pulls somewhere it stays where it is.
         *own = None;
         if !matches!(self.phase, Phase::Held) {
             self.drop_course();
             self.settling = None;
+            self.seated.was_held = true;
             self.phase = Phase::Held;
         }
     }
@@ -351,14 +368,41 @@ impl Leaf {
         self.share_rate += (rate - self.share_rate) * 0.3;
     }
 
+    /// Says between which shares of the half turn hands may pull: where no other
+    /// leaf in flight is.
+    pub fn set_room(&mut self, room: [f32; 2]) {
+        self.room = room;
+    }
+
     fn step_held(&mut self) {
         for hand in 0..HANDS as u32 {
             if let Some(place) = self.hands[hand as usize] {
+                let place = self.guided(self.hold_of[hand as usize], place);
                 let place = self.over_table(hand, place);
                 self.sheet.pull(hand, place);
             }
         }
         self.step_sheet();
+    }
+
+    /// Where a hand at (`u`, `v`) of the leaf pulls that would like to pull to a
+    /// place. Beside others in flight it is guided: between them, and the less room
+    /// they leave the nearer to where a stiff leaf would have it, so that it neither
+    /// draws the leaf through them nor crumples it against them.
+    fn guided(&self, [u, v]: [f32; 2], place: [f32; 3]) -> [f32; 3] {
+        let [least, most] = self.room;
+        let freedom = ((most - least) * ROOMY).min(1.0);
+        if freedom == 1.0 && least == 0.0 && most == 1.0 {
+            return place;
+        }
+        let [x, y, z] = place;
+        let angle = share_turned(x, z).max(least).min(most) * core::f32::consts::PI;
+        let settings = self.sheet.settings();
+        let radius = u * settings.width as f32;
+        let freed = |guide: f32, free: f32| guide + freedom * (free - guide);
+        let far = freed(radius, (x * x + z * z).sqrt());
+        let (sin, cos) = libm::sincosf(angle);
+        [far * cos, freed(v * settings.height as f32, y), far * sin]
     }
 
     fn step_sheet(&mut self) {

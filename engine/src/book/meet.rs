@@ -6,6 +6,7 @@
 
 use super::block::Pile;
 use super::mesh::{Mesh, dot, sub, update_normals};
+use super::seat::share_turned;
 use crate::models::sheet::{CONTACTS, Contact};
 
 /// Farther than this from each other, metres, nothing meets within a tick.
@@ -36,7 +37,13 @@ const SPRING: f32 = 0.99;
 
 /// Nodes of a cell farther than this from another leaf, metres, keep the whole
 /// cell clear of it.
-const CLOSE: f32 = 0.0015;
+const CLOSE: f32 = 0.003;
+
+/// Between nodes that are nearer than this to a neighbour, metres, it is looked for.
+const BESIDE: f32 = 0.008;
+
+/// Steps from a node to the other end of what lies between: edges and diagonals.
+const BETWEEN: [[usize; 2]; 3] = [[1, 0], [0, 1], [1, 1]];
 
 /// Distance that leaves keep, metres: a node stands for a cell around it.
 const GAP: f32 = 2e-4;
@@ -63,6 +70,8 @@ pub struct Seated {
     pub turned: Vec<[f32; 2]>,
     /// Velocities of the nodes, m/s.
     pub velocities: Vec<[f32; 3]>,
+    /// Whether a hand has held the leaf since it last lay still.
+    pub was_held: bool,
     /// Node of the left and of the right neighbour that each node was nearest to.
     nearest: [Vec<u16>; 2],
     /// Distance between columns and rows, metres.
@@ -92,6 +101,7 @@ impl Seated {
             normals: vec![[0.0, 0.0, 1.0]; nodes],
             turned: vec![[1.0, 0.0]; nodes],
             velocities: vec![[0.0; 3]; nodes],
+            was_held: false,
             nearest: [same.clone(), same],
             cell,
             depth: 0.0,
@@ -127,6 +137,7 @@ impl Seated {
 
     /// Forgets what was met: each node is looked for next to its own place.
     pub fn forget(&mut self) {
+        self.was_held = false;
         for (tangled, gaps) in self.tangled.iter_mut().zip(&mut self.gaps) {
             tangled.fill(false);
             gaps.fill(FAR);
@@ -171,6 +182,35 @@ impl Seated {
             self.pile_gaps[node] + deep > apart(v, [0.0; 3])
                 && clear_of(0, left)
                 && clear_of(1, right)
+        })
+    }
+
+    /// How far the leaf's outer half has turned at most, as a share of the half turn,
+    /// from the right (`side` 1) or from the left (-1).
+    pub fn reach(&self, side: f32) -> f32 {
+        let outer = |node: &usize| 2 * (node % self.columns) >= self.columns;
+        let shares = (0..self.points.len()).filter(outer).map(|node| {
+            let [x, _, z] = self.points[node];
+            share_turned(side * x, z)
+        });
+        shares.fold(0.0, f32::max)
+    }
+
+    /// The place in the middle between a node and the one `right` columns and `up`
+    /// rows on, on the cubic through the nodes before and after.
+    fn middle(&self, node: usize, [right, up]: [usize; 2]) -> [f32; 3] {
+        let step = right + up * self.columns;
+        let end = node + step;
+        let column = node % self.columns;
+        let (p, q) = (self.points[node], self.points[end]);
+        let before = column >= right && node >= step;
+        let after = column + 2 * right < self.columns && end + step < self.points.len();
+        let a = before.then(|| self.points[node - step]);
+        let b = after.then(|| self.points[end + step]);
+        core::array::from_fn(|i| {
+            let a = a.map_or(2.0 * p[i] - q[i], |a| a[i]);
+            let b = b.map_or(2.0 * q[i] - p[i], |b| b[i]);
+            (9.0 * (p[i] + q[i]) - a - b) * 0.0625
         })
     }
 
@@ -338,6 +378,64 @@ fn meet_neighbour(
             firmness,
             ..half_space(leaf, node, (normal, gap), velocity, sheet)
         };
+    }
+    // Leaves that no hand has crumpled have no folds that their nodes miss.
+    if leaf.was_held || other.was_held {
+        meet_between(leaf, slot, neighbour, side, sheet);
+    }
+}
+
+/// Finds the contacts of a leaf with a neighbour between its nodes, where folds
+/// reach that its nodes do not: the ends of an edge, and the corners of a cell,
+/// keep the distance that their middle has, where that is less than their own.
+fn meet_between(
+    leaf: &mut Seated,
+    slot: usize,
+    neighbour: Neighbour<'_>,
+    side: f32,
+    sheet: &mut Sheetlike<'_>,
+) {
+    let other = neighbour.leaf;
+    let mesh = other.mesh();
+    let columns = leaf.columns;
+    let nodes = leaf.points.len();
+    for node in 0..nodes {
+        let column = node % columns;
+        for [right, up] in BETWEEN {
+            let end = node + right + up * columns;
+            if column == 0 || column + right >= columns || end >= nodes {
+                continue;
+            }
+            let ends = [node, end];
+            let gaps = ends.map(|node| leaf.gaps[slot - 1][node]);
+            if gaps[0].max(gaps[1]) > BESIDE {
+                continue;
+            }
+            let point = leaf.middle(node, [right, up]);
+            let start = leaf.nearest[slot - 1][node] as usize;
+            let Some(near) = mesh.near(point, start) else {
+                continue;
+            };
+            let gap = side * near.height - GAP;
+            let least = gaps[0].min(gaps[1]);
+            if gap > least || gap < least - BESIDE {
+                continue;
+            }
+            if neighbour.firmness == 1.0 {
+                leaf.depth = leaf.depth.max(-gap - GAP);
+                leaf.firm_depth = leaf.firm_depth.max(-gap - GAP);
+            }
+            let normal = near.normal.map(|n| side * n);
+            let velocity = other.velocities[near.node];
+            for node in ends {
+                let known = sheet.contacts[node][slot];
+                let space = half_space(leaf, node, (normal, gap), velocity, sheet);
+                sheet.contacts[node][slot] = Contact {
+                    firmness: known.firmness,
+                    ..space
+                };
+            }
+        }
     }
 }
 

@@ -108,30 +108,120 @@ impl Mesh<'_> {
         })
     }
 
-    /// As [`near`](Self::near) over the mesh as it is drawn: flat facets between
-    /// the points.
-    pub fn near_drawn(&self, point: [f32; 3], start: usize) -> Option<Near> {
-        let near = self.near(point, start)?;
-        let (column, row) = (near.node % self.columns, near.node / self.columns);
-        let away = sub(point, self.points[near.node]);
-        let [u, v] = self.tangents(near.node);
-        let toward = |along: [f32; 3], at: usize, count: usize, step: usize| {
-            if (dot(away, along) > 0.0 && at + 1 < count) || at == 0 {
-                (near.node + step, 1.0)
-            } else {
-                (near.node - step, -1.0)
-            }
+    /// The facet nearest to a point of those around a node, which is the one nearest
+    /// to the point. The mesh is taken as it is drawn: each cell's diagonal runs from
+    /// its corner next to the spine and the foot. Where the mesh does not bend, the
+    /// cell over or under which the point lies is enough.
+    pub fn facet_next_to(&self, point: [f32; 3], node: usize, bends: bool) -> Facet {
+        let away = sub(point, self.points[node]);
+        let [u, v] = self.tangents(node);
+        let cells = |along: [f32; 3], at: usize, count: usize| {
+            let forward = dot(away, along) > 0.0;
+            let low = at.saturating_sub(usize::from(bends || !forward));
+            let high = at + usize::from(bends || forward || at == 0);
+            low.min(count - 2)..high.min(count - 1)
         };
-        let (beside, a) = toward(u, column, self.columns, 1);
-        let (above, b) = toward(v, row, self.rows(), self.columns);
-        let [u, v] = [beside, above].map(|node| sub(self.points[node], self.points[near.node]));
-        let normal = unit(cross(u, v)).map(|n| a * b * n);
-        Some(Near {
+        let mut best: Option<Facet> = None;
+        let mut least = f32::MAX;
+        for row in cells(v, node / self.columns, self.rows()) {
+            for column in cells(u, node % self.columns, self.columns) {
+                let here = row * self.columns + column;
+                let above = here + self.columns;
+                for corners in [[here, here + 1, above + 1], [here, above + 1, above]] {
+                    let (facet, square) = self.facet(point, corners);
+                    // Of those equally near, as at a common edge, the one that the
+                    // point is most clearly beside.
+                    let clearer = best.as_ref().is_none_or(|known| {
+                        square < least * 0.9999 || facet.height.abs() > known.height.abs()
+                    });
+                    if square < least * 1.0001 + 1e-14 && clearer {
+                        best = Some(facet);
+                    }
+                    least = least.min(square);
+                }
+            }
+        }
+        best.expect("a node has a cell beside it")
+    }
+
+    /// A facet as seen from a point, and the square of the distance to it.
+    fn facet(&self, point: [f32; 3], corners: [usize; 3]) -> (Facet, f32) {
+        let [a, b, c] = corners.map(|node| self.points[node]);
+        let parts = nearest_parts(point, a, b, c);
+        let place = core::array::from_fn(|i| parts[0] * a[i] + parts[1] * b[i] + parts[2] * c[i]);
+        let away = sub(point, place);
+        let normal = unit(cross(sub(b, a), sub(c, a)));
+        let on = |is: &dyn Fn(usize) -> bool| {
+            let mut used = corners.iter().zip(parts).filter(|(_, part)| *part > 0.0);
+            used.all(|(node, _)| is(*node))
+        };
+        let (columns, rows) = (self.columns, self.rows());
+        let rim = on(&|node| node < columns)
+            || on(&|node| node / columns + 1 == rows)
+            || on(&|node| node % columns + 1 == columns);
+        let facet = Facet {
+            corners,
+            parts,
             height: dot(away, normal),
             normal,
-            ..near
-        })
+            rim,
+        };
+        (facet, dot(away, away))
     }
+}
+
+/// A facet of a mesh as seen from a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Facet {
+    pub corners: [usize; 3],
+    /// The corners' parts of the place nearest to the point; they add up to 1.
+    pub parts: [f32; 3],
+    /// How far the point is from the facet's plane, to the side of the recto, metres.
+    pub height: f32,
+    /// The facet's unit normal, to the side of the recto.
+    pub normal: [f32; 3],
+    /// Whether the nearest place is on the mesh's rim, so that the point has no side.
+    pub rim: bool,
+}
+
+/// The parts of a triangle's corners of its place nearest to a point (Ericson,
+/// Real-Time Collision Detection, 2005, 5.1.5).
+fn nearest_parts(p: [f32; 3], a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> [f32; 3] {
+    let (ab, ac, ap) = (sub(b, a), sub(c, a), sub(p, a));
+    let (d1, d2) = (dot(ab, ap), dot(ac, ap));
+    if d1 <= 0.0 && d2 <= 0.0 {
+        return [1.0, 0.0, 0.0];
+    }
+    let bp = sub(p, b);
+    let (d3, d4) = (dot(ab, bp), dot(ac, bp));
+    if d3 >= 0.0 && d4 <= d3 {
+        return [0.0, 1.0, 0.0];
+    }
+    let cp = sub(p, c);
+    let (d5, d6) = (dot(ab, cp), dot(ac, cp));
+    if d6 >= 0.0 && d5 <= d6 {
+        return [0.0, 0.0, 1.0];
+    }
+    let along = |from: f32, to: f32| from / (from - to).max(1e-30);
+    let vc = d1 * d4 - d3 * d2;
+    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
+        let t = along(d1, d3);
+        return [1.0 - t, t, 0.0];
+    }
+    let vb = d5 * d2 - d1 * d6;
+    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
+        let t = along(d2, d6);
+        return [1.0 - t, 0.0, t];
+    }
+    let va = d3 * d6 - d5 * d4;
+    let (e, f) = (d4 - d3, d5 - d6);
+    if va <= 0.0 && e >= 0.0 && f >= 0.0 {
+        let t = e / (e + f).max(1e-30);
+        return [0.0, 1.0 - t, t];
+    }
+    let whole = 1.0 / (va + vb + vc).max(1e-30);
+    let (v, w) = (vb * whole, vc * whole);
+    [1.0 - v - w, v, w]
 }
 
 /// Tangents at a node of a grid, a cell long along u and along v.
@@ -222,7 +312,7 @@ mod tests {
             );
             assert!((near.normal[0] + sin).abs() < 0.02);
             // Facets cut inside the arc by cell^2 / 8 radius at most.
-            let drawn = mesh.near_drawn(point, 0).unwrap();
+            let drawn = mesh.facet_next_to(point, near.node, true);
             assert!((drawn.height - near.height).abs() < 3e-4, "{drawn:?}");
             assert!(dot(drawn.normal, near.normal) > 0.99);
         }

@@ -6,6 +6,7 @@
 
 mod block;
 mod board;
+mod clear;
 mod flight;
 mod flights;
 mod gutter;

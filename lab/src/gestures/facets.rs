@@ -20,6 +20,15 @@ pub struct Near {
     pub rim: bool,
 }
 
+/// Where an edge goes through a facet.
+#[derive(Clone, Copy, Debug)]
+pub struct Crossing {
+    /// Where along the edge, 0 to 1.
+    pub at: f32,
+    /// Whether the edge begins on the side of the facet's recto.
+    pub from_recto: bool,
+}
+
 /// A surface cut into its facets, as the viewer draws it: each cell's diagonal
 /// runs from its corner next to the spine and the foot.
 pub struct Facets<'a> {
@@ -192,8 +201,8 @@ impl<'a> Facets<'a> {
             || all(&|node| node % self.columns + 1 == self.columns)
     }
 
-    /// Where along the edge from `p` to `q` (0 to 1) it goes through facets.
-    pub fn crossings(&self, p: Point, q: Point) -> Vec<f32> {
+    /// Where the edge from `p` to `q` goes through facets.
+    pub fn crossings(&self, p: Point, q: Point) -> Vec<Crossing> {
         let mut found = Vec::new();
         let edge = Bounds::of([p, q]);
         for (bounds, blocks) in &self.groups {
@@ -227,7 +236,7 @@ fn places(rows: usize, columns: usize, size: usize) -> impl Iterator<Item = (usi
 
 /// Where along p q it goes through the inside of a triangle (Moeller and
 /// Trumbore 1997).
-fn crossing(p: Point, q: Point, [a, b, c]: [Point; 3]) -> Option<f32> {
+fn crossing(p: Point, q: Point, [a, b, c]: [Point; 3]) -> Option<Crossing> {
     let (direction, u, v) = (sub(q, p), sub(b, a), sub(c, a));
     let h = cross(direction, v);
     let determinant = dot(u, h);
@@ -239,7 +248,11 @@ fn crossing(p: Point, q: Point, [a, b, c]: [Point; 3]) -> Option<f32> {
     let k = cross(s, u);
     let y = dot(direction, k) / determinant;
     let at = dot(v, k) / determinant;
-    (x >= 0.0 && y >= 0.0 && x + y <= 1.0 && at > 0.0 && at < 1.0).then_some(at)
+    // The determinant is that of the direction against the facet's normal.
+    (x >= 0.0 && y >= 0.0 && x + y <= 1.0 && at > 0.0 && at < 1.0).then_some(Crossing {
+        at,
+        from_recto: determinant > 0.0,
+    })
 }
 
 /// The place of a triangle nearest to a point, and its parts of the corners
@@ -334,7 +347,7 @@ mod tests {
         let facets = Facets::new(&surface);
         let through = facets.crossings([0.031, 0.022, -0.001], [0.031, 0.022, 0.003]);
         assert_eq!(through.len(), 1);
-        assert!((through[0] - 0.25).abs() < 1e-6);
+        assert!((through[0].at - 0.25).abs() < 1e-6 && !through[0].from_recto);
         assert!(
             facets
                 .crossings([0.031, 0.022, 0.001], [0.03, 0.02, 0.003])

@@ -1,6 +1,8 @@
 //! How deep what is drawn lies inside what it must not: an honest measure, on
 //! the drawn meshes alone.
 
+use std::collections::BTreeSet;
+
 use turnleaf_engine::book::{Book, Pile};
 use turnleaf_engine::{Side, Surface};
 
@@ -99,8 +101,8 @@ fn under([right, left]: [&Pile; 2], [x, _, z]: Point) -> f32 {
 /// Two leaves that share their spine in the right order lie inside each other
 /// only where one goes through the other. A point that has a leaf on its wrong
 /// side without that has come round a rim, or lies under a flap that is folded
-/// over: so depth is looked for from where edges go through facets on, as far as
-/// the points hang together that are on the wrong side.
+/// over: so depth is looked for from where edges come out of facets on the wrong
+/// side, up to where the leaf comes back through or is on the right side again.
 fn inside_leaf(leaf: &Facets<'_>, other: &Facets<'_>, recto: bool) -> (f32, usize) {
     let points = leaf.points();
     // The column at the spine is everyone's.
@@ -114,8 +116,7 @@ fn inside_leaf(leaf: &Facets<'_>, other: &Facets<'_>, recto: bool) -> (f32, usiz
         _ => 0.0,
     };
     let mut deepest = 0.0f32;
-    let mut crossed = 0;
-    let mut reached = vec![false; points.len()];
+    let mut crossed = BTreeSet::new();
     let mut open = Vec::new();
     for [a, b] in leaf.edges() {
         let (Some(from), Some(to)) = (near[a], near[b]) else {
@@ -128,22 +129,29 @@ fn inside_leaf(leaf: &Facets<'_>, other: &Facets<'_>, recto: bool) -> (f32, usiz
             continue;
         }
         let through = other.crossings(p, q);
-        if through.is_empty() {
+        let ends = [
+            through.iter().min_by(|x, y| x.at.total_cmp(&y.at)),
+            through.iter().max_by(|x, y| x.at.total_cmp(&y.at)),
+        ];
+        let [Some(first), Some(last)] = ends else {
             continue;
+        };
+        crossed.insert([a, b]);
+        // An end that a facet has on its wrong side went through it.
+        if first.from_recto == recto {
+            open.push(a);
         }
-        crossed += 1;
-        open.extend([a, b]);
+        if last.from_recto != recto {
+            open.push(b);
+        }
         // Between its ends, an edge is deepest about half-way from one facet
         // that it goes through to the next.
-        let (low, high) = (
-            through.iter().copied().fold(1.0, f32::min),
-            through.iter().copied().fold(0.0, f32::max),
-        );
-        let at = 0.5 * (low + high);
+        let at = 0.5 * (first.at + last.at);
         let middle = core::array::from_fn(|i| p[i] + at * (q[i] - p[i]));
         deepest = deepest.max(wrong(&other.near(middle, WITHIN)));
     }
     let columns = leaf.columns();
+    let mut reached = vec![false; points.len()];
     while let Some(node) = open.pop() {
         let depth = wrong(&near[node]);
         if reached[node] || depth == 0.0 {
@@ -158,7 +166,8 @@ fn inside_leaf(leaf: &Facets<'_>, other: &Facets<'_>, recto: bool) -> (f32, usiz
             node.checked_sub(columns),
             (node / columns + 1 < rows).then_some(node + columns),
         ];
-        open.extend(beside.into_iter().flatten());
+        let whole = |to: &usize| !crossed.contains(&[node.min(*to), node.max(*to)]);
+        open.extend(beside.into_iter().flatten().filter(whole));
     }
-    (deepest, crossed)
+    (deepest, crossed.len())
 }
