@@ -13,7 +13,7 @@ WASM = packages/turnleaf/src/engine/turnleaf.wasm
 MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 
-.PHONY: read build wasm test test-rust test-js check check-rust check-js bench pictures book clean tools-rust chromium
+.PHONY: read build wasm test test-rust test-js check check-rust check-js bench pictures reference book clean tools-rust chromium
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -62,6 +62,8 @@ check-js: build
 	npx biome ci .
 	npm run --silent types
 	node scripts/check_imports.mjs
+	node scripts/reference.mjs --check
+	node scripts/check_links.mjs
 
 # Measures, and writes docs/performance.md.
 bench: build chromium tools-rust
@@ -73,6 +75,10 @@ pictures: build chromium tools-rust
 	cargo run --release --quiet -p lab -- picture --preset paper-2014 --out target/pictures
 	cargo run --release --quiet -p lab -- picture --preset book --gesture corner --out target/pictures
 	cp target/pictures/paper-2014-column.png target/pictures/book-corner.png docs/pictures/
+
+# docs/reference.md, from the comments in the sources.
+reference: $(MODULES)
+	node scripts/reference.mjs
 
 # The book that comes with it, set anew from its text.
 book: $(MODULES)

@@ -7,7 +7,23 @@ const dark = (selector: string): string => `${selector} {
   --turnleaf-dim: brightness(0.86); color-scheme: dark;
 }`;
 
-/** The element's own style; what it looks like outside is the page's to say. */
+/**
+ * The element's own style; what it looks like outside is the page's to say.
+ * @cssproperty --turnleaf-desk What lies about the book, where the element has controls or a theme.
+ * @cssproperty --turnleaf-surface Ground of the controls.
+ * @cssproperty --turnleaf-field Ground of what is written in.
+ * @cssproperty --turnleaf-page A thumbnail that is not drawn yet.
+ * @cssproperty --turnleaf-ink Words and icons.
+ * @cssproperty --turnleaf-muted Words that matter less.
+ * @cssproperty --turnleaf-accent What is chosen, and the outline of what has the focus.
+ * @cssproperty --turnleaf-line Lines between the controls.
+ * @cssproperty --turnleaf-track The slider's line, where it is not past yet.
+ * @cssproperty --turnleaf-hover What is under the pointer.
+ * @cssproperty --turnleaf-mark What was found, in the list of places.
+ * @cssproperty --turnleaf-dim A filter over the book and its thumbnails.
+ * @cssproperty --turnleaf-font Letters of the controls.
+ * @cssproperty --turnleaf-serif Letters of titles.
+ */
 export const style: string = `
 :host {
   display: block; position: relative; overflow: hidden; min-height: 12rem; outline: none;

@@ -20,7 +20,10 @@ import { elementTexts, languageOf } from "./words/languages.ts";
 /** Time that a zoom by command takes, seconds. */
 const zoomSeconds = 0.25;
 
-/** The element's class: opens the book and turns it. Its attributes are told where their properties are. */
+/**
+ * The element's class: opens the book and turns it. Its attributes are told where their properties are.
+ * @csspart stage What the book lies on: the element without its controls.
+ */
 export class TurnleafBook extends ReaderElement {
   /** Attributes that are answered when they change. */
   static readonly observedAttributes: readonly string[] = Object.keys(attributes);
@@ -71,7 +74,12 @@ export class TurnleafBook extends ReaderElement {
     this.#viewer?.setPaper(this.#leaves);
   }
 
-  /** The first page in sight, from 1. Setting it turns there. */
+  /**
+   * The first page in sight, from 1; the attribute, the page at which the book opens, goes before what
+   * the book itself asks for. Setting either turns there.
+   * @attribute page
+   * @default 1
+   */
   get page(): number {
     const viewer = this.#viewer;
     return viewer ? pageOf(viewer.binding, viewer.turning.spread) : this.#firstPage();
@@ -168,7 +176,7 @@ export class TurnleafBook extends ReaderElement {
     this.zoomTo(level);
   }
 
-  /** Zooms to a level (1 to 8) about a place in the element, CSS pixels from its upper left corner; its middle where none is given. */
+  /** Zooms to a level (1 to 8). The place `at`, in CSS pixels from the element's upper left corner, stays where it is; the middle where none is given. */
   zoomTo(level: number, at?: { x: number; y: number }): void {
     const { clientWidth, clientHeight, offsetLeft, offsetTop } = this.#stage;
     const place = at

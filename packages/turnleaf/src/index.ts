@@ -8,12 +8,16 @@
 import { TurnleafBook } from "./element.ts";
 
 export type { Paper } from "./book/paper.ts";
+export type { CoverKind, Edge, Layout } from "./book/spreads.ts";
 export type { TurnDetail, TurnleafEventMap } from "./element/events.ts";
 export type { PrintOptions } from "./element/print.ts";
+export type { Theme } from "./element/reflecting.ts";
 export { TurnleafBook } from "./element.ts";
 export type { Stock, StockFigures, Vec3 } from "./engine/shapes.ts";
+export type { Manifest, ManifestImage, ManifestPage } from "./sources/manifest.ts";
+export type { ManifestLink, ManifestOutline, ManifestText } from "./sources/manifest_text.ts";
 export type { BookInput } from "./sources/open.ts";
-export { BookError, type OutlineEntry } from "./sources/page_source.ts";
+export { BookError, type OutlineEntry, type PagePicture } from "./sources/page_source.ts";
 export type { SearchHit } from "./text/searching.ts";
 export { addLanguage } from "./words/languages.ts";
 export type { ControlTexts, ElementTexts, Plural, Texts } from "./words/texts.ts";

@@ -11,7 +11,11 @@ import type { Say } from "./say.ts";
 const narrowTabs: readonly Tab[] = ["contents", "search"];
 const inBar: readonly ActionName[] = ["zoomOut", "zoomIn", "layout", "bookmark", "fullscreen"];
 
-/** Buttons in a row, one of them in the order of tabs; arrows go from one to the next. */
+/**
+ * Buttons in a row, one of them in the order of tabs; arrows go from one to the next.
+ * @csspart toolbar The row above the book.
+ * @csspart title The book's title in it.
+ */
 export class Bar {
   readonly element: HTMLElement;
   readonly menu: Menu;

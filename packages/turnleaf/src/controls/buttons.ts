@@ -3,7 +3,10 @@
 import type { Action } from "./actions.ts";
 import { type Icon, icon, make, setIcon } from "./make.ts";
 
-/** A round button with an icon and a name. */
+/**
+ * A round button with an icon and a name.
+ * @csspart button A button of the controls that shows an icon.
+ */
 export function iconButton(
   name: Icon,
   label: string,

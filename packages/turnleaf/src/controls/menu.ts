@@ -11,7 +11,10 @@ const themes = ["auto", "light", "dark", "paper"] as const;
 const inBar: readonly ActionName[] = ["zoomIn", "zoomOut", "layout", "fullscreen"];
 const always: readonly ActionName[] = ["play", "sound", "print", "download"];
 
-/** A menu under its button. */
+/**
+ * A menu under its button.
+ * @csspart menu What the last button of the toolbar opens.
+ */
 export class Menu {
   readonly element: HTMLElement;
   readonly #opener: HTMLButtonElement;

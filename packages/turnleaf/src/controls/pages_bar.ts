@@ -7,7 +7,12 @@ import { findPage } from "./find_page.ts";
 import { make } from "./make.ts";
 import type { Say } from "./say.ts";
 
-/** Where the book lies open, and the ways elsewhere. */
+/**
+ * Where the book lies open, and the ways elsewhere.
+ * @csspart pages The row beneath the book.
+ * @csspart slider The slider over the book's pages.
+ * @csspart field The field that says and takes the page.
+ */
 export class PagesBar {
   readonly element: HTMLElement;
   readonly #book: ControlledBook;

@@ -18,7 +18,10 @@ export interface View {
   focus(): void;
 }
 
-/** One tab at a time, beside the book; on a narrow element, over it. */
+/**
+ * One tab at a time, beside the book; on a narrow element, over it.
+ * @csspart panel The contents, thumbnails, search and bookmarks.
+ */
 export class Panel {
   readonly element: HTMLElement;
   readonly #views: Readonly<Record<Tab, View>>;

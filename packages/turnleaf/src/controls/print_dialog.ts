@@ -7,7 +7,10 @@ import { findPage } from "./find_page.ts";
 import { make } from "./make.ts";
 import type { Say } from "./say.ts";
 
-/** Opens the dialog in a shadow tree; it goes by itself. */
+/**
+ * Opens the dialog in a shadow tree; it goes by itself.
+ * @csspart dialog The dialog that asks which pages are to be printed.
+ */
 export function askPrint(book: ControlledBook, say: Say, host: Node): void {
   const { texts, number } = say;
   const ended = new AbortController();

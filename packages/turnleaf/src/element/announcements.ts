@@ -5,7 +5,10 @@ import type { PageSource } from "../sources/page_source.ts";
 import type { Viewer } from "../viewer.ts";
 import { elementTexts, fill, list, number } from "../words/languages.ts";
 
-/** The two places in an element's shadow tree where it speaks. */
+/**
+ * The two places in an element's shadow tree where it speaks.
+ * @csspart message The sheet that says why a book is not there, or that it is on its way.
+ */
 export class Announcements {
   readonly #message: HTMLElement = document.createElement("div");
   readonly #live: HTMLElement = document.createElement("div");

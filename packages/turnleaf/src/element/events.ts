@@ -2,14 +2,17 @@
 
 import type { Edge, Layout } from "../book/spreads.ts";
 
-/** Where a turn leads, in page numbers from 1: the first page seen before and after. */
+/** Where a turn leads, in page numbers from 1. */
 export interface TurnDetail {
+  /** The first page seen before. */
   readonly from: number;
+  /** The first page seen after. */
   readonly to: number;
+  /** On or back, as the book is read. */
   readonly direction: "forward" | "backward";
 }
 
-/** The events of `<turnleaf-book>` by name. */
+/** The events of `<turnleaf-book>` by name; those of every element it has too. */
 export interface TurnleafEventMap {
   /** The book is open and can be turned. */
   load: CustomEvent<{ pageCount: number; title: string }>;
@@ -29,4 +32,35 @@ export interface TurnleafEventMap {
   playchange: CustomEvent<{ playing: boolean }>;
   /** The book could not be opened; the sentence says why. */
   error: CustomEvent<{ message: string }>;
+}
+
+type AnyEvents = Omit<HTMLElementEventMap, keyof TurnleafEventMap> & TurnleafEventMap;
+
+/** An element whose listeners get the events of `<turnleaf-book>`, each of its type. */
+export interface Listened extends HTMLElement {
+  /**
+   * Calls `listener` at every event of a type: `options` as of every element.
+   * @param type one of `<turnleaf-book>` or of any element
+   */
+  addEventListener<K extends keyof AnyEvents>(
+    type: K,
+    listener: (this: this, event: AnyEvents[K]) => unknown,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  /** Calls `listener` no more; `type` and `options` as they were given. */
+  removeEventListener<K extends keyof AnyEvents>(
+    type: K,
+    listener: (this: this, event: AnyEvents[K]) => unknown,
+    options?: boolean | EventListenerOptions,
+  ): void;
+  removeEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | EventListenerOptions,
+  ): void;
 }

@@ -141,7 +141,10 @@ export class Life {
     this.#hooks.opened(this.#book);
   }
 
-  /** A canvas whose context was given up cannot be used again: every book gets its own. */
+  /**
+   * A canvas whose context was given up cannot be used again: every book gets its own.
+   * @csspart canvas The picture of the book.
+   */
   #freshCanvas(): HTMLCanvasElement {
     this.#canvas?.remove();
     const canvas = document.createElement("canvas");

@@ -4,9 +4,11 @@ import { BookError, type PagePicture, type PageSource } from "../sources/page_so
 
 /** Which pages are printed, and how it goes on. */
 export interface PrintOptions {
-  /** First and last page, from 1; the whole book where they are not given. */
+  /** First page, from 1; the book's first where it is not given. */
   readonly from?: number;
+  /** Last page; the book's last where it is not given. */
   readonly to?: number;
+  /** Gives up what is not drawn yet. */
   readonly signal?: AbortSignal;
   /** Called before a page (from 1) is drawn. */
   readonly onPage?: (page: number) => void;

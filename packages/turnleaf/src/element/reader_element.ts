@@ -49,9 +49,11 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   /**
-   * Every place of the book where a text stands, in reading order, at most 2,000; none while no book is open.
+   * Finds every place of the book where `query` stands. Resolves to them in reading order, at most 2,000;
+   * to none while no book is open.
    * Case, accents, ligatures, quotation marks and hyphens do not count.
    * Rejects with the signal's reason when aborted, or when the book is closed.
+   * @param options `signal` gives the search up
    */
   async search(query: string, options?: { signal?: AbortSignal }): Promise<readonly SearchHit[]> {
     return (await this.book?.reading.search(query, options?.signal)) ?? [];
@@ -66,7 +68,7 @@ export abstract class ReaderElement extends ReflectingElement {
     return hit ? this.goTo(hit.page) : Promise.resolve(true);
   }
 
-  /** The book's table of contents; empty where it has none, or no book is open. Rejects with a `BookError`. */
+  /** Resolves to the book's table of contents; empty where it has none, or no book is open. Rejects with a `BookError`. */
   async outline(): Promise<readonly OutlineEntry[]> {
     return (await this.book?.reading.outline()) ?? [];
   }
@@ -92,7 +94,7 @@ export abstract class ReaderElement extends ReflectingElement {
     return this.#show.playing;
   }
 
-  /** Turns the pages one after another, each shown for so many seconds (1 to 3600; 6), until the last or `pause()`. */
+  /** Turns the pages one after another, each shown for `secondsPerPage` (1 to 3600; 6 where not given), until the last or `pause()`. */
   play(secondsPerPage?: number): void {
     this.#show.play(secondsPerPage);
   }
@@ -114,8 +116,8 @@ export abstract class ReaderElement extends ReflectingElement {
 
   /**
    * Draws a page (from 1) by itself, `width` pixels wide (at most 2048), as for a thumbnail.
-   * A bitmap is whoever's who asked for it: `close()` frees it.
-   * Rejects with a `BookError`, or with the signal's reason.
+   * Resolves to the picture. A bitmap is whoever's who asked for it: `close()` frees it.
+   * Rejects with a `BookError`, or with the reason of `signal`.
    */
   async drawPage(page: number, width: number, signal?: AbortSignal): Promise<PagePicture> {
     const { source } = this;
@@ -136,8 +138,8 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   /**
-   * Draws the pages and opens the browser's print dialog with them, a sheet each.
-   * Resolves to whether it may be printed. Rejects with a `BookError` where a
+   * Draws the pages that `options` name and opens the browser's print dialog with them, a sheet each.
+   * Resolves, once they are there, to whether the book may be printed. Rejects with a `BookError` where a
    * page cannot be drawn or more than 300 are asked for.
    */
   async print(options: PrintOptions = {}): Promise<boolean> {

@@ -2,12 +2,11 @@
 
 import type { Stock } from "../engine/shapes.ts";
 import { stockOf, turnSecondsOf } from "./attributes.ts";
-import type { TurnleafEventMap } from "./events.ts";
+import type { Listened, TurnleafEventMap } from "./events.ts";
 import { wishOf } from "./wish.ts";
 
 /** On a server there is no DOM: importing the package is safe there, using the element is not. */
-const Base: typeof HTMLElement =
-  globalThis.HTMLElement ?? (class {} as unknown as typeof HTMLElement);
+const Base = (globalThis.HTMLElement ?? class {}) as unknown as new () => Listened;
 
 const themes = ["auto", "light", "dark", "paper"] as const;
 /** How the element is coloured; `auto` is light or dark, as the system is. */
@@ -17,7 +16,11 @@ type Wish = ReturnType<typeof wishOf>;
 
 /** An element whose attributes can be read and set as properties. */
 export class ReflectingElement extends Base {
-  /** Address of a PDF, an image or a manifest of images. */
+  /**
+   * Address of a PDF, an image or a manifest of images.
+   * @attribute src
+   * @default ""
+   */
   get src(): string {
     return this.getAttribute("src") ?? "";
   }
@@ -26,7 +29,11 @@ export class ReflectingElement extends Base {
     this.setAttribute("src", src);
   }
 
-  /** The preset that the leaves are made of: "book" where the attribute names none. */
+  /**
+   * The paper that the leaves are made of: 30 (`bible`), 70 (`book`), 80, 170 or 250 g/m² (`card`). In mid-turn it waits until the leaf lies.
+   * @attribute stock
+   * @default book
+   */
   get stock(): Stock {
     return stockOf(this);
   }
@@ -35,7 +42,11 @@ export class ReflectingElement extends Base {
     this.setAttribute("stock", stock);
   }
 
-  /** Whether a leaf let go is helped over to its side, rather than left to gravity. */
+  /**
+   * Whether a leaf let go is helped over to its side (`on`), rather than left to gravity (`off`).
+   * @attribute assist
+   * @default on
+   */
   get assist(): boolean {
     return this.getAttribute("assist") !== "off";
   }
@@ -44,7 +55,11 @@ export class ReflectingElement extends Base {
     this.setAttribute("assist", assist ? "on" : "off");
   }
 
-  /** Length of a played turn, milliseconds. */
+  /**
+   * Length of a played turn, milliseconds up to 60,000.
+   * @attribute duration
+   * @default 800
+   */
   get duration(): number {
     return turnSecondsOf(this) * 1000;
   }
@@ -53,7 +68,11 @@ export class ReflectingElement extends Base {
     this.setAttribute("duration", String(milliseconds));
   }
 
-  /** What the first and the last leaf are: boards, soft covers, or paper like the rest. */
+  /**
+   * What the first and the last leaf are: boards (`hard`), card (`soft`), or paper like the rest (`none`).
+   * @attribute cover
+   * @default hard
+   */
   get cover(): Wish["cover"] {
     return wishOf(this).cover;
   }
@@ -62,7 +81,11 @@ export class ReflectingElement extends Base {
     this.setAttribute("cover", cover);
   }
 
-  /** Colour of the boards. */
+  /**
+   * Colour of the boards, as CSS writes one.
+   * @attribute cloth
+   * @default #6a2a26
+   */
   get cloth(): string {
     return wishOf(this).cloth;
   }
@@ -71,7 +94,11 @@ export class ReflectingElement extends Base {
     this.setAttribute("cloth", colour);
   }
 
-  /** The edge at which the book is bound; `auto` follows the direction it is read in. */
+  /**
+   * The edge at which the book is bound; `auto` follows the direction it is read in.
+   * @attribute binding
+   * @default auto
+   */
   get binding(): Wish["binding"] {
     return wishOf(this).binding;
   }
@@ -80,7 +107,11 @@ export class ReflectingElement extends Base {
     this.setAttribute("binding", edge);
   }
 
-  /** Two pages or one; `auto` follows the space there is. */
+  /**
+   * Two pages or one; `auto` follows the space there is.
+   * @attribute layout
+   * @default auto
+   */
   get layout(): Wish["layout"] {
     return wishOf(this).layout;
   }
@@ -89,7 +120,11 @@ export class ReflectingElement extends Base {
     this.setAttribute("layout", layout);
   }
 
-  /** 1: the first page stands alone; 0: pages 1 and 2 face each other. */
+  /**
+   * 1: the first page stands alone; 0: pages 1 and 2 face each other.
+   * @attribute offset
+   * @default 1
+   */
   get offset(): Wish["offset"] {
     return wishOf(this).offset;
   }
@@ -98,7 +133,11 @@ export class ReflectingElement extends Base {
     this.setAttribute("offset", String(offset));
   }
 
-  /** Pages of board, as numbers and ranges from 1, such as "1-2,9". */
+  /**
+   * Pages of board, as numbers and ranges from 1, such as "1-2,9".
+   * @attribute hard-pages
+   * @default ""
+   */
   get hardPages(): string {
     return wishOf(this).hardPages;
   }
@@ -107,7 +146,11 @@ export class ReflectingElement extends Base {
     this.setAttribute("hard-pages", pages);
   }
 
-  /** Whether the reader's controls are shown: toolbar, side panel, slider. */
+  /**
+   * Whether the reader's controls are shown: toolbar, side panel, slider.
+   * @attribute controls
+   * @default off
+   */
   get controls(): boolean {
     return this.hasAttribute("controls");
   }
@@ -116,7 +159,11 @@ export class ReflectingElement extends Base {
     this.toggleAttribute("controls", shown);
   }
 
-  /** How the element is coloured. */
+  /**
+   * How the element is coloured; `auto` is light or dark, as the system is.
+   * @attribute theme
+   * @default auto
+   */
   get theme(): Theme {
     const theme = this.getAttribute("theme");
     return themes.find((known) => known === theme) ?? "auto";
@@ -126,7 +173,11 @@ export class ReflectingElement extends Base {
     this.setAttribute("theme", theme);
   }
 
-  /** Whether the page is kept in the page's own address, as `#page=23`: for one book of a page. */
+  /**
+   * Whether the page is kept in the page's own address, as `#page=23`: for one book of a page.
+   * @attribute address
+   * @default off
+   */
   get address(): boolean {
     return this.hasAttribute("address");
   }
@@ -135,7 +186,11 @@ export class ReflectingElement extends Base {
     this.toggleAttribute("address", kept);
   }
 
-  /** Whether page, zoom and bookmarks are kept over a reload, in the browser's local storage. */
+  /**
+   * Whether page, zoom and bookmarks are kept over a reload, in the browser's local storage.
+   * @attribute remember
+   * @default off
+   */
   get remember(): boolean {
     return this.hasAttribute("remember");
   }
@@ -144,7 +199,11 @@ export class ReflectingElement extends Base {
     this.toggleAttribute("remember", kept);
   }
 
-  /** Whether the leaves are heard, from the reader's first gesture on. */
+  /**
+   * Whether the leaves are heard, from the reader's first gesture on.
+   * @attribute sound
+   * @default off
+   */
   get sound(): boolean {
     return this.hasAttribute("sound");
   }
@@ -153,7 +212,11 @@ export class ReflectingElement extends Base {
     this.toggleAttribute("sound", heard);
   }
 
-  /** Whether a phone stirs when a leaf is taken and when it lies. */
+  /**
+   * Whether a phone stirs when a leaf is taken and when it lies.
+   * @attribute vibrate
+   * @default off
+   */
   get vibrate(): boolean {
     return this.hasAttribute("vibrate");
   }

@@ -46,8 +46,9 @@ export interface StockFigures {
   readonly grammage: number;
   /** Thickness of a sheet, µm. */
   readonly caliper: number;
-  /** Bending stiffness along and across the grain, mN·m. */
+  /** Bending stiffness along the grain, mN·m. */
   readonly stiffnessAlong: number;
+  /** Bending stiffness across the grain, mN·m. */
   readonly stiffnessAcross: number;
 }
 

@@ -37,28 +37,40 @@ export interface ImageBook {
   readonly outline?: readonly OutlineEntry[];
 }
 
-/** A page as a manifest writes it: a URL, or the URL with what is known of it. */
-export type ManifestPage =
-  | string
-  | {
-      readonly src: string;
-      readonly width?: number;
-      readonly height?: number;
-      readonly label?: string;
-      readonly alt?: string;
-      readonly text?: readonly ManifestText[];
-      readonly links?: readonly ManifestLink[];
-    };
+/** A page as a manifest writes it: its address, or the address with what is known of it. */
+export type ManifestPage = string | ManifestImage;
 
-/** What a manifest says: `{title, language, direction, kind, outline, pages}`, all but `pages` optional. */
+/** What a manifest knows of a page. */
+export interface ManifestImage {
+  /** Address of its image, relative to the manifest. */
+  readonly src: string;
+  /** Pixels across: with it and `height` the image need not be fetched to be placed. */
+  readonly width?: number;
+  /** Pixels down. */
+  readonly height?: number;
+  /** What the page calls itself, such as "iv". */
+  readonly label?: string;
+  /** What the image shows, in words. */
+  readonly alt?: string;
+  /** What can be read on it: selected, found and heard. */
+  readonly text?: readonly ManifestText[];
+  /** Where it leads. */
+  readonly links?: readonly ManifestLink[];
+}
+
+/** A book of images; all but `pages` may be left out. */
 export interface Manifest {
+  /** The book's title; its file's name where it has none. */
   readonly title?: string;
   /** BCP 47 tag. */
   readonly language?: string;
+  /** Which way it is read; "ltr" unless it says otherwise. */
   readonly direction?: "ltr" | "rtl";
   /** "scan" unless it says "typeset": pages whose paper is pure white. */
   readonly kind?: "typeset" | "scan";
+  /** The table of contents. */
   readonly outline?: readonly ManifestOutline[];
+  /** The pages in order. */
   readonly pages: readonly ManifestPage[];
 }
 

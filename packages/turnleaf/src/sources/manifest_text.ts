@@ -5,27 +5,35 @@ import type { LinkTarget, OutlineEntry, PageBox, PageLink, TextRun } from "./pag
 
 /** A line or word of a page, as a manifest writes it; its box in the pixels of the page's width and height. */
 export interface ManifestText extends PageBox {
+  /** Its words. */
   readonly text: string;
   /** Clockwise, degrees; 0 unless given. */
   readonly angle?: number;
   /** Whether a line ends here; it does unless this is false. */
   readonly end?: boolean;
+  /** Whether its letters stand below each other; `height` is then along the line. */
   readonly vertical?: boolean;
 }
 
 /** A link, as a manifest writes it: `page` (from 1) or `href` says where it leads. */
 export interface ManifestLink extends PageBox {
+  /** A page of this book. */
   readonly page?: number;
+  /** An address of the web or of mail. */
   readonly href?: string;
+  /** What it says of itself. */
   readonly title?: string;
 }
 
 /** A line of the contents, as a manifest writes it. */
 export interface ManifestOutline {
+  /** What it says. */
   readonly title: string;
-  /** From 1. */
+  /** The page it leads to, from 1. */
   readonly page?: number;
+  /** An address of the web that it leads to instead. */
   readonly href?: string;
+  /** The lines beneath it. */
   readonly children?: readonly ManifestOutline[];
 }
 

@@ -11,9 +11,13 @@ export interface PageSize {
 
 /** A rectangle of a page. Its unit is told where it is used. */
 export interface PageBox {
+  /** From the page's left edge. */
   readonly x: number;
+  /** From its upper edge. */
   readonly y: number;
+  /** How wide it is. */
   readonly width: number;
+  /** How high it is. */
   readonly height: number;
 }
 
@@ -66,11 +70,13 @@ export interface PageField extends PageBox {
 
 /** A line of a book's contents. */
 export interface OutlineEntry {
+  /** What it says. */
   readonly title: string;
-  /** From 1; null where it leads nowhere in this book. */
+  /** The page that it leads to, from 1; null where it leads nowhere in this book. */
   readonly page: number | null;
   /** An address of the web that it leads to instead. */
   readonly href?: string;
+  /** The lines beneath it. */
   readonly children: readonly OutlineEntry[];
 }
 
@@ -130,5 +136,6 @@ export interface PageSource {
 
 /** A failure told in one clear sentence that names the file and what to do. */
 export class BookError extends Error {
+  /** Tells it from other errors. */
   override readonly name = "BookError";
 }

@@ -22,6 +22,7 @@ const letters = { share: 0.62, least: 6, most: 40 };
 /**
  * A page's fields as elements, which hold what `values` says.
  *
+ * @csspart form-field A field of a form on a page.
  * @param changed called with a field's name after it got another value, and
  *   with whether that is done for now, or the reader is still at it
  */
@@ -61,7 +62,7 @@ function makeField(field: PageField): Control {
     kind === "choice" ? "select" : kind === "text" && multiline ? "textarea" : "input",
   );
   element.className = "field";
-  element.setAttribute("part", "field");
+  element.setAttribute("part", "form-field");
   element.setAttribute("aria-label", title);
   element.title = title;
   element.disabled = field.readonly;

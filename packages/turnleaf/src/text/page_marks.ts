@@ -14,7 +14,11 @@ const beyond = 0.08;
 /** Pieces in which a mark that does not lie flat is laid. */
 const mostPieces = 8;
 
-/** The marks of a page, none where nothing of what is shown stands on it. */
+/**
+ * The marks of a page, none where nothing of what is shown stands on it.
+ * @csspart mark A place that a search found.
+ * @csspart mark-here The one of them that is shown.
+ */
 export function layMarks(
   runs: readonly TextRun[],
   shown: Shown | null,

@@ -6,14 +6,17 @@ import type { PageTexts } from "./page_texts.ts";
 
 /** A place where something was found. */
 export interface SearchHit {
-  /** From 1. */
+  /** The page, from 1. */
   readonly page: number;
-  /** What was found, as the page writes it, and what stands about it on the page. */
+  /** What stands before it on the page. */
   readonly before: string;
+  /** What was found, as the page writes it. */
   readonly text: string;
+  /** What stands behind it. */
   readonly after: string;
-  /** What was looked for, and the how manyth place of the page this is, from 0. */
+  /** What was looked for. */
   readonly query: string;
+  /** Which of the page's places it is, from 0. */
   readonly index: number;
 }
 

@@ -50,7 +50,10 @@ export interface TextLayerOptions {
   readonly onText: (isText: boolean) => void;
 }
 
-/** The layer of one book. */
+/**
+ * The layer of one book.
+ * @csspart text The text over the resting pages, not seen until it is selected.
+ */
 export class TextLayer {
   /** The text, and under it the marks, which darken what is printed as ink does. */
   readonly element: HTMLElement = document.createElement("div");

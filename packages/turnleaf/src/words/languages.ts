@@ -8,6 +8,7 @@ const added = new Map<string, Texts>();
  * Teaches every `<turnleaf-book>` a language, or other words for one it knows.
  * Elements speak it from when they are next shown or their `lang` changes.
  * @param tag BCP 47, such as "de" or "pt-BR"; "pt" serves every kind of Portuguese
+ * @param texts everything that is said in it
  */
 export function addLanguage(tag: string, texts: Texts): void {
   added.set(tag.toLowerCase(), texts);
