@@ -132,7 +132,7 @@ export class TurnleafBook extends ReaderElement {
     }
     const spread = spreadOf(viewer.binding, page);
     if (this.#calm) return viewer.fadeTo(spread);
-    return viewer.goTo(spread);
+    return viewer.steering.goTo(spread);
   }
 
   /**
@@ -140,12 +140,12 @@ export class TurnleafBook extends ReaderElement {
    * a click on it does. Resolves, once it does, to whether it lies unfolded.
    */
   unfold(page: number): Promise<boolean> {
-    return this.#viewer?.unfold(page) ?? Promise.resolve(false);
+    return this.#viewer?.steering.unfold(page) ?? Promise.resolve(false);
   }
 
   /** Folds in the page that lies unfolded, as any turn does first. Resolves once it does. */
   foldIn(): Promise<void> {
-    return this.#viewer?.foldIn() ?? Promise.resolve();
+    return this.#viewer?.steering.foldIn() ?? Promise.resolve();
   }
 
   /**
@@ -271,10 +271,10 @@ export class TurnleafBook extends ReaderElement {
     const way = (by * forward(viewer.binding)) as 1 | -1;
     if (this.#calm) {
       // A corner that only lifts is no turn to go on from.
-      viewer.peek(null);
+      viewer.steering.peek(null);
       return viewer.fadeTo(viewer.turning.destination + way);
     }
-    return viewer.turn(way);
+    return viewer.steering.turn(way);
   }
 
   #build(): void {

@@ -6,33 +6,29 @@
  */
 
 import { faceOf } from "./book/faces.ts";
-import { makeOf, type Paper } from "./book/paper.ts";
-import {
-  type Binding,
-  clampSpread,
-  leftPage,
-  pageOf,
-  pagesAt,
-  rightPage,
-  spineOf,
-  spreadOf,
-} from "./book/spreads.ts";
-import type { Flight, Turning } from "./book/turning.ts";
+import type { Paper } from "./book/paper.ts";
+import { type Binding, clampSpread, pagesAt } from "./book/spreads.ts";
+import type { Flight, Turning, TurningEvents } from "./book/turning.ts";
 import type { BookStage, Place } from "./draw/stage.ts";
 import type { BookEngine } from "./engine/engine.ts";
-import { Side } from "./engine/phases.ts";
 import { leafSize } from "./pages/leaf_size.ts";
 import { PagePictures } from "./pages/page_pictures.ts";
-import { isFoldOut } from "./pages/placing.ts";
 import type { PageBox, PageSize, PageSource } from "./sources/page_source.ts";
-import { type Bindable, type BindingPlan, Bound, planBinding, type Wish } from "./view/bound.ts";
+import { Binder } from "./view/binder.ts";
+import {
+  type Bindable,
+  type BindingPlan,
+  type Bound,
+  planBinding,
+  type Wish,
+} from "./view/bound.ts";
 import { Details } from "./view/details.ts";
 import { Fade } from "./view/fade.ts";
 import { Folding } from "./view/folding.ts";
-import type { Hold } from "./view/holding.ts";
 import { type Craft, usualWish, type ViewerOptions } from "./view/options.ts";
 import { pictureWidth } from "./view/picturing.ts";
 import { QualityGovernor } from "./view/quality.ts";
+import { Steering } from "./view/steering.ts";
 import { Stillness } from "./view/stillness.ts";
 import { Viewing } from "./view/viewing.ts";
 import { Views } from "./view/views.ts";
@@ -41,7 +37,8 @@ export type { Craft, ViewerOptions } from "./view/options.ts";
 
 /** One book on one canvas. */
 export class Viewer {
-  readonly #book: Bindable;
+  /** How the reader moves its leaves. */
+  readonly steering: Steering;
   readonly #options: ViewerOptions;
   readonly #stage: BookStage;
   readonly #viewing: Viewing;
@@ -52,19 +49,11 @@ export class Viewer {
   readonly #views = new Views();
   readonly #stillness = new Stillness();
   readonly #governor = new QualityGovernor();
-  #bound: Bound;
-  #wish: Wish;
-  /** The page to keep in sight however the book is bound. */
-  #place: number;
-  #mustRebind = false;
-  /** Changes of the pages that wait for the book to lie still. */
-  readonly #changes: (() => void)[] = [];
+  readonly #binder: Binder;
   #cssWidth = 0;
   #cssHeight = 0;
   #frame = 0;
   #handled = false;
-  /** Paper that waits for the leaves in flight to land. */
-  #nextPaper: Paper | null = null;
   #destroyed = false;
 
   private constructor(
@@ -76,10 +65,7 @@ export class Viewer {
     stage: BookStage,
     options: ViewerOptions,
   ) {
-    this.#book = book;
     this.#options = options;
-    this.#wish = { ...usualWish, ...options };
-    this.#place = options.page();
     this.#stage = stage;
     this.#stage.onRestored = () => this.invalidate();
     this.#stage.onGone = () => options.onGone?.();
@@ -89,14 +75,36 @@ export class Viewer {
       onArrive: (page) => {
         this.#show();
         const sentence = this.#pictures.failure(page);
-        if (sentence !== null && this.#lieOpen(page)) options.onFailure(sentence);
+        const open = pagesAt(this.binding, this.turning.spread);
+        if (sentence !== null && open.includes(page)) options.onFailure(sentence);
       },
       onDrop: (picture) => this.#stage.forget(picture),
     });
     const arrived = (): void => this.invalidate();
     this.#details = new Details(source, stage, book.aspect, this.#pictures, arrived);
-    this.#folding = new Folding(this.#pictures, () => this.#show());
-    this.#bound = this.#bind(plan, engine);
+    this.#folding = new Folding(this.#pictures, {
+      unfolds: stage.unfolds,
+      width: () => this.#pictureWidth,
+      changed: () => this.#show(),
+    });
+    const events: TurningEvents = {
+      started: (flight) => {
+        this.#folding.close();
+        this.#show();
+        if (!this.#bound.peek.lifting) this.#tellStart(flight);
+      },
+      landed: () => this.#show(),
+      rested: (from, to) => {
+        this.#binder.rested();
+        options.onRest(from, to);
+      },
+    };
+    const tools = { book, stage, pictures: this.#pictures, options, events };
+    this.#binder = new Binder(tools, plan, engine);
+    this.steering = new Steering(this.#binder, this.#folding, {
+      started: (flight) => this.#tellStart(flight),
+      stirred: arrived,
+    });
   }
 
   /**
@@ -141,10 +149,8 @@ export class Viewer {
    * is in sight now. What is left out stays as it was.
    */
   rebind(changes: Partial<Wish>): void {
-    this.#wish = { ...this.#wish, ...changes };
-    this.#mustRebind = true;
-    this.peek(null);
-    if (!this.turning.moving) this.#bindAnew();
+    this.#binder.wish(changes);
+    this.#bindSoon();
   }
 
   /**
@@ -157,22 +163,8 @@ export class Viewer {
    * @param change changes the source and answers where a page (from 0) lies then, null where it is gone
    */
   changePages(change: () => (index: number) => number | null): Promise<boolean> {
-    const changed = new Promise<boolean>((resolve, reject) => {
-      this.#changes.push(() => {
-        if (this.#destroyed) return resolve(false);
-        try {
-          const moved = change();
-          this.#pictures.renumber(moved);
-          this.#place = this.#placeAfter(moved);
-          this.#mustRebind = true;
-          resolve(true);
-        } catch (error) {
-          reject(error);
-        }
-      });
-    });
-    this.peek(null);
-    if (this.#destroyed || !this.turning.moving) this.#bindAnew();
+    const changed = this.#binder.change(change);
+    this.#bindSoon();
     return changed;
   }
 
@@ -181,7 +173,7 @@ export class Viewer {
     this.#cssWidth = cssWidth;
     this.#cssHeight = cssHeight;
     this.#stage.resize(cssWidth, cssHeight, pixelRatio);
-    if (this.#plan().binding.layout !== this.binding.layout) this.rebind({});
+    if (!this.#binder.suits(cssWidth, cssHeight)) this.rebind({});
     this.#show();
   }
 
@@ -189,8 +181,7 @@ export class Viewer {
   lay(spread: number): void {
     this.#folding.close();
     this.turning.lay(clampSpread(this.binding, spread));
-    this.#changePaper();
-    this.#keepPlace();
+    this.#binder.rested();
     this.#bindAnew();
     this.#show();
   }
@@ -213,47 +204,10 @@ export class Viewer {
     return this.#fade.isOn ? this.#fade.promise(to) : Promise.resolve(true);
   }
 
-  /** The page (from 1) of the fold-out that lies open or opens, or null. */
-  get unfolded(): number | null {
-    return this.#folding.page;
-  }
-
-  /**
-   * Unfolds a page (from 1) that lies open and is wider than the book. Resolves,
-   * once it does, to whether it lies unfolded.
-   */
-  unfold(page: number): Promise<boolean> {
-    const { spread, moving } = this.turning;
-    const face = this.#destroyed || moving ? null : faceOf(this.binding, spread, page);
-    const isPage = face === "left" || face === "right";
-    if (!isPage || !this.#stage.unfolds) return Promise.resolve(false);
-    const sign = face === "right" ? 1 : -1;
-    return this.#folding.unfold(page, sign, this.#pictureWidth);
-  }
-
-  /** Folds in the page that lies unfolded. Resolves once it does. */
-  foldIn(): Promise<void> {
-    const folded = this.#folding.foldIn();
-    this.invalidate();
-    return folded;
-  }
-
-  /** A tap at a place on the canvas, CSS pixels: unfolds the fold-out there, and folds it in again. */
-  tap(x: number, y: number): void {
-    if (this.#destroyed || this.turning.moving) return;
-    if (this.unfolded !== null) return void this.foldIn();
-    const on = this.pick(x, y)?.on;
-    if (typeof on !== "number") return;
-    const { spread } = this.turning;
-    const page = (on === Side.right ? rightPage : leftPage)(this.binding, spread);
-    if (page !== null && isFoldOut(this.#pictures.placeOfDrawn(page))) void this.unfold(page);
-  }
-
   /** Makes the leaves of another paper: at once, or as soon as none is in flight. */
   setPaper(paper: Paper): void {
-    this.#nextPaper = paper;
-    this.peek(null);
-    this.#changePaper();
+    this.steering.peek(null);
+    this.#binder.setPaper(paper);
   }
 
   /** Draws a page (from 1) anew, as its source shows something else there now. */
@@ -268,76 +222,6 @@ export class Viewer {
   invalidate(): void {
     this.#stillness.stir();
     this.#askForFrame();
-  }
-
-  /** What a hand at a place on the canvas (CSS pixels) could hold, or null. */
-  pick(x: number, y: number): Hold | null {
-    const { holding, peek } = this.#bound;
-    const hold = holding.pick(x, y);
-    // Beside a corner that is lifted a hand takes that leaf, not the one under it.
-    return hold && peek.flight && hold.on === peek.side ? { ...hold, on: peek.flight } : hold;
-  }
-
-  /**
-   * A hand takes hold where `pick` found something; the leaf then follows `drag`.
-   *
-   * @param pull how far the hand has moved since, CSS pixels
-   */
-  grab(found: Hold, hand: number, pull: Place = { x: 0, y: 0 }): boolean {
-    if (this.#destroyed) return false;
-    const { holding, peek } = this.#bound;
-    const hold = this.#bound.pulled(found, pull.x, pull.y);
-    const taken = typeof hold.on === "number" ? null : peek.take(hold.on);
-    const grabbed = holding.grab(hold, hand);
-    peek.end();
-    if (taken) this.#tellStart(taken);
-    return grabbed && !this.#destroyed;
-  }
-
-  /** The corner of a resting leaf lifts a little, until null is told. Answers whether it does. */
-  peek(hold: Hold | null): boolean {
-    // A page that lies unfolded keeps its corners.
-    if (this.#destroyed || (hold !== null && this.#folding.parts !== null)) return false;
-    const { peek, holding } = this.#bound;
-    if (hold === null) peek.end();
-    const lifts = hold !== null && peek.begin(hold, holding.floor(hold.on === Side.right ? 1 : -1));
-    if (this.turning.moving) this.invalidate();
-    return lifts;
-  }
-
-  /** Whether a place that `pick` found is on a leaf that only lifts a corner. */
-  peeks(hold: Hold): boolean {
-    return hold.on === this.#bound.peek.flight;
-  }
-
-  /** Turns a leaf to the left (1) or the right (-1); resolves as `Turning.turn` does. */
-  turn(way: 1 | -1): Promise<boolean> {
-    return this.#command(
-      () => this.turning.turn(way),
-      (flight) => (flight.from === flight.low) === (way === 1),
-    );
-  }
-
-  /** Turns to a spread; resolves as `Turning.goTo` does. */
-  goTo(spread: number): Promise<boolean> {
-    return this.#command(
-      () => this.turning.goTo(spread),
-      () => false,
-    );
-  }
-
-  /** A hand that holds something moves to a place on the canvas, CSS pixels. */
-  drag(hand: number, x: number, y: number): void {
-    if (!this.#destroyed && this.#bound.holding.drag(hand, x, y)) this.invalidate();
-  }
-
-  /** A hand lets go. */
-  release(hand: number): void {
-    if (this.#destroyed) return;
-    const way = this.turning.holds(hand) ? this.#bound.holding.carried(hand) : 0;
-    if (way !== 0) void this.turning.turn(way);
-    this.#bound.holding.release(hand);
-    this.invalidate();
   }
 
   /** How near the book is seen, from 1 for all of it to 8; on the way there, what it leads to. */
@@ -405,9 +289,9 @@ export class Viewer {
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
     this.#fade.close();
+    this.steering.close();
     this.#folding.close();
-    this.#bindAnew();
-    this.#bound.destroy();
+    this.#binder.close();
     this.#details.close();
     this.#pictures.close();
     this.#stage.destroy();
@@ -420,16 +304,17 @@ export class Viewer {
 
   #draw(now: number): void {
     this.#frame = 0;
-    const { engine, ticks } = this.#bound;
+    const { ticks } = this.#bound;
     const passed = ticks.pass(now);
     // Without a turn nothing in the engine has moved since the book was laid open.
     const turned = this.turning.moving;
     const turning = turned && this.turning.step(passed);
     // Whoever hears of a turn may take the book away at once.
     if (this.#destroyed) return;
-    if (turned) engine.update();
+    if (turned) this.#bound.engine.update();
     if (!turning) this.#bindAnew();
-    const { peek } = this.#bound;
+    if (this.#destroyed) return;
+    const { engine, peek } = this.#bound;
     const seconds = passed * engine.tick;
     peek.step(seconds);
     const folding = this.#folding.step(seconds);
@@ -454,137 +339,51 @@ export class Viewer {
     if (moving || this.#fade.isOn) this.#askForFrame();
     else ticks.stop();
     if (!resting) this.#details.pause();
-    else if (!turning) this.#lookClosely();
+    else if (!turning) {
+      this.#details.look(this.#bound.picturing.open, this.#cssWidth, this.#cssHeight);
+    }
     const gone = stepping || this.#handled || this.#fade.isOn || (turning && !peek.flight);
     this.#views.tell(gone ? "" : `${this.turning.spread} ${this.#stage.viewKey}`);
-  }
-
-  /** Draws anew what is seen larger than its picture is. */
-  #lookClosely(): void {
-    this.#details.look(this.#bound.picturing.open, this.#cssWidth, this.#cssHeight);
-  }
-
-  async #afterFolding(command: () => Promise<boolean>): Promise<boolean> {
-    await this.foldIn();
-    return this.#destroyed ? false : await command();
-  }
-
-  /**
-   * A command while a corner is lifted: that leaf falls back, or is turned.
-   *
-   * @param turns whether the command is to turn that leaf
-   */
-  #command(order: () => Promise<boolean>, turns: (flight: Flight) => boolean): Promise<boolean> {
-    if (this.unfolded !== null) return this.#afterFolding(() => this.#command(order, turns));
-    const { peek } = this.#bound;
-    const { flight } = peek;
-    if (flight === null || !turns(flight)) peek.end();
-    const done = order();
-    // Whether it was meant or only lay in the way: it is a turn from now on.
-    const turned =
-      flight !== null && (flight.to === Side.left) === (flight.from === flight.low)
-        ? peek.take(flight)
-        : null;
-    if (turned) this.#tellStart(turned);
-    this.invalidate();
-    return done;
   }
 
   #tellStart({ low, high, from }: Flight): void {
     this.#options.onStart(low, high, from === low);
   }
 
-  #changePaper(): void {
-    if (this.#nextPaper === null || this.turning.flights.length > 0) return;
-    makeOf(this.#nextPaper, this.#bound.engine);
-    this.#nextPaper = null;
+  get #bound(): Bound {
+    return this.#binder.bound;
   }
 
-  #plan(): BindingPlan {
-    return planBinding(
-      this.#book,
-      this.#wish,
-      this.#cssWidth,
-      this.#cssHeight,
-      this.binding.layout,
-    );
-  }
-
-  /** Binds the book as planned, at the page to keep in sight. */
-  #bind(plan: BindingPlan, engine: BookEngine): Bound {
-    const options = this.#options;
-    const bound = new Bound(plan, engine, this.#stage, this.#pictures, {
-      started: (flight) => {
-        this.#folding.close();
-        this.#show();
-        if (!bound.peek.lifting) this.#tellStart(flight);
-      },
-      landed: () => this.#show(),
-      rested: (from, to) => {
-        this.#changePaper();
-        this.#keepPlace();
-        options.onRest(from, to);
-      },
-    });
-    this.#pictures.bind((page) => spineOf(plan.binding, page));
-    bound.turning.seconds = options.turnSeconds();
-    makeOf(options.paper(), engine);
-    this.#nextPaper = null;
-    bound.turning.lay(spreadOf(plan.binding, this.#place));
-    return bound;
+  /** Does what waits for the book to lie still as soon as it does. */
+  #bindSoon(): void {
+    this.steering.peek(null);
+    if (!this.turning.moving) this.#bindAnew();
   }
 
   /** Does what waited for the book to lie still. */
   #bindAnew(): void {
-    if (this.#changes.length > 0 || this.#mustRebind) this.#folding.close();
-    for (const change of this.#changes.splice(0)) change();
-    if (!this.#mustRebind || this.#destroyed) return;
-    this.#mustRebind = false;
-    const before = this.#bound;
-    const plan = this.#plan();
+    if (this.#destroyed || !this.#binder.waits) return;
+    this.#folding.close();
     this.#details.close();
-    this.#stage.bind(plan.shape);
-    this.#bound = this.#bind(plan, before.engine.another(plan.shape));
-    before.destroy();
+    const before = this.binding;
+    this.#binder.bindAnew(this.#cssWidth, this.#cssHeight);
     this.#views.forget();
-    const { edge, layout } = before.binding;
-    if (edge !== this.binding.edge || layout !== this.binding.layout) this.#options.onLayout?.();
+    const { edge, layout } = this.binding;
+    if (edge !== before.edge || layout !== before.layout) this.#options.onLayout?.();
     this.#show();
-  }
-
-  /** Where the place is once pages have moved: at its own page, else behind the one before it. */
-  #placeAfter(moved: (index: number) => number | null): number {
-    for (let index = this.#place - 1; index >= 0; index--) {
-      const now = moved(index);
-      if (now !== null) return now + (index === this.#place - 1 ? 1 : 2);
-    }
-    return 1;
-  }
-
-  /** Of two pages in sight, the one that was asked for stays the place. */
-  #keepPlace(): void {
-    const { spread } = this.turning;
-    if (!pagesAt(this.binding, spread).includes(this.#place)) {
-      this.#place = pageOf(this.binding, spread);
-    }
   }
 
   /** Brings every face's picture up to date, and asks for the pages wanted next. */
   #show(): void {
     if (this.#destroyed) return;
-    if (this.#cssWidth > 0) {
-      this.#bound.picturing.want(this.#pictureWidth);
-    }
-    this.#bound.picturing.show(this.#folding.parts);
-    this.#details.keep(this.#bound.picturing.pages);
+    const { picturing } = this.#bound;
+    if (this.#cssWidth > 0) picturing.want(this.#pictureWidth);
+    picturing.show(this.#folding.parts);
+    this.#details.keep(picturing.pages);
     this.invalidate();
   }
 
   get #pictureWidth(): number {
     return pictureWidth(this.#bound.shape, this.#stage, this.#viewing);
-  }
-
-  #lieOpen(page: number): boolean {
-    return pagesAt(this.binding, this.turning.spread).includes(page);
   }
 }

@@ -141,7 +141,7 @@ export class Input {
     const hand = this.#freeHand();
     if (hand === null || this.#pinch) return;
     const isZoomed = this.#viewer.zoomLevel > 1;
-    const hold = isZoomed ? null : this.#viewer.pick(at.x, at.y);
+    const hold = isZoomed ? null : this.#viewer.steering.pick(at.x, at.y);
     if (hold === null && !isZoomed) return;
     const flick = new Flick();
     flick.move(at, event.timeStamp);
@@ -156,10 +156,10 @@ export class Input {
       does: "wait",
     };
     // A leaf already turning is caught at once, where it is.
-    if (hold && this.#isFlying(hold) && this.#viewer.grab(hold, hand)) press.does = "drag";
+    if (hold && this.#isFlying(hold) && this.#viewer.steering.grab(hold, hand)) press.does = "drag";
     this.#presses.set(event.pointerId, press);
     this.#canvas.setPointerCapture(event.pointerId);
-    if (press.does === "drag") this.#viewer.drag(hand, at.x, at.y);
+    if (press.does === "drag") this.#viewer.steering.drag(hand, at.x, at.y);
   }
 
   #move(event: PointerEvent): void {
@@ -170,7 +170,7 @@ export class Input {
     else {
       press.flick.move(at, event.timeStamp);
       if (press.does === "wait") this.#begin(press, at);
-      if (press.does === "drag") this.#viewer.drag(press.hand, at.x, at.y);
+      if (press.does === "drag") this.#viewer.steering.drag(press.hand, at.x, at.y);
       if (press.does === "pan") this.#viewer.zoom(this.#viewer.zoomLevel, press.at, at, 0);
       press.at = at;
     }
@@ -189,7 +189,7 @@ export class Input {
       // Along the page's own way to scroll a finger scrolls it: the browser will say so.
       const { rolled } = this.#viewer.binding;
       if (press.kind === "touch" && Math.abs(rolled ? x : y) > Math.abs(rolled ? y : x)) return;
-      if (this.#viewer.grab(press.hold, press.hand, { x, y })) press.does = "drag";
+      if (this.#viewer.steering.grab(press.hold, press.hand, { x, y })) press.does = "drag";
       this.#isPeeking = false;
     }
     this.#canvas.style.cursor = "grabbing";
@@ -212,7 +212,7 @@ export class Input {
     const way = now !== null && now - time <= flickTime ? this.#flicked(flick.velocity(now)) : 0;
     const isOwn = hold === null || sideOf(hold) === (way === 1 ? Side.right : Side.left);
     if (way !== 0 && isOwn) this.#hooks.turn((way * forward(this.#viewer.binding)) as 1 | -1);
-    this.#viewer.release(hand);
+    this.#viewer.steering.release(hand);
     if (way !== 0 && !isOwn) this.#hooks.turn((way * forward(this.#viewer.binding)) as 1 | -1);
   }
 
@@ -242,7 +242,7 @@ export class Input {
       this.#viewer.zoom(level, from, to, this.#seconds(zoomTime));
       return;
     }
-    if (inside) this.#viewer.tap(at.x, at.y);
+    if (inside) this.#viewer.steering.tap(at.x, at.y);
     if (hold === null || inside || this.#isFlying(hold)) return;
     const isRight = sideOf(hold) === Side.right;
     const way = forward(this.#viewer.binding);
@@ -288,7 +288,8 @@ export class Input {
   #hover(event: PointerEvent, at: Place): void {
     if (event.pointerType === "touch" || event.buttons !== 0 || this.#presses.size > 0) return;
     const isZoomed = this.#viewer.zoomLevel > 1;
-    const hold = isZoomed || event.target !== this.#canvas ? null : this.#viewer.pick(at.x, at.y);
+    const hold =
+      isZoomed || event.target !== this.#canvas ? null : this.#viewer.steering.pick(at.x, at.y);
     this.#canvas.style.cursor = hold !== null || isZoomed ? "grab" : "";
     this.#peek(hold);
   }
@@ -299,7 +300,7 @@ export class Input {
     const isCorner = hold !== null && hold.u > 1 - zone.u && Math.abs(hold.v - 0.5) > 0.5 - zone.v;
     const lifts = isCorner && !this.#hooks.calm();
     if (lifts === this.#isPeeking) return;
-    this.#isPeeking = this.#viewer.peek(lifts ? hold : null);
+    this.#isPeeking = this.#viewer.steering.peek(lifts ? hold : null);
   }
 
   /** A hand that no pointer stands for, or null. The last is that of a lifted corner. */
@@ -360,7 +361,7 @@ export class Input {
 
   /** Whether it is a place on what is in flight, rather than on a resting page or a corner that only lifts. */
   #isFlying(hold: Hold): boolean {
-    return typeof hold.on !== "number" && !this.#viewer.peeks(hold);
+    return typeof hold.on !== "number" && !this.#viewer.steering.peeks(hold);
   }
 
   /** Where a pointer is on the canvas, CSS pixels. */

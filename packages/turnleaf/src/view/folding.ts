@@ -9,6 +9,16 @@ import { flapSurface } from "./flap.ts";
 /** Time in which a flap opens, seconds. */
 const openTime = 0.6;
 
+/** What folding asks and tells. */
+export interface FoldingHooks {
+  /** Whether fold-outs can lie open at all. */
+  readonly unfolds: boolean;
+  /** Width of a leaf, device pixels. */
+  readonly width: () => number;
+  /** Other pictures are to be shown than before. */
+  readonly changed: () => void;
+}
+
 /** A fold-out and how far it is open. */
 interface Flap {
   readonly page: number;
@@ -21,17 +31,16 @@ interface Flap {
 /** Opens a fold-out, and folds it in. */
 export class Folding {
   readonly #pictures: PagePictures;
-  readonly #changed: () => void;
+  readonly #hooks: FoldingHooks;
   #flap: Flap | null = null;
   #drawing: AbortController | null = null;
   #waiting: ((done: boolean) => void)[] = [];
   #surface: { open: number; surface: Surface } | null = null;
   #version = 0;
 
-  /** @param changed other pictures are to be shown than before */
-  constructor(pictures: PagePictures, changed: () => void) {
+  constructor(pictures: PagePictures, hooks: FoldingHooks) {
     this.#pictures = pictures;
-    this.#changed = changed;
+    this.#hooks = hooks;
   }
 
   /** The page (from 1) that lies open or opens; null where none does. */
@@ -44,22 +53,20 @@ export class Folding {
     return this.#flap && { ...this.#flap.parts, sign: this.#flap.sign };
   }
 
-  /**
-   * Opens the fold-out of a page on a side. Resolves, once it lies open, to whether it does.
-   *
-   * @param width of the leaf in device pixels
-   */
-  async unfold(page: number, sign: 1 | -1, width: number): Promise<boolean> {
+  /** Opens the fold-out of a page on a side (1 right, -1 left). Resolves, once it lies open, to whether it does. */
+  async unfold(page: number, sign: 1 | -1): Promise<boolean> {
+    if (!this.#hooks.unfolds) return false;
     this.close();
     const drawing = new AbortController();
     this.#drawing = drawing;
+    const width = this.#hooks.width();
     const parts = await this.#pictures.unfold(page, width, drawing.signal).catch(() => null);
     if (drawing.signal.aborted || parts === null) {
       if (parts) this.#pictures.foldIn();
       return false;
     }
     this.#flap = { page, sign, parts, open: 0, to: 1 };
-    this.#changed();
+    this.#hooks.changed();
     return await new Promise((resolve) => this.#waiting.push(resolve));
   }
 
@@ -107,7 +114,7 @@ export class Folding {
     if (this.#flap === null) return;
     this.#flap = null;
     this.#pictures.foldIn();
-    this.#changed();
+    this.#hooks.changed();
     this.#tell(false);
   }
 

@@ -124,7 +124,7 @@ test("zoomed and panned, a page's place is seen where it is said, and what is po
   expect((after?.y ?? 0) - (before?.y ?? 0)).toBeCloseTo(10, 0);
   expect(await seenAt(7, mark.x, mark.y)).toBeLessThan(60);
   // What a hand would take is where it is seen.
-  const hold = viewer.pick(...spotOf(viewer.project(7, 0.9, 0.5)));
+  const hold = viewer.steering.pick(...spotOf(viewer.project(7, 0.9, 0.5)));
   expect(hold?.u).toBeCloseTo(0.9, 1);
   expect(hold?.v).toBeCloseTo(0.5, 1);
   viewer.zoom(1, at, at, 0);

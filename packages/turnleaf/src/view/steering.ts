@@ -1,0 +1,168 @@
+/** How a reader moves the leaves, by hand and by command, and which of it begins a turn. */
+
+import { faceOf } from "../book/faces.ts";
+import { leftPage, rightPage } from "../book/spreads.ts";
+import type { Flight } from "../book/turning.ts";
+import type { Place } from "../draw/stage.ts";
+import { Side } from "../engine/phases.ts";
+import type { Binder } from "./binder.ts";
+import type { Folding } from "./folding.ts";
+import type { Hold } from "./holding.ts";
+
+/** What steering tells of. */
+export interface SteeringEvents {
+  /** A leaf whose corner was only lifted is turned from now on. */
+  readonly started: (flight: Flight) => void;
+  /** Something moves. */
+  readonly stirred: () => void;
+}
+
+/** The leaves of one book in the reader's hands, however it is bound. */
+export class Steering {
+  readonly #binder: Pick<Binder, "bound">;
+  readonly #folding: Folding;
+  readonly #events: SteeringEvents;
+  #closed = false;
+
+  constructor(binder: Pick<Binder, "bound">, folding: Folding, events: SteeringEvents) {
+    this.#binder = binder;
+    this.#folding = folding;
+    this.#events = events;
+  }
+
+  /** What a hand at a place on the canvas (CSS pixels) could hold, or null. */
+  pick(x: number, y: number): Hold | null {
+    const { holding, peek } = this.#binder.bound;
+    const hold = holding.pick(x, y);
+    // Beside a corner that is lifted a hand takes that leaf, not the one under it.
+    return hold && peek.flight && hold.on === peek.side ? { ...hold, on: peek.flight } : hold;
+  }
+
+  /**
+   * A hand takes hold where `pick` found something; the leaf then follows `drag`.
+   *
+   * @param pull how far the hand has moved since, CSS pixels
+   */
+  grab(found: Hold, hand: number, pull: Place = { x: 0, y: 0 }): boolean {
+    if (this.#closed) return false;
+    const { bound } = this.#binder;
+    const { holding, peek } = bound;
+    const hold = bound.pulled(found, pull.x, pull.y);
+    const taken = typeof hold.on === "number" ? null : peek.take(hold.on);
+    const grabbed = holding.grab(hold, hand);
+    peek.end();
+    if (taken) this.#events.started(taken);
+    // Whoever heard of it may have taken the book away.
+    return grabbed && !this.#closed;
+  }
+
+  /** A hand that holds something moves to a place on the canvas, CSS pixels. */
+  drag(hand: number, x: number, y: number): void {
+    if (!this.#closed && this.#binder.bound.holding.drag(hand, x, y)) this.#events.stirred();
+  }
+
+  /** A hand lets go. */
+  release(hand: number): void {
+    if (this.#closed) return;
+    const { holding, turning } = this.#binder.bound;
+    const way = turning.holds(hand) ? holding.carried(hand) : 0;
+    if (way !== 0) void turning.turn(way);
+    holding.release(hand);
+    this.#events.stirred();
+  }
+
+  /** The corner of a resting leaf lifts a little, until null is told. Answers whether it does. */
+  peek(hold: Hold | null): boolean {
+    // A page that lies unfolded keeps its corners.
+    if (this.#closed || (hold !== null && this.#folding.parts !== null)) return false;
+    const { peek, holding, turning } = this.#binder.bound;
+    if (hold === null) peek.end();
+    const lifts = hold !== null && peek.begin(hold, holding.floor(hold.on === Side.right ? 1 : -1));
+    if (turning.moving) this.#events.stirred();
+    return lifts;
+  }
+
+  /** Whether a place that `pick` found is on a leaf that only lifts a corner. */
+  peeks(hold: Hold): boolean {
+    return hold.on === this.#binder.bound.peek.flight;
+  }
+
+  /** Turns a leaf to the left (1) or the right (-1); resolves as `Turning.turn` does. */
+  turn(way: 1 | -1): Promise<boolean> {
+    return this.#command(
+      () => this.#binder.bound.turning.turn(way),
+      (flight) => (flight.from === flight.low) === (way === 1),
+    );
+  }
+
+  /** Turns to a spread; resolves as `Turning.goTo` does. */
+  goTo(spread: number): Promise<boolean> {
+    return this.#command(
+      () => this.#binder.bound.turning.goTo(spread),
+      () => false,
+    );
+  }
+
+  /**
+   * Unfolds a page (from 1) that lies open and is wider than the book. Resolves,
+   * once it does, to whether it lies unfolded.
+   */
+  unfold(page: number): Promise<boolean> {
+    const { binding, turning } = this.#binder.bound;
+    const face = this.#closed || turning.moving ? null : faceOf(binding, turning.spread, page);
+    if (face !== "left" && face !== "right") return Promise.resolve(false);
+    return this.#folding.unfold(page, face === "right" ? 1 : -1);
+  }
+
+  /** Folds in the page that lies unfolded. Resolves once it does. */
+  foldIn(): Promise<void> {
+    const folded = this.#folding.foldIn();
+    this.#events.stirred();
+    return folded;
+  }
+
+  /** A tap at a place on the canvas, CSS pixels: unfolds the fold-out there, and folds it in again. */
+  tap(x: number, y: number): void {
+    const { binding, turning } = this.#binder.bound;
+    if (this.#closed || turning.moving) return;
+    if (this.#folding.page !== null) return void this.foldIn();
+    const on = this.pick(x, y)?.on;
+    if (typeof on !== "number") return;
+    const page = (on === Side.right ? rightPage : leftPage)(binding, turning.spread);
+    if (page !== null) void this.unfold(page);
+  }
+
+  /** Nothing moves any leaf any more. */
+  close(): void {
+    this.#closed = true;
+  }
+
+  /**
+   * A command, once what lies unfolded is folded in. While a corner is lifted,
+   * that leaf falls back, or is turned.
+   *
+   * @param turns whether the command is to turn that leaf
+   */
+  async #command(
+    order: () => Promise<boolean>,
+    turns: (flight: Flight) => boolean,
+  ): Promise<boolean> {
+    if (this.#closed) return false;
+    if (this.#folding.page !== null) {
+      await this.foldIn();
+      return await this.#command(order, turns);
+    }
+    const { peek } = this.#binder.bound;
+    const { flight } = peek;
+    if (flight === null || !turns(flight)) peek.end();
+    const done = order();
+    // Whether it was meant or only lay in the way: it is a turn from now on.
+    const turned =
+      flight !== null && (flight.to === Side.left) === (flight.from === flight.low)
+        ? peek.take(flight)
+        : null;
+    if (turned) this.#events.started(turned);
+    this.#events.stirred();
+    return await done;
+  }
+}
