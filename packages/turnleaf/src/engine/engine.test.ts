@@ -153,3 +153,27 @@ test("each paper, binding and wind hangs in its own way, and what is none change
   });
   expect(refused).toEqual(usual);
 });
+
+test("both piles are as thick as the leaves that lie on them", async () => {
+  const book = await open();
+  /** How high a side's uppermost page lies in its middle, metres. */
+  const height = (side: Side): number => {
+    const { columns, curves } = book.pile(side);
+    const middle = Array.from({ length: columns }, (_, k) => k).find(
+      (k) => Math.abs(curves[2 * k]) > size.width / 2,
+    );
+    return curves[2 * (middle ?? 0) + 1];
+  };
+  const read = [4, 12, 20, 28, 36];
+  const heights = read.map((leaves) => {
+    book.lay(leaves);
+    return [height(Side.left), height(Side.right)];
+  });
+  for (let k = 1; k < read.length; k++) {
+    // Eight leaves of forty are a fifth of the book's 12 mm.
+    const grown = heights[k][0] - heights[k - 1][0];
+    const shrunk = heights[k - 1][1] - heights[k][1];
+    for (const change of [grown, shrunk]) expect(Math.abs(change - 0.0024)).toBeLessThan(0.0002);
+  }
+  book.destroy();
+});

@@ -1,0 +1,16 @@
+import { execFile } from "node:child_process";
+import { fileURLToPath } from "node:url";
+import { promisify } from "node:util";
+import { expect, test } from "vitest";
+
+test("the built package is imported on a server, where it does nothing", async () => {
+  const script = `const turnleaf = await import("turnleaf");
+    console.log(typeof turnleaf.TurnleafBook, typeof globalThis.customElements);`;
+  // Of its own process: what the tests load beside it might stand in for a DOM.
+  const { stdout, stderr } = await promisify(execFile)(
+    process.execPath,
+    ["--input-type=module", "--eval", script],
+    { cwd: fileURLToPath(new URL("..", import.meta.url)) },
+  );
+  expect([stdout.trim(), stderr]).toEqual(["function undefined", ""]);
+});
