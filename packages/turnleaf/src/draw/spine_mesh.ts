@@ -10,6 +10,9 @@ import { SolidGeometry } from "./solid_geometry.ts";
 const steps = 41;
 const bandSteps = 41;
 
+/** x, z in the plane across the spine, metres. */
+type Place = readonly [number, number];
+
 /** Spine and hinges, one strip of cloth with a thickness. */
 export class SpineMesh {
   readonly mesh: Mesh<BufferGeometry, SolidMaterial>;
@@ -90,14 +93,14 @@ export class SpineMesh {
       if (i <= hinge || i >= steps - 1 - hinge) {
         const back = i <= hinge;
         const t = back ? i / hinge : (steps - 1 - i) / hinge;
-        const [start, corner, end] = back
-          ? [a, c, [mid(share, 0), mid(share, 1)]]
-          : [b, d, [mid(1 - share, 0), mid(1 - share, 1)]];
+        const [start, corner] = back ? [a, c] : [b, d];
+        const inward = back ? share : 1 - share;
+        const end: Place = [mid(inward, 0), mid(inward, 1)];
         // Begins within the board, so that no gap shows.
         const reach = 1.25;
-        const from = [0, 1].map((k) => corner[k] + (start[k] - corner[k]) * reach);
-        // Rounds the corner, half as much as a curve toward it would.
-        const pull = [0, 1].map((k) => 1.5 * corner[k] - 0.25 * (from[k] + end[k]));
+        const outward = (k: 0 | 1): number => corner[k] + (start[k] - corner[k]) * reach;
+        const from: Place = [outward(0), outward(1)];
+        const pull = pullAround(from, corner, end);
         const [p, q, r] = [(1 - t) * (1 - t), 2 * t * (1 - t), t * t];
         x = p * from[0] + q * pull[0] + r * end[0];
         z = p * from[1] + q * pull[1] + r * end[1];
@@ -134,6 +137,21 @@ export class SpineMesh {
       this.#normal[2 * i + 1] = dx / length;
     }
   }
+}
+
+/**
+ * The control point that rounds a corner half as much as a curve toward it
+ * would. Only the shorter arm counts: the spine of a thin book is shorter than
+ * its hinge, and by the hinge's length the strip would run past the other
+ * corner and back, turned inside out, and stand up through the gutter.
+ */
+function pullAround(from: Place, corner: Place, end: Place): Place {
+  const arms = [from, end].map(([x, z]) => [x - corner[0], z - corner[1]]);
+  const lengths = arms.map(([x, z]) => Math.hypot(x, z) || 1);
+  const shorter = Math.min(...lengths);
+  const along = (k: 0 | 1): number =>
+    corner[k] - 0.25 * shorter * (arms[0][k] / lengths[0] + arms[1][k] / lengths[1]);
+  return [along(0), along(1)];
 }
 
 /** The two headbands: short striped rolls where the leaves' spine meets head and foot. */
