@@ -15,16 +15,27 @@ const root = join(import.meta.dirname, "..");
 const out = join(root, "docs/pictures");
 const wide = { width: 1280, height: 800 };
 const small = { width: 600, height: 450 };
+const phone = { width: 390, height: 844 };
 
-/** Each picture: where the book lies open, and what is done before it is taken. */
+/** Each picture: where the book lies open, how it is shown, and what is done before it is taken. */
 const pictures = {
-  cover: { page: 1, viewport: wide },
-  spread: { page: 18, viewport: wide },
-  "turn-1": { page: 18, viewport: wide, turn: 240 },
-  "turn-2": { page: 18, viewport: wide, turn: 400 },
-  "cover-opening": { page: 1, viewport: wide, turn: 420 },
-  riffle: { page: 60, viewport: wide, riffle: 870 },
-  drag: { page: 18, viewport: wide, drag: [0.82, 0.88, 0.6, 0.72] },
+  cover: { page: 1 },
+  spread: { page: 18 },
+  "turn-1": { page: 18, turn: 240 },
+  "turn-2": { page: 18, turn: 400 },
+  "cover-opening": { page: 1, turn: 420 },
+  riffle: { page: 60, riffle: 870 },
+  drag: { page: 18, drag: [0.82, 0.88, 0.6, 0.72] },
+  phone: { page: 19, viewport: phone, scale: 2 },
+  dark: { page: 30, shown: { controls: true, theme: "dark" } },
+  zoom: { page: 19, zoom: [4, 0.62, 0.42] },
+  "right-to-left": { page: 30, shown: { binding: "right" }, turn: 400 },
+  calendar: {
+    page: 30,
+    viewport: { width: 800, height: 1000 },
+    shown: { binding: "top", layout: "spread" },
+    turn: 400,
+  },
   ...Object.fromEntries(
     ["bible", "book", "office", "coated", "card"].map((stock) => [
       `stock-${stock}`,
@@ -34,21 +45,47 @@ const pictures = {
 };
 
 async function take(browser, url, name) {
-  const { page: number, viewport, stock, turn, riffle, drag } = pictures[name];
-  const page = await browser.newPage({ viewport });
+  const {
+    page: number,
+    viewport = wide,
+    scale,
+    shown,
+    stock,
+    zoom,
+    turn,
+    riffle,
+    drag,
+  } = pictures[name];
+  const page = await browser.newPage({ viewport, deviceScaleFactor: scale });
+  // Software GL draws what the clock called for one after another.
+  page.setDefaultTimeout(180_000);
   await page.addInitScript(driveClock);
   await page.goto(`${url}#page=${number}`);
-  // The book alone, on the warm desk.
-  await page.locator("turnleaf-book").evaluate((book) => {
-    book.controls = false;
-    book.theme = "paper";
+  await page.waitForFunction(() => document.querySelector("turnleaf-book")?.pageCount);
+  const settled = () =>
+    page.waitForFunction(() => document.querySelector("turnleaf-book").settled, null, {
+      polling: 100,
+    });
+  // The book alone, on the warm desk, where nothing else is asked for.
+  await page.evaluate((shown) => Object.assign(document.querySelector("turnleaf-book"), shown), {
+    controls: false,
+    theme: "paper",
+    ...shown,
   });
-  await page.waitForFunction(() => document.querySelector("turnleaf-book")?.settled, null, {
-    polling: 100,
-    timeout: 60_000,
-  });
+  await settled();
   // The neighbours too, so that the page beneath is there.
   await page.waitForTimeout(3000);
+  if (zoom) {
+    const [level, x, y] = zoom;
+    const at = { x: x * viewport.width, y: y * viewport.height };
+    await page.evaluate(
+      ([level, at]) => document.querySelector("turnleaf-book").zoomTo(level, at),
+      [level, at],
+    );
+    await settled();
+    // Its sharper picture.
+    await page.waitForTimeout(3000);
+  }
   await page.evaluate(() => {
     window.clock.free = false;
   });
