@@ -8,6 +8,14 @@ const parse = (value: unknown, from = base): ReturnType<typeof parseManifest> =>
   parseManifest(value, from, "book.json");
 
 describe("a good manifest", () => {
+  it("takes images themselves from a script", () => {
+    const [one, two] = [new Blob(["1"]), new Blob(["2"])];
+    expect(parse([one, { src: two, label: "ii" }]).pages).toEqual([
+      { src: one },
+      { src: two, label: "ii" },
+    ]);
+  });
+
   it("resolves its addresses against its own", () => {
     const book = parse({
       title: "Atlas",

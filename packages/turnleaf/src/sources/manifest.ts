@@ -37,13 +37,13 @@ export interface ImageBook {
   readonly outline?: readonly OutlineEntry[];
 }
 
-/** A page as a manifest writes it: its address, or the address with what is known of it. */
-export type ManifestPage = string | ManifestImage;
+/** A page as a manifest writes it: its address, or the address with what is known of it. A script may give the image itself. */
+export type ManifestPage = string | Blob | ManifestImage;
 
 /** What a manifest knows of a page. */
 export interface ManifestImage {
-  /** Address of its image, relative to the manifest. */
-  readonly src: string;
+  /** Address of its image, relative to the manifest; from a script also the image itself. */
+  readonly src: string | Blob;
   /** Pixels across: with it and `height` the image need not be fetched to be placed. */
   readonly width?: number;
   /** Pixels down. */
@@ -113,8 +113,9 @@ export function parseManifest(value: unknown, base: string, name: string): Image
 }
 
 function parsePage(value: unknown, base: string, pages: number, place: string): ImagePage {
-  const fields = typeof value === "string" ? { src: value } : value;
-  if (!isRecord(fields) || typeof fields.src !== "string" || fields.src === "") {
+  const fields = typeof value === "string" || value instanceof Blob ? { src: value } : value;
+  const src = isRecord(fields) ? fields.src : "";
+  if (!isRecord(fields) || !(src instanceof Blob || (typeof src === "string" && src !== ""))) {
     throw fault(place, 'has no "src"', 'write "001.jpg" or {"src": "001.jpg"}');
   }
   const size = pageSize(fields, place);
@@ -123,7 +124,7 @@ function parsePage(value: unknown, base: string, pages: number, place: string): 
   const text = parseText(fields, place);
   const links = parseLinks(fields, pages, place);
   return {
-    src: resolveImage(fields.src, base, place),
+    src: src instanceof Blob ? src : resolveImage(src, base, place),
     ...(size ? { size } : {}),
     ...(label ? { label } : {}),
     ...(alt ? { alt } : {}),
