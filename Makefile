@@ -13,7 +13,7 @@ WASM = packages/turnleaf/src/engine/turnleaf.wasm
 MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 
-.PHONY: read build wasm test test-rust test-js check check-rust check-js bench pictures reference book clean tools-rust chromium
+.PHONY: read build wasm test test-rust test-js check check-rust check-js bench examples pictures reference book clean tools-rust chromium
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -68,6 +68,10 @@ check-js: build
 # Measures, and writes docs/performance.md.
 bench: build chromium tools-rust
 	node scripts/performance.mjs
+
+# The examples, for web developers.
+examples: build
+	node examples/serve.mjs $(PORT)
 
 # Screenshots of the README and docs, from the real thing.
 pictures: build chromium tools-rust

@@ -1,0 +1,200 @@
+/** Every example, opened in a real Chromium under the strict policy that `examples/serve.mjs` sends. */
+
+import { type Browser, chromium, type Page } from "playwright-core";
+import type { TurnleafBook } from "turnleaf";
+import { afterAll, afterEach, beforeAll, expect, it } from "vitest";
+import { serve } from "../../../examples/serve.mjs";
+import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+
+/** Machines that draw in software are slow; whoever is quick does not wait for it. */
+const patience = { timeout: 40_000 };
+
+let browser: Browser;
+let page: Page;
+let site: Awaited<ReturnType<typeof serve>>;
+const complaints: string[] = [];
+
+beforeAll(async () => {
+  site = await serve();
+  browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
+});
+afterAll(async () => {
+  await browser?.close();
+  await site?.stop();
+});
+afterEach(async () => {
+  await page.close();
+  expect(complaints.splice(0)).toEqual([]);
+});
+
+/** What the example's book answers. */
+const ask = <T, A>(look: (book: TurnleafBook, value: A) => T, value?: A): Promise<Awaited<T>> =>
+  page.locator("turnleaf-book").evaluate(look as never, value as never) as never;
+
+const spread = () => ask((book) => book.spread);
+const place = () => ask((book) => book.page);
+const comesTo = (number: number) => expect.poll(place, patience).toBe(number);
+
+/** Opens an example in a small window, without motion, and waits for its book. */
+async function open(name: string, { width = 400, height = 280 } = {}) {
+  page = await browser.newPage({ viewport: { width, height }, reducedMotion: "reduce" });
+  page.on("pageerror", (error) => complaints.push(error.message));
+  page.on("console", (message) => {
+    if (message.type() === "error") complaints.push(message.text());
+  });
+  const answer = await page.goto(`${site.url}${name}.html`);
+  const policy = answer?.headers()["content-security-policy"] ?? "";
+  expect(policy).toContain("default-src 'none'; script-src 'self' 'wasm-unsafe-eval' 'sha256-");
+  expect(policy).not.toContain("unsafe-inline");
+  await expect.poll(() => ask((book) => book.pageCount), patience).toBeGreaterThan(0);
+  await expect.poll(() => ask((book) => book.settled), patience).toBe(true);
+}
+
+/** Fades to a page, and has leaves turn from then on. */
+async function turnFrom(number: number) {
+  await ask((book, to) => book.goTo(to as number), number);
+  await expect.poll(() => ask((book) => book.settled), patience).toBe(true);
+  await page.emulateMedia({ reducedMotion: "no-preference" });
+}
+
+/** Drags from one place of the book to another, shares of its size, at the pace of its frames. */
+async function drag(from: readonly [number, number], to: readonly [number, number]) {
+  const box = await page.locator("turnleaf-book").boundingBox();
+  if (!box) throw new Error("no book");
+  const at = (t: number): [number, number] => [
+    box.x + box.width * (from[0] + (to[0] - from[0]) * t),
+    box.y + box.height * (from[1] + (to[1] - from[1]) * t),
+  ];
+  await page.mouse.move(...at(0));
+  await page.mouse.down();
+  for (let step = 1; step <= 20; step++) {
+    await page.mouse.move(...at(step / 20));
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(resolve)));
+  }
+  await page.mouse.up();
+}
+
+it("1: one element opens a PDF, and its keys turn it", async () => {
+  await open("01-minimal");
+  expect(await ask((book) => [book.bookTitle, book.pageCount, book.page])).toEqual([
+    "Moby-Dick; or, The Whale (Chapters 1 to 14)",
+    112,
+    18,
+  ]);
+  await page.locator("turnleaf-book").press("ArrowRight");
+  await comesTo(20);
+});
+
+it("2: images in a list are pages, two facing each other from the first on", async () => {
+  await open("02-pictures");
+  expect(await spread()).toEqual({ left: 1, right: 2 });
+  expect(await ask((book) => [book.pageCount, book.label(6)])).toEqual([8, "18:00"]);
+  expect(await ask((book) => book.next())).toBe(true);
+  expect(await spread()).toEqual({ left: 3, right: 4 });
+});
+
+it("3: a comic read from the right is turned by a drag from the left", async () => {
+  await open("03-manga", { height: 420 });
+  expect(await ask((book) => [book.direction, book.bookTitle])).toEqual(["rtl", "The Leaf"]);
+  await turnFrom(2);
+  expect(await spread()).toEqual({ left: 3, right: 2 });
+  await drag([0.2, 0.6], [0.85, 0.6]);
+  await comesTo(4);
+  expect(await spread()).toEqual({ left: 5, right: 4 });
+});
+
+it("4: a calendar's month is turned upwards", async () => {
+  await open("04-calendar", { width: 300, height: 460 });
+  expect(await ask((book) => book.pageCount)).toBe(25);
+  await turnFrom(2);
+  expect(await spread()).toEqual({ left: 2, right: 3 });
+  await drag([0.5, 0.9], [0.5, 0.25]);
+  await comesTo(4);
+});
+
+it("5: one page alone, and the next a leaf further", async () => {
+  await open("05-phone", { width: 300, height: 520 });
+  expect(await ask((book) => [book.shownLayout, book.page])).toEqual(["single", 19]);
+  expect(await ask((book) => book.next())).toBe(true);
+  expect(await place()).toBe(20);
+});
+
+it("6: the reader keeps its page in the address and its bookmarks over a reload", async () => {
+  await open("06-reader", { width: 760 });
+  await page.getByRole("button", { name: "Next page" }).click();
+  await expect.poll(() => page.evaluate(() => location.hash), patience).toBe("#page=20");
+  await page.getByRole("button", { name: "Bookmark this page" }).click();
+  await page.reload();
+  await expect.poll(() => ask((book) => book.pageCount), patience).toBe(112);
+  expect(await ask((book) => [book.page, ...book.bookmarks])).toEqual([20, 20]);
+  expect(await page.evaluate(() => location.hash)).toBe("#page=20");
+});
+
+it("7: the panel follows the book, and its buttons wait for it", async () => {
+  await open("07-events", { width: 700 });
+  const current = page.locator("[aria-current]");
+  const said = page.locator("output");
+  await page.getByRole("button", { name: "15:00" }).click();
+  await expect.poll(() => said.textContent(), patience).toBe("15:00 it is.");
+  expect(await current.allTextContents()).toEqual(["12:00", "15:00"]);
+  await page.getByRole("button", { name: "Through the day" }).click();
+  await expect.poll(() => said.textContent(), patience).toBe("The day is over.");
+  expect(await current.allTextContents()).toEqual(["23:00"]);
+});
+
+it("8: the form's paper is the book's, and its leaves still turn", async () => {
+  await open("08-paper", { width: 700 });
+  await page.getByLabel("Paper").selectOption("card");
+  await page.getByLabel("Wind").fill("2");
+  await page.getByLabel("Help").uncheck();
+  expect(await ask((book) => book.paper)).toEqual({
+    stock: "card",
+    grain: "along",
+    wind: [-2, 0, 0],
+    assist: false,
+  });
+  await turnFrom(30);
+  expect(await ask((book) => book.next())).toBe(true);
+  expect(await place()).toBe(32);
+});
+
+it("9: finds with a form of its own, marks the hit and leads through the contents", async () => {
+  await open("09-search", { width: 760 });
+  await page.getByRole("searchbox").fill("hypos");
+  await page.getByRole("searchbox").press("Enter");
+  await expect.poll(() => page.locator("output").textContent(), patience).toBe("1 places");
+  await page.locator("ol button").click();
+  await comesTo(18);
+  await expect.poll(() => page.locator("[part~=mark-here]").count(), patience).toBeGreaterThan(0);
+  await page.getByRole("searchbox").fill("");
+  await page.getByRole("searchbox").press("Enter");
+  await page.getByRole("button", { name: "The Chapel" }).click();
+  const chapel = await ask(async (book) => {
+    const entries = await book.outline();
+    return entries.find(({ title }) => title.includes("The Chapel"))?.page;
+  });
+  await expect.poll(async () => Object.values(await spread()), patience).toContain(chapel);
+  expect(await page.locator("[part~=mark]").count()).toBe(0);
+});
+
+it("10: the controls have the page's colours and speak its language", async () => {
+  await open("10-theming", { width: 760 });
+  const bar = page.getByRole("toolbar", { name: "Leser" });
+  expect(await bar.evaluate((bar) => getComputedStyle(bar).backgroundColor)).toBe(
+    "rgb(16, 43, 40)",
+  );
+  const next = page.getByRole("button", { name: "Nächste Seite" });
+  expect(await next.evaluate((button) => getComputedStyle(button).borderRadius)).toBe("50%");
+  await next.click();
+  await comesTo(20);
+});
+
+it("11: a guest's page comes into the open book, and goes out again", async () => {
+  await open("11-guest-book", { width: 700 });
+  await page.getByRole("textbox").fill("Emmy");
+  await page.getByRole("button", { name: "Write" }).click();
+  await expect.poll(() => page.locator("output").textContent(), patience).toBe("9 pages");
+  await expect.poll(async () => Object.values(await spread()), patience).toContain(7);
+  await page.getByRole("button", { name: "Take" }).click();
+  await expect.poll(() => page.locator("output").textContent(), patience).toBe("8 pages");
+});
