@@ -22,13 +22,13 @@ export interface LifeHooks {
   /** How a book is shown. */
   options(source: PageSource): ViewerOptions;
   /** Turns one leaf on (1) or back (-1), as the reader likes it: with a turn or without. */
-  turn(by: 1 | -1): void;
+  readonly turn: (by: 1 | -1) => void;
   /** Turns to a page (from 1). */
   goTo(page: number): void;
   /** The open book is about to go, to come back where it lies. */
   leaving(): void;
   /** Whether the reader asked for less motion. */
-  calm(): boolean;
+  readonly calm: () => boolean;
   /** A book lies open. */
   opened(book: OpenBook): void;
   /** It could not be opened. */
@@ -128,11 +128,12 @@ export class Life {
       if (signal.aborted) viewer.destroy();
       signal.throwIfAborted();
       const canvas = this.#canvas as HTMLCanvasElement;
-      const hands = new Input(canvas, this.#stage, this.#element, viewer, this.#hooks);
+      const { turn, calm } = this.#hooks;
+      const input = new Input(canvas, this.#stage, this.#element, { viewer, turn, calm });
       const goTo = (page: number): void => this.#hooks.goTo(page);
       const reading = new Reading(source, viewer, canvas, goTo, () => languageOf(this.#element));
       const ended = new AbortController();
-      this.#book = { source, viewer, canvas, reading, input: hands, ended };
+      this.#book = { source, viewer, canvas, reading, input, ended };
       this.#follow(viewer, ended.signal);
     } catch (error) {
       source.close();

@@ -1,15 +1,16 @@
-/** Pointers, wheel and keys become commands to the book. */
+/** Pointers become commands to the book; wheel and keys are heard beside them. */
 
-import { turnOfKey } from "../book/layout.ts";
 import { forward } from "../book/spreads.ts";
 import type { Place } from "../draw/stage.ts";
 import { handCount, Side } from "../engine/phases.ts";
 import type { Hold } from "../view/holding.ts";
 import type { Viewer } from "../viewer.ts";
 import { Flick } from "./flick.ts";
+import { Keys } from "./keys.ts";
 import { pageZoom } from "./page_zoom.ts";
 import { Pinch } from "./pinch.ts";
 import { Taps } from "./taps.ts";
+import type { InputTarget } from "./target.ts";
 import { Wheel } from "./wheel.ts";
 
 /** Share of a page next to its fore-edge, and of its height at head and foot, where a click turns. */
@@ -31,12 +32,8 @@ const flickTime = 450;
 const glideOn = 0.13;
 const glideTime = 0.4;
 
-/** Time that a zoom by key or double tap takes, seconds, and the zoom of one key. */
-const zoomTime = 0.28;
-const zoomStep = Math.SQRT2;
-
-/** Share of the canvas that an arrow key pans by. */
-const panStep = 0.15;
+/** Time that the zoom of a double tap takes, seconds. */
+const tapZoomTime = 0.28;
 
 /** A pointer that is down. */
 interface Press extends Place {
@@ -56,21 +53,12 @@ interface Press extends Place {
 const ownPointers = "a, button, input, select, textarea";
 const selected = "span, .guard";
 
-/** What input asks of the element. */
-export interface InputHooks {
-  /** Turns one leaf on (1) or back (-1), as the reader likes it: with a turn or without. */
-  turn(by: 1 | -1): void;
-  /** Whether the reader asked for less motion. */
-  calm(): boolean;
-}
-
 /** Everything that a reader does to one book by hand; `destroy` takes every listener away. */
 export class Input {
   readonly #canvas: HTMLCanvasElement;
   readonly #stage: HTMLElement;
-  readonly #keys: HTMLElement;
   readonly #viewer: Viewer;
-  readonly #hooks: InputHooks;
+  readonly #target: InputTarget;
   readonly #ended = new AbortController();
   /** By the pointer's number. */
   readonly #presses = new Map<number, Press>();
@@ -87,15 +75,13 @@ export class Input {
     canvas: HTMLCanvasElement,
     stage: HTMLElement,
     keys: HTMLElement,
-    viewer: Viewer,
-    hooks: InputHooks,
+    target: InputTarget,
   ) {
     this.#canvas = canvas;
     this.#stage = stage;
-    this.#keys = keys;
-    this.#viewer = viewer;
-    this.#hooks = hooks;
-    this.#wheel = new Wheel({ viewer, turn: hooks.turn, calm: hooks.calm });
+    this.#target = target;
+    this.#viewer = target.viewer;
+    this.#wheel = new Wheel(target);
     const { signal } = this.#ended;
     // Caught on the way down: what lies upon the canvas has pointers of its own.
     const on = (name: string, handle: (event: PointerEvent) => void) =>
@@ -115,8 +101,9 @@ export class Input {
     });
     // Two fingers are the book's; so is one on a book that is zoomed. Else the page scrolls as it likes.
     stage.addEventListener("touchmove", (event) => this.#touch(event), { signal, passive: false });
-    keys.addEventListener("keydown", (event) => this.#key(event), { signal });
-    const unfollow = viewer.onView(() => this.#follow());
+    const pressed = new Keys(keys, stage, target);
+    keys.addEventListener("keydown", (event) => pressed.press(event), { signal });
+    const unfollow = this.#viewer.onView(() => this.#follow());
     signal.addEventListener("abort", unfollow, { once: true });
     this.#follow();
   }
@@ -211,9 +198,9 @@ export class Input {
   #letGo({ hold, hand, flick, time }: Press, now: number | null): void {
     const way = now !== null && now - time <= flickTime ? this.#flicked(flick.velocity(now)) : 0;
     const isOwn = hold === null || sideOf(hold) === (way === 1 ? Side.right : Side.left);
-    if (way !== 0 && isOwn) this.#hooks.turn((way * forward(this.#viewer.binding)) as 1 | -1);
+    if (way !== 0 && isOwn) this.#target.turn((way * forward(this.#viewer.binding)) as 1 | -1);
     this.#viewer.steering.release(hand);
-    if (way !== 0 && !isOwn) this.#hooks.turn((way * forward(this.#viewer.binding)) as 1 | -1);
+    if (way !== 0 && !isOwn) this.#target.turn((way * forward(this.#viewer.binding)) as 1 | -1);
   }
 
   /** The way that a flick turns: 1 to the left, -1 to the right, 0 for none. */
@@ -228,7 +215,7 @@ export class Input {
   #letGlide({ at, flick }: Press, now: number | null): void {
     const { x, y } = flick.velocity(now ?? 0);
     const far = 1000 * glideOn;
-    if (now !== null && Math.hypot(x, y) > 0.1 && !this.#hooks.calm()) {
+    if (now !== null && Math.hypot(x, y) > 0.1 && !this.#target.calm()) {
       const to = { x: at.x + far * x, y: at.y + far * y };
       this.#viewer.zoom(this.#viewer.zoomLevel, at, to, glideTime);
     }
@@ -239,14 +226,14 @@ export class Input {
     const inside = hold === null || !turnsByClick(hold);
     if (inside && this.#taps.tap(event)) {
       const { level, from, to } = pageZoom(this.#viewer, at, this.#canvas.clientWidth);
-      this.#viewer.zoom(level, from, to, this.#seconds(zoomTime));
+      this.#viewer.zoom(level, from, to, this.#target.calm() ? 0 : tapZoomTime);
       return;
     }
     if (inside) this.#viewer.steering.tap(at.x, at.y);
     if (hold === null || inside || this.#isFlying(hold)) return;
     const isRight = sideOf(hold) === Side.right;
     const way = forward(this.#viewer.binding);
-    this.#hooks.turn(isRight ? way : (-way as 1 | -1));
+    this.#target.turn(isRight ? way : (-way as 1 | -1));
   }
 
   /** A second finger zooms, unless the first already turns a leaf: then it is another hand. */
@@ -298,7 +285,7 @@ export class Input {
   #peek(hold: Hold | null): void {
     const zone = this.#isPeeking ? stayZone : liftZone;
     const isCorner = hold !== null && hold.u > 1 - zone.u && Math.abs(hold.v - 0.5) > 0.5 - zone.v;
-    const lifts = isCorner && !this.#hooks.calm();
+    const lifts = isCorner && !this.#target.calm();
     if (lifts === this.#isPeeking) return;
     this.#isPeeking = this.#viewer.steering.peek(lifts ? hold : null);
   }
@@ -308,55 +295,6 @@ export class Input {
     const taken = new Set([...this.#presses.values()].map(({ hand }) => hand));
     for (let hand = 0; hand < handCount - 1; hand++) if (!taken.has(hand)) return hand;
     return null;
-  }
-
-  #key(event: KeyboardEvent): void {
-    if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
-    if (!this.#isMeant(event.composedPath()[0])) return;
-    const done = this.#zoomByKey(event.key) || this.#panByKey(event.key);
-    const by = done ? 0 : turnOfKey(event.key, this.#viewer.binding.edge);
-    if (!done && by === 0) return;
-    event.preventDefault();
-    if (by !== 0) this.#hooks.turn(by);
-  }
-
-  /** Whether a key pressed there is the book's: not a field's on a page, nor one of the controls beside it. */
-  #isMeant(target: EventTarget | undefined): boolean {
-    if (target === this.#keys) return true;
-    const isField = target instanceof Element && target.matches("input, textarea, select");
-    return !isField && this.#stage.contains(target as Node);
-  }
-
-  #zoomByKey(key: string): boolean {
-    const factor = { "+": zoomStep, "=": zoomStep, "-": 1 / zoomStep, "0": 0 }[key];
-    if (factor === undefined) return false;
-    const { zoomLevel } = this.#viewer;
-    const middle = this.#middle;
-    this.#viewer.zoom(Math.max(zoomLevel * factor, 1), middle, middle, this.#seconds(zoomTime));
-    return true;
-  }
-
-  /** Arrows move what is zoomed: the view goes where they point. */
-  #panByKey(key: string): boolean {
-    if (this.#viewer.zoomLevel <= 1) return false;
-    const way = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[
-      key
-    ];
-    if (way === undefined) return false;
-    const from = this.#middle;
-    const step = 2 * panStep;
-    const to = { x: from.x * (1 + step * way[0]), y: from.y * (1 + step * way[1]) };
-    this.#viewer.zoom(this.#viewer.zoomLevel, from, to, this.#seconds(zoomTime));
-    return true;
-  }
-
-  get #middle(): Place {
-    const { clientWidth, clientHeight } = this.#canvas;
-    return { x: clientWidth / 2, y: clientHeight / 2 };
-  }
-
-  #seconds(usual: number): number {
-    return this.#hooks.calm() ? 0 : usual;
   }
 
   /** Whether it is a place on what is in flight, rather than on a resting page or a corner that only lifts. */

@@ -2,7 +2,7 @@
 
 import { forward } from "../book/spreads.ts";
 import type { Place } from "../draw/stage.ts";
-import type { Viewer } from "../viewer.ts";
+import type { InputTarget } from "./target.ts";
 
 /** CSS pixels of a line, for wheels that count in lines. */
 const line = 16;
@@ -24,25 +24,16 @@ const pause = 150;
 /** Time that a zoom or pan by wheel takes, seconds: wheels go in steps. */
 const glide = 0.12;
 
-/** What the wheel turns to. */
-export interface WheelTarget {
-  readonly viewer: Viewer;
-  /** Turns one leaf on (1) or back (-1). */
-  turn(by: 1 | -1): void;
-  /** Whether the reader asked for less motion. */
-  calm(): boolean;
-}
-
 /** The wheel over one book. */
 export class Wheel {
-  readonly #target: WheelTarget;
+  readonly #target: InputTarget;
   #sum = 0;
   /** When the last event came and the last leaf was turned, and whether this swipe has turned one. */
   #last = Number.NEGATIVE_INFINITY;
   #turned = Number.NEGATIVE_INFINITY;
   #isSpent = false;
 
-  constructor(target: WheelTarget) {
+  constructor(target: InputTarget) {
     this.#target = target;
   }
 

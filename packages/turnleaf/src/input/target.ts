@@ -1,0 +1,12 @@
+/** What pointers, wheel and keys act on. */
+
+import type { Viewer } from "../viewer.ts";
+
+/** An open book, and what of the element it lies in is asked beside it. */
+export interface InputTarget {
+  readonly viewer: Viewer;
+  /** Turns one leaf on (1) or back (-1), as the reader likes it: with a turn or without. */
+  readonly turn: (by: 1 | -1) => void;
+  /** Whether the reader asked for less motion. */
+  readonly calm: () => boolean;
+}
