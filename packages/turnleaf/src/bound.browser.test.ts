@@ -249,7 +249,9 @@ test("pages are added, taken out and replaced while the book lies open, which ke
   element.addEventListener("pageschange", (event) =>
     changes.push((event as CustomEvent<{ pageCount: number }>).detail.pageCount),
   );
+  element.bookmarks = [5, 7, 12];
   expect(await element.insertPages(1, [plain(20), plain(21)])).toBe(true);
+  expect(element.bookmarks).toEqual([7, 9, 14]);
   await settled(element);
   expect([element.pageCount, element.page]).toEqual([14, 8]);
   await expectPage(element, 6, 0.35, 0.6);
@@ -257,6 +259,7 @@ test("pages are added, taken out and replaced while the book lies open, which ke
   expect(await element.removePages(1, 2)).toBe(true);
   expect([element.pageCount, element.page]).toEqual([12, 6]);
   expect(await element.replacePage(7, [plain(25)])).toBe(true);
+  expect(element.bookmarks).toEqual([5, 7, 12]);
   await settled(element);
   await expectPage(element, 6, 0.35, 0.6);
   await expectPage(element, 25, 0.65, 0.6);
@@ -266,6 +269,8 @@ test("pages are added, taken out and replaced while the book lies open, which ke
   expect([await turned, await removed]).toEqual([true, true]);
   await settled(element);
   expect([element.pageCount, element.page]).toEqual([10, 6]);
+  // What was taken out is marked no more.
+  expect(element.bookmarks).toEqual([5, 10]);
   await expectPage(element, 8, 0.35, 0.6);
   expect(changes).toEqual([14, 12, 12, 10]);
   await expect(element.removePages(10, 2)).rejects.toThrow("pages 1 to 10 alone");

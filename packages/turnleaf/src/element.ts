@@ -346,12 +346,14 @@ export class TurnleafBook extends ReaderElement {
   }
 
   async #changePages(at: number, count: number, input: BookInput | null): Promise<boolean> {
-    const isDone = await this.#pageChanges.change(() => this.#life.book, at, count, input);
-    if (isDone && this.#life.book) {
+    const moved = await this.#pageChanges.change(() => this.#life.book, at, count, input);
+    if (moved && this.#life.book) {
+      // Where other pages lie in place of one, its bookmark is theirs.
+      this.moveBookmarks((index) => moved(index) ?? (input ? index : null));
       this.#describe();
       this.emit("pageschange", { pageCount: this.pageCount });
     }
-    return isDone;
+    return moved !== null;
   }
 
   #laidOut(): void {

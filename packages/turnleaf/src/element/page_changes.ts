@@ -1,6 +1,7 @@
 /** Pages added to an open book, taken from it and replaced. */
 
 import { type BookInput, openSource } from "../sources/open.ts";
+import type { Moved } from "../sources/page_list.ts";
 import type { OpenBook } from "./life.ts";
 
 /** Changes the pages of one element's book, one change after the other, in the order they are asked for. */
@@ -9,7 +10,7 @@ export class PageChanges {
 
   /**
    * Puts pages in place of `count` pages from `at` (from 1) on. Resolves, once
-   * they are there, to whether they are: not where the book went away before.
+   * they are there, to where the others lie now; to null where the book went away before.
    * Rejects with a `BookError`, and changes nothing then.
    *
    * @param book the book that lies open when it is this change's turn
@@ -20,7 +21,7 @@ export class PageChanges {
     at: number,
     count: number,
     input: BookInput | null,
-  ): Promise<boolean> {
+  ): Promise<Moved | null> {
     const changed = this.#last.then(() => apply(book(), at, count, input));
     this.#last = changed.catch(() => {});
     return changed;
@@ -32,15 +33,18 @@ async function apply(
   at: number,
   count: number,
   input: BookInput | null,
-): Promise<boolean> {
-  if (book === null) return false;
+): Promise<Moved | null> {
+  if (book === null) return null;
   const added = input === null ? null : await openSource(input);
-  let isDone = false;
+  let moved = null as Moved | null;
   try {
-    isDone = await book.viewer.changePages(() => book.source.splice(at - 1, count, added));
+    await book.viewer.changePages(() => {
+      moved = book.source.splice(at - 1, count, added);
+      return moved;
+    });
   } finally {
-    if (isDone) book.reading.changed();
+    if (moved) book.reading.changed();
     else added?.close();
   }
-  return isDone;
+  return moved;
 }

@@ -83,6 +83,15 @@ export abstract class ReaderElement extends ReflectingElement {
     this.emit("bookmarkchange", { bookmarks: this.#bookmarks });
   }
 
+  /** Pages lie elsewhere than before: `moved` answers where one (from 0) does, or null. Bookmarks go with theirs. */
+  protected moveBookmarks(moved: (index: number) => number | null): void {
+    const pages = this.#bookmarks.flatMap((page) => {
+      const index = moved(page - 1);
+      return index === null ? [] : [index + 1];
+    });
+    if (pages.join() !== this.#bookmarks.join()) this.bookmarks = pages;
+  }
+
   /** Bookmarks a page (from 1), the first in sight where none is given; one that is bookmarked no more. */
   toggleBookmark(page: number = this.page): void {
     const others = this.#bookmarks.filter((other) => other !== page);
