@@ -18,7 +18,7 @@ export interface Paper {
 }
 
 /** Stiffness of the binding where nothing is said, N. The engine's own, held to it by a test. */
-export const usualBinding = 0.02;
+const usualBinding = 0.02;
 
 /** Whether a word names a preset stock. */
 export function isStock(word: unknown): word is Stock {

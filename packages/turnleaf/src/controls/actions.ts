@@ -38,7 +38,7 @@ const zoomStep = 1.5;
 export const most = 8;
 
 /** The page that a bookmark is set at: the first in sight. */
-export const isMarked = (book: ControlledBook): boolean => book.bookmarks.includes(book.page);
+const isMarked = (book: ControlledBook): boolean => book.bookmarks.includes(book.page);
 
 /** Zooms by one step in or out, or (0) back to the whole book. */
 export function zoomBy(book: ControlledBook, by: 1 | 0 | -1): void {

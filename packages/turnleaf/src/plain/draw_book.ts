@@ -187,7 +187,7 @@ export function thicknessOf(pose: BookPose, side: "left" | "right"): number {
 }
 
 /** Fills a box with rounded corners. */
-export function fillRounded(pen: CanvasRenderingContext2D, box: Box, radius: number): void {
+function fillRounded(pen: CanvasRenderingContext2D, box: Box, radius: number): void {
   const [left, top, right, bottom] = box;
   pen.beginPath();
   pen.roundRect(left, top, right - left, bottom - top, radius);

@@ -137,7 +137,7 @@ function parsePage(value: unknown, base: string, pages: number, place: string): 
  * The absolute URL of an image: http, https, blob, or an image as data.
  * @throws BookError naming `place`
  */
-export function resolveImage(src: string, base: string, place: string): string {
+function resolveImage(src: string, base: string, place: string): string {
   const isData = /^\s*data:/i.test(src);
   if (src.length > (isData ? limits.dataUrlLength : limits.urlLength)) {
     throw fault(place, `has an address of ${src.length} characters`, "use a shorter one");

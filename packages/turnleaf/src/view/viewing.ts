@@ -4,7 +4,7 @@ import type { BookStage, Place } from "../draw/stage.ts";
 import { type Zoom, zoomBetween } from "../draw/zoom.ts";
 
 /** The nearest that a book is seen from. */
-export const mostZoom = 8;
+const mostZoom = 8;
 
 /** Room above the head, from none to that of a leaf standing upright: at rest, and while something turns. */
 const restingRoom = 0.5;

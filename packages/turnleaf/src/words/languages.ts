@@ -60,7 +60,9 @@ export function languageOf(element: Element): string {
 
 /** A text with what stands in braces filled in. */
 export function fill(text: string, values: Readonly<Record<string, string>>): string {
-  return text.replace(/\{(\w+)\}/g, (whole, name: string) => values[name] ?? whole);
+  return text.replace(/\{(\w+)\}/g, (whole, name: string) =>
+    Object.hasOwn(values, name) ? values[name] : whole,
+  );
 }
 
 /** A number as a language writes it; plainly where the tag is none. */
