@@ -20,7 +20,9 @@ const errors = [];
 let count = 0;
 for (const page of pagesIn(root)) {
   const text = readFileSync(join(root, page), "utf8").replace(/```[\s\S]*?```/g, "");
-  for (const [, words, target] of text.matchAll(/\[([^\]]*)\]\(([^)\s]+)\)/g)) {
+  const links = [...text.matchAll(/\[([^\]]*)\]\(([^)\s]+)\)/g)];
+  const images = [...text.matchAll(/<(img) src="([^"]+)"/g)];
+  for (const [, words, target] of [...links, ...images]) {
     if (/^[a-z]+:/.test(target)) continue;
     count++;
     const fault = faultOf(page, words, target);

@@ -55,6 +55,24 @@ test("a book of one page, and of pages of other proportions", async () => {
   }
 });
 
+test("a book says that it turns, and one that is destroyed opens again where it lay", async () => {
+  const element = book(scans(12), { page: "4", duration: "200" });
+  expect(element.turning).toBe(false);
+  await happens(element, "load");
+  expect(element.turning).toBe(false);
+  const turned = element.next();
+  expect(element.turning).toBe(true);
+  expect(await turned).toBe(true);
+  expect(element.turning).toBe(false);
+  element.destroy();
+  expect(element.isConnected).toBe(false);
+  expect([element.pageCount, element.turning]).toEqual([0, false]);
+  expect(await element.next()).toBe(false);
+  document.body.append(element);
+  await happens(element, "load");
+  expect(element.page).toBe(6);
+});
+
 test("nothing runs at rest, and nothing after removal", async () => {
   const element = book(scans(12), { duration: "400" });
   await happens(element, "load");

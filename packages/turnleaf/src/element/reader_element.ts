@@ -98,6 +98,19 @@ export abstract class ReaderElement extends ReflectingElement {
     this.bookmarks = others.length < this.#bookmarks.length ? others : [...others, page];
   }
 
+  /** Whether a leaf or a board is on its way, or in a hand. */
+  get turning(): boolean {
+    return this.book?.viewer.turning.moving ?? false;
+  }
+
+  /**
+   * Takes the element out of its page, which ends and frees everything, as taking it out by any
+   * other way does. Put into a page again, it opens its book where that lay.
+   */
+  destroy(): void {
+    this.remove();
+  }
+
   /** Whether the pages turn by themselves. */
   get playing(): boolean {
     return this.#show.playing;
