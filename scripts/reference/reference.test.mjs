@@ -6,18 +6,42 @@ import { readReference, readWordings } from "./read.mjs";
 const reference = readReference();
 const wordings = readWordings();
 
-test("an element without attributes is as the reference says", () => {
-  const bare = Object.create(TurnleafBook.prototype, {
-    getAttribute: { value: () => null },
-    hasAttribute: { value: () => false },
+/** An element without a DOM: its attributes are in a map. */
+function bare() {
+  const has = new Map();
+  const element = Object.create(TurnleafBook.prototype, {
+    getAttribute: { value: (name) => has.get(name) ?? null },
+    hasAttribute: { value: (name) => has.has(name) },
+    setAttribute: { value: (name, value) => has.set(name, String(value)) },
+    toggleAttribute: { value: (name, on) => (on ? has.set(name, "") : has.delete(name)) },
   });
+  return { element, has };
+}
+
+// Where the book lies open is not in the attribute alone.
+const reflected = reference.attributes.filter(({ name }) => name !== "page");
+
+test("an element without attributes is as the reference says", () => {
+  const { element } = bare();
   const asWord = (value) =>
     typeof value === "boolean" ? (value ? "on" : "off") : value === "" ? '""' : String(value);
-  // Where the book lies open is not in the attribute alone.
-  const others = reference.attributes.filter(({ name }) => name !== "page");
-  const said = others.map(({ name, usual }) => [name, usual]);
-  expect(said).toEqual(others.map(({ name }) => [name, asWord(bare[name])]));
+  const said = reflected.map(({ name, usual }) => [name, usual]);
+  expect(said).toEqual(reflected.map(({ name }) => [name, asWord(element[name])]));
   expect(said.length).toBeGreaterThan(15);
+});
+
+test("a property says its attribute, and what it is set to comes back, as frameworks rely on", () => {
+  for (const { name, attribute, choice, type } of reflected) {
+    const values = { boolean: [true, false], number: [1234], string: ["2-3"] }[type];
+    for (const value of values ?? choice.map((word) => (/^\d$/.test(word) ? Number(word) : word))) {
+      const { element, has } = bare();
+      // From the other value: a flag that is not there cannot be seen to go.
+      if (value === false) element[name] = true;
+      element[name] = value;
+      expect([name, element[name]]).toEqual([name, value]);
+      expect([name, has.has(attribute)]).toEqual([name, value !== false || name === "assist"]);
+    }
+  }
 });
 
 test("every attribute that is answered when it changes is in the reference", () => {
