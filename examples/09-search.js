@@ -43,7 +43,7 @@ async function search(query) {
   status.textContent = `${hits.length} places`;
   list.replaceChildren(
     ...hits.slice(0, 100).map((hit) =>
-      line(`${book.label(hit.page)}: … ${hit.before}${hit.text}${hit.after} …`, () => {
+      line(`${book.label(hit.page)}: ${hit.before}${hit.text}${hit.after}`, () => {
         book.showHit(hit);
       }),
     ),
