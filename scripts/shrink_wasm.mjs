@@ -9,6 +9,12 @@ const panics =
   /4core9panicking|3std9panicking|rust_begin_unwind|slice_(error|index)_fail|(unwrap|expect)_failed|len_mismatch_fail|assert_failed|capacity_overflow|handle_alloc_error|7raw_vec12handle_error/;
 
 /**
+ * Takes quarter turns off an angle of more than a million radians, at length. No
+ * leaf has one; the angle left is 0 then.
+ */
+const hugeAngles = /rem_pio2_large/;
+
+/**
  * Machine code as small as it can be made without slowing it: panics trap at
  * once, and what they would have said goes with them. The same bytes always
  * give the same.
@@ -23,6 +29,7 @@ export function shrinkWasm(wasm) {
     const known = module.getFunctionByIndex(i);
     const { name } = binaryen.getFunctionInfo(known);
     if (panics.test(name)) binaryen.Function(known).body = module.unreachable();
+    if (hugeAngles.test(name)) binaryen.Function(known).body = module.i32.const(0);
   }
   // Only formatting takes functions by their address, and only panics format.
   while (module.getNumElementSegments() > 0) {
@@ -33,6 +40,10 @@ export function shrinkWasm(wasm) {
   for (const unused of ["__data_end", "__heap_base"]) module.removeExport(unused);
   binaryen.setOptimizeLevel(3);
   binaryen.setShrinkLevel(2);
+  // The compiler has inlined what is worth it for speed.
+  binaryen.setAlwaysInlineMaxSize(1);
+  binaryen.setFlexibleInlineMaxSize(1);
+  binaryen.setOneCallerInlineMaxSize(1);
   binaryen.setDebugInfo(false);
   // Once trapping is inlined, arguments that only panics used are found unused.
   for (let round = 0; round < 2; round++) module.optimize();

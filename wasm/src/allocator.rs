@@ -49,6 +49,7 @@ fn power(bytes: usize) -> usize {
 }
 
 impl State {
+    #[inline(never)]
     fn take(&mut self, bytes: usize) -> *mut u8 {
         let power = power(bytes);
         if power + 1 >= usize::BITS as usize {
@@ -76,6 +77,15 @@ impl State {
         self.next += size;
         block as *mut u8
     }
+
+    /// Kept in one place: what a book drops is many dozen blocks, each where it is dropped.
+    #[inline(never)]
+    unsafe fn give(&mut self, block: *mut u8, bytes: usize) {
+        let first = &mut self.free[power(bytes)];
+        // SAFETY: the block is not used any more and is long enough for an address.
+        unsafe { *block.cast() = *first };
+        *first = block;
+    }
 }
 
 // SAFETY: blocks never overlap, are at least as long as asked and aligned to
@@ -90,12 +100,8 @@ unsafe impl GlobalAlloc for Blocks {
     }
 
     unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
-        // SAFETY: as above; the block is not used any more and is long enough for an address.
-        unsafe {
-            let first = &mut (*self.0.get()).free[power(layout.size())];
-            *block.cast() = *first;
-            *first = block;
-        }
+        // SAFETY: as above; and the block was taken with this size.
+        unsafe { (*self.0.get()).give(block, layout.size()) }
     }
 
     unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {

@@ -34,6 +34,7 @@ use crate::interpolate::{Interpolation, uniform_samples};
 use crate::surface::Surface;
 use crate::synchronise::{Synchronise, Synchroniser};
 use crate::turn::TurnModel;
+use settings::CAN_SYNCHRONISE;
 
 /// Greatest speed of a node, m/s: nothing that a hand does to paper is faster.
 const FASTEST: f32 = 12.0;
@@ -147,7 +148,8 @@ impl Sheet {
                 }
             }
         }
-        self.synchroniser = (settings.synchronise != Synchronise::Off).then(|| {
+        let asked = CAN_SYNCHRONISE && settings.synchronise != Synchronise::Off;
+        self.synchroniser = asked.then(|| {
             let (width, height) = (settings.width as f32, settings.height as f32);
             let grid = Grid::new(settings.columns, settings.rows, width, height);
             let mut free = grid.zeros();
@@ -361,7 +363,7 @@ impl Sheet {
     }
 
     fn synchronise(&mut self) {
-        let Some((grid, synchroniser)) = &self.synchroniser else {
+        let (true, Some((grid, synchroniser))) = (CAN_SYNCHRONISE, &self.synchroniser) else {
             return;
         };
         let mut axes = grid.zeros3();

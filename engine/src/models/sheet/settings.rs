@@ -50,6 +50,9 @@ pub struct SheetSettings {
     pub synchronise: Synchronise,
 }
 
+/// Whether sheets can be synchronised.
+pub(super) const CAN_SYNCHRONISE: bool = cfg!(feature = "synchronise");
+
 impl SheetSettings {
     /// The interactive sheet: a leaf of 12 x 16 nodes in still air over which
     /// gravity acts, clamped at the spine, three steps a frame at 60 Hz.
@@ -98,6 +101,9 @@ impl SheetSettings {
             if !(4..=64).contains(&count) {
                 return Err(InvalidSheet::Nodes { what, count });
             }
+        }
+        if !CAN_SYNCHRONISE && self.synchronise != Synchronise::Off {
+            return Err(InvalidSheet::Synchronise);
         }
         let hinge = match self.root {
             Root::Hinged(stiffness) => stiffness,
@@ -153,6 +159,8 @@ pub enum InvalidSheet {
         /// The greatest that it may be.
         greatest: f64,
     },
+    /// Synchronisation, which this engine was built without.
+    Synchronise,
 }
 
 impl core::fmt::Display for InvalidSheet {
@@ -170,6 +178,9 @@ impl core::fmt::Display for InvalidSheet {
             } => write!(
                 f,
                 "A sheet's {what} lies between {least} and {greatest}, not at {value}."
+            ),
+            InvalidSheet::Synchronise => f.write_str(
+                "Sheets are synchronised where the engine is built with its feature `synchronise`.",
             ),
         }
     }
