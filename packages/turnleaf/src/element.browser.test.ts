@@ -195,8 +195,9 @@ test("a listener may take the book away", async () => {
 test("a book that was replaced while it opened leaves the other alone", async () => {
   const element = book(scans(4));
   const late = new Blob(["%PDF-1.4"]);
-  let answered = false;
+  let [asked, answered] = [false, false];
   late.slice = () => {
+    asked = true;
     const slow = new Blob();
     slow.arrayBuffer = async () => {
       await new Promise((resolve) => setTimeout(resolve, 400));
@@ -206,6 +207,7 @@ test("a book that was replaced while it opened leaves the other alone", async ()
     return slow;
   };
   element.pages = late;
+  await expect.poll(() => asked).toBe(true);
   element.pages = scans(6);
   await happens(element, "load");
   const canvas = element.shadowRoot?.querySelector("canvas");

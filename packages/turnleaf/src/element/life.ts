@@ -2,8 +2,8 @@
 
 import { Input } from "../input/input.ts";
 import { openViewer } from "../open_viewer.ts";
-import { type BookInput, openSource } from "../sources/open.ts";
-import { PageList } from "../sources/page_list.ts";
+import type { BookInput } from "../sources/open.ts";
+import type { PageList } from "../sources/page_list.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Viewer, ViewerOptions } from "../viewer.ts";
 import { languageOf } from "../words/languages.ts";
@@ -99,7 +99,9 @@ export class Life {
   }
 
   async #open(input: BookInput, signal: AbortSignal): Promise<void> {
-    const source = new PageList(await openSource(input, { signal }));
+    // An element that shows no book yet has no use for what reads one.
+    const { openList } = await import("../sources/open.ts");
+    const source = await openList(input, { signal });
     await this.#show(source, false, signal);
   }
 

@@ -1,6 +1,6 @@
 /** Pages added to an open book, taken from it and replaced. */
 
-import { type BookInput, openSource } from "../sources/open.ts";
+import type { BookInput } from "../sources/open.ts";
 import type { Moved } from "../sources/page_list.ts";
 import type { OpenBook } from "./life.ts";
 
@@ -35,6 +35,7 @@ async function apply(
   input: BookInput | null,
 ): Promise<Moved | null> {
   if (book === null) return null;
+  const { openSource } = await import("../sources/open.ts");
   const added = input === null ? null : await openSource(input);
   let moved = null as Moved | null;
   try {

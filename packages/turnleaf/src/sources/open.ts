@@ -2,6 +2,7 @@ import { cleanText, nameOfUrl } from "./book_text.ts";
 import { emptyFile, fetchChecked, readBounded, readStart } from "./fetch_bytes.ts";
 import { limits } from "./limits.ts";
 import { type ImageBook, type Manifest, type ManifestPage, parseManifest } from "./manifest.ts";
+import { PageList } from "./page_list.ts";
 import { BookError, type PageSource } from "./page_source.ts";
 import type { PdfOptions } from "./pdf.ts";
 import { type Kind, sniff, sniffLength } from "./sniff.ts";
@@ -26,6 +27,11 @@ export async function openSource(input: BookInput, options: OpenOptions = {}): P
   if (typeof input === "string") return await openAddress(input, options);
   if (input instanceof Blob) return await openBlob(input, options);
   return await openImages(parseManifest(input, baseOf(options), options.name ?? "This book"));
+}
+
+/** As `openSource`, for a book whose pages may change while it is open. */
+export async function openList(input: BookInput, options: OpenOptions): Promise<PageList> {
+  return new PageList(await openSource(input, options));
 }
 
 async function openAddress(address: string, options: OpenOptions): Promise<PageSource> {
