@@ -1,6 +1,7 @@
 import { playwright } from "@vitest/browser-playwright";
 import { defineConfig } from "vitest/config";
 import { packedFiles } from "./packages/turnleaf/packed_files.js";
+import { shortTexts } from "./packages/turnleaf/short_texts.js";
 import { wasmInline } from "./packages/turnleaf/wasm_inline.js";
 import { chromiumArguments, findChromium } from "./scripts/chromium.mjs";
 
@@ -9,7 +10,7 @@ export default defineConfig({
   test: {
     projects: [
       {
-        plugins: [wasmInline(), packedFiles()],
+        plugins: [wasmInline(), packedFiles(), shortTexts()],
         test: {
           name: "node",
           environment: "node",
@@ -23,7 +24,7 @@ export default defineConfig({
         },
       },
       {
-        plugins: [wasmInline(), packedFiles()],
+        plugins: [wasmInline(), packedFiles(), shortTexts()],
         optimizeDeps: { include: ["three", "pdfjs-dist", "axe-core"] },
         test: {
           name: "chromium",

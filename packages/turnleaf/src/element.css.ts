@@ -1,5 +1,5 @@
 /** The dark theme's colours for a selector: asked for by name, or by the system. */
-const dark = (selector: string): string => `${selector} {
+const dark = (selector: string): string => /* css */ `${selector} {
   --turnleaf-desk: radial-gradient(ellipse at 50% 38%, #35302b, #191715 95%);
   --turnleaf-surface: #24211e; --turnleaf-field: #302c28; --turnleaf-page: #d9d3c7;
   --turnleaf-ink: #ece5da; --turnleaf-muted: #b3a99b; --turnleaf-accent: #eba58d;
@@ -24,7 +24,7 @@ const dark = (selector: string): string => `${selector} {
  * @cssproperty --turnleaf-font Letters of the controls.
  * @cssproperty --turnleaf-serif Letters of titles.
  */
-export const style: string = `
+export const style: string = /* css */ `
 :host {
   display: block; position: relative; overflow: hidden; min-height: 12rem; outline: none;
   --turnleaf-font: system-ui, sans-serif;

@@ -1,5 +1,5 @@
 /** How the controls look. Colours are the themes', in the element's own style. */
-export const style: string = `
+export const style: string = /* css */ `
 .frame { --wide: 304px; }
 .ui { color: var(--turnleaf-ink); font: max(14px, 0.875rem)/1.4 var(--turnleaf-font); accent-color: var(--turnleaf-accent); }
 .ui[hidden], .ui [hidden] { display: none !important; }

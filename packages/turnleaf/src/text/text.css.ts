@@ -3,7 +3,7 @@
  * darkens the page as a marker would: pieces that overlap are not seen. (A
  * colour without any transparency would be thinned by the browser.)
  */
-export const textStyle: string = `
+export const textStyle: string = /* css */ `
 .reading { position: absolute; inset: 0; overflow: hidden; pointer-events: none; }
 .reading[hidden] { display: none; }
 .text {
