@@ -64,6 +64,7 @@ check-js: build
 	node scripts/check_imports.mjs
 	node scripts/reference.mjs --check
 	node scripts/check_links.mjs
+	node scripts/size.mjs
 
 # Measures, and writes docs/performance.md.
 bench: build chromium tools-rust
