@@ -57,9 +57,7 @@ export class Bar {
       "aria-label": say.texts.toolbar,
     });
     this.element.append(start, this.#title, end, this.menu.element);
-    const keys = { on: ["ArrowRight"], back: ["ArrowLeft"] };
-    const isRtl = getComputedStyle(book).direction === "rtl";
-    roving(this.element, () => this.#buttons(), isRtl ? { on: keys.back, back: keys.on } : keys);
+    roving(this.element, () => this.#buttons());
     this.refresh();
   }
 

@@ -142,6 +142,7 @@ function build<Hit extends FoundPlace>(
     ended.abort();
     observer.disconnect();
     if (panel.tab !== null) panel.close();
+    views.search.forget();
     for (const part of [bar, pages, panel]) part.element.remove();
   };
 }

@@ -58,18 +58,24 @@ export function setIcon(button: Element, name: Icon): void {
   button.querySelector("path")?.setAttribute("d", paths[name]);
 }
 
-/** Makes a keyboard of a row: arrows, Home and End go from one to the next of what `items` finds. */
-export function roving(
-  row: HTMLElement,
-  items: () => HTMLElement[],
-  keys: { readonly on: readonly string[]; readonly back: readonly string[] },
-): void {
+/**
+ * Makes a keyboard of a row: arrows, Home and End go from one to the next of
+ * what `items` finds, in the order in which they are seen.
+ *
+ * @param isColumn whether they lie below each other too: then so do the arrows
+ */
+export function roving(row: HTMLElement, items: () => HTMLElement[], isColumn = false): void {
   row.addEventListener("keydown", (event) => {
     const all = items();
     const at = all.indexOf((row.getRootNode() as ShadowRoot).activeElement as HTMLElement);
+    const isRtl = getComputedStyle(row).direction === "rtl";
+    const across = isRtl ? { ArrowLeft: 1, ArrowRight: -1 } : { ArrowRight: 1, ArrowLeft: -1 };
+    const steps: Record<string, number> = isColumn
+      ? { ...across, ArrowDown: 1, ArrowUp: -1 }
+      : across;
+    const step = steps[event.key];
     let to = -1;
-    if (keys.on.includes(event.key)) to = (at + 1) % all.length;
-    else if (keys.back.includes(event.key)) to = (at - 1 + all.length) % all.length;
+    if (step !== undefined) to = (at + step + all.length) % all.length;
     else if (event.key === "Home") to = 0;
     else if (event.key === "End") to = all.length - 1;
     if (to < 0 || event.defaultPrevented) return;

@@ -43,8 +43,7 @@ export class Menu {
     opener.setAttribute("aria-haspopup", "menu");
     opener.setAttribute("aria-expanded", "false");
     opener.addEventListener("click", () => (this.element.hidden ? this.open() : this.close()));
-    const keys = { on: ["ArrowDown", "ArrowRight"], back: ["ArrowUp", "ArrowLeft"] };
-    roving(this.element, () => this.#items(), keys);
+    roving(this.element, () => this.#items(), true);
     this.element.addEventListener("keydown", (event) => {
       if (event.key !== "Escape" && event.key !== "Tab") return;
       if (event.key === "Escape") event.preventDefault();

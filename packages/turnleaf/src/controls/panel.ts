@@ -62,13 +62,7 @@ export class Panel {
       row.append(button);
     }
     const buttons = [...this.#tabButtons.values()];
-    // In the order in which they are seen.
-    const isRtl = (): boolean => getComputedStyle(row).direction === "rtl";
-    const keys = (rtl: boolean) => ({
-      on: [rtl ? "ArrowLeft" : "ArrowRight"],
-      back: [rtl ? "ArrowRight" : "ArrowLeft"],
-    });
-    roving(row, () => buttons, keys(isRtl()));
+    roving(row, () => buttons);
     const shut = iconButton("close", texts.close);
     shut.addEventListener("click", close);
     this.#body = make("div", { role: "tabpanel", id: "body", class: "body" });
