@@ -90,13 +90,20 @@ vec3 besidePrint(vec4 print, vec2 uv) {
   return mix(lower, ink, smoothstep(0.4, 0.6, leaf));
 }
 
+// Of the sky that other leaves shut out as much comes through them as of the key light.
+vec3 skyHere(vec3 normal) {
+  float open = skyShare(vGapSky, normal);
+  float all = 0.5 + 0.5 * normal.z;
+  return amongPaper(open) + thin * THROUGH * max(0.0, all - open);
+}
+
 void main() {
   vec3 normal = normalize(vNormal);
   vec2 uv = vec2(mix(vUv.x, 1.0 - vUv.x, mirrored), vUv.y);
   vec4 print = printed(onPicture(uv));
   vec3 ink = print.rgb;
   if (print.a < 0.99) ink = besidePrint(print, uv);
-  vec3 light = arriving(normal, amongPaper(skyShare(vGapSky, normal)), keyHere());
+  vec3 light = arriving(normal, skyHere(normal), keyHere());
   light = min(light + throughLeaf(normal, uv), vec3(ceiling));
   vec2 fromLight = (vPlace.xy - vec2(-0.35 * size.x, 0.65 * size.y)) / (1.5 * size);
   light *= 1.0 - pool * smoothstep(0.1, 1.0, length(fromLight));
