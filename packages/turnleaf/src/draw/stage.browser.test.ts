@@ -1,5 +1,5 @@
 import { afterEach, expect, test } from "vitest";
-import type { Pile } from "../engine/shapes.ts";
+import type { Pile, Surface } from "../engine/shapes.ts";
 import { columnPlace } from "../engine/shapes.ts";
 import type { BookPose, BookShape } from "./pose.ts";
 import { Stage } from "./stage.ts";
@@ -58,15 +58,30 @@ function plainPicture(colour: string): HTMLCanvasElement {
   return picture;
 }
 
-/** The colour where the middle of a page is seen. */
-function colourAt(stage: Stage, canvas: HTMLCanvasElement, x: number): number[] {
+/** A flat leaf that stands at an angle from lying on the right, radians. */
+function standingLeaf(angle: number): Surface {
+  const [columns, rows] = [49, 25];
+  const positions = new Float32Array(3 * columns * rows);
+  const normals = new Float32Array(3 * columns * rows);
+  const [across, up] = [Math.cos(angle), Math.sin(angle)];
+  for (let k = 0; k < columns * rows; k++) {
+    const out = shape.width * columnPlace(k % columns, columns);
+    const y = (Math.floor(k / columns) / (rows - 1)) * shape.height;
+    positions.set([out * across, y, out * up], 3 * k);
+    normals.set([-up, 0, across], 3 * k);
+  }
+  return { columns, rows, positions, normals };
+}
+
+/** The colour where a place is seen, by default halfway up a page that lies flat. */
+function colourAt(stage: Stage, canvas: HTMLCanvasElement, x: number, z = 0): number[] {
   const copy = document.createElement("canvas");
   copy.width = canvas.width;
   copy.height = canvas.height;
   const context = copy.getContext("2d")!;
   stage.draw();
   context.drawImage(canvas, 0, 0);
-  const place = stage.project([x, shape.height / 2, 0]);
+  const place = stage.project([x, shape.height / 2, z]);
   return [...context.getImageData(Math.round(place.x), Math.round(place.y), 1, 1).data];
 }
 
@@ -78,6 +93,19 @@ test("a flat page of a scan is exactly its own picture", () => {
   stage.pose(open);
   expect(colourAt(stage, canvas, -0.07)).toEqual([0xc0, 0x8a, 0x4b, 255]);
   expect(colourAt(stage, canvas, 0.07)).toEqual([0xfb, 0xf5, 0xe8, 255]);
+});
+
+test("deep among leaves that stand close it is warm and dim, not black", () => {
+  const canvas = document.createElement("canvas");
+  const stage = newStage(canvas);
+  const angle = 1.68;
+  stage.pose({ ...open, leaves: [standingLeaf(1.9), standingLeaf(angle), standingLeaf(1.46)] });
+  const out = 0.03;
+  const [red, green, blue] = colourAt(stage, canvas, out * Math.cos(angle), out * Math.sin(angle));
+  expect(red).toBeLessThan(150);
+  expect(red).toBeGreaterThan(104);
+  expect(blue).toBeLessThan(green);
+  expect(green).toBeLessThan(red);
 });
 
 test("a forgotten picture leaves blank paper, and the table is clear", () => {
