@@ -1,13 +1,15 @@
 /**
  * Takes the pictures of the README and the docs from the real thing: the built
- * reader with the book that comes with it, in a real Chromium, its clock driven
- * by hand so that a moment of a turn is the same moment every time.
+ * reader with the book that comes with it, and two of the examples, in a real
+ * Chromium, its clock driven by hand so that a moment of a turn is the same
+ * moment every time.
  *
  *   node scripts/pictures.mjs [name ...]
  */
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
+import { serve as serveExamples } from "../examples/serve.mjs";
 import { chromiumArguments, findChromium } from "./chromium.mjs";
 import { driveClock, serve } from "./reader_page.mjs";
 
@@ -29,11 +31,11 @@ const pictures = {
   phone: { page: 19, viewport: phone, scale: 2 },
   dark: { page: 30, shown: { controls: true, theme: "dark" } },
   zoom: { page: 19, zoom: [4, 0.62, 0.42] },
-  "right-to-left": { page: 30, shown: { binding: "right" }, turn: 400 },
+  "right-to-left": { example: "03-manga.html", page: 3, turn: 400 },
   calendar: {
-    page: 30,
+    example: "04-calendar.html",
+    page: 12,
     viewport: { width: 800, height: 1000 },
-    shown: { binding: "top", layout: "spread" },
     turn: 400,
   },
   ...Object.fromEntries(
@@ -53,9 +55,10 @@ function drawWhatIsSeen() {
   };
 }
 
-async function take(browser, url, name) {
+async function take(browser, reader, examples, name) {
   const {
     page: number,
+    example,
     viewport = wide,
     scale,
     shown,
@@ -69,12 +72,19 @@ async function take(browser, url, name) {
   page.setDefaultTimeout(180_000);
   await page.addInitScript(driveClock);
   await page.addInitScript(drawWhatIsSeen);
-  await page.goto(`${url}#page=${number}`);
+  await page.goto(example ? examples + example : `${reader}#page=${number}`);
   await page.waitForFunction(() => document.querySelector("turnleaf-book")?.pageCount);
   const settled = () =>
     page.waitForFunction(() => document.querySelector("turnleaf-book").settled, null, {
       polling: 100,
     });
+  if (example) {
+    await page.evaluate((number) => {
+      const book = document.querySelector("turnleaf-book");
+      Object.assign(book.style, { position: "fixed", inset: "0" });
+      book.page = number;
+    }, number);
+  }
   // The book alone, on the warm desk, where nothing else is asked for.
   await page.evaluate((shown) => Object.assign(document.querySelector("turnleaf-book"), shown), {
     controls: false,
@@ -117,6 +127,8 @@ async function take(browser, url, name) {
       });
       await page.waitForTimeout(1500);
     }
+    await page.waitForTimeout(8000);
+    await page.evaluate(() => window.clock.pass(1));
   }
   if (drag) {
     const [x0, y0, x1, y1] = drag.map(
@@ -134,11 +146,12 @@ async function take(browser, url, name) {
 
 mkdirSync(out, { recursive: true });
 const names = process.argv.length > 2 ? process.argv.slice(2) : Object.keys(pictures);
-const reader = await serve();
+const [reader, examples] = await Promise.all([serve(), serveExamples()]);
 const browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
 try {
-  for (const name of names) await take(browser, reader.url, name);
+  for (const name of names) await take(browser, reader.url, examples.url, name);
 } finally {
   await browser.close();
   reader.stop();
+  await examples.stop();
 }
