@@ -4,9 +4,9 @@ import { turnOfKey } from "../book/layout.ts";
 import type { Place } from "../draw/stage.ts";
 import type { InputTarget } from "./target.ts";
 
-/** Time that a zoom or pan by key takes, seconds, and the zoom of one key. */
+/** Time that a zoom or pan by key takes, seconds, and the zoom of one key: that of the controls' buttons. */
 const glide = 0.28;
-const zoomStep = Math.SQRT2;
+const zoomStep = 1.5;
 
 /** Share of the stage that an arrow key pans by. */
 const panStep = 0.15;
