@@ -83,6 +83,7 @@ async function take(browser, reader, examples, name) {
       const book = document.querySelector("turnleaf-book");
       Object.assign(book.style, { position: "fixed", inset: "0" });
       book.page = number;
+      window.clock.pass(4000);
     }, number);
   }
   // The book alone, on the warm desk, where nothing else is asked for.
