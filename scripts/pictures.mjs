@@ -126,9 +126,9 @@ async function take(browser, reader, examples, name) {
       await page.evaluate(() => {
         window.clock.pass(59, () => document.querySelector("turnleaf-book").next());
       });
-      await page.waitForTimeout(1500);
+      await page.waitForTimeout(2500);
     }
-    await page.waitForTimeout(8000);
+    await page.waitForTimeout(5000);
     await page.evaluate(() => window.clock.pass(1));
   }
   if (drag) {
