@@ -70,7 +70,7 @@ function standingLeaf(angle: number): Surface {
     positions.set([out * across, y, out * up], 3 * k);
     normals.set([-up, 0, across], 3 * k);
   }
-  return { columns, rows, positions, normals };
+  return { columns, rows, positions, normals, version: 1 };
 }
 
 /** The colour where a place is seen, by default halfway up a page that lies flat. */
