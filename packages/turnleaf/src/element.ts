@@ -1,7 +1,15 @@
 /** `<turnleaf-book>`: a book on a web page. */
 
 import type { Paper } from "./book/paper.ts";
-import { directionOf, forward, leftPage, pageOf, rightPage, spreadOf } from "./book/spreads.ts";
+import {
+  clampSpread,
+  directionOf,
+  forward,
+  leftPage,
+  pageOf,
+  rightPage,
+  spreadOf,
+} from "./book/spreads.ts";
 import { Furnishing } from "./controls/furnish.ts";
 import { Announcements, openPages } from "./element/announcements.ts";
 import { type Answers, adopt, attributes, paperOf, turnSecondsOf } from "./element/attributes.ts";
@@ -113,12 +121,12 @@ export class TurnleafBook extends ReaderElement {
     return this.#viewer?.binding.layout ?? "spread";
   }
 
-  /** Turns one leaf on. Resolves, once the book is at rest, to whether it lies there. */
+  /** Turns one leaf on. Resolves, once the book is at rest, to whether it lies there; to false at the book's end. */
   next(): Promise<boolean> {
     return this.#turn(1);
   }
 
-  /** Turns one leaf back. Resolves, once the book is at rest, to whether it lies there. */
+  /** Turns one leaf back. Resolves, once the book is at rest, to whether it lies there; to false at its beginning. */
   previous(): Promise<boolean> {
     return this.#turn(-1);
   }
@@ -269,6 +277,10 @@ export class TurnleafBook extends ReaderElement {
     const viewer = this.#viewer;
     if (viewer === undefined) return Promise.resolve(false);
     const way = (by * forward(viewer.binding)) as 1 | -1;
+    const { destination, moving } = viewer.turning;
+    // A loop over `next` ends with the book.
+    const isEnd = clampSpread(viewer.binding, destination + way) === destination;
+    if (isEnd && !moving) return Promise.resolve(false);
     if (this.#calm) {
       // A corner that only lifts is no turn to go on from.
       viewer.steering.peek(null);
