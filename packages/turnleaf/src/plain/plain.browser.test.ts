@@ -99,6 +99,8 @@ test("a leaf is peeled from a corner, an edge or the foot, and falls to the side
     // While it is held it stays off both sides.
     await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
     expect(element.settled).toBe(false);
+    // A hand that rests before it lets go throws nothing.
+    await new Promise((resolve) => setTimeout(resolve, 150));
     point(element, "pointerup", toX, toY);
     await changed;
     await settled(element);
