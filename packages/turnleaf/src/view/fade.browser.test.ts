@@ -106,7 +106,7 @@ describe.each([
     expect(changes).toEqual([{ from: 2, to: 6, direction: "forward" }]);
     // At the end of the book there is nothing to fade to.
     expect(await element.goTo(12)).toBe(true);
-    expect(await element.next()).toBe(true);
+    expect(await element.next()).toBe(false);
     expect(element.page).toBe(12);
   });
 
