@@ -5,7 +5,7 @@
 //! | 0..4 | `TLKF` |
 //! | 4..6 | u16 version: 1 |
 //! | 6..8 | u16 kind of frame: 0 masses, 1 surface |
-//! | 8..12 | u32 model: 1 mass-spring |
+//! | 8..12 | u32 model: 1 mass-spring, 2 sheet, 3 shell, 4 rigid, 5 peel, 6 cylinder, 7 cone |
 //! | 12..16 | u32 preset: 0 custom, 1 paper-2014, 2 book |
 //! | 16..24 | f32 width, f32 height of the leaf |
 //! | 24..36 | u32 columns, u32 rows, u32 number of frames |
@@ -119,10 +119,7 @@ impl KeyFrames {
             FrameKind::Surface => 1,
         };
         bytes.extend(kind.to_le_bytes());
-        let model: u32 = match self.model {
-            ModelKind::MassSpring => 1,
-        };
-        bytes.extend(model.to_le_bytes());
+        bytes.extend(self.model.id().to_le_bytes());
         bytes.extend(self.preset.id().to_le_bytes());
         self.size
             .iter()
@@ -198,10 +195,7 @@ impl Header {
             1 => FrameKind::Surface,
             _ => return Err(refuse("kind of frame", f64::from(kind))),
         };
-        let model = match number(8) {
-            1 => ModelKind::MassSpring,
-            other => return Err(refuse("model", f64::from(other))),
-        };
+        let model = ModelKind::from_id(number(8)).ok_or(refuse("model", f64::from(number(8))))?;
         let preset = Preset::from_id(number(12)).ok_or(refuse("preset", f64::from(number(12))))?;
         let size = [real(16), real(20)];
         for (field, value) in ["width", "height"].into_iter().zip(size) {
