@@ -41,6 +41,7 @@ function sources() {
     "rust-toolchain.toml",
     "engine/Cargo.toml",
     "wasm/Cargo.toml",
+    "scripts/dead_data.mjs",
     "scripts/shrink_wasm.mjs",
     ...under("engine/src"),
     ...under("wasm/src"),
@@ -73,6 +74,8 @@ function build(features = []) {
   const cargoHome = process.env.CARGO_HOME ?? join(homedir(), ".cargo");
   const flags = [
     "-Ctarget-feature=+simd128",
+    // Say which function reads which data.
+    "-Clink-arg=--emit-relocs",
     // Panic messages carry paths: not this machine's.
     `--remap-path-prefix=${cargoHome}=cargo`,
     `--remap-path-prefix=${root}=.`,

@@ -231,7 +231,7 @@ impl PageCurve {
             page.sink = 0.5 * (low + high);
             let landed: f64 = steps
                 .iter()
-                .map(|step| libm::sin(step.rise - page.sink * step.bell) * step.ds)
+                .map(|step| libm::sincos(step.rise - page.sink * step.bell).0 * step.ds)
                 .sum();
             // More sink, lower fore-edge.
             if landed > height {
@@ -274,8 +274,9 @@ impl PageCurve {
             let ds = (end - s) / SUBSTEPS as f64;
             for i in 0..SUBSTEPS {
                 let angle = self.angle(s + (i as f64 + 0.5) * ds);
-                x += libm::cos(angle) * ds;
-                z += libm::sin(angle) * ds;
+                let (sin, cos) = libm::sincos(angle);
+                x += cos * ds;
+                z += sin * ds;
             }
             s = end;
             point[0] = side.sign() * x as f32;

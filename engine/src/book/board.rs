@@ -111,7 +111,7 @@ impl Board {
 
     fn fall(&mut self, side: Side) {
         // Toward its side even from beyond the top: the hand's last push.
-        let lean = libm::cosf(self.angle).abs().max(0.15);
+        let lean = libm::sincosf(self.angle).1.abs().max(0.15);
         let toward = if side == Side::Left { 1.0 } else { -1.0 };
         self.speed += TICK * (toward * FALL * lean - DAMPING * self.speed);
         self.angle += TICK * self.speed;

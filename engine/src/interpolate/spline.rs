@@ -128,8 +128,8 @@ mod tests {
             .iter()
             .map(|w| {
                 [
-                    value(w, nodes, |t| libm::sin(angle(t))),
-                    value(w, nodes, |t| libm::cos(angle(t))),
+                    value(w, nodes, |t| libm::sincos(angle(t)).0),
+                    value(w, nodes, |t| libm::sincos(angle(t)).1),
                 ]
             })
             .collect();
