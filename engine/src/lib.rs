@@ -14,6 +14,8 @@
 //!   [`Surface`], which every one yields
 //! - [`MassSpring`] with its [`Settings`]: the paper's model and its improvements
 //! - [`Shell`] with its [`ShellSettings`]: the offline reference
+//! - [`Kinematic`] with its [`KinematicSettings`]: the swinging board, the peel, the
+//!   cylinder and the cone of earlier page turners
 //! - [`Stock`], its [`Rigidity`], and the [`Air`] around it: what the paper is
 //! - [`Gesture`]: how a hand turns a leaf
 //! - [`Interpolation`]: from few nodes to many points
@@ -50,6 +52,9 @@ pub use interpolate::{Interpolation, lagrange_weights, uniform_samples};
 pub use key_frames::{
     Blend, FORMAT_VERSION, FrameKind, KeyFrameError, KeyFrames, ModelKind, PAPER_INTERVAL,
     Recorder, Replay,
+};
+pub use models::kinematic::{
+    Cone, Cylinder, InvalidKinematic, Kinematic, KinematicSettings, Peel, Pose, Rigid, Shape,
 };
 pub use models::mass_spring::{
     Integrator, InvalidSettings, MassSpring, Masses, Plate, Preset, Settings, Springs, StrainLimit,
