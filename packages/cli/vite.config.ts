@@ -10,6 +10,11 @@ export default defineConfig({
     emptyOutDir: true,
     // Nothing inline: the server's security policy allows files alone.
     assetsInlineLimit: 0,
+    rolldownOptions: {
+      input: ["index.html", "film.html"].map((name) =>
+        fileURLToPath(new URL(`./app/${name}`, import.meta.url)),
+      ),
+    },
     modulePreload: { polyfill: false },
     target: "es2022",
     chunkSizeWarningLimit: 2000,

@@ -1,9 +1,12 @@
 import { parseArgs } from "node:util";
+import { type FilmCommand, filmHelp, parseFilm } from "./film/film_arguments.ts";
+import { usageProblem } from "./options.ts";
 import { UsageProblem } from "./problem.ts";
 
 /** What the command line asks for. */
 export type Command =
-  | { readonly name: "help" }
+  | { readonly name: "help"; readonly text: string }
+  | FilmCommand
   | { readonly name: "version" }
   | {
       readonly name: "read";
@@ -18,6 +21,8 @@ export const help = `Turnleaf shows a book whose pages turn as paper turns.
   turnleaf FILE_OR_FOLDER        the same as turnleaf read
   turnleaf read FILE_OR_FOLDER   reads a PDF, an image, or a folder of images
                                  (PNG, JPEG, WebP, AVIF, GIF) in their order
+  turnleaf film BOOK --out FILE  films a book as its pages turn, as MP4, WebM,
+                                 GIF or numbered pictures (turnleaf film --help)
 
   --port N     serve at this port of this machine (4173, or the next free one)
   --no-open    open no browser
@@ -25,13 +30,26 @@ export const help = `Turnleaf shows a book whose pages turn as paper turns.
   --help       print this
 `;
 
+/** The commands with options of their own. */
+const commands = new Map<
+  string,
+  { readonly help: string; readonly parse: (args: readonly string[]) => Command }
+>([["film", { help: filmHelp, parse: parseFilm }]]);
+
 /**
  * Reads the command line, without the names of Node and of the script.
  * @throws UsageProblem
  */
 export function parseCommand(args: readonly string[]): Command {
+  // A book of a command's name is opened by: turnleaf read film
+  const own = commands.get(args[0] ?? "");
+  if (own) {
+    const [, ...rest] = args;
+    const asksHelp = rest.some((arg) => arg === "--help" || arg === "-h");
+    return asksHelp ? { name: "help", text: own.help } : own.parse(rest);
+  }
   const { values, positionals } = parse(args);
-  if (values.help) return { name: "help" };
+  if (values.help) return { name: "help", text: help };
   if (values.version) return { name: "version" };
   // A book called "read" is opened by: turnleaf read read
   const paths = positionals[0] === "read" ? positionals.slice(1) : positionals;
@@ -46,8 +64,7 @@ function parse(args: readonly string[]): ReturnType<typeof parseOptions> {
   try {
     return parseOptions(args);
   } catch (error) {
-    const first = error instanceof Error ? (error.message.split(/\. |\n/)[0] ?? "") : "";
-    throw new UsageProblem(`${first.replace(/\.$/, "")}.`);
+    throw usageProblem(error);
   }
 }
 

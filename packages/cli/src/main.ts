@@ -1,13 +1,16 @@
 #!/usr/bin/env node
 import packageJson from "../package.json" with { type: "json" };
 import { help, parseCommand } from "./arguments.ts";
+import { film } from "./film/film.ts";
+import { interrupted } from "./interrupted.ts";
 import { Problem, UsageProblem } from "./problem.ts";
 import { read } from "./read.ts";
 
 async function main(): Promise<void> {
   const command = parseCommand(process.argv.slice(2));
-  if (command.name === "help") console.log(help.trimEnd());
+  if (command.name === "help") console.log(command.text.trimEnd());
   else if (command.name === "version") console.log(packageJson.version);
+  else if (command.name === "film") await film(command, interrupted());
   else await read(command.path, command.port, command.opens);
 }
 

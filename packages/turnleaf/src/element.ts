@@ -102,6 +102,11 @@ export class TurnleafBook extends ReaderElement {
     return this.#viewer?.settled ?? false;
   }
 
+  /** Whether, besides, the pages that the next turn brings into sight are drawn, as far as memory allows. */
+  get ready(): boolean {
+    return this.#viewer?.ready ?? false;
+  }
+
   /** The pages that lie open, by the side they are seen on: left, or above the spine; right, or below it. */
   get spread(): { left: number | null; right: number | null } {
     const viewer = this.#viewer;

@@ -282,6 +282,11 @@ export class Viewer {
     return this.#pictures.settled && this.#details.settled;
   }
 
+  /** Whether, besides, the pages that a turn may bring into sight are drawn, as far as memory allows. */
+  get ready(): boolean {
+    return this.settled && this.#pictures.ready;
+  }
+
   /** Stops everything and frees what the graphics card and the engine hold. */
   destroy(): void {
     if (this.#destroyed) return;

@@ -216,6 +216,11 @@ export class PagePictures {
     return this.#pool.settled;
   }
 
+  /** Whether the pages that may come into sight next are so too, as far as memory allows. */
+  get ready(): boolean {
+    return this.#pool.settled && this.#pool.ready;
+  }
+
   /** While leaves move, only pages of which there is nothing to show are drawn. */
   set paused(paused: boolean) {
     this.#pool.paused = paused;

@@ -97,6 +97,17 @@ describe("what is drawn", () => {
     expect(source.open).toEqual(["6:900"]);
   });
 
+  it("is ready once those are sharp that may come next, as far as memory allows", async () => {
+    const source = new FakeSource();
+    const pool = new PagePool(source, { maxPages: 3 });
+    pool.want(at(900, 4, 5, 6, 7));
+    await source.finishAll();
+    await source.finishAll();
+    expect([pool.settled, pool.ready]).toEqual([true, false]);
+    await source.finishAll();
+    expect([pool.settled, pool.ready, source.open.length]).toEqual([true, true, 0]);
+  });
+
   it("stops drawing roughly where a sharp picture comes as soon", async () => {
     let time = 0;
     const source = new FakeSource();

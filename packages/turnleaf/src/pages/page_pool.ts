@@ -168,6 +168,17 @@ export class PagePool {
       );
   }
 
+  /** Whether every page on the list that memory allows is as sharp as it was asked for, or has failed. */
+  get ready(): boolean {
+    const affordable = withinBudget(this.#wanted, this.#held, this.#bounds, this.#ratios);
+    return this.#wanted.every(
+      ({ index, width }) =>
+        this.#failed.has(index) ||
+        !affordable.has(index) ||
+        (this.#held.get(index)?.asked ?? 0) >= width,
+    );
+  }
+
   /** Bytes of the pictures held. */
   get bytes(): number {
     let bytes = 0;

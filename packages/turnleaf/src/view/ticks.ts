@@ -25,8 +25,8 @@ export class Ticks {
     return ticks;
   }
 
-  /** The movement is over: the next frame is the first of another. */
+  /** The movement is over: the next frame is the first of another, which owes nothing to this one. */
   stop(): void {
-    this.#lastTime = 0;
+    this.#lastTime = this.#remainder = 0;
   }
 }

@@ -1,0 +1,203 @@
+import { stat } from "node:fs/promises";
+import { dirname } from "node:path";
+import packageJson from "../../package.json" with { type: "json" };
+import { appFiles } from "../app_files.ts";
+import { openBook, type ServedBook, type ServedFile } from "../book.ts";
+import { ChromiumPage } from "../chromium/devtools.ts";
+import { findChromium } from "../chromium/find_chromium.ts";
+import { fileProblem, Problem, printable } from "../problem.ts";
+import { Progress } from "../progress.ts";
+import { type Serving, serve } from "../server.ts";
+import { encodeFilm, findFfmpeg } from "./encode.ts";
+import type { FilmCommand } from "./film_arguments.ts";
+import { Frames, requestName } from "./frames.ts";
+
+/**
+ * Films a book as its pages turn. Frame by frame: the page's clock goes on by
+ * one frame when that has been taken, so the film is as smooth on a slow
+ * machine. Stopped by `signal`, it goes on from there the next time.
+ * @throws Problem
+ */
+export async function film(command: FilmCommand, signal: AbortSignal): Promise<void> {
+  const { path, out, format, fps, width, height } = command;
+  const ffmpeg = format === "png" ? null : findFfmpeg();
+  const chromium = findChromium(command.chromium);
+  await requireFolder(out);
+  const book = await openBook(path, (sentence) => console.error(sentence));
+  const request = await nameOf(command, book);
+  const folder = ffmpeg ? `${out}.frames` : out;
+  const frames = await Frames.open(folder, { request, fps, width, height }, ffmpeg !== null);
+  const progress = new Progress();
+  try {
+    if (!frames.isWhole) await take(command, book, chromium, frames, progress, signal);
+    signal.throwIfAborted();
+    progress.clear();
+    if (ffmpeg && format !== "png") {
+      await encodeFilm(ffmpeg, frames, fps, format, out, signal);
+      await frames.remove();
+    }
+  } catch (error) {
+    progress.clear();
+    if (!signal.aborted) throw error;
+    throw new Problem("Stopped; the same command goes on from here.");
+  }
+  const seconds = (frames.count / fps).toFixed(1);
+  const turns = frames.parts - 1;
+  console.log(`${printable(out)}: ${frames.count} frames, ${turns} turns, ${seconds} s`);
+}
+
+/** Draws every frame that is not there yet. */
+async function take(
+  command: FilmCommand,
+  book: ServedBook,
+  chromium: string,
+  frames: Frames,
+  progress: Progress,
+  signal: AbortSignal,
+): Promise<void> {
+  const serving = await serveFilm(command, book);
+  let page: ChromiumPage | null = null;
+  try {
+    page = await ChromiumPage.start(chromium, command.width, command.height);
+    const ending = page;
+    signal.addEventListener("abort", () => void ending.close(), { once: true });
+    signal.throwIfAborted();
+    await page.goTo(`${serving.url}film.html`);
+    await new Taking(page, command, frames, progress, signal).run();
+    await frames.end();
+  } finally {
+    await page?.close();
+    await serving.close();
+  }
+}
+
+/** What the page that is filmed says of itself. */
+interface Opened {
+  /** From 1, of the book. */
+  readonly pages: number;
+  /** Turns from the first page to the last one that is filmed. */
+  readonly turns: number;
+}
+
+/** Moves the film's page on, and writes down what it looks like. */
+class Taking {
+  readonly #page: ChromiumPage;
+  readonly #command: FilmCommand;
+  readonly #frames: Frames;
+  readonly #progress: Progress;
+  readonly #signal: AbortSignal;
+  #number: number;
+
+  constructor(
+    page: ChromiumPage,
+    command: FilmCommand,
+    frames: Frames,
+    progress: Progress,
+    signal: AbortSignal,
+  ) {
+    this.#page = page;
+    this.#command = command;
+    this.#frames = frames;
+    this.#progress = progress;
+    this.#signal = signal;
+    this.#number = frames.count;
+  }
+
+  async run(): Promise<void> {
+    const frames = this.#frames;
+    const { from, to } = this.#command;
+    const done = Math.max(frames.parts - 1, 0);
+    await this.#loaded();
+    const asked = JSON.stringify({ from, to, done });
+    const { turns } = await this.#page.evaluate<Opened>(`film.open(${asked})`);
+    if (frames.parts === 0) await this.#part(() => this.#pause());
+    for (let turn = done; turn < turns; turn++) {
+      const tell = (share: number): void => {
+        const text = `turn ${turn + 1} of ${turns}, ${this.#number} frames`;
+        this.#progress.show((turn + share) / turns, text, done / turns);
+      };
+      await this.#part(() => this.#turn(tell));
+    }
+  }
+
+  /** The page's script has run. */
+  async #loaded(): Promise<void> {
+    await this.#page.evaluate(`new Promise((resolve) => {
+      const look = () => globalThis.film ? resolve() : setTimeout(look, 20);
+      look();
+    })`);
+  }
+
+  async #part(shoot: () => Promise<void>): Promise<void> {
+    const before = this.#number;
+    await shoot();
+    await this.#frames.endPart(this.#number - before);
+  }
+
+  async #turn(tell: (share: number) => void): Promise<void> {
+    const { fps, turnSeconds } = this.#command;
+    const before = this.#number;
+    await this.#page.evaluate("film.turn()");
+    for (let isMoving = true; isMoving; ) {
+      isMoving = await this.#page.evaluate<boolean>("film.step()");
+      if (isMoving) await this.#take();
+      tell(Math.min((this.#number - before) / (fps * (turnSeconds + 0.5)), 0.99));
+    }
+    await this.#pause();
+  }
+
+  /** The book at rest: one look, as often as the pause lasts. */
+  async #pause(): Promise<void> {
+    const count = Math.max(Math.round(this.#command.pauseSeconds * this.#command.fps), 1);
+    const first = this.#number;
+    await this.#page.evaluate("film.rest()");
+    await this.#take();
+    for (let k = 1; k < count; k++) {
+      if (!(await this.#frames.has(this.#number))) await this.#frames.repeat(this.#number, first);
+      this.#number++;
+    }
+  }
+
+  async #take(): Promise<void> {
+    this.#signal.throwIfAborted();
+    if (!(await this.#frames.has(this.#number))) {
+      await this.#frames.write(this.#number, await this.#page.picture());
+    }
+    this.#number++;
+  }
+}
+
+/** The page that is filmed, and the book. */
+async function serveFilm(command: FilmCommand, book: ServedBook): Promise<Serving> {
+  const app = await appFiles().catch(() => new Map<string, ServedFile>());
+  if (!app.has("/film.html")) throw new Problem("The reader is not built; run: npm run build");
+  const { fps, turnSeconds, stock, theme } = command;
+  const config = JSON.stringify({ src: book.src, fps, turnSeconds, stock, theme });
+  const files = new Map([
+    ...app,
+    ...book.files,
+    ["/config.json", { type: "application/json", text: config }] as const,
+  ]);
+  return await serve(files, 0);
+}
+
+/** A name that two films share only if all their pictures are the same. */
+async function nameOf(command: FilmCommand, book: ServedBook): Promise<string> {
+  const { chromium: _, out: __, path: ___, format: ____, ...what } = command;
+  const files = await Promise.all(
+    [...book.files].map(async ([address, file]) => {
+      if ("text" in file) return [address, file.text];
+      const { size, mtimeMs } = await stat(file.path);
+      return [address, size, mtimeMs];
+    }),
+  );
+  return requestName({ version: packageJson.version, ...what, files });
+}
+
+async function requireFolder(out: string): Promise<void> {
+  const folder = dirname(out);
+  const stats = await stat(folder).catch((error: unknown) => {
+    throw fileProblem(folder, error);
+  });
+  if (!stats.isDirectory()) throw new Problem(`${printable(folder)} is no folder.`);
+}

@@ -1,0 +1,106 @@
+import { extname } from "node:path";
+import { parseNumber, parseOptions, parseSize } from "../options.ts";
+import { UsageProblem } from "../problem.ts";
+import { type FilmFormat, filmFormats } from "./encode.ts";
+
+/** What is to be filmed, and how. */
+export interface FilmCommand {
+  readonly name: "film";
+  readonly path: string;
+  /** Pages from 1; `to` is null for the book's last. */
+  readonly from: number;
+  readonly to: number | null;
+  /** A file, or a folder for pictures. */
+  readonly out: string;
+  readonly format: FilmFormat;
+  /** Pixels. */
+  readonly width: number;
+  readonly height: number;
+  readonly fps: number;
+  /** How long a leaf is in the air, and how long the book lies still between two. */
+  readonly turnSeconds: number;
+  readonly pauseSeconds: number;
+  readonly stock: string;
+  readonly theme: string;
+  /** A browser by its file or name; undefined for one of the usual ones. */
+  readonly chromium: string | undefined;
+}
+
+export const filmHelp = `turnleaf film BOOK --out FILE films a book as its pages turn: headless, frame by
+frame, so that no frame is ever dropped. Needs Chromium, and ffmpeg for all but
+numbered pictures. Stopped, the same command goes on where it was.
+
+  --out FILE             book.mp4, book.webm or book.gif; or a folder, which gets
+                         numbered PNG pictures
+  --pages A-B            from the spread of page A to that of page B (all)
+  --size WxH             pixels (1280x720)
+  --fps N                frames a second, 1 to 120 (30)
+  --seconds-per-turn S   how long a leaf is in the air (1)
+  --pause S              how long the book lies still between turns (1)
+  --stock NAME           bible, book, office, coated or card (book)
+  --theme NAME           light, dark or paper: the desk (paper)
+  --chromium PATH        the browser; else CHROMIUM, else one on the PATH
+`;
+
+/**
+ * Reads what comes after `turnleaf film`.
+ * @throws UsageProblem
+ */
+export function parseFilm(args: readonly string[]): FilmCommand {
+  const { values, positionals } = parseOptions(args, [
+    ...["out", "pages", "size", "fps", "seconds-per-turn", "pause"],
+    ...["stock", "theme", "chromium"],
+  ]);
+  const [path] = positionals;
+  if (path === undefined || path === "") throw new UsageProblem("Name the book to film.");
+  if (positionals.length > 1) {
+    throw new UsageProblem("Name one book; quote a name that has spaces.");
+  }
+  const { out } = values;
+  if (!out) throw new UsageProblem("Say where the film goes: --out book.mp4");
+  const format = formatOf(out);
+  const { width, height } = parseSize("size", values.size ?? "1280x720", 16, 4096);
+  if ((format === "mp4" || format === "webm") && (width % 2 || height % 2)) {
+    throw new UsageProblem("A film's width and height are even numbers.");
+  }
+  return {
+    name: "film",
+    path,
+    ...parsePages(values.pages),
+    out,
+    format,
+    width,
+    height,
+    fps: parseNumber("fps", values.fps, 30, 1, 120),
+    turnSeconds: parseNumber("seconds-per-turn", values["seconds-per-turn"], 1, 0.1, 60),
+    pauseSeconds: parseNumber("pause", values.pause, 1, 0, 60),
+    stock: oneOf("stock", values.stock, ["book", "bible", "office", "coated", "card"]),
+    theme: oneOf("theme", values.theme, ["paper", "light", "dark"]),
+    chromium: values.chromium,
+  };
+}
+
+function formatOf(out: string): FilmFormat {
+  const ending = extname(out).slice(1).toLowerCase();
+  if (ending === "") return "png";
+  const format = filmFormats.find((format) => format === ending && format !== "png");
+  if (format) return format;
+  throw new UsageProblem(
+    "--out is a file that ends in .mp4, .webm or .gif, or a folder for numbered pictures.",
+  );
+}
+
+function parsePages(text: string | undefined): { from: number; to: number | null } {
+  if (text === undefined) return { from: 1, to: null };
+  const match = /^(\d{1,6})(?:-(\d{1,6})?)?$/.exec(text);
+  const from = Number(match?.[1]);
+  const to = match?.[2] === undefined ? (text.includes("-") ? null : from) : Number(match[2]);
+  if (match && from >= 1 && (to === null || to >= from)) return { from, to };
+  throw new UsageProblem("--pages is a range such as 1-20.");
+}
+
+function oneOf(name: string, value: string | undefined, names: readonly string[]): string {
+  if (value === undefined) return names[0] ?? "";
+  if (names.includes(value)) return value;
+  throw new UsageProblem(`--${name} is ${names.slice(0, -1).join(", ")} or ${names.at(-1)}.`);
+}

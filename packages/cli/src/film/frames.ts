@@ -1,0 +1,167 @@
+/** The frames of a film on the disk, and the note beside them from which an interrupted film goes on. */
+
+import { createHash } from "node:crypto";
+import { constants } from "node:fs";
+import {
+  access,
+  copyFile,
+  mkdir,
+  readdir,
+  readFile,
+  rename,
+  rm,
+  writeFile,
+} from "node:fs/promises";
+import { join } from "node:path";
+import { fileProblem, Problem, printable } from "../problem.ts";
+
+const noteName = "film.json";
+
+/** What is known of a film beside its pictures. */
+interface Note {
+  /** Of everything that decides what its pictures look like. */
+  readonly request: string;
+  readonly fps: number;
+  readonly width: number;
+  readonly height: number;
+  /** Pictures of the pause before the first turn, and of each turn that is whole with the pause after it. */
+  parts: number[];
+  whole: boolean;
+}
+
+/** What makes one film differ from another, as one short name. */
+export function requestName(request: object): string {
+  return createHash("sha256").update(JSON.stringify(request)).digest("hex").slice(0, 32);
+}
+
+/** A folder of numbered pictures. */
+export class Frames {
+  readonly folder: string;
+  readonly #note: Note;
+
+  private constructor(folder: string, note: Note) {
+    this.folder = folder;
+    this.#note = note;
+  }
+
+  /**
+   * Opens the folder of a film; the pictures that are there of the same film are kept.
+   *
+   * @param isOurs whether the folder is the command's own, whose pictures of another film may go
+   * @throws Problem where the folder holds something else, or cannot be written
+   */
+  static async open(
+    folder: string,
+    film: { request: string; fps: number; width: number; height: number },
+    isOurs: boolean,
+  ): Promise<Frames> {
+    try {
+      await mkdir(folder, { recursive: true });
+      const note = await readNote(join(folder, noteName));
+      if (note?.request === film.request) return new Frames(folder, note);
+      const names = await readdir(folder);
+      if (names.length > 0 && !isOurs) {
+        throw new Problem(
+          `${printable(folder)} holds other files or another film; name another folder, or remove it.`,
+        );
+      }
+      for (const name of names) if (isOwnName(name)) await rm(join(folder, name));
+      const frames = new Frames(folder, { ...film, parts: [], whole: false });
+      await frames.#keep();
+      return frames;
+    } catch (error) {
+      throw error instanceof Problem ? error : fileProblem(folder, error);
+    }
+  }
+
+  /** Parts that are whole: the pause at the beginning and the turns after it. */
+  get parts(): number {
+    return this.#note.parts.length;
+  }
+
+  /** Pictures in the parts that are whole. */
+  get count(): number {
+    return this.#note.parts.reduce((sum, count) => sum + count, 0);
+  }
+
+  /** Whether every picture is there. */
+  get isWhole(): boolean {
+    return this.#note.whole;
+  }
+
+  /** Another part is whole. */
+  async endPart(pictures: number): Promise<void> {
+    this.#note.parts.push(pictures);
+    await this.#keep();
+  }
+
+  /** The film is whole. */
+  async end(): Promise<void> {
+    this.#note.whole = true;
+    await this.#keep();
+  }
+
+  /** Whether picture `number` (from 0) is there. */
+  async has(number: number): Promise<boolean> {
+    const there = access(this.#file(number), constants.R_OK);
+    return await there.then(
+      () => true,
+      () => false,
+    );
+  }
+
+  /** Writes a picture, whole or not at all. */
+  async write(number: number, picture: Uint8Array): Promise<void> {
+    const file = this.#file(number);
+    await writeFile(`${file}.part`, picture).catch((error: unknown) => {
+      throw fileProblem(this.folder, error);
+    });
+    await rename(`${file}.part`, file);
+  }
+
+  /** Writes a picture that looks as another one does. */
+  async repeat(number: number, as: number): Promise<void> {
+    const file = this.#file(number);
+    await copyFile(this.#file(as), `${file}.part`, constants.COPYFILE_FICLONE).catch(
+      (error: unknown) => {
+        throw fileProblem(this.folder, error);
+      },
+    );
+    await rename(`${file}.part`, file);
+  }
+
+  /** Removes the folder. */
+  async remove(): Promise<void> {
+    await rm(this.folder, { recursive: true, force: true });
+  }
+
+  /** What a program of films calls the pictures. */
+  get pattern(): string {
+    return join(this.folder.replaceAll("%", "%%"), "%06d.png");
+  }
+
+  #file(number: number): string {
+    return join(this.folder, `${String(number + 1).padStart(6, "0")}.png`);
+  }
+
+  async #keep(): Promise<void> {
+    const file = join(this.folder, noteName);
+    await writeFile(`${file}.part`, `${JSON.stringify(this.#note)}\n`);
+    await rename(`${file}.part`, file);
+  }
+}
+
+function isOwnName(name: string): boolean {
+  return /^\d{6}\.png(\.part)?$/.test(name) || name.startsWith(noteName);
+}
+
+async function readNote(file: string): Promise<Note | null> {
+  const text = await readFile(file, "utf8").catch(() => "");
+  try {
+    const note = JSON.parse(text) as Note;
+    const counts = Array.isArray(note.parts) && note.parts.every((part) => part > 0);
+    return typeof note.request === "string" && counts ? note : null;
+  } catch {
+    return null;
+  }
+}

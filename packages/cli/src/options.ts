@@ -1,0 +1,62 @@
+/** Options that commands share, each wrong value refused in one sentence. */
+
+import { parseArgs } from "node:util";
+import { UsageProblem } from "./problem.ts";
+
+/**
+ * Reads options that take a value, each at most once, and what stands between them.
+ * @throws UsageProblem
+ */
+export function parseOptions(
+  args: readonly string[],
+  names: readonly string[],
+): { values: Readonly<Record<string, string | undefined>>; positionals: readonly string[] } {
+  const options = Object.fromEntries(names.map((name) => [name, { type: "string" as const }]));
+  try {
+    const { values, positionals } = parseArgs({ args: [...args], allowPositionals: true, options });
+    return { values: values as Record<string, string | undefined>, positionals };
+  } catch (error) {
+    throw usageProblem(error);
+  }
+}
+
+/** The first sentence of what Node says about a command line. */
+export function usageProblem(error: unknown): UsageProblem {
+  const first = error instanceof Error ? (error.message.split(/\. |\n/)[0] ?? "") : "";
+  return new UsageProblem(`${first.replace(/\.$/, "")}.`);
+}
+
+/**
+ * A number between bounds, or what it is where none is given.
+ * @throws UsageProblem
+ */
+export function parseNumber(
+  name: string,
+  text: string | undefined,
+  usual: number,
+  least: number,
+  most: number,
+): number {
+  if (text === undefined) return usual;
+  const number = Number(text);
+  if (/^\d+(\.\d+)?$/.test(text) && number >= least && number <= most) return number;
+  throw new UsageProblem(`--${name} takes a number from ${least} to ${most}.`);
+}
+
+/**
+ * A width and a height such as 1280x720, whole numbers between bounds.
+ * @throws UsageProblem
+ */
+export function parseSize(
+  name: string,
+  text: string,
+  least: number,
+  most: number,
+): { width: number; height: number } {
+  const match = /^(\d{1,6})x(\d{1,6})$/.exec(text);
+  const [width, height] = [Number(match?.[1]), Number(match?.[2])];
+  if (match && [width, height].every((side) => side >= least && side <= most)) {
+    return { width, height };
+  }
+  throw new UsageProblem(`--${name} is a size such as 1280x720, each side ${least} to ${most}.`);
+}
