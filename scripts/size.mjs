@@ -23,14 +23,15 @@ const goal = 80;
  * one of those that every book needs.
  */
 const parts = {
-  "shows and turns a book": { limit: 97 },
+  "shows and turns a book": { limit: 92 },
+  "the text over the pages, once they show": { files: ["text_over.js"], limit: 6 },
   "toolbar and panels": { files: ["controls.js"], limit: 13 },
   "on the flat, where there is no WebGL": { files: ["plain.js"], limit: 7 },
   "sound and printing": { files: ["sound.js", "print.js"], limit: 3 },
 };
 
 /** kB gzip of all parts together. */
-const limit = 119;
+const limit = 120;
 
 const dist = join(import.meta.dirname, "../packages/turnleaf/dist");
 

@@ -20,8 +20,7 @@ import { Senses } from "./element/senses.ts";
 import { wishOf } from "./element/wish.ts";
 import { style } from "./element.css.ts";
 import type { BookInput } from "./sources/open.ts";
-import { BookError, type PageSource } from "./sources/page_source.ts";
-import { textStyle } from "./text/text.css.ts";
+import type { PageSource } from "./sources/page_source.ts";
 import type { Viewer, ViewerOptions } from "./viewer.ts";
 import { elementTexts, languageOf } from "./words/languages.ts";
 
@@ -47,11 +46,16 @@ export class TurnleafBook extends ReaderElement {
     goTo: (page) => void this.goTo(page),
     leaving: () => this.#leave(),
     opened: (book) => this.#opened(book),
+    lacks: (error) => this.#lack(error),
     failed: (error) => this.#fail(error),
   });
   readonly #pageChanges = new PageChanges();
-  readonly #furnishing = new Furnishing();
-  readonly #senses = new Senses(this, () => this.#leaves.stock ?? "book");
+  readonly #furnishing = new Furnishing((error) => this.#lack(error));
+  readonly #senses = new Senses(
+    this,
+    () => this.#leaves.stock ?? "book",
+    (error) => this.#lack(error),
+  );
   #words: Announcements | null = null;
   #input: BookInput | null = null;
   #paper: Paper | null = null;
@@ -299,7 +303,7 @@ export class TurnleafBook extends ReaderElement {
       const root = this.attachShadow({ mode: "open" });
       // Not a <style> element: pages with a strict security policy forbid those.
       const sheet = new CSSStyleSheet();
-      sheet.replaceSync(style + textStyle);
+      sheet.replaceSync(style);
       root.adoptedStyleSheets = [sheet];
       this.#stage.setAttribute("part", "stage");
       this.#frame.className = "frame";
@@ -391,10 +395,13 @@ export class TurnleafBook extends ReaderElement {
 
   #fail(error: unknown): void {
     const message =
-      error instanceof BookError || error instanceof Error
-        ? error.message
-        : elementTexts(languageOf(this)).notOpened;
+      error instanceof Error ? error.message : elementTexts(languageOf(this)).notOpened;
     this.#words?.say(message, "alert");
     this.emit("error", { message });
+  }
+
+  /** The book is there, but something about it is not. */
+  #lack(error: unknown): void {
+    if (error instanceof Error) this.emit("error", { message: error.message });
   }
 }

@@ -1,11 +1,18 @@
 /** The reader's controls, loaded when they are first shown. */
 
+import { loaded } from "../element/loaded.ts";
 import type { ControlledBook, FoundPlace } from "./book.ts";
 
 /** Shows and hides the controls of one element. */
 export class Furnishing {
   #wanted = false;
   #remove: (() => void) | null = null;
+  readonly #failed: (error: unknown) => void;
+
+  /** @param failed told that they cannot be loaded; asked for again, they are loaded again */
+  constructor(failed: (error: unknown) => void) {
+    this.#failed = failed;
+  }
 
   /**
    * Shows the controls about a stage, or takes them away.
@@ -19,7 +26,7 @@ export class Furnishing {
   ): void {
     if (this.#wanted === shown) return;
     this.#wanted = shown;
-    if (shown) void this.#load(book, frame, stage);
+    if (shown) this.#load(book, frame, stage).catch(this.#failed);
     else {
       this.#remove?.();
       this.#remove = null;
@@ -31,7 +38,7 @@ export class Furnishing {
     frame: HTMLElement,
     stage: HTMLElement,
   ): Promise<void> {
-    const { addControls } = await import("./controls.ts");
+    const { addControls } = await loaded(import("./controls.ts"));
     if (this.#wanted && this.#remove === null) this.#remove = addControls(book, frame, stage);
   }
 }

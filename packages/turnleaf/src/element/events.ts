@@ -30,7 +30,7 @@ export interface TurnleafEventMap {
   bookmarkchange: CustomEvent<{ bookmarks: readonly number[] }>;
   /** The slide-show begins or ends. */
   playchange: CustomEvent<{ playing: boolean }>;
-  /** The book could not be opened; the sentence says why. */
+  /** The book could not be opened, or a part of the viewer not be loaded, without which it shows; the sentence says which. */
   error: CustomEvent<{ message: string }>;
 }
 

@@ -7,6 +7,7 @@ import type { PageList } from "../sources/page_list.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Viewer, ViewerOptions } from "../viewer.ts";
 import { languageOf } from "../words/languages.ts";
+import { loaded } from "./loaded.ts";
 import { Reading } from "./reading.ts";
 
 /** A book that lies open: where its pages come from, what shows it, and the canvas it is shown on. */
@@ -31,6 +32,8 @@ export interface LifeHooks {
   readonly calm: () => boolean;
   /** A book lies open. */
   opened(book: OpenBook): void;
+  /** A part of the viewer that the book shows without could not be loaded. */
+  readonly lacks: (error: unknown) => void;
   /** It could not be opened. */
   failed(error: unknown): void;
 }
@@ -100,7 +103,7 @@ export class Life {
 
   async #open(input: BookInput, signal: AbortSignal): Promise<void> {
     // An element that shows no book yet has no use for what reads one.
-    const { openList } = await import("../sources/open.ts");
+    const { openList } = await loaded(import("../sources/open.ts"));
     const source = await openList(input, { signal });
     await this.#show(source, false, signal);
   }
@@ -133,7 +136,9 @@ export class Life {
       const { turn, calm } = this.#hooks;
       const input = new Input(canvas, this.#stage, this.#element, { viewer, turn, calm });
       const goTo = (page: number): void => this.#hooks.goTo(page);
-      const reading = new Reading(source, viewer, canvas, goTo, () => languageOf(this.#element));
+      const language = (): string => languageOf(this.#element);
+      const under = { source, viewer, canvas, goTo, language };
+      const reading = new Reading(under, this.#hooks.lacks);
       const ended = new AbortController();
       this.#book = { source, viewer, canvas, reading, input, ended };
       this.#follow(viewer, ended.signal);

@@ -3,6 +3,7 @@
 import type { BookInput } from "../sources/open.ts";
 import type { Moved } from "../sources/page_list.ts";
 import type { OpenBook } from "./life.ts";
+import { loaded } from "./loaded.ts";
 
 /** Changes the pages of one element's book, one change after the other, in the order they are asked for. */
 export class PageChanges {
@@ -35,7 +36,7 @@ async function apply(
   input: BookInput | null,
 ): Promise<Moved | null> {
   if (book === null) return null;
-  const { openSource } = await import("../sources/open.ts");
+  const { openSource } = await loaded(import("../sources/open.ts"));
   const added = input === null ? null : await openSource(input);
   let moved = null as Moved | null;
   try {

@@ -23,12 +23,18 @@ export const mostPrinted = 300;
 /**
  * Draws pages and opens the browser's print dialog with them, each upright on a
  * sheet of its own. Resolves, once they went to the dialog, to true.
- * Rejects with a `BookError` where a page cannot be drawn or there are too many,
+ * Rejects with a `BookError` where a page cannot be drawn, there is none or there are too many,
  * or with the signal's reason.
  */
 export async function printPages(source: PageSource, options: PrintOptions): Promise<true> {
   const { from = 1, to = source.pageCount, onPage } = options;
-  const [first, last] = [Math.max(from, 1), Math.min(to, source.pageCount)];
+  const [first, last] = [Math.max(Math.ceil(from), 1), Math.min(Math.floor(to), source.pageCount)];
+  // Nor is there one between 3 and 2, or where a number is none.
+  if (!(first <= last)) {
+    throw new BookError(
+      `There are no pages ${from} to ${to} to print; the book has ${source.pageCount}.`,
+    );
+  }
   if (last - first >= mostPrinted) {
     throw new BookError(`${mostPrinted} pages can be printed at once; print fewer.`);
   }

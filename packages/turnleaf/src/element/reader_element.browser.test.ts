@@ -113,6 +113,10 @@ test("printing draws a sheet a page in a frame of its own, and takes it away", a
   const ended = new AbortController();
   const printing = element.print({ signal: ended.signal, onPage: () => ended.abort() });
   await expect(printing).rejects.toThrow();
+  // No dialog without pages.
+  for (const none of [{ from: Number.NaN }, { from: 3, to: 2 }, { from: 1.2, to: 1.8 }]) {
+    await expect(element.print(none)).rejects.toThrow(/^There are no pages .* to print/);
+  }
   expect(document.querySelector("iframe")).toBe(null);
   observer.disconnect();
 });

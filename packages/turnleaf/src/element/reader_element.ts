@@ -8,6 +8,7 @@ import {
 } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
 import type { OpenBook } from "./life.ts";
+import { loaded } from "./loaded.ts";
 import { cleanBookmarks } from "./memory.ts";
 import { Place } from "./place.ts";
 import type { PrintOptions } from "./print.ts";
@@ -52,7 +53,8 @@ export abstract class ReaderElement extends ReflectingElement {
    * Finds every place of the book where `query` stands. Resolves to them in reading order, at most 2,000;
    * to none while no book is open.
    * Case, accents, ligatures, quotation marks and hyphens do not count.
-   * Rejects with the signal's reason when aborted, or when the book is closed.
+   * Rejects with the signal's reason when aborted, or when the book is closed, and with a `BookError`
+   * where the part of the viewer that searches cannot be loaded.
    * @param options `signal` gives the search up
    */
   async search(query: string, options?: { signal?: AbortSignal }): Promise<readonly SearchHit[]> {
@@ -162,12 +164,12 @@ export abstract class ReaderElement extends ReflectingElement {
   /**
    * Draws the pages that `options` name and opens the browser's print dialog with them, a sheet each.
    * Resolves, once they are there, to whether the book may be printed. Rejects with a `BookError` where a
-   * page cannot be drawn or more than 300 are asked for.
+   * page cannot be drawn, and where no page or more than 300 are asked for.
    */
   async print(options: PrintOptions = {}): Promise<boolean> {
     const { source } = this;
     if (!source || !this.allows.print) return false;
-    const { printPages } = await import("./print.ts");
+    const { printPages } = await loaded(import("./print.ts"));
     return await printPages(source, options);
   }
 
@@ -175,7 +177,7 @@ export abstract class ReaderElement extends ReflectingElement {
   async download(): Promise<boolean> {
     const { source } = this;
     if (!source || !this.allows.download) return false;
-    const { downloadFile } = await import("./print.ts");
+    const { downloadFile } = await loaded(import("./print.ts"));
     return await downloadFile(source);
   }
 

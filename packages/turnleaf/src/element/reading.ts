@@ -1,81 +1,60 @@
-/** The open book as text: laid over its pages, searched, told as contents. */
+/** The open book as something to read: its text, which comes a moment after it, and its contents. */
 
-import { pagesAt } from "../book/spreads.ts";
-import type { OutlineEntry, PageSource } from "../sources/page_source.ts";
-import { PageTexts } from "../text/page_texts.ts";
-import type { PageView } from "../text/page_view.ts";
-import { type SearchHit, searchBook } from "../text/searching.ts";
-import { TextLayer } from "../text/text_layer.ts";
-import type { Viewer } from "../viewer.ts";
-import { elementTexts, fill } from "../words/languages.ts";
+import type { OutlineEntry } from "../sources/page_source.ts";
+import type { SearchHit } from "../text/searching.ts";
+import { loaded } from "./loaded.ts";
+import type { TextOver, Under } from "./text_over.ts";
 
 /** What an open book has to read. */
 export class Reading {
-  readonly #source: PageSource;
-  readonly #texts: PageTexts;
-  readonly #layer: TextLayer;
+  readonly #under: Under;
   readonly #ended = new AbortController();
+  /** Rejects with a `BookError` where it cannot be loaded. */
+  readonly #text: Promise<TextOver>;
 
-  /**
-   * @param canvas what the text is laid over; it is read out only where there is none
-   * @param goTo turns to a page (from 1)
-   * @param language tag of the language that the element speaks
-   */
-  constructor(
-    source: PageSource,
-    viewer: Viewer,
-    canvas: HTMLCanvasElement,
-    goTo: (page: number) => void,
-    language: () => string,
-  ) {
-    this.#source = source;
-    this.#texts = new PageTexts(source);
-    const view: PageView = {
-      get openPages() {
-        return pagesAt(viewer.binding, viewer.turning.spread);
-      },
-      placeOf: (page, size) => viewer.placeOf(page, size),
-      project: viewer.project.bind(viewer),
-      onView: viewer.onView.bind(viewer),
-    };
-    this.#layer = new TextLayer(view, {
-      source,
-      name: (page) => fill(elementTexts(language()).pageNamed, { label: source.label(page - 1) }),
-      goTo,
-      redraw: (page) => viewer.redraw(page),
-      onText: (isText) => {
-        canvas.ariaHidden = isText ? "true" : null;
-      },
+  /** @param failed told that there will be no text, once */
+  constructor(under: Under, failed: (error: unknown) => void) {
+    this.#under = under;
+    const { signal } = this.#ended;
+    this.#text = loaded(import("./text_over.ts")).then(({ TextOver }) => {
+      signal.throwIfAborted();
+      return new TextOver(under, signal);
     });
-    canvas.after(this.#layer.element);
+    this.#text.catch((error: unknown) => signal.aborted || failed(error));
   }
 
   /** As the element's own. */
-  search(query: string, signal?: AbortSignal): Promise<readonly SearchHit[]> {
+  async search(query: string, signal?: AbortSignal): Promise<readonly SearchHit[]> {
     const ended = this.#ended.signal;
     const either = signal ? AbortSignal.any([signal, ended]) : ended;
-    return searchBook(this.#texts, this.#source.pageCount, query, either);
+    return (await this.#text).search(query, either);
   }
 
   /** Marks a hit and every other place of its query wherever they come in sight; null takes the marks away. */
   mark(hit: SearchHit | null): void {
-    this.#layer.mark(hit);
+    this.#withText((text) => text.mark(hit));
   }
 
   /** The book has other pages than before: all that was read of them is read anew. */
   changed(): void {
-    this.#texts.clear();
-    this.#layer.reload();
+    this.#withText((text) => text.changed());
   }
 
   /** As the element's own. */
   async outline(): Promise<readonly OutlineEntry[]> {
-    return (await this.#source.outline?.(this.#ended.signal)) ?? [];
+    return (await this.#under.source.outline?.(this.#ended.signal)) ?? [];
   }
 
-  /** Takes the layer away and ends every search. */
+  /** Takes the text away and ends every search. */
   destroy(): void {
     this.#ended.abort();
-    this.#layer.destroy();
+  }
+
+  /** Does something once the text is there. Where it cannot be loaded, that has been said. */
+  #withText(act: (text: TextOver) => void): void {
+    this.#text.then(
+      (text) => this.#ended.signal.aborted || act(text),
+      () => {},
+    );
   }
 }

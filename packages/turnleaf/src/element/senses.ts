@@ -3,6 +3,7 @@
 import type { Stock, StockFigures } from "../engine/shapes.ts";
 import type { Sound } from "../sound/sound.ts";
 import type { ViewerOptions } from "../viewer.ts";
+import { loaded } from "./loaded.ts";
 
 /** How long a phone stirs when a leaf is taken and when it lies, milliseconds. */
 const taken = 8;
@@ -12,13 +13,22 @@ const laid = 14;
 export class Senses {
   readonly #element: HTMLElement;
   readonly #stock: () => Stock | StockFigures;
+  readonly #failed: (error: unknown) => void;
   #sound: Sound | null = null;
   #asked = false;
 
-  /** @param stock what the leaves are made of now */
-  constructor(element: HTMLElement, stock: () => Stock | StockFigures) {
+  /**
+   * @param stock what the leaves are made of now
+   * @param failed told that what makes sound cannot be loaded
+   */
+  constructor(
+    element: HTMLElement,
+    stock: () => Stock | StockFigures,
+    failed: (error: unknown) => void,
+  ) {
     this.#element = element;
     this.#stock = stock;
+    this.#failed = failed;
   }
 
   /** A frame of the book. What makes sound is loaded with the first that moves. */
@@ -27,12 +37,9 @@ export class Senses {
     this.#sound?.follow(pose, seconds, moving, this.#stock());
     if (this.#asked || !moving) return;
     this.#asked = true;
-    import("../sound/sound.ts").then(
-      ({ Sound }) => {
-        if (this.#asked) this.#sound = new Sound();
-      },
-      () => {},
-    );
+    loaded(import("../sound/sound.ts")).then(({ Sound }) => {
+      if (this.#asked) this.#sound = new Sound();
+    }, this.#failed);
   };
 
   /** A leaf was taken up. */

@@ -8,11 +8,11 @@ import type { PageTexts } from "./page_texts.ts";
 export interface SearchHit {
   /** The page, from 1. */
   readonly page: number;
-  /** What stands before it on the page. */
+  /** What stands before it on the page, some fifty characters in one line; begins with "… " where there is more. */
   readonly before: string;
   /** What was found, as the page writes it. */
   readonly text: string;
-  /** What stands behind it. */
+  /** What stands behind it, likewise; ends with " …" where there is more. */
   readonly after: string;
   /** What was looked for. */
   readonly query: string;

@@ -1,0 +1,56 @@
+/** Parts that are loaded late and cannot be: told once, in one sentence. */
+
+import { expect, test, vi } from "vitest";
+import type { ControlledBook } from "../controls/book.ts";
+import { Furnishing } from "../controls/furnish.ts";
+import { BookError } from "../sources/page_source.ts";
+import { loaded } from "./loaded.ts";
+import { Reading } from "./reading.ts";
+import type { Under } from "./text_over.ts";
+
+vi.mock("../controls/controls.ts", () => {
+  throw new TypeError("Failed to fetch");
+});
+vi.mock("./text_over.ts", () => {
+  throw new TypeError("Failed to fetch");
+});
+
+const sentence = "A part of the reader could not be loaded; load the web page again.";
+
+test("a part that is there is loaded, and another is told of", async () => {
+  expect(await loaded(Promise.resolve(7))).toBe(7);
+  const failing = loaded(Promise.reject(new TypeError("Failed to fetch")));
+  await expect(failing).rejects.toThrow(new BookError(sentence));
+});
+
+test("controls that cannot be loaded are told of once for each time they are asked for", async () => {
+  const told: unknown[] = [];
+  const furnishing = new Furnishing((error) => told.push(error));
+  const show = (shown: boolean): void =>
+    furnishing.set(shown, {} as ControlledBook, {} as HTMLElement, {} as HTMLElement);
+  show(true);
+  await expect.poll(() => told).toEqual([new BookError(sentence)]);
+  show(true);
+  show(false);
+  show(true);
+  await expect.poll(() => told.length).toBe(2);
+});
+
+test("a book whose text cannot be loaded is told of once, and cannot be searched", async () => {
+  const told: unknown[] = [];
+  const reading = new Reading({ source: {} } as Under, (error) => told.push(error));
+  reading.mark(null);
+  reading.changed();
+  await expect(reading.search("leaf")).rejects.toThrow(sentence);
+  expect(told).toEqual([new BookError(sentence)]);
+  expect(await reading.outline()).toEqual([]);
+});
+
+test("a book that is closed before its text came tells nothing", async () => {
+  const told: unknown[] = [];
+  const reading = new Reading({ source: {} } as Under, (error) => told.push(error));
+  const search = reading.search("leaf");
+  reading.destroy();
+  await expect(search).rejects.toThrow();
+  expect(told).toEqual([]);
+});

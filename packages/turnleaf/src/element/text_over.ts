@@ -1,0 +1,79 @@
+/** The text of an open book, laid over its pages and searched: loaded once the book shows, which it does without. */
+
+import { pagesAt } from "../book/spreads.ts";
+import type { PageSource } from "../sources/page_source.ts";
+import { PageTexts } from "../text/page_texts.ts";
+import type { PageView } from "../text/page_view.ts";
+import { type SearchHit, searchBook } from "../text/searching.ts";
+import { textStyle } from "../text/text.css.ts";
+import { TextLayer } from "../text/text_layer.ts";
+import type { Viewer } from "../viewer.ts";
+import { elementTexts, fill } from "../words/languages.ts";
+
+/** What the text is laid over, and what it asks for. */
+export interface Under {
+  readonly source: PageSource;
+  readonly viewer: Viewer;
+  /** In a shadow tree; read out only where there is no text. */
+  readonly canvas: HTMLCanvasElement;
+  /** Turns to a page (from 1). */
+  readonly goTo: (page: number) => void;
+  /** Tag of the language that the element speaks. */
+  readonly language: () => string;
+}
+
+/** The text of one open book. */
+export class TextOver {
+  readonly #source: PageSource;
+  readonly #texts: PageTexts;
+  readonly #layer: TextLayer;
+
+  /** @param ended its abort takes the text away */
+  constructor({ source, viewer, canvas, goTo, language }: Under, ended: AbortSignal) {
+    this.#source = source;
+    this.#texts = new PageTexts(source);
+    const view: PageView = {
+      get openPages() {
+        return pagesAt(viewer.binding, viewer.turning.spread);
+      },
+      placeOf: (page, size) => viewer.placeOf(page, size),
+      project: viewer.project.bind(viewer),
+      onView: viewer.onView.bind(viewer),
+    };
+    const layer = new TextLayer(view, {
+      source,
+      name: (page) => fill(elementTexts(language()).pageNamed, { label: source.label(page - 1) }),
+      goTo,
+      redraw: (page) => viewer.redraw(page),
+      onText: (isText) => {
+        canvas.ariaHidden = isText ? "true" : null;
+      },
+    });
+    this.#layer = layer;
+    const root = canvas.getRootNode() as ShadowRoot;
+    const sheet = new CSSStyleSheet();
+    sheet.replaceSync(textStyle);
+    root.adoptedStyleSheets.push(sheet);
+    canvas.after(layer.element);
+    ended.addEventListener("abort", () => {
+      layer.destroy();
+      root.adoptedStyleSheets = root.adoptedStyleSheets.filter((other) => other !== sheet);
+    });
+  }
+
+  /** As the element's own. */
+  search(query: string, signal: AbortSignal): Promise<readonly SearchHit[]> {
+    return searchBook(this.#texts, this.#source.pageCount, query, signal);
+  }
+
+  /** Marks a hit and every other place of its query wherever they come in sight; null takes the marks away. */
+  mark(hit: SearchHit | null): void {
+    this.#layer.mark(hit);
+  }
+
+  /** The book has other pages than before: all that was read of them is read anew. */
+  changed(): void {
+    this.#texts.clear();
+    this.#layer.reload();
+  }
+}
