@@ -3,7 +3,8 @@
  * sources with a stamp of the Rust sources it was built from, so that a clone
  * needs no Rust to read a book. It holds what the viewer calls; the scenes of
  * benches and golden tests are in a second one, target/trials.wasm, which has
- * the viewer's exports too and is in no package.
+ * the viewer's exports too and is in no package. Loose leaves of every model are
+ * in a third one, beside the viewer's models/, with a stamp of its own.
  *
  *   node scripts/build_wasm.mjs            build, write the file and its stamp, and
  *                                          the trials
@@ -16,7 +17,8 @@ import { execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { homedir } from "node:os";
-import { join } from "node:path";
+import { basename, join } from "node:path";
+import { onlyLeaves } from "./leaves_wasm.mjs";
 import { shrinkWasm } from "./shrink_wasm.mjs";
 
 const root = join(import.meta.dirname, "..");
@@ -25,7 +27,8 @@ const cargoTarget = process.env.CARGO_TARGET_DIR ?? join(root, "target");
 const built = join(cargoTarget, target, "wasm/turnleaf_wasm.wasm");
 const trials = join(root, "target/trials.wasm");
 const kept = join(root, "packages/turnleaf/src/engine/turnleaf.wasm");
-const stampFile = `${kept}.stamp.json`;
+const models = join(root, "packages/turnleaf/src/models/models.wasm");
+const stampOf = (file) => `${file}.stamp.json`;
 
 const sha256 = (bytes) => createHash("sha256").update(bytes).digest("hex");
 
@@ -42,6 +45,7 @@ function sources() {
     "engine/Cargo.toml",
     "wasm/Cargo.toml",
     "scripts/dead_data.mjs",
+    "scripts/leaves_wasm.mjs",
     "scripts/shrink_wasm.mjs",
     ...under("engine/src"),
     ...under("wasm/src"),
@@ -100,38 +104,49 @@ function buildTrials() {
   writeFileSync(trials, build(["trials"]));
 }
 
+/** The committed files, and how each is made of the sources. */
+const committed = [
+  { file: kept, make: () => shrinkWasm(build()) },
+  { file: models, make: () => onlyLeaves(build(["models"])) },
+];
+
 function fail(sentence) {
   console.error(sentence);
   process.exit(1);
 }
 
 if (process.argv.includes("--verify")) {
-  const stamp = JSON.parse(readFileSync(stampFile, "utf8"));
-  if (stamp.sources !== sourcesHash()) {
-    fail("turnleaf.wasm is older than the Rust sources; run `make wasm` and commit the result.");
-  }
-  if (stamp.wasm !== sha256(readFileSync(kept))) {
-    fail(
-      "turnleaf.wasm is not the file that its stamp names; run `make wasm` and commit the result.",
-    );
-  }
-  if (!hasTarget()) {
-    console.log(`turnleaf.wasm matches its stamp (not rebuilt: no ${target} target here)`);
-  } else {
-    if (sha256(shrinkWasm(build())) !== stamp.wasm) {
-      fail("Rebuilding turnleaf.wasm gave other bytes; run `make wasm` and commit the result.");
+  const canBuild = hasTarget();
+  for (const { file, make } of committed) {
+    const name = basename(file);
+    const stamp = JSON.parse(readFileSync(stampOf(file), "utf8"));
+    if (stamp.sources !== sourcesHash()) {
+      fail(`${name} is older than the Rust sources; run \`make wasm\` and commit the result.`);
     }
-    buildTrials();
-    console.log("turnleaf.wasm matches its stamp, and rebuilding gave the same bytes");
+    if (stamp.wasm !== sha256(readFileSync(file))) {
+      fail(
+        `${name} is not the file that its stamp names; run \`make wasm\` and commit the result.`,
+      );
+    }
+    if (!canBuild) {
+      console.log(`${name} matches its stamp (not rebuilt: no ${target} target here)`);
+    } else if (sha256(make()) !== stamp.wasm) {
+      fail(`Rebuilding ${name} gave other bytes; run \`make wasm\` and commit the result.`);
+    } else {
+      console.log(`${name} matches its stamp, and rebuilding gave the same bytes`);
+    }
   }
+  if (canBuild) buildTrials();
 } else {
   if (!hasTarget()) {
     fail(`Building the engine for the browser needs its target: rustup target add ${target}`);
   }
   buildTrials();
   if (process.argv.includes("--trials")) process.exit(0);
-  writeFileSync(kept, shrinkWasm(build()));
-  const stamp = { sources: sourcesHash(), wasm: sha256(readFileSync(kept)) };
-  writeFileSync(stampFile, `${JSON.stringify(stamp, null, 2)}\n`);
-  console.log(`turnleaf.wasm: ${statSync(kept).size} bytes`);
+  for (const { file, make } of committed) {
+    writeFileSync(file, make());
+    const stamp = { sources: sourcesHash(), wasm: sha256(readFileSync(file)) };
+    writeFileSync(stampOf(file), `${JSON.stringify(stamp, null, 2)}\n`);
+    console.log(`${basename(file)}: ${statSync(file).size} bytes`);
+  }
 }

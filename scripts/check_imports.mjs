@@ -13,6 +13,7 @@ const viewer = {
   engine: [],
   sources: [],
   words: [],
+  models: ["engine"],
   book: ["engine"],
   hand: ["engine"],
   pages: ["sources"],
@@ -59,7 +60,7 @@ const viewer = {
 const packages = { three: /^draw\//, "pdfjs-dist": /^sources\/pdf/ };
 
 /** The engine's modules that nothing below them may use. */
-const engine = ["key_frames", "book", "trials"];
+const engine = ["key_frames", "loose", "book", "trials"];
 
 const errors = [];
 

@@ -17,6 +17,7 @@
 //! - [`Kinematic`] with its [`KinematicSettings`]: the swinging board, the peel, the
 //!   cylinder and the cone of earlier page turners
 //! - [`Stock`], its [`Rigidity`], and the [`Air`] around it: what the paper is
+//! - [`LooseLeaf`]: a leaf over a table, by any model, turned by the same hands
 //! - [`Gesture`]: how a hand turns a leaf
 //! - [`Interpolation`]: from few nodes to many points
 //! - [`book`]: the bound book, in which a leaf is held, falls and is played
@@ -33,6 +34,7 @@ mod hash;
 mod interpolate;
 mod key_frames;
 mod lanes;
+mod loose;
 mod models;
 #[cfg(test)]
 mod random;
@@ -53,6 +55,7 @@ pub use key_frames::{
     Blend, FORMAT_VERSION, FrameKind, KeyFrameError, KeyFrames, ModelKind, PAPER_INTERVAL,
     Recorder, Replay,
 };
+pub use loose::{InvalidLoose, LeafEnergies, LooseLeaf, LooseSettings, TurnBy};
 pub use models::kinematic::{
     Cone, Cylinder, InvalidKinematic, Kinematic, KinematicSettings, Peel, Pose, Rigid, Shape,
 };

@@ -4,10 +4,12 @@
 use crate::book::{Board, Book};
 use crate::grid::Side;
 use crate::hash::BitHash;
+use crate::key_frames::ModelKind;
+use crate::loose::{LooseLeaf, LooseSettings, TurnBy};
 use crate::models::sheet::{Sheet, SheetSettings};
 use crate::stock::{GRAVITY, Stock};
 use crate::surface::Surface;
-use crate::turn::TurnModel;
+use crate::turn::{TurnModel, turn_hash};
 
 /// Size of the page in all of them, metres: A5.
 pub const PAGE: [f64; 2] = [0.148, 0.210];
@@ -85,6 +87,24 @@ pub fn mid_turn(columns: usize, rows: usize) -> Sheet {
         sheet.step();
     }
     sheet
+}
+
+/// Hash of all bits of a second of a model's leaf of book paper, which a hand
+/// turns by the corner; a shell of few nodes.
+///
+/// # Panics
+/// Never: every model makes a leaf of these settings.
+pub fn loose_hash(kind: ModelKind) -> u64 {
+    let mut settings = LooseSettings::leaf(kind, PAGE, Stock::BOOK);
+    if kind == ModelKind::Shell {
+        settings.nodes = Some([7, 5]);
+        settings.time_step = Some(1.0 / 120.0);
+    }
+    settings.interpolate = true;
+    let mut leaf = LooseLeaf::new(settings).expect("these are a leaf's settings");
+    leaf.play(TurnBy::Corner, Side::Right, 0.8);
+    let steps = libm::round(1.0 / f64::from(leaf.time_step()));
+    turn_hash(&mut leaf, steps as usize)
 }
 
 /// A frame at 60 Hz of a sheet: as many steps as it has, its surface and normals.

@@ -1,16 +1,20 @@
 //! Whole turns against recorded bits: of the mass-spring model preset, gesture,
 //! seconds, seconds after, hash; of the sheet half a second of its mid-turn; of
-//! a book a riffle of a stock. A change of these is a change of every recorded turn, so it is made on
+//! a book a riffle of a stock; of every model a loose leaf turned by its corner. A change of these is a change of every recorded turn, so it is made on
 //! purpose: `UPDATE_GOLDEN=1 cargo test -p turnleaf-engine --test golden`.
 
-use turnleaf_engine::trials::{mid_turn, riffle_hash};
-use turnleaf_engine::{MassSpring, Settings, TurnModel, turn_hash};
+use turnleaf_engine::trials::{loose_hash, mid_turn, riffle_hash};
+use turnleaf_engine::{MassSpring, ModelKind, Settings, TurnModel, turn_hash};
 
 const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/turns.golden");
 
 fn hash(line: &[&str]) -> u64 {
     match line[0] {
         "sheet" => turn_hash(&mut mid_turn(12, 16), 60),
+        "loose" => {
+            let mut kinds = ModelKind::ALL.into_iter();
+            loose_hash(kinds.find(|kind| kind.name() == line[1]).unwrap())
+        }
         "riffle" => riffle_hash(line[1]).unwrap(),
         _ => mass_spring(line),
     }

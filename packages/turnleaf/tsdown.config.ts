@@ -3,14 +3,18 @@ import { packedFiles } from "./packed_files.js";
 import { shortTexts } from "./short_texts.js";
 import { wasmInline } from "./wasm_inline.js";
 
-export default defineConfig({
-  entry: ["src/index.ts"],
+const common = {
   platform: "browser",
   target: "es2022",
   format: "esm",
   dts: true,
   minify: true,
   sourcemap: true,
+} as const;
+
+const viewer = defineConfig({
+  ...common,
+  entry: ["src/index.ts"],
   plugins: [wasmInline(), packedFiles(), shortTexts()],
   deps: { neverBundle: ["three"], onlyBundle: ["pdfjs-dist"] },
   outputOptions: {
@@ -22,3 +26,13 @@ export default defineConfig({
     },
   },
 });
+
+/** An entry of its own, built apart: it shares no file with the viewer, which has other machine code. */
+const models = defineConfig({
+  ...common,
+  entry: { models: "src/models/models.ts" },
+  clean: false,
+  plugins: [wasmInline()],
+});
+
+export default [viewer, models];

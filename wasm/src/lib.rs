@@ -13,6 +13,8 @@
 
 #[cfg(target_arch = "wasm32")]
 mod allocator;
+#[cfg(feature = "models")]
+mod models;
 #[cfg(feature = "trials")]
 mod trials;
 

@@ -1,8 +1,9 @@
 /**
  * The same turns in WASM as in native code, bit for bit. Reads the hashes that
  * the engine's own test holds native code to. Riffles are turned by the machine
- * code that the viewer ships, through the exports that it calls; the sheet and
- * the paper's model by target/trials.wasm, where `node scripts/build_wasm.mjs`
+ * code that the viewer ships, through the exports that it calls; loose leaves by
+ * the machine code that is shipped beside it; the sheet and the paper's model by
+ * target/trials.wasm, where `node scripts/build_wasm.mjs`
  * has built it.
  */
 import assert from "node:assert/strict";
@@ -13,11 +14,13 @@ import { Riffle } from "./riffle.mjs";
 
 const root = join(import.meta.dirname, "../..");
 const shipped = join(root, "packages/turnleaf/src/engine/turnleaf.wasm");
+const leaves = join(root, "packages/turnleaf/src/models/models.wasm");
 const trials = join(root, "target/trials.wasm");
 const golden = readFileSync(join(root, "engine/tests/turns.golden"), "utf8");
 
 const presets = ["paper-2014", "book"];
 const gestures = ["column", "corner"];
+const models = ["mass-spring", "sheet", "shell", "rigid", "peel", "cylinder", "cone"];
 
 async function load(file) {
   const { instance } = await WebAssembly.instantiate(readFileSync(file), {});
@@ -65,15 +68,21 @@ function hashOfRiffle(engine, stock) {
   return hash.value;
 }
 
+function hashOf(engine, words) {
+  const [kind, name] = words;
+  if (kind === "riffle") return hashOfRiffle(engine, name);
+  if (kind === "loose") return engine.tl_leaf_hash(models.indexOf(name) + 1);
+  return hashOfScene(engine, words);
+}
+
 for (const line of golden.trim().split("\n")) {
   const words = line.split(" ");
   const hash = words.pop();
-  const isRiffle = words[0] === "riffle";
-  const file = isRiffle ? shipped : trials;
+  const file = { riffle: shipped, loose: leaves }[words[0]] ?? trials;
   const skip = existsSync(file) ? false : "no target/trials.wasm: node scripts/build_wasm.mjs";
   test(`${words.join(" ")}: the bits of native code`, { skip }, async () => {
     const engine = await load(file);
-    const found = isRiffle ? hashOfRiffle(engine, words[1]) : hashOfScene(engine, words);
+    const found = hashOf(engine, words);
     assert.equal(BigInt.asUintN(64, found).toString(16).padStart(16, "0"), hash);
   });
 }
@@ -82,5 +91,12 @@ test("the shipped machine code holds what the viewer calls and nothing else", as
   const wrapper = readFileSync(join(root, "packages/turnleaf/src/engine/engine.ts"), "utf8");
   const called = new Set(wrapper.match(/\btl_\w+/g));
   const exported = Object.keys(await load(shipped)).filter((name) => name !== "memory");
+  assert.deepEqual(exported.sort(), [...called].sort());
+});
+
+test("the machine code of loose leaves holds what its wrapper calls and nothing else", async () => {
+  const wrapper = readFileSync(join(root, "packages/turnleaf/src/models/models.ts"), "utf8");
+  const called = new Set(wrapper.match(/\btl_\w+/g));
+  const exported = Object.keys(await load(leaves)).filter((name) => name !== "memory");
   assert.deepEqual(exported.sort(), [...called].sort());
 });

@@ -1,0 +1,198 @@
+//! One leaf over a table, by any of the models.
+
+use super::settings::{InvalidLoose, LooseSettings};
+use super::springs::Springs;
+use crate::air::Air;
+use crate::gesture::{Gesture, Grip};
+use crate::grid::Side;
+use crate::interpolate::uniform_samples;
+use crate::key_frames::ModelKind;
+use crate::models::kinematic::{Kinematic, KinematicSettings, Shape};
+use crate::models::sheet::{Contact, Root, Sheet, SheetSettings};
+use crate::models::shell::{Edge, Shell, ShellSettings, Table};
+use crate::stock::Grain;
+use crate::turn::TurnModel;
+
+/// A leaf of some model. It turns freely about the spine.
+#[derive(Debug)]
+pub(super) enum Body {
+    Kinematic(Box<Kinematic>),
+    Springs(Box<Springs>),
+    Sheet(Box<Sheet>),
+    Shell(Box<Shell>),
+}
+
+impl Body {
+    pub fn new(settings: &LooseSettings) -> Result<Self, InvalidLoose> {
+        let [width, height] = settings.size;
+        let mut air = Air::still(width);
+        (air.density, air.added_mass) = (air.density * settings.air, air.added_mass * settings.air);
+        let [u, v] = settings
+            .samples
+            .map(|count| uniform_samples(count.clamp(2, 1024)));
+        let shape = match settings.kind {
+            ModelKind::Rigid => Shape::Rigid,
+            ModelKind::Peel => Shape::Peel,
+            ModelKind::Cylinder => Shape::Cylinder,
+            ModelKind::Cone => Shape::Cone,
+            ModelKind::MassSpring => return Ok(Self::Springs(Box::new(Springs::new(settings)?))),
+            ModelKind::Sheet => {
+                let mut own = SheetSettings {
+                    gravity: [0.0, 0.0, -settings.gravity],
+                    air,
+                    root: Root::Hinged(0.0),
+                    synchronise: settings.synchronise,
+                    ..SheetSettings::leaf(width, height, settings.stock)
+                };
+                if let Some([columns, rows]) = settings.nodes {
+                    (own.columns, own.rows) = (columns, rows);
+                }
+                own.time_step = settings.time_step.unwrap_or(own.time_step);
+                let mut sheet = Sheet::new(own)?;
+                sheet.draw_samples(&u, &v);
+                for contacts in sheet.contacts_mut() {
+                    contacts[0] = Contact {
+                        normal: [0.0, 0.0, 1.0],
+                        friction: settings.stock.friction as f32,
+                        firmness: 1.0,
+                        ..Contact::default()
+                    };
+                }
+                return Ok(Self::Sheet(Box::new(sheet)));
+            }
+            ModelKind::Shell => {
+                let mut own = ShellSettings {
+                    gravity: [0.0, 0.0, -settings.gravity],
+                    air,
+                    spine: Edge::Hinged {
+                        angle: 0.0,
+                        stiffness: 0.0,
+                    },
+                    table: Some(Table {
+                        friction: settings.stock.friction,
+                    }),
+                    discretisation: settings.discretisation,
+                    ..ShellSettings::leaf(&settings.stock, Grain::AlongSpine, width, height)
+                };
+                if let Some([columns, rows]) = settings.nodes {
+                    (own.columns, own.rows) = (columns, rows);
+                }
+                own.time_step = settings.time_step.unwrap_or(own.time_step);
+                let rows = own.rows;
+                let mut shell = Shell::new(own)?;
+                if rows < 4 {
+                    let sentence = format!("A drawn shell has at least 4 rows, not {rows}.");
+                    return Err(InvalidLoose(sentence));
+                }
+                shell.draw_samples(&u, &v);
+                return Ok(Self::Shell(Box::new(shell)));
+            }
+        };
+        let base = KinematicSettings::leaf(shape, width, height, settings.stock);
+        let own = KinematicSettings {
+            side: settings.side,
+            air,
+            gravity: settings.gravity,
+            time_step: settings.time_step.unwrap_or(base.time_step),
+            columns: settings.samples[0],
+            rows: settings.samples[1],
+            ..base
+        };
+        Ok(Self::Kinematic(Box::new(Kinematic::new(own)?)))
+    }
+
+    pub fn model(&self) -> &dyn TurnModel {
+        match self {
+            Self::Kinematic(leaf) => &**leaf,
+            Self::Springs(leaf) => &**leaf,
+            Self::Sheet(leaf) => &**leaf,
+            Self::Shell(leaf) => &**leaf,
+        }
+    }
+
+    pub fn model_mut(&mut self) -> &mut dyn TurnModel {
+        match self {
+            Self::Kinematic(leaf) => &mut **leaf,
+            Self::Springs(leaf) => &mut **leaf,
+            Self::Sheet(leaf) => &mut **leaf,
+            Self::Shell(leaf) => &mut **leaf,
+        }
+    }
+
+    /// Lays it flat and still on a side, nothing holding it.
+    pub fn lay_flat(&mut self, side: Side) {
+        match self {
+            Self::Kinematic(leaf) => leaf.lay_flat(side),
+            Self::Springs(leaf) => leaf.lay_flat(side),
+            Self::Sheet(leaf) => leaf.lay_flat(side),
+            Self::Shell(leaf) => {
+                leaf.release();
+                let sign = f64::from(side.sign());
+                let flat: Vec<f64> = flat(leaf.settings())
+                    .flat_map(|[x, y]| [sign * x, y, 0.0])
+                    .collect();
+                leaf.write_nodes(&flat, &vec![0.0; flat.len()]);
+            }
+        }
+    }
+
+    /// Begins a timed turn; answers whether the model carries it out by itself.
+    pub fn play(&mut self, gesture: Gesture) -> bool {
+        match self {
+            Self::Kinematic(leaf) => leaf.play(gesture),
+            Self::Springs(leaf) => leaf.play(gesture),
+            Self::Sheet(_) | Self::Shell(_) => {
+                self.grab(1.0, grip_v(gesture.grip));
+                return false;
+            }
+        }
+        true
+    }
+
+    pub fn grab(&mut self, u: f32, v: f32) {
+        match self {
+            Self::Kinematic(leaf) => leaf.grab(u, v),
+            Self::Springs(leaf) => leaf.grab(u, v),
+            Self::Sheet(leaf) => leaf.grab(0, u, v),
+            Self::Shell(leaf) => leaf.grab(f64::from(u), f64::from(v)),
+        }
+    }
+
+    pub fn pull(&mut self, to: [f32; 3]) {
+        match self {
+            Self::Kinematic(leaf) => leaf.pull(to),
+            Self::Springs(leaf) => leaf.pull(to),
+            Self::Sheet(leaf) => leaf.pull(0, to),
+            Self::Shell(leaf) => leaf.pull(to.map(f64::from)),
+        }
+    }
+
+    pub fn release(&mut self) {
+        match self {
+            Self::Kinematic(leaf) => leaf.release(),
+            Self::Springs(leaf) => leaf.release(),
+            Self::Sheet(leaf) => leaf.release(0),
+            Self::Shell(leaf) => leaf.release(),
+        }
+    }
+}
+
+/// Where along the fore-edge a grip holds: its middle, or its foot.
+pub(super) fn grip_v(grip: Grip) -> f32 {
+    match grip {
+        Grip::ForeEdge => 0.5,
+        Grip::FootCorner => 0.0,
+    }
+}
+
+/// Places of the nodes on the flat leaf, metres.
+fn flat(settings: &ShellSettings) -> impl Iterator<Item = [f64; 2]> + use<> {
+    let (columns, rows) = (settings.columns, settings.rows);
+    let cell = [
+        settings.width / (columns - 1) as f64,
+        settings.height / (rows - 1) as f64,
+    ];
+    (0..rows).flat_map(move |row| {
+        (0..columns).map(move |column| [column as f64 * cell[0], row as f64 * cell[1]])
+    })
+}

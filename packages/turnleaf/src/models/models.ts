@@ -1,0 +1,398 @@
+/**
+ * Loose leaves: one leaf over a table, moved by any of the engine's models and
+ * turned by the same gestures and hands. For pages that compare models, play
+ * with them or bake a turn; no book needs it. Its machine code is its own, so
+ * that the viewer does not carry it. Runs in browsers and in Node.
+ *
+ * Metres, kilograms, seconds and radians; x across the spine to the right, y
+ * along it to the head, z up from the table. Over a leaf u runs from 0 at the
+ * spine to 1 at the fore-edge, v from 0 at the foot to 1 at the head.
+ */
+
+import { unpackLzma } from "../engine/lzma.ts";
+import code from "./models.wasm";
+
+/** The models, by the engine's numbers less 1. */
+export const models = [
+  "mass-spring",
+  "sheet",
+  "shell",
+  "rigid",
+  "peel",
+  "cylinder",
+  "cone",
+] as const;
+
+/** The name of a model. */
+export type Model = (typeof models)[number];
+
+/** A paper's figures: kg/m^2, m, and N m of stiffness along and across the grain. */
+export interface LeafStock {
+  /** Mass of a square metre, kg/m^2. */
+  readonly grammage: number;
+  /** Thickness, m. */
+  readonly caliper: number;
+  /** Bending stiffness along the grain, which runs along the spine, N m. */
+  readonly stiffnessAlong: number;
+  /** Bending stiffness across the grain, N m. */
+  readonly stiffnessAcross: number;
+  /** Coefficient of friction on the table. Default 0.5. */
+  readonly friction?: number;
+}
+
+/** The name of a preset paper. */
+export type LeafStockName = "bible" | "book" | "office" | "coated" | "card";
+
+/** The engine's preset papers, from the lightest to the heaviest. */
+export const leafStocks: Readonly<Record<LeafStockName, LeafStock>> = {
+  bible: stock(0.03, 40e-6, 0.011e-3, 0.5),
+  book: stock(0.07, 90e-6, 0.12e-3, 0.5),
+  office: stock(0.08, 104e-6, 0.19e-3, 0.5),
+  coated: stock(0.17, 140e-6, 0.8e-3, 0.4),
+  card: stock(0.25, 300e-6, 4.5e-3, 0.45),
+};
+
+function stock(grammage: number, caliper: number, across: number, friction: number): LeafStock {
+  const ratio = 2.25;
+  return {
+    grammage,
+    caliper,
+    stiffnessAlong: ratio * across,
+    stiffnessAcross: across,
+    friction,
+  };
+}
+
+/** What a loose leaf is. */
+export interface LeafOptions {
+  /** The model that moves it. */
+  readonly model: Model;
+  /** Width in metres, from the spine to the fore-edge. Default 0.148. */
+  readonly width?: number;
+  /** Height in metres, from the foot to the head. Default 0.21. */
+  readonly height?: number;
+  /** The paper. Default book paper. */
+  readonly stock?: LeafStock;
+  /** Side on which it rests at first. Default right. */
+  readonly side?: LeafSide;
+  /** Acceleration of gravity downward, m/s^2. Default 9.80665. */
+  readonly gravity?: number;
+  /** Density of the air over the real one's: 0 is a vacuum. Default 1. */
+  readonly air?: number;
+  /** Columns and rows of nodes. Default the model's own; of no consequence for rigid, peel, cylinder and cone. */
+  readonly nodes?: readonly [columns: number, rows: number];
+  /** Length of a step, seconds. Default the model's own. */
+  readonly timeStep?: number;
+  /** Columns and rows of drawn points. Default 26 x 26. */
+  readonly points?: readonly [columns: number, rows: number];
+  /** Of mass-spring: the paper's own constants, or paper's weight and stiffness. Default paper-2014. */
+  readonly preset?: "paper-2014" | "book";
+  /** Of mass-spring and sheet: which lines are kept parallel; a number is the dog-ear line's angle with the spine, radians. Default none. */
+  readonly synchronise?: "off" | "columns" | number;
+  /** Of mass-spring: whether the drawn points are interpolated between its nodes, or are its nodes. Default false. */
+  readonly interpolate?: boolean;
+  /** Of shell: how its bending follows from its nodes. Default grid. */
+  readonly discretisation?: "grid" | "triangles";
+}
+
+/** A side of the spine. */
+export type LeafSide = "left" | "right";
+
+/** How a leaf is turned: by its fore-edge, by its foot corner, or by that and let go upright. */
+export type LeafTurn = "edge" | "corner" | "let-go";
+
+const turns: readonly LeafTurn[] = ["edge", "corner", "let-go"];
+
+/** What can be said of a leaf's nodes as if they were paper's. */
+export interface LeafFigures {
+  /** Energy of motion, J. */
+  readonly kinetic: number;
+  /** Energy of bending and twist, J. */
+  readonly bending: number;
+  /** Energy of height over the table, J. */
+  readonly gravity: number;
+  /** Largest stretch of an edge between neighbouring nodes: 0.01 is one per cent longer than at rest. */
+  readonly stretch: number;
+  /** Largest compression of one, below 0. */
+  readonly compression: number;
+}
+
+/** A grid in the engine's memory: good until the leaf's next `update`. */
+export interface LeafGrid {
+  /** Points along a row, from the spine. */
+  readonly columns: number;
+  /** Rows, from the foot. */
+  readonly rows: number;
+  /** x, y, z of each point, row by row, metres. */
+  readonly positions: Float32Array;
+}
+
+/** The drawn surface of a leaf. */
+export interface LeafSurface extends LeafGrid {
+  /** Unit normal of each point; up for a leaf that lies on the right. */
+  readonly normals: Float32Array;
+}
+
+/** The nodes of a leaf. */
+export interface LeafNodes extends LeafGrid {
+  /** Velocity of each node, m/s. */
+  readonly velocities: Float32Array;
+}
+
+interface Exports {
+  memory: WebAssembly.Memory;
+  tl_leaf_figures(): number;
+  tl_leaf_new(figures: number): number;
+  tl_leaf_drop(leaf: number): void;
+  tl_leaf_error(): number;
+  tl_leaf_error_length(): number;
+  /** Called by the golden test alone. */
+  tl_leaf_hash(kind: number): bigint;
+  tl_leaf_lay(leaf: number, side: number): void;
+  tl_leaf_play(leaf: number, by: number, from: number, seconds: number): void;
+  tl_leaf_playing(leaf: number): number;
+  tl_leaf_grab(leaf: number, u: number, v: number): void;
+  tl_leaf_hold(leaf: number, x: number, y: number, z: number): void;
+  tl_leaf_release(leaf: number): void;
+  tl_leaf_advance(leaf: number, seconds: number): void;
+  tl_leaf_step(leaf: number): number;
+  tl_leaf_time(leaf: number): number;
+  tl_leaf_update(leaf: number): void;
+  tl_leaf_columns(leaf: number): number;
+  tl_leaf_rows(leaf: number): number;
+  tl_leaf_positions(leaf: number): number;
+  tl_leaf_normals(leaf: number): number;
+  tl_leaf_node_columns(leaf: number): number;
+  tl_leaf_node_rows(leaf: number): number;
+  tl_leaf_nodes(leaf: number): number;
+  tl_leaf_velocities(leaf: number): number;
+  tl_leaf_measure(leaf: number): number;
+  tl_leaf_record(leaf: number, interval: number): void;
+  tl_leaf_finish_record(leaf: number): number;
+  tl_leaf_record_bytes(leaf: number): number;
+}
+
+let compiled: Promise<WebAssembly.Module> | undefined;
+
+function compile(): Promise<WebAssembly.Module> {
+  compiled ??= (async () => {
+    const packed = Uint8Array.from(atob(code), (c) => c.charCodeAt(0));
+    return WebAssembly.compile(unpackLzma(packed));
+  })();
+  return compiled;
+}
+
+const sideNumber = (side: LeafSide) => (side === "left" ? 1 : 0);
+
+/** The numbers of `tl_leaf_new`, in their order. */
+function figuresOf(options: LeafOptions): number[] {
+  const { stock = leafStocks.book, synchronise = "off" } = options;
+  const [nodeColumns, nodeRows] = options.nodes ?? [0, 0];
+  const [columns, rows] = options.points ?? [26, 26];
+  const angle = typeof synchronise === "number" ? synchronise : 0;
+  const parallel = typeof synchronise === "number" ? 2 : synchronise === "columns" ? 1 : 0;
+  return [
+    models.indexOf(options.model) + 1,
+    options.width ?? 0.148,
+    options.height ?? 0.21,
+    stock.grammage,
+    stock.caliper,
+    stock.stiffnessAlong,
+    stock.stiffnessAcross,
+    sideNumber(options.side ?? "right"),
+    options.gravity ?? 9.80665,
+    options.air ?? 1,
+    nodeColumns,
+    nodeRows,
+    options.timeStep ?? 0,
+    columns,
+    rows,
+    options.preset === "book" ? 1 : 0,
+    parallel,
+    angle,
+    options.interpolate ? 1 : 0,
+    options.discretisation === "triangles" ? 1 : 0,
+    stock.friction ?? 0.5,
+  ];
+}
+
+/**
+ * A loose leaf, in an engine of its own: dropping it frees all of its memory.
+ *
+ * ```ts
+ * const leaf = await LooseLeaf.create({ model: "cone" });
+ * leaf.play("corner", "right", 1.2);
+ * leaf.advance(1 / 60);
+ * leaf.update();
+ * draw(leaf.surface());
+ * ```
+ */
+export class LooseLeaf {
+  /** What it was made of. */
+  readonly options: LeafOptions;
+  readonly #wasm: Exports;
+  readonly #leaf: number;
+
+  private constructor(wasm: Exports, options: LeafOptions) {
+    this.#wasm = wasm;
+    this.options = options;
+    const room = wasm.tl_leaf_figures();
+    const figures = figuresOf(options);
+    new Float64Array(wasm.memory.buffer, room, figures.length).set(figures);
+    this.#leaf = wasm.tl_leaf_new(room);
+    if (this.#leaf === 0) {
+      const bytes = new Uint8Array(
+        wasm.memory.buffer,
+        wasm.tl_leaf_error(),
+        wasm.tl_leaf_error_length(),
+      );
+      throw new Error(new TextDecoder().decode(bytes));
+    }
+  }
+
+  /**
+   * Makes a leaf, flat and still on its side.
+   * @throws Error in one sentence where the options make no leaf, or where there
+   *   is no WebAssembly
+   */
+  static async create(options: LeafOptions): Promise<LooseLeaf> {
+    const instance = await WebAssembly.instantiate(await compile(), {});
+    return new LooseLeaf(instance.exports as unknown as Exports, options);
+  }
+
+  /** Lays the leaf flat and still on a side, nothing holding it. */
+  lay(side: LeafSide): void {
+    this.#wasm.tl_leaf_lay(this.#leaf, sideNumber(side));
+  }
+
+  /** Lays the leaf on a side and starts a turn to the other one that takes `seconds`, 0.01 to 3600. */
+  play(by: LeafTurn, from: LeafSide, seconds: number): void {
+    this.#wasm.tl_leaf_play(this.#leaf, turns.indexOf(by), sideNumber(from), seconds);
+  }
+
+  /** Whether such a turn is under way: the leaf's own hand still leads it. */
+  get playing(): boolean {
+    return this.#wasm.tl_leaf_playing(this.#leaf) !== 0;
+  }
+
+  /** A hand takes hold at (u, v), and ends a turn under way. */
+  grab(u: number, v: number): void {
+    this.#wasm.tl_leaf_grab(this.#leaf, u, v);
+  }
+
+  /** The hand pulls what it holds to a place, metres: the leaf follows as far as its model lets it. */
+  hold(x: number, y: number, z: number): void {
+    this.#wasm.tl_leaf_hold(this.#leaf, x, y, z);
+  }
+
+  /** The hand, or the turn under way, lets go: the leaf falls. */
+  release(): void {
+    this.#wasm.tl_leaf_release(this.#leaf);
+  }
+
+  /** Moves on by seconds (at most 60), in whole steps of the model; what is left over is made up for by the next call. */
+  advance(seconds: number): void {
+    this.#wasm.tl_leaf_advance(this.#leaf, seconds);
+  }
+
+  /** Length of a step of the model, seconds. */
+  get timeStep(): number {
+    return this.#wasm.tl_leaf_step(this.#leaf);
+  }
+
+  /** Seconds of its own time since it was made. */
+  get time(): number {
+    return this.#wasm.tl_leaf_time(this.#leaf);
+  }
+
+  /** Brings `surface` and `nodes` up to date. */
+  update(): void {
+    this.#wasm.tl_leaf_update(this.#leaf);
+  }
+
+  /** The drawn surface as of the last `update`. */
+  surface(): LeafSurface {
+    const [wasm, leaf] = [this.#wasm, this.#leaf];
+    const [columns, rows] = [wasm.tl_leaf_columns(leaf), wasm.tl_leaf_rows(leaf)];
+    const floats = (address: number) =>
+      new Float32Array(wasm.memory.buffer, address, 3 * columns * rows);
+    return {
+      columns,
+      rows,
+      positions: floats(wasm.tl_leaf_positions(leaf)),
+      normals: floats(wasm.tl_leaf_normals(leaf)),
+    };
+  }
+
+  /** The model's nodes as of the last `update`: its masses, where it has masses. */
+  nodes(): LeafNodes {
+    const [wasm, leaf] = [this.#wasm, this.#leaf];
+    const [columns, rows] = [wasm.tl_leaf_node_columns(leaf), wasm.tl_leaf_node_rows(leaf)];
+    const floats = (address: number) =>
+      new Float32Array(wasm.memory.buffer, address, 3 * columns * rows);
+    return {
+      columns,
+      rows,
+      positions: floats(wasm.tl_leaf_nodes(leaf)),
+      velocities: floats(wasm.tl_leaf_velocities(leaf)),
+    };
+  }
+
+  /** Energies and strains now. */
+  measure(): LeafFigures {
+    const at = this.#wasm.tl_leaf_measure(this.#leaf);
+    const figures = new Float64Array(this.#wasm.memory.buffer, at, 5);
+    const [kinetic = 0, bending = 0, gravity = 0, stretch = 0, compression = 0] = figures;
+    return { kinetic, bending, gravity, stretch, compression };
+  }
+
+  /** Records the drawn surface from now on, a frame every `interval` seconds. */
+  record(interval: number): void {
+    this.#wasm.tl_leaf_record(this.#leaf, interval);
+  }
+
+  /** Ends the record: the bytes of a file of key frames, none where `record` was not called. */
+  finishRecord(): Uint8Array {
+    const length = this.#wasm.tl_leaf_finish_record(this.#leaf);
+    const at = this.#wasm.tl_leaf_record_bytes(this.#leaf);
+    return new Uint8Array(this.#wasm.memory.buffer, at, length).slice();
+  }
+
+  /** Frees the leaf; it is of no use afterwards. */
+  destroy(): void {
+    this.#wasm.tl_leaf_drop(this.#leaf);
+  }
+}
+
+/** A spring of a mass-spring leaf: the numbers of its two nodes, and which kind it is. */
+export interface Spring {
+  /** Number of a node, row by row. */
+  readonly from: number;
+  /** Number of the other. */
+  readonly to: number;
+  /** Between neighbours, across a cell, or over every other node (Provot 1995). */
+  readonly kind: "structural" | "shear" | "bend";
+}
+
+/** The springs of a grid of masses, for figures of it. */
+export function springsOf(columns: number, rows: number): Spring[] {
+  const springs: Spring[] = [];
+  const steps = [
+    ["structural", 1, 0],
+    ["structural", 0, 1],
+    ["shear", 1, 1],
+    ["shear", -1, 1],
+    ["bend", 2, 0],
+    ["bend", 0, 2],
+  ] as const;
+  for (let row = 0; row < rows; row++) {
+    for (let column = 0; column < columns; column++) {
+      for (const [kind, across, up] of steps) {
+        const [c, r] = [column + across, row + up];
+        if (c < 0 || c >= columns || r >= rows) continue;
+        springs.push({ from: row * columns + column, to: r * columns + c, kind });
+      }
+    }
+  }
+  return springs;
+}

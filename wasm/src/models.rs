@@ -1,0 +1,249 @@
+//! The face of loose leaves, for what compares models, plays with them and bakes
+//! them: every model of the engine, one leaf a handle. No book uses it; it is in
+//! a WASM of its own.
+//!
+//! A leaf is the address of a boxed [`Loose`], 0 where none could be made; then
+//! [`tl_leaf_error`] says why. The typed wrapper is the viewer's
+//! `models/models.ts`; its comments say what each does. Arrays that a function
+//! answers the address of stay there until the next [`tl_leaf_update`] that
+//! changes their length.
+
+use turnleaf_engine::{
+    Discretisation, InvalidLoose, LooseLeaf, LooseSettings, ModelKind, Preset, Stock, Surface,
+    Synchronise, TurnBy, TurnModel,
+};
+
+use crate::side;
+
+/// A leaf, and what of it is read.
+pub struct Loose {
+    leaf: LooseLeaf,
+    surface: Surface,
+    positions: Vec<f32>,
+    velocities: Vec<f32>,
+    /// Kinetic, bending and gravity energy, J; largest stretch and compression.
+    figures: [f64; 5],
+    record: Vec<u8>,
+}
+
+/// Why the last leaf could not be made.
+static ERROR: std::sync::Mutex<String> = std::sync::Mutex::new(String::new());
+
+/// Numbers of [`tl_leaf_new`], in their order.
+const FIGURES: usize = 21;
+
+fn settings(figures: &[f64; FIGURES]) -> Result<LooseSettings, InvalidLoose> {
+    let [
+        kind,
+        width,
+        height,
+        grammage,
+        caliper,
+        along,
+        across,
+        from,
+        gravity,
+        air,
+        node_columns,
+        node_rows,
+        time_step,
+        columns,
+        rows,
+        preset,
+        parallel,
+        angle,
+        interpolate,
+        triangles,
+        friction,
+    ] = *figures;
+    let kind = ModelKind::from_id(kind as u32)
+        .ok_or_else(|| InvalidLoose(format!("There is no model number {kind}.")))?;
+    let mut stock = Stock::new(grammage, caliper, along, across)
+        .map_err(|error| InvalidLoose(error.to_string()))?;
+    stock.friction = friction;
+    Ok(LooseSettings {
+        side: side(from as u32),
+        gravity,
+        air,
+        nodes: (node_columns > 0.0).then_some([node_columns as usize, node_rows as usize]),
+        time_step: (time_step != 0.0).then_some(time_step),
+        samples: [columns as usize, rows as usize],
+        preset: if preset == 0.0 {
+            Preset::Paper2014
+        } else {
+            Preset::Book
+        },
+        synchronise: match parallel as u32 {
+            0 => Synchronise::Off,
+            1 => Synchronise::Columns,
+            _ => Synchronise::DogEar {
+                angle: angle as f32,
+            },
+        },
+        interpolate: interpolate != 0.0,
+        discretisation: if triangles == 0.0 {
+            Discretisation::Grid
+        } else {
+            Discretisation::Triangles
+        },
+        ..LooseSettings::leaf(kind, [width, height], stock)
+    })
+}
+
+/// Room for the figures of [`tl_leaf_new`].
+#[unsafe(no_mangle)]
+pub extern "C" fn tl_leaf_figures() -> *mut [f64; FIGURES] {
+    Box::into_raw(Box::new([0.0; FIGURES]))
+}
+
+/// Makes a leaf, flat and still, of the figures in the room, which is freed: kind
+/// (1 mass-spring, 2 sheet, 3 shell, 4 rigid, 5 peel, 6 cylinder, 7 cone), width,
+/// height, grammage, caliper, stiffness along and across, side (0 right),
+/// gravity, air (1 the real one), columns and rows of nodes (0 the model's own),
+/// time step (0 the model's own), columns and rows of points, preset of springs
+/// (0 the paper's), lines kept parallel (0 none, 1 columns, 2 at the angle that
+/// follows), interpolation of springs, triangles of a shell, friction.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_leaf_new(figures: *mut [f64; FIGURES]) -> *mut Loose {
+    // SAFETY: the room of `tl_leaf_figures`, not used again.
+    let figures = unsafe { Box::from_raw(figures) };
+    match settings(&figures).and_then(LooseLeaf::new) {
+        Ok(leaf) => {
+            let mut loose = Loose {
+                leaf,
+                surface: Surface::new(2, 2),
+                positions: Vec::new(),
+                velocities: Vec::new(),
+                figures: [0.0; 5],
+                record: Vec::new(),
+            };
+            update(&mut loose);
+            Box::into_raw(Box::new(loose))
+        }
+        Err(error) => {
+            if let Ok(mut last) = ERROR.lock() {
+                *last = error.to_string();
+            }
+            core::ptr::null_mut()
+        }
+    }
+}
+
+/// Frees a leaf.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_leaf_drop(leaf: *mut Loose) {
+    // SAFETY: a handle by the module's contract, not used again.
+    drop(unsafe { Box::from_raw(leaf) });
+}
+
+/// Address of the sentence that says why the last leaf could not be made, UTF-8.
+#[unsafe(no_mangle)]
+pub extern "C" fn tl_leaf_error() -> *const u8 {
+    ERROR.lock().map_or(core::ptr::null(), |last| last.as_ptr())
+}
+
+/// Length of that sentence in bytes.
+#[unsafe(no_mangle)]
+pub extern "C" fn tl_leaf_error_length() -> usize {
+    ERROR.lock().map_or(0, |last| last.len())
+}
+
+/// Hash of the exact bits of a second of a turn by the corner of a model's
+/// leaf, for the golden test.
+#[unsafe(no_mangle)]
+pub extern "C" fn tl_leaf_hash(kind: u32) -> u64 {
+    ModelKind::from_id(kind).map_or(0, turnleaf_engine::trials::loose_hash)
+}
+
+fn update(loose: &mut Loose) {
+    loose.leaf.write_surface(&mut loose.surface);
+    loose.surface.update_normals();
+    let (columns, rows) = loose.leaf.grid_size();
+    loose.positions.resize(3 * columns * rows, 0.0);
+    loose.velocities.resize(3 * columns * rows, 0.0);
+    loose
+        .leaf
+        .read_nodes(&mut loose.positions, &mut loose.velocities);
+}
+
+fn turn(number: u32) -> TurnBy {
+    *TurnBy::ALL.get(number as usize).unwrap_or(&TurnBy::Corner)
+}
+
+/// Declares exported functions on a leaf, each a call to the engine.
+macro_rules! leaf_functions {
+    ($($(#[$doc:meta])* fn $name:ident($leaf:ident $(, $arg:ident: $type:ty)*) $(-> $result:ty)? $body:block)*) => {$(
+        $(#[$doc])*
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn $name($leaf: *mut Loose $(, $arg: $type)*) $(-> $result)? {
+            // SAFETY: a live handle by the module's contract.
+            let $leaf = unsafe { &mut *$leaf };
+            $body
+        }
+    )*};
+}
+
+leaf_functions! {
+    /// Lays the leaf flat and still on a side.
+    fn tl_leaf_lay(loose, on: u32) { loose.leaf.lay_flat(side(on)) }
+    /// Starts a turn (0 edge, 1 corner, 2 corner let go half-way) from a side.
+    fn tl_leaf_play(loose, by: u32, from: u32, seconds: f32) {
+        let seconds = if seconds > 0.01 { seconds.min(3600.0) } else { 0.01 };
+        loose.leaf.play(turn(by), side(from), seconds)
+    }
+    /// Whether such a turn is under way.
+    fn tl_leaf_playing(loose) -> u32 { loose.leaf.is_playing().into() }
+    /// A hand takes hold at (u, v).
+    fn tl_leaf_grab(loose, u: f32, v: f32) { loose.leaf.grab(u, v) }
+    /// The hand pulls to a place, metres.
+    fn tl_leaf_hold(loose, x: f32, y: f32, z: f32) { loose.leaf.pull([x, y, z]) }
+    /// The hand lets go.
+    fn tl_leaf_release(loose) { loose.leaf.release() }
+    /// Moves on by seconds.
+    fn tl_leaf_advance(loose, seconds: f64) { loose.leaf.advance(seconds) }
+    /// Length of a step, seconds.
+    fn tl_leaf_step(loose) -> f32 { loose.leaf.time_step() }
+    /// Seconds since it was made.
+    fn tl_leaf_time(loose) -> f32 { loose.leaf.time() }
+    /// Brings surface, normals and nodes up to date.
+    fn tl_leaf_update(loose) { update(loose) }
+    /// Points along a row of the surface.
+    fn tl_leaf_columns(loose) -> usize { loose.surface.columns }
+    /// Rows of the surface.
+    fn tl_leaf_rows(loose) -> usize { loose.surface.rows }
+    /// Points of the surface, f32 x, y, z.
+    fn tl_leaf_positions(loose) -> *const f32 { loose.surface.positions.as_ptr() }
+    /// Their normals, f32 x, y, z.
+    fn tl_leaf_normals(loose) -> *const f32 { loose.surface.normals.as_ptr() }
+    /// Columns of nodes.
+    fn tl_leaf_node_columns(loose) -> usize { loose.leaf.grid_size().0 }
+    /// Rows of nodes.
+    fn tl_leaf_node_rows(loose) -> usize { loose.leaf.grid_size().1 }
+    /// Nodes, f32 x, y, z.
+    fn tl_leaf_nodes(loose) -> *const f32 { loose.positions.as_ptr() }
+    /// Their velocities, f32 x, y, z.
+    fn tl_leaf_velocities(loose) -> *const f32 { loose.velocities.as_ptr() }
+    /// Five figures now, f64: kinetic, bending and gravity energy in J, largest
+    /// stretch and compression.
+    fn tl_leaf_measure(loose) -> *const f64 {
+        let (energies, strain) = (loose.leaf.energies(), loose.leaf.strain());
+        loose.figures = [
+            energies.kinetic,
+            energies.bending,
+            energies.gravity,
+            f64::from(strain.max),
+            f64::from(strain.min),
+        ];
+        loose.figures.as_ptr()
+    }
+    /// Records the surface from now on, a frame every `interval` seconds.
+    fn tl_leaf_record(loose, interval: f64) { loose.leaf.record(interval.max(1e-4)) }
+    /// Ends the record and answers its length in bytes as a file of key frames; 0
+    /// where none was begun.
+    fn tl_leaf_finish_record(loose) -> usize {
+        loose.record = loose.leaf.finish_record().map_or(Vec::new(), |frames| frames.to_bytes());
+        loose.record.len()
+    }
+    /// The bytes of that file.
+    fn tl_leaf_record_bytes(loose) -> *const u8 { loose.record.as_ptr() }
+}
