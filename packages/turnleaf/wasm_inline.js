@@ -1,17 +1,9 @@
 import { readFile } from "node:fs/promises";
-import { createRequire } from "node:module";
-
-const require = createRequire(import.meta.url);
-const { compress } = require("lzma/src/lzma-c.js").LZMA;
-
-/** The bytes as an .lzma file of the strongest packing. */
-export function packLzma(bytes) {
-  return Uint8Array.from(compress(Array.from(new Int8Array(bytes)), 9));
-}
+import { packCode } from "./pack_code.js";
 
 /**
  * Lets TypeScript import the engine's machine code as text: `import code from
- * "./turnleaf.wasm"` yields LZMA in base64. Inlined, so that whoever bundles the
+ * "./turnleaf.wasm"` yields it packed, in base64. Inlined, so that whoever bundles the
  * package has no file to copy and no fetch to configure; packed, as what a page
  * loads is counted. Serves both tsdown and vite, whose plugins share this shape.
  */
@@ -22,7 +14,7 @@ export function wasmInline() {
     async load(id) {
       const file = id.split("?")[0];
       if (!file.endsWith(".wasm")) return null;
-      const base64 = Buffer.from(packLzma(await readFile(file))).toString("base64");
+      const base64 = Buffer.from(packCode(await readFile(file))).toString("base64");
       return { code: `export default ${JSON.stringify(base64)};`, moduleType: "js", map: null };
     },
   };

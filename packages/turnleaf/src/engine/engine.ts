@@ -3,7 +3,7 @@
  * book frees all of its memory. Numbers and flat arrays alone cross the wall.
  */
 
-import { unpackLzma } from "./lzma.ts";
+import { unpackCode } from "./machine_code.ts";
 import type { Cover, Phase, Side } from "./phases.ts";
 import {
   type Pile,
@@ -64,7 +64,7 @@ let compiled: Promise<WebAssembly.Module> | undefined;
 function compile(): Promise<WebAssembly.Module> {
   compiled ??= (async () => {
     const packed = Uint8Array.from(atob(code), (c) => c.charCodeAt(0));
-    return WebAssembly.compile(unpackLzma(packed));
+    return WebAssembly.compile(unpackCode(packed));
   })();
   return compiled;
 }
