@@ -9,7 +9,7 @@
  * spine to 1 at the fore-edge, v from 0 at the foot to 1 at the head.
  */
 
-import { unpackLzma } from "../engine/lzma.ts";
+import { unpackCode } from "../engine/machine_code.ts";
 import code from "./models.wasm";
 
 /** The models, by the engine's numbers less 1. */
@@ -177,7 +177,7 @@ let compiled: Promise<WebAssembly.Module> | undefined;
 function compile(): Promise<WebAssembly.Module> {
   compiled ??= (async () => {
     const packed = Uint8Array.from(atob(code), (c) => c.charCodeAt(0));
-    return WebAssembly.compile(unpackLzma(packed));
+    return WebAssembly.compile(unpackCode(packed));
   })();
   return compiled;
 }
