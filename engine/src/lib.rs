@@ -22,7 +22,8 @@
 //! - [`Interpolation`]: from few nodes to many points
 //! - [`book`]: the bound book, in which a leaf is held, falls and is played
 //! - [`trials`]: scenes that benches, golden tests and the lab share
-//! - [`KeyFrames`], [`Recorder`] and [`Replay`]: a turn recorded and played again
+//! - [`KeyFrames`], [`Recorder`] and [`Replay`]: a turn recorded and played again;
+//!   [`Condensed`]: in few bytes, to be handed out
 
 mod air;
 mod band;
@@ -52,8 +53,8 @@ pub use grid::Side;
 pub use hash::BitHash;
 pub use interpolate::{Interpolation, lagrange_weights, uniform_samples};
 pub use key_frames::{
-    Blend, FORMAT_VERSION, FrameKind, KeyFrameError, KeyFrames, ModelKind, PAPER_INTERVAL,
-    Recorder, Replay,
+    Blend, Condensed, FORMAT_VERSION, FrameKind, KeyFrameError, KeyFrames, ModelKind,
+    PAPER_INTERVAL, Recorder, Replay,
 };
 pub use loose::{InvalidLoose, LeafEnergies, LooseLeaf, LooseSettings, TurnBy};
 pub use models::kinematic::{

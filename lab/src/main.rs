@@ -9,6 +9,7 @@ mod drop_sheet;
 mod energy;
 mod exact;
 mod gestures;
+mod keyframes;
 mod options;
 mod pear_loop;
 mod picture;
@@ -79,10 +80,21 @@ Experiments on a book:
                       --stock bible|book|office|coated|card|all  (all, in turn)
                       --worst N       lists the seeds of the N worst (0)
 
+Key frames to be handed out:
+
+  keyframes         a turn recorded and condensed: bytes, frames, error over the width
+                      --model sheet|mass-spring|rigid|peel|cylinder|cone  (sheet)
+                      --gesture edge|corner  (corner)
+                      --stock bible|book|office|coated|card  (book)
+                      --seconds T     duration of the gesture (0.8)
+                      --settle T      time recorded after it (0)
+                      --tolerance E   largest error over the width (0.001)
+                      --out FILE      writes the file
+
 All take      --json                print JSON
 ";
 
-const NAMES: &str = "table1, turn, picture, cantilever, tip-load, pear-loop, vibration, upright, lateral-buckling, drop-sheet, energy, convergence, agree and gestures";
+const NAMES: &str = "table1, turn, picture, cantilever, tip-load, pear-loop, vibration, upright, lateral-buckling, drop-sheet, energy, convergence, agree, gestures and keyframes";
 
 fn main() -> ExitCode {
     match run() {
@@ -123,6 +135,7 @@ fn run() -> Result<(), String> {
         "picture" => picture::run(&mut parser),
         "agree" => agree::run(&mut parser),
         "gestures" => gestures::run(&mut parser),
+        "keyframes" => keyframes::run(&mut parser),
         _ => Err(format!(
             "There is no experiment \"{name}\"; there are {NAMES}."
         )),

@@ -1,4 +1,5 @@
-//! The file format of key frames, version 1. All numbers are little-endian.
+//! The file format of key frames, version 1: every float as it is. Version 2 is
+//! that of [`Condensed`]. All numbers are little-endian.
 //!
 //! | bytes | what |
 //! |---|---|
@@ -15,16 +16,19 @@
 //!
 //! A reader accepts nothing but a whole, unchanged file of a version it knows.
 
-use super::{FrameKind, KeyFrames, ModelKind};
+use super::{Condensed, FrameKind, KeyFrames, ModelKind};
 use crate::hash::BitHash;
 use crate::models::mass_spring::Preset;
 
-/// The version that is written, and the newest that is read.
-pub const FORMAT_VERSION: u16 = 1;
+/// The newest version that is read; [`Condensed`] writes it.
+pub const FORMAT_VERSION: u16 = 2;
+
+/// The version of frames that are written whole.
+const WHOLE: u16 = 1;
 
 const MAGIC: [u8; 4] = *b"TLKF";
-const HEADER: usize = 36;
-const CHECKSUM: usize = 8;
+pub(super) const HEADER: usize = 36;
+pub(super) const CHECKSUM: usize = 8;
 /// More points along a side, or more frames, than any real record has.
 const MOST_POINTS: u32 = 4096;
 const MOST_FRAMES: u32 = 1 << 20;
@@ -108,12 +112,20 @@ impl core::fmt::Display for KeyFrameError {
 impl core::error::Error for KeyFrameError {}
 
 impl KeyFrames {
-    /// The file's bytes.
+    /// The bytes of a file of version 1: every float as it is.
     pub fn to_bytes(&self) -> Vec<u8> {
-        let floats = self.times.len() + self.positions.len();
-        let mut bytes = Vec::with_capacity(HEADER + 4 * floats + CHECKSUM);
+        let mut bytes = self.header(WHOLE);
+        for value in self.times.iter().chain(&self.positions) {
+            bytes.extend(value.to_le_bytes());
+        }
+        sealed(bytes)
+    }
+
+    /// The first bytes of a file.
+    pub(super) fn header(&self, version: u16) -> Vec<u8> {
+        let mut bytes = Vec::new();
         bytes.extend(MAGIC);
-        bytes.extend(FORMAT_VERSION.to_le_bytes());
+        bytes.extend(version.to_le_bytes());
         let kind: u16 = match self.kind {
             FrameKind::Masses => 0,
             FrameKind::Surface => 1,
@@ -127,61 +139,92 @@ impl KeyFrames {
         for count in [self.columns, self.rows, self.times.len()] {
             bytes.extend((count as u32).to_le_bytes());
         }
-        for value in self.times.iter().chain(&self.positions) {
-            bytes.extend(value.to_le_bytes());
-        }
-        bytes.extend(checksum(&bytes).to_le_bytes());
         bytes
     }
 
-    /// Reads a file's bytes.
+    /// Reads a file's bytes, of either version.
     ///
     /// # Errors
     /// If they are anything but a whole and unchanged file of a known version
     /// whose every number makes sense.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, KeyFrameError> {
-        let found = bytes.len() as u64;
-        if bytes.len() < 4 || bytes[..4] != MAGIC {
-            return Err(KeyFrameError::NotKeyFrames);
+        let version = version(bytes)?;
+        if version > WHOLE {
+            return Condensed::from_bytes(bytes).map(|condensed| condensed.frames);
         }
-        let too_short = |expected: usize| KeyFrameError::WrongLength {
-            expected: expected as u64,
-            found,
-        };
-        let version = bytes.get(4..6).ok_or(too_short(HEADER + CHECKSUM))?;
-        let version = u16::from_le_bytes([version[0], version[1]]);
-        if version > FORMAT_VERSION {
-            return Err(KeyFrameError::FutureVersion(version));
-        }
-        if bytes.len() < HEADER + CHECKSUM {
-            return Err(too_short(HEADER + CHECKSUM));
-        }
-        let header = Header::read(bytes, version)?;
-        let expected = header.file_length();
-        if found != expected {
-            return Err(KeyFrameError::WrongLength { expected, found });
-        }
-        let (content, sum) = bytes.split_at(bytes.len() - CHECKSUM);
-        if checksum(content).to_le_bytes() != sum {
-            return Err(KeyFrameError::Damaged);
-        }
+        let header = Header::read(bytes, version, HEADER)?;
+        let content = unsealed(bytes, header.file_length())?;
         header.content(&content[HEADER..])
     }
 }
 
+/// The version that bytes say they are of.
+pub(super) fn version(bytes: &[u8]) -> Result<u16, KeyFrameError> {
+    if bytes.len() < 4 || bytes[..4] != MAGIC {
+        return Err(KeyFrameError::NotKeyFrames);
+    }
+    let version = bytes.get(4..6).ok_or(KeyFrameError::WrongLength {
+        expected: (HEADER + CHECKSUM) as u64,
+        found: bytes.len() as u64,
+    })?;
+    let version = u16::from_le_bytes([version[0], version[1]]);
+    if version > FORMAT_VERSION {
+        return Err(KeyFrameError::FutureVersion(version));
+    }
+    Ok(version)
+}
+
+/// A file's bytes from all of them but the last.
+pub(super) fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
+    bytes.extend(checksum(&bytes).to_le_bytes());
+    bytes
+}
+
+/// The content of a file that should be so long, without its checksum.
+pub(super) fn unsealed(bytes: &[u8], expected: u64) -> Result<&[u8], KeyFrameError> {
+    let found = bytes.len() as u64;
+    if found != expected {
+        return Err(KeyFrameError::WrongLength { expected, found });
+    }
+    let (content, sum) = bytes.split_at(bytes.len() - CHECKSUM);
+    if checksum(content).to_le_bytes() != sum {
+        return Err(KeyFrameError::Damaged);
+    }
+    Ok(content)
+}
+
+/// Times of frames, checked.
+pub(super) fn rising(times: &[f32]) -> Result<(), KeyFrameError> {
+    let mut before = f32::NEG_INFINITY;
+    for (frame, &time) in times.iter().enumerate() {
+        if !(time.is_finite() && time > before) {
+            return Err(KeyFrameError::BadTime { frame });
+        }
+        before = time;
+    }
+    Ok(())
+}
+
 /// What the first bytes say.
-struct Header {
-    kind: FrameKind,
-    model: ModelKind,
-    preset: Preset,
-    size: [f32; 2],
-    columns: u32,
-    rows: u32,
-    frames: u32,
+pub(super) struct Header {
+    pub kind: FrameKind,
+    pub model: ModelKind,
+    pub preset: Preset,
+    pub size: [f32; 2],
+    pub columns: u32,
+    pub rows: u32,
+    pub frames: u32,
 }
 
 impl Header {
-    fn read(bytes: &[u8], version: u16) -> Result<Self, KeyFrameError> {
+    /// Reads and checks them; `length` is that of the whole header.
+    pub fn read(bytes: &[u8], version: u16, length: usize) -> Result<Self, KeyFrameError> {
+        if bytes.len() < length + CHECKSUM {
+            return Err(KeyFrameError::WrongLength {
+                expected: (length + CHECKSUM) as u64,
+                found: bytes.len() as u64,
+            });
+        }
         let word = |at: usize| [bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]];
         let number = |at: usize| u32::from_le_bytes(word(at));
         let real = |at: usize| f32::from_le_bytes(word(at));
@@ -236,13 +279,7 @@ impl Header {
         let (words, _) = bytes.as_chunks::<4>();
         let mut times: Vec<f32> = words.iter().map(|word| f32::from_le_bytes(*word)).collect();
         let positions = times.split_off(self.frames as usize);
-        let mut before = f32::NEG_INFINITY;
-        for (frame, &time) in times.iter().enumerate() {
-            if !(time.is_finite() && time > before) {
-                return Err(KeyFrameError::BadTime { frame });
-            }
-            before = time;
-        }
+        rising(&times)?;
         if let Some(at) = positions.iter().position(|value| !value.is_finite()) {
             let frame = at / (3 * self.columns as usize * self.rows as usize);
             return Err(KeyFrameError::BadPosition { frame });

@@ -1,17 +1,24 @@
 //! Key frames, the paper's third improvement (Shangguan and Zeng 2014, section
 //! 2.2.3): a turn is recorded every 0.1 s, and repeated from the record.
 
+mod bits;
+mod choose;
+mod condensed;
 mod format;
+mod mix;
 mod record;
 mod replay;
 #[cfg(test)]
 mod tests;
+mod waves;
 
+pub use condensed::Condensed;
 pub use format::{FORMAT_VERSION, KeyFrameError};
 pub use record::Recorder;
 pub use replay::{Blend, Replay};
 
 use crate::models::mass_spring::Preset;
+use crate::surface::Surface;
 
 /// Seconds between key frames in the paper.
 pub const PAPER_INTERVAL: f32 = 0.1;
@@ -104,6 +111,33 @@ pub struct KeyFrames {
 }
 
 impl KeyFrames {
+    /// A record without frames of what a model yields, which `take` fills.
+    /// `size` is the leaf's width and height.
+    pub fn of_surface(model: ModelKind, size: [f32; 2], surface: &Surface) -> Self {
+        Self {
+            kind: FrameKind::Surface,
+            model,
+            preset: Preset::Custom,
+            size,
+            columns: surface.columns,
+            rows: surface.rows,
+            times: Vec::new(),
+            positions: Vec::new(),
+        }
+    }
+
+    /// Adds a frame of the surface, `time` seconds after the start.
+    ///
+    /// # Panics
+    /// If the surface is of another size than the frames, or the time is not
+    /// after the last one's.
+    pub fn take(&mut self, time: f32, surface: &Surface) {
+        assert!((surface.columns, surface.rows) == (self.columns, self.rows));
+        assert!(self.times.last().is_none_or(|last| *last < time));
+        self.times.push(time);
+        self.positions.extend_from_slice(&surface.positions);
+    }
+
     /// Floats of one frame.
     pub fn frame_length(&self) -> usize {
         3 * self.columns * self.rows

@@ -1,5 +1,6 @@
 //! Repeating a recorded turn, itself a [`TurnModel`].
 
+use super::mix::{Mix, mix};
 use super::{FrameKind, KeyFrames};
 use crate::interpolate::{Interpolation, uniform_samples};
 use crate::surface::Surface;
@@ -10,17 +11,10 @@ use crate::turn::TurnModel;
 pub enum Blend {
     /// In straight lines between two frames: the paper's.
     Linear,
-    /// By cubic Hermite pieces through four frames, whose tangents are the
-    /// central differences of their neighbours (Catmull and Rom 1974), and at the
-    /// ends those of a parabola.
+    /// By cubic Hermite pieces through four frames, whose tangents are those of
+    /// the parabola through three: for even times the central differences of
+    /// Catmull and Rom (1974).
     Hermite,
-}
-
-/// Frames that a blend reads, and the weight of each.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Mix {
-    frame: [usize; 4],
-    weight: [f32; 4],
 }
 
 /// A recorded turn, played again.
@@ -155,92 +149,9 @@ impl Replay {
         times.partition_point(|&t| t <= time)
     }
 
-    /// Positions of the recorded points at a time in seconds, and on request
-    /// their velocities: the blend's own derivative.
+    /// The mixes for the positions and for the velocities at a time in seconds.
     fn mix(&self, time: f32) -> (Mix, Mix) {
-        let times = &self.frames.times;
-        let last = times.len() - 1;
-        let after = self.first_after(time);
-        if after == 0 || after > last {
-            let frame = if after == 0 { 0 } else { last };
-            let still = Mix {
-                frame: [frame; 4],
-                weight: [0.0; 4],
-            };
-            return (
-                Mix {
-                    weight: [0.0, 1.0, 0.0, 0.0],
-                    ..still
-                },
-                still,
-            );
-        }
-        let before = after - 1;
-        let length = times[after] - times[before];
-        let t = (time - times[before]) / length;
-        let frame = [
-            before.saturating_sub(1),
-            before,
-            after,
-            (after + 1).min(last),
-        ];
-        match self.blend {
-            Blend::Linear => (
-                Mix {
-                    frame,
-                    weight: [0.0, 1.0 - t, t, 0.0],
-                },
-                Mix {
-                    frame,
-                    weight: [0.0, -1.0 / length, 1.0 / length, 0.0],
-                },
-            ),
-            Blend::Hermite => {
-                let (first, end) = (before == 0, after == last);
-                // Lengths over which the tangents at both ends are taken.
-                let left = times[after] - times[frame[0]];
-                let right = times[frame[3]] - times[before];
-                let weights = |value: [f32; 4]| {
-                    let [mut h00, h10, mut h01, h11] = value;
-                    let (mut a, mut b) = (h10, h11);
-                    // Where there is no neighbour, the tangent is that of the
-                    // parabola through the next three frames.
-                    if first && !end {
-                        (h00, h01, b) = (h00 - 2.0 * a, h01 + 2.0 * a, b - a);
-                        a = 0.0;
-                    } else if end && !first {
-                        (h00, h01, a) = (h00 - 2.0 * b, h01 + 2.0 * b, a - b);
-                        b = 0.0;
-                    }
-                    let (a, b) = (a * length / left, b * length / right);
-                    [-a, h00 - b, h01 + a, b]
-                };
-                let (t2, t3) = (t * t, t * t * t);
-                let here = [
-                    2.0 * t3 - 3.0 * t2 + 1.0,
-                    t3 - 2.0 * t2 + t,
-                    3.0 * t2 - 2.0 * t3,
-                    t3 - t2,
-                ];
-                let rate = [
-                    6.0 * t2 - 6.0 * t,
-                    3.0 * t2 - 4.0 * t + 1.0,
-                    6.0 * t - 6.0 * t2,
-                    3.0 * t2 - 2.0 * t,
-                ];
-                let rate = rate.map(|rate| rate / length);
-                (
-                    Mix {
-                        frame,
-                        weight: weights(here),
-                    },
-                    Mix {
-                        frame,
-                        weight: weights(rate),
-                    },
-                )
-            }
-        }
+        mix(&self.frames.times, self.first_after(time), time, self.blend)
     }
 
     /// The nodes at any time in seconds, whatever the replay's own: for playing
@@ -329,7 +240,7 @@ fn deinterleave(from: &[f32], axes: &mut [Vec<f32>; 3]) {
 }
 
 /// The weighted sum of two or four arrays.
-fn blend(mix: Mix, from: [&[f32]; 4], out: &mut [f32]) {
+pub(super) fn blend(mix: Mix, from: [&[f32]; 4], out: &mut [f32]) {
     #[cfg(target_arch = "x86_64")]
     if std::arch::is_x86_feature_detected!("avx") {
         // SAFETY: the processor has AVX, as just found.

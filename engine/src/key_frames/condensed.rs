@@ -1,0 +1,317 @@
+//! A recorded turn as it is handed out: few key frames, where the motion asks
+//! for them, rounded, and packed into few bytes.
+//!
+//! Its file is version 2 of the key frames'. All numbers are little-endian.
+//!
+//! | bytes | what |
+//! |---|---|
+//! | 0..4 | `TLKF` |
+//! | 4..6 | u16 version: 2 |
+//! | 6..36 | as in version 1 |
+//! | 36..40 | f32 quantum: what every share is a whole multiple of |
+//! | 40..44 | f32 error: how far a Hermite blend is at most from the recording, over the width |
+//! | 44..48 | u32 bytes of the packed shares |
+//! | then | f32 u of each column, f32 v of each row, rising from 0 to 1 |
+//! | then | f32 time of each frame |
+//! | then | the packed shares |
+//! | last 8 | u64 FNV-1a of all bytes before |
+//!
+//! x, y and z of a frame are each a sum of polynomials (`waves.rs`), whose shares
+//! are packed frame by frame: two bits say whether they are kept as they are (0),
+//! less those of the frame before (1), or less those to which the two frames
+//! before lead in a straight line (2); then follow the multiples, the smoothest
+//! first, in Rice's code (`bits.rs`).
+
+use super::bits::{BitReader, BitWriter};
+use super::choose::{choose, farthest};
+use super::format::{CHECKSUM, HEADER, Header, rising, sealed, unsealed, version};
+use super::waves::{Waves, order};
+use super::{KeyFrameError, KeyFrames};
+
+const VERSION: u16 = 2;
+const OWN_HEADER: usize = 48;
+
+/// Points of all frames together: what is packed into nothing unpacks to no more
+/// than this.
+const MOST_POINTS: u64 = 1 << 22;
+
+/// Points along a side.
+const MOST_ALONG: u32 = 256;
+
+/// The largest multiple of the quantum.
+const MOST: f64 = (1 << 24) as f64;
+
+/// The part of the tolerance that rounding may take; the rest is the blend's.
+const ROUNDING: f32 = 0.4;
+
+/// Multiples of the quantum of one axis of a frame.
+type Multiples = Vec<i32>;
+
+/// A recorded turn of a surface, condensed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Condensed {
+    /// The key frames, to be blended by [`Blend::Hermite`](super::Blend).
+    pub frames: KeyFrames,
+    /// u of each column of points, rising from 0 to 1.
+    pub u: Vec<f32>,
+    /// v of each row, likewise.
+    pub v: Vec<f32>,
+    /// How far the blend is at most from the recording, over the width.
+    pub error: f32,
+    quantum: f32,
+    /// Of x, y and z of each frame.
+    multiples: Vec<Multiples>,
+}
+
+impl Condensed {
+    /// Condenses a recording of frames as close as they are to be compared,
+    /// every step's or every drawn one's. The replay is nowhere farther from it
+    /// than `tolerance`, over the width. `u` and `v` are the places of its columns
+    /// and rows, rising from 0 to 1.
+    ///
+    /// # Errors
+    /// Where there is nothing recorded, more than a file may hold, or what cannot
+    /// be told so finely.
+    ///
+    /// # Panics
+    /// If `u` and `v` are not as many as columns and rows, or the tolerance is
+    /// not above 0.
+    pub fn of(
+        recording: &KeyFrames,
+        u: &[f32],
+        v: &[f32],
+        tolerance: f32,
+    ) -> Result<Self, KeyFrameError> {
+        let refuse = |field: &'static str, value: f64| KeyFrameError::BadHeader { field, value };
+        assert!(u.len() == recording.columns && v.len() == recording.rows);
+        assert!(tolerance > 0.0, "the tolerance is above 0");
+        let points = recording.positions.len() / 3;
+        if points == 0 || points as u64 > MOST_POINTS {
+            return Err(refuse("number of points", points as f64));
+        }
+        let waves = waves(u, v)?;
+        let tolerance = tolerance * recording.size[0];
+        let shares: Vec<Vec<f64>> = (0..3 * recording.len())
+            .map(|at| {
+                let values = recording.frame(at / 3).iter().skip(at % 3).step_by(3);
+                waves.shares(&values.map(|x| f64::from(*x)).collect::<Vec<_>>())
+            })
+            .collect();
+        let mut quantum = 4.0 * tolerance;
+        let (multiples, rounded) = loop {
+            let multiples = round(&shares, quantum);
+            let multiples = multiples.ok_or(refuse("tolerance", f64::from(tolerance)))?;
+            let rounded = positions(&waves, &multiples, quantum);
+            if farthest(&rounded, &recording.positions) <= ROUNDING * tolerance {
+                break (multiples, rounded);
+            }
+            quantum *= 0.8;
+        };
+        let (keys, error) = choose(recording, &rounded, tolerance);
+        let length = recording.frame_length();
+        let frame = |key: &usize| &rounded[key * length..(key + 1) * length];
+        Ok(Self {
+            frames: KeyFrames {
+                times: keys.iter().map(|key| recording.times[*key]).collect(),
+                positions: keys.iter().flat_map(frame).copied().collect(),
+                ..recording.clone()
+            },
+            u: u.to_vec(),
+            v: v.to_vec(),
+            error: error / recording.size[0],
+            quantum,
+            multiples: keys
+                .iter()
+                .flat_map(|key| multiples[3 * key..3 * key + 3].iter().cloned())
+                .collect(),
+        })
+    }
+
+    /// The file's bytes.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let packed = self.pack();
+        let mut bytes = self.frames.header(VERSION);
+        for value in [self.quantum, self.error] {
+            bytes.extend(value.to_le_bytes());
+        }
+        bytes.extend((packed.len() as u32).to_le_bytes());
+        for value in self.u.iter().chain(&self.v).chain(&self.frames.times) {
+            bytes.extend(value.to_le_bytes());
+        }
+        bytes.extend(packed);
+        sealed(bytes)
+    }
+
+    /// Reads a file's bytes.
+    ///
+    /// # Errors
+    /// If they are anything but a whole and unchanged file of this version whose
+    /// every number makes sense.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, KeyFrameError> {
+        let refuse = |field: &'static str, value: f64| KeyFrameError::BadHeader { field, value };
+        let version = version(bytes)?;
+        if version != VERSION {
+            return Err(refuse("version", f64::from(version)));
+        }
+        let header = Header::read(bytes, version, OWN_HEADER)?;
+        for (field, count) in [
+            ("number of columns", header.columns),
+            ("number of rows", header.rows),
+        ] {
+            if count > MOST_ALONG {
+                return Err(refuse(field, f64::from(count)));
+            }
+        }
+        let points = u64::from(header.columns * header.rows) * u64::from(header.frames);
+        if points > MOST_POINTS {
+            return Err(refuse("number of points", points as f64));
+        }
+        let [columns, rows, count] =
+            [header.columns, header.rows, header.frames].map(|count| count as usize);
+        let packed_at = OWN_HEADER + 4 * (columns + rows + count);
+        let (words, _) = bytes[HEADER..].as_chunks::<4>();
+        let packed = u64::from(u32::from_le_bytes(words[2]));
+        let content = unsealed(bytes, (packed_at + CHECKSUM) as u64 + packed)?;
+        let real = |at: usize| f32::from_le_bytes(words[at]);
+        let reals = |from: usize, count: usize| (from..from + count).map(real).collect();
+        let (quantum, error) = (real(0), real(1));
+        if !(quantum > 0.0 && quantum < 1e6) {
+            return Err(refuse("quantum", f64::from(quantum)));
+        }
+        if !(0.0..=1e6).contains(&error) {
+            return Err(refuse("error", f64::from(error)));
+        }
+        let (u, v): (Vec<f32>, Vec<f32>) = (reals(3, columns), reals(3 + columns, rows));
+        let times: Vec<f32> = reals(3 + columns + rows, count);
+        rising(&times)?;
+        let waves = waves(&u, &v)?;
+        let multiples = unpack(&content[packed_at..], &times, &order(columns, rows))?;
+        Ok(Self {
+            frames: KeyFrames {
+                kind: header.kind,
+                model: header.model,
+                preset: header.preset,
+                size: header.size,
+                columns,
+                rows,
+                positions: positions(&waves, &multiples, quantum),
+                times,
+            },
+            u,
+            v,
+            error,
+            quantum,
+            multiples,
+        })
+    }
+
+    fn pack(&self) -> Vec<u8> {
+        let order = order(self.frames.columns, self.frames.rows);
+        let times = &self.frames.times;
+        let mut writer = BitWriter::default();
+        for (at, multiples) in self.multiples.iter().enumerate() {
+            let ways = (0..=(at / 3).min(2)).map(|way| {
+                let rest = order.iter().map(|place| {
+                    multiples[*place] - expected(&self.multiples[..at], times, way, *place)
+                });
+                let mut trial = writer.clone();
+                trial.bits(way as u32, 2);
+                trial.run(&rest.collect::<Vec<_>>());
+                trial
+            });
+            writer = ways.min_by_key(BitWriter::length).unwrap_or_default();
+        }
+        writer.finish()
+    }
+}
+
+/// The waves over places, which rise from 0 to 1.
+fn waves(u: &[f32], v: &[f32]) -> Result<Waves, KeyFrameError> {
+    for (field, places) in [("place of columns", u), ("place of rows", v)] {
+        let rise = places.windows(2).all(|pair| pair[0] < pair[1]);
+        if !(rise && places[0] == 0.0 && places[places.len() - 1] == 1.0) {
+            return Err(KeyFrameError::BadHeader {
+                field,
+                value: f64::from(places[0]),
+            });
+        }
+    }
+    Waves::new(u, v).ok_or(KeyFrameError::BadHeader {
+        field: "distance of columns or rows",
+        value: 0.0,
+    })
+}
+
+/// The nearest multiples; None where one is too large.
+fn round(shares: &[Vec<f64>], quantum: f32) -> Option<Vec<Multiples>> {
+    let round = |share: &f64| {
+        let multiple = (share / f64::from(quantum)).round();
+        (multiple.abs() <= MOST).then_some(multiple as i32)
+    };
+    let frame = |shares: &Vec<f64>| shares.iter().map(round).collect();
+    shares.iter().map(frame).collect()
+}
+
+/// Positions of all frames from the multiples of their axes.
+fn positions(waves: &Waves, multiples: &[Multiples], quantum: f32) -> Vec<f32> {
+    let mut positions = Vec::new();
+    for axes in multiples.chunks_exact(3) {
+        let [x, y, z] = [0, 1, 2].map(|axis| {
+            let shares = axes[axis].iter();
+            let shares: Vec<f64> = shares.map(|m| f64::from(*m) * f64::from(quantum)).collect();
+            waves.values(&shares)
+        });
+        for ((x, y), z) in x.iter().zip(&y).zip(&z) {
+            positions.extend([*x as f32, *y as f32, *z as f32]);
+        }
+    }
+    positions
+}
+
+/// The multiples that [`Condensed::pack`] packed.
+fn unpack(packed: &[u8], times: &[f32], order: &[usize]) -> Result<Vec<Multiples>, KeyFrameError> {
+    let mut reader = BitReader::new(packed);
+    let mut rest = vec![0; order.len()];
+    let mut all: Vec<Multiples> = Vec::new();
+    for at in 0..3 * times.len() {
+        let frame = at / 3;
+        let bad = KeyFrameError::BadPosition { frame };
+        let way = reader.bits(2).ok_or(bad.clone())? as usize;
+        if way > frame.min(2) {
+            return Err(bad);
+        }
+        reader.run(&mut rest).ok_or(bad.clone())?;
+        let mut multiples = vec![0; order.len()];
+        for (place, rest) in order.iter().zip(&rest) {
+            let multiple = rest + expected(&all, times, way, *place);
+            if f64::from(multiple).abs() > MOST {
+                return Err(bad);
+            }
+            multiples[*place] = multiple;
+        }
+        all.push(multiples);
+    }
+    if !reader.is_at_end() {
+        return Err(KeyFrameError::BadPosition {
+            frame: times.len() - 1,
+        });
+    }
+    Ok(all)
+}
+
+/// What the frames before let expect of a multiple. `before` holds all axes before.
+fn expected(before: &[Multiples], times: &[f32], way: usize, place: usize) -> i32 {
+    let at = before.len();
+    match way {
+        0 => 0,
+        1 => before[at - 3][place],
+        _ => {
+            let frame = at / 3;
+            let [t0, t1, t2] = [2, 1, 0].map(|back| f64::from(times[frame - back]));
+            let [a, b] = [6, 3].map(|back| f64::from(before[at - back][place]));
+            let line = b + (b - a) * ((t2 - t1) / (t1 - t0));
+            // Half up, as browsers round.
+            (line + 0.5).floor().clamp(-MOST, MOST) as i32
+        }
+    }
+}

@@ -1,0 +1,213 @@
+//! A condensed turn is near its recording, the same bytes on every machine, and
+//! nothing else is taken for one. Its fixtures are what the viewer's reader of key
+//! frames is held to; `UPDATE_GOLDEN=1` writes them anew.
+
+use std::fs;
+use std::path::PathBuf;
+
+use turnleaf_engine::{
+    BitHash, Blend, Condensed, FrameKind, Gesture, KeyFrameError, KeyFrames, MassSpring, ModelKind,
+    Replay, Settings, Side, Surface, TurnModel, uniform_samples,
+};
+
+const PAGE: [f32; 2] = [0.14, 0.21];
+
+fn fixture(name: &str) -> PathBuf {
+    [env!("CARGO_MANIFEST_DIR"), "tests/fixtures", name]
+        .iter()
+        .collect()
+}
+
+/// Turn of a leaf by its corner, every step of it.
+fn recording(seconds: f32) -> KeyFrames {
+    let mut leaf = MassSpring::new(Settings::book(PAGE[0], PAGE[1], 0.07)).unwrap();
+    let even = uniform_samples(9);
+    leaf.draw_samples(&even, &even);
+    leaf.lay_flat(Side::Right);
+    leaf.play(Gesture::corner(Side::Right, PAGE[0], seconds));
+    let mut surface = Surface::new(9, 9);
+    leaf.write_surface(&mut surface);
+    let mut frames = KeyFrames::of_surface(ModelKind::MassSpring, PAGE, &surface);
+    frames.take(0.0, &surface);
+    for _ in 0..(seconds / leaf.time_step()).round() as usize {
+        leaf.step();
+        leaf.write_surface(&mut surface);
+        frames.take(leaf.time(), &surface);
+    }
+    frames
+}
+
+fn condensed(tolerance: f32) -> (KeyFrames, Condensed) {
+    let recording = recording(0.4);
+    let even = uniform_samples(9);
+    let condensed = Condensed::of(&recording, &even, &even, tolerance).unwrap();
+    (recording, condensed)
+}
+
+/// How far a replay is at most from a recording, over the width.
+fn error(recording: &KeyFrames, frames: KeyFrames) -> f32 {
+    let replay = Replay::new(frames, Blend::Hermite, 1.0);
+    let mut here = vec![0.0; recording.frame_length()];
+    let mut rate = here.clone();
+    let mut worst = 0.0f32;
+    for (at, time) in recording.times.iter().enumerate() {
+        replay.read_nodes_at(*time, &mut here, &mut rate);
+        for (a, b) in here.chunks(3).zip(recording.frame(at).chunks(3)) {
+            let square: f32 = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum();
+            worst = worst.max(square.sqrt());
+        }
+    }
+    worst / recording.size[0]
+}
+
+#[test]
+fn the_error_is_what_is_stated_and_within_the_tolerance() {
+    let mut before = usize::MAX;
+    for tolerance in [0.0003, 0.001, 0.01] {
+        let (recording, condensed) = condensed(tolerance);
+        let read = Condensed::from_bytes(&condensed.to_bytes()).unwrap();
+        let found = error(&recording, read.frames.clone());
+        assert!(read.error <= tolerance);
+        assert!((found - read.error).abs() < 1e-6, "{found} {}", read.error);
+        assert!(read.frames.len() < before && read.frames.len() > 3);
+        before = read.frames.len();
+    }
+}
+
+#[test]
+fn bytes_and_back_are_the_same_and_plain_readers_read_them() {
+    let (_, condensed) = condensed(0.001);
+    let bytes = condensed.to_bytes();
+    let read = Condensed::from_bytes(&bytes).unwrap();
+    assert_eq!(read, condensed);
+    assert_eq!(read.to_bytes(), bytes);
+    assert_eq!(KeyFrames::from_bytes(&bytes).unwrap(), condensed.frames);
+    assert_eq!(read.frames.kind, FrameKind::Surface);
+    let whole = condensed.frames.to_bytes();
+    assert!(bytes.len() * 8 < whole.len());
+    let error = Condensed::from_bytes(&whole).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "The version of these key frames cannot be 1."
+    );
+}
+
+#[test]
+fn a_leaf_that_lies_still_is_two_frames_of_next_to_nothing() {
+    let mut recording = recording(0.4);
+    let first = recording.frame(0).to_vec();
+    recording.positions = first.repeat(recording.len());
+    let even = uniform_samples(9);
+    let still = Condensed::of(&recording, &even, &even, 0.001).unwrap();
+    assert_eq!(still.frames.len(), 2);
+    assert!(still.to_bytes().len() < 200);
+}
+
+#[test]
+fn crowded_columns_are_kept_as_they_lie() {
+    let (recording, _) = condensed(0.001);
+    let crowded: Vec<f32> = uniform_samples(9).iter().map(|u| u * u).collect();
+    let even = uniform_samples(9);
+    let condensed = Condensed::of(&recording, &crowded, &even, 0.001).unwrap();
+    let read = Condensed::from_bytes(&condensed.to_bytes()).unwrap();
+    assert_eq!((read.u, read.v), (crowded, even));
+    assert!(read.error <= 0.001);
+}
+
+#[test]
+fn what_cannot_be_condensed_is_refused() {
+    let recording = recording(0.1);
+    let even = uniform_samples(9);
+    let refused =
+        |u: &[f32], tolerance: f32| Condensed::of(&recording, u, &even, tolerance).unwrap_err();
+    let mut backward = even.clone();
+    backward.swap(3, 4);
+    assert!(matches!(
+        refused(&backward, 0.001),
+        KeyFrameError::BadHeader {
+            field: "place of columns",
+            ..
+        }
+    ));
+    assert!(matches!(
+        refused(&even, 1e-12),
+        KeyFrameError::BadHeader {
+            field: "tolerance",
+            ..
+        }
+    ));
+}
+
+#[test]
+fn every_truncation_and_every_flipped_byte_is_refused() {
+    let bytes = condensed(0.01).1.to_bytes();
+    for length in 0..bytes.len() {
+        assert!(Condensed::from_bytes(&bytes[..length]).is_err(), "{length}");
+    }
+    for at in 0..bytes.len() {
+        let mut flipped = bytes.clone();
+        flipped[at] ^= 0x10;
+        assert!(Condensed::from_bytes(&flipped).is_err(), "{at}");
+    }
+}
+
+/// Changes whose checksum fits: refused, or read as something that can be played.
+#[test]
+fn forged_files_never_panic_and_yield_finite_numbers() {
+    let bytes = condensed(0.01).1.to_bytes();
+    let mut state = 1u64;
+    let mut random = |below: usize| {
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 33) as usize % below
+    };
+    let mut read = 0;
+    for _ in 0..3000 {
+        let mut forged = bytes[..bytes.len() - 8].to_vec();
+        for _ in 0..1 + random(3) {
+            // Most of them behind the header, which refuses nearly everything.
+            let first = if random(4) == 0 { 4 } else { 36 };
+            let at = first + random(forged.len() - first);
+            forged[at] = random(256) as u8;
+        }
+        let mut hash = BitHash::new();
+        hash.bytes(&forged);
+        forged.extend(hash.value().to_le_bytes());
+        if let Ok(condensed) = Condensed::from_bytes(&forged) {
+            assert!(condensed.frames.positions.iter().all(|x| x.is_finite()));
+            read += 1;
+        }
+    }
+    assert!(read > 100, "{read}");
+}
+
+#[test]
+fn the_fixtures_are_what_the_engine_writes_and_replays() {
+    let (recording, condensed) = condensed(0.001);
+    let replay = Replay::new(condensed.frames.clone(), Blend::Hermite, 1.0);
+    let mut samples = String::from("[\n");
+    let times = [-0.1, 0.0, 0.013, 0.1, 0.17, 0.2345, 0.31, 0.399, 0.4, 1.0];
+    let (mut here, mut rate) = (
+        vec![0.0; recording.frame_length()],
+        vec![0.0; recording.frame_length()],
+    );
+    for (at, time) in times.into_iter().enumerate() {
+        replay.read_nodes_at(time, &mut here, &mut rate);
+        let end = if at + 1 < times.len() { "," } else { "" };
+        samples += &format!("{{\"time\": {time:?}, \"positions\": {here:?}}}{end}\n");
+    }
+    samples += "]\n";
+    let files = [
+        ("corner.tlkf", condensed.to_bytes()),
+        ("corner-whole.tlkf", recording.to_bytes()),
+        ("corner.json", samples.into_bytes()),
+    ];
+    for (name, bytes) in files {
+        if std::env::var_os("UPDATE_GOLDEN").is_some() {
+            fs::create_dir_all(fixture("")).unwrap();
+            fs::write(fixture(name), &bytes).unwrap();
+        }
+        assert!(fs::read(fixture(name)).unwrap() == bytes, "{name}");
+    }
+}
