@@ -11,6 +11,7 @@ export default defineConfig({
     projects: [
       {
         plugins: [wasmInline(), packedFiles(), shortTexts()],
+        assetsInclude: ["**/*.tlkf"],
         test: {
           name: "node",
           environment: "node",

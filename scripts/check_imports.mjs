@@ -14,6 +14,7 @@ const viewer = {
   sources: [],
   words: [],
   models: ["engine"],
+  key_frames: [],
   book: ["engine"],
   hand: ["engine"],
   pages: ["sources"],

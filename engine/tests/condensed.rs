@@ -2,6 +2,7 @@
 //! nothing else is taken for one. Its fixtures are what the viewer's reader of key
 //! frames is held to; `UPDATE_GOLDEN=1` writes them anew.
 
+use std::f32::consts::PI;
 use std::fs;
 use std::path::PathBuf;
 
@@ -180,6 +181,30 @@ fn forged_files_never_panic_and_yield_finite_numbers() {
         }
     }
     assert!(read > 100, "{read}");
+}
+
+/// A file that the viewer's recorder wrote of a page that swings over and bends.
+#[test]
+fn what_a_script_recorded_is_read() {
+    let bytes = fs::read(fixture("recorded-in-script.tlkf")).unwrap();
+    let read = Condensed::from_bytes(&bytes).unwrap();
+    assert_eq!(read.frames.model, ModelKind::Cone);
+    assert_eq!((read.u.len(), read.v.len()), (26, 26));
+    assert!(bytes.len() < 20_000 && read.error <= 0.001);
+    let replay = Replay::new(read.frames, Blend::Hermite, 1.0);
+    let (mut here, mut rate) = (vec![0.0; 2028], vec![0.0; 2028]);
+    for step in 0..=96 {
+        let time = step as f32 / 96.0;
+        replay.read_nodes_at(0.8 * time, &mut here, &mut rate);
+        for (at, point) in here.chunks(3).enumerate() {
+            let [u, v] = [at % 26, at / 26].map(|place| place as f32 / 25.0);
+            let bent = 0.5 * u * u * (PI * time).sin() * (1.0 - 0.3 * v);
+            let (sin, cos) = (PI * time + bent).sin_cos();
+            let apart = [0.14 * u * cos, 0.21 * v, 0.14 * u * sin];
+            let apart: f32 = (0..3).map(|k| (apart[k] - point[k]).powi(2)).sum();
+            assert!(apart.sqrt() <= 0.00101 * 0.14, "{step} {at}");
+        }
+    }
 }
 
 #[test]

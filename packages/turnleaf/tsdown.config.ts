@@ -35,4 +35,11 @@ const models = defineConfig({
   plugins: [wasmInline()],
 });
 
-export default [viewer, models];
+/** Another: a player of recorded turns needs neither the viewer nor the engine. */
+const keyFrames = defineConfig({
+  ...common,
+  entry: { keyframes: "src/key_frames/key_frames.ts" },
+  clean: false,
+});
+
+export default [viewer, models, keyFrames];

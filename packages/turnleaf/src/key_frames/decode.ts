@@ -1,0 +1,168 @@
+import { BitReader } from "./bits.ts";
+import {
+  checksum,
+  checksumLength,
+  commonHeader,
+  expected,
+  mostAlong,
+  mostMultiple,
+  mostPoints,
+  packedHeader,
+  TurnError,
+} from "./file.ts";
+import { RecordedTurn, recordedModels, type TurnRecord } from "./recorded_turn.ts";
+import { Waves } from "./waves.ts";
+
+const newest = 2;
+
+/**
+ * Reads a recorded turn from the bytes of its file, of version 1 or 2.
+ * @throws TurnError where they are anything but a whole and unchanged one
+ */
+export function decodeTurn(bytes: Uint8Array): RecordedTurn {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (bytes.length < 6 || view.getUint32(0) !== 0x544c4b46) {
+    throw new TurnError('This is not a recorded turn: it does not begin with "TLKF".');
+  }
+  const version = view.getUint16(4, true);
+  if (version === 0 || version > newest) {
+    throw new TurnError(
+      `This turn is recorded in version ${version}, and this program reads versions 1 to ${newest}.`,
+    );
+  }
+  const header = version === 1 ? commonHeader : packedHeader;
+  if (bytes.length < header + checksumLength) {
+    throw new TurnError("This recorded turn ends early.");
+  }
+  return new RecordedTurn(version === 1 ? readWhole(view) : readPacked(view));
+}
+
+/** What the first bytes of either version say. */
+function readHeader(view: DataView, most: number) {
+  const model = recordedModels[view.getUint32(8, true) - 1];
+  const [width, height] = [view.getFloat32(16, true), view.getFloat32(20, true)];
+  const [columns, rows, frames] = [24, 28, 32].map((at) => view.getUint32(at, true));
+  if (view.getUint16(6, true) !== 1) {
+    throw new TurnError(
+      "This turn is recorded by its masses; only recorded surfaces can be played.",
+    );
+  }
+  const isSound =
+    model !== undefined &&
+    [width, height].every((side) => side > 0 && side < Number.POSITIVE_INFINITY) &&
+    [columns, rows].every((count) => count >= 2 && count <= most) &&
+    frames >= 1 &&
+    columns * rows * frames <= mostPoints;
+  if (!isSound) throw new TurnError("The header of this recorded turn cannot be.");
+  return { model, width, height, columns, rows, frames };
+}
+
+/** Looks whether a file is as long as it should be, and its checksum fits. */
+function requireWhole(view: DataView, length: number): void {
+  const found = view.byteLength;
+  if (found !== length) {
+    throw new TurnError(`This recorded turn should be ${length} bytes long and is ${found}.`);
+  }
+  const bytes = new Uint8Array(view.buffer, view.byteOffset, found);
+  const end = found - checksumLength;
+  if (checksum(bytes.subarray(0, end)).some((byte, at) => byte !== bytes[end + at])) {
+    throw new TurnError("This recorded turn is damaged: its checksum does not fit.");
+  }
+}
+
+function floats(view: DataView, at: number, count: number): Float32Array {
+  return Float32Array.from({ length: count }, (_, i) => view.getFloat32(at + 4 * i, true));
+}
+
+function readTimes(view: DataView, at: number, count: number): Float32Array {
+  const times = floats(view, at, count);
+  if (!times.every((time, i) => Number.isFinite(time) && (i === 0 || time > times[i - 1]))) {
+    throw new TurnError("The times of this recorded turn do not rise.");
+  }
+  return times;
+}
+
+function readWhole(view: DataView): TurnRecord {
+  const { model, width, height, columns, rows, frames } = readHeader(view, 4096);
+  const count = 3 * columns * rows * frames;
+  requireWhole(view, commonHeader + 4 * (frames + count) + checksumLength);
+  const times = readTimes(view, commonHeader, frames);
+  const positions = floats(view, commonHeader + 4 * frames, count);
+  if (!positions.every(Number.isFinite)) throw badFrame();
+  const even = (n: number) => Float32Array.from({ length: n }, (_, i) => i / (n - 1));
+  const [u, v] = [even(columns), even(rows)];
+  return { model, width, height, u, v, error: Number.NaN, times, positions };
+}
+
+function readPacked(view: DataView): TurnRecord {
+  const { model, width, height, columns, rows, frames } = readHeader(view, mostAlong);
+  const packedAt = packedHeader + 4 * (columns + rows + frames);
+  requireWhole(view, packedAt + view.getUint32(44, true) + checksumLength);
+  const [quantum, error] = floats(view, commonHeader, 2);
+  if (!(quantum > 0 && quantum < 1e6 && error >= 0 && error <= 1e6)) {
+    throw new TurnError("The header of this recorded turn cannot be.");
+  }
+  const u = readPlaces(view, packedHeader, columns);
+  const v = readPlaces(view, packedHeader + 4 * columns, rows);
+  const times = readTimes(view, packedHeader + 4 * (columns + rows), frames);
+  const packed = new Uint8Array(
+    view.buffer,
+    view.byteOffset + packedAt,
+    view.byteLength - checksumLength - packedAt,
+  );
+  const positions = unpack(packed, u, v, times, quantum);
+  return { model, width, height, u, v, error, times, positions };
+}
+
+function readPlaces(view: DataView, at: number, count: number): Float32Array {
+  const places = floats(view, at, count);
+  const rise = places.every((place, i) => i === 0 || place > places[i - 1]);
+  if (!rise || places[0] !== 0 || places[count - 1] !== 1) {
+    throw new TurnError("The columns or rows of this recorded turn do not rise from 0 to 1.");
+  }
+  return places;
+}
+
+/** Positions of all frames from their packed shares. */
+function unpack(
+  packed: Uint8Array,
+  u: Float32Array,
+  v: Float32Array,
+  times: Float32Array,
+  quantum: number,
+): Float32Array {
+  const length = u.length * v.length;
+  const positions = new Float32Array(3 * length * times.length);
+  const rest = new Int32Array(length);
+  const shares = new Float64Array(length);
+  const all: Int32Array[] = [];
+  try {
+    const waves = new Waves(u, v);
+    const reader = new BitReader(packed);
+    for (let at = 0; at < 3 * times.length; at++) {
+      const frame = Math.floor(at / 3);
+      const way = reader.bits(2);
+      if (way > Math.min(frame, 2)) throw new RangeError("There are no frames before.");
+      reader.run(rest);
+      const multiples = new Int32Array(length);
+      for (let i = 0; i < length; i++) {
+        const place = waves.order[i];
+        const multiple = rest[i] + expected(all, times, way, place);
+        if (Math.abs(multiple) > mostMultiple) throw new RangeError("It is too large.");
+        multiples[place] = multiple;
+        shares[place] = multiple * quantum;
+      }
+      all.push(multiples);
+      const start = 3 * length * frame;
+      waves.write(shares, positions.subarray(start, start + 3 * length), at % 3);
+    }
+    if (!reader.isAtEnd) throw new RangeError("There is more than was told.");
+  } catch (error) {
+    throw error instanceof RangeError ? badFrame() : error;
+  }
+  return positions;
+}
+
+function badFrame(): TurnError {
+  return new TurnError("A frame of this recorded turn cannot be read.");
+}

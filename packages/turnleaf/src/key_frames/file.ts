@@ -1,0 +1,53 @@
+/** What files of key frames have in common: numbers, their bounds, and a checksum. docs/formats.md tells the format. */
+
+/** Bytes that are no recorded turn; the message says why, in one sentence. */
+export class TurnError extends Error {
+  override readonly name = "TurnError";
+}
+
+/** Bytes before what is of a version's own, of the whole header of version 2, and of the checksum. */
+export const commonHeader = 36;
+export const packedHeader = 48;
+export const checksumLength = 8;
+
+/** Bounds of version 2: points along a side, points of all frames, and a multiple of the quantum. */
+export const mostAlong = 256;
+export const mostPoints: number = 2 ** 22;
+export const mostMultiple: number = 2 ** 24;
+
+/** FNV-1a of 64 bits over bytes, as its 8 bytes from the lowest. */
+export function checksum(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
+  // By halves, as the prime is 2^40 + 435.
+  let [high, low] = [0xcbf29ce4, 0x84222325];
+  for (const byte of bytes) {
+    low = (low ^ byte) >>> 0;
+    const product = low * 435;
+    const carry = Math.floor(product / 2 ** 32);
+    high = (Math.imul(high, 435) + carry + (low << 8)) >>> 0;
+    low = product >>> 0;
+  }
+  const sum = new Uint8Array(checksumLength);
+  new DataView(sum.buffer).setUint32(0, low, true);
+  new DataView(sum.buffer).setUint32(4, high, true);
+  return sum;
+}
+
+/**
+ * What the frames before let expect of a multiple in one of three ways.
+ * @param before multiples of the axes of all frames before
+ */
+export function expected(
+  before: readonly Int32Array[],
+  times: ArrayLike<number>,
+  way: number,
+  place: number,
+): number {
+  const at = before.length;
+  if (way === 0) return 0;
+  const b = before[at - 3][place];
+  if (way === 1) return b;
+  const frame = Math.floor(at / 3);
+  const [t0, t1, t2] = [times[frame - 2], times[frame - 1], times[frame]];
+  const line = b + (b - before[at - 6][place]) * ((t2 - t1) / (t1 - t0));
+  return Math.min(Math.max(Math.floor(line + 0.5), -mostMultiple), mostMultiple);
+}

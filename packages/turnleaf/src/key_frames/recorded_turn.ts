@@ -1,0 +1,219 @@
+import { blend, mixAt } from "./blend.ts";
+
+/** The models that turns are recorded of, by the numbers in files less 1. */
+export const recordedModels = [
+  "mass-spring",
+  "sheet",
+  "shell",
+  "rigid",
+  "peel",
+  "cylinder",
+  "cone",
+] as const;
+
+/** What a recording holds. */
+export interface TurnRecord {
+  /** Columns of points, from the spine, and rows, from the foot: u and v of each, from 0 to 1. */
+  readonly u: Float32Array;
+  readonly v: Float32Array;
+  /** The leaf's, metres. */
+  readonly width: number;
+  readonly height: number;
+  /** The model that was recorded. */
+  readonly model: (typeof recordedModels)[number];
+  /** How far the replay is at most from what was recorded, over the width; NaN where nobody measured it. */
+  readonly error: number;
+  /** When each key frame was taken, seconds since the start. */
+  readonly times: Float32Array;
+  /** Frame after frame x, y, z of each point, metres, row by row from the foot. */
+  readonly positions: Float32Array;
+}
+
+/** How a recording is played. */
+interface Way {
+  readonly pace: number;
+  readonly isBackward: boolean;
+  readonly isMirrored: boolean;
+  readonly scale: number;
+}
+
+/** Sizes whose ratios differ by less than this are of one ratio. */
+const sameRatio = 0.005;
+
+/**
+ * A recorded turn, which can be played on any page of its ratio, by any number of
+ * pages at once: playing changes nothing in it. What `reversed` and the like answer
+ * shares its frames.
+ *
+ * x across the spine to the right, y along it to the head, z up from the table.
+ */
+export class RecordedTurn {
+  readonly #record: TurnRecord;
+  readonly #way: Way;
+  readonly #first: number;
+  readonly #length: number;
+
+  /** @internal */
+  constructor(
+    record: TurnRecord,
+    way: Way = { pace: 1, isBackward: false, isMirrored: false, scale: 1 },
+  ) {
+    this.#record = record;
+    this.#way = way;
+    const { times } = record;
+    this.#first = times[0];
+    this.#length = times[times.length - 1] - times[0];
+  }
+
+  /** Columns of points, from the spine. */
+  get columns(): number {
+    return this.#record.u.length;
+  }
+
+  /** Rows of points, from the foot. */
+  get rows(): number {
+    return this.#record.v.length;
+  }
+
+  /** u of each column, from 0 at the spine to 1. */
+  get u(): Float32Array {
+    return this.#record.u;
+  }
+
+  /** v of each row, from 0 at the foot to 1. */
+  get v(): Float32Array {
+    return this.#record.v;
+  }
+
+  /** Width of the leaf, metres. */
+  get width(): number {
+    return this.#record.width * this.#way.scale;
+  }
+
+  /** Height of the leaf, metres. */
+  get height(): number {
+    return this.#record.height * this.#way.scale;
+  }
+
+  /** The model that was recorded. */
+  get model(): TurnRecord["model"] {
+    return this.#record.model;
+  }
+
+  /** How far the replay is at most from what was recorded, over the width; NaN where nobody measured it. */
+  get error(): number {
+    return this.#record.error;
+  }
+
+  /** Number of key frames. */
+  get frames(): number {
+    return this.#record.times.length;
+  }
+
+  /** How long it takes, seconds. */
+  get duration(): number {
+    return this.#length / this.#way.pace;
+  }
+
+  /** When the key frames come, seconds from 0 to the duration. */
+  get times(): Float64Array {
+    const { isBackward, pace } = this.#way;
+    const times = Float64Array.from(this.#record.times, (time) =>
+      isBackward ? this.#length - (time - this.#first) : time - this.#first,
+    );
+    return (isBackward ? times.reverse() : times).map((time) => time / pace);
+  }
+
+  /**
+   * Writes x, y, z of every point at a time in seconds, metres, row by row from
+   * the foot. Before 0 and after the duration the leaf lies as at these.
+   *
+   * @param out of 3 * columns * rows floats
+   * @throws RangeError where it is of another length
+   */
+  sample(time: number, out: Float32Array): void {
+    const { times, positions } = this.#record;
+    const { isBackward, isMirrored, pace, scale } = this.#way;
+    if (out.length !== 3 * this.columns * this.rows) {
+      throw new RangeError(`A frame of this turn takes ${3 * this.columns * this.rows} floats.`);
+    }
+    const passed = Math.min(Math.max(time * pace, 0), this.#length) || 0;
+    const at = this.#first + (isBackward ? this.#length - passed : passed);
+    blend(mixAt(times, at), positions, out);
+    if (scale !== 1) for (let i = 0; i < out.length; i++) out[i] *= scale;
+    if (isMirrored) for (let i = 0; i < out.length; i += 3) out[i] = -out[i];
+  }
+
+  /** The same turn from its end to its beginning. */
+  reversed(): RecordedTurn {
+    return this.#as({ isBackward: !this.#way.isBackward });
+  }
+
+  /** The same turn across the spine: from the left to the right where it went from the right to the left. */
+  mirrored(): RecordedTurn {
+    return this.#as({ isMirrored: !this.#way.isMirrored });
+  }
+
+  /**
+   * The same turn in less time.
+   * @param factor 2 for twice as fast, 0.5 for half
+   * @throws RangeError where it is not above 0
+   */
+  faster(factor: number): RecordedTurn {
+    if (!(factor > 0 && factor < Number.POSITIVE_INFINITY)) {
+      throw new RangeError("A turn is played faster by a factor above 0.");
+    }
+    return this.#as({ pace: this.#way.pace * factor });
+  }
+
+  /**
+   * The same turn of a leaf of another size, metres.
+   * @throws RangeError where that has another ratio: paper that long would bend otherwise
+   */
+  scaled(width: number, height: number): RecordedTurn {
+    const ratio = (width * this.height) / (height * this.width);
+    if (!(width > 0 && Math.abs(ratio - 1) < sameRatio)) {
+      const own = `${this.width.toFixed(3)} x ${this.height.toFixed(3)} m`;
+      throw new RangeError(
+        `This turn is of a leaf of ${own}; a leaf of another ratio needs another recording.`,
+      );
+    }
+    return this.#as({ scale: (this.#way.scale * width) / this.width });
+  }
+
+  #as(way: Partial<Way>): RecordedTurn {
+    return new RecordedTurn(this.#record, { ...this.#way, ...way });
+  }
+}
+
+/**
+ * Writes smooth unit normals of a surface, on the side that is up where the leaf
+ * lies on the right: cross products of the differences along u and v. Points
+ * whose neighbours coincide keep what `normals` held.
+ */
+export function writeNormals(
+  columns: number,
+  rows: number,
+  positions: Float32Array,
+  normals: Float32Array,
+): void {
+  const apart = (to: number, from: number, axis: number) =>
+    positions[3 * to + axis] - positions[3 * from + axis];
+  for (let row = 0; row < rows; row++) {
+    for (let column = 0; column < columns; column++) {
+      const at = row * columns + column;
+      const [left, right] = [at - Math.min(column, 1), at + Math.min(columns - 1 - column, 1)];
+      const below = at - Math.min(row, 1) * columns;
+      const above = at + Math.min(rows - 1 - row, 1) * columns;
+      const u = [0, 1, 2].map((axis) => apart(right, left, axis));
+      const v = [0, 1, 2].map((axis) => apart(above, below, axis));
+      const normal = [0, 1, 2].map((axis) => {
+        const [next, other] = [(axis + 1) % 3, (axis + 2) % 3];
+        return u[next] * v[other] - u[other] * v[next];
+      });
+      const length = Math.hypot(...normal);
+      if (length > 0)
+        for (let axis = 0; axis < 3; axis++) normals[3 * at + axis] = normal[axis] / length;
+    }
+  }
+}

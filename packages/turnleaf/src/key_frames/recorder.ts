@@ -1,0 +1,258 @@
+import { BitWriter, costOf } from "./bits.ts";
+import { blend, mixAt } from "./blend.ts";
+import { checksum, expected, mostAlong, mostMultiple, mostPoints, packedHeader } from "./file.ts";
+import { recordedModels, type TurnRecord } from "./recorded_turn.ts";
+import { Waves } from "./waves.ts";
+
+/** The leaf that is recorded. */
+export interface RecordedLeaf {
+  /** Metres. */
+  readonly width: number;
+  readonly height: number;
+  /** u of each column of points and v of each row, rising from 0 to 1; 256 at most. */
+  readonly u: ArrayLike<number>;
+  readonly v: ArrayLike<number>;
+  /** The model that moves it; "sheet" unless told. */
+  readonly model?: TurnRecord["model"];
+}
+
+/** A turn in a file. */
+export interface TurnFile {
+  /** What `decodeTurn` reads. */
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  /** How far a replay is at most from the recording, over the width. */
+  readonly error: number;
+  /** Key frames that were kept. */
+  readonly frames: number;
+}
+
+/** The part of the tolerance that rounding may take; the rest is the blend's. */
+const rounding = 0.4;
+
+/**
+ * Records a turn frame by frame, whatever turns the leaf, and keeps of it what a
+ * replay needs.
+ *
+ * ```ts
+ * const recorder = new TurnRecorder({ width: 0.14, height: 0.21, u, v });
+ * recorder.add(time, surface.positions); // for every frame
+ * const { bytes, error } = recorder.finish();
+ * ```
+ */
+export class TurnRecorder {
+  readonly #leaf: RecordedLeaf;
+  readonly #u: Float32Array;
+  readonly #v: Float32Array;
+  readonly #waves: Waves;
+  readonly #times: number[] = [];
+  readonly #frames: Float32Array[] = [];
+
+  /** @throws RangeError where the size, `u` or `v` are not a leaf's */
+  constructor(leaf: RecordedLeaf) {
+    this.#leaf = leaf;
+    this.#u = placesOf(leaf.u);
+    this.#v = placesOf(leaf.v);
+    if (!(leaf.width > 0 && leaf.height > 0 && leaf.width < 1e6 && leaf.height < 1e6)) {
+      throw new RangeError("A leaf's width and height are above 0.");
+    }
+    this.#waves = new Waves(this.#u, this.#v);
+  }
+
+  /**
+   * Adds a frame: x, y, z of each point, metres, row by row from the foot. It is copied.
+   *
+   * @param time seconds, after that of the frame before
+   * @throws RangeError where it is not, or where these are not a frame's numbers
+   */
+  add(time: number, positions: ArrayLike<number>): void {
+    const last = this.#times.at(-1);
+    // As the file will hold it: two frames must not fall together.
+    const at = Math.fround(time);
+    if (!Number.isFinite(at) || (last !== undefined && at <= last)) {
+      throw new RangeError("A frame is recorded after the one before.");
+    }
+    const length = 3 * this.#u.length * this.#v.length;
+    const frame = Float32Array.from(positions);
+    if (frame.length !== length || !frame.every(Number.isFinite)) {
+      throw new RangeError(`A frame of this leaf is ${length} finite numbers.`);
+    }
+    if ((this.#times.length + 1) * (length / 3) > mostPoints) {
+      throw new RangeError("The recording is too long; end it.");
+    }
+    this.#times.push(at);
+    this.#frames.push(frame);
+  }
+
+  /**
+   * Ends the recording.
+   *
+   * @param tolerance how far a replay may be from it, over the width
+   * @throws RangeError where nothing was recorded, or it cannot be told so finely
+   */
+  finish(tolerance = 0.001): TurnFile {
+    if (this.#times.length === 0) throw new RangeError("Nothing was recorded.");
+    if (!(tolerance > 0)) throw new RangeError("The tolerance is above 0.");
+    const most = tolerance * this.#leaf.width;
+    const { quantum, multiples, rounded } = this.#round(most);
+    const { keys, error } = chooseKeys(this.#times, this.#frames, rounded, most);
+    const kept = keys.flatMap((key) => multiples.slice(3 * key, 3 * key + 3));
+    const times = keys.map((key) => this.#times[key]);
+    const bytes = this.#write(times, kept, quantum, error / this.#leaf.width);
+    return { bytes, error: error / this.#leaf.width, frames: keys.length };
+  }
+
+  /** The coarsest quantum with which no point is farther off than rounding may bring it. */
+  #round(most: number) {
+    const length = 3 * this.#u.length * this.#v.length;
+    const shares = this.#frames.flatMap((frame) =>
+      [0, 1, 2].map((axis) => this.#waves.shares(frame, axis)),
+    );
+    const rounded = new Float32Array(length * this.#frames.length);
+    for (let quantum = Math.fround(4 * most); ; quantum = Math.fround(0.8 * quantum)) {
+      const multiples = shares.map((axis) =>
+        Int32Array.from(axis, (share) => Math.round(share / quantum)),
+      );
+      const isTooFine = shares.some((axis) =>
+        axis.some((share) => !(Math.abs(share / quantum) <= mostMultiple)),
+      );
+      if (isTooFine) throw new RangeError("The tolerance is too fine for this leaf.");
+      const isNear = this.#frames.every((frame, at) => {
+        const here = rounded.subarray(at * length, (at + 1) * length);
+        for (let axis = 0; axis < 3; axis++) {
+          const whole = Float64Array.from(multiples[3 * at + axis], (m) => m * quantum);
+          this.#waves.write(whole, here, axis);
+        }
+        return farthest(here, frame) <= rounding * most;
+      });
+      if (isNear) return { quantum, multiples, rounded };
+    }
+  }
+
+  #write(
+    times: readonly number[],
+    multiples: readonly Int32Array[],
+    quantum: number,
+    error: number,
+  ) {
+    const packed = pack(multiples, times, this.#waves.order);
+    const reals = [...this.#u, ...this.#v, ...times];
+    const end = packedHeader + 4 * reals.length + packed.length;
+    const bytes = new Uint8Array(end + 8);
+    const view = new DataView(bytes.buffer);
+    const { width, height, model = "sheet" } = this.#leaf;
+    view.setUint32(0, 0x544c4b46);
+    view.setUint16(4, 2, true);
+    view.setUint16(6, 1, true);
+    view.setUint32(8, recordedModels.indexOf(model) + 1, true);
+    view.setFloat32(16, width, true);
+    view.setFloat32(20, height, true);
+    const counts = [this.#u.length, this.#v.length, times.length];
+    for (const [i, count] of counts.entries()) view.setUint32(24 + 4 * i, count, true);
+    view.setFloat32(36, quantum, true);
+    view.setFloat32(40, error, true);
+    view.setUint32(44, packed.length, true);
+    for (const [i, real] of reals.entries()) view.setFloat32(packedHeader + 4 * i, real, true);
+    bytes.set(packed, end - packed.length);
+    bytes.set(checksum(bytes.subarray(0, end)), end);
+    return bytes;
+  }
+}
+
+function placesOf(places: ArrayLike<number>): Float32Array {
+  const all = Float32Array.from(places);
+  const rise = all.every((place, i) => i === 0 || place > all[i - 1]);
+  if (all.length < 2 || all.length > mostAlong || !rise || all[0] !== 0 || all.at(-1) !== 1) {
+    throw new RangeError(`u and v are 2 to ${mostAlong} numbers that rise from 0 to 1.`);
+  }
+  return all;
+}
+
+function pack(
+  multiples: readonly Int32Array[],
+  times: readonly number[],
+  order: Uint32Array,
+): Uint8Array {
+  const writer = new BitWriter();
+  for (const [at, own] of multiples.entries()) {
+    const before = multiples.slice(0, at);
+    const ways = [0, 1, 2].slice(0, Math.min(Math.floor(at / 3), 2) + 1).map((way) => {
+      const rest = Int32Array.from(
+        order,
+        (place) => own[place] - expected(before, times, way, place),
+      );
+      return { way, rest, cost: costOf(rest) };
+    });
+    const best = ways.reduce((a, b) => (b.cost < a.cost ? b : a));
+    writer.bits(best.way, 2);
+    writer.run(best.rest);
+  }
+  return writer.bytes;
+}
+
+/**
+ * The frames to keep, rising, so that a blend of their rounded positions is
+ * nowhere farther from the recording than `tolerance`, metres; and how far it is.
+ */
+function chooseKeys(
+  times: readonly number[],
+  frames: readonly Float32Array[],
+  rounded: Float32Array,
+  tolerance: number,
+): { keys: number[]; error: number } {
+  const last = times.length - 1;
+  const length = frames[0].length;
+  let keys = last === 0 ? [0] : [0, last];
+  let errors = new Float64Array(times.length);
+  const blended = new Float32Array(length);
+  const measure = (from: number, to: number): void => {
+    const keyTimes = keys.map((key) => times[key]);
+    for (let at = from; at <= to; at++) {
+      const { frame, weight } = mixAt(keyTimes, times[at]);
+      const [a, b, c, d] = frame.map((key) => keys[key]);
+      blend({ frame: [a, b, c, d], weight }, rounded, blended);
+      errors[at] = farthest(blended, frames[at]);
+    }
+  };
+  // A tangent reaches two keys away.
+  const measureAbout = (at: number): void =>
+    measure(keys[Math.max(at - 2, 0)], keys[Math.min(at + 2, keys.length - 1)]);
+  measure(0, last);
+  for (
+    let worst = worstOf(errors, keys);
+    errors[worst] > tolerance;
+    worst = worstOf(errors, keys)
+  ) {
+    const at = keys.findIndex((key) => key > worst);
+    keys.splice(at, 0, worst);
+    measureAbout(at);
+  }
+  for (let at = 1; at + 1 < keys.length; ) {
+    const [keysBefore, errorsBefore] = [[...keys], errors.slice()];
+    keys.splice(at, 1);
+    measureAbout(at);
+    if (errors.every((error) => error <= tolerance)) continue;
+    [keys, errors] = [keysBefore, errorsBefore];
+    at++;
+  }
+  return { keys, error: Math.max(...errors) };
+}
+
+/** The frame that is farthest off and not kept yet; a kept one where all are. */
+function worstOf(errors: Float64Array, keys: readonly number[]): number {
+  const kept = new Set(keys);
+  let worst = keys[0];
+  for (let at = 0; at < errors.length; at++) {
+    if (!kept.has(at) && (kept.has(worst) || errors[at] > errors[worst])) worst = at;
+  }
+  return worst;
+}
+
+/** The longest distance between points of two frames. */
+function farthest(a: Float32Array, b: Float32Array): number {
+  let most = 0;
+  for (let i = 0; i < a.length; i += 3) {
+    const [x, y, z] = [a[i] - b[i], a[i + 1] - b[i + 1], a[i + 2] - b[i + 2]];
+    most = Math.max(most, x * x + y * y + z * z);
+  }
+  return Math.sqrt(most);
+}

@@ -1,0 +1,142 @@
+import { decodeTurn } from "./decode.ts";
+import { TurnError } from "./file.ts";
+import type { RecordedTurn } from "./recorded_turn.ts";
+
+/** What a cache of turns is like. */
+export interface TurnCacheOptions {
+  /** Of the browser's store in which turns outlast the visit; "turnleaf-turns" unless told. */
+  readonly name?: string;
+  /** Turns held in memory; the one that was asked for longest ago goes first. 32 unless told. */
+  readonly most?: number;
+}
+
+/** A file larger than this is no turn's. */
+const mostBytes = 16 << 20;
+
+/**
+ * One recording for all: books and pages of a document share it in memory, later
+ * visits find it in the browser's Cache Storage, and all visitors on the network's
+ * caches, as a name from `turnName` stands for one content for ever and may be
+ * served with `Cache-Control: public, max-age=31536000, immutable`.
+ */
+export class TurnCache {
+  readonly #name: string;
+  readonly #most: number;
+  readonly #turns = new Map<string, Promise<RecordedTurn>>();
+
+  constructor(options: TurnCacheOptions = {}) {
+    this.#name = options.name ?? "turnleaf-turns";
+    this.#most = Math.max(options.most ?? 32, 1);
+  }
+
+  /**
+   * The turn at an address, fetched once.
+   * Rejects with a `TurnError` where there is none, and then asks again the next time.
+   */
+  fetch(address: string | URL): Promise<RecordedTurn> {
+    const url = new URL(address, globalThis.document?.baseURI).href;
+    return this.#share(url, async (store) => {
+      const kept = await store?.match(url);
+      const response = kept ?? (await fetch(url).catch(() => null));
+      if (!response?.ok) throw new TurnError(`The recorded turn at ${url} could not be fetched.`);
+      const bytes = await bytesOf(response.clone());
+      await requireName(url, bytes);
+      const turn = decodeTurn(bytes);
+      // Only what may be shared for ever is kept beyond the visit: else the server is asked.
+      if (!kept && nameIn(url)) await store?.put(url, response).catch(() => {});
+      return turn;
+    });
+  }
+
+  /**
+   * The turn of a name, recorded once by whoever asks first.
+   *
+   * @param name says all that makes it what it is: model, paper, gesture, seconds
+   * @param record makes the bytes of its file, as `TurnRecorder.finish` does
+   */
+  record(name: string, record: () => Promise<Uint8Array<ArrayBuffer>>): Promise<RecordedTurn> {
+    const key = `https://turnleaf.invalid/${encodeURIComponent(name)}`;
+    return this.#share(key, async (store) => {
+      const kept = await store?.match(key);
+      if (kept) {
+        try {
+          return decodeTurn(await bytesOf(kept));
+        } catch {
+          // What another version kept, or somebody else: it is recorded anew.
+        }
+      }
+      const bytes = await record();
+      const turn = decodeTurn(bytes);
+      await store?.put(key, new Response(bytes)).catch(() => {});
+      return turn;
+    });
+  }
+
+  /** Forgets all turns, those kept from other visits too. */
+  async clear(): Promise<void> {
+    this.#turns.clear();
+    await globalThis.caches?.delete(this.#name).catch(() => false);
+  }
+
+  #share(
+    key: string,
+    load: (store: Cache | undefined) => Promise<RecordedTurn>,
+  ): Promise<RecordedTurn> {
+    const known = this.#turns.get(key);
+    const turn = known ?? this.#open().then(load);
+    // Asked for last, last in the map: the first is the one to forget.
+    this.#turns.delete(key);
+    this.#turns.set(key, turn);
+    const [oldest] = this.#turns.keys();
+    if (this.#turns.size > this.#most && oldest !== undefined) this.#turns.delete(oldest);
+    if (!known) turn.catch(() => this.#turns.get(key) === turn && this.#turns.delete(key));
+    return turn;
+  }
+
+  /** The browser's store; none where the page is not secure, or storing is forbidden. */
+  async #open(): Promise<Cache | undefined> {
+    return await globalThis.caches?.open(this.#name).catch(() => undefined);
+  }
+}
+
+/** The name of a turn's file by its content: `turn-` and the first 32 digits of its SHA-256. */
+export async function turnName(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
+  const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
+  const digits = [...digest.subarray(0, 16)].map((byte) => byte.toString(16).padStart(2, "0"));
+  return `turn-${digits.join("")}.tlkf`;
+}
+
+/** The name by content in an address, if it has one. */
+function nameIn(url: string): string | null {
+  return /\/(turn-[0-9a-f]{32}\.tlkf)(?:[?#]|$)/.exec(url)?.[1] ?? null;
+}
+
+/** Where the address names a content, it must be that one. */
+async function requireName(url: string, bytes: Uint8Array<ArrayBuffer>): Promise<void> {
+  const name = nameIn(url);
+  // There is no digest where the page is not secure.
+  if (!name || !globalThis.crypto?.subtle || (await turnName(bytes)) === name) return;
+  throw new TurnError(`The recorded turn at ${url} is another than its name says.`);
+}
+
+async function bytesOf(response: Response): Promise<Uint8Array<ArrayBuffer>> {
+  const parts: Uint8Array[] = [];
+  let length = 0;
+  for (const reader = response.body?.getReader(); reader; ) {
+    const { done, value } = await reader.read();
+    if (done) break;
+    length += value.length;
+    if (length > mostBytes) {
+      await reader.cancel();
+      throw new TurnError("The file is too large for a recorded turn.");
+    }
+    parts.push(value);
+  }
+  const bytes = new Uint8Array(length);
+  let at = 0;
+  for (const part of parts) {
+    bytes.set(part, at);
+    at += part.length;
+  }
+  return bytes;
+}
