@@ -23,7 +23,7 @@ const goal = 80;
  * one of those that every book needs.
  */
 const parts = {
-  "shows and turns a book": { limit: 85 },
+  "shows and turns a book": { limit: 83 },
   "the text over the pages, once they show": { files: ["text_over.js"], limit: 6 },
   "toolbar and panels": { files: ["controls.js"], limit: 13 },
   "on the flat, where there is no WebGL": { files: ["plain.js"], limit: 7 },
@@ -31,7 +31,7 @@ const parts = {
 };
 
 /** kB gzip of all parts together. */
-const limit = 113;
+const limit = 111;
 
 const dist = join(import.meta.dirname, "../packages/turnleaf/dist");
 

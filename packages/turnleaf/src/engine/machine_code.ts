@@ -12,11 +12,11 @@ const [operation, vectorOperation, local, number, raw, groupsOfLocals] = [0, 1, 
 const kinds = 6;
 
 /** Predictors, each by what it takes for the same situation. */
-const predictors = 7;
+const predictors = 8;
 /** Inputs of the mixture: the predictors, what followed the last time, and what is so without a reason. */
 const inputs = predictors + 2;
 /** Situations that a predictor tells apart, as a power of two. */
-const situations = 18;
+const situations = 19;
 /** Times after which a predictor trusts what it saw no more than before. */
 const mostSeen = 8;
 /** How fast the mixture learns, and the error below which it is right as it is. */
@@ -114,6 +114,7 @@ export function expectBytes(
     known[4] = op | (op1 << 9);
     known[5] = op ^ (op1 << 8) ^ (op2 << 16) ^ (op3 << 24);
     known[6] = op | (depth << 9);
+    known[7] = op | (op1 << 9) | (op2 << 18);
     for (let i = 0; i < predictors; i++) {
       const mixed = Math.imul((known[i] as number) + 1, 0x2f0b4c47);
       const told = mixed ^ Math.imul(at + 1 + 128 * i, 0x9e3779b1);
