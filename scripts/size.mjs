@@ -23,15 +23,16 @@ const goal = 80;
  * one of those that every book needs.
  */
 const parts = {
-  "shows and turns a book": { limit: 83 },
+  "shows and turns a book": { limit: 82 },
   "the text over the pages, once they show": { files: ["text_over.js"], limit: 6 },
+  "zoomed in, and fold-outs": { files: ["details.js", "flap.js"], limit: 2.2 },
   "toolbar and panels": { files: ["controls.js"], limit: 13 },
   "on the flat, where there is no WebGL": { files: ["plain.js"], limit: 7 },
   "sound and printing": { files: ["sound.js", "print.js"], limit: 3 },
 };
 
 /** kB gzip of all parts together. */
-const limit = 111;
+const limit = 112;
 
 const dist = join(import.meta.dirname, "../packages/turnleaf/dist");
 

@@ -336,6 +336,7 @@ export class TurnleafBook extends ReaderElement {
       onFailure: (sentence) => this.#words?.announce(sentence),
       onLayout: () => this.#laidOut(),
       onMotion: this.#senses.follow,
+      onLack: (error) => this.#lack(error),
       onZoom: (zoom) => this.emit("zoomchange", { zoom }),
     };
   }

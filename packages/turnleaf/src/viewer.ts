@@ -22,12 +22,12 @@ import {
   planBinding,
   type Wish,
 } from "./view/bound.ts";
-import { Details } from "./view/details.ts";
 import { Fade } from "./view/fade.ts";
 import { Folding } from "./view/folding.ts";
 import { type Craft, usualWish, type ViewerOptions } from "./view/options.ts";
 import { pictureWidth } from "./view/picturing.ts";
 import { QualityGovernor } from "./view/quality.ts";
+import { Sharpness } from "./view/sharpness.ts";
 import { Steering } from "./view/steering.ts";
 import { Stillness } from "./view/stillness.ts";
 import { Viewing } from "./view/viewing.ts";
@@ -44,7 +44,7 @@ export class Viewer {
   readonly #viewing: Viewing;
   readonly #pictures: PagePictures;
   readonly #fade: Fade;
-  readonly #details: Details;
+  readonly #sharpness: Sharpness;
   readonly #folding: Folding;
   readonly #views = new Views();
   readonly #stillness = new Stillness();
@@ -81,11 +81,15 @@ export class Viewer {
       onDrop: (picture) => this.#stage.forget(picture),
     });
     const arrived = (): void => this.invalidate();
-    this.#details = new Details(source, stage, book.aspect, this.#pictures, arrived);
+    const failed = (error: unknown): void => options.onLack?.(error);
+    const { aspect } = book;
+    const pictures = this.#pictures;
+    this.#sharpness = new Sharpness({ source, stage, aspect, pictures, arrived, failed });
     this.#folding = new Folding(this.#pictures, {
       unfolds: stage.unfolds,
       width: () => this.#pictureWidth,
       changed: () => this.#show(),
+      failed,
     });
     const events: TurningEvents = {
       started: (flight) => {
@@ -214,7 +218,7 @@ export class Viewer {
   redraw(page: number): void {
     if (this.#destroyed) return;
     this.#pictures.redraw(page);
-    this.#details.redraw(page);
+    this.#sharpness.redraw(page);
     this.invalidate();
   }
 
@@ -279,7 +283,7 @@ export class Viewer {
   get settled(): boolean {
     // Before there is room for the book no page is asked for, so none is missing.
     if (this.#cssWidth === 0 || this.#frame !== 0 || this.#stage.isLost) return false;
-    return this.#pictures.settled && this.#details.settled;
+    return this.#pictures.settled && this.#sharpness.settled;
   }
 
   /** Whether, besides, the pages that a turn may bring into sight are drawn, as far as memory allows. */
@@ -297,7 +301,7 @@ export class Viewer {
     this.steering.close();
     this.#folding.close();
     this.#binder.close();
-    this.#details.close();
+    this.#sharpness.close();
     this.#pictures.close();
     this.#stage.destroy();
   }
@@ -343,9 +347,9 @@ export class Viewer {
     if (this.#destroyed) return;
     if (moving || this.#fade.isOn) this.#askForFrame();
     else ticks.stop();
-    if (!resting) this.#details.pause();
+    if (!resting) this.#sharpness.pause();
     else if (!turning) {
-      this.#details.look(this.#bound.picturing.open, this.#cssWidth, this.#cssHeight);
+      this.#sharpness.look(this.#bound.picturing.open, this.#cssWidth, this.#cssHeight);
     }
     const gone = stepping || this.#handled || this.#fade.isOn || (turning && !peek.flight);
     this.#views.tell(gone ? "" : `${this.turning.spread} ${this.#stage.viewKey}`);
@@ -369,7 +373,7 @@ export class Viewer {
   #bindAnew(): void {
     if (this.#destroyed || !this.#binder.waits) return;
     this.#folding.close();
-    this.#details.close();
+    this.#sharpness.close();
     const before = this.binding;
     this.#binder.bindAnew(this.#cssWidth, this.#cssHeight);
     this.#views.forget();
@@ -384,7 +388,7 @@ export class Viewer {
     const { picturing } = this.#bound;
     if (this.#cssWidth > 0) picturing.want(this.#pictureWidth);
     picturing.show(this.#folding.parts);
-    this.#details.keep(picturing.pages);
+    this.#sharpness.keep(picturing.pages);
     this.invalidate();
   }
 

@@ -1,6 +1,6 @@
 /** The reader's controls, loaded when they are first shown. */
 
-import { loaded } from "../element/loaded.ts";
+import { loaded } from "../sources/loaded.ts";
 import type { ControlledBook, FoundPlace } from "./book.ts";
 
 /** Shows and hides the controls of one element. */

@@ -2,12 +2,12 @@
 
 import { Input } from "../input/input.ts";
 import { openViewer } from "../open_viewer.ts";
+import { loaded } from "../sources/loaded.ts";
 import type { BookInput } from "../sources/open.ts";
 import type { PageList } from "../sources/page_list.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Viewer, ViewerOptions } from "../viewer.ts";
 import { languageOf } from "../words/languages.ts";
-import { loaded } from "./loaded.ts";
 import { Reading } from "./reading.ts";
 
 /** A book that lies open: where its pages come from, what shows it, and the canvas it is shown on. */

@@ -1,9 +1,9 @@
 /** Pages added to an open book, taken from it and replaced. */
 
+import { loaded } from "../sources/loaded.ts";
 import type { BookInput } from "../sources/open.ts";
 import type { Moved } from "../sources/page_list.ts";
 import type { OpenBook } from "./life.ts";
-import { loaded } from "./loaded.ts";
 
 /** Changes the pages of one element's book, one change after the other, in the order they are asked for. */
 export class PageChanges {

@@ -1,5 +1,6 @@
 /** What a reader does with an open book beside turning it: finds, marks, prints, keeps the place. */
 
+import { loaded } from "../sources/loaded.ts";
 import {
   BookError,
   type OutlineEntry,
@@ -8,7 +9,6 @@ import {
 } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
 import type { OpenBook } from "./life.ts";
-import { loaded } from "./loaded.ts";
 import { cleanBookmarks } from "./memory.ts";
 import { Place } from "./place.ts";
 import type { PrintOptions } from "./print.ts";

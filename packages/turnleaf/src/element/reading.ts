@@ -1,8 +1,8 @@
 /** The open book as something to read: its text, which comes a moment after it, and its contents. */
 
+import { loaded } from "../sources/loaded.ts";
 import type { OutlineEntry } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
-import { loaded } from "./loaded.ts";
 import type { TextOver, Under } from "./text_over.ts";
 
 /** What an open book has to read. */

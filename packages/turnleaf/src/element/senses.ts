@@ -2,8 +2,8 @@
 
 import type { Stock, StockFigures } from "../engine/shapes.ts";
 import type { Sound } from "../sound/sound.ts";
+import { loaded } from "../sources/loaded.ts";
 import type { ViewerOptions } from "../viewer.ts";
-import { loaded } from "./loaded.ts";
 
 /** How long a phone stirs when a leaf is taken and when it lies, milliseconds. */
 const taken = 8;

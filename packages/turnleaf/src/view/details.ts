@@ -8,15 +8,7 @@ import type { BookStage } from "../draw/stage.ts";
 import type { PagePictures } from "../pages/page_pictures.ts";
 import { closePicture } from "../pages/page_pool.ts";
 import type { PageBox, PagePicture, PageSource } from "../sources/page_source.ts";
-
-/** A page that lies open, on the face where it is seen. */
-export interface OpenPage {
-  readonly face: Face;
-  /** From 1. */
-  readonly page: number;
-  /** Width of its picture in device pixels; infinite where the source has no sharper one. */
-  readonly width: number;
-}
+import { acrossAt, isCoarse, type OpenPage, type SharpnessTools } from "./coarse.ts";
 
 /** What is in sight of a page: shares of its leaf, and how large it is seen. */
 interface Sighted {
@@ -58,18 +50,7 @@ export class Details {
   readonly #shown = new Map<Face, Detail>();
   readonly #coming = new Map<Face, Detail>();
 
-  /**
-   * @param aspect a leaf's width over its height
-   * @param pictures knows where on its leaf a page lies
-   * @param arrived a detail came, and a frame should be drawn
-   */
-  constructor(
-    source: PageSource,
-    stage: BookStage,
-    aspect: number,
-    pictures: Pick<PagePictures, "placeOf">,
-    arrived: () => void,
-  ) {
+  constructor({ source, stage, aspect, pictures, arrived }: SharpnessTools) {
     this.#pictures = pictures;
     this.#source = source;
     this.#stage = stage;
@@ -85,13 +66,14 @@ export class Details {
   /** Looks at the pages that lie open, at rest on a canvas of so many CSS pixels, and draws what is missing. */
   look(open: readonly OpenPage[], width: number, height: number): void {
     this.keep(Object.fromEntries(open.map(({ face, page }) => [face, page])));
-    for (const { face, page, width: have } of open) {
-      const across = this.#acrossAt(face, 0.5, 0.5);
-      // Where its own picture is to come, nobody knows yet how the page lies on its leaf.
-      const isCoarse = have > 0 && across > have;
-      const box = isCoarse ? this.#boxInSight(face, width, height) : null;
+    for (const seen of open) {
+      const { face, page } = seen;
+      const box = isCoarse(this.#stage, seen) ? this.#boxInSight(face, width, height) : null;
       if (box === null) this.#drop(face);
-      else this.#want(face, page, { box, across: this.#acrossAt(face, ...middleOf(box)) });
+      else {
+        const across = acrossAt(this.#stage, face, ...middleOf(box));
+        this.#want(face, page, { box, across });
+      }
     }
   }
 
@@ -112,11 +94,6 @@ export class Details {
   /** Stops drawing; what is shown stays. */
   pause(): void {
     for (const face of [...this.#coming.keys()]) this.#abort(face);
-  }
-
-  /** Takes everything away. */
-  close(): void {
-    this.keep({});
   }
 
   #want(face: Face, page: number, sighted: Sighted): void {
@@ -178,12 +155,6 @@ export class Details {
     if (picture === null) return;
     this.#stage.forget(picture);
     closePicture(picture);
-  }
-
-  /** Canvas pixels across a whole leaf, as large as it is seen at a place of a face. */
-  #acrossAt(face: Face, x: number, y: number): number {
-    const [from, to] = [x - 0.01, x + 0.01].map((x) => this.#stage.projectOn(face, x, y));
-    return (Math.hypot(to.x - from.x, to.y - from.y) / 0.02) * this.#stage.restingRatio;
   }
 
   /** The part of a face that is seen on the canvas; null for none. */

@@ -4,7 +4,7 @@ import type { BookPose, BookShape } from "../draw/pose.ts";
 import type { Surface } from "../engine/shapes.ts";
 import type { PagePictures, Unfolded } from "../pages/page_pictures.ts";
 import { foldAt } from "../pages/placing.ts";
-import { flapSurface } from "./flap.ts";
+import { loaded } from "../sources/loaded.ts";
 
 /** Time in which a flap opens, seconds. */
 const openTime = 0.6;
@@ -17,6 +17,8 @@ export interface FoldingHooks {
   readonly width: () => number;
   /** Other pictures are to be shown than before. */
   readonly changed: () => void;
+  /** What bends a fold-out cannot be loaded. */
+  readonly failed: (error: unknown) => void;
 }
 
 /** A fold-out and how far it is open. */
@@ -24,6 +26,7 @@ interface Flap {
   readonly page: number;
   readonly sign: 1 | -1;
   readonly parts: Unfolded;
+  readonly flapSurface: typeof import("./flap.ts").flapSurface;
   open: number;
   to: 0 | 1;
 }
@@ -60,12 +63,15 @@ export class Folding {
     const drawing = new AbortController();
     this.#drawing = drawing;
     const width = this.#hooks.width();
+    const flap = await loaded(import("./flap.ts")).catch(this.#hooks.failed);
+    if (!flap || drawing.signal.aborted) return false;
     const parts = await this.#pictures.unfold(page, width, drawing.signal).catch(() => null);
     if (drawing.signal.aborted || parts === null) {
       if (parts) this.#pictures.foldIn();
       return false;
     }
-    this.#flap = { page, sign, parts, open: 0, to: 1 };
+    const { flapSurface } = flap;
+    this.#flap = { page, sign, parts, flapSurface, open: 0, to: 1 };
     this.#hooks.changed();
     return await new Promise((resolve) => this.#waiting.push(resolve));
   }
@@ -101,7 +107,7 @@ export class Folding {
       const place = { sign, open, fold: foldAt, share: flap.parts.place.width - foldAt };
       this.#surface = {
         open,
-        surface: flapSurface(place, pile, width, height, ++this.#version),
+        surface: flap.flapSurface(place, pile, width, height, ++this.#version),
       };
     }
     return this.#surface.surface;

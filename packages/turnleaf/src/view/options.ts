@@ -28,6 +28,8 @@ export interface ViewerOptions extends Partial<Wish> {
   readonly onFailure: (sentence: string) => void;
   /** The book is seen from nearer or farther: the level that is shown, or on the way to being. */
   readonly onZoom?: (level: number) => void;
+  /** A part of the viewer that the book shows without could not be loaded. */
+  readonly onLack?: (error: unknown) => void;
   /** The graphics card failed for good: nothing of the book is seen any more. */
   readonly onGone?: () => void;
   /** A frame: where the book's parts are, seconds since the one before, and whether leaves are in flight. */

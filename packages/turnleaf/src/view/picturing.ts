@@ -15,7 +15,7 @@ import type { BookShape } from "../draw/pose.ts";
 import type { BookStage } from "../draw/stage.ts";
 import type { PagePictures } from "../pages/page_pictures.ts";
 import { isTrimmed } from "../pages/placing.ts";
-import type { OpenPage } from "./details.ts";
+import type { OpenPage } from "./coarse.ts";
 import type { Folding } from "./folding.ts";
 import type { Viewing } from "./viewing.ts";
 

@@ -3,8 +3,8 @@
 import { expect, test, vi } from "vitest";
 import type { ControlledBook } from "../controls/book.ts";
 import { Furnishing } from "../controls/furnish.ts";
+import { loaded } from "../sources/loaded.ts";
 import { BookError } from "../sources/page_source.ts";
-import { loaded } from "./loaded.ts";
 import { Reading } from "./reading.ts";
 import type { Under } from "./text_over.ts";
 
