@@ -226,7 +226,7 @@ fn the_fixtures_are_what_the_engine_writes_and_replays() {
     let files = [
         ("corner.tlkf", condensed.to_bytes()),
         ("corner-whole.tlkf", recording.to_bytes()),
-        ("corner.json", samples.into_bytes()),
+        ("corner.samples", samples.into_bytes()),
     ];
     for (name, bytes) in files {
         if std::env::var_os("UPDATE_GOLDEN").is_some() {

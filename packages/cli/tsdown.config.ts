@@ -13,5 +13,5 @@ export default defineConfig({
     { from: "../turnleaf/dist/licenses.txt", to: "dist" },
     { from: "../../node_modules/image-size/LICENSE", to: "dist", rename: "license-image-size.txt" },
   ],
-  deps: { onlyBundle: ["image-size", "pdfjs-dist"] },
+  deps: { onlyBundle: ["image-size", "pdfjs-dist", "turnleaf"] },
 });

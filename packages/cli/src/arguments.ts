@@ -1,4 +1,5 @@
 import { parseArgs } from "node:util";
+import { type BakeCommand, bakeHelp, parseBake } from "./bake/bake_arguments.ts";
 import { type FilmCommand, filmHelp, parseFilm } from "./film/film_arguments.ts";
 import { usageProblem } from "./options.ts";
 import { UsageProblem } from "./problem.ts";
@@ -7,6 +8,7 @@ import { UsageProblem } from "./problem.ts";
 export type Command =
   | { readonly name: "help"; readonly text: string }
   | FilmCommand
+  | BakeCommand
   | { readonly name: "version" }
   | {
       readonly name: "read";
@@ -23,6 +25,8 @@ export const help = `Turnleaf shows a book whose pages turn as paper turns.
                                  (PNG, JPEG, WebP, AVIF, GIF) in their order
   turnleaf film BOOK --out FILE  films a book as its pages turn, as MP4, WebM,
                                  GIF or numbered pictures (turnleaf film --help)
+  turnleaf bake --out FILE       writes the turn of a leaf as glTF, OBJ, JSON or
+                                 key frames (turnleaf bake --help)
 
   --port N     serve at this port of this machine (4173, or the next free one)
   --no-open    open no browser
@@ -34,7 +38,10 @@ export const help = `Turnleaf shows a book whose pages turn as paper turns.
 const commands = new Map<
   string,
   { readonly help: string; readonly parse: (args: readonly string[]) => Command }
->([["film", { help: filmHelp, parse: parseFilm }]]);
+>([
+  ["film", { help: filmHelp, parse: parseFilm }],
+  ["bake", { help: bakeHelp, parse: parseBake }],
+]);
 
 /**
  * Reads the command line, without the names of Node and of the script.

@@ -1,6 +1,7 @@
 #!/usr/bin/env node
 import packageJson from "../package.json" with { type: "json" };
 import { help, parseCommand } from "./arguments.ts";
+import { bake } from "./bake/bake.ts";
 import { film } from "./film/film.ts";
 import { interrupted } from "./interrupted.ts";
 import { Problem, UsageProblem } from "./problem.ts";
@@ -11,6 +12,7 @@ async function main(): Promise<void> {
   if (command.name === "help") console.log(command.text.trimEnd());
   else if (command.name === "version") console.log(packageJson.version);
   else if (command.name === "film") await film(command, interrupted());
+  else if (command.name === "bake") await bake(command, interrupted());
   else await read(command.path, command.port, command.opens);
 }
 

@@ -60,3 +60,17 @@ export function parseSize(
   }
   throw new UsageProblem(`--${name} is a size such as 1280x720, each side ${least} to ${most}.`);
 }
+
+/**
+ * One of some names, the first where none is given.
+ * @throws UsageProblem
+ */
+export function oneOf<Name extends string>(
+  option: string,
+  value: string | undefined,
+  names: readonly Name[],
+): Name {
+  const name = value === undefined ? names[0] : names.find((name) => name === value);
+  if (name !== undefined) return name;
+  throw new UsageProblem(`--${option} is ${names.slice(0, -1).join(", ")} or ${names.at(-1)}.`);
+}

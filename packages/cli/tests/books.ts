@@ -32,6 +32,30 @@ export function png(width: number, height: number, grey = 128): Buffer {
   ]);
 }
 
+/** A PNG of one colour with pale lines, as of text, and a dark mark in its upper left corner. */
+export function page(colour: readonly [number, number, number]): Buffer {
+  const [width, height] = [64, 96];
+  const header = Buffer.alloc(13);
+  header.writeUInt32BE(width, 0);
+  header.writeUInt32BE(height, 4);
+  header.set([8, 2], 8);
+  const rows = Buffer.alloc(height * (3 * width + 1));
+  for (let y = 0; y < height; y++) {
+    for (let x = 0; x < width; x++) {
+      const isText = x > 8 && x < 56 && y > 24 && y < 88 && y % 8 < 2;
+      const isMark = x + y < 20;
+      const shade = isMark ? [20, 20, 20] : isText ? [240, 240, 240] : colour;
+      rows.set(shade, y * (3 * width + 1) + 1 + 3 * x);
+    }
+  }
+  return Buffer.concat([
+    Buffer.from("\x89PNG\r\n\x1a\n", "latin1"),
+    chunk("IHDR", header),
+    chunk("IDAT", deflateSync(rows)),
+    chunk("IEND", Buffer.alloc(0)),
+  ]);
+}
+
 /** A JPEG's head, of the size and EXIF orientation given: enough for whoever reads the size. */
 export function jpegHead(width: number, height: number, orientation: number): Buffer {
   const app1 = Buffer.from(

@@ -1,5 +1,5 @@
 import { extname } from "node:path";
-import { parseNumber, parseOptions, parseSize } from "../options.ts";
+import { oneOf, parseNumber, parseOptions, parseSize } from "../options.ts";
 import { UsageProblem } from "../problem.ts";
 import { type FilmFormat, filmFormats } from "./encode.ts";
 
@@ -97,10 +97,4 @@ function parsePages(text: string | undefined): { from: number; to: number | null
   const to = match?.[2] === undefined ? (text.includes("-") ? null : from) : Number(match[2]);
   if (match && from >= 1 && (to === null || to >= from)) return { from, to };
   throw new UsageProblem("--pages is a range such as 1-20.");
-}
-
-function oneOf(name: string, value: string | undefined, names: readonly string[]): string {
-  if (value === undefined) return names[0] ?? "";
-  if (names.includes(value)) return value;
-  throw new UsageProblem(`--${name} is ${names.slice(0, -1).join(", ")} or ${names.at(-1)}.`);
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import cornerJson from "../../../../engine/tests/fixtures/corner.json?raw";
+import cornerSamples from "../../../../engine/tests/fixtures/corner.samples?raw";
 import cornerFile from "../../../../engine/tests/fixtures/corner.tlkf?inline";
 import wholeFile from "../../../../engine/tests/fixtures/corner-whole.tlkf?inline";
 import scriptFile from "../../../../engine/tests/fixtures/recorded-in-script.tlkf?inline";
@@ -63,7 +63,7 @@ describe("a file of the engine", () => {
   });
 
   it("is played as the engine plays it", () => {
-    const samples = JSON.parse(cornerJson);
+    const samples = JSON.parse(cornerSamples);
     expect(samples).toHaveLength(10);
     for (const { time, positions } of samples) {
       expect(apart(sample(corner, time), positions), `${time} s`).toBeLessThan(1e-6);

@@ -1,0 +1,89 @@
+import { writeFile } from "node:fs/promises";
+import { TurnRecorder } from "turnleaf/keyframes";
+import packageJson from "../../package.json" with { type: "json" };
+import { fileProblem, Problem, printable } from "../problem.ts";
+import { Progress } from "../progress.ts";
+import type { BakeCommand } from "./bake_arguments.ts";
+import { atRate, type Frame, keepFrames, pointsOf, simulate } from "./baked_turn.ts";
+import { writeGlb } from "./glb.ts";
+import { writeObj } from "./obj.ts";
+import { readPageImage } from "./page_image.ts";
+
+/**
+ * Simulates the turn of a leaf and writes it for other programs.
+ * @throws Problem
+ */
+export async function bake(command: BakeCommand, signal: AbortSignal): Promise<void> {
+  const { out, format, model } = command;
+  const [front, back] = [await readPageImage(command.front), await readPageImage(command.back)];
+  const progress = new Progress();
+  let frames: Frame[];
+  try {
+    frames = await simulate(
+      command,
+      (seconds, about) => progress.show(seconds / about, `${model}, ${seconds.toFixed(2)} s`),
+      signal,
+    );
+  } catch (error) {
+    throw signal.aborted ? new Problem("Stopped; nothing was written.") : error;
+  } finally {
+    progress.clear();
+  }
+  const points = pointsOf(command);
+  const seconds = frames.at(-1)?.time ?? 0;
+  const extras = {
+    ...{ model, gesture: command.gesture, stock: command.stock, seconds },
+    ...{ width: command.width, height: command.height, tolerance: command.tolerance },
+  };
+  const report = (what: string): void =>
+    console.log(`${printable(out)}: ${what}, ${seconds.toFixed(2)} s`);
+  if (format === "glb") {
+    const kept = keepFrames(frames, command.tolerance * command.width);
+    const generator = `Turnleaf ${packageJson.version}`;
+    const bytes = writeGlb(points, kept, { generator, front, back, extras });
+    await write(out, bytes);
+    report(`${kept.length - 1} morph targets, ${kilobytes(bytes)}`);
+  } else if (format === "tlkf") {
+    const recorder = new TurnRecorder({ ...command, ...points });
+    for (const { time, positions } of frames) recorder.add(time, positions);
+    const { bytes, error, frames: kept } = recorder.finish(command.tolerance);
+    await write(out, bytes);
+    report(
+      `${kept} key frames, ${kilobytes(bytes)}, error ${(100 * error).toFixed(3)} % of the width`,
+    );
+  } else {
+    const steady = atRate(frames, command.fps);
+    if (format === "json") await write(out, json(command, steady, extras));
+    else {
+      const name = out.replace(/\.obj$/i, "");
+      for (const { ending, text } of writeObj(name, points, steady, command)) {
+        signal.throwIfAborted();
+        await write(name + ending, text);
+      }
+    }
+    report(`${steady.length} frames`);
+  }
+}
+
+function json(command: BakeCommand, frames: readonly Frame[], extras: object): string {
+  const { u, v } = pointsOf(command);
+  const short = (value: number) => Math.round(value * 1e6) / 1e6;
+  return `${JSON.stringify({
+    generator: `Turnleaf ${packageJson.version}`,
+    ...extras,
+    fps: command.fps,
+    u: Array.from(u, short),
+    v: Array.from(v, short),
+    frames: frames.map(({ positions }) => Array.from(positions, short)),
+  })}\n`;
+}
+
+function kilobytes(bytes: Uint8Array): string {
+  return `${(bytes.length / 1000).toFixed(1)} kB`;
+}
+
+async function write(file: string, content: Uint8Array | string): Promise<void> {
+  await writeFile(file, content).catch((error: unknown) => {
+    throw fileProblem(file, error);
+  });
+}

@@ -1,0 +1,132 @@
+/** A turn simulated from its beginning to its rest, and what is kept of it. */
+
+import { writeNormals } from "turnleaf/keyframes";
+import { LooseLeaf, leafStocks } from "turnleaf/models";
+import { Problem } from "../problem.ts";
+import type { BakeCommand } from "./bake_arguments.ts";
+
+/** Frames a second at which the turn is looked at. */
+const rate = 120;
+/** Longest wait for the leaf to come to rest after the hand let go, seconds. */
+const patience = 4;
+/** Motion from frame to frame that nobody sees, over the width; and frames in a row without more. */
+const unseen = 2e-5;
+const stillFrames = 12;
+
+/** One moment of a turn. */
+export interface Frame {
+  /** Seconds since the start. */
+  readonly time: number;
+  /** x, y, z of each point, metres, row by row from the foot. */
+  readonly positions: Float32Array;
+}
+
+/** Where the points are on the leaf: u of each column and v of each row. */
+export interface Points {
+  readonly u: Float32Array;
+  readonly v: Float32Array;
+}
+
+/** The points of a command. */
+export function pointsOf({ points }: BakeCommand): Points {
+  const even = (n: number) => Float32Array.from({ length: n }, (_, i) => i / (n - 1));
+  return { u: even(points[0]), v: even(points[1]) };
+}
+
+/**
+ * Simulates the turn until the leaf lies still.
+ *
+ * @param tell hears how far it has come, seconds of about how many
+ * @throws Problem where the model refuses the leaf
+ */
+export async function simulate(
+  command: BakeCommand,
+  tell: (seconds: number, about: number) => void,
+  signal: AbortSignal,
+): Promise<Frame[]> {
+  const { model, gesture, stock, seconds, width, height, points } = command;
+  const options = { model, width, height, stock: leafStocks[stock], points };
+  const leaf = await LooseLeaf.create(options).catch((error: unknown) => {
+    throw new Problem(error instanceof Error ? error.message : "The leaf could not be made.");
+  });
+  try {
+    leaf.play(gesture, "right", seconds);
+    const frames: Frame[] = [];
+    let still = 0;
+    for (let step = 0; still < stillFrames && step <= (seconds + patience) * rate; step++) {
+      if (step > 0) leaf.advance(1 / rate);
+      leaf.update();
+      const positions = leaf.surface().positions.slice();
+      if (!positions.every(Number.isFinite)) throw new Problem("The leaf flew apart.");
+      const last = frames.at(-1)?.positions ?? positions;
+      const isStill = step > seconds * rate && farthest(last, positions) < unseen * width;
+      still = isStill ? still + 1 : 0;
+      frames.push({ time: step / rate, positions });
+      tell(step / rate, seconds + 1);
+      // So that Ctrl+C is heard.
+      if (step % 30 === 0) await new Promise((resolve) => setImmediate(resolve));
+      signal.throwIfAborted();
+    }
+    return frames.slice(0, frames.length - Math.max(still - 1, 0));
+  } finally {
+    leaf.destroy();
+  }
+}
+
+/**
+ * Few frames between which others lie on straight lines, as near as `tolerance`,
+ * metres: from each the longest line that holds.
+ */
+export function keepFrames(frames: readonly Frame[], tolerance: number): Frame[] {
+  const kept = frames.slice(0, 1);
+  for (let from = 0; from < frames.length - 1; ) {
+    let to = from + 1;
+    while (to + 1 < frames.length && isStraight(frames, from, to + 1, tolerance)) to++;
+    kept.push(frames[to] as Frame);
+    from = to;
+  }
+  return kept;
+}
+
+function isStraight(frames: readonly Frame[], from: number, to: number, tolerance: number) {
+  const ends = [frames[from] as Frame, frames[to] as Frame] as const;
+  return frames
+    .slice(from + 1, to)
+    .every(({ time, positions }) => farthest(between(...ends, time), positions) <= tolerance);
+}
+
+/** Positions on the straight line between two frames. */
+export function between(a: Frame, b: Frame, time: number): Float32Array {
+  const share = (time - a.time) / (b.time - a.time);
+  return a.positions.map((value, i) => value + share * ((b.positions[i] ?? 0) - value));
+}
+
+/** The turn at a steady rate, from its first frame to its last. */
+export function atRate(frames: readonly Frame[], fps: number): Frame[] {
+  const end = frames.at(-1)?.time ?? 0;
+  const steady: Frame[] = [];
+  for (let at = 0, k = 0; k / fps < end + 0.5 / fps; k++) {
+    const time = Math.min(k / fps, end);
+    while (at + 2 < frames.length && (frames[at + 1]?.time ?? 0) <= time) at++;
+    const [a, b] = [frames[at] as Frame, frames[at + 1] as Frame];
+    steady.push({ time: k / fps, positions: between(a, b, time) });
+  }
+  return steady;
+}
+
+/** The longest distance between points of two frames. */
+export function farthest(a: Float32Array, b: Float32Array): number {
+  let most = 0;
+  for (let i = 0; i < a.length; i += 3) {
+    const square = [0, 1, 2].reduce((sum, k) => sum + ((a[i + k] ?? 0) - (b[i + k] ?? 0)) ** 2, 0);
+    most = Math.max(most, square);
+  }
+  return Math.sqrt(most);
+}
+
+/** Unit normals of a frame, up where the leaf lies on the right. */
+export function normalsOf({ u, v }: Points, positions: Float32Array): Float32Array {
+  const normals = Float32Array.from(positions, (_, i) => (i % 3 === 2 ? 1 : 0));
+  writeNormals(u.length, v.length, positions, normals);
+  return normals;
+}

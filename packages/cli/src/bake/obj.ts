@@ -1,0 +1,89 @@
+/** A turn as OBJ files, one a frame, for programs that read nothing else. */
+
+import { basename } from "node:path";
+import { type Frame, normalsOf, type Points } from "./baked_turn.ts";
+
+/** A file to be written: its name's ending after that of the turn, and its text. */
+export interface NamedText {
+  readonly ending: string;
+  readonly text: string;
+}
+
+/** One OBJ a frame and the materials of them all; y is up, lengths are metres. */
+export function* writeObj(
+  name: string,
+  points: Points,
+  frames: readonly Frame[],
+  pictures: { readonly front: string | undefined; readonly back: string | undefined },
+): Generator<NamedText> {
+  yield { ending: ".mtl", text: materials(pictures) };
+  const faces = facesOf(points);
+  for (const [at, { positions }] of frames.entries()) {
+    const normals = normalsOf(points, positions);
+    const lines = [
+      `# Turnleaf, frame ${at + 1} of ${frames.length}`,
+      `mtllib ${basename(name)}.mtl`,
+      ...vectors("v", positions, 1),
+      ...picturePlaces(points),
+      ...vectors("vn", normals, 1),
+      ...vectors("vn", normals, -1),
+      ...faces,
+    ];
+    yield { ending: `_${String(at + 1).padStart(4, "0")}.obj`, text: `${lines.join("\n")}\n` };
+  }
+}
+
+function vectors(kind: string, values: Float32Array, sign: 1 | -1): string[] {
+  const lines: string[] = [];
+  for (let i = 0; i < values.length; i += 3) {
+    const [x, y, z] = [values[i] ?? 0, values[i + 1] ?? 0, values[i + 2] ?? 0];
+    lines.push([kind, ...[x, z, -y].map((value) => short(sign * value))].join(" "));
+  }
+  return lines;
+}
+
+/** Those of the recto, then those of the verso, whose spine is at its right. */
+function picturePlaces({ u, v }: Points): string[] {
+  const side = (isVerso: boolean) =>
+    [...v].flatMap((y) => [...u].map((x) => `vt ${short(isVerso ? 1 - x : x)} ${short(y)}`));
+  return [...side(false), ...side(true)];
+}
+
+function facesOf({ u, v }: Points): string[] {
+  const count = u.length * v.length;
+  const side = (isVerso: boolean): string[] => {
+    const corner = (at: number) => {
+      const own = at + 1 + (isVerso ? count : 0);
+      return `${at + 1}/${own}/${own}`;
+    };
+    const lines = [`usemtl ${isVerso ? "verso" : "recto"}`];
+    for (let row = 0; row + 1 < v.length; row++) {
+      for (let column = 0; column + 1 < u.length; column++) {
+        const a = row * u.length + column;
+        const cell = [a, a + 1, a + u.length + 1, a + u.length];
+        lines.push(`f ${(isVerso ? cell.reverse() : cell).map(corner).join(" ")}`);
+      }
+    }
+    return lines;
+  };
+  return [...side(false), ...side(true)];
+}
+
+function materials({
+  front,
+  back,
+}: {
+  front: string | undefined;
+  back: string | undefined;
+}): string {
+  const side = (name: string, picture: string | undefined) => [
+    `newmtl ${name}`,
+    "Kd 0.94 0.92 0.87",
+    ...(picture === undefined ? [] : [`map_Kd ${picture}`]),
+  ];
+  return `${[...side("recto", front), ...side("verso", back)].join("\n")}\n`;
+}
+
+function short(value: number): string {
+  return String(Math.round(value * 1e6) / 1e6 || 0);
+}
