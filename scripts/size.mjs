@@ -23,9 +23,12 @@ const goal = 80;
  * one of those that every book needs.
  */
 const parts = {
-  "shows and turns a book": { limit: 82 },
+  "shows and turns a book": { limit: 81 },
   "the text over the pages, once they show": { files: ["text_over.js"], limit: 6 },
-  "zoomed in, and fold-outs": { files: ["details.js", "flap.js"], limit: 2.2 },
+  "zoomed in, fold-outs, the place kept": {
+    files: ["details.js", "flap.js", "place.js"],
+    limit: 3.6,
+  },
   "toolbar and panels": { files: ["controls.js"], limit: 13 },
   "on the flat, where there is no WebGL": { files: ["plain.js"], limit: 7 },
   "sound and printing": { files: ["sound.js", "print.js"], limit: 3 },

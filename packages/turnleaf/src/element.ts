@@ -40,6 +40,7 @@ export class TurnleafBook extends ReaderElement {
   /** What the book lies on: the element without its controls. */
   readonly #stage = document.createElement("div");
   readonly #life = new Life(this, this.#stage, {
+    prepare: () => this.#keepPlace(),
     options: (source) => this.#options(source),
     turn: (by) => void this.#turn(by),
     calm: () => this.#calm,
@@ -237,6 +238,7 @@ export class TurnleafBook extends ReaderElement {
     changePace: () => {
       if (this.#viewer) this.#viewer.turning.seconds = turnSecondsOf(this);
     },
+    keepPlace: () => void this.#keepPlace(),
     furnish: () => this.#furnish(),
     hush: () => this.#senses.close(),
   };
@@ -266,6 +268,10 @@ export class TurnleafBook extends ReaderElement {
   #leave(): void {
     this.#senses.close();
     if (this.#life.book) this.#left = this.page;
+  }
+
+  #keepPlace(): Promise<void> {
+    return this.keepPlace().catch((error: unknown) => this.#lack(error));
   }
 
   #furnish(): void {

@@ -16,6 +16,8 @@ export interface Answers {
   changePaper(): void;
   /** Turns take another time. */
   changePace(): void;
+  /** The place is kept from now on, or no more. */
+  keepPlace(): void;
   /** The controls come or go. */
   furnish(): void;
   /** The book falls silent, until a leaf moves that is to be heard. */
@@ -32,6 +34,8 @@ export const attributes: Readonly<
   duration: (answers) => answers.changePace(),
   stock: (answers) => answers.changePaper(),
   assist: (answers) => answers.changePaper(),
+  address: (answers) => answers.keepPlace(),
+  remember: (answers) => answers.keepPlace(),
   controls: (answers) => answers.furnish(),
   sound: (answers) => answers.hush(),
 };

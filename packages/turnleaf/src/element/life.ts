@@ -20,6 +20,8 @@ export interface OpenBook {
 
 /** What an element tells and is told of its book's life. */
 export interface LifeHooks {
+  /** What is to be there before a book opens. Never rejects. */
+  prepare(): Promise<void>;
   /** How a book is shown. */
   options(source: PageSource): ViewerOptions;
   /** Turns one leaf on (1) or back (-1), as the reader likes it: with a turn or without. */
@@ -103,7 +105,8 @@ export class Life {
 
   async #open(input: BookInput, signal: AbortSignal): Promise<void> {
     // An element that shows no book yet has no use for what reads one.
-    const { openList } = await loaded(import("../sources/open.ts"));
+    const opening = loaded(import("../sources/open.ts"));
+    const [{ openList }] = await Promise.all([opening, this.#hooks.prepare()]);
     const source = await openList(input, { signal });
     await this.#show(source, false, signal);
   }

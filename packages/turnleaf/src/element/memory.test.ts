@@ -1,5 +1,6 @@
 import { afterEach, expect, it, vi } from "vitest";
-import { cleanBookmarks, keep, recall } from "./memory.ts";
+import { cleanBookmarks } from "./bookmarks.ts";
+import { keep, recall } from "./memory.ts";
 
 afterEach(() => vi.unstubAllGlobals());
 

@@ -5,6 +5,8 @@
  * reason to stop reading.
  */
 
+import { cleanBookmarks, isPage } from "./bookmarks.ts";
+
 /** What is kept of a book. */
 export interface Kept {
   /** From 1. */
@@ -20,15 +22,6 @@ const key = "turnleaf";
 const mostBooks = 100;
 const longestName = 300;
 const longestStore = 400_000;
-const mostBookmarks = 500;
-const highestPage = 1_000_000;
-
-/** Bookmarks as they are kept: whole page numbers from 1, each once, in order, at most 500. */
-export function cleanBookmarks(value: unknown): readonly number[] {
-  if (!Array.isArray(value)) return [];
-  const pages = value.slice(0, 10_000).filter(isPage);
-  return [...new Set(pages)].sort((a, b) => a - b).slice(0, mostBookmarks);
-}
 
 /** What is kept of the book of a name, or null. */
 export function recall(name: string): Kept | null {
@@ -68,7 +61,3 @@ function read(): [string, ...unknown[]][] {
 }
 
 const short = (name: string): string => name.slice(0, longestName);
-
-function isPage(value: unknown): value is number {
-  return Number.isInteger(value) && (value as number) >= 1 && (value as number) <= highestPage;
-}

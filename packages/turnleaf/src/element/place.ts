@@ -29,6 +29,7 @@ export class Place {
   /** Begins to listen: to the element, to the address, and to the page's going away. */
   follow(): void {
     this.#ended = new AbortController();
+    this.#isOpen = this.#book.pageCount > 0;
     const { signal } = this.#ended;
     const on = (target: EventTarget, name: string, handle: () => void): void =>
       target.addEventListener(name, handle, { signal });

@@ -8,9 +8,9 @@ import {
   type PageSource,
 } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
+import { cleanBookmarks } from "./bookmarks.ts";
 import type { OpenBook } from "./life.ts";
-import { cleanBookmarks } from "./memory.ts";
-import { Place } from "./place.ts";
+import type { Place } from "./place.ts";
 import type { PrintOptions } from "./print.ts";
 import { ReflectingElement } from "./reflecting.ts";
 import { SlideShow } from "./slide_show.ts";
@@ -27,7 +27,8 @@ export abstract class ReaderElement extends ReflectingElement {
   /** The book that lies open. */
   protected abstract get book(): OpenBook | null;
 
-  readonly #place = new Place(this);
+  /** What keeps the place, once an attribute has asked for it. */
+  #place: Place | null = null;
   readonly #show = new SlideShow(this, () =>
     this.emit("playchange", { playing: this.#show.playing }),
   );
@@ -197,26 +198,36 @@ export abstract class ReaderElement extends ReflectingElement {
     return this.book?.source;
   }
 
+  /** Loads what keeps the place, where an attribute asks for it. Rejects with a `BookError` where it cannot. */
+  protected async keepPlace(): Promise<void> {
+    if (!this.address && !this.remember) return;
+    const { Place } = await loaded(import("./place.ts"));
+    // Both attributes may have asked.
+    if (this.#place) return;
+    this.#place = new Place(this);
+    if (this.isConnected) this.#place.follow();
+  }
+
   /** The element is in a document. */
   protected connectReader(): void {
-    this.#place.follow();
+    this.#place?.follow();
   }
 
   /** The element leaves its document, its book still open. */
   protected disconnectReader(): void {
     this.pause();
-    this.#place.leave();
+    this.#place?.leave();
   }
 
   /** Another book takes the place of the one that is open. */
   protected forgetBook(): void {
     this.pause();
-    this.#place.closed();
+    this.#place?.closed();
     this.#bookmarks = [];
   }
 
   /** The page at which a book is to open, as the address says or where it was left; null where neither does. */
   protected keptPage(source: PageSource | undefined, left: number | null): number | null {
-    return this.#place.opening(source, left);
+    return this.#place ? this.#place.opening(source, left) : left;
   }
 }
