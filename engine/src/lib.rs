@@ -51,6 +51,8 @@ pub use air::Air;
 pub use gesture::{Gesture, Grip};
 pub use grid::Side;
 pub use hash::BitHash;
+#[cfg(feature = "interpolations")]
+pub use interpolate::lobatto_nodes;
 pub use interpolate::{Interpolation, lagrange_weights, uniform_samples};
 pub use key_frames::{
     Blend, Condensed, FORMAT_VERSION, FrameKind, KeyFrameError, KeyFrames, ModelKind,

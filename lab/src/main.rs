@@ -9,7 +9,10 @@ mod drop_sheet;
 mod energy;
 mod exact;
 mod gestures;
+mod interpolation;
 mod keyframes;
+mod memory;
+mod models;
 mod options;
 mod pear_loop;
 mod picture;
@@ -21,6 +24,9 @@ mod turn;
 mod vibration;
 
 use std::process::ExitCode;
+
+#[global_allocator]
+static ALLOCATOR: memory::Counting = memory::Counting;
 
 const USAGE: &str = "\
 Experiments on the Turnleaf engine.
@@ -72,6 +78,19 @@ stiffness, and the exact answer stands beside what was found:
   convergence       orders by nodes and by step, hanging at Gamma 10
   all but agree take  --model sheet|shell|mass-spring  (sheet)
 
+Every way of turning a page:
+
+  models            on the same three turns: cost, memory, distance from the shell,
+                    strain, area, angles, creases, spine, drags (some minutes)
+                      --stock bible|book|office|coated|card  (book)
+                      --nodes N       columns of nodes of the shell (17)
+                      --markdown      print a table in Markdown
+                      --plot FILE     write cost against fidelity as SVG
+
+  interpolation     from few nodes to many points: cost of a surface, and errors on
+                    shapes that are known
+                      --markdown      print tables in Markdown
+
 Experiments on a book:
 
   gestures          random hands on its leaves: strain, penetration, time of a frame
@@ -94,7 +113,7 @@ Key frames to be handed out:
 All take      --json                print JSON
 ";
 
-const NAMES: &str = "table1, turn, picture, cantilever, tip-load, pear-loop, vibration, upright, lateral-buckling, drop-sheet, energy, convergence, agree, gestures and keyframes";
+const NAMES: &str = "table1, turn, picture, cantilever, tip-load, pear-loop, vibration, upright, lateral-buckling, drop-sheet, energy, convergence, agree, models, interpolation, gestures and keyframes";
 
 fn main() -> ExitCode {
     match run() {
@@ -134,6 +153,8 @@ fn run() -> Result<(), String> {
         "turn" => turn::run(&mut parser),
         "picture" => picture::run(&mut parser),
         "agree" => agree::run(&mut parser),
+        "models" => models::run(&mut parser),
+        "interpolation" => interpolation::run(&mut parser),
         "gestures" => gestures::run(&mut parser),
         "keyframes" => keyframes::run(&mut parser),
         _ => Err(format!(

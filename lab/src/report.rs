@@ -48,3 +48,35 @@ fn print_lines(figures: &Value, before: &str) {
 pub fn error(found: f64, exact: f64) -> Value {
     json!((found - exact) / exact.abs())
 }
+
+/// Rows of cells, the first of them headings, as a table for people or in
+/// Markdown. The first column is of names, the others of figures.
+pub fn table(rows: &[Vec<String>], markdown: bool) -> String {
+    let columns = rows.first().map_or(0, Vec::len);
+    let width = |column: usize| {
+        let cells = rows.iter().map(|row| row[column].chars().count());
+        cells.max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let mut text = String::new();
+    for (index, row) in rows.iter().enumerate() {
+        let cell = |(column, cell): (usize, &String)| {
+            let space = " ".repeat(widths[column] - cell.chars().count());
+            if column == 0 {
+                format!("{cell}{space}")
+            } else {
+                format!("{space}{cell}")
+            }
+        };
+        let cells: Vec<String> = row.iter().enumerate().map(cell).collect();
+        if markdown {
+            text.push_str(&format!("| {} |\n", cells.join(" | ")));
+            if index == 0 {
+                text.push_str(&format!("|---|{}\n", "---:|".repeat(columns - 1)));
+            }
+        } else {
+            text.push_str(&format!("{}\n", cells.join("  ")));
+        }
+    }
+    text
+}

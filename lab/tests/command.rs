@@ -17,7 +17,7 @@ fn json(arguments: &[&str]) -> Value {
 
 #[test]
 fn wrong_arguments_are_refused_in_one_sentence() {
-    let wrong: [&[&str]; 10] = [
+    let wrong: [&[&str]; 13] = [
         &[],
         &["table2"],
         &["turn", "--speed", "3"],
@@ -28,6 +28,9 @@ fn wrong_arguments_are_refused_in_one_sentence() {
         &["turn", "extra"],
         &["table1", "--runs", "0"],
         &["picture", "--frames", "1"],
+        &["models", "--nodes", "2"],
+        &["models", "--stock", "news"],
+        &["interpolation", "--runs", "3"],
     ];
     for arguments in wrong {
         let output = lab(arguments);
@@ -134,4 +137,31 @@ fn pictures_are_written() {
         assert!(bytes.starts_with(b"\x89PNG"));
     }
     std::fs::remove_dir_all(folder).expect("removed");
+}
+
+#[test]
+fn ways_to_interpolate_have_every_figure() {
+    let report = json(&["interpolation", "--json"]);
+    let grids = report["grids"].as_array().expect("grids");
+    assert_eq!(grids.len(), 2);
+    for grid in grids {
+        let ways = grid["ways"].as_array().expect("ways");
+        let named = |name: &str| {
+            let way = ways.iter().find(|way| way["name"] == name);
+            way.unwrap_or_else(|| panic!("no {name}"))
+        };
+        for way in ways {
+            for figure in ["us_per_surface", "overshoot", "curvature_jump"] {
+                assert!(way[figure].as_f64().is_some_and(|x| x > 0.0), "{figure}");
+            }
+        }
+        let strain = |name: &str| {
+            let figure = &named(name)["shapes"]["half turn"]["strain_error"];
+            figure.as_f64().expect("a number")
+        };
+        // The same surface, and better nodes are better.
+        assert!((strain("spline") - strain("b-spline")).abs() < 1e-4);
+        assert!(strain("barycentric") < strain("lagrange"));
+        assert!(strain("spline") < strain("hermite"));
+    }
 }

@@ -12,7 +12,11 @@
 //!
 //! The order of operations is fixed: the same bits on every target.
 
+#[cfg(feature = "interpolations")]
+use super::chebyshev::lobatto_weights;
 use super::lagrange::lagrange_weights;
+#[cfg(feature = "interpolations")]
+use super::local::Local;
 use super::spline::{End, spline_weights};
 use crate::lanes::Four;
 
@@ -35,6 +39,9 @@ pub struct Interpolation {
     pattern: Vec<[Four; 3]>,
     /// Floats of a row of points: 3 * samples.0, rounded up to twelves.
     padded: usize,
+    /// What takes the place of the two passes.
+    #[cfg(feature = "interpolations")]
+    local: Option<Local>,
 }
 
 /// The second pass: folded about the middle where nodes and samples allow it.
@@ -83,6 +90,46 @@ impl Interpolation {
         Self::new((columns, rows), u, v, of(u, along_u), of(v, along_v))
     }
 
+    /// Prepares polynomial interpolation from nodes that lie closer together
+    /// toward the edges, at [`lobatto_nodes`](super::lobatto_nodes): however many
+    /// there are, it does not swing.
+    ///
+    /// # Panics
+    /// If there are fewer than 2 nodes along a side, or fewer than 2 samples along
+    /// one, or if samples do not rise or leave 0..1.
+    #[cfg(feature = "interpolations")]
+    pub fn barycentric(columns: usize, rows: usize, u: &[f32], v: &[f32]) -> Self {
+        let along_u = |at| lobatto_weights(columns, at);
+        let along_v = |at| lobatto_weights(rows, at);
+        Self::new((columns, rows), u, v, along_u, along_v)
+    }
+
+    /// Prepares interpolation by cubic Hermite pieces (once continuously
+    /// differentiable) from `columns` x `rows` equally spaced nodes, the tangent
+    /// at each from its neighbours.
+    ///
+    /// # Panics
+    /// As [`Interpolation::spline`].
+    #[cfg(feature = "interpolations")]
+    pub fn hermite(columns: usize, rows: usize, u: &[f32], v: &[f32]) -> Self {
+        let mut own = Self::spline(columns, rows, u, v);
+        own.local = Some(Local::hermite((columns, rows), u, v));
+        own
+    }
+
+    /// Prepares the same surface as [`Interpolation::spline`], but for rounding,
+    /// found through the coefficients of B-splines: a point is a sum over four by
+    /// four of these instead of over all nodes.
+    ///
+    /// # Panics
+    /// As [`Interpolation::spline`].
+    #[cfg(feature = "interpolations")]
+    pub fn b_spline(columns: usize, rows: usize, u: &[f32], v: &[f32]) -> Self {
+        let mut own = Self::spline(columns, rows, u, v);
+        own.local = Some(Local::b_spline((columns, rows), u, v));
+        own
+    }
+
     fn new(
         nodes: (usize, usize),
         u: &[f32],
@@ -116,6 +163,8 @@ impl Interpolation {
             rows: vec![0.0; rows * padded],
             pattern: vec![[Four::splat(0.0); 3]; columns],
             padded,
+            #[cfg(feature = "interpolations")]
+            local: None,
         }
     }
 
@@ -155,6 +204,11 @@ impl Interpolation {
     fn apply_to(&mut self, node: impl Fn(usize, usize) -> [f32; 3], points: &mut [f32]) {
         let width = 3 * self.samples.0;
         assert_eq!(points.len(), width * self.samples.1);
+        #[cfg(feature = "interpolations")]
+        if let Some(local) = &mut self.local {
+            local.apply(node, points);
+            return;
+        }
         for (row, out) in self.rows.chunks_exact_mut(self.padded).enumerate() {
             for (column, pattern) in self.pattern.iter_mut().enumerate() {
                 let [x, y, z] = node(column, row);

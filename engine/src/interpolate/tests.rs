@@ -1,6 +1,6 @@
 //! Lagrange interpolation against polynomials and against the plain double sum.
 
-use super::{Interpolation, lagrange_weights, uniform_samples};
+use super::{Interpolation, lagrange_weights, lobatto_nodes, uniform_samples};
 use crate::random::{Random, for_seeds};
 
 fn random_samples(random: &mut Random) -> Vec<f32> {
@@ -133,4 +133,112 @@ fn samples_that_fall_are_refused() {
 #[should_panic(expected = "samples must lie in 0..1")]
 fn samples_beyond_the_leaf_are_refused() {
     Interpolation::lagrange(6, 6, &[0.0, 1.1], &[0.0, 1.0]);
+}
+
+/// A surface as smooth as a bent page, at (u, v).
+fn page(u: f64, v: f64) -> [f64; 3] {
+    let angle = 2.2 * u + 0.4 * v;
+    [libm::sin(angle), v + 0.1 * u * u, libm::cos(angle)]
+}
+
+/// Nodes of the page at places along u and v, one array an axis.
+fn nodes_of_page(u: &[f32], v: &[f32]) -> [Vec<f32>; 3] {
+    core::array::from_fn(|axis| {
+        let row = |&v: &f32| {
+            u.iter()
+                .map(move |&u| page(f64::from(u), f64::from(v))[axis] as f32)
+        };
+        v.iter().flat_map(row).collect()
+    })
+}
+
+#[test]
+fn b_splines_draw_the_surface_of_splines() {
+    for_seeds(|random| {
+        let (columns, rows) = (4 + random.below(14), 4 + random.below(14));
+        let (u, v) = (random_samples(random), random_samples(random));
+        let nodes = random_nodes(random, rows, columns);
+        let splines = apply(
+            &mut Interpolation::spline(columns, rows, &u, &v),
+            &nodes,
+            columns,
+        );
+        let local = apply(
+            &mut Interpolation::b_spline(columns, rows, &u, &v),
+            &nodes,
+            columns,
+        );
+        for (a, b) in splines.iter().zip(&local) {
+            assert!((a - b).abs() < 3e-5, "{columns} x {rows}: {a} {b}");
+        }
+    });
+}
+
+#[test]
+fn every_way_passes_through_its_nodes() {
+    for_seeds(|random| {
+        let (columns, rows) = (4 + random.below(8), 4 + random.below(8));
+        let nodes = random_nodes(random, rows, columns);
+        let even = (uniform_samples(columns), uniform_samples(rows));
+        let graded = (lobatto_nodes(columns), lobatto_nodes(rows));
+        let ways = [
+            (Interpolation::lagrange(columns, rows, &even.0, &even.1)),
+            (Interpolation::spline(columns, rows, &even.0, &even.1)),
+            (Interpolation::b_spline(columns, rows, &even.0, &even.1)),
+            (Interpolation::hermite(columns, rows, &even.0, &even.1)),
+            (Interpolation::barycentric(columns, rows, &graded.0, &graded.1)),
+        ];
+        for (which, mut way) in ways.into_iter().enumerate() {
+            let points = apply(&mut way, &nodes, columns);
+            for (index, value) in points.iter().enumerate() {
+                let wanted = nodes[index % 3][index / 3];
+                assert!(
+                    (value - wanted).abs() < 5e-5,
+                    "{which} {index}: {value} {wanted}"
+                );
+            }
+        }
+    });
+}
+
+#[test]
+fn hermite_pieces_keep_parabolas() {
+    let at = uniform_samples(9);
+    let parabola = |t: f32| 1.0 + t * (0.5 - 2.0 * t);
+    let nodes = [
+        (0..63).map(|k| parabola(at[k % 9])).collect(),
+        (0..63).map(|k| parabola((k / 9) as f32 / 6.0)).collect(),
+        vec![2.0; 63],
+    ];
+    let samples = uniform_samples(33);
+    let points = apply(
+        &mut Interpolation::hermite(9, 7, &samples, &samples),
+        &nodes,
+        9,
+    );
+    for (k, point) in points.as_chunks::<3>().0.iter().enumerate() {
+        assert!((point[0] - parabola(samples[k % 33])).abs() < 1e-5);
+        assert!((point[1] - parabola(samples[k / 33])).abs() < 1e-5);
+        assert!((point[2] - 2.0).abs() < 1e-5);
+    }
+}
+
+#[test]
+fn polynomials_through_graded_nodes_do_not_swing_however_many_there_are() {
+    let samples = uniform_samples(41);
+    for count in [6, 12, 24, 40] {
+        let at = lobatto_nodes(count);
+        assert_eq!((at[0], at[count - 1]), (0.0, 1.0));
+        let nodes = nodes_of_page(&at, &at);
+        let mut way = Interpolation::barycentric(count, count, &samples, &samples);
+        let points = apply(&mut way, &nodes, count);
+        let most = if count == 6 { 5e-4 } else { 2e-6 };
+        for (k, point) in points.as_chunks::<3>().0.iter().enumerate() {
+            let wanted = page(f64::from(samples[k % 41]), f64::from(samples[k / 41]));
+            for axis in 0..3 {
+                let away = (f64::from(point[axis]) - wanted[axis]).abs();
+                assert!(away < most, "{count} nodes: {away}");
+            }
+        }
+    }
 }

@@ -72,14 +72,22 @@ impl Cone {
             }
             root(-MOST_CONICAL, MOST_CONICAL, away)
         });
+        // What leads over the left-hand page must not go through it.
+        let first = |cone: &Self| [size[0], if cone.over_head { size[1] } else { 0.0 }];
+        let through = |conical: f64| {
+            let cone = bent(conical);
+            angle - cone.lead(place) + cone.lead(first(&cone)) - PI
+        };
         let mut cone = bent(conical);
+        if through(conical) > 0.0 {
+            cone = bent(conical * root(0.0, 1.0, |part| through(part * conical)));
+        }
         if cone.lead(place) > angle {
             let open = |sine: f64| Self { sine, ..cone };
             let sine = root(cone.sine, 1.0, |sine| angle - open(sine).lead(place));
             cone = open(sine);
         }
-        let first = [size[0], if cone.over_head { size[1] } else { 0.0 }];
-        let most = PI - cone.lead(first);
+        let most = PI - cone.lead(first(&cone));
         cone.turn = (angle - cone.lead(place)).min(most).max(0.0);
         cone
     }
@@ -123,7 +131,8 @@ impl Cone {
         let (sin, cos) = libm::sincos(around);
         let radius = far * self.sine;
         let rise = radius * (1.0 - cos);
-        let along = far - rise * self.sine - self.apex;
+        // From the apex `far`, without the rounding of a far apex.
+        let along = up + x * x / (far + from) - rise * self.sine;
         let y = if self.over_head {
             self.height - along
         } else {

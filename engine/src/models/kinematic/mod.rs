@@ -222,6 +222,17 @@ impl Kinematic {
         [self.settings.width, self.settings.height]
     }
 
+    /// Writes where a shape has all places.
+    fn draw(&self, points: &mut [[f32; 3]], place: impl Fn([f64; 2]) -> [f64; 3]) {
+        let mirror = if self.mirrored { -1.0 } else { 1.0 };
+        for (row, &y) in points.chunks_exact_mut(self.x.len()).zip(&self.y) {
+            for (point, &at) in row.iter_mut().zip(&self.x) {
+                let [x, y, z] = place([at, y]);
+                *point = [(mirror * x) as f32, y as f32, z as f32];
+            }
+        }
+    }
+
     /// Where a place is drawn.
     fn drawn(&self, pose: &Pose, place: [f64; 2]) -> [f32; 3] {
         let [x, y, z] = pose.place(place);
@@ -296,10 +307,12 @@ impl TurnModel for Kinematic {
     fn write_surface(&mut self, surface: &mut Surface) {
         surface.resize(self.x.len(), self.y.len());
         let points = surface.positions.as_chunks_mut::<3>().0;
-        for (row, &y) in points.chunks_exact_mut(self.x.len()).zip(&self.y) {
-            for (point, &x) in row.iter_mut().zip(&self.x) {
-                *point = self.drawn(&self.pose, [x, y]);
-            }
+        // Which shape it is, is asked once and not at every point.
+        match self.pose {
+            Pose::Rigid(pose) => self.draw(points, |at| pose.place(at)),
+            Pose::Peel(pose) => self.draw(points, |at| pose.place(at)),
+            Pose::Cylinder(pose) => self.draw(points, |at| pose.place(at)),
+            Pose::Cone(pose) => self.draw(points, |at| pose.place(at)),
         }
         surface.touch();
     }

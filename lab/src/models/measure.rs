@@ -1,0 +1,227 @@
+//! A way of turning a page, measured on the three turns and under wild hands.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use serde_json::{Value, json};
+use turnleaf_engine::{LooseLeaf, Surface, TurnBy, TurnModel};
+
+use super::rows::{Source, Way};
+use super::shape::{self, Faults};
+use super::{AFTER, FRAME, TURN};
+use crate::memory;
+use crate::simulate::median;
+use crate::specimen::LENGTH;
+
+/// Frames of a turn and what is watched after it.
+pub const FRAMES: usize = ((TURN + AFTER) / FRAME + 0.5) as usize;
+
+/// Where the reference's surface was in each frame of each turn.
+pub type Tracks = Vec<Vec<Vec<[f64; 3]>>>;
+
+/// What was seen of a way.
+pub struct Seen {
+    /// Its places in each frame of each turn; empty where there is no surface.
+    pub tracks: Tracks,
+    pub faults: Faults,
+    /// Microseconds of every frame.
+    times: Vec<f64>,
+    bytes: usize,
+    misses: Option<Vec<f64>>,
+}
+
+/// Looks at a way on all turns, `again` more times for the clock alone.
+pub fn look(way: &Way, again: usize) -> Result<Seen, String> {
+    let mut seen = Seen {
+        tracks: Vec::new(),
+        faults: Faults::default(),
+        times: Vec::new(),
+        bytes: 0,
+        misses: None,
+    };
+    if way.source == Source::Photographs {
+        return Ok(seen);
+    }
+    for by in TurnBy::ALL {
+        for round in 0..=again {
+            let before = memory::held();
+            let Some(mut model) = way.begin(by)? else {
+                return Ok(seen);
+            };
+            let mut surface = Surface::new(2, 2);
+            model.write_surface(&mut surface);
+            seen.bytes = seen.bytes.max(memory::held().saturating_sub(before));
+            let mut track = Vec::new();
+            for frame in 1..=FRAMES {
+                let clock = Instant::now();
+                step_to(&mut *model, frame as f64 * FRAME);
+                black_box(&mut *model).write_surface(&mut surface);
+                seen.times.push(clock.elapsed().as_secs_f64() * 1e6);
+                if round == 0 {
+                    seen.faults.include(&surface);
+                    track.push(shape::places(&surface));
+                }
+            }
+            if round == 0 {
+                seen.tracks.push(track);
+            }
+        }
+    }
+    // The shell takes minutes for a drag; it follows by the law by which the
+    // sheet does, a spring between hand and paper.
+    if way.source == Source::Live && way.settings.kind != turnleaf_engine::ModelKind::Shell {
+        seen.misses = Some(drag(way)?);
+    }
+    Ok(seen)
+}
+
+fn step_to(model: &mut dyn TurnModel, time: f64) {
+    let half = 0.5 * f64::from(model.time_step());
+    while f64::from(model.time()) < time - half {
+        model.step();
+    }
+}
+
+/// Places to which a hand draws the foot corner, over the page's width: in reach
+/// of the paper.
+const DRAGS: [[f64; 3]; 8] = [
+    [0.8, 0.1, 0.3],
+    [0.5, 0.3, 0.5],
+    [0.6, -0.2, 0.4],
+    [0.2, 0.5, 0.6],
+    [0.0, 0.1, 0.9],
+    [-0.3, 0.4, 0.5],
+    [-0.6, -0.1, 0.4],
+    [-0.8, 0.2, 0.3],
+];
+
+/// How far the corner is from the hand when it has held still for a while, over
+/// the width.
+fn drag(way: &Way) -> Result<Vec<f64>, String> {
+    let mut leaf: LooseLeaf = way.leaf(TurnBy::Corner, way.settings.interpolate)?;
+    let mut surface = Surface::new(2, 2);
+    let mut misses = Vec::new();
+    leaf.grab(1.0, 0.0);
+    let mut from = [LENGTH, 0.0, 0.0];
+    for place in DRAGS {
+        let to = place.map(|x| x * LENGTH);
+        for frame in 1..=60 {
+            let part = (frame as f64 / 30.0).min(1.0);
+            leaf.pull(std::array::from_fn(|axis| {
+                (from[axis] + part * (to[axis] - from[axis])) as f32
+            }));
+            leaf.advance(FRAME);
+        }
+        leaf.write_surface(&mut surface);
+        let corner = surface.position(surface.columns - 1, 0).map(f64::from);
+        let square: f64 = (0..3).map(|axis| (corner[axis] - to[axis]).powi(2)).sum();
+        misses.push(square.sqrt() / LENGTH);
+        from = to;
+    }
+    Ok(misses)
+}
+
+/// How far a track is from another, over the width.
+#[derive(Default)]
+struct Apart {
+    rms_by_frame: Vec<f64>,
+    worst_by_frame: Vec<f64>,
+}
+
+impl Apart {
+    fn new(a: &[Vec<[f64; 3]>], b: &[Vec<[f64; 3]>]) -> Self {
+        let mut apart = Self::default();
+        for (a, b) in a.iter().zip(b) {
+            let (mut square, mut worst) = (0.0, 0.0f64);
+            for distance in shape::distances(a, b) {
+                square += distance * distance;
+                worst = worst.max(distance);
+            }
+            apart.rms_by_frame.push((square / a.len() as f64).sqrt());
+            apart.worst_by_frame.push(worst);
+        }
+        apart
+    }
+
+    fn rms(&self) -> f64 {
+        let squares: f64 = self.rms_by_frame.iter().map(|rms| rms * rms).sum();
+        (squares / self.rms_by_frame.len() as f64).sqrt()
+    }
+
+    fn worst(&self) -> f64 {
+        self.worst_by_frame.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// The worst at whole tenths of a second, as `lab agree` looks.
+    fn worst_at_tenths(&self) -> f64 {
+        let frames = (0.1 / FRAME).round() as usize;
+        let tenths = self.worst_by_frame.iter().skip(frames - 1).step_by(frames);
+        tenths.copied().fold(0.0, f64::max)
+    }
+}
+
+/// The figures of a way, beside the reference and, for a replay, the live leaf.
+pub fn figures(way: &Way, seen: &Seen, reference: &Tracks, live: Option<&Seen>) -> Value {
+    if seen.tracks.is_empty() {
+        return json!({
+            "name": way.name,
+            "measured": false,
+            "why": "It has no surface: what is drawn is pictures, and what it costs is decoding them.",
+        });
+    }
+    let (mut by_turn, mut square, mut worst) = (serde_json::Map::new(), 0.0, 0.0f64);
+    let mut at_tenths = 0.0f64;
+    for (k, by) in TurnBy::ALL.into_iter().enumerate() {
+        let apart = Apart::new(&seen.tracks[k], &reference[k]);
+        square += apart.rms().powi(2) / 3.0;
+        worst = worst.max(apart.worst());
+        if by != TurnBy::LetGo {
+            at_tenths = at_tenths.max(apart.worst_at_tenths());
+        }
+        by_turn.insert(
+            by.name().into(),
+            json!({
+                "rms": apart.rms(),
+                "worst": apart.worst(),
+                "worst_at_tenths": apart.worst_at_tenths(),
+                "rms_by_frame": apart.rms_by_frame,
+                "worst_by_frame": apart.worst_by_frame,
+            }),
+        );
+    }
+    let cost = median(seen.times.clone());
+    let follows = seen.misses.as_ref().map(|misses| median(misses.clone()));
+    let mut figures = json!({
+        "name": way.name,
+        "measured": true,
+        "reference": way.is_reference(),
+        "us_per_frame": cost,
+        "bytes": seen.bytes,
+        "rms": square.sqrt(),
+        "worst": worst,
+        "worst_as_agree": at_tenths,
+        "turns": by_turn,
+        "stretch": seen.faults.strain.max,
+        "compression": seen.faults.strain.min,
+        "area_change": seen.faults.area,
+        "angle_defect_degrees": seen.faults.angle,
+        "facet_angle_degrees": seen.faults.crease,
+        "spine_off": seen.faults.spine,
+        "keeps_spine": seen.faults.spine < 1e-4,
+        "drag_misses": seen.misses,
+        "drag_miss": follows,
+    });
+    if let Some(live) = live {
+        let (mut rms, mut worst) = (0.0f64, 0.0f64);
+        for (a, b) in seen.tracks.iter().zip(&live.tracks) {
+            let apart = Apart::new(a, b);
+            (rms, worst) = (rms.max(apart.rms()), worst.max(apart.worst()));
+        }
+        figures["of_live"] = json!({
+            "rms": rms,
+            "worst": worst,
+            "times_cheaper": median(live.times.clone()) / cost,
+        });
+    }
+    figures
+}

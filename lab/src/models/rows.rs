@@ -1,0 +1,155 @@
+//! The ways of turning a page that are compared.
+
+use std::f32::consts::FRAC_PI_4;
+
+use turnleaf_engine::{
+    Blend, Discretisation, FrameKind, KeyFrames, LooseLeaf, LooseSettings, ModelKind,
+    PAPER_INTERVAL, Preset, Replay, Side, Stock, Synchronise, TurnBy, TurnModel,
+};
+
+use super::{AFTER, FRAME, TURN};
+use crate::specimen::{BREADTH, LENGTH};
+
+/// Seconds between the key frames of a sheet.
+pub const SHEET_INTERVAL: f64 = 1.0 / 30.0;
+
+/// How a way comes by its surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Source {
+    /// By its model, step by step.
+    Live,
+    /// From a record of its model: what a frame holds, seconds between frames,
+    /// and how they are blended.
+    Record(FrameKind, f64, Blend),
+    /// From pictures of a real turn: there is no surface to measure.
+    Photographs,
+}
+
+/// A way of turning a page.
+#[derive(Clone, Debug)]
+pub struct Way {
+    /// Its name in reports.
+    pub name: &'static str,
+    pub source: Source,
+    pub settings: LooseSettings,
+}
+
+/// All ways, in the order of the table. `nodes` and `step` are the reference's.
+pub fn all(stock: Stock, nodes: [usize; 2], step: f64) -> Vec<Way> {
+    let leaf = |kind| LooseSettings::leaf(kind, [LENGTH, BREADTH], stock);
+    let live = |name, settings| Way {
+        name,
+        source: Source::Live,
+        settings,
+    };
+    let springs = |name, synchronised: bool, interpolate| {
+        let settings = LooseSettings {
+            synchronise: if synchronised {
+                Synchronise::Columns
+            } else {
+                Synchronise::Off
+            },
+            interpolate,
+            ..leaf(ModelKind::MassSpring)
+        };
+        live(name, settings)
+    };
+    let interval = f64::from(PAPER_INTERVAL);
+    let of_masses = Source::Record(FrameKind::Masses, interval, Blend::Linear);
+    let shell = |name, discretisation| {
+        let settings = LooseSettings {
+            nodes: Some(nodes),
+            time_step: Some(step),
+            discretisation,
+            ..leaf(ModelKind::Shell)
+        };
+        live(name, settings)
+    };
+    let book = LooseSettings {
+        preset: Preset::Book,
+        interpolate: true,
+        ..leaf(ModelKind::MassSpring)
+    };
+    vec![
+        live("rigid", leaf(ModelKind::Rigid)),
+        live("peel", leaf(ModelKind::Peel)),
+        live("cylinder", leaf(ModelKind::Cylinder)),
+        live("cone", leaf(ModelKind::Cone)),
+        springs("mass-spring, classic", false, false),
+        springs("mass-spring, synchronised", true, false),
+        springs("mass-spring, interpolated", false, true),
+        Way {
+            source: of_masses,
+            ..springs("mass-spring, key frames", false, false)
+        },
+        Way {
+            source: of_masses,
+            ..springs("mass-spring, all three", true, true)
+        },
+        live("mass-spring, of paper", book),
+        live("sheet", leaf(ModelKind::Sheet)),
+        Way {
+            name: "replay of sheet",
+            source: Source::Record(FrameKind::Surface, SHEET_INTERVAL, Blend::Hermite),
+            settings: leaf(ModelKind::Sheet),
+        },
+        shell("shell", Discretisation::Grid),
+        shell("shell, triangles", Discretisation::Triangles),
+        Way {
+            name: "photographs",
+            source: Source::Photographs,
+            settings: leaf(ModelKind::Rigid),
+        },
+    ]
+}
+
+impl Way {
+    /// Whether it is the one that the others are measured from.
+    pub fn is_reference(&self) -> bool {
+        self.settings.kind == ModelKind::Shell
+            && self.settings.discretisation == Discretisation::Grid
+    }
+
+    /// A leaf whose turn is about to begin; none where there is no surface.
+    pub fn begin(&self, by: TurnBy) -> Result<Option<Box<dyn TurnModel>>, String> {
+        let model: Box<dyn TurnModel> = match self.source {
+            Source::Photographs => return Ok(None),
+            Source::Live => {
+                let mut leaf = self.leaf(by, self.settings.interpolate)?;
+                leaf.play(by, Side::Right, TURN as f32);
+                Box::new(leaf)
+            }
+            Source::Record(kind, interval, blend) => {
+                let frames = self.record(by, kind, interval)?;
+                let mut replay = Replay::new(frames, blend, FRAME as f32);
+                if kind == FrameKind::Masses && !self.settings.interpolate {
+                    replay.draw_nodes();
+                }
+                Box::new(replay)
+            }
+        };
+        Ok(Some(model))
+    }
+
+    /// The leaf itself. A turn by a corner is synchronised along the dog-ear line
+    /// that cuts it off.
+    pub fn leaf(&self, by: TurnBy, interpolate: bool) -> Result<LooseLeaf, String> {
+        let mut settings = LooseSettings {
+            interpolate,
+            ..self.settings.clone()
+        };
+        if settings.synchronise != Synchronise::Off && by != TurnBy::Edge {
+            settings.synchronise = Synchronise::DogEar { angle: FRAC_PI_4 };
+        }
+        LooseLeaf::new(settings).map_err(|error| error.to_string())
+    }
+
+    fn record(&self, by: TurnBy, kind: FrameKind, interval: f64) -> Result<KeyFrames, String> {
+        let mut leaf = self.leaf(by, kind == FrameKind::Surface)?;
+        leaf.play(by, Side::Right, TURN as f32);
+        leaf.record(interval);
+        leaf.advance(TURN + AFTER);
+        let frames = leaf.finish_record().ok_or("Nothing was recorded.")?;
+        Ok(KeyFrames { kind, ..frames })
+    }
+}

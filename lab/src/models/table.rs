@@ -1,0 +1,109 @@
+//! The comparison as a table, for people or in Markdown.
+
+use serde_json::Value;
+
+/// Headings of the columns.
+const HEADINGS: [&str; 15] = [
+    "model",
+    "µs a frame",
+    "kB",
+    "RMS %",
+    "worst %: edge",
+    "corner",
+    "let go",
+    "as lab agree",
+    "stretch %",
+    "compression %",
+    "area %",
+    "angles °",
+    "facets °",
+    "keeps the spine",
+    "misses a hand by %",
+];
+
+/// The table of all ways.
+pub fn of(figures: &Value, markdown: bool) -> String {
+    let mut rows: Vec<Vec<String>> = vec![HEADINGS.map(String::from).to_vec()];
+    let ways = figures["ways"].as_array().into_iter().flatten();
+    rows.extend(ways.map(row));
+    crate::report::table(&rows, markdown)
+}
+
+fn row(way: &Value) -> Vec<String> {
+    let name = way["name"].as_str().unwrap_or_default().to_string();
+    if way["measured"] != true {
+        return std::iter::once(name)
+            .chain(HEADINGS[1..].iter().map(|_| "no surface".to_string()))
+            .collect();
+    }
+    let part = |value: &Value| figure(value.as_f64().map(|value| 100.0 * value));
+    let of_turn = |turn: &str| {
+        if way["reference"] == true {
+            return "0".to_string();
+        }
+        part(&way["turns"][turn]["worst"])
+    };
+    let yes = |value: &Value| if value == true { "yes" } else { "no" }.to_string();
+    vec![
+        name,
+        figure(way["us_per_frame"].as_f64()),
+        figure(way["bytes"].as_f64().map(|bytes| bytes / 1e3)),
+        if way["reference"] == true {
+            "0".into()
+        } else {
+            part(&way["rms"])
+        },
+        of_turn("edge"),
+        of_turn("corner"),
+        of_turn("let-go"),
+        if way["reference"] == true {
+            "0".into()
+        } else {
+            part(&way["worst_as_agree"])
+        },
+        part(&way["stretch"]),
+        part(&way["compression"]),
+        part(&way["area_change"]),
+        figure(way["angle_defect_degrees"].as_f64()),
+        figure(way["facet_angle_degrees"].as_f64()),
+        yes(&way["keeps_spine"]),
+        match way["drag_miss"].as_f64() {
+            Some(_) => part(&way["drag_miss"]),
+            None => "-".into(),
+        },
+    ]
+}
+
+/// Three digits of a figure.
+fn figure(value: Option<f64>) -> String {
+    let Some(value) = value else {
+        return "-".into();
+    };
+    let size = value.abs();
+    match size {
+        _ if size < 5e-4 => "0".into(),
+        _ if size < 1.0 => format!("{value:.3}")
+            .trim_end_matches('0')
+            .trim_end_matches('.')
+            .into(),
+        _ if size < 10.0 => format!("{value:.2}"),
+        _ if size < 100.0 => format!("{value:.1}"),
+        _ => format!("{value:.0}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn figures_have_three_digits() {
+        let shown =
+            [0.0, 1e-4, 0.0123, 0.5, 2.71528, 27.1528, 271.528, 27152.8].map(|x| figure(Some(x)));
+        assert_eq!(
+            shown,
+            ["0", "0", "0.012", "0.5", "2.72", "27.2", "272", "27153"]
+        );
+        assert_eq!(figure(None), "-");
+    }
+}
