@@ -5,6 +5,7 @@
 //! Where there are many nodes this is a fraction of the work of a full sum.
 
 use super::spline::End;
+use super::tensor::check_samples;
 use crate::lanes::Four;
 
 /// For each sample the first of its four numbers, and their weights.
@@ -29,6 +30,7 @@ impl Taps {
     /// Of cubic pieces whose tangent at a node is the difference of its
     /// neighbours (Catmull and Rom 1974), and at an end that of the parabola
     /// through three nodes.
+    #[cfg(feature = "interpolations")]
     fn hermite(nodes: usize, samples: &[f32]) -> Self {
         Self::new(samples, |sample| {
             let t = f64::from(sample) * (nodes - 1) as f64;
@@ -144,7 +146,7 @@ impl Filter {
 
 /// Interpolation by four numbers a sample and direction.
 #[derive(Clone, Debug)]
-pub(super) struct Local {
+pub(crate) struct Local {
     u: Taps,
     v: Taps,
     filters: Option<[Filter; 2]>,
@@ -156,12 +158,22 @@ pub(super) struct Local {
 }
 
 impl Local {
+    /// By cubic Hermite pieces.
+    #[cfg(feature = "interpolations")]
     pub fn hermite((columns, rows): (usize, usize), u: &[f32], v: &[f32]) -> Self {
         let taps = (Taps::hermite(columns, u), Taps::hermite(rows, v));
         Self::new((columns, rows), taps, None)
     }
 
+    /// By the cubic splines of [`Interpolation::spline`](super::Interpolation::spline),
+    /// the same surface but for rounding.
+    ///
+    /// # Panics
+    /// As that.
     pub fn b_spline((columns, rows): (usize, usize), u: &[f32], v: &[f32]) -> Self {
+        assert!(columns >= 4 && rows >= 4, "a spline needs 4 nodes");
+        check_samples(u);
+        check_samples(v);
         let taps = (Taps::b_spline(columns, u), Taps::b_spline(rows, v));
         let filters = [
             Filter::new(columns, End::NotAKnot),
@@ -180,6 +192,22 @@ impl Local {
             filters,
             size,
         }
+    }
+
+    /// Columns and rows of the points.
+    pub fn samples(&self) -> (usize, usize) {
+        (self.u.first.len(), self.v.first.len())
+    }
+
+    /// Interpolates nodes given as x, y, z of each, row by row, into `points`.
+    ///
+    /// # Panics
+    /// If `nodes` is too short for the grid, or `points` is not `3 * samples` long.
+    pub fn apply_interleaved(&mut self, nodes: &[f32], points: &mut [f32]) {
+        assert_eq!(points.len(), 3 * self.u.first.len() * self.v.first.len());
+        let margin = if self.filters.is_some() { 2 } else { 0 };
+        let (nodes, columns) = (nodes.as_chunks::<3>().0, self.size.0 - margin);
+        self.apply(|column, row| nodes[row * columns + column], points);
     }
 
     /// Interpolates nodes into points, x, y, z of each.

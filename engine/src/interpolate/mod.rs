@@ -3,7 +3,6 @@
 #[cfg(feature = "interpolations")]
 mod chebyshev;
 mod lagrange;
-#[cfg(feature = "interpolations")]
 mod local;
 mod spline;
 mod tensor;
@@ -13,4 +12,5 @@ mod tests;
 #[cfg(feature = "interpolations")]
 pub use chebyshev::lobatto_nodes;
 pub use lagrange::{lagrange_weights, uniform_samples};
+pub(crate) use local::Local;
 pub use tensor::Interpolation;

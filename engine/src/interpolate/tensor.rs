@@ -138,15 +138,8 @@ impl Interpolation {
         weights_v: impl Fn(f32) -> Vec<f32>,
     ) -> Self {
         let (columns, rows) = nodes;
-        for samples in [u, v] {
-            assert!(samples.len() >= 2, "at least 2 samples a side");
-            assert!(
-                samples.windows(2).all(|pair| pair[0] < pair[1]),
-                "samples must rise"
-            );
-            let ends = [samples[0], samples[samples.len() - 1]];
-            assert!(ends[0] >= 0.0 && ends[1] <= 1.0, "samples must lie in 0..1");
-        }
+        check_samples(u);
+        check_samples(v);
         let padded = (3 * u.len()).next_multiple_of(12);
         let mut along_u = vec![0.0; columns * padded];
         for (sample, &position) in u.iter().enumerate() {
@@ -230,6 +223,17 @@ impl Interpolation {
             }
         }
     }
+}
+
+/// Panics where samples are fewer than 2, do not rise, or leave 0..1.
+pub(super) fn check_samples(samples: &[f32]) {
+    assert!(samples.len() >= 2, "at least 2 samples a side");
+    assert!(
+        samples.windows(2).all(|pair| pair[0] < pair[1]),
+        "samples must rise"
+    );
+    let ends = [samples[0], samples[samples.len() - 1]];
+    assert!(ends[0] >= 0.0 && ends[1] <= 1.0, "samples must lie in 0..1");
 }
 
 impl AlongV {

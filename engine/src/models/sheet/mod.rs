@@ -30,7 +30,7 @@ use system::System;
 
 use crate::band::Band;
 use crate::grid::{Grid, Side};
-use crate::interpolate::{Interpolation, uniform_samples};
+use crate::interpolate::{Local, uniform_samples};
 use crate::surface::Surface;
 use crate::synchronise::{Synchronise, Synchroniser};
 use crate::turn::TurnModel;
@@ -73,7 +73,7 @@ pub struct Sheet {
     contacts: Vec<[Contact; CONTACTS]>,
     pins: Vec<Option<[f32; 3]>>,
     hands: Vec<Hand>,
-    interpolation: Interpolation,
+    interpolation: Local,
     synchroniser: Option<(Grid, Synchroniser)>,
     time: f64,
 }
@@ -121,7 +121,7 @@ impl Sheet {
             contacts: vec![[Contact::default(); CONTACTS]; nodes],
             pins: vec![None; nodes],
             hands: Vec::new(),
-            interpolation: Interpolation::spline(columns, rows, &samples.0, &samples.1),
+            interpolation: Local::b_spline((columns, rows), &samples.0, &samples.1),
             synchroniser: None,
             time: 0.0,
             settings,
@@ -300,10 +300,10 @@ impl Sheet {
     /// Draws at the values `u` and `v` (each rising and within 0 to 1).
     ///
     /// # Panics
-    /// As [`Interpolation::spline`].
+    /// As [`Interpolation::spline`](crate::Interpolation::spline), whose surface this is.
     pub fn draw_samples(&mut self, u: &[f32], v: &[f32]) {
         let (columns, rows) = (self.settings.columns, self.settings.rows);
-        self.interpolation = Interpolation::spline(columns, rows, u, v);
+        self.interpolation = Local::b_spline((columns, rows), u, v);
     }
 
     /// Largest strain, stretch or compression, of any edge between neighbours
