@@ -1,15 +1,14 @@
 //! `lab keyframes`: what a recorded turn takes, and how near it is to the turn.
 //!
-//! A turn is simulated step by step, every step of it recorded, and condensed.
-//! Its replay is then compared with the recording at every step again, from the
-//! bytes of the file alone.
+//! A turn is simulated and recorded at 120 Hz, or at every step where these are
+//! longer, and condensed. Its replay is then compared with the recording, frame
+//! by frame, from the bytes of the file alone.
 
 use std::path::Path;
 
 use serde_json::{Value, json};
 use turnleaf_engine::{
-    Blend, Condensed, Contact, Gesture, KeyFrames, Kinematic, KinematicSettings, MassSpring,
-    ModelKind, Replay, Root, Settings, Shape, Sheet, SheetSettings, Side, Stock, Surface,
+    Blend, Condensed, KeyFrames, LooseLeaf, LooseSettings, ModelKind, Replay, Side, Stock, TurnBy,
     TurnModel, uniform_samples,
 };
 
@@ -18,15 +17,13 @@ use crate::options;
 /// A page, metres.
 const PAGE: [f64; 2] = [0.14, 0.21];
 
-/// Points of the surface along either side.
-const POINTS: usize = 26;
-
-const MODELS: [&str; 6] = ["sheet", "mass-spring", "rigid", "peel", "cylinder", "cone"];
+/// Seconds between frames of the recording.
+const APART: f64 = 1.0 / 120.0;
 
 /// A turn to record.
 struct Turn {
-    model: String,
-    corner: bool,
+    model: ModelKind,
+    by: TurnBy,
     seconds: f32,
     settle: f32,
     stock: Stock,
@@ -35,8 +32,8 @@ struct Turn {
 /// Runs the experiment.
 pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     let mut turn = Turn {
-        model: "sheet".into(),
-        corner: true,
+        model: ModelKind::Sheet,
+        by: TurnBy::Corner,
         seconds: 0.8,
         settle: 0.0,
         stock: Stock::BOOK,
@@ -44,8 +41,11 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     let (mut tolerance, mut out) = (0.001, None);
     let json = options::read(parser, |option, parser| {
         match option {
-            "model" => turn.model = MODELS[options::choice(parser, option, &MODELS)?].into(),
-            "gesture" => turn.corner = options::choice(parser, option, &["edge", "corner"])? == 1,
+            "model" => turn.model = model(parser, option)?,
+            "gesture" => {
+                turn.by =
+                    TurnBy::ALL[options::choice(parser, option, &TurnBy::ALL.map(TurnBy::name))?];
+            }
             "seconds" => turn.seconds = options::number(parser, option, 0.1, 60.0)?,
             "settle" => turn.settle = options::number(parser, option, 0.0, 60.0)?,
             "stock" => {
@@ -59,9 +59,9 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
         Ok(true)
     })?;
     let recording = turn.record()?;
-    let even = uniform_samples(POINTS);
+    let [u, v] = [recording.columns, recording.rows].map(uniform_samples);
     let condensed =
-        Condensed::of(&recording, &even, &even, tolerance).map_err(|error| error.to_string())?;
+        Condensed::of(&recording, &u, &v, tolerance).map_err(|error| error.to_string())?;
     let bytes = condensed.to_bytes();
     let figures = figures(&turn, &recording, &bytes)?;
     if let Some(out) = out {
@@ -71,11 +71,36 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     Ok(())
 }
 
-/// What the file is, and how far its replay is from the recording.
-fn figures(turn: &Turn, recording: &KeyFrames, bytes: &[u8]) -> Result<Value, String> {
-    let read = Condensed::from_bytes(bytes).map_err(|error| error.to_string())?;
-    let width = f64::from(recording.size[0]);
-    let replay = Replay::new(read.frames.clone(), Blend::Hermite, 1.0);
+/// The option's value as a model of loose leaves.
+pub fn model(parser: &mut lexopt::Parser, option: &str) -> Result<ModelKind, String> {
+    Ok(ModelKind::ALL[options::choice(parser, option, &ModelKind::ALL.map(ModelKind::name))?])
+}
+
+/// The same, or the paper's own leaf, which is none of them.
+pub fn model_or_paper(
+    parser: &mut lexopt::Parser,
+    option: &str,
+) -> Result<Option<ModelKind>, String> {
+    let mut names = vec!["paper"];
+    names.extend(ModelKind::ALL.map(ModelKind::name));
+    let chosen = options::choice(parser, option, &names)?;
+    Ok(chosen.checked_sub(1).map(|at| ModelKind::ALL[at]))
+}
+
+/// A leaf of a model over a table; of masses and springs with paper's weight and
+/// stiffness, interpolated.
+pub fn leaf(model: ModelKind, stock: Stock) -> Result<LooseLeaf, String> {
+    let settings = LooseSettings {
+        interpolate: true,
+        preset: turnleaf_engine::Preset::Book,
+        ..LooseSettings::leaf(model, PAGE, stock)
+    };
+    LooseLeaf::new(settings).map_err(|error| error.to_string())
+}
+
+/// Farthest and root mean square distance of a replay from a recording, over the width.
+pub fn error(recording: &KeyFrames, frames: KeyFrames, blend: Blend) -> (f64, f64) {
+    let replay = Replay::new(frames, blend, 1.0);
     let mut here = vec![0.0; recording.frame_length()];
     let mut rate = here.clone();
     let (mut worst, mut square) = (0.0f64, 0.0);
@@ -88,112 +113,40 @@ fn figures(turn: &Turn, recording: &KeyFrames, bytes: &[u8]) -> Result<Value, St
             square += apart;
         }
     }
-    let points = (recording.len() * recording.columns * recording.rows) as f64;
+    let points = (recording.positions.len() / 3) as f64;
+    let width = f64::from(recording.size[0]);
+    (worst / width, (square / points).sqrt() / width)
+}
+
+/// What the file is, and how far its replay is from the recording.
+fn figures(turn: &Turn, recording: &KeyFrames, bytes: &[u8]) -> Result<Value, String> {
+    let read = Condensed::from_bytes(bytes).map_err(|error| error.to_string())?;
+    let (worst, mean) = error(recording, read.frames.clone(), Blend::Hermite);
     Ok(json!({
-        "model": turn.model,
-        "gesture": if turn.corner { "corner" } else { "edge" },
+        "model": turn.model.name(),
+        "gesture": turn.by.name(),
         "seconds": recording.times.last(),
         "points": [recording.columns, recording.rows],
         "recorded_frames": recording.len(),
         "frames": read.frames.len(),
         "bytes": bytes.len(),
         "bytes_of_floats": recording.to_bytes().len(),
-        "error": worst / width,
-        "rms_error": (square / points).sqrt() / width,
+        "error": worst,
+        "rms_error": mean,
         "stated_error": read.error,
     }))
 }
 
 impl Turn {
-    /// Every step of the turn.
     fn record(&self) -> Result<KeyFrames, String> {
-        match self.model.as_str() {
-            "sheet" => self.record_sheet(),
-            "mass-spring" => {
-                let settings = Settings::book(0.14, 0.21, self.stock.grammage as f32);
-                let mut leaf = MassSpring::new(settings).map_err(|error| error.to_string())?;
-                leaf.lay_flat(Side::Right);
-                leaf.play(self.path());
-                Ok(self.follow(&mut leaf, ModelKind::MassSpring, |_, _| {}))
-            }
-            name => {
-                let (shape, kind) = match name {
-                    "peel" => (Shape::Peel, ModelKind::Peel),
-                    "cylinder" => (Shape::Cylinder, ModelKind::Cylinder),
-                    "cone" => (Shape::Cone, ModelKind::Cone),
-                    _ => (Shape::Rigid, ModelKind::Rigid),
-                };
-                let settings = KinematicSettings::leaf(shape, PAGE[0], PAGE[1], self.stock);
-                let mut leaf = Kinematic::new(settings).map_err(|error| error.to_string())?;
-                leaf.play(self.path());
-                Ok(self.follow(&mut leaf, kind, |_, _| {}))
-            }
+        let mut leaf = leaf(self.model, self.stock)?;
+        leaf.play(self.by, Side::Right, self.seconds);
+        let apart = APART.max(f64::from(leaf.time_step()));
+        leaf.record(apart);
+        let frames = (f64::from(self.seconds + self.settle) / apart).round() as usize;
+        for _ in 0..frames {
+            leaf.advance(apart);
         }
-    }
-
-    /// A hand carries the corner, or the middle of the edge, of a leaf over a table.
-    fn record_sheet(&self) -> Result<KeyFrames, String> {
-        let settings = SheetSettings {
-            root: Root::Hinged(0.0),
-            ..SheetSettings::leaf(PAGE[0], PAGE[1], self.stock)
-        };
-        let mut sheet = Sheet::new(settings).map_err(|error| error.to_string())?;
-        let even = uniform_samples(POINTS);
-        sheet.draw_samples(&even, &even);
-        for contacts in sheet.contacts_mut() {
-            contacts[0] = Contact {
-                normal: [0.0, 0.0, 1.0],
-                friction: self.stock.friction as f32,
-                firmness: 1.0,
-                ..Contact::default()
-            };
-        }
-        let v = if self.corner { 0.0 } else { 0.5 };
-        let path = Gesture {
-            pull: 0.12,
-            rise: if self.corner { 0.03 } else { 0.0 },
-            lag: 0.0,
-            ..self.path()
-        };
-        sheet.grab(0, 1.0, v);
-        Ok(self.follow(&mut sheet, ModelKind::Sheet, |sheet, time| {
-            if time < self.seconds {
-                sheet.pull(0, path.position(v, v * PAGE[1] as f32, time));
-            } else {
-                sheet.release(0);
-            }
-        }))
-    }
-
-    fn path(&self) -> Gesture {
-        let make = if self.corner {
-            Gesture::corner
-        } else {
-            Gesture::column
-        };
-        make(Side::Right, PAGE[0] as f32, self.seconds)
-    }
-
-    /// Steps a model to the end of the turn; `lead` moves the hand before each step.
-    fn follow<M: TurnModel>(
-        &self,
-        model: &mut M,
-        kind: ModelKind,
-        mut lead: impl FnMut(&mut M, f32),
-    ) -> KeyFrames {
-        let mut surface = Surface::new(POINTS, POINTS);
-        model.write_surface(&mut surface);
-        let size = PAGE.map(|side| side as f32);
-        let mut recording = KeyFrames::of_surface(kind, size, &surface);
-        let (start, step) = (model.time(), model.time_step());
-        recording.take(0.0, &surface);
-        let steps = ((self.seconds + self.settle) / step).round() as usize;
-        for count in 1..=steps {
-            lead(model, count as f32 * step);
-            model.step();
-            model.write_surface(&mut surface);
-            recording.take(model.time() - start, &surface);
-        }
-        recording
+        leaf.finish_record().ok_or("Nothing was recorded.".into())
     }
 }

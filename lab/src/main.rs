@@ -38,6 +38,10 @@ Usage: lab EXPERIMENT [options]
               --frames masses|surface  what the key frames hold (masses)
               --blend linear|hermite   how the replay blends them (linear)
               --interpolate key-frame|frame  when a replay of masses interpolates (key-frame)
+              --model paper|sheet|...  the paper's, or a loose leaf of any model, whose
+                                    key frames hold the surface (paper)
+              --keys even|condensed    of a loose leaf: every 0.1 s, or within 0.1 % (even)
+              --seconds T              duration of the turn (11.4)
   turn      one turn: strains over all steps, cost of a step and of a surface
   picture   a turn as a sequence of PNG pictures
               --out DIR             folder for the pictures (pictures)
@@ -102,8 +106,8 @@ Experiments on a book:
 Key frames to be handed out:
 
   keyframes         a turn recorded and condensed: bytes, frames, error over the width
-                      --model sheet|mass-spring|rigid|peel|cylinder|cone  (sheet)
-                      --gesture edge|corner  (corner)
+                      --model mass-spring|sheet|shell|rigid|peel|cylinder|cone  (sheet)
+                      --gesture edge|corner|let-go  (corner)
                       --stock bible|book|office|coated|card  (book)
                       --seconds T     duration of the gesture (0.8)
                       --settle T      time recorded after it (0)

@@ -165,3 +165,28 @@ fn ways_to_interpolate_have_every_figure() {
         assert!(strain("spline") < strain("hermite"));
     }
 }
+
+#[test]
+fn a_recorded_turn_is_small_and_near() {
+    for gesture in ["corner", "edge", "let-go"] {
+        let found = json(&["keyframes", "--gesture", gesture, "--json"]);
+        assert_eq!(found["model"], "sheet");
+        assert_eq!(found["points"], serde_json::json!([26, 26]));
+        let [bytes, error, stated] =
+            ["bytes", "error", "stated_error"].map(|name| found[name].as_f64().expect("a number"));
+        assert!(bytes < 20_000.0, "{gesture}: {bytes}");
+        assert!(
+            error <= 0.001 && (error - stated).abs() < 1e-6,
+            "{gesture}: {error}"
+        );
+    }
+}
+
+#[test]
+fn a_replayed_sheet_takes_a_fraction_of_the_time() {
+    let turn = ["--seconds", "0.8", "--keys", "condensed", "--runs", "1"];
+    let found = json(&[&["table1", "--model", "sheet", "--json"], &turn[..]].concat());
+    let figure = |name: &str| found[name].as_f64().expect("a number");
+    assert!(figure("replay_error") <= 0.001);
+    assert!(figure("mean_live_ms") > 20.0 * figure("mean_replay_ms"));
+}

@@ -5,7 +5,7 @@ import { LooseLeaf, leafStocks } from "turnleaf/models";
 import { Problem } from "../problem.ts";
 import type { BakeCommand } from "./bake_arguments.ts";
 
-/** Frames a second at which the turn is looked at. */
+/** Frames a second at which the turn is looked at, or a few more: at whole steps of its model. */
 const rate = 120;
 /** Longest wait for the leaf to come to rest after the hand let go, seconds. */
 const patience = 4;
@@ -52,17 +52,19 @@ export async function simulate(
   try {
     leaf.play(gesture, "right", seconds);
     const frames: Frame[] = [];
+    const apart = leaf.timeStep * Math.max(Math.floor(1 / (rate * leaf.timeStep) + 1e-6), 1);
     let still = 0;
-    for (let step = 0; still < stillFrames && step <= (seconds + patience) * rate; step++) {
-      if (step > 0) leaf.advance(1 / rate);
+    for (let step = 0; still < stillFrames && step * apart <= seconds + patience; step++) {
+      if (step > 0) leaf.advance(apart);
+      const { time } = leaf;
       leaf.update();
       const positions = leaf.surface().positions.slice();
       if (!positions.every(Number.isFinite)) throw new Problem("The leaf flew apart.");
       const last = frames.at(-1)?.positions ?? positions;
-      const isStill = step > seconds * rate && farthest(last, positions) < unseen * width;
+      const isStill = time > seconds && farthest(last, positions) < unseen * width;
       still = isStill ? still + 1 : 0;
-      frames.push({ time: step / rate, positions });
-      tell(step / rate, seconds + 1);
+      frames.push({ time, positions });
+      tell(time, seconds + 1);
       // So that Ctrl+C is heard.
       if (step % 30 === 0) await new Promise((resolve) => setImmediate(resolve));
       signal.throwIfAborted();

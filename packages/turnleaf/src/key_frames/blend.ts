@@ -62,9 +62,7 @@ function weights(t: number, left: number, right: number): Mix["weight"] {
 /** Writes the blend of frames, each as long as `out`. */
 export function blend({ frame, weight }: Mix, frames: Float32Array, out: Float32Array): void {
   const length = out.length;
-  const [a, b, c, d] = frame.map((index) => index * length);
+  const [a, b, c, d] = frame.map((index) => frames.subarray(index * length, (index + 1) * length));
   const [wa, wb, wc, wd] = weight;
-  for (let i = 0; i < length; i++) {
-    out[i] = wa * frames[a + i] + wb * frames[b + i] + (wc * frames[c + i] + wd * frames[d + i]);
-  }
+  for (let i = 0; i < length; i++) out[i] = wa * a[i] + wb * b[i] + (wc * c[i] + wd * d[i]);
 }

@@ -197,23 +197,28 @@ export function writeNormals(
   positions: Float32Array,
   normals: Float32Array,
 ): void {
-  const apart = (to: number, from: number, axis: number) =>
-    positions[3 * to + axis] - positions[3 * from + axis];
   for (let row = 0; row < rows; row++) {
+    const below = row > 0 ? -3 * columns : 0;
+    const above = row < rows - 1 ? 3 * columns : 0;
     for (let column = 0; column < columns; column++) {
-      const at = row * columns + column;
-      const [left, right] = [at - Math.min(column, 1), at + Math.min(columns - 1 - column, 1)];
-      const below = at - Math.min(row, 1) * columns;
-      const above = at + Math.min(rows - 1 - row, 1) * columns;
-      const u = [0, 1, 2].map((axis) => apart(right, left, axis));
-      const v = [0, 1, 2].map((axis) => apart(above, below, axis));
-      const normal = [0, 1, 2].map((axis) => {
-        const [next, other] = [(axis + 1) % 3, (axis + 2) % 3];
-        return u[next] * v[other] - u[other] * v[next];
-      });
-      const length = Math.hypot(...normal);
-      if (length > 0)
-        for (let axis = 0; axis < 3; axis++) normals[3 * at + axis] = normal[axis] / length;
+      const at = 3 * (row * columns + column);
+      const left = column > 0 ? at - 3 : at;
+      const right = column < columns - 1 ? at + 3 : at;
+      // Written out: this is done for every point of every frame.
+      const ux = positions[right] - positions[left];
+      const uy = positions[right + 1] - positions[left + 1];
+      const uz = positions[right + 2] - positions[left + 2];
+      const vx = positions[at + above] - positions[at + below];
+      const vy = positions[at + above + 1] - positions[at + below + 1];
+      const vz = positions[at + above + 2] - positions[at + below + 2];
+      const x = uy * vz - uz * vy;
+      const y = uz * vx - ux * vz;
+      const z = ux * vy - uy * vx;
+      const length = Math.sqrt(x * x + y * y + z * z);
+      if (!(length > 0)) continue;
+      normals[at] = x / length;
+      normals[at + 1] = y / length;
+      normals[at + 2] = z / length;
     }
   }
 }
