@@ -133,14 +133,6 @@ fn probes(
     found
 }
 
-fn mesh(surface: &Surface) -> Mesh<'_> {
-    Mesh {
-        columns: surface.columns,
-        points: surface.positions.as_chunks::<3>().0,
-        normals: surface.normals.as_chunks::<3>().0,
-    }
-}
-
 fn middle(points: &[[f32; 3]], [a, b]: [u16; 2]) -> [f32; 3] {
     let (p, q) = (points[a as usize], points[b as usize]);
     core::array::from_fn(|axis| 0.5 * (p[axis] + q[axis]))
@@ -182,7 +174,7 @@ fn lift_points(
     side: f32,
     probes: &[[u16; 2]],
 ) -> bool {
-    let mesh = mesh(other.surface);
+    let mesh = Mesh::of(other.surface);
     let points = own.positions.as_chunks_mut::<3>().0;
     let (mut moved, mut ahead) = (false, 0);
     for &probe in probes {
@@ -224,7 +216,7 @@ fn lift_facets(
     let (mut moved, mut ahead) = (false, 0);
     for &probe in probes {
         let place = middle(others, probe);
-        let own_mesh = mesh(own);
+        let own_mesh = Mesh::of(own);
         let Some(facet) = near(
             &own_mesh,
             place,

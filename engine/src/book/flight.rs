@@ -2,10 +2,24 @@
 
 use super::block::Pile;
 use super::clear::{Drawn, clear, find_bends};
+use super::crossing::{Blocks, is_past};
 use super::leaf::{Leaf, NODES, Phase};
+use super::mesh::Mesh;
 use super::seat::{lift, lift_edges, seat};
 use crate::grid::Side;
 use crate::surface::Surface;
+
+/// Drawn leaves that go through each other by less than this, metres, touch: so much
+/// comes of rounding.
+const TOUCH: f32 = 5e-6;
+
+/// How far what is drawn of a leaf may be on the wrong side of the next at the spine,
+/// metres.
+const ASTRAY: f32 = 5e-5;
+
+/// By how much facets between nodes may go through each other, metres, as arcs on either
+/// side of them do not.
+const DEEP: f32 = 1.5e-3;
 
 /// One leaf in flight; it may stand for several.
 #[derive(Clone)]
@@ -19,6 +33,11 @@ pub struct Flight {
     cells: Vec<usize>,
     /// How much the surface bends at each of its points, metres.
     bends: Vec<f32>,
+    blocks: Blocks,
+    /// What was drawn of it last, and what is wanted to be drawn now.
+    shown: Vec<f32>,
+    wanted: Vec<f32>,
+    held_back: bool,
 }
 
 impl Flight {
@@ -33,6 +52,10 @@ impl Flight {
             leaf,
             surface: Surface::new(u.len(), rows),
             bends: vec![0.0; u.len() * rows],
+            blocks: Blocks::default(),
+            shown: Vec::new(),
+            wanted: Vec::new(),
+            held_back: false,
             cells: u.iter().map(cell).collect(),
         }
     }
@@ -41,6 +64,7 @@ impl Flight {
     pub fn take_up(&mut self, id: u32, from: Side, low: u32, high: u32) {
         (self.id, self.low, self.high) = (id, low, high);
         self.leaf.lay(from);
+        self.shown.clear();
     }
 
     /// Its number.
@@ -112,13 +136,66 @@ impl Flight {
         self.surface.update_normals();
     }
 
-    /// Lifts what others pushed into the piles (right and left) out of them, and
-    /// says that what is drawn has changed.
-    pub fn finish(&mut self, [right, left]: [&Pile; 2]) {
-        lift(&mut self.surface.positions, right, left);
-        if !self.leaf.is_down() {
+    /// Lifts what others pushed into the piles (right and left) out of them.
+    pub fn lift_off(&mut self, [right, left]: [&Pile; 2], over: f32) {
+        let flies = !self.leaf.is_down();
+        let over = if flies { over } else { 0.0 };
+        lift(&mut self.surface.positions, right, left, over);
+        if flies {
             lift_edges(&mut self.surface.positions, right, left);
         }
+    }
+
+    /// Says that what is drawn of it may be asked about: see
+    /// [`is_drawn_through`](Self::is_drawn_through).
+    pub fn cut_drawn(&mut self) {
+        self.blocks.cut(Mesh::of(&self.surface));
+    }
+
+    /// Whether what is drawn of it goes through what is drawn of the one on its right,
+    /// both as they were when they were last [cut](Self::cut_drawn).
+    pub fn is_drawn_through(&self, right: &Flight) -> bool {
+        let [own, other] = [self, right].map(|flight| Mesh::of(&flight.surface));
+        is_past(own, other, ASTRAY) || self.blocks.cross(&right.blocks, TOUCH)
+    }
+
+    /// Says that its paper may be asked about: see [`is_through`](Self::is_through).
+    pub fn cut(&mut self) {
+        self.blocks.cut(self.leaf.seated().mesh());
+    }
+
+    /// Whether its paper goes through that of the one on its right, both as they were
+    /// when they were last [cut](Self::cut).
+    pub fn is_through(&self, right: &Flight) -> bool {
+        let [own, other] = [self, right].map(|flight| flight.leaf.seated().mesh());
+        is_past(own, other, DEEP) || self.blocks.cross(&right.blocks, DEEP)
+    }
+
+    /// Begins to look for what can be drawn of it, short of what is wanted.
+    pub fn hold_back(&mut self) {
+        if self.held_back {
+            return;
+        }
+        self.held_back = true;
+        self.wanted.clone_from(&self.surface.positions);
+        if self.shown.is_empty() {
+            self.shown.clone_from(&self.surface.positions);
+        }
+    }
+
+    /// Draws a part of the way from what was drawn last to what is wanted.
+    pub fn draw_part(&mut self, part: f32) {
+        let ways = self.shown.iter().zip(&self.wanted);
+        for (place, (from, to)) in self.surface.positions.iter_mut().zip(ways) {
+            *place = from + part * (to - from);
+        }
+        self.surface.update_normals();
+    }
+
+    /// Keeps what is drawn now, as the way to the next begins there.
+    pub fn show(&mut self) {
+        self.held_back = false;
+        self.shown.clone_from(&self.surface.positions);
         self.surface.touch();
     }
 

@@ -8,6 +8,7 @@
 //! it and its pile.
 
 use super::block::Pile;
+use super::draw::{draw, on_left};
 use super::flight::Flight;
 use super::gutter::Gutter;
 use super::leaf::{Leaf, Phase, TICK};
@@ -26,6 +27,12 @@ const YIELDING: f32 = 0.01;
 const DEEP: f32 = 1.5e-3;
 const MOST_ROUNDS: usize = 6;
 
+/// Depth to which a tick may lead, metres.
+const DEEPEST: f32 = 2.5e-3;
+
+/// Depth in a tick, metres, from which a leaf may be drawn through another.
+const ASTRAY: f32 = 5e-4;
+
 /// Length of a whole turn of a leaf that makes way for one let go, seconds.
 const WAY_SECONDS: f32 = 0.8;
 
@@ -39,6 +46,8 @@ pub struct Flights {
     /// Flights that are over, to be used again without an allocation.
     spare: Vec<Flight>,
     last_id: u32,
+    /// Whether a leaf has come deep into another since all lay still.
+    tangled: bool,
 }
 
 impl Flights {
@@ -53,6 +62,7 @@ impl Flights {
             order: Vec::with_capacity(MOST_FLIGHTS),
             spare,
             last_id: 0,
+            tangled: false,
         }
     }
 
@@ -149,9 +159,12 @@ impl Flights {
             flight.leaf_mut().seat(gutter);
         }
         self.make_room();
+        for flight in &mut self.order {
+            flight.leaf_mut().keep();
+        }
         // From the piles inward, so that what lies upon another meets it where it
         // will be; two leaves that push each other at once would shake.
-        let on_left = self.on_left();
+        let on_left = on_left(&self.order);
         for index in 0..on_left {
             self.step_one(index, gutter, piles, [1.0, YIELDING]);
         }
@@ -160,6 +173,9 @@ impl Flights {
             self.step_one(index, gutter, piles, [left, 1.0]);
         }
         self.relax(gutter, piles);
+        if self.tangled {
+            self.take_back(gutter);
+        }
         self.join_piles();
     }
 
@@ -183,31 +199,12 @@ impl Flights {
         }
     }
 
-    /// How many flights, from the left, are over the left pile.
-    fn on_left(&self) -> usize {
-        let over = |flight: &&Flight| flight.leaf().share_turned() > 0.5;
-        self.order.iter().take_while(over).count()
-    }
-
-    /// Draws every flight between the piles (right and left), each clear of
-    /// those that it lies upon.
+    /// Draws every flight between the piles (right and left).
     pub fn draw(&mut self, piles: [&Pile; 2]) {
-        for flight in &mut self.order {
-            flight.draw(piles);
-        }
-        let on_left = self.on_left();
-        for index in 0..on_left {
-            self.clear_one(index, Side::Left);
-        }
-        for index in (on_left..self.order.len()).rev() {
-            self.clear_one(index, Side::Right);
-        }
-        if on_left < self.order.len() {
-            self.clear_one(on_left, Side::Left);
-        }
-        for flight in &mut self.order {
-            flight.finish(piles);
-        }
+        self.tangled &= !self.order.is_empty();
+        let held = |flight: &Flight| flight.leaf().was_held();
+        let wary = self.tangled || self.order.iter().any(held);
+        draw(&mut self.order, piles, wary);
     }
 
     /// Flight `index` and its neighbours, left and right.
@@ -217,18 +214,6 @@ impl Flights {
             .split_first_mut()
             .expect("the index is below the length");
         (own, [left.last(), right.first()])
-    }
-
-    /// Draws flight `index` clear of its neighbour on a side.
-    fn clear_one(&mut self, index: usize, side: Side) {
-        let (own, [left, right]) = self.among(index);
-        let neighbour = match side {
-            Side::Left => left,
-            Side::Right => right,
-        };
-        if let Some(neighbour) = neighbour {
-            own.clear_of(neighbour, side);
-        }
     }
 
     /// Steps one flight; its neighbours, left and right, are as firm as said.
@@ -261,8 +246,51 @@ impl Flights {
                 break;
             }
         }
-        for flight in &mut self.order {
-            flight.leaf_mut().give_way(DEEP);
+        for index in 0..count {
+            self.tangled |= self.order[index].leaf().seated().depth > ASTRAY;
+            self.look_again(index, piles);
+            self.order[index].leaf_mut().give_way(DEEP);
+        }
+    }
+
+    /// Leaves that sank deep into something in the tick, or went through each other,
+    /// take it back, and those that they touch with them.
+    fn take_back(&mut self, gutter: &Gutter) {
+        let count = self.order.len();
+        let mut back = [false; MOST_FLIGHTS];
+        for index in 0..count {
+            if self.order[index].leaf().has_sunk(DEEPEST) {
+                back[index.saturating_sub(1)..(index + 2).min(count)].fill(true);
+            }
+        }
+        for (flight, back) in self.order.iter_mut().zip(back) {
+            if back {
+                flight.leaf_mut().step_back(gutter);
+            }
+            flight.cut();
+        }
+        let through = |order: &[Flight], back: &[bool]| {
+            let mut pairs = order.windows(2).zip(back.windows(2));
+            pairs.position(|(pair, back)| back != [true; 2] && pair[0].is_through(&pair[1]))
+        };
+        while let Some(index) = through(&self.order, &back) {
+            for index in [index, index + 1] {
+                if !back[index] {
+                    back[index] = true;
+                    self.order[index].leaf_mut().step_back(gutter);
+                    self.order[index].cut();
+                }
+            }
+        }
+    }
+
+    /// Finds how deep a flight still is after it was brought out.
+    fn look_again(&mut self, index: usize, piles: [&Pile; 2]) {
+        let (own, neighbours) = self.among(index);
+        let leaf = own.leaf_mut();
+        if leaf.seated().depth > DEEP {
+            let [left, right] = neighbours.map(|flight| Some(neighbour_of(flight?, 1.0)));
+            leaf.meet(piles, [left, right], false);
         }
     }
 

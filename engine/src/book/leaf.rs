@@ -139,6 +139,9 @@ pub struct Leaf {
     /// Where it landed, and the nodes of a flat leaf on the right.
     landed: Vec<f32>,
     flat: Vec<f32>,
+    /// Its nodes before a tick.
+    kept: Vec<f32>,
+    kept_depth: f32,
 }
 
 impl Leaf {
@@ -183,6 +186,8 @@ impl Leaf {
             room: [0.0, 1.0],
             seated: Seated::new(NODES[0], NODES[1], cell),
             landed: flat.clone(),
+            kept: flat.clone(),
+            kept_depth: 0.0,
             flat,
         }
     }
@@ -335,6 +340,28 @@ impl Leaf {
             self.sheet.give_way();
         }
         self.seated.note_tangled();
+    }
+
+    /// Keeps where the leaf is, to come [back](Self::step_back).
+    pub fn keep(&mut self) {
+        self.kept.clear();
+        self.kept.extend_from_slice(self.sheet.positions());
+        self.kept_depth = self.seated.depth;
+    }
+
+    /// Whether it has come deeper than `deep` metres into something since it was last
+    /// [kept](Self::keep).
+    pub fn has_sunk(&self, deep: f32) -> bool {
+        self.seated.depth > deep.max(self.kept_depth)
+    }
+
+    /// Takes back what it did since it was last [kept](Self::keep): it is there
+    /// again, and still.
+    pub fn step_back(&mut self, gutter: &Gutter) {
+        self.sheet.put_back(&self.kept);
+        self.sheet.give_way();
+        self.seated.depth = self.kept_depth;
+        self.seat(gutter);
     }
 
     /// Wakes a leaf that rested upon one that moves now.

@@ -20,6 +20,9 @@ const DEEPEST: f32 = 0.02;
 /// pushed in, metres; deeper, it has come round its rim.
 const WRONG: f32 = 0.004;
 
+/// Depth from which a node beyond a neighbour's rim has passed it there, metres.
+const PAST: f32 = 0.001;
+
 /// By how much a node may come nearer to a neighbour between two looks, metres.
 const LEAP: f32 = 0.025;
 
@@ -354,7 +357,8 @@ fn meet_neighbour(
         let away = sub(point, other.points[near.node]);
         // What is far, or far to the wrong side, is not lying upon it there.
         let was_next = before < FAR && gap > before - LEAP && gap > -LOST;
-        if gap > FAR || !(gap > -WRONG || was_next) || dot(away, away) > FAR * FAR {
+        let is_past = near.beyond && gap < -PAST;
+        if gap > FAR || is_past || !(gap > -WRONG || was_next) || dot(away, away) > FAR * FAR {
             continue;
         }
         leaf.gaps[slot - 1][node] = gap;

@@ -1,6 +1,8 @@
 //! A leaf as others meet it: a grid of points with normals, and the nearest
 //! place on it.
 
+use crate::surface::Surface;
+
 /// Points of a leaf in book space, row by row from the foot.
 #[derive(Clone, Copy, Debug)]
 pub struct Mesh<'a> {
@@ -19,6 +21,8 @@ pub struct Near {
     pub height: f32,
     /// The surface's normal there.
     pub normal: [f32; 3],
+    /// Whether the point lies beyond the rim, where the surface would be if it went on.
+    pub beyond: bool,
 }
 
 /// How far beyond an edge, in cells, a point is still above the mesh.
@@ -28,7 +32,16 @@ const OVERHANG: f32 = 1.0;
 /// cell from one tick to the next, so nearly all walks are of one step.
 const WALK: usize = 64;
 
-impl Mesh<'_> {
+impl<'a> Mesh<'a> {
+    /// A drawn surface.
+    pub fn of(surface: &'a Surface) -> Mesh<'a> {
+        Mesh {
+            columns: surface.columns,
+            points: surface.positions.as_chunks::<3>().0,
+            normals: surface.normals.as_chunks::<3>().0,
+        }
+    }
+
     fn rows(&self) -> usize {
         self.points.len() / self.columns
     }
@@ -83,6 +96,8 @@ impl Mesh<'_> {
         if beyond(a, column, self.columns) || beyond(b, row, self.rows()) {
             return None;
         }
+        let outside =
+            |at: f32, i: usize, count: usize| (i == 0 && at < 0.0) || (i + 1 == count && at > 0.0);
         let own = self.normals[node];
         let toward = |at: f32, i: usize, count: usize, step: usize| {
             let other = if at > 0.0 && i + 1 < count {
@@ -105,6 +120,7 @@ impl Mesh<'_> {
             node,
             height: dot(away, unit(halfway)),
             normal: unit(there),
+            beyond: outside(a, column, self.columns) || outside(b, row, self.rows()),
         })
     }
 
@@ -257,7 +273,7 @@ pub fn sub(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
+pub fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],

@@ -7,6 +7,8 @@
 mod block;
 mod board;
 mod clear;
+mod crossing;
+mod draw;
 mod flight;
 mod flights;
 mod gutter;

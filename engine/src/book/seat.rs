@@ -28,17 +28,18 @@ pub fn seat(positions: &mut [f32], right: &Pile, left: &Pile) {
     for row in positions.chunks_exact_mut(3 * columns) {
         bend_row(row, right.angles(), left.angles());
     }
-    lift(positions, right, left);
+    lift(positions, right, left, 0.0);
 }
 
-/// Lifts onto the piles what of a leaf lies inside them; arguments as in [`seat`].
-pub fn lift(positions: &mut [f32], right: &Pile, left: &Pile) {
+/// Lifts what of a leaf lies inside the piles to `over` metres over them; arguments as
+/// in [`seat`].
+pub fn lift(positions: &mut [f32], right: &Pile, left: &Pile, over: f32) {
     let highest = right.highest().max(left.highest());
     for row in positions.chunks_exact_mut(3 * right.columns()) {
         for point in row.chunks_exact_mut(3).skip(1) {
-            if point[2] < highest {
+            if point[2] < highest + over {
                 let pile = if point[0] >= 0.0 { right } else { left };
-                point[2] = point[2].max(pile.height(point[0].abs()));
+                point[2] = point[2].max(pile.height(point[0].abs()) + over);
             }
         }
     }
@@ -58,9 +59,12 @@ pub fn lift_edges(positions: &mut [f32], right: &Pile, left: &Pile) {
             if at_rim || node % columns == 0 || a[2].min(b[2]) > highest {
                 continue;
             }
-            let [x, z] = [0, 2].map(|axis| 0.5 * (a[axis] + b[axis]));
-            let pile = if x >= 0.0 { right } else { left };
-            let lack = pile.height(x.abs()) - z;
+            let lack = |part: f32| {
+                let [x, z] = [0, 2].map(|axis| a[axis] + part * (b[axis] - a[axis]));
+                let pile = if x >= 0.0 { right } else { left };
+                pile.height(x.abs()) - z
+            };
+            let lack = lack(0.25).max(lack(0.5)).max(lack(0.75));
             if lack > 0.0 {
                 points[node][2] += lack;
                 points[node + step][2] += lack;

@@ -110,6 +110,8 @@ fn figures(played: &[&Played]) -> Value {
         "solver_penetration_median_mm": 1e3 * at(&of(|outcome| outcome.depth), 0.5),
         "solver_penetration_p90_mm": 1e3 * at(&of(|outcome| outcome.depth), 0.9),
         "solver_penetration_p99_mm": 1e3 * at(&of(|outcome| outcome.depth), 0.99),
+        "seconds_to_rest_median": at(&of(|outcome| outcome.rest), 0.5),
+        "seconds_to_rest_worst": most(|outcome| outcome.rest),
         "finite": played.iter().all(|one| one.outcome.finite),
         "leaves": played.iter().map(|one| one.outcome.leaves).max(),
         "us_per_frame_p50": at(&times, 0.5),
@@ -134,6 +136,7 @@ fn worst_seeds(all: &[&Played], count: usize) -> Value {
         "drawn_in_piles": by(|outcome| outcome.drawn.pile),
         "drawn_in_leaves": by(|outcome| outcome.drawn.leaf),
         "solver": by(|outcome| outcome.depth),
+        "seconds_to_rest": by(|outcome| outcome.rest),
     })
 }
 

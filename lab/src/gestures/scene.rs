@@ -17,6 +17,9 @@ const HALF_A_SECOND: u32 = (0.5 / TICK) as u32;
 /// Ticks looked at beyond that.
 const BEYOND: u32 = 20;
 
+/// Ticks in which all leaves come to rest once they are let go, at most.
+const MOST_TO_REST: u32 = 10 * 120;
+
 /// Size of the page, metres.
 const PAGE: [f64; 2] = [0.14, 0.21];
 
@@ -37,6 +40,8 @@ pub struct Outcome {
     pub frames: Vec<(usize, f64)>,
     /// Most leaves in flight at once.
     pub leaves: usize,
+    /// Seconds from when all were let go until all lay still.
+    pub rest: f32,
 }
 
 /// A hand at work.
@@ -69,6 +74,7 @@ struct Scene {
     free: Vec<(u32, u32)>,
     outcome: Outcome,
     ticks: u32,
+    ticks_let_go: u32,
 }
 
 /// Plays the gesture of a seed on leaves of a stock.
@@ -81,6 +87,7 @@ pub fn play(seed: u64, stock: Stock) -> Outcome {
         hands: Vec::new(),
         free: Vec::new(),
         ticks: 0,
+        ticks_let_go: 0,
         outcome: Outcome {
             finite: true,
             ..Outcome::default()
@@ -101,8 +108,14 @@ pub fn play(seed: u64, stock: Stock) -> Outcome {
         scene.book.release(hand.flight, hand.number);
     }
     for _ in 0..(HALF_A_SECOND + BEYOND) / 2 {
+        scene.ticks_let_go += 2;
         scene.frame(2);
     }
+    while scene.book.flights() > 0 && scene.ticks_let_go < MOST_TO_REST {
+        scene.book.step(1);
+        scene.ticks_let_go += 1;
+    }
+    scene.outcome.rest = scene.ticks_let_go as f32 * TICK;
     scene.outcome
 }
 

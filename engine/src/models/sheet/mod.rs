@@ -228,6 +228,12 @@ impl Sheet {
         self.velocities.fill(0.0);
     }
 
+    /// Puts the nodes where they were, and still.
+    pub(crate) fn put_back(&mut self, positions: &[f32]) {
+        self.positions.copy_from_slice(positions);
+        self.velocities.fill(0.0);
+    }
+
     /// Multiplies every velocity by `part`.
     pub fn slow(&mut self, part: f32) {
         for v in &mut self.velocities {

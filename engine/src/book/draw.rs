@@ -1,0 +1,118 @@
+//! The leaves in flight as they are drawn: clear of each other and of the piles.
+//!
+//! Where leaves have come deep into each other, moving what is drawn out of the way
+//! is not enough: a crumpled leaf has folds in which no one knows any more on which
+//! side the other belongs. There the picture does not follow the paper through
+//! another leaf but goes only as far as it can, and catches up when the paper has come
+//! clear.
+
+use super::block::Pile;
+use super::flight::Flight;
+use super::flights::MOST_FLIGHTS;
+use crate::grid::Side;
+
+/// How far over the piles what flies is drawn, metres: a leaf that is taken up from under
+/// it lies there.
+const OVER: f32 = 1e-4;
+
+/// Draws flights, from the left to the right, between the piles (right and left).
+/// `wary` says whether one may have gone through another.
+pub fn draw(order: &mut [Flight], piles: [&Pile; 2], wary: bool) {
+    for flight in order.iter_mut() {
+        flight.draw(piles);
+    }
+    clear(order, |_| true);
+    for flight in order.iter_mut() {
+        flight.lift_off(piles, OVER);
+    }
+    if wary && order.len() > 1 {
+        hold_back(order, piles);
+    }
+    for flight in order {
+        flight.show();
+    }
+}
+
+/// How many of the flights, from the left, are over the left pile.
+pub fn on_left(order: &[Flight]) -> usize {
+    let over = |flight: &&Flight| flight.leaf().share_turned() > 0.5;
+    order.iter().take_while(over).count()
+}
+
+/// Moves each flight, of those `asked` about, off the one that it lies upon.
+fn clear(order: &mut [Flight], asked: impl Fn(usize) -> bool) {
+    let (on_left, count) = (on_left(order), order.len());
+    let on_right = (on_left..count).rev().map(|index| (index, Side::Right));
+    let on_left = (0..on_left).map(|index| (index, Side::Left));
+    // Last, the two that meet in the middle.
+    let middle = (on_left.len(), Side::Left);
+    for (index, side) in on_left.chain(on_right).chain([middle]) {
+        let (left, rest) = order.split_at_mut(index);
+        let Some((own, right)) = rest.split_first_mut() else {
+            continue;
+        };
+        let neighbour = match side {
+            Side::Left => left.last(),
+            Side::Right => right.first(),
+        };
+        if let Some(neighbour) = neighbour
+            && asked(index)
+        {
+            own.clear_of(neighbour, side);
+        }
+    }
+}
+
+/// Draws flights that would go through each other only a part of the way from what was
+/// drawn of them last, which did not; and with them those that they then meet.
+fn hold_back(order: &mut [Flight], piles: [&Pile; 2]) {
+    for flight in order.iter_mut() {
+        flight.cut_drawn();
+    }
+    let mut back = [false; MOST_FLIGHTS];
+    loop {
+        let mut met = false;
+        for index in 0..order.len() - 1 {
+            if back[index..index + 2] != [true; 2]
+                && order[index].is_drawn_through(&order[index + 1])
+            {
+                back[index..index + 2].fill(true);
+                met = true;
+            }
+        }
+        if !met {
+            return;
+        }
+        for (flight, _) in order.iter_mut().zip(back).filter(|(_, back)| *back) {
+            flight.hold_back();
+        }
+        let is_clear = |order: &mut [Flight], part: f32, cleared: bool| {
+            draw_part(order, &back, part, cleared, piles);
+            let mut pairs = order.windows(2).zip(back.windows(2));
+            !pairs.any(|(pair, back)| back == [true; 2] && pair[0].is_drawn_through(&pair[1]))
+        };
+        let _ =
+            is_clear(order, 0.5, true) || is_clear(order, 0.0, true) || is_clear(order, 0.0, false);
+    }
+}
+
+/// Draws those that are held back a part of the way, moved clear of each other or not.
+fn draw_part(order: &mut [Flight], back: &[bool], part: f32, cleared: bool, piles: [&Pile; 2]) {
+    let each = |order: &mut [Flight], act: &dyn Fn(&mut Flight)| {
+        let flights = order.iter_mut().zip(back);
+        flights
+            .filter(|(_, back)| **back)
+            .for_each(|(flight, _)| act(flight));
+    };
+    each(order, &|flight| {
+        flight.draw_part(part);
+        flight.lift_off(piles, 0.0);
+    });
+    // Half-way between two pictures leaves are nearer to each other than in either, and
+    // what lies on a pile that grew was lifted to one height.
+    if cleared {
+        clear(order, |index| back[index]);
+        each(order, &|flight| flight.lift_off(piles, 0.0));
+    }
+    each(order, &|flight| flight.cut_drawn());
+}
