@@ -7,8 +7,8 @@
 //! how much a cell's edge is turned and shortened.
 
 use super::block::Pile;
-use super::meet::Seated;
 use super::seat::share_turned;
+use super::seated::Seated;
 
 /// Angles of a row, from lying right to lying left, for which a cell's turn is
 /// tabled; between them it is linear.

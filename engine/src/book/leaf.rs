@@ -14,8 +14,9 @@ mod tests;
 use super::HANDS;
 use super::block::Pile;
 use super::gutter::Gutter;
-use super::meet::{Neighbour, Seated, Sheetlike, meet_itself, meet_others};
+use super::meet::{Neighbour, Sheetlike, meet_itself, meet_others};
 use super::seat::share_turned;
+use super::seated::Seated;
 use crate::air::Air;
 use crate::grid::Side;
 use crate::models::sheet::{Root, Sheet, SheetSettings};
@@ -339,7 +340,6 @@ impl Leaf {
         if self.seated.depth > deep {
             self.sheet.give_way();
         }
-        self.seated.note_tangled();
     }
 
     /// Keeps where the leaf is, to come [back](Self::step_back).

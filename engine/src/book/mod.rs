@@ -17,6 +17,7 @@ mod leaf;
 mod meet;
 mod mesh;
 mod seat;
+mod seated;
 #[cfg(test)]
 mod tests;
 
