@@ -46,6 +46,7 @@ mod surface;
 mod synchronise;
 pub mod trials;
 mod turn;
+mod vector;
 
 pub use air::Air;
 pub use gesture::{Gesture, Grip};

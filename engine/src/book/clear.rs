@@ -8,8 +8,9 @@
 //! such projections (Bridson, Fedkiw and Anderson 2002 use the same weights)
 //! leave nothing that can be seen.
 
-use super::mesh::{Facet, Mesh, dot, sub};
+use super::mesh::{Facet, Mesh};
 use crate::surface::Surface;
+use crate::vector::{dot, sub};
 
 /// Distance at which two drawn leaves lie upon each other, metres: seen as none,
 /// and enough for the depth buffer.

@@ -4,7 +4,8 @@
 //! simulated (see [`Flights::step`](super::flights::Flights::step)) and as they are
 //! drawn (see [`draw`](super::draw)).
 
-use super::mesh::{Mesh, cross, dot, sub};
+use super::mesh::Mesh;
+use crate::vector::{cross, dot, sub};
 
 /// Cells along a side of a block that one box bounds, and points along it.
 const BLOCK: usize = 3;

@@ -5,9 +5,9 @@
 //! lives over a flat table, as half-spaces turned back by the gutter's bend.
 
 use super::block::Pile;
-use super::mesh::{dot, sub};
 use super::seated::{FAR, Seated};
 use crate::models::sheet::{CONTACTS, Contact};
+use crate::vector::{dot, sub};
 
 /// Deepest that contact pushes from at once, metres: what is deeper comes out
 /// over several ticks.

@@ -2,6 +2,7 @@
 //! place on it.
 
 use crate::surface::Surface;
+use crate::vector::{cross, dot, sub, unit};
 
 /// Points of a leaf in book space, row by row from the foot.
 #[derive(Clone, Copy, Debug)]
@@ -263,27 +264,6 @@ pub fn update_normals(points: &[[f32; 3]], columns: usize, normals: &mut [[f32; 
             *normal = n.map(|n| n / length);
         }
     }
-}
-
-pub fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub fn sub(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-pub fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn unit(a: [f32; 3]) -> [f32; 3] {
-    let inverse = 1.0 / dot(a, a).sqrt().max(1e-12);
-    a.map(|a| a * inverse)
 }
 
 #[cfg(test)]

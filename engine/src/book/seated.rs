@@ -1,7 +1,8 @@
 //! A leaf's nodes in the book, and what it remembers of what they met.
 
-use super::mesh::{Mesh, dot, sub, update_normals};
+use super::mesh::{Mesh, update_normals};
 use super::seat::share_turned;
+use crate::vector::{dot, sub};
 
 /// Farther than this from each other, metres, nothing meets within a tick.
 pub const FAR: f32 = 0.07;

@@ -1,7 +1,8 @@
 //! Forces and matrix of a step, at the sheet's present state.
 
-use super::contact::{add_contact, dot};
+use super::contact::add_contact;
 use super::{PIN, Sheet};
+use crate::vector::dot;
 
 impl Sheet {
     /// Finds the nodes' normals, along which the air acts.

@@ -6,6 +6,7 @@
 //! strain that moving nodes out afterwards would cost.
 
 use super::system::System;
+use crate::vector::dot;
 
 /// Half-spaces a node, at most.
 pub const CONTACTS: usize = 4;
@@ -84,8 +85,4 @@ pub(super) fn add_contact(
     let k = drag / h;
     system.add_diagonal(node, k);
     system.add_product(node, node, n.map(|n| -k * n), n);
-}
-
-pub(super) fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

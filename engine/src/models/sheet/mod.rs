@@ -21,8 +21,8 @@ mod tests;
 pub use contact::{CONTACTS, Contact};
 pub use settings::{InvalidSheet, Root, SheetSettings};
 
+use crate::vector::dot;
 use bending::Bending;
-use contact::dot;
 use hand::Hand;
 use membrane::Membrane;
 use sweep::Sweep;

@@ -1,0 +1,26 @@
+//! Vectors of three numbers.
+
+/// The dot product.
+pub fn dot(a: [f32; 3], b: [f32; 3]) -> f32 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// `a` less `b`.
+pub fn sub(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// The cross product.
+pub fn cross(a: [f32; 3], b: [f32; 3]) -> [f32; 3] {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+/// The vector at length 1; nothing of nothing.
+pub fn unit(a: [f32; 3]) -> [f32; 3] {
+    let inverse = 1.0 / dot(a, a).sqrt().max(1e-12);
+    a.map(|a| a * inverse)
+}
