@@ -23,7 +23,7 @@ const goal = 80;
  * one of those that every book needs.
  */
 const parts = {
-  "shows and turns a book": { limit: 81 },
+  "shows and turns a book": { limit: 83 },
   "the text over the pages, once they show": { files: ["text_over.js"], limit: 6 },
   "zoomed in, fold-outs, the place kept": {
     files: ["details.js", "flap.js", "place.js"],
@@ -35,7 +35,7 @@ const parts = {
 };
 
 /** kB gzip of all parts together. */
-const limit = 112;
+const limit = 114;
 
 const dist = join(import.meta.dirname, "../packages/turnleaf/dist");
 
