@@ -13,7 +13,7 @@ WASM = packages/turnleaf/src/engine/turnleaf.wasm
 MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 
-.PHONY: read build wasm test test-rust test-js check check-rust check-js bench examples pictures reference book clean tools-rust chromium
+.PHONY: read build wasm test test-rust test-js check check-rust check-js bench examples pictures methods reference book clean tools-rust chromium
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -80,6 +80,12 @@ pictures: build chromium tools-rust
 	cargo run --release --quiet -p lab -- picture --preset paper-2014 --out target/pictures
 	cargo run --release --quiet -p lab -- picture --preset book --gesture corner --out target/pictures
 	cp target/pictures/paper-2014-column.png target/pictures/book-corner.png docs/pictures/
+
+# Every way of turning a page measured: tables, plot and pictures of docs/methods.md.
+# Takes some ten minutes, nearly all of them the shell's.
+methods: tools-rust
+	cargo run --release --quiet -p lab -- interpolation --into docs/methods.md
+	cargo run --release --quiet -p lab -- models --into docs/methods.md --plot docs/methods/cost-and-fidelity.svg --pictures docs/methods
 
 # docs/reference.md, from the comments in the sources.
 reference: $(MODULES)

@@ -8,6 +8,7 @@
 
 use std::f64::consts::PI;
 use std::hint::black_box;
+use std::path::PathBuf;
 use std::time::Instant;
 
 use serde_json::{Value, json};
@@ -81,10 +82,14 @@ fn bend([x, y]: [f64; 2], through: f64) -> [f64; 3] {
 
 /// Runs the experiment.
 pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let mut markdown = false;
-    let json = options::read(parser, |option, _| {
-        markdown |= option == "markdown";
-        Ok(option == "markdown")
+    let (mut markdown, mut into) = (false, None);
+    let json = options::read(parser, |option, parser| {
+        match option {
+            "markdown" => markdown = true,
+            "into" => into = Some(PathBuf::from(options::text(parser, option)?)),
+            _ => return Ok(false),
+        }
+        Ok(true)
     })?;
     let grids: Vec<Value> = GRIDS
         .iter()
@@ -94,6 +99,9 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
         })
         .collect();
     let figures = json!({ "grids": grids });
+    if let Some(path) = into {
+        crate::report::insert(&path, "interpolation", &table(&figures, true))?;
+    }
     if json {
         println!("{figures:#}");
     } else {

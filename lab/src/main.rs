@@ -90,10 +90,13 @@ Every way of turning a page:
                       --nodes N       columns of nodes of the shell (17)
                       --markdown      print a table in Markdown
                       --plot FILE     write cost against fidelity as SVG
+                      --pictures DIR  write each at five moments as PNG
+                      --into FILE     put the table between its lines in a page of Markdown
 
   interpolation     from few nodes to many points: cost of a surface, and errors on
                     shapes that are known
                       --markdown      print tables in Markdown
+                      --into FILE     put them between their lines in a page of Markdown
 
 Experiments on a book:
 

@@ -1,5 +1,7 @@
 //! What an experiment found: JSON, or a line a figure.
 
+use std::path::Path;
+
 use lexopt::Parser;
 use serde_json::{Value, json};
 
@@ -79,4 +81,48 @@ pub fn table(rows: &[Vec<String>], markdown: bool) -> String {
         }
     }
     text
+}
+
+/// Puts text into a file between the lines `<!-- NAME -->` and `<!-- /NAME -->`.
+///
+/// # Errors
+/// Where the file cannot be read or written, or has no such lines.
+pub fn insert(path: &Path, name: &str, text: &str) -> Result<(), String> {
+    let fail = |what: &str| Err(format!("{} {what}.", path.display()));
+    let Ok(all) = std::fs::read_to_string(path) else {
+        return fail("cannot be read");
+    };
+    let (open, shut) = (format!("<!-- {name} -->\n"), format!("<!-- /{name} -->"));
+    let Some((before, rest)) = all.split_once(&open) else {
+        return fail(&format!("has no line <!-- {name} -->"));
+    };
+    let Some((_, after)) = rest.split_once(&shut) else {
+        return fail(&format!("has no line <!-- /{name} -->"));
+    };
+    let whole = format!("{before}{open}\n{}\n\n{shut}{after}", text.trim());
+    match std::fs::write(path, whole) {
+        Ok(()) => Ok(()),
+        Err(_) => fail("cannot be written"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_is_put_between_its_lines_alone() {
+        let path = std::env::temp_dir().join(format!("lab-insert-{}.md", std::process::id()));
+        std::fs::write(&path, "a\n<!-- x -->\nold\n<!-- /x -->\nb\n").expect("written");
+        insert(&path, "x", "new\n").expect("inserted");
+        insert(&path, "x", "newer").expect("inserted again");
+        let all = std::fs::read_to_string(&path).expect("read");
+        assert_eq!(all, "a\n<!-- x -->\n\nnewer\n\n<!-- /x -->\nb\n");
+        assert!(
+            insert(&path, "y", "new")
+                .expect_err("no such lines")
+                .ends_with('.')
+        );
+        std::fs::remove_file(&path).expect("removed");
+    }
 }

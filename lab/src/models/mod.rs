@@ -11,14 +11,16 @@ mod measure;
 mod plot;
 mod rows;
 mod shape;
+mod strips;
 mod table;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 use turnleaf_engine::Stock;
 
 use crate::options;
+use crate::report;
 use rows::Source;
 
 /// Seconds of a turn, of what is watched after it, and of a frame.
@@ -35,12 +37,15 @@ const AGAIN: usize = 20;
 
 /// Runs the experiment.
 pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let (mut name, mut markdown, mut plot, mut nodes) = ("book", false, None, NODES[0]);
+    let (mut name, mut markdown, mut nodes) = ("book", false, NODES[0]);
+    let (mut plot, mut pictures, mut into) = (None, None, None);
     let json = options::read(parser, |option, parser| {
         match option {
             "stock" => name = Stock::NAMES[options::choice(parser, option, &Stock::NAMES)?],
             "markdown" => markdown = true,
             "plot" => plot = Some(PathBuf::from(options::text(parser, option)?)),
+            "pictures" => pictures = Some(PathBuf::from(options::text(parser, option)?)),
+            "into" => into = Some(PathBuf::from(options::text(parser, option)?)),
             "nodes" => nodes = options::number(parser, option, 6, 65)?,
             _ => return Ok(false),
         }
@@ -49,20 +54,30 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     let stock = Stock::named(name).expect("a preset");
     // As wide as high, or nearly.
     let rows = NODES[1] * nodes / NODES[0];
-    let figures = compare(stock, name, [nodes, rows.max(4)])?;
+    let figures = compare(stock, name, [nodes, rows.max(4)], pictures.as_deref())?;
     if let Some(path) = plot {
         std::fs::write(&path, plot::svg(&figures))
             .map_err(|error| format!("{} cannot be written: {error}.", path.display()))?;
+    }
+    if let Some(path) = into {
+        report::insert(&path, "models", &table::of(&figures, true))?;
+        report::insert(&path, "replay", &table::replays(&figures))?;
     }
     if json {
         println!("{figures:#}");
     } else {
         print!("{}", table::of(&figures, markdown));
+        print!("\n{}", table::replays(&figures));
     }
     Ok(())
 }
 
-fn compare(stock: Stock, name: &str, nodes: [usize; 2]) -> Result<Value, String> {
+fn compare(
+    stock: Stock,
+    name: &str,
+    nodes: [usize; 2],
+    pictures: Option<&Path>,
+) -> Result<Value, String> {
     let ways = rows::all(stock, nodes, STEP);
     let mut seen = Vec::new();
     for way in &ways {
@@ -73,6 +88,9 @@ fn compare(stock: Stock, name: &str, nodes: [usize; 2]) -> Result<Value, String>
         };
         seen.push(measure::look(way, again)?);
     }
+    if let Some(folder) = pictures {
+        strips::write(folder, &ways, &seen)?;
+    }
     let place = |is: &dyn Fn(&rows::Way) -> bool| {
         ways.iter()
             .position(is)
@@ -80,9 +98,9 @@ fn compare(stock: Stock, name: &str, nodes: [usize; 2]) -> Result<Value, String>
     };
     let reference = &seen[place(&|way| way.is_reference())].tracks;
     let live_of = |way: &rows::Way| {
-        let Source::Record(..) = way.source else {
+        if !matches!(way.source, Source::Record(..) | Source::Condensed(_)) {
             return None;
-        };
+        }
         let same =
             |other: &rows::Way| other.source == Source::Live && other.settings == way.settings;
         Some(&seen[place(&same)])
@@ -106,7 +124,7 @@ fn compare(stock: Stock, name: &str, nodes: [usize; 2]) -> Result<Value, String>
         "points": shape::POINTS,
         "reference_nodes": nodes,
         "reference_step": STEP,
-        "sheet_key_frame_interval": rows::SHEET_INTERVAL,
+        "sheet_key_frame_tolerance": rows::SHEET_TOLERANCE,
         "ways": rows,
     }))
 }

@@ -3,15 +3,15 @@
 use std::f32::consts::FRAC_PI_4;
 
 use turnleaf_engine::{
-    Blend, Discretisation, FrameKind, KeyFrames, LooseLeaf, LooseSettings, ModelKind,
-    PAPER_INTERVAL, Preset, Replay, Side, Stock, Synchronise, TurnBy, TurnModel,
+    Blend, Condensed, Discretisation, FrameKind, KeyFrames, LooseLeaf, LooseSettings, ModelKind,
+    PAPER_INTERVAL, Preset, Replay, Side, Stock, Synchronise, TurnBy, TurnModel, uniform_samples,
 };
 
 use super::{AFTER, FRAME, TURN};
 use crate::specimen::{BREADTH, LENGTH};
 
-/// Seconds between the key frames of a sheet.
-pub const SHEET_INTERVAL: f64 = 1.0 / 30.0;
+/// How far a sheet's key frames may lead from its turn, over the width.
+pub const SHEET_TOLERANCE: f64 = 0.005;
 
 /// How a way comes by its surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +21,9 @@ pub enum Source {
     /// From a record of its model: what a frame holds, seconds between frames,
     /// and how they are blended.
     Record(FrameKind, f64, Blend),
+    /// From key frames of its surface, chosen so that their blend is nowhere
+    /// farther from the turn than a tolerance, over the width.
+    Condensed(f64),
     /// From pictures of a real turn: there is no surface to measure.
     Photographs,
 }
@@ -90,7 +93,7 @@ pub fn all(stock: Stock, nodes: [usize; 2], step: f64) -> Vec<Way> {
         live("sheet", leaf(ModelKind::Sheet)),
         Way {
             name: "replay of sheet",
-            source: Source::Record(FrameKind::Surface, SHEET_INTERVAL, Blend::Hermite),
+            source: Source::Condensed(SHEET_TOLERANCE),
             settings: leaf(ModelKind::Sheet),
         },
         shell("shell", Discretisation::Grid),
@@ -118,6 +121,20 @@ impl Way {
                 let mut leaf = self.leaf(by, self.settings.interpolate)?;
                 leaf.play(by, Side::Right, TURN as f32);
                 Box::new(leaf)
+            }
+            Source::Condensed(tolerance) => {
+                // As close as the model's own steps.
+                let step = f64::from(self.leaf(by, true)?.time_step());
+                let frames = self.record(by, FrameKind::Surface, step)?;
+                let (u, v) = (
+                    uniform_samples(frames.columns),
+                    uniform_samples(frames.rows),
+                );
+                let condensed = Condensed::of(&frames, &u, &v, tolerance as f32)
+                    .map_err(|error| error.to_string())?;
+                let mut frames = condensed.frames;
+                frames.positions.shrink_to_fit();
+                Box::new(Replay::new(frames, Blend::Hermite, FRAME as f32))
             }
             Source::Record(kind, interval, blend) => {
                 let frames = self.record(by, kind, interval)?;

@@ -29,11 +29,30 @@ pub fn of(figures: &Value, markdown: bool) -> String {
     crate::report::table(&rows, markdown)
 }
 
+/// What replays are beside the live leaf that they repeat, a line each.
+pub fn replays(figures: &Value) -> String {
+    let mut text = String::new();
+    for way in figures["ways"].as_array().into_iter().flatten() {
+        let of_live = &way["of_live"];
+        if of_live.is_object() {
+            let percent = |value: &Value| figure(value.as_f64().map(|value| 100.0 * value));
+            text.push_str(&format!(
+                "- {}: {} times cheaper than the live leaf, and from it {} % RMS and {} % at worst.\n",
+                way["name"].as_str().unwrap_or_default(),
+                figure(of_live["times_cheaper"].as_f64()),
+                percent(&of_live["rms"]),
+                percent(&of_live["worst"])
+            ));
+        }
+    }
+    text
+}
+
 fn row(way: &Value) -> Vec<String> {
     let name = way["name"].as_str().unwrap_or_default().to_string();
     if way["measured"] != true {
         return std::iter::once(name)
-            .chain(HEADINGS[1..].iter().map(|_| "no surface".to_string()))
+            .chain(HEADINGS[1..].iter().map(|_| "none".to_string()))
             .collect();
     }
     let part = |value: &Value| figure(value.as_f64().map(|value| 100.0 * value));
@@ -43,7 +62,11 @@ fn row(way: &Value) -> Vec<String> {
         }
         part(&way["turns"][turn]["worst"])
     };
-    let yes = |value: &Value| if value == true { "yes" } else { "no" }.to_string();
+    let spine = if way["keeps_spine"] == true {
+        "yes".to_string()
+    } else {
+        format!("but for {} %", part(&way["spine_off"]))
+    };
     vec![
         name,
         figure(way["us_per_frame"].as_f64()),
@@ -66,7 +89,7 @@ fn row(way: &Value) -> Vec<String> {
         part(&way["area_change"]),
         figure(way["angle_defect_degrees"].as_f64()),
         figure(way["facet_angle_degrees"].as_f64()),
-        yes(&way["keeps_spine"]),
+        spine,
         match way["drag_miss"].as_f64() {
             Some(_) => part(&way["drag_miss"]),
             None => "-".into(),

@@ -13,7 +13,8 @@ use turnleaf_engine::{Surface, TurnModel};
 
 use crate::options::{self, Scene};
 use crate::simulate;
-use camera::Camera;
+pub use camera::Camera;
+pub use draw::moment as paint;
 
 /// One moment of the turn, in units of the leaf's width.
 pub struct Moment {

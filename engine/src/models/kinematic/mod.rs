@@ -36,7 +36,7 @@ use lead::Lead;
 use pose::pose;
 
 /// How conical a cone is when a timed turn leads a corner.
-const BY_CORNER: f64 = 0.55;
+const BY_CORNER: f64 = 0.3;
 
 /// Nearest to the spine that a leaf can be led, as part of the width: what is
 /// bound there does not move.

@@ -1,0 +1,91 @@
+//! Each way at the same five moments of the turn by the corner, side by side.
+
+use std::path::Path;
+
+use tiny_skia::{Pixmap, PixmapPaint, Transform};
+use turnleaf_engine::Surface;
+
+use super::FRAME;
+use super::measure::Seen;
+use super::rows::Way;
+use super::shape::POINTS;
+use crate::picture::{Camera, Moment, paint};
+use crate::specimen::{BREADTH, LENGTH};
+
+/// Frames that are drawn: a fifth of a second after the start, and so on.
+const FRAMES: [usize; 5] = [15, 27, 36, 45, 57];
+
+/// Width of one moment, pixels. It is drawn twice as large.
+const WIDTH: u32 = 230;
+
+/// The turn that is drawn, among the three.
+const CORNER: usize = 1;
+
+/// Name of the file of a way's strip.
+fn file(name: &str) -> String {
+    format!("{}.png", name.replace(',', "").replace(' ', "-"))
+}
+
+/// Writes a strip for each way that has a surface.
+pub fn write(folder: &Path, ways: &[Way], seen: &[Seen]) -> Result<(), String> {
+    std::fs::create_dir_all(folder)
+        .map_err(|error| format!("The folder {} cannot be made: {error}.", folder.display()))?;
+    let page = (BREADTH / LENGTH) as f32;
+    let moments: Vec<Vec<Moment>> = seen.iter().map(moments).collect();
+    let reference = ways.iter().position(Way::is_reference);
+    let Some(reference) = reference else {
+        return Err("There is no reference among the ways.".into());
+    };
+    // One camera for all: a leaf that flies apart leaves the picture.
+    let camera = Camera::around(&moments[reference], page, 2 * WIDTH);
+    for (way, moments) in ways.iter().zip(&moments) {
+        if moments.is_empty() {
+            continue;
+        }
+        let strip = strip(moments, page, &camera);
+        let path = folder.join(file(way.name));
+        strip
+            .save_png(&path)
+            .map_err(|error| format!("{} cannot be written: {error}.", path.display()))?;
+    }
+    Ok(())
+}
+
+fn moments(seen: &Seen) -> Vec<Moment> {
+    let Some(track) = seen.tracks.get(CORNER) else {
+        return Vec::new();
+    };
+    let moment = |frame: usize| {
+        let mut surface = Surface::new(POINTS, POINTS);
+        let places = track[frame - 1].as_flattened();
+        for (x, place) in surface.positions.iter_mut().zip(places) {
+            *x = (place / LENGTH) as f32;
+        }
+        surface.update_normals();
+        Moment {
+            time: (frame as f64 * FRAME) as f32,
+            grid: (0, 0),
+            masses: Vec::new(),
+            mesh: (POINTS, POINTS),
+            points: surface.positions.as_chunks::<3>().0.to_vec(),
+            normals: surface.normals.as_chunks::<3>().0.to_vec(),
+        }
+    };
+    FRAMES.map(moment).into()
+}
+
+fn strip(moments: &[Moment], page: f32, camera: &Camera) -> Pixmap {
+    let (width, height) = (camera.size.0 / 2, camera.size.1 / 2);
+    let count = moments.len() as u32;
+    let mut strip = Pixmap::new(width * count, height).expect("a picture has a size");
+    for (k, moment) in moments.iter().enumerate() {
+        let place = Transform::from_scale(0.5, 0.5).post_translate((k as u32 * width) as f32, 0.0);
+        let paint_as = PixmapPaint {
+            quality: tiny_skia::FilterQuality::Bilinear,
+            ..PixmapPaint::default()
+        };
+        let picture = paint(moment, page, camera);
+        strip.draw_pixmap(0, 0, picture.as_ref(), &paint_as, place, None);
+    }
+    strip
+}
