@@ -8,6 +8,7 @@ use super::mesh::Mesh;
 use super::seat::{lift, lift_edges, seat};
 use crate::grid::Side;
 use crate::surface::Surface;
+use crate::vector::{dot, sub};
 
 /// Drawn leaves that go through each other by less than this, metres, touch: so much
 /// comes of rounding.
@@ -99,6 +100,7 @@ impl Flight {
 
     /// Draws the leaf as it is now, between the piles (right and left).
     pub fn draw(&mut self, [right, left]: [&Pile; 2]) {
+        self.held_back = false;
         self.leaf.write_surface(&mut self.surface);
         seat(&mut self.surface.positions, right, left);
         self.surface.update_normals();
@@ -192,9 +194,21 @@ impl Flight {
         self.surface.update_normals();
     }
 
+    /// How far what is drawn is from where it would be if it were not held back, metres.
+    pub fn lag(&self) -> f32 {
+        if !self.held_back {
+            return 0.0;
+        }
+        let points = [&self.surface.positions, &self.wanted].map(|p| p.as_chunks::<3>().0);
+        let apart = points[0].iter().zip(points[1]).map(|(p, q)| {
+            let away = sub(*p, *q);
+            dot(away, away)
+        });
+        apart.fold(0.0, f32::max).sqrt()
+    }
+
     /// Keeps what is drawn now, as the way to the next begins there.
     pub fn show(&mut self) {
-        self.held_back = false;
         self.shown.clone_from(&self.surface.positions);
         self.surface.touch();
     }

@@ -249,6 +249,12 @@ impl Book {
         Some(flight.leaf().seated().depth)
     }
 
+    /// How far what is drawn of the flight at `index`, counted from the left, is from
+    /// where its paper is, metres, as it would be drawn through another leaf there.
+    pub fn lag(&self, index: usize) -> Option<f32> {
+        self.flights.order().get(index).map(|flight| flight.lag())
+    }
+
     /// The front board (0) or the back board (any other number).
     pub fn board_mut(&mut self, number: u32) -> &mut Board {
         &mut self.boards[number.min(1) as usize]

@@ -12,6 +12,9 @@ use turnleaf_engine::Stock;
 use crate::options;
 use scene::Outcome;
 
+/// What is drawn farther than this behind the paper, metres, is counted as behind.
+const BEHIND: f32 = 1e-3;
+
 /// The outcome of a seed on a stock, by its place among the names.
 struct Played {
     seed: u64,
@@ -86,6 +89,13 @@ fn figures(played: &[&Played]) -> Value {
     let most = |value: fn(&Outcome) -> f32| of(value).last().copied().unwrap_or(0.0);
     let frames = || played.iter().flat_map(|one| one.outcome.frames.iter());
     let times = sorted(frames().map(|frame| frame.1 as f32 * 1e6).collect());
+    let lags = sorted(
+        played
+            .iter()
+            .flat_map(|one| one.outcome.lags.clone())
+            .collect(),
+    );
+    let behind = lags.iter().filter(|lag| **lag > BEHIND).count();
     let leaves = frames().map(|frame| frame.0).max().unwrap_or(0);
     let by_leaves: Vec<Value> = (1..=leaves)
         .map(|leaves| {
@@ -110,6 +120,9 @@ fn figures(played: &[&Played]) -> Value {
         "solver_penetration_median_mm": 1e3 * at(&of(|outcome| outcome.depth), 0.5),
         "solver_penetration_p90_mm": 1e3 * at(&of(|outcome| outcome.depth), 0.9),
         "solver_penetration_p99_mm": 1e3 * at(&of(|outcome| outcome.depth), 0.99),
+        "frames_behind_share": behind as f64 / lags.len().max(1) as f64,
+        "drawn_behind_p99_mm": 1e3 * at(&lags, 0.99),
+        "drawn_behind_worst_mm": 1e3 * at(&lags, 1.0),
         "seconds_to_rest_median": at(&of(|outcome| outcome.rest), 0.5),
         "seconds_to_rest_worst": most(|outcome| outcome.rest),
         "finite": played.iter().all(|one| one.outcome.finite),

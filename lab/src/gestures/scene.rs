@@ -40,6 +40,8 @@ pub struct Outcome {
     pub frames: Vec<(usize, f64)>,
     /// Most leaves in flight at once.
     pub leaves: usize,
+    /// How far what is drawn is behind the paper in each frame, at most, metres.
+    pub lags: Vec<f32>,
     /// Seconds from when all were let go until all lay still.
     pub rest: f32,
 }
@@ -249,6 +251,9 @@ impl Scene {
         let drawn = (0..self.book.flights()).filter_map(|index| self.book.surface(index));
         let finite = |surface: &Surface| surface.positions.iter().all(|x| x.is_finite());
         self.outcome.finite &= { drawn }.all(finite);
+        let lag = |index: usize| self.book.lag(index).unwrap_or(0.0);
+        let lag = (0..self.book.flights()).map(lag).fold(0.0, f32::max);
+        self.outcome.lags.push(lag);
         self.outcome.drawn = self.outcome.drawn.worse(measure(&self.book));
     }
 
