@@ -341,7 +341,10 @@ export class TurnleafBook extends ReaderElement {
       onRest: (from, to) => this.#rested(from, to),
       onFailure: (sentence) => this.#words?.announce(sentence),
       onLayout: () => this.#laidOut(),
-      onMotion: this.#senses.follow,
+      onMotion: (...frame) => {
+        this.#senses.follow(...frame);
+        this.filmed();
+      },
       onLack: (error) => this.#lack(error),
       onZoom: (zoom) => this.emit("zoomchange", { zoom }),
     };

@@ -9,6 +9,7 @@ import {
 } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
 import { cleanBookmarks } from "./bookmarks.ts";
+import type { Film, RecordOptions } from "./film.ts";
 import type { OpenBook } from "./life.ts";
 import type { Place } from "./place.ts";
 import type { PrintOptions } from "./print.ts";
@@ -33,6 +34,7 @@ export abstract class ReaderElement extends ReflectingElement {
     this.emit("playchange", { playing: this.#show.playing }),
   );
   #bookmarks: readonly number[] = [];
+  #film: Film | null = null;
 
   /** Number of pages; 0 until the book is open. */
   get pageCount(): number {
@@ -182,6 +184,47 @@ export abstract class ReaderElement extends ReflectingElement {
     return await downloadFile(source);
   }
 
+  /**
+   * Records a film of the book as it is shown, until `stopRecording()`, or for so many seconds. Resolves to
+   * the film, WebM where the browser writes it. Rejects with a `BookError` where no book is open, one is
+   * recorded already, or the browser cannot.
+   * @param options `seconds` (0.1 to 600) ends it by itself
+   */
+  async record(options: RecordOptions = {}): Promise<Blob> {
+    const { Film } = await loaded(import("./film.ts"));
+    const { book } = this;
+    if (!book || this.#film) {
+      const sentence = book
+        ? "A film is recorded already."
+        : "There is no book to record; open one.";
+      throw new BookError(sentence);
+    }
+    const film = new Film(() => this.book?.canvas, options);
+    this.#film = film;
+    // What lies still is drawn once, to be seen.
+    book.viewer.invalidate();
+    try {
+      return await film.done;
+    } finally {
+      this.#film = null;
+    }
+  }
+
+  /** Ends the film that `record()` began. */
+  stopRecording(): void {
+    this.#film?.stop();
+  }
+
+  /** Whether a film is recorded. */
+  get recording(): boolean {
+    return this.#film !== null;
+  }
+
+  /** The book is about to be drawn. */
+  protected filmed(): void {
+    this.#film?.frame();
+  }
+
   /** Fills the screen with the element, or leaves full screen. Resolves to whether the browser let it. */
   async toggleFullscreen(): Promise<boolean> {
     try {
@@ -216,6 +259,7 @@ export abstract class ReaderElement extends ReflectingElement {
   /** The element leaves its document, its book still open. */
   protected disconnectReader(): void {
     this.pause();
+    this.stopRecording();
     this.#place?.leave();
   }
 

@@ -1,0 +1,166 @@
+/** A film of what the book shows, recorded as it is drawn. */
+
+import { BookError } from "../sources/page_source.ts";
+
+/** How a film is recorded. */
+export interface RecordOptions {
+  /** Seconds after which it ends by itself, 0.1 to 600; else it goes on until `stopRecording()`. */
+  readonly seconds?: number;
+}
+
+/** What is written, the best first. */
+const types = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", "video/mp4"];
+
+const bitsPerSecond = 12e6;
+
+/** Most pixels along a side: what encoders take. */
+const mostAlong = 1920;
+
+/** Frames that a film goes on for once it shall end: the encoder is that far behind. */
+const lastFrames = 3;
+
+/** One film, from the next frame of the book until it is stopped. */
+export class Film {
+  /** Resolves to the film. Rejects with a `BookError` where the browser fails to make it. */
+  readonly done: Promise<Blob>;
+  readonly #source: () => HTMLCanvasElement | undefined;
+  readonly #type: string;
+  readonly #canvas = document.createElement("canvas");
+  readonly #timer: number | undefined;
+  #ended!: { resolve: (film: Blob) => void; reject: (error: Error) => void };
+  /** Null until the book is drawn first. */
+  #recorder: MediaRecorder | null = null;
+  /** The animation frame asked for. */
+  #next = 0;
+  /** Frames until it ends, once it shall. */
+  #left = 0;
+
+  /**
+   * @param source the canvas on which the book is drawn now
+   * @throws BookError where the browser cannot record
+   */
+  constructor(source: () => HTMLCanvasElement | undefined, { seconds }: RecordOptions) {
+    const type =
+      globalThis.MediaRecorder && types.find((type) => MediaRecorder.isTypeSupported(type));
+    const shown = source();
+    if (!type || !shown?.captureStream) {
+      throw new BookError("This browser cannot record a film; use a newer one.");
+    }
+    this.#source = source;
+    this.#type = type;
+    const { clientWidth, clientHeight } = shown;
+    const scale = Math.min(devicePixelRatio, mostAlong / Math.max(clientWidth, clientHeight, 1));
+    // Encoders take even sizes alone.
+    this.#canvas.width = 2 * Math.max(Math.round((clientWidth * scale) / 2), 1);
+    this.#canvas.height = 2 * Math.max(Math.round((clientHeight * scale) / 2), 1);
+    this.done = new Promise((resolve, reject) => {
+      this.#ended = { resolve, reject };
+    });
+    if (seconds !== undefined) {
+      const length = Math.min(Math.max(seconds, 0.1), 600) || 0.1;
+      this.#timer = window.setTimeout(() => this.stop(), 1000 * length);
+    }
+  }
+
+  /** The book is about to be drawn: the film takes what is then on its canvas. */
+  frame(): void {
+    // In the same task: later the canvas may be cleared already.
+    queueMicrotask(() => {
+      this.#paint();
+      this.#recorder ??= this.#begin();
+    });
+  }
+
+  /** Ends the film, once it has what is seen now. */
+  stop(): void {
+    clearTimeout(this.#timer);
+    if (this.#recorder === null) {
+      this.#ended.reject(new BookError("The film was ended before the book was drawn."));
+    } else if (document.hidden) this.#recorder.stop();
+    else this.#left ||= lastFrames;
+  }
+
+  #begin(): MediaRecorder {
+    const stream = this.#canvas.captureStream(0);
+    const track = stream.getVideoTracks()[0] as CanvasCaptureMediaStreamTrack;
+    const options = { mimeType: this.#type, videoBitsPerSecond: bitsPerSecond };
+    const recorder = new MediaRecorder(stream, options);
+    const parts: Blob[] = [];
+    const end = (): void => {
+      clearTimeout(this.#timer);
+      cancelAnimationFrame(this.#next);
+      track.stop();
+    };
+    recorder.ondataavailable = ({ data }) => void parts.push(data);
+    recorder.onstop = () => {
+      end();
+      this.#ended.resolve(new Blob(parts, { type: this.#type.split(";")[0] }));
+    };
+    recorder.onerror = () => {
+      end();
+      this.#ended.reject(new BookError("The film could not be recorded."));
+    };
+    recorder.start();
+    // What lies still is filmed too, frame by frame: a film lasts as long as it was recorded.
+    const go = (): void => {
+      this.#canvas.getContext("2d")?.drawImage(this.#canvas, 0, 0);
+      track.requestFrame();
+      this.#next = requestAnimationFrame(() => {
+        if (this.#left > 0 && --this.#left === 0) recorder.stop();
+        else go();
+      });
+    };
+    go();
+    return recorder;
+  }
+
+  #paint(): void {
+    const { width, height } = this.#canvas;
+    const pen = this.#canvas.getContext("2d");
+    const shown = this.#source();
+    if (!pen || !shown) return;
+    paintGround(pen, shown, width, height);
+    if (shown.width > 0 && shown.height > 0) pen.drawImage(shown, 0, 0, width, height);
+  }
+}
+
+/** Paints what is seen about the book: the nearest ground behind it, plain or as the desk's. */
+function paintGround(
+  pen: CanvasRenderingContext2D,
+  shown: HTMLCanvasElement,
+  width: number,
+  height: number,
+): void {
+  pen.fillStyle = "#fff";
+  let at: Element | null = shown;
+  while (at) {
+    const { backgroundColor, backgroundImage } = getComputedStyle(at);
+    const desk =
+      /^radial-gradient\((?:ellipse )?at (\d+)% (\d+)%, (rgb.*?\)), (rgb.*?\)) (\d+)%\)$/.exec(
+        backgroundImage,
+      );
+    if (desk) {
+      const [, x = 50, y = 50, inner = "", outer = "", end = 100] = desk;
+      const [left, top] = [(width * Number(x)) / 100, (height * Number(y)) / 100];
+      // To the farthest corner, as CSS has it.
+      const reach = Math.SQRT2;
+      const gradient = pen.createRadialGradient(0, 0, 0, 0, 0, reach);
+      gradient.addColorStop(0, inner);
+      gradient.addColorStop(Math.min(Number(end) / 100, 1), outer);
+      const [across, down] = [Math.max(left, width - left), Math.max(top, height - top)];
+      pen.save();
+      pen.translate(left, top);
+      pen.scale(across, down);
+      pen.fillStyle = gradient;
+      pen.fillRect(-2, -2, 4, 4);
+      pen.restore();
+      return;
+    }
+    if (!/^(?:transparent|rgba\(.*, 0\))$/.test(backgroundColor)) {
+      pen.fillStyle = backgroundColor;
+      break;
+    }
+    at = at.parentElement ?? (at.getRootNode() as ShadowRoot).host ?? null;
+  }
+  pen.fillRect(0, 0, width, height);
+}
