@@ -24,6 +24,8 @@ pub struct Loose {
     /// Kinetic, bending and gravity energy, J; largest stretch and compression.
     figures: [f64; 5],
     record: Vec<u8>,
+    /// Places of columns, then of rows.
+    samples: Vec<f32>,
 }
 
 /// Why the last leaf could not be made.
@@ -116,6 +118,7 @@ pub unsafe extern "C" fn tl_leaf_new(figures: *mut [f64; FIGURES]) -> *mut Loose
                 velocities: Vec::new(),
                 figures: [0.0; 5],
                 record: Vec::new(),
+                samples: Vec::new(),
             };
             update(&mut loose);
             Box::into_raw(Box::new(loose))
@@ -186,6 +189,17 @@ macro_rules! leaf_functions {
 leaf_functions! {
     /// Lays the leaf flat and still on a side.
     fn tl_leaf_lay(loose, on: u32) { loose.leaf.lay_flat(side(on)) }
+    /// Room for the places of `columns` and `rows` of points, f32: first those.
+    fn tl_leaf_samples(loose, columns: usize, rows: usize) -> *mut f32 {
+        loose.samples.resize(columns + rows, 0.0);
+        loose.samples.as_mut_ptr()
+    }
+    /// Draws at the places in that room, of which `columns` are those of columns;
+    /// 0 where they are none.
+    fn tl_leaf_draw(loose, columns: usize) -> u32 {
+        let (u, v) = loose.samples.split_at(columns.min(loose.samples.len()));
+        loose.leaf.draw_samples(u, v).is_ok().into()
+    }
     /// Starts a turn (0 edge, 1 corner, 2 corner let go half-way) from a side.
     fn tl_leaf_play(loose, by: u32, from: u32, seconds: f32) {
         let seconds = if seconds > 0.01 { seconds.min(3600.0) } else { 0.01 };

@@ -119,6 +119,17 @@ impl Body {
         }
     }
 
+    /// Draws at every pair of `u` and `v`; a mass-spring leaf that draws its nodes
+    /// goes on to.
+    pub fn draw_samples(&mut self, u: &[f32], v: &[f32]) {
+        match self {
+            Self::Kinematic(leaf) => leaf.draw_samples(u, v),
+            Self::Springs(leaf) => leaf.draw_samples(u, v),
+            Self::Sheet(leaf) => leaf.draw_samples(u, v),
+            Self::Shell(leaf) => leaf.draw_samples(u, v),
+        }
+    }
+
     /// Lays it flat and still on a side, nothing holding it.
     pub fn lay_flat(&mut self, side: Side) {
         match self {

@@ -112,6 +112,27 @@ impl LooseLeaf {
         self.turn = None;
     }
 
+    /// Draws at every pair of `u` (0 spine, 1 fore-edge) and `v` (0 foot, 1 head)
+    /// instead of evenly. A mass-spring leaf without interpolation goes on to draw
+    /// its nodes, and a record under way ends.
+    ///
+    /// # Errors
+    /// Where they are fewer than 2 or more than 1024 a side, do not rise, or leave
+    /// 0..1; in a sentence.
+    pub fn draw_samples(&mut self, u: &[f32], v: &[f32]) -> Result<(), InvalidLoose> {
+        for samples in [u, v] {
+            let rising = samples.windows(2).all(|pair| pair[0] < pair[1]);
+            let inside = samples.iter().all(|at| (0.0..=1.0).contains(at));
+            if !(2..=1024).contains(&samples.len()) || !rising || !inside {
+                let sentence = "A leaf is drawn at 2 to 1024 places a side that rise from 0 to 1.";
+                return Err(InvalidLoose(sentence.into()));
+            }
+        }
+        self.body.draw_samples(u, v);
+        self.record = None;
+        Ok(())
+    }
+
     /// Starts a turn that takes `seconds`, from a side, on which the leaf is laid.
     ///
     /// # Panics

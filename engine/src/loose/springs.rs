@@ -19,6 +19,7 @@ const PACE: f32 = 10.0;
 #[derive(Clone, Debug)]
 pub(super) struct Springs {
     leaf: MassSpring,
+    interpolate: bool,
     /// Metres of a unit.
     unit: f32,
     /// Its seconds in a second.
@@ -59,19 +60,23 @@ impl Springs {
                 ..
             } => (*gravity, *carried) = (settings.gravity as f32, *carried * air),
         }
-        let mut leaf = MassSpring::new(own)?;
-        if settings.interpolate {
-            let [u, v] = settings.samples.map(uniform_samples);
-            leaf.draw_samples(&u, &v);
-        } else {
-            leaf.draw_nodes();
-        }
-        Ok(Self {
-            leaf,
+        let mut springs = Self {
+            leaf: MassSpring::new(own)?,
+            interpolate: settings.interpolate,
             unit,
             pace,
             held: Vec::new(),
-        })
+        };
+        springs.leaf.draw_nodes();
+        let [u, v] = settings.samples.map(uniform_samples);
+        springs.draw_samples(&u, &v);
+        Ok(springs)
+    }
+
+    pub fn draw_samples(&mut self, u: &[f32], v: &[f32]) {
+        if self.interpolate {
+            self.leaf.draw_samples(u, v);
+        }
     }
 
     pub fn lay_flat(&mut self, side: crate::grid::Side) {

@@ -114,6 +114,25 @@ fn a_record_holds_what_was_drawn() {
 }
 
 #[test]
+fn a_leaf_is_drawn_where_it_is_asked_to_be() {
+    let (u, v) = ([0.0, 0.1, 0.7, 1.0], [0.0, 0.4, 1.0]);
+    for settings in all() {
+        let mut leaf = LooseLeaf::new(settings.clone()).unwrap();
+        leaf.draw_samples(&u, &v).unwrap();
+        let surface = drawn(&mut leaf);
+        if settings.kind != ModelKind::MassSpring || settings.interpolate {
+            assert_eq!((surface.columns, surface.rows), (4, 3));
+            let [x, y, _] = surface.position(2, 1);
+            assert!((f64::from(x) - 0.7 * SIZE[0]).abs() < 1e-6);
+            assert!((f64::from(y) - 0.4 * SIZE[1]).abs() < 1e-6);
+        }
+        for bad in [&[0.0][..], &[0.5, 0.5], &[0.0, 1.5], &[f32::NAN, 1.0]] {
+            assert!(leaf.draw_samples(bad, &v).is_err());
+        }
+    }
+}
+
+#[test]
 fn a_flat_leaf_has_no_energy_and_no_strain() {
     for settings in all() {
         let leaf = LooseLeaf::new(settings).unwrap();

@@ -68,32 +68,70 @@ pub fn svg(figures: &Value) -> String {
         "<text transform=\"translate(18 {}) rotate(-90)\" text-anchor=\"middle\">RMS distance from the shell, over the width</text>",
         0.5 * (top + SIZE[1] - bottom)
     ));
-    let mut taken: Vec<[f64; 2]> = Vec::new();
-    for dot in &dots {
-        let at = [x(dot.cost), y(dot.away)];
+    let places: Vec<[f64; 2]> = dots.iter().map(|dot| [x(dot.cost), y(dot.away)]).collect();
+    let mut taken: Vec<[f64; 4]> = places
+        .iter()
+        .map(|[x, y]| [x - 6.0, y - 6.0, x + 6.0, y + 6.0])
+        .collect();
+    for (dot, [at_x, at_y]) in dots.iter().zip(&places) {
         parts.push(format!(
-            "<circle cx=\"{:.1}\" cy=\"{:.1}\" r=\"5\" fill=\"#b5482f\"/>",
-            at[0], at[1]
+            "<circle cx=\"{at_x:.1}\" cy=\"{at_y:.1}\" r=\"5\" fill=\"#b5482f\"/>"
         ));
-        let right_half = at[0] > 0.62 * SIZE[0];
-        let (anchor, side) = if right_half {
-            ("end", -10.0)
-        } else {
-            ("start", 10.0)
-        };
-        let mut label = [at[0] + side, at[1] + 4.0];
-        // Names that would lie on one another go below one another.
-        while taken
-            .iter()
-            .any(|other| (other[1] - label[1]).abs() < 14.0 && (other[0] - label[0]).abs() < 170.0)
-        {
-            label[1] += 15.0;
+        let label = place_label([*at_x, *at_y], &dot.name, &taken);
+        if (label.y - at_y).abs() > 10.0 {
+            parts.push(format!(
+                "<path d=\"M{:.1} {:.1}L{at_x:.1} {at_y:.1}\" stroke=\"#b5482f\" stroke-width=\"0.7\"/>",
+                label.x, label.y
+            ));
         }
-        taken.push(label);
-        parts.push(text(label[0], label[1], anchor, &dot.name));
+        taken.push(label.covers);
+        let anchor = if label.leftward { "end" } else { "start" };
+        parts.push(text(label.x, label.y + 4.0, anchor, &dot.name));
     }
     parts.push("</svg>\n".into());
     parts.join("\n")
+}
+
+/// Where a name stands.
+struct Label {
+    x: f64,
+    y: f64,
+    leftward: bool,
+    /// Left, top, right, bottom.
+    covers: [f64; 4],
+}
+
+/// Puts a name beside its dot, or as little above or below as leaves what is
+/// `taken` free.
+fn place_label([x, y]: [f64; 2], name: &str, taken: &[[f64; 4]]) -> Label {
+    let wide = 6.7 * name.len() as f64;
+    let at = |apart: f64, leftward: bool| {
+        let start = if leftward { x - 10.0 } else { x + 10.0 };
+        let (left, right) = if leftward {
+            (start - wide, start)
+        } else {
+            (start, start + wide)
+        };
+        Label {
+            x: start,
+            y: y + apart,
+            leftward,
+            covers: [left, y + apart - 7.0, right, y + apart + 7.0],
+        }
+    };
+    let free = |label: &Label| {
+        let [left, top, right, bottom] = label.covers;
+        let inside = left > MARGINS[0] && right < SIZE[0] && top > 0.0;
+        inside
+            && taken.iter().all(|other| {
+                right < other[0] || other[2] < left || bottom < other[1] || other[3] < top
+            })
+    };
+    let steps = (0..12).flat_map(|k| [f64::from(k) * 15.0, f64::from(k) * -15.0]);
+    steps
+        .flat_map(|apart| [at(apart, false), at(apart, true)])
+        .find(free)
+        .unwrap_or_else(|| at(0.0, false))
 }
 
 fn line(x1: f64, y1: f64, x2: f64, y2: f64) -> String {
@@ -110,5 +148,35 @@ fn number(value: f64) -> String {
         format!("{value:.0}")
     } else {
         format!("{value}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn names_do_not_lie_on_one_another() {
+        let way =
+            |name: &str| json!({ "name": name, "measured": true, "us_per_frame": 2.0, "rms": 0.1 });
+        let picture = svg(&json!({ "ways": [
+            way("one"),
+            way("another"),
+            way("a third"),
+            json!({ "name": "far", "measured": true, "us_per_frame": 2000.0, "rms": 0.01 }),
+            json!({ "name": "none", "measured": false }),
+        ] }));
+        assert!(picture.starts_with("<svg") && picture.ends_with("</svg>\n"));
+        let place = |name: &str| {
+            let line = picture
+                .lines()
+                .find(|line| line.contains(&format!(">{name}<")));
+            line.and_then(|line| line.split('>').next())
+                .expect("its name")
+        };
+        let places = ["one", "another", "a third"].map(place);
+        assert!(places[0] != places[1] && places[1] != places[2] && places[0] != places[2]);
+        assert!(!picture.contains("none"));
     }
 }

@@ -48,6 +48,18 @@ test("a hand leads a leaf, and what it lets go of falls", async () => {
   }
 });
 
+test("a leaf is drawn where it is asked to be", async () => {
+  const leaf = await LooseLeaf.create({ model: "sheet" });
+  leaf.drawAt([0, 0.1, 0.7, 1], new Float32Array([0, 0.4, 1]));
+  leaf.update();
+  const { columns, rows, positions } = leaf.surface();
+  expect([columns, rows]).toEqual([4, 3]);
+  expect(positions[3 * 6]).toBeCloseTo(0.7 * 0.148, 6);
+  expect(positions[3 * 6 + 1]).toBeCloseTo(0.4 * 0.21, 6);
+  expect(() => leaf.drawAt([0, 0], [0, 1])).toThrow(RangeError);
+  leaf.destroy();
+});
+
 test("a record is a file of key frames", async () => {
   const leaf = await LooseLeaf.create({ model: "cone", points: [5, 4] });
   leaf.play("corner", "right", 0.5);

@@ -149,6 +149,8 @@ interface Exports {
   /** Called by the golden test alone. */
   tl_leaf_hash(kind: number): bigint;
   tl_leaf_lay(leaf: number, side: number): void;
+  tl_leaf_samples(leaf: number, columns: number, rows: number): number;
+  tl_leaf_draw(leaf: number, columns: number): number;
   tl_leaf_play(leaf: number, by: number, from: number, seconds: number): void;
   tl_leaf_playing(leaf: number): number;
   tl_leaf_grab(leaf: number, u: number, v: number): void;
@@ -263,6 +265,22 @@ export class LooseLeaf {
   /** Lays the leaf flat and still on a side, nothing holding it. */
   lay(side: LeafSide): void {
     this.#wasm.tl_leaf_lay(this.#leaf, sideNumber(side));
+  }
+
+  /**
+   * Draws at every pair of `u` and `v` instead of evenly, each 2 to 1024 numbers
+   * that rise within 0 to 1. Mass-spring without interpolation goes on to draw its
+   * nodes. Ends a record under way.
+   * @throws RangeError where they are not such
+   */
+  drawAt(u: ArrayLike<number>, v: ArrayLike<number>): void {
+    const [wasm, leaf] = [this.#wasm, this.#leaf];
+    const places = [...Array.from(u), ...Array.from(v)];
+    const room = wasm.tl_leaf_samples(leaf, u.length, v.length);
+    new Float32Array(wasm.memory.buffer, room, places.length).set(places);
+    if (wasm.tl_leaf_draw(leaf, u.length) === 0) {
+      throw new RangeError("A leaf is drawn at 2 to 1024 places a side that rise from 0 to 1.");
+    }
   }
 
   /** Lays the leaf on a side and starts a turn to the other one that takes `seconds`, 0.01 to 3600. */
