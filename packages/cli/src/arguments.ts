@@ -53,7 +53,13 @@ export function parseCommand(args: readonly string[]): Command {
   if (own) {
     const [, ...rest] = args;
     const asksHelp = rest.some((arg) => arg === "--help" || arg === "-h");
-    return asksHelp ? { name: "help", text: own.help } : own.parse(rest);
+    if (asksHelp) return { name: "help", text: own.help };
+    try {
+      return own.parse(rest);
+    } catch (error) {
+      if (error instanceof UsageProblem) error.help = own.help;
+      throw error;
+    }
   }
   const { values, positionals } = parse(args);
   if (values.help) return { name: "help", text: help };

@@ -1,8 +1,6 @@
 #!/usr/bin/env node
 import packageJson from "../package.json" with { type: "json" };
 import { help, parseCommand } from "./arguments.ts";
-import { bake } from "./bake/bake.ts";
-import { film } from "./film/film.ts";
 import { interrupted } from "./interrupted.ts";
 import { Problem, UsageProblem } from "./problem.ts";
 import { read } from "./read.ts";
@@ -11,16 +9,20 @@ async function main(): Promise<void> {
   const command = parseCommand(process.argv.slice(2));
   if (command.name === "help") console.log(command.text.trimEnd());
   else if (command.name === "version") console.log(packageJson.version);
-  else if (command.name === "film") await film(command, interrupted());
-  else if (command.name === "bake") await bake(command, interrupted());
-  else await read(command.path, command.port, command.opens);
+  else if (command.name === "film") {
+    const { film } = await import("./film/film.ts");
+    await film(command, interrupted());
+  } else if (command.name === "bake") {
+    const { bake } = await import("./bake/bake.ts");
+    await bake(command, interrupted());
+  } else await read(command.path, command.port, command.opens);
 }
 
 try {
   await main();
 } catch (error) {
   if (error instanceof UsageProblem) {
-    console.error(`${error.message}\n\n${help.trimEnd()}`);
+    console.error(`${error.message}\n\n${(error.help ?? help).trimEnd()}`);
     process.exitCode = 2;
   } else if (error instanceof Problem) {
     console.error(error.message);

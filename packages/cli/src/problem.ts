@@ -2,7 +2,10 @@
 export class Problem extends Error {}
 
 /** The command was not understood: status 2. */
-export class UsageProblem extends Error {}
+export class UsageProblem extends Error {
+  /** What may be said, where that is known better than by the command as a whole. */
+  help: string | undefined;
+}
 
 // biome-ignore lint/suspicious/noControlCharactersInRegex: they are what is removed
 const unprintable = /[\u0000-\u001f\u007f-\u009f\u200e\u200f\u202a-\u202e\u2066-\u2069\ufeff]+/g;

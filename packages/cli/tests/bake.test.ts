@@ -118,6 +118,18 @@ function weightsAt(
   }).filter(([, weight]) => weight !== 0);
 }
 
+it.each(["mass-spring", "peel", "rigid", "cylinder"])(
+  "a turn of %s goes from the right to the left, at the points asked for",
+  async (model) => {
+    const { frames, u, v } = await bakeJson("--model", model, "--points", "7x5");
+    expect([u.length, v.length]).toEqual([7, 5]);
+    for (const frame of frames) expect(frame).toHaveLength(3 * 35);
+    const edges = [frames[0], frames.at(-1)].map((frame) => frame?.[18] ?? 0);
+    expect(edges[0]).toBeCloseTo(0.14, 3);
+    expect(edges[1]).toBeLessThan(-0.13);
+  },
+);
+
 describe("others", () => {
   it("OBJ, one a frame, with normals and places on both pictures", async () => {
     const args = ["--model", "cylinder", "--fps", "10", "--points", "5x4"];

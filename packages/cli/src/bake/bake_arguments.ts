@@ -1,7 +1,25 @@
 import { extname } from "node:path";
-import { type LeafStockName, leafStocks, type Model, models } from "turnleaf/models";
+import type { LeafStockName, Model } from "turnleaf/models";
 import { oneOf, parseNumber, parseOptions, parseSize } from "../options.ts";
 import { UsageProblem } from "../problem.ts";
+
+/** Every model and paper, the usual one first: told here, so that reading a book loads no model. */
+const models = Object.keys({
+  sheet: 0,
+  "mass-spring": 0,
+  shell: 0,
+  rigid: 0,
+  peel: 0,
+  cylinder: 0,
+  cone: 0,
+} satisfies Record<Model, 0>) as Model[];
+const stocks = Object.keys({
+  book: 0,
+  bible: 0,
+  office: 0,
+  coated: 0,
+  card: 0,
+} satisfies Record<LeafStockName, 0>) as LeafStockName[];
 
 /** What a turn can be written as. */
 const formats = ["glb", "obj", "json", "tlkf"] as const;
@@ -79,9 +97,9 @@ export function parseBake(args: readonly string[]): BakeCommand {
   }
   return {
     name: "bake",
-    model: oneOf("model", values.model, ["sheet", ...models.filter((name) => name !== "sheet")]),
+    model: oneOf("model", values.model, models),
     gesture: oneOf("gesture", values.gesture, gestures),
-    stock: oneOf("stock", values.stock ?? "book", Object.keys(leafStocks) as LeafStockName[]),
+    stock: oneOf("stock", values.stock, stocks),
     out,
     format,
     seconds: parseNumber("seconds", values.seconds, 0.8, 0.1, 60),

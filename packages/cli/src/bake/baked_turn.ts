@@ -45,7 +45,9 @@ export async function simulate(
   signal: AbortSignal,
 ): Promise<Frame[]> {
   const { model, gesture, stock, seconds, width, height, points } = command;
-  const options = { model, width, height, stock: leafStocks[stock], points };
+  // Masses and springs as paper has them, and drawn by as many points as any other model.
+  const springs = { preset: "book", interpolate: true } as const;
+  const options = { model, width, height, stock: leafStocks[stock], points, ...springs };
   const leaf = await LooseLeaf.create(options).catch((error: unknown) => {
     throw new Problem(error instanceof Error ? error.message : "The leaf could not be made.");
   });
