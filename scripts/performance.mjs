@@ -145,9 +145,13 @@ function gestures() {
     ["the same, 99th percentile", n(found.drawn_penetration_p99_mm)],
     ["the same, worst", n(found.drawn_penetration_mm)],
     ["the same, in the piles alone, worst", n(found.drawn_penetration_in_piles_mm)],
+    ["frames drawn more than 1 mm behind the paper", percent(found.frames_behind_share)],
+    ["drawn behind the paper, 99th percentile of frames, mm", n(found.drawn_behind_p99_mm)],
     ["depth in the solver, median, mm", n(found.solver_penetration_median_mm)],
     ["the same, 90th percentile", n(found.solver_penetration_p90_mm)],
     ["the same, worst", n(found.solver_penetration_mm)],
+    ["all at rest after letting go, median, s", n(found.seconds_to_rest_median)],
+    ["the same, worst", n(found.seconds_to_rest_worst)],
     ["a frame, median, us", n(found.us_per_frame_p50, 0)],
     ["a frame, 99th percentile, us", n(found.us_per_frame_p99, 0)],
   ];

@@ -1,14 +1,14 @@
 import { expectBytes } from "./src/engine/machine_code.ts";
 
 /** Machine code packed as `unpackCode` unpacks it. Any bytes can be packed, but none as well. */
-export function packCode(bytes) {
+export async function packCode(bytes) {
   const start = startOfFunctions(bytes);
   const head = Buffer.alloc(8);
   head.writeUInt32LE(bytes.length, 0);
   head.writeUInt32LE(start, 4);
   const packed = [...head];
   let [low, high, at] = [0, 2 ** 32 - 1, 0];
-  expectBytes(bytes.length, start, (odds) => {
+  await expectBytes(bytes.length, start, (odds) => {
     const bit = (bytes[at >> 3] >> (7 - (at & 7))) & 1;
     at++;
     const middle = low + Math.floor((high - low) * odds);

@@ -28,20 +28,20 @@ test.each([
   [5000, 4, 2],
   [40_000, 256, 3],
   [40_000, 16, 4],
-])("%i bytes of %i letters come back as they were", (length, letters, seed) => {
+])("%i bytes of %i letters come back as they were", async (length, letters, seed) => {
   const bytes = bytesOf(length, letters, seed);
-  expect(same(unpackCode(packCode(bytes)), bytes)).toBe(true);
+  expect(same(await unpackCode(await packCode(bytes)), bytes)).toBe(true);
 });
 
-test("what looks like functions and is not comes back as well", () => {
+test("what looks like functions and is not comes back as well", async () => {
   const head = [0, 0x61, 0x73, 0x6d, 1, 0, 0, 0, 10, 0xff, 0x7f, 1];
   const bytes = Uint8Array.from([...head, ...bytesOf(20_000, 256, 5)]);
-  expect(same(unpackCode(packCode(bytes)), bytes)).toBe(true);
+  expect(same(await unpackCode(await packCode(bytes)), bytes)).toBe(true);
 });
 
-test("the engine packs to less than a third, and comes back as it was", () => {
+test("the engine packs to less than a third, and comes back as it was", async () => {
   const bytes = readFileSync(new URL("./src/engine/turnleaf.wasm", import.meta.url));
-  const packed = packCode(bytes);
+  const packed = await packCode(bytes);
   expect(packed.length).toBeLessThan(bytes.length / 3);
-  expect(same(unpackCode(packed), bytes)).toBe(true);
+  expect(same(await unpackCode(packed), bytes)).toBe(true);
 });

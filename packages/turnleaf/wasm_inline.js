@@ -14,7 +14,7 @@ export function wasmInline() {
     async load(id) {
       const file = id.split("?")[0];
       if (!file.endsWith(".wasm")) return null;
-      const base64 = Buffer.from(packCode(await readFile(file))).toString("base64");
+      const base64 = Buffer.from(await packCode(await readFile(file))).toString("base64");
       return { code: `export default ${JSON.stringify(base64)};`, moduleType: "js", map: null };
     },
   };

@@ -66,17 +66,33 @@ function followingVector(op: number): number[] {
   return op >= 84 && op <= 91 ? [number, number, -1] : [];
 }
 
+/** Bytes between pauses: about 10 ms of work. */
+const slice = 6000;
+
+/** Lets the page do what waits: a message comes after it, and unlike a timer's also in a hidden page. */
+function pause(): Promise<void> {
+  return new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(0);
+  });
+}
+
 /**
- * Bytes as `next` tells them bit by bit, the highest of each first.
+ * Bytes as `next` tells them bit by bit, the highest of each first. It pauses every few
+ * milliseconds, as a page that stands still for a fifth of a second is noticed.
  *
  * @param start where the functions begin; bytes before are of no known kind
  * @param next answers a bit, told the odds (more than 0, less than 1) that it is 1
  */
-export function expectBytes(
+export async function expectBytes(
   length: number,
   start: number,
   next: (odds: number) => number,
-): Uint8Array<ArrayBuffer> {
+): Promise<Uint8Array<ArrayBuffer>> {
   makeTables();
   const out = new Uint8Array(length);
   const rates = Float64Array.from({ length: mostSeen + 1 }, (_, n) => 1 / (n + 1.3));
@@ -204,6 +220,7 @@ export function expectBytes(
   };
 
   for (let to = 0; to < length; to++) {
+    if (to % slice === slice - 1) await pause();
     hash();
     [node, expected] = [1, run > 0 ? (out[place] as number) | 256 : 0];
     for (let above = 7; above >= 0; above--) {
@@ -231,7 +248,7 @@ export function expectBytes(
  * @param packed their number and where functions begin, 4 bytes each, the lowest
  *   first, and what the coder wrote. It is trusted: broken bytes give broken bytes
  */
-export function unpackCode(packed: Uint8Array): Uint8Array<ArrayBuffer> {
+export function unpackCode(packed: Uint8Array): Promise<Uint8Array<ArrayBuffer>> {
   const view = new DataView(packed.buffer, packed.byteOffset);
   let at = 12;
   let [low, high, code] = [0, 2 ** 32 - 1, view.getUint32(8)];

@@ -179,7 +179,7 @@ let compiled: Promise<WebAssembly.Module> | undefined;
 function compile(): Promise<WebAssembly.Module> {
   compiled ??= (async () => {
     const packed = Uint8Array.from(atob(code), (c) => c.charCodeAt(0));
-    return WebAssembly.compile(unpackCode(packed));
+    return WebAssembly.compile(await unpackCode(packed));
   })();
   return compiled;
 }
