@@ -14,7 +14,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 
-/** kB gzip that all files together are to come down to. */
+/** kB gzip wanted: met by what shows and turns a book, and not by all parts together. */
 const goal = 80;
 
 /**
@@ -23,7 +23,7 @@ const goal = 80;
  * one of those that every book needs.
  */
 const parts = {
-  "shows and turns a book": { limit: 83 },
+  "shows and turns a book": { limit: 80.5 },
   "the text over the pages, once they show": { files: ["text_over.js"], limit: 6 },
   "zoomed in, fold-outs, the place kept": {
     files: ["details.js", "flap.js", "place.js"],
@@ -35,7 +35,7 @@ const parts = {
 };
 
 /** kB gzip of all parts together. */
-const limit = 115;
+const limit = 112;
 
 const dist = join(import.meta.dirname, "../packages/turnleaf/dist");
 
@@ -101,5 +101,5 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
     }
   }
   const beyond = kilobytes(Math.max(gzip - goal * 1000, 0));
-  console.log(`The goal is ${goal} kB gzip in all: ${beyond} kB are to go.`);
+  console.log(`Wanted are ${goal} kB gzip: all parts together are ${beyond} kB beyond that.`);
 }

@@ -40,8 +40,17 @@ const FLATTEST: f64 = 6.0 * core::f64::consts::PI / 180.0;
 pub fn crowded_columns(columns: usize) -> Vec<f32> {
     let last = (columns - 1) as f64;
     (0..columns)
-        .map(|i| libm::pow(i as f64 / last, 1.7) as f32)
+        .map(|i| power(i as f64 / last, 1.7) as f32)
         .collect()
+}
+
+/// A power of what is not negative, in less machine code than any base and exponent take.
+fn power(base: f64, exponent: f64) -> f64 {
+    if base > 0.0 {
+        libm::exp(exponent * libm::log(base))
+    } else {
+        0.0
+    }
 }
 
 /// The resting pages of one side as curves in the plane across the spine.
@@ -218,7 +227,7 @@ impl PageCurve {
         let mut page = PageCurve {
             root: thickness * depth,
             rise_angle: if thickness > 0.0 {
-                FLATTEST + (steepest - FLATTEST) * libm::pow(1.0 - depth, 0.8)
+                FLATTEST + (steepest - FLATTEST) * power(1.0 - depth, 0.8)
             } else {
                 0.0
             },
@@ -248,13 +257,13 @@ impl PageCurve {
     }
 
     fn rise(&self, s: f64) -> f64 {
-        self.rise_angle * libm::exp(-libm::pow(s / self.rise_length, 1.25))
+        self.rise_angle * libm::exp(-power(s / self.rise_length, 1.25))
     }
 
     /// The quadrature of the fore-edge's height, all but the sink that is looked for.
     fn steps(&self, width: f64) -> [Step; HEIGHT_STEPS] {
         // Steps crowd toward the spine as the columns do.
-        let place = |i: usize| width * libm::pow(i as f64 / HEIGHT_STEPS as f64, 1.7);
+        let place = |i: usize| width * power(i as f64 / HEIGHT_STEPS as f64, 1.7);
         core::array::from_fn(|i| {
             let (s0, s1) = (place(i), place(i + 1));
             let s = 0.5 * (s0 + s1);

@@ -88,6 +88,7 @@ pub fn is_past(left: Mesh<'_>, right: Mesh<'_>, astray: f32) -> bool {
     most < 0.0 && least < -astray
 }
 
+#[inline(never)]
 fn range(values: &[f32; SIDE * SIDE]) -> [f32; 2] {
     let least = values.iter().fold(f32::MAX, |a, b| a.min(*b));
     [least, values.iter().fold(f32::MIN, |a, b| a.max(*b))]
@@ -152,11 +153,13 @@ impl Block {
 }
 
 /// How far points are along a normal, beyond `from`.
+#[inline(never)]
 fn heights([x, y, z]: &[[f32; SIDE * SIDE]; 3], n: Point, from: f32) -> [f32; SIDE * SIDE] {
     core::array::from_fn(|k| n[0] * x[k] + n[1] * y[k] + n[2] * z[k] - from)
 }
 
 /// Whether a place in the plane of a facet lies in it.
+#[inline(never)]
 fn holds([a, b, c]: [Point; 3], normal: Point, place: Point) -> bool {
     let seam = -SEAM * dot(normal, normal);
     let inside = |p: Point, q: Point| dot(normal, cross(sub(q, p), sub(place, p))) >= seam;

@@ -23,7 +23,6 @@ const ASTRAY: f32 = 5e-5;
 const DEEP: f32 = 1.5e-3;
 
 /// One leaf in flight; it may stand for several.
-#[derive(Clone)]
 pub struct Flight {
     id: u32,
     low: u32,

@@ -12,7 +12,7 @@ mod stepping;
 use super::block::Pile;
 use super::draw::draw;
 use super::flight::Flight;
-use super::leaf::{Leaf, Phase};
+use super::leaf::{Leaf, Paper, Phase};
 use crate::grid::Side;
 
 /// Leaves in flight at once, at most: what bounds a book's memory.
@@ -30,25 +30,48 @@ pub struct Flights {
     order: Vec<Flight>,
     /// Flights that are over, to be used again without an allocation.
     spare: Vec<Flight>,
+    pattern: Pattern,
     last_id: u32,
     /// Whether a leaf has come deep into another since all lay still.
     tangled: bool,
 }
 
+/// What leaves in flight are made of and how they are drawn.
+#[derive(Clone)]
+pub struct Pattern {
+    /// Width and height of a leaf, metres.
+    pub size: [f64; 2],
+    pub paper: Paper,
+    /// u of each drawn column, and how many rows are drawn.
+    pub u: Vec<f32>,
+    pub rows: usize,
+}
+
+impl Pattern {
+    fn make(&self) -> Flight {
+        let leaf = Leaf::new(self.size, &self.paper, &self.u, self.rows);
+        Flight::new(leaf, &self.u, self.rows)
+    }
+}
+
 impl Flights {
-    /// No leaf in flight over a book of `leaves`; the first to fly is `pattern`,
-    /// others are its copies.
-    pub fn new(leaves: u32, pattern: Leaf, u: &[f32], rows: usize) -> Flights {
-        let mut spare = Vec::with_capacity(MOST_FLIGHTS);
-        spare.push(Flight::new(pattern, u, rows));
+    /// No leaf in flight over a book of `leaves`.
+    pub fn new(leaves: u32, pattern: Pattern) -> Flights {
         Flights {
             leaves,
             left: 0,
             order: Vec::with_capacity(MOST_FLIGHTS),
-            spare,
+            // What a first lift would else wait for.
+            spare: vec![pattern.make()],
+            pattern,
             last_id: 0,
             tangled: false,
         }
+    }
+
+    /// What the leaves are made of and how they are drawn.
+    pub fn pattern(&self) -> &Pattern {
+        &self.pattern
     }
 
     /// Puts every leaf down, `left` of them (at most all) on the left.
@@ -198,9 +221,6 @@ impl Flights {
     }
 
     fn take_spare(&mut self) -> Flight {
-        self.spare.pop().unwrap_or_else(|| {
-            // One flight was made at the beginning: it is in the air now.
-            self.order[0].clone()
-        })
+        self.spare.pop().unwrap_or_else(|| self.pattern.make())
     }
 }

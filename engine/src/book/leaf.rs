@@ -115,7 +115,6 @@ impl Paper {
 }
 
 /// One leaf of paper between two piles.
-#[derive(Clone)]
 pub struct Leaf {
     sheet: Sheet,
     assist: bool,
@@ -148,7 +147,7 @@ pub struct Leaf {
 impl Leaf {
     /// A leaf of `width` x `height` metres at rest on the right, drawn at the
     /// columns `u` and at `rows` even rows.
-    pub fn new(width: f64, height: f64, paper: &Paper, u: &[f32], rows: usize) -> Leaf {
+    pub fn new([width, height]: [f64; 2], paper: &Paper, u: &[f32], rows: usize) -> Leaf {
         let settings = SheetSettings {
             columns: NODES[0],
             rows: NODES[1],

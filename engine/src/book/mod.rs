@@ -29,7 +29,7 @@ pub use seat::seat;
 
 use crate::grid::Side;
 use crate::surface::Surface;
-use flights::Flights;
+use flights::{Flights, Pattern};
 use gutter::Gutter;
 use knots::Knots;
 
@@ -50,11 +50,7 @@ pub const HANDS: usize = 4;
 /// number that [`lift`](Book::lift) answers; a command to one that is over, or
 /// by what is no number, changes nothing.
 pub struct Book {
-    width: f64,
-    height: f64,
-    paper: Paper,
     leaves: u32,
-    u: Vec<f32>,
     knots: Knots,
     /// Each side's pile closed flat, right and left.
     closed: [Pile; 2],
@@ -77,20 +73,22 @@ impl Book {
         }
         let u = crowded_columns(COLUMNS);
         let closed = [Side::Right, Side::Left].map(|side| Pile::closed(side, width, thickness, &u));
-        let paper = Paper::default();
-        let leaf = Leaf::new(width, height, &paper, &u, ROWS);
         let mut book = Book {
-            width,
-            height,
-            paper,
             leaves,
             knots: Knots::new(width, thickness, &u),
             piles: closed.clone(),
             closed,
             gutter: Gutter::new(leaf::NODES[0], &u),
-            flights: Flights::new(leaves, leaf, &u, ROWS),
             boards: [Board::new(Side::Right), Board::new(Side::Right)],
-            u,
+            flights: Flights::new(
+                leaves,
+                Pattern {
+                    size: [width, height],
+                    paper: Paper::default(),
+                    u,
+                    rows: ROWS,
+                },
+            ),
         };
         book.update();
         Some(book)
@@ -98,7 +96,7 @@ impl Book {
 
     /// What the leaves are made of.
     pub fn paper(&self) -> &Paper {
-        &self.paper
+        &self.flights.pattern().paper
     }
 
     /// Makes every leaf of another paper; leaves in flight are laid down first.
@@ -107,10 +105,12 @@ impl Book {
         if !paper.is_sound() {
             return false;
         }
-        self.paper = *paper;
-        let leaf = Leaf::new(self.width, self.height, paper, &self.u, ROWS);
+        let pattern = Pattern {
+            paper: *paper,
+            ..self.flights.pattern().clone()
+        };
         let read = self.flights.left();
-        self.flights = Flights::new(self.leaves, leaf, &self.u, ROWS);
+        self.flights = Flights::new(self.leaves, pattern);
         self.lay(read);
         true
     }
@@ -262,7 +262,7 @@ impl Book {
 
     /// u of each column of the surfaces and of the piles.
     pub fn columns(&self) -> &[f32] {
-        &self.u
+        &self.flights.pattern().u
     }
 
     /// Rows of every flight's surface.
