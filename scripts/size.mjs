@@ -35,7 +35,7 @@ const parts = {
 };
 
 /** kB gzip of all parts together. */
-const limit = 112;
+const limit = 113;
 
 const dist = join(import.meta.dirname, "../packages/turnleaf/dist");
 
