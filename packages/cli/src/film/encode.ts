@@ -16,7 +16,10 @@ const codecs: Readonly<Record<Exclude<FilmFormat, "png">, readonly string[]>> = 
   mp4: ["-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"],
   webm: ["-c:v", "libvpx-vp9", "-crf", "30", "-b:v", "0", "-row-mt", "1", "-pix_fmt", "yuv420p"],
   // One palette for all of the film: 256 colours that are those of its pages.
-  gif: ["-vf", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=4"],
+  gif: [
+    "-vf",
+    "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=4",
+  ],
 };
 
 /**
