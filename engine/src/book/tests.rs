@@ -324,3 +324,36 @@ fn ask_anything(book: &mut Book, random: &mut Random) {
         _ => book.play(id, side, between(0.0, 1.0)),
     }
 }
+
+/// What a reader does: the next leaf is dragged over while the one before still falls,
+/// and a leaf is caught in the middle of a riffle.
+#[test]
+fn an_ordinary_drag_beside_others_is_drawn_where_the_paper_is() {
+    let mut book = Book::new(0.14, 0.21, 100, 0.012).unwrap();
+    book.lay(40);
+    for k in 0..4 {
+        let id = book.lift(Side::Right, 40 + k, 41 + k).unwrap();
+        book.play(id, Side::Left, 0.8);
+        for _ in 0..6 {
+            book.step(2);
+            book.update();
+        }
+    }
+    let id = book.lift(Side::Right, 44, 45).unwrap();
+    book.grab(id, 0, 1.0, 0.15);
+    let (mut frames, mut behind, mut worst) = (0, 0, 0.0f32);
+    for frame in 0..60 {
+        let s = frame as f32 / 59.0;
+        let (sin, cos) = libm::sincosf(core::f32::consts::PI * s * s * (3.0 - 2.0 * s));
+        book.hold(id, 0, [0.135 * cos, 0.03 + 0.02 * sin, 0.11 * sin + 0.01]);
+        book.step(2);
+        book.update();
+        let lag = (0..book.flights())
+            .map(|index| book.lag(index).unwrap())
+            .fold(0.0, f32::max);
+        frames += 1;
+        behind += usize::from(lag > 1e-3);
+        worst = worst.max(lag);
+    }
+    assert!(behind == 0, "{behind} of {frames} frames, {worst} m");
+}
