@@ -13,7 +13,7 @@ WASM = packages/turnleaf/src/engine/turnleaf.wasm
 MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 
-.PHONY: read build wasm test test-rust test-js check check-rust check-js bench examples pictures methods reference book clean tools-rust chromium
+.PHONY: read build wasm test test-rust test-js check check-rust check-js bench playground examples pictures methods reference book clean tools-rust chromium
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -69,6 +69,10 @@ check-js: build
 # Measures, and writes docs/performance.md.
 bench: build chromium tools-rust
 	node scripts/performance.mjs
+
+# Two models that turn the same page side by side.
+playground: build
+	node $(CLI) playground $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
 
 # The examples, for web developers.
 examples: build

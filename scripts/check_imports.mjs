@@ -19,6 +19,7 @@ const viewer = {
   hand: ["engine"],
   pages: ["sources"],
   draw: ["engine", "sources", "book"],
+  leaf_stage: ["draw", "engine", "hand", "sources"],
   view: ["book", "draw", "engine", "hand", "pages", "sources"],
   "viewer.ts": ["book", "draw", "engine", "pages", "sources", "view"],
   "solid.ts": ["draw", "engine", "viewer.ts"],
@@ -58,7 +59,7 @@ const viewer = {
 };
 
 /** Packages that only these places of the viewer may import: heavy ones stay where they are used. */
-const packages = { three: /^draw\//, "pdfjs-dist": /^sources\/pdf/ };
+const packages = { three: /^(draw|leaf_stage)\//, "pdfjs-dist": /^sources\/pdf/ };
 
 /** The engine's modules that nothing below them may use. */
 const engine = ["key_frames", "loose", "book", "trials"];

@@ -1,7 +1,7 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 
-/** The reader app, built beside the command that serves it. */
+/** The reader app, the page that films and the playground, built beside the command that serves it. */
 export default defineConfig({
   root: fileURLToPath(new URL("./app", import.meta.url)),
   publicDir: false,
@@ -11,7 +11,7 @@ export default defineConfig({
     // Nothing inline: the server's security policy allows files alone.
     assetsInlineLimit: 0,
     rolldownOptions: {
-      input: ["index.html", "film.html"].map((name) =>
+      input: ["index.html", "film.html", "playground.html"].map((name) =>
         fileURLToPath(new URL(`./app/${name}`, import.meta.url)),
       ),
     },

@@ -42,4 +42,12 @@ const keyFrames = defineConfig({
   clean: false,
 });
 
-export default [viewer, models, keyFrames];
+/** Another: it draws one leaf, and shares with the viewer what draws paper. */
+const leafStage = defineConfig({
+  ...common,
+  entry: { "leaf-stage": "src/leaf_stage/leaf_stage.ts" },
+  clean: false,
+  deps: { neverBundle: ["three"] },
+});
+
+export default [viewer, models, keyFrames, leafStage];

@@ -11,8 +11,11 @@ const types: Readonly<Record<string, string>> = {
   wasm: "application/wasm",
 };
 
-/** The reader app's built files by their addresses; its page is at "/". */
-export async function appFiles(): Promise<Map<string, ServedFile>> {
+/**
+ * The built pages and what they load, by their addresses.
+ * @param page the name of the one that is at "/"
+ */
+export async function appFiles(page: string): Promise<Map<string, ServedFile>> {
   const root = fileURLToPath(new URL("./app/", import.meta.url));
   const files = new Map<string, ServedFile>();
   for (const entry of await readdir(root, { recursive: true, withFileTypes: true })) {
@@ -20,7 +23,7 @@ export async function appFiles(): Promise<Map<string, ServedFile>> {
     if (!entry.isFile() || !type) continue;
     const path = join(entry.parentPath, entry.name);
     const address = `/${path.slice(root.length).split(sep).join("/")}`;
-    files.set(address === "/index.html" ? "/" : address, { type, path });
+    files.set(address === `/${page}` ? "/" : address, { type, path });
   }
   return files;
 }

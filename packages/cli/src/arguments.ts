@@ -10,13 +10,19 @@ export type Command =
   | FilmCommand
   | BakeCommand
   | { readonly name: "version" }
-  | {
+  | (ServeOptions & { readonly name: "playground" })
+  | (ServeOptions & {
       readonly name: "read";
       readonly path: string;
-      /** Undefined: 4173, or the next one that is free. */
-      readonly port: number | undefined;
-      readonly opens: boolean;
-    };
+    });
+
+/** How something is served. */
+export interface ServeOptions {
+  /** Undefined: 4173, or the next one that is free. */
+  readonly port: number | undefined;
+  /** Whether the browser is opened. */
+  readonly opens: boolean;
+}
 
 export const help = `Turnleaf shows a book whose pages turn as paper turns.
 
@@ -27,6 +33,7 @@ export const help = `Turnleaf shows a book whose pages turn as paper turns.
                                  GIF or numbered pictures (turnleaf film --help)
   turnleaf bake --out FILE       writes the turn of a leaf as glTF, OBJ, JSON or
                                  key frames (turnleaf bake --help)
+  turnleaf playground            turns a page by two models side by side
 
   --port N     serve at this port of this machine (4173, or the next free one)
   --no-open    open no browser
@@ -64,13 +71,18 @@ export function parseCommand(args: readonly string[]): Command {
   const { values, positionals } = parse(args);
   if (values.help) return { name: "help", text: help };
   if (values.version) return { name: "version" };
+  const serving = { port: parsePort(values.port), opens: !values["no-open"] };
+  if (positionals[0] === "playground") {
+    if (positionals.length > 1) throw new UsageProblem("The playground takes no book.");
+    return { name: "playground", ...serving };
+  }
   // A book called "read" is opened by: turnleaf read read
   const paths = positionals[0] === "read" ? positionals.slice(1) : positionals;
   const [path] = paths;
   if (path === undefined || path === "")
     throw new UsageProblem("Name a PDF or a folder of images.");
   if (paths.length > 1) throw new UsageProblem("Name one book; quote a name that has spaces.");
-  return { name: "read", path, port: parsePort(values.port), opens: !values["no-open"] };
+  return { name: "read", path, ...serving };
 }
 
 function parse(args: readonly string[]): ReturnType<typeof parseOptions> {

@@ -2,6 +2,7 @@
 import packageJson from "../package.json" with { type: "json" };
 import { help, parseCommand } from "./arguments.ts";
 import { interrupted } from "./interrupted.ts";
+import { playground } from "./playground.ts";
 import { Problem, UsageProblem } from "./problem.ts";
 import { read } from "./read.ts";
 
@@ -15,7 +16,8 @@ async function main(): Promise<void> {
   } else if (command.name === "bake") {
     const { bake } = await import("./bake/bake.ts");
     await bake(command, interrupted());
-  } else await read(command.path, command.port, command.opens);
+  } else if (command.name === "playground") await playground(command);
+  else await read(command.path, command);
 }
 
 try {

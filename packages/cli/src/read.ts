@@ -1,16 +1,16 @@
 import { appFiles } from "./app_files.ts";
+import type { ServeOptions } from "./arguments.ts";
 import { openBook } from "./book.ts";
-import { openBrowser } from "./browser.ts";
 import { Problem } from "./problem.ts";
-import { serve } from "./server.ts";
+import { serveUntilStopped } from "./serve_until_stopped.ts";
 
 /**
  * Serves the book at `path` with the reader until the command is stopped.
  * @throws Problem before anything is served
  */
-export async function read(path: string, port: number | undefined, opens: boolean): Promise<void> {
+export async function read(path: string, options: ServeOptions): Promise<void> {
   const book = await openBook(path, (sentence) => console.error(sentence));
-  const app = await appFiles().catch(() => new Map<string, never>());
+  const app = await appFiles("index.html").catch(() => new Map<string, never>());
   if (!app.has("/")) throw new Problem("The reader is not built; run: npm run build");
   const config = JSON.stringify({ src: book.src, title: book.title });
   const files = new Map([
@@ -18,18 +18,5 @@ export async function read(path: string, port: number | undefined, opens: boolea
     ...book.files,
     ["/config.json", { type: "application/json", text: config }] as const,
   ]);
-  const serving = await serve(files, port);
-  const ending = stopped();
-  console.log(`Turnleaf is reading ${book.title} at ${serving.url}`);
-  console.log("Press Ctrl+C to stop.");
-  if (opens) openBrowser(serving.url);
-  await ending;
-  await serving.close();
-}
-
-/** Resolves when the user or the system asks the command to end. */
-function stopped(): Promise<void> {
-  return new Promise((resolve) => {
-    for (const signal of ["SIGINT", "SIGTERM", "SIGHUP"] as const) process.once(signal, resolve);
-  });
+  await serveUntilStopped(files, options, (url) => `Turnleaf is reading ${book.title} at ${url}`);
 }

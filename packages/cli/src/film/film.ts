@@ -169,7 +169,7 @@ class Taking {
 
 /** The page that is filmed, and the book. */
 async function serveFilm(command: FilmCommand, book: ServedBook): Promise<Serving> {
-  const app = await appFiles().catch(() => new Map<string, ServedFile>());
+  const app = await appFiles("index.html").catch(() => new Map<string, ServedFile>());
   if (!app.has("/film.html")) throw new Problem("The reader is not built; run: npm run build");
   const { fps, turnSeconds, stock, theme } = command;
   const config = JSON.stringify({ src: book.src, fps, turnSeconds, stock, theme });

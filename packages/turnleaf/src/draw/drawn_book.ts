@@ -14,11 +14,10 @@ import { EndpaperMesh } from "./endpaper_mesh.ts";
 import { shadowOfCase, shadowOfFlap, shadowOfLeaves } from "./footprint.ts";
 import { Ground } from "./ground.ts";
 import { LeafMesh } from "./leaf_mesh.ts";
-import { LeafSection } from "./leaf_section.ts";
-import { shadowSlopes } from "./light.ts";
 import type { BookMaterials } from "./materials.ts";
+import { castOver, overheadOf } from "./overhead.ts";
 import { type Overhead, PageMesh } from "./page_mesh.ts";
-import { obstacleStride, PileShape } from "./pile_shape.ts";
+import { PileShape } from "./pile_shape.ts";
 import { type BookPose, type BookShape, pageRows } from "./pose.ts";
 import { HeadbandMesh, SpineMesh } from "./spine_mesh.ts";
 
@@ -73,7 +72,6 @@ export class DrawnBook {
       flapEdge: [],
       room: 1,
     };
-    const section = (): LeafSection => new LeafSection(pageRows, height);
     const side = (sign: 1 | -1): DrawnSide => ({
       pile: new PileShape(sign),
       page: new PageMesh(materials.pages[sign === 1 ? "right" : "left"], height, pageRows),
@@ -83,7 +81,7 @@ export class DrawnBook {
         sign,
         height,
       ),
-      over: { sky: section(), keys: shadowSlopes.map(section), board: new Float32Array(4) },
+      over: overheadOf(height, new Float32Array(4)),
     });
     this.#left = side(-1);
     this.#right = side(1);
@@ -243,8 +241,8 @@ export class DrawnBook {
     this.#placeLeaves(sheets);
     if (this.#isDim) return;
     // Of all leaves the outermost on a side stands nearest over its page.
-    castOver(left, leaves[0]);
-    castOver(right, leaves.at(-1));
+    castOver(left.over, left.pile, leaves[0]);
+    castOver(right.over, right.pile, leaves.at(-1));
     if (left.pile.present) {
       if (pilesMoved) left.page.open(left.pile, right.pile.mirrored);
       left.page.light(left.pile, left.over);
@@ -258,19 +256,6 @@ export class DrawnBook {
     const [l, r] = [left.pile, right.pile];
     if (!still || !l.present) this.#front.light(this.#case, l, r, left.over);
     if (!still || !r.present) this.#back.light(this.#case, l, r, right.over);
-  }
-}
-
-/** Cuts what stands over a side's page: the leaf nearest to it, or nothing. */
-function castOver({ over, pile }: DrawnSide, leaf: Surface | undefined): void {
-  if (leaf === undefined) {
-    over.sky.clear();
-    for (const key of over.keys) key.clear();
-    return;
-  }
-  over.sky.cut(leaf, pile.sign, 0, 0, obstacleStride);
-  for (let k = 0; k < over.keys.length; k++) {
-    over.keys[k].cut(leaf, pile.sign, shadowSlopes[k], pile.top, obstacleStride);
   }
 }
 

@@ -1,7 +1,7 @@
 /** A leaf in flight: two sides over the engine's own memory. */
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh } from "three";
-import type { Surface } from "../engine/shapes.ts";
+import { columnPlace, type Surface } from "../engine/shapes.ts";
 import { LeafLight } from "./leaf_light.ts";
 import { sheetGeometry } from "./page_mesh.ts";
 import type { PaperMaterial } from "./paper.ts";
@@ -22,7 +22,16 @@ export class LeafMesh {
   #versoGap = new BufferAttribute(new Float32Array(0), 2);
   #light = new LeafLight(2, 2);
 
-  constructor(recto: PaperMaterial, verso: PaperMaterial, edges: SolidMaterial) {
+  readonly #place: typeof columnPlace;
+
+  /** @param place u of each of the leaf's columns */
+  constructor(
+    recto: PaperMaterial,
+    verso: PaperMaterial,
+    edges: SolidMaterial,
+    place: typeof columnPlace = columnPlace,
+  ) {
+    this.#place = place;
     this.rim = new RimMesh(edges);
     this.recto = new Mesh(new BufferGeometry(), recto);
     this.verso = new Mesh(new BufferGeometry(), verso);
@@ -88,7 +97,7 @@ export class LeafMesh {
     this.#normal = dynamic(leaf.normals, 3);
     this.#rectoGap = dynamic(new Float32Array(2 * columns * rows), 2);
     this.#versoGap = dynamic(new Float32Array(2 * columns * rows), 2);
-    const grid = sheetGeometry(columns, rows);
+    const grid = sheetGeometry(columns, rows, this.#place);
     for (const [mesh, near, far] of [
       [this.recto, this.#rectoGap, this.#versoGap],
       [this.verso, this.#versoGap, this.#rectoGap],

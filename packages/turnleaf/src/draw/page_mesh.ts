@@ -138,14 +138,22 @@ export class PageMesh {
   }
 }
 
-/** Triangles and texture places of a sheet whose points run row by row from the foot. */
-export function sheetGeometry(columns: number, rows: number): BufferGeometry {
+/**
+ * Triangles and texture places of a sheet whose points run row by row from the foot.
+ *
+ * @param place u of each column
+ */
+export function sheetGeometry(
+  columns: number,
+  rows: number,
+  place: typeof columnPlace = columnPlace,
+): BufferGeometry {
   const uv = new Float32Array(2 * columns * rows);
   const index = new Uint16Array(6 * (columns - 1) * (rows - 1));
   for (let row = 0, at = 0; row < rows; row++) {
     for (let column = 0; column < columns; column++) {
       const here = row * columns + column;
-      uv[2 * here] = columnPlace(column, columns);
+      uv[2 * here] = place(column, columns);
       // Pictures begin at the head.
       uv[2 * here + 1] = 1 - row / (rows - 1);
       if (row + 1 === rows || column + 1 === columns) continue;

@@ -1,0 +1,181 @@
+/** The two leaves: at the same moment, under the same hand. */
+
+import { type LeafFigures, type LeafSide, type LeafTurn, LooseLeaf } from "turnleaf/models";
+import type { Settings } from "./settings.ts";
+import { leafOptions } from "./variants.ts";
+
+/** Both pictures show the same moment: neither leaf is ever more than this ahead, seconds. */
+const tick = 1 / 120;
+
+/** Every so often it is looked whether anything still moves, seconds of the leaves' time. */
+const lookEvery = 0.25;
+
+/** What moved less than so far since then lies still, metres. */
+const leastMove = 2e-5;
+
+/** Some models creep for ever; after so long without a hand they are taken to be at rest, seconds. */
+const longest = 20;
+
+/** What part of what is known of the cost is kept from one frame to the next. */
+const memory = 0.97;
+
+/** One of the two. */
+export class BenchLeaf {
+  readonly leaf: LooseLeaf;
+  #milliseconds = 0;
+  #steps = 0;
+  #before = new Float32Array(0);
+
+  constructor(leaf: LooseLeaf) {
+    this.leaf = leaf;
+  }
+
+  /** Microseconds that a step took lately; NaN where none was made. */
+  get cost(): number {
+    return (1000 * this.#milliseconds) / this.#steps;
+  }
+
+  /** Moves on; what that took is kept. */
+  advance(seconds: number): void {
+    const start = performance.now();
+    this.leaf.advance(seconds);
+    this.#milliseconds += performance.now() - start;
+    this.#steps += seconds / this.leaf.timeStep;
+  }
+
+  /** Lets what was long ago count less. */
+  forget(): void {
+    this.#milliseconds *= memory;
+    this.#steps *= memory;
+  }
+
+  /** Whether no node has moved since this was asked last. */
+  isAsBefore(): boolean {
+    this.leaf.update();
+    const { positions } = this.leaf.nodes();
+    const [before, now] = [this.#before, positions.slice()];
+    this.#before = now;
+    return before.length === now.length && now.every((x, k) => Math.abs(x - before[k]) < leastMove);
+  }
+
+  /** The side on which its fore-edge is. */
+  get side(): LeafSide {
+    const { columns, positions } = this.leaf.nodes();
+    return positions[3 * (columns - 1)] < 0 ? "left" : "right";
+  }
+
+  get figures(): LeafFigures {
+    return this.leaf.measure();
+  }
+}
+
+/** Both leaves. */
+export class TwoLeaves {
+  readonly pair: readonly [BenchLeaf, BenchLeaf];
+  /** Seconds of their time. */
+  time = 0;
+  #held: readonly [x: number, y: number, z: number] | null = null;
+  #isStill = true;
+  #idle = 0;
+  #sinceLook = 0;
+
+  private constructor(pair: readonly [BenchLeaf, BenchLeaf]) {
+    this.pair = pair;
+  }
+
+  /**
+   * Makes two leaves, flat and still on a side.
+   * @throws Error in one sentence where the settings make no leaf
+   */
+  static async create(settings: Settings, side: LeafSide): Promise<TwoLeaves> {
+    const made = await Promise.allSettled(
+      [settings.left, settings.right].map((variant) =>
+        LooseLeaf.create({ ...leafOptions(variant, settings), side }),
+      ),
+    );
+    const leaves = made.flatMap((one) => (one.status === "fulfilled" ? [one.value] : []));
+    const [left, right] = leaves;
+    if (left && right) return new TwoLeaves([new BenchLeaf(left), new BenchLeaf(right)]);
+    for (const leaf of leaves) leaf.destroy();
+    throw made.find((one) => one.status === "rejected")?.reason;
+  }
+
+  /** Whether nothing moves, so that nothing need be drawn. */
+  get isStill(): boolean {
+    return this.#isStill;
+  }
+
+  /** Starts the same turn of both, from the side on which the first lies. */
+  play(by: LeafTurn, seconds: number): void {
+    const from = this.pair[0].side;
+    this.#held = null;
+    for (const { leaf } of this.pair) leaf.play(by, from, seconds);
+    this.#wake();
+  }
+
+  /** The hand takes hold of both at the same place. */
+  grab(u: number, v: number): void {
+    for (const { leaf } of this.pair) leaf.grab(u, v);
+    this.#wake();
+  }
+
+  /** The hand pulls both to the same place, metres. */
+  hold(x: number, y: number, z: number): void {
+    this.#held = [x, y, z];
+    for (const { leaf } of this.pair) leaf.hold(x, y, z);
+    this.#wake();
+  }
+
+  /** Where the hand is; null where none holds. */
+  get held(): readonly [x: number, y: number, z: number] | null {
+    return this.#held;
+  }
+
+  /** The hand lets go of both. */
+  release(): void {
+    this.#held = null;
+    for (const { leaf } of this.pair) leaf.release();
+    this.#wake();
+  }
+
+  /**
+   * Moves both on by seconds of their time, in ticks, for as long as the budget
+   * lasts, milliseconds; but for one tick, which is always made.
+   *
+   * @returns by how much they moved on, seconds
+   */
+  advance(seconds: number, budget: number): number {
+    const start = performance.now();
+    const count = Math.max(1, Math.round(seconds / tick));
+    let done = 0;
+    while (done < count && (done === 0 || performance.now() - start < budget)) {
+      for (const one of this.pair) one.advance(tick);
+      done++;
+    }
+    for (const one of this.pair) one.forget();
+    this.#passed(done * tick);
+    return done * tick;
+  }
+
+  destroy(): void {
+    for (const { leaf } of this.pair) leaf.destroy();
+  }
+
+  #wake(): void {
+    this.#isStill = false;
+    this.#idle = 0;
+    this.#sinceLook = 0;
+  }
+
+  #passed(seconds: number): void {
+    this.time += seconds;
+    this.#idle += seconds;
+    this.#sinceLook += seconds;
+    if (this.#sinceLook < lookEvery) return;
+    this.#sinceLook = 0;
+    // Each is asked, so that each knows next time where it was.
+    const asBefore = this.pair.map((one) => one.isAsBefore()).every(Boolean);
+    const isLed = this.pair.some(({ leaf }) => leaf.playing);
+    this.#isStill = !isLed && (asBefore || this.#idle > longest);
+  }
+}

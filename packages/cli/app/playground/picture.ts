@@ -1,0 +1,51 @@
+/** One of the two pictures: a leaf on its canvas, with what is shown of it. */
+
+import { type LeafPictures, LeafStage } from "turnleaf/leaf-stage";
+import type { LooseLeaf } from "turnleaf/models";
+import { Overlay } from "./overlay.ts";
+import type { Settings } from "./settings.ts";
+import { StrainColours } from "./strain.ts";
+import { leafSize, type Variant } from "./variants.ts";
+
+/** Device pixels for each CSS pixel, at most: beyond, nobody sees more. */
+const mostRatio = 2;
+
+/** A leaf's picture. */
+export class Picture {
+  readonly canvas: HTMLCanvasElement;
+  readonly stage: LeafStage;
+  readonly #overlay: Overlay;
+  readonly #strain = new StrainColours();
+  #isCovered = false;
+
+  /**
+   * @param redraw has the leaf shown again, as the graphics card came back
+   * @throws Error in one sentence where the browser has no WebGL 2
+   */
+  constructor(canvas: HTMLCanvasElement, pages: LeafPictures, redraw: () => void) {
+    this.canvas = canvas;
+    this.stage = new LeafStage(canvas, leafSize, redraw);
+    this.stage.print(pages);
+    this.#overlay = new Overlay(this.stage.scene);
+  }
+
+  /** Follows the canvas's box. */
+  resize(): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    this.stage.resize(clientWidth, clientHeight, Math.min(devicePixelRatio, mostRatio));
+  }
+
+  /** Draws a leaf as it is now. */
+  draw(variant: Variant, leaf: LooseLeaf, settings: Settings): void {
+    leaf.update();
+    const surface = leaf.surface();
+    this.stage.show(surface);
+    if (settings.strain) {
+      const areNew = this.#strain.paint(surface);
+      if (areNew || !this.#isCovered) this.stage.cover(this.#strain);
+    } else if (this.#isCovered) this.stage.cover(null);
+    this.#isCovered = settings.strain;
+    this.#overlay.show(variant, leaf.nodes(), surface, settings);
+    this.stage.draw();
+  }
+}

@@ -1,0 +1,149 @@
+/** All that can be set on the page, and the link that carries it. */
+
+import { ownNodes, type Variant, variantNames } from "./variants.ts";
+
+/** A whole of settings. */
+export interface Settings {
+  /** What moves the leaf on the left of the page, and the one on the right. */
+  readonly left: Variant;
+  readonly right: Variant;
+  /** g/m². */
+  readonly grammage: number;
+  /** µm. */
+  readonly caliper: number;
+  /** Bending stiffness across the grain, mN m. */
+  readonly stiffness: number;
+  /** m/s². */
+  readonly gravity: number;
+  /** Density over the real air's. */
+  readonly air: number;
+  /** The dog-ear line's angle with the spine, degrees. */
+  readonly angle: number;
+  /** Columns of nodes; the least is each model's own number. */
+  readonly nodes: number;
+  /** Steps a second; 0 is each model's own. */
+  readonly steps: number;
+  /** How long a played turn takes, seconds. */
+  readonly seconds: number;
+  /** How fast time passes. */
+  readonly pace: number;
+  /** What is shown of a leaf beside its paper. */
+  readonly masses: boolean;
+  readonly springs: boolean;
+  readonly lines: boolean;
+  readonly strain: boolean;
+}
+
+/** The values that a setting may have. */
+type Bounds<T> = [T] extends [boolean]
+  ? { readonly kind: "switch" }
+  : [T] extends [number]
+    ?
+        | {
+            readonly kind: "range";
+            readonly least: number;
+            readonly most: number;
+            readonly by: number;
+          }
+        | { readonly kind: "numbers"; readonly of: readonly number[] }
+    : { readonly kind: "names"; readonly of: readonly T[] };
+
+const onOrOff = { kind: "switch" } as const;
+const range = (least: number, most: number, by: number) =>
+  ({ kind: "range", least, most, by }) as const;
+
+/** What each setting may be. */
+export const bounds: { readonly [Name in keyof Settings]: Bounds<Settings[Name]> } = {
+  left: { kind: "names", of: variantNames },
+  right: { kind: "names", of: variantNames },
+  grammage: range(20, 400, 5),
+  caliper: range(30, 500, 1),
+  stiffness: range(0.005, 10, 0.001),
+  gravity: range(0, 25, 0.05),
+  air: range(0, 5, 0.05),
+  angle: range(0, 90, 1),
+  nodes: range(ownNodes, 12, 1),
+  steps: { kind: "numbers", of: [0, 60, 120, 180, 240, 480, 960] },
+  seconds: range(0.3, 6, 0.1),
+  pace: { kind: "numbers", of: [1, 0.25, 0.1] },
+  masses: onOrOff,
+  springs: onOrOff,
+  lines: onOrOff,
+  strain: onOrOff,
+};
+
+/** What is set where nothing was chosen. */
+export const firstSettings: Settings = {
+  left: "springs-both",
+  right: "sheet",
+  grammage: 70,
+  caliper: 90,
+  stiffness: 0.12,
+  gravity: 9.8,
+  air: 1,
+  angle: 0,
+  nodes: ownNodes,
+  steps: 0,
+  seconds: 1.2,
+  pace: 1,
+  masses: false,
+  springs: false,
+  lines: false,
+  strain: false,
+};
+
+const names = Object.keys(firstSettings) as (keyof Settings)[];
+
+/** No link of the page's own is longer. */
+const longest = 600;
+
+/** The part of a link that carries settings: those that are not as at first, without "#". */
+export function writeLink(settings: Settings): string {
+  const link = new URLSearchParams();
+  for (const name of names) {
+    const value = settings[name];
+    if (value !== firstSettings[name]) link.set(name, value === true ? "yes" : String(value));
+  }
+  return link.toString();
+}
+
+/** What was wrong with a link: the setting whose value it is, or null where it is no link of this page. */
+export class BadLink extends Error {
+  readonly setting: keyof Settings | null;
+
+  constructor(setting: keyof Settings | null) {
+    super(setting === null ? "not a link of this page" : `${setting} is out of bounds`);
+    this.setting = setting;
+  }
+}
+
+/**
+ * The settings that a link carries.
+ *
+ * @param link with or without "#"; empty for the first settings
+ * @throws BadLink where any part of it is not a setting within its bounds: then none of it is taken
+ */
+export function readLink(link: string): Settings {
+  if (link.length > longest) throw new BadLink(null);
+  const settings: Record<string, unknown> = { ...firstSettings };
+  const found = new Set<string>();
+  for (const [name, text] of new URLSearchParams(link.replace(/^#/, ""))) {
+    const known = names.find((own) => own === name);
+    if (known === undefined || found.has(name)) throw new BadLink(null);
+    found.add(name);
+    const value = readValue(known, text);
+    if (value === undefined) throw new BadLink(known);
+    settings[known] = value;
+  }
+  return settings as unknown as Settings;
+}
+
+function readValue(name: keyof Settings, text: string): unknown {
+  const bound: Bounds<string> | Bounds<number> | Bounds<boolean> = bounds[name];
+  if (bound.kind === "switch") return text === "yes" ? true : undefined;
+  if (bound.kind === "names") return bound.of.find((known) => known === text);
+  if (!/^\d{1,4}(\.\d{1,4})?$/.test(text)) return undefined;
+  const number = Number(text);
+  if (bound.kind === "numbers") return bound.of.find((known) => known === number);
+  return number >= bound.least && number <= bound.most ? number : undefined;
+}

@@ -1,0 +1,83 @@
+/** The models that can be set side by side, and the leaf that settings make of one. */
+
+import type { LeafOptions } from "turnleaf/models";
+import type { Settings } from "./settings.ts";
+
+/** Metres: an A5 page. */
+export const leafSize = { width: 0.148, height: 0.21 } as const;
+
+type Own = Pick<LeafOptions, "model" | "preset" | "interpolate" | "discretisation"> & {
+  /** Whether the dog-ear line's angle is of consequence. */
+  readonly isSynchronised?: boolean;
+};
+
+const springs = { model: "mass-spring", preset: "book" } as const;
+
+/** What each is made of, by its name in links. */
+export const variants = {
+  "paper-2014": {
+    model: "mass-spring",
+    preset: "paper-2014",
+    isSynchronised: true,
+    interpolate: true,
+  },
+  springs,
+  "springs-synchronised": { ...springs, isSynchronised: true },
+  "springs-interpolated": { ...springs, interpolate: true },
+  "springs-both": { ...springs, isSynchronised: true, interpolate: true },
+  sheet: { model: "sheet" },
+  "sheet-synchronised": { model: "sheet", isSynchronised: true },
+  shell: { model: "shell" },
+  "shell-triangles": { model: "shell", discretisation: "triangles" },
+  rigid: { model: "rigid" },
+  peel: { model: "peel" },
+  cylinder: { model: "cylinder" },
+  cone: { model: "cone" },
+} as const satisfies Record<string, Own>;
+
+/** The name of one. */
+export type Variant = keyof typeof variants;
+
+/** All of them, in the order in which they are offered. */
+export const variantNames = Object.keys(variants) as Variant[];
+
+/** Whether a variant has springs, not only nodes. */
+export const hasSprings = (variant: Variant): boolean => variants[variant].model === "mass-spring";
+
+/** The drawn points: many enough to bend smoothly, and light is found at every fourth column. */
+const points = [25, 33] as const;
+
+/** Columns and rows where nobody chose: the shell's own grid would take a minute and a half for each second. */
+const shellNodes = [10, 14] as const;
+
+/** The leaf that a variant and the settings make. */
+export function leafOptions(variant: Variant, settings: Settings): LeafOptions {
+  const { isSynchronised, ...own }: Own = variants[variant];
+  const { nodes, steps, stiffness } = settings;
+  const usual = own.model === "shell" ? shellNodes : undefined;
+  return {
+    ...leafSize,
+    ...own,
+    points,
+    stock: {
+      grammage: settings.grammage / 1e3,
+      caliper: settings.caliper / 1e6,
+      stiffnessAlong: (grainRatio * stiffness) / 1e3,
+      stiffnessAcross: stiffness / 1e3,
+    },
+    gravity: settings.gravity,
+    air: settings.air,
+    nodes: nodes > ownNodes ? [nodes, rowsOf(nodes)] : usual,
+    timeStep: steps > 0 ? 1 / steps : undefined,
+    synchronise: isSynchronised ? (settings.angle * Math.PI) / 180 : "off",
+  };
+}
+
+/** How much stiffer the presets' paper is along its grain than across. */
+export const grainRatio = 2.25;
+
+/** Fewer columns than any choice: the model's own number. */
+export const ownNodes = 3;
+
+/** Rows beside so many columns, nearly as far apart; the models of springs take no more. */
+export const rowsOf = (columns: number): number => Math.min(16, Math.round(1.4 * columns));

@@ -1,0 +1,127 @@
+/**
+ * Draws one leaf over two resting pages, lit as the viewer lights a book: for
+ * pages that show a leaf of `turnleaf/models` or a recorded turn. Draws when it
+ * is told to, and asks for no animation frame.
+ *
+ * Metres, as in `turnleaf/models`: x across the spine, y along it to the head,
+ * z up from the pages.
+ */
+
+import type { Scene, Texture } from "three";
+import { LeafScene } from "../draw/leaf_scene.ts";
+import type { Ray, Vec3 } from "../engine/shapes.ts";
+import { pickSurface } from "../hand/pick.ts";
+import { handAt } from "../hand/reach.ts";
+import type { PagePicture } from "../sources/page_source.ts";
+
+export type { PagePicture, Ray, Vec3 };
+
+/** The size of a leaf, metres. */
+export interface LeafSize {
+  /** From the spine to the fore-edge. */
+  readonly width: number;
+  /** From the foot to the head. */
+  readonly height: number;
+}
+
+/** Points of a leaf, columns and rows of them at even distances. */
+export interface ShownLeaf {
+  /** Points along a row, from the spine. */
+  readonly columns: number;
+  /** Rows, from the foot. */
+  readonly rows: number;
+  /** x, y, z of each point, row by row, metres. */
+  readonly positions: Float32Array;
+  /** Unit normal of each, up where the leaf lies on the right. */
+  readonly normals: Float32Array;
+}
+
+/** A place on a leaf: u from 0 at the spine to 1 at the fore-edge, v from 0 at the foot to 1 at the head. */
+export interface LeafPlace {
+  readonly u: number;
+  readonly v: number;
+}
+
+/** What is printed: on the leaf's two sides, and on the page that rests on either side. Null is blank. */
+export type LeafPictures = Readonly<
+  Record<"recto" | "verso" | "left" | "right", PagePicture | null>
+>;
+
+/** One leaf on one canvas. */
+export class LeafStage {
+  readonly #size: LeafSize;
+  readonly #scene: LeafScene;
+  #leaf: ShownLeaf | null = null;
+  /** u of each of the leaf's columns. */
+  #u = new Float32Array(0);
+  #width = 1;
+  #height = 1;
+
+  /**
+   * @param onRestored called when the graphics card came back after a loss, and a frame is to be drawn
+   * @throws Error in one sentence where the browser has no WebGL 2
+   */
+  constructor(canvas: HTMLCanvasElement, size: LeafSize, onRestored?: () => void) {
+    this.#size = size;
+    this.#scene = new LeafScene(canvas, size, onRestored);
+  }
+
+  /** What is drawn; whatever is added to it is drawn too, and is for whoever added it to dispose of. */
+  get scene(): Scene {
+    return this.#scene.scene;
+  }
+
+  /** The canvas's place is `width` by `height` CSS pixels, each `pixelRatio` device pixels. */
+  resize(width: number, height: number, pixelRatio: number): void {
+    this.#width = Math.max(1, width);
+    this.#height = Math.max(1, height);
+    this.#scene.resize(this.#width, this.#height, pixelRatio);
+  }
+
+  /** Prints the leaf and the pages from the next frame on. */
+  print(pictures: LeafPictures): void {
+    this.#scene.print(pictures);
+  }
+
+  /** Shows textures on the leaf's recto and verso in place of its pictures; null shows those again. */
+  cover(textures: Readonly<Record<"recto" | "verso", Texture>> | null): void {
+    this.#scene.cover(textures);
+  }
+
+  /** Where the leaf is from the next frame on. Its arrays are read in every frame until then. */
+  show(leaf: ShownLeaf): void {
+    if (this.#u.length !== leaf.columns) {
+      this.#u = Float32Array.from({ length: leaf.columns }, (_, k) => k / (leaf.columns - 1));
+    }
+    this.#leaf = leaf;
+    this.#scene.show(leaf);
+  }
+
+  /** Draws one frame, now. */
+  draw(): void {
+    this.#scene.draw();
+  }
+
+  /** The place of the leaf that is seen at a place of the canvas, CSS pixels from its upper left corner; null beside it. */
+  pick(x: number, y: number): LeafPlace | null {
+    if (!this.#leaf) return null;
+    return pickSurface(this.#ray(x, y), { ...this.#leaf, version: 0 }, this.#u);
+  }
+
+  /**
+   * Where a hand is that is seen at a place of the canvas and carries over the
+   * spine what lies `reach` metres from it: on an arch.
+   */
+  handAt(x: number, y: number, reach: number): Vec3 {
+    return handAt(this.#ray(x, y), Math.max(reach, 0.01 * this.#size.width), () => 0);
+  }
+
+  /** Frees everything on the graphics card. The canvas cannot be drawn on again. */
+  destroy(): void {
+    this.#scene.destroy();
+  }
+
+  #ray(x: number, y: number): Ray {
+    return this.#scene.rayAt((2 * x) / this.#width - 1, 1 - (2 * y) / this.#height);
+  }
+}
