@@ -31,6 +31,9 @@ pub struct Gesture {
     /// How far the hand is pulled in toward the spine half-way, as part of the
     /// radius: with 0 the leaf is taut all the way, above 0 it bows up.
     pub pull: f32,
+    /// The same in proportion to the hand's height, so that the leaf is slack from
+    /// the beginning: `lab agree`'s hand.
+    pub slack: f32,
     /// How far the held foot corner is drawn toward the head half-way, in units
     /// of length.
     pub rise: f32,
@@ -39,7 +42,7 @@ pub struct Gesture {
 impl Gesture {
     /// The paper's: the whole fore-edge column on one half circle.
     pub fn column(from: Side, radius: f32, seconds: f32) -> Self {
-        let (lag, pull, rise) = (0.0, 0.0, 0.0);
+        let (lag, pull, slack, rise) = (0.0, 0.0, 0.0, 0.0);
         Self {
             from,
             seconds,
@@ -47,6 +50,7 @@ impl Gesture {
             radius,
             lag,
             pull,
+            slack,
             rise,
         }
     }
@@ -77,7 +81,7 @@ impl Gesture {
         } else {
             libm::sincosf(angle)
         };
-        let radius = self.radius * (1.0 - self.pull * (sin * sin));
+        let radius = self.radius * (1.0 - self.pull * (sin * sin) - self.slack * sin);
         [
             self.from.sign() * (radius * cos),
             y + self.rise * (sin * sin),

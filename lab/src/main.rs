@@ -87,7 +87,7 @@ Every way of turning a page:
   models            on the same three turns: cost, memory, distance from the shell,
                     strain, area, angles, creases, spine, drags (some minutes)
                       --stock bible|book|office|coated|card  (book)
-                      --nodes N       columns of nodes of the shell (23)
+                      --nodes N       columns of nodes of the shell (17)
                       --markdown      print a table in Markdown
                       --plot FILE     write cost against fidelity as SVG
                       --pictures DIR  write each at five moments as PNG

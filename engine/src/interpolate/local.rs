@@ -113,34 +113,50 @@ impl Filter {
         }
     }
 
-    /// Coefficients, `step` apart from `at`, where the values lie now one further
-    /// on: the coefficient of a node takes the place of its value.
-    fn run(&self, all: &mut [Four], at: usize, step: usize) {
-        let place = |node: usize| at + (node + 1) * step;
+    /// Coefficients of `lines` lines, each `apart` from the one before and its
+    /// numbers `step` from one another, where the values lie now one further on:
+    /// the coefficient of a node takes the place of its value. All lines go on
+    /// together, as each waits long for its own last number.
+    fn run(&self, all: &mut [Four], (lines, apart): (usize, usize), step: usize) {
+        let place = |line: usize, node: usize| line * apart + (node + 1) * step;
         let times = |value: f32| Four::splat(value);
-        let (n, six) = (self.nodes, times(6.0));
-        let value = [0, 1, 2].map(|node| all[place(node)]);
+        let (n, six, four) = (self.nodes, times(6.0), times(4.0));
         if self.first == 2 {
-            // The first two pieces are one cubic.
-            all[place(1)] = (times(8.0) * value[1] - value[0] - value[2]) * times(1.0 / 6.0);
+            // The first two pieces are one cubic. The values of its ends are kept
+            // where nothing is yet.
+            for line in 0..lines {
+                let value = [0, 1, 2].map(|node| all[place(line, node)]);
+                all[line * apart] = value[1];
+                all[place(line, 1)] =
+                    (times(8.0) * value[1] - value[0] - value[2]) * times(1.0 / 6.0);
+            }
         }
         for k in self.first..n - 1 {
-            let before = all[place(k - 1)];
-            all[place(k)] = (six * all[place(k)] - before) * times(self.pivots[k - self.first]);
+            let pivot = times(self.pivots[k - self.first]);
+            for line in 0..lines {
+                let before = all[place(line, k - 1)];
+                all[place(line, k)] = (six * all[place(line, k)] - before) * pivot;
+            }
         }
         for k in (self.first..n - 1).rev() {
-            let after = all[place(k + 1)];
-            // The last node's own value is its coefficient: no curvature there.
-            all[place(k)] = all[place(k)] - times(self.pivots[k - self.first]) * after;
+            let pivot = times(self.pivots[k - self.first]);
+            for line in 0..lines {
+                // The last node's own value is its coefficient: no curvature there.
+                let after = all[place(line, k + 1)];
+                all[place(line, k)] = all[place(line, k)] - pivot * after;
+            }
         }
-        let four = times(4.0);
-        if self.first == 2 {
-            all[place(0)] = six * value[1] - four * all[place(1)] - all[place(2)];
-            all[at] = six * value[0] - four * all[place(0)] - all[place(1)];
-        } else {
-            all[at] = times(2.0) * all[place(0)] - all[place(1)];
+        for line in 0..lines {
+            let (start, at) = (line * apart, |node: usize| place(line, node));
+            if self.first == 2 {
+                let (first, second) = (all[at(0)], all[start]);
+                all[at(0)] = six * second - four * all[at(1)] - all[at(2)];
+                all[start] = six * first - four * all[at(0)] - all[at(1)];
+            } else {
+                all[start] = times(2.0) * all[at(0)] - all[at(1)];
+            }
+            all[at(n)] = times(2.0) * all[at(n - 1)] - all[at(n - 2)];
         }
-        all[place(n)] = times(2.0) * all[place(n - 1)] - all[place(n - 2)];
     }
 }
 
@@ -223,12 +239,10 @@ impl Local {
             }
         }
         if let Some([along_u, along_v]) = &self.filters {
-            for row in 1..rows - 1 {
-                along_u.run(&mut self.weighed, row * columns, 1);
-            }
-            for column in 0..columns {
-                along_v.run(&mut self.weighed, column, columns);
-            }
+            // Rows of nodes, and then all columns, those of the margins too.
+            let nodes = &mut self.weighed[columns..(rows - 1) * columns];
+            along_u.run(nodes, (rows - 2, columns), 1);
+            along_v.run(&mut self.weighed, (columns, 1), columns);
         }
         let width = 3 * self.u.first.len();
         for (four, out) in self

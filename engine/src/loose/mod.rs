@@ -47,7 +47,7 @@ impl TurnBy {
 
 /// How far a hand draws a leaf in toward the spine at the height of a turn, as
 /// part of the width: it bows, and is never taut.
-const PULL: f32 = 0.1;
+const SLACK: f32 = 0.1;
 
 /// A leaf over a table.
 #[derive(Debug)]
@@ -146,7 +146,7 @@ impl LooseLeaf {
         };
         let gesture = Gesture {
             grip,
-            pull: PULL,
+            slack: SLACK,
             ..Gesture::column(from, self.settings.size[0] as f32, seconds)
         };
         let part = if by == TurnBy::LetGo { 0.5 } else { 1.0 };

@@ -28,9 +28,9 @@ const TURN: f64 = 1.2;
 const AFTER: f64 = 0.6;
 const FRAME: f64 = 1.0 / 60.0;
 
-/// Nodes and step of the reference: those that `lab agree` measures the sheet by.
-const NODES: [usize; 2] = [23, 31];
-const STEP: f64 = 1.0 / 360.0;
+/// Nodes and step of the reference. Its two discretisations tell how fine that is.
+const NODES: [usize; 2] = [17, 23];
+const STEP: f64 = 1.0 / 240.0;
 
 /// Turns for the clock beyond the first; the shell, which takes minutes, has none.
 const AGAIN: usize = 20;

@@ -50,7 +50,8 @@ pub fn svg(figures: &Value) -> String {
         let at = x(10f64.powi(decade));
         parts.push(line(at, top, at, SIZE[1] - bottom));
         let label = number(10f64.powi(decade));
-        parts.push(text(at, SIZE[1] - bottom + 20.0, "middle", &label));
+        let anchor = if decade == costs.1 { "end" } else { "middle" };
+        parts.push(text(at, SIZE[1] - bottom + 20.0, anchor, &label));
     }
     for decade in aways.0..=aways.1 {
         let at = y(10f64.powi(decade));
