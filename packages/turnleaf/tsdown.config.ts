@@ -22,7 +22,12 @@ const viewer = defineConfig({
       // What every page loads is one file, which packs better than many. But for
       // the definition of the element: a file with an effect has the one name
       // that package.json says has one.
-      groups: [{ name: "viewer", tags: ["$initial"], test: /\/src\/(?!index\.)(?!.*\.d\.ts)/ }],
+      // The book in space is another, with what unpacks machine code, which other
+      // models than the book's own need too.
+      groups: [
+        { name: "viewer", tags: ["$initial"], test: /\/src\/(?!index\.)(?!.*\.d\.ts)/ },
+        { name: "solid", test: /\/src\/(solid|engine\/machine_code)\.ts/ },
+      ],
     },
   },
 });

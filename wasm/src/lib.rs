@@ -150,6 +150,11 @@ book_functions! {
     fn tl_book_positions(book, index: usize) -> *const f32 {
         book.surface(index).map_or(core::ptr::null(), |s| s.positions.as_ptr())
     }
+    /// Points of a flight over a flat table, to be written over before the next update:
+    /// that draws them in place of the sheet.
+    fn tl_book_dress(book, index: usize) -> *mut f32 {
+        book.dress(index).map_or(core::ptr::null_mut(), |points| points.as_mut_ptr())
+    }
     /// Normals of a flight's surface, f32 x, y, z.
     fn tl_book_normals(book, index: usize) -> *const f32 {
         book.surface(index).map_or(core::ptr::null(), |s| s.normals.as_ptr())

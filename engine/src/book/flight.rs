@@ -38,6 +38,8 @@ pub struct Flight {
     shown: Vec<f32>,
     wanted: Vec<f32>,
     held_back: bool,
+    /// Whether the surface holds what is to be drawn in the sheet's place.
+    dressed: bool,
 }
 
 impl Flight {
@@ -56,6 +58,7 @@ impl Flight {
             shown: Vec::new(),
             wanted: Vec::new(),
             held_back: false,
+            dressed: false,
             cells: u.iter().map(cell).collect(),
         }
     }
@@ -97,10 +100,21 @@ impl Flight {
         &self.surface
     }
 
-    /// Draws the leaf as it is now, between the piles (right and left).
+    /// The leaf's points over a flat table as it is now, for another model to write over:
+    /// what they hold then is drawn next in place of the leaf itself.
+    pub fn dress(&mut self) -> &mut [f32] {
+        self.leaf.write_surface(&mut self.surface);
+        self.dressed = true;
+        &mut self.surface.positions
+    }
+
+    /// Draws the leaf as it is now, or as it is [dressed](Self::dress), between the piles
+    /// (right and left).
     pub fn draw(&mut self, [right, left]: [&Pile; 2]) {
         self.held_back = false;
-        self.leaf.write_surface(&mut self.surface);
+        if !core::mem::take(&mut self.dressed) {
+            self.leaf.write_surface(&mut self.surface);
+        }
         seat(&mut self.surface.positions, right, left);
         self.surface.update_normals();
         if self.leaf.was_held() {

@@ -182,6 +182,11 @@ impl Flights {
         self.order.iter_mut().find(|flight| flight.id() == id)
     }
 
+    /// The points of the flight at `index`, from the left: see [`Flight::dress`].
+    pub fn dress(&mut self, index: usize) -> Option<&mut [f32]> {
+        self.order.get_mut(index).map(Flight::dress)
+    }
+
     fn index(&self, id: u32) -> Option<usize> {
         self.order.iter().position(|flight| flight.id() == id)
     }

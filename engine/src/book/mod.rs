@@ -235,6 +235,15 @@ impl Book {
             .map(|flight| flight.surface())
     }
 
+    /// The points of the flight at `index`, counted from the left: x, y, z in metres over
+    /// a flat table, at the surface's columns and rows, as its sheet is now. What is
+    /// written over them is what the next update seats between the piles and draws, in
+    /// place of the sheet: so another model shows a leaf that hands and contacts move
+    /// as paper.
+    pub fn dress(&mut self, index: usize) -> Option<&mut [f32]> {
+        self.flights.dress(index)
+    }
+
     /// Largest strain, stretch or compression, of any edge between neighbouring
     /// nodes of the flight at `index`, counted from the left.
     pub fn strain(&self, index: usize) -> Option<f32> {

@@ -198,3 +198,21 @@ it("11: a guest's page comes into the open book, and goes out again", async () =
   await page.getByRole("button", { name: "Take" }).click();
   await expect.poll(() => page.locator("output").textContent(), patience).toBe("8 pages");
 });
+
+it("12: the open book turns its pages in every way that is chosen", async () => {
+  await open("12-models", { width: 760 });
+  await turnFrom(25);
+  const select = page.getByRole("combobox", { name: "Pages turn" });
+  let from = await place();
+  for (const model of await select
+    .locator("option")
+    .evaluateAll((all) => all.map((o) => (o as HTMLOptionElement).value))) {
+    await select.selectOption(model);
+    await expect.poll(() => ask((book) => book.ready), patience).toBe(true);
+    expect(await ask((book) => book.model)).toBe(model);
+    expect(await ask((book) => book.next())).toBe(true);
+    await comesTo(from + 2);
+    await expect.poll(() => ask((book) => book.turning), patience).toBe(false);
+    from += 2;
+  }
+});

@@ -20,6 +20,7 @@ export type { ManifestLink, ManifestOutline, ManifestText } from "./sources/mani
 export type { BookInput } from "./sources/open.ts";
 export { BookError, type OutlineEntry, type PagePicture } from "./sources/page_source.ts";
 export type { SearchHit } from "./text/searching.ts";
+export type { TurnModelName } from "./wear/model_choice.ts";
 export { addLanguage } from "./words/languages.ts";
 export type { ControlTexts, ElementTexts, Plural, Texts } from "./words/texts.ts";
 

@@ -8,4 +8,5 @@ import type { Craft } from "./viewer.ts";
 export const craft: Craft = {
   engine: (size) => EngineBook.create(size),
   stage: (canvas, shape) => new Stage(canvas, shape),
+  models: () => import("./wear/wear.ts"),
 };

@@ -24,6 +24,7 @@ import {
 } from "./view/bound.ts";
 import { Fade } from "./view/fade.ts";
 import { Folding } from "./view/folding.ts";
+import { Modelling } from "./view/modelling.ts";
 import { type Craft, usualWish, type ViewerOptions } from "./view/options.ts";
 import { pictureWidth } from "./view/picturing.ts";
 import { QualityGovernor } from "./view/quality.ts";
@@ -32,6 +33,7 @@ import { Steering } from "./view/steering.ts";
 import { Stillness } from "./view/stillness.ts";
 import { Viewing } from "./view/viewing.ts";
 import { Views } from "./view/views.ts";
+import type { ModelChoice } from "./wear/model_choice.ts";
 
 export type { Craft, ViewerOptions } from "./view/options.ts";
 
@@ -46,6 +48,7 @@ export class Viewer {
   readonly #fade: Fade;
   readonly #sharpness: Sharpness;
   readonly #folding: Folding;
+  readonly #modelling: Modelling;
   readonly #views = new Views();
   readonly #stillness = new Stillness();
   readonly #governor = new QualityGovernor();
@@ -64,6 +67,7 @@ export class Viewer {
     engine: BookEngine,
     stage: BookStage,
     options: ViewerOptions,
+    craft: Craft,
   ) {
     this.#options = options;
     this.#stage = stage;
@@ -91,6 +95,8 @@ export class Viewer {
       changed: () => this.#show(),
       failed,
     });
+    this.#modelling = new Modelling(craft.models, failed);
+    if (options.model) void this.setModel(options.model());
     const events: TurningEvents = {
       started: (flight) => {
         this.#folding.close();
@@ -130,7 +136,7 @@ export class Viewer {
     const engine = await craft.engine(plan.shape);
     signal.throwIfAborted();
     const stage = craft.stage(canvas, plan.shape);
-    return new Viewer(canvas, source, book, plan, engine, stage, options);
+    return new Viewer(canvas, source, book, plan, engine, stage, options, craft);
   }
 
   /** The part of its leaf that a page (from 1) of some size covers, shares from the upper left corner. */
@@ -214,6 +220,12 @@ export class Viewer {
     this.#binder.setPaper(paper);
   }
 
+  /** Turns the leaves in another way, as soon as it is loaded and none is in flight. */
+  async setModel(choice: ModelChoice): Promise<void> {
+    await this.#modelling.choose(choice);
+    this.#bindSoon();
+  }
+
   /** Draws a page (from 1) anew, as its source shows something else there now. */
   redraw(page: number): void {
     if (this.#destroyed) return;
@@ -286,9 +298,9 @@ export class Viewer {
     return this.#pictures.settled && this.#sharpness.settled;
   }
 
-  /** Whether, besides, the pages that a turn may bring into sight are drawn, as far as memory allows. */
+  /** Whether, besides, the model that turns them is there, and the pages that a turn may bring into sight are drawn, as far as memory allows. */
   get ready(): boolean {
-    return this.settled && this.#pictures.ready;
+    return this.settled && this.#pictures.ready && this.#modelling.ready;
   }
 
   /** Stops everything and frees what the graphics card and the engine hold. */
@@ -300,6 +312,7 @@ export class Viewer {
     this.#fade.close();
     this.steering.close();
     this.#folding.close();
+    this.#modelling.close();
     this.#binder.close();
     this.#sharpness.close();
     this.#pictures.close();
@@ -313,23 +326,27 @@ export class Viewer {
 
   #draw(now: number): void {
     this.#frame = 0;
-    const { ticks } = this.#bound;
+    const {
+      ticks,
+      engine: { tick },
+    } = this.#bound;
     const passed = ticks.pass(now);
+    const seconds = passed * tick;
     // Without a turn nothing in the engine has moved since the book was laid open.
     const turned = this.turning.moving;
     const turning = turned && this.turning.step(passed);
     // Whoever hears of a turn may take the book away at once.
     if (this.#destroyed) return;
-    if (turned) this.#bound.engine.update();
+    if (turned) this.#modelling.update(this.#bound, seconds);
     if (!turning) this.#bindAnew();
     if (this.#destroyed) return;
-    const { engine, peek } = this.#bound;
-    const seconds = passed * engine.tick;
+    const { peek } = this.#bound;
     peek.step(seconds);
     const folding = this.#folding.step(seconds);
     const stepping = this.#viewing.step(turning && peek.flight === null, seconds) || folding;
     const posed = this.#bound.pose();
-    const pose = { ...posed, flap: this.#folding.surface(posed, this.#bound.shape) };
+    const flap = this.#folding.surface(posed, this.#bound.shape);
+    const pose = { ...posed, flap, folded: this.#modelling.folds };
     if (stepping) this.#bound.holding.follow();
     // What is held quite still takes no more frames until the hand moves.
     const still = turning && this.turning.inHand && this.#stillness.check(pose.leaves);
@@ -371,7 +388,9 @@ export class Viewer {
 
   /** Does what waited for the book to lie still. */
   #bindAnew(): void {
-    if (this.#destroyed || !this.#binder.waits) return;
+    if (this.#destroyed) return;
+    this.#modelling.rest();
+    if (!this.#binder.waits) return;
     this.#folding.close();
     this.#sharpness.close();
     const before = this.binding;

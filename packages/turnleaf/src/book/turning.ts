@@ -20,6 +20,8 @@ export interface Flight {
   readonly from: number;
   /** The side it was last sent to. */
   to: Side;
+  /** u and v of where a hand first took hold of it. */
+  grip?: readonly [u: number, v: number];
 }
 
 /** What happens to the book, in the order it happens. */
@@ -166,6 +168,7 @@ export class Turning {
     for (const [other, held] of this.#held) if (held !== flight) this.#held.delete(other);
     this.#held.set(hand, flight);
     if (flight.part !== "leaf") return;
+    flight.grip ??= [u, v];
     this.#engine.grab(flight.id, hand, u, v);
     this.#follow();
   }

@@ -56,6 +56,8 @@ export class DrawnBook {
   /** The leaves as they were lit last. */
   #lit: readonly Surface[] = [];
   #isLit = false;
+  /** Whether leaves lie folded on the pages. */
+  #folded = false;
   /** Whether the light stays as it was found in the pose before. */
   #isDim = false;
 
@@ -122,6 +124,7 @@ export class DrawnBook {
     const flapMoved = this.#followFlap(pose.flap ?? null);
     const sheets = pose.flap ? [...pose.leaves, pose.flap] : pose.leaves;
     this.#isDim = roughly && !this.#isDim && still && sheets.length === this.#lit.length;
+    this.#folded = pose.folded ?? false;
     this.#light(pose.leaves, sheets, pilesMoved, still);
     const [left, right] = [this.#left.pile, this.#right.pile];
     if (!this.#hard) shadowOfLeaves(this.#ground, this.#shape, pose.leaves, left, right);
@@ -190,7 +193,8 @@ export class DrawnBook {
       mesh.recto.visible = mesh.verso.visible = mesh.rim.mesh.visible = k < leaves.length;
       if (k >= leaves.length) continue;
       mesh.shape(leaves[k], k + 1, leaves.length - k);
-      if (!this.#isDim) mesh.light(leaves[k], ...piles, leaves[k - 1], leaves[k + 1]);
+      if (this.#folded) mesh.lieOpen();
+      else if (!this.#isDim) mesh.light(leaves[k], ...piles, leaves[k - 1], leaves[k + 1]);
     }
   }
 

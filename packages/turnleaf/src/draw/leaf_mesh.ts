@@ -80,6 +80,17 @@ export class LeafMesh {
     verso.needsUpdate = true;
   }
 
+  /** Lies on the pages: the recto sees all of the sky, the verso, which bends up a little, less. */
+  lieOpen(): void {
+    for (const [gap, right] of [
+      [this.#rectoGap, Math.PI / 2],
+      [this.#versoGap, 0.6],
+    ] as const) {
+      for (let k = 0; k < gap.array.length; k++) gap.array[k] = k % 2 ? right : -Math.PI / 2;
+      gap.needsUpdate = true;
+    }
+  }
+
   dispose(): void {
     this.recto.geometry.dispose();
     this.verso.geometry.dispose();

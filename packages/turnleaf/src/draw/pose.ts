@@ -31,6 +31,8 @@ export interface BookPose {
   readonly right: Pile | null;
   /** The leaves in flight, from the left to the right. A recto faces up where its leaf lies on the right. */
   readonly leaves: readonly Surface[];
+  /** Whether they lie folded on the pages, so that light falls on them as on these, rather than between them. */
+  readonly folded?: boolean;
   /** The flap of a fold-out that lies open, where none is in flight. */
   readonly flap?: Surface | null;
   /** Half of what the right block is thicker than the left, metres: so far the gutter is off the spine's middle. */

@@ -14,6 +14,8 @@ export interface Answers {
   goTo(page: number): void;
   /** The leaves are made of another paper. */
   changePaper(): void;
+  /** The leaves turn in another way. */
+  changeModel(): void;
   /** Turns take another time. */
   changePace(): void;
   /** The place is kept from now on, or no more. */
@@ -34,6 +36,9 @@ export const attributes: Readonly<
   duration: (answers) => answers.changePace(),
   stock: (answers) => answers.changePaper(),
   assist: (answers) => answers.changePaper(),
+  model: (answers) => answers.changeModel(),
+  recording: (answers) => answers.changeModel(),
+  photographs: (answers) => answers.changeModel(),
   address: (answers) => answers.keepPlace(),
   remember: (answers) => answers.keepPlace(),
   controls: (answers) => answers.furnish(),

@@ -47,6 +47,7 @@ interface Exports {
   tl_book_layers(book: number): number;
   tl_book_u(book: number): number;
   tl_book_positions(book: number, index: number): number;
+  tl_book_dress(book: number, index: number): number;
   tl_book_normals(book: number, index: number): number;
   tl_book_version(book: number, index: number): number;
   tl_book_pile(book: number, side: Side): number;
@@ -253,6 +254,19 @@ export class EngineBook {
     }
     this.#surfaces.set(at, surface);
     return surface;
+  }
+
+  /**
+   * Points of the flight at `index` over a flat table, as a view of the engine's memory: x, y, z in
+   * metres, at the surface's columns and rows, now as its sheet has them. What is written over them
+   * is drawn by the next `update` in the sheet's place, seated between the piles. Null where leaves
+   * are no sheets.
+   */
+  dress(index: number): Float32Array | null {
+    const wasm = this.#wasm;
+    const at = wasm.tl_book_dress(this.#book, index);
+    const count = wasm.tl_book_columns(this.#book) * wasm.tl_book_rows(this.#book);
+    return at === 0 ? null : new Float32Array(wasm.memory.buffer, at, 3 * count);
   }
 
   /** The pages at rest on `side`, as a view of the engine's memory. */

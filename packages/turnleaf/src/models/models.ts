@@ -219,7 +219,7 @@ function figuresOf(options: LeafOptions): number[] {
 }
 
 /**
- * A loose leaf, in an engine of its own: dropping it frees all of its memory.
+ * A loose leaf, in an engine of its own but for `another`: dropping all frees its memory.
  *
  * ```ts
  * const leaf = await LooseLeaf.create({ model: "cone" });
@@ -260,6 +260,14 @@ export class LooseLeaf {
   static async create(options: LeafOptions): Promise<LooseLeaf> {
     const instance = await WebAssembly.instantiate(await compile(), {});
     return new LooseLeaf(instance.exports as unknown as Exports, options);
+  }
+
+  /**
+   * Another leaf in the same memory, at once.
+   * @throws Error in one sentence where the options make no leaf
+   */
+  another(options: LeafOptions): LooseLeaf {
+    return new LooseLeaf(this.#wasm, options);
   }
 
   /** Lays the leaf flat and still on a side, nothing holding it. */

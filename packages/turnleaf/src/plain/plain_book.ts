@@ -78,6 +78,11 @@ export class PlainBook implements BookEngine {
 
   setAssist(): void {}
 
+  // Nor is any turned otherwise.
+  dress(): null {
+    return null;
+  }
+
   lay(read: number): void {
     this.#peels = [];
     this.#read = read;

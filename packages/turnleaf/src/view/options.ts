@@ -4,12 +4,16 @@ import type { Paper } from "../book/paper.ts";
 import type { BookPose, BookShape } from "../draw/pose.ts";
 import type { BookStage } from "../draw/stage.ts";
 import type { BookEngine, BookSize } from "../engine/engine.ts";
+import type { ModelChoice } from "../wear/model_choice.ts";
 import type { Wish } from "./bound.ts";
+import type { LoadModels } from "./modelling.ts";
 
 /** What moves a book's leaves and what draws them; the two of a craft are made for each other. */
 export interface Craft {
   engine(size: BookSize): Promise<BookEngine>;
   stage(canvas: HTMLCanvasElement, shape: BookShape): BookStage;
+  /** Loads other models than the engine's own; left out where there are none. */
+  readonly models?: LoadModels;
 }
 
 /** How a book is shown. */
@@ -20,6 +24,8 @@ export interface ViewerOptions extends Partial<Wish> {
   readonly page: () => number;
   /** Length of a played turn, seconds, asked for likewise. */
   readonly turnSeconds: () => number;
+  /** How leaves are turned, asked for likewise: as sheets where nothing is said. */
+  readonly model?: () => ModelChoice;
   /** A turn begins between two spreads. */
   readonly onStart: (low: number, high: number, forward: boolean) => void;
   /** The book came to rest at a spread. */

@@ -1,0 +1,75 @@
+import { afterEach, expect, test } from "vitest";
+import type { TurnleafBook } from "./element.ts";
+import { book, happens, scans, settled } from "./element_for_tests.ts";
+import { Hands } from "./hands_for_tests.ts";
+import type { TurnModelName } from "./wear/model_choice.ts";
+
+afterEach(() => document.body.replaceChildren());
+
+const ready = (element: TurnleafBook): Promise<void> =>
+  expect.poll(() => element.ready, { timeout: 30_000, interval: 50 }).toBe(true);
+
+/** A book of ten pages that turns so, at pages 4 and 5. */
+async function opened(
+  model: TurnModelName,
+  attributes: Record<string, string> = {},
+): Promise<TurnleafBook> {
+  const element = book(scans(10), {
+    model,
+    cover: "none",
+    duration: "300",
+    page: "4",
+    ...attributes,
+  });
+  const failed: string[] = [];
+  element.addEventListener("error", (event) => failed.push(event.detail.message));
+  await happens(element, "load");
+  await ready(element);
+  expect(failed).toEqual([]);
+  return element;
+}
+
+/** Drags from one place of the element to another, shares of its size. */
+async function drag(element: TurnleafBook, from: [number, number], to: [number, number]) {
+  const hands = new Hands(element);
+  const at = ([x, y]: [number, number]): [number, number] => [300 * x, 220 * y];
+  hands.point("pointerdown", ...at(from));
+  await hands.move(at(from), at(to));
+  hands.point("pointerup", ...at(to));
+}
+
+const live: TurnModelName[] = ["rigid", "peel", "cylinder", "cone", "mass-spring"];
+
+test.for(live)("%s: a command and a drag turn a page, and then nothing runs", async (model) => {
+  const element = await opened(model);
+  expect(await element.next()).toBe(true);
+  expect(element.spread).toEqual({ left: 6, right: 7 });
+  await ready(element);
+  const turned = happens(element, "pagechange");
+  await drag(element, [0.2, 0.6], [0.9, 0.5]);
+  expect(await turned).toMatchObject({ from: 6, to: 4, direction: "backward" });
+  await settled(element);
+  let frames = 0;
+  const { requestAnimationFrame } = window;
+  window.requestAnimationFrame = (call) => {
+    frames++;
+    return requestAnimationFrame(call);
+  };
+  await new Promise((resolve) => setTimeout(resolve, 200));
+  window.requestAnimationFrame = requestAnimationFrame;
+  expect(frames).toBe(0);
+});
+
+test.for([
+  ["right", [0.2, 0.6], [0.9, 0.5]],
+  ["top", [0.5, 0.85], [0.5, 0.1]],
+] as const)("bound at the %s, every model turns a leaf by a drag", async ([binding, from, to]) => {
+  for (const model of live) {
+    const element = await opened(model, { binding });
+    const turned = happens(element, "pagechange");
+    await drag(element, [...from], [...to]);
+    expect(await turned).toMatchObject({ direction: "forward" });
+    await settled(element);
+    element.remove();
+  }
+});

@@ -1,0 +1,76 @@
+/** How the leaves of a viewer are turned where not as sheets: what does it is loaded when it is chosen. */
+
+import { loaded } from "../sources/loaded.ts";
+import type { LeafModel, ModelledBook } from "../wear/leaf_model.ts";
+import type { ModelChoice } from "../wear/model_choice.ts";
+
+/** What loads the models that a craft can show. */
+export type LoadModels = () => Promise<typeof import("../wear/wear.ts")>;
+
+/** The model of the leaves in flight, and the one that waits for them to land. */
+export class Modelling {
+  readonly #load: LoadModels | undefined;
+  readonly #failed: (error: unknown) => void;
+  #model: LeafModel | null = null;
+  /** What is to take its place once the book lies still; undefined where nothing is. */
+  #next: LeafModel | null | undefined;
+  /** Rises with every choice: what came of one before is void. */
+  #choice = 0;
+  #isLoading = false;
+
+  /** @param load undefined where leaves are turned in one way alone */
+  constructor(load: LoadModels | undefined, failed: (error: unknown) => void) {
+    this.#load = load;
+    this.#failed = failed;
+  }
+
+  /** Whether nothing that was chosen is yet to come. */
+  get ready(): boolean {
+    return !this.#isLoading && this.#next === undefined;
+  }
+
+  /** Turns leaves in another way, from when the book next lies still. Resolves once `rest` can see to it. Never rejects. */
+  async choose(choice: ModelChoice): Promise<void> {
+    const own = ++this.#choice;
+    const load = choice.model === "sheet" ? undefined : this.#load;
+    this.#isLoading = load !== undefined;
+    let model: LeafModel | null = null;
+    try {
+      if (load) model = await (await loaded(load())).openModel(choice);
+    } catch (error) {
+      if (own === this.#choice) this.#failed(error);
+    }
+    if (own !== this.#choice) return model?.close();
+    this.#isLoading = false;
+    this.#next?.close();
+    this.#next = model;
+  }
+
+  /** The book lies still. */
+  rest(): void {
+    if (this.#next === undefined) return;
+    this.#model?.close();
+    this.#model = this.#next;
+    this.#next = undefined;
+  }
+
+  /** Whether leaves are folded flat on the pages. */
+  get folds(): boolean {
+    return this.#model?.folds ?? false;
+  }
+
+  /** Draws the leaves in flight as they are some seconds later than before. */
+  update(book: ModelledBook, seconds: number): void {
+    this.#model?.show(book, seconds);
+    book.engine.update();
+    this.#model?.finish?.(book);
+  }
+
+  /** Takes away what is and what comes. */
+  close(): void {
+    this.#choice++;
+    this.#next?.close();
+    this.#next = null;
+    this.rest();
+  }
+}

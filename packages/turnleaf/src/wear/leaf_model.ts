@@ -1,0 +1,87 @@
+/** What turns leaves otherwise than as the sheets that they are. */
+
+import type { Turning } from "../book/turning.ts";
+import type { BookShape } from "../draw/pose.ts";
+import type { BookEngine } from "../engine/engine.ts";
+
+/** A book whose leaves are turned. */
+export interface ModelledBook {
+  readonly engine: BookEngine;
+  readonly turning: Turning;
+  readonly shape: BookShape;
+}
+
+/** A model of a book's leaves in flight: it follows their sheets, and is drawn in place of them. */
+export interface LeafModel {
+  /** Moves on by `seconds`, and writes where each leaf is for the engine's next update. */
+  show(book: ModelledBook, seconds: number): void;
+  /** After that update: puts right what the engine cannot know of leaves that are no sheets. */
+  finish?(book: ModelledBook): void;
+  /** Whether it folds leaves flat on the pages. */
+  readonly folds?: boolean;
+  /** Takes away all that it holds. */
+  close(): void;
+}
+
+/** Where the engine's own hand holds a leaf that it turns: the same as in its play.rs. */
+const turner = [1, 0.14] as const;
+
+/** A leaf that is taken up. */
+export interface Taken {
+  /** The side on which it lay. */
+  readonly from: "left" | "right";
+  /** Where it is held. */
+  readonly u: number;
+  readonly v: number;
+  /** Number of its points. */
+  readonly count: number;
+}
+
+/** The leaves in flight by what a model keeps of each, from when it is taken up until it lies. */
+export class Worn<Kept> {
+  readonly #make: (taken: Taken) => Kept;
+  readonly #free: (kept: Kept) => void;
+  readonly #kept = new Map<object, Kept>();
+
+  /**
+   * @param make of a leaf that is taken up
+   * @param free of one that lies again
+   */
+  constructor(make: (taken: Taken) => Kept, free: (kept: Kept) => void = () => {}) {
+    this.#make = make;
+    this.#free = free;
+  }
+
+  /** Writes every leaf in flight; `points` are as of `BookEngine.dress`. */
+  show({ engine, turning }: ModelledBook, write: (kept: Kept, points: Float32Array) => void): void {
+    const { flights } = turning;
+    for (const [flight, kept] of this.#kept) {
+      if ((flights as readonly object[]).includes(flight)) continue;
+      this.#kept.delete(flight);
+      this.#free(kept);
+    }
+    for (const [index, flight] of flights.entries()) {
+      const points = flight.part === "leaf" ? engine.dress(index) : null;
+      if (points === null) continue;
+      let kept = this.#kept.get(flight);
+      if (kept === undefined) {
+        const [u, v] = flight.grip ?? turner;
+        const from = flight.from === flight.low ? "right" : "left";
+        kept = this.#make({ from, u, v, count: points.length / 3 });
+        this.#kept.set(flight, kept);
+      }
+      write(kept, points);
+    }
+  }
+
+  /** What is kept of a leaf; undefined where it is not worn. */
+  of(flight: object): Kept | undefined {
+    return this.#kept.get(flight);
+  }
+
+  /** Frees what is kept of all. */
+  clear(): void {
+    for (const kept of this.#kept.values()) this.#free(kept);
+    this.#kept.clear();
+  }
+}
