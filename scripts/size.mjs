@@ -23,7 +23,7 @@ const goal = 80;
  * one of those that every book needs.
  */
 const parts = {
-  "shows and turns a book": { limit: 80.5 },
+  "shows and turns a book": { limit: 80.7 },
   "the text over the pages, once they show": { files: ["text_over.js"], limit: 6 },
   "zoomed in, fold-outs, the place kept": {
     files: ["details.js", "flap.js", "place.js"],

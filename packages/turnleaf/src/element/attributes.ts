@@ -37,8 +37,6 @@ export const attributes: Readonly<
   stock: (answers) => answers.changePaper(),
   assist: (answers) => answers.changePaper(),
   model: (answers) => answers.changeModel(),
-  recording: (answers) => answers.changeModel(),
-  photographs: (answers) => answers.changeModel(),
   address: (answers) => answers.keepPlace(),
   remember: (answers) => answers.keepPlace(),
   controls: (answers) => answers.furnish(),

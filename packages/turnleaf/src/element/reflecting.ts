@@ -4,7 +4,7 @@ import type { Stock } from "../engine/shapes.ts";
 import type { TurnModelName } from "../wear/model_choice.ts";
 import { stockOf, turnSecondsOf } from "./attributes.ts";
 import type { Listened, TurnleafEventMap } from "./events.ts";
-import { photographsOf, turnModelOf } from "./model.ts";
+import { modelChoiceOf } from "./model.ts";
 import { wishOf } from "./wish.ts";
 
 /** On a server there is no DOM: importing the package is safe there, using the element is not. */
@@ -72,44 +72,16 @@ export class ReflectingElement extends Base {
 
   /**
    * How leaves turn: bent as paper (`sheet`); as boards (`rigid`); folded flat (`peel`); rolled (`cylinder`,
-   * `cone`); as masses on springs (`mass-spring`); as the exact shell, recorded (`shell`); as the recording
-   * says (`replay`) or the `photographs` show. In mid-turn it waits until the leaf lies. On the flat all are peeled.
+   * `cone`); as masses on springs (`mass-spring`). In mid-turn it waits until the leaf lies. On the flat all are peeled.
    * @attribute model
    * @default sheet
    */
   get model(): TurnModelName {
-    return turnModelOf(this);
+    return modelChoiceOf(this).model;
   }
 
   set model(model: TurnModelName) {
     this.setAttribute("model", model);
-  }
-
-  /**
-   * Of `model="replay"`: address of a recorded turn, from the right to the left.
-   * @attribute recording
-   * @default ""
-   */
-  get recording(): string {
-    return this.getAttribute("recording") ?? "";
-  }
-
-  set recording(address: string) {
-    this.setAttribute("recording", address);
-  }
-
-  /**
-   * Of `model="photographs"`: addresses of pictures of a turn, from the leaf lying on the right to lying on the
-   * left, at most 240; the attribute has spaces between them.
-   * @attribute photographs
-   * @default ""
-   */
-  get photographs(): readonly string[] {
-    return photographsOf(this);
-  }
-
-  set photographs(addresses: readonly string[]) {
-    this.setAttribute("photographs", addresses.join(" "));
   }
 
   /**
