@@ -349,7 +349,10 @@ export class Viewer {
     const pose = { ...posed, flap, folded: this.#modelling.folds };
     if (stepping) this.#bound.holding.follow();
     // What is held quite still takes no more frames until the hand moves.
-    const still = turning && this.turning.inHand && this.#stillness.check(pose.leaves);
+    const still =
+      turning &&
+      this.turning.inHand &&
+      this.#stillness.check([...pose.leaves, ...this.#modelling.sheets]);
     const moving = (turning && !still) || stepping;
     const resting = !moving && !this.#handled;
     // Of a view that fingers move, the next frame comes when they do.

@@ -59,6 +59,11 @@ export class Modelling {
     return this.#model?.folds ?? false;
   }
 
+  /** The sheets that it follows, which may still move when what is drawn does not. */
+  get sheets(): LeafModel["sheets"] {
+    return this.#model?.sheets ?? [];
+  }
+
   /** Draws the leaves in flight as they are some seconds later than before. */
   update(book: ModelledBook, seconds: number): void {
     this.#model?.show(book, seconds);

@@ -22,7 +22,7 @@ export class Stillness {
   #passed = 0;
 
   /** Whether leaves have not moved for some frames, this one included. */
-  check(leaves: readonly Surface[]): boolean {
+  check(leaves: readonly Pick<Surface, "positions">[]): boolean {
     const least = unseen * 2 ** (this.#passed++ / doubling);
     const moved =
       leaves.length !== this.#before.length ||

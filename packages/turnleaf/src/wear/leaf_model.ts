@@ -11,12 +11,19 @@ export interface ModelledBook {
   readonly shape: BookShape;
 }
 
+/** A leaf as paper: x, y, z of its points over a flat table. */
+export interface Sheet {
+  readonly positions: Float32Array;
+}
+
 /** A model of a book's leaves in flight: it follows their sheets, and is drawn in place of them. */
 export interface LeafModel {
   /** Moves on by `seconds`, and writes where each leaf is for the engine's next update. */
   show(book: ModelledBook, seconds: number): void;
   /** After that update: puts right what the engine cannot know of leaves that are no sheets. */
   finish?(book: ModelledBook): void;
+  /** The sheets of the leaves in flight as they were last. */
+  readonly sheets: readonly Sheet[];
   /** Whether it folds leaves flat on the pages. */
   readonly folds?: boolean;
   /** Takes away all that it holds. */
@@ -42,6 +49,7 @@ export class Worn<Kept> {
   readonly #make: (taken: Taken) => Kept;
   readonly #free: (kept: Kept) => void;
   readonly #kept = new Map<object, Kept>();
+  #sheets: Sheet[] = [];
 
   /**
    * @param make of a leaf that is taken up
@@ -52,6 +60,11 @@ export class Worn<Kept> {
     this.#free = free;
   }
 
+  /** The sheets of the leaves in flight as they were last. */
+  get sheets(): readonly Sheet[] {
+    return this.#sheets;
+  }
+
   /** Writes every leaf in flight; `points` are as of `BookEngine.dress`. */
   show({ engine, turning }: ModelledBook, write: (kept: Kept, points: Float32Array) => void): void {
     const { flights } = turning;
@@ -60,9 +73,11 @@ export class Worn<Kept> {
       this.#kept.delete(flight);
       this.#free(kept);
     }
+    this.#sheets = [];
     for (const [index, flight] of flights.entries()) {
       const points = flight.part === "leaf" ? engine.dress(index) : null;
       if (points === null) continue;
+      this.#sheets.push({ positions: points.slice() });
       let kept = this.#kept.get(flight);
       if (kept === undefined) {
         const [u, v] = flight.grip ?? turner;

@@ -3,7 +3,7 @@
 import type { Vec3 } from "../engine/shapes.ts";
 import { type LeafOptions, LooseLeaf } from "../models/models.ts";
 import { crease } from "./crease.ts";
-import { type LeafModel, type ModelledBook, type Taken, Worn } from "./leaf_model.ts";
+import { type LeafModel, type ModelledBook, type Sheet, type Taken, Worn } from "./leaf_model.ts";
 import { lying, placeOn } from "./sheet.ts";
 
 /** The models that are quick enough for that. */
@@ -73,6 +73,10 @@ export class LooseModel implements LeafModel {
         led.creased = crease(points, columns, from === "right" ? width : -width, height);
       }
     });
+  }
+
+  get sheets(): readonly Sheet[] {
+    return this.#worn.sheets;
   }
 
   get folds(): boolean {
