@@ -64,16 +64,18 @@ test.for(live)("%s: a command and a drag turn a page, and then nothing runs", as
   expect(frames).toBe(0);
 });
 
-test.for([
-  ["right", [0.08, 0.6], [0.85, 0.5]],
-  ["top", [0.5, 0.85], [0.5, 0.1]],
-] as const)("bound at the %s, every model turns a leaf by a drag", async ([binding, from, to]) => {
-  for (const model of live) {
+const ways = [
+  { binding: "right", from: [0.08, 0.6], to: [0.85, 0.5] },
+  { binding: "top", from: [0.5, 0.85], to: [0.5, 0.1] },
+] as const;
+
+test.for(live.flatMap((model) => ways.map((way) => ({ model, ...way }))))(
+  "$model, bound at the $binding: a drag turns a leaf",
+  async ({ model, binding, from, to }) => {
     const element = await opened(model, { binding });
     const turned = happens(element, "pagechange");
     await drag(element, [...from], [...to]);
     expect(await turned).toMatchObject({ direction: "forward" });
     await settled(element);
-    element.remove();
-  }
-});
+  },
+);
