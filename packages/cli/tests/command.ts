@@ -59,9 +59,12 @@ export async function run(...args: string[]): Promise<Ended> {
   return result;
 }
 
+/** Starts reading with the built command and waits until it serves. */
+export const start = (...args: string[]): Promise<Started> => startServing("read", ...args);
+
 /** Starts the built command and waits until it serves. */
-export async function start(...args: string[]): Promise<Started> {
-  const { child, text, ended } = launch(["read", ...args]);
+export async function startServing(...args: string[]): Promise<Started> {
+  const { child, text, ended } = launch(args);
   const url = await new Promise<string>((resolve, reject) => {
     const look = (): void => {
       const found = / at (http:\S+)\n.*Ctrl\+C/.exec(text.stdout)?.[1];

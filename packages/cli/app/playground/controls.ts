@@ -125,12 +125,12 @@ function makeSlider(
     max: `${most}`,
     step: `${by}`,
   });
-  const output = make("output");
-  output.htmlFor.add(id);
+  // For eyes alone: the slider says it too.
+  const words = make("span", { className: "value", ariaHidden: "true" });
   const show = (settings: Settings): void => {
     const value = settings[name];
     input.value = String(numbers ? numbers.indexOf(value) : value);
-    output.textContent = write(value);
+    words.textContent = write(value);
     input.setAttribute("aria-valuetext", write(value));
   };
   input.addEventListener("input", () => {
@@ -138,7 +138,7 @@ function makeSlider(
     change({ [name]: numbers ? numbers[at] : round(at) });
   });
   const label = make("label", { htmlFor: id }, texts.names[name]);
-  return { element: make("div", { className: "row" }, label, input, output), show };
+  return { element: make("div", { className: "row" }, label, input, words), show };
 }
 
 function makeChoice(

@@ -114,7 +114,7 @@ const en: Texts = {
   },
   notes: {
     shell:
-      "The shell's own grid of 33 × 45 would be 85 times slower than real time; here it has 10 × 14 where nobody chose.",
+      "The shell's own grid has 33 × 45 nodes, and takes minutes for a turn; here it has 10 × 14 where nobody chose.",
     springs:
       "Of a model without springs, the edges between its nodes. Strain: red is stretched, blue pressed together; full at {full}.",
   },
@@ -202,7 +202,7 @@ const zh: Texts = {
     cost: "{model}：每步 {cost}，步长 {step} ms，占实时 {share}",
   },
   notes: {
-    shell: "薄壳自身的 33 × 45 网格比实时慢 85 倍；未选择时此处用 10 × 14。",
+    shell: "薄壳自身的网格为 33 × 45，翻一页需数分钟；未选择时此处用 10 × 14。",
     springs: "没有弹簧的模型显示节点间的边。应变：红为拉伸，蓝为压缩，{full} 时颜色最深。",
   },
   record: "录制",

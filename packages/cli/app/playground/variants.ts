@@ -47,7 +47,7 @@ export const hasSprings = (variant: Variant): boolean => variants[variant].model
 /** The drawn points: many enough to bend smoothly, and light is found at every fourth column. */
 const points = [25, 33] as const;
 
-/** Columns and rows where nobody chose: the shell's own grid would take a minute and a half for each second. */
+/** Columns and rows where nobody chose: the shell's own grid takes minutes for a turn. */
 const shellNodes = [10, 14] as const;
 
 /** The leaf that a variant and the settings make. */

@@ -1,0 +1,283 @@
+/** The playground, served by the built command, in a real Chromium under its strict policy. */
+
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { type Browser, chromium, type Page } from "playwright-core";
+import { decodeTurn } from "turnleaf/keyframes";
+import { afterAll, afterEach, beforeAll, expect, it } from "vitest";
+import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { type Started, startServing } from "./command.ts";
+
+/** Machines that draw in software are slow; whoever is quick does not wait for it. */
+const patience = { timeout: 50_000 };
+const atRest = "At rest: nothing is computed or drawn.";
+/** Two models that cost next to nothing. */
+const cheap = "left=cylinder&right=cone&seconds=1";
+
+let served: Started;
+let browser: Browser;
+let page: Page;
+const complaints: string[] = [];
+
+beforeAll(async () => {
+  served = await startServing("playground", "--no-open", "--port", "0");
+  browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
+});
+afterAll(async () => {
+  await browser?.close();
+  const ended = await served?.stop();
+  expect(ended?.stderr).toBe("");
+});
+afterEach(async () => {
+  await page.close();
+  expect(complaints.splice(0)).toEqual([]);
+});
+
+async function open(link = "", { width = 700, height = 480 } = {}): Promise<void> {
+  page = await browser.newPage({ viewport: { width, height }, locale: "en-GB" });
+  page.on("pageerror", (error) => complaints.push(error.message));
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) complaints.push(message.text());
+  });
+  await page.addInitScript(() => {
+    const { requestAnimationFrame } = window;
+    window.requestAnimationFrame = (call) => {
+      Object.assign(window, { asked: (Reflect.get(window, "asked") ?? 0) + 1 });
+      return requestAnimationFrame(call);
+    };
+  });
+  const answer = await page.goto(`${served.url}${link && `#${link}`}`);
+  expect(answer?.headers()["content-security-policy"]).toContain("style-src 'self'");
+  await isStill();
+  // Written once both leaves are drawn.
+  await expect.poll(() => words("energy").count(), patience).toBe(2);
+}
+
+const status = () => page.getByRole("status").textContent();
+const isStill = () => expect.poll(status, patience).toBe(atRest);
+const words = (plot: "energy" | "strain" | "cost") =>
+  page.locator(".plot").nth(["energy", "strain", "cost"].indexOf(plot)).locator("p:not(:empty)");
+
+/** Runs in the page: whether both leaves stand well above the table, by their energy of height. */
+const areBothUp = (): boolean =>
+  [...document.querySelectorAll(".plot:first-child p")].every(({ textContent }) => {
+    const [, number, unit] = /height ([\d.]+) (\D?)J/.exec(textContent ?? "") ?? [];
+    return unit === "m" || (unit === "µ" && Number(number) > 100);
+  });
+
+/** Waits until both stand up; every frame is looked at, so that no moment is missed. */
+const comeUp = () => page.waitForFunction(areBothUp, null, patience);
+
+const press = (name: string) => page.getByRole("button", { name, exact: true }).click();
+
+it("shows two leaves without a complaint, and asks for no frame at rest", async () => {
+  await open();
+  expect(await page.title()).toBe("Turnleaf playground");
+  expect(await page.locator(".pair canvas").count()).toBe(2);
+  const before = await page.evaluate(() => Reflect.get(window, "asked"));
+  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 700)));
+  expect(await page.evaluate(() => Reflect.get(window, "asked"))).toBe(before);
+});
+
+for (const [k, name, sign] of [
+  [0, "first", 1],
+  [1, "second", -1],
+] as const) {
+  it(`moves both leaves by one drag on the ${name} picture, and both come to rest`, async () => {
+    await open(cheap);
+    if (sign === -1) {
+      await press("Turn by edge");
+      await comeUp();
+      await isStill();
+    }
+    const box = await page.locator(".pair canvas").nth(k).boundingBox();
+    if (!box) throw new Error("no picture");
+    // From the leaf's lower outer part, on the side where it lies, over the spine.
+    const moveTo = (off: number, y: number) =>
+      page.mouse.move(box.x + (0.5 + sign * off) * box.width, box.y + y * box.height, { steps: 4 });
+    await moveTo(0.24, 0.85);
+    await page.mouse.down();
+    await moveTo(0, 0.6);
+    await comeUp();
+    await moveTo(-0.24, 0.85);
+    await expect.poll(() => page.evaluate(areBothUp), patience).toBe(false);
+    await page.mouse.up();
+    await isStill();
+  });
+}
+
+it("takes the corner by keys, and lets it go", async () => {
+  await open(cheap);
+  const canvas = page.locator(".pair canvas").first();
+  await canvas.press("Enter");
+  for (let step = 0; step < 10; step++) await canvas.press("ArrowLeft");
+  await comeUp();
+  await canvas.press("Enter");
+  await isStill();
+  expect(await page.evaluate(areBothUp)).toBe(false);
+});
+
+it("plays each turn, pauses it, and goes on step by step", async () => {
+  await open("left=cylinder&right=cone&seconds=4");
+  for (const name of ["Turn by edge", "Turn by corner", "Let go half-way"]) {
+    await press(name);
+    await comeUp();
+    await press("Pause");
+    const before = await words("energy").allTextContents();
+    expect(await status()).toBe("Paused.");
+    await press("One step");
+    expect(await status()).toBe("Paused.");
+    expect(await words("energy").allTextContents()).not.toEqual(before);
+    await press("Go on");
+    await isStill();
+  }
+});
+
+it("says how much slower than real time the shell is", async () => {
+  await open("right=shell&nodes=12");
+  await press("Turn by corner");
+  await expect.poll(status, patience).toMatch(/^[\d.]+ times slower than real time\.$/);
+  await press("Pause");
+});
+
+it("carries all settings in the link", async () => {
+  await open();
+  await page.getByLabel("Model of the first leaf").selectOption({ label: "Cone" });
+  await page.getByLabel("Stock").selectOption({ label: "Card, 250 g/m²" });
+  await page.getByLabel("Dog-ear angle").fill("40");
+  await page.getByLabel("Steps").fill("3");
+  await page.getByLabel("Nodes").fill("8");
+  await page.getByLabel("Gravity").fill("1.6");
+  await page.getByLabel("Time").selectOption({ label: "Slow, 1/4" });
+  for (const name of ["Masses", "Springs", "Dog-ear lines", "Strain"]) {
+    await page.getByLabel(name, { exact: true }).check();
+  }
+  const link = new URL(page.url()).hash.slice(1);
+  expect(Object.fromEntries(new URLSearchParams(link))).toEqual({
+    left: "cone",
+    grammage: "250",
+    caliper: "300",
+    stiffness: "4.5",
+    gravity: "1.6",
+    angle: "40",
+    nodes: "8",
+    steps: "180",
+    pace: "0.25",
+    masses: "yes",
+    springs: "yes",
+    lines: "yes",
+    strain: "yes",
+  });
+  await page.close();
+  await open(link);
+  expect(await page.getByLabel("Model of the first leaf").inputValue()).toBe("cone");
+  expect(await page.getByLabel("Stock").inputValue()).toBe("card");
+  expect(await page.getByLabel("Steps").getAttribute("aria-valuetext")).toBe("180/s");
+  expect(await page.getByLabel("Nodes").getAttribute("aria-valuetext")).toBe("8 × 11");
+  expect(await page.getByLabel("Strain").isChecked()).toBe(true);
+  expect(new URL(page.url()).hash.slice(1)).toBe(link);
+});
+
+it("ignores a hostile link with one sentence", async () => {
+  await open(`left=${encodeURIComponent("<img src=x onerror=alert(1)>")}&gravity=3`);
+  const alert = page.getByRole("alert");
+  expect(await alert.textContent()).toBe(
+    "The link was ignored: its value for “First model” is none that can be set here.",
+  );
+  expect(await page.getByLabel("Gravity").inputValue()).toBe("9.8");
+  expect(await page.locator("img").count()).toBe(0);
+  await page.evaluate(() => {
+    location.hash = "#__proto__=1";
+  });
+  await expect
+    .poll(() => alert.textContent(), patience)
+    .toBe("The link was ignored: it is none of this page's.");
+  await page.evaluate(() => {
+    location.hash = "#gravity=2";
+  });
+  await expect.poll(() => page.getByLabel("Gravity").inputValue(), patience).toBe("2");
+  expect(await alert.textContent()).toBe("");
+});
+
+/** The bytes that a click brings. */
+async function downloaded(click: () => Promise<void>): Promise<{ name: string; bytes: Buffer }> {
+  const [download] = await Promise.all([page.waitForEvent("download"), click()]);
+  return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+}
+
+it("keeps settings and a picture", async () => {
+  await open("strain=yes&air=2");
+  const settings = await downloaded(() => press("Settings (JSON)"));
+  expect(settings.name).toBe("turn.json");
+  expect(JSON.parse(settings.bytes.toString())).toMatchObject({
+    left: "springs-both",
+    right: "sheet",
+    strain: true,
+    air: 2,
+    link: page.url(),
+  });
+  const picture = await downloaded(() => press("Picture (PNG)"));
+  const sizes = await page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    const { width, height } = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+    const all = [...document.querySelectorAll<HTMLCanvasElement>(".pair canvas")];
+    return [width, height, all.reduce((sum, canvas) => sum + canvas.width, 0), all[0]?.height];
+  }, picture.bytes.toString("base64"));
+  expect(Math.abs(sizes[0] - sizes[2])).toBeLessThanOrEqual(1);
+  expect(Math.abs(sizes[1] - Number(sizes[3]))).toBeLessThanOrEqual(1);
+});
+
+it("records a turn as a film and as key frames of either leaf", async () => {
+  await open(cheap);
+  await press("Record");
+  await press("Turn by corner");
+  await comeUp();
+  await isStill();
+  await press("Stop recording");
+  const files = page.getByRole("list", { name: "Files to keep" }).getByRole("link");
+  await expect
+    .poll(() => files.allTextContents(), patience)
+    .toEqual(["turn.webm", "1-cylinder.tlkf", "2-cone.tlkf"]);
+  for (const [k, model] of [
+    [1, "cylinder"],
+    [2, "cone"],
+  ] as const) {
+    const { bytes } = await downloaded(() => files.nth(k).click());
+    const turn = decodeTurn(new Uint8Array(bytes));
+    expect(turn.model).toBe(model);
+    expect(turn.error).toBeLessThanOrEqual(0.001);
+    expect(turn.times.length).toBeGreaterThan(2);
+  }
+  const film = await downloaded(() => files.first().click());
+  // Where no policy forbids films.
+  const bare = await browser.newPage();
+  const seen = await bare.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+    const video = document.createElement("video");
+    video.muted = true;
+    video.src = URL.createObjectURL(new Blob([bytes], { type: "video/webm" }));
+    await new Promise((resolve, reject) => {
+      video.onloadeddata = resolve;
+      video.onerror = () => reject(new Error(video.error?.message));
+    });
+    return [video.videoWidth, video.videoHeight];
+  }, film.bytes.toString("base64"));
+  await bare.close();
+  expect(Math.min(...seen)).toBeGreaterThan(100);
+});
+
+it("is named and labelled throughout", async () => {
+  await open("", { width: 390, height: 844 });
+  await page.evaluate(readFileSync(createRequire(import.meta.url).resolve("axe-core"), "utf8"));
+  const found = await page.evaluate(async () => {
+    const { axe } = window as never as {
+      axe: { run(): Promise<{ violations: { id: string }[] }> };
+    };
+    return (await axe.run()).violations.map(({ id }) => id);
+  });
+  expect(found).toEqual([]);
+  const fits = await page.evaluate(
+    () => document.documentElement.scrollWidth <= document.documentElement.clientWidth,
+  );
+  expect(fits).toBe(true);
+});
