@@ -1,6 +1,6 @@
 /**
  * Takes the pictures of the README and the docs from the real thing: the built
- * reader with the book that comes with it, and two of the examples, in a real
+ * reader with the book that comes with it, two of the examples and the playground, in a real
  * Chromium, its clock driven by hand so that a moment of a turn is the same
  * moment every time.
  *
@@ -145,12 +145,38 @@ async function take(browser, reader, examples, name) {
   console.log(`docs/pictures/${name}.png`);
 }
 
+/** The playground in the middle of a turn by the corner, with what the paper's figures show. */
+async function takePlayground(browser) {
+  const playground = await serve("playground");
+  try {
+    const page = await browser.newPage({ viewport: wide, locale: "en-GB" });
+    page.setDefaultTimeout(180_000);
+    await page.addInitScript(driveClock);
+    await page.goto(`${playground.url}#masses=yes&springs=yes`);
+    await page.waitForFunction(() => document.querySelector(".plot p")?.textContent);
+    await page.evaluate(() => {
+      window.clock.free = false;
+    });
+    await page.getByRole("button", { name: "Turn by corner" }).click();
+    await page.evaluate(() => window.clock.pass(480));
+    await page.screenshot({ path: join(out, "playground.png") });
+    await page.close();
+    console.log("docs/pictures/playground.png");
+  } finally {
+    playground.stop();
+  }
+}
+
 mkdirSync(out, { recursive: true });
-const names = process.argv.length > 2 ? process.argv.slice(2) : Object.keys(pictures);
+const all = [...Object.keys(pictures), "playground"];
+const names = process.argv.length > 2 ? process.argv.slice(2) : all;
 const [reader, examples] = await Promise.all([serve(), serveExamples()]);
 const browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
 try {
-  for (const name of names) await take(browser, reader.url, examples.url, name);
+  for (const name of names) {
+    if (name === "playground") await takePlayground(browser);
+    else await take(browser, reader.url, examples.url, name);
+  }
 } finally {
   await browser.close();
   reader.stop();

@@ -4,11 +4,12 @@ import { join } from "node:path";
 
 const root = join(import.meta.dirname, "..");
 
-/** Serves the book that comes with the project; answers its address. */
-export async function serve() {
+/** Serves the book that comes with the project, or what another command serves; answers its address. */
+export async function serve(...args) {
   const command = join(root, "packages/cli/dist/main.js");
   const book = join(root, "books/moby-dick.pdf");
-  const child = spawn(process.execPath, [command, "read", book, "--no-open", "--port", "0"]);
+  const what = args.length > 0 ? args : ["read", book];
+  const child = spawn(process.execPath, [command, ...what, "--no-open", "--port", "0"]);
   child.stderr.pipe(process.stderr);
   const url = await new Promise((resolve, reject) => {
     child.stdout.on("data", (data) => {
