@@ -43,7 +43,7 @@ pub fn svg(figures: &Value) -> String {
         SIZE[1] - bottom - part * (SIZE[1] - top - bottom)
     };
     let mut parts = vec![format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#403c36\">\n<rect width=\"100%\" height=\"100%\" fill=\"#f4f2ee\"/>",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"13\" fill=\"#403c36\">\n<title>Cost of a frame against distance from the shell, by model</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#f4f2ee\"/>",
         SIZE[0], SIZE[1]
     )];
     for decade in costs.0..=costs.1 {
