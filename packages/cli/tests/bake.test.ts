@@ -166,7 +166,7 @@ describe("others", () => {
   it("key frames, which the package plays", async () => {
     const ended = await run("bake", ...options, "--out", at("turn.tlkf"));
     expect(ended.stdout).toMatch(
-      /key frames, \d+\.\d kB, error 0\.0\d+ % of the width, 0\.\d+ s\n$/,
+      /key frames, \d+\.\d kB, error 0\.\d+ % of the width, 0\.\d+ s\n$/,
     );
     const turn = decodeTurn(new Uint8Array(readFileSync(at("turn.tlkf"))));
     expect(turn).toMatchObject({ model: "sheet", columns: 26, rows: 26 });
