@@ -19,6 +19,12 @@ const mostAlong = 1920;
 /** Frames that a film goes on for once it shall end: the encoder is that far behind. */
 const lastFrames = 3;
 
+/** Most frames for which it then waits for the encoder's first picture: ten seconds. */
+const longestWait = 600;
+
+/** How often the encoder hands over what it has, milliseconds. */
+const handOver = 100;
+
 /** One film, from the next frame of the book until it is stopped. */
 export class Film {
   /** Resolves to the film. Rejects with a `BookError` where the browser fails to make it. */
@@ -86,6 +92,7 @@ export class Film {
     const options = { mimeType: this.#type, videoBitsPerSecond: bitsPerSecond };
     const recorder = new MediaRecorder(stream, options);
     const parts: Blob[] = [];
+    let waited = 0;
     const end = (): void => {
       clearTimeout(this.#timer);
       cancelAnimationFrame(this.#next);
@@ -100,13 +107,16 @@ export class Film {
       end();
       this.#ended.reject(new BookError("The film could not be recorded."));
     };
-    recorder.start();
+    recorder.start(handOver);
     // What lies still is filmed too, frame by frame: a film lasts as long as it was recorded.
     const go = (): void => {
       this.#canvas.getContext("2d")?.drawImage(this.#canvas, 0, 0);
       track.requestFrame();
       this.#next = requestAnimationFrame(() => {
-        if (this.#left > 0 && --this.#left === 0) recorder.stop();
+        // On a busy machine the encoder has nothing yet when a short film should end.
+        const isMade = parts.some(({ size }) => size > 0) || waited >= longestWait;
+        if (this.#left > 0 && !isMade) waited++;
+        if (this.#left > 0 && isMade && --this.#left === 0) recorder.stop();
         else go();
       });
     };
