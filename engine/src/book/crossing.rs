@@ -22,7 +22,7 @@ const ROOT: usize = 4;
 
 type Point = [f32; 3];
 
-/// A drawn leaf cut into blocks of cells, kept from frame to frame.
+/// A leaf, drawn or as paper, cut into blocks of cells; cut anew, it takes the same room.
 #[derive(Clone, Debug, Default)]
 pub struct Blocks(Vec<Block>);
 

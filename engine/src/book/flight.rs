@@ -68,6 +68,7 @@ impl Flight {
         (self.id, self.low, self.high) = (id, low, high);
         self.leaf.lay(from);
         self.shown.clear();
+        self.dressed = false;
     }
 
     /// Its number.

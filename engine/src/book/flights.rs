@@ -105,6 +105,8 @@ impl Flights {
         if !is_uppermost || low >= high || self.order.len() == MOST_FLIGHTS {
             return None;
         }
+        // Not when it is drawn: steps must not know how often that is.
+        self.tangled &= !self.order.is_empty();
         let mut flight = self.take_spare();
         self.last_id = self.last_id.wrapping_add(1).max(1);
         flight.take_up(self.last_id, from, low, high);
@@ -161,7 +163,6 @@ impl Flights {
 
     /// Draws every flight between the piles (right and left).
     pub fn draw(&mut self, piles: [&Pile; 2]) {
-        self.tangled &= !self.order.is_empty();
         let held = |flight: &Flight| flight.leaf().was_held();
         let wary = self.tangled || self.order.iter().any(held);
         draw(&mut self.order, piles, wary);

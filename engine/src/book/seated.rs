@@ -83,6 +83,7 @@ impl Seated {
     /// Forgets what was met: each node is looked for next to its own place.
     pub fn forget(&mut self) {
         self.was_held = false;
+        self.depth = 0.0;
         for gaps in &mut self.gaps {
             gaps.fill(FAR);
         }
