@@ -13,7 +13,7 @@ WASM = packages/turnleaf/src/engine/turnleaf.wasm
 MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 
-.PHONY: read build wasm test test-rust test-js check check-rust check-js bench playground examples pictures methods reference book clean tools-rust chromium
+.PHONY: read build wasm test test-rust test-js check check-rust check-js bench playground examples pictures methods recordings reference book clean tools-rust chromium
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -90,6 +90,11 @@ pictures: build chromium tools-rust
 methods: tools-rust
 	cargo run --release --quiet -p lab -- interpolation --into docs/methods.md
 	cargo run --release --quiet -p lab -- models --into docs/methods.md --plot docs/methods/cost-and-fidelity.svg --pictures docs/methods
+
+# The turns that come with the viewer, recorded anew: model="replay" and model="shell".
+recordings: tools-rust
+	cargo run --release --quiet -p lab -- keyframes --model sheet --gesture edge --seconds 1.2 --settle 0.3 --out packages/turnleaf/src/wear/turns/sheet_turn.tlkf
+	cargo run --release --quiet -p lab -- keyframes --model shell --nodes 17 --gesture edge --seconds 1.2 --settle 0.3 --out packages/turnleaf/src/wear/turns/shell_turn.tlkf
 
 # docs/reference.md, from the comments in the sources.
 reference: $(MODULES)

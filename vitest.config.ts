@@ -2,6 +2,7 @@ import { playwright } from "@vitest/browser-playwright";
 import { defineConfig } from "vitest/config";
 import { packedFiles } from "./packages/turnleaf/packed_files.js";
 import { shortTexts } from "./packages/turnleaf/short_texts.js";
+import { turnInline } from "./packages/turnleaf/turn_inline.js";
 import { wasmInline } from "./packages/turnleaf/wasm_inline.js";
 import { chromiumArguments, findChromium } from "./scripts/chromium.mjs";
 
@@ -10,7 +11,7 @@ export default defineConfig({
   test: {
     projects: [
       {
-        plugins: [wasmInline(), packedFiles(), shortTexts()],
+        plugins: [wasmInline(), turnInline(), packedFiles(), shortTexts()],
         assetsInclude: ["**/*.tlkf"],
         test: {
           name: "node",
@@ -25,7 +26,7 @@ export default defineConfig({
         },
       },
       {
-        plugins: [wasmInline(), packedFiles(), shortTexts()],
+        plugins: [wasmInline(), turnInline(), packedFiles(), shortTexts()],
         optimizeDeps: { include: ["three", "pdfjs-dist", "axe-core"] },
         test: {
           name: "chromium",

@@ -31,9 +31,20 @@ const parts = {
   },
   "toolbar and panels": { files: ["controls.js"], limit: 13 },
   "on the flat, where there is no WebGL": { files: ["plain.js"], limit: 7 },
-  // With machine code of its own, of every model; counted by itself, as page sources are:
-  // a book without the attribute `model` never loads it.
-  "another model of turning": { files: ["wear.js"], limit: 85, isApart: true },
+  // Counted by themselves, as page sources are: a book without the attribute `model`
+  // loads none of them. Live models have machine code of their own.
+  "another model of turning, live": { files: ["wear.js", "loose.js"], limit: 85, isApart: true },
+  "recorded turns": {
+    files: ["replay.js", "sheet_turn.js", "shell_turn.js"],
+    limit: 17,
+    isApart: true,
+  },
+  // With what reads images, which are a source of pages too.
+  "photographs of a turn": {
+    files: ["photographs.js", "images.js", "fetch_bytes.js", "book_text.js", "shared_tasks.js"],
+    limit: 6,
+    isApart: true,
+  },
   "sound, printing and films": { files: ["sound.js", "print.js", "film.js"], limit: 4.3 },
 };
 

@@ -27,6 +27,8 @@ struct Turn {
     seconds: f32,
     settle: f32,
     stock: Stock,
+    /// Columns of nodes; none for the model's own number.
+    nodes: Option<usize>,
 }
 
 /// Runs the experiment.
@@ -37,6 +39,7 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
         seconds: 0.8,
         settle: 0.0,
         stock: Stock::BOOK,
+        nodes: None,
     };
     let (mut tolerance, mut out) = (0.001, None);
     let json = options::read(parser, |option, parser| {
@@ -52,6 +55,7 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
                 let name = Stock::NAMES[options::choice(parser, option, &Stock::NAMES)?];
                 turn.stock = Stock::named(name).expect("a preset");
             }
+            "nodes" => turn.nodes = Some(options::number(parser, option, 6, 65)?),
             "tolerance" => tolerance = options::number(parser, option, 1e-5, 0.1)?,
             "out" => out = Some(options::text(parser, option)?),
             _ => return Ok(false),
@@ -89,8 +93,13 @@ pub fn model_or_paper(
 
 /// A leaf of a model over a table; of masses and springs with paper's weight and
 /// stiffness, interpolated.
-pub fn leaf(model: ModelKind, stock: Stock) -> Result<LooseLeaf, String> {
+///
+/// `nodes` is the number of columns of nodes, which then lie as far apart as the
+/// rows do; none for the model's own number.
+pub fn leaf(model: ModelKind, stock: Stock, nodes: Option<usize>) -> Result<LooseLeaf, String> {
+    let rows = |columns: usize| 1 + ((columns - 1) as f64 * PAGE[1] / PAGE[0]).round() as usize;
     let settings = LooseSettings {
+        nodes: nodes.map(|columns| [columns, rows(columns)]),
         interpolate: true,
         preset: turnleaf_engine::Preset::Book,
         ..LooseSettings::leaf(model, PAGE, stock)
@@ -139,7 +148,7 @@ fn figures(turn: &Turn, recording: &KeyFrames, bytes: &[u8]) -> Result<Value, St
 
 impl Turn {
     fn record(&self) -> Result<KeyFrames, String> {
-        let mut leaf = leaf(self.model, self.stock)?;
+        let mut leaf = leaf(self.model, self.stock, self.nodes)?;
         leaf.play(self.by, Side::Right, self.seconds);
         let apart = APART.max(f64::from(leaf.time_step()));
         leaf.record(apart);

@@ -114,6 +114,7 @@ Key frames to be handed out:
                       --stock bible|book|office|coated|card  (book)
                       --seconds T     duration of the gesture (0.8)
                       --settle T      time recorded after it (0)
+                      --nodes N       columns of the model's nodes (the model's own)
                       --tolerance E   largest error over the width (0.001)
                       --out FILE      writes the file
 

@@ -89,7 +89,7 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
         )),
         Some(model) => {
             plan.kind = FrameKind::Surface;
-            Leaf::Loose(Box::new(keyframes::leaf(model, Stock::BOOK)?))
+            Leaf::Loose(Box::new(keyframes::leaf(model, Stock::BOOK, None)?))
         }
     };
     if plan.condensed {

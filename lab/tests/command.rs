@@ -190,3 +190,30 @@ fn a_replayed_sheet_takes_a_fraction_of_the_time() {
     assert!(figure("replay_error") <= 0.001);
     assert!(figure("mean_live_ms") > 20.0 * figure("mean_replay_ms"));
 }
+
+#[test]
+fn the_turns_that_come_with_the_viewer_are_recorded_again() {
+    let turns = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../packages/turnleaf/src/wear/turns"
+    );
+    let commands: [&[&str]; 2] = [
+        &["--model", "sheet"],
+        &["--model", "shell", "--nodes", "17"],
+    ];
+    for model in commands {
+        let name = format!("{}_turn.tlkf", model[1]);
+        let out = std::env::temp_dir().join(format!("{}-{name}", std::process::id()));
+        let path = out.to_str().expect("a name");
+        let mut arguments = vec!["keyframes", "--gesture", "edge", "--seconds", "1.2"];
+        arguments.extend(["--settle", "0.3", "--json", "--out", path]);
+        arguments.extend(model);
+        let figures = json(&arguments);
+        let bytes = std::fs::read(&out).expect("written");
+        std::fs::remove_file(&out).expect("removed");
+        assert!(figures["error"].as_f64().expect("a number") <= 0.001);
+        assert!(bytes.len() <= 20_000, "{}", bytes.len());
+        let shipped = std::fs::read(format!("{turns}/{name}")).expect("it comes with the viewer");
+        assert!(bytes == shipped, "{name} is another: run make recordings");
+    }
+}

@@ -1,6 +1,7 @@
 import { defineConfig } from "tsdown";
 import { packedFiles } from "./packed_files.js";
 import { shortTexts } from "./short_texts.js";
+import { turnInline } from "./turn_inline.js";
 import { wasmInline } from "./wasm_inline.js";
 
 const common = {
@@ -15,7 +16,7 @@ const common = {
 const viewer = defineConfig({
   ...common,
   entry: ["src/index.ts"],
-  plugins: [wasmInline(), packedFiles(), shortTexts()],
+  plugins: [wasmInline(), turnInline(), packedFiles(), shortTexts()],
   deps: { neverBundle: ["three"], onlyBundle: ["pdfjs-dist"] },
   outputOptions: {
     codeSplitting: {
@@ -23,9 +24,10 @@ const viewer = defineConfig({
       // the definition of the element: a file with an effect has the one name
       // that package.json says has one.
       // The book in space is another, with what unpacks machine code, which other
-      // models than the book's own need too.
+      // models than the book's own need too; what these share is a third.
       groups: [
         { name: "viewer", tags: ["$initial"], test: /\/src\/(?!index\.)(?!.*\.d\.ts)/ },
+        { name: "wear", test: /\/src\/wear\/(wear|sheet|leaf_model)\.ts/ },
         { name: "solid", test: /\/src\/(solid|engine\/machine_code)\.ts/ },
       ],
     },

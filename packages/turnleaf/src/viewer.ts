@@ -346,13 +346,13 @@ export class Viewer {
     const stepping = this.#viewing.step(turning && peek.flight === null, seconds) || folding;
     const posed = this.#bound.pose();
     const flap = this.#folding.surface(posed, this.#bound.shape);
-    const pose = { ...posed, flap, folded: this.#modelling.folds };
+    const pose = { ...this.#modelling.pose(posed), flap };
     if (stepping) this.#bound.holding.follow();
     // What is held quite still takes no more frames until the hand moves.
     const still =
       turning &&
       this.turning.inHand &&
-      this.#stillness.check([...pose.leaves, ...this.#modelling.sheets]);
+      this.#stillness.check([...posed.leaves, ...this.#modelling.sheets]);
     const moving = (turning && !still) || stepping;
     const resting = !moving && !this.#handled;
     // Of a view that fingers move, the next frame comes when they do.
@@ -360,7 +360,7 @@ export class Viewer {
     else this.#governor.rest();
     const { pixels, roughly } = this.#governor.quality;
     this.#stage.pose(pose, roughly && !resting);
-    this.#options.onMotion?.(pose, seconds, turning && !still);
+    this.#options.onMotion?.(posed, seconds, turning && !still);
     this.#stage.draw({ resting, pixels });
     this.#pictures.paused = !resting;
     this.#fade.step(now, this.turning.spread);

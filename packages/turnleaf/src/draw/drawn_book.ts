@@ -57,7 +57,7 @@ export class DrawnBook {
   #lit: readonly Surface[] = [];
   #isLit = false;
   /** Whether leaves lie folded on the pages. */
-  #folded = false;
+  #folded: boolean | undefined;
   /** Whether the light stays as it was found in the pose before. */
   #isDim = false;
 
@@ -124,11 +124,12 @@ export class DrawnBook {
     const flapMoved = this.#followFlap(pose.flap ?? null);
     const sheets = pose.flap ? [...pose.leaves, pose.flap] : pose.leaves;
     this.#isDim = roughly && !this.#isDim && still && sheets.length === this.#lit.length;
-    this.#folded = pose.folded ?? false;
+    this.#folded = pose.folded;
     this.#light(pose.leaves, sheets, pilesMoved, still);
     const [left, right] = [this.#left.pile, this.#right.pile];
     if (!this.#hard) shadowOfLeaves(this.#ground, this.#shape, pose.leaves, left, right);
     else if (!still) shadowOfCase(this.#ground, this.#shape, this.#case, left, right);
+    if (pose.above) this.group.add(pose.above);
     if (flapMoved) shadowOfFlap(this.#ground, this.#shape, pose.flap ?? null);
     return caseMoved || flapMoved;
   }

@@ -1,5 +1,6 @@
 /** What the stage draws: a book's fixed shape, and where its parts are in one frame. */
 
+import type { Object3D } from "three";
 import type { Pile, Surface } from "../engine/shapes.ts";
 
 /** What of a book never changes while it is read. Lengths in metres. */
@@ -35,6 +36,8 @@ export interface BookPose {
   readonly folded?: boolean;
   /** The flap of a fold-out that lies open, where none is in flight. */
   readonly flap?: Surface | null;
+  /** What else is seen of the book, from now on; whoever put it there takes it away. */
+  readonly above?: Object3D;
   /** Half of what the right block is thicker than the left, metres: so far the gutter is off the spine's middle. */
   readonly lean: number;
   /** Radians: pi lies open on the left, 0 is closed over the right block. */

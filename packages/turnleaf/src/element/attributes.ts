@@ -37,6 +37,7 @@ export const attributes: Readonly<
   stock: (answers) => answers.changePaper(),
   assist: (answers) => answers.changePaper(),
   model: (answers) => answers.changeModel(),
+  "model-src": (answers) => answers.changeModel(),
   address: (answers) => answers.keepPlace(),
   remember: (answers) => answers.keepPlace(),
   controls: (answers) => answers.furnish(),

@@ -1,9 +1,11 @@
-/** The attribute that says how leaves turn: `model`. */
+/** The attributes that say how leaves turn: `model` and `model-src`. */
 
-import { type ModelChoice, turnModels } from "../wear/model_choice.ts";
+import type { ModelChoice } from "../wear/model_choice.ts";
 
-/** What it chooses: the sheet where it names nothing else. */
+/** What they choose: the sheet where nothing else is named. */
 export function modelChoiceOf(element: Element): ModelChoice {
-  const name = element.getAttribute("model");
-  return { model: turnModels.find((known) => known === name) ?? turnModels[0] };
+  return {
+    model: element.getAttribute("model") || "sheet",
+    src: element.getAttribute("model-src") ?? "",
+  };
 }

@@ -72,16 +72,32 @@ export class ReflectingElement extends Base {
 
   /**
    * How leaves turn: bent as paper (`sheet`); as boards (`rigid`); folded flat (`peel`); rolled (`cylinder`,
-   * `cone`); as masses on springs (`mass-spring`). In mid-turn it waits until the leaf lies. On the flat all are peeled.
+   * `cone`); as masses on springs (`mass-spring`); as a thin shell did when it was recorded (`shell`); as any
+   * recorded turn (`replay`); in photographs of a turn (`photographs`). In mid-turn it waits until the leaf lies.
+   * On the flat all are peeled. A name of none is an `error`, and leaves turn as sheets.
    * @attribute model
    * @default sheet
    */
   get model(): TurnModelName {
-    return modelChoiceOf(this).model;
+    return modelChoiceOf(this).model as TurnModelName;
   }
 
   set model(model: TurnModelName) {
     this.setAttribute("model", model);
+  }
+
+  /**
+   * Address of what `model` shows. For `replay`, of a recorded turn; without one, leaves turn as a sheet did by its
+   * fore-edge. For `photographs`, of the pictures, with their numbers in braces: `turn-{01-24}.webp`.
+   * @attribute model-src
+   * @default ""
+   */
+  get modelSrc(): string {
+    return modelChoiceOf(this).src;
+  }
+
+  set modelSrc(address: string) {
+    this.setAttribute("model-src", address);
   }
 
   /**

@@ -1,5 +1,6 @@
 /** How the leaves of a viewer are turned where not as sheets: what does it is loaded when it is chosen. */
 
+import type { BookPose } from "../draw/pose.ts";
 import { loaded } from "../sources/loaded.ts";
 import type { LeafModel, ModelledBook } from "../wear/leaf_model.ts";
 import type { ModelChoice } from "../wear/model_choice.ts";
@@ -32,11 +33,12 @@ export class Modelling {
   /** Turns leaves in another way, from when the book next lies still. Resolves once `rest` can see to it. Never rejects. */
   async choose(choice: ModelChoice): Promise<void> {
     const own = ++this.#choice;
-    const load = choice.model === "sheet" ? undefined : this.#load;
-    this.#isLoading = load !== undefined;
+    this.#isLoading = true;
     let model: LeafModel | null = null;
     try {
-      if (load) model = await (await loaded(load())).openModel(choice);
+      if (this.#load && choice.model !== "sheet") {
+        model = await (await loaded(this.#load())).openModel(choice);
+      }
     } catch (error) {
       if (own === this.#choice) this.#failed(error);
     }
@@ -54,9 +56,9 @@ export class Modelling {
     this.#next = undefined;
   }
 
-  /** Whether leaves are folded flat on the pages. */
-  get folds(): boolean {
-    return this.#model?.folds ?? false;
+  /** What is to be drawn of a book, where its parts are as told. */
+  pose(pose: BookPose): BookPose {
+    return this.#model?.pose?.(pose) ?? pose;
   }
 
   /** The sheets that it follows, which may still move when what is drawn does not. */

@@ -1,7 +1,7 @@
 /** What turns leaves otherwise than as the sheets that they are. */
 
 import type { Turning } from "../book/turning.ts";
-import type { BookShape } from "../draw/pose.ts";
+import type { BookPose, BookShape } from "../draw/pose.ts";
 import type { BookEngine } from "../engine/engine.ts";
 
 /** A book whose leaves are turned. */
@@ -9,6 +9,8 @@ export interface ModelledBook {
   readonly engine: BookEngine;
   readonly turning: Turning;
   readonly shape: BookShape;
+  /** Holds the leaf whose corner only lifts, where nothing else is in flight. */
+  readonly peek: { readonly flight: object | null };
 }
 
 /** A leaf as paper: x, y, z of its points over a flat table. */
@@ -24,8 +26,8 @@ export interface LeafModel {
   finish?(book: ModelledBook): void;
   /** The sheets of the leaves in flight as they were last. */
   readonly sheets: readonly Sheet[];
-  /** Whether it folds leaves flat on the pages. */
-  readonly folds?: boolean;
+  /** What is drawn of a book in whose leaves it has a say. */
+  pose?(pose: BookPose): BookPose;
   /** Takes away all that it holds. */
   close(): void;
 }

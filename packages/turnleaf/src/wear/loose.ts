@@ -1,5 +1,6 @@
 /** Leaves turned by another of the engine's models, live: each is a loose leaf that is led by its sheet's hand. */
 
+import type { BookPose } from "../draw/pose.ts";
 import type { Vec3 } from "../engine/shapes.ts";
 import { type LeafOptions, LooseLeaf } from "../models/models.ts";
 import { crease } from "./crease.ts";
@@ -69,7 +70,7 @@ export class LooseModel implements LeafModel {
       const part =
         this.#options.model === "mass-spring" ? 1 - lying(points, columns.length, rows, width) : 1;
       for (let i = 0; i < points.length; i++) points[i] += part * (positions[i] - points[i]);
-      if (this.folds) {
+      if (this.#folds) {
         led.creased = crease(points, columns, from === "right" ? width : -width, height);
       }
     });
@@ -79,8 +80,8 @@ export class LooseModel implements LeafModel {
     return this.#worn.sheets;
   }
 
-  get folds(): boolean {
-    return this.#options.model === "peel";
+  pose(pose: BookPose): BookPose {
+    return { ...pose, folded: this.#folds };
   }
 
   finish({ engine, turning }: ModelledBook): void {
@@ -96,6 +97,10 @@ export class LooseModel implements LeafModel {
   close(): void {
     this.#forget();
     this.#first.destroy();
+  }
+
+  get #folds(): boolean {
+    return this.#options.model === "peel";
   }
 
   /** A leaf drawn where a book's is, at so many points. */

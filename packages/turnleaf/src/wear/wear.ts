@@ -1,11 +1,32 @@
 /** Models of a book's leaves beside the engine's own sheet. Loaded where one is asked for. */
 
+import { cleanText } from "../sources/book_text.ts";
+import { loaded } from "../sources/loaded.ts";
+import { BookError } from "../sources/page_source.ts";
 import type { LeafModel } from "./leaf_model.ts";
-import { LooseModel, looseModels } from "./loose.ts";
-import type { ModelChoice } from "./model_choice.ts";
+import { type ModelChoice, turnModels } from "./model_choice.ts";
 
-/** Makes the model of a choice. Rejects with one sentence where it cannot be had. */
-export async function openModel(choice: ModelChoice): Promise<LeafModel | null> {
-  const loose = looseModels.find((known) => known === choice.model);
-  return loose ? await LooseModel.open(loose) : null;
+/**
+ * Makes the model of a choice: null for the sheet, which needs none.
+ * Rejects with a `BookError` where it cannot be had, or where there is none of the name.
+ */
+export async function openModel({ model, src }: ModelChoice): Promise<LeafModel | null> {
+  const name = turnModels.find((known) => known === model);
+  if (name === undefined) {
+    const known = turnModels.join(", ");
+    const said = cleanText(model, 40);
+    throw new BookError(`No way of turning a page is named "${said}"; there are ${known}.`);
+  }
+  if (name === "sheet") return null;
+  if (name === "photographs") {
+    const { PhotographsModel } = await loaded(import("./photographs.ts"));
+    return await PhotographsModel.open(src);
+  }
+  if (name === "replay" || name === "shell") {
+    const { ReplayModel } = await loaded(import("./replay.ts"));
+    if (name === "replay" && src) return await ReplayModel.at(src);
+    return await ReplayModel.ofOwn(name === "replay" ? "sheet" : "shell");
+  }
+  const { LooseModel } = await loaded(import("./loose.ts"));
+  return await LooseModel.open(name);
 }

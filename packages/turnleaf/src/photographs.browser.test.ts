@@ -1,0 +1,186 @@
+/** Photographs of a turn over a book, in real Chromium: which of them is seen where, by its colour. */
+
+import { afterAll, afterEach, beforeAll, expect, test, vi } from "vitest";
+import type { Turning } from "./book/turning.ts";
+import type { BookPose, BookShape } from "./draw/pose.ts";
+import type { TurnleafBook } from "./element.ts";
+import { book, happens, scans, settled } from "./element_for_tests.ts";
+import type { BookEngine } from "./engine/engine.ts";
+import { Hands } from "./hands_for_tests.ts";
+import { PhotographsModel } from "./wear/photographs.ts";
+
+const { getContext } = HTMLCanvasElement.prototype;
+
+beforeAll(() => {
+  // What a WebGL canvas shows can be read at any time then, not within its frame alone.
+  HTMLCanvasElement.prototype.getContext = function (
+    this: HTMLCanvasElement,
+    kind: string,
+    how?: object,
+  ) {
+    return getContext.call(this, kind, { ...how, preserveDrawingBuffer: true });
+  } as typeof getContext;
+});
+
+afterAll(() => {
+  HTMLCanvasElement.prototype.getContext = getContext;
+});
+
+afterEach(() => {
+  vi.restoreAllMocks();
+  document.body.replaceChildren();
+});
+
+const count = 5;
+const hueOf = (number: number): number => 20 + 72 * number;
+
+/** A photograph: its left half a colour of its own, its right half clear. */
+async function photograph(number: number, width = 200, height = 160): Promise<Blob> {
+  const canvas = new OffscreenCanvas(width, height);
+  const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
+  pen.fillStyle = `hsl(${hueOf(number)} 100% 50%)`;
+  pen.fillRect(0, 0, width / 2, height);
+  return await canvas.convertToBlob({ type: "image/png" });
+}
+
+/** Answers what is asked for below /photographs/ with what `answer` makes of the number in it. */
+function serve(answer: (number: number) => Promise<BodyInit | null>): void {
+  const { fetch } = globalThis;
+  vi.spyOn(globalThis, "fetch").mockImplementation(async (input, init) => {
+    const [, number] = /\/photographs\/(\d+)\.png$/.exec(String(input)) ?? [];
+    if (number === undefined) return fetch(input, init);
+    const body = await answer(Number(number));
+    return new Response(body, { status: body === null ? 404 : 200 });
+  });
+}
+
+async function opened(attributes: Record<string, string> = {}): Promise<TurnleafBook> {
+  const element = book(scans(10), {
+    model: "photographs",
+    "model-src": `/photographs/{0-${count - 1}}.png`,
+    cover: "none",
+    duration: "300",
+    page: "4",
+    ...attributes,
+  });
+  await happens(element, "load");
+  await expect.poll(() => element.ready, { timeout: 30_000, interval: 50 }).toBe(true);
+  return element;
+}
+
+/** The number of the photograph that is seen at a place, shares of the element's size; null where the book is. */
+function seenAt(element: TurnleafBook, x: number, y: number): number | null {
+  const canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
+  const copy = document.createElement("canvas");
+  [copy.width, copy.height] = [1, 1];
+  const pen = copy.getContext("2d") as CanvasRenderingContext2D;
+  pen.drawImage(canvas, -Math.round(x * canvas.width), -Math.round(y * canvas.height));
+  const [r, g, b] = pen.getImageData(0, 0, 1, 1).data;
+  const most = Math.max(r, g, b);
+  const span = most - Math.min(r, g, b);
+  if (span < 150) return null;
+  const sixth = most === r ? (g - b) / span : most === g ? 2 + (b - r) / span : 4 + (r - g) / span;
+  const number = ((((60 * sixth - hueOf(0)) % 360) + 360) % 360) / 72;
+  return Math.round(number) % count;
+}
+
+const ways = [
+  { binding: "left", start: [0.88, 0.6], clear: [0.8, 0.5], order: [0, 2, 4] },
+  { binding: "right", start: [0.12, 0.6], clear: [0.8, 0.5], order: [4, 2, 0] },
+] as const;
+
+test.for(ways)(
+  "bound at the $binding, they follow a hand over and back",
+  async ({ binding, start, clear, order }) => {
+    serve(photograph);
+    const element = await opened({ binding });
+    const hands = new Hands(element);
+    const at = (x: number, y = 0.5): [number, number] => [300 * x, 220 * y];
+    const sees = (number: number | null) =>
+      expect.poll(() => seenAt(element, 0.3, 0.5), { timeout: 20_000 }).toBe(number);
+    expect(seenAt(element, 0.3, 0.5)).toBeNull();
+    const middle = at(0.5, 0.3);
+    const near = at(start[0] + (0.5 - start[0]) * 0.1);
+    const far = at(1 - start[0]);
+    hands.point("pointerdown", ...at(start[0], start[1]));
+    await hands.move(at(start[0], start[1]), near);
+    await sees(order[0]);
+    await hands.move(near, middle);
+    await sees(order[1]);
+    // Where a photograph is clear the book's own page is seen.
+    expect(seenAt(element, ...clear)).toBeNull();
+    await hands.move(middle, far);
+    await sees(order[2]);
+    await hands.move(far, middle);
+    await sees(order[1]);
+    const turned = happens(element, "pagechange");
+    await hands.move(middle, far);
+    await sees(order[2]);
+    hands.point("pointerup", ...far);
+    expect(await turned).toMatchObject({ direction: "forward" });
+    await settled(element);
+    await sees(null);
+  },
+);
+
+test("bound at the top they are rolled with the book, and a command turns too", async () => {
+  serve(photograph);
+  const element = await opened({ binding: "top", duration: "60000" });
+  const turned = element.next();
+  // The left half of a photograph lies above the spine, its right half below.
+  await expect.poll(() => seenAt(element, 0.5, 0.3), { timeout: 20_000 }).not.toBeNull();
+  expect(seenAt(element, 0.5, 0.75)).toBeNull();
+  element.duration = 300;
+  element.remove();
+  expect(await turned).toBe(false);
+});
+
+test("a corner that only lifts stays paper", async () => {
+  serve(photograph);
+  const model = await PhotographsModel.open("/photographs/{0-4}.png");
+  const points = new Float32Array([0, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1]);
+  const flight = { part: "leaf", low: 4, high: 5, from: 4 };
+  const under = (peek: object | null) => ({
+    engine: {
+      columns: new Float32Array([0, 1]),
+      dress: () => points,
+    } as unknown as BookEngine,
+    turning: { flights: [flight] } as unknown as Turning,
+    shape: { width: 1, height: 1 } as BookShape,
+    peek: { flight: peek },
+  });
+  const pose = { left: null, right: null, leaves: [{}] } as unknown as BookPose;
+  model.show(under(flight));
+  expect(model.pose(pose).leaves).toHaveLength(1);
+  model.show(under(null));
+  expect(model.pose(pose).leaves).toHaveLength(0);
+  model.close();
+});
+
+test.for([
+  ["that are not there", async () => null, "was not found; check the address"],
+  ["that are none", async () => "<!doctype html>", "is damaged or no image"],
+  [
+    "of several sizes",
+    (number: number) => photograph(number, 200, 100 + 20 * number),
+    "The photographs of a turn must all be of one size.",
+  ],
+] as const)(
+  "of photographs %s one sentence tells, and leaves turn as sheets",
+  async ([, answer, sentence]) => {
+    serve(answer);
+    const said: string[] = [];
+    const element = book(scans(10), {
+      model: "photographs",
+      "model-src": "/photographs/{0-4}.png",
+      cover: "none",
+      duration: "300",
+    });
+    element.addEventListener("error", (event) => said.push(event.detail.message));
+    await happens(element, "load");
+    await expect.poll(() => element.ready, { timeout: 30_000, interval: 50 }).toBe(true);
+    expect(said).toHaveLength(1);
+    expect(said[0]).toContain(sentence);
+    expect(await element.next()).toBe(true);
+  },
+);

@@ -1,0 +1,108 @@
+/** Photographs of a real turn in place of the leaf, as the British Library turned pages. */
+
+import { type OpenPages, PhotographsMesh } from "../draw/photographs_mesh.ts";
+import type { BookPose } from "../draw/pose.ts";
+import { ImageSource } from "../sources/images.ts";
+import { BookError } from "../sources/page_source.ts";
+import { type LeafModel, type ModelledBook, type Sheet, type Taken, Worn } from "./leaf_model.ts";
+import { photographAddresses } from "./photograph_addresses.ts";
+import { shareTurned } from "./sheet.ts";
+
+/** Pixels that all photographs of a turn hold together at most, 128 MB as RGBA, and their width at most. */
+const mostPixels = 32e6;
+const mostWidth = 2048;
+
+/** Ratios of pictures that differ by less are those of one size, but for whole pixels. */
+const sameRatio = 0.02;
+
+/**
+ * While leaves are in flight they are not drawn; over the open pages lies, for
+ * each, the photograph of the moment at which as much of the turn was done as is
+ * of the sheet's. A corner that only lifts is no turn, and stays paper.
+ */
+export class PhotographsModel implements LeafModel {
+  readonly #pictures: readonly ImageBitmap[];
+  readonly #mesh: PhotographsMesh;
+  readonly #worn = new Worn<Taken>((taken) => taken);
+  /** The photographs that are seen now, by number. */
+  #seen: readonly number[] = [];
+  #size: Pick<OpenPages, "width" | "height"> = { width: 1, height: 1 };
+
+  private constructor(pictures: readonly ImageBitmap[]) {
+    this.#pictures = pictures;
+    this.#mesh = new PhotographsMesh(pictures);
+  }
+
+  /**
+   * Of the photographs at an address with their numbers in braces, the first with
+   * the leaf on the right and the last with it on the left. All are fetched and
+   * decoded first. Rejects with a `BookError` where one cannot be.
+   */
+  static async open(address: string): Promise<PhotographsModel> {
+    const addresses = photographAddresses(address, document.baseURI);
+    return new PhotographsModel(await decoded(addresses));
+  }
+
+  show(book: ModelledBook): void {
+    const { columns } = book.engine;
+    const seen: number[] = [];
+    this.#size = book.shape;
+    this.#worn.show(book, ({ count }, points) => {
+      const share = shareTurned(points, columns.length, count / columns.length);
+      seen.push(Math.round(share * (this.#pictures.length - 1)));
+    });
+    this.#seen = book.peek.flight ? [] : seen;
+  }
+
+  pose(pose: BookPose): BookPose {
+    const foreEdge = (pile: BookPose["left"]): number => pile?.curves[2 * pile.columns - 1] ?? 0;
+    const { width, height } = this.#size;
+    const [left, right] = [foreEdge(pose.left), foreEdge(pose.right)];
+    this.#mesh.show(this.#seen, { width, height, left, right });
+    const leaves = this.#seen.length > 0 ? [] : pose.leaves;
+    return { ...pose, leaves, above: this.#mesh.group };
+  }
+
+  get sheets(): readonly Sheet[] {
+    return this.#worn.sheets;
+  }
+
+  close(): void {
+    this.#worn.clear();
+    this.#mesh.dispose();
+    for (const picture of this.#pictures) picture.close();
+  }
+}
+
+/** Fetches pictures and decodes them, all at once or none. */
+async function decoded(addresses: readonly string[]): Promise<ImageBitmap[]> {
+  const source = new ImageSource({
+    name: "the photographs of a turn",
+    title: "",
+    language: "",
+    direction: "ltr",
+    kind: "scan",
+    pages: addresses.map((src) => ({ src })),
+  });
+  const { signal } = new AbortController();
+  const pictures: ImageBitmap[] = [];
+  try {
+    const size = await source.size(0);
+    const ratio = size.height / size.width;
+    const width = Math.min(mostWidth, Math.sqrt(mostPixels / (addresses.length * ratio)));
+    const drawing = addresses.map(async (_, index) => {
+      pictures[index] = (await source.draw(index, width, signal)) as ImageBitmap;
+      if (Math.abs(pictures[index].height / pictures[index].width / ratio - 1) < sameRatio) return;
+      throw new BookError("The photographs of a turn must all be of one size.");
+    });
+    // All have ended before what came of them is thrown away.
+    const failed = (await Promise.allSettled(drawing)).find(({ status }) => status === "rejected");
+    if (failed) throw (failed as PromiseRejectedResult).reason;
+    return pictures;
+  } catch (error) {
+    for (const picture of pictures) picture?.close();
+    throw error;
+  } finally {
+    source.close();
+  }
+}
