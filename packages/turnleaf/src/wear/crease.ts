@@ -42,6 +42,8 @@ export function crease(
   }
   const normals = new Map<number, Vec3>();
   if (fold === 0 && nx === 0) return normals;
+  // What is folded over shows its verso; of a leaf that lay on the left, its recto.
+  const seen = width < 0 ? 1 : -1;
   const up = (Math.abs(ny) * height) / (rows - 1);
   for (let at = 0; at < across * rows; at++) {
     const [x, y] = flat(at);
@@ -51,13 +53,13 @@ export function crease(
     // Half of the longest way over an edge of the mesh, along the fold's normal.
     const near = 0.55 * (Math.abs(nx * width) * (column % (across - 1) ? 0.5 * next : next) + up);
     if (Math.abs(beyond) < near && column > 0) {
-      normals.set(at, [-round * nx, -round * ny, -Math.sqrt(1 - round * round)]);
+      normals.set(at, [seen * round * nx, seen * round * ny, seen * Math.sqrt(1 - round * round)]);
       points[3 * at] = x - beyond * nx;
       points[3 * at + 1] = y - beyond * ny;
       points[3 * at + 2] = 0.5 * apart;
     } else if (beyond > 0) {
       points[3 * at + 2] += apart;
-      if (beyond < 3 * near) normals.set(at, [0, 0, -1]);
+      if (beyond < 3 * near) normals.set(at, [0, 0, seen]);
     }
   }
   return normals;
