@@ -44,18 +44,23 @@ export function crease(
   if (fold === 0 && nx === 0) return normals;
   // What is folded over shows its verso; of a leaf that lay on the left, its recto.
   const seen = width < 0 ? 1 : -1;
-  const up = (Math.abs(ny) * height) / (rows - 1);
   for (let at = 0; at < across * rows; at++) {
     const [x, y] = flat(at);
     const column = at % across;
     const next = columns[Math.min(column + 1, across - 1)] - columns[Math.max(column - 1, 0)];
     const beyond = nx * x + ny * y - fold;
-    // Half of the longest way over an edge of the mesh, along the fold's normal.
-    const near = 0.55 * (Math.abs(nx * width) * (column % (across - 1) ? 0.5 * next : next) + up);
-    if (Math.abs(beyond) < near && column > 0) {
+    const isForeEdge = column === across - 1;
+    const isFootOrHead = at < across || at >= across * (rows - 1);
+    // Half of the longest way over an edge of the mesh, along the fold's normal. What is on the
+    // outline goes to the fold along it, or the fold would end in a notch or a spike.
+    const wide = Math.abs(nx * width) * (isForeEdge ? next : 0.5 * next);
+    const tall = (Math.abs(ny) * height) / (rows - 1);
+    const near = 0.55 * (wide + tall);
+    const reach = 0.55 * ((isForeEdge ? 0 : wide) + (isFootOrHead ? 0 : tall));
+    if (Math.abs(beyond) < reach && column > 0) {
       normals.set(at, [seen * round * nx, seen * round * ny, seen * Math.sqrt(1 - round * round)]);
-      points[3 * at] = x - beyond * nx;
-      points[3 * at + 1] = y - beyond * ny;
+      points[3 * at] = isForeEdge ? x : x - beyond * (isFootOrHead ? 1 / nx : nx);
+      points[3 * at + 1] = isFootOrHead ? y : y - beyond * (isForeEdge ? 1 / ny : ny);
       points[3 * at + 2] = 0.5 * apart;
     } else if (beyond > 0) {
       points[3 * at + 2] += apart;
