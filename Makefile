@@ -13,7 +13,7 @@ WASM = packages/turnleaf/src/engine/turnleaf.wasm
 MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 
-.PHONY: read build wasm test test-rust test-js check check-rust check-js bench playground examples pictures methods recordings reference book clean tools-rust chromium
+.PHONY: read build wasm test test-rust test-js check check-rust check-js bench playground examples pictures methods recordings photographs reference book clean tools-rust chromium
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -95,6 +95,10 @@ methods: tools-rust
 recordings: tools-rust
 	cargo run --release --quiet -p lab -- keyframes --model sheet --gesture edge --seconds 1.2 --settle 0.3 --out packages/turnleaf/src/wear/turns/sheet_turn.tlkf
 	cargo run --release --quiet -p lab -- keyframes --model shell --nodes 17 --gesture edge --seconds 1.2 --settle 0.3 --out packages/turnleaf/src/wear/turns/shell_turn.tlkf
+
+# The photographs of a turn that examples/12-models.html shows, drawn anew.
+photographs: build chromium
+	node examples/pictures/turn.mjs
 
 # docs/reference.md, from the comments in the sources.
 reference: $(MODULES)

@@ -3,6 +3,10 @@ import "turnleaf";
 const book = document.querySelector("turnleaf-book");
 const { model } = document.querySelector("form").elements;
 
+/** What some models show; a turn of your own would be one of `replay`. */
+const sources = { photographs: "pictures/turn/{01-24}.webp" };
+
 model.addEventListener("input", () => {
+  book.modelSrc = sources[model.value] ?? "";
   book.model = model.value;
 });

@@ -14,7 +14,6 @@ import { Furnishing } from "./controls/furnish.ts";
 import { Announcements, openPages } from "./element/announcements.ts";
 import { type Answers, adopt, attributes, paperOf, turnSecondsOf } from "./element/attributes.ts";
 import { Life, type OpenBook } from "./element/life.ts";
-import { modelChoiceOf } from "./element/model.ts";
 import { PageChanges } from "./element/page_changes.ts";
 import { ReaderElement } from "./element/reader_element.ts";
 import { Senses } from "./element/senses.ts";
@@ -236,7 +235,7 @@ export class TurnleafBook extends ReaderElement {
     rebind: () => this.#viewer?.rebind(wishOf(this)),
     goTo: (page) => void this.goTo(page),
     changePaper: () => this.#viewer?.setPaper(this.#leaves),
-    changeModel: () => void this.#viewer?.setModel(modelChoiceOf(this)),
+    changeModel: () => void this.#viewer?.setModel(this),
     changePace: () => {
       if (this.#viewer) this.#viewer.turning.seconds = turnSecondsOf(this);
     },
@@ -339,7 +338,7 @@ export class TurnleafBook extends ReaderElement {
       paper: () => this.#leaves,
       page: () => this.#firstPage(source),
       turnSeconds: () => turnSecondsOf(this),
-      model: () => modelChoiceOf(this),
+      model: () => this,
       onStart: (low, high, forward) => this.#started(low, high, forward),
       onRest: (from, to) => this.#rested(from, to),
       onFailure: (sentence) => this.#words?.announce(sentence),

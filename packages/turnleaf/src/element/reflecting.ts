@@ -4,7 +4,6 @@ import type { Stock } from "../engine/shapes.ts";
 import type { TurnModelName } from "../wear/model_choice.ts";
 import { stockOf, turnSecondsOf } from "./attributes.ts";
 import type { Listened, TurnleafEventMap } from "./events.ts";
-import { modelChoiceOf } from "./model.ts";
 import { wishOf } from "./wish.ts";
 
 /** On a server there is no DOM: importing the package is safe there, using the element is not. */
@@ -79,7 +78,7 @@ export class ReflectingElement extends Base {
    * @default sheet
    */
   get model(): TurnModelName {
-    return modelChoiceOf(this).model as TurnModelName;
+    return (this.getAttribute("model") || "sheet") as TurnModelName;
   }
 
   set model(model: TurnModelName) {
@@ -93,7 +92,7 @@ export class ReflectingElement extends Base {
    * @default ""
    */
   get modelSrc(): string {
-    return modelChoiceOf(this).src;
+    return this.getAttribute("model-src") ?? "";
   }
 
   set modelSrc(address: string) {

@@ -36,9 +36,9 @@ export class Modelling {
     this.#isLoading = true;
     let model: LeafModel | null = null;
     try {
-      if (this.#load && choice.model !== "sheet") {
-        model = await (await loaded(this.#load())).openModel(choice);
-      }
+      const wear = choice.model !== "sheet" && this.#load;
+      const open = wear && (await loaded(wear())).openModel;
+      if (open && own === this.#choice) model = await open(choice);
     } catch (error) {
       if (own === this.#choice) this.#failed(error);
     }

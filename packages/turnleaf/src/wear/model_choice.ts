@@ -20,5 +20,5 @@ export type TurnModelName = (typeof turnModels)[number];
 export interface ModelChoice {
   readonly model: string;
   /** Address of what it shows, where it shows something: a recorded turn, or photographs of one. */
-  readonly src: string;
+  readonly modelSrc: string;
 }

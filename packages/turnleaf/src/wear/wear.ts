@@ -10,7 +10,7 @@ import { type ModelChoice, turnModels } from "./model_choice.ts";
  * Makes the model of a choice: null for the sheet, which needs none.
  * Rejects with a `BookError` where it cannot be had, or where there is none of the name.
  */
-export async function openModel({ model, src }: ModelChoice): Promise<LeafModel | null> {
+export async function openModel({ model, modelSrc }: ModelChoice): Promise<LeafModel | null> {
   const name = turnModels.find((known) => known === model);
   if (name === undefined) {
     const known = turnModels.join(", ");
@@ -20,11 +20,11 @@ export async function openModel({ model, src }: ModelChoice): Promise<LeafModel 
   if (name === "sheet") return null;
   if (name === "photographs") {
     const { PhotographsModel } = await loaded(import("./photographs.ts"));
-    return await PhotographsModel.open(src);
+    return await PhotographsModel.open(modelSrc);
   }
   if (name === "replay" || name === "shell") {
     const { ReplayModel } = await loaded(import("./replay.ts"));
-    if (name === "replay" && src) return await ReplayModel.at(src);
+    if (name === "replay" && modelSrc) return await ReplayModel.at(modelSrc);
     return await ReplayModel.ofOwn(name === "replay" ? "sheet" : "shell");
   }
   const { LooseModel } = await loaded(import("./loose.ts"));
