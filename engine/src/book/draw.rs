@@ -11,8 +11,9 @@ use super::flight::Flight;
 use super::flights::MOST_FLIGHTS;
 use crate::grid::Side;
 
-/// How far over the piles what flies is drawn, metres: a leaf that is taken up from under
-/// it lies there.
+/// How far over a pile what flies is drawn, metres, and over what flies under it: a leaf
+/// that is taken up from under others lies on the pile, where those that lie crumpled
+/// upon it were drawn.
 const OVER: f32 = 1e-4;
 
 /// Draws flights, from the left to the right, between the piles (right and left).
@@ -21,10 +22,9 @@ pub fn draw(order: &mut [Flight], piles: [&Pile; 2], wary: bool) {
     for flight in order.iter_mut() {
         flight.draw(piles);
     }
-    clear(order, |_| true);
-    for flight in order.iter_mut() {
-        flight.lift_off(piles, OVER);
-    }
+    let all = [true; MOST_FLIGHTS];
+    clear(order, &all);
+    lift_off(order, &all, piles);
     if wary && order.len() > 1 {
         hold_back(order, piles);
     }
@@ -40,7 +40,7 @@ pub fn on_left(order: &[Flight]) -> usize {
 }
 
 /// Moves each flight, of those `asked` about, off the one that it lies upon.
-fn clear(order: &mut [Flight], asked: impl Fn(usize) -> bool) {
+fn clear(order: &mut [Flight], asked: &[bool]) {
     let (on_left, count) = (on_left(order), order.len());
     let on_right = (on_left..count).rev().map(|index| (index, Side::Right));
     let on_left = (0..on_left).map(|index| (index, Side::Left));
@@ -56,10 +56,25 @@ fn clear(order: &mut [Flight], asked: impl Fn(usize) -> bool) {
             Side::Right => right.first(),
         };
         if let Some(neighbour) = neighbour
-            && asked(index)
+            && asked[index]
         {
             own.clear_of(neighbour, side);
         }
+    }
+}
+
+/// Lifts flights, of those `asked` about, out of the piles (right and left), each over
+/// those that fly between it and a pile.
+fn lift_off(order: &mut [Flight], asked: &[bool], piles: [&Pile; 2]) {
+    let down = |flight: &&Flight| flight.leaf().is_down();
+    let right = order.len() - order.iter().rev().take_while(down).count();
+    let left = order.iter().take_while(down).count();
+    for (index, flight) in order.iter_mut().enumerate().filter(|(k, _)| asked[*k]) {
+        let ranks = [
+            right.saturating_sub(index),
+            (index + 1).saturating_sub(left),
+        ];
+        flight.lift_off(piles, ranks.map(|rank| OVER * rank as f32));
     }
 }
 
@@ -104,15 +119,13 @@ fn draw_part(order: &mut [Flight], back: &[bool], part: f32, cleared: bool, pile
             .filter(|(_, back)| **back)
             .for_each(|(flight, _)| act(flight));
     };
-    each(order, &|flight| {
-        flight.draw_part(part);
-        flight.lift_off(piles, 0.0);
-    });
+    each(order, &|flight| flight.draw_part(part));
+    lift_off(order, back, piles);
     // Half-way between two pictures leaves are nearer to each other than in either, and
     // what lies on a pile that grew was lifted to one height.
     if cleared {
-        clear(order, |index| back[index]);
-        each(order, &|flight| flight.lift_off(piles, 0.0));
+        clear(order, back);
+        lift_off(order, back, piles);
     }
     each(order, &|flight| flight.cut_drawn());
 }

@@ -12,7 +12,7 @@ use crate::vector::{dot, sub};
 
 /// Drawn leaves that go through each other by less than this, metres, touch: so much
 /// comes of rounding.
-const TOUCH: f32 = 5e-6;
+const TOUCH: f32 = 1e-6;
 
 /// How far what is drawn of a leaf may be on the wrong side of the next at the spine,
 /// metres.
@@ -152,13 +152,12 @@ impl Flight {
         self.surface.update_normals();
     }
 
-    /// Lifts what others pushed into the piles (right and left) out of them.
-    pub fn lift_off(&mut self, [right, left]: [&Pile; 2], over: f32) {
-        let flies = !self.leaf.is_down();
-        let over = if flies { over } else { 0.0 };
-        lift(&mut self.surface.positions, right, left, over);
-        if flies {
-            lift_edges(&mut self.surface.positions, right, left);
+    /// Lifts what others pushed into the piles (right and left) out of them, so far over
+    /// each, metres.
+    pub fn lift_off(&mut self, piles: [&Pile; 2], over: [f32; 2]) {
+        lift(&mut self.surface.positions, piles, over);
+        if !self.leaf.is_down() {
+            lift_edges(&mut self.surface.positions, piles, over);
         }
     }
 

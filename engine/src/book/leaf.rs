@@ -355,11 +355,13 @@ impl Leaf {
     }
 
     /// Takes back what it did since it was last [kept](Self::keep): it is there
-    /// again, and still.
-    pub fn step_back(&mut self, gutter: &Gutter) {
+    /// again, and still. Neighbours that nodes of it seem deeper in than `deep` metres are
+    /// not minded at the next: none can be, and it would be taken back for ever.
+    pub fn step_back(&mut self, gutter: &Gutter, deep: f32) {
         self.sheet.put_back(&self.kept);
         self.sheet.give_way();
         self.seated.depth = self.kept_depth;
+        self.seated.forget_deep(deep);
         self.seat(gutter);
     }
 

@@ -15,7 +15,7 @@ const DEEPEST: f32 = 0.02;
 
 /// Depth to which a node that was not next to a neighbour before may have been
 /// pushed in, metres; deeper, it has come round its rim.
-const WRONG: f32 = 0.004;
+const WRONG: f32 = 0.0025;
 
 /// Depth from which a node beyond a neighbour's rim has passed it there, metres.
 const PAST: f32 = 0.001;

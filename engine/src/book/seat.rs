@@ -28,28 +28,28 @@ pub fn seat(positions: &mut [f32], right: &Pile, left: &Pile) {
     for row in positions.chunks_exact_mut(3 * columns) {
         bend_row(row, right.angles(), left.angles());
     }
-    lift(positions, right, left, 0.0);
+    lift(positions, [right, left], [0.0; 2]);
 }
 
-/// Lifts what of a leaf lies inside the piles to `over` metres over them; arguments as
-/// in [`seat`].
-pub fn lift(positions: &mut [f32], right: &Pile, left: &Pile, over: f32) {
-    let highest = right.highest().max(left.highest());
-    for row in positions.chunks_exact_mut(3 * right.columns()) {
+/// Lifts what of a leaf lies inside the piles (right and left) to so many metres `over`
+/// each; positions as in [`seat`].
+pub fn lift(positions: &mut [f32], piles: [&Pile; 2], over: [f32; 2]) {
+    let highest = highest(piles, over);
+    for row in positions.chunks_exact_mut(3 * piles[0].columns()) {
         for point in row.chunks_exact_mut(3).skip(1) {
-            if point[2] < highest + over {
-                let pile = if point[0] >= 0.0 { right } else { left };
-                point[2] = point[2].max(pile.height(point[0].abs()) + over);
+            if point[2] < highest {
+                point[2] = point[2].max(height(piles, over, point[0]));
             }
         }
     }
 }
 
-/// Lifts edges whose middle lies inside a pile, at both ends: over a ridge two
-/// points may lie clear of the pile and what is drawn between them not.
-pub fn lift_edges(positions: &mut [f32], right: &Pile, left: &Pile) {
-    let highest = right.highest().max(left.highest());
-    let columns = right.columns();
+/// Lifts edges that come lower between their ends than [`lift`] lets those, at both
+/// ends: over a ridge two points may lie clear of the pile and what is drawn between
+/// them not.
+pub fn lift_edges(positions: &mut [f32], piles: [&Pile; 2], over: [f32; 2]) {
+    let highest = highest(piles, over);
+    let columns = piles[0].columns();
     let points = positions.as_chunks_mut::<3>().0;
     // Along a row, along a column, along the diagonal of a cell as it is drawn.
     for step in [1, columns, columns + 1] {
@@ -61,8 +61,7 @@ pub fn lift_edges(positions: &mut [f32], right: &Pile, left: &Pile) {
             }
             let lack = |part: f32| {
                 let [x, z] = [0, 2].map(|axis| a[axis] + part * (b[axis] - a[axis]));
-                let pile = if x >= 0.0 { right } else { left };
-                pile.height(x.abs()) - z
+                height(piles, over, x) - z
             };
             let lack = lack(0.25).max(lack(0.5)).max(lack(0.75));
             if lack > 0.0 {
@@ -71,6 +70,19 @@ pub fn lift_edges(positions: &mut [f32], right: &Pile, left: &Pile) {
             }
         }
     }
+}
+
+/// How high a leaf is lifted at `x`, metres.
+#[inline(never)]
+fn height(piles: [&Pile; 2], over: [f32; 2], x: f32) -> f32 {
+    let side = usize::from(x < 0.0);
+    piles[side].height(x.abs()) + over[side]
+}
+
+/// No leaf is lifted higher than this, metres.
+fn highest(piles: [&Pile; 2], over: [f32; 2]) -> f32 {
+    let highest = |side: usize| piles[side].highest() + over[side];
+    highest(0).max(highest(1))
 }
 
 fn bend_row(row: &mut [f32], right: &[f32], left: &[f32]) {

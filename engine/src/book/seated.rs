@@ -94,6 +94,14 @@ impl Seated {
         }
     }
 
+    /// Forgets neighbours that nodes seem deeper in than `deep` metres: such a node has
+    /// come round a rim, or lies under a flap.
+    pub fn forget_deep(&mut self, deep: f32) {
+        for gap in self.gaps.iter_mut().flatten().filter(|gap| **gap < -deep) {
+            *gap = FAR;
+        }
+    }
+
     /// Whether no node can have come deeper than `deep` metres into anything within
     /// `seconds` since all was looked for, at the velocities of now: so far off was
     /// everything.

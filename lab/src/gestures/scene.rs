@@ -153,6 +153,15 @@ impl Scene {
             known
         };
         let Some(flight) = lifted else { return };
+        if std::env::var("DBG").is_ok() {
+            let m = measure(&self.book);
+            eprintln!(
+                "t {} begin {flight} leaf {:.3} cross {}",
+                self.ticks,
+                m.leaf * 1e3,
+                m.crossings
+            );
+        }
         match self.random.below(4) {
             0 => self.play(flight),
             1 => {
@@ -254,7 +263,29 @@ impl Scene {
         let lag = |index: usize| self.book.lag(index).unwrap_or(0.0);
         let lag = (0..self.book.flights()).map(lag).fold(0.0, f32::max);
         self.outcome.lags.push(lag);
-        self.outcome.drawn = self.outcome.drawn.worse(measure(&self.book));
+        let m = measure(&self.book);
+        if std::env::var("DBG").is_ok() {
+            let st: Vec<_> = (0..self.book.flights())
+                .map(|i| {
+                    let id = self.book.flight_id(i).unwrap();
+                    (
+                        id,
+                        self.book.phase(id),
+                        self.book.depth(i),
+                        self.book.lag(i),
+                    )
+                })
+                .collect();
+            eprintln!(
+                "t {} leaf {:.3} pile {:.3} cross {} {:?}",
+                self.ticks,
+                m.leaf * 1e3,
+                m.pile * 1e3,
+                m.crossings,
+                st
+            );
+        }
+        self.outcome.drawn = self.outcome.drawn.worse(m);
     }
 
     /// A hand's work of a frame: it moves, or lets go.

@@ -24,7 +24,7 @@ const MOST_ROUNDS: usize = 6;
 const DEEPEST: f32 = 2.5e-3;
 
 /// Depth in a tick, metres, from which a leaf may be drawn through another.
-const ASTRAY: f32 = 5e-4;
+const ASTRAY: f32 = 2e-4;
 
 impl Flights {
     /// Steps every flight by one tick between the piles (right and left), and
@@ -141,18 +141,16 @@ impl Flights {
     }
 
     /// Leaves that sank deep into something in the tick, or went through each other,
-    /// take it back, and those that they touch with them.
+    /// take it back. Others go on: what they lie upon may just be moving off.
     fn take_back(&mut self, gutter: &Gutter) {
         let count = self.order.len();
         let mut back = [false; MOST_FLIGHTS];
         for index in 0..count {
-            if self.order[index].leaf().has_sunk(DEEPEST) {
-                back[index.saturating_sub(1)..(index + 2).min(count)].fill(true);
-            }
+            back[index] = self.order[index].leaf().has_sunk(DEEPEST);
         }
         for (flight, back) in self.order.iter_mut().zip(back) {
             if back {
-                flight.leaf_mut().step_back(gutter);
+                flight.leaf_mut().step_back(gutter, DEEPEST);
             }
             flight.cut();
         }
@@ -164,7 +162,7 @@ impl Flights {
             for index in [index, index + 1] {
                 if !back[index] {
                     back[index] = true;
-                    self.order[index].leaf_mut().step_back(gutter);
+                    self.order[index].leaf_mut().step_back(gutter, DEEPEST);
                     self.order[index].cut();
                 }
             }
