@@ -25,7 +25,7 @@ const viewer = {
   "viewer.ts": ["book", "draw", "engine", "pages", "sources", "view", "wear"],
   "solid.ts": ["draw", "engine", "viewer.ts", "wear"],
   plain: ["book", "draw", "engine", "sources", "viewer.ts"],
-  "open_viewer.ts": ["draw", "plain", "sources", "solid.ts", "viewer.ts"],
+  "open_viewer.ts": ["draw", "engine", "plain", "sources", "solid.ts", "viewer.ts"],
   input: ["book", "draw", "engine", "view", "viewer.ts"],
   "element.css.ts": [],
   text: ["pages", "sources"],

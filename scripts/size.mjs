@@ -23,17 +23,21 @@ const goal = 80;
  * one of those that every book needs.
  */
 const parts = {
-  "shows and turns a book": { limit: 80.7 },
+  "shows and turns a book": { limit: 80 },
   "the text over the pages, once they show": { files: ["text_over.js"], limit: 6 },
-  "zoomed in, fold-outs, the place kept": {
-    files: ["details.js", "flap.js", "place.js"],
-    limit: 3.6,
+  "zoomed in, pages of other sizes, fold-outs, the place kept": {
+    files: ["details.js", "fit.js", "flap.js", "place.js"],
+    limit: 4.1,
   },
   "toolbar and panels": { files: ["controls.js"], limit: 13 },
   "on the flat, where there is no WebGL": { files: ["plain.js"], limit: 7 },
   // Counted by themselves, as page sources are: a book without the attribute `model`
   // loads none of them. Live models have machine code of their own.
-  "another model of turning, live": { files: ["wear.js", "loose.js"], limit: 85, isApart: true },
+  "another model of turning, live": {
+    files: ["wear.js", "sheet.js", "loose.js"],
+    limit: 83,
+    isApart: true,
+  },
   "recorded turns": {
     files: ["replay.js", "sheet_turn.js", "shell_turn.js"],
     limit: 17,
@@ -49,7 +53,7 @@ const parts = {
 };
 
 /** kB gzip of all parts together but for those apart. */
-const limit = 113;
+const limit = 113.5;
 
 const dist = join(import.meta.dirname, "../packages/turnleaf/dist");
 

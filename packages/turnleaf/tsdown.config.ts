@@ -23,13 +23,7 @@ const viewer = defineConfig({
       // What every page loads is one file, which packs better than many. But for
       // the definition of the element: a file with an effect has the one name
       // that package.json says has one.
-      // The book in space is another, with what unpacks machine code, which other
-      // models than the book's own need too; what these share is a third.
-      groups: [
-        { name: "viewer", tags: ["$initial"], test: /\/src\/(?!index\.)(?!.*\.d\.ts)/ },
-        { name: "wear", test: /\/src\/wear\/(wear|sheet|leaf_model)\.ts/ },
-        { name: "solid", test: /\/src\/(solid|engine\/machine_code)\.ts/ },
-      ],
+      groups: [{ name: "viewer", tags: ["$initial"], test: /\/src\/(?!index\.)(?!.*\.d\.ts)/ }],
     },
   },
 });

@@ -194,9 +194,11 @@ function tagged(files, name) {
 
 /** A custom property with the value that it has where nobody sets it. */
 function withValue(property) {
-  const style = readFileSync(join(source, "element.css.ts"), "utf8");
-  const usual = style.slice(style.indexOf("\n:host {"));
-  const value = new RegExp(`${property.name}: ([^;]*);`).exec(usual)?.[1];
+  const usual = ["element.css.ts", "controls/themes.css.ts"].map((file) => {
+    const style = readFileSync(join(source, file), "utf8");
+    return style.slice(style.indexOf("\n:host {"));
+  });
+  const value = new RegExp(`${property.name}: ([^;]*);`).exec(usual.join(""))?.[1];
   return { ...property, usual: value };
 }
 

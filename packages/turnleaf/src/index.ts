@@ -11,7 +11,7 @@ export type { Paper } from "./book/paper.ts";
 export type { CoverKind, Edge, Layout } from "./book/spreads.ts";
 export type { TurnDetail, TurnleafEventMap } from "./element/events.ts";
 export type { RecordOptions } from "./element/film.ts";
-export type { PrintOptions } from "./element/print.ts";
+export type { PrintOptions } from "./element/printing.ts";
 export type { Theme } from "./element/reflecting.ts";
 export { TurnleafBook } from "./element.ts";
 export type { Stock, StockFigures, Vec3 } from "./engine/shapes.ts";

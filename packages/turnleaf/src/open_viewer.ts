@@ -1,20 +1,9 @@
 /** Opens a book as well as this machine can show it. */
 
 import { giveUpContext, openContext } from "./draw/context.ts";
+import { mayRunCode } from "./engine/machine_code.ts";
 import { BookError, type PageSource } from "./sources/page_source.ts";
 import { Viewer, type ViewerOptions } from "./viewer.ts";
-
-/** The shortest module there is: its magic number and version. */
-const emptyModule = Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0);
-
-/** Whether there is WebAssembly, and the page's security policy lets it run. */
-function mayRunEngine(): boolean {
-  try {
-    return new WebAssembly.Module(emptyModule) instanceof WebAssembly.Module;
-  } catch {
-    return false;
-  }
-}
 
 /**
  * Opens a book: in space where there is WebGL 2 and the engine may run; else on
@@ -32,7 +21,7 @@ export async function openViewer(
   isFlat = false,
 ): Promise<Viewer> {
   let canvas = freshCanvas();
-  if (!isFlat && mayRunEngine() && openContext(canvas)) {
+  if (!isFlat && mayRunCode() && openContext(canvas)) {
     try {
       const { craft } = await import("./solid.ts");
       signal.throwIfAborted();

@@ -1,6 +1,6 @@
 /** What the controls need of a book: a part of the element's public face, so that a stand-in can take its place. */
 
-import type { PrintOptions } from "../element/print.ts";
+import type { PrintOptions } from "../element/printing.ts";
 import type { OutlineEntry, PagePicture } from "../sources/page_source.ts";
 
 /** A place where something was found, as far as a list shows it. */

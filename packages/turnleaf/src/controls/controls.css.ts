@@ -1,4 +1,4 @@
-/** How the controls look. Colours are the themes', in the element's own style. */
+/** How the controls look. Colours are the themes'. */
 export const style: string = /* css */ `
 .frame { --wide: 304px; }
 .ui { color: var(--turnleaf-ink); font: max(14px, 0.875rem)/1.4 var(--turnleaf-font); accent-color: var(--turnleaf-accent); }

@@ -14,6 +14,7 @@ import { PagesBar } from "./pages_bar.ts";
 import { Panel } from "./panel.ts";
 import { askPrint } from "./print_dialog.ts";
 import { speak } from "./say.ts";
+import { themes } from "./themes.css.ts";
 import { Thumbnails } from "./thumbnails.ts";
 
 /** Attributes of the element that change what the controls show. */
@@ -37,7 +38,7 @@ export function addControls<Hit extends FoundPlace>(
 ): () => void {
   const root = frame.getRootNode() as ShadowRoot;
   const sheet = new CSSStyleSheet();
-  sheet.replaceSync(style);
+  sheet.replaceSync(themes + style);
   root.adoptedStyleSheets = [...root.adoptedStyleSheets, sheet];
   let remove = build(book, frame, stage);
   const language = (): string => `${languageOf(book)} ${getComputedStyle(book).direction}`;

@@ -1,6 +1,6 @@
 /** Asks which pages are to be printed, and tells how far their drawing is. */
 
-import { mostPrinted } from "../element/print.ts";
+import { mostPrinted } from "../element/printing.ts";
 import { fill } from "../words/languages.ts";
 import type { ControlledBook } from "./book.ts";
 import { findPage } from "./find_page.ts";

@@ -8,6 +8,7 @@ const shape: BookShape = {
   thickness: 0.02,
   leaves: 200,
   cover: "hard",
+  rim: 0.0032,
   cloth: "#6a2a26",
   kind: "typeset",
   rolled: false,

@@ -71,6 +71,7 @@ export class LeafScene {
       thickness: 0,
       leaves: 3,
       cover: "none",
+      rim: 0,
       rolled: false,
       alone: 0,
       cloth: "#6a2a26",

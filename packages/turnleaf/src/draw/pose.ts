@@ -14,6 +14,8 @@ export interface BookShape {
   readonly leaves: number;
   /** Boards in cloth, or nothing but leaves. */
   readonly cover: "hard" | "none";
+  /** How far its boards stand out beyond the pages at head, foot and fore-edge; 0 where there are none. */
+  readonly rim: number;
   /** Whether the spine lies across the screen and the right side below it. */
   readonly rolled: boolean;
   /** The side whose pages alone are read, 1 right or -1 left; 0 where both are. */

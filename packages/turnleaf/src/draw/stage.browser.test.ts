@@ -10,6 +10,7 @@ const shape: BookShape = {
   thickness: 0,
   leaves: 1,
   cover: "none",
+  rim: 0,
   cloth: "#6a2a26",
   kind: "scan",
   rolled: false,
@@ -121,7 +122,11 @@ test("a forgotten picture leaves blank paper, and the table is clear", () => {
 });
 
 test("a line of sight meets the place that it is seen at", () => {
-  const stage = newStage(document.createElement("canvas"), { thickness: 0.02, cover: "hard" });
+  const stage = newStage(document.createElement("canvas"), {
+    thickness: 0.02,
+    cover: "hard",
+    rim: 0.0032,
+  });
   for (const frontBoard of [Math.PI, 1.2, 0]) {
     stage.pose({ ...open, left: null, frontBoard });
     const { origin, direction } = stage.rayAt(57, 83);

@@ -16,7 +16,6 @@ import type { Face } from "../book/faces.ts";
 import type { Ray, Vec3 } from "../engine/shapes.ts";
 import type { PageBox, PagePicture } from "../sources/page_source.ts";
 import { fieldOfView, frameBook, sightOf } from "./camera.ts";
-import { caseSizes } from "./case_shape.ts";
 import { ContextWatch, openContext } from "./context.ts";
 import { DrawnBook } from "./drawn_book.ts";
 import { BookMaterials, type LeafSide, type PageFace } from "./materials.ts";
@@ -76,7 +75,7 @@ export class Stage {
   #height = 1;
   #ratio = 1;
   readonly #zooming = new Zooming((level) =>
-    sightOf(this.#shape, this.#book.framing, this.#aspect, this.#rim, level),
+    sightOf(this.#shape, this.#book.framing, this.#aspect, this.#shape.rim, level),
   );
 
   /**
@@ -286,14 +285,10 @@ export class Stage {
     return this.#width / this.#height;
   }
 
-  get #rim(): number {
-    return this.#shape.cover === "hard" ? caseSizes.rim : 0;
-  }
-
   #aim(zoom: Zoom = this.#zooming.zoom): void {
     const { level } = zoom;
     const [aspect, overhead] = [this.#aspect, overheadAt(level)];
-    const view = frameBook(this.#shape, this.#book.framing, aspect, this.#rim, overhead);
+    const view = frameBook(this.#shape, this.#book.framing, aspect, this.#shape.rim, overhead);
     const camera = this.#camera;
     camera.matrix.makeBasis(
       new Vector3(...view.right),

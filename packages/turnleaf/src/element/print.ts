@@ -1,24 +1,10 @@
 /** Prints the pages of a book, a sheet each, and hands out its file. */
 
 import { BookError, type PagePicture, type PageSource } from "../sources/page_source.ts";
-
-/** Which pages are printed, and how it goes on. */
-export interface PrintOptions {
-  /** First page, from 1; the book's first where it is not given. */
-  readonly from?: number;
-  /** Last page; the book's last where it is not given. */
-  readonly to?: number;
-  /** Gives up what is not drawn yet. */
-  readonly signal?: AbortSignal;
-  /** Called before a page (from 1) is drawn. */
-  readonly onPage?: (page: number) => void;
-}
+import { mostPrinted, type PrintOptions } from "./printing.ts";
 
 /** Width of a printed page in pixels: A4 at 150 dots an inch, A5 at 210. */
 const printWidth = 1240;
-
-/** Most pages printed at once: each is half a megabyte until it is on paper. */
-export const mostPrinted = 300;
 
 /**
  * Draws pages and opens the browser's print dialog with them, each upright on a

@@ -12,7 +12,7 @@ import { cleanBookmarks } from "./bookmarks.ts";
 import type { Film, RecordOptions } from "./film.ts";
 import type { OpenBook } from "./life.ts";
 import type { Place } from "./place.ts";
-import type { PrintOptions } from "./print.ts";
+import type { PrintOptions } from "./printing.ts";
 import { ReflectingElement } from "./reflecting.ts";
 import { SlideShow } from "./slide_show.ts";
 

@@ -18,7 +18,7 @@ const inputs = predictors + 2;
 /** Situations that a predictor tells apart, as a power of two. */
 const situations = 19;
 /** Times after which a predictor trusts what it saw no more than before. */
-const mostSeen = 8;
+const mostSeen = 7;
 /** How fast the mixture learns, and the error below which it is right as it is. */
 const learning = 0.018;
 const smallError = 0.03;
@@ -95,12 +95,13 @@ export async function expectBytes(
 ): Promise<Uint8Array<ArrayBuffer>> {
   makeTables();
   const out = new Uint8Array(length);
-  const rates = Float64Array.from({ length: mostSeen + 1 }, (_, n) => 1 / (n + 1.3));
+  const rates = Float64Array.from({ length: mostSeen + 1 }, (_, n) => 1 / (n + 1.2));
   /** The odds of 1 in 26 bits, above how often a situation was met. */
   const cells = new Int32Array(predictors << situations).fill(2 ** 30);
-  // Two mixtures, by the kind and the bits of the byte so far, and by the operation and the run.
-  const byKind = new Float32Array(kinds * 256 * inputs).fill(1.8 / predictors);
-  const byRun = new Float32Array(16 * 64 * inputs).fill(1.8 / predictors);
+  // Three mixtures: by the kind and the bits of the byte so far, by the operation and the
+  // run, and by the kind, the byte before and which half of a byte it is.
+  const mixture = (rows: number) => new Float32Array(rows * inputs).fill(1.8 / predictors);
+  const [byKind, byRun, byLast] = [mixture(kinds * 256), mixture(16 * 64), mixture(kinds * 512)];
   const evidence = new Float32Array(inputs).fill(0.4);
   /** What each predictor goes by, as a number and mixed. */
   const known = new Int32Array(predictors);
@@ -151,10 +152,10 @@ export async function expectBytes(
     const guess = (expected >> above) & 1;
     const a = (kind * 256 + node) * inputs;
     const b = ((isExpected ? Math.min(run, 15) : 0) * 64 + (op & 63)) * inputs;
+    const c = (kind * 512 + (above & 4) * 64 + (last & 255)) * inputs;
     const sure = evidenceOf[((sureness[run] as number) * 4096) | 0] as number;
     evidence[predictors] = isExpected ? (guess ? sure : -sure) : 0;
-    let sumA = 0;
-    let sumB = 0;
+    let [sumA, sumB, sumC] = [0, 0, 0];
     for (let i = 0; i < inputs; i++) {
       if (i < predictors) {
         const cell = cells[(slots[i] as number) + low] as number;
@@ -163,16 +164,19 @@ export async function expectBytes(
       const said = evidence[i] as number;
       sumA += (byKind[a + i] as number) * said;
       sumB += (byRun[b + i] as number) * said;
+      sumC += (byLast[c + i] as number) * said;
     }
-    const expects = odds((sumA + sumB) / 2);
+    const expects = odds((sumA + sumB + sumC) / 3);
     const bit = next(expects);
     if (Math.abs(bit - expects) >= smallError) {
       const stepA = (bit - odds(sumA)) * learning;
       const stepB = (bit - odds(sumB)) * learning;
+      const stepC = (bit - odds(sumC)) * learning;
       for (let i = 0; i < inputs; i++) {
         const said = evidence[i] as number;
         byKind[a + i] = (byKind[a + i] as number) + stepA * said;
         byRun[b + i] = (byRun[b + i] as number) + stepB * said;
+        byLast[c + i] = (byLast[c + i] as number) + stepC * said;
       }
     }
     const aim = bit * (2 ** 31 - 1);
@@ -264,4 +268,16 @@ export function unpackCode(packed: Uint8Array): Promise<Uint8Array<ArrayBuffer>>
     }
     return isOne ? 1 : 0;
   });
+}
+
+/** The shortest module there is: its magic number and version. */
+const emptyModule = Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0);
+
+/** Whether there is WebAssembly, and the page's security policy lets it run. */
+export function mayRunCode(): boolean {
+  try {
+    return new WebAssembly.Module(emptyModule) instanceof WebAssembly.Module;
+  } catch {
+    return false;
+  }
 }

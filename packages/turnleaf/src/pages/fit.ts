@@ -1,15 +1,14 @@
-/** Fits pictures of pages of other sizes onto the book's leaf. */
+/** Fits pictures of pages of other sizes onto the book's leaf. Loaded with the first such page. */
 
 import type { PageBox, PagePicture } from "../sources/page_source.ts";
-import { foldAt, isFoldOut, isTrimmed, whole } from "./placing.ts";
+import { foldAt, isFoldOut, isTrimmed } from "./placing.ts";
 
 const paper = "#fbf5e8";
 
 /**
- * The picture itself where it covers its leaf; else one of the leaf's
- * proportions, no sharper than the picture is and no wider than the leaf is
- * wanted. Where the leaf is cut to a smaller page it is clear, and so is a board
- * beside its cover; a little margin is paper. A fold-out is folded in.
+ * A picture of the leaf's proportions with a page's on it, no sharper than that is and
+ * no wider than the leaf is wanted. Where the leaf is cut to a smaller page it is clear,
+ * and so is a board beside its cover; a little margin is paper. A fold-out is folded in.
  *
  * @param place the part of the leaf that the page covers
  * @param aspect the leaf's width over its height
@@ -20,8 +19,7 @@ export function fitToLeaf(
   place: PageBox,
   aspect: number,
   width: number,
-): PagePicture {
-  if (place === whole) return picture;
+): HTMLCanvasElement {
   const { canvas, pen } = leafFor(picture, place, aspect, width);
   if (!isTrimmed(place)) {
     pen.fillStyle = paper;

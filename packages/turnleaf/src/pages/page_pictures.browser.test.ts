@@ -13,11 +13,6 @@ function sheet(width: number, height: number): HTMLCanvasElement {
   return canvas;
 }
 
-test("a picture of the leaf's proportions is left alone", () => {
-  const picture = sheet(300, 400);
-  expect(fitToLeaf(picture, whole, 0.75, 300)).toBe(picture);
-});
-
 test("other proportions take no more pixels than the leaf is wanted with", () => {
   for (const [width, height, aspect] of [
     [512, 2048, 4],
@@ -77,7 +72,8 @@ test("a fold-out is folded in: its flap's back lies on the page, at its fore-edg
   }
 });
 
-test("of a picture that was fitted the fitted one alone is held, and freed at the end", async () => {
+/** A source of one page, twice as wide as it is high, and the pictures drawn of it. */
+function slides(): { source: PageSource; drawn: HTMLCanvasElement[] } {
   const drawn: HTMLCanvasElement[] = [];
   const source = {
     title: "Slides",
@@ -90,6 +86,21 @@ test("of a picture that was fitted the fitted one alone is held, and freed at th
       return drawn.at(-1);
     },
   } as unknown as PageSource;
+  return { source, drawn };
+}
+
+test("a picture of the leaf's proportions is shown itself", async () => {
+  const { source, drawn } = slides();
+  const leaf = { width: 2, height: 1 };
+  const pictures = new PagePictures(source, leaf, { onArrive: () => {}, onDrop: () => {} });
+  pictures.want({ pages: [1], inSight: 1, lyingOpen: 1 }, 256, false);
+  await expect.poll(() => pictures.settled).toBe(true);
+  expect(pictures.get(1)).toBe(drawn.at(-1));
+  pictures.close();
+});
+
+test("of a picture that was fitted the fitted one alone is held, and freed at the end", async () => {
+  const { source, drawn } = slides();
   const dropped: PagePicture[] = [];
   const pictures = new PagePictures(
     source,

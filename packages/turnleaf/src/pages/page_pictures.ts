@@ -1,7 +1,7 @@
 /** The pages as pictures to print on leaves: the pool's own, fitted, or what stands in for them. */
 
+import { loaded } from "../sources/loaded.ts";
 import type { PageBox, PagePicture, PageSize, PageSource } from "../sources/page_source.ts";
-import { fitToLeaf, unfold } from "./fit.ts";
 import { closePicture, PagePool, type PoolSource } from "./page_pool.ts";
 import { foldAt, isFoldOut, type PrintedOn, placeOnLeaf, whole } from "./placing.ts";
 import { barePage, failedPage, waitingPage } from "./stand_in.ts";
@@ -39,6 +39,9 @@ export interface Unfolded {
 /** Most pixels across a fold-out. */
 const mostAcross = 4096;
 
+/** What pages of other sizes than the leaf's need. */
+const fitting = () => loaded(import("./fit.ts"));
+
 /** A book's pages as pictures of its leaf's proportions. */
 export class PagePictures {
   readonly #source: PageSource;
@@ -67,9 +70,13 @@ export class PagePictures {
       // A scan's true size is known only now.
       const place = this.placeOf(index + 1, await source.size(index, signal));
       this.#places.set(index + 1, place);
-      const fitted = fitToLeaf(picture, place, this.#aspect, width);
-      if (fitted !== picture) closePicture(picture);
-      return fitted;
+      if (place === whole) return picture;
+      try {
+        const { fitToLeaf } = await fitting();
+        return fitToLeaf(picture, place, this.#aspect, width);
+      } finally {
+        closePicture(picture);
+      }
     };
     const book: PoolSource = {
       get pageCount() {
@@ -132,6 +139,7 @@ export class PagePictures {
   async unfold(page: number, width: number, signal: AbortSignal): Promise<Unfolded | null> {
     const place = this.placeOfDrawn(page);
     if (!isFoldOut(place)) return null;
+    const { unfold } = await fitting();
     const across = Math.min(Math.ceil(width * place.width), mostAcross);
     const picture = await this.#source.draw(page - 1, across, signal);
     const parts = { ...unfold(picture, place, this.#aspect, width), place };

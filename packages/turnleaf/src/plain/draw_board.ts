@@ -1,6 +1,5 @@
 /** A cover board that is not open on the table: it swings about the spine, or lies closed over the leaves. */
 
-import { caseSizes } from "../draw/case_shape.ts";
 import type { FaceDetail } from "../draw/stage.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import {
@@ -53,7 +52,7 @@ type Placing = (u: number, y: number) => [x: number, y: number];
 export function drawBoard(brush: Brush, board: SeenBoard): void {
   const { pen, shape, unit } = brush;
   const { angle, side } = board;
-  const rim = side === "leaf" ? 0 : caseSizes.rim;
+  const rim = side === "leaf" ? 0 : shape.rim;
   const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
   const [width, height] = [shape.width + rim, shape.height];
   const at: Placing = (u, y) => [

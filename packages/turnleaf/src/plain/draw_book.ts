@@ -119,7 +119,7 @@ export function drawStack({ pen, shape, unit }: Brush, sign: 1 | -1, thickness: 
 
 /** Everything under the leaves: the shadow on the table, the boards that lie on it and the spine between. */
 export function drawCase({ pen, shape, unit }: Brush, pose: BookPose): void {
-  const { thickness, height, width } = shape;
+  const { thickness, height, width, rim } = shape;
   const isHard = shape.cover === "hard";
   const rise = (side: "left" | "right"): number => thicknessOf(pose, side);
   const drop = stackDrop * Math.max(rise("left"), rise("right"));
@@ -138,7 +138,6 @@ export function drawCase({ pen, shape, unit }: Brush, pose: BookPose): void {
     ]);
   }
   const joint = isHard ? 0.5 * stackShare * thickness : 0;
-  const rim = isHard ? caseSizes.rim : 0;
   const whole: Box = [
     Math.min(-joint, ...sides.map(([left]) => left)),
     -rim,

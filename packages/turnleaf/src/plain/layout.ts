@@ -1,7 +1,6 @@
 /** Where a flat book lies on its canvas. Pure arithmetic. */
 
 import type { Face } from "../book/faces.ts";
-import { caseSizes } from "../draw/case_shape.ts";
 import type { BookPose, BookShape } from "../draw/pose.ts";
 import type { Share, Sight } from "../draw/zoom.ts";
 
@@ -35,8 +34,7 @@ const sliver = 0.03;
 
 /** Fits a book to a canvas of CSS pixels: the open spread, the closed book in the middle, or between the two. */
 export function layOut(shape: BookShape, pose: BookPose, width: number, height: number): Layout {
-  const { alone, rolled } = shape;
-  const rim = shape.cover === "hard" ? caseSizes.rim : 0;
+  const { alone, rolled, rim } = shape;
   const out = stackShare * shape.thickness;
   const drop = stackDrop * shape.thickness;
   const reach = shape.width + rim + out;
@@ -80,8 +78,8 @@ export function sightOf(shape: BookShape, pose: BookPose, width: number, height:
     return shape.rolled ? [down, right] : [right, shape.height - down];
   };
   const [right, left] = shutness(pose);
-  const reach = shape.width + (shape.cover === "hard" ? caseSizes.rim : 0);
-  const { alone } = shape;
+  const { alone, rim } = shape;
+  const reach = shape.width + rim;
   const from = alone === 1 ? 0 : (right - 1) * reach;
   const to = alone === -1 ? 0 : (1 - left) * reach;
   const corners = [seen(from, 0), seen(to, shape.height)];
@@ -122,8 +120,7 @@ export function pageBox({ width, height }: BookShape, sign: 1 | -1): Box {
 }
 
 /** A board of the case that lies on one side. */
-export function boardBox({ width, height }: BookShape, sign: 1 | -1): Box {
-  const { rim } = caseSizes;
+export function boardBox({ width, height, rim }: BookShape, sign: 1 | -1): Box {
   return sign === 1 ? [0, -rim, width + rim, height + rim] : [-width - rim, -rim, 0, height + rim];
 }
 

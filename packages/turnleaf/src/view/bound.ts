@@ -3,6 +3,7 @@
 import { type BindingWish, edgeFor, layoutFor, pagesNamed } from "../book/layout.ts";
 import { type Binding, bind, type Layout, leafCount, paperLeaves } from "../book/spreads.ts";
 import { Turning, type TurningEvents } from "../book/turning.ts";
+import { caseSizes } from "../draw/case_shape.ts";
 import type { BookPose, BookShape } from "../draw/pose.ts";
 import type { BookStage } from "../draw/stage.ts";
 import type { BookEngine } from "../engine/engine.ts";
@@ -71,6 +72,7 @@ export function planBinding(
     thickness,
     leaves,
     cover: binding.hardCover ? "hard" : "none",
+    rim: binding.hardCover ? caseSizes.rim : 0,
     cloth,
     kind,
     rolled,
