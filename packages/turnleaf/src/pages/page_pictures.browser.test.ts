@@ -4,7 +4,7 @@ import { expect, test } from "vitest";
 import type { PageBox, PagePicture, PageSource } from "../sources/page_source.ts";
 import { fitToLeaf, unfold } from "./fit.ts";
 import { PagePictures } from "./page_pictures.ts";
-import { placeOnLeaf, whole } from "./placing.ts";
+import { placeOnLeaf } from "./placing.ts";
 
 function sheet(width: number, height: number): HTMLCanvasElement {
   const canvas = document.createElement("canvas");
