@@ -1,5 +1,6 @@
 //! A way of turning a page, measured on the three turns and under wild hands.
 
+use std::f64::consts::PI;
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -7,7 +8,8 @@ use serde_json::{Value, json};
 use turnleaf_engine::{LooseLeaf, Surface, TurnBy, TurnModel};
 
 use super::rows::{Source, Way};
-use super::shape::{self, Faults};
+use super::shape::{self, Faults, POINTS};
+use super::strips::CORNER;
 use super::{AFTER, FRAME, TURN};
 use crate::memory;
 use crate::simulate::median;
@@ -20,34 +22,26 @@ pub const FRAMES: usize = ((TURN + AFTER) / FRAME + 0.5) as usize;
 pub type Tracks = Vec<Vec<Vec<[f64; 3]>>>;
 
 /// What was seen of a way.
+#[derive(Default)]
 pub struct Seen {
-    /// Its places in each frame of each turn; empty where there is no surface.
+    /// Its places in each frame of each turn.
     pub tracks: Tracks,
-    pub faults: Faults,
+    /// Those of the drawn mesh; none where pictures are drawn.
+    pub faults: Option<Faults>,
     /// Microseconds of every frame.
-    times: Vec<f64>,
-    bytes: usize,
-    misses: Option<Vec<f64>>,
+    pub times: Vec<f64>,
+    pub bytes: usize,
+    /// How far the corner is from a hand that draws it, over the width.
+    pub misses: Option<Vec<f64>>,
 }
 
 /// Looks at a way on all turns, `again` more times for the clock alone.
 pub fn look(way: &Way, again: usize) -> Result<Seen, String> {
-    let mut seen = Seen {
-        tracks: Vec::new(),
-        faults: Faults::default(),
-        times: Vec::new(),
-        bytes: 0,
-        misses: None,
-    };
-    if way.source == Source::Photographs {
-        return Ok(seen);
-    }
+    let (mut seen, mut faults) = (Seen::default(), Faults::default());
     for by in TurnBy::ALL {
         for round in 0..=again {
             let before = memory::held();
-            let Some(mut model) = way.begin(by)? else {
-                return Ok(seen);
-            };
+            let mut model = way.begin(by)?;
             let mut surface = Surface::new(2, 2);
             model.write_surface(&mut surface);
             seen.bytes = seen.bytes.max(memory::held().saturating_sub(before));
@@ -58,7 +52,7 @@ pub fn look(way: &Way, again: usize) -> Result<Seen, String> {
                 black_box(&mut *model).write_surface(&mut surface);
                 seen.times.push(clock.elapsed().as_secs_f64() * 1e6);
                 if round == 0 {
-                    seen.faults.include(&surface);
+                    faults.include(&surface);
                     track.push(shape::places(&surface));
                 }
             }
@@ -67,11 +61,12 @@ pub fn look(way: &Way, again: usize) -> Result<Seen, String> {
             }
         }
     }
-    // The shell takes minutes for a drag; it follows by the law by which the
-    // sheet does, a spring between hand and paper.
-    if way.source == Source::Live && way.settings.kind != turnleaf_engine::ModelKind::Shell {
-        seen.misses = Some(drag(way)?);
-    }
+    seen.faults = Some(faults);
+    seen.misses = Some(if way.source == Source::Live {
+        drag(way)?
+    } else {
+        follow(seen.tracks[CORNER].iter().map(|places| &places[..]))
+    });
     Ok(seen)
 }
 
@@ -121,6 +116,23 @@ fn drag(way: &Way) -> Result<Vec<f64>, String> {
     Ok(misses)
 }
 
+/// The same of a way that follows only how far over the hand is: it shows, of its
+/// moments, that at which as much of the turn was done.
+pub fn follow<'a>(moments: impl Iterator<Item = &'a [[f64; 3]]>) -> Vec<f64> {
+    let moments: Vec<_> = moments
+        .map(|places| (shape::share(places), places[POINTS - 1]))
+        .collect();
+    let miss = |place: [f64; 3]| {
+        let wanted = place[2].max(0.0).atan2(place[0]) / PI;
+        let off = |share: f64| (share - wanted).abs();
+        let nearest = moments.iter().min_by(|a, b| off(a.0).total_cmp(&off(b.0)));
+        let (_, corner) = nearest.expect("a turn has moments");
+        let square = |axis: usize| (corner[axis] / LENGTH - place[axis]).powi(2);
+        (0..3).map(square).sum::<f64>().sqrt()
+    };
+    DRAGS.map(miss).into()
+}
+
 /// How far a track is from another, over the width.
 #[derive(Default)]
 struct Apart {
@@ -162,13 +174,6 @@ impl Apart {
 
 /// The figures of a way, beside the reference and, for a replay, the live leaf.
 pub fn figures(way: &Way, seen: &Seen, reference: &Tracks, live: Option<&Seen>) -> Value {
-    if seen.tracks.is_empty() {
-        return json!({
-            "name": way.name,
-            "measured": false,
-            "why": "It has no surface: what is drawn is pictures, and what it costs is decoding them.",
-        });
-    }
     let (mut by_turn, mut square, mut worst) = (serde_json::Map::new(), 0.0, 0.0f64);
     let mut at_tenths = 0.0f64;
     for (k, by) in TurnBy::ALL.into_iter().enumerate() {
@@ -193,7 +198,6 @@ pub fn figures(way: &Way, seen: &Seen, reference: &Tracks, live: Option<&Seen>) 
     let follows = seen.misses.as_ref().map(|misses| median(misses.clone()));
     let mut figures = json!({
         "name": way.name,
-        "measured": true,
         "reference": way.is_reference(),
         "us_per_frame": cost,
         "bytes": seen.bytes,
@@ -201,13 +205,13 @@ pub fn figures(way: &Way, seen: &Seen, reference: &Tracks, live: Option<&Seen>) 
         "worst": worst,
         "worst_as_agree": at_tenths,
         "turns": by_turn,
-        "stretch": seen.faults.strain.max,
-        "compression": seen.faults.strain.min,
-        "area_change": seen.faults.area,
-        "angle_defect_degrees": seen.faults.angle,
-        "facet_angle_degrees": seen.faults.crease,
-        "spine_off": seen.faults.spine,
-        "keeps_spine": seen.faults.spine < 1e-4,
+        "stretch": seen.faults.map(|faults| faults.strain.max),
+        "compression": seen.faults.map(|faults| faults.strain.min),
+        "area_change": seen.faults.map(|faults| faults.area),
+        "angle_defect_degrees": seen.faults.map(|faults| faults.angle),
+        "facet_angle_degrees": seen.faults.map(|faults| faults.crease),
+        "spine_off": seen.faults.map(|faults| faults.spine),
+        "keeps_spine": seen.faults.map(|faults| faults.spine < 1e-4),
         "drag_misses": seen.misses,
         "drag_miss": follows,
     });

@@ -8,6 +8,7 @@
 //! shell's, over the width of the page, in every frame.
 
 mod measure;
+mod photographs;
 mod plot;
 mod rows;
 mod shape;
@@ -79,8 +80,17 @@ fn compare(
     pictures: Option<&Path>,
 ) -> Result<Value, String> {
     let ways = rows::all(stock, nodes, STEP);
-    let mut seen = Vec::new();
+    let mut seen: Vec<measure::Seen> = Vec::new();
     for way in &ways {
+        if way.source == Source::Photographs {
+            let reference = ways.iter().position(rows::Way::is_reference);
+            let taken = reference.and_then(|at| seen.get(at));
+            let tracks = &taken
+                .ok_or("Photographs come after what they are of.")?
+                .tracks;
+            seen.push(photographs::look(tracks, AGAIN));
+            continue;
+        }
         let again = if way.settings.kind == turnleaf_engine::ModelKind::Shell {
             0
         } else {
@@ -125,6 +135,7 @@ fn compare(
         "reference_nodes": nodes,
         "reference_step": STEP,
         "sheet_key_frame_tolerance": rows::SHEET_TOLERANCE,
+        "photographs": photographs::COUNT,
         "ways": rows,
     }))
 }

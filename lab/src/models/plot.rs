@@ -18,7 +18,7 @@ struct Dot {
 pub fn svg(figures: &Value) -> String {
     let ways = figures["ways"].as_array().into_iter().flatten();
     let dots: Vec<Dot> = ways
-        .filter(|way| way["measured"] == true && way["reference"] != true)
+        .filter(|way| way["reference"] != true)
         .filter_map(|way| {
             Some(Dot {
                 name: way["name"].as_str()?.to_string(),
@@ -159,14 +159,13 @@ mod tests {
 
     #[test]
     fn names_do_not_lie_on_one_another() {
-        let way =
-            |name: &str| json!({ "name": name, "measured": true, "us_per_frame": 2.0, "rms": 0.1 });
+        let way = |name: &str| json!({ "name": name, "us_per_frame": 2.0, "rms": 0.1 });
         let picture = svg(&json!({ "ways": [
             way("one"),
             way("another"),
             way("a third"),
-            json!({ "name": "far", "measured": true, "us_per_frame": 2000.0, "rms": 0.01 }),
-            json!({ "name": "none", "measured": false }),
+            json!({ "name": "far", "us_per_frame": 2000.0, "rms": 0.01 }),
+            json!({ "name": "none", "reference": true, "us_per_frame": 3.0, "rms": 0.0 }),
         ] }));
         assert!(picture.starts_with("<svg") && picture.ends_with("</svg>\n"));
         let place = |name: &str| {

@@ -24,7 +24,7 @@ pub enum Source {
     /// From key frames of its surface, chosen so that their blend is nowhere
     /// farther from the turn than a tolerance, over the width.
     Condensed(f64),
-    /// From pictures of a real turn: there is no surface to measure.
+    /// From pictures of its model's turn.
     Photographs,
 }
 
@@ -101,7 +101,7 @@ pub fn all(stock: Stock, nodes: [usize; 2], step: f64) -> Vec<Way> {
         Way {
             name: "photographs",
             source: Source::Photographs,
-            settings: leaf(ModelKind::Rigid),
+            ..shell("", Discretisation::Grid)
         },
     ]
 }
@@ -109,14 +109,18 @@ pub fn all(stock: Stock, nodes: [usize; 2], step: f64) -> Vec<Way> {
 impl Way {
     /// Whether it is the one that the others are measured from.
     pub fn is_reference(&self) -> bool {
-        self.settings.kind == ModelKind::Shell
+        self.source == Source::Live
+            && self.settings.kind == ModelKind::Shell
             && self.settings.discretisation == Discretisation::Grid
     }
 
-    /// A leaf whose turn is about to begin; none where there is no surface.
-    pub fn begin(&self, by: TurnBy) -> Result<Option<Box<dyn TurnModel>>, String> {
+    /// A leaf whose turn is about to begin.
+    ///
+    /// # Panics
+    /// Where it is photographs, which have no leaf.
+    pub fn begin(&self, by: TurnBy) -> Result<Box<dyn TurnModel>, String> {
         let model: Box<dyn TurnModel> = match self.source {
-            Source::Photographs => return Ok(None),
+            Source::Photographs => unreachable!("photographs have no leaf"),
             Source::Live => {
                 let mut leaf = self.leaf(by, self.settings.interpolate)?;
                 leaf.play(by, Side::Right, TURN as f32);
@@ -145,7 +149,7 @@ impl Way {
                 Box::new(replay)
             }
         };
-        Ok(Some(model))
+        Ok(model)
     }
 
     /// The leaf itself. A turn by a corner is synchronised along the dog-ear line

@@ -91,6 +91,14 @@ pub fn places(surface: &Surface) -> Vec<[f64; 3]> {
     places
 }
 
+/// How much of the turn is done, 0 on the right to 1 on the left: by the angle of
+/// the fore-edge about the spine, as the viewer looks.
+pub fn share(places: &[[f64; 3]]) -> f64 {
+    let edge = places.iter().skip(POINTS - 1).step_by(POINTS);
+    let angles = edge.map(|[x, _, z]| z.max(0.0).atan2(*x));
+    angles.sum::<f64>() / (POINTS as f64 * std::f64::consts::PI)
+}
+
 /// Distances of places from one another, over the width.
 pub fn distances(a: &[[f64; 3]], b: &[[f64; 3]]) -> impl Iterator<Item = f64> {
     a.iter().zip(b).map(|(a, b)| length(to(*a, *b)) / LENGTH)

@@ -19,14 +19,14 @@ const FRAMES: [usize; 5] = [15, 27, 36, 45, 57];
 const WIDTH: u32 = 230;
 
 /// The turn that is drawn, among the three.
-const CORNER: usize = 1;
+pub const CORNER: usize = 1;
 
 /// Name of the file of a way's strip.
 fn file(name: &str) -> String {
     format!("{}.png", name.replace(',', "").replace(' ', "-"))
 }
 
-/// Writes a strip for each way that has a surface.
+/// Writes a strip for each way.
 pub fn write(folder: &Path, ways: &[Way], seen: &[Seen]) -> Result<(), String> {
     std::fs::create_dir_all(folder)
         .map_err(|error| format!("The folder {} cannot be made: {error}.", folder.display()))?;
@@ -39,9 +39,6 @@ pub fn write(folder: &Path, ways: &[Way], seen: &[Seen]) -> Result<(), String> {
     // One camera for all: a leaf that flies apart leaves the picture.
     let camera = Camera::around(&moments[reference], page, 2 * WIDTH);
     for (way, moments) in ways.iter().zip(&moments) {
-        if moments.is_empty() {
-            continue;
-        }
         let strip = strip(moments, page, &camera);
         let path = folder.join(file(way.name));
         strip
@@ -52,26 +49,27 @@ pub fn write(folder: &Path, ways: &[Way], seen: &[Seen]) -> Result<(), String> {
 }
 
 fn moments(seen: &Seen) -> Vec<Moment> {
-    let Some(track) = seen.tracks.get(CORNER) else {
-        return Vec::new();
-    };
-    let moment = |frame: usize| {
-        let mut surface = Surface::new(POINTS, POINTS);
-        let places = track[frame - 1].as_flattened();
-        for (x, place) in surface.positions.iter_mut().zip(places) {
-            *x = (place / LENGTH) as f32;
-        }
-        surface.update_normals();
-        Moment {
-            time: (frame as f64 * FRAME) as f32,
-            grid: (0, 0),
-            masses: Vec::new(),
-            mesh: (POINTS, POINTS),
-            points: surface.positions.as_chunks::<3>().0.to_vec(),
-            normals: surface.normals.as_chunks::<3>().0.to_vec(),
-        }
-    };
-    FRAMES.map(moment).into()
+    FRAMES
+        .map(|frame| moment(&seen.tracks[CORNER], frame - 1))
+        .into()
+}
+
+/// What is to be painted of a frame of a track, from 0.
+pub fn moment(track: &[Vec<[f64; 3]>], frame: usize) -> Moment {
+    let mut surface = Surface::new(POINTS, POINTS);
+    let places = track[frame].as_flattened();
+    for (x, place) in surface.positions.iter_mut().zip(places) {
+        *x = (place / LENGTH) as f32;
+    }
+    surface.update_normals();
+    Moment {
+        time: ((frame + 1) as f64 * FRAME) as f32,
+        grid: (0, 0),
+        masses: Vec::new(),
+        mesh: (POINTS, POINTS),
+        points: surface.positions.as_chunks::<3>().0.to_vec(),
+        normals: surface.normals.as_chunks::<3>().0.to_vec(),
+    }
 }
 
 fn strip(moments: &[Moment], page: f32, camera: &Camera) -> Pixmap {

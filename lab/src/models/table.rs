@@ -50,11 +50,6 @@ pub fn replays(figures: &Value) -> String {
 
 fn row(way: &Value) -> Vec<String> {
     let name = way["name"].as_str().unwrap_or_default().to_string();
-    if way["measured"] != true {
-        return std::iter::once(name)
-            .chain(HEADINGS[1..].iter().map(|_| "none".to_string()))
-            .collect();
-    }
     let part = |value: &Value| figure(value.as_f64().map(|value| 100.0 * value));
     let of_turn = |turn: &str| {
         if way["reference"] == true {
@@ -62,10 +57,10 @@ fn row(way: &Value) -> Vec<String> {
         }
         part(&way["turns"][turn]["worst"])
     };
-    let spine = if way["keeps_spine"] == true {
-        "yes".to_string()
-    } else {
-        format!("but for {} %", part(&way["spine_off"]))
+    let spine = match way["keeps_spine"].as_bool() {
+        Some(true) => "yes".to_string(),
+        Some(false) => format!("but for {} %", part(&way["spine_off"])),
+        None => figure(None),
     };
     vec![
         name,
@@ -90,17 +85,14 @@ fn row(way: &Value) -> Vec<String> {
         figure(way["angle_defect_degrees"].as_f64()),
         figure(way["facet_angle_degrees"].as_f64()),
         spine,
-        match way["drag_miss"].as_f64() {
-            Some(_) => part(&way["drag_miss"]),
-            None => "-".into(),
-        },
+        part(&way["drag_miss"]),
     ]
 }
 
-/// Three digits of a figure.
+/// Three digits of a figure, where there is one.
 fn figure(value: Option<f64>) -> String {
     let Some(value) = value else {
-        return "-".into();
+        return "does not apply".into();
     };
     let size = value.abs();
     match size {
@@ -127,6 +119,6 @@ mod tests {
             shown,
             ["0", "0", "0.012", "0.5", "2.72", "27.2", "272", "27153"]
         );
-        assert_eq!(figure(None), "-");
+        assert_eq!(figure(None), "does not apply");
     }
 }
