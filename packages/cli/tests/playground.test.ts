@@ -133,6 +133,24 @@ it("plays each turn, pauses it, and goes on step by step", async () => {
   }
 });
 
+it("plays a replay beside the sheet that was recorded, and it follows a drag", async () => {
+  await open("left=sheet&right=replay");
+  await press("Turn by corner");
+  await comeUp();
+  await isStill();
+  const box = await page.locator(".pair canvas").nth(1).boundingBox();
+  if (!box) throw new Error("no picture");
+  const moveTo = (off: number, y: number) =>
+    page.mouse.move(box.x + (0.5 + off) * box.width, box.y + y * box.height, { steps: 4 });
+  await moveTo(-0.24, 0.85);
+  await page.mouse.down();
+  await moveTo(0, 0.6);
+  await comeUp();
+  await moveTo(0.2, 0.7);
+  await page.mouse.up();
+  await isStill();
+});
+
 it("says how much slower than real time the shell is", async () => {
   await open("right=shell&nodes=12");
   await press("Turn by corner");

@@ -1,8 +1,9 @@
 /** The two leaves: at the same moment, under the same hand. */
 
 import { type LeafFigures, type LeafSide, type LeafTurn, LooseLeaf } from "turnleaf/models";
+import { type AnyLeaf, ReplayLeaf } from "./replay_leaf.ts";
 import type { Settings } from "./settings.ts";
-import { leafOptions } from "./variants.ts";
+import { isReplayed, leafOptions } from "./variants.ts";
 
 /** Both pictures show the same moment: neither leaf is ever more than this ahead, seconds. */
 const tick = 1 / 120;
@@ -21,12 +22,12 @@ const memory = 0.97;
 
 /** One of the two. */
 export class BenchLeaf {
-  readonly leaf: LooseLeaf;
+  readonly leaf: AnyLeaf;
   #milliseconds = 0;
   #steps = 0;
   #before = new Float32Array(0);
 
-  constructor(leaf: LooseLeaf) {
+  constructor(leaf: AnyLeaf) {
     this.leaf = leaf;
   }
 
@@ -89,9 +90,10 @@ export class TwoLeaves {
    */
   static async create(settings: Settings, side: LeafSide): Promise<TwoLeaves> {
     const made = await Promise.allSettled(
-      [settings.left, settings.right].map((variant) =>
-        LooseLeaf.create({ ...leafOptions(variant, settings), side }),
-      ),
+      [settings.left, settings.right].map((variant): Promise<AnyLeaf> => {
+        const options = { ...leafOptions(variant, settings), side };
+        return isReplayed(variant) ? ReplayLeaf.create(options) : LooseLeaf.create(options);
+      }),
     );
     const leaves = made.flatMap((one) => (one.status === "fulfilled" ? [one.value] : []));
     const [left, right] = leaves;

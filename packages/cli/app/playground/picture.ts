@@ -1,8 +1,8 @@
 /** One of the two pictures: a leaf on its canvas, with what is shown of it. */
 
 import { type LeafPictures, LeafStage } from "turnleaf/leaf-stage";
-import type { LooseLeaf } from "turnleaf/models";
 import { Overlay } from "./overlay.ts";
+import type { AnyLeaf } from "./replay_leaf.ts";
 import type { Settings } from "./settings.ts";
 import { StrainColours } from "./strain.ts";
 import { leafSize, type Variant } from "./variants.ts";
@@ -36,7 +36,7 @@ export class Picture {
   }
 
   /** Draws a leaf as it is now. */
-  draw(variant: Variant, leaf: LooseLeaf, settings: Settings): void {
+  draw(variant: Variant, leaf: AnyLeaf, settings: Settings): void {
     leaf.update();
     const surface = leaf.surface();
     this.stage.show(surface);

@@ -9,6 +9,8 @@ export const leafSize = { width: 0.148, height: 0.21 } as const;
 type Own = Pick<LeafOptions, "model" | "preset" | "interpolate" | "discretisation"> & {
   /** Whether the dog-ear line's angle is of consequence. */
   readonly isSynchronised?: boolean;
+  /** Whether it repeats what was recorded of such a leaf. */
+  readonly isReplayed?: boolean;
 };
 
 const springs = { model: "mass-spring", preset: "book" } as const;
@@ -26,6 +28,7 @@ export const variants = {
   "springs-interpolated": { ...springs, interpolate: true },
   "springs-both": { ...springs, isSynchronised: true, interpolate: true },
   sheet: { model: "sheet" },
+  replay: { model: "sheet", isReplayed: true },
   "sheet-synchronised": { model: "sheet", isSynchronised: true },
   shell: { model: "shell" },
   "shell-triangles": { model: "shell", discretisation: "triangles" },
@@ -44,6 +47,12 @@ export const variantNames = Object.keys(variants) as Variant[];
 /** Whether a variant has springs, not only nodes. */
 export const hasSprings = (variant: Variant): boolean => variants[variant].model === "mass-spring";
 
+/** Whether a variant is a recording's replay, and no live leaf. */
+export const isReplayed = (variant: Variant): boolean => {
+  const own: Own = variants[variant];
+  return own.isReplayed ?? false;
+};
+
 /** The drawn points: many enough to bend smoothly, and light is found at every fourth column. */
 const points = [25, 33] as const;
 
@@ -52,7 +61,7 @@ const shellNodes = [10, 14] as const;
 
 /** The leaf that a variant and the settings make. */
 export function leafOptions(variant: Variant, settings: Settings): LeafOptions {
-  const { isSynchronised, ...own }: Own = variants[variant];
+  const { isSynchronised, isReplayed: _, ...own }: Own = variants[variant];
   const { nodes, steps, stiffness } = settings;
   const usual = own.model === "shell" ? shellNodes : undefined;
   return {
