@@ -49,11 +49,16 @@ type Quad = Mesh<BufferGeometry, ShaderMaterial>;
 /** Photographs over one book, none or more at once, those told last uppermost. */
 export class PhotographsMesh {
   readonly group: Group = new Group();
+  readonly #ratio: number | null;
   readonly #textures: readonly Texture[];
   readonly #quads: Quad[] = [];
 
-  /** @param pictures of the open book from above, its spine upright in the middle */
-  constructor(pictures: readonly ImageBitmap[]) {
+  /**
+   * @param pictures of the open book from above, its spine upright in the middle
+   * @param ratio width over height of a page in them, so that it is stretched to the book's; null where it is the book's
+   */
+  constructor(pictures: readonly ImageBitmap[], ratio: number | null) {
+    this.#ratio = ratio;
     this.#textures = pictures.map((picture) => {
       const texture = new Texture(picture);
       texture.flipY = false;
@@ -73,7 +78,8 @@ export class PhotographsMesh {
       const texture = this.#textures[numbers[k]];
       const { width, height } = texture.image as ImageBitmap;
       quad.material.uniforms.picture.value = texture;
-      const over = (pages.width * height) / width - pages.height / 2;
+      const ratio = this.#ratio ?? pages.width / pages.height;
+      const over = pages.height * ((height / width) * ratio - 0.5);
       const [low, high] = [-over, pages.height + over];
       const { left, right } = pages;
       const place = quad.geometry.getAttribute("position") as BufferAttribute;

@@ -87,7 +87,8 @@ export class ReflectingElement extends Base {
 
   /**
    * Address of what `model` shows. For `replay`, of a recorded turn; without one, leaves turn as a sheet did by its
-   * fore-edge. For `photographs`, of the pictures, with their numbers in braces: `turn-{01-24}.webp`.
+   * fore-edge. For `photographs`, of the pictures, with their numbers in braces, and how wide to how high their
+   * pages are: `turn-{01-24}.webp#ratio=2:3`.
    * @attribute model-src
    * @default ""
    */

@@ -5,7 +5,7 @@ import type { BookPose } from "../draw/pose.ts";
 import { ImageSource } from "../sources/images.ts";
 import { BookError } from "../sources/page_source.ts";
 import { type LeafModel, type ModelledBook, type Sheet, type Taken, Worn } from "./leaf_model.ts";
-import { photographAddresses } from "./photograph_addresses.ts";
+import { photographRow } from "./photograph_row.ts";
 import { shareTurned } from "./sheet.ts";
 
 /** Pixels that all photographs of a turn hold together at most, 128 MB as RGBA, and their width at most. */
@@ -28,9 +28,9 @@ export class PhotographsModel implements LeafModel {
   #seen: readonly number[] = [];
   #size: Pick<OpenPages, "width" | "height"> = { width: 1, height: 1 };
 
-  private constructor(pictures: readonly ImageBitmap[]) {
+  private constructor(pictures: readonly ImageBitmap[], ratio: number | null) {
     this.#pictures = pictures;
-    this.#mesh = new PhotographsMesh(pictures);
+    this.#mesh = new PhotographsMesh(pictures, ratio);
   }
 
   /**
@@ -39,8 +39,8 @@ export class PhotographsModel implements LeafModel {
    * decoded first. Rejects with a `BookError` where one cannot be.
    */
   static async open(address: string): Promise<PhotographsModel> {
-    const addresses = photographAddresses(address, document.baseURI);
-    return new PhotographsModel(await decoded(addresses));
+    const { addresses, ratio } = photographRow(address, document.baseURI);
+    return new PhotographsModel(await decoded(addresses), ratio);
   }
 
   show(book: ModelledBook): void {
