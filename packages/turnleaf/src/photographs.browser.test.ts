@@ -2,11 +2,13 @@
 
 import { afterAll, afterEach, beforeAll, expect, test, vi } from "vitest";
 import type { Turning } from "./book/turning.ts";
+import type { PhotographQuad } from "./draw/photographs_mesh.ts";
 import type { BookPose, BookShape } from "./draw/pose.ts";
 import type { TurnleafBook } from "./element.ts";
 import { book, happens, scans, settled } from "./element_for_tests.ts";
 import type { BookEngine } from "./engine/engine.ts";
 import { Hands } from "./hands_for_tests.ts";
+import type { ModelledBook } from "./wear/leaf_model.ts";
 import { PhotographsModel } from "./wear/photographs.ts";
 
 const { getContext } = HTMLCanvasElement.prototype;
@@ -135,25 +137,47 @@ test("bound at the top they are rolled with the book, and a command turns too", 
   expect(await turned).toBe(false);
 });
 
+/** A book of unit size with leaves in flight, stiff, so much of their turns done. */
+function flying(shares: readonly number[], isPeek = false): ModelledBook {
+  const flights = shares.map((_, k) => ({ part: "leaf", low: 4 + k, high: 5 + k, from: 4 + k }));
+  const dress = (index: number): Float32Array => {
+    const [x, z] = [Math.cos(Math.PI * shares[index]), Math.sin(Math.PI * shares[index])];
+    return new Float32Array([0, 0, 0, x, 0, z, 0, 1, 0, x, 1, z]);
+  };
+  return {
+    engine: { columns: new Float32Array([0, 1]), dress } as unknown as BookEngine,
+    turning: { flights } as unknown as Turning,
+    shape: { width: 1, height: 1 } as BookShape,
+    peek: { flight: isPeek ? flights[0] : null },
+  };
+}
+
+const pose = { left: null, right: null, leaves: [{}] } as unknown as BookPose;
+
 test("a corner that only lifts stays paper", async () => {
   serve(photograph);
   const model = await PhotographsModel.open("/photographs/{0-4}.png");
-  const points = new Float32Array([0, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 1]);
-  const flight = { part: "leaf", low: 4, high: 5, from: 4 };
-  const under = (peek: object | null) => ({
-    engine: {
-      columns: new Float32Array([0, 1]),
-      dress: () => points,
-    } as unknown as BookEngine,
-    turning: { flights: [flight] } as unknown as Turning,
-    shape: { width: 1, height: 1 } as BookShape,
-    peek: { flight: peek },
-  });
-  const pose = { left: null, right: null, leaves: [{}] } as unknown as BookPose;
-  model.show(under(flight));
+  model.show(flying([0.5], true));
   expect(model.pose(pose).leaves).toHaveLength(1);
-  model.show(under(null));
+  model.show(flying([0.5]));
   expect(model.pose(pose).leaves).toHaveLength(0);
+  model.close();
+});
+
+test("of several leaves the steepest lies over the others", async () => {
+  // Each is known by its width.
+  serve((number) => photograph(number, 200 + number));
+  const model = await PhotographsModel.open("/photographs/{0-4}.png");
+  const shown = (): number[] =>
+    (model.pose(pose).above?.children ?? [])
+      .filter(({ visible }) => visible)
+      .map((quad) => (quad as PhotographQuad).material.uniforms.picture.value.image.width - 200);
+  model.show(flying([0.95, 0.55, 0.2]));
+  expect(shown()).toEqual([4, 1, 2]);
+  model.show(flying([0.3]));
+  expect(shown()).toEqual([1]);
+  model.show(flying([]));
+  expect(shown()).toEqual([]);
   model.close();
 });
 

@@ -44,14 +44,14 @@ export interface OpenPages {
 }
 
 /** A picture over both pages, from fore-edge to fore-edge, and over their head and foot as far as it is higher. */
-type Quad = Mesh<BufferGeometry, ShaderMaterial>;
+export type PhotographQuad = Mesh<BufferGeometry, ShaderMaterial>;
 
 /** Photographs over one book, none or more at once, those told last uppermost. */
 export class PhotographsMesh {
   readonly group: Group = new Group();
   readonly #ratio: number | null;
   readonly #textures: readonly Texture[];
-  readonly #quads: Quad[] = [];
+  readonly #quads: PhotographQuad[] = [];
 
   /**
    * @param pictures of the open book from above, its spine upright in the middle

@@ -45,12 +45,15 @@ export class PhotographsModel implements LeafModel {
 
   show(book: ModelledBook): void {
     const { columns } = book.engine;
+    const last = this.#pictures.length - 1;
     const seen: number[] = [];
     this.#size = book.shape;
     this.#worn.show(book, ({ count }, points) => {
       const share = shareTurned(points, columns.length, count / columns.length);
-      seen.push(Math.round(share * (this.#pictures.length - 1)));
+      seen.push(Math.round(share * last));
     });
+    // On either side the leaf that stands steeper lies over the others.
+    seen.sort((a, b) => Math.abs(b - last / 2) - Math.abs(a - last / 2));
     this.#seen = book.peek.flight ? [] : seen;
   }
 
