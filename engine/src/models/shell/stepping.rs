@@ -38,6 +38,22 @@ impl Shell {
                 self.before = (scheme == Scheme::Bdf2).then_some(recent);
             }
         }
+        self.stay_down();
+    }
+
+    /// Takes the speed across the table from nodes that touch it: paper that slaps down
+    /// stays there. What the formulas remember of the fall would else throw it up again,
+    /// by half of the speed at which it came.
+    fn stay_down(&mut self) {
+        for node in 0..self.x.len() {
+            if self.forces.table_force(node, &self.x) > 0.0 {
+                self.v[node][2] = 0.0;
+                if let Some((x, v)) = &mut self.before {
+                    x[node][2] = self.x[node][2];
+                    v[node][2] = 0.0;
+                }
+            }
+        }
     }
 
     /// Solves for the middle of a step from `x` and `v`. The mean of the strains
