@@ -139,6 +139,38 @@ fn turned(discretisation: Discretisation) -> [Vec<Vector>; 2] {
     [middle, shell.x]
 }
 
+/// BDF2 remembers the fall, and threw it up again by centimetres.
+#[test]
+fn a_leaf_let_go_upright_slaps_down_and_stays_there() {
+    let mut shell = Shell::new(ShellSettings {
+        columns: 9,
+        rows: 7,
+        time_step: 1.0 / 240.0,
+        table: Some(Table { friction: 0.5 }),
+        ..ShellSettings::leaf(&Stock::BOOK, Grain::AlongSpine, 0.148, 0.210)
+    })
+    .unwrap();
+    shell.grab(1.0, 0.5);
+    for step in 1..=150 {
+        let angle = 0.6 * PI * f64::from(step) / 150.0;
+        shell.pull([0.14 * libm::cos(angle), 0.105, 0.14 * libm::sin(angle)]);
+        shell.set_clamp_angle(angle);
+        shell.step();
+    }
+    shell.release();
+    let mut has_landed = false;
+    for step in 0..240 {
+        let angle = PI * (0.6 + 0.4 * (f64::from(step) / 72.0).min(1.0));
+        shell.set_clamp_angle(angle);
+        shell.step();
+        let fore_edge = shell.x.chunks_exact(9).map(|row| row[8][2]);
+        let highest = fore_edge.fold(0.0, f64::max);
+        has_landed |= highest < 1e-3;
+        assert!(!has_landed || highest < 2e-3, "step {step}: {highest} m");
+    }
+    assert!(has_landed);
+}
+
 #[test]
 fn a_hand_turns_a_page_and_it_comes_to_lie_flat() {
     let [grid, triangles] = [Discretisation::Grid, Discretisation::Triangles].map(turned);
