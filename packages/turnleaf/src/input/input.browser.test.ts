@@ -68,6 +68,31 @@ test("a drag in the middle of a page turns it, a click there does not", async ()
   expect(element.page).toBe(8);
 });
 
+// Where one page fills the screen there is no room beyond its spine to carry a leaf to.
+test.each([
+  { binding: "left", taken: 0.98, carried: 0.15, page: 7 },
+  { binding: "right", taken: 0.02, carried: 0.85, page: 7 },
+  { binding: "left", taken: 0.98, carried: 0.6, page: 6 },
+  { binding: "right", taken: 0.02, carried: 0.4, page: 6 },
+  // The page before, pulled back from the spine; too little of it, it falls back.
+  { binding: "left", taken: 0.1, carried: 0.9, page: 5 },
+  { binding: "right", taken: 0.9, carried: 0.1, page: 5 },
+  { binding: "left", taken: 0.1, carried: 0.28, page: 6 },
+] as const)(
+  "a page that stands alone, bound at the $binding, is carried from $taken to $carried",
+  async ({ binding, taken, carried, page }) => {
+    const { element, hands } = await opened({ layout: "single", binding });
+    // A page of 90 by 120 pixels in the middle of the element.
+    const at = (share: number): [number, number] => [150 + (share - 0.5) * 150, 120];
+    hands.point("pointerdown", ...at(taken));
+    await hands.move(at(taken), at(carried));
+    await settled(element);
+    hands.point("pointerup", ...at(carried));
+    await settled(element);
+    expect(element.page).toBe(page);
+  },
+);
+
 test("a click at an edge turns, and a flick of a finger on either page does", async () => {
   const { element, hands } = await opened();
   hands.click(245, 110);

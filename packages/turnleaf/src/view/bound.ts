@@ -105,12 +105,11 @@ export class Bound {
     this.engine = engine;
     this.turning = new Turning(engine, binding, events);
     this.picturing = new Picturing(binding, stage, this.turning, pictures);
-    const { width, height } = shape;
     const hasLeaf = (side: Side): boolean => this.#hasLeaf(side);
-    this.holding = new Holding({ engine, stage, turning: this.turning, width, height, hasLeaf });
+    this.holding = new Holding({ engine, stage, turning: this.turning, hasLeaf, ...shape });
     this.peek = new Peek(this.turning, binding, shape);
     this.ticks = new Ticks(engine.tick);
-    this.#stiffening = new Stiffening(binding, width);
+    this.#stiffening = new Stiffening(binding, shape.width);
   }
 
   /** Where the book's parts are now. */

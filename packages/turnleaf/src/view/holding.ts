@@ -22,6 +22,8 @@ export interface HoldingBook {
   /** A page's size, metres. */
   readonly width: number;
   readonly height: number;
+  /** The side whose pages alone are seen, 1 right or -1 left; 0 where both are. */
+  readonly alone: 1 | 0 | -1;
   /** Whether a leaf or board lies on a side, beside all that is in flight. */
   hasLeaf(side: Side): boolean;
 }
@@ -32,6 +34,9 @@ const edgeShare = 0.08;
 /** Up to this u a leaf is held far from its edge; and how far beyond the spine it is then carried over, shares of its width. */
 const farFromEdge = 0.65;
 const beyondSpine = 0.12;
+
+/** How near the spine a hand carries a leaf over where there is nothing beyond it to be seen, as a share of its width. */
+const nearSpine = 0.35;
 
 /** A hand that holds something. */
 interface Hand {
@@ -96,15 +101,19 @@ export class Holding {
   }
 
   /**
-   * The side, 1 left or -1 right, to which a hand has carried a leaf that it
-   * holds far from the edge: let go at rest such a leaf would fall back, as most
-   * of it still hangs over the other side. 0 where the leaf itself knows.
+   * The side, 1 left or -1 right, to which a hand has carried a leaf that would fall
+   * back, let go at rest: one held far from the edge, as most of it still hangs over
+   * the other side; and one of a page that stands alone, which a hand on the screen
+   * can carry no farther than upright. 0 where the leaf itself knows.
    */
   carried(hand: number): 1 | 0 | -1 {
     const held = this.#hands.get(hand);
-    if (held === undefined || held.u >= farFromEdge) return 0;
-    if (Math.abs(held.across) < beyondSpine * this.#book.width) return 0;
-    return held.across < 0 ? 1 : -1;
+    if (held === undefined) return 0;
+    const { alone, width } = this.#book;
+    const share = held.across / width;
+    if (alone) return share * alone < nearSpine ? alone : 0;
+    if (held.u >= farFromEdge || Math.abs(share) < beyondSpine) return 0;
+    return share < 0 ? 1 : -1;
   }
 
   /** The camera moved: what hands hold is carried along under them. */
