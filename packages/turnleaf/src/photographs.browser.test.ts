@@ -34,6 +34,7 @@ afterEach(() => {
 });
 
 const count = 5;
+const unaborted = new AbortController().signal;
 const hueOf = (number: number): number => 20 + 72 * number;
 
 /** A photograph: its left half a colour of its own, its right half clear. */
@@ -156,7 +157,7 @@ const pose = { left: null, right: null, leaves: [{}] } as unknown as BookPose;
 
 test("a corner that only lifts stays paper", async () => {
   serve(photograph);
-  const model = await PhotographsModel.open("/photographs/{0-4}.png");
+  const model = await PhotographsModel.open("/photographs/{0-4}.png", unaborted);
   model.show(flying([0.5], true));
   expect(model.pose(pose).leaves).toHaveLength(1);
   model.show(flying([0.5]));
@@ -167,7 +168,7 @@ test("a corner that only lifts stays paper", async () => {
 test("of several leaves the steepest lies over the others", async () => {
   // Each is known by its width.
   serve((number) => photograph(number, 200 + number));
-  const model = await PhotographsModel.open("/photographs/{0-4}.png");
+  const model = await PhotographsModel.open("/photographs/{0-4}.png", unaborted);
   const shown = (): number[] =>
     (model.pose(pose).above?.children ?? [])
       .filter(({ visible }) => visible)
@@ -179,6 +180,32 @@ test("of several leaves the steepest lies over the others", async () => {
   model.show(flying([]));
   expect(shown()).toEqual([]);
   model.close();
+});
+
+test("they are given up with a book that is taken away, and with another choice", async () => {
+  const asked: AbortSignal[] = [];
+  const { fetch } = globalThis;
+  vi.spyOn(globalThis, "fetch").mockImplementation((input, init) => {
+    if (!String(input).includes("/photographs/")) return fetch(input, init);
+    const signal = init?.signal as AbortSignal;
+    asked.push(signal);
+    return new Promise((_, reject) =>
+      signal.addEventListener("abort", () => reject(signal.reason), { once: true }),
+    );
+  });
+  const element = book(scans(6), { model: "photographs", "model-src": "/photographs/{0-4}.png" });
+  const said: string[] = [];
+  element.addEventListener("error", (event) => said.push(event.detail.message));
+  await happens(element, "load");
+  await expect.poll(() => asked.length, { timeout: 20_000 }).toBe(1);
+  element.model = "sheet";
+  await expect.poll(() => asked[0].aborted).toBe(true);
+  element.model = "photographs";
+  await expect.poll(() => asked.length, { timeout: 20_000 }).toBe(2);
+  expect(asked[1].aborted).toBe(false);
+  element.remove();
+  await expect.poll(() => asked[1].aborted).toBe(true);
+  expect(said).toEqual([]);
 });
 
 test.for([

@@ -15,8 +15,8 @@ export class Modelling {
   #model: LeafModel | null = null;
   /** What is to take its place once the book lies still; undefined where nothing is. */
   #next: LeafModel | null | undefined;
-  /** Rises with every choice: what came of one before is void. */
-  #choice = 0;
+  /** Aborted by the next choice: what comes of the one before is void. */
+  #choosing = new AbortController();
   #isLoading = false;
 
   /** @param load undefined where leaves are turned in one way alone */
@@ -32,17 +32,19 @@ export class Modelling {
 
   /** Turns leaves in another way, from when the book next lies still. Resolves once `rest` can see to it. Never rejects. */
   async choose(choice: ModelChoice): Promise<void> {
-    const own = ++this.#choice;
+    this.#choosing.abort();
+    this.#choosing = new AbortController();
+    const { signal } = this.#choosing;
     this.#isLoading = true;
     let model: LeafModel | null = null;
     try {
       const wear = choice.model !== "sheet" && this.#load;
       const open = wear && (await loaded(wear())).openModel;
-      if (open && own === this.#choice) model = await open(choice);
+      if (open && !signal.aborted) model = await open(choice, signal);
     } catch (error) {
-      if (own === this.#choice) this.#failed(error);
+      if (!signal.aborted) this.#failed(error);
     }
-    if (own !== this.#choice) return model?.close();
+    if (signal.aborted) return model?.close();
     this.#isLoading = false;
     this.#next?.close();
     this.#next = model;
@@ -75,7 +77,7 @@ export class Modelling {
 
   /** Takes away what is and what comes. */
   close(): void {
-    this.#choice++;
+    this.#choosing.abort();
     this.#next?.close();
     this.#next = null;
     this.rest();

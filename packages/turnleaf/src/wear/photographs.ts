@@ -36,11 +36,12 @@ export class PhotographsModel implements LeafModel {
   /**
    * Of the photographs at an address with their numbers in braces, the first with
    * the leaf on the right and the last with it on the left. All are fetched and
-   * decoded first. Rejects with a `BookError` where one cannot be.
+   * decoded first. Rejects with a `BookError` where one cannot be,
+   * or as the signal says.
    */
-  static async open(address: string): Promise<PhotographsModel> {
+  static async open(address: string, signal: AbortSignal): Promise<PhotographsModel> {
     const { addresses, ratio } = photographRow(address, document.baseURI);
-    return new PhotographsModel(await decoded(addresses), ratio);
+    return new PhotographsModel(await decoded(addresses, signal), ratio);
   }
 
   show(book: ModelledBook): void {
@@ -78,7 +79,7 @@ export class PhotographsModel implements LeafModel {
 }
 
 /** Fetches pictures and decodes them, all at once or none. */
-async function decoded(addresses: readonly string[]): Promise<ImageBitmap[]> {
+async function decoded(addresses: readonly string[], signal: AbortSignal): Promise<ImageBitmap[]> {
   const source = new ImageSource({
     name: "the photographs of a turn",
     title: "",
@@ -87,10 +88,9 @@ async function decoded(addresses: readonly string[]): Promise<ImageBitmap[]> {
     kind: "scan",
     pages: addresses.map((src) => ({ src })),
   });
-  const { signal } = new AbortController();
   const pictures: ImageBitmap[] = [];
   try {
-    const size = await source.size(0);
+    const size = await source.size(0, signal);
     const ratio = size.height / size.width;
     const width = Math.min(mostWidth, Math.sqrt(mostPixels / (addresses.length * ratio)));
     const drawing = addresses.map(async (_, index) => {

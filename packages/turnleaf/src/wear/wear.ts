@@ -8,9 +8,13 @@ import { type ModelChoice, turnModels } from "./model_choice.ts";
 
 /**
  * Makes the model of a choice: null for the sheet, which needs none.
- * Rejects with a `BookError` where it cannot be had, or where there is none of the name.
+ * Rejects with a `BookError` where it cannot be had, or where there is none of the name;
+ * what it fetches for itself is given up with the signal.
  */
-export async function openModel({ model, modelSrc }: ModelChoice): Promise<LeafModel | null> {
+export async function openModel(
+  { model, modelSrc }: ModelChoice,
+  signal: AbortSignal,
+): Promise<LeafModel | null> {
   const name = turnModels.find((known) => known === model);
   if (name === undefined) {
     const known = turnModels.join(", ");
@@ -20,7 +24,7 @@ export async function openModel({ model, modelSrc }: ModelChoice): Promise<LeafM
   if (name === "sheet") return null;
   if (name === "photographs") {
     const { PhotographsModel } = await loaded(import("./photographs.ts"));
-    return await PhotographsModel.open(modelSrc);
+    return await PhotographsModel.open(modelSrc, signal);
   }
   if (name === "replay" || name === "shell") {
     const { ReplayModel } = await loaded(import("./replay.ts"));
