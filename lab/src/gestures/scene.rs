@@ -153,15 +153,6 @@ impl Scene {
             known
         };
         let Some(flight) = lifted else { return };
-        if std::env::var("DBG").is_ok() {
-            let m = measure(&self.book);
-            eprintln!(
-                "t {} begin {flight} leaf {:.3} cross {}",
-                self.ticks,
-                m.leaf * 1e3,
-                m.crossings
-            );
-        }
         match self.random.below(4) {
             0 => self.play(flight),
             1 => {
@@ -263,29 +254,7 @@ impl Scene {
         let lag = |index: usize| self.book.lag(index).unwrap_or(0.0);
         let lag = (0..self.book.flights()).map(lag).fold(0.0, f32::max);
         self.outcome.lags.push(lag);
-        let m = measure(&self.book);
-        if std::env::var("DBG").is_ok() {
-            let st: Vec<_> = (0..self.book.flights())
-                .map(|i| {
-                    let id = self.book.flight_id(i).unwrap();
-                    (
-                        id,
-                        self.book.phase(id),
-                        self.book.depth(i),
-                        self.book.lag(i),
-                    )
-                })
-                .collect();
-            eprintln!(
-                "t {} leaf {:.3} pile {:.3} cross {} {:?}",
-                self.ticks,
-                m.leaf * 1e3,
-                m.pile * 1e3,
-                m.crossings,
-                st
-            );
-        }
-        self.outcome.drawn = self.outcome.drawn.worse(m);
+        self.outcome.drawn = self.outcome.drawn.worse(measure(&self.book));
     }
 
     /// A hand's work of a frame: it moves, or lets go.
