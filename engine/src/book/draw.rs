@@ -17,15 +17,16 @@ use crate::grid::Side;
 const OVER: f32 = 1e-4;
 
 /// Draws flights, from the left to the right, between the piles (right and left).
-/// `wary` says whether one may have gone through another.
-pub fn draw(order: &mut [Flight], piles: [&Pile; 2], wary: bool) {
+pub fn draw(order: &mut [Flight], piles: [&Pile; 2]) {
     for flight in order.iter_mut() {
         flight.draw(piles);
     }
     let all = [true; MOST_FLIGHTS];
     clear(order, &all);
     lift_off(order, &all, piles);
-    if wary && order.len() > 1 {
+    if order.len() > 1 && order.iter().any(Flight::is_wary) {
+        spread(order);
+        lift_off(order, &all, piles);
         hold_back(order, piles);
     }
     for flight in order {
@@ -43,23 +44,41 @@ pub fn on_left(order: &[Flight]) -> usize {
 fn clear(order: &mut [Flight], asked: &[bool]) {
     let (on_left, count) = (on_left(order), order.len());
     let on_right = (on_left..count).rev().map(|index| (index, Side::Right));
-    let on_left = (0..on_left).map(|index| (index, Side::Left));
     // Last, the two that meet in the middle.
-    let middle = (on_left.len(), Side::Left);
+    let middle = (on_left, Side::Left);
+    let on_left = (0..on_left).map(|index| (index, Side::Left));
     for (index, side) in on_left.chain(on_right).chain([middle]) {
-        let (left, rest) = order.split_at_mut(index);
-        let Some((own, right)) = rest.split_first_mut() else {
-            continue;
-        };
-        let neighbour = match side {
-            Side::Left => left.last(),
-            Side::Right => right.first(),
-        };
-        if let Some(neighbour) = neighbour
-            && asked[index]
-        {
-            own.clear_of(neighbour, side);
+        if index < count && asked[index] {
+            move_off(order, index, side);
         }
+    }
+}
+
+/// Moves flights off each other from the middle outward, where of the two that meet there
+/// one was pushed into the next.
+fn spread(order: &mut [Flight]) {
+    let on_left = on_left(order);
+    for index in on_left + 1..order.len() {
+        move_off(order, index, Side::Left);
+    }
+    for index in (1..on_left).rev() {
+        move_off(order, index - 1, Side::Right);
+    }
+}
+
+/// Moves a flight off its neighbour on a side, if there is one.
+#[inline(never)]
+fn move_off(order: &mut [Flight], index: usize, side: Side) {
+    let (left, rest) = order.split_at_mut(index);
+    let Some((own, right)) = rest.split_first_mut() else {
+        return;
+    };
+    let neighbour = match side {
+        Side::Left => left.last(),
+        Side::Right => right.first(),
+    };
+    if let Some(neighbour) = neighbour {
+        own.clear_of(neighbour, side);
     }
 }
 
@@ -88,7 +107,9 @@ fn hold_back(order: &mut [Flight], piles: [&Pile; 2]) {
     loop {
         let mut met = false;
         for index in 0..order.len() - 1 {
-            if back[index..index + 2] != [true; 2]
+            let pair = [index, index + 1];
+            if pair.iter().any(|k| back[*k] || order[*k].is_wary())
+                && !pair.iter().all(|k| back[*k])
                 && order[index].is_drawn_through(&order[index + 1])
             {
                 back[index..index + 2].fill(true);

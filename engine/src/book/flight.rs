@@ -14,6 +14,10 @@ use crate::vector::{dot, sub};
 /// comes of rounding.
 const TOUCH: f32 = 1e-6;
 
+/// The same of leaves that no hand has crumpled, which have no folds to be lost in: in a
+/// riffle they lie so closely that one would always be held back.
+const SMOOTH: f32 = 3e-4;
+
 /// How far what is drawn of a leaf may be on the wrong side of the next at the spine,
 /// metres.
 const ASTRAY: f32 = 5e-5;
@@ -38,6 +42,10 @@ pub struct Flight {
     shown: Vec<f32>,
     wanted: Vec<f32>,
     held_back: bool,
+    /// Whether it may have come through a neighbour in the last tick, and since it was
+    /// drawn last.
+    astray: bool,
+    wary: bool,
     /// Whether the surface holds what is to be drawn in the sheet's place.
     dressed: bool,
 }
@@ -58,6 +66,8 @@ impl Flight {
             shown: Vec::new(),
             wanted: Vec::new(),
             held_back: false,
+            astray: false,
+            wary: false,
             dressed: false,
             cells: u.iter().map(cell).collect(),
         }
@@ -68,6 +78,7 @@ impl Flight {
         (self.id, self.low, self.high) = (id, low, high);
         self.leaf.lay(from);
         self.shown.clear();
+        (self.astray, self.wary) = (false, false);
         self.dressed = false;
     }
 
@@ -112,13 +123,14 @@ impl Flight {
     /// Draws the leaf as it is now, or as it is [dressed](Self::dress), between the piles
     /// (right and left).
     pub fn draw(&mut self, [right, left]: [&Pile; 2]) {
+        self.wary |= self.held_back || self.leaf.was_held();
         self.held_back = false;
         if !core::mem::take(&mut self.dressed) {
             self.leaf.write_surface(&mut self.surface);
         }
         seat(&mut self.surface.positions, right, left);
         self.surface.update_normals();
-        if self.leaf.was_held() {
+        if self.wary {
             find_bends(&self.surface, &mut self.bends);
         } else {
             self.bends.fill(0.0);
@@ -145,7 +157,7 @@ impl Flight {
             (&mut self.surface, &self.bends),
             &other,
             sign,
-            self.leaf.was_held() || neighbour.leaf.was_held(),
+            self.wary || neighbour.wary,
             |column, row| is_close(&self.leaf, slot, column, row),
             |column, row| is_close(&neighbour.leaf, 1 - slot, column, row),
         );
@@ -171,7 +183,9 @@ impl Flight {
     /// both as they were when they were last [cut](Self::cut_drawn).
     pub fn is_drawn_through(&self, right: &Flight) -> bool {
         let [own, other] = [self, right].map(|flight| Mesh::of(&flight.surface));
-        is_past(own, other, ASTRAY) || self.blocks.cross(&right.blocks, TOUCH)
+        let is_crumpled = self.leaf.was_held() || right.leaf.was_held();
+        let touch = if is_crumpled { TOUCH } else { SMOOTH };
+        is_past(own, other, ASTRAY) || self.blocks.cross(&right.blocks, touch)
     }
 
     /// Says that its paper may be asked about: see [`is_through`](Self::is_through).
@@ -220,8 +234,25 @@ impl Flight {
         apart.fold(0.0, f32::max).sqrt()
     }
 
+    /// Says whether it may have come through a neighbour in a tick.
+    pub fn set_astray(&mut self, astray: bool) {
+        self.astray = astray;
+        self.wary |= astray;
+    }
+
+    /// Whether it may have come through a neighbour in the last tick.
+    pub fn is_astray(&self) -> bool {
+        self.astray
+    }
+
+    /// Whether what is drawn of it may go through what is drawn of a neighbour.
+    pub fn is_wary(&self) -> bool {
+        self.wary
+    }
+
     /// Keeps what is drawn now, as the way to the next begins there.
     pub fn show(&mut self) {
+        self.wary = false;
         self.shown.clone_from(&self.surface.positions);
         self.surface.touch();
     }

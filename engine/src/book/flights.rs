@@ -163,9 +163,7 @@ impl Flights {
 
     /// Draws every flight between the piles (right and left).
     pub fn draw(&mut self, piles: [&Pile; 2]) {
-        let held = |flight: &Flight| flight.leaf().was_held();
-        let wary = self.tangled || self.order.iter().any(held);
-        draw(&mut self.order, piles, wary);
+        draw(&mut self.order, piles);
     }
 
     /// The flights from the left to the right.

@@ -49,7 +49,7 @@ impl Flights {
             self.step_one(index, gutter, piles, [left, 1.0]);
         }
         self.relax(gutter, piles);
-        if self.tangled {
+        if self.order.iter().any(Flight::is_astray) {
             self.take_back(gutter);
         }
         self.join_piles();
@@ -106,7 +106,10 @@ impl Flights {
             }
         }
         for index in 0..count {
-            self.tangled |= self.order[index].leaf().seated().depth > ASTRAY;
+            let is_deep = self.order[index].leaf().seated().depth > ASTRAY;
+            self.tangled |= is_deep;
+            let is_held = self.tangled && self.order[index].leaf().was_held();
+            self.order[index].set_astray(is_deep || is_held);
             self.look_again(index, piles);
             self.order[index].leaf_mut().give_way(DEEP);
         }
@@ -156,7 +159,10 @@ impl Flights {
         }
         let through = |order: &[Flight], back: &[bool]| {
             let mut pairs = order.windows(2).zip(back.windows(2));
-            pairs.position(|(pair, back)| back != [true; 2] && pair[0].is_through(&pair[1]))
+            pairs.position(|(pair, back)| {
+                let is_asked = pair.iter().any(Flight::is_astray) || back.contains(&true);
+                is_asked && back != [true; 2] && pair[0].is_through(&pair[1])
+            })
         };
         while let Some(index) = through(&self.order, &back) {
             for index in [index, index + 1] {

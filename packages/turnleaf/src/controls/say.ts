@@ -1,6 +1,7 @@
 /** A language as the controls use it. */
 
-import { elementTexts, fill, number, plural, textsFor } from "../words/languages.ts";
+import { elementTexts, fill, number, textsFor } from "../words/languages.ts";
+import { plural } from "../words/plural.ts";
 import type { ControlTexts, Plural } from "../words/texts.ts";
 import { en } from "./texts_en.ts";
 import { zh } from "./texts_zh.ts";

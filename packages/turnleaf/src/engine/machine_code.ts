@@ -18,9 +18,9 @@ const inputs = predictors + 2;
 /** Situations that a predictor tells apart, as a power of two. */
 const situations = 19;
 /** Times after which a predictor trusts what it saw no more than before. */
-const mostSeen = 7;
+const mostSeen = 6;
 /** How fast the mixture learns, and the error below which it is right as it is. */
-const learning = 0.018;
+const learning = 0.016;
 const smallError = 0.03;
 
 /** Shortest and longest run of bytes seen before that tells what comes next. */
@@ -95,11 +95,11 @@ export async function expectBytes(
 ): Promise<Uint8Array<ArrayBuffer>> {
   makeTables();
   const out = new Uint8Array(length);
-  const rates = Float64Array.from({ length: mostSeen + 1 }, (_, n) => 1 / (n + 1.2));
+  const rates = Float64Array.from({ length: mostSeen + 1 }, (_, n) => 1 / (n + 1.15));
   /** The odds of 1 in 26 bits, above how often a situation was met. */
   const cells = new Int32Array(predictors << situations).fill(2 ** 30);
-  // Three mixtures: by the kind and the bits of the byte so far, by the operation and the
-  // run, and by the kind, the byte before and which half of a byte it is.
+  // Three mixtures: by the kind and the bits of the byte so far, by the run, the kind and
+  // what was read of it, and by the kind, the byte before and which half of a byte it is.
   const mixture = (rows: number) => new Float32Array(rows * inputs).fill(1.8 / predictors);
   const [byKind, byRun, byLast] = [mixture(kinds * 256), mixture(16 * 64), mixture(kinds * 512)];
   const evidence = new Float32Array(inputs).fill(0.4);
@@ -151,9 +151,9 @@ export async function expectBytes(
     const isExpected = expected >> (above + 1) === node;
     const guess = (expected >> above) & 1;
     const a = (kind * 256 + node) * inputs;
-    const b = ((isExpected ? Math.min(run, 15) : 0) * 64 + (op & 63)) * inputs;
+    const b = ((isExpected ? Math.min(run, 15) : 0) * 64 + kind * 8 + Math.min(read, 7)) * inputs;
     const c = (kind * 512 + (above & 4) * 64 + (last & 255)) * inputs;
-    const sure = evidenceOf[((sureness[run] as number) * 4096) | 0] as number;
+    const sure = 1.5 * (evidenceOf[((sureness[run] as number) * 4096) | 0] as number);
     evidence[predictors] = isExpected ? (guess ? sure : -sure) : 0;
     let [sumA, sumB, sumC] = [0, 0, 0];
     for (let i = 0; i < inputs; i++) {

@@ -1,5 +1,6 @@
 import { expect, it } from "vitest";
-import { elementTexts, fill, list, number, plural } from "./languages.ts";
+import { elementTexts, fill, list, number } from "./languages.ts";
+import { plural } from "./plural.ts";
 
 it("speaks the language nearest to the one asked for, English where it knows none", () => {
   const zh = elementTexts("zh").back;

@@ -1,6 +1,6 @@
 /** Which language the element speaks, and how a text is filled in. */
 
-import type { ElementTexts, Plural, Texts } from "./texts.ts";
+import type { ElementTexts, Texts } from "./texts.ts";
 
 const added = new Map<string, Texts>();
 
@@ -70,19 +70,13 @@ export function number(tag: string, n: number): string {
   return attempt(() => new Intl.NumberFormat(tag).format(n)) ?? String(n);
 }
 
-/** The wording for a number, which is filled in for `{n}`. */
-export function plural(tag: string, forms: Plural, n: number): string {
-  const form = attempt(() => forms[new Intl.PluralRules(tag).select(n)]) ?? forms.other;
-  return fill(form, { n: number(tag, n) });
-}
-
 /** Words in a row, such as "iv and v". */
 export function list(tag: string, words: readonly string[]): string {
   return attempt(() => new Intl.ListFormat(tag).format(words)) ?? words.join(", ");
 }
 
-/** Intl throws at a tag that is none. */
-function attempt<T>(make: () => T): T | undefined {
+/** What Intl makes; it throws at a tag that is none, and then there is nothing. */
+export function attempt<T>(make: () => T): T | undefined {
   try {
     return make();
   } catch {
