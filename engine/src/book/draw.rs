@@ -16,6 +16,11 @@ use crate::grid::Side;
 /// upon it were drawn.
 const OVER: f32 = 1e-4;
 
+/// By how much smooth leaves may be drawn through each other, metres: beside one that a
+/// hand has crumpled, and where all are played. In a riffle they lie so closely that one
+/// would always be held back.
+const SMOOTH: [f32; 2] = [5e-5, 3e-4];
+
 /// Draws flights, from the left to the right, between the piles (right and left).
 pub fn draw(order: &mut [Flight], piles: [&Pile; 2]) {
     for flight in order.iter_mut() {
@@ -103,6 +108,8 @@ fn hold_back(order: &mut [Flight], piles: [&Pile; 2]) {
     for flight in order.iter_mut() {
         flight.cut_drawn();
     }
+    let is_held = order.iter().any(|flight| flight.leaf().was_held());
+    let smooth = SMOOTH[usize::from(!is_held)];
     let mut back = [false; MOST_FLIGHTS];
     loop {
         let mut met = false;
@@ -110,7 +117,7 @@ fn hold_back(order: &mut [Flight], piles: [&Pile; 2]) {
             let pair = [index, index + 1];
             if pair.iter().any(|k| back[*k] || order[*k].is_wary())
                 && !pair.iter().all(|k| back[*k])
-                && order[index].is_drawn_through(&order[index + 1])
+                && order[index].is_drawn_through(&order[index + 1], smooth)
             {
                 back[index..index + 2].fill(true);
                 met = true;
@@ -125,7 +132,8 @@ fn hold_back(order: &mut [Flight], piles: [&Pile; 2]) {
         let is_clear = |order: &mut [Flight], part: f32, cleared: bool| {
             draw_part(order, &back, part, cleared, piles);
             let mut pairs = order.windows(2).zip(back.windows(2));
-            !pairs.any(|(pair, back)| back == [true; 2] && pair[0].is_drawn_through(&pair[1]))
+            !pairs
+                .any(|(pair, back)| back == [true; 2] && pair[0].is_drawn_through(&pair[1], smooth))
         };
         let _ =
             is_clear(order, 0.5, true) || is_clear(order, 0.0, true) || is_clear(order, 0.0, false);

@@ -14,10 +14,6 @@ use crate::vector::{dot, sub};
 /// comes of rounding.
 const TOUCH: f32 = 1e-6;
 
-/// The same of leaves that no hand has crumpled, which have no folds to be lost in: in a
-/// riffle they lie so closely that one would always be held back.
-const SMOOTH: f32 = 3e-4;
-
 /// How far what is drawn of a leaf may be on the wrong side of the next at the spine,
 /// metres.
 const ASTRAY: f32 = 5e-5;
@@ -180,11 +176,13 @@ impl Flight {
     }
 
     /// Whether what is drawn of it goes through what is drawn of the one on its right,
-    /// both as they were when they were last [cut](Self::cut_drawn).
-    pub fn is_drawn_through(&self, right: &Flight) -> bool {
+    /// both as they were when they were last [cut](Self::cut_drawn): by more than
+    /// `smooth` metres where no hand has crumpled either and both are drawn where they are.
+    pub fn is_drawn_through(&self, right: &Flight, smooth: f32) -> bool {
         let [own, other] = [self, right].map(|flight| Mesh::of(&flight.surface));
-        let is_crumpled = self.leaf.was_held() || right.leaf.was_held();
-        let touch = if is_crumpled { TOUCH } else { SMOOTH };
+        let is_smooth = |flight: &Flight| !flight.held_back && !flight.leaf.was_held();
+        let both_smooth = is_smooth(self) && is_smooth(right);
+        let touch = if both_smooth { smooth } else { TOUCH };
         is_past(own, other, ASTRAY) || self.blocks.cross(&right.blocks, touch)
     }
 
