@@ -1,25 +1,10 @@
 /** Books bound in other ways, turned by hand in real Chromium: which page is seen where, by its colour. */
 
-import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
+import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
-import { book, happens, settled } from "./element_for_tests.ts";
+import { book, happens, keepWhatIsDrawn, settled } from "./element_for_tests.ts";
 
-const { getContext } = HTMLCanvasElement.prototype;
-
-beforeAll(() => {
-  // What a WebGL canvas shows can be read at any time then, not within its frame alone.
-  HTMLCanvasElement.prototype.getContext = function (
-    this: HTMLCanvasElement,
-    kind: string,
-    how?: object,
-  ) {
-    return getContext.call(this, kind, { ...how, preserveDrawingBuffer: true });
-  } as typeof getContext;
-});
-
-afterAll(() => {
-  HTMLCanvasElement.prototype.getContext = getContext;
-});
+keepWhatIsDrawn();
 
 afterEach(() => document.body.replaceChildren());
 

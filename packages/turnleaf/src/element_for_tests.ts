@@ -1,6 +1,6 @@
 /** Elements of small books, for tests in a browser. */
 
-import { expect } from "vitest";
+import { afterAll, beforeAll, expect } from "vitest";
 import "./index.ts";
 import type { TurnleafBook } from "./element.ts";
 
@@ -46,3 +46,20 @@ export const happens = <T>(element: TurnleafBook, name: string): Promise<T> =>
 /** Waits until nothing moves. */
 export const settled = (element: TurnleafBook): Promise<void> =>
   expect.poll(() => element.settled, { timeout: 20_000, interval: 50 }).toBe(true);
+
+/** For the tests of a file: what a WebGL canvas shows can be read at any time, not within its frame alone. */
+export function keepWhatIsDrawn(): void {
+  const { getContext } = HTMLCanvasElement.prototype;
+  beforeAll(() => {
+    HTMLCanvasElement.prototype.getContext = function (
+      this: HTMLCanvasElement,
+      kind: string,
+      how?: object,
+    ) {
+      return getContext.call(this, kind, { ...how, preserveDrawingBuffer: true });
+    } as typeof getContext;
+  });
+  afterAll(() => {
+    HTMLCanvasElement.prototype.getContext = getContext;
+  });
+}

@@ -2,7 +2,7 @@ import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
 import { book, happens, scans, settled } from "./element_for_tests.ts";
 import { Hands } from "./hands_for_tests.ts";
-import type { TurnModelName } from "./wear/model_choice.ts";
+import { type TurnModelName, turnModels } from "./wear/model_choice.ts";
 
 afterEach(() => document.body.replaceChildren());
 
@@ -42,15 +42,8 @@ async function drag(element: TurnleafBook, from: [number, number], to: [number, 
   hands.point("pointerup", ...at(to));
 }
 
-const worn: TurnModelName[] = [
-  "rigid",
-  "peel",
-  "cylinder",
-  "cone",
-  "mass-spring",
-  "shell",
-  "replay",
-];
+/** Those that need no more than their name. */
+const worn = turnModels.filter((model) => model !== "sheet" && model !== "photographs");
 
 test.for(worn)("%s: a command and a drag turn a page, and then nothing runs", async (model) => {
   const element = await opened(model);

@@ -1,32 +1,17 @@
 /** Photographs of a turn over a book, in real Chromium: which of them is seen where, by its colour. */
 
-import { afterAll, afterEach, beforeAll, expect, test, vi } from "vitest";
+import { afterEach, expect, test, vi } from "vitest";
 import type { Turning } from "./book/turning.ts";
 import type { PhotographQuad } from "./draw/photographs_mesh.ts";
 import type { BookPose, BookShape } from "./draw/pose.ts";
 import type { TurnleafBook } from "./element.ts";
-import { book, happens, scans, settled } from "./element_for_tests.ts";
+import { book, happens, keepWhatIsDrawn, scans, settled } from "./element_for_tests.ts";
 import type { BookEngine } from "./engine/engine.ts";
 import { Hands } from "./hands_for_tests.ts";
 import type { ModelledBook } from "./wear/leaf_model.ts";
 import { PhotographsModel } from "./wear/photographs.ts";
 
-const { getContext } = HTMLCanvasElement.prototype;
-
-beforeAll(() => {
-  // What a WebGL canvas shows can be read at any time then, not within its frame alone.
-  HTMLCanvasElement.prototype.getContext = function (
-    this: HTMLCanvasElement,
-    kind: string,
-    how?: object,
-  ) {
-    return getContext.call(this, kind, { ...how, preserveDrawingBuffer: true });
-  } as typeof getContext;
-});
-
-afterAll(() => {
-  HTMLCanvasElement.prototype.getContext = getContext;
-});
+keepWhatIsDrawn();
 
 afterEach(() => {
   vi.restoreAllMocks();
