@@ -164,29 +164,46 @@ impl Pile {
         top.map(|point| point[1]).fold(0.0, f32::max)
     }
 
-    /// Height in metres of the uppermost page at a distance `x` >= 0 from the
-    /// gutter; beyond the fore-edge, the fore-edge's.
-    pub fn height(&self, x: f32) -> f32 {
-        self.height_and_slope(x).0
-    }
-
-    /// Height in metres and slope away from the gutter of the uppermost page at
-    /// a distance `x` >= 0 from it; beyond the fore-edge it is level.
-    pub fn height_and_slope(&self, x: f32) -> (f32, f32) {
-        let top = &self.curves[..2 * self.columns];
-        let reach = |k: usize| top[2 * k].abs();
-        // Columns crowd toward the spine, so walking from there is short where
-        // most points are.
-        let mut k = 1;
-        while k < self.columns - 1 && reach(k) < x {
+    /// The last column of the uppermost page that is nearer to the gutter than `x` >= 0,
+    /// or the first. Sought from column `from`: what lies next to what was asked about
+    /// before is found at once.
+    pub fn column_before(&self, x: f32, from: usize) -> usize {
+        // A page leaves the gutter at less than a right angle, so what is farther along
+        // it is farther from the gutter.
+        let mut k = from;
+        while k > 0 && self.place(k)[0] >= x {
+            k -= 1;
+        }
+        while k + 1 < self.columns && self.place(k + 1)[0] < x {
             k += 1;
         }
-        let (x0, x1) = (reach(k - 1), reach(k));
-        let slope = (top[2 * k + 1] - top[2 * k - 1]) / (x1 - x0).max(1e-9);
-        if x > x1 {
-            return (top[2 * k + 1], 0.0);
+        k
+    }
+
+    /// The uppermost page's distance from the gutter and its height at a column, metres.
+    pub fn place(&self, column: usize) -> [f32; 2] {
+        let [x, z] = self.curves.as_chunks::<2>().0[column];
+        [x.abs(), z]
+    }
+
+    /// Height in metres and slope away from the gutter of the uppermost page at a
+    /// distance `x` >= 0 from it, which is next after [`column`](Self::column_before);
+    /// beyond the fore-edge it is level, and as high as that.
+    pub fn height_and_slope(&self, x: f32, column: usize) -> (f32, f32) {
+        let [x0, z0] = self.place(column);
+        if column + 1 == self.columns {
+            return (z0, 0.0);
         }
-        (top[2 * k - 1] + slope * (x - x0).max(0.0), slope)
+        let [x1, z1] = self.place(column + 1);
+        let slope = (z1 - z0) / (x1 - x0).max(1e-9);
+        (z0 + slope * (x - x0).max(0.0), slope)
+    }
+
+    /// Height in metres of the uppermost page at a distance `x` >= 0 from the
+    /// gutter; beyond the fore-edge, the fore-edge's.
+    #[cfg(test)]
+    pub fn height(&self, x: f32) -> f32 {
+        self.height_and_slope(x, self.column_before(x, 0)).0
     }
 }
 

@@ -30,9 +30,17 @@ pub fn draw(order: &mut [Flight], piles: [&Pile; 2]) {
     clear(order, &all);
     lift_off(order, &all, piles);
     if order.len() > 1 && order.iter().any(Flight::is_wary) {
-        spread(order);
-        lift_off(order, &all, piles);
-        hold_back(order, piles);
+        let is_held = order.iter().any(|flight| flight.leaf().was_held());
+        let smooth = SMOOTH[usize::from(!is_held)];
+        let mut met = [false; MOST_FLIGHTS];
+        // Most are clear by now, and only those that are not are worth more work.
+        if find_crossings(order, smooth, &mut met) {
+            each(order, &met, &Flight::take_care);
+            clear(order, &all);
+            spread(order);
+            lift_off(order, &all, piles);
+            hold_back(order, smooth, piles);
+        }
     }
     for flight in order {
         flight.show();
@@ -104,31 +112,10 @@ fn lift_off(order: &mut [Flight], asked: &[bool], piles: [&Pile; 2]) {
 
 /// Draws flights that would go through each other only a part of the way from what was
 /// drawn of them last, which did not; and with them those that they then meet.
-fn hold_back(order: &mut [Flight], piles: [&Pile; 2]) {
-    for flight in order.iter_mut() {
-        flight.cut_drawn();
-    }
-    let is_held = order.iter().any(|flight| flight.leaf().was_held());
-    let smooth = SMOOTH[usize::from(!is_held)];
+fn hold_back(order: &mut [Flight], smooth: f32, piles: [&Pile; 2]) {
     let mut back = [false; MOST_FLIGHTS];
-    loop {
-        let mut met = false;
-        for index in 0..order.len() - 1 {
-            let pair = [index, index + 1];
-            if pair.iter().any(|k| back[*k] || order[*k].is_wary())
-                && !pair.iter().all(|k| back[*k])
-                && order[index].is_drawn_through(&order[index + 1], smooth)
-            {
-                back[index..index + 2].fill(true);
-                met = true;
-            }
-        }
-        if !met {
-            return;
-        }
-        for (flight, _) in order.iter_mut().zip(back).filter(|(_, back)| *back) {
-            flight.hold_back();
-        }
+    while find_crossings(order, smooth, &mut back) {
+        each(order, &back, &Flight::hold_back);
         let is_clear = |order: &mut [Flight], part: f32, cleared: bool| {
             draw_part(order, &back, part, cleared, piles);
             let mut pairs = order.windows(2).zip(back.windows(2));
@@ -140,15 +127,29 @@ fn hold_back(order: &mut [Flight], piles: [&Pile; 2]) {
     }
 }
 
+/// Looks for neighbours that are drawn through each other, one of whom may be or was
+/// `met`, and adds them to these. Answers whether there are any.
+fn find_crossings(order: &mut [Flight], smooth: f32, met: &mut [bool]) -> bool {
+    for flight in order.iter_mut() {
+        flight.cut_drawn();
+    }
+    let mut any = false;
+    for index in 0..order.len() - 1 {
+        let pair = [index, index + 1];
+        if pair.iter().any(|k| met[*k] || order[*k].is_wary())
+            && !pair.iter().all(|k| met[*k])
+            && order[index].is_drawn_through(&order[index + 1], smooth)
+        {
+            met[index..index + 2].fill(true);
+            any = true;
+        }
+    }
+    any
+}
+
 /// Draws those that are held back a part of the way, moved clear of each other or not.
 fn draw_part(order: &mut [Flight], back: &[bool], part: f32, cleared: bool, piles: [&Pile; 2]) {
-    let each = |order: &mut [Flight], act: &dyn Fn(&mut Flight)| {
-        let flights = order.iter_mut().zip(back);
-        flights
-            .filter(|(_, back)| **back)
-            .for_each(|(flight, _)| act(flight));
-    };
-    each(order, &|flight| flight.draw_part(part));
+    each(order, back, &|flight| flight.draw_part(part));
     lift_off(order, back, piles);
     // Half-way between two pictures leaves are nearer to each other than in either, and
     // what lies on a pile that grew was lifted to one height.
@@ -156,5 +157,11 @@ fn draw_part(order: &mut [Flight], back: &[bool], part: f32, cleared: bool, pile
         clear(order, back);
         lift_off(order, back, piles);
     }
-    each(order, &|flight| flight.cut_drawn());
+    each(order, back, &Flight::cut_drawn);
+}
+
+/// Has each of the flights `asked` about do something.
+fn each(order: &mut [Flight], asked: &[bool], act: &dyn Fn(&mut Flight)) {
+    let asked = order.iter_mut().zip(asked).filter(|(_, asked)| **asked);
+    asked.for_each(|(flight, _)| act(flight));
 }

@@ -42,6 +42,8 @@ pub struct Flight {
     /// drawn last.
     astray: bool,
     wary: bool,
+    /// Whether it is kept clear of its neighbours thoroughly.
+    careful: bool,
     /// Whether the surface holds what is to be drawn in the sheet's place.
     dressed: bool,
 }
@@ -64,6 +66,7 @@ impl Flight {
             held_back: false,
             astray: false,
             wary: false,
+            careful: false,
             dressed: false,
             cells: u.iter().map(cell).collect(),
         }
@@ -119,17 +122,24 @@ impl Flight {
     /// Draws the leaf as it is now, or as it is [dressed](Self::dress), between the piles
     /// (right and left).
     pub fn draw(&mut self, [right, left]: [&Pile; 2]) {
-        self.wary |= self.held_back || self.leaf.was_held();
-        self.held_back = false;
+        let is_crumpled = core::mem::take(&mut self.held_back) || self.leaf.was_held();
+        self.wary |= is_crumpled;
         if !core::mem::take(&mut self.dressed) {
             self.leaf.write_surface(&mut self.surface);
         }
         seat(&mut self.surface.positions, right, left);
         self.surface.update_normals();
-        if self.wary {
+        self.careful = false;
+        self.bends.fill(0.0);
+        if is_crumpled {
+            self.take_care();
+        }
+    }
+
+    /// Has it kept clear of its neighbours thoroughly in this picture.
+    pub fn take_care(&mut self) {
+        if !core::mem::replace(&mut self.careful, true) {
             find_bends(&self.surface, &mut self.bends);
-        } else {
-            self.bends.fill(0.0);
         }
     }
 
@@ -153,7 +163,7 @@ impl Flight {
             (&mut self.surface, &self.bends),
             &other,
             sign,
-            self.wary || neighbour.wary,
+            self.careful || neighbour.careful,
             |column, row| is_close(&self.leaf, slot, column, row),
             |column, row| is_close(&neighbour.leaf, 1 - slot, column, row),
         );

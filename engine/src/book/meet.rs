@@ -105,12 +105,14 @@ fn half_space(
 }
 
 fn meet_piles(leaf: &mut Seated, [right, left]: [&Pile; 2], sheet: &mut Sheetlike<'_>) {
+    let mut column = 0;
     for node in 0..leaf.points.len() {
         let contact = &mut sheet.contacts[node][PILE];
         *contact = Contact::default();
         let [x, _, z] = leaf.points[node];
         let (pile, sign) = if x >= 0.0 { (right, 1.0) } else { (left, -1.0) };
-        let (height, slope) = pile.height_and_slope(x.abs());
+        column = pile.column_before(x.abs(), column);
+        let (height, slope) = pile.height_and_slope(x.abs(), column);
         leaf.pile_gaps[node] = z - height;
         if z - height > FAR {
             continue;

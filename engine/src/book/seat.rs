@@ -36,9 +36,13 @@ pub fn seat(positions: &mut [f32], right: &Pile, left: &Pile) {
 pub fn lift(positions: &mut [f32], piles: [&Pile; 2], over: [f32; 2]) {
     let highest = highest(piles, over);
     for row in positions.chunks_exact_mut(3 * piles[0].columns()) {
+        let mut below = Below { piles, column: 0 };
         for point in row.chunks_exact_mut(3).skip(1) {
             if point[2] < highest {
-                point[2] = point[2].max(height(piles, over, point[0]));
+                let height = below.height(point[0], over);
+                if point[2] < height {
+                    point[2] = height;
+                }
             }
         }
     }
@@ -51,32 +55,66 @@ pub fn lift_edges(positions: &mut [f32], piles: [&Pile; 2], over: [f32; 2]) {
     let highest = highest(piles, over);
     let columns = piles[0].columns();
     let points = positions.as_chunks_mut::<3>().0;
-    // Along a row, along a column, along the diagonal of a cell as it is drawn.
-    for step in [1, columns, columns + 1] {
-        for node in 0..points.len() - step {
-            let (a, b) = (points[node], points[node + step]);
-            let at_rim = (node + 1) % columns == 0 && step != columns;
-            if at_rim || node % columns == 0 || a[2].min(b[2]) > highest {
+    let mut below = Below { piles, column: 0 };
+    for node in 0..points.len() - 1 {
+        let column = node % columns;
+        // Along a row, along a column, along the diagonal of a cell as it is drawn.
+        for step in [1, columns, columns + 1] {
+            let at_rim = node + step >= points.len() || (column + 1 == columns && step != columns);
+            if column == 0 || at_rim {
                 continue;
             }
-            let lack = |part: f32| {
-                let [x, z] = [0, 2].map(|axis| a[axis] + part * (b[axis] - a[axis]));
-                height(piles, over, x) - z
-            };
-            let lack = lack(0.25).max(lack(0.5)).max(lack(0.75));
-            if lack > 0.0 {
-                points[node][2] += lack;
-                points[node + step][2] += lack;
+            let (a, b) = (points[node], points[node + step]);
+            if a[2] > highest && b[2] > highest {
+                continue;
+            }
+            let most = below.lack([a, b], over);
+            if most > 0.0 {
+                points[node][2] += most;
+                points[node + step][2] += most;
             }
         }
     }
 }
 
-/// How high a leaf is lifted at `x`, metres.
-#[inline(never)]
-fn height(piles: [&Pile; 2], over: [f32; 2], x: f32) -> f32 {
-    let side = usize::from(x < 0.0);
-    piles[side].height(x.abs()) + over[side]
+/// What lies below one place after another: the piles (right and left), and the column
+/// before the last place.
+struct Below<'a> {
+    piles: [&'a Pile; 2],
+    column: usize,
+}
+
+impl Below<'_> {
+    /// The side of `x`, and the column of the pile before it.
+    fn find(&mut self, x: f32) -> (usize, usize) {
+        let side = usize::from(x < 0.0);
+        self.column = self.piles[side].column_before(x.abs(), self.column);
+        (side, self.column)
+    }
+
+    /// How high a leaf is lifted at `x`, metres.
+    fn height(&mut self, x: f32, over: [f32; 2]) -> f32 {
+        let (side, column) = self.find(x);
+        self.piles[side].height_and_slope(x.abs(), column).0 + over[side]
+    }
+
+    /// By how much an edge, the ends of which are not, is too low somewhere, metres.
+    fn lack(&mut self, [a, b]: [[f32; 3]; 2], over: [f32; 2]) -> f32 {
+        let ends = [self.find(b[0]), self.find(a[0])];
+        // A pile is straight between its columns: the edge is lowest over one of these.
+        let mut most = 0.0;
+        for side in 0..2 {
+            let on_side = ends.map(|(own, column)| if own == side { column + 1 } else { 0 });
+            for column in on_side[0].min(on_side[1])..on_side[0].max(on_side[1]) {
+                let [x, height] = self.piles[side].place(column);
+                let x = if side == 0 { x } else { -x };
+                let z = a[2] + (x - a[0]) / (b[0] - a[0]) * (b[2] - a[2]);
+                let lack = height + over[side] - z;
+                most = if lack > most { lack } else { most };
+            }
+        }
+        most
+    }
 }
 
 /// No leaf is lifted higher than this, metres.

@@ -91,7 +91,7 @@ fn inside_piles(book: &Book, leaf: &Facets<'_>) -> f32 {
 /// How far a point is under the pile on its side, along the pile's normal.
 fn under([right, left]: [&Pile; 2], [x, _, z]: Point) -> f32 {
     let pile = if x >= 0.0 { right } else { left };
-    let (height, slope) = pile.height_and_slope(x.abs());
+    let (height, slope) = pile.height_and_slope(x.abs(), pile.column_before(x.abs(), 0));
     ((height - z) / (1.0 + slope * slope).sqrt()).max(0.0)
 }
 
