@@ -81,7 +81,7 @@ function build(features = []) {
     // Say which function reads which data.
     "-Clink-arg=--emit-relocs",
     // What makes other machines quicker is of no use here, and takes 1.3 kB more when packed.
-    ...["-inline-threshold=100", "-unroll-runtime=false", "-unroll-allow-peeling=false"].map(
+    ...["-inline-threshold=75", "-unroll-runtime=false", "-unroll-allow-peeling=false"].map(
       (argument) => `-Cllvm-args=${argument}`,
     ),
     // Panic messages carry paths: not this machine's.

@@ -19,6 +19,10 @@ const SLIVER: f32 = 5e-5;
 /// Part of it that may be missing, metres: the surfaces still do not meet.
 const SLACK: f32 = 3e-5;
 
+/// How far from the spine there is room for that between any two leaves, metres. Nearer
+/// there is the less: all that fly meet in one line.
+const ROOMY: f32 = 0.003;
+
 /// What overlaps by more than this, metres, was not lying upon the other there.
 const DEEPEST: f32 = 0.006;
 
@@ -49,17 +53,6 @@ pub struct Drawn<'a> {
 pub fn find_bends(surface: &Surface, bends: &mut [f32]) {
     let (columns, rows) = (surface.columns, surface.rows);
     let points = surface.positions.as_chunks::<3>().0;
-    let bend = |node: usize, at: usize, count: usize, step: usize| {
-        if at == 0 || at + 1 == count {
-            return 0.0;
-        }
-        let [a, b, c] = [node - step, node, node + step].map(|node| points[node]);
-        // The columns are not even: what counts is the distance from the chord.
-        let (chord, away) = (sub(c, a), sub(b, a));
-        let part = dot(away, chord) / dot(chord, chord).max(1e-12);
-        let off: [f32; 3] = core::array::from_fn(|i| away[i] - part * chord[i]);
-        dot(off, off)
-    };
     let twist = |node: usize| {
         let next = node + columns;
         if node % columns + 1 == columns || next >= points.len() {
@@ -70,10 +63,25 @@ pub fn find_bends(surface: &Surface, bends: &mut [f32]) {
         dot(twist, twist)
     };
     for (node, own) in bends.iter_mut().enumerate() {
-        let across = bend(node, node % columns, columns, 1);
-        let along = bend(node, node / columns, rows, columns);
+        let across = bend(points, node, [node % columns, columns], 1);
+        let along = bend(points, node, [node / columns, rows], columns);
         *own = across.max(along).max(twist(node)).sqrt();
     }
+}
+
+/// The square of how far a point is off the line between those a step before it and after
+/// it; the point is the `at`-th of `count` in that direction.
+#[inline(never)]
+fn bend(points: &[[f32; 3]], node: usize, [at, count]: [usize; 2], step: usize) -> f32 {
+    if at == 0 || at + 1 == count {
+        return 0.0;
+    }
+    let [a, b, c] = [node - step, node, node + step].map(|node| points[node]);
+    // The columns are not even: what counts is the distance from the chord.
+    let (chord, away) = (sub(c, a), sub(b, a));
+    let part = dot(away, chord) / dot(chord, chord).max(1e-12);
+    let off: [f32; 3] = core::array::from_fn(|i| away[i] - part * chord[i]);
+    dot(off, off)
 }
 
 /// Moves what is drawn of a leaf off another. `side` is 1 where the leaf lies on
@@ -99,8 +107,10 @@ pub fn clear(
     let other_probes = probes(other.surface, bent, other_close);
     let rounds = if thorough { ROUNDS } else { 1 };
     for _ in 0..rounds {
-        let mut moved = lift_points((own, own_bends), other, side, &own_probes);
-        moved |= lift_facets((own, own_bends), other, side, &other_probes);
+        let mut moved = false;
+        for (probes, by_facets) in [(&own_probes, false), (&other_probes, true)] {
+            moved |= lift((own, own_bends), other, side, probes, by_facets);
+        }
         if !moved {
             return;
         }
@@ -146,112 +156,73 @@ fn near(
     probe: [u16; 2],
     ahead: &mut usize,
     side: f32,
-    own_bends: &[f32],
-    bends: &[f32],
+    [own_bends, bends]: [&[f32]; 2],
 ) -> Option<Facet> {
     // What is next to a point is as far along as what was next to the one before.
-    let at = usize::from(probe[0]);
-    let start = (at + *ahead)
-        .checked_sub(mesh.points.len())
-        .unwrap_or(at + *ahead);
+    let (at, count) = (usize::from(probe[0]), mesh.points.len());
+    let start = (at + *ahead) % count;
     let node = mesh.nearest_node(place, start);
-    *ahead = (node + mesh.points.len() - at) % mesh.points.len();
+    *ahead = (node + count - at) % count;
     let height = side * dot(sub(place, mesh.points[node]), mesh.normals[node]);
     let clear = WELL_CLEAR + 2.0 * (own_bends[probe[0] as usize] + bends[node]);
     (height < clear).then(|| mesh.facet_next_to(place, node, bends[node] > BENT))
 }
 
-/// How far a point is from being clear of a facet, metres; None where it is, or
+/// How far a place is from being clear of a facet, metres; None where it is, or
 /// where it was never next to it.
-fn lack(facet: &Facet, side: f32) -> Option<f32> {
-    let lack = SLIVER - side * facet.height;
-    (lack > SLACK && lack < DEEPEST && !facet.rim).then_some(lack)
+fn lack(place: [f32; 3], facet: &Facet, side: f32) -> Option<f32> {
+    let away = (place[0] * place[0] + place[2] * place[2]).sqrt();
+    let room = (away / ROOMY).min(1.0);
+    let lack = SLIVER * room - side * facet.height;
+    (lack > SLACK * room && lack < DEEPEST && !facet.beyond).then_some(lack)
 }
 
-/// Lifts points and edges of a leaf off the facets of another.
-fn lift_points(
+/// Lifts points and edges of a leaf off the facets of another, or where `by_facets` its
+/// facets off points and edges of the other. Answers whether any were.
+fn lift(
     (own, own_bends): (&mut Surface, &[f32]),
     other: &Drawn<'_>,
     side: f32,
     probes: &[[u16; 2]],
-) -> bool {
-    let mesh = Mesh::of(other.surface);
-    let points = own.positions.as_chunks_mut::<3>().0;
-    let (mut moved, mut ahead) = (false, 0);
-    for &probe in probes {
-        let place = middle(points, probe);
-        let Some(facet) = near(
-            &mesh,
-            place,
-            probe,
-            &mut ahead,
-            side,
-            own_bends,
-            other.bends,
-        ) else {
-            continue;
-        };
-        if let Some(lack) = lack(&facet, side) {
-            moved = true;
-            for end in probe {
-                // An edge moves with both its ends, a point counts as both.
-                let part = if probe[0] == probe[1] { 0.5 } else { 1.0 };
-                for axis in 0..3 {
-                    points[end as usize][axis] += part * side * lack * facet.normal[axis];
-                }
-            }
-        }
-    }
-    moved
-}
-
-/// Lifts the facets of a leaf off points and edges of another.
-fn lift_facets(
-    (own, own_bends): (&mut Surface, &[f32]),
-    other: &Drawn<'_>,
-    side: f32,
-    probes: &[[u16; 2]],
+    by_facets: bool,
 ) -> bool {
     let columns = own.columns;
-    let others = other.surface.positions.as_chunks::<3>().0;
     let (mut moved, mut ahead) = (false, 0);
+    let facing = if by_facets { -side } else { side };
     for &probe in probes {
-        let place = middle(others, probe);
-        let own_mesh = Mesh::of(own);
-        let Some(facet) = near(
-            &own_mesh,
-            place,
-            probe,
-            &mut ahead,
-            -side,
-            other.bends,
-            own_bends,
-        ) else {
+        let meshes = [Mesh::of(own), Mesh::of(other.surface)];
+        let bends = [own_bends, other.bends];
+        let (mover, met) = (usize::from(by_facets), usize::from(!by_facets));
+        let place = middle(meshes[mover].points, probe);
+        let bends = [bends[mover], bends[met]];
+        let Some(facet) = near(&meshes[met], place, probe, &mut ahead, facing, bends) else {
             continue;
         };
-        let Some(lack) = lack(&facet, -side) else {
+        let Some(lack) = lack(place, &facet, facing) else {
             continue;
         };
         moved = true;
-        let free = |node: usize| {
-            if node.is_multiple_of(columns) {
-                0.0
-            } else {
-                1.0
+        let points = own.positions.as_chunks_mut::<3>().0;
+        let mut push = |node: usize, by: f32| {
+            for axis in 0..3 {
+                points[node][axis] += side * lack * by * facet.normal[axis];
             }
         };
-        let whole: f32 = facet
-            .corners
-            .iter()
-            .zip(facet.parts)
-            .map(|(node, part)| free(*node) * part * part)
-            .sum();
-        let points = own.positions.as_chunks_mut::<3>().0;
-        for (node, part) in facet.corners.into_iter().zip(facet.parts) {
-            let by = side * lack * free(node) * part / whole.max(0.1);
-            for axis in 0..3 {
-                points[node][axis] += by * facet.normal[axis];
-            }
+        if by_facets {
+            // The spine stays.
+            let parts = facet.corners.into_iter().zip(facet.parts);
+            let parts = parts.map(|(node, part)| {
+                let is_bound = node.is_multiple_of(columns);
+                (node, if is_bound { 0.0 } else { part })
+            });
+            let whole: f32 = parts.clone().map(|(_, part)| part * part).sum();
+            parts.for_each(|(node, part)| push(node, part / whole.max(0.1)));
+        } else {
+            // An edge moves with both its ends, a point counts as both.
+            let part = if probe[0] == probe[1] { 0.5 } else { 1.0 };
+            probe
+                .into_iter()
+                .for_each(|end| push(usize::from(end), part));
         }
     }
     moved

@@ -69,7 +69,7 @@ impl Blocks {
     /// which both ends are farther than that from the plane of a facet go through it.
     pub fn cross(&self, other: &Blocks, touch: f32) -> bool {
         self.0.iter().any(|own| {
-            let mut met = other.0.iter().filter(|block| own.meets(block));
+            let mut met = other.0.iter().filter(|block| own.meets(block, touch));
             met.any(|block| own.pierces(block, touch) || block.pierces(own, touch))
         })
     }
@@ -77,6 +77,7 @@ impl Blocks {
 
 /// Whether all of a leaf's root has passed that of the one on its right, by `astray`
 /// metres or more somewhere.
+#[inline(never)]
 pub fn is_past(left: Mesh<'_>, right: Mesh<'_>, astray: f32) -> bool {
     let root = 1..=left.columns / ROOT;
     let nodes = (0..left.points.len()).filter(|node| root.contains(&(node % left.columns)));
@@ -91,24 +92,26 @@ pub fn is_past(left: Mesh<'_>, right: Mesh<'_>, astray: f32) -> bool {
 #[inline(never)]
 fn range(values: &[f32; SIDE * SIDE]) -> [f32; 2] {
     // Compared by hand: a library's least and most mind what is no number, and are slow.
-    let least = |a: f32, b: &f32| if *b < a { *b } else { a };
-    let most = |a: f32, b: &f32| if *b > a { *b } else { a };
-    let all = values.iter();
-    [all.clone().fold(f32::MAX, least), all.fold(f32::MIN, most)]
+    let mut range = [f32::MAX, f32::MIN];
+    for &value in values {
+        range[0] = if value < range[0] { value } else { range[0] };
+        range[1] = if value > range[1] { value } else { range[1] };
+    }
+    range
 }
 
 impl Block {
-    /// Whether two blocks are near enough to each other to cross.
-    fn meets(&self, other: &Block) -> bool {
+    /// Whether two blocks are near enough to each other to cross by more than `touch`.
+    fn meets(&self, other: &Block, touch: f32) -> bool {
         (0..3).all(|axis| self.low[axis] <= other.high[axis] && other.low[axis] <= self.high[axis])
-            && !self.is_beside(other)
-            && !other.is_beside(self)
+            && !self.is_beside(other, touch)
+            && !other.is_beside(self, touch)
     }
 
-    /// Whether all of another block is over this one, or under it.
-    fn is_beside(&self, other: &Block) -> bool {
+    /// Whether all of another block is over this one, or under it, but for `touch` metres.
+    fn is_beside(&self, other: &Block, touch: f32) -> bool {
         let [low, high] = range(&heights(&other.points, self.normal, 0.0));
-        low >= self.reach[1] || high <= self.reach[0]
+        low >= self.reach[1] - touch || high <= self.reach[0] + touch
     }
 
     fn point(&self, k: usize) -> Point {
@@ -122,7 +125,19 @@ impl Block {
         cells.any(|here| {
             let above = here + SIDE;
             let mut facets = [[here, here + 1, above + 1], [here, above + 1, above]].into_iter();
-            facets.any(|corners| self.pierces_facet(corners.map(|k| other.point(k)), touch))
+            facets.any(|corners| {
+                let facet = corners.map(|k| other.point(k));
+                self.is_by(&facet) && self.pierces_facet(facet, touch)
+            })
+        })
+    }
+
+    /// Whether a facet reaches into the block's box.
+    fn is_by(&self, [a, b, c]: &[Point; 3]) -> bool {
+        (0..3).all(|i| {
+            let (low, high) = (self.low[i], self.high[i]);
+            (a[i] >= low || b[i] >= low || c[i] >= low)
+                && (a[i] <= high || b[i] <= high || c[i] <= high)
         })
     }
 

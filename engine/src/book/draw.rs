@@ -16,11 +16,6 @@ use crate::grid::Side;
 /// upon it were drawn.
 const OVER: f32 = 1e-4;
 
-/// By how much smooth leaves may be drawn through each other, metres: beside one that a
-/// hand has crumpled, and where all are played. In a riffle they lie so closely that one
-/// would always be held back.
-const SMOOTH: [f32; 2] = [5e-5, 3e-4];
-
 /// Draws flights, from the left to the right, between the piles (right and left).
 pub fn draw(order: &mut [Flight], piles: [&Pile; 2]) {
     for flight in order.iter_mut() {
@@ -29,18 +24,17 @@ pub fn draw(order: &mut [Flight], piles: [&Pile; 2]) {
     let all = [true; MOST_FLIGHTS];
     clear(order, &all);
     lift_off(order, &all, piles);
-    if order.len() > 1 && order.iter().any(Flight::is_wary) {
-        let is_held = order.iter().any(|flight| flight.leaf().was_held());
-        let smooth = SMOOTH[usize::from(!is_held)];
-        let mut met = [false; MOST_FLIGHTS];
-        // Most are clear by now, and only those that are not are worth more work.
-        if find_crossings(order, smooth, &mut met) {
-            each(order, &met, &Flight::take_care);
-            clear(order, &all);
-            spread(order);
-            lift_off(order, &all, piles);
-            hold_back(order, smooth, piles);
+    let mut met = [false; MOST_FLIGHTS];
+    // Most are clear by now, and only those that are not are worth more work.
+    if find_crossings(order, &mut met) {
+        for (flight, met) in order.iter_mut().zip(met) {
+            flight.draw_again(met);
         }
+        clear(order, &all);
+        lift_off(order, &all, piles);
+        spread(order);
+        lift_off(order, &all, piles);
+        hold_back(order, piles);
     }
     for flight in order {
         flight.show();
@@ -112,39 +106,38 @@ fn lift_off(order: &mut [Flight], asked: &[bool], piles: [&Pile; 2]) {
 
 /// Draws flights that would go through each other only a part of the way from what was
 /// drawn of them last, which did not; and with them those that they then meet.
-fn hold_back(order: &mut [Flight], smooth: f32, piles: [&Pile; 2]) {
+fn hold_back(order: &mut [Flight], piles: [&Pile; 2]) {
     let mut back = [false; MOST_FLIGHTS];
-    while find_crossings(order, smooth, &mut back) {
+    while find_crossings(order, &mut back) {
         each(order, &back, &Flight::hold_back);
         let is_clear = |order: &mut [Flight], part: f32, cleared: bool| {
             draw_part(order, &back, part, cleared, piles);
-            let mut pairs = order.windows(2).zip(back.windows(2));
-            !pairs
-                .any(|(pair, back)| back == [true; 2] && pair[0].is_drawn_through(&pair[1], smooth))
+            (1..order.len())
+                .all(|right| back[right - 1..=right] != [true; 2] || !cross(order, right))
         };
         let _ =
             is_clear(order, 0.5, true) || is_clear(order, 0.0, true) || is_clear(order, 0.0, false);
     }
 }
 
-/// Looks for neighbours that are drawn through each other, one of whom may be or was
-/// `met`, and adds them to these. Answers whether there are any.
-fn find_crossings(order: &mut [Flight], smooth: f32, met: &mut [bool]) -> bool {
-    for flight in order.iter_mut() {
-        flight.cut_drawn();
-    }
+/// Looks for neighbours that are drawn through each other, one of whom at least was not
+/// `met` before, and adds them to these. Answers whether there are any.
+fn find_crossings(order: &mut [Flight], met: &mut [bool]) -> bool {
     let mut any = false;
-    for index in 0..order.len() - 1 {
-        let pair = [index, index + 1];
-        if pair.iter().any(|k| met[*k] || order[*k].is_wary())
-            && !pair.iter().all(|k| met[*k])
-            && order[index].is_drawn_through(&order[index + 1], smooth)
-        {
-            met[index..index + 2].fill(true);
+    for right in 1..order.len() {
+        if met[right - 1..=right] != [true; 2] && cross(order, right) {
+            met[right - 1..=right].fill(true);
             any = true;
         }
     }
     any
+}
+
+/// Whether a flight is drawn through the one on its left.
+fn cross(order: &mut [Flight], right: usize) -> bool {
+    let (left, right) = order.split_at_mut(right);
+    left.last_mut()
+        .is_some_and(|left| left.is_drawn_through(&mut right[0]))
 }
 
 /// Draws those that are held back a part of the way, moved clear of each other or not.
@@ -157,7 +150,6 @@ fn draw_part(order: &mut [Flight], back: &[bool], part: f32, cleared: bool, pile
         clear(order, back);
         lift_off(order, back, piles);
     }
-    each(order, back, &Flight::cut_drawn);
 }
 
 /// Has each of the flights `asked` about do something.

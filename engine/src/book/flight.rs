@@ -14,6 +14,10 @@ use crate::vector::{dot, sub};
 /// comes of rounding.
 const TOUCH: f32 = 1e-6;
 
+/// Smooth leaves, which no hand has crumpled, touch by less than this: in a riffle they lie
+/// so closely that else one would always be held back.
+const SMOOTH: f32 = 5e-5;
+
 /// How far what is drawn of a leaf may be on the wrong side of the next at the spine,
 /// metres.
 const ASTRAY: f32 = 5e-5;
@@ -129,6 +133,7 @@ impl Flight {
         }
         seat(&mut self.surface.positions, right, left);
         self.surface.update_normals();
+        self.wanted.clone_from(&self.surface.positions);
         self.careful = false;
         self.bends.fill(0.0);
         if is_crumpled {
@@ -136,8 +141,18 @@ impl Flight {
         }
     }
 
+    /// Draws it once more as it was before others moved it, to be kept clear of them
+    /// thoroughly if it is wary or `met` one.
+    pub fn draw_again(&mut self, met: bool) {
+        self.surface.positions.clone_from(&self.wanted);
+        self.surface.update_normals();
+        if self.wary || met {
+            self.take_care();
+        }
+    }
+
     /// Has it kept clear of its neighbours thoroughly in this picture.
-    pub fn take_care(&mut self) {
+    fn take_care(&mut self) {
         if !core::mem::replace(&mut self.careful, true) {
             find_bends(&self.surface, &mut self.bends);
         }
@@ -145,29 +160,29 @@ impl Flight {
 
     /// Moves what is drawn of it off the neighbour on a side.
     pub fn clear_of(&mut self, neighbour: &Flight, side: Side) {
-        let slot = if side == Side::Left { 0 } else { 1 };
         // A leaf lies on the recto's side of the one on its right.
-        let sign = if side == Side::Left { -1.0 } else { 1.0 };
-        let both_down = self.leaf.is_down() && neighbour.leaf.is_down();
-        let rows = self.surface.rows;
-        let cells = &self.cells;
-        let is_close = |leaf: &Leaf, slot: usize, column: usize, row: usize| {
-            let row = row * (NODES[1] - 1) / rows;
-            both_down || leaf.seated().is_close(slot, cells[column], row)
+        let (slot, sign) = match side {
+            Side::Left => (0, -1.0),
+            Side::Right => (1, 1.0),
         };
-        let other = Drawn {
-            surface: &neighbour.surface,
-            bends: &neighbour.bends,
-        };
+        let grid = (&self.cells[..], self.surface.rows);
         clear(
             (&mut self.surface, &self.bends),
-            &other,
+            &neighbour.drawn(),
             sign,
             self.careful || neighbour.careful,
-            |column, row| is_close(&self.leaf, slot, column, row),
-            |column, row| is_close(&neighbour.leaf, 1 - slot, column, row),
+            probed(&self.leaf, &neighbour.leaf, slot, grid),
+            probed(&neighbour.leaf, &self.leaf, 1 - slot, grid),
         );
         self.surface.update_normals();
+    }
+
+    /// What is drawn of it.
+    fn drawn(&self) -> Drawn<'_> {
+        Drawn {
+            surface: &self.surface,
+            bends: &self.bends,
+        }
     }
 
     /// Lifts what others pushed into the piles (right and left) out of them, so far over
@@ -179,20 +194,24 @@ impl Flight {
         }
     }
 
-    /// Says that what is drawn of it may be asked about: see
-    /// [`is_drawn_through`](Self::is_drawn_through).
-    pub fn cut_drawn(&mut self) {
-        self.blocks.cut(Mesh::of(&self.surface));
-    }
-
-    /// Whether what is drawn of it goes through what is drawn of the one on its right,
-    /// both as they were when they were last [cut](Self::cut_drawn): by more than
-    /// `smooth` metres where no hand has crumpled either and both are drawn where they are.
-    pub fn is_drawn_through(&self, right: &Flight, smooth: f32) -> bool {
-        let [own, other] = [self, right].map(|flight| Mesh::of(&flight.surface));
-        let is_smooth = |flight: &Flight| !flight.held_back && !flight.leaf.was_held();
-        let both_smooth = is_smooth(self) && is_smooth(right);
-        let touch = if both_smooth { smooth } else { TOUCH };
+    /// Whether what is drawn of it goes through what is drawn of the one on its right.
+    pub fn is_drawn_through(&mut self, right: &mut Flight) -> bool {
+        // No other was where it could be moved into a neighbour.
+        let is_asked = |flight: &Flight| flight.wary || flight.careful || flight.held_back;
+        if !is_asked(self) && !is_asked(right) {
+            return false;
+        }
+        for flight in [&mut *self, &mut *right] {
+            flight.blocks.cut(Mesh::of(&flight.surface));
+        }
+        let pair = [&*self, &*right];
+        let is_crumpled = |flight: &&Flight| flight.held_back || flight.leaf.was_held();
+        let touch = if pair.iter().any(is_crumpled) {
+            TOUCH
+        } else {
+            SMOOTH
+        };
+        let [own, other] = pair.map(|flight| Mesh::of(&flight.surface));
         is_past(own, other, ASTRAY) || self.blocks.cross(&right.blocks, touch)
     }
 
@@ -242,20 +261,16 @@ impl Flight {
         apart.fold(0.0, f32::max).sqrt()
     }
 
-    /// Says whether it may have come through a neighbour in a tick.
-    pub fn set_astray(&mut self, astray: bool) {
+    /// Says whether it may have come through a neighbour in a tick, and whether it may be
+    /// drawn through one.
+    pub fn set_astray(&mut self, astray: bool, wary: bool) {
         self.astray = astray;
-        self.wary |= astray;
+        self.wary |= astray || wary;
     }
 
     /// Whether it may have come through a neighbour in the last tick.
     pub fn is_astray(&self) -> bool {
         self.astray
-    }
-
-    /// Whether what is drawn of it may go through what is drawn of a neighbour.
-    pub fn is_wary(&self) -> bool {
-        self.wary
     }
 
     /// Keeps what is drawn now, as the way to the next begins there.
@@ -273,5 +288,21 @@ impl Flight {
     /// Its leaf.
     pub fn leaf(&self) -> &Leaf {
         &self.leaf
+    }
+}
+
+/// Says of a drawn point of a leaf, by its column and row, whether it may touch a neighbour,
+/// the left (0) or the right (1). Given are the leaf's cells in which its drawn columns lie,
+/// and how many rows are drawn.
+fn probed<'a>(
+    leaf: &'a Leaf,
+    neighbour: &Leaf,
+    slot: usize,
+    (cells, rows): (&'a [usize], usize),
+) -> impl Fn(usize, usize) -> bool + use<'a> {
+    let both_down = leaf.is_down() && neighbour.is_down();
+    move |column, row| {
+        let row = row * (NODES[1] - 1) / rows;
+        both_down || leaf.seated().is_close(slot, cells[column], row)
     }
 }

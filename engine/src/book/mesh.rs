@@ -29,6 +29,10 @@ pub struct Near {
 /// How far beyond an edge, in cells, a point is still above the mesh.
 const OVERHANG: f32 = 1.0;
 
+/// What is farther than this from the rim, metres, lies beyond it and not over or under
+/// it.
+const BESIDE: f32 = 2e-4;
+
 /// Most steps of the walk to the nearest node. Contacts move by less than a
 /// cell from one tick to the next, so nearly all walks are of one step.
 const WALK: usize = 64;
@@ -173,17 +177,18 @@ impl<'a> Mesh<'a> {
             used.all(|(node, _)| is(*node))
         };
         let (columns, rows) = (self.columns, self.rows());
-        let rim = on(&|node| node < columns)
+        let at_rim = on(&|node| node < columns)
             || on(&|node| node / columns + 1 == rows)
             || on(&|node| node % columns + 1 == columns);
+        let (height, square) = (dot(away, normal), dot(away, away));
         let facet = Facet {
             corners,
             parts,
-            height: dot(away, normal),
+            height,
             normal,
-            rim,
+            beyond: at_rim && square - height * height > BESIDE * BESIDE,
         };
-        (facet, dot(away, away))
+        (facet, square)
     }
 }
 
@@ -197,8 +202,8 @@ pub struct Facet {
     pub height: f32,
     /// The facet's unit normal, to the side of the recto.
     pub normal: [f32; 3],
-    /// Whether the nearest place is on the mesh's rim, so that the point has no side.
-    pub rim: bool,
+    /// Whether the point lies beyond the mesh's rim, so that it has no side.
+    pub beyond: bool,
 }
 
 /// The parts of a triangle's corners of its place nearest to a point (Ericson,

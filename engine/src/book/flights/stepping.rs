@@ -23,8 +23,10 @@ const MOST_ROUNDS: usize = 6;
 /// Depth to which a tick may lead, metres.
 const DEEPEST: f32 = 2.5e-3;
 
-/// Depth in a tick, metres, from which a leaf may be drawn through another.
+/// Depth in a tick, metres, from which a leaf may have come through another, and from
+/// which it may be drawn through it.
 const ASTRAY: f32 = 2e-4;
+const WARY: f32 = 1.5e-4;
 
 impl Flights {
     /// Steps every flight by one tick between the piles (right and left), and
@@ -106,10 +108,11 @@ impl Flights {
             }
         }
         for index in 0..count {
-            let is_deep = self.order[index].leaf().seated().depth > ASTRAY;
-            self.tangled |= is_deep;
-            let is_held = self.tangled && self.order[index].leaf().was_held();
-            self.order[index].set_astray(is_deep || is_held);
+            let flight = &mut self.order[index];
+            let depth = flight.leaf().seated().depth;
+            self.tangled |= depth > ASTRAY;
+            let is_held = self.tangled && flight.leaf().was_held();
+            flight.set_astray(depth > ASTRAY || is_held, depth > WARY);
             self.look_again(index, piles);
             self.order[index].leaf_mut().give_way(DEEP);
         }
