@@ -146,7 +146,8 @@ impl Flight {
     pub fn draw_again(&mut self, met: bool) {
         self.surface.positions.clone_from(&self.wanted);
         self.surface.update_normals();
-        if self.wary || met {
+        self.wary |= met;
+        if self.wary {
             self.take_care();
         }
     }
@@ -196,9 +197,7 @@ impl Flight {
 
     /// Whether what is drawn of it goes through what is drawn of the one on its right.
     pub fn is_drawn_through(&mut self, right: &mut Flight) -> bool {
-        // No other was where it could be moved into a neighbour.
-        let is_asked = |flight: &Flight| flight.wary || flight.careful || flight.held_back;
-        if !is_asked(self) && !is_asked(right) {
+        if !self.wary && !right.wary {
             return false;
         }
         for flight in [&mut *self, &mut *right] {
@@ -232,7 +231,7 @@ impl Flight {
         if self.held_back {
             return;
         }
-        self.held_back = true;
+        (self.held_back, self.wary) = (true, true);
         self.wanted.clone_from(&self.surface.positions);
         if self.shown.is_empty() {
             self.shown.clone_from(&self.surface.positions);
