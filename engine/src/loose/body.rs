@@ -47,8 +47,7 @@ impl Body {
                 if let Some([columns, rows]) = settings.nodes {
                     (own.columns, own.rows) = (columns, rows);
                 }
-                own.time_step = settings.time_step.unwrap_or(own.time_step);
-                let mut sheet = Sheet::new(own)?;
+                let mut sheet = Sheet::new(own.fine(settings.time_step))?;
                 sheet.draw_samples(&u, &v);
                 for contacts in sheet.contacts_mut() {
                     contacts[0] = Contact {

@@ -73,6 +73,11 @@ pub fn all(stock: Stock, nodes: [usize; 2], step: f64) -> Vec<Way> {
         interpolate: true,
         ..leaf(ModelKind::MassSpring)
     };
+    // As many as that whose cost is measured beside other engines'.
+    let three_steps = LooseSettings {
+        time_step: Some(1.0 / 180.0),
+        ..leaf(ModelKind::Sheet)
+    };
     vec![
         live("rigid", leaf(ModelKind::Rigid)),
         live("peel", leaf(ModelKind::Peel)),
@@ -91,6 +96,7 @@ pub fn all(stock: Stock, nodes: [usize; 2], step: f64) -> Vec<Way> {
         },
         live("mass-spring, of paper", book),
         live("sheet", leaf(ModelKind::Sheet)),
+        live("sheet, three steps a frame", three_steps),
         Way {
             name: "replay of sheet",
             source: Source::Condensed(SHEET_TOLERANCE),
