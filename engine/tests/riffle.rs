@@ -5,7 +5,7 @@ use turnleaf_engine::trials::Riffle;
 
 #[test]
 fn leaves_of_a_riffle_are_not_drawn_behind_their_paper() {
-    for leaves in [2, 4, 8, 12] {
+    for leaves in [2, 3, 4, 5, 6, 8, 10, 12] {
         let mut riffle = Riffle::new(Stock::BOOK, leaves);
         for frame in 0..120 {
             riffle.frame();

@@ -98,13 +98,8 @@ pub fn clear(
     own_close: impl Fn(usize, usize) -> bool,
     other_close: impl Fn(usize, usize) -> bool,
 ) {
-    let own_probes = probes(
-        own,
-        |node| Some(thorough && own_bends[node] > BENT),
-        own_close,
-    );
-    let bent = |node: usize| (thorough && other.bends[node] > BENT).then_some(true);
-    let other_probes = probes(other.surface, bent, other_close);
+    let own_probes = probes(own, own_bends, [true, thorough], own_close);
+    let other_probes = probes(other.surface, other.bends, [false, thorough], other_close);
     let rounds = if thorough { ROUNDS } else { 1 };
     for _ in 0..rounds {
         let mut moved = false;
@@ -118,20 +113,21 @@ pub fn clear(
 }
 
 /// The points of a surface that are to be looked at, and the ends of the edges: of
-/// each point `wanted` says whether it is, and whether its edges are too. A point is
-/// an edge between it and itself.
+/// its points `all` or those where it is bent, and of these the edges if `thorough`.
+/// A point is an edge between it and itself.
 fn probes(
     surface: &Surface,
-    wanted: impl Fn(usize) -> Option<bool>,
+    bends: &[f32],
+    [all, thorough]: [bool; 2],
     close: impl Fn(usize, usize) -> bool,
 ) -> Vec<[u16; 2]> {
     let (columns, rows) = (surface.columns, surface.rows);
     let mut found = Vec::new();
     for node in 0..columns * rows {
         let (column, row) = (node % columns, node / columns);
-        let Some(edges) = wanted(node) else { continue };
+        let edges = thorough && bends[node] > BENT;
         // The column at the spine is everyone's.
-        if column == 0 || !close(column, row) {
+        if column == 0 || !(all || edges) || !close(column, row) {
             continue;
         }
         found.push([node as u16; 2]);

@@ -16,22 +16,33 @@ use crate::grid::Side;
 /// upon it were drawn.
 const OVER: f32 = 1e-4;
 
+/// Smooth leaves, which no hand has crumpled, that go through each other by less than
+/// this, metres, touch: in a riffle they lie so closely that else one would always be held
+/// back.
+const SMOOTH: f32 = 5e-5;
+
+/// The same where no more than a few fly, which have room: so much less is enough for them
+/// to be cleared thoroughly. Leaves at a small angle to each other are deeper in than their
+/// edges are past facets.
+const GRAZING: f32 = 2e-5;
+const FEW: usize = 3;
+
 /// Draws flights, from the left to the right, between the piles (right and left).
 pub fn draw(order: &mut [Flight], piles: [&Pile; 2]) {
+    let are_few = order.len() <= FEW;
     for flight in order.iter_mut() {
-        flight.draw(piles);
+        flight.draw(piles, are_few);
     }
     let all = [true; MOST_FLIGHTS];
-    clear(order, &all);
-    lift_off(order, &all, piles);
+    settle(order, &all, piles);
     let mut met = [false; MOST_FLIGHTS];
     // Most are clear by now, and only those that are not are worth more work.
-    if find_crossings(order, &mut met) {
+    let touch = if are_few { GRAZING } else { SMOOTH };
+    if find_crossings(order, &mut met, touch) {
         for (flight, met) in order.iter_mut().zip(met) {
             flight.draw_again(met);
         }
-        clear(order, &all);
-        lift_off(order, &all, piles);
+        settle(order, &all, piles);
         spread(order);
         lift_off(order, &all, piles);
         hold_back(order, piles);
@@ -45,6 +56,12 @@ pub fn draw(order: &mut [Flight], piles: [&Pile; 2]) {
 pub fn on_left(order: &[Flight]) -> usize {
     let over = |flight: &&Flight| flight.leaf().share_turned() > 0.5;
     order.iter().take_while(over).count()
+}
+
+/// Moves flights, of those `asked` about, off each other and out of the piles.
+fn settle(order: &mut [Flight], asked: &[bool], piles: [&Pile; 2]) {
+    clear(order, asked);
+    lift_off(order, asked, piles);
 }
 
 /// Moves each flight, of those `asked` about, off the one that it lies upon.
@@ -108,12 +125,12 @@ fn lift_off(order: &mut [Flight], asked: &[bool], piles: [&Pile; 2]) {
 /// drawn of them last, which did not; and with them those that they then meet.
 fn hold_back(order: &mut [Flight], piles: [&Pile; 2]) {
     let mut back = [false; MOST_FLIGHTS];
-    while find_crossings(order, &mut back) {
+    while find_crossings(order, &mut back, SMOOTH) {
         each(order, &back, &Flight::hold_back);
         let is_clear = |order: &mut [Flight], part: f32, cleared: bool| {
             draw_part(order, &back, part, cleared, piles);
             (1..order.len())
-                .all(|right| back[right - 1..=right] != [true; 2] || !cross(order, right))
+                .all(|right| back[right - 1..=right] != [true; 2] || !cross(order, right, SMOOTH))
         };
         let _ =
             is_clear(order, 0.5, true) || is_clear(order, 0.0, true) || is_clear(order, 0.0, false);
@@ -121,11 +138,12 @@ fn hold_back(order: &mut [Flight], piles: [&Pile; 2]) {
 }
 
 /// Looks for neighbours that are drawn through each other, one of whom at least was not
-/// `met` before, and adds them to these. Answers whether there are any.
-fn find_crossings(order: &mut [Flight], met: &mut [bool]) -> bool {
+/// `met` before, and adds them to these. Answers whether there are any. Smooth ones touch
+/// by less than `touch` metres.
+fn find_crossings(order: &mut [Flight], met: &mut [bool], touch: f32) -> bool {
     let mut any = false;
     for right in 1..order.len() {
-        if met[right - 1..=right] != [true; 2] && cross(order, right) {
+        if met[right - 1..=right] != [true; 2] && cross(order, right, touch) {
             met[right - 1..=right].fill(true);
             any = true;
         }
@@ -133,11 +151,11 @@ fn find_crossings(order: &mut [Flight], met: &mut [bool]) -> bool {
     any
 }
 
-/// Whether a flight is drawn through the one on its left.
-fn cross(order: &mut [Flight], right: usize) -> bool {
+/// Whether a flight is drawn through the one on its left; see [`find_crossings`].
+fn cross(order: &mut [Flight], right: usize, touch: f32) -> bool {
     let (left, right) = order.split_at_mut(right);
     left.last_mut()
-        .is_some_and(|left| left.is_drawn_through(&mut right[0]))
+        .is_some_and(|left| left.is_drawn_through(&mut right[0], touch))
 }
 
 /// Draws those that are held back a part of the way, moved clear of each other or not.
@@ -147,8 +165,7 @@ fn draw_part(order: &mut [Flight], back: &[bool], part: f32, cleared: bool, pile
     // Half-way between two pictures leaves are nearer to each other than in either, and
     // what lies on a pile that grew was lifted to one height.
     if cleared {
-        clear(order, back);
-        lift_off(order, back, piles);
+        settle(order, back, piles);
     }
 }
 

@@ -14,10 +14,6 @@ use crate::vector::{dot, sub};
 /// comes of rounding.
 const TOUCH: f32 = 1e-6;
 
-/// Smooth leaves, which no hand has crumpled, touch by less than this: in a riffle they lie
-/// so closely that else one would always be held back.
-const SMOOTH: f32 = 5e-5;
-
 /// How far what is drawn of a leaf may be on the wrong side of the next at the spine,
 /// metres.
 const ASTRAY: f32 = 5e-5;
@@ -124,10 +120,10 @@ impl Flight {
     }
 
     /// Draws the leaf as it is now, or as it is [dressed](Self::dress), between the piles
-    /// (right and left).
-    pub fn draw(&mut self, [right, left]: [&Pile; 2]) {
+    /// (right and left); `wary` says that it may be drawn through a neighbour.
+    pub fn draw(&mut self, [right, left]: [&Pile; 2], wary: bool) {
         let is_crumpled = core::mem::take(&mut self.held_back) || self.leaf.was_held();
-        self.wary |= is_crumpled;
+        self.wary |= is_crumpled || wary;
         if !core::mem::take(&mut self.dressed) {
             self.leaf.write_surface(&mut self.surface);
         }
@@ -195,8 +191,9 @@ impl Flight {
         }
     }
 
-    /// Whether what is drawn of it goes through what is drawn of the one on its right.
-    pub fn is_drawn_through(&mut self, right: &mut Flight) -> bool {
+    /// Whether what is drawn of it goes through what is drawn of the one on its right, by
+    /// more than `smooth` metres where no hand has crumpled either.
+    pub fn is_drawn_through(&mut self, right: &mut Flight, smooth: f32) -> bool {
         if !self.wary && !right.wary {
             return false;
         }
@@ -208,7 +205,7 @@ impl Flight {
         let touch = if pair.iter().any(is_crumpled) {
             TOUCH
         } else {
-            SMOOTH
+            smooth
         };
         let [own, other] = pair.map(|flight| Mesh::of(&flight.surface));
         is_past(own, other, ASTRAY) || self.blocks.cross(&right.blocks, touch)

@@ -24,10 +24,9 @@ const MOST_ROUNDS: usize = 6;
 const DEEPEST: f32 = 2.5e-3;
 
 /// Depth in a tick, metres, from which a leaf may have come through another, and from
-/// which it may be drawn through it; where no more than a few fly it always may.
+/// which it may be drawn through it.
 const ASTRAY: f32 = 2e-4;
 const WARY: f32 = 1.5e-4;
-const FEW: usize = 3;
 
 impl Flights {
     /// Steps every flight by one tick between the piles (right and left), and
@@ -113,7 +112,7 @@ impl Flights {
             let depth = flight.leaf().seated().depth;
             self.tangled |= depth > ASTRAY;
             let is_held = self.tangled && flight.leaf().was_held();
-            flight.set_astray(depth > ASTRAY || is_held, count <= FEW || depth > WARY);
+            flight.set_astray(depth > ASTRAY || is_held, depth > WARY);
             self.look_again(index, piles);
             self.order[index].leaf_mut().give_way(DEEP);
         }
