@@ -5,6 +5,7 @@
 BOOK ?= books/moby-dick.pdf
 PORT ?=
 OPEN ?= yes
+JOBS ?= $(shell getconf _NPROCESSORS_ONLN)
 
 # npm's own summary of licences and funding is noise in a first run.
 NPM_QUIET = --no-audit --no-fund --loglevel=error
@@ -13,7 +14,7 @@ WASM = packages/turnleaf/src/engine/turnleaf.wasm
 MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 
-.PHONY: read build wasm test test-rust test-js check check-rust check-js bench playground examples pictures methods recordings photographs reference book clean tools-rust chromium
+.PHONY: read build wasm test test-rust test-js check check-rust check-js bench gestures playground examples pictures methods recordings photographs reference book clean tools-rust chromium
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -69,6 +70,11 @@ check-js: build
 # Measures, and writes docs/performance.md.
 bench: build chromium tools-rust
 	node scripts/performance.mjs
+
+# Random hands on the leaves of a book, 20,000 times: the table in docs/physics.md.
+# Takes about half an hour on two cores.
+gestures: tools-rust
+	cargo run --release --quiet -p lab -- gestures --count 20000 --worst 5 --jobs $(JOBS) --into docs/physics.md
 
 # Two models that turn the same page side by side.
 playground: build

@@ -105,6 +105,8 @@ Experiments on a book:
                       --seed S        seed of the first; each has the next one (1)
                       --stock bible|book|office|coated|card|all  (all, in turn)
                       --worst N       lists the seeds of the N worst (0)
+                      --jobs N        played at once (1); times of a frame are then longer
+                      --into FILE     put a table between its lines in a page of Markdown
 
 Key frames to be handed out:
 

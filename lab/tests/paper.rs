@@ -195,7 +195,7 @@ fn leaves_that_press_on_each_other_do_not_stand_still() {
 #[test]
 fn gestures_are_repeated_by_their_seed() {
     let line = "gestures --count 4 --seed 7 --stock card";
-    let (first, second) = (lab(line), lab(line));
+    let (first, second) = (lab(line), lab(&format!("{line} --jobs 3")));
     for name in [
         "edge_strain_median",
         "edge_strain_p99",

@@ -2,18 +2,22 @@
 //! to the paper: strain, penetration, time of a frame.
 
 mod facets;
+mod figures;
 mod overlap;
 mod random;
 mod scene;
+
+use std::path::PathBuf;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use serde_json::{Value, json};
 use turnleaf_engine::Stock;
 
 use crate::options;
+use crate::report::insert;
+use figures::{figures, table, worst_seeds};
 use scene::Outcome;
-
-/// What is drawn farther than this behind the paper, metres, is counted as behind.
-const BEHIND: f32 = 1e-3;
 
 /// The outcome of a seed on a stock, by its place among the names.
 struct Played {
@@ -24,13 +28,16 @@ struct Played {
 
 /// Runs the experiment.
 pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let (mut count, mut seed, mut worst) = (1000u64, 1u64, 0usize);
+    let (mut count, mut seed, mut worst, mut jobs) = (1000u64, 1u64, 0usize, 1usize);
     let mut stocks: Vec<usize> = (0..Stock::NAMES.len()).collect();
+    let mut into = None;
     let json = options::read(parser, |option, parser| {
         match option {
             "count" => count = options::number(parser, option, 1, 10_000_000)?,
             "seed" => seed = options::number(parser, option, 0, u64::MAX / 2)?,
             "worst" => worst = options::number(parser, option, 0, 1000)?,
+            "jobs" => jobs = options::number(parser, option, 1, 256)?,
+            "into" => into = Some(PathBuf::from(options::text(parser, option)?)),
             "stock" => {
                 let names = [&Stock::NAMES[..], &["all"]].concat();
                 let chosen = options::choice(parser, option, &names)?;
@@ -42,17 +49,7 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
         }
         Ok(true)
     })?;
-    let played: Vec<Played> = (seed..seed + count)
-        .map(|seed| {
-            let stock = stocks[(seed % stocks.len() as u64) as usize];
-            let paper = Stock::named(Stock::NAMES[stock]).expect("the name is a preset's");
-            Played {
-                seed,
-                stock,
-                outcome: scene::play(seed, paper),
-            }
-        })
-        .collect();
+    let played = play(seed, count, &stocks, jobs);
     let all: Vec<&Played> = played.iter().collect();
     let mut report = figures(&all);
     report["count"] = json!(count);
@@ -72,6 +69,9 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     if worst > 0 {
         report["worst"] = worst_seeds(&all, worst);
     }
+    if let Some(path) = into {
+        insert(&path, "gestures", &table(&report))?;
+    }
     if json {
         println!("{report:#}");
     } else {
@@ -80,77 +80,35 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     Ok(())
 }
 
-/// The figures of some gestures.
-fn figures(played: &[&Played]) -> Value {
-    let of = |value: fn(&Outcome) -> f32| -> Vec<f32> {
-        sorted(played.iter().map(|one| value(&one.outcome)).collect())
+/// Plays gestures, so many at once, each by its seed and so the same whatever plays
+/// beside it; answers them by their seeds.
+fn play(seed: u64, count: u64, stocks: &[usize], jobs: usize) -> Vec<Played> {
+    let next = AtomicU64::new(0);
+    let played = Mutex::new(Vec::new());
+    let work = || {
+        loop {
+            let seed = match next.fetch_add(1, Ordering::Relaxed) {
+                done if done >= count => return,
+                done => seed + done,
+            };
+            let stock = stocks[(seed % stocks.len() as u64) as usize];
+            let paper = Stock::named(Stock::NAMES[stock]).expect("the name is a preset's");
+            let outcome = scene::play(seed, paper);
+            played.lock().expect("no gesture panics").push(Played {
+                seed,
+                stock,
+                outcome,
+            });
+        }
     };
-    let strains = of(|outcome| outcome.strain);
-    let most = |value: fn(&Outcome) -> f32| of(value).last().copied().unwrap_or(0.0);
-    let frames = || played.iter().flat_map(|one| one.outcome.frames.iter());
-    let times = sorted(frames().map(|frame| frame.1 as f32 * 1e6).collect());
-    let lags = sorted(
-        played
-            .iter()
-            .flat_map(|one| one.outcome.lags.clone())
-            .collect(),
-    );
-    let behind = lags.iter().filter(|lag| **lag > BEHIND).count();
-    let leaves = frames().map(|frame| frame.0).max().unwrap_or(0);
-    let by_leaves: Vec<Value> = (1..=leaves)
-        .map(|leaves| {
-            let of = frames().filter(|frame| frame.0 == leaves);
-            let times = sorted(of.map(|frame| frame.1 as f32 * 1e6).collect());
-            json!({ "leaves": leaves, "frames": times.len(),
-                "us_per_frame_p50": at(&times, 0.5), "us_per_frame_p99": at(&times, 0.99) })
-        })
-        .collect();
-    json!({
-        "edge_strain_median": at(&strains, 0.5),
-        "edge_strain_p99": at(&strains, 0.99),
-        "edge_strain_worst": at(&strains, 1.0),
-        "edge_strain_after_release": most(|outcome| outcome.strain_after),
-        "drawn_penetration_mm": 1e3 * most(|outcome| outcome.drawn.deepest()),
-        "drawn_penetration_in_piles_mm": 1e3 * most(|outcome| outcome.drawn.pile),
-        "drawn_penetration_in_leaves_mm": 1e3 * most(|outcome| outcome.drawn.leaf),
-        "drawn_penetration_p99_mm": 1e3 * at(&of(|outcome| outcome.drawn.deepest()), 0.99),
-        "edges_through_facets": most(|outcome| outcome.drawn.crossings as f32),
-        "solver_penetration_mm": 1e3 * most(|outcome| outcome.depth),
-        "drawn_penetration_median_mm": 1e3 * at(&of(|outcome| outcome.drawn.deepest()), 0.5),
-        "solver_penetration_median_mm": 1e3 * at(&of(|outcome| outcome.depth), 0.5),
-        "solver_penetration_p90_mm": 1e3 * at(&of(|outcome| outcome.depth), 0.9),
-        "solver_penetration_p99_mm": 1e3 * at(&of(|outcome| outcome.depth), 0.99),
-        "frames_behind_share": behind as f64 / lags.len().max(1) as f64,
-        "drawn_behind_p99_mm": 1e3 * at(&lags, 0.99),
-        "drawn_behind_worst_mm": 1e3 * at(&lags, 1.0),
-        "seconds_to_rest_median": at(&of(|outcome| outcome.rest), 0.5),
-        "seconds_to_rest_worst": most(|outcome| outcome.rest),
-        "finite": played.iter().all(|one| one.outcome.finite),
-        "leaves": played.iter().map(|one| one.outcome.leaves).max(),
-        "us_per_frame_p50": at(&times, 0.5),
-        "us_per_frame_p99": at(&times, 0.99),
-        "us_per_frame_by_leaves": by_leaves,
-    })
-}
-
-/// The seeds of the worst gestures by each figure.
-fn worst_seeds(all: &[&Played], count: usize) -> Value {
-    let by = |value: fn(&Outcome) -> f32| -> Value {
-        let mut order: Vec<&&Played> = all.iter().collect();
-        order.sort_by(|a, b| value(&b.outcome).total_cmp(&value(&a.outcome)));
-        let worst = order.iter().take(count);
-        worst
-            .map(|one| json!([one.seed, Stock::NAMES[one.stock], value(&one.outcome)]))
-            .collect()
-    };
-    json!({
-        "edge_strain": by(|outcome| outcome.strain),
-        "edge_strain_after_release": by(|outcome| outcome.strain_after),
-        "drawn_in_piles": by(|outcome| outcome.drawn.pile),
-        "drawn_in_leaves": by(|outcome| outcome.drawn.leaf),
-        "solver": by(|outcome| outcome.depth),
-        "seconds_to_rest": by(|outcome| outcome.rest),
-    })
+    std::thread::scope(|scope| {
+        (0..jobs).for_each(|_| {
+            scope.spawn(work);
+        });
+    });
+    let mut played = played.into_inner().expect("no gesture panics");
+    played.sort_by_key(|one| one.seed);
+    played
 }
 
 fn print_lines(report: &Value) {
@@ -168,18 +126,4 @@ fn print_lines(report: &Value) {
     for (name, worst) in report["worst"].as_object().into_iter().flatten() {
         println!("  worst {name:26} {worst}");
     }
-}
-
-fn sorted(mut values: Vec<f32>) -> Vec<f32> {
-    values.sort_by(f32::total_cmp);
-    values
-}
-
-/// The value below which a part of sorted values lies; 0 where there are none.
-fn at(sorted: &[f32], part: f32) -> f32 {
-    let last = sorted.len().saturating_sub(1) as f32;
-    sorted
-        .get((part * last).round() as usize)
-        .copied()
-        .unwrap_or(0.0)
 }
