@@ -7,7 +7,7 @@
 //! clear.
 
 use super::block::Pile;
-use super::flight::Flight;
+use super::flight::{Flight, Touch};
 use super::flights::MOST_FLIGHTS;
 use crate::grid::Side;
 
@@ -16,16 +16,19 @@ use crate::grid::Side;
 /// upon it were drawn.
 const OVER: f32 = 1e-4;
 
-/// Smooth leaves, which no hand has crumpled, that go through each other by less than
-/// this, metres, touch: in a riffle they lie so closely that else one would always be held
-/// back.
-const SMOOTH: f32 = 5e-5;
+/// Leaves that go through each other by less than this, metres, touch: crumpled ones, by
+/// what comes of rounding; and smooth ones, which no hand has crumpled. In a riffle these lie
+/// so closely that else one would always be held back.
+const TOUCH: Touch = [1e-6, 5e-5];
 
 /// The same where no more than a few fly, which have room: so much less is enough for them
 /// to be cleared thoroughly. Leaves at a small angle to each other are deeper in than their
 /// edges are past facets.
-const GRAZING: f32 = 2e-5;
+const GRAZING: Touch = [1e-6, 2e-5];
 const FEW: usize = 3;
+
+/// The same where no picture is clear, for the one that is nearly.
+const ALMOST: Touch = [5e-5; 2];
 
 /// Draws flights, from the left to the right, between the piles (right and left).
 pub fn draw(order: &mut [Flight], piles: [&Pile; 2]) {
@@ -37,7 +40,7 @@ pub fn draw(order: &mut [Flight], piles: [&Pile; 2]) {
     settle(order, &all, piles);
     let mut met = [false; MOST_FLIGHTS];
     // Most are clear by now, and only those that are not are worth more work.
-    let touch = if are_few { GRAZING } else { SMOOTH };
+    let touch = if are_few { GRAZING } else { TOUCH };
     if find_crossings(order, &mut met, touch) {
         for (flight, met) in order.iter_mut().zip(met) {
             flight.draw_again(met);
@@ -125,22 +128,25 @@ fn lift_off(order: &mut [Flight], asked: &[bool], piles: [&Pile; 2]) {
 /// drawn of them last, which did not; and with them those that they then meet.
 fn hold_back(order: &mut [Flight], piles: [&Pile; 2]) {
     let mut back = [false; MOST_FLIGHTS];
-    while find_crossings(order, &mut back, SMOOTH) {
+    while find_crossings(order, &mut back, TOUCH) {
         each(order, &back, &Flight::hold_back);
-        let is_clear = |order: &mut [Flight], part: f32, cleared: bool| {
+        let is_clear = |order: &mut [Flight], touch: Touch, (part, cleared): (f32, bool)| {
             draw_part(order, &back, part, cleared, piles);
             (1..order.len())
-                .all(|right| back[right - 1..=right] != [true; 2] || !cross(order, right, SMOOTH))
+                .all(|right| back[right - 1..=right] != [true; 2] || !cross(order, right, touch))
         };
-        let _ =
-            is_clear(order, 0.5, true) || is_clear(order, 0.0, true) || is_clear(order, 0.0, false);
+        // Over a pile that grew even the last picture may be clear no more.
+        let _ = [TOUCH, ALMOST].into_iter().any(|touch| {
+            let mut ways = [(0.5, true), (0.0, true), (0.0, false)].into_iter();
+            ways.any(|way| is_clear(order, touch, way))
+        });
     }
 }
 
 /// Looks for neighbours that are drawn through each other, one of whom at least was not
-/// `met` before, and adds them to these. Answers whether there are any. Smooth ones touch
-/// by less than `touch` metres.
-fn find_crossings(order: &mut [Flight], met: &mut [bool], touch: f32) -> bool {
+/// `met` before, and adds them to these. Answers whether there are any. `touch` is
+/// as in [`Flight::is_drawn_through`].
+fn find_crossings(order: &mut [Flight], met: &mut [bool], touch: Touch) -> bool {
     let mut any = false;
     for right in 1..order.len() {
         if met[right - 1..=right] != [true; 2] && cross(order, right, touch) {
@@ -152,7 +158,7 @@ fn find_crossings(order: &mut [Flight], met: &mut [bool], touch: f32) -> bool {
 }
 
 /// Whether a flight is drawn through the one on its left; see [`find_crossings`].
-fn cross(order: &mut [Flight], right: usize, touch: f32) -> bool {
+fn cross(order: &mut [Flight], right: usize, touch: Touch) -> bool {
     let (left, right) = order.split_at_mut(right);
     left.last_mut()
         .is_some_and(|left| left.is_drawn_through(&mut right[0], touch))

@@ -10,9 +10,9 @@ use crate::grid::Side;
 use crate::surface::Surface;
 use crate::vector::{dot, sub};
 
-/// Drawn leaves that go through each other by less than this, metres, touch: so much
-/// comes of rounding.
-const TOUCH: f32 = 1e-6;
+/// By how much drawn leaves may go through each other and only touch, metres: where a hand
+/// has crumpled one, and where they are smooth.
+pub type Touch = [f32; 2];
 
 /// How far what is drawn of a leaf may be on the wrong side of the next at the spine,
 /// metres.
@@ -191,9 +191,8 @@ impl Flight {
         }
     }
 
-    /// Whether what is drawn of it goes through what is drawn of the one on its right, by
-    /// more than `smooth` metres where no hand has crumpled either.
-    pub fn is_drawn_through(&mut self, right: &mut Flight, smooth: f32) -> bool {
+    /// Whether what is drawn of it goes through what is drawn of the one on its right.
+    pub fn is_drawn_through(&mut self, right: &mut Flight, [crumpled, smooth]: Touch) -> bool {
         if !self.wary && !right.wary {
             return false;
         }
@@ -203,7 +202,7 @@ impl Flight {
         let pair = [&*self, &*right];
         let is_crumpled = |flight: &&Flight| flight.held_back || flight.leaf.was_held();
         let touch = if pair.iter().any(is_crumpled) {
-            TOUCH
+            crumpled
         } else {
             smooth
         };
