@@ -173,7 +173,7 @@ fn a_thousand_gestures_neither_stretch_paper_nor_push_it_through_paper() {
 #[test]
 fn gestures_that_once_drew_leaves_through_each_other_do_not() {
     for seed in [
-        1452, 1524, 1590, 1730, 2575, 3150, 5791, 5981, 8384, 10202, 12488, 12558, 12917,
+        1452, 1524, 1590, 1730, 2575, 3150, 5791, 5981, 8384, 10202, 12488, 12558, 12917, 15400,
     ] {
         let found = lab(&format!("gestures --count 1 --seed {seed}"));
         let drawn = figure(&found, "drawn_penetration_mm");

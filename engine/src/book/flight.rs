@@ -196,17 +196,15 @@ impl Flight {
         if !self.wary && !right.wary {
             return false;
         }
-        for flight in [&mut *self, &mut *right] {
-            flight.blocks.cut(Mesh::of(&flight.surface));
-        }
-        let pair = [&*self, &*right];
-        let is_crumpled = |flight: &&Flight| flight.held_back || flight.leaf.was_held();
-        let touch = if pair.iter().any(is_crumpled) {
+        let is_crumpled = |flight: &Flight| flight.held_back || flight.leaf.was_held();
+        let touch = if is_crumpled(self) || is_crumpled(right) {
             crumpled
         } else {
             smooth
         };
-        let [own, other] = pair.map(|flight| Mesh::of(&flight.surface));
+        let [own, other] = [&self.surface, &right.surface].map(Mesh::of);
+        self.blocks.cut(own);
+        right.blocks.cut(other);
         is_past(own, other, ASTRAY) || self.blocks.cross(&right.blocks, touch)
     }
 
