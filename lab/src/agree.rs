@@ -33,10 +33,12 @@ const QUICKER: usize = 2;
 pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     let mut name = "book";
     let json = options::read(parser, |option, parser| {
-        if option != "stock" {
-            return Ok(false);
+        match option {
+            "stock" => name = Stock::NAMES[options::choice(parser, option, &Stock::NAMES)?],
+            // What is held against the shell.
+            "model" => drop(options::choice(parser, option, &["sheet"])?),
+            _ => return Ok(false),
         }
-        name = Stock::NAMES[options::choice(parser, option, &Stock::NAMES)?];
         Ok(true)
     })?;
     let stock = Stock::named(name).expect("a preset");

@@ -80,7 +80,7 @@ stiffness, and the exact answer stands beside what was found:
   agree             sheet against shell, turned by the same hand
                       --stock bible|book|office|coated|card  (book)
   convergence       orders by nodes and by step, hanging at Gamma 10
-  all but agree take  --model sheet|shell|mass-spring  (sheet)
+  all take          --model sheet|shell|mass-spring  (sheet; agree: no other)
 
 Every way of turning a page:
 
@@ -107,6 +107,7 @@ Experiments on a book:
                       --worst N       lists the seeds of the N worst (0)
                       --jobs N        played at once (1); times of a frame are then longer
                       --into FILE     put a table between its lines in a page of Markdown
+                      --model sheet   there is no other in a book
 
 Key frames to be handed out:
 

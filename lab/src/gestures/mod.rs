@@ -36,6 +36,8 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
             "count" => count = options::number(parser, option, 1, 10_000_000)?,
             "seed" => seed = options::number(parser, option, 0, u64::MAX / 2)?,
             "worst" => worst = options::number(parser, option, 0, 1000)?,
+            // A book's leaves are sheets.
+            "model" => drop(options::choice(parser, option, &["sheet"])?),
             "jobs" => jobs = options::number(parser, option, 1, 256)?,
             "into" => into = Some(PathBuf::from(options::text(parser, option)?)),
             "stock" => {
