@@ -73,9 +73,10 @@ export class PageMesh {
   light(pile: PileShape, over: Overhead): void {
     const { x, z, columns, sign } = pile;
     const [gapSky, gapKey] = [this.#gapSky, this.#gapKey];
-    // Wider than the soft edge, narrow enough that an edge runs smoothly between rows.
-    const keyLow = sign * keyAngle - 1.6 * penumbra;
-    const keyHigh = sign * keyAngle + 1.6 * penumbra;
+    // So much wider than the soft edge that one aslant of the rows has no steps; any wider,
+    // and one along them is three.
+    const keyLow = sign * keyAngle - 2.2 * penumbra;
+    const keyHigh = sign * keyAngle + 2.2 * penumbra;
     for (let i = 0; i < columns; i++) {
       const right = this.#gaps[2 * i + 1];
       const board = compassToRadians(leftEndUnder(x[i], z[i], over.board, over.board.length));
@@ -93,12 +94,12 @@ export class PageMesh {
         for (let k = 0; k < 3; k++) {
           const section = over.keys[k];
           const points = section.counts[row];
-          let key = left;
+          let key = keyLow;
           if (points > 0) {
             const end = compassToRadians(leftEndUnder(x[i], z[i], section.row(row), points));
-            key = Math.max(left, Math.min(keyHigh, Math.max(keyLow, end)));
+            key = Math.min(keyHigh, Math.max(keyLow, end));
           }
-          gapKey[4 * point + k] = sign * key;
+          gapKey[4 * point + k] = sign * Math.max(left, key);
         }
         gapKey[4 * point + 3] = sign * right;
       }
