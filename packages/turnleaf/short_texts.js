@@ -38,12 +38,17 @@ function shortGlsl(text) {
     .replace(/\n+/g, "\n");
 }
 
-/** Not about + and -: two of them on end would be another thing. */
+/**
+ * Numbers lose the zeros that say nothing. Where two of + and - stand on end they keep
+ * their spaces: without, they would be another thing.
+ */
 function tight(line) {
-  return line.replace(
-    /\$\{[^}]*\}|( ?([=*/<>,;(){}?:&|!]+) ?)/g,
-    (found, _, sign) => sign ?? found,
-  );
+  return line
+    .replace(/\$\{[^}]*\}|( ?([=*/<>,;(){}?:&|!]+) ?)/g, (found, _, sign) => sign ?? found)
+    .replace(/(?<=[\w.)\]]) ?([+-]) ?(?=[\w.(])/g, "$1")
+    .replace(/\$\{[^}]*\}|\b0(?=\.\d*[1-9])|(?<=\b\d+\.)0\b/g, (found) =>
+      found === "0" ? "" : found,
+    );
 }
 
 /** A space before a colon parts selectors, and one between values parts these: they stay. */

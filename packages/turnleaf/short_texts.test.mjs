@@ -11,7 +11,7 @@ test("a shader keeps its directives' lines and loses comments and spaces", () =>
     "varying vec2 vUv; // what is seen",
     "#ifdef ROLLED",
     "  // turned",
-    "  float a = b - -c * ( d + 1.0 );",
+    "  float a = b - -c * ( d + 1.0 ) - 10.05 / 0.50;",
     "#else",
     "  return  x;",
     "#endif",
@@ -22,12 +22,12 @@ test("a shader keeps its directives' lines and loses comments and spaces", () =>
     "const chunk = 1; // stays",
     "const shader = /* glsl */ `varying vec2 vUv;",
     "#ifdef ROLLED",
-    "float a=b - -c*(d + 1.0);",
+    "float a=b - -c*(d+1.)-10.05/.50;",
     "#else",
     "return x;",
     "#endif",
     chunk,
-    `vec3 light(){return vec3(${half},1.0);}\`;`,
+    `vec3 light(){return vec3(${half},1.);}\`;`,
   ]);
 });
 
