@@ -73,8 +73,8 @@ export class PageMesh {
   light(pile: PileShape, over: Overhead): void {
     const { x, z, columns, sign } = pile;
     const [gapSky, gapKey] = [this.#gapSky, this.#gapKey];
-    // So much wider than the soft edge that one aslant of the rows has no steps; any wider,
-    // and one along them is three.
+    // Wider than the soft edge, or one aslant of the rows comes in steps; not by much, or
+    // one along them is seen to be three. So are more rows.
     const keyLow = sign * keyAngle - 2.2 * penumbra;
     const keyHigh = sign * keyAngle + 2.2 * penumbra;
     for (let i = 0; i < columns; i++) {
