@@ -130,8 +130,9 @@ impl Flight {
         seat(&mut self.surface.positions, right, left);
         self.surface.update_normals();
         self.wanted.clone_from(&self.surface.positions);
-        self.careful = false;
-        self.bends.fill(0.0);
+        if core::mem::take(&mut self.careful) {
+            self.bends.fill(0.0);
+        }
         if is_crumpled {
             self.take_care();
         }

@@ -12,7 +12,7 @@ const BEHIND: f32 = 1e-3;
 
 /// Rows of the table: what, the figure, by how much it is multiplied, its decimals.
 const ROWS: [(&str, &str, f64, usize); 12] = [
-    ("gestures", "gestures", 1.0, 0),
+    ("gestures", "count", 1.0, 0),
     ("edge strain, median, %", "edge_strain_median", 100.0, 4),
     ("the same, 99th percentile", "edge_strain_p99", 100.0, 3),
     ("the same, worst", "edge_strain_worst", 100.0, 3),
@@ -112,7 +112,7 @@ pub fn figures(played: &[&Played]) -> Value {
         })
         .collect();
     json!({
-        "gestures": played.len(),
+        "count": played.len(),
         "edge_strain_median": at(&strains, 0.5),
         "edge_strain_p99": at(&strains, 0.99),
         "edge_strain_worst": at(&strains, 1.0),

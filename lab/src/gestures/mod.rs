@@ -54,7 +54,6 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     let played = play(seed, count, &stocks, jobs);
     let all: Vec<&Played> = played.iter().collect();
     let mut report = figures(&all);
-    report["count"] = json!(count);
     report["seed"] = json!(seed);
     report["stocks"] = stocks
         .iter()

@@ -74,7 +74,7 @@ export class PageMesh {
     const { x, z, columns, sign } = pile;
     const [gapSky, gapKey] = [this.#gapSky, this.#gapKey];
     // Wider than the soft edge, or one aslant of the rows comes in steps; not by much, or
-    // one along them is seen to be three. So are more rows.
+    // one along them is seen to be three, as it is with more rows.
     const keyLow = sign * keyAngle - 2.2 * penumbra;
     const keyHigh = sign * keyAngle + 2.2 * penumbra;
     for (let i = 0; i < columns; i++) {
