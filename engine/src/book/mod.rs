@@ -251,6 +251,20 @@ impl Book {
         Some(flight.leaf().sheet().max_edge_strain())
     }
 
+    /// Largest shear of a cell of the flight at `index`, radians; counted from the
+    /// left. See [`Sheet::max_shear`](crate::Sheet::max_shear).
+    pub fn shear(&self, index: usize) -> Option<f32> {
+        let flight = self.flights.order().get(index)?;
+        Some(flight.leaf().sheet().max_shear())
+    }
+
+    /// Largest stretch of a diagonal of a cell of the flight at `index`; counted from
+    /// the left. See [`Sheet::max_diagonal_stretch`](crate::Sheet::max_diagonal_stretch).
+    pub fn diagonal_stretch(&self, index: usize) -> Option<f32> {
+        let flight = self.flights.order().get(index)?;
+        Some(flight.leaf().sheet().max_diagonal_stretch())
+    }
+
     /// Deepest contact of a node of the flight at `index` in the last tick,
     /// metres, before the tick pushed it out; counted from the left.
     pub fn depth(&self, index: usize) -> Option<f32> {

@@ -11,6 +11,7 @@ mod assemble;
 mod bending;
 mod contact;
 mod hand;
+mod measure;
 mod membrane;
 mod settings;
 mod sweep;
@@ -310,34 +311,6 @@ impl Sheet {
     pub fn draw_samples(&mut self, u: &[f32], v: &[f32]) {
         let (columns, rows) = (self.settings.columns, self.settings.rows);
         self.interpolation = Local::b_spline((columns, rows), u, v);
-    }
-
-    /// Largest strain, stretch or compression, of any edge between neighbours
-    /// along rows and columns.
-    pub fn max_edge_strain(&self) -> f32 {
-        let (columns, rows) = (self.settings.columns, self.settings.rows);
-        let [du, dv] = self.settings.cell().map(|cell| cell as f32);
-        let x = self.positions.as_chunks::<3>().0;
-        let mut most = 0.0f32;
-        for node in 0..columns * rows {
-            let strain = |other: usize, rest: f32| {
-                let d: [f32; 3] = core::array::from_fn(|axis| x[other][axis] - x[node][axis]);
-                (dot(d, d).sqrt() / rest - 1.0).abs()
-            };
-            if node % columns + 1 < columns {
-                most = most.max(strain(node + 1, du));
-            }
-            if node / columns + 1 < rows {
-                most = most.max(strain(node + columns, dv));
-            }
-        }
-        most
-    }
-
-    /// The fastest node's speed, m/s.
-    pub fn greatest_speed(&self) -> f32 {
-        let v = self.velocities.as_chunks::<3>().0;
-        v.iter().map(|v| dot(*v, *v)).fold(0.0, f32::max).sqrt()
     }
 
     /// Brings what is deep in its firm contacts back out of them, for contacts found
