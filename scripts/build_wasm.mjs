@@ -20,6 +20,7 @@ import { homedir } from "node:os";
 import { basename, join } from "node:path";
 import { onlyLeaves } from "./leaves_wasm.mjs";
 import { shrinkWasm } from "./shrink_wasm.mjs";
+import { absolutePaths } from "./wasm_paths.mjs";
 
 const root = join(import.meta.dirname, "..");
 const target = "wasm32-unknown-unknown";
@@ -44,6 +45,7 @@ function sources() {
     "rust-toolchain.toml",
     "engine/Cargo.toml",
     "wasm/Cargo.toml",
+    "scripts/clear_locations.mjs",
     "scripts/dead_data.mjs",
     "scripts/leaves_wasm.mjs",
     "scripts/shrink_wasm.mjs",
@@ -64,18 +66,38 @@ function sourcesHash() {
   return hash.digest("hex");
 }
 
+/** What the compiler that cargo takes says. */
+function rustc(...args) {
+  return execFileSync(process.env.RUSTC ?? "rustc", args, { cwd: root, encoding: "utf8" }).trim();
+}
+
 function hasTarget() {
   try {
-    const sysroot = execFileSync("rustc", ["--print", "sysroot"], { cwd: root, encoding: "utf8" });
-    return existsSync(join(sysroot.trim(), "lib/rustlib", target));
+    return existsSync(join(rustc("--print", "sysroot"), "lib/rustlib", target));
   } catch {
     return false;
   }
 }
 
+/**
+ * Names for the folders of this machine that panic messages would carry. Where the
+ * sources of the standard library are installed (rust-src), the compiler names them
+ * by their folder, else by the commit it was built from, as the library's own machine
+ * code does: here always the latter.
+ */
+function remappedFolders() {
+  const cargoHome = process.env.CARGO_HOME ?? join(homedir(), ".cargo");
+  const [, commit] = /^commit-hash: (\w+)$/m.exec(rustc("--version", "--verbose")) ?? [];
+  const library = join(rustc("--print", "sysroot"), "lib/rustlib/src/rust");
+  return [
+    [cargoHome, "cargo"],
+    [root, "."],
+    [library, `/rustc/${commit}`],
+  ].map(([from, to]) => `--remap-path-prefix=${from}=${to}`);
+}
+
 /** The machine code, with the scenes of benches and golden tests or without. */
 function build(features = []) {
-  const cargoHome = process.env.CARGO_HOME ?? join(homedir(), ".cargo");
   const flags = [
     "-Ctarget-feature=+simd128",
     // Say which function reads which data.
@@ -84,9 +106,7 @@ function build(features = []) {
     ...["-inline-threshold=75", "-unroll-runtime=false", "-unroll-allow-peeling=false"].map(
       (argument) => `-Cllvm-args=${argument}`,
     ),
-    // Panic messages carry paths: not this machine's.
-    `--remap-path-prefix=${cargoHome}=cargo`,
-    `--remap-path-prefix=${root}=.`,
+    ...remappedFolders(),
   ];
   execFileSync(
     "cargo",
@@ -114,6 +134,11 @@ const committed = [
   { file: models, make: () => onlyLeaves(build(["models"])) },
 ];
 
+function requireNoPaths(file) {
+  const [path] = absolutePaths(readFileSync(file));
+  if (path) fail(`${basename(file)} names a folder of the machine that built it: ${path}`);
+}
+
 function fail(sentence) {
   console.error(sentence);
   process.exit(1);
@@ -132,6 +157,7 @@ if (process.argv.includes("--verify")) {
         `${name} is not the file that its stamp names; run \`make wasm\` and commit the result.`,
       );
     }
+    requireNoPaths(file);
     if (!canBuild) {
       console.log(`${name} matches its stamp (not rebuilt: no ${target} target here)`);
     } else if (sha256(make()) !== stamp.wasm) {
@@ -150,6 +176,7 @@ if (process.argv.includes("--verify")) {
   for (const { file, make } of committed) {
     writeFileSync(file, make());
     const stamp = { sources: sourcesHash(), wasm: sha256(readFileSync(file)) };
+    requireNoPaths(file);
     writeFileSync(stampOf(file), `${JSON.stringify(stamp, null, 2)}\n`);
     console.log(`${basename(file)}: ${statSync(file).size} bytes`);
   }

@@ -1,4 +1,5 @@
 import binaryen from "binaryen";
+import { clearLocations } from "./clear_locations.mjs";
 
 /**
  * Machine code with loose leaves alone: the functions of books go, and what only
@@ -9,7 +10,7 @@ import binaryen from "binaryen";
  * @returns {Uint8Array} without names
  */
 export function onlyLeaves(wasm) {
-  const module = binaryen.readBinary(withoutCustomSections(wasm));
+  const module = binaryen.readBinary(clearLocations(withoutCustomSections(wasm)));
   const { SIMD128, BulkMemory, SignExt, MutableGlobals } = binaryen.Features;
   const { NontrappingFPToInt, ReferenceTypes, Multivalue } = binaryen.Features;
   module.setFeatures(
