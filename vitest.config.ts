@@ -27,7 +27,7 @@ export default defineConfig({
       },
       {
         plugins: [wasmInline(), turnInline(), packedFiles(), shortTexts()],
-        optimizeDeps: { include: ["three", "pdfjs-dist", "axe-core"] },
+        optimizeDeps: { include: ["three", "pdfjs-dist/legacy/build/pdf.mjs", "axe-core"] },
         test: {
           name: "chromium",
           include: ["packages/**/*.browser.test.ts"],

@@ -21,12 +21,26 @@ export function loadPdfLibrary(): Promise<PdfLibrary> {
 }
 
 async function start(): Promise<PdfLibrary> {
+  completePromise();
   const [pdfjs, renderer] = await Promise.all([
-    import("pdfjs-dist"),
-    import("packed:pdfjs-dist/build/pdf.renderer.min.mjs"),
+    import("pdfjs-dist/legacy/build/pdf.mjs"),
+    import("packed:pdfjs-dist/legacy/build/pdf.renderer.min.mjs"),
   ]);
   pdfjs.GlobalWorkerOptions.rendererSrc ||= await scriptUrl(renderer.default);
   return pdfjs;
+}
+
+/** Restores what old versions of zone.js take away and pdf.js's own polyfills take for granted. */
+function completePromise(): void {
+  Promise.withResolvers ??= function withResolvers<T>(): PromiseWithResolvers<T> {
+    let resolve!: PromiseWithResolvers<T>["resolve"];
+    let reject!: PromiseWithResolvers<T>["reject"];
+    const promise = new Promise<T>((onResolve, onReject) => {
+      resolve = onResolve;
+      reject = onReject;
+    });
+    return { promise, resolve, reject };
+  };
 }
 
 /**
@@ -60,7 +74,7 @@ export async function startPdfWorker(
 export class WorkerRefused extends Error {}
 
 function blobWorkerUrl(): Promise<string> {
-  workerUrl ??= import("packed:pdfjs-dist/build/pdf.worker.min.mjs").then((code) =>
+  workerUrl ??= import("packed:pdfjs-dist/legacy/build/pdf.worker.min.mjs").then((code) =>
     scriptUrl(code.default),
   );
   return workerUrl;

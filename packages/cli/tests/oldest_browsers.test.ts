@@ -1,0 +1,130 @@
+/** The built viewer in a Chromium from which everything is deleted that the oldest supported browsers lack. */
+
+import { type Browser, chromium } from "playwright-core";
+import type { TurnleafBook } from "turnleaf";
+import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
+import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { lacking, oldestBrowsers } from "../../../scripts/lacking.mjs";
+import { pdf, png } from "./books.ts";
+import { serveViewer, type ViewerSite } from "./viewer_page.ts";
+
+let browser: Browser;
+let site: ViewerSite;
+
+beforeAll(async () => {
+  browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
+  const manifest = JSON.stringify({ pages: ["1.png", "2.png", "3.png", "4.png"] });
+  const files: Record<string, Buffer | string> = { "/book.pdf": pdf(9), "/book.json": manifest };
+  site = await serveViewer(
+    (path) => files[path] ?? (/^\/\d\.png$/.test(path) ? png(60, 90) : null),
+  );
+});
+afterAll(async () => {
+  await browser?.close();
+  await site?.stop();
+});
+afterEach(async () => {
+  for (const context of browser.contexts()) await context.close();
+});
+
+/**
+ * Runs in the page before anything else: deletes features there and, before their own code, in its
+ * workers. Counts what it found to delete in `deleted`.
+ */
+function deleteFeatures(features: readonly string[]): void {
+  const deleteAll = (names: readonly string[]): number => {
+    let count = 0;
+    const drop = (object: unknown, key: string): void => {
+      if (object && Object.hasOwn(object, key))
+        count += Number(Reflect.deleteProperty(object, key));
+    };
+    for (const name of names) {
+      const [object, member] = name.split(".") as [string, string | undefined];
+      const of = Reflect.get(globalThis, object) as { prototype?: unknown } | undefined;
+      if (member === undefined) drop(globalThis, object);
+      else {
+        drop(of, member);
+        drop(of?.prototype, member);
+      }
+    }
+    return count;
+  };
+  Object.assign(globalThis, { deleted: deleteAll(features) });
+  // zone.js replaces the page's Promise, not its workers'.
+  if (features[0] === "Promise.withResolvers") return;
+  const first = `data:text/javascript,(${encodeURIComponent(String(deleteAll))})(${encodeURIComponent(JSON.stringify(features))})`;
+  globalThis.Worker = class extends Worker {
+    constructor(address: string | URL, options?: WorkerOptions) {
+      const own = new URL(address, location.href).href;
+      const code = `import ${JSON.stringify(first)}; import ${JSON.stringify(own)};`;
+      super(URL.createObjectURL(new Blob([code], { type: "text/javascript" })), options);
+    }
+  };
+}
+
+/** Opens a book, turns it, reads it and looks near; resolves to what was found on the way. */
+async function use(src: string) {
+  const book = document.createElement("turnleaf-book") as TurnleafBook;
+  book.style.cssText = "width: 320px; height: 240px";
+  book.setAttribute("controls", "");
+  book.setAttribute("duration", "100");
+  const loaded = new Promise((resolve, reject) => {
+    book.addEventListener("load", resolve, { once: true });
+    book.addEventListener("error", (event) => reject(new Error(event.detail.message)));
+  });
+  book.src = src;
+  document.body.append(book);
+  await loaded;
+  const turned = await book.next();
+  book.zoom = 2;
+  while (!book.settled) await new Promise(requestAnimationFrame);
+  const hits = await book.search("page 3");
+  const outline = await book.outline();
+  const picture = await book.drawPage(2, 60);
+  return {
+    deleted: Reflect.get(globalThis, "deleted") as number,
+    turned,
+    page: book.page,
+    hits: hits.length,
+    outline: outline.length,
+    width: picture.width,
+  };
+}
+
+/** Edge is Chromium of the same version. */
+const engines = oldestBrowsers().filter(({ name }) => name !== "Edge");
+
+test.each(engines)(
+  "$name $version has all that the viewer needs",
+  {
+    timeout: 120_000,
+  },
+  async (oldest) => {
+    const complaints: string[] = [];
+    const page = await browser.newPage({ viewport: { width: 400, height: 300 } });
+    page.on("pageerror", (error) => complaints.push(error.message));
+    page.on("console", (message) => {
+      if (/error|warning/.test(message.type())) complaints.push(message.text());
+    });
+    await page.addInitScript(deleteFeatures, lacking(oldest));
+    for (const src of ["/book.pdf", "/book.json"]) {
+      await page.goto(site.url);
+      const found = await page.evaluate(use, src);
+      expect(found).toMatchObject({ turned: true, page: 2, width: 60 });
+      // The table of features and the deleting both work.
+      expect(found.deleted).toBeGreaterThan(100);
+    }
+    expect(complaints).toEqual([]);
+  },
+);
+
+test.each([
+  ["Promise.try", "as zone.js takes it away"],
+  ["Map.getOrInsertComputed", "of 2025"],
+  ["Promise.withResolvers", "as older versions of zone.js take it away"],
+])("a PDF opens without %s, %s", { timeout: 60_000 }, async (feature) => {
+  const page = await browser.newPage({ viewport: { width: 400, height: 300 } });
+  await page.addInitScript(deleteFeatures, [feature]);
+  await page.goto(site.url);
+  expect(await page.evaluate(use, "/book.pdf")).toMatchObject({ turned: true, deleted: 1 });
+});
