@@ -40,6 +40,13 @@ export function emptyFile(name: string): BookError {
   return new BookError(`${name} is empty; get the file again.`);
 }
 
+/** The sentence for a connection that breaks. */
+export function brokeOff(name: string): BookError {
+  return new BookError(
+    `${name} broke off while it was fetched; check the connection and try again.`,
+  );
+}
+
 function unreachable(url: string, name: string): string {
   if (url.startsWith("blob:")) {
     return `${name} is no longer there; choose the file again.`;
@@ -73,9 +80,7 @@ export async function readBounded(
     await reader?.cancel().catch(() => {});
     signal?.throwIfAborted();
     if (error instanceof BookError) throw error;
-    throw new BookError(
-      `${name} broke off while it was fetched; check the connection and try again.`,
-    );
+    throw brokeOff(name);
   }
   return join(parts, length);
 }

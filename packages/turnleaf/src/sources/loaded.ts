@@ -1,12 +1,22 @@
 /** Parts of the viewer that are loaded when there is a use for them. */
 
+import { unknownFailure } from "./failures.ts";
 import { BookError } from "./page_source.ts";
 
-/** What a lazy import resolves to. Rejects with a `BookError` where it fails: the network, or a server without the file. */
+/**
+ * Returns what a lazy import resolves to. Rejects with a `BookError` where the file cannot be
+ * fetched, or its code fails in this browser; the error is its `cause`.
+ */
 export async function loaded<Part>(part: Promise<Part>): Promise<Part> {
   try {
     return await part;
-  } catch {
-    throw new BookError("A part of the reader could not be loaded; load the web page again.");
+  } catch (error) {
+    // No browser tells the two apart but by words, which all speak of fetching or importing.
+    const isFetching =
+      error instanceof TypeError && /fetch|import(ed|ing)|^load failed/i.test(error.message);
+    const remedy = "update the browser, or load the web page again";
+    if (!isFetching) throw unknownFailure("A part of the reader failed", error, remedy);
+    const sentence = "A part of the reader could not be loaded; load the web page again.";
+    throw new BookError(sentence, { cause: error });
   }
 }

@@ -1,6 +1,7 @@
 import { cleanText, nameOfUrl } from "./book_text.ts";
-import { emptyFile, fetchChecked, readBounded, readStart } from "./fetch_bytes.ts";
+import { brokeOff, emptyFile, fetchChecked, readBounded, readStart } from "./fetch_bytes.ts";
 import { limits } from "./limits.ts";
+import { loaded } from "./loaded.ts";
 import { type ImageBook, type Manifest, type ManifestPage, parseManifest } from "./manifest.ts";
 import { PageList } from "./page_list.ts";
 import { BookError, type PageSource } from "./page_source.ts";
@@ -44,9 +45,7 @@ async function openAddress(address: string, options: OpenOptions): Promise<PageS
   });
   const start = await readStart(response, sniffLength).catch((error: unknown) => {
     options.signal?.throwIfAborted();
-    throw error instanceof BookError
-      ? error
-      : new BookError(`${name} broke off while it was fetched; try again.`);
+    throw error instanceof BookError ? error : brokeOff(name);
   });
   switch (kindOf(start, name)) {
     case "pdf":
@@ -100,12 +99,12 @@ async function openPdfFrom(
   length: number | undefined,
   options: OpenOptions,
 ): Promise<PageSource> {
-  const { openPdf } = await import("./pdf.ts");
+  const { openPdf } = await loaded(import("./pdf.ts"));
   return await openPdf({ name, from, ...(length === undefined ? {} : { length }) }, options);
 }
 
 async function openImages(book: ImageBook): Promise<PageSource> {
-  const { ImageSource } = await import("./images.ts");
+  const { ImageSource } = await loaded(import("./images.ts"));
   return new ImageSource(book);
 }
 

@@ -3,6 +3,7 @@ import { messageOf } from "./message_of.ts";
 import { openSource } from "./open.ts";
 import type { PagePicture, PageSource } from "./page_source.ts";
 import { PackedDataFactory } from "./pdf_runtime.ts";
+import { startingTime } from "./pdf_thread.ts";
 import { type TinyPdf, tinyPdf } from "./tiny_pdf.ts";
 
 const red = "1 0 0 rg 0 0 200 300 re f";
@@ -180,11 +181,79 @@ describe("a PDF that cannot be read is told in one sentence", () => {
     );
   });
 
-  it("on a page whose policy forbids its worker", async () => {
+  it.each([
+    ["throws as it is loaded", "throw new TypeError('Promise.try is none')", "Promise.try is none"],
+    ["throws at a message", "onmessage = () => { throw new Error('not so') }", "not so"],
+    [
+      "sends what the page cannot take",
+      "import.meta.url.endsWith('#renderer') || postMessage({ sourceName: 'worker', targetName: 'main', action: 'sing' })",
+      "Unknown action from worker: sing",
+    ],
+  ])("with a worker that %s", async (_, script, message) => {
     const opening = openSource(new File([tinyPdf({ pages: [red] })], "book.pdf"), {
-      pdfWorker: "data:text/javascript,throw new Error('refused')",
+      pdfWorker: `data:text/javascript,${encodeURIComponent(script)}`,
     });
-    expect(await messageOf(opening)).toContain("set pdfWorker to the address");
+    const sentence = await messageOf(opening);
+    expect(sentence).toMatch(/^book\.pdf cannot be read \(.*\); update the browser, or get the/);
+    expect(sentence).toContain(message);
+  });
+
+  it("with a worker that gives no sign of life", async () => {
+    const setTimeout = vi.spyOn(globalThis, "setTimeout");
+    const opening = openSource(new File([tinyPdf({ pages: [red] })], "book.pdf"), {
+      pdfWorker: "data:text/javascript,",
+    });
+    const sentence = messageOf(opening);
+    const waiting = () => setTimeout.mock.calls.find(([, time]) => time === startingTime);
+    await vi.waitFor(() => expect(waiting()).toBeDefined(), 20_000);
+    (waiting() as [() => void])[0]();
+    expect(await sentence).toContain("the browser did not start the script that reads it");
+  });
+
+  it.each([
+    [
+      "at once",
+      () => {
+        throw new DOMException("Forbidden", "SecurityError");
+      },
+    ],
+    ["later", (worker: Worker) => setTimeout(() => worker.dispatchEvent(new Event("error")))],
+  ])("in a browser that refuses its worker %s", async (_, refuse) => {
+    vi.stubGlobal(
+      "Worker",
+      class extends EventTarget {
+        constructor() {
+          super();
+          refuse(this as unknown as Worker);
+        }
+        postMessage() {}
+        terminate() {}
+      },
+    );
+    const sentence = await messageOf(open(tinyPdf({ pages: [red] })));
+    vi.unstubAllGlobals();
+    expect(sentence).toContain("allow blob: in worker-src of this page's Content-Security-Policy");
+  });
+
+  it("and neither is a page that a failing worker was to draw", async () => {
+    const workers: Worker[] = [];
+    vi.stubGlobal(
+      "Worker",
+      class extends Worker {
+        constructor(url: string | URL, options?: WorkerOptions) {
+          super(url, options);
+          workers.push(this);
+        }
+      },
+    );
+    const source = await openTiny({ pages: [red] });
+    vi.unstubAllGlobals();
+    workers[0].postMessage = () => {};
+    const drawing = messageOf(source.draw(0, 20, never));
+    workers[0].dispatchEvent(new ErrorEvent("error", { message: "RangeError: no memory" }));
+    expect(await drawing).toBe(
+      "Page 1 of book.pdf cannot be drawn (WorkerFailure: RangeError: no memory); update the browser, or get the file again.",
+    );
   });
 
   it("repaired where it can be", async () => {

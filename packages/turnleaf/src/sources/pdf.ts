@@ -1,6 +1,7 @@
 import type { PDFDocumentLoadingTask, PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist";
 import { cleanLanguage, cleanText } from "./book_text.ts";
-import { refusal } from "./fetch_bytes.ts";
+import { nameAndMessage, unknownFailure } from "./failures.ts";
+import { brokeOff, refusal } from "./fetch_bytes.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import {
   BookError,
@@ -21,19 +22,20 @@ import {
   loadPdfLibrary,
   PackedDataFactory,
   type PdfLibrary,
-  startPdfWorker,
-  WorkerRefused,
+  rendererAddress,
+  useRenderer,
 } from "./pdf_runtime.ts";
 import { outlineOf, PdfTargets } from "./pdf_targets.ts";
 import { textOfPage } from "./pdf_text.ts";
+import { notStarted, PdfThread, WorkerNotStarted } from "./pdf_thread.ts";
 import { orAborted } from "./shared_tasks.ts";
 
 /** Bits of a protected file's permissions, as ISO 32000 numbers them. */
 const permission = { print: 0x04, copy: 0x10 } as const;
 
 export interface PdfOptions {
-  /** Address of pdf.js's worker script, for pages whose security policy forbids blob workers. */
-  readonly pdfWorker?: string;
+  /** Absolute address of this package's pdf-worker.js, for pages whose security policy forbids blob workers. */
+  readonly pdfWorker?: string | undefined;
   readonly signal?: AbortSignal;
 }
 
@@ -51,23 +53,12 @@ const keptPages = 6;
 export async function openPdf(input: PdfInput, options: PdfOptions = {}): Promise<PageSource> {
   const { signal } = options;
   signal?.throwIfAborted();
-  const pdfjs = await loadPdfLibrary();
-  signal?.throwIfAborted();
-  const thread = await startPdfWorker(pdfjs, options.pdfWorker);
-  const task = pdfjs.getDocument({
-    ...(await place(pdfjs, input)),
-    worker: thread.worker,
-    rangeChunkSize: piece,
-    maxImageSize: limits.imagePixels,
-    BinaryDataFactory: PackedDataFactory,
-    useWorkerFetch: false,
-    enableXfa: false,
-    verbosity: pdfjs.VerbosityLevel.ERRORS,
-  });
+  const thread = await startThread(input.name, options);
+  const { pdfjs } = thread;
+  let task: PDFDocumentLoadingTask | undefined;
   const stop = (): void => {
     const force = setTimeout(thread.stop, closingTime);
-    task
-      .destroy()
+    Promise.resolve(task?.destroy())
       .catch(() => {})
       .finally(() => {
         clearTimeout(force);
@@ -75,13 +66,39 @@ export async function openPdf(input: PdfInput, options: PdfOptions = {}): Promis
       });
   };
   try {
-    const opening = Promise.race([describe(task, input), thread.failed]);
+    const from = await place(pdfjs, input);
+    const renderer = await rendererAddress(options.pdfWorker);
+    signal?.throwIfAborted();
+    useRenderer(pdfjs, renderer);
+    task = pdfjs.getDocument({
+      ...from,
+      worker: thread.worker,
+      rangeChunkSize: piece,
+      maxImageSize: limits.imagePixels,
+      BinaryDataFactory: PackedDataFactory,
+      useWorkerFetch: false,
+      enableXfa: false,
+      verbosity: pdfjs.VerbosityLevel.ERRORS,
+    });
+    const opening = thread.orFailed(describe(task, input));
     const description = await (signal ? orAborted(opening, signal) : opening);
-    return new PdfSource(pdfjs, description, stop);
+    return new PdfSource(thread, description, stop);
   } catch (error) {
     stop();
     signal?.throwIfAborted();
-    throw told(pdfjs, error, input.name);
+    throw sentenceFor(pdfjs, error, input.name, options.pdfWorker);
+  }
+}
+/** Loads pdf.js and starts its worker. Rejects with a `BookError` where the browser refuses. */
+async function startThread(name: string, { pdfWorker, signal }: PdfOptions): Promise<PdfThread> {
+  try {
+    const pdfjs = await loadPdfLibrary();
+    signal?.throwIfAborted();
+    return await PdfThread.start(pdfjs, pdfWorker);
+  } catch (error) {
+    signal?.throwIfAborted();
+    if (error instanceof WorkerNotStarted) throw notStarted(name, pdfWorker, error);
+    throw unknownFailure(`${name} cannot be read`, error, remedy);
   }
 }
 
@@ -148,7 +165,7 @@ class PdfSource implements PageSource {
   readonly openingPage: number;
   readonly allows: { readonly print: boolean; readonly copy: boolean };
   readonly kind = "typeset";
-  readonly #pdfjs: PdfLibrary;
+  readonly #thread: PdfThread;
   readonly #name: string;
   readonly #document: PDFDocumentProxy;
   readonly #labels: readonly string[] | null;
@@ -159,14 +176,14 @@ class PdfSource implements PageSource {
   readonly #drawn = new Map<number, PDFPageProxy>();
   #closed = false;
 
-  constructor(pdfjs: PdfLibrary, description: Description, stop: () => void) {
+  constructor(thread: PdfThread, description: Description, stop: () => void) {
     this.title = description.title;
     this.language = description.language;
     this.direction = description.direction;
     this.pageCount = description.document.numPages;
     this.openingPage = description.openingPage;
     this.allows = description.allows;
-    this.#pdfjs = pdfjs;
+    this.#thread = thread;
     this.#name = description.name;
     this.#document = description.document;
     this.#labels = description.labels;
@@ -197,7 +214,7 @@ class PdfSource implements PageSource {
     const scale = pixels.width / part.width;
     const offsetX = -region.x * size.width * scale;
     const offsetY = -region.y * size.height * scale;
-    const modes = this.#pdfjs.AnnotationMode;
+    const modes = this.#thread.pdfjs.AnnotationMode;
     const task = page.render({
       canvas: canvas as unknown as HTMLCanvasElement,
       viewport: page.getViewport({ scale, offsetX, offsetY }),
@@ -206,12 +223,13 @@ class PdfSource implements PageSource {
     const cancel = (): void => task.cancel();
     signal.addEventListener("abort", cancel, { once: true });
     try {
-      await task.promise;
+      await this.#thread.orFailed(task.promise);
       this.#keep(index, page);
       signal.throwIfAborted();
       return canvas.transferToImageBitmap();
     } catch (error) {
-      throw this.#told(error, index, signal);
+      cancel();
+      throw this.#failureOf(error, index, signal);
     } finally {
       signal.removeEventListener("abort", cancel);
       canvas.width = canvas.height = 0;
@@ -220,7 +238,7 @@ class PdfSource implements PageSource {
 
   async text(index: number, signal: AbortSignal, exact = false): Promise<readonly TextRun[]> {
     return await this.#read(index, signal, (page) => {
-      const letters = exact ? () => lettersOfPage(this.#pdfjs, page) : undefined;
+      const letters = exact ? () => lettersOfPage(this.#thread.pdfjs, page) : undefined;
       return textOfPage(page, signal, letters);
     });
   }
@@ -242,13 +260,24 @@ class PdfSource implements PageSource {
   }
 
   async outline(signal: AbortSignal): Promise<readonly OutlineEntry[]> {
-    return await orAborted(outlineOf(this.#document, this.#targets), signal);
+    const outline = this.#thread.orFailed(outlineOf(this.#document, this.#targets));
+    try {
+      return await orAborted(outline, signal);
+    } catch (error) {
+      signal.throwIfAborted();
+      throw sentenceFor(this.#thread.pdfjs, error, this.#name);
+    }
   }
 
   async file(): Promise<Blob> {
     const document = this.#document;
     const bytes = this.#form.isFilled ? document.saveDocument() : document.getData();
-    return new Blob([(await bytes) as Uint8Array<ArrayBuffer>], { type: "application/pdf" });
+    try {
+      const file = (await this.#thread.orFailed(bytes)) as Uint8Array<ArrayBuffer>;
+      return new Blob([file], { type: "application/pdf" });
+    } catch (error) {
+      throw sentenceFor(this.#thread.pdfjs, error, this.#name);
+    }
   }
 
   close(): void {
@@ -258,7 +287,7 @@ class PdfSource implements PageSource {
     this.#stop();
   }
 
-  /** What `read` finds on a page; its failures are told as those of drawing are. */
+  /** Returns what `read` finds on a page. Rejects as `draw` does. */
   async #read<T>(
     index: number,
     signal: AbortSignal,
@@ -266,9 +295,9 @@ class PdfSource implements PageSource {
   ): Promise<T> {
     const page = await this.#page(index, signal);
     try {
-      return await orAborted(read(page), signal);
+      return await orAborted(this.#thread.orFailed(read(page)), signal);
     } catch (error) {
-      throw this.#told(error, index, signal);
+      throw this.#failureOf(error, index, signal);
     }
   }
 
@@ -282,10 +311,10 @@ class PdfSource implements PageSource {
     signal?.throwIfAborted();
     if (this.#closed) throw new BookError(`${this.#name} is closed; open it again.`);
     try {
-      const page = this.#document.getPage(index + 1);
+      const page = this.#thread.orFailed(this.#document.getPage(index + 1));
       return await (signal ? orAborted(page, signal) : page);
     } catch (error) {
-      throw this.#told(error, index, signal);
+      throw this.#failureOf(error, index, signal);
     }
   }
 
@@ -300,31 +329,57 @@ class PdfSource implements PageSource {
     }
   }
 
-  #told(error: unknown, index: number, signal?: AbortSignal): unknown {
+  /** The signal's reason, or the sentence for an error at page `index`. */
+  #failureOf(error: unknown, index: number, signal?: AbortSignal): unknown {
     if (signal?.aborted) return signal.reason;
-    if (error instanceof BookError) return error;
-    if (error instanceof this.#pdfjs.ResponseException) {
-      return told(this.#pdfjs, error, this.#name);
+    const { pdfjs } = this.#thread;
+    const page = `Page ${index + 1} of ${this.#name}`;
+    if (isDamage(pdfjs, error)) {
+      const sentence = `${page} is damaged and cannot be drawn; repair the file or get it again.`;
+      return new BookError(sentence, { cause: error });
     }
-    return new BookError(
-      `Page ${index + 1} of ${this.#name} is damaged and cannot be drawn; repair the file or get it again.`,
-    );
+    if (error instanceof pdfjs.ResponseException || isUnreachable(error)) {
+      return sentenceFor(pdfjs, error, this.#name);
+    }
+    return unknownFailure(`${page} cannot be drawn`, error, remedy);
   }
 }
 
-/** Why a document could not be opened, in a sentence. */
-function told(pdfjs: PdfLibrary, error: unknown, name: string): BookError {
-  if (error instanceof BookError) return error;
+/** What to do about an error that is the browser's or the file's: nobody knows which. */
+const remedy = "update the browser, or get the file again";
+
+/** The sentence that says why a document cannot be read. */
+function sentenceFor(
+  pdfjs: PdfLibrary,
+  error: unknown,
+  name: string,
+  pdfWorker?: string,
+): BookError {
   if (error instanceof pdfjs.PasswordException) {
     return new BookError(
       `${name} is protected by a password; remove the password and open it again.`,
     );
   }
   if (error instanceof pdfjs.ResponseException) return new BookError(refusal(error.status, name));
-  if (error instanceof WorkerRefused) {
-    return new BookError(
-      `${name} cannot be read because this page's security policy forbids workers from blob: addresses; allow them, or set pdfWorker to the address of pdf.worker.min.mjs.`,
-    );
+  if (isUnreachable(error)) return brokeOff(name);
+  if (error instanceof WorkerNotStarted) return notStarted(name, pdfWorker, error);
+  if (isDamage(pdfjs, error)) {
+    const sentence = `${name} is damaged or no PDF; repair the file or get it again.`;
+    return new BookError(sentence, { cause: error });
   }
-  return new BookError(`${name} is damaged or no PDF; repair the file or get it again.`);
+  return unknownFailure(`${name} cannot be read`, error, remedy);
+}
+
+/** Whether pdf.js says by an error that the file is not as it should be. */
+function isDamage(pdfjs: PdfLibrary, error: unknown): boolean {
+  if (error instanceof pdfjs.InvalidPDFException) return true;
+  // Errors of the worker come with their own name and message as `details`.
+  return /^(FormatError|ParserEOFException|XRef\w+Exception|(Jpeg|Jpx|Jbig2|\w+Marker)Error)\b/.test(
+    nameAndMessage(error),
+  );
+}
+
+/** Whether an error is of the connection: each browser has words of its own, and no code. */
+function isUnreachable(error: unknown): boolean {
+  return /(failed to fetch|networkerror|load failed|network error)/i.test(nameAndMessage(error));
 }

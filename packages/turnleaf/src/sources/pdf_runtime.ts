@@ -1,16 +1,15 @@
-import type { PDFWorker } from "pdfjs-dist";
+import { loaded } from "./loaded.ts";
+import { trustedScript } from "./trusted_script.ts";
 
 /** The library, loaded once, when the first PDF is opened. */
 export type PdfLibrary = typeof import("pdfjs-dist");
 
 let library: Promise<PdfLibrary> | undefined;
-let workerUrl: Promise<string> | undefined;
+let worker: Promise<string> | undefined;
+let renderer: Promise<string> | undefined;
 
 /**
- * Loads pdf.js and the code of its workers. Both workers start from blob URLs,
- * because no other way works in every bundler and in none with nothing to
- * configure; a page whose security policy forbids that (`worker-src` without
- * `blob:`) gives the workers' own addresses instead.
+ * Loads pdf.js. Rejects with whatever its code throws in a browser that it does not fit.
  */
 export function loadPdfLibrary(): Promise<PdfLibrary> {
   library ??= start().catch((error: unknown) => {
@@ -22,12 +21,7 @@ export function loadPdfLibrary(): Promise<PdfLibrary> {
 
 async function start(): Promise<PdfLibrary> {
   completePromise();
-  const [pdfjs, renderer] = await Promise.all([
-    import("pdfjs-dist/legacy/build/pdf.mjs"),
-    import("packed:pdfjs-dist/legacy/build/pdf.renderer.min.mjs"),
-  ]);
-  pdfjs.GlobalWorkerOptions.rendererSrc ||= await scriptUrl(renderer.default);
-  return pdfjs;
+  return await loaded(import("pdfjs-dist/legacy/build/pdf.mjs"));
 }
 
 /** Restores what old versions of zone.js take away and pdf.js's own polyfills take for granted. */
@@ -44,44 +38,49 @@ function completePromise(): void {
 }
 
 /**
- * Starts the worker that reads one document. Its owner ends it: `stop`.
- * @param address the worker's script, where it must not be a blob
+ * The address of the worker that reads documents. Both of pdf.js's workers start from blob URLs,
+ * because no other way works in every bundler and in none with nothing to configure; a page whose
+ * security policy forbids that (`worker-src` without `blob:`) gives their address instead.
  */
-export async function startPdfWorker(
-  pdfjs: PdfLibrary,
-  address?: string,
-): Promise<{ worker: PDFWorker; failed: Promise<never>; stop(): void }> {
-  const thread = new Worker(address ?? (await blobWorkerUrl()), { type: "module" });
-  const failed = new Promise<never>((_, reject) => {
-    thread.addEventListener("error", (event) => {
-      event.preventDefault();
-      reject(new WorkerRefused(event.message));
-    });
+export function blobWorker(): Promise<string> {
+  worker ??= loaded(import("packed:pdfjs-dist/legacy/build/pdf.worker.min.mjs")).then(scriptUrl);
+  return forgetIfRejected(worker, () => {
+    worker = undefined;
   });
-  failed.catch(() => {});
-  const worker = new pdfjs.PDFWorker({ port: thread as unknown as null });
-  return {
-    worker,
-    failed,
-    stop() {
-      worker.destroy();
-      thread.terminate();
-    },
-  };
 }
 
-/** The browser would not start the worker, or its code broke. */
-export class WorkerRefused extends Error {}
-
-function blobWorkerUrl(): Promise<string> {
-  workerUrl ??= import("packed:pdfjs-dist/legacy/build/pdf.worker.min.mjs").then((code) =>
-    scriptUrl(code.default),
+/**
+ * The address of the worker that draws pages. Where it does not start, pdf.js draws them in the page.
+ *
+ * @param address of the worker that reads documents, where it is not a blob: its file does both
+ */
+export async function rendererAddress(address?: string): Promise<string> {
+  if (address) return `${address}#renderer`;
+  renderer ??= loaded(import("packed:pdfjs-dist/legacy/build/pdf.renderer.min.mjs")).then(
+    scriptUrl,
   );
-  return workerUrl;
+  return await forgetIfRejected(renderer, () => {
+    renderer = undefined;
+  });
 }
 
-async function scriptUrl(packed: string): Promise<string> {
-  return URL.createObjectURL(new Blob([await unpack(packed)], { type: "text/javascript" }));
+/**
+ * Has the documents that are opened next draw their pages by the worker at `address`. Defined anew,
+ * as pdf.js takes a string alone, which is none where the page requires Trusted Types.
+ */
+export function useRenderer(pdfjs: PdfLibrary, address: string): void {
+  const value = trustedScript(address);
+  Object.defineProperty(pdfjs.GlobalWorkerOptions, "rendererSrc", { value, configurable: true });
+}
+
+function forgetIfRejected<T>(promise: Promise<T>, forget: () => void): Promise<T> {
+  promise.catch(forget);
+  return promise;
+}
+
+async function scriptUrl(packed: { default: string }): Promise<string> {
+  const code = await unpack(packed.default);
+  return URL.createObjectURL(new Blob([code], { type: "text/javascript" }));
 }
 
 /**

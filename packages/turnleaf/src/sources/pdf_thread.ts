@@ -1,0 +1,121 @@
+/** pdf.js's workers: how they are started, and what becomes of their failures. */
+
+import type { PDFWorker } from "pdfjs-dist";
+import { nameAndMessage } from "./failures.ts";
+import { BookError } from "./page_source.ts";
+import { blobWorker, type PdfLibrary } from "./pdf_runtime.ts";
+import { trustedScript } from "./trusted_script.ts";
+
+/** Milliseconds in which a worker has to say that it is there. */
+export const startingTime = 60_000;
+
+/** Why a worker does not work: it was not started, or its code or the page's failed. */
+export class WorkerFailure extends Error {
+  override readonly name: string = "WorkerFailure";
+}
+
+/** The browser did not start the worker: a policy forbids it, or the script is not there. */
+export class WorkerNotStarted extends WorkerFailure {}
+
+/**
+ * A worker that reads one document. What goes wrong in it or in what the page does with its
+ * messages, and pdf.js does not notice, rejects whatever waits for it: nothing waits for ever.
+ */
+export class PdfThread {
+  readonly pdfjs: PdfLibrary;
+  /** As pdf.js takes it. */
+  readonly worker: PDFWorker;
+  readonly #thread: Worker;
+  readonly #waiting = new Set<(failure: Error) => void>();
+  #failure: Error | null = null;
+  readonly #timer: ReturnType<typeof setTimeout>;
+
+  private constructor(pdfjs: PdfLibrary, thread: Worker) {
+    this.pdfjs = pdfjs;
+    this.#thread = thread;
+    this.#timer = setTimeout(() => {
+      this.#fail(new WorkerNotStarted("It gave no sign of life."), true);
+    }, startingTime);
+    thread.addEventListener("message", () => clearTimeout(this.#timer), { once: true });
+    thread.addEventListener("error", (event) => {
+      event.preventDefault();
+      const { message } = event;
+      // An event without a message is of a script that could not be loaded.
+      const failure = message
+        ? new WorkerFailure(message.replace(/^Uncaught /, ""))
+        : new WorkerNotStarted("It did not load.");
+      this.#fail(failure, !message);
+    });
+    thread.addEventListener("messageerror", () => {
+      this.#fail(new WorkerFailure("A message could not be read."), false);
+    });
+    this.worker = new pdfjs.PDFWorker({ port: this.#port() as unknown as null });
+  }
+
+  /**
+   * Starts a worker; its owner ends it by `stop`. Fails with a `WorkerNotStarted` where the browser
+   * refuses at once.
+   *
+   * @param address the worker's script on the page's own site, where it may not be a blob
+   */
+  static async start(pdfjs: PdfLibrary, address?: string): Promise<PdfThread> {
+    const script = address ?? (await blobWorker());
+    try {
+      return new PdfThread(pdfjs, new Worker(trustedScript(script), { type: "module" }));
+    } catch (error) {
+      throw new WorkerNotStarted(nameAndMessage(error));
+    }
+  }
+
+  /** What `promise` resolves to, or a rejection as soon as the worker fails. */
+  orFailed<T>(promise: Promise<T>): Promise<T> {
+    return new Promise((resolve, reject) => {
+      if (this.#failure) reject(this.#failure);
+      this.#waiting.add(reject);
+      promise.then(resolve, reject).finally(() => this.#waiting.delete(reject));
+    });
+  }
+
+  /** Ends the worker at once. */
+  readonly stop = (): void => {
+    clearTimeout(this.#timer);
+    this.worker.destroy();
+    this.#thread.terminate();
+  };
+
+  /** The worker for pdf.js, whose own listeners throw where nobody would hear of it. */
+  #port(): Pick<Worker, "postMessage" | "addEventListener" | "removeEventListener"> {
+    const thread = this.#thread;
+    const guarded = (listener: (event: Event) => void) => (event: Event) => {
+      try {
+        listener(event);
+      } catch (error) {
+        this.#fail(error instanceof Error ? error : new Error(String(error)), false);
+      }
+    };
+    return {
+      postMessage: thread.postMessage.bind(thread),
+      addEventListener: (type: string, listener: never, options?: AddEventListenerOptions) =>
+        thread.addEventListener(type, guarded(listener), options),
+      removeEventListener: thread.removeEventListener.bind(thread),
+    };
+  }
+
+  /** @param isFinal whether nothing will ever come of this worker */
+  #fail(failure: Error, isFinal: boolean): void {
+    if (isFinal) this.#failure = failure;
+    for (const reject of this.#waiting) reject(failure);
+    this.#waiting.clear();
+  }
+}
+
+/** The sentence for a worker that the browser did not start. */
+export function notStarted(name: string, address: string | undefined, cause: Error): BookError {
+  const remedy = address
+    ? `pdf-worker names ${address}: correct it, or allow it in worker-src of this page's Content-Security-Policy`
+    : "allow blob: in worker-src of this page's Content-Security-Policy, or set the attribute pdf-worker";
+  return new BookError(
+    `${name} cannot be read, as the browser did not start the script that reads it; ${remedy}.`,
+    { cause },
+  );
+}
