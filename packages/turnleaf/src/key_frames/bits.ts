@@ -94,10 +94,13 @@ export class BitReader {
   bits(count: number): number {
     if (this.#used + count > 8 * this.#bytes.length) throw new RangeError("The bits end early.");
     let value = 0;
-    for (let bit = 0; bit < count; bit++) {
-      const one = (this.#bytes[this.#used >> 3] >> (this.#used % 8)) & 1;
-      value += one * 2 ** bit;
-      this.#used++;
+    for (let read = 0; read < count; ) {
+      const offset = this.#used % 8;
+      const wanted = Math.min(8 - offset, count - read);
+      const part = (this.#bytes[this.#used >> 3] >> offset) & (2 ** wanted - 1);
+      value += part * 2 ** read;
+      read += wanted;
+      this.#used += wanted;
     }
     return value;
   }

@@ -4,6 +4,7 @@ import {
   checksumLength,
   commonHeader,
   expected,
+  leastPackedFrame,
   mostAlong,
   mostMultiple,
   mostPoints,
@@ -71,7 +72,9 @@ function requireWhole(view: DataView, length: number): void {
 }
 
 function floats(view: DataView, at: number, count: number): Float32Array {
-  return Float32Array.from({ length: count }, (_, i) => view.getFloat32(at + 4 * i, true));
+  const values = new Float32Array(count);
+  for (let i = 0; i < count; i++) values[i] = view.getFloat32(at + 4 * i, true);
+  return values;
 }
 
 function readTimes(view: DataView, at: number, count: number): Float32Array {
@@ -97,7 +100,9 @@ function readWhole(view: DataView): TurnRecord {
 function readPacked(view: DataView): TurnRecord {
   const { model, width, height, columns, rows, frames } = readHeader(view, mostAlong);
   const packedAt = packedHeader + 4 * (columns + rows + frames);
-  requireWhole(view, packedAt + view.getUint32(44, true) + checksumLength);
+  const packedLength = view.getUint32(44, true);
+  requireWhole(view, packedAt + packedLength + checksumLength);
+  if (packedLength < leastPackedFrame * frames) throw badFrame();
   const [quantum, error] = floats(view, commonHeader, 2);
   if (!(quantum > 0 && quantum < 1e6 && error >= 0 && error <= 1e6)) {
     throw new TurnError("The header of this recorded turn cannot be.");
@@ -135,26 +140,27 @@ function unpack(
   const positions = new Float32Array(3 * length * times.length);
   const rest = new Int32Array(length);
   const shares = new Float64Array(length);
-  const all: Int32Array[] = [];
+  // Of each axis the frame that is read and the two before it, in turns.
+  const kept = Array.from({ length: 9 }, () => new Int32Array(length));
+  const of = (frame: number, axis: number) => kept[3 * (frame % 3) + axis];
   try {
     const waves = new Waves(u, v);
     const reader = new BitReader(packed);
     for (let at = 0; at < 3 * times.length; at++) {
-      const frame = Math.floor(at / 3);
+      const [frame, axis] = [Math.floor(at / 3), at % 3];
       const way = reader.bits(2);
       if (way > Math.min(frame, 2)) throw new RangeError("There are no frames before.");
       reader.run(rest);
-      const multiples = new Int32Array(length);
+      const multiples = of(frame, axis);
+      const before = [of(frame + 2, axis), of(frame + 1, axis)] as const;
       for (let i = 0; i < length; i++) {
         const place = waves.order[i];
-        const multiple = rest[i] + expected(all, times, way, place);
+        const multiple = rest[i] + expected(before, times, frame, way, place);
         if (Math.abs(multiple) > mostMultiple) throw new RangeError("It is too large.");
         multiples[place] = multiple;
         shares[place] = multiple * quantum;
       }
-      all.push(multiples);
-      const start = 3 * length * frame;
-      waves.write(shares, positions.subarray(start, start + 3 * length), at % 3);
+      waves.write(shares, positions, 3 * length * frame + axis);
     }
     if (!reader.isAtEnd) throw new RangeError("There is more than was told.");
   } catch (error) {

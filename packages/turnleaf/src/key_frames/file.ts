@@ -15,6 +15,9 @@ export const mostAlong = 256;
 export const mostPoints: number = 2 ** 22;
 export const mostMultiple: number = 2 ** 24;
 
+/** Bytes that the packed shares of a frame take at least: for each axis 2 bits say the way, and 22 begin a run. */
+export const leastPackedFrame = 9;
+
 /** FNV-1a of 64 bits over bytes, as its 8 bytes from the lowest. */
 export function checksum(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
   // By halves, as the prime is 2^40 + 435.
@@ -32,22 +35,24 @@ export function checksum(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
   return sum;
 }
 
+/** Multiples of one axis in the frame before and in the one before that, where there are such. */
+export type Before = readonly [Int32Array | undefined, Int32Array | undefined];
+
 /**
  * What the frames before let expect of a multiple in one of three ways.
- * @param before multiples of the axes of all frames before
+ * @param before multiples of the same axis
  */
 export function expected(
-  before: readonly Int32Array[],
+  before: Before,
   times: ArrayLike<number>,
+  frame: number,
   way: number,
   place: number,
 ): number {
-  const at = before.length;
-  if (way === 0) return 0;
-  const b = before[at - 3][place];
-  if (way === 1) return b;
-  const frame = Math.floor(at / 3);
+  const b = before[0]?.[place] ?? 0;
+  if (way < 2) return way * b;
+  const a = before[1]?.[place] ?? 0;
   const [t0, t1, t2] = [times[frame - 2], times[frame - 1], times[frame]];
-  const line = b + (b - before[at - 6][place]) * ((t2 - t1) / (t1 - t0));
+  const line = b + (b - a) * ((t2 - t1) / (t1 - t0));
   return Math.min(Math.max(Math.floor(line + 0.5), -mostMultiple), mostMultiple);
 }

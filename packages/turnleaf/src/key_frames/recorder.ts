@@ -174,11 +174,12 @@ function pack(
 ): Uint8Array {
   const writer = new BitWriter();
   for (const [at, own] of multiples.entries()) {
-    const before = multiples.slice(0, at);
-    const ways = [0, 1, 2].slice(0, Math.min(Math.floor(at / 3), 2) + 1).map((way) => {
+    const before = [multiples[at - 3], multiples[at - 6]] as const;
+    const frame = Math.floor(at / 3);
+    const ways = [0, 1, 2].slice(0, Math.min(frame, 2) + 1).map((way) => {
       const rest = Int32Array.from(
         order,
-        (place) => own[place] - expected(before, times, way, place),
+        (place) => own[place] - expected(before, times, frame, way, place),
       );
       return { way, rest, cost: costOf(rest) };
     });

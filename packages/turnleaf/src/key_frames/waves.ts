@@ -30,13 +30,53 @@ function polynomials(places: Float32Array): Float64Array {
   return basis;
 }
 
+/**
+ * The product of two matrices, row by row, each element summed in the order of its
+ * terms. Four terms at a time, as a large file has thousands of millions of them.
+ *
+ * @param a of `rows` rows, each `stride` long, of which the first `terms` count
+ * @param b of `terms` rows and `columns` columns
+ */
+function multiply(
+  a: Float64Array,
+  stride: number,
+  b: Float64Array,
+  rows: number,
+  terms: number,
+  columns: number,
+  product: Float64Array,
+): void {
+  product.fill(0, 0, rows * columns);
+  for (let row = 0; row < rows; row++) {
+    const to = row * columns;
+    let k = 0;
+    for (; k + 4 <= terms; k += 4) {
+      const at = row * stride + k;
+      const [a0, a1, a2, a3] = [a[at], a[at + 1], a[at + 2], a[at + 3]];
+      if (a0 === 0 && a1 === 0 && a2 === 0 && a3 === 0) continue;
+      const [b0, b1, b2, b3] = [0, 1, 2, 3].map((i) => (k + i) * columns);
+      for (let c = 0; c < columns; c++) {
+        product[to + c] =
+          product[to + c] + a0 * b[b0 + c] + a1 * b[b1 + c] + a2 * b[b2 + c] + a3 * b[b3 + c];
+      }
+    }
+    for (; k < terms; k++) {
+      const factor = a[row * stride + k];
+      for (let c = 0; c < columns; c++) product[to + c] += factor * b[k * columns + c];
+    }
+  }
+}
+
 /** Frames of a size as sums, and back. */
 export class Waves {
   readonly #columns: number;
   readonly #rows: number;
   readonly #alongU: Float64Array;
   readonly #alongV: Float64Array;
+  /** The same values as along v, those of one place side by side. */
+  readonly #acrossV: Float64Array;
   readonly #half: Float64Array;
+  readonly #sums: Float64Array;
   /** Places of the shares in the order in which they are kept, the smoothest first. */
   readonly order: Uint32Array;
 
@@ -50,34 +90,27 @@ export class Waves {
     if (!this.#alongU.every(Number.isFinite) || !this.#alongV.every(Number.isFinite)) {
       throw new RangeError("The columns or rows are too near each other.");
     }
+    this.#acrossV = this.#alongV.map(
+      (_, at) => this.#alongV[(at % rows) * rows + Math.floor(at / rows)],
+    );
     this.#half = new Float64Array(columns * rows);
+    this.#sums = new Float64Array(columns * rows);
     const rank = (at: number) => (at % columns) * rows + Math.floor(at / columns) * columns;
     this.order = Uint32Array.from({ length: columns * rows }, (_, at) => at).sort(
       (a, b) => rank(a) - rank(b) || a - b,
     );
   }
 
-  /** Writes the values of the sums with shares, every third from `axis` on. */
-  write(shares: Float64Array, values: Float32Array, axis: number): void {
-    const [columns, rows, half] = [this.#columns, this.#rows, this.#half];
-    half.fill(0);
-    for (let at = 0; at < shares.length; at++) {
-      const share = shares[at];
-      if (share === 0) continue;
-      const [k, row] = [at % columns, at - (at % columns)];
-      for (let column = 0; column < columns; column++) {
-        half[row + column] += share * this.#alongU[k * columns + column];
-      }
-    }
-    for (let row = 0; row < rows; row++) {
-      for (let column = 0; column < columns; column++) {
-        let value = 0;
-        for (let k = 0; k < rows; k++) {
-          value += half[k * columns + column] * this.#alongV[k * rows + row];
-        }
-        values[3 * (row * columns + column) + axis] = value;
-      }
-    }
+  /** Writes the values of the sums with shares, into every third place from `first` on. */
+  write(shares: Float64Array, values: Float32Array, first: number): void {
+    const [columns, rows, half, sums] = [this.#columns, this.#rows, this.#half, this.#sums];
+    // High degrees along v are mostly 0 throughout.
+    let degrees = shares.length;
+    while (degrees > 0 && shares[degrees - 1] === 0) degrees--;
+    degrees = Math.ceil(degrees / columns);
+    multiply(shares, columns, this.#alongU, degrees, columns, columns, half);
+    multiply(this.#acrossV, rows, half, rows, degrees, columns, sums);
+    for (let at = 0; at < sums.length; at++) values[first + 3 * at] = sums[at];
   }
 
   /** The shares of the sums in values, every third from `axis` on. */
