@@ -44,8 +44,9 @@ const MOST: f64 = (1 << 24) as f64;
 /// The part of the tolerance that rounding may take; the rest is the blend's.
 const ROUNDING: f32 = 0.4;
 
-/// Multiples of the quantum of one axis of a frame.
-type Multiples = Vec<i32>;
+/// Bytes that a frame takes at least when packed: for each axis 2 bits say the way
+/// and 22 begin a run.
+const LEAST_PACKED: u64 = 9;
 
 /// A recorded turn of a surface, condensed.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,8 +60,8 @@ pub struct Condensed {
     /// How far the blend is at most from the recording, over the width.
     pub error: f32,
     quantum: f32,
-    /// Of x, y and z of each frame.
-    multiples: Vec<Multiples>,
+    /// Multiples of the quantum: of x, of y and of z of each frame, frame after frame.
+    multiples: Vec<i32>,
 }
 
 impl Condensed {
@@ -85,10 +86,11 @@ impl Condensed {
         let refuse = |field: &'static str, value: f64| KeyFrameError::BadHeader { field, value };
         assert!(u.len() == recording.columns && v.len() == recording.rows);
         assert!(tolerance > 0.0, "the tolerance is above 0");
-        let points = recording.positions.len() / 3;
-        if points == 0 || points as u64 > MOST_POINTS {
-            return Err(refuse("number of points", points as f64));
+        let all = recording.positions.len() / 3;
+        if all == 0 || all as u64 > MOST_POINTS {
+            return Err(refuse("number of points", all as f64));
         }
+        let points = recording.columns * recording.rows;
         let waves = waves(u, v)?;
         let tolerance = tolerance * recording.size[0];
         let shares: Vec<Vec<f64>> = (0..3 * recording.len())
@@ -101,7 +103,7 @@ impl Condensed {
         let (multiples, rounded) = loop {
             let multiples = round(&shares, quantum);
             let multiples = multiples.ok_or(refuse("tolerance", f64::from(tolerance)))?;
-            let rounded = positions(&waves, &multiples, quantum);
+            let rounded = positions(&waves, points, &multiples, quantum);
             if farthest(&rounded, &recording.positions) <= ROUNDING * tolerance {
                 break (multiples, rounded);
             }
@@ -122,7 +124,8 @@ impl Condensed {
             quantum,
             multiples: keys
                 .iter()
-                .flat_map(|key| multiples[3 * key..3 * key + 3].iter().cloned())
+                .flat_map(|key| &multiples[key * length..(key + 1) * length])
+                .copied()
                 .collect(),
         })
     }
@@ -162,16 +165,21 @@ impl Condensed {
                 return Err(refuse(field, f64::from(count)));
             }
         }
-        let points = u64::from(header.columns * header.rows) * u64::from(header.frames);
-        if points > MOST_POINTS {
-            return Err(refuse("number of points", points as f64));
+        let all = u64::from(header.columns * header.rows) * u64::from(header.frames);
+        if all > MOST_POINTS {
+            return Err(refuse("number of points", all as f64));
         }
         let [columns, rows, count] =
             [header.columns, header.rows, header.frames].map(|count| count as usize);
+        let points = columns * rows;
         let packed_at = OWN_HEADER + 4 * (columns + rows + count);
         let (words, _) = bytes[HEADER..].as_chunks::<4>();
         let packed = u64::from(u32::from_le_bytes(words[2]));
         let content = unsealed(bytes, (packed_at + CHECKSUM) as u64 + packed)?;
+        if packed < LEAST_PACKED * u64::from(header.frames) {
+            let frame = (packed / LEAST_PACKED) as usize;
+            return Err(KeyFrameError::BadPosition { frame });
+        }
         let real = |at: usize| f32::from_le_bytes(words[at]);
         let reals = |from: usize, count: usize| (from..from + count).map(real).collect();
         let (quantum, error) = (real(0), real(1));
@@ -194,7 +202,7 @@ impl Condensed {
                 size: header.size,
                 columns,
                 rows,
-                positions: positions(&waves, &multiples, quantum),
+                positions: positions(&waves, points, &multiples, quantum),
                 times,
             },
             u,
@@ -209,10 +217,11 @@ impl Condensed {
         let order = order(self.frames.columns, self.frames.rows);
         let times = &self.frames.times;
         let mut writer = BitWriter::default();
-        for (at, multiples) in self.multiples.iter().enumerate() {
+        for (at, multiples) in self.multiples.chunks_exact(order.len()).enumerate() {
+            let before = &self.multiples[..at * order.len()];
             let ways = (0..=(at / 3).min(2)).map(|way| {
                 let rest = order.iter().map(|place| {
-                    multiples[*place] - expected(&self.multiples[..at], times, way, *place)
+                    multiples[*place] - expected(before, order.len(), times, way, *place)
                 });
                 let mut trial = writer.clone();
                 trial.bits(way as u32, 2);
@@ -243,21 +252,20 @@ fn waves(u: &[f32], v: &[f32]) -> Result<Waves, KeyFrameError> {
 }
 
 /// The nearest multiples; None where one is too large.
-fn round(shares: &[Vec<f64>], quantum: f32) -> Option<Vec<Multiples>> {
+fn round(shares: &[Vec<f64>], quantum: f32) -> Option<Vec<i32>> {
     let round = |share: &f64| {
         let multiple = (share / f64::from(quantum)).round();
         (multiple.abs() <= MOST).then_some(multiple as i32)
     };
-    let frame = |shares: &Vec<f64>| shares.iter().map(round).collect();
-    shares.iter().map(frame).collect()
+    shares.iter().flatten().map(round).collect()
 }
 
-/// Positions of all frames from the multiples of their axes.
-fn positions(waves: &Waves, multiples: &[Multiples], quantum: f32) -> Vec<f32> {
-    let mut positions = Vec::new();
-    for axes in multiples.chunks_exact(3) {
+/// Positions of all frames, of so many points each, from the multiples of their axes.
+fn positions(waves: &Waves, points: usize, multiples: &[i32], quantum: f32) -> Vec<f32> {
+    let mut positions = Vec::with_capacity(multiples.len());
+    for axes in multiples.chunks_exact(3 * points) {
         let [x, y, z] = [0, 1, 2].map(|axis| {
-            let shares = axes[axis].iter();
+            let shares = axes[axis * points..(axis + 1) * points].iter();
             let shares: Vec<f64> = shares.map(|m| f64::from(*m) * f64::from(quantum)).collect();
             waves.values(&shares)
         });
@@ -269,10 +277,11 @@ fn positions(waves: &Waves, multiples: &[Multiples], quantum: f32) -> Vec<f32> {
 }
 
 /// The multiples that [`Condensed::pack`] packed.
-fn unpack(packed: &[u8], times: &[f32], order: &[usize]) -> Result<Vec<Multiples>, KeyFrameError> {
+fn unpack(packed: &[u8], times: &[f32], order: &[usize]) -> Result<Vec<i32>, KeyFrameError> {
+    let points = order.len();
     let mut reader = BitReader::new(packed);
-    let mut rest = vec![0; order.len()];
-    let mut all: Vec<Multiples> = Vec::new();
+    let mut rest = vec![0; points];
+    let mut all = vec![0; 3 * points * times.len()];
     for at in 0..3 * times.len() {
         let frame = at / 3;
         let bad = KeyFrameError::BadPosition { frame };
@@ -281,15 +290,14 @@ fn unpack(packed: &[u8], times: &[f32], order: &[usize]) -> Result<Vec<Multiples
             return Err(bad);
         }
         reader.run(&mut rest).ok_or(bad.clone())?;
-        let mut multiples = vec![0; order.len()];
+        let (before, own) = all.split_at_mut(at * points);
         for (place, rest) in order.iter().zip(&rest) {
-            let multiple = rest + expected(&all, times, way, *place);
+            let multiple = rest + expected(before, points, times, way, *place);
             if f64::from(multiple).abs() > MOST {
                 return Err(bad);
             }
-            multiples[*place] = multiple;
+            own[*place] = multiple;
         }
-        all.push(multiples);
     }
     if !reader.is_at_end() {
         return Err(KeyFrameError::BadPosition {
@@ -299,16 +307,17 @@ fn unpack(packed: &[u8], times: &[f32], order: &[usize]) -> Result<Vec<Multiples
     Ok(all)
 }
 
-/// What the frames before let expect of a multiple. `before` holds all axes before.
-fn expected(before: &[Multiples], times: &[f32], way: usize, place: usize) -> i32 {
-    let at = before.len();
+/// What the frames before let expect of a multiple. `before` holds all axes before,
+/// of so many points each.
+fn expected(before: &[i32], points: usize, times: &[f32], way: usize, place: usize) -> i32 {
+    let back = |axes: usize| before[before.len() - axes * points + place];
     match way {
         0 => 0,
-        1 => before[at - 3][place],
+        1 => back(3),
         _ => {
-            let frame = at / 3;
+            let frame = before.len() / points / 3;
             let [t0, t1, t2] = [2, 1, 0].map(|back| f64::from(times[frame - back]));
-            let [a, b] = [6, 3].map(|back| f64::from(before[at - back][place]));
+            let [a, b] = [6, 3].map(|axes| f64::from(back(axes)));
             let line = b + (b - a) * ((t2 - t1) / (t1 - t0));
             // Half up, as browsers round.
             (line + 0.5).floor().clamp(-MOST, MOST) as i32
