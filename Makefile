@@ -14,7 +14,7 @@ WASM = packages/turnleaf/src/engine/turnleaf.wasm
 MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 
-.PHONY: read build wasm test test-rust test-js check check-rust check-js bench gestures playground examples pictures methods recordings photographs reference book clean tools-rust chromium
+.PHONY: read build wasm test test-rust test-js check check-rust check-js bench gestures playground examples pictures methods recordings photographs reference book clean tools-rust chromium browsers engines
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -38,16 +38,19 @@ wasm: $(MODULES) tools-rust
 tools-rust:
 	@command -v cargo >/dev/null || { echo "This needs Rust: install rustup, then run it again. Reading a book (make) does not need it." >&2; exit 1; }
 
-# Chromium: the system's, else from the system's packages.
+# Browsers: the system's, else from the system's packages.
 chromium: $(MODULES)
-	@sh scripts/install_chromium.sh
+	@sh scripts/install_browsers.sh chromium
+
+browsers: $(MODULES)
+	@sh scripts/install_browsers.sh
 
 test: test-rust test-js
 
 test-rust: tools-rust
 	cargo test --release --workspace --quiet
 
-test-js: build chromium
+test-js: build browsers
 	node scripts/build_wasm.mjs --verify
 	node --test wasm/tests/
 	npx vitest run
@@ -70,6 +73,10 @@ check-js: build
 # Measures, and writes docs/performance.md.
 bench: build chromium tools-rust
 	node scripts/performance.mjs
+
+# The steps that three engines go through, with versions and times: a table in docs/browsers.md.
+engines: build browsers
+	node scripts/engines.mjs
 
 # Random hands on the leaves of a book, 20,000 times: the table in docs/physics.md.
 # Takes about half an hour on two cores.

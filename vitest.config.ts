@@ -6,6 +6,9 @@ import { turnInline } from "./packages/turnleaf/turn_inline.js";
 import { wasmInline } from "./packages/turnleaf/wasm_inline.js";
 import { chromiumArguments, findChromium } from "./scripts/chromium.mjs";
 
+/** The list of steps that Chromium, Firefox and WebKitGTK go through with the built package. */
+const engines = "packages/cli/tests/engines/*.test.ts";
+
 /** `*.test.ts` runs in Node; `*.browser.test.ts` runs in the real Chromium of this machine. */
 export default defineConfig({
   test: {
@@ -21,9 +24,12 @@ export default defineConfig({
             "books/**/*.test.{ts,mjs}",
             "scripts/**/*.test.mjs",
           ],
-          exclude: ["**/*.browser.test.ts", "**/node_modules/**", "**/dist/**"],
+          exclude: ["**/*.browser.test.ts", engines, "**/node_modules/**", "**/dist/**"],
           testTimeout: 60_000,
         },
+      },
+      {
+        test: { name: "engines", environment: "node", include: [engines] },
       },
       {
         plugins: [wasmInline(), turnInline(), packedFiles(), shortTexts()],

@@ -1,0 +1,311 @@
+/** One list of steps that every engine goes through: Chromium, Firefox and WebKit. */
+
+import { readFileSync } from "node:fs";
+import { PNG } from "pngjs";
+import type { TurnleafBook } from "turnleaf";
+import { afterAll, beforeAll, beforeEach, describe, expect, test } from "vitest";
+import { serveViewer, type ViewerSite } from "../viewer_page.ts";
+import { startChromium } from "./chromium.ts";
+import type { DrivenBrowser, StartBrowser } from "./driven_browser.ts";
+import { startFirefox, startHeadlessFirefox } from "./firefox.ts";
+import { startWebKit } from "./webkit.ts";
+
+/** What the page's scripts find on it beside the document. */
+interface PageState {
+  book: TurnleafBook;
+  /** Errors, warnings and violations of the policy since the page was loaded. */
+  complaints: string[];
+  /** Animation frames that scripts asked for. */
+  frames: number;
+}
+declare global {
+  var state: PageState;
+}
+
+const file = readFileSync(new URL("../../../../books/moby-dick.pdf", import.meta.url));
+
+/** What the viewer needs, and no more. */
+const policy = [
+  "default-src 'none'",
+  "script-src 'self' 'wasm-unsafe-eval' 'nonce-map'",
+  "worker-src blob:",
+  "style-src 'self'",
+  "img-src 'self' blob: data:",
+  "connect-src 'self'",
+].join("; ");
+
+/** Where the book lies on the page, CSS pixels: small, as drawing is in software. */
+const box = { left: 8, top: 8, width: 264, height: 192 } as const;
+
+/** The pixel of the page at fractions of the book's width and height. */
+const at = (x: number, y: number) =>
+  [Math.round(box.left + x * box.width), Math.round(box.top + y * box.height)] as const;
+
+/** The outer margin of the right page, in space and on the flat. */
+const foreEdge = at(0.88, 0.55);
+
+const patience = { timeout: 60_000, interval: 50 };
+
+interface Engine {
+  readonly name: string;
+  readonly start: StartBrowser;
+  /** Whether it has WebGL 2; else the book is shown on the flat. */
+  readonly hasWebGL: boolean;
+  readonly isHere: boolean;
+}
+
+// WebKitGTK, and a screen for Firefox, are had on Linux alone.
+const isLinux = process.platform === "linux";
+const engines: readonly Engine[] = [
+  { name: "Chromium", start: startChromium, hasWebGL: true, isHere: true },
+  { name: "Firefox", start: startFirefox, hasWebGL: true, isHere: isLinux },
+  { name: "Firefox, no WebGL", start: startHeadlessFirefox, hasWebGL: false, isHere: true },
+  { name: "WebKitGTK", start: startWebKit, hasWebGL: true, isHere: isLinux },
+];
+
+const here = engines.filter(({ isHere }) => isHere).map((engine) => [engine.name, engine] as const);
+
+describe.each(here)("%s", (_, { start, hasWebGL }) => {
+  let browser: DrivenBrowser;
+  let site: ViewerSite;
+  let hasFailed = false;
+
+  beforeAll(async () => {
+    site = await serveViewer((path) => (path === "/book.pdf" ? file : null), policy);
+    browser = await start();
+  }, 120_000);
+  afterAll(async () => {
+    await browser?.close();
+    await site?.stop();
+  }, 60_000);
+  beforeEach(({ skip, onTestFailed, task }) => {
+    // Each step begins where the one before it ended.
+    if (hasFailed) skip("a step before it failed");
+    onTestFailed(() => {
+      hasFailed = true;
+    });
+    Object.assign(task.meta, { browser: browser.version });
+  });
+
+  const pageShown = () => browser.run(() => state.book.page);
+  const comesTo = (page: number) => expect.poll(pageShown, patience).toBe(page);
+  const comesToRest = () =>
+    expect.poll(() => browser.run(() => state.book.settled), patience).toBe(true);
+  const hasNoComplaint = async () =>
+    expect(await browser.run(() => state.complaints.splice(0))).toEqual([]);
+
+  /** Moves the pressed pointer to another place over some frames, as a hand does. */
+  async function movePressed(
+    from: readonly [number, number],
+    to: readonly [number, number],
+    steps = 10,
+  ) {
+    await browser.movePointer(...from);
+    await browser.pressButton();
+    for (let step = 1; step <= steps; step++) {
+      const t = step / steps;
+      await browser.movePointer(from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t);
+      await browser.run(() => new Promise((resolve) => requestAnimationFrame(() => resolve(0))));
+    }
+    await browser.releaseButton();
+  }
+
+  /** Expects that what is seen well within the open pages is paper with print on it. */
+  async function showsPrintOnPaper() {
+    const { width, data } = PNG.sync.read(await browser.screenshot());
+    let [all, paper, ink] = [0, 0, 0];
+    const [[left, top], [right, bottom]] = [at(0.15, 0.25), at(0.85, 0.85)];
+    for (let y = top; y < bottom; y++) {
+      for (let x = left; x < right; x++) {
+        const [green, below] = [y, y + 1].map((y) => data[4 * (y * width + x) + 1]);
+        all++;
+        if (green > 225) paper++;
+        // Shadows are soft; print has edges, however small it is.
+        if (Math.abs(green - below) > 12) ink++;
+      }
+    }
+    expect(paper / all).toBeGreaterThan(0.3);
+    expect(ink / all).toBeGreaterThan(0.1);
+  }
+
+  /** The uppermost place on a page without text, at a fraction of the book's width. */
+  async function bareAt(fraction: number): Promise<readonly [number, number]> {
+    const [x] = at(fraction, 0);
+    const y = await browser.run(
+      (x, top, bottom) => {
+        for (let y = top; y < bottom; y++) {
+          const found = state.book.shadowRoot?.elementFromPoint(x, y);
+          if (found?.localName === "canvas") return y;
+        }
+        return null;
+      },
+      x,
+      // The book's head is above this where it is seen whole.
+      at(0, 0.25)[1],
+      at(0, 0.9)[1],
+    );
+    return [x, y ?? expect.fail("All of it is text.")];
+  }
+
+  test("opens a PDF", { timeout: 120_000 }, async () => {
+    await browser.open(site.url);
+    const opened = await browser.run((size) => {
+      const complaints: string[] = [];
+      const book = document.createElement("turnleaf-book") as TurnleafBook;
+      globalThis.state = { book, complaints, frames: 0 };
+      const hear = (target: EventTarget, name: string, say: (event: never) => unknown) =>
+        target.addEventListener(name, (event) => complaints.push(String(say(event as never))));
+      hear(globalThis, "error", ({ message }: ErrorEvent) => message);
+      hear(globalThis, "unhandledrejection", ({ reason }: PromiseRejectionEvent) => reason);
+      hear(document, "securitypolicyviolation", (violation: SecurityPolicyViolationEvent) =>
+        [violation.effectiveDirective, violation.blockedURI].join(" "),
+      );
+      hear(book, "error", ({ detail }: CustomEvent<{ message: string }>) => detail.message);
+      for (const level of ["error", "warn"] as const) {
+        console[level] = (...words) => complaints.push(words.map(String).join(" "));
+      }
+      const { requestAnimationFrame } = globalThis;
+      globalThis.requestAnimationFrame = (call) => {
+        state.frames++;
+        return requestAnimationFrame(call);
+      };
+      Object.assign(book.style, { width: `${size.width}px`, height: `${size.height}px` });
+      const done = new Promise((resolve) => {
+        book.addEventListener("load", () => resolve(true), { once: true });
+        book.addEventListener("error", () => resolve(complaints), { once: true });
+      });
+      book.src = "book.pdf";
+      document.body.append(book);
+      return done;
+    }, box);
+    expect(opened).toBe(true);
+    await comesToRest();
+    const place = await browser.run(() => {
+      const { left, top, width, height } = state.book.getBoundingClientRect();
+      return { left, top, width, height };
+    });
+    expect(place).toEqual(box);
+    expect(await browser.run(() => [state.book.pageCount, state.book.page])).toEqual([112, 18]);
+    const drawn = site.asked.flatMap((path) => /\/(solid|plain)-/.exec(path)?.[1] ?? []);
+    expect(drawn).toEqual([hasWebGL ? "solid" : "plain"]);
+    await showsPrintOnPaper();
+    await hasNoComplaint();
+  });
+
+  test("a drag turns a leaf", { timeout: 120_000 }, async () => {
+    await movePressed(foreEdge, at(0.12, 0.5));
+    await comesTo(20);
+    await comesToRest();
+    await hasNoComplaint();
+  });
+
+  test("a click on the edge turns a leaf", { timeout: 120_000 }, async () => {
+    await browser.movePointer(...foreEdge);
+    await browser.pressButton();
+    await browser.releaseButton();
+    await comesTo(22);
+    await comesToRest();
+    await hasNoComplaint();
+  });
+
+  test("arrow keys turn leaves", { timeout: 120_000 }, async () => {
+    await browser.run(() => state.book.focus());
+    await browser.pressKeys("ArrowRight");
+    await comesTo(24);
+    await browser.pressKeys("ArrowLeft");
+    await comesTo(22);
+    await comesToRest();
+    await hasNoComplaint();
+  });
+
+  test("a double click zooms, another zooms back", { timeout: 120_000 }, async () => {
+    const zoom = () => browser.run(() => state.book.zoom);
+    await browser.movePointer(...(await bareAt(0.7)));
+    await browser.doubleClick();
+    await expect.poll(zoom, patience).toBeGreaterThan(1.2);
+    await comesToRest();
+    await browser.movePointer(...(await bareAt(0.5)));
+    await browser.doubleClick();
+    await expect.poll(zoom, patience).toBe(1);
+    await comesToRest();
+    expect(await pageShown()).toBe(22);
+    await hasNoComplaint();
+  });
+
+  test("a search finds and marks a place", { timeout: 120_000 }, async () => {
+    const shown = await browser.run(async () => {
+      const hits = await state.book.search("never mind how long");
+      return [hits.length, await state.book.showHit(hits[0] ?? null)];
+    });
+    expect(shown).toEqual([1, true]);
+    await comesTo(18);
+    await comesToRest();
+    const marked = () =>
+      browser.run(() => {
+        const mark = state.book.shadowRoot?.querySelector("[part~=mark-here]");
+        return mark ? mark.getBoundingClientRect().width : 0;
+      });
+    await expect.poll(marked, patience).toBeGreaterThan(5);
+    await browser.run(() => state.book.showHit(null));
+    await hasNoComplaint();
+  });
+
+  test("text is selected with the mouse, copied and pasted", { timeout: 120_000 }, async () => {
+    const heading = "Loomings";
+    const boxOfHeading = () =>
+      browser.run((text) => {
+        const spans = [...(state.book.shadowRoot?.querySelectorAll("[part=text] span") ?? [])];
+        const span = spans.find(({ textContent }) => textContent?.trim() === text);
+        if (!span) return null;
+        const { left, right, top, bottom } = span.getBoundingClientRect();
+        return { left, right, middle: (top + bottom) / 2 };
+      }, heading);
+    await expect.poll(boxOfHeading, patience).not.toBeNull();
+    const { left, right, middle } = (await boxOfHeading()) ?? expect.fail();
+    const pixels = Math.ceil(right) - Math.ceil(left) + 2;
+    await movePressed([Math.ceil(left), middle], [Math.ceil(left) + pixels, middle], pixels);
+    await browser.pressKeys("Control", "c");
+    await browser.run(() => {
+      const field = document.createElement("textarea");
+      document.body.append(field);
+      field.focus();
+    });
+    await browser.pressKeys("Control", "v");
+    const pasted = () => browser.run(() => document.querySelector("textarea")?.value.trim());
+    await expect.poll(pasted, patience).toBe(heading);
+    await browser.run(() => document.querySelector("textarea")?.remove());
+    expect(await pageShown()).toBe(18);
+    await hasNoComplaint();
+  });
+
+  test("many leaves riffle", { timeout: 120_000 }, async () => {
+    expect(await browser.run(() => state.book.goTo(60))).toBe(true);
+    expect(await pageShown()).toBe(60);
+    await comesToRest();
+    await showsPrintOnPaper();
+    await hasNoComplaint();
+  });
+
+  test("destroy() leaves nothing behind", { timeout: 120_000 }, async () => {
+    const left = await browser.run(async (hasWebGL) => {
+      const canvas = state.book.shadowRoot?.querySelector("canvas");
+      state.book.destroy();
+      const frames = (count: number): Promise<void> =>
+        new Promise((resolve) => {
+          const next = (left: number) =>
+            left === 0 ? resolve() : setTimeout(() => next(left - 1), 0);
+          next(count);
+        });
+      await frames(5);
+      const before = state.frames;
+      await frames(20);
+      return {
+        isOnPage: document.querySelector("turnleaf-book") !== null,
+        hasContext: hasWebGL && canvas?.getContext("webgl2")?.isContextLost() === false,
+        frames: state.frames - before,
+      };
+    }, hasWebGL);
+    expect(left).toEqual({ isOnPage: false, hasContext: false, frames: 0 });
+    await hasNoComplaint();
+  });
+});
