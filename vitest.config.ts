@@ -5,6 +5,7 @@ import { shortTexts } from "./packages/turnleaf/short_texts.js";
 import { turnInline } from "./packages/turnleaf/turn_inline.js";
 import { wasmInline } from "./packages/turnleaf/wasm_inline.js";
 import { chromiumArguments, findChromium } from "./scripts/chromium.mjs";
+import { consoleCommands } from "./scripts/console_watch.mjs";
 
 /** The list of steps that Chromium, Firefox and WebKitGTK go through with the built package. */
 const engines = "packages/cli/tests/engines/*.test.ts";
@@ -40,10 +41,12 @@ export default defineConfig({
           exclude: ["**/node_modules/**", "**/dist/**"],
           testTimeout: 60_000,
           fileParallelism: false,
+          setupFiles: ["packages/turnleaf/src/setup_for_tests.ts"],
           browser: {
             enabled: true,
             headless: true,
             screenshotFailures: false,
+            commands: consoleCommands,
             provider: playwright({
               launchOptions: { executablePath: findChromium(), args: chromiumArguments },
             }),

@@ -57,6 +57,7 @@ const viewer = {
   "index.ts": ["book", "element", "engine", "element.ts", "sources", "text", "wear", "words"],
   "element_for_tests.ts": ["element.ts", "index.ts"],
   "hands_for_tests.ts": ["element.ts"],
+  "setup_for_tests.ts": [],
   "viewer_for_tests.ts": ["open_viewer.ts", "sources", "viewer.ts"],
 };
 

@@ -21,6 +21,8 @@ export function giveUpContext(canvas: HTMLCanvasElement): void {
 
 /** What is told of a context. */
 export interface ContextEvents {
+  /** It is lost, with everything that was on the card. */
+  lost(): void;
   /** It is back: everything is to be drawn again. */
   restored(): void;
   /** It did not come back in time. */
@@ -56,6 +58,7 @@ export class ContextWatch {
     // Or it would never come back.
     event.preventDefault();
     this.#isLost = true;
+    this.#events.lost();
     this.#wait();
   }
 

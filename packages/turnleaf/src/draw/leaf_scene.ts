@@ -6,6 +6,7 @@ import type { PagePicture } from "../sources/page_source.ts";
 import { axesOf, fieldOfView, fitPoints } from "./camera.ts";
 import { restingCase } from "./case_shape.ts";
 import { ContextWatch, openContext } from "./context.ts";
+import { dropFromCard } from "./drop_from_card.ts";
 import { shadowOfLeaves } from "./footprint.ts";
 import { Ground } from "./ground.ts";
 import { LeafMesh } from "./leaf_mesh.ts";
@@ -62,6 +63,10 @@ export class LeafScene {
     this.#renderer.outputColorSpace = SRGBColorSpace;
     this.#renderer.setClearColor(0, 0);
     this.#context = new ContextWatch(canvas, {
+      lost: () => {
+        dropFromCard(this.scene);
+        this.#textures.drop();
+      },
       restored: () => onRestored?.(),
       gone: () => undefined,
     });

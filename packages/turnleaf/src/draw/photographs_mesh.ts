@@ -67,6 +67,7 @@ export class PhotographsMesh {
       texture.needsUpdate = true;
       return texture;
     });
+    this.group.userData.textures = this.#textures;
   }
 
   /** Shows pictures by number, from 0, over the pages. */

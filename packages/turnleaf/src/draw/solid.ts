@@ -79,6 +79,9 @@ export interface SolidLook {
 
 /** A solid surface's material, with a picture on a panel of it where it has one. */
 export class SolidMaterial extends ShaderMaterial {
+  /** Bound where there is no picture. */
+  readonly #grain: Texture;
+
   constructor(look: SolidLook) {
     super({
       vertexShader,
@@ -95,12 +98,14 @@ export class SolidMaterial extends ShaderMaterial {
         panel: { value: [0, 0, 1, 1] },
       },
     });
+    this.#grain = look.grain;
   }
 
   /** Shows a picture, or the plain surface for null. */
   setPicture(texture: Texture | null): void {
     this.uniforms.pictured.value = texture ? 1 : 0;
-    if (texture) this.uniforms.picture.value = texture;
+    // A texture that stayed bound would be uploaded again after its picture was freed.
+    this.uniforms.picture.value = texture ?? this.#grain;
   }
 
   /** The part of the face, left, top, right, bottom from 0 to 1, that the picture covers. */

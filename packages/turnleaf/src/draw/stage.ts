@@ -18,6 +18,7 @@ import type { PageBox, PagePicture } from "../sources/page_source.ts";
 import { fieldOfView, frameBook, sightOf } from "./camera.ts";
 import { ContextWatch, openContext } from "./context.ts";
 import { DrawnBook } from "./drawn_book.ts";
+import { dropFromCard } from "./drop_from_card.ts";
 import { BookMaterials, type LeafSide, type PageFace } from "./materials.ts";
 import type { BookPose, BookShape } from "./pose.ts";
 import { PictureTextures } from "./textures.ts";
@@ -92,6 +93,10 @@ export class Stage {
     this.#camera = new PerspectiveCamera(fieldOfView, 1, 0.05, 10);
     this.#camera.matrixAutoUpdate = false;
     this.#context = new ContextWatch(canvas, {
+      lost: () => {
+        dropFromCard(this.#scene);
+        this.#pictures.drop();
+      },
       restored: () => this.onRestored?.(),
       gone: () => this.onGone?.(),
     });

@@ -39,22 +39,29 @@ export class PictureTextures {
     texture.anisotropy = Math.min(8, this.#renderer.capabilities.getMaxAnisotropy());
     texture.needsUpdate = true;
     this.#textures.set(picture, texture);
-    this.#renderer.initTexture(texture);
+    if (!this.#renderer.getContext().isContextLost()) this.#renderer.initTexture(texture);
     return texture;
   }
 
-  /** Frees a picture's texture. */
-  forget(picture: PagePicture): Texture | undefined {
+  /** Frees a picture's texture. No material may show it any more: three.js would make it anew. */
+  forget(picture: PagePicture): void {
     const texture = this.#textures.get(picture);
-    texture?.dispose();
+    if (texture === undefined) return;
+    texture.dispose();
+    // The picture is about to be closed; a texture still in use is reported rather than uploaded.
+    texture.image = null;
     this.#textures.delete(picture);
-    return texture;
+  }
+
+  /** Takes every texture from the graphics card; one that is shown again is sent there again. */
+  drop(): void {
+    for (const texture of this.#textures.values()) texture.dispose();
+    this.paper.dispose();
   }
 
   dispose(): void {
-    for (const texture of this.#textures.values()) texture.dispose();
+    this.drop();
     this.#textures.clear();
-    this.paper.dispose();
   }
 }
 

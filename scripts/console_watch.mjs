@@ -1,0 +1,36 @@
+/**
+ * What the browser itself writes on the console, for tests that run in it. A
+ * page cannot hear what WebGL complains of; whoever drives the browser can.
+ */
+
+/** Complaints by the page they were written on. */
+const complaints = new WeakMap();
+
+/** Beside a word that WebGL complains in: its own, the driver's, or three.js's. */
+const isOfWebgl = /WebGL|\bGL_|texSubImage|texStorage|THREE\./;
+
+/**
+ * What no drawing is at fault for: a context that was given up, as every
+ * removed book's is, and a test that reads pixels back.
+ */
+const isHarmless = /CONTEXT_LOST_WEBGL|Context (Lost|Restored)|GPU stall due to ReadPixels/;
+
+/**
+ * Commands of the browser tests.
+ * @type {Record<string, (context: import("vitest/node").BrowserCommandContext) => Promise<string[]>>}
+ */
+export const consoleCommands = {
+  /** Returns what WebGL complained of since the last call; the first call begins to listen. */
+  async webglComplaints({ page }) {
+    const before = complaints.get(page);
+    const since = [];
+    complaints.set(page, since);
+    if (before === undefined) {
+      page.on("console", (message) => {
+        const text = message.text();
+        if (isOfWebgl.test(text) && !isHarmless.test(text)) complaints.get(page)?.push(text);
+      });
+    }
+    return before ?? [];
+  },
+};
