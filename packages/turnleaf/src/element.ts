@@ -1,20 +1,14 @@
 /** `<turnleaf-book>`: a book on a web page. */
 
 import type { Paper } from "./book/paper.ts";
-import {
-  clampSpread,
-  directionOf,
-  forward,
-  leftPage,
-  pageOf,
-  rightPage,
-  spreadOf,
-} from "./book/spreads.ts";
+import { directionOf, forward, leftPage, pageOf, rightPage, spreadOf } from "./book/spreads.ts";
 import { Furnishing } from "./controls/furnish.ts";
 import { Announcements, openPages } from "./element/announcements.ts";
+import { AskedPage } from "./element/asked_page.ts";
 import { type Answers, adopt, attributes, paperOf, turnSecondsOf } from "./element/attributes.ts";
 import { Life, type OpenBook } from "./element/life.ts";
 import { PageChanges } from "./element/page_changes.ts";
+import { pageNumber } from "./element/page_number.ts";
 import { ReaderElement } from "./element/reader_element.ts";
 import { Senses } from "./element/senses.ts";
 import { wishOf } from "./element/wish.ts";
@@ -42,7 +36,7 @@ export class TurnleafBook extends ReaderElement {
   readonly #life = new Life(this, this.#stage, {
     prepare: () => this.#keepPlace(),
     options: (source) => this.#options(source),
-    turn: (by) => void this.#turn(by),
+    turn: (by) => void this.#turn(by, true),
     calm: () => this.#calm,
     goTo: (page) => void this.goTo(page),
     leaving: () => this.#leave(),
@@ -60,19 +54,24 @@ export class TurnleafBook extends ReaderElement {
   #words: Announcements | null = null;
   #input: BookInput | null = null;
   #paper: Paper | null = null;
-  /** The page asked for while no book is open, and the one where this book was left. */
-  #asked: number | null = null;
+  readonly #asked = new AskedPage();
+  /** The page where this book was left. */
   #left: number | null = null;
+  /** The page that `pagechange` said last, until a page is asked for. */
+  #reported: number | null = null;
   /** Whether the element is in a document. */
   #connected = false;
 
-  /** What the book is made of where it has no address: images in order, a manifest, or a file. */
+  /**
+   * What the book is made of: images in order, a manifest, or a file. While it is set, `src` does nothing,
+   * as with a video's `srcObject`; null gives `src` its place back.
+   */
   get pages(): BookInput | null {
     return this.#input;
   }
 
   set pages(pages: BookInput | null) {
-    this.#input = pages;
+    this.#input = pages ?? null;
     this.#forget();
     this.#reopen();
   }
@@ -89,7 +88,9 @@ export class TurnleafBook extends ReaderElement {
 
   /**
    * The first page in sight, from 1; the attribute, the page at which the book opens, goes before what
-   * the book itself asks for. Setting either turns there.
+   * the book itself asks for. Setting either turns there, as `goTo` does; what is no number does nothing.
+   * Setting the page that `pagechange` said last, and no other since, does nothing either: a page may
+   * keep its own state in step with the book, as frameworks do, without calling a turn back.
    * @attribute page
    * @default 1
    */
@@ -99,7 +100,8 @@ export class TurnleafBook extends ReaderElement {
   }
 
   set page(page: number) {
-    void this.goTo(page);
+    const asked = pageNumber(page);
+    if (asked !== null && asked !== this.#reported) void this.goTo(asked);
   }
 
   /** Whether the pages in sight are at full sharpness and nothing moves. */
@@ -131,26 +133,36 @@ export class TurnleafBook extends ReaderElement {
     return this.#viewer?.binding.layout ?? "spread";
   }
 
-  /** Turns one leaf on. Resolves, once the book is at rest, to whether it lies there; to false at the book's end. */
+  /**
+   * Turns one leaf on from where the book will lie when all that was asked for before is done: every call
+   * counts, and many in a row become one jump. Resolves, once the book is at rest, to whether it lies there
+   * or farther on; to false at the book's end, and while no book is open.
+   */
   next(): Promise<boolean> {
-    return this.#turn(1);
+    return this.#turn(1, false);
   }
 
-  /** Turns one leaf back. Resolves, once the book is at rest, to whether it lies there; to false at its beginning. */
+  /** Turns one leaf back, as `next` turns on. Resolves to whether the book lies there or farther back. */
   previous(): Promise<boolean> {
-    return this.#turn(-1);
+    return this.#turn(-1, false);
   }
 
-  /** Turns to a page (from 1, clamped to the book). Resolves, once the book is at rest, to whether it lies there. */
+  /**
+   * Turns to a page (from 1, clamped to the book). Resolves, once the book is at rest, to whether it lies
+   * there. Before a book is open, that book opens there: resolves once it has, to false if it cannot be
+   * opened or the element is taken out of its document. Rejects with a `TypeError` what is no number.
+   */
   goTo(page: number): Promise<boolean> {
-    const viewer = this.#viewer;
-    if (viewer === undefined) {
-      this.#asked = page;
-      return Promise.resolve(false);
+    const asked = pageNumber(page);
+    if (asked === null) {
+      return Promise.reject(new TypeError(`goTo takes the number of a page; ${page} is none.`));
     }
-    const spread = spreadOf(viewer.binding, page);
-    if (this.#calm) return viewer.fadeTo(spread);
-    return viewer.steering.goTo(spread);
+    this.#reported = null;
+    const viewer = this.#viewer;
+    if (viewer === undefined) return this.#asked.ask(asked);
+    const spread = spreadOf(viewer.binding, asked);
+    if (this.#motion === "turn") return viewer.steering.goTo(spread);
+    return viewer.change(spread, this.#motion === "fade");
   }
 
   /**
@@ -168,8 +180,9 @@ export class TurnleafBook extends ReaderElement {
 
   /**
    * Puts pages before page `at` (from 1), or behind the last. The page in sight stays.
-   * Resolves, once the book lies still and they are in it, to whether they are.
-   * Rejects with a `BookError` where they cannot be opened or there is no such page.
+   * Resolves, once the book lies still and they are in it, to whether they are. Rejects with a `BookError`,
+   * and changes nothing, if they cannot be opened, one of the first eight cannot be drawn, or there is no page
+   * `at`. A later one that cannot be drawn is a `pageerror` when it is about to be seen.
    */
   insertPages(at: number, pages: BookInput): Promise<boolean> {
     return this.#changePages(at, 0, pages);
@@ -216,6 +229,7 @@ export class TurnleafBook extends ReaderElement {
   /** @internal */
   disconnectedCallback(): void {
     this.#leave();
+    this.#asked.failed();
     this.disconnectReader();
     this.#connected = false;
     this.#furnish();
@@ -229,11 +243,14 @@ export class TurnleafBook extends ReaderElement {
 
   readonly #answers: Answers = {
     open: () => {
+      if (this.#input !== null) return;
       this.#forget();
       this.#reopen();
     },
     rebind: () => this.#viewer?.rebind(wishOf(this)),
-    goTo: (page) => void this.goTo(page),
+    setPage: (value) => {
+      this.page = value as unknown as number;
+    },
     changePaper: () => this.#viewer?.setPaper(this.#leaves),
     changeModel: () => void this.#viewer?.setModel(this),
     changePace: () => {
@@ -254,9 +271,9 @@ export class TurnleafBook extends ReaderElement {
 
   /** The page at which a book opens, or would: where it was asked for, else where its source says. */
   #firstPage(source?: PageSource): number {
-    const said = this.getAttribute("page") ?? source?.openingPage ?? 1;
-    const page = this.#asked ?? this.keptPage(source, this.#left) ?? Number(said);
-    return Math.max(Math.round(page) || 1, 1);
+    const said = pageNumber(this.getAttribute("page")) ?? source?.openingPage ?? 1;
+    const page = this.#asked.page ?? this.keptPage(source, this.#left) ?? said;
+    return Math.min(Math.max(Math.round(page) || 1, 1), source?.pageCount ?? page);
   }
 
   /** Another book is to open: at its beginning, without the other's bookmarks. */
@@ -289,20 +306,24 @@ export class TurnleafBook extends ReaderElement {
     return matchMedia("(prefers-reduced-motion: reduce)").matches;
   }
 
-  #turn(by: 1 | -1): Promise<boolean> {
+  /** How pages change: leaves turn, what is seen fades, or neither. */
+  get #motion(): "turn" | "fade" | "none" {
+    if (turnSecondsOf(this) === 0) return "none";
+    return this.#calm ? "fade" : "turn";
+  }
+
+  /** @param isReaders whether a reader asks for it, by hand or key, and not a page's script */
+  #turn(by: 1 | -1, isReaders: boolean): Promise<boolean> {
     const viewer = this.#viewer;
     if (viewer === undefined) return Promise.resolve(false);
+    const { steering } = viewer;
     const way = (by * forward(viewer.binding)) as 1 | -1;
-    const { destination, moving } = viewer.turning;
-    // A loop over `next` ends with the book.
-    const isEnd = clampSpread(viewer.binding, destination + way) === destination;
-    if (isEnd && !moving) return Promise.resolve(false);
-    if (this.#calm) {
-      // A corner that only lifts is no turn to go on from.
-      viewer.steering.peek(null);
-      return viewer.fadeTo(viewer.turning.destination + way);
-    }
-    return viewer.steering.turn(way);
+    if (this.#motion === "turn") return isReaders ? steering.press(way) : steering.turn(way);
+    // A corner that only lifts is no turn to go on from.
+    steering.peek(null);
+    const spread = viewer.turning.turned(way);
+    if (spread === null) return Promise.resolve(false);
+    return viewer.change(spread, this.#motion === "fade", way);
   }
 
   #build(): void {
@@ -341,7 +362,10 @@ export class TurnleafBook extends ReaderElement {
       model: () => this,
       onStart: (low, high, forward) => this.#started(low, high, forward),
       onRest: (from, to) => this.#rested(from, to),
-      onFailure: (sentence) => this.#words?.announce(sentence),
+      onFailure: (page, message, isOpen) => {
+        if (isOpen) this.#words?.announce(message);
+        this.emit("pageerror", { page, message });
+      },
       onLayout: () => this.#laidOut(),
       onMotion: (...frame) => {
         this.#senses.follow(...frame);
@@ -352,9 +376,13 @@ export class TurnleafBook extends ReaderElement {
     };
   }
 
-  #opened({ source }: OpenBook): void {
-    this.#asked = null;
+  #opened({ source, viewer }: OpenBook): void {
+    const { binding } = viewer;
+    // A page may have been asked for since the book was laid open.
+    if (this.#asked.page !== null) viewer.lay(spreadOf(binding, this.#asked.page));
+    this.#asked.opened((page) => spreadOf(binding, page) === viewer.turning.spread);
     this.#left = null;
+    this.#reported = null;
     this.#words?.say("");
     this.#describe();
     this.emit("load", { pageCount: source.pageCount, title: source.title });
@@ -375,7 +403,8 @@ export class TurnleafBook extends ReaderElement {
     if (binding === undefined || from === to) return;
     this.#describe();
     const direction = directionOf(binding, from, to);
-    this.emit("pagechange", { from: pageOf(binding, from), to: pageOf(binding, to), direction });
+    this.#reported = pageOf(binding, to);
+    this.emit("pagechange", { from: pageOf(binding, from), to: this.#reported, direction });
   }
 
   async #changePages(at: number, count: number, input: BookInput | null): Promise<boolean> {
@@ -409,6 +438,7 @@ export class TurnleafBook extends ReaderElement {
     const message =
       error instanceof Error ? error.message : elementTexts(languageOf(this)).notOpened;
     this.#words?.say(message, "alert");
+    this.#asked.failed();
     this.emit("error", { message });
   }
 

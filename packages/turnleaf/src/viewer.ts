@@ -79,8 +79,9 @@ export class Viewer {
       onArrive: (page) => {
         this.#show();
         const sentence = this.#pictures.failure(page);
-        const open = pagesAt(this.binding, this.turning.spread);
-        if (sentence !== null && open.includes(page)) options.onFailure(sentence);
+        if (sentence === null || this.#destroyed) return;
+        const isOpen = pagesAt(this.binding, this.turning.spread).includes(page);
+        options.onFailure(page, sentence, isOpen);
       },
       onDrop: (picture) => this.#stage.forget(picture),
     });
@@ -197,21 +198,27 @@ export class Viewer {
   }
 
   /**
-   * Opens the book at a spread (clamped to the book) by a quiet cross-fade.
-   * Resolves, once that is over, to whether it lies there.
+   * Opens the book at a spread (clamped to the book) without turning leaves: by a
+   * quiet cross-fade, or at once. Resolves, once that is over, to whether the book lies there.
+   *
+   * @param by resolves to true also where the book lies farther on (1) or back (-1) then
    */
-  fadeTo(spread: number): Promise<boolean> {
-    const from = this.turning.spread;
+  change(spread: number, fades: boolean, by: 1 | 0 | -1 = 0): Promise<boolean> {
+    const from = this.turning.restedAt;
     const to = clampSpread(this.binding, spread);
     if (to !== from) this.#options.onStart(Math.min(from, to), Math.max(from, to), to > from);
     // Whoever hears of it may take the book away at once.
     if (this.#destroyed) return Promise.resolve(false);
     if (to !== from || this.turning.moving) {
-      this.#stage.draw({ resting: true });
-      this.#fade.begin(from);
+      if (fades) {
+        this.#stage.draw({ resting: true });
+        this.#fade.begin(from);
+      }
       this.lay(to);
+      if (!this.#fade.isOn) this.#options.onRest(from, to);
     }
-    return this.#fade.isOn ? this.#fade.promise(to) : Promise.resolve(true);
+    if (!this.#fade.isOn) return Promise.resolve(true);
+    return this.#fade.promise((at) => (by === 0 ? at === to : (at - to) * by >= 0));
   }
 
   /** Makes the leaves of another paper: at once, or as soon as none is in flight. */

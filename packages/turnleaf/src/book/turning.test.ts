@@ -63,7 +63,7 @@ both("a way stops at both boards, and every turn keeps what it promised", async 
     [5, 6],
   ]);
   expect(await landed).toBe(true);
-  expect(await turning.turn(1)).toBe(true);
+  expect(await turning.turn(1)).toBe(false);
   expect(turning.spread).toBe(6);
 });
 
@@ -88,7 +88,7 @@ both(
     const ticks = (seconds: number) => Math.round(seconds / engine.tick);
     let most = 0;
     for (let frame = 0; frame < 100; frame++) {
-      if (frame % 2 === 0) turning.turn(1);
+      if (frame % 2 === 0) turning.press(1);
       turning.step(ticks(1 / 60));
       most = Math.max(most, turning.flights.length);
     }
@@ -104,15 +104,149 @@ both(
   },
 );
 
-both("turns that all are asked for at once wait, at most three of them", async () => {
+both("of a reader's turns three wait, and more are refused at once", async () => {
   const { turning, run } = await open(60, "none");
-  for (let repeat = 0; repeat < 30; repeat++) turning.turn(1);
+  const press = (): Promise<boolean> => turning.press(1);
+  const first = Array.from({ length: 30 }, press);
   expect(turning.destination).toBe(3);
+  expect(await Promise.all(first.slice(3))).toEqual(Array(27).fill(false));
   turning.step(1);
-  for (let repeat = 0; repeat < 30; repeat++) turning.turn(1);
+  const second = Array.from({ length: 30 }, press);
   expect(turning.destination).toBe(4);
   run();
   expect(turning.spread).toBe(4);
+  const kept = await Promise.all([...first, ...second]);
+  expect(kept.filter((done) => done).length).toBe(4);
+});
+
+both("every turn that a command asks for counts, and says so", async () => {
+  for (const [cover, count] of [
+    ["none", 5],
+    ["none", 60],
+    ["hard", 60],
+  ] as const) {
+    const { engine, turning, flights, run } = await open(400, cover);
+    turning.lay(1);
+    const promised = Array.from({ length: count }, () => turning.turn(1));
+    expect(turning.destination).toBe(1 + count);
+    run(20_000);
+    expect([turning.spread, engine.read]).toEqual([1 + count, count + (cover === "none" ? 1 : 0)]);
+    expect(await Promise.all(promised)).toEqual(Array(count).fill(true));
+    // Many leaves at once are a jump.
+    expect(flights.length).toBe(count > 12 ? 9 : count);
+  }
+});
+
+both("turns asked for one after another while others fly all count", async () => {
+  const { engine, turning, run } = await open(400, "none");
+  turning.lay(1);
+  const promised: Promise<boolean>[] = [];
+  for (let k = 0; k < 60; k++) {
+    promised.push(turning.turn(1));
+    turning.step(Math.round(1 / 60 / engine.tick));
+  }
+  for (let k = 0; k < 20; k++) promised.push(turning.turn(-1));
+  run(20_000);
+  expect(turning.spread).toBe(41);
+  // Those that were taken back again say so.
+  const kept = [...Array(40).fill(true), ...Array(20).fill(false), ...Array(20).fill(true)];
+  expect(await Promise.all(promised)).toEqual(kept);
+});
+
+both("a turn beyond the book's end is refused at once, however many there are", async () => {
+  const { turning, run } = await open(12, "hard");
+  const promised = Array.from({ length: 9 }, () => turning.turn(1));
+  expect(await Promise.all(promised.slice(6))).toEqual([false, false, false]);
+  run(20_000);
+  expect(turning.spread).toBe(6);
+  expect(await Promise.all(promised.slice(0, 6))).toEqual(Array(6).fill(true));
+  expect(await turning.turn(1)).toBe(false);
+  expect(await turning.press(1)).toBe(false);
+});
+
+both("a turn by command goes on from where a jump leads", async () => {
+  const { turning, run, pass } = await open(400, "hard");
+  turning.lay(2);
+  const promised = [turning.goTo(100)];
+  pass(0.4);
+  promised.push(turning.turn(-1), turning.turn(-1), turning.turn(1));
+  run(20_000);
+  expect(turning.spread).toBe(99);
+  expect(await Promise.all(promised)).toEqual([false, true, false, true]);
+});
+
+both("a reader's turn against a jump calls it off", async () => {
+  const { turning, run, pass } = await open(400, "none");
+  turning.lay(2);
+  const far = turning.goTo(100);
+  pass(0.4);
+  expect(turning.flights.length).toBeGreaterThan(2);
+  const back = turning.press(-1);
+  run();
+  expect(turning.spread).toBeLessThan(90);
+  expect([await far, await back]).toEqual([false, true]);
+});
+
+both("the book says that it rests once, at the end of its way", async () => {
+  for (const cover of ["hard", "none"] as const) {
+    const rests: string[] = [];
+    const heard = { rested: (from: number, to: number) => void rests.push(`${from} to ${to}`) };
+    const { turning, run, pass } = await open(200, cover, heard);
+    const tell = async (promised: Promise<boolean>): Promise<string | undefined> => {
+      run(20_000);
+      expect(await promised).toBe(true);
+      expect(rests.length).toBe(1);
+      return rests.pop();
+    };
+    expect(await tell(turning.goTo(60))).toBe("0 to 60");
+    expect(await tell(turning.goTo(100))).toBe("60 to 100");
+    expect(await tell(turning.goTo(0))).toBe("100 to 0");
+    // Reversed, and sent elsewhere, in the middle of the way: also where just then nothing flies.
+    for (const seconds of [0.1, 0.3, 0.5, 0.7, 0.9, 1.1]) {
+      void turning.goTo(60);
+      pass(seconds);
+      expect(await tell(turning.goTo(0))).toBe("0 to 0");
+      void turning.goTo(60);
+      pass(seconds);
+      void turning.goTo(3);
+      pass(seconds);
+      rests.length = 0;
+      expect(await tell(turning.goTo(30))).toMatch(/^(0|3|60) to 30$/);
+      turning.lay(0);
+    }
+  }
+});
+
+both("a way that is taken back where nothing flies is over at once", async () => {
+  const rests: string[] = [];
+  const heard = { rested: (from: number, to: number) => void rests.push(`${from} to ${to}`) };
+  const { turning } = await open(40, "hard", heard);
+  void turning.goTo(20);
+  // Until the board has landed and no leaf has followed it.
+  while (turning.flights.length === 0) turning.step(1);
+  while (turning.flights.length > 0) turning.step(1);
+  expect(turning.spread).toBe(1);
+  expect(rests).toEqual([]);
+  expect(await turning.goTo(1)).toBe(true);
+  expect(rests).toEqual(["0 to 1"]);
+  expect(turning.moving).toBe(false);
+});
+
+both("whoever hears of the rest and asks for the same place, or another, has it", async () => {
+  const asked: Promise<boolean>[] = [];
+  const rests: number[] = [];
+  const { turning, run } = await open(200, "hard", {
+    rested: (_, to) => {
+      rests.push(to);
+      asked.push(turning.goTo(to));
+      if (to === 50) asked.push(turning.goTo(20), turning.turn(-1));
+    },
+  });
+  const jump = turning.goTo(50);
+  run(20_000);
+  expect(rests).toEqual([50, 19]);
+  expect(await jump).toBe(true);
+  expect(await Promise.all(asked)).toEqual([true, false, true, true]);
 });
 
 both("a step back sends the leaf taken up last back first", async () => {
@@ -124,15 +258,15 @@ both("a step back sends the leaf taken up last back first", async () => {
   const sides = () => turning.flights.map(({ to }) => to).join("");
   const promised: Promise<boolean>[] = [];
   for (const expected of ["111110", "111100", "111000"]) {
-    promised.push(turning.turn(-1));
+    promised.push(turning.press(-1));
     expect(sides()).toBe(expected);
   }
   expect(turning.destination).toBe(13);
-  promised.push(turning.turn(1));
+  promised.push(turning.press(1));
   expect(sides()).toBe("111100");
   run();
   expect(turning.spread).toBe(14);
-  expect(await Promise.all(promised)).toEqual([false, true, false, true]);
+  expect(await Promise.all(promised)).toEqual([true, true, false, true]);
 });
 
 both("a held key the other way first takes back what flies, then turns on", async () => {
@@ -141,7 +275,7 @@ both("a held key the other way first takes back what flies, then turns on", asyn
   const frame = Math.round(1 / 60 / engine.tick);
   for (const by of [1, -1] as const) {
     for (let k = 0; k < 60; k++) {
-      if (k % 2 === 0) turning.turn(by);
+      if (k % 2 === 0) turning.press(by);
       turning.step(frame);
       const sides = turning.flights.map(({ to }) => to).join("");
       expect(sides).toMatch(/^1*0*$/);
@@ -270,7 +404,7 @@ both("a hand has no hold on what a key took from it, nor on what flies next", as
     [5, 6],
   ]);
   expect(turning.spread).toBe(6);
-  expect([await one, await two]).toEqual([false, true]);
+  expect([await one, await two]).toEqual([true, true]);
   run();
 });
 

@@ -30,14 +30,17 @@ export interface TurningEvents {
   started(flight: Flight): void;
   /** It came to rest on a side. */
   landed(flight: Flight): void;
-  /** Nothing is in flight any more; `from` is where that was so before, and equals `to` where all fell back. */
+  /**
+   * The book is at rest: nothing is in flight and nothing waits to begin. `from` is where it
+   * rested before, and equals `to` where everything fell back.
+   */
   rested(from: number, to: number): void;
 }
 
 /** Leaves in flight at once, at most. */
 const mostFlights = 12;
 
-/** Turns that wait to begin, at most: a held key must stop soon after its release. */
+/** Turns of a reader's that wait to begin, at most: a held key must stop soon after its release. */
 const mostWaiting = 3;
 
 /** Time between two leaves that follow each other, seconds and as a share of a turn. */
@@ -46,6 +49,12 @@ const shareApart = 0.09;
 
 /** Shortest a turn is, seconds. */
 const shortestTurn = 0.25;
+
+/** A promise that is kept or broken when the book comes to rest. */
+interface Promised {
+  readonly isKeptAt: (spread: number) => boolean;
+  readonly resolve: (kept: boolean) => void;
+}
 
 /** Where the book lies open and how it gets elsewhere. */
 export class Turning {
@@ -56,18 +65,19 @@ export class Turning {
   readonly #binding: Binding;
   readonly #events: TurningEvents;
   #spread = 0;
-  /** The spread where nothing was in flight last. */
+  /** The spread where the book rested last, and whether it has left that rest. */
   #restedAt = 0;
+  #hasLeft = false;
   /** Leaves of paper from the left to the right, or one board by itself. */
   #flights: Flight[] = [];
-  /** Spreads still to reach, one turn each, and whether they are the way of a `goTo`. */
+  /** Spreads still to reach, one turn each, and whether a reader's own turns ask for them, not a command. */
   #plan: number[] = [];
-  #isJump = false;
+  #isReaders = false;
   /** Time since a leaf was taken up, seconds. */
   #sinceLift = Number.POSITIVE_INFINITY;
   /** What each hand has hold of: until it lets go, or a command takes it from it. */
   readonly #held = new Map<number, Flight>();
-  #promised: { spread: number; resolve: (landed: boolean) => void }[] = [];
+  #promised: Promised[] = [];
   /** Rises when everything in flight is put down at once: what was under way is void. */
   #era = 0;
 
@@ -87,6 +97,11 @@ export class Turning {
     return this.#flights;
   }
 
+  /** The spread where the book rested last. */
+  get restedAt(): number {
+    return this.#restedAt;
+  }
+
   /** The spread where the book will lie when all that is asked for is done. */
   get destination(): number {
     return this.#plan.at(-1) ?? this.#landing;
@@ -101,6 +116,7 @@ export class Turning {
   lay(spread: number): void {
     this.#putDown();
     this.#spread = this.#restedAt = spread;
+    this.#hasLeft = false;
     this.#engine.lay(paperOnLeft(this.#binding, spread));
     // Where there are no boards, none presses the pages flat.
     const { hardCover } = this.#binding;
@@ -108,42 +124,67 @@ export class Turning {
     this.#engine.layBoard(Cover.front, spread > 0 || !hardCover ? Side.left : Side.right);
     this.#engine.layBoard(Cover.back, spread === last && hardCover ? Side.left : Side.right);
     this.#engine.update();
-    this.#keepPromises();
+    keepPromises(this.#takePromises(), spread);
   }
 
-  /** Stops where it is, for good: what was promised resolves to false, and the engine is told nothing more. */
+  /** Stops where it is, for good: every promise resolves to false, and the engine is not called again. */
   close(): void {
     this.#putDown();
-    const promised = this.#promised;
-    this.#promised = [];
-    for (const { resolve } of promised) resolve(false);
+    for (const { resolve } of this.#takePromises()) resolve(false);
   }
 
-  /** Turns to a spread; resolves to whether the book came to rest there. */
+  /** Turns to a spread. Resolves, once the book is at rest, to whether it lies there. */
   goTo(spread: number): Promise<boolean> {
-    this.#plan = [];
-    for (const flight of this.#flights) {
-      const { low, high, to } = flight;
-      this.#play(flight, spread >= high ? Side.left : spread <= low ? Side.right : to);
-    }
-    this.#plan = waypoints(this.#binding, this.#landing, spread);
-    this.#isJump = true;
-    return this.#promise(spread);
+    this.#head(spread);
+    return this.#promise((at) => at === spread);
   }
 
   /**
-   * Turns one leaf on (1) or back (-1); resolves to whether the book came to
-   * rest there. Against the leaves in flight, the one taken up last goes back.
+   * Turns one leaf on (1) or back (-1) from where the book will lie when all that was asked for
+   * before is done. Every call counts: what waits becomes a jump where it is many leaves. A leaf
+   * in hand is the one that is turned.
+   *
+   * Resolves, once the book is at rest, to whether it lies there or farther on that way; at once
+   * to false at the book's end.
    */
   turn(by: 1 | -1): Promise<boolean> {
-    const to = by === 1 ? Side.left : Side.right;
-    const held = [...this.#held.values()].at(-1);
-    if (held !== undefined || (this.#isJump && this.#plansAgainst(by))) this.#plan = [];
-    const back = held ?? this.#nextBack(by);
+    const held = this.#heldLast;
+    if (held !== undefined) return this.#turnHeld(held, by);
+    const spread = this.#next(by);
+    if (spread === null) return Promise.resolve(false);
+    this.#head(spread);
+    return this.#promise((at) => (at - spread) * by >= 0);
+  }
+
+  /**
+   * A reader turns one leaf on (1) or back (-1), by a key, a click, a flick or the wheel. What a
+   * reader sees counts: against the leaves in flight, the one taken up last goes back, and a jump
+   * is called off; and few turns wait, so that a held key stops soon after its release.
+   *
+   * Resolves as `turn` does, and at once to false where too many wait.
+   */
+  press(by: 1 | -1): Promise<boolean> {
+    const held = this.#heldLast;
+    if (held !== undefined) return this.#turnHeld(held, by);
+    if (!this.#isReaders && this.#plansAgainst(by)) this.#plan = [];
+    const back = this.#nextBack(by);
     if (this.#plansAgainst(by)) this.#plan.pop();
-    else if (back !== undefined && this.#plan.length === 0) this.#play(back, to);
-    else this.#planTurn(by);
-    return this.#promise(this.destination);
+    else if (back !== undefined && this.#plan.length === 0) this.#play(back, sideTo(by));
+    else {
+      const spread = this.#next(by);
+      if (spread === null || this.#plan.length >= mostWaiting) return Promise.resolve(false);
+      this.#plan.push(spread);
+      this.#isReaders = true;
+    }
+    const { destination } = this;
+    return this.#promise((at) => (at - destination) * by >= 0);
+  }
+
+  /** The spread to which `turn` would turn; null at the book's end. */
+  turned(by: 1 | -1): number | null {
+    const held = this.#heldLast;
+    if (held !== undefined) return by === 1 ? held.high : held.low;
+    return this.#next(by);
   }
 
   /** A hand takes up the leaf or board on top of `side`; null where there is none, or where it has to wait. */
@@ -214,9 +255,8 @@ export class Turning {
       this.#sinceLift += now * tick;
       left -= now;
     } while (left > 0 && this.moving);
-    // What was planned may have come about by itself.
-    while (this.#plan.length > 0 && this.#plan[0] === this.#landing) this.#plan.shift();
-    if (!this.moving) this.#keepPromises();
+    this.#dropReached();
+    if (!this.moving) this.#rest();
     return this.moving;
   }
 
@@ -258,17 +298,44 @@ export class Turning {
       : this.#flights.findLast(({ to }) => to === Side.left);
   }
 
-  #planTurn(by: 1 | -1): void {
+  /** What was taken in hand last, where something is in hand. */
+  get #heldLast(): Flight | undefined {
+    return [...this.#held.values()].at(-1);
+  }
+
+  /** The spread one leaf on (1) or back (-1) from the destination; null at the book's end. */
+  #next(by: 1 | -1): number | null {
     const spread = this.destination + by;
-    if (spread < this.#binding.first || spread > this.#binding.last) return;
-    if (this.#plan.length >= mostWaiting) return;
-    this.#plan.push(spread);
-    this.#isJump = false;
+    return spread < this.#binding.first || spread > this.#binding.last ? null : spread;
+  }
+
+  /** Sends what is in flight to where it lies at a spread, and plans the rest of the way there. */
+  #head(spread: number): void {
+    this.#plan = [];
+    for (const flight of this.#flights) {
+      const { low, high, to } = flight;
+      this.#play(flight, spread >= high ? Side.left : spread <= low ? Side.right : to);
+    }
+    this.#plan = waypoints(this.#binding, this.#landing, spread);
+    this.#isReaders = false;
+  }
+
+  /** Takes a leaf or board from the hand that holds it, and turns it. */
+  #turnHeld(held: Flight, by: 1 | -1): Promise<boolean> {
+    this.#plan = [];
+    this.#play(held, sideTo(by));
+    const { destination } = this;
+    return this.#promise((at) => (at - destination) * by >= 0);
+  }
+
+  /** Drops from the plan what has come about by itself. */
+  #dropReached(): void {
+    while (this.#plan.length > 0 && this.#plan[0] === this.#landing) this.#plan.shift();
   }
 
   /** Begins the next turn that waits, if it may begin yet. */
   #liftNext(): void {
-    while (this.#plan.length > 0 && this.#plan[0] === this.#landing) this.#plan.shift();
+    this.#dropReached();
     if (this.#plan.length === 0 || this.#sinceLift < this.#apart) return;
     const [from, to] = [this.#landing, this.#plan[0]];
     const side = from < to ? Side.right : Side.left;
@@ -295,6 +362,7 @@ export class Turning {
     if (side === Side.right) this.#flights.push(flight);
     else this.#flights.unshift(flight);
     this.#sinceLift = 0;
+    this.#hasLeft = true;
     this.#events.started(flight);
     return this.#flights.includes(flight) ? flight : null;
   }
@@ -355,10 +423,20 @@ export class Turning {
       // Whoever heard of it may have laid the book elsewhere, or taken it away.
       if (era !== this.#era) return;
     }
-    if (landed.length === 0 || this.#flights.length > 0) return;
-    const from = this.#restedAt;
-    this.#restedAt = this.#spread;
-    this.#events.rested(from, this.#spread);
+  }
+
+  /** Nothing moves and nothing waits: says so where something did, then keeps the promises. */
+  #rest(): void {
+    const at = this.#spread;
+    // What a listener asks for is promised for the rest after this one.
+    const promised = this.#takePromises();
+    if (this.#hasLeft) {
+      const from = this.#restedAt;
+      this.#restedAt = at;
+      this.#hasLeft = false;
+      this.#events.rested(from, at);
+    }
+    keepPromises(promised, at);
   }
 
   #putDown(): void {
@@ -369,16 +447,25 @@ export class Turning {
     this.#sinceLift = Number.POSITIVE_INFINITY;
   }
 
-  #promise(spread: number): Promise<boolean> {
-    const promised = new Promise<boolean>((resolve) => this.#promised.push({ spread, resolve }));
+  #promise(isKeptAt: Promised["isKeptAt"]): Promise<boolean> {
+    const promised = new Promise<boolean>((resolve) => this.#promised.push({ isKeptAt, resolve }));
     // Also a turn that was asked for and called off before it began.
-    if (!this.moving) this.#keepPromises();
+    if (!this.moving) this.#rest();
     return promised;
   }
 
-  #keepPromises(): void {
+  #takePromises(): readonly Promised[] {
     const promised = this.#promised;
     this.#promised = [];
-    for (const { spread, resolve } of promised) resolve(spread === this.#spread);
+    return promised;
   }
+}
+
+function keepPromises(promised: readonly Promised[], at: number): void {
+  for (const { isKeptAt, resolve } of promised) resolve(isKeptAt(at));
+}
+
+/** The side that a turn `by` goes to. */
+function sideTo(by: 1 | -1): Side {
+  return by === 1 ? Side.left : Side.right;
 }

@@ -10,8 +10,8 @@ export interface Answers {
   open(): void;
   /** The same book, bound anew, where it lay. */
   rebind(): void;
-  /** The book turns to a page. */
-  goTo(page: number): void;
+  /** The attribute of the page has another value: the book turns there if it is a number. */
+  setPage(value: string | null): void;
   /** The leaves are made of another paper. */
   changePaper(): void;
   /** The leaves turn in another way. */
@@ -31,7 +31,7 @@ export const attributes: Readonly<
   Record<string, (answers: Answers, value: string | null) => void>
 > = {
   src: (answers) => answers.open(),
-  page: (answers, value) => answers.goTo(Number(value)),
+  page: (answers, value) => answers.setPage(value),
   ...Object.fromEntries(bindingAttributes.map((name) => [name, (to: Answers) => to.rebind()])),
   duration: (answers) => answers.changePace(),
   stock: (answers) => answers.changePaper(),
@@ -55,10 +55,13 @@ export function paperOf(element: Element): Paper {
   return { stock: stockOf(element), assist: element.getAttribute("assist") !== "off" };
 }
 
-/** `duration`: length of a turn in seconds; 0.8 where the attribute gives none up to a minute. */
+/**
+ * `duration`: length of a turn in seconds, 0 for no motion at all; 0.8 if the attribute is missing,
+ * empty, or no number from 0 to a minute.
+ */
 export function turnSecondsOf(element: Element): number {
-  const milliseconds = Number(element.getAttribute("duration") ?? 800);
-  return milliseconds > 0 && milliseconds <= 60_000 ? milliseconds / 1000 : 0.8;
+  const milliseconds = Number(element.getAttribute("duration")?.trim() || 800);
+  return milliseconds >= 0 && milliseconds <= 60_000 ? milliseconds / 1000 : 0.8;
 }
 
 /** Takes over what was set before the element was defined: it lies on the element and hides the accessors. */

@@ -18,7 +18,7 @@ export interface TurnleafEventMap {
   load: CustomEvent<{ pageCount: number; title: string }>;
   /** A leaf leaves its side, by hand or by command. */
   turnstart: CustomEvent<TurnDetail>;
-  /** The book came to rest at another spread. */
+  /** The book came to rest at another spread and nothing more is planned: once a jump, however long. */
   pagechange: CustomEvent<TurnDetail>;
   /** The book is bound at another edge, or shows two pages rather than one, or one rather than two. */
   layoutchange: CustomEvent<{ layout: Layout; binding: Edge }>;
@@ -30,6 +30,8 @@ export interface TurnleafEventMap {
   bookmarkchange: CustomEvent<{ bookmarks: readonly number[] }>;
   /** The slide-show begins or ends. */
   playchange: CustomEvent<{ playing: boolean }>;
+  /** A page (from 1) could not be drawn; the sentence, which stands in its place, says why. The other pages are shown. */
+  pageerror: CustomEvent<{ page: number; message: string }>;
   /** The book could not be opened, or a part of the viewer not be loaded, without which it shows; the sentence says which. */
   error: CustomEvent<{ message: string }>;
 }

@@ -24,7 +24,7 @@ export interface LifeHooks {
   prepare(): Promise<void>;
   /** How a book is shown. */
   options(source: PageSource): ViewerOptions;
-  /** Turns one leaf on (1) or back (-1), as the reader likes it: with a turn or without. */
+  /** A reader turns one leaf on (1) or back (-1), with motion or without, as the reader likes it. */
   readonly turn: (by: 1 | -1) => void;
   /** Turns to a page (from 1). */
   goTo(page: number): void;

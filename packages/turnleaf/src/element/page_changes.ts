@@ -3,7 +3,12 @@
 import { loaded } from "../sources/loaded.ts";
 import type { BookInput } from "../sources/open.ts";
 import type { Moved } from "../sources/page_list.ts";
+import type { PageSource } from "../sources/page_source.ts";
 import type { OpenBook } from "./life.ts";
+
+/** How many pages of an addition are drawn before it is put in, and how wide, pixels. */
+const checkedPages = 8;
+const checkedWidth = 64;
 
 /** Changes the pages of one element's book, one change after the other, in the order they are asked for. */
 export class PageChanges {
@@ -40,6 +45,7 @@ async function apply(
   const added = input === null ? null : await openSource(input);
   let moved = null as Moved | null;
   try {
+    if (added !== null) await check(added);
     await book.viewer.changePages(() => {
       moved = book.source.splice(at - 1, count, added);
       return moved;
@@ -49,4 +55,22 @@ async function apply(
     else added?.close();
   }
   return moved;
+}
+
+/**
+ * Draws the first pages of an addition once, as a list may name what is not there.
+ * Rejects with a `BookError` if one of them cannot be drawn.
+ */
+async function check(source: PageSource): Promise<void> {
+  const ended = new AbortController();
+  const draw = async (index: number): Promise<void> => {
+    const picture = await source.draw(index, checkedWidth, ended.signal);
+    if ("close" in picture) picture.close();
+  };
+  const indices = Array.from({ length: Math.min(source.pageCount, checkedPages) }, (_, k) => k);
+  try {
+    await Promise.all(indices.map(draw));
+  } finally {
+    ended.abort();
+  }
 }

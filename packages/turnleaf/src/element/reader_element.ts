@@ -138,7 +138,7 @@ export abstract class ReaderElement extends ReflectingElement {
 
   /** Turns to the last page. Resolves as `goTo` does. */
   last(): Promise<boolean> {
-    return this.goTo(this.pageCount);
+    return this.goTo(Number.POSITIVE_INFINITY);
   }
 
   /**

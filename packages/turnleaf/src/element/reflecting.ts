@@ -57,7 +57,7 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * Length of a played turn, milliseconds up to 60,000.
+   * Length of a played turn, milliseconds up to 60,000. With 0 pages change at once, without motion.
    * @attribute duration
    * @default 800
    */

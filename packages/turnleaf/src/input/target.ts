@@ -5,7 +5,7 @@ import type { Viewer } from "../viewer.ts";
 /** An open book, and what of the element it lies in is asked beside it. */
 export interface InputTarget {
   readonly viewer: Viewer;
-  /** Turns one leaf on (1) or back (-1), as the reader likes it: with a turn or without. */
+  /** A reader turns one leaf on (1) or back (-1), with motion or without, as the reader likes it. */
   readonly turn: (by: 1 | -1) => void;
   /** Whether the reader asked for less motion. */
   readonly calm: () => boolean;

@@ -9,7 +9,7 @@ export class Fade {
   readonly #rested: (from: number) => void;
   /** The spread from which the first of fades that follow each other went. */
   #from = 0;
-  #promised: { spread: number; resolve: (landed: boolean) => void }[] = [];
+  #promised: { isKeptAt: (spread: number) => boolean; resolve: (kept: boolean) => void }[] = [];
   /** What is seen meanwhile, and the picture that goes. */
   #mix: HTMLCanvasElement | null = null;
   #before: HTMLCanvasElement | null = null;
@@ -44,9 +44,9 @@ export class Fade {
     this.#canvas.style.opacity = "0";
   }
 
-  /** Resolves, once the fade is over, to whether the book lies at a spread then. */
-  promise(spread: number): Promise<boolean> {
-    return new Promise((resolve) => this.#promised.push({ spread, resolve }));
+  /** Resolves, once the fade is over, to whether `isKeptAt` says so of the spread where the book lies then. */
+  promise(isKeptAt: (spread: number) => boolean): Promise<boolean> {
+    return new Promise((resolve) => this.#promised.push({ isKeptAt, resolve }));
   }
 
   /**
@@ -62,8 +62,10 @@ export class Fade {
     const share = (now - this.#start) / fadeTime;
     if (share >= 1) {
       this.#clear();
+      // What a listener asks for is promised for the fade after this one.
+      const promised = this.#takePromises();
       this.#rested(this.#from);
-      this.#keepPromises(spread);
+      for (const { isKeptAt, resolve } of promised) resolve(isKeptAt(spread));
       return;
     }
     [mix.width, mix.height] = [this.#canvas.width, this.#canvas.height];
@@ -80,13 +82,13 @@ export class Fade {
   /** Shows the canvas itself, at once; what was promised resolves to false. */
   close(): void {
     this.#clear();
-    this.#keepPromises(null);
+    for (const { resolve } of this.#takePromises()) resolve(false);
   }
 
-  #keepPromises(at: number | null): void {
+  #takePromises() {
     const promised = this.#promised;
     this.#promised = [];
-    for (const { spread, resolve } of promised) resolve(spread === at);
+    return promised;
   }
 
   #clear(): void {

@@ -28,10 +28,10 @@ export interface ViewerOptions extends Partial<Wish> {
   readonly model?: () => ModelChoice;
   /** A turn begins between two spreads. */
   readonly onStart: (low: number, high: number, forward: boolean) => void;
-  /** The book came to rest at a spread. */
+  /** The book came to rest at a spread, and nothing more is planned. */
   readonly onRest: (from: number, to: number) => void;
-  /** A page that lies open cannot be shown; the sentence says why. */
-  readonly onFailure: (sentence: string) => void;
+  /** A page (from 1) cannot be shown, whether it lies open or not; the sentence says why. */
+  readonly onFailure: (page: number, sentence: string, isOpen: boolean) => void;
   /** The book is seen from nearer or farther: the level that is shown, or on the way to being. */
   readonly onZoom?: (level: number) => void;
   /** A part of the viewer that the book shows without could not be loaded. */

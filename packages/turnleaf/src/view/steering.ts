@@ -2,7 +2,7 @@
 
 import { faceOf } from "../book/faces.ts";
 import { leftPage, rightPage } from "../book/spreads.ts";
-import type { Flight } from "../book/turning.ts";
+import type { Flight, Turning } from "../book/turning.ts";
 import type { Place } from "../draw/stage.ts";
 import { Side } from "../engine/phases.ts";
 import type { Binder } from "./binder.ts";
@@ -66,7 +66,7 @@ export class Steering {
     if (this.#closed) return;
     const { holding, turning } = this.#binder.bound;
     const way = turning.holds(hand) ? holding.carried(hand) : 0;
-    if (way !== 0) void turning.turn(way);
+    if (way !== 0) void turning.press(way);
     holding.release(hand);
     this.#events.stirred();
   }
@@ -87,12 +87,14 @@ export class Steering {
     return hold.on === this.#binder.bound.peek.flight;
   }
 
-  /** Turns a leaf to the left (1) or the right (-1); resolves as `Turning.turn` does. */
+  /** Turns a leaf to the left (1) or the right (-1), by command. Resolves as `Turning.turn` does. */
   turn(way: 1 | -1): Promise<boolean> {
-    return this.#command(
-      () => this.#binder.bound.turning.turn(way),
-      (flight) => (flight.from === flight.low) === (way === 1),
-    );
+    return this.#turn(way, (turning) => turning.turn(way));
+  }
+
+  /** Turns a leaf to the left (1) or the right (-1), as a reader asks for it. Resolves as `Turning.press` does. */
+  press(way: 1 | -1): Promise<boolean> {
+    return this.#turn(way, (turning) => turning.press(way));
   }
 
   /** Turns to a spread; resolves as `Turning.goTo` does. */
@@ -135,6 +137,13 @@ export class Steering {
   /** Nothing moves any leaf any more. */
   close(): void {
     this.#closed = true;
+  }
+
+  #turn(way: 1 | -1, turn: (turning: Turning) => Promise<boolean>): Promise<boolean> {
+    return this.#command(
+      () => turn(this.#binder.bound.turning),
+      (flight) => (flight.from === flight.low) === (way === 1),
+    );
   }
 
   /**

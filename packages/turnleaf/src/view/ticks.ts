@@ -6,7 +6,7 @@ const longestFrame = 0.1;
 /** Counts the whole ticks that pass from frame to frame while something moves. */
 export class Ticks {
   readonly #tick: number;
-  #lastTime = 0;
+  #lastTime: number | null = null;
   #remainder = 0;
 
   /** @param tick length of a tick in seconds */
@@ -14,10 +14,16 @@ export class Ticks {
     this.#tick = tick;
   }
 
-  /** Whole ticks since the last frame; none in the first of a movement. */
+  /**
+   * Returns the whole ticks since the last frame, 0 or more: none in the first of a
+   * movement, nor for a frame whose time is no number or not after the last one's.
+   *
+   * @param now time of the frame in milliseconds, as animation frames tell it
+   */
   pass(now: number): number {
-    const seconds =
-      this.#lastTime === 0 ? 0 : Math.min((now - this.#lastTime) / 1000, longestFrame);
+    if (!Number.isFinite(now)) return 0;
+    const since = this.#lastTime === null ? 0 : (now - this.#lastTime) / 1000;
+    const seconds = Math.min(Math.max(since, 0), longestFrame);
     this.#lastTime = now;
     this.#remainder += seconds / this.#tick;
     const ticks = Math.floor(this.#remainder);
@@ -27,6 +33,7 @@ export class Ticks {
 
   /** The movement is over: the next frame is the first of another, which owes nothing to this one. */
   stop(): void {
-    this.#lastTime = this.#remainder = 0;
+    this.#lastTime = null;
+    this.#remainder = 0;
   }
 }
