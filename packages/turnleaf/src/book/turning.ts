@@ -312,9 +312,12 @@ export class Turning {
   /** Sends what is in flight to where it lies at a spread, and plans the rest of the way there. */
   #head(spread: number): void {
     this.#plan = [];
+    const held = [...this.#held.values()];
     for (const flight of this.#flights) {
-      const { low, high, to } = flight;
-      this.#play(flight, spread >= high ? Side.left : spread <= low ? Side.right : to);
+      const { low, high } = flight;
+      const to = spread >= high ? Side.left : spread <= low ? Side.right : flight.to;
+      // What is on its way there keeps its pace.
+      if (flight.to !== to || held.includes(flight)) this.#play(flight, to);
     }
     this.#plan = waypoints(this.#binding, this.#landing, spread);
     this.#isReaders = false;

@@ -4,6 +4,7 @@
  */
 
 import { unpackCode } from "./machine_code.ts";
+import { areFinite, clamp, isHand, turnSeconds, whole, wholeTicks } from "./numbers.ts";
 import type { Cover, Phase, Side } from "./phases.ts";
 import {
   type Pile,
@@ -59,6 +60,12 @@ interface Exports {
   tl_board_angle(book: number, cover: Cover): number;
 }
 
+/** Bounds of what the engine is asked: numbers of flights, of flights at once, of leaves; metres from the spine. */
+const mostIds = 2 ** 32 - 1;
+const mostFlights = 16;
+const mostLeaves = 1e6;
+const farthest = 1000;
+
 let compiled: Promise<WebAssembly.Module> | undefined;
 
 /** Compiles the engine once a page, at the first book. */
@@ -86,22 +93,29 @@ export type BookEngine = Pick<EngineBook, keyof EngineBook>;
 
 /**
  * One bound book in the engine, with several leaves of paper in flight. A
- * flight is known by the number that `lift` answers; a command to one that is
+ * flight is known by the number that `lift` returns; a command to one that is
  * over changes nothing. Flights are listed from the left to the right.
+ *
+ * Numbers are kept to what the engine takes: counts are clamped, places clamped
+ * to 1 km, and a command with a place that is no number does nothing.
  */
 export class EngineBook {
   /** Length of the engine's tick in seconds. */
   readonly tick: number;
   readonly #wasm: Exports;
   readonly #book: number;
+  readonly #leaves: number;
   /** Surfaces by the address of their positions: the engine uses few, again and again. */
   readonly #surfaces = new Map<number, Surface>();
   readonly #piles: (Pile | undefined)[] = [undefined, undefined];
 
   private constructor(wasm: Exports, size: BookSize) {
     this.#wasm = wasm;
+    const { width, height, leaves, thickness } = size;
     this.tick = wasm.tl_tick();
-    this.#book = wasm.tl_book_new(size.width, size.height, size.leaves, size.thickness);
+    this.#leaves = whole(leaves, mostLeaves);
+    const isBook = this.#leaves === leaves && areFinite([width, height, thickness]);
+    this.#book = isBook ? wasm.tl_book_new(width, height, leaves, thickness) : 0;
     if (this.#book === 0) throw new Error("The engine refused a book of this size.");
   }
 
@@ -132,18 +146,18 @@ export class EngineBook {
    */
   setStock(stock: Stock | StockFigures): boolean {
     if (typeof stock === "string") {
-      return this.#changed(this.#wasm.tl_book_set_stock(this.#book, stocks.indexOf(stock)));
+      const number = stocks.indexOf(stock);
+      return number >= 0 && this.#changed(this.#wasm.tl_book_set_stock(this.#book, number));
     }
     const { grammage, caliper, stiffnessAlong, stiffnessAcross } = stock;
-    return this.#changed(
-      this.#wasm.tl_book_set_figures(
-        this.#book,
-        grammage * 1e-3,
-        caliper * 1e-6,
-        stiffnessAlong * 1e-3,
-        stiffnessAcross * 1e-3,
-      ),
-    );
+    const figures = [
+      grammage * 1e-3,
+      caliper * 1e-6,
+      stiffnessAlong * 1e-3,
+      stiffnessAcross * 1e-3,
+    ] as const;
+    if (!areFinite(figures)) return false;
+    return this.#changed(this.#wasm.tl_book_set_figures(this.#book, ...figures));
   }
 
   /**
@@ -152,12 +166,15 @@ export class EngineBook {
    */
   setBinding(grain: "along" | "across", stiffness: number): boolean {
     const across = grain === "across" ? 1 : 0;
+    if (!areFinite([stiffness])) return false;
     return this.#changed(this.#wasm.tl_book_set_binding(this.#book, across, stiffness));
   }
 
   /** Sets the velocity of the air, m/s, each component within 20. Answers whether it could. */
   setWind(wind: Vec3): boolean {
-    return this.#changed(this.#wasm.tl_book_set_wind(this.#book, ...wind));
+    const [x, y, z] = wind;
+    if (!areFinite([x, y, z])) return false;
+    return this.#changed(this.#wasm.tl_book_set_wind(this.#book, x, y, z));
   }
 
   /** Whether a leaf let go is helped over to its side, or left to gravity. */
@@ -174,7 +191,7 @@ export class EngineBook {
 
   /** Lays the book open with `read` leaves of paper on the left and none in flight. */
   lay(read: number): void {
-    this.#wasm.tl_book_lay(this.#book, read);
+    this.#wasm.tl_book_lay(this.#book, whole(read, this.#leaves));
   }
 
   /**
@@ -182,37 +199,42 @@ export class EngineBook {
    * left `high`. Answers the flight's number, or 0 where these are not the uppermost or too many fly.
    */
   lift(side: Side, low: number, high: number): number {
-    return this.#wasm.tl_book_lift(this.#book, side, low, high);
+    const most = this.#leaves;
+    return this.#wasm.tl_book_lift(this.#book, side, whole(low, most), whole(high, most));
   }
 
   /** A hand (0 to 3) takes hold of a flight at (u, v). */
   grab(id: number, hand: number, u: number, v: number): void {
-    this.#wasm.tl_book_grab(this.#book, id, hand, u, v);
+    if (!isHand(hand, u, v)) return;
+    const [inU, inV] = [clamp(u, 0, 1), clamp(v, 0, 1)];
+    this.#wasm.tl_book_grab(this.#book, whole(id, mostIds), hand, inU, inV);
   }
 
   /** The hand pulls the flight that it holds to a place in book space, metres. */
   hold(id: number, hand: number, x: number, y: number, z: number): void {
-    this.#wasm.tl_book_hold(this.#book, id, hand, x, y, z);
+    if (!isHand(hand, x, y, z)) return;
+    const near = (metres: number): number => clamp(metres, -farthest, farthest);
+    this.#wasm.tl_book_hold(this.#book, whole(id, mostIds), hand, near(x), near(y), near(z));
   }
 
   /** The hand lets go; with no other on it, the leaf falls, and those in its way with it. */
   release(id: number, hand: number): void {
-    this.#wasm.tl_book_release(this.#book, id, hand);
+    if (isHand(hand)) this.#wasm.tl_book_release(this.#book, whole(id, mostIds), hand);
   }
 
   /** Takes a flight to `side` from where it is, `seconds` for a whole turn, and those in its way too. */
   play(id: number, side: Side, seconds: number): void {
-    this.#wasm.tl_book_play(this.#book, id, side, seconds);
+    this.#wasm.tl_book_play(this.#book, whole(id, mostIds), side, turnSeconds(seconds));
   }
 
   /** Steps all flights by whole ticks. */
   step(ticks: number): void {
-    this.#wasm.tl_book_step(this.#book, ticks);
+    this.#wasm.tl_book_step(this.#book, wholeTicks(ticks, this.tick));
   }
 
   /** What a flight is doing. */
   phase(id: number): Phase {
-    return this.#wasm.tl_book_phase(this.#book, id);
+    return this.#wasm.tl_book_phase(this.#book, whole(id, mostIds));
   }
 
   /** Leaves of paper on the left pile. */
@@ -240,14 +262,15 @@ export class EngineBook {
   /** The flight at `index`, counted from the left, as a view of the engine's memory. */
   surface(index: number): Surface {
     const wasm = this.#wasm;
-    const at = wasm.tl_book_positions(this.#book, index);
-    const version = wasm.tl_book_version(this.#book, index);
+    const number = whole(index, mostFlights);
+    const at = wasm.tl_book_positions(this.#book, number);
+    const version = wasm.tl_book_version(this.#book, number);
     let surface = this.#surfaces.get(at);
     if (surface === undefined || surface.positions.buffer !== wasm.memory.buffer) {
       const columns = wasm.tl_book_columns(this.#book);
       const rows = wasm.tl_book_rows(this.#book);
       const view = (at: number) => new Float32Array(wasm.memory.buffer, at, 3 * columns * rows);
-      const normals = view(wasm.tl_book_normals(this.#book, index));
+      const normals = view(wasm.tl_book_normals(this.#book, number));
       surface = { columns, rows, positions: view(at), normals, version };
     } else if (surface.version !== version) {
       surface = { ...surface, version };
@@ -264,7 +287,7 @@ export class EngineBook {
    */
   dress(index: number): Float32Array | null {
     const wasm = this.#wasm;
-    const at = wasm.tl_book_dress(this.#book, index);
+    const at = wasm.tl_book_dress(this.#book, whole(index, mostFlights));
     const count = wasm.tl_book_columns(this.#book) * wasm.tl_book_rows(this.#book);
     return at === 0 ? null : new Float32Array(wasm.memory.buffer, at, 3 * count);
   }
@@ -286,7 +309,7 @@ export class EngineBook {
 
   /** A hand holds a board at an angle (radians from the right-hand side). */
   holdBoard(cover: Cover, angle: number): void {
-    this.#wasm.tl_board_hold(this.#book, cover, angle);
+    if (areFinite([angle])) this.#wasm.tl_board_hold(this.#book, cover, clamp(angle, 0, Math.PI));
   }
 
   /** The hand lets a board go. */
@@ -296,7 +319,7 @@ export class EngineBook {
 
   /** Swings a board to `side`, `seconds` for a whole half turn. */
   playBoard(cover: Cover, side: Side, seconds: number): void {
-    this.#wasm.tl_board_play(this.#book, cover, side, seconds);
+    this.#wasm.tl_board_play(this.#book, cover, side, turnSeconds(seconds));
   }
 
   /** Puts a board down on `side` at once. */
@@ -306,7 +329,7 @@ export class EngineBook {
 
   /** Steps a board by whole ticks; answers what it is doing then. */
   stepBoard(cover: Cover, ticks: number): Phase {
-    return this.#wasm.tl_board_step(this.#book, cover, ticks);
+    return this.#wasm.tl_board_step(this.#book, cover, wholeTicks(ticks, this.tick));
   }
 
   /** A board's angle from the right-hand side, radians. */

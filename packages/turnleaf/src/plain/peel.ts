@@ -125,7 +125,9 @@ export class Peel {
     this.#hands.clear();
     this.#isFresh = false;
     const goal = this.#place(to);
-    const share = Math.abs(goal[0] - this.#held[0]) / (2 * Math.abs(this.#rest[0]));
+    // What is held at the spine has no way to go.
+    const across = 2 * Math.abs(this.#rest[0]);
+    const share = across > 0 ? Math.abs(goal[0] - this.#held[0]) / across : 1;
     const upward = this.#rest[1] < this.#size.height / 2 ? 1 : -1;
     this.#way = {
       from: this.#held,

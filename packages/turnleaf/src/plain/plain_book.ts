@@ -5,6 +5,7 @@
  */
 
 import type { BookEngine, BookSize } from "../engine/engine.ts";
+import { areFinite, clamp, isHand, turnSeconds, whole, wholeTicks } from "../engine/numbers.ts";
 import { type Cover, Phase, Side } from "../engine/phases.ts";
 import type { Pile, Surface } from "../engine/shapes.ts";
 import { beyond, creaseOf, mirrored, type Point } from "./fold.ts";
@@ -85,7 +86,7 @@ export class PlainBook implements BookEngine {
 
   lay(read: number): void {
     this.#peels = [];
-    this.#read = read;
+    this.#read = whole(read, this.#size.leaves);
   }
 
   lift(side: Side, low: number, high: number): number {
@@ -105,13 +106,14 @@ export class PlainBook implements BookEngine {
   }
 
   grab(id: number, hand: number, u: number, v: number): void {
+    if (!isHand(hand, u, v)) return;
     // One leaf is in hand at a time: another falls.
     for (const other of this.#peels) if (other.id !== id) this.#letGo(other);
-    this.#find(id)?.grab(hand, u, v);
+    this.#find(id)?.grab(hand, clamp(u, 0, 1), clamp(v, 0, 1));
   }
 
   hold(id: number, hand: number, x: number, y: number): void {
-    this.#find(id)?.pull(hand, x, y);
+    if (isHand(hand, x, y)) this.#find(id)?.pull(hand, x, y);
   }
 
   release(id: number, hand: number): void {
@@ -121,12 +123,14 @@ export class PlainBook implements BookEngine {
 
   play(id: number, side: Side, seconds: number): void {
     const peel = this.#find(id);
-    peel?.send(side, seconds, false);
-    if (peel) this.#takeAlong(peel, side, seconds);
+    if (peel === undefined) return;
+    peel.send(side, turnSeconds(seconds), false);
+    this.#takeAlong(peel, side, turnSeconds(seconds));
   }
 
   step(ticks: number): void {
-    for (const peel of this.#peels) peel.step(ticks * this.tick);
+    const seconds = wholeTicks(ticks, this.tick) * this.tick;
+    for (const peel of this.#peels) peel.step(seconds);
     // A leaf joins its pile once nothing flies between the two.
     const arrived = (peel: Peel | undefined, side: Side): peel is Peel =>
       peel?.goal === side && peel.isThere;
@@ -185,7 +189,7 @@ export class PlainBook implements BookEngine {
   }
 
   holdBoard(cover: Cover, angle: number): void {
-    this.#boards[cover].hold(angle);
+    if (areFinite([angle])) this.#boards[cover].hold(angle);
   }
 
   releaseBoard(cover: Cover): void {
@@ -193,7 +197,7 @@ export class PlainBook implements BookEngine {
   }
 
   playBoard(cover: Cover, side: Side, seconds: number): void {
-    this.#boards[cover].send(side, seconds);
+    this.#boards[cover].send(side, turnSeconds(seconds));
   }
 
   layBoard(cover: Cover, side: Side): void {
@@ -201,7 +205,7 @@ export class PlainBook implements BookEngine {
   }
 
   stepBoard(cover: Cover, ticks: number): Phase {
-    this.#boards[cover].step(ticks * this.tick);
+    this.#boards[cover].step(wholeTicks(ticks, this.tick) * this.tick);
     return this.#boards[cover].phase;
   }
 
