@@ -100,10 +100,15 @@ Every way of turning a page:
 
 Experiments on a book:
 
-  gestures          random hands on its leaves: strain, penetration, time of a frame
+  gestures          random hands on its leaves: strain, shear, penetration, frames, rest
                       --count N       gestures (1000)
                       --seed S        seed of the first; each has the next one (1)
-                      --stock bible|book|office|coated|card|all  (all, in turn)
+                      --stock bible|book|office|coated|card|custom|extreme|presets|all
+                                      each in turn; custom: figures as of paper, extreme: any
+                                      that a book takes (all)
+                      --kind hands|riffle|teleport|circle|pin|apart|mixed|all  what hands do (all)
+                      --page any|usual   usual: 140 x 210 mm, still air, the usual binding and
+                                      frames; any: all of them at random (any)
                       --worst N       lists the seeds of the N worst (0)
                       --jobs N        played at once (1); times of a frame are then longer
                       --into FILE     put a table between its lines in a page of Markdown

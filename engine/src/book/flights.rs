@@ -34,6 +34,9 @@ pub struct Flights {
     last_id: u32,
     /// Whether a leaf has come deep into another since all lay still.
     tangled: bool,
+    /// Flights that have joined a pile, and how many of them the limit on the time
+    /// of a fall put down.
+    landed: [u32; 2],
 }
 
 /// What leaves in flight are made of and how they are drawn.
@@ -66,6 +69,7 @@ impl Flights {
             pattern,
             last_id: 0,
             tangled: false,
+            landed: [0; 2],
         }
     }
 
@@ -214,14 +218,28 @@ impl Flights {
         {
             self.left = first.high();
             let over = self.order.remove(0);
+            self.count(&over);
             self.spare.push(over);
         }
         while let Some(last) = self.order.last()
             && last.phase() == Phase::Resting(Side::Right)
             && let Some(over) = self.order.pop()
         {
+            self.count(&over);
             self.spare.push(over);
         }
+    }
+
+    fn count(&mut self, over: &Flight) {
+        self.landed[0] = self.landed[0].wrapping_add(1);
+        let put_down = over.leaf().was_put_down();
+        self.landed[1] = self.landed[1].wrapping_add(put_down.into());
+    }
+
+    /// Flights that have joined a pile, and those of them that the limit on the time
+    /// of a fall put down.
+    pub fn landed(&self) -> [u32; 2] {
+        self.landed
     }
 
     fn take_spare(&mut self) -> Flight {

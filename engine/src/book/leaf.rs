@@ -129,6 +129,8 @@ pub struct Leaf {
     haste: f32,
     /// Ticks since it was let go.
     fallen: u32,
+    /// Whether the limit on its fall, and not its own motion, brought it to rest.
+    put_down: bool,
     /// Share of the half turn done and its rate of change, 1/s.
     share: f32,
     share_rate: f32,
@@ -180,6 +182,7 @@ impl Leaf {
             settling: None,
             haste: 1.0,
             fallen: 0,
+            put_down: false,
             share: 0.0,
             share_rate: 0.0,
             clamp: 0.0,
@@ -199,6 +202,7 @@ impl Leaf {
         self.hands = [None; HANDS];
         self.course = None;
         self.settling = None;
+        self.put_down = false;
         let left = side == Side::Left;
         self.share = if left { 1.0 } else { 0.0 };
         self.clamp = if left { core::f32::consts::PI } else { 0.0 };
@@ -370,6 +374,11 @@ impl Leaf {
         if let Phase::Resting(side) = self.phase {
             self.fall(side, 1.0);
         }
+    }
+
+    /// Whether the limit on the time of a fall eases it to rest, or has.
+    pub fn was_put_down(&self) -> bool {
+        self.put_down
     }
 
     /// Whether it lies still, or is about to.

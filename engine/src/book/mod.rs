@@ -272,6 +272,20 @@ impl Book {
         Some(flight.leaf().seated().depth)
     }
 
+    /// Whether the flight at `index`, counted from the left, is being eased flat: its
+    /// nodes are then moved to their places of rest.
+    pub fn is_settling(&self, index: usize) -> Option<bool> {
+        let flight = self.flights.order().get(index)?;
+        Some(flight.leaf().is_down())
+    }
+
+    /// How many flights have joined a pile by coming to rest since the book was made
+    /// or its paper changed, and how many of them did not lie still by themselves in
+    /// time but were put down.
+    pub fn landed(&self) -> [u32; 2] {
+        self.flights.landed()
+    }
+
     /// How far what is drawn of the flight at `index`, counted from the left, is from
     /// where its paper is, metres, as it would be drawn through another leaf there.
     pub fn lag(&self, index: usize) -> Option<f32> {

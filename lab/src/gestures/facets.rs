@@ -43,6 +43,26 @@ struct Block {
     bounds: Bounds,
     columns: core::ops::Range<usize>,
     rows: core::ops::Range<usize>,
+    /// A direction across it, and how far along that its points reach.
+    across: Point,
+    reach: [f32; 2],
+}
+
+impl Block {
+    /// Whether an edge may meet facets of the block.
+    fn may_meet(&self, p: Point, q: Point, edge: &Bounds) -> bool {
+        if !self.bounds.meets(edge) {
+            return false;
+        }
+        let (a, b) = (dot(p, self.across), dot(q, self.across));
+        a.max(b) >= self.reach[0] && a.min(b) <= self.reach[1]
+    }
+
+    /// Whether a block shares points with it.
+    fn touches(&self, other: &Block) -> bool {
+        let [c, d, r, s] = [&self.columns, &other.columns, &self.rows, &other.rows];
+        c.start <= d.end && d.start <= c.end && r.start <= s.end && s.start <= r.end
+    }
 }
 
 #[derive(Clone, Copy)]
@@ -69,6 +89,18 @@ impl Bounds {
     fn meets(&self, other: &Bounds) -> bool {
         (0..3).all(|i| self.0[i] <= other.1[i] && other.0[i] <= self.1[i])
     }
+
+    /// The box around both.
+    fn with(self, other: Bounds) -> Bounds {
+        Bounds::of([self.0, self.1, other.0, other.1])
+    }
+
+    /// Whether all unit vectors in it are less than a right angle from its middle.
+    fn is_narrow(&self) -> bool {
+        let middle: Point = core::array::from_fn(|i| self.0[i] + self.1[i]);
+        let least = |i: usize| (middle[i] * self.0[i]).min(middle[i] * self.1[i]);
+        least(0) + least(1) + least(2) > 0.0
+    }
 }
 
 impl<'a> Facets<'a> {
@@ -85,11 +117,23 @@ impl<'a> Facets<'a> {
                 let columns_of = column + c..(column + c + BLOCK).min(columns - 1);
                 let rows_of = row + r..(row + r + BLOCK).min(rows - 1);
                 let corners = (rows_of.start..=rows_of.end)
-                    .flat_map(|r| (columns_of.start..=columns_of.end).map(move |c| (r, c)));
+                    .flat_map(|r| (columns_of.start..=columns_of.end).map(move |c| (r, c)))
+                    .map(|(r, c)| points[r * columns + c]);
+                let at = |r: usize, c: usize| points[r * columns + c];
+                let (r, s, c, d) = (rows_of.start, rows_of.end, columns_of.start, columns_of.end);
+                let across = cross(sub(at(s, d), at(r, c)), sub(at(s, c), at(r, d)));
+                let across = across.map(|x| x / dot(across, across).sqrt().max(1e-30));
+                let reach = corners
+                    .clone()
+                    .map(|p| dot(p, across))
+                    .fold([f32::MAX, f32::MIN], |[a, b], h| [a.min(h), b.max(h)]);
                 blocks.push(Block {
-                    bounds: Bounds::of(corners.map(|(r, c)| points[r * columns + c])),
+                    bounds: Bounds::of(corners),
                     columns: columns_of,
                     rows: rows_of,
+                    across,
+                    // Rounding of places metres away.
+                    reach: [reach[0] - 1e-6, reach[1] + 1e-6],
                 });
             }
             let all = blocks[from..]
@@ -201,6 +245,144 @@ impl<'a> Facets<'a> {
             || all(&|node| node % self.columns + 1 == self.columns)
     }
 
+    /// Edges that may meet another leaf, as numbers of points.
+    pub fn edges_near(&self, other: &Facets<'_>) -> Vec<[usize; 2]> {
+        let mut found = Vec::new();
+        for (bounds, blocks) in &self.groups {
+            let near: Vec<&Block> = other
+                .groups
+                .iter()
+                .filter(|(met, _)| met.meets(bounds))
+                .flat_map(|(_, blocks)| &other.blocks[blocks.clone()])
+                .filter(|block| block.bounds.meets(bounds))
+                .collect();
+            for block in &self.blocks[blocks.clone()] {
+                if near.iter().any(|met| met.bounds.meets(&block.bounds)) {
+                    found.extend(self.edges_of(block));
+                }
+            }
+        }
+        found
+    }
+
+    /// Edges of the facets of a block, those on its first row and column included.
+    fn edges_of(&self, block: &Block) -> impl Iterator<Item = [usize; 2]> + use<> {
+        let columns = self.columns;
+        // The last of a leaf have no block beyond them.
+        let last = [
+            block.columns.end + 1 == self.columns,
+            block.rows.end + 1 == self.rows,
+        ];
+        let (from, to) = (block.columns.start, block.columns.end);
+        let (below, above) = (block.rows.start, block.rows.end);
+        (below..=above)
+            .flat_map(move |row| (from..=to).map(move |column| (row, column)))
+            .flat_map(move |(row, column)| {
+                let here = row * columns + column;
+                let (right, up) = (column < to, row < above);
+                [
+                    (right && (up || last[1])).then_some([here, here + 1]),
+                    (up && (right || last[0])).then_some([here, here + columns]),
+                    (right && up).then_some([here, here + columns + 1]),
+                ]
+                .into_iter()
+                .flatten()
+            })
+    }
+
+    /// Edges of the leaf that go through facets of the same leaf, and these.
+    pub fn own_crossings(&self) -> Vec<([usize; 2], [usize; 3])> {
+        let mut found = Vec::new();
+        let normals: Vec<Bounds> = self
+            .blocks
+            .iter()
+            .map(|block| self.normals_of(block))
+            .collect();
+        let whole = normals.iter().copied().fold(Bounds::NONE, Bounds::with);
+        if whole.is_narrow() {
+            return found;
+        }
+        for (i, own) in self.blocks.iter().enumerate() {
+            for (k, other) in self.blocks.iter().enumerate() {
+                // What shares points meets only where it is folded upon itself.
+                if !own.bounds.meets(&other.bounds)
+                    || (own.touches(other) && normals[i].with(normals[k]).is_narrow())
+                {
+                    continue;
+                }
+                self.crossings_of(own, other, &mut found);
+            }
+        }
+        found
+    }
+
+    fn crossings_of(&self, own: &Block, other: &Block, found: &mut Vec<([usize; 2], [usize; 3])>) {
+        for edge in self.edges_of(own) {
+            let [p, q] = edge.map(|node| self.points[node]);
+            if !other.may_meet(p, q, &Bounds::of([p, q])) {
+                continue;
+            }
+            for row in other.rows.clone() {
+                for column in other.columns.clone() {
+                    for facet in self.cell(row, column) {
+                        if facet.iter().any(|node| edge.contains(node)) {
+                            continue;
+                        }
+                        let corners = facet.map(|node| self.points[node]);
+                        if crossing(p, q, corners).is_some() {
+                            found.push((edge, facet));
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// The box around the unit normals of the facets of a block.
+    fn normals_of(&self, block: &Block) -> Bounds {
+        let cells = block
+            .rows
+            .clone()
+            .flat_map(|row| block.columns.clone().map(move |column| (row, column)));
+        Bounds::of(cells.flat_map(|(row, column)| {
+            self.cell(row, column).map(|facet| {
+                let [a, b, c] = facet.map(|node| self.points[node]);
+                let n = cross(sub(b, a), sub(c, a));
+                n.map(|x| x / dot(n, n).sqrt().max(1e-30))
+            })
+        }))
+    }
+
+    /// How far a point is from the nearest facet of the cells within `cells` of a facet,
+    /// but for those next to the point itself, metres.
+    pub fn distance_to_part(&self, node: usize, facet: [usize; 3], cells: usize) -> f32 {
+        let (columns, rows) = (self.columns, self.rows);
+        let (column, row) = (facet[0] % columns, facet[0] / columns);
+        let (own_column, own_row) = (node % columns, node / columns);
+        let mut least = f32::MAX;
+        for r in row.saturating_sub(cells)..(row + cells + 1).min(rows - 1) {
+            for c in column.saturating_sub(cells)..(column + cells + 1).min(columns - 1) {
+                if own_column.abs_diff(c) <= 2 && own_row.abs_diff(r) <= 2 {
+                    continue;
+                }
+                for facet in self.cell(r, c) {
+                    let [a, b, d] = facet.map(|node| self.points[node]);
+                    let (place, _) = nearest_of_triangle(self.points[node], a, b, d);
+                    let away = sub(self.points[node], place);
+                    least = least.min(dot(away, away));
+                }
+            }
+        }
+        least.sqrt()
+    }
+
+    /// How far a point is from the plane of a facet, metres.
+    pub fn height_over(&self, node: usize, facet: [usize; 3]) -> f32 {
+        let [a, b, c] = facet.map(|node| self.points[node]);
+        let normal = cross(sub(b, a), sub(c, a));
+        dot(sub(self.points[node], a), normal).abs() / dot(normal, normal).sqrt().max(1e-30)
+    }
+
     /// Where the edge from `p` to `q` goes through facets.
     pub fn crossings(&self, p: Point, q: Point) -> Vec<Crossing> {
         let mut found = Vec::new();
@@ -210,7 +392,7 @@ impl<'a> Facets<'a> {
                 continue;
             }
             for block in &self.blocks[blocks.clone()] {
-                if !block.bounds.meets(&edge) {
+                if !block.may_meet(p, q, &edge) {
                     continue;
                 }
                 for row in block.rows.clone() {

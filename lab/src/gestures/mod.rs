@@ -3,33 +3,41 @@
 
 mod facets;
 mod figures;
+mod hand;
 mod overlap;
 mod random;
 mod scene;
+mod world;
 
 use std::path::PathBuf;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use serde_json::{Value, json};
-use turnleaf_engine::Stock;
 
 use crate::options;
 use crate::report::insert;
-use figures::{figures, table, worst_seeds};
+use figures::{figures, tables, worst_seeds};
 use scene::Outcome;
+use turnleaf_engine::Stock;
+use world::{Choice, Kind, STOCKS, World};
 
-/// The outcome of a seed on a stock, by its place among the names.
+/// The outcome of a seed on a stock, by its place among [`STOCKS`].
 struct Played {
     seed: u64,
     stock: usize,
+    kind: Kind,
     outcome: Outcome,
 }
 
 /// Runs the experiment.
 pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     let (mut count, mut seed, mut worst, mut jobs) = (1000u64, 1u64, 0usize, 1usize);
-    let mut stocks: Vec<usize> = (0..Stock::NAMES.len()).collect();
+    let mut choice = Choice {
+        stocks: (0..STOCKS.len()).collect(),
+        kinds: Kind::ALL.to_vec(),
+        is_usual: false,
+    };
     let mut into = None;
     let json = options::read(parser, |option, parser| {
         match option {
@@ -40,38 +48,46 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
             "model" => drop(options::choice(parser, option, &["sheet"])?),
             "jobs" => jobs = options::number(parser, option, 1, 256)?,
             "into" => into = Some(PathBuf::from(options::text(parser, option)?)),
-            "stock" => {
-                let names = [&Stock::NAMES[..], &["all"]].concat();
+            "page" => choice.is_usual = options::choice(parser, option, &["any", "usual"])? == 1,
+            "kind" => {
+                let names = [&Kind::NAMES[..], &["all"]].concat();
                 let chosen = options::choice(parser, option, &names)?;
-                if chosen < Stock::NAMES.len() {
-                    stocks = vec![chosen];
-                }
+                choice.kinds = Kind::ALL
+                    .get(chosen)
+                    .map_or(Kind::ALL.to_vec(), |&kind| vec![kind]);
+            }
+            "stock" => {
+                let names = [&STOCKS[..], &["all", "presets"]].concat();
+                let chosen = options::choice(parser, option, &names)?;
+                choice.stocks = match names[chosen] {
+                    "all" => (0..STOCKS.len()).collect(),
+                    "presets" => (0..Stock::NAMES.len()).collect(),
+                    _ => vec![chosen],
+                };
             }
             _ => return Ok(false),
         }
         Ok(true)
     })?;
-    let played = play(seed, count, &stocks, jobs);
+    let played = play(seed, count, &choice, jobs);
     let all: Vec<&Played> = played.iter().collect();
     let mut report = figures(&all);
     report["seed"] = json!(seed);
-    report["stocks"] = stocks
-        .iter()
-        .map(|&stock| {
-            let of: Vec<&Played> = all
-                .iter()
-                .copied()
-                .filter(|one| one.stock == stock)
-                .collect();
-            (Stock::NAMES[stock].to_owned(), figures(&of))
-        })
-        .collect::<serde_json::Map<String, Value>>()
-        .into();
+    let part = |is: &dyn Fn(&Played) -> bool| {
+        let of: Vec<&Played> = all.iter().copied().filter(|one| is(one)).collect();
+        figures(&of)
+    };
+    for &stock in &choice.stocks {
+        report["stocks"][STOCKS[stock]] = part(&|one| one.stock == stock);
+    }
+    for &kind in &choice.kinds {
+        report["kinds"][kind.name()] = part(&|one| one.kind == kind);
+    }
     if worst > 0 {
         report["worst"] = worst_seeds(&all, worst);
     }
     if let Some(path) = into {
-        insert(&path, "gestures", &table(&report))?;
+        insert(&path, "gestures", &tables(&report))?;
     }
     if json {
         println!("{report:#}");
@@ -83,7 +99,7 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
 
 /// Plays gestures, so many at once, each by its seed and so the same whatever plays
 /// beside it; answers them by their seeds.
-fn play(seed: u64, count: u64, stocks: &[usize], jobs: usize) -> Vec<Played> {
+fn play(seed: u64, count: u64, choice: &Choice, jobs: usize) -> Vec<Played> {
     let next = AtomicU64::new(0);
     let played = Mutex::new(Vec::new());
     let work = || {
@@ -92,12 +108,13 @@ fn play(seed: u64, count: u64, stocks: &[usize], jobs: usize) -> Vec<Played> {
                 done if done >= count => return,
                 done => seed + done,
             };
-            let stock = stocks[(seed % stocks.len() as u64) as usize];
-            let paper = Stock::named(Stock::NAMES[stock]).expect("the name is a preset's");
-            let outcome = scene::play(seed, paper);
+            let stock = choice.stocks[(seed % choice.stocks.len() as u64) as usize];
+            let world = World::new(seed, stock, choice);
+            let outcome = scene::play(seed, &world);
             played.lock().expect("no gesture panics").push(Played {
                 seed,
                 stock,
+                kind: world.kind,
                 outcome,
             });
         }

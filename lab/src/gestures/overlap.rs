@@ -1,31 +1,51 @@
 //! How deep what is drawn lies inside what it must not: an honest measure, on
 //! the drawn meshes alone.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use turnleaf_engine::book::{Book, Pile};
 use turnleaf_engine::{Side, Surface};
 
-use super::facets::{Facets, Near, Point, dot, sub};
+use super::facets::{Facets, Near, Point};
 
-/// Farther than this from another leaf, metres, a point is not looked at.
-const WITHIN: f32 = 0.012;
+/// Farther than this from another leaf a point is not looked at, as a part of the width,
+/// but no edge is longer.
+const WITHIN: f32 = 0.086;
+
+/// Part of a leaf, next to the spine, in which the order of leaves is looked at: what has
+/// passed another there meets no edge of it any more.
+const ROOT: usize = 4;
+
+/// Cells around where a leaf meets itself in which its other part is looked for.
+const PART: usize = 8;
 
 /// The deepest of each kind, metres.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Overlap {
     /// Of a leaf inside a pile, or under the boards.
     pub pile: f32,
-    /// Of a leaf inside another.
+    /// Of a leaf inside another, whether its neighbour or not.
     pub leaf: f32,
-    /// Edges that go through facets of a neighbouring leaf.
+    /// Of a leaf inside itself.
+    pub itself: f32,
+    /// Edges that go through facets of another leaf.
     pub crossings: usize,
 }
 
 impl Overlap {
     /// The deepest of all, metres.
     pub fn deepest(&self) -> f32 {
-        self.pile.max(self.leaf)
+        self.pile.max(self.leaf).max(self.itself)
+    }
+
+    /// Each length so many times as long.
+    pub fn scaled(self, times: f32) -> Overlap {
+        Overlap {
+            pile: times * self.pile,
+            leaf: times * self.leaf,
+            itself: times * self.itself,
+            ..self
+        }
     }
 
     /// The worse of two of each kind.
@@ -33,13 +53,14 @@ impl Overlap {
         Overlap {
             pile: self.pile.max(other.pile),
             leaf: self.leaf.max(other.leaf),
+            itself: self.itself.max(other.itself),
             crossings: self.crossings.max(other.crossings),
         }
     }
 }
 
-/// Measures what a book draws.
-pub fn measure(book: &Book) -> Overlap {
+/// Measures what a book draws whose pages have this width and height, metres.
+pub fn measure(book: &Book, page: [f32; 2]) -> Overlap {
     let surfaces: Vec<&Surface> = (0..book.flights())
         .filter_map(|index| book.surface(index))
         .collect();
@@ -47,19 +68,111 @@ pub fn measure(book: &Book) -> Overlap {
         .iter()
         .map(|surface| Facets::new(surface))
         .collect();
+    let within = (WITHIN * page[0]).max(1.5 * page[1] / (book.rows() - 1) as f32);
     let mut worst = Overlap::default();
     for leaf in &facets {
         worst.pile = worst.pile.max(inside_piles(book, leaf));
+        worst.itself = worst.itself.max(inside_itself(leaf, within));
     }
-    for pair in facets.windows(2) {
-        let [left, right] = pair else { continue };
-        // The left one lies on the recto's side of the right one.
-        let (a, crossed) = inside_leaf(left, right, false);
-        let (b, crossed_back) = inside_leaf(right, left, true);
-        worst.leaf = worst.leaf.max(a).max(b);
-        worst.crossings = worst.crossings.max(crossed + crossed_back);
+    for (k, left) in facets.iter().enumerate() {
+        for right in &facets[k + 1..] {
+            // The left one lies on the recto's side of the right one.
+            let (a, crossed) = inside_leaf(left, right, false, within);
+            let (b, crossed_back) = inside_leaf(right, left, true, within);
+            let passed = passed(left, right, within);
+            worst.leaf = worst.leaf.max(a).max(b).max(passed);
+            worst.crossings = worst.crossings.max(crossed + crossed_back);
+        }
     }
     worst
+}
+
+/// How far a leaf is past the one on its right where all of its root is, so that no edge
+/// of it goes through that one any more, metres; 0 where it is not.
+fn passed(left: &Facets<'_>, right: &Facets<'_>, within: f32) -> f32 {
+    let columns = left.columns();
+    let mut most = 0.0f32;
+    for (node, place) in left.points().iter().enumerate() {
+        let column = node % columns;
+        if column == 0 || column > columns / ROOT {
+            continue;
+        }
+        match right.near(*place, within) {
+            Some(near) if !near.recto && !near.rim => most = most.max(near.distance),
+            _ => return 0.0,
+        }
+    }
+    most
+}
+
+/// How deep a leaf goes through itself, metres: where it cuts a piece of itself off, as
+/// when a corner pokes through, how far that comes beyond the other part; elsewhere how
+/// far an edge that goes through a facet comes out of its plane.
+fn inside_itself(leaf: &Facets<'_>, within: f32) -> f32 {
+    let found = leaf.own_crossings();
+    if found.is_empty() {
+        return 0.0;
+    }
+    let crossed: BTreeSet<[usize; 2]> = found.iter().map(|(edge, _)| *edge).collect();
+    let mut known: BTreeMap<usize, Option<f32>> = BTreeMap::new();
+    let mut deepest = 0.0f32;
+    for (edge, facet) in found {
+        let heights = edge.map(|node| leaf.height_over(node, facet));
+        let beyond = edge.map(|end| {
+            if let Some(known) = known.get(&end) {
+                return *known;
+            }
+            let piece = piece(leaf, end, &crossed);
+            let far = piece.as_ref().map(|piece| {
+                let far = |node: &usize| leaf.distance_to_part(*node, facet, PART);
+                piece.iter().map(far).fold(0.0, f32::max).min(within)
+            });
+            let all = piece.into_iter().flatten().chain([end]);
+            known.extend(all.map(|node| (node, far)));
+            far
+        });
+        // Of two pieces that are cut off the less deep one went through.
+        let beyond = match beyond {
+            [Some(a), Some(b)] => a.min(b),
+            [a, b] => a.or(b).unwrap_or(0.0),
+        };
+        deepest = deepest.max(heights[0].min(heights[1])).max(beyond);
+    }
+    deepest
+}
+
+/// The points of a leaf that can be reached from one without going through the leaf; None
+/// where these are not a small part of all.
+fn piece(leaf: &Facets<'_>, from: usize, crossed: &BTreeSet<[usize; 2]>) -> Option<Vec<usize>> {
+    let (columns, count) = (leaf.columns(), leaf.points().len());
+    let mut reached = BTreeSet::new();
+    let mut open = vec![from];
+    while let Some(node) = open.pop() {
+        if !reached.insert(node) {
+            continue;
+        }
+        if reached.len() > count / 8 {
+            return None;
+        }
+        open.extend(beside(node, columns, count).filter(|to| {
+            let edge = [node.min(*to), node.max(*to)];
+            !crossed.contains(&edge)
+        }));
+    }
+    Some(reached.into_iter().collect())
+}
+
+/// The points next to one along its row and its column.
+fn beside(node: usize, columns: usize, count: usize) -> impl Iterator<Item = usize> {
+    let column = node % columns;
+    [
+        (column > 0).then(|| node - 1),
+        (column + 1 < columns).then_some(node + 1),
+        node.checked_sub(columns),
+        (node + columns < count).then_some(node + columns),
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// Deepest point of a leaf under the piles or the boards. A pile is a cylinder
@@ -68,20 +181,26 @@ pub fn measure(book: &Book) -> Overlap {
 fn inside_piles(book: &Book, leaf: &Facets<'_>) -> f32 {
     let piles = [Side::Right, Side::Left].map(|side| book.pile(side));
     let points = leaf.points();
+    let highest = piles[0].highest().max(piles[1].highest());
     let mut deepest = points.iter().map(|p| under(piles, *p)).fold(0.0, f32::max);
     for [a, b] in leaf.edges() {
         let (p, q) = (points[a], points[b]);
         // What is well above every pile passes over none.
-        if p[2].min(q[2]) > 0.05 {
+        if p[2].min(q[2]) > highest {
             continue;
         }
         let (low, high) = (p[0].min(q[0]), p[0].max(q[0]));
-        for pile in piles {
-            let ridges = pile.curves()[..2 * pile.columns()].chunks_exact(2);
-            for ridge in ridges.filter(|r| r[0] > low && r[0] < high) {
-                let at = (ridge[0] - p[0]) / (q[0] - p[0]);
-                let place = core::array::from_fn(|i| p[i] + at * (q[i] - p[i]));
-                deepest = deepest.max(under(piles, place));
+        for (pile, sign) in [(piles[0], 1.0), (piles[1], -1.0)] {
+            let (near, far) = ((sign * low).min(sign * high), (sign * low).max(sign * high));
+            let mut ridge = pile.column_before(near.max(0.0), 0);
+            while ridge < pile.columns() && pile.place(ridge)[0] < far {
+                let x = sign * pile.place(ridge)[0];
+                if x > low && x < high {
+                    let at = (x - p[0]) / (q[0] - p[0]);
+                    let place = core::array::from_fn(|i| p[i] + at * (q[i] - p[i]));
+                    deepest = deepest.max(under(piles, place));
+                }
+                ridge += 1;
             }
         }
     }
@@ -103,14 +222,14 @@ fn under([right, left]: [&Pile; 2], [x, _, z]: Point) -> f32 {
 /// side without that has come round a rim, or lies under a flap that is folded
 /// over: so depth is looked for from where edges come out of facets on the wrong
 /// side, up to where the leaf comes back through or is on the right side again.
-fn inside_leaf(leaf: &Facets<'_>, other: &Facets<'_>, recto: bool) -> (f32, usize) {
+fn inside_leaf(leaf: &Facets<'_>, other: &Facets<'_>, recto: bool, within: f32) -> (f32, usize) {
     let points = leaf.points();
+    let mut known: Vec<Option<Option<Near>>> = vec![None; points.len()];
     // The column at the spine is everyone's.
-    let near: Vec<_> = points
-        .iter()
-        .enumerate()
-        .map(|(node, p)| (node % leaf.columns() > 0).then(|| other.near(*p, WITHIN))?)
-        .collect();
+    let mut near = |node: usize| {
+        let found = || other.near(points[node], within);
+        *known[node].get_or_insert_with(|| (!node.is_multiple_of(leaf.columns())).then(found)?)
+    };
     let wrong = |near: &Option<Near>| match near {
         Some(near) if near.recto == recto && !near.rim => near.distance,
         _ => 0.0,
@@ -118,16 +237,8 @@ fn inside_leaf(leaf: &Facets<'_>, other: &Facets<'_>, recto: bool) -> (f32, usiz
     let mut deepest = 0.0f32;
     let mut crossed = BTreeSet::new();
     let mut open = Vec::new();
-    for [a, b] in leaf.edges() {
-        let (Some(from), Some(to)) = (near[a], near[b]) else {
-            continue;
-        };
+    for [a, b] in leaf.edges_near(other) {
         let (p, q) = (points[a], points[b]);
-        let along = sub(p, q);
-        let length = dot(along, along).sqrt();
-        if from.distance.min(to.distance) > length {
-            continue;
-        }
         let through = other.crossings(p, q);
         let ends = [
             through.iter().min_by(|x, y| x.at.total_cmp(&y.at)),
@@ -136,6 +247,9 @@ fn inside_leaf(leaf: &Facets<'_>, other: &Facets<'_>, recto: bool) -> (f32, usiz
         let [Some(first), Some(last)] = ends else {
             continue;
         };
+        if near(a).is_none() || near(b).is_none() {
+            continue;
+        }
         crossed.insert([a, b]);
         // An end that a facet has on its wrong side went through it.
         if first.from_recto == recto {
@@ -148,26 +262,18 @@ fn inside_leaf(leaf: &Facets<'_>, other: &Facets<'_>, recto: bool) -> (f32, usiz
         // that it goes through to the next.
         let at = 0.5 * (first.at + last.at);
         let middle = core::array::from_fn(|i| p[i] + at * (q[i] - p[i]));
-        deepest = deepest.max(wrong(&other.near(middle, WITHIN)));
+        deepest = deepest.max(wrong(&other.near(middle, within)));
     }
-    let columns = leaf.columns();
     let mut reached = vec![false; points.len()];
     while let Some(node) = open.pop() {
-        let depth = wrong(&near[node]);
+        let depth = wrong(&near(node));
         if reached[node] || depth == 0.0 {
             continue;
         }
         reached[node] = true;
         deepest = deepest.max(depth);
-        let (column, rows) = (node % columns, points.len() / columns);
-        let beside = [
-            (column > 0).then(|| node - 1),
-            (column + 1 < columns).then_some(node + 1),
-            node.checked_sub(columns),
-            (node / columns + 1 < rows).then_some(node + columns),
-        ];
         let whole = |to: &usize| !crossed.contains(&[node.min(*to), node.max(*to)]);
-        open.extend(beside.into_iter().flatten().filter(whole));
+        open.extend(beside(node, leaf.columns(), points.len()).filter(whole));
     }
     (deepest, crossed.len())
 }

@@ -14,6 +14,11 @@ impl Random {
         low + (high - low) * (self.next() >> 40) as f32 / (1u64 << 24) as f32
     }
 
+    /// Between `low` and `high`, both above 0, each magnitude as often as another.
+    pub fn spread(&mut self, low: f32, high: f32) -> f32 {
+        self.between(low.ln(), high.ln()).exp().clamp(low, high)
+    }
+
     /// Below `count`.
     pub fn below(&mut self, count: u32) -> u32 {
         (self.next() % u64::from(count)) as u32

@@ -1,15 +1,17 @@
 //! A random gesture: a book, hands on its leaves, what they do, and afterwards.
 
-use std::time::Instant;
+use cpu_time::ThreadTime;
+use turnleaf_engine::book::{Book, Phase, TICK};
+use turnleaf_engine::{Side, Surface};
 
-use turnleaf_engine::book::{Board, Book, Paper, Phase, TICK};
-use turnleaf_engine::{Side, Stock, Surface};
-
+use super::hand::{self, Hand, Style, any_style};
 use super::overlap::{Overlap, measure};
 use super::random::Random;
+use super::world::{Kind, Pace, USUAL, World};
 
-/// Ticks for which hands are at work, at most.
+/// Ticks for which hands are at work, at most, and where frames are long.
 const LONGEST: u32 = 130;
+const LONGEST_SLOW: u32 = 480;
 
 /// Ticks of half a second, after which a leaf let go keeps its lengths.
 const HALF_A_SECOND: u32 = (0.5 / TICK) as u32;
@@ -20,76 +22,89 @@ const BEYOND: u32 = 20;
 /// Ticks in which all leaves come to rest once they are let go, at most.
 const MOST_TO_REST: u32 = 10 * 120;
 
-/// Size of the page, metres.
-const PAGE: [f64; 2] = [0.14, 0.21];
+/// Ticks of the longest frame that a viewer makes, a tenth of a second.
+const LONG_FRAME: u32 = 12;
 
-/// What a gesture did to the leaves.
+/// Where more leaves fly than this, every fourth picture is looked at.
+const FEW: usize = 6;
+
+/// What a gesture did to the leaves. Lengths are in metres on a page 140 mm wide.
 #[derive(Clone, Debug, Default)]
 pub struct Outcome {
-    /// Largest edge strain after any tick of any leaf.
+    /// Largest edge strain after any tick of a leaf that is not being eased flat.
     pub strain: f32,
-    /// The same, of leaves that no hand has held for half a second.
+    /// The same while one is.
+    pub strain_eased: f32,
+    /// The same, of leaves that no hand has held for half a second and that are not
+    /// being eased flat.
     pub strain_after: f32,
-    /// Drawn penetration, metres.
+    /// Largest shear of a cell, radians, and stretch of a diagonal, of any leaf.
+    pub shear: f32,
+    pub diagonal: f32,
+    /// The same of leaves that no hand has touched.
+    pub shear_played: f32,
+    pub diagonal_played: f32,
+    /// Drawn penetration.
     pub drawn: Overlap,
-    /// Deepest contact of a node in the solver, metres.
+    /// Deepest contact of a node in the solver.
     pub depth: f32,
     /// Whether all that is drawn was a number.
     pub finite: bool,
-    /// Leaves in flight and seconds of each frame of two ticks and an update.
+    /// Leaves in flight and seconds of CPU of each frame of two ticks and an update.
     pub frames: Vec<(usize, f64)>,
+    /// Most seconds of CPU of an update, of a frame of at most a tenth of a second, and
+    /// of a tick.
+    pub update: f64,
+    pub frame: f64,
+    pub tick: f64,
     /// Most leaves in flight at once.
     pub leaves: usize,
-    /// How far what is drawn is behind the paper in each frame, at most, metres.
+    /// How far what is drawn is behind the paper in each frame, at most.
     pub lags: Vec<f32>,
     /// Seconds from when all were let go until all lay still.
     pub rest: f32,
+    /// Seconds from the first tick until all lay still.
+    pub rest_from_start: f32,
+    /// Whether all came to lie still.
+    pub at_rest: bool,
+    /// Leaves that came to rest, and those of them that were put down.
+    pub landed: u32,
+    pub put_down: u32,
 }
 
-/// A hand at work.
-struct Hand {
-    flight: u32,
-    number: u32,
-    style: Style,
-    at: [f32; 3],
-    to: [f32; 3],
-    /// Ticks until it lets go.
-    left: u32,
-}
-
-/// How a hand moves.
-#[derive(Clone, Copy)]
-enum Style {
-    /// Slowly, to near places.
-    Drag,
-    /// Fast, over the spine.
-    Throw,
-    /// It jumps to anywhere, up to three widths off.
-    Wild,
+/// What is known of a flight.
+struct Known {
+    id: u32,
+    /// Ticks since a hand of any kind held it.
+    free: u32,
+    /// Whether a reader's hand has held it.
+    was_held: bool,
 }
 
 struct Scene {
     book: Book,
     random: Random,
+    kind: Kind,
+    /// Width and height of a page, metres.
+    page: [f32; 2],
     hands: Vec<Hand>,
-    /// For each flight the ticks since a hand of any kind held it.
-    free: Vec<(u32, u32)>,
+    known: Vec<Known>,
+    pictures: u32,
     outcome: Outcome,
-    ticks: u32,
-    ticks_let_go: u32,
 }
 
-/// Plays the gesture of a seed on leaves of a stock.
-pub fn play(seed: u64, stock: Stock) -> Outcome {
+/// Plays the gesture of a seed in a world.
+pub fn play(seed: u64, world: &World) -> Outcome {
     let mut random = Random::new(seed);
-    let book = open(&mut random, stock);
+    let book = world.open(&mut random);
     let mut scene = Scene {
         book,
         random,
+        kind: world.kind,
+        page: world.page.map(|side| side as f32),
         hands: Vec::new(),
-        free: Vec::new(),
-        ticks: 0,
-        ticks_let_go: 0,
+        known: Vec::new(),
+        pictures: 0,
         outcome: Outcome {
             finite: true,
             ..Outcome::default()
@@ -97,54 +112,55 @@ pub fn play(seed: u64, stock: Stock) -> Outcome {
     };
     let mut ticks = 0;
     let steady = scene.random.once_in(2);
-    let busy = 1 + scene.random.below(30);
-    while ticks < LONGEST {
+    let busy = match world.kind {
+        Kind::Riffle => 1 + scene.random.below(6),
+        _ => 1 + scene.random.below(30),
+    };
+    let longest = match world.pace {
+        Pace::Slow | Pace::Halting => LONGEST_SLOW,
+        _ => LONGEST,
+    };
+    while ticks < longest {
         if scene.random.once_in(busy) || scene.book.flights() == 0 {
             scene.begin();
         }
-        let now = if steady { 2 } else { scene.random.below(13) };
+        let now = match world.pace {
+            Pace::Usual if steady => 2,
+            Pace::Usual => scene.random.below(13),
+            Pace::Quick => 1,
+            Pace::Halting if !scene.random.once_in(10) => 2,
+            Pace::Halting | Pace::Slow => scene.random.below(121),
+        };
         scene.frame(now);
         ticks += now.max(1);
     }
     for hand in std::mem::take(&mut scene.hands) {
         scene.book.release(hand.flight, hand.number);
     }
+    let mut let_go = 0;
     for _ in 0..(HALF_A_SECOND + BEYOND) / 2 {
-        scene.ticks_let_go += 2;
+        let_go += 2;
         scene.frame(2);
     }
-    while scene.book.flights() > 0 && scene.ticks_let_go < MOST_TO_REST {
+    while scene.book.flights() > 0 && let_go < MOST_TO_REST {
         scene.book.step(1);
-        scene.ticks_let_go += 1;
+        let_go += 1;
+        scene.look();
     }
-    scene.outcome.rest = scene.ticks_let_go as f32 * TICK;
+    scene.outcome.rest = let_go as f32 * TICK;
+    scene.outcome.rest_from_start = (ticks + let_go) as f32 * TICK;
+    scene.outcome.at_rest = scene.book.flights() == 0;
+    [scene.outcome.landed, scene.outcome.put_down] = scene.book.landed();
     scene.outcome
-}
-
-/// A book open somewhere: also at its first and its last leaf.
-fn open(random: &mut Random, stock: Stock) -> Book {
-    let leaves = [1, 2, 8, 40, 100, 300][random.below(6) as usize];
-    let thickness = random.between(0.5e-4, 1.2e-4) * leaves as f32;
-    let mut book =
-        Book::new(PAGE[0], PAGE[1], leaves, f64::from(thickness)).expect("these sizes make a book");
-    *book.board_mut(0) = Board::new(Side::Left);
-    book.set_paper(&Paper {
-        stock,
-        assist: !random.once_in(8),
-        ..Paper::default()
-    });
-    book.lay(match random.below(4) {
-        0 => 0,
-        1 => leaves,
-        _ => random.below(leaves + 1),
-    });
-    book
 }
 
 impl Scene {
     /// Begins something: a hand takes a leaf, or a turn is played.
     fn begin(&mut self) {
         let side = [Side::Right, Side::Left][self.random.below(2) as usize];
+        if self.kind == Kind::Riffle {
+            return self.riffle(side);
+        }
         let known = self.random.below(self.book.flights() as u32 + 1) as usize;
         let known = self.book.flight_id(known);
         let lifted = if self.random.once_in(2) || known.is_none() {
@@ -153,13 +169,57 @@ impl Scene {
             known
         };
         let Some(flight) = lifted else { return };
-        match self.random.below(4) {
-            0 => self.play(flight),
-            1 => {
-                self.grab(flight);
-                self.grab(flight);
+        let kind = match self.kind {
+            Kind::Mixed => Kind::ALL[self.random.below(6) as usize],
+            kind => kind,
+        };
+        match (self.random.below(4), kind) {
+            (_, Kind::Pin) => {
+                let pulls = any_style(&mut self.random);
+                self.grab(flight, 4, |_| Style::Pin);
+                self.grab(flight, 4, |_| pulls);
             }
-            _ => self.grab(flight),
+            (_, Kind::Apart) => {
+                let away = hand::away(&mut self.random);
+                self.grab(flight, 4, |_| away);
+                self.grab(flight, 4, |_| opposite(away));
+                if self.random.once_in(3) {
+                    self.grab(flight, 4, hand::away);
+                    self.grab(flight, 4, hand::away);
+                }
+            }
+            (0, _) => self.play(flight),
+            (one_or_two, kind) => {
+                for _ in 0..if one_or_two == 1 { 2 } else { 1 } {
+                    self.grab(flight, 2, |random| match kind {
+                        Kind::Teleport => Style::Teleport,
+                        Kind::Circle => hand::circle(random),
+                        _ => [Style::Drag, Style::Throw, Style::Wild][random.below(3) as usize],
+                    });
+                }
+            }
+        }
+    }
+
+    /// Lets go of leaves, mostly to one side; now and then one is caught.
+    fn riffle(&mut self, side: Side) {
+        let (from, to) = match self.random.below(8) {
+            0 => (side, side),
+            1 => (Side::Left, Side::Right),
+            _ => (Side::Right, Side::Left),
+        };
+        for _ in 0..1 + self.random.below(3) {
+            if let Some(flight) = self.lift(from) {
+                let seconds = self.random.between(0.2, 1.5);
+                self.book.play(flight, to, seconds);
+            }
+        }
+        let flights = self.book.flights() as u32;
+        if self.random.once_in(6)
+            && flights > 0
+            && let Some(flight) = self.book.flight_id(self.random.below(flights) as usize)
+        {
+            self.grab(flight, 2, any_style);
         }
     }
 
@@ -190,17 +250,11 @@ impl Scene {
         self.book.play(flight, side, seconds);
     }
 
-    fn grab(&mut self, flight: u32) {
+    /// A hand takes hold somewhere, where at most so many are at work.
+    fn grab(&mut self, flight: u32, most: usize, style: impl FnOnce(&mut Random) -> Style) {
         let number = self.random.below(4);
-        // A reader has two hands.
-        if self.hands.len() == 2 {
-            return;
-        }
-        if self
-            .hands
-            .iter()
-            .any(|hand| (hand.flight, hand.number) == (flight, number))
-        {
+        let is_same = |hand: &Hand| (hand.flight, hand.number) == (flight, number);
+        if self.hands.len() >= most || self.hands.iter().any(is_same) {
             return;
         }
         let edge = self.random.once_in(2);
@@ -215,17 +269,11 @@ impl Scene {
             self.random.between(0.0, 1.0)
         };
         self.book.grab(flight, number, u, v);
-        let style = [Style::Drag, Style::Throw, Style::Wild][self.random.below(3) as usize];
-        let at = [0.0, v * PAGE[1] as f32, 0.12];
-        let left = 10 + self.random.below(LONGEST);
-        self.hands.push(Hand {
-            flight,
-            number,
-            style,
-            at,
-            to: at,
-            left,
-        });
+        let style = style(&mut self.random);
+        let ticks = 10 + self.random.below(LONGEST);
+        let held = [u, v];
+        self.hands
+            .push(hand::hand((flight, number), style, held, self.page, ticks));
     }
 
     /// A frame of `ticks` and an update.
@@ -236,82 +284,111 @@ impl Scene {
         let leaves = self.book.flights();
         let mut seconds = 0.0;
         for _ in 0..ticks {
-            let start = Instant::now();
+            let start = ThreadTime::now();
             self.book.step(1);
-            seconds += start.elapsed().as_secs_f64();
+            let tick = start.elapsed().as_secs_f64();
+            self.outcome.tick = self.outcome.tick.max(tick);
+            seconds += tick;
             self.look();
         }
-        let start = Instant::now();
+        let start = ThreadTime::now();
         self.book.update();
-        seconds += start.elapsed().as_secs_f64();
+        let update = start.elapsed().as_secs_f64();
+        self.outcome.update = self.outcome.update.max(update);
+        seconds += update;
         if ticks == 2 && leaves > 0 {
             self.outcome.frames.push((leaves, seconds));
         }
+        if ticks <= LONG_FRAME {
+            self.outcome.frame = self.outcome.frame.max(seconds);
+        }
         self.outcome.leaves = self.outcome.leaves.max(leaves);
-        let drawn = (0..self.book.flights()).filter_map(|index| self.book.surface(index));
-        let finite = |surface: &Surface| surface.positions.iter().all(|x| x.is_finite());
-        self.outcome.finite &= { drawn }.all(finite);
-        let lag = |index: usize| self.book.lag(index).unwrap_or(0.0);
-        let lag = (0..self.book.flights()).map(lag).fold(0.0, f32::max);
-        self.outcome.lags.push(lag);
-        self.outcome.drawn = self.outcome.drawn.worse(measure(&self.book));
+        self.look_at_picture();
     }
 
     /// A hand's work of a frame: it moves, or lets go.
     fn work(&mut self, index: usize, ticks: u32) {
-        let width = PAGE[0] as f32;
-        let random = &mut self.random;
         let hand = &mut self.hands[index];
-        hand.left = hand.left.saturating_sub(ticks);
-        if hand.left == 0 {
+        if !hand.holds(ticks) {
             self.book.release(hand.flight, hand.number);
             self.hands.swap_remove(index);
             return;
         }
-        let (often, far, follow) = match hand.style {
-            Style::Drag => (20, 1.0, 0.04),
-            Style::Throw => (8, 1.2, 0.25),
-            Style::Wild => (4, 3.0, 1.0),
-        };
-        if random.once_in(often) {
-            let mut at = |low: f32, high: f32| random.between(low, high) * far * width;
-            hand.to = [at(-1.0, 1.0), at(-0.3, 1.8), at(-0.2, 1.0)];
+        if let Some(place) = hand.pull(&mut self.random, ticks, self.page) {
+            self.book.hold(hand.flight, hand.number, place);
         }
-        for axis in 0..3 {
-            let part = (follow * ticks as f32).min(1.0);
-            hand.at[axis] += part * (hand.to[axis] - hand.at[axis]);
-        }
-        let mut place = hand.at;
-        if random.once_in(50) {
-            place[random.below(3) as usize] = f32::NAN;
-        }
-        self.book.hold(hand.flight, hand.number, place);
     }
 
     /// Looks at the leaves after a tick.
     fn look(&mut self) {
-        self.ticks += 1;
-        let before = std::mem::take(&mut self.free);
+        let before = std::mem::take(&mut self.known);
         for index in 0..self.book.flights() {
             let Some(id) = self.book.flight_id(index) else {
                 continue;
             };
-            let strain = self.book.strain(index).unwrap_or(0.0);
-            let depth = self.book.depth(index).unwrap_or(0.0);
-            let known = before
-                .iter()
-                .find(|flight| flight.0 == id)
-                .map_or(0, |flight| flight.1);
-            let held = matches!(self.book.phase(id), Some(Phase::Held | Phase::Playing(_)));
-            let free = if held { 0 } else { known + 1 };
-            self.free.push((id, free));
+            let known = before.iter().find(|known| known.id == id);
+            let phase = self.book.phase(id);
+            let free = match phase {
+                Some(Phase::Held | Phase::Playing(_)) => 0,
+                _ => known.map_or(0, |known| known.free) + 1,
+            };
+            let was_held = phase == Some(Phase::Held) || known.is_some_and(|known| known.was_held);
+            self.known.push(Known { id, free, was_held });
+            let of = |figure: Option<f32>| figure.unwrap_or(0.0);
+            let strain = of(self.book.strain(index));
+            let depth = of(self.book.depth(index));
+            let shear = of(self.book.shear(index));
+            let diagonal = of(self.book.diagonal_stretch(index));
+            let outcome = &mut self.outcome;
             // No maximum of what is no number would show it.
-            self.outcome.finite &= strain.is_finite() && depth.is_finite();
-            self.outcome.strain = self.outcome.strain.max(strain);
-            self.outcome.depth = self.outcome.depth.max(depth);
+            outcome.finite &= [strain, depth, shear, diagonal]
+                .iter()
+                .all(|x| x.is_finite());
+            outcome.depth = outcome.depth.max(depth * USUAL[0] as f32 / self.page[0]);
+            if self.book.is_settling(index) == Some(true) {
+                outcome.strain_eased = outcome.strain_eased.max(strain);
+                continue;
+            }
+            outcome.strain = outcome.strain.max(strain);
+            outcome.shear = outcome.shear.max(shear);
+            outcome.diagonal = outcome.diagonal.max(diagonal);
+            if !was_held {
+                outcome.shear_played = outcome.shear_played.max(shear);
+                outcome.diagonal_played = outcome.diagonal_played.max(diagonal);
+            }
             if free > HALF_A_SECOND {
-                self.outcome.strain_after = self.outcome.strain_after.max(strain);
+                outcome.strain_after = outcome.strain_after.max(strain);
             }
         }
+    }
+
+    /// Looks at what is drawn.
+    fn look_at_picture(&mut self) {
+        let flights = self.book.flights();
+        let drawn = (0..flights).filter_map(|index| self.book.surface(index));
+        let finite = |surface: &Surface| {
+            let all = surface.positions.iter().chain(&surface.normals);
+            { all }.all(|x| x.is_finite())
+        };
+        self.outcome.finite &= { drawn }.all(finite);
+        let lag = |index: usize| self.book.lag(index).unwrap_or(0.0);
+        let lag = (0..flights).map(lag).fold(0.0, f32::max);
+        let scale = USUAL[0] as f32 / self.page[0];
+        self.outcome.lags.push(lag * scale);
+        self.pictures += 1;
+        if flights <= FEW || self.pictures.is_multiple_of(4) {
+            let overlap = measure(&self.book, self.page).scaled(scale);
+            self.outcome.drawn = self.outcome.drawn.worse(overlap);
+        }
+    }
+}
+
+fn opposite(style: Style) -> Style {
+    match style {
+        Style::Away { direction, speed } => Style::Away {
+            direction: direction.map(|x| -x),
+            speed,
+        },
+        other => other,
     }
 }

@@ -45,6 +45,7 @@ impl Leaf {
         if supported && (landed || self.fallen > LONGEST_FALL) {
             self.landed.copy_from_slice(self.sheet.positions());
             self.settling = Some(0.0);
+            self.put_down = !landed;
             self.sheet.loads_mut().fill(0.0);
         }
     }
@@ -81,7 +82,9 @@ impl Leaf {
         *time += TICK;
         let t = (*time / SETTLE_SECONDS).min(1.0);
         if t >= 1.0 {
+            let put_down = self.put_down;
             self.lay(side);
+            self.put_down = put_down;
             return;
         }
         let eased = t * t * (3.0 - 2.0 * t);

@@ -1,0 +1,230 @@
+//! The book that a gesture is played on: its page, its paper, its air, and how its
+//! frames come.
+
+use turnleaf_engine::book::{Board, Book, Paper};
+use turnleaf_engine::{Grain, Side, Stock};
+
+use super::random::Random;
+
+/// The page of most tests, metres. Distances are told as if every page were as wide.
+pub const USUAL: [f64; 2] = [0.14, 0.21];
+
+/// Least and greatest side of a page, metres, and the greatest ratio of its sides.
+const SIDES: [f32; 2] = [0.02, 2.0];
+const RATIO: f32 = 4.0;
+
+/// Names of what leaves are made of: the presets; custom figures as of paper that
+/// is made; and any figures that a book takes.
+pub const STOCKS: [&str; 7] = [
+    Stock::NAMES[0],
+    Stock::NAMES[1],
+    Stock::NAMES[2],
+    Stock::NAMES[3],
+    Stock::NAMES[4],
+    "custom",
+    "extreme",
+];
+
+/// What hands do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// One or two hands drag, throw and tear; turns are played between.
+    Hands,
+    /// Up to 16 leaves are let go one after another, and now and then one is caught.
+    Riffle,
+    /// Hands that are elsewhere in every frame.
+    Teleport,
+    /// Hands that go round in circles.
+    Circle,
+    /// A hand holds a place still while another pulls.
+    Pin,
+    /// Hands pull one leaf apart.
+    Apart,
+    /// Any of these beside each other.
+    Mixed,
+}
+
+impl Kind {
+    /// All of them.
+    pub const ALL: [Kind; 7] = [
+        Kind::Hands,
+        Kind::Riffle,
+        Kind::Teleport,
+        Kind::Circle,
+        Kind::Pin,
+        Kind::Apart,
+        Kind::Mixed,
+    ];
+
+    /// Their names, in the same order.
+    pub const NAMES: [&str; 7] = [
+        "hands", "riffle", "teleport", "circle", "pin", "apart", "mixed",
+    ];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        Kind::NAMES[self as usize]
+    }
+}
+
+/// How frames come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pace {
+    /// Two ticks each, or, as the gesture has it, 0 to 12.
+    Usual,
+    /// One tick each.
+    Quick,
+    /// Up to a second each, in one of ten.
+    Halting,
+    /// Up to a second each.
+    Slow,
+}
+
+/// Where a gesture takes place.
+pub struct World {
+    /// What its hands do.
+    pub kind: Kind,
+    /// Width and height of the page, metres.
+    pub page: [f64; 2],
+    /// How its frames come.
+    pub pace: Pace,
+    paper: Paper,
+}
+
+/// Which gestures are played.
+#[derive(Clone, Debug)]
+pub struct Choice {
+    /// Stocks by their place among [`STOCKS`], in turn.
+    pub stocks: Vec<usize>,
+    /// Kinds, at random.
+    pub kinds: Vec<Kind>,
+    /// Whether pages, air, binding and frames are the usual ones.
+    pub is_usual: bool,
+}
+
+impl World {
+    /// The world of a seed with leaves of a stock.
+    pub fn new(seed: u64, stock: usize, choice: &Choice) -> World {
+        // Numbers of its own, so that the hands of a seed are the same in any world.
+        let mut random = Random::new(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ 0x9e6c_63d0);
+        let kind = choice.kinds[random.below(choice.kinds.len() as u32) as usize];
+        let stock = stock_of(stock, &mut random);
+        let paper = Paper {
+            stock,
+            ..Paper::default()
+        };
+        if choice.is_usual {
+            return World {
+                kind,
+                page: USUAL,
+                pace: Pace::Usual,
+                paper,
+            };
+        }
+        World {
+            kind,
+            page: page(&mut random),
+            pace: match random.below(6) {
+                0 => Pace::Quick,
+                1 => Pace::Halting,
+                2 => Pace::Slow,
+                _ => Pace::Usual,
+            },
+            paper: Paper {
+                grain: match random.below(4) {
+                    0 => Grain::AcrossSpine,
+                    _ => Grain::AlongSpine,
+                },
+                binding: match random.below(3) {
+                    0 => paper.binding,
+                    1 => [0.0, 1.0][random.below(2) as usize],
+                    _ => f64::from(random.spread(1e-4, 1.0)),
+                },
+                wind: wind(&mut random),
+                ..paper
+            },
+        }
+    }
+
+    /// Opens the book somewhere, also at its first and its last leaf.
+    pub fn open(&self, random: &mut Random) -> Book {
+        let leaves = match self.kind {
+            Kind::Riffle => [24, 40, 100, 300][random.below(4) as usize],
+            _ => [1, 2, 8, 40, 100, 300][random.below(6) as usize],
+        };
+        let thickness = random.between(0.5e-4, 1.2e-4) * leaves as f32;
+        let [width, height] = self.page;
+        let mut book =
+            Book::new(width, height, leaves, f64::from(thickness)).expect("these are a book's");
+        *book.board_mut(0) = Board::new(Side::Left);
+        let is_paper = book.set_paper(&Paper {
+            assist: !random.once_in(8),
+            ..self.paper
+        });
+        assert!(is_paper, "these are a paper's figures");
+        book.lay(match random.below(4) {
+            0 => 0,
+            1 => leaves,
+            _ => random.below(leaves + 1),
+        });
+        book
+    }
+}
+
+/// Half of the pages are about as large as pages are; the others have any size.
+fn page(random: &mut Random) -> [f64; 2] {
+    if random.once_in(6) {
+        return USUAL;
+    }
+    let (low, high, most) = if random.once_in(3) {
+        (0.1, 0.3, 1.6)
+    } else {
+        (SIDES[0], SIDES[1], RATIO)
+    };
+    let size = random.spread(low, high);
+    let ratio = random.spread(1.0 / most, most).sqrt();
+    [size * ratio, size / ratio].map(|side| f64::from(side.clamp(SIDES[0], SIDES[1])))
+}
+
+/// Half of all books lie in still air; a gust may have any speed that a book takes.
+fn wind(random: &mut Random) -> [f64; 3] {
+    let most = match random.below(6) {
+        0 => 1.0,
+        1 => 4.0,
+        2 => 20.0,
+        _ => return [0.0; 3],
+    };
+    core::array::from_fn(|_| f64::from(random.between(-most, most)))
+}
+
+fn stock_of(name: usize, random: &mut Random) -> Stock {
+    match STOCKS[name] {
+        // Of 25 to 400 g/m^2, 0.5 to 1.3 g/cm^3 and 1 to 6 GPa across the grain.
+        "custom" => {
+            let grammage = f64::from(random.spread(0.025, 0.4));
+            let caliper = grammage / f64::from(random.between(500.0, 1300.0));
+            let across = f64::from(random.spread(1e9, 6e9)) * caliper * caliper * caliper / 12.0;
+            let ratio = f64::from(random.between(1.0, 3.5));
+            let stock = Stock::new(grammage, caliper, ratio * across, across);
+            stock.expect("these are figures of paper")
+        }
+        // The bounds of each figure are those of `Stock::check`.
+        "extreme" => {
+            let mut figure = |low: f32, high: f32| match random.below(6) {
+                0 => f64::from(low),
+                1 => f64::from(high),
+                _ => f64::from(random.spread(low, high)),
+            };
+            let [grammage, caliper] = [figure(1e-3, 5.0), figure(1e-6, 0.01)];
+            let [along, across] = [figure(1e-8, 10.0), figure(1e-8, 10.0)];
+            Stock {
+                grammage: grammage.clamp(1e-3, 5.0),
+                caliper: caliper.clamp(1e-6, 0.01),
+                stiffness_along: along.clamp(1e-8, 10.0),
+                stiffness_across: across.clamp(1e-8, 10.0),
+                ..Stock::BOOK
+            }
+        }
+        name => Stock::named(name).expect("the name is a preset's"),
+    }
+}
