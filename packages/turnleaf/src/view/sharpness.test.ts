@@ -29,5 +29,5 @@ test("nothing is loaded for pages that are sharp, and where it cannot be, that i
   sharpness.look(seen(500), 800, 600);
   expect(sharpness.settled).toBe(true);
   expect(told).toHaveLength(1);
-  expect(String(told[0])).toMatch("could not be loaded");
+  expect(String(told[0])).toMatch("A part of the reader failed");
 });
