@@ -38,8 +38,13 @@ function policyFor(html) {
 }
 
 async function answer(request, response) {
-  // An address such as /../secret is made plain by URL before it is looked at.
-  const { pathname } = new URL(request.url ?? "/", "http://localhost");
+  // An address such as /../secret is made plain by URL before it is looked at. Put
+  // together, as //host would be another host, and // none.
+  const address = `http://localhost${request.url}`;
+  if (!request.url?.startsWith("/") || !URL.canParse(address)) {
+    return response.writeHead(400).end();
+  }
+  const { pathname } = new URL(address);
   if (pathname === "/") return response.writeHead(302, { Location: "/examples/" }).end();
   const path = pathname === "/examples/" ? "/examples/index.html" : pathname;
   const type = types[extname(path)];
@@ -57,7 +62,9 @@ async function answer(request, response) {
 
 /** Serves the examples to this machine alone; port 0 takes any that is free. */
 export async function serve(port = 0) {
-  const server = createServer((request, response) => void answer(request, response));
+  const server = createServer((request, response) => {
+    answer(request, response).catch(() => response.destroy());
+  });
   await new Promise((resolve, reject) => {
     server.once("error", reject);
     server.listen(port, "127.0.0.1", resolve);

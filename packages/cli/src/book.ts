@@ -1,9 +1,10 @@
-import { open, realpath, stat } from "node:fs/promises";
+import { realpath, stat } from "node:fs/promises";
 import { basename, resolve } from "node:path";
 import { imagePages, listFolder } from "./folder.ts";
 import { imageType, sniffLength } from "./image_types.ts";
 import { inspectPdf } from "./inspect_pdf.ts";
 import { fileProblem, Problem, printable } from "./problem.ts";
+import { openRegular, tooLarge } from "./regular_file.ts";
 
 /** A file that the server hands out: from the disk, or text made at the start. */
 export type ServedFile =
@@ -19,6 +20,10 @@ export interface ServedBook {
   /** Every file of the book, by the exact path of its address. */
   readonly files: ReadonlyMap<string, ServedFile>;
 }
+
+/** Bytes of a PDF and of an image: the bounds of the viewer that shows them. */
+const mostPdfBytes = 2_000_000_000;
+const mostImageBytes = 100_000_000;
 
 /**
  * Opens what the user named and looks at it, so that what is wrong with it is
@@ -43,17 +48,19 @@ export async function openBook(
 
 async function openFile(file: string, given: string): Promise<ServedBook> {
   const name = basename(file);
-  const start = await readStart(file).catch((error: unknown) => {
-    throw fileProblem(given, error);
-  });
+  const { start, size } = await readStart(file, given);
   if (start.length === 0) throw new Problem(`${printable(given)} is empty; get the file again.`);
-  if (start.includes("%PDF-")) return await openPdf(file, given);
+  if (start.includes("%PDF-")) {
+    if (size > mostPdfBytes) throw tooLarge(given, mostPdfBytes);
+    return await openPdf(file, given);
+  }
   const type = imageType(start);
   if (!type) {
     throw new Problem(
       `${printable(given)} is of an unknown format; a PDF, an image (PNG, JPEG, WebP, AVIF, GIF) or a folder of images can be read.`,
     );
   }
+  if (size > mostImageBytes) throw tooLarge(given, mostImageBytes);
   const src = address(name);
   return { title: printable(name), src, files: new Map([[src, { type, path: file }]]) };
 }
@@ -98,14 +105,23 @@ async function openFolder(
   return { title: printable(name), src, files };
 }
 
-/** The first bytes of a file as latin-1 text. */
-async function readStart(file: string): Promise<string> {
-  const handle = await open(file, "r");
+/**
+ * The first bytes of a file as latin-1 text, and how many it has in all.
+ * @throws Problem
+ */
+async function readStart(file: string, given: string): Promise<{ start: string; size: number }> {
   try {
-    const { bytesRead, buffer } = await handle.read(Buffer.alloc(sniffLength), 0, sniffLength, 0);
-    return buffer.toString("latin1", 0, bytesRead);
-  } finally {
-    await handle.close();
+    const handle = await openRegular(file);
+    if (!handle) throw new Problem(`${printable(given)} is not a regular file; name another.`);
+    try {
+      const { size } = await handle.stat();
+      const { bytesRead, buffer } = await handle.read(Buffer.alloc(sniffLength), 0, sniffLength, 0);
+      return { start: buffer.toString("latin1", 0, bytesRead), size };
+    } finally {
+      await handle.close();
+    }
+  } catch (error) {
+    throw error instanceof Problem ? error : fileProblem(given, error);
   }
 }
 

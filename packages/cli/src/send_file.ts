@@ -1,9 +1,10 @@
 import { constants } from "node:fs";
-import { type FileHandle, open } from "node:fs/promises";
+import type { FileHandle } from "node:fs/promises";
 import type { IncomingMessage, ServerResponse } from "node:http";
 import { pipeline } from "node:stream/promises";
 import type { ServedFile } from "./book.ts";
 import { parseRange } from "./byte_range.ts";
+import { openRegular } from "./regular_file.ts";
 
 /**
  * Answers a GET or HEAD request with a file, or with the one range of it that
@@ -22,7 +23,7 @@ export async function sendFile(
     response.end(request.method === "HEAD" ? undefined : bytes);
     return;
   }
-  const handle = await openRegular(file.path);
+  const handle = await openServed(file.path);
   if (!handle) {
     response.removeHeader("Content-Type");
     response.writeHead(404).end();
@@ -61,16 +62,7 @@ async function sendFrom(
   await pipeline(handle.createReadStream({ start, end, autoClose: false }), response);
 }
 
-/**
- * Opens what was a regular file when the command started, and only if it still
- * is: no link put in its place, and no pipe that would never answer.
- */
-async function openRegular(path: string): Promise<FileHandle | null> {
-  const { O_RDONLY, O_NOFOLLOW = 0, O_NONBLOCK = 0 } = constants;
-  const handle = await open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK).catch(() => null);
-  if (!handle) return null;
-  const stats = await handle.stat().catch(() => null);
-  if (stats?.isFile()) return handle;
-  await handle.close();
-  return null;
+/** Opens what was a regular file when the command started, and only if it still is, and no link. */
+async function openServed(path: string): Promise<FileHandle | null> {
+  return await openRegular(path, constants.O_NOFOLLOW ?? 0).catch(() => null);
 }

@@ -1,6 +1,6 @@
-import { readFile } from "node:fs/promises";
 import { imageType } from "../image_types.ts";
-import { fileProblem, Problem, printable } from "../problem.ts";
+import { Problem, printable } from "../problem.ts";
+import { readRegular } from "../regular_file.ts";
 
 /** The picture of a page, as its file is. */
 export interface PageImage {
@@ -8,15 +8,16 @@ export interface PageImage {
   readonly bytes: Uint8Array;
 }
 
+/** Bytes of a picture, which goes whole into the file that is written. */
+const mostBytes = 100_000_000;
+
 /**
  * Reads a picture for a side; null where none is named.
- * @throws Problem where it cannot be read, or is neither PNG nor JPEG
+ * @throws Problem where it cannot be read, is larger than 100 MB, or is neither PNG nor JPEG
  */
 export async function readPageImage(path: string | undefined): Promise<PageImage | null> {
   if (path === undefined) return null;
-  const bytes = await readFile(path).catch((error: unknown) => {
-    throw fileProblem(path, error);
-  });
+  const bytes = await readRegular(path, mostBytes);
   const type = imageType(bytes.toString("latin1", 0, 16));
   if (type === "image/png" || type === "image/jpeg") return { type, bytes };
   throw new Problem(`${printable(path)} is neither PNG nor JPEG; glTF takes no other picture.`);

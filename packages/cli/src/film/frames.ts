@@ -2,20 +2,15 @@
 
 import { createHash } from "node:crypto";
 import { constants } from "node:fs";
-import {
-  access,
-  copyFile,
-  mkdir,
-  readdir,
-  readFile,
-  rename,
-  rm,
-  writeFile,
-} from "node:fs/promises";
+import { access, copyFile, mkdir, readdir, rename, rm, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { fileProblem, Problem, printable } from "../problem.ts";
+import { readRegular } from "../regular_file.ts";
 
 const noteName = "film.json";
+/** Bytes of a note, and pictures of a film: more than any film has. */
+const longestNote = 1_000_000;
+const mostPictures = 999_999;
 
 /** What is known of a film beside its pictures. */
 interface Note {
@@ -155,12 +150,18 @@ function isOwnName(name: string): boolean {
   return /^\d{6}\.png(\.part)?$/.test(name) || name.startsWith(noteName);
 }
 
+/** The note of a film, or null where there is none that can be gone by. */
 async function readNote(file: string): Promise<Note | null> {
-  const text = await readFile(file, "utf8").catch(() => "");
   try {
-    const note = JSON.parse(text) as Note;
-    const counts = Array.isArray(note.parts) && note.parts.every((part) => part > 0);
-    return typeof note.request === "string" && counts ? note : null;
+    const note = JSON.parse(String(await readRegular(file, longestNote))) as Note;
+    const { request, parts, whole } = note;
+    const isNote =
+      typeof request === "string" &&
+      typeof whole === "boolean" &&
+      Array.isArray(parts) &&
+      parts.every((part) => Number.isInteger(part) && part > 0) &&
+      parts.reduce((sum, part) => sum + part, 0) <= mostPictures;
+    return isNote ? note : null;
   } catch {
     return null;
   }

@@ -111,9 +111,6 @@ function randomOf(seed: number): (below: number) => number {
 }
 
 describe("random files", () => {
-  const seeds = process.env.TURNLEAF_SEED
-    ? [Number(process.env.TURNLEAF_SEED)]
-    : [1, 2, 3, 4];
   const corner = Uint8Array.from(atob(cornerFile.slice(cornerFile.indexOf(",") + 1)), (c) =>
     c.charCodeAt(0),
   );
@@ -146,8 +143,8 @@ describe("random files", () => {
     return bytes;
   }
 
-  for (const seed of seeds) {
-    it(`are refused in one sentence, or played in finite numbers (TURNLEAF_SEED=${seed})`, () => {
+  for (const seed of [1, 2, 3, 4]) {
+    it(`are refused in one sentence, or played in finite numbers (seed ${seed})`, () => {
       const random = randomOf(seed);
       let played = 0;
       for (let round = 0; round < 120; round++) {

@@ -13,6 +13,8 @@ export const limits = {
   imagePixels: 120_000_000,
   /** Bytes of one encoded image. */
   imageBytes: 100_000_000,
+  /** Bytes of a PDF; more cannot be held in one array in every browser. */
+  pdfBytes: 2_000_000_000,
   /** Bytes of a manifest. */
   manifestBytes: 8_000_000,
   pages: 20_000,

@@ -53,6 +53,7 @@ const keptPages = 6;
 export async function openPdf(input: PdfInput, options: PdfOptions = {}): Promise<PageSource> {
   const { signal } = options;
   signal?.throwIfAborted();
+  if ((input.length ?? 0) > limits.pdfBytes) throw tooLarge(input.name);
   const thread = await startThread(input.name, options);
   const { pdfjs } = thread;
   let task: PDFDocumentLoadingTask | undefined;
@@ -80,7 +81,9 @@ export async function openPdf(input: PdfInput, options: PdfOptions = {}): Promis
       enableXfa: false,
       verbosity: pdfjs.VerbosityLevel.ERRORS,
     });
-    const opening = thread.orFailed(describe(task, input));
+    const opening = thread.orFailed(
+      Promise.race([describe(task, input), grownTooLarge(task, input)]),
+    );
     const description = await (signal ? orAborted(opening, signal) : opening);
     return new PdfSource(thread, description, stop);
   } catch (error) {
@@ -345,6 +348,21 @@ class PdfSource implements PageSource {
   }
 }
 
+/** Rejects once more bytes have come than a PDF may have, where the server did not say how many. */
+function grownTooLarge(task: PDFDocumentLoadingTask, { name }: PdfInput): Promise<never> {
+  return new Promise((_, reject) => {
+    task.onProgress = ({ loaded }: { loaded: number }) => {
+      if (loaded > limits.pdfBytes) reject(tooLarge(name));
+    };
+  });
+}
+
+function tooLarge(name: string): BookError {
+  return new BookError(
+    `${name} is larger than ${Math.floor(limits.pdfBytes / 1e6)} MB; split it and open a part.`,
+  );
+}
+
 /** What to do about an error that is the browser's or the file's: nobody knows which. */
 const remedy = "update the browser, or get the file again";
 
@@ -355,6 +373,7 @@ function sentenceFor(
   name: string,
   pdfWorker?: string,
 ): BookError {
+  if (error instanceof BookError) return error;
   if (error instanceof pdfjs.PasswordException) {
     return new BookError(
       `${name} is protected by a password; remove the password and open it again.`,
