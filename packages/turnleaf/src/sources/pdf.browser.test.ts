@@ -1,4 +1,5 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
+import { limits } from "./limits.ts";
 import { messageOf } from "./message_of.ts";
 import { openSource } from "./open.ts";
 import type { PagePicture, PageSource } from "./page_source.ts";
@@ -196,6 +197,34 @@ describe("a PDF that cannot be read is told in one sentence", () => {
     const sentence = await messageOf(opening);
     expect(sentence).toMatch(/^book\.pdf cannot be read \(.*\); update the browser, or get the/);
     expect(sentence).toContain(message);
+  });
+
+  it("with more bytes than a PDF may have, whether the server says how many or not", async () => {
+    const { pdfBytes } = limits;
+    const bounds = limits as { pdfBytes: number };
+    bounds.pdfBytes = 2_000_000;
+    try {
+      const start = tinyPdf({ pages: [red] });
+      const file = new File([start, new Uint8Array(2_000_000)], "large.pdf");
+      const sentence = " is larger than 2 MB; split it and open a part.";
+      expect(await messageOf(openSource(file))).toBe(`large.pdf${sentence}`);
+      let isCancelled = false;
+      vi.spyOn(globalThis, "fetch").mockImplementation(async () => {
+        const parts = [start];
+        const body = new ReadableStream({
+          pull: (stream) => stream.enqueue(parts.shift() ?? new Uint8Array(100_000)),
+          cancel: () => {
+            isCancelled = true;
+          },
+        });
+        return new Response(body, { headers: { "Content-Type": "application/pdf" } });
+      });
+      const endless = openSource("https://book.test/endless.pdf");
+      expect(await messageOf(endless)).toBe(`endless.pdf${sentence}`);
+      await vi.waitFor(() => expect(isCancelled).toBe(true));
+    } finally {
+      bounds.pdfBytes = pdfBytes;
+    }
   });
 
   it("with a worker that gives no sign of life", async () => {
