@@ -350,7 +350,7 @@ export class Viewer {
     const { peek } = this.#bound;
     peek.step(seconds);
     const folding = this.#folding.step(seconds);
-    const stepping = this.#viewing.step(turning && peek.flight === null, seconds) || folding;
+    const stepping = this.#viewing.step(seconds) || folding;
     const posed = this.#bound.pose();
     const flap = this.#folding.surface(posed, this.#bound.shape);
     const pose = { ...this.#modelling.pose(posed), flap };

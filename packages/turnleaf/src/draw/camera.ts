@@ -1,10 +1,17 @@
-/** Where the camera stands so that the book fills the canvas. Pure arithmetic, no three.js. */
+/**
+ * Where the camera stands so that the book fills the canvas. Pure arithmetic, no three.js.
+ *
+ * A leaf that stands upright is seen above the head of the book, so the picture holds the space in which
+ * leaves swing, whether one does or not: the book stays where it is when a leaf is taken, and nothing of
+ * the leaf is cut off. How much room that takes depends on the eye alone: the steeper it looks and the
+ * longer its lens, the less (docs/decisions/0016-the-book-stands-still.md).
+ */
 
 import type { BookShape } from "./pose.ts";
 import { overheadAt, type Share, type Sight } from "./zoom.ts";
 
 /** Vertical field of view, degrees. */
-export const fieldOfView = 20;
+export const fieldOfView = 12;
 
 /** The camera's place and its three axes in book space. */
 export interface View {
@@ -27,21 +34,34 @@ export interface Margins {
 /** Place across the picture, along it, and distance from the origin: what a fit yields. */
 type Fit = [across: number, along: number, distance: number];
 
-/** Degrees above the table from which an open and a closed book are seen. */
-const openElevation = 69;
-const closedElevation = 61;
+/**
+ * Degrees above the table from which an open book, one page of it, and a closed book are seen: of pages
+ * that are half as high again as they are wide, or higher still. Wider leaves rise farther above the head
+ * and are seen from steeper above, so that they do so by no larger fraction of the page's height.
+ */
+const openElevation = 78;
+const aloneElevation = 82;
+const closedElevation = 66;
+const usualHeight = 1.5;
 /** A closed book is seen from a little beside its spine, degrees. */
 const closedAzimuth = 9;
 
 const radians = Math.PI / 180;
 
 /** Around an open book, around one page of it, and around a closed one. */
-const openMargins: Margins = { sides: 0.035, top: 0.03, bottom: 0.05 };
-const aloneMargins: Margins = { sides: 0.012, top: 0.03, bottom: 0.04 };
+const openMargins: Margins = { sides: 0.035, top: 0.012, bottom: 0.05 };
+const aloneMargins: Margins = { sides: 0.012, top: 0.012, bottom: 0.03 };
 const closedMargins: Margins = { sides: 0.12, top: 0.1, bottom: 0.1 };
 
 /** How much beyond the spine is seen beside a page that stands alone, as a share of its width. */
 const sliver = 0.03;
+
+/**
+ * Half axes of the ellipse in which the outer edge of a leaf swings about the spine, as fractions of the
+ * leaf's width; a leaf that a hand stretches upright comes within one hundredth of the upper. And how far
+ * beyond the foot the edge of a wide leaf hangs that is led by its head, likewise.
+ */
+const swing = { across: 0.97, up: 0.96, dip: 0.07 };
 
 /** What the camera needs to know of a pose. */
 export interface Framing {
@@ -55,8 +75,6 @@ export interface Framing {
   boardEdges: number[];
   /** x, z of the outer edge of a fold-out that lies open; empty for none. */
   flapEdge: number[];
-  /** 0: no free room above the head; 1: room for a leaf standing upright. */
-  room: number;
 }
 
 /**
@@ -74,11 +92,12 @@ export function frameBook(
   const right = ease(framing.closedRight);
   const left = ease(framing.closedLeft);
   const closed = Math.min(1, right + left);
-  const seated = openElevation + (closedElevation - openElevation) * closed;
+  const { alone } = shape;
+  const opened = elevationOf(shape);
+  const seated = opened + (closedElevation - opened) * closed;
   const elevation = seated + (90 - seated) * overhead;
   const azimuth = closedAzimuth * (left - right) * (1 - overhead);
   const axes = axesOf(elevation * radians, azimuth * radians, shape.rolled);
-  const { alone } = shape;
   const open =
     alone === 0
       ? fitPoints(openPoints(shape, framing, rim), axes, aspect, openMargins)
@@ -93,6 +112,13 @@ export function frameBook(
     for (let k = 0; k < 3; k++) fit[k] += (shut[k] - open[k]) * share;
   }
   return viewOf(fit, axes);
+}
+
+/** Degrees above the table from which an open book is seen, or a page of it that stands alone. */
+function elevationOf({ width, height, alone }: BookShape): number {
+  const upright = alone === 0 ? openElevation : aloneElevation;
+  const wide = Math.min(height / width / usualHeight, 1);
+  return Math.atan(Math.tan(upright * radians) / wide) / radians;
 }
 
 /** The picture of the whole book that zoom `level` magnifies. */
@@ -209,7 +235,7 @@ function viewOf(fit: Fit, axes: Pick<View, "right" | "up" | "back">): View {
   return { position: [place(0), place(1), place(2)], ...axes, distance: fit[2] };
 }
 
-/** Corners of the open book, and where the head edge of a leaf swings. */
+/** Corners of the open book, and where a leaf swings. */
 function openPoints(shape: BookShape, framing: Framing, rim: number): number[] {
   const { width, height, thickness } = shape;
   const reach = width + rim + thickness / 2;
@@ -217,7 +243,7 @@ function openPoints(shape: BookShape, framing: Framing, rim: number): number[] {
   for (const x of [framing.middle - reach, framing.middle + reach]) {
     for (const y of [-rim, height + rim]) points.push(x, y, 0, x, y, thickness / 2);
   }
-  addSwing(points, shape, framing, () => true);
+  addSwing(points, shape, () => true);
   addBoards(points, shape, framing, rim);
   return points;
 }
@@ -231,26 +257,26 @@ function alonePoints(shape: BookShape, framing: Framing, sign: number): number[]
   for (const x of [-sliver * sign * width, sign * reach]) {
     for (const y of [0, height]) points.push(x, y, 0, x, y, thickness);
   }
-  addSwing(points, shape, framing, (x) => x * sign > 0 && Math.abs(x) < reach);
+  addSwing(points, shape, (x) => x * sign > 0 && Math.abs(x) < reach);
   addEdges(points, shape, framing.flapEdge, 0);
   return points;
 }
 
-/** Where the far edge of a leaf swings. */
+/** Where the outer corners of a leaf swing. */
 function addSwing(
   points: number[],
-  { width, height, rolled }: BookShape,
-  framing: Framing,
+  { width, height }: BookShape,
   isSeen: (x: number) => boolean,
 ): void {
+  // Of leaves no wider than usual ones it stays within the margin.
+  const wide = Math.min(Math.max((width / height - 0.7) / 0.3, 0), 1);
+  const foot = -swing.dip * wide * width;
   for (let k = 1; k < 12; k++) {
     const angle = (k * Math.PI) / 12;
-    // A leaf bends while it turns, and so never stands at its full height.
-    const x = 0.96 * width * Math.cos(angle);
-    const z = 0.88 * framing.room * width * Math.sin(angle);
+    const x = swing.across * width * Math.cos(angle);
+    const z = swing.up * width * Math.sin(angle);
     if (!isSeen(x)) continue;
-    points.push(x, height, z);
-    if (rolled) points.push(x, 0, z);
+    points.push(x, height, z, x, foot, z);
   }
 }
 

@@ -72,7 +72,6 @@ export class DrawnBook {
       middle: 0,
       boardEdges: [],
       flapEdge: [],
-      room: 1,
     };
     const side = (sign: 1 | -1): DrawnSide => ({
       pile: new PileShape(sign),

@@ -104,7 +104,6 @@ export class Stage {
 
   /** Shows a book of another shape in place of the one before, at first with nothing on its faces. */
   bind(shape: BookShape): void {
-    const { room } = this.#book.framing;
     this.#scene.remove(this.#book.group);
     this.#book.dispose();
     this.#materials.dispose();
@@ -112,7 +111,6 @@ export class Stage {
     this.#shape = shape;
     this.#materials = new BookMaterials(shape, this.#pictures.paper);
     this.#book = new DrawnBook(shape, this.#materials);
-    this.#book.framing.room = room;
     this.#scene.add(this.#book.group);
   }
 
@@ -127,12 +125,6 @@ export class Stage {
   /** Whether fold-outs can lie open. */
   get unfolds(): boolean {
     return true;
-  }
-
-  /** How much room is kept above the head: 0 none, 1 for a leaf standing upright. */
-  set room(room: number) {
-    this.#book.framing.room = Math.min(1, Math.max(0, room));
-    this.#aim();
   }
 
   /** How near the book is seen, and what of it. What is set is kept to the book. */

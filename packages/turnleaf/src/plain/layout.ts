@@ -21,7 +21,7 @@ interface Margins {
 }
 
 /** Free room at either side of an open and of a closed book, and above and below, shares of the canvas. */
-const openMargins: Margins = { sides: 0.04, ends: 0.07 };
+const openMargins: Margins = { sides: 0.04, ends: 0.09 };
 const closedMargins: Margins = { sides: 0.1, ends: 0.09 };
 
 /** How far a book is shut over its right-hand side, and over its left, 0 to 1. */

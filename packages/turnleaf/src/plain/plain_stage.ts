@@ -84,9 +84,6 @@ export class PlainStage implements BookStage {
     return false;
   }
 
-  /** A flat book needs no room above its head. */
-  set room(_: number) {}
-
   get zoom(): Zoom {
     return this.#zooming.zoom;
   }

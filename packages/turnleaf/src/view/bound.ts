@@ -135,14 +135,13 @@ export class Bound {
   }
 
   /**
-   * What a hand takes that pulls by x, y CSS pixels from where it found `hold`:
-   * where a page stands alone, a pull away from its spine brings the one before it back.
+   * What a hand takes that pulls by x, y CSS pixels from where it found `hold`: where a page stands alone,
+   * a pull away from its spine, from the page or from beside the spine, brings the one before it back.
    */
   pulled(hold: Hold, x: number, y: number): Hold {
     const { alone, rolled } = this.shape;
-    const shown = alone === 1 ? Side.right : Side.left;
     const isOutward = (rolled ? y : x) * alone > 0;
-    if (!isOutward || hold.on !== shown) return hold;
+    if (!isOutward || typeof hold.on !== "number") return hold;
     return { ...hold, on: alone === 1 ? Side.left : Side.right, u: 1 };
   }
 

@@ -28,8 +28,8 @@ export interface HoldingBook {
   hasLeaf(side: Side): boolean;
 }
 
-/** Share of a leaf next to its fore-edge that a hand holds by the edge itself. */
-const edgeShare = 0.08;
+/** Nearest to the spine that a leaf is held, a fraction of its width: nearer, a hand could not turn it. */
+const nearestHeld = 0.3;
 
 /** Up to this u a leaf is held far from its edge; and how far beyond the spine it is then carried over, shares of its width. */
 const farFromEdge = 0.65;
@@ -81,7 +81,7 @@ export class Holding {
     const { turning } = this.#book;
     const flight = typeof hold.on === "number" ? turning.lift(hold.on) : hold.on;
     if (flight === null) return false;
-    const u = hold.u > 1 - edgeShare ? 1 : Math.max(hold.u, 0.3);
+    const u = Math.min(Math.max(hold.u, nearestHeld), 1);
     turning.grab(flight, hand, u, Math.min(Math.max(hold.v, 0), 1));
     this.#hands.set(hand, { x: 0, y: 0, u, across: 0 });
     return true;

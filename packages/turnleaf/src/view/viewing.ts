@@ -1,4 +1,4 @@
-/** How the book is looked at: zoom, pan, and the step back from a turning leaf. */
+/** How the book is looked at: zoom and pan. */
 
 import type { BookStage, Place } from "../draw/stage.ts";
 import { type Zoom, zoomBetween } from "../draw/zoom.ts";
@@ -6,22 +6,13 @@ import { type Zoom, zoomBetween } from "../draw/zoom.ts";
 /** The nearest that a book is seen from. */
 const mostZoom = 8;
 
-/** Room above the head, from none to that of a leaf standing upright: at rest, and while something turns. */
-const restingRoom = 0.5;
-const turningRoom = 1;
-
-/** Time in seconds in which the camera does two thirds of its way between the two. */
-const roomTime = 0.11;
-
 /** The camera over one book. */
 export class Viewing {
   readonly #stage: BookStage;
-  #room = restingRoom;
   #glide: { from: Zoom; to: Zoom; passed: number; seconds: number } | null = null;
 
   constructor(stage: BookStage) {
     this.#stage = stage;
-    stage.room = restingRoom;
   }
 
   /** The level that is shown, or on the way to being. */
@@ -49,24 +40,17 @@ export class Viewing {
     this.#glide = seconds > 0 ? { from: shown, to: zoom, passed: 0, seconds } : null;
   }
 
-  /** Moves the camera on; answers whether it still moves. */
-  step(turning: boolean, seconds: number): boolean {
-    const stepping = this.#stepBack(turning, seconds);
-    return this.#glideOn(seconds) || stepping;
-  }
-
-  /** Looks at something as it is seen where all of the book is shown at rest. */
+  /** Looks at something as it is seen where all of the book is shown. */
   atRest<T>(look: () => T): T {
     const { zoom } = this.#stage;
-    this.#stage.room = restingRoom;
     this.#stage.zoom = { level: 1, x: 0, y: 0 };
     const seen = look();
-    this.#stage.room = this.#room;
     this.#stage.zoom = zoom;
     return seen;
   }
 
-  #glideOn(seconds: number): boolean {
+  /** Moves the camera on. Returns whether it still moves. */
+  step(seconds: number): boolean {
     const glide = this.#glide;
     if (glide === null) return false;
     glide.passed += seconds;
@@ -74,17 +58,5 @@ export class Viewing {
     this.#stage.zoom = zoomBetween(glide.from, glide.to, 1 - (1 - t) ** 3);
     if (t === 1) this.#glide = null;
     return t < 1;
-  }
-
-  /** Moves the camera back from a turning leaf and near again; answers whether it still moves. */
-  #stepBack(turning: boolean, seconds: number): boolean {
-    // Right over the book, a leaf that stands upright takes no room above the head.
-    const wanted = turning && this.level === 1 ? turningRoom : restingRoom;
-    const apart = wanted - this.#room;
-    if (apart === 0) return false;
-    const arrived = Math.abs(apart) < 0.004;
-    this.#room = arrived ? wanted : this.#room + apart * (1 - Math.exp(-seconds / roomTime));
-    this.#stage.room = this.#room;
-    return !arrived;
   }
 }
