@@ -17,7 +17,7 @@ const viewer = defineConfig({
   ...common,
   entry: ["src/index.ts"],
   plugins: [wasmInline(), turnInline(), packedFiles(), shortTexts()],
-  deps: { neverBundle: ["three"], onlyBundle: ["pdfjs-dist"] },
+  deps: { neverBundle: ["three"], onlyBundle: ["pdfjs-dist", "image-size"] },
   outputOptions: {
     codeSplitting: {
       // What every page loads is one file, which packs better than many. But for
@@ -51,4 +51,15 @@ const leafStage = defineConfig({
   deps: { neverBundle: ["three"] },
 });
 
-export default [viewer, models, keyFrames, leafStage];
+/** One file, for whoever serves it from a place of their own: pdf.js's workers as they come. */
+const pdfWorker = defineConfig({
+  ...common,
+  entry: { "pdf-worker": "pdf_worker.js" },
+  clean: false,
+  dts: false,
+  sourcemap: false,
+  deps: { onlyBundle: ["pdfjs-dist"] },
+  outputOptions: { codeSplitting: false },
+});
+
+export default [viewer, models, keyFrames, leafStage, pdfWorker];

@@ -6,7 +6,7 @@ import { Furnishing } from "./controls/furnish.ts";
 import { Announcements, openPages } from "./element/announcements.ts";
 import { AskedPage } from "./element/asked_page.ts";
 import { type Answers, adopt, attributes, paperOf, turnSecondsOf } from "./element/attributes.ts";
-import { Life, type OpenBook } from "./element/life.ts";
+import { Life, type OpenBook, pdfWorkerOf } from "./element/life.ts";
 import { PageChanges } from "./element/page_changes.ts";
 import { pageNumber } from "./element/page_number.ts";
 import { ReaderElement } from "./element/reader_element.ts";
@@ -63,8 +63,9 @@ export class TurnleafBook extends ReaderElement {
   #connected = false;
 
   /**
-   * What the book is made of: images in order, a manifest, or a file. While it is set, `src` does nothing,
-   * as with a video's `srcObject`; null gives `src` its place back.
+   * What the book is made of: images in order, a manifest, or a file as it was chosen, dropped or fetched (a
+   * `File`, a `FileList`, a `Blob` of any type, an `ArrayBuffer`, a typed array). While it is set, `src` does
+   * nothing, as with a video's `srcObject`; null gives `src` its place back.
    */
   get pages(): BookInput | null {
     return this.#input;
@@ -408,7 +409,9 @@ export class TurnleafBook extends ReaderElement {
   }
 
   async #changePages(at: number, count: number, input: BookInput | null): Promise<boolean> {
-    const moved = await this.#pageChanges.change(() => this.#life.book, at, count, input);
+    const book = () => this.#life.book;
+    const worker = pdfWorkerOf(this);
+    const moved = await this.#pageChanges.change(book, at, count, input, worker);
     if (moved && this.#life.book) {
       // Where other pages lie in place of one, its bookmark is theirs.
       this.moveBookmarks((index) => moved(index) ?? (input ? index : null));

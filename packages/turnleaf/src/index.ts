@@ -15,6 +15,7 @@ export type { PrintOptions } from "./element/printing.ts";
 export type { Theme } from "./element/reflecting.ts";
 export { TurnleafBook } from "./element.ts";
 export type { Stock, StockFigures, Vec3 } from "./engine/shapes.ts";
+export type { Bytes } from "./sources/given.ts";
 export type { Manifest, ManifestImage, ManifestPage } from "./sources/manifest.ts";
 export type { ManifestLink, ManifestOutline, ManifestText } from "./sources/manifest_text.ts";
 export type { BookInput } from "./sources/open.ts";

@@ -21,7 +21,9 @@ export async function openViewer(
   isFlat = false,
 ): Promise<Viewer> {
   let canvas = freshCanvas();
-  if (!isFlat && mayRunCode() && openContext(canvas)) {
+  const mayRun = mayRunCode();
+  if (!mayRun) warnOnce();
+  if (!isFlat && mayRun && openContext(canvas)) {
     try {
       const { craft } = await import("./solid.ts");
       signal.throwIfAborted();
@@ -37,4 +39,15 @@ export async function openViewer(
   const { craft } = await import("./plain/plain.ts");
   signal.throwIfAborted();
   return Viewer.open(canvas, source, options, craft, signal);
+}
+
+let hasWarned = false;
+
+/** Says on the console, once a page, why books are shown on the flat: nothing on the page does. */
+function warnOnce(): void {
+  if (hasWarned || !globalThis.WebAssembly) return;
+  hasWarned = true;
+  console.warn(
+    "turnleaf-book: books are shown on the flat, as this page's Content-Security-Policy lacks 'wasm-unsafe-eval' in script-src.",
+  );
 }

@@ -40,6 +40,12 @@ export interface LifeHooks {
   failed(error: unknown): void;
 }
 
+/** `pdf-worker`: the absolute address that the attribute names; undefined where there is none. */
+export function pdfWorkerOf(element: Element): string | undefined {
+  const address = element.getAttribute("pdf-worker");
+  return address ? new URL(address, element.baseURI).href : undefined;
+}
+
 /** At most one book at a time, open or about to be. */
 export class Life {
   readonly #element: HTMLElement;
@@ -107,7 +113,7 @@ export class Life {
     // An element that shows no book yet has no use for what reads one.
     const opening = loaded(import("../sources/open.ts"));
     const [{ openList }] = await Promise.all([opening, this.#hooks.prepare()]);
-    const source = await openList(input, { signal });
+    const source = await openList(input, { signal, pdfWorker: pdfWorkerOf(this.#element) });
     await this.#show(source, false, signal);
   }
 

@@ -21,14 +21,16 @@ export class PageChanges {
    *
    * @param book the book that lies open when it is this change's turn
    * @param input what the pages come from; null for none
+   * @param pdfWorker address of pdf.js's workers, where they may not be blobs
    */
   change(
     book: () => OpenBook | null,
     at: number,
     count: number,
     input: BookInput | null,
+    pdfWorker?: string,
   ): Promise<Moved | null> {
-    const changed = this.#last.then(() => apply(book(), at, count, input));
+    const changed = this.#last.then(() => apply(book(), at, count, input, pdfWorker));
     this.#last = changed.catch(() => {});
     return changed;
   }
@@ -39,10 +41,11 @@ async function apply(
   at: number,
   count: number,
   input: BookInput | null,
+  pdfWorker: string | undefined,
 ): Promise<Moved | null> {
   if (book === null) return null;
   const { openSource } = await loaded(import("../sources/open.ts"));
-  const added = input === null ? null : await openSource(input);
+  const added = input === null ? null : await openSource(input, { pdfWorker });
   let moved = null as Moved | null;
   try {
     if (added !== null) await check(added);

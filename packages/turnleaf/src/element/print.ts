@@ -43,7 +43,11 @@ export async function printPages(source: PageSource, options: PrintOptions): Pro
       const image = sheets.createElement("img");
       image.src = url;
       sheets.body.append(image);
-      await image.decode();
+      await image.decode().catch((cause) => {
+        const sentence =
+          "The book cannot be printed; this page's Content-Security-Policy may lack blob: in img-src.";
+        throw new BookError(sentence, { cause });
+      });
       signal.throwIfAborted();
     }
     window.addEventListener("afterprint", () => setTimeout(end), { once: true });

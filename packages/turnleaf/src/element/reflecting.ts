@@ -31,6 +31,20 @@ export class ReflectingElement extends Base {
   }
 
   /**
+   * Address of the package's file `pdf-worker.js`, for pages whose Content-Security-Policy lacks `blob:` in
+   * `worker-src`; the file must be of this package's version, on the page's own site. It is read when a book opens.
+   * @attribute pdf-worker
+   * @default ""
+   */
+  get pdfWorker(): string {
+    return this.getAttribute("pdf-worker") ?? "";
+  }
+
+  set pdfWorker(address: string) {
+    this.setAttribute("pdf-worker", address);
+  }
+
+  /**
    * The paper that the leaves are made of: 30 (`bible`), 70 (`book`), 80, 170 or 250 g/m² (`card`). In mid-turn it waits until the leaf lies.
    * @attribute stock
    * @default book

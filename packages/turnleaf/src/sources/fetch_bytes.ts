@@ -49,12 +49,12 @@ export function brokeOff(name: string): BookError {
 
 function unreachable(url: string, name: string): string {
   if (url.startsWith("blob:")) {
-    return `${name} is no longer there; choose the file again.`;
+    return `${name} is no longer there, or this page's Content-Security-Policy lacks blob: in connect-src; choose the file again, or allow it.`;
   }
   if (url.startsWith("file:")) {
     return `${name} cannot be read from a page opened as a file; serve it, for example with: npx turnleaf-cli read`;
   }
-  return `${name} could not be reached; check the connection and the address, and that its server lets other sites read it (CORS).`;
+  return `${name} could not be reached; check the connection and the address, and that its server lets other sites read it (CORS), and that this page's Content-Security-Policy does (connect-src).`;
 }
 
 /**

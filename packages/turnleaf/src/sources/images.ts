@@ -1,6 +1,8 @@
 import { nameOfUrl } from "./book_text.ts";
 import { fetchChecked, readBounded } from "./fetch_bytes.ts";
+import { sizeFromHeader, typedImage } from "./image_header.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
+import { loaded } from "./loaded.ts";
 import type { ImageBook, ImagePage } from "./manifest.ts";
 import {
   BookError,
@@ -68,8 +70,10 @@ export class ImageSource implements PageSource {
     const size = await this.#measure(index, image);
     signal.throwIfAborted();
     const part = scaleBox(region, size);
-    const pixels = fitPixels(part, Math.min(width, part.width));
-    const picture = await this.#decode(index, image, region === wholePage ? null : part, pixels);
+    // Lines are sharp at any size, pixels at their own.
+    const pixels = fitPixels(part, isSvg(image) ? width : Math.min(width, part.width));
+    const whole = region === wholePage && !isSvg(image);
+    const picture = await this.#decode(index, image, whole ? null : part, pixels);
     if (!signal.aborted && !this.#closed) return picture;
     picture.close();
     signal.throwIfAborted();
@@ -112,10 +116,10 @@ export class ImageSource implements PageSource {
     const known = this.#sizes[index];
     if (known && this.#measured.has(index)) return known;
     const size = await measure(image).catch(() => {
-      throw this.#undecodable(index);
+      throw this.#undecodable(index, image);
     });
-    if (!isPageSize(size)) throw this.#undecodable(index);
-    if (size.width * size.height > limits.imagePixels) {
+    if (!isPageSize(size)) throw this.#undecodable(index, image);
+    if (!isSvg(image) && size.width * size.height > limits.imagePixels) {
       throw new BookError(
         `${this.#place(index)} has ${size.width} x ${size.height} pixels, more than can be shown; make it smaller.`,
       );
@@ -139,9 +143,13 @@ export class ImageSource implements PageSource {
     };
     try {
       if (part === null) return await createImageBitmap(image, options);
+      if (isSvg(image)) {
+        const { drawSvg } = await loaded(import("./svg.ts"));
+        return await drawSvg(image, part, pixels);
+      }
       return await createImageBitmap(image, part.x, part.y, part.width, part.height, options);
-    } catch {
-      throw this.#undecodable(index);
+    } catch (error) {
+      throw error instanceof BookError ? error : this.#undecodable(index, image);
     }
   }
 
@@ -151,10 +159,11 @@ export class ImageSource implements PageSource {
     if (this.#closed || !page) {
       throw new BookError(`${this.#book.name} has no page ${index + 1} any more; open it again.`);
     }
-    if (page.src instanceof Blob) return page.src;
     const image =
       this.#images.get(index) ??
-      (await this.#fetching.run(index, (own) => this.#fetch(index, page, own), signal));
+      (page.src instanceof Blob
+        ? await this.#read(index, page.src)
+        : await this.#fetching.run(index, (own) => this.#fetch(index, page, own), signal));
     this.#keep(index, image);
     return image;
   }
@@ -175,12 +184,25 @@ export class ImageSource implements PageSource {
     const response = await fetchChecked(page.src as string, place, { signal });
     const bytes = await readBounded(response, limits.imageBytes, place, signal);
     if (bytes.length === 0) throw new BookError(`${place} is empty; get the file again.`);
-    return new Blob([bytes], { type: response.headers.get("content-type") ?? "" });
+    return await typedImage(
+      new Blob([bytes], { type: response.headers.get("content-type") ?? "" }),
+    );
   }
 
-  #undecodable(index: number): BookError {
+  async #read(index: number, image: Blob): Promise<Blob> {
+    try {
+      return await typedImage(image);
+    } catch {
+      throw new BookError(`${this.#place(index)} cannot be read any more; choose the file again.`);
+    }
+  }
+
+  #undecodable(index: number, image: Blob): BookError {
+    const place = this.#place(index);
     return new BookError(
-      `${this.#place(index)} is damaged or no image; PNG, JPEG, WebP, AVIF and GIF can be shown.`,
+      isSvg(image)
+        ? `${place} is damaged, or this page's Content-Security-Policy lacks data: in img-src, by which an SVG is drawn.`
+        : `${place} is damaged or no image; PNG, JPEG, WebP, AVIF, GIF and SVG can be shown.`,
     );
   }
 
@@ -198,25 +220,15 @@ function scaleBox({ x, y, width, height }: PageBox, by: PageSize): PageBox {
   return { x: x * by.width, y: y * by.height, width: width * by.width, height: height * by.height };
 }
 
-/** An image's size in pixels, turned upright as its EXIF data says. */
-async function measure(image: Blob): Promise<PageSize> {
-  return (await measureByElement(image)) ?? (await measureByDecoding(image));
-}
+const isSvg = (image: Blob): boolean => image.type === "image/svg+xml";
 
-/** Reads the header alone; null where the page's security policy forbids blob images. */
-async function measureByElement(blob: Blob): Promise<PageSize | null> {
-  if (typeof Image === "undefined") return null;
-  const url = URL.createObjectURL(blob);
-  try {
-    return await new Promise((resolve) => {
-      const image = new Image();
-      image.onload = () => resolve({ width: image.naturalWidth, height: image.naturalHeight });
-      image.onerror = () => resolve(null);
-      image.src = url;
-    });
-  } finally {
-    URL.revokeObjectURL(url);
+/** An image's size in pixels, turned upright as its EXIF data says. Rejects where it is none. */
+async function measure(image: Blob): Promise<PageSize> {
+  if (isSvg(image)) {
+    const { sizeOfSvg } = await loaded(import("./svg.ts"));
+    return await sizeOfSvg(image);
   }
+  return (await sizeFromHeader(image)) ?? (await measureByDecoding(image));
 }
 
 async function measureByDecoding(image: Blob): Promise<PageSize> {

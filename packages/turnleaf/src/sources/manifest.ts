@@ -1,4 +1,5 @@
 import { cleanLanguage, cleanText } from "./book_text.ts";
+import { type Bytes, blobOf } from "./given.ts";
 import { limits } from "./limits.ts";
 import { fault, isRecord, isSide, textOf } from "./manifest_checks.ts";
 import {
@@ -38,12 +39,12 @@ export interface ImageBook {
 }
 
 /** A page as a manifest writes it: its address, or the address with what is known of it. A script may give the image itself. */
-export type ManifestPage = string | Blob | ManifestImage;
+export type ManifestPage = string | Bytes | ManifestImage;
 
 /** What a manifest knows of a page. */
 export interface ManifestImage {
   /** Address of its image, relative to the manifest; from a script also the image itself. */
-  readonly src: string | Blob;
+  readonly src: string | Bytes;
   /** Pixels across: with it and `height` the image need not be fetched to be placed. */
   readonly width?: number;
   /** Pixels down. */
@@ -74,7 +75,7 @@ export interface Manifest {
   readonly pages: readonly ManifestPage[];
 }
 
-const dataImage = /^data:image\/(png|jpeg|webp|avif|gif)[;,]/i;
+const dataImage = /^data:image\/(png|jpeg|webp|avif|gif|svg\+xml)[;,]/i;
 
 /**
  * Checks a manifest as what it is, a stranger's file. A list alone stands for
@@ -113,8 +114,9 @@ export function parseManifest(value: unknown, base: string, name: string): Image
 }
 
 function parsePage(value: unknown, base: string, pages: number, place: string): ImagePage {
-  const fields = typeof value === "string" || value instanceof Blob ? { src: value } : value;
-  const src = isRecord(fields) ? fields.src : "";
+  const fields = typeof value === "string" || blobOf(value) ? { src: value } : value;
+  const given = isRecord(fields) ? fields.src : "";
+  const src = blobOf(given) ?? given;
   if (!isRecord(fields) || !(src instanceof Blob || (typeof src === "string" && src !== ""))) {
     throw fault(place, 'has no "src"', 'write "001.jpg" or {"src": "001.jpg"}');
   }
@@ -144,7 +146,11 @@ function resolveImage(src: string, base: string, place: string): string {
   }
   if (isData) {
     if (dataImage.test(src.trim())) return src.trim();
-    throw fault(place, "holds data that is no PNG, JPEG, WebP, AVIF or GIF", "use one of these");
+    throw fault(
+      place,
+      "holds data that is no PNG, JPEG, WebP, AVIF, GIF or SVG",
+      "use one of these",
+    );
   }
   const url = parseUrl(src, base);
   if (url === null)

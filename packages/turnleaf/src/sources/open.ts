@@ -1,5 +1,6 @@
 import { cleanText, nameOfUrl } from "./book_text.ts";
 import { brokeOff, emptyFile, fetchChecked, readBounded, readStart } from "./fetch_bytes.ts";
+import { type Bytes, blobOf, filesOf, wrongKind } from "./given.ts";
 import { limits } from "./limits.ts";
 import { loaded } from "./loaded.ts";
 import { type ImageBook, type Manifest, type ManifestPage, parseManifest } from "./manifest.ts";
@@ -8,8 +9,11 @@ import { BookError, type PageSource } from "./page_source.ts";
 import type { PdfOptions } from "./pdf.ts";
 import { type Kind, sniff, sniffLength } from "./sniff.ts";
 
-/** What can be opened: an address, images in order, a manifest, or a file that was chosen or dropped. */
-export type BookInput = string | readonly ManifestPage[] | Manifest | Blob;
+/**
+ * What can be opened: an address, images in order, a manifest, a file that was chosen, dropped or fetched,
+ * or several images that were chosen, which are put in the natural order of their names.
+ */
+export type BookInput = string | readonly ManifestPage[] | Manifest | Bytes | FileList;
 
 export interface OpenOptions extends PdfOptions {
   /** What sentences call the book where its address or file has no name. */
@@ -26,8 +30,26 @@ export interface OpenOptions extends PdfOptions {
 export async function openSource(input: BookInput, options: OpenOptions = {}): Promise<PageSource> {
   options.signal?.throwIfAborted();
   if (typeof input === "string") return await openAddress(input, options);
-  if (input instanceof Blob) return await openBlob(input, options);
-  return await openImages(parseManifest(input, baseOf(options), options.name ?? "This book"));
+  const blob = blobOf(input) ?? aloneOf(input);
+  if (blob) return await openBlob(blob, options);
+  const files = filesOf(input);
+  if (files?.length === 0) throw new BookError("No file was chosen; choose one.");
+  if (!Array.isArray(files ?? input) && !isManifest(input)) throw wrongKind(input);
+  const manifest = parseManifest(files ?? input, baseOf(options), options.name ?? "This book");
+  return await openImages(manifest);
+}
+
+/** The one file of a list of one, which need not be an image; null of other lists. */
+function aloneOf(input: BookInput): Blob | null {
+  const list = filesOf(input) ?? input;
+  return Array.isArray(list) && list.length === 1 ? blobOf(list[0]) : null;
+}
+
+/** Whether a value is an object as JSON has them, right or wrong as a manifest, or has pages. */
+function isManifest(value: unknown): boolean {
+  if (typeof value !== "object" || value === null) return false;
+  const kind = Object.getPrototypeOf(value);
+  return kind === null || kind === Object.prototype || "pages" in value;
 }
 
 /** As `openSource`, for a book whose pages may change while it is open. */
@@ -85,7 +107,7 @@ function kindOf(start: Uint8Array, name: string): Kind {
   if (start.length === 0) throw emptyFile(name);
   const kind = sniff(start);
   const readable =
-    "PDF, images (PNG, JPEG, WebP, AVIF, GIF) and JSON manifests of images can be read.";
+    "PDF, images (PNG, JPEG, WebP, AVIF, GIF, SVG) and JSON manifests of images can be read.";
   if (kind === "html") throw new BookError(`${name} is a web page, not a book; ${readable}`);
   if (kind === "archive")
     throw new BookError(`${name} is an archive, an EPUB or a comic; unpack it first: ${readable}`);
@@ -121,6 +143,9 @@ function lengthOf(response: Response): number | undefined {
 
 function resolve(address: string, options: OpenOptions): string {
   const name = cleanText(address, 80) || "An empty address";
+  if (/^\[object \w+\]$/.test(name)) {
+    throw new BookError(`src is an address, and not ${name.slice(8, -1)}; set pages instead.`);
+  }
   let url: URL;
   try {
     url = new URL(address, baseOf(options));

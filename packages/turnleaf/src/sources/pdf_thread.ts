@@ -111,9 +111,13 @@ export class PdfThread {
 
 /** The sentence for a worker that the browser did not start. */
 export function notStarted(name: string, address: string | undefined, cause: Error): BookError {
-  const remedy = address
-    ? `pdf-worker names ${address}: correct it, or allow it in worker-src of this page's Content-Security-Policy`
-    : "allow blob: in worker-src of this page's Content-Security-Policy, or set the attribute pdf-worker";
+  let remedy =
+    "allow blob: in worker-src of this page's Content-Security-Policy, or set the attribute pdf-worker";
+  if (/Trusted/.test(cause.message)) {
+    remedy = "allow turnleaf in trusted-types of this page's Content-Security-Policy";
+  } else if (address) {
+    remedy = `pdf-worker names ${address}: correct it, or allow it in worker-src of this page's Content-Security-Policy`;
+  }
   return new BookError(
     `${name} cannot be read, as the browser did not start the script that reads it; ${remedy}.`,
     { cause },

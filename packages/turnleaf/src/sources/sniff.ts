@@ -4,34 +4,50 @@ export type Kind = "pdf" | "json" | "image" | "html" | "archive" | "unknown";
 /** How many first bytes `sniff` looks at. */
 export const sniffLength = 1024;
 
-const formats: readonly (readonly [Kind, number, string])[] = [
-  ["image", 0, "\x89PNG\r\n\x1a\n"],
-  ["image", 0, "\xff\xd8\xff"],
-  ["image", 0, "GIF87a"],
-  ["image", 0, "GIF89a"],
-  ["image", 8, "WEBP"],
-  ["image", 4, "ftypavif"],
-  ["image", 4, "ftypavis"],
-  ["archive", 0, "PK\x03\x04"],
-  ["archive", 0, "Rar!"],
-  ["archive", 0, "7z\xbc\xaf"],
+const images: readonly (readonly [type: string, offset: number, mark: string])[] = [
+  ["image/png", 0, "\x89PNG\r\n\x1a\n"],
+  ["image/jpeg", 0, "\xff\xd8\xff"],
+  ["image/gif", 0, "GIF87a"],
+  ["image/gif", 0, "GIF89a"],
+  ["image/webp", 8, "WEBP"],
+  ["image/avif", 4, "ftypavif"],
+  ["image/avif", 4, "ftypavis"],
 ];
 
+const archives = ["PK\x03\x04", "Rar!", "7z\xbc\xaf"];
+
 /**
- * The format by its first bytes, whatever its name and the server say. A PDF
- * may have up to 1024 bytes of other matter before its mark.
+ * The format by its first bytes, whatever its name and the server say. A PDF's
+ * mark stands anywhere in its first 1024 bytes.
  * @param start the first `sniffLength` bytes, fewer where the file has fewer
  */
 export function sniff(start: Uint8Array): Kind {
   const text = latin1(start.subarray(0, sniffLength));
-  for (const [kind, offset, mark] of formats) {
-    if (text.startsWith(mark, offset)) return kind;
-  }
+  if (imageType(start) !== null) return "image";
+  if (archives.some((mark) => text.startsWith(mark))) return "archive";
+  // The mark begins within the first 1024 bytes.
   if (text.includes("%PDF-")) return "pdf";
-  const words = text.replace(/^\xef\xbb\xbf/, "").trimStart();
+  const words = wordsOf(text);
   if (words.startsWith("{") || words.startsWith("[")) return "json";
   if (/^<(!doctype html|html|\?xml|!--|head|body)/i.test(words)) return "html";
   return "unknown";
+}
+
+/** The MIME type of an image by its first bytes; null where they are of none. */
+export function imageType(start: Uint8Array): string | null {
+  const text = latin1(start.subarray(0, sniffLength));
+  const found = images.find(([, offset, mark]) => text.startsWith(mark, offset));
+  if (found) return found[0];
+  const words = wordsOf(text);
+  const isSvg =
+    /^<(\?xml|!--|!doctype svg|([\w-]+:)?svg[\s>])/i.test(words) &&
+    /<([\w-]+:)?svg[\s>]/i.test(words) &&
+    !/<html[\s>]/i.test(words);
+  return isSvg ? "image/svg+xml" : null;
+}
+
+function wordsOf(text: string): string {
+  return text.replace(/^\xef\xbb\xbf/, "").trimStart();
 }
 
 function latin1(bytes: Uint8Array): string {

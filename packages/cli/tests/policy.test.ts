@@ -1,0 +1,191 @@
+/** The built viewer under each Content-Security-Policy that docs/policy.md has a row for. */
+
+import { type Browser, chromium } from "playwright-core";
+import type { TurnleafBook } from "turnleaf";
+import { afterAll, afterEach, beforeAll, describe, expect, test } from "vitest";
+import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { pdf, png } from "./books.ts";
+import { serveViewer, type ViewerSite } from "./viewer_page.ts";
+
+let browser: Browser;
+let site: ViewerSite | undefined;
+
+beforeAll(async () => {
+  browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
+});
+afterAll(() => browser?.close());
+afterEach(async () => {
+  for (const context of browser.contexts()) await context.close();
+  await site?.stop();
+  site = undefined;
+});
+
+/** What docs/policy.md says is enough for PDFs and images from the page's own site. */
+const enough = {
+  "default-src": "'none'",
+  "script-src": "'self' 'nonce-map' 'wasm-unsafe-eval'",
+  "worker-src": "blob:",
+  "style-src": "'self'",
+  "connect-src": "'self'",
+  "require-trusted-types-for": "'script'",
+  "trusted-types": "turnleaf",
+};
+
+const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 30"><rect width="20" height="30" fill="#00f"/></svg>`;
+const files: Record<string, Buffer | string> = {
+  "/book.pdf": pdf(4),
+  "/book.json": JSON.stringify({ pages: ["1.png", "2.png"] }),
+  "/svg.json": JSON.stringify({ pages: ["1.svg", "2.png"] }),
+  "/data.json": JSON.stringify({
+    pages: [`data:image/png;base64,${png(6, 9).toString("base64")}`, "2.png"],
+  }),
+  "/1.svg": svg,
+  "/1.png": png(60, 90),
+  "/2.png": png(60, 90),
+};
+
+/** A page under a policy, and what its console said. */
+async function visit(changes: Partial<Record<keyof typeof enough | "img-src", string>> = {}) {
+  const policy = Object.entries({ ...enough, ...changes }).map((entry) => entry.join(" "));
+  site = await serveViewer((path) => files[path] ?? null, policy.join("; "));
+  const page = await browser.newPage({ viewport: { width: 400, height: 300 } });
+  const said: string[] = [];
+  page.on("pageerror", (error) => said.push(error.message));
+  page.on("console", (message) => {
+    if (/error|warning/.test(message.type())) said.push(message.text());
+  });
+  await page.goto(site.url);
+  return { page, said, asked: site.asked };
+}
+
+/** Shows a book and turns a leaf: resolves to the sentence of its error, or "" where it opened and turned. */
+async function show([src, attributes]: readonly [string, Record<string, string>]) {
+  const book = document.createElement("turnleaf-book") as TurnleafBook;
+  for (const [name, value] of Object.entries({ duration: "80", ...attributes })) {
+    book.setAttribute(name, value);
+  }
+  const happened = new Promise<string>((resolve) => {
+    book.addEventListener("load", () => resolve(""), { once: true });
+    book.addEventListener("error", (event) => resolve(event.detail.message), { once: true });
+  });
+  const blob = async (path: string) => new Blob([await (await fetch(path)).arrayBuffer()]);
+  if (src.startsWith("blob:")) book.src = URL.createObjectURL(await blob(src.slice(5)));
+  else if (src.startsWith("file:")) book.pages = await blob(src.slice(5));
+  else book.src = src;
+  document.body.append(book);
+  const sentence = await happened;
+  if (sentence !== "") return sentence;
+  await book.next();
+  while (!book.settled) await new Promise(requestAnimationFrame);
+  return "";
+}
+
+const open = (
+  page: Awaited<ReturnType<typeof visit>>["page"],
+  src: string,
+  attributes: Record<string, string> = {},
+) => page.evaluate(show, [src, attributes] as const);
+
+/** Draws a page (from 1) of the book that is open: resolves to "" or to why it cannot be drawn. */
+const draw = (page: Awaited<ReturnType<typeof visit>>["page"], number: number) =>
+  page.evaluate(
+    (number) =>
+      (document.querySelector("turnleaf-book") as TurnleafBook)
+        .drawPage(number, 60)
+        .then(() => "", String),
+    number,
+  );
+
+describe.each(["/book.pdf", "/book.json", "file:/book.pdf"])("%s", (src) => {
+  test("opens in space under the policy that is enough, and nothing is refused", async () => {
+    const { page, said, asked } = await visit();
+    expect(await open(page, src)).toBe("");
+    expect(asked.some((path) => path.includes("solid"))).toBe(true);
+    expect(said).toEqual([]);
+  });
+});
+
+test("script-src without 'wasm-unsafe-eval': books lie flat, which is said once", async () => {
+  const { page, said, asked } = await visit({ "script-src": "'self' 'nonce-map'" });
+  for (const src of ["/book.pdf", "/book.json"]) expect(await open(page, src)).toBe("");
+  expect(asked.some((path) => path.includes("plain"))).toBe(true);
+  expect(said).toEqual([
+    "turnleaf-book: books are shown on the flat, as this page's Content-Security-Policy lacks 'wasm-unsafe-eval' in script-src.",
+  ]);
+});
+
+describe("worker-src without blob:", () => {
+  test("a PDF says what to allow or to set", async () => {
+    const { page } = await visit({ "worker-src": "'self'" });
+    expect(await open(page, "/book.pdf")).toBe(
+      "book.pdf cannot be read, as the browser did not start the script that reads it; allow blob: in worker-src of this page's Content-Security-Policy, or set the attribute pdf-worker.",
+    );
+  });
+
+  test("a PDF opens with the address that pdf-worker names", async () => {
+    const { page, said, asked } = await visit({ "worker-src": "'self'" });
+    const worker = "turnleaf/pdf-worker.js";
+    expect(await open(page, "/book.pdf", { "pdf-worker": worker })).toBe("");
+    expect(await draw(page, 2)).toBe("");
+    // One reads, one draws, and neither comes packed.
+    expect(asked.filter((path) => path === `/${worker}`).length).toBe(2);
+    expect(asked.filter((path) => /pdf\.(worker|renderer)/.test(path))).toEqual([]);
+    expect(said).toEqual([]);
+  });
+
+  test("an address that is none is named", async () => {
+    const { page } = await visit({ "worker-src": "'self'" });
+    expect(await open(page, "/book.pdf", { "pdf-worker": "/none.js" })).toMatch(
+      /; pdf-worker names http:\S+\/none\.js: correct it, or allow it in worker-src/,
+    );
+  });
+});
+
+test("connect-src without the book's site: the sentence names the directive", async () => {
+  const { page } = await visit({ "connect-src": "'none'" });
+  expect(await open(page, "/book.pdf")).toMatch(
+    /^book\.pdf could not be reached; .*\(connect-src\)/,
+  );
+});
+
+test("connect-src without blob: an address of a blob is refused, the blob itself is not", async () => {
+  const { page } = await visit();
+  expect(await open(page, "blob:/book.pdf")).toContain("lacks blob: in connect-src");
+  expect(await open(page, "file:/book.json")).toBe("");
+});
+
+test("connect-src with blob: an address of a blob opens", async () => {
+  const { page, said } = await visit({ "connect-src": "'self' blob:" });
+  expect(await open(page, "blob:/book.pdf")).toBe("");
+  expect(said).toEqual([]);
+});
+
+test.each([
+  ["/data.json", "connect-src", "'self' data:"],
+  ["/svg.json", "img-src", "data:"],
+] as const)("%s wants %s %s, else its page alone is refused", async (src, directive, allowed) => {
+  const refusing = await visit();
+  expect(await open(refusing.page, src)).toBe("");
+  expect(await draw(refusing.page, 1)).toContain(directive);
+  expect(await draw(refusing.page, 2)).toBe("");
+  await site?.stop();
+  const { page, said } = await visit({ [directive]: allowed });
+  expect(await open(page, src)).toBe("");
+  expect(await draw(page, 1)).toBe("");
+  expect(said).toEqual([]);
+});
+
+test("img-src without blob: a book cannot be printed, and says so", async () => {
+  const { page } = await visit();
+  expect(await open(page, "/book.json")).toBe("");
+  const printed = page.evaluate(() =>
+    document.querySelector("turnleaf-book")?.print().then(String, String),
+  );
+  expect(await printed).toContain("img-src");
+});
+
+test("trusted-types without turnleaf: a PDF says what to allow, images open", async () => {
+  const { page } = await visit({ "trusted-types": "'none'" });
+  expect(await open(page, "/book.pdf")).toContain("trusted-types");
+  expect(await open(page, "/book.json")).toBe("");
+});

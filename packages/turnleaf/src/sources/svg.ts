@@ -1,0 +1,95 @@
+/**
+ * SVG images as pages. They are drawn through an <img>, in which no script runs and nothing else is
+ * loaded; the address is of data, as blob: taints a canvas in WebKit.
+ */
+
+import type { PageBox, PageSize } from "./page_source.ts";
+
+/** The root's tag; what stands in quotes may hold anything. */
+const rootTag = /<(?:[\w-]+:)?svg(?=[\s/>])(?:[^>"']|"[^"]*"|'[^']*')*>/i;
+
+/** CSS pixels of the units that a length may have. */
+const units: Readonly<Record<string, number>> = {
+  "": 1,
+  px: 1,
+  pt: 4 / 3,
+  pc: 16,
+  in: 96,
+  cm: 96 / 2.54,
+  mm: 96 / 25.4,
+  q: 96 / 101.6,
+};
+
+/** What an image without any size has, as CSS says. */
+const usualSize: PageSize = { width: 300, height: 150 };
+
+/** Its text, or null where it has no root. */
+async function read(image: Blob): Promise<{ text: string; tag: string } | null> {
+  const text = await image.text();
+  const tag = rootTag.exec(text)?.[0];
+  return tag === undefined ? null : { text, tag };
+}
+
+function attribute(tag: string, name: string): string | undefined {
+  const found = new RegExp(`\\s${name}\\s*=\\s*(?:"([^"]*)"|'([^']*)')`).exec(tag);
+  return found?.[1] ?? found?.[2];
+}
+
+/** A length in CSS pixels; null where there is none, or it is relative. */
+function length(text: string | undefined): number | null {
+  const [, number, unit] = /^\s*([\d.]+(?:e[+-]?\d+)?)\s*([a-z]*)\s*$/i.exec(text ?? "") ?? [];
+  const scale = units[unit?.toLowerCase() ?? "none"];
+  const pixels = Number(number) * (scale ?? Number.NaN);
+  return pixels > 0 ? pixels : null;
+}
+
+/** The size that the root's tag says: its lengths, what of them is missing by the proportions of its viewBox. */
+function sizeOf(tag: string): PageSize {
+  const [width, height] = [length(attribute(tag, "width")), length(attribute(tag, "height"))];
+  const box = attribute(tag, "viewBox")
+    ?.trim()
+    .split(/[\s,]+/)
+    .map(Number);
+  const [, , across, down] = box ?? [];
+  const ratio = across > 0 && down > 0 ? across / down : null;
+  if (width !== null && height !== null) return { width, height };
+  if (ratio === null)
+    return { width: width ?? usualSize.width, height: height ?? usualSize.height };
+  if (width !== null) return { width, height: width / ratio };
+  if (height !== null) return { width: height * ratio, height };
+  return { width: across, height: down };
+}
+
+/** An SVG's size in CSS pixels. Rejects where it is none. */
+export async function sizeOfSvg(image: Blob): Promise<PageSize> {
+  const svg = await read(image);
+  if (svg === null) throw new Error("There is no <svg>.");
+  return sizeOf(svg.tag);
+}
+
+/**
+ * Draws a part of an SVG, in its own pixels, so that it has `pixels`. Rejects where it is none, and
+ * where the page's policy does not allow images of data.
+ */
+export async function drawSvg(image: Blob, part: PageBox, pixels: PageSize): Promise<ImageBitmap> {
+  const svg = await read(image);
+  if (svg === null) throw new Error("There is no <svg>.");
+  const picture = new Image();
+  picture.src = `data:image/svg+xml,${encodeURIComponent(svg.text.replace(svg.tag, sized(svg.tag)))}`;
+  await picture.decode();
+  // In Chromium fonts that it brings are there one task later.
+  await new Promise((resolve) => setTimeout(resolve));
+  const canvas = new OffscreenCanvas(pixels.width, pixels.height);
+  const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
+  const { x, y, width, height } = part;
+  pen.drawImage(picture, x, y, width, height, 0, 0, pixels.width, pixels.height);
+  return canvas.transferToImageBitmap();
+}
+
+/** The root's tag with its size in pixels, without which Firefox draws nothing, and a viewBox, without which nothing scales. */
+function sized(tag: string): string {
+  const { width, height } = sizeOf(tag);
+  const bare = tag.replace(/\s(width|height)\s*=\s*("[^"]*"|'[^']*')/g, "");
+  const box = attribute(tag, "viewBox") === undefined ? ` viewBox="0 0 ${width} ${height}"` : "";
+  return bare.replace(/^<[^\s/>]+/, `$& width="${width}" height="${height}"${box}`);
+}
