@@ -1,5 +1,5 @@
-/** How many first bytes of a file tell its format. */
-export const sniffLength = 1024;
+/** How many first bytes of a file tell its format: a PDF's mark has up to 1024 others before it. */
+export const sniffLength = 1029;
 
 const marks: readonly (readonly [string, number, string])[] = [
   ["image/png", 0, "\x89PNG\r\n\x1a\n"],

@@ -11,7 +11,7 @@ const usualPort = 4173;
 const portsTried = 50;
 
 const headers: Readonly<Record<string, string>> = {
-  // 'wasm-unsafe-eval' lets WebAssembly run; blob: is where pdf.js's workers and measured images are.
+  // See docs/policy.md: blob: is where pdf.js's workers and printed pages are, data: where SVG pages.
   "Content-Security-Policy": [
     "default-src 'none'",
     "script-src 'self' 'wasm-unsafe-eval'",

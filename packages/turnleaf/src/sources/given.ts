@@ -24,6 +24,6 @@ export function filesOf(value: unknown): File[] | null {
 export function wrongKind(value: unknown): BookError {
   const kind = Object.prototype.toString.call(value).slice(8, -1);
   return new BookError(
-    `A book is not made of ${/^[AEIOU]/.test(kind) ? "an" : "a"} ${kind}; give an address, a File or FileList, an ArrayBuffer, a list of images or a manifest.`,
+    `A book is not made of ${/^(HTML|[AEIOU])/.test(kind) ? "an" : "a"} ${kind}; give an address, a File or FileList, an ArrayBuffer, a list of images or a manifest.`,
   );
 }

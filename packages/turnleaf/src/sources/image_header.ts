@@ -5,7 +5,7 @@ import { JPG } from "image-size/types/jpg";
 import { PNG } from "image-size/types/png";
 import { WEBP } from "image-size/types/webp";
 import type { PageSize } from "./page_source.ts";
-import { imageType, sniffLength } from "./sniff.ts";
+import { imageType, type Kind, sniff, sniffLength } from "./sniff.ts";
 
 /** Bytes in which a header is looked for: a JPEG's may come after a large profile and a preview. */
 const headerLength = 1 << 20;
@@ -17,9 +17,17 @@ const readers: Readonly<Record<string, typeof JPG>> = {
   "image/webp": WEBP,
 };
 
+const startOf = async (file: Blob): Promise<Uint8Array> =>
+  new Uint8Array(await file.slice(0, sniffLength).arrayBuffer());
+
+/** What a file is by its first bytes. */
+export async function kindOfFile(file: Blob): Promise<Kind> {
+  return sniff(await startOf(file));
+}
+
 /** An image of the type that its first bytes tell, whatever its server or its file's name says. */
 export async function typedImage(image: Blob): Promise<Blob> {
-  const type = imageType(new Uint8Array(await image.slice(0, sniffLength).arrayBuffer()));
+  const type = imageType(await startOf(image));
   return type === null || type === image.type ? image : new Blob([image], { type });
 }
 

@@ -1,6 +1,7 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
 import { messageOf } from "./message_of.ts";
 import { openSource } from "./open.ts";
+import { tinyPdf } from "./tiny_pdf.ts";
 
 const never = new AbortController().signal;
 
@@ -129,6 +130,178 @@ describe("a book of images", () => {
     controller.abort(new Error("turned on"));
     await expect(drawing).rejects.toThrow("turned on");
     expect(own?.aborted).toBe(true);
+  });
+});
+
+/** The colours of a picture's places, shares of its size, as "r,g,b". */
+function coloursOf(
+  picture: CanvasImageSource & { width: number; height: number },
+  ...at: [number, number][]
+) {
+  const pen = new OffscreenCanvas(picture.width, picture.height).getContext("2d")!;
+  pen.drawImage(picture, 0, 0);
+  return at.map(([x, y]) => {
+    const place = [Math.floor(x * picture.width), Math.floor(y * picture.height)] as const;
+    return [...pen.getImageData(...place, 1, 1).data.slice(0, 3)].join(",");
+  });
+}
+
+/** A list as a file input has it. */
+function fileList(...files: File[]): FileList {
+  const transfer = new DataTransfer();
+  for (const file of files) transfer.items.add(file);
+  return transfer.files;
+}
+
+describe("a book is given", () => {
+  it.each([
+    ["an ArrayBuffer", (bytes: ArrayBuffer) => bytes],
+    ["a typed array", (bytes: ArrayBuffer) => new Uint8Array(bytes)],
+    [
+      "a part of a larger buffer",
+      (bytes: ArrayBuffer) => {
+        const larger = new Uint8Array([9, ...new Uint8Array(bytes), 9]);
+        return larger.subarray(1, -1);
+      },
+    ],
+    ["a DataView", (bytes: ArrayBuffer) => new DataView(bytes)],
+    ["a Blob without a type", (bytes: ArrayBuffer) => new Blob([bytes])],
+    ["a Blob of a wrong type", (bytes: ArrayBuffer) => new Blob([bytes], { type: "text/plain" })],
+    ["a list of one", (bytes: ArrayBuffer) => [bytes]],
+  ])("as %s", async (_, wrap) => {
+    const png = wrap(await (await image(30, 20)).arrayBuffer());
+    const source = await openSource(png);
+    expect(await source.size(0)).toEqual({ width: 30, height: 20 });
+    expect((await source.draw(0, 15, never)).width).toBe(15);
+    const pdf = wrap(tinyPdf({ pages: ["", "", ""] }).buffer);
+    expect((await openSource(pdf)).pageCount).toBe(3);
+  });
+
+  it("as a FileList: one file of any kind, or images by their names' natural order", async () => {
+    const png = (name: string, width: number) =>
+      image(width, 10).then((blob) => new File([blob], name));
+    const files = await Promise.all([png("page 10.png", 30), png("page 9.png", 20)]);
+    const source = await openSource(fileList(...files));
+    const sizes = [await source.size(0), await source.size(1)];
+    expect(sizes.map(({ width }) => width)).toEqual([20, 30]);
+    const pdf = new File([tinyPdf({ pages: ["", ""] })], "a book.pdf");
+    const book = await openSource(fileList(pdf));
+    expect([book.pageCount, book.title]).toEqual([2, "a book.pdf"]);
+    expect(await messageOf(openSource(fileList()))).toBe("No file was chosen; choose one.");
+    const both = await openSource(fileList(files[0], pdf));
+    expect(await messageOf(both.size(0))).toBe(
+      "Page 1 of This book is a PDF among images; open it by itself.",
+    );
+  });
+
+  it("as pages whose bytes are at hand", async () => {
+    const bytes = await (await image(30, 20)).arrayBuffer();
+    const source = await openSource([bytes, { src: new Uint8Array(bytes), label: "ii" }]);
+    expect(await source.size(1)).toEqual({ width: 30, height: 20 });
+    expect(source.label(1)).toBe("ii");
+  });
+
+  it.each([
+    [7, "a Number"],
+    [true, "a Boolean"],
+    [() => 1, "a Function"],
+    [new Date(0), "a Date"],
+    [document.createElement("img"), "an HTMLImageElement"],
+    [new Map(), "a Map"],
+  ])("as nothing else: %s", async (value, kind) => {
+    expect(await messageOf(openSource(value as never))).toBe(
+      `A book is not made of ${kind}; give an address, a File or FileList, an ArrayBuffer, a list of images or a manifest.`,
+    );
+  });
+
+  it("by an address that was an object", async () => {
+    expect(await messageOf(openSource("[object File]"))).toBe(
+      "src is an address, and not File; set pages instead.",
+    );
+  });
+});
+
+describe("the size of an image", () => {
+  it("is read from its header, upright, without an <img>", async () => {
+    const made = vi.spyOn(globalThis, "Image");
+    const decoded = vi.spyOn(globalThis, "createImageBitmap");
+    for (const type of ["image/png", "image/jpeg", "image/webp"]) {
+      const source = await openSource(await image(300, 200, type));
+      expect(await source.size(0)).toEqual({ width: 300, height: 200 });
+    }
+    const jpeg = new Uint8Array(await (await image(300, 200, "image/jpeg")).arrayBuffer());
+    // EXIF: turned by a quarter.
+    const exif = [0xff, 0xe1, 0, 34, 69, 120, 105, 102, 0, 0, 77, 77, 0, 42, 0, 0, 0, 8, 0, 1];
+    const entry = [1, 18, 0, 3, 0, 0, 0, 1, 0, 6, 0, 0, 0, 0, 0, 0];
+    const turned = await openSource(
+      new Uint8Array([...jpeg.subarray(0, 2), ...exif, ...entry, ...jpeg.subarray(2)]),
+    );
+    expect(await turned.size(0)).toEqual({ width: 200, height: 300 });
+    expect(made).not.toHaveBeenCalled();
+    expect(decoded).not.toHaveBeenCalled();
+    const picture = await turned.draw(0, 200, never);
+    expect([picture.width, picture.height]).toEqual([200, 300]);
+  });
+});
+
+describe("an SVG", () => {
+  const open = (text: string) => openSource(new Blob([text]));
+  const root = (attributes: string, content = "") =>
+    `<?xml version="1.0"?>\n<!-- a > b --><svg xmlns="http://www.w3.org/2000/svg" ${attributes}>${content}</svg>`;
+
+  it.each([
+    ['viewBox="0 0 40 60"', 40, 60],
+    ['viewBox="-5,-5 40,60" width="100%" height="auto"', 40, 60],
+    ['width="80" height="90px" viewBox="0 0 40 60"', 80, 90],
+    ["width='2in' height='1cm'", 192, 96 / 2.54],
+    ['width="80" viewBox="0 0 40 60"', 80, 120],
+    ['height="30" viewBox="0 0 40 60" stroke-width="7"', 20, 30],
+    ["", 300, 150],
+    ['viewBox="0 0 0 0" data-x="a > b"', 300, 150],
+  ])("has the size that it says: %s", async (attributes, width, height) => {
+    expect(await (await open(root(attributes))).size(0)).toEqual({ width, height });
+  });
+
+  it("is drawn sharp at any width, all of it or a part", async () => {
+    const rect = '<rect x="5" y="10" width="5" height="10" fill="#00f"/>';
+    const source = await open(
+      root('viewBox="0 0 10 20"', `<rect width="10" height="20" fill="#f00"/>${rect}`),
+    );
+    const picture = await source.draw(0, 500, never);
+    expect([picture.width, picture.height]).toEqual([500, 1000]);
+    // An edge of pixels that were made larger would be blurred over 50 of them.
+    expect(coloursOf(picture, [0.495, 0.75], [0.505, 0.75], [0.75, 0.495])).toEqual([
+      "255,0,0",
+      "0,0,255",
+      "255,0,0",
+    ]);
+    const region = { x: 0.5, y: 0.25, width: 0.5, height: 0.5 };
+    const part = await source.draw(0, 100, never, region);
+    expect([part.width, part.height]).toEqual([100, 200]);
+    expect(coloursOf(part, [0.5, 0.49], [0.5, 0.51])).toEqual(["255,0,0", "0,0,255"]);
+  });
+
+  it("runs no script and loads nothing", async () => {
+    const fetched = vi.spyOn(globalThis, "fetch");
+    const other = await address(10, 10);
+    const hostile = `<script>parent.ran = true; fetch("/")</script><image href="${other}" width="10" height="10"/><foreignObject width="10" height="10"><body xmlns="http://www.w3.org/1999/xhtml"><img src="x" onerror="parent.ran = true"/></body></foreignObject><rect width="10" height="10" fill="#0f0" onload="parent.ran = true"/>`;
+    const source = await open(root('viewBox="0 0 10 10" onload="parent.ran = true"', hostile));
+    const picture = await source.draw(0, 100, never);
+    // What it draws can be read: the canvas is not tainted.
+    expect(coloursOf(picture, [0.9, 0.9])).toEqual(["0,255,0"]);
+    expect("ran" in globalThis).toBe(false);
+    expect(fetched).not.toHaveBeenCalled();
+  });
+
+  it("may be a page among others, and that which is none spoils itself alone", async () => {
+    const source = await openSource([
+      new Blob([root('viewBox="0 0 40 60"')]),
+      new Blob(["<svg <"]),
+      await image(9, 9),
+    ]);
+    expect((await source.draw(0, 20, never)).height).toBe(30);
+    expect(await messageOf(source.draw(1, 20, never))).toMatch(/^Page 2 of This book is damaged/);
+    expect((await source.draw(2, 20, never)).width).toBe(9);
   });
 });
 

@@ -1,6 +1,6 @@
 import { nameOfUrl } from "./book_text.ts";
 import { fetchChecked, readBounded } from "./fetch_bytes.ts";
-import { sizeFromHeader, typedImage } from "./image_header.ts";
+import { kindOfFile, sizeFromHeader, typedImage } from "./image_header.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import { loaded } from "./loaded.ts";
 import type { ImageBook, ImagePage } from "./manifest.ts";
@@ -115,8 +115,8 @@ export class ImageSource implements PageSource {
   async #measure(index: number, image: Blob): Promise<PageSize> {
     const known = this.#sizes[index];
     if (known && this.#measured.has(index)) return known;
-    const size = await measure(image).catch(() => {
-      throw this.#undecodable(index, image);
+    const size = await measure(image).catch(async () => {
+      throw (await isPdf(image)) ? this.#misplacedPdf(index) : this.#undecodable(index, image);
     });
     if (!isPageSize(size)) throw this.#undecodable(index, image);
     if (!isSvg(image) && size.width * size.height > limits.imagePixels) {
@@ -197,6 +197,10 @@ export class ImageSource implements PageSource {
     }
   }
 
+  #misplacedPdf(index: number): BookError {
+    return new BookError(`${this.#place(index)} is a PDF among images; open it by itself.`);
+  }
+
   #undecodable(index: number, image: Blob): BookError {
     const place = this.#place(index);
     return new BookError(
@@ -220,6 +224,7 @@ function scaleBox({ x, y, width, height }: PageBox, by: PageSize): PageBox {
   return { x: x * by.width, y: y * by.height, width: width * by.width, height: height * by.height };
 }
 
+const isPdf = async (file: Blob): Promise<boolean> => (await kindOfFile(file)) === "pdf";
 const isSvg = (image: Blob): boolean => image.type === "image/svg+xml";
 
 /** An image's size in pixels, turned upright as its EXIF data says. Rejects where it is none. */

@@ -57,6 +57,14 @@ describe("a PDF", () => {
     expect(source.label(0)).toBe("1");
   });
 
+  it.each([1, 700, 1019, 1020, 1024])("opens with %d bytes before its mark", async (count) => {
+    const before = new Uint8Array(count).fill(0x20);
+    const bytes = tinyPdf({ pages: [red, red] });
+    const source = await open(new Uint8Array([...before, ...bytes]));
+    expect(source.pageCount).toBe(2);
+    expect(colourAt(await source.draw(1, 20, never), 0.5, 0.5)).toBe("255,0,0");
+  });
+
   it("is drawn as wide as asked, on white, the head of the page upwards", async () => {
     const source = await openTiny({ pages: ["0 0 1 rg 0 150 200 150 re f"] });
     const picture = await source.draw(0, 400, never);

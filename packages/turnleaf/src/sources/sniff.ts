@@ -1,8 +1,12 @@
 /** What a file is, as far as its first bytes tell. */
 export type Kind = "pdf" | "json" | "image" | "html" | "archive" | "unknown";
 
+/** A PDF's mark, and most bytes that may stand before it. */
+const pdfMark = "%PDF-";
+const mostBefore = 1024;
+
 /** How many first bytes `sniff` looks at. */
-export const sniffLength = 1024;
+export const sniffLength: number = mostBefore + pdfMark.length;
 
 const images: readonly (readonly [type: string, offset: number, mark: string])[] = [
   ["image/png", 0, "\x89PNG\r\n\x1a\n"],
@@ -17,16 +21,15 @@ const images: readonly (readonly [type: string, offset: number, mark: string])[]
 const archives = ["PK\x03\x04", "Rar!", "7z\xbc\xaf"];
 
 /**
- * The format by its first bytes, whatever its name and the server say. A PDF's
- * mark stands anywhere in its first 1024 bytes.
+ * The format by its first bytes, whatever its name and the server say. A PDF
+ * may have up to 1024 bytes of other matter before its mark, whatever they look like.
  * @param start the first `sniffLength` bytes, fewer where the file has fewer
  */
 export function sniff(start: Uint8Array): Kind {
   const text = latin1(start.subarray(0, sniffLength));
   if (imageType(start) !== null) return "image";
+  if (text.includes(pdfMark)) return "pdf";
   if (archives.some((mark) => text.startsWith(mark))) return "archive";
-  // The mark begins within the first 1024 bytes.
-  if (text.includes("%PDF-")) return "pdf";
   const words = wordsOf(text);
   if (words.startsWith("{") || words.startsWith("[")) return "json";
   if (/^<(!doctype html|html|\?xml|!--|head|body)/i.test(words)) return "html";

@@ -10,6 +10,11 @@ describe("sniff", () => {
   it.each([
     ["pdf", "%PDF-1.7\n"],
     ["pdf", `${"x".repeat(1000)}%PDF-1.4`],
+    ["pdf", `${"x".repeat(1022)}%PDF-1.4`],
+    ["pdf", `${"x".repeat(1024)}%PDF-1.4`],
+    ["pdf", "HTTP/1.1 200 OK\r\nContent-Type: application/pdf\r\n\r\n%PDF-1.4"],
+    ["pdf", "<!doctype html>\n%PDF-1.4"],
+    ["pdf", "PK\x03\x04%PDF-1.4"],
     ["image", "\x89PNG\r\n\x1a\nIHDR"],
     ["image", "\xff\xd8\xff\xe0JFIF"],
     ["image", "GIF89a"],
@@ -21,7 +26,11 @@ describe("sniff", () => {
     ["html", "  <html>"],
     ["archive", "PK\x03\x04"],
     ["unknown", "Call me Ishmael."],
-    ["unknown", `${"x".repeat(1024)}%PDF-1.4`],
+    ["image", '<svg xmlns="http://www.w3.org/2000/svg">'],
+    ["image", '\xef\xbb\xbf<?xml version="1.0"?>\n<!-- by hand -->\n<svg:svg>'],
+    ["html", "<!-- a page --><html><svg></svg>"],
+    ["html", "<?xml version='1.0'?><rss>"],
+    ["unknown", `${"x".repeat(1025)}%PDF-1.4`],
     ["unknown", ""],
   ])("tells %s by its first bytes", (kind, text) => {
     expect(sniff(bytes(text))).toBe(kind);
