@@ -17,6 +17,9 @@ const viewer = defineConfig({
   ...common,
   entry: ["src/index.ts"],
   plugins: [wasmInline(), turnInline(), packedFiles(), shortTexts()],
+  copy: [
+    { from: "../../node_modules/image-size/LICENSE", to: "dist", rename: "license-image-size.txt" },
+  ],
   deps: { neverBundle: ["three"], onlyBundle: ["pdfjs-dist", "image-size"] },
   outputOptions: {
     codeSplitting: {
