@@ -43,7 +43,7 @@ const parts = {
   },
   // With what reads images, which are a source of pages too.
   "photographs of a turn": {
-    files: ["photographs.js", "images.js", "fetch_bytes.js", "book_text.js", "shared_tasks.js"],
+    files: ["photographs.js", "images.js", "fetch_bytes.js", "sniff.js", "shared_tasks.js"],
     limit: 9,
     isApart: true,
   },
