@@ -8,6 +8,7 @@ addLanguage("de", {
   back: "Rückseite von {n}",
   notOpened: "Das Buch ließ sich nicht öffnen; bitte die Seite neu laden.",
   pageNamed: "Seite {label}",
+  slowPage: "Seite {label} wird noch gezeichnet; die anderen Seiten sind lesbar.",
   toolbar: "Leser",
   pages: "Seiten",
   contents: "Inhalt",

@@ -16,7 +16,7 @@ import { style } from "./element.css.ts";
 import type { BookInput } from "./sources/open.ts";
 import type { PageSource } from "./sources/page_source.ts";
 import type { Viewer, ViewerOptions } from "./viewer.ts";
-import { elementTexts, languageOf } from "./words/languages.ts";
+import { elementTexts, fill, languageOf } from "./words/languages.ts";
 
 /** Time that a zoom by command takes, seconds. */
 const zoomSeconds = 0.25;
@@ -363,6 +363,7 @@ export class TurnleafBook extends ReaderElement {
       model: () => this,
       onStart: (low, high, forward) => this.#started(low, high, forward),
       onRest: (from, to) => this.#rested(from, to),
+      slowText: (label) => fill(elementTexts(languageOf(this)).slowPage ?? "", { label }),
       onFailure: (page, message, isOpen) => {
         if (isOpen) this.#words?.announce(message);
         this.emit("pageerror", { page, message });

@@ -76,6 +76,7 @@ export class Viewer {
     this.#fade = new Fade(canvas, (from) => options.onRest(from, this.turning.spread));
     this.#viewing = new Viewing(stage);
     this.#pictures = new PagePictures(source, book.leaf, {
+      slowText: options.slowText,
       onArrive: (page) => {
         this.#show();
         const sentence = this.#pictures.failure(page);

@@ -334,6 +334,7 @@ test("it speaks Chinese, and what it is taught", async () => {
     back: "",
     notOpened: "",
     pageNamed: "",
+    slowPage: "",
   });
   book.lang = "ar";
   book.dir = "rtl";

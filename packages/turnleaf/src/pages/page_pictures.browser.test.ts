@@ -119,3 +119,42 @@ test("of a picture that was fitted the fitted one alone is held, and freed at th
   expect(dropped).toContain(shown);
   expect(shown.width).toBe(0);
 });
+
+test("in place of a page that takes long stands a sentence, until it is drawn", async () => {
+  let finish = (_: HTMLCanvasElement): void => {};
+  const { source } = slides();
+  source.draw = () =>
+    new Promise((resolve) => {
+      finish = resolve;
+    });
+  let elapse = (): void => {};
+  let arrived = 0;
+  const leaf = { width: 2, height: 1 };
+  const pictures = new PagePictures(source, leaf, {
+    onArrive: () => arrived++,
+    onDrop: () => {},
+    slowText: (label) => `Page ${label} takes long.`,
+    later: (call) => {
+      elapse = call;
+      return () => {};
+    },
+  });
+  const ink = (picture: PagePicture) => {
+    const pen = (picture as HTMLCanvasElement).getContext("2d") as CanvasRenderingContext2D;
+    const { data } = pen.getImageData(0, 0, picture.width, picture.height);
+    return data.filter((value, k) => k % 4 === 0 && value < 0xc0).length;
+  };
+  pictures.want({ pages: [1], inSight: 1, lyingOpen: 1 }, 300, false);
+  await expect.poll(() => finish.length).toBe(1);
+  const waiting = pictures.get(1);
+  elapse();
+  expect(arrived).toBe(1);
+  const slow = pictures.get(1);
+  expect(slow).not.toBe(waiting);
+  expect(ink(slow)).toBeGreaterThan(10 * ink(waiting) + 100);
+  expect(pictures.failure(1)).toBeNull();
+  const drawn = sheet(300, 150);
+  finish(drawn);
+  await expect.poll(() => pictures.get(1)).toBe(drawn);
+  pictures.close();
+});

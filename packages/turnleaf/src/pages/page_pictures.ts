@@ -2,16 +2,20 @@
 
 import { loaded } from "../sources/loaded.ts";
 import type { PageBox, PagePicture, PageSize, PageSource } from "../sources/page_source.ts";
-import { closePicture, PagePool, type PoolSource } from "./page_pool.ts";
+import { closePicture, PagePool, type PagePoolOptions, type PoolSource } from "./page_pool.ts";
 import { foldAt, isFoldOut, type PrintedOn, placeOnLeaf, whole } from "./placing.ts";
-import { barePage, failedPage, waitingPage } from "./stand_in.ts";
+import { barePage, failedPage, slowPage, waitingPage } from "./stand_in.ts";
 
 /** Told when pictures come and go. */
 export interface PagePicturesOptions {
-  /** The picture of a page (from 1) changed, or it failed. */
+  /** The picture of a page (from 1) changed, it failed, or what stands in for it says something else. */
   readonly onArrive: (page: number) => void;
   /** A picture will not be used again; textures made of it can be freed. */
   readonly onDrop: (picture: PagePicture) => void;
+  /** The sentence for a page, by its label, that takes long to draw. */
+  readonly slowText?: (label: string) => string;
+  /** As the pool's own. */
+  readonly later?: PagePoolOptions["later"];
 }
 
 /** Stand-ins kept: more than a riffle shows at once, for one that is shown may not be dropped. */
@@ -88,6 +92,8 @@ export class PagePictures {
     this.#pool = new PagePool(book, {
       onArrive: (index) => options.onArrive(index + 1),
       onDrop: options.onDrop,
+      onSlow: (index) => options.onArrive(index + 1),
+      later: options.later,
     });
   }
 
@@ -248,6 +254,8 @@ export class PagePictures {
       return this.#keep(`! ${failure.message}`, () => failedPage(failure.message, this.#aspect));
     }
     const label = this.#source.label(page - 1);
+    const sentence = this.#pool.slow(page - 1) && this.#options.slowText?.(label);
+    if (sentence) return this.#keep(`… ${sentence}`, () => slowPage(sentence, this.#aspect));
     return this.#keep(label, () => waitingPage(label, this.#aspect));
   }
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { BookError, type PagePicture, type PageSource } from "../sources/page_source.ts";
-import { PagePool } from "./page_pool.ts";
+import { PagePool, slowTime } from "./page_pool.ts";
 
 interface Drawing {
   readonly index: number;
@@ -264,6 +264,74 @@ describe("what is kept", () => {
     await settle();
     expect(source.pictures[0]?.isClosed).toBe(true);
     expect(pool.get(0)).toBeNull();
+  });
+});
+
+/** A clock that the test drives. */
+class FakeTimers {
+  readonly waiting = new Map<() => void, number>();
+  readonly later = (call: () => void, milliseconds: number): (() => void) => {
+    this.waiting.set(call, milliseconds);
+    return () => this.waiting.delete(call);
+  };
+  /** Lets the time of all that waits come. */
+  elapse(): void {
+    for (const [call, milliseconds] of [...this.waiting]) {
+      expect(milliseconds).toBe(slowTime);
+      this.waiting.delete(call);
+      call();
+    }
+  }
+}
+
+describe("what takes long", () => {
+  it("says so, and the other pages are drawn beside it", async () => {
+    const source = new FakeSource();
+    const timers = new FakeTimers();
+    const slow: number[] = [];
+    const pool = new PagePool(source, { later: timers.later, onSlow: (index) => slow.push(index) });
+    pool.want(at(300, 4, 5, 6, 7));
+    expect([pool.slow(4), pool.slow(5)]).toEqual([false, false]);
+    timers.elapse();
+    expect(slow).toEqual([4, 5]);
+    expect([pool.slow(4), pool.slow(5), pool.slow(6)]).toEqual([true, true, false]);
+    // Two go on beside the two that are slow, and no more.
+    expect(source.open).toEqual(["4:100", "5:100", "6:300", "7:300"]);
+    source.drawings.splice(2).map((drawing) => drawing.finish());
+    await settle();
+    expect([pool.get(6)?.width, pool.get(7)?.width]).toEqual([300, 300]);
+    // When they come at last they are shown as any page is.
+    await source.finishEverything();
+    expect([pool.slow(4), pool.get(4)?.width]).toEqual([false, 300]);
+    expect(timers.waiting.size).toBe(0);
+  });
+
+  it("leaves at most as many slow ones behind as are drawn at a time", () => {
+    const source = new FakeSource();
+    const timers = new FakeTimers();
+    const pool = new PagePool(source, { later: timers.later, drawing: 1 });
+    pool.want(at(300, 0, 1, 2, 3), 4);
+    timers.elapse();
+    timers.elapse();
+    timers.elapse();
+    expect(source.open).toEqual(["0:100", "1:100"]);
+    // A page that is wanted no more makes room, slow or not.
+    pool.want(at(300, 2, 3), 4);
+    expect(source.open).toEqual(["2:100"]);
+    pool.close();
+    expect(timers.waiting.size).toBe(0);
+  });
+
+  it("says nothing of a page that is shown already, and only drawn sharper", async () => {
+    const source = new FakeSource();
+    const timers = new FakeTimers();
+    const slow: number[] = [];
+    const pool = new PagePool(source, { later: timers.later, onSlow: (index) => slow.push(index) });
+    pool.want(at(900, 0), 1);
+    await source.finishAll();
+    expect(source.open).toEqual(["0:900"]);
+    timers.elapse();
+    expect([slow, pool.slow(0)]).toEqual([[], false]);
   });
 });
 

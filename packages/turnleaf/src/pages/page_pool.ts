@@ -15,6 +15,10 @@ export interface PagePoolOptions {
   readonly onArrive?: (index: number) => void;
   /** The picture is about to be closed: free whatever was made of it. Called after `onArrive` of a better one. */
   readonly onDrop?: (picture: PagePicture) => void;
+  /** A page of which there is nothing to show takes long to draw; it is drawn on. */
+  readonly onSlow?: (index: number) => void;
+  /** Calls back after some milliseconds, and returns how to call that off; a timer unless given. */
+  readonly later?: (call: () => void, milliseconds: number) => () => void;
   /** Pages held at once; 12 unless given. */
   readonly maxPages?: number;
   /** Bytes of pictures held at once, 4 a pixel; 192 MB unless given. */
@@ -30,6 +34,9 @@ const roughShare = 1 / 3;
 /** A sharp picture that takes no longer than this, in milliseconds, needs no rough one before it. */
 const quick = 40;
 
+/** A drawing that takes longer than this, in milliseconds, is a slow one. */
+export const slowTime = 5000;
+
 /** What the pool needs of a book. */
 export type PoolSource = Pick<PageSource, "pageCount" | "title" | "draw">;
 
@@ -38,6 +45,9 @@ interface Job {
   readonly width: number;
   readonly rough: boolean;
   readonly controller: AbortController;
+  isSlow: boolean;
+  /** Calls off the timer that marks it as slow. */
+  readonly cancelTimer: () => void;
 }
 
 /**
@@ -108,6 +118,11 @@ export class PagePool {
   /** Why page `index` has no picture; null while it has one or may yet get one. */
   failed(index: number): BookError | null {
     return this.#held.has(index) ? null : (this.#failed.get(index) ?? null);
+  }
+
+  /** Whether page `index` has no picture yet because its drawing takes long. */
+  slow(index: number): boolean {
+    return !this.#held.has(index) && this.#jobs.get(index)?.isSlow === true;
   }
 
   /**
@@ -195,12 +210,19 @@ export class PagePool {
   }
 
   #drawNext(): void {
-    while (!this.#isClosed && this.#jobs.size < (this.#options.drawing ?? 2)) {
+    while (!this.#isClosed && this.#isFree) {
       const job = this.#nextJob();
       if (!job) return;
       this.#jobs.set(job.index, job);
       void this.#run(job);
     }
+  }
+
+  /** Whether another drawing may start: slow ones take no place of others', as many as there are places. */
+  get #isFree(): boolean {
+    const { drawing = 2 } = this.#options;
+    const slow = [...this.#jobs.values()].filter(({ isSlow }) => isSlow).length;
+    return this.#jobs.size - Math.min(slow, drawing) < drawing;
   }
 
   /** First a picture of each page in sight, then sharp ones of all, in order. */
@@ -220,7 +242,31 @@ export class PagePool {
 
   #job({ index, width }: WantedPage, rough: boolean): Job {
     const asked = rough ? Math.ceil(width * roughShare) : width;
-    return { index, width: asked, rough, controller: new AbortController() };
+    const later = this.#options.later ?? timer;
+    const cancelTimer = later(() => this.#markSlow(job), slowTime);
+    const job = {
+      index,
+      width: asked,
+      rough,
+      controller: new AbortController(),
+      isSlow: false,
+      cancelTimer,
+    };
+    return job;
+  }
+
+  /** A drawing takes long: others go on beside it. */
+  #markSlow(job: Job): void {
+    if (this.#jobs.get(job.index) !== job) return;
+    job.isSlow = true;
+    if (!this.#held.has(job.index)) this.#options.onSlow?.(job.index);
+    this.#drawNext();
+  }
+
+  /** A drawing is over: done, failed or aborted. */
+  #end(job: Job): void {
+    job.cancelTimer();
+    this.#jobs.delete(job.index);
   }
 
   #isInSight(page: WantedPage): boolean {
@@ -242,11 +288,11 @@ export class PagePool {
         return;
       }
       this.#learn(job, this.#now() - start);
-      this.#jobs.delete(job.index);
+      this.#end(job);
       this.#hold(job, picture);
     } catch (error) {
       if (signal.aborted) return;
-      this.#jobs.delete(job.index);
+      this.#end(job);
       this.#failed.set(job.index, this.#asBookError(error, job.index));
       this.#options.onArrive?.(job.index);
     }
@@ -295,7 +341,7 @@ export class PagePool {
   }
 
   #abort(job: Job): void {
-    this.#jobs.delete(job.index);
+    this.#end(job);
     job.controller.abort(new DOMException("The page is no longer wanted.", "AbortError"));
   }
 
@@ -314,6 +360,11 @@ export class PagePool {
     const { maxPages = 12, maxBytes = 192 << 20 } = this.#options;
     return { pages: maxPages, bytes: maxBytes, always: this.#inSight };
   }
+}
+
+function timer(call: () => void, milliseconds: number): () => void {
+  const id = setTimeout(call, milliseconds);
+  return () => clearTimeout(id);
 }
 
 function defaultNow(): number {

@@ -8,6 +8,8 @@
 const paper = "#fbf5e8";
 const ink = "#211d1a";
 const faintInk = "rgb(33 29 26 / 0.28)";
+/** Ink that is read without effort and does not call for it. */
+const paleInk = "rgb(33 29 26 / 0.66)";
 
 /** Width of a sentence to be read, and of a mere label, of which a riffle shows two dozen. */
 const sentenceWidth = 640;
@@ -44,10 +46,19 @@ export function waitingPage(label: string, aspect: number): HTMLCanvasElement {
 
 /** A page that cannot be drawn: the sentence that says why. */
 export function failedPage(sentence: string, aspect: number): HTMLCanvasElement {
+  return sentencePage(sentence, aspect, ink);
+}
+
+/** A page that takes long to draw: the sentence that says so, in paler ink. */
+export function slowPage(sentence: string, aspect: number): HTMLCanvasElement {
+  return sentencePage(sentence, aspect, paleInk);
+}
+
+function sentencePage(sentence: string, aspect: number, colour: string): HTMLCanvasElement {
   const { canvas, pen } = sheet(aspect, sentenceWidth);
   const { width } = canvas;
   const size = width * 0.042;
-  pen.fillStyle = ink;
+  pen.fillStyle = colour;
   pen.font = `italic ${size}px ${serif}`;
   const lines = wrap(sentence, (line) => pen.measureText(line).width <= width * 0.74);
   const top = canvas.height / 2 - ((lines.length - 1) * size * 1.5) / 2;

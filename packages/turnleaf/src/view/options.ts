@@ -32,6 +32,8 @@ export interface ViewerOptions extends Partial<Wish> {
   readonly onRest: (from: number, to: number) => void;
   /** A page (from 1) cannot be shown, whether it lies open or not; the sentence says why. */
   readonly onFailure: (page: number, sentence: string, isOpen: boolean) => void;
+  /** The sentence for a page, by its label, that takes long to draw; its label alone where nothing is said. */
+  readonly slowText?: (label: string) => string;
   /** The book is seen from nearer or farther: the level that is shown, or on the way to being. */
   readonly onZoom?: (level: number) => void;
   /** A part of the viewer that the book shows without could not be loaded. */

@@ -21,6 +21,8 @@ const en: ElementTexts = {
   back: "Back of {n}",
   notOpened: "The book could not be opened; load the page again.",
   pageNamed: "Page {label}",
+  slowPage:
+    "Page {label} takes long to draw. It is still being drawn; the other pages can be read.",
 };
 
 const zh: ElementTexts = {
@@ -30,6 +32,7 @@ const zh: ElementTexts = {
   back: "封底，共 {n} 页",
   notOpened: "无法打开此书，请重新加载页面。",
   pageNamed: "第 {label} 页",
+  slowPage: "第 {label} 页仍在绘制中，请稍候。",
 };
 
 /** What the element itself says in a language. */

@@ -19,6 +19,8 @@ export interface ElementTexts {
   readonly notOpened: string;
   /** A page by its label. */
   readonly pageNamed: string;
+  /** In place of a page, by its label, that takes long to draw. */
+  readonly slowPage: string;
 }
 
 /** What the controls say. Words in braces stand for what is filled in. */
