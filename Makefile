@@ -14,7 +14,7 @@ WASM = packages/turnleaf/src/engine/turnleaf.wasm
 MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 
-.PHONY: read build wasm test test-rust test-js check check-rust check-js bench gestures playground examples pictures methods recordings photographs reference book clean tools-rust chromium browsers engines
+.PHONY: read build wasm test test-rust test-js check check-rust check-js bench gestures playground examples pictures methods recordings photographs reference book clean tools-rust chromium browsers engines test-apps
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -77,6 +77,10 @@ bench: build chromium tools-rust
 # The steps that three engines go through, with versions and times: a table in docs/browsers.md.
 engines: build browsers
 	node scripts/engines.mjs
+
+# The packed package in small apps of seven frameworks, from the npm registry: a table in docs/browsers.md.
+test-apps: build chromium
+	node tests/apps/run.mjs
 
 # Random hands on the leaves of a book, 20,000 times: the table in docs/physics.md.
 # Takes about half an hour on two cores.
