@@ -8,7 +8,8 @@ const common = {
   platform: "browser",
   target: "es2022",
   format: "esm",
-  dts: true,
+  // What is for classes of the package alone is left out, and with it the types behind it.
+  dts: { compilerOptions: { stripInternal: true } },
   minify: true,
   sourcemap: true,
 } as const;

@@ -1,4 +1,5 @@
 import { execFile } from "node:child_process";
+import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
 import { expect, test } from "vitest";
@@ -13,4 +14,10 @@ test("the built package is imported on a server, where it does nothing", async (
     { cwd: fileURLToPath(new URL("..", import.meta.url)) },
   );
   expect([stdout.trim(), stderr]).toEqual(["function undefined", ""]);
+});
+
+test("the public types need none of another package", () => {
+  const types = readFileSync(new URL("../../turnleaf/dist/index.d.ts", import.meta.url), "utf8");
+  expect(types).toContain("declare class TurnleafBook");
+  expect(types.match(/from "[^"]+"|import\("[^"]+"\)/g)).toBeNull();
 });

@@ -262,6 +262,7 @@ export class TurnleafBook extends ReaderElement {
     hush: () => this.#senses.close(),
   };
 
+  /** @internal */
   protected override get book(): OpenBook | null {
     return this.#life.book;
   }

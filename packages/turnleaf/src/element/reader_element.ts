@@ -25,7 +25,10 @@ export abstract class ReaderElement extends ReflectingElement {
   abstract zoom: number;
   abstract goTo(page: number): Promise<boolean>;
   abstract next(): Promise<boolean>;
-  /** The book that lies open. */
+  /**
+   * The book that lies open.
+   * @internal
+   */
   protected abstract get book(): OpenBook | null;
 
   /** What keeps the place, once an attribute has asked for it. */
@@ -88,7 +91,10 @@ export abstract class ReaderElement extends ReflectingElement {
     this.emit("bookmarkchange", { bookmarks: this.#bookmarks });
   }
 
-  /** Pages lie elsewhere than before: `moved` answers where one (from 0) does, or null. Bookmarks go with theirs. */
+  /**
+   * Pages lie elsewhere than before: `moved` answers where one (from 0) does, or null. Bookmarks go with theirs.
+   * @internal
+   */
   protected moveBookmarks(moved: (index: number) => number | null): void {
     const pages = this.#bookmarks.flatMap((page) => {
       const index = moved(page - 1);
@@ -220,7 +226,10 @@ export abstract class ReaderElement extends ReflectingElement {
     return this.#film !== null;
   }
 
-  /** The book is about to be drawn. */
+  /**
+   * The book is about to be drawn.
+   * @internal
+   */
   protected filmed(): void {
     this.#film?.frame();
   }
@@ -236,12 +245,18 @@ export abstract class ReaderElement extends ReflectingElement {
     }
   }
 
-  /** The open book's pages. */
+  /**
+   * The open book's pages.
+   * @internal
+   */
   protected get source(): PageSource | undefined {
     return this.book?.source;
   }
 
-  /** Loads what keeps the place, where an attribute asks for it. Rejects with a `BookError` where it cannot. */
+  /**
+   * Loads what keeps the place, where an attribute asks for it. Rejects with a `BookError` where it cannot.
+   * @internal
+   */
   protected async keepPlace(): Promise<void> {
     if (!this.address && !this.remember) return;
     const { Place } = await loaded(import("./place.ts"));
@@ -251,26 +266,38 @@ export abstract class ReaderElement extends ReflectingElement {
     if (this.isConnected) this.#place.follow();
   }
 
-  /** The element is in a document. */
+  /**
+   * The element is in a document.
+   * @internal
+   */
   protected connectReader(): void {
     this.#place?.follow();
   }
 
-  /** The element leaves its document, its book still open. */
+  /**
+   * The element leaves its document, its book still open.
+   * @internal
+   */
   protected disconnectReader(): void {
     this.pause();
     this.stopRecording();
     this.#place?.leave();
   }
 
-  /** Another book takes the place of the one that is open. */
+  /**
+   * Another book takes the place of the one that is open.
+   * @internal
+   */
   protected forgetBook(): void {
     this.pause();
     this.#place?.closed();
     this.#bookmarks = [];
   }
 
-  /** The page at which a book is to open, as the address says or where it was left; null where neither does. */
+  /**
+   * The page at which a book is to open, as the address says or where it was left; null where neither does.
+   * @internal
+   */
   protected keptPage(source: PageSource | undefined, left: number | null): number | null {
     return this.#place ? this.#place.opening(source, left) : left;
   }

@@ -271,6 +271,7 @@ export class ReflectingElement extends Base {
     this.toggleAttribute("vibrate", felt);
   }
 
+  /** @internal */
   protected emit<K extends keyof TurnleafEventMap>(
     name: K,
     detail: TurnleafEventMap[K]["detail"],
