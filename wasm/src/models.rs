@@ -5,15 +5,24 @@
 //! A leaf is the address of a boxed [`Loose`], 0 where none could be made; then
 //! [`tl_leaf_error`] says why. The typed wrapper is the viewer's
 //! `models/models.ts`; its comments say what each does. Arrays that a function
-//! answers the address of stay there until the next [`tl_leaf_update`] that
-//! changes their length.
+//! returns the address of stay there until the next [`tl_leaf_update`] that
+//! changes their length. Handles and numbers that are none are refused as those
+//! of a book are.
 
 use turnleaf_engine::{
     Discretisation, InvalidLoose, LooseLeaf, LooseSettings, ModelKind, Preset, Stock, Surface,
     Synchronise, TurnBy, TurnModel,
 };
 
+use crate::live::{Live, Nothing};
 use crate::side;
+
+/// The leaves that are alive, and the rooms for figures that no leaf was made of yet.
+static LEAVES: Live<Loose> = Live::new();
+static ROOMS: Live<[f64; FIGURES]> = Live::new();
+
+/// Places of columns, or of rows, at which a leaf is drawn at most.
+const MOST_SAMPLES: usize = 1024;
 
 /// A leaf, and what of it is read.
 pub struct Loose {
@@ -92,10 +101,10 @@ fn settings(figures: &[f64; FIGURES]) -> Result<LooseSettings, InvalidLoose> {
     })
 }
 
-/// Room for the figures of [`tl_leaf_new`].
+/// Room for the figures of one call of [`tl_leaf_new`].
 #[unsafe(no_mangle)]
 pub extern "C" fn tl_leaf_figures() -> *mut [f64; FIGURES] {
-    Box::into_raw(Box::new([0.0; FIGURES]))
+    ROOMS.keep([0.0; FIGURES])
 }
 
 /// Makes a leaf, flat and still, of the figures in the room, which is freed: kind
@@ -104,11 +113,14 @@ pub extern "C" fn tl_leaf_figures() -> *mut [f64; FIGURES] {
 /// gravity, air (1 the real one), columns and rows of nodes (0 the model's own),
 /// time step (0 the model's own), columns and rows of points, preset of springs
 /// (0 the paper's), lines kept parallel (0 none, 1 columns, 2 at the angle that
-/// follows), interpolation of springs, triangles of a shell, friction.
+/// follows), interpolation of springs, triangles of a shell, friction. 0 where these
+/// make no leaf, or there is no such room.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tl_leaf_new(figures: *mut [f64; FIGURES]) -> *mut Loose {
-    // SAFETY: the room of `tl_leaf_figures`, not used again.
-    let figures = unsafe { Box::from_raw(figures) };
+    // SAFETY: from one thread by the crate's contract, so that no other call uses it.
+    let Some(figures) = (unsafe { ROOMS.take(figures) }) else {
+        return core::ptr::null_mut();
+    };
     match settings(&figures).and_then(LooseLeaf::new) {
         Ok(leaf) => {
             let mut loose = Loose {
@@ -121,7 +133,7 @@ pub unsafe extern "C" fn tl_leaf_new(figures: *mut [f64; FIGURES]) -> *mut Loose
                 samples: Vec::new(),
             };
             update(&mut loose);
-            Box::into_raw(Box::new(loose))
+            LEAVES.keep(loose)
         }
         Err(error) => {
             if let Ok(mut last) = ERROR.lock() {
@@ -135,8 +147,8 @@ pub unsafe extern "C" fn tl_leaf_new(figures: *mut [f64; FIGURES]) -> *mut Loose
 /// Frees a leaf.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tl_leaf_drop(leaf: *mut Loose) {
-    // SAFETY: a handle by the module's contract, not used again.
-    drop(unsafe { Box::from_raw(leaf) });
+    // SAFETY: from one thread by the crate's contract, so that no other call uses it.
+    drop(unsafe { LEAVES.take(leaf) });
 }
 
 /// Address of the sentence that says why the last leaf could not be made, UTF-8.
@@ -179,8 +191,10 @@ macro_rules! leaf_functions {
         $(#[$doc])*
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $name($leaf: *mut Loose $(, $arg: $type)*) $(-> $result)? {
-            // SAFETY: a live handle by the module's contract.
-            let $leaf = unsafe { &mut *$leaf };
+            // SAFETY: from one thread by the crate's contract, so that no other call uses it.
+            let Some($leaf) = (unsafe { LEAVES.get($leaf) }) else {
+                return Nothing::NOTHING;
+            };
             $body
         }
     )*};
@@ -189,31 +203,39 @@ macro_rules! leaf_functions {
 leaf_functions! {
     /// Lays the leaf flat and still on a side.
     fn tl_leaf_lay(loose, on: u32) { loose.leaf.lay_flat(side(on)) }
-    /// Room for the places of `columns` and `rows` of points, f32: first those.
+    /// Room for the places of `columns` and `rows` of points, f32: first those. 0 where
+    /// there are more than 1024 of either.
     fn tl_leaf_samples(loose, columns: usize, rows: usize) -> *mut f32 {
+        if columns > MOST_SAMPLES || rows > MOST_SAMPLES {
+            loose.samples.clear();
+            return core::ptr::null_mut();
+        }
         loose.samples.resize(columns + rows, 0.0);
         loose.samples.as_mut_ptr()
     }
     /// Draws at the places in that room, of which `columns` are those of columns;
-    /// 0 where they are none.
+    /// 0 where they are fewer than 2, do not rise or are not within 0 to 1.
     fn tl_leaf_draw(loose, columns: usize) -> u32 {
         let (u, v) = loose.samples.split_at(columns.min(loose.samples.len()));
         loose.leaf.draw_samples(u, v).is_ok().into()
     }
-    /// Starts a turn (0 edge, 1 corner, 2 corner let go half-way) from a side.
+    /// Starts a turn (0 edge, 2 corner let go half-way, any other corner) from a side, of
+    /// 0.01 to 3600 seconds or the nearer of these; of 0.01 where they are no number.
     fn tl_leaf_play(loose, by: u32, from: u32, seconds: f32) {
         let seconds = if seconds > 0.01 { seconds.min(3600.0) } else { 0.01 };
         loose.leaf.play(turn(by), side(from), seconds)
     }
     /// Whether such a turn is under way.
     fn tl_leaf_playing(loose) -> u32 { loose.leaf.is_playing().into() }
-    /// A hand takes hold at (u, v).
+    /// A hand takes hold at (u, v), each 0 to 1 or the nearer of these. Nothing happens
+    /// where one is not finite.
     fn tl_leaf_grab(loose, u: f32, v: f32) { loose.leaf.grab(u, v) }
-    /// The hand pulls to a place, metres.
+    /// The hand pulls to a place, metres. Nothing happens where it is not finite.
     fn tl_leaf_hold(loose, x: f32, y: f32, z: f32) { loose.leaf.pull([x, y, z]) }
     /// The hand lets go.
     fn tl_leaf_release(loose) { loose.leaf.release() }
-    /// Moves on by seconds.
+    /// Moves on by seconds: 0 to 60 or the nearer of these, none where they are not
+    /// finite; at most 36,000 steps.
     fn tl_leaf_advance(loose, seconds: f64) { loose.leaf.advance(seconds) }
     /// Length of a step, seconds.
     fn tl_leaf_step(loose) -> f32 { loose.leaf.time_step() }
@@ -250,9 +272,10 @@ leaf_functions! {
         ];
         loose.figures.as_ptr()
     }
-    /// Records the surface from now on, a frame every `interval` seconds.
+    /// Records the surface from now on, a frame every `interval` seconds (0.0001 at least),
+    /// up to 64 MB of them.
     fn tl_leaf_record(loose, interval: f64) { loose.leaf.record(interval.max(1e-4)) }
-    /// Ends the record and answers its length in bytes as a file of key frames; 0
+    /// Ends the record and returns its length in bytes as a file of key frames; 0
     /// where none was begun.
     fn tl_leaf_finish_record(loose) -> usize {
         loose.record = loose.leaf.finish_record().map_or(Vec::new(), |frames| frames.to_bytes());

@@ -1,6 +1,6 @@
 //! A cover board: a rigid plate on a hinge, which a hand swings open or shut.
 
-use super::leaf::{Phase, TICK};
+use super::leaf::{LONGEST, Phase, TICK};
 use crate::grid::Side;
 
 /// Gravity's pull on a plate of a page's size lying level, 3 g / (2 width) at
@@ -74,8 +74,8 @@ impl Board {
         }
     }
 
-    /// Swings the board to `side` in `seconds` (at least 0.05) for a whole
-    /// half turn, in proportion less from where it is. A swing already under
+    /// Swings the board to `side` in `seconds` (0.05 to 600, 1 where they are not finite)
+    /// for a whole half turn, in proportion less from where it is. A swing already under
     /// way to that side goes on at the new pace.
     pub fn play(&mut self, side: Side, seconds: f32) {
         let mut course = 0.0;
@@ -86,7 +86,7 @@ impl Board {
         }
         let share = (rest_angle(side) - self.from).abs() / core::f32::consts::PI;
         let whole = if seconds.is_finite() { seconds } else { 1.0 };
-        self.seconds = (whole.max(0.05) * share).max(TICK);
+        self.seconds = (whole.clamp(0.05, LONGEST) * share).max(TICK);
         self.time = course * self.seconds;
         self.phase = Phase::Playing(side);
     }

@@ -22,6 +22,9 @@ const ASTRAY: f32 = 5e-5;
 /// side of them do not.
 const DEEP: f32 = 1.5e-3;
 
+/// Farther than this from the spine nothing is drawn in a leaf's place, metres.
+const FARTHEST: f32 = 1e3;
+
 /// One leaf in flight; it may stand for several.
 pub struct Flight {
     id: u32,
@@ -124,7 +127,10 @@ impl Flight {
     pub fn draw(&mut self, [right, left]: [&Pile; 2], wary: bool) {
         let is_crumpled = core::mem::take(&mut self.held_back) || self.leaf.was_held();
         self.wary |= is_crumpled || wary;
-        if !core::mem::take(&mut self.dressed) {
+        // What else was written would be drawn as nothing, or as nothing but itself.
+        let is_place = |x: &f32| x.abs() <= FARTHEST;
+        let is_dressed = core::mem::take(&mut self.dressed);
+        if !is_dressed || !self.surface.positions.iter().all(is_place) {
             self.leaf.write_surface(&mut self.surface);
         }
         seat(&mut self.surface.positions, right, left);

@@ -24,6 +24,7 @@ use crate::stock::{Grain, Stock};
 use crate::surface::Surface;
 use crate::turn::TurnModel;
 use play::Course;
+pub use play::LONGEST;
 
 /// Length of a tick, by which leaves and boards are stepped, seconds: half a
 /// frame at 60 Hz.
@@ -50,6 +51,9 @@ const ROOMY: f32 = 2.5;
 
 /// Part of the way to the leaf's direction that the clamp goes in a tick.
 const CLAMP_FOLLOWS: f32 = 0.25;
+
+/// Farther than this from the spine no hand pulls, metres.
+const FARTHEST: f32 = 1e3;
 
 /// What a leaf or a board is doing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -264,14 +268,14 @@ impl Leaf {
         }
     }
 
-    /// The hand pulls to `place`, in book space, metres.
+    /// The hand pulls to `place`, in book space, metres; within a kilometre.
     pub fn hold(&mut self, hand: u32, place: [f32; 3]) {
         let is_held = self.sheet.held_place(hand).is_some();
         if let Some(own) = self.hands.get_mut(hand as usize)
             && is_held
             && place.iter().all(|x| x.is_finite())
         {
-            *own = Some(place);
+            *own = Some(place.map(|x| x.clamp(-FARTHEST, FARTHEST)));
         }
     }
 

@@ -65,9 +65,9 @@ impl Book {
     /// A book of `leaves` pages of paper, `width` x `height` metres, together
     /// `thickness` metres thick, open before the first.
     ///
-    /// None where a size is not finite, not positive or beyond 10 m.
+    /// None where a side is not between 1 mm and 10 m, or the thickness between 0 and 1 m.
     pub fn new(width: f64, height: f64, leaves: u32, thickness: f64) -> Option<Book> {
-        let is_size = |size: f64| size.is_finite() && size > 0.0 && size <= 10.0;
+        let is_size = |size: f64| (0.001..=10.0).contains(&size);
         if !is_size(width) || !is_size(height) || !(0.0..=1.0).contains(&thickness) {
             return None;
         }
@@ -141,7 +141,8 @@ impl Book {
         self.flights.grab(id, hand, u, v);
     }
 
-    /// A hand that holds a flight pulls it to `place`, in book space, metres.
+    /// A hand that holds a flight pulls it to `place`, in book space, metres: within a
+    /// kilometre, or to the nearest place that is. Nothing happens where it is not finite.
     pub fn hold(&mut self, id: u32, hand: u32, place: [f32; 3]) {
         if let Some(flight) = self.flights.get_mut(id) {
             flight.leaf_mut().hold(hand, place);
@@ -155,7 +156,7 @@ impl Book {
     }
 
     /// Takes a flight to a side, out of every hand: from rest by the recorded
-    /// turn, `seconds` long. The leaves between it and that side go there too.
+    /// turn, `seconds` long (0.2 to 600 or the nearer of these, 0.8 where not finite). The leaves between it and that side go there too.
     pub fn play(&mut self, id: u32, to: Side, seconds: f32) {
         self.flights.play(id, to, seconds);
     }

@@ -49,6 +49,13 @@ impl TurnBy {
 /// part of the width: it bows, and is never taut.
 const SLACK: f32 = 0.1;
 
+/// Steps of one call at most: those of a minute, of the shortest steps that a model takes
+/// by itself.
+const MOST_STEPS: u64 = 60 * 600;
+
+/// Numbers that a record holds at most: 64 MB of them.
+const MOST_RECORDED: usize = 16_000_000;
+
 /// A leaf over a table.
 #[derive(Debug)]
 pub struct LooseLeaf {
@@ -78,16 +85,7 @@ impl LooseLeaf {
     /// # Errors
     /// Where the settings make no leaf, in a sentence.
     pub fn new(settings: LooseSettings) -> Result<Self, InvalidLoose> {
-        for count in settings.samples {
-            if !(2..=1024).contains(&count) {
-                let sentence = format!("A leaf is drawn by 2 to 1024 points a side, not {count}.");
-                return Err(InvalidLoose(sentence));
-            }
-        }
-        if !(0.0..=1e3).contains(&settings.air) || !settings.gravity.is_finite() {
-            let sentence = "Gravity is a number, and air 0 to 1000 times the real one.";
-            return Err(InvalidLoose(sentence.into()));
-        }
+        settings.check()?;
         let mut body = Body::new(&settings)?;
         body.lay_flat(settings.side);
         Ok(Self {
@@ -186,22 +184,28 @@ impl LooseLeaf {
         self.body.release();
     }
 
-    /// Steps so often that at least `seconds` more have passed, but for half a
-    /// step, and what is left is made up for by the next call. Seconds that are no number
-    /// pass none.
+    /// Steps so often that at least `seconds` (0 to 60 or the nearer of these) more have
+    /// passed, but for half a step, and what is left is made up for by the next call;
+    /// but at most 36,000 times, and no time passes beyond these. Seconds that are
+    /// not finite pass none.
     pub fn advance(&mut self, seconds: f64) {
         if !seconds.is_finite() {
             return;
         }
         self.time += seconds.clamp(0.0, 60.0);
         let h = f64::from(self.time_step());
+        let most = self.steps + MOST_STEPS;
         while self.steps as f64 * h < self.time - 0.5 * h {
+            if self.steps == most {
+                self.time = self.steps as f64 * h;
+                return;
+            }
             self.step();
         }
     }
 
     /// Records the drawn surface from now on, a frame every `interval` seconds,
-    /// which is above 0.
+    /// which is above 0. Frames beyond 16 million numbers are left out.
     ///
     /// # Panics
     /// If the interval is not above 0.
@@ -238,7 +242,12 @@ impl LooseLeaf {
         let due = |(frames, start, interval): &(KeyFrames, f64, f64)| {
             now - start >= frames.len() as f64 * interval - half
         };
-        if self.record.as_ref().is_some_and(due) {
+        let has_room = |(frames, ..): &(KeyFrames, f64, f64)| {
+            let frame = 3 * frames.columns * frames.rows;
+            frames.positions.len() + frame <= MOST_RECORDED
+        };
+        let is_due = |record| due(record) && has_room(record);
+        if self.record.as_ref().is_some_and(is_due) {
             let mut surface = core::mem::replace(&mut self.surface, Surface::new(2, 2));
             self.write_surface(&mut surface);
             if let Some((frames, start, _)) = &mut self.record {

@@ -66,6 +66,56 @@ impl LooseSettings {
     }
 }
 
+/// Bytes of the matrix of a shell's step, at most.
+const LARGEST_MATRIX: usize = 64 << 20;
+
+impl LooseSettings {
+    /// Whether they are a leaf's, as far as this does not depend on the model. Each model
+    /// has bounds of its own within these.
+    pub(super) fn check(&self) -> Result<(), InvalidLoose> {
+        for count in self.samples {
+            if !(2..=1024).contains(&count) {
+                let sentence = format!("A leaf is drawn by 2 to 1024 points a side, not {count}.");
+                return Err(InvalidLoose(sentence));
+            }
+        }
+        let [width, height] = self.size;
+        let step = self.time_step.unwrap_or(0.01);
+        for (what, value, least, most) in [
+            ("width in metres", width, 1e-3, 100.0),
+            ("height in metres", height, 1e-3, 100.0),
+            ("step in seconds", step, 1e-6, 0.1),
+            ("gravity in m/s^2", self.gravity, -1e3, 1e3),
+            ("air, in the real one's density,", self.air, 0.0, 1e3),
+        ] {
+            if !(least..=most).contains(&value) {
+                let sentence =
+                    format!("A leaf's {what} lies between {least} and {most}, not at {value}.");
+                return Err(InvalidLoose(sentence));
+            }
+        }
+        if let Synchronise::DogEar { angle } = self.synchronise
+            && !angle.is_finite()
+        {
+            let sentence = format!("The angle of a dog-ear is a number, not {angle}.");
+            return Err(InvalidLoose(sentence));
+        }
+        if let Err(error) = self.stock.check() {
+            return Err(InvalidLoose(error.to_string()));
+        }
+        if let (ModelKind::Shell, Some([columns, rows])) = (self.kind, self.nodes) {
+            // Three rows a node, each as wide as two of the leaf's shorter rows.
+            let wide = columns.min(rows).saturating_mul(6).saturating_add(8);
+            let high = columns.saturating_mul(rows).saturating_mul(3);
+            if wide.saturating_mul(high).saturating_mul(8) > LARGEST_MATRIX {
+                let sentence = format!("A shell of {columns} x {rows} nodes is too large.");
+                return Err(InvalidLoose(sentence));
+            }
+        }
+        Ok(())
+    }
+}
+
 /// Why settings make no loose leaf, in one sentence.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InvalidLoose(

@@ -24,6 +24,9 @@ const RISE: f32 = 0.05;
 /// Shortest turn, seconds.
 const SHORTEST: f32 = 0.2;
 
+/// Longest turn of a leaf or a board, seconds.
+pub const LONGEST: f32 = 600.0;
+
 /// Length of a turn after which a leaf falls without haste, seconds.
 const UNHURRIED: f32 = 0.8;
 
@@ -38,12 +41,12 @@ pub(super) struct Course {
 }
 
 impl Leaf {
-    /// Takes the leaf to a side: from rest by a hand of its own, `seconds` (at
-    /// least 0.2) long; a turn that it is in goes on at that pace, backward if
+    /// Takes the leaf to a side: from rest by a hand of its own, `seconds` (0.2 to
+    /// 600, 0.8 where they are not finite) long; a turn that it is in goes on at that pace, backward if
     /// need be; a leaf that is held or falls is let fall there.
     pub fn play(&mut self, to: Side, seconds: f32) {
         let seconds = if seconds.is_finite() {
-            seconds.max(SHORTEST)
+            seconds.clamp(SHORTEST, LONGEST)
         } else {
             UNHURRIED
         };

@@ -389,11 +389,10 @@ impl Settings {
                 ));
             }
         }
-        if !(1..=1000).contains(&self.substeps) {
-            return refuse(format!(
-                "A step has 1 to 1000 substeps, not {}.",
-                self.substeps
-            ));
+        for substeps in [self.substeps, self.stable_substeps()] {
+            if !(0..=1000).contains(&substeps) || self.substeps == 0 {
+                return refuse(format!("A step has 1 to 1000 substeps, not {substeps}."));
+            }
         }
         Ok(())
     }

@@ -1,0 +1,449 @@
+//! Any numbers at every exported function: nothing panics, hangs, or makes what
+//! is drawn anything but numbers. A hang shows as more ticks than a call may take:
+//! what a call of any count did is compared with one of the most that counts.
+
+use crate::*;
+
+/// SplitMix64 (Steele, Lea and Flood 2014).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        (self.next() % count as u64) as usize
+    }
+
+    /// A number between `low` and `high`, or in one of three cases any number at all.
+    fn float(&mut self, low: f64, high: f64) -> f64 {
+        let strange = [
+            f64::NAN,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            0.0,
+            -0.0,
+            -1.0,
+            1e-300,
+            -1e300,
+            f64::MAX,
+            1e30,
+            f64::from(f32::MIN_POSITIVE),
+            f64::from(f32::MAX),
+        ];
+        match self.below(6) {
+            0 => strange[self.below(strange.len())],
+            1 => f64::from_bits(self.next()),
+            _ => low + (high - low) * (self.next() >> 11) as f64 / (1u64 << 53) as f64,
+        }
+    }
+
+    fn single(&mut self, low: f64, high: f64) -> f32 {
+        self.float(low, high) as f32
+    }
+
+    /// A number below `count`, or in one of four cases any number at all.
+    fn whole(&mut self, count: u32) -> u32 {
+        let strange = [u32::MAX, u32::MAX - 1, 1 << 31, 1 << 16, 0];
+        match self.below(8) {
+            0 => strange[self.below(strange.len())],
+            1 => self.next() as u32,
+            _ => self.below(count as usize) as u32,
+        }
+    }
+}
+
+/// Numbers of a seed, which is printed where the test fails; `SEED=n` repeats it.
+fn random() -> Random {
+    let seed = std::env::var("SEED")
+        .ok()
+        .and_then(|seed| seed.parse().ok());
+    let seed = seed.unwrap_or(20_260_729);
+    println!("SEED={seed}");
+    Random(seed)
+}
+
+/// Whether all that is drawn of a book is a number.
+fn is_finite(book: *mut Book) -> bool {
+    // SAFETY: a handle of this thread.
+    let (book, count) = unsafe { (BOOKS.get(book).expect("it is alive"), tl_book_flights(book)) };
+    (0..count).all(|index| {
+        let surface = book.surface(index).expect("it flies");
+        let all = surface.positions.iter().chain(&surface.normals);
+        { all }.all(|x| x.is_finite())
+    })
+}
+
+#[test]
+fn a_book_takes_any_number() {
+    let mut random = random();
+    for _ in 0..40 {
+        let [width, height] = [0, 1].map(|_| random.float(0.02, 0.4));
+        let (leaves, thickness) = (random.whole(300), random.float(0.0, 0.03));
+        let book = tl_book_new(width, height, leaves, thickness);
+        let usual = tl_book_new(0.14, 0.21, 40, 0.004);
+        for _ in 0..60 {
+            let book = if book.is_null() || random.below(2) == 0 {
+                usual
+            } else {
+                book
+            };
+            // SAFETY: handles of this thread, or none.
+            unsafe { any_call(&mut random, book) };
+            assert!(is_finite(book));
+        }
+        // SAFETY: as above.
+        unsafe {
+            tl_book_drop(book);
+            tl_book_drop(usual);
+        }
+    }
+}
+
+/// Calls any function of a book with any numbers.
+unsafe fn any_call(random: &mut Random, book: *mut Book) {
+    let r = random;
+    // SAFETY: handles of this thread.
+    unsafe {
+        let (id, index) = (r.whole(20), r.whole(4) as usize);
+        match r.below(22) {
+            0 => drop(tl_book_set_stock(book, r.whole(5) as usize)),
+            1 => {
+                let grammage = r.float(0.02, 0.3);
+                let caliper = r.float(1e-5, 1e-3);
+                let (along, across) = (r.float(1e-6, 1e-2), r.float(1e-6, 1e-2));
+                tl_book_set_figures(book, grammage, caliper, along, across);
+            }
+            2 => drop(tl_book_set_binding(book, r.whole(2), r.float(0.0, 1.0))),
+            3 => {
+                let [x, y, z] = [0; 3].map(|_| r.float(-5.0, 5.0));
+                tl_book_set_wind(book, x, y, z);
+            }
+            4 => tl_book_set_assist(book, r.whole(2)),
+            5 => tl_book_lay(book, r.whole(300)),
+            6 | 7 => {
+                let low = tl_book_read(book).wrapping_add(r.whole(3));
+                tl_book_lift(book, r.whole(2), low, low.wrapping_add(r.whole(3)));
+            }
+            8 | 9 => {
+                let (u, v) = (r.single(0.0, 1.0), r.single(0.0, 1.0));
+                tl_book_grab(book, id, r.whole(4), u, v);
+            }
+            10 | 11 => {
+                let [x, y, z] = [0; 3].map(|_| r.single(-0.3, 0.3));
+                tl_book_hold(book, id, r.whole(4), x, y, z);
+            }
+            12 => tl_book_release(book, id, r.whole(4)),
+            13 => tl_book_play(book, id, r.whole(2), r.single(0.1, 2.0)),
+            14 => tl_book_step(book, r.whole(30)),
+            15 => tl_book_update(book),
+            16 => drop(tl_book_phase(book, id)),
+            17 => {
+                let points = tl_book_dress(book, index);
+                let count = 3 * tl_book_columns(book) * tl_book_rows(book);
+                assert_eq!(points.is_null(), index >= tl_book_flights(book));
+                if !points.is_null() {
+                    let points = core::slice::from_raw_parts_mut(points, count);
+                    points[r.below(count)] = r.single(-0.2, 0.2);
+                }
+                tl_book_update(book);
+            }
+            18 => {
+                assert_eq!(
+                    tl_book_positions(book, index).is_null(),
+                    index >= tl_book_flights(book)
+                );
+                tl_book_version(book, index);
+            }
+            19 => tl_board_hold(book, r.whole(2), r.single(0.0, 3.2)),
+            20 => tl_board_play(book, r.whole(2), r.whole(2), r.single(0.05, 2.0)),
+            _ => {
+                tl_board_release(book, r.whole(2));
+                tl_board_step(book, r.whole(2), r.whole(200));
+                assert!(tl_board_angle(book, r.whole(2)).is_finite());
+                tl_board_lay(book, r.whole(2), r.whole(2));
+            }
+        }
+    }
+}
+
+/// The bits of a leaf that a hand holds up, after so many ticks.
+fn held_for(ticks: &[u32]) -> Vec<u32> {
+    let book = tl_book_new(0.14, 0.21, 40, 0.004);
+    // SAFETY: a handle of this thread.
+    unsafe {
+        let id = tl_book_lift(book, 0, 0, 1);
+        tl_book_grab(book, id, 0, 1.0, 0.1);
+        tl_book_hold(book, id, 0, 0.05, 0.03, 0.1);
+        ticks.iter().for_each(|ticks| tl_book_step(book, *ticks));
+        tl_book_update(book);
+        let surface = BOOKS.get(book).and_then(|book| book.surface(0).cloned());
+        tl_book_drop(book);
+        let surface = surface.expect("it is held");
+        surface.positions.iter().map(|x| x.to_bits()).collect()
+    }
+}
+
+#[test]
+fn a_call_steps_by_a_minute_at_most() {
+    let most = held_for(&[MOST_TICKS]);
+    assert_eq!(held_for(&[MOST_TICKS / 2; 2]), most);
+    for ticks in [u32::MAX, u32::MAX - 1, 1 << 31, MOST_TICKS + 1] {
+        assert!(held_for(&[ticks]) == most, "{ticks}");
+    }
+    let book = tl_book_new(0.14, 0.21, 40, 0.004);
+    // SAFETY: a handle of this thread.
+    unsafe {
+        tl_board_hold(book, 0, 1.0);
+        assert_eq!(tl_board_step(book, 0, u32::MAX), 2);
+        assert!((tl_board_angle(book, 0) - 1.0).abs() < 1e-5);
+        // A swing of no length that is one ends within the longest.
+        tl_board_play(book, 0, 1, f32::MAX);
+        for _ in 0..11 {
+            tl_board_step(book, 0, u32::MAX);
+        }
+        assert_eq!(tl_board_step(book, 0, 0), 1);
+        tl_book_drop(book);
+    }
+}
+
+#[test]
+fn a_turn_of_any_length_ends() {
+    let book = tl_book_new(0.14, 0.21, 40, 0.004);
+    for seconds in [f32::MAX, f32::INFINITY, f32::NAN, -1.0, 0.0, 1e-40] {
+        // SAFETY: a handle of this thread.
+        unsafe {
+            tl_book_lay(book, 0);
+            let id = tl_book_lift(book, 0, 0, 1);
+            tl_book_play(book, id, 1, seconds);
+            (0..11).for_each(|_| tl_book_step(book, u32::MAX));
+            assert_eq!(tl_book_phase(book, id), OVER, "{seconds} s");
+        }
+    }
+    // SAFETY: as above.
+    unsafe { tl_book_drop(book) };
+}
+
+#[test]
+fn a_book_of_any_size_is_made_or_refused() {
+    for (width, is_book) in [
+        (0.0, false),
+        (1e-6, false),
+        (0.0009, false),
+        (0.001, true),
+        (10.0, true),
+        (10.1, false),
+        (f64::NAN, false),
+        (f64::INFINITY, false),
+        (-0.1, false),
+    ] {
+        let [a, b] = [(width, 0.2), (0.2, width)].map(|(w, h)| tl_book_new(w, h, 10, 0.001));
+        for book in [a, b] {
+            assert_eq!(!book.is_null(), is_book, "{width}");
+            // SAFETY: handles of this thread, or none.
+            unsafe {
+                let id = tl_book_lift(book, 0, 0, 1);
+                tl_book_grab(book, id, 0, 1.0, 0.5);
+                tl_book_hold(book, id, 0, -0.5 * width as f32, 0.0, width as f32);
+                tl_book_step(book, 200);
+                tl_book_update(book);
+                assert!(!is_book || is_finite(book), "{width}");
+                tl_book_drop(book);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_handle_that_is_none_does_nothing() {
+    let book = tl_book_new(0.14, 0.21, 40, 0.004);
+    // SAFETY: handles of this thread, or none.
+    unsafe {
+        tl_book_drop(book);
+        for none in [0, 1, usize::MAX, book as usize, 0x1000] {
+            let none = none as *mut Book;
+            tl_book_drop(none);
+            tl_book_step(none, 5);
+            tl_book_update(none);
+            tl_book_lay(none, 3);
+            assert_eq!(tl_book_lift(none, 0, 0, 1), 0);
+            assert_eq!(tl_book_flights(none), 0);
+            assert!(tl_book_positions(none, 0).is_null());
+            assert!(tl_book_u(none).is_null());
+            assert_eq!(tl_board_angle(none, 0), 0.0);
+            let leaf = none.cast::<models::Loose>();
+            models::tl_leaf_drop(leaf);
+            models::tl_leaf_advance(leaf, 1.0);
+            assert!(models::tl_leaf_positions(leaf).is_null());
+            assert!(models::tl_leaf_new(none.cast()).is_null());
+            trials::tl_bench_steps(none.cast(), 5, 1);
+            assert_eq!(trials::tl_bench_sheet_drop(none.cast()), 0.0);
+        }
+    }
+}
+
+/// The figures of a leaf by `tl_leaf_new`: kind, size, stock and so on, each right or any.
+fn figures(random: &mut Random) -> [f64; 21] {
+    let mut usual = [
+        1.0 + random.below(7) as f64,
+        0.148,
+        0.21,
+        0.07,
+        90e-6,
+        0.27e-3,
+        0.12e-3,
+        random.below(2) as f64,
+        9.80665,
+        1.0,
+        0.0,
+        0.0,
+        0.0,
+        9.0,
+        7.0,
+        random.below(2) as f64,
+        random.below(3) as f64,
+        0.6,
+        random.below(2) as f64,
+        random.below(2) as f64,
+        0.5,
+    ];
+    if usual[0] == 3.0 {
+        (usual[10], usual[11], usual[12]) = (7.0, 5.0, 1.0 / 60.0);
+    }
+    for _ in 0..random.below(3) {
+        let at = random.below(usual.len());
+        let near = usual[at];
+        usual[at] = random.float(0.3 * near, 3.0 * near);
+    }
+    usual
+}
+
+#[test]
+fn a_loose_leaf_takes_any_number() {
+    use models::*;
+    let mut random = random();
+    let mut made = 0;
+    for _ in 0..300 {
+        let room = tl_leaf_figures();
+        let figures = figures(&mut random);
+        // SAFETY: a room of this thread.
+        let leaf = unsafe {
+            *room = figures;
+            tl_leaf_new(room)
+        };
+        if leaf.is_null() {
+            assert!(tl_leaf_error_length() > 10);
+            continue;
+        }
+        made += 1;
+        let r = &mut random;
+        for _ in 0..8 {
+            // SAFETY: a handle of this thread.
+            unsafe {
+                match r.below(9) {
+                    0 => tl_leaf_lay(leaf, r.whole(2)),
+                    1 => {
+                        let (columns, rows) = (r.whole(9) as usize, r.whole(9) as usize);
+                        let room = tl_leaf_samples(leaf, columns, rows);
+                        assert_eq!(room.is_null(), columns > 1024 || rows > 1024);
+                        if !room.is_null() {
+                            for at in 0..columns + rows {
+                                *room.add(at) = r.single(0.0, 1.0);
+                            }
+                        }
+                        tl_leaf_draw(leaf, r.whole(9) as usize);
+                    }
+                    2 => tl_leaf_play(leaf, r.whole(3), r.whole(2), r.single(0.1, 2.0)),
+                    3 => tl_leaf_grab(leaf, r.single(0.0, 1.0), r.single(0.0, 1.0)),
+                    4 => {
+                        let [x, y, z] = [0; 3].map(|_| r.single(-0.3, 0.3));
+                        tl_leaf_hold(leaf, x, y, z);
+                    }
+                    5 => tl_leaf_release(leaf),
+                    6 => tl_leaf_record(leaf, r.float(0.01, 0.1)),
+                    7 => drop(tl_leaf_finish_record(leaf)),
+                    _ => {
+                        let step = f64::from(tl_leaf_step(leaf));
+                        let seconds = r.float(0.0, 4.0 * step);
+                        // A minute of each is more than a test has.
+                        let is_short = seconds.is_nan() || seconds < 20.0 * step;
+                        tl_leaf_advance(leaf, if is_short { seconds } else { step });
+                    }
+                }
+                tl_leaf_update(leaf);
+                tl_leaf_measure(leaf);
+            }
+        }
+        // SAFETY: as above.
+        unsafe { tl_leaf_drop(leaf) };
+    }
+    assert!(made > 100, "{made} leaves");
+}
+
+#[test]
+fn a_leaf_is_advanced_by_a_bounded_number_of_steps() {
+    use models::*;
+    let mut usual = figures(&mut Random(1));
+    usual[..3].copy_from_slice(&[4.0, 0.148, 0.21]);
+    usual[12] = 1e-6;
+    let room = tl_leaf_figures();
+    // SAFETY: a room, then a handle, of this thread.
+    unsafe {
+        *room = usual;
+        let leaf = tl_leaf_new(room);
+        tl_leaf_advance(leaf, 1e300);
+        let steps = tl_leaf_time(leaf) / tl_leaf_step(leaf);
+        assert!((35_990.0..36_010.0).contains(&steps), "{steps}");
+        tl_leaf_advance(leaf, -1.0);
+        tl_leaf_advance(leaf, f64::NAN);
+        assert_eq!(tl_leaf_time(leaf) / tl_leaf_step(leaf), steps);
+        tl_leaf_drop(leaf);
+    }
+}
+
+#[test]
+fn what_would_take_all_memory_or_time_is_refused() {
+    use models::*;
+    let usual = figures(&mut Random(1));
+    let figures = |changes: &[(usize, f64)]| {
+        let mut figures = usual;
+        (figures[1], figures[2], figures[12]) = (0.148, 0.21, 0.0);
+        changes.iter().for_each(|(at, value)| figures[*at] = *value);
+        let room = tl_leaf_figures();
+        // SAFETY: a room, then a handle, of this thread.
+        unsafe {
+            *room = figures;
+            let leaf = tl_leaf_new(room);
+            tl_leaf_drop(leaf);
+            leaf.is_null()
+        }
+    };
+    // A shell of which a matrix has gigabytes; springs that need a million substeps.
+    assert!(figures(&[(0, 3.0), (10, 513.0), (11, 513.0)]));
+    assert!(figures(&[(0, 3.0), (10, 1e300), (11, 1e300)]));
+    assert!(figures(&[(0, 1.0), (1, 0.001), (2, 0.001), (15, 1.0)]));
+    assert!(figures(&[(0, 2.0), (8, 1e300)]));
+    assert!(figures(&[(0, 3.0), (20, f64::NAN)]));
+}
+
+#[test]
+fn benches_take_any_number() {
+    use trials::*;
+    for (columns, rows, gamma) in [
+        (3, 8, 10.0),
+        (usize::MAX, 8, 10.0),
+        (8, 8, f64::NAN),
+        (8, 8, -1.0),
+    ] {
+        assert!(tl_bench_sheet_new(columns, rows, gamma).is_null());
+    }
+    for seconds in [f32::INFINITY, f32::NAN, -1.0, 1e30] {
+        assert_eq!(tl_turn_hash(0, 0, seconds, 0.0), 0);
+        assert_eq!(tl_turn_hash(0, 0, 1.0, seconds), 0);
+    }
+}
