@@ -13,7 +13,7 @@ const dark = (selector: string): string => /* css */ `${selector} {
  */
 export const style: string = /* css */ `
 :host {
-  display: block; position: relative; overflow: hidden; min-height: 12rem; outline: none;
+  display: block; position: relative; overflow: hidden; min-height: 12rem;
   --turnleaf-desk: radial-gradient(ellipse at 50% 38%, #efece6, #cfc9be 95%);
   --turnleaf-accent: #8a3324; --turnleaf-dim: none; color-scheme: light;
 }
@@ -24,7 +24,8 @@ export const style: string = /* css */ `
 ${dark(':host([theme="dark"])')}
 @media (prefers-color-scheme: dark) { ${dark(':host(:not([theme="light"], [theme="paper"]))')} }
 :host(:is([controls], [theme])) { background: var(--turnleaf-desk); }
-:host(:focus-visible) { outline: 2px solid var(--turnleaf-accent); outline-offset: -2px; }
+.frame:focus { outline: none; }
+.frame:focus-visible { outline: 2px solid var(--turnleaf-accent); outline-offset: -2px; }
 :host([hidden]) { display: none; }
 .frame { position: absolute; inset: 0; container: turnleaf / inline-size; }
 [part="stage"] { position: absolute; inset: 0; overflow: hidden; color-scheme: light; }

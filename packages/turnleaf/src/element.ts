@@ -11,11 +11,12 @@ import { PageChanges } from "./element/page_changes.ts";
 import { pageNumber } from "./element/page_number.ts";
 import { ReaderElement } from "./element/reader_element.ts";
 import { Senses } from "./element/senses.ts";
+import { addStyle } from "./element/style.ts";
 import { wishOf } from "./element/wish.ts";
 import { style } from "./element.css.ts";
 import type { BookInput } from "./sources/open.ts";
 import type { PageSource } from "./sources/page_source.ts";
-import type { Viewer, ViewerOptions } from "./viewer.ts";
+import type { Viewer, ViewerOptions, Zoom } from "./viewer.ts";
 import { elementTexts, fill, languageOf } from "./words/languages.ts";
 
 /** Time that a zoom by command takes, seconds. */
@@ -56,7 +57,7 @@ export class TurnleafBook extends ReaderElement {
   #paper: Paper | null = null;
   readonly #asked = new AskedPage();
   /** The page where this book was left. */
-  #left: number | null = null;
+  #left: { readonly page: number; readonly view: Zoom } | null = null;
   /** The page that `pagechange` said last, until a page is asked for. */
   #reported: number | null = null;
   /** Whether the element is in a document. */
@@ -201,7 +202,7 @@ export class TurnleafBook extends ReaderElement {
 
   /** How near the book is seen: 1, all of it, to 8. Setting it zooms about the middle. */
   get zoom(): number {
-    return this.#viewer?.zoomLevel ?? 1;
+    return this.#viewer?.zoomLevel ?? this.#left?.view.level ?? 1;
   }
 
   set zoom(level: number) {
@@ -217,6 +218,11 @@ export class TurnleafBook extends ReaderElement {
     this.#viewer?.zoom(Number(level), place, place, this.#calm ? 0 : zoomSeconds);
   }
 
+  /** Gives the book the focus, from one of its controls too: keys then turn its pages. */
+  override focus(options?: FocusOptions): void {
+    this.#frame.focus(options);
+  }
+
   /** @internal */
   connectedCallback(): void {
     adopt(this);
@@ -226,6 +232,9 @@ export class TurnleafBook extends ReaderElement {
     this.#furnish();
     this.#reopen();
   }
+
+  /** @internal A move that keeps the state, by `moveBefore`, changes nothing. */
+  connectedMoveCallback(): void {}
 
   /** @internal */
   disconnectedCallback(): void {
@@ -274,7 +283,7 @@ export class TurnleafBook extends ReaderElement {
   /** The page at which a book opens, or would: where it was asked for, else where its source says. */
   #firstPage(source?: PageSource): number {
     const said = pageNumber(this.getAttribute("page")) ?? source?.openingPage ?? 1;
-    const page = this.#asked.page ?? this.keptPage(source, this.#left) ?? said;
+    const page = this.#asked.page ?? this.keptPage(source, this.#left?.page ?? null) ?? said;
     return Math.min(Math.max(Math.round(page) || 1, 1), source?.pageCount ?? page);
   }
 
@@ -287,7 +296,7 @@ export class TurnleafBook extends ReaderElement {
   /** Keeps in mind where the open book lies, and is silent. */
   #leave(): void {
     this.#senses.close();
-    if (this.#life.book) this.#left = this.page;
+    if (this.#viewer) this.#left = { page: this.page, view: this.#viewer.view };
   }
 
   #keepPlace(): Promise<void> {
@@ -305,7 +314,8 @@ export class TurnleafBook extends ReaderElement {
 
   /** Whether the reader asked the system for less motion. */
   get #calm(): boolean {
-    return matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const view = this.ownerDocument.defaultView ?? window;
+    return view.matchMedia("(prefers-reduced-motion: reduce)").matches;
   }
 
   /** How pages change: leaves turn, what is seen fades, or neither. */
@@ -330,19 +340,19 @@ export class TurnleafBook extends ReaderElement {
 
   #build(): void {
     if (this.shadowRoot === null) {
-      const root = this.attachShadow({ mode: "open" });
-      // Not a <style> element: pages with a strict security policy forbid those.
-      const sheet = new CSSStyleSheet();
-      sheet.replaceSync(style);
-      root.adoptedStyleSheets = [sheet];
+      // What takes the focus for the book is in its shadow tree: the element itself is its page's to write on.
+      const root = this.attachShadow({ mode: "open", delegatesFocus: true });
+      this.attachInternals().role = "group";
       this.#stage.setAttribute("part", "stage");
       this.#frame.className = "frame";
+      this.#frame.tabIndex = 0;
+      this.#frame.setAttribute("role", "group");
       this.#frame.append(this.#stage);
       root.append(this.#frame);
       this.#words = new Announcements(this.#stage);
     }
-    if (!this.hasAttribute("tabindex")) this.tabIndex = 0;
-    if (!this.hasAttribute("role")) this.setAttribute("role", "group");
+    const root = this.shadowRoot as ShadowRoot;
+    if (root.adoptedStyleSheets.length === 0) addStyle(root, style);
   }
 
   #reopen(): void {
@@ -382,8 +392,10 @@ export class TurnleafBook extends ReaderElement {
   #opened({ source, viewer }: OpenBook): void {
     const { binding } = viewer;
     // A page may have been asked for since the book was laid open.
+    const isElsewhere = this.#asked.page !== null && this.#asked.page !== this.#left?.page;
     if (this.#asked.page !== null) viewer.lay(spreadOf(binding, this.#asked.page));
     this.#asked.opened((page) => spreadOf(binding, page) === viewer.turning.spread);
+    if (this.#left && !isElsewhere) viewer.view = this.#left.view;
     this.#left = null;
     this.#reported = null;
     this.#words?.say("");
@@ -436,6 +448,7 @@ export class TurnleafBook extends ReaderElement {
     if (book === null) return;
     const text = openPages(book.source, book.viewer, languageOf(this));
     book.canvas.setAttribute("aria-label", `${book.source.title}. ${text}`);
+    this.#frame.setAttribute("aria-label", book.source.title);
     this.#words?.announce(text);
   }
 

@@ -10,6 +10,7 @@ import type { Paper } from "./book/paper.ts";
 import { type Binding, clampSpread, pagesAt } from "./book/spreads.ts";
 import type { Flight, Turning, TurningEvents } from "./book/turning.ts";
 import type { BookStage, Place } from "./draw/stage.ts";
+import type { Zoom } from "./draw/zoom.ts";
 import type { BookEngine } from "./engine/engine.ts";
 import { leafSize } from "./pages/leaf_size.ts";
 import { PagePictures } from "./pages/page_pictures.ts";
@@ -35,6 +36,7 @@ import { Viewing } from "./view/viewing.ts";
 import { Views } from "./view/views.ts";
 import type { ModelChoice } from "./wear/model_choice.ts";
 
+export type { Zoom } from "./draw/zoom.ts";
 export type { Craft, ViewerOptions } from "./view/options.ts";
 
 /** One book on one canvas. */
@@ -53,6 +55,8 @@ export class Viewer {
   readonly #stillness = new Stillness();
   readonly #governor = new QualityGovernor();
   readonly #binder: Binder;
+  /** The window in which the canvas is seen: another's frames stop when that one is hidden. */
+  readonly #window: Window;
   #cssWidth = 0;
   #cssHeight = 0;
   #frame = 0;
@@ -70,6 +74,7 @@ export class Viewer {
     craft: Craft,
   ) {
     this.#options = options;
+    this.#window = canvas.ownerDocument.defaultView ?? window;
     this.#stage = stage;
     this.#stage.onRestored = () => this.invalidate();
     this.#stage.onGone = () => options.onGone?.();
@@ -268,6 +273,17 @@ export class Viewer {
     if (this.#viewing.level !== before) this.#options.onZoom?.(this.#viewing.level);
   }
 
+  /** What is shown of the book, or on the way to being; setting it shows that at once, as far as the book reaches. */
+  get view(): Zoom {
+    return this.#viewing.view;
+  }
+
+  set view(view: Zoom) {
+    if (this.#destroyed) return;
+    this.#viewing.view = view;
+    this.invalidate();
+  }
+
   /** Whether fingers are at the view: frames are drawn as while something moves, and none sharper between them. */
   set handled(handled: boolean) {
     this.#handled = handled;
@@ -315,7 +331,7 @@ export class Viewer {
   destroy(): void {
     if (this.#destroyed) return;
     this.#destroyed = true;
-    cancelAnimationFrame(this.#frame);
+    this.#window.cancelAnimationFrame(this.#frame);
     this.#frame = 0;
     this.#fade.close();
     this.steering.close();
@@ -329,7 +345,7 @@ export class Viewer {
 
   #askForFrame(): void {
     if (this.#destroyed || this.#frame !== 0) return;
-    this.#frame = requestAnimationFrame((now) => this.#draw(now));
+    this.#frame = this.#window.requestAnimationFrame((now) => this.#draw(now));
   }
 
   #draw(now: number): void {

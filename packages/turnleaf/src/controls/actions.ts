@@ -54,7 +54,7 @@ export function actionsOf(
   { texts }: Say,
   print: () => void,
 ): Readonly<Record<ActionName, Action>> {
-  const isFull = (): boolean => document.fullscreenElement === book;
+  const isFull = (): boolean => book.ownerDocument.fullscreenElement === book;
   return {
     zoomOut: {
       icon: () => "zoomOut",
@@ -87,7 +87,7 @@ export function actionsOf(
       label: () => (isFull() ? texts.leaveFullscreen : texts.fullscreen),
       key: "f",
       run: () => void book.toggleFullscreen(),
-      hidden: () => !document.fullscreenEnabled,
+      hidden: () => !book.ownerDocument.fullscreenEnabled,
     },
     play: {
       icon: () => (book.playing ? "pause" : "play"),

@@ -1,5 +1,6 @@
 /** The reader's controls about a book: toolbar, side panel, slider, keys. */
 
+import { addStyle } from "../element/style.ts";
 import { languageOf } from "../words/languages.ts";
 import { actionsOf, type Tab, zoomBy } from "./actions.ts";
 import { Bar } from "./bar.ts";
@@ -37,9 +38,7 @@ export function addControls<Hit extends FoundPlace>(
   stage: HTMLElement,
 ): () => void {
   const root = frame.getRootNode() as ShadowRoot;
-  const sheet = new CSSStyleSheet();
-  sheet.replaceSync(themes + style);
-  root.adoptedStyleSheets = [...root.adoptedStyleSheets, sheet];
+  const removeStyle = addStyle(root, themes + style);
   let remove = build(book, frame, stage);
   const language = (): string => `${languageOf(book)} ${getComputedStyle(book).direction}`;
   let spoken = language();
@@ -54,7 +53,7 @@ export function addControls<Hit extends FoundPlace>(
   return () => {
     observer.disconnect();
     remove();
-    root.adoptedStyleSheets = root.adoptedStyleSheets.filter((other) => other !== sheet);
+    removeStyle();
   };
 }
 

@@ -26,7 +26,7 @@ export function watchFullScreen(
     timer = window.setTimeout(sleep, sight);
   };
   const follow = (): void => {
-    const isFull = document.fullscreenElement === book;
+    const isFull = book.ownerDocument.fullscreenElement === book;
     frame.classList.toggle("full", isFull);
     if (isFull) wake();
     else sleep();
@@ -38,7 +38,7 @@ export function watchFullScreen(
   };
   book.addEventListener("pointermove", moved, { passive: true, signal });
   book.addEventListener("pointerdown", wake, { passive: true, signal });
-  document.addEventListener("fullscreenchange", follow, { signal });
+  book.ownerDocument.addEventListener("fullscreenchange", follow, { signal });
   signal.addEventListener("abort", () => {
     sleep();
     frame.classList.remove("full");

@@ -44,7 +44,9 @@ function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommand
     End: () => book.last(),
     " ": () => (event.shiftKey ? book.previous() : book.next()),
   };
-  const command = anywhere[event.key] ?? (target === book ? onBook[event.key] : undefined);
+  // Of what is in its shadow tree the frame about all of it takes the focus for the book.
+  const isBook = target === book || (target as Node).parentNode === book.shadowRoot;
+  const command = anywhere[event.key] ?? (isBook ? onBook[event.key] : undefined);
   if (command === undefined) return;
   event.preventDefault();
   void command();

@@ -1,5 +1,6 @@
 /** A book that only says what it was asked to do, under the controls. */
 
+import { addStyle } from "../element/style.ts";
 import { style } from "../element.css.ts";
 import type { OutlineEntry } from "../sources/page_source.ts";
 import type { ControlledBook, FoundPlace } from "./book.ts";
@@ -101,6 +102,10 @@ export class StandIn extends HTMLElement implements ControlledBook {
     return true;
   }
 
+  override focus(options?: FocusOptions): void {
+    this.shadowRoot?.querySelector<HTMLElement>(".frame")?.focus(options);
+  }
+
   async toggleFullscreen(): Promise<boolean> {
     this.asked.push("fullscreen");
     return true;
@@ -125,18 +130,17 @@ export function standIn(
 ): { book: StandIn; root: ShadowRoot; remove: () => void } {
   const book = new StandIn();
   Object.assign(book, change);
-  const root = book.attachShadow({ mode: "open" });
-  const sheet = new CSSStyleSheet();
-  sheet.replaceSync(style);
-  root.adoptedStyleSheets = [sheet];
+  const root = book.attachShadow({ mode: "open", delegatesFocus: true });
+  addStyle(root, style);
   const frame = document.createElement("div");
   frame.className = "frame";
+  frame.tabIndex = 0;
+  frame.setAttribute("role", "group");
   const stage = document.createElement("div");
   stage.setAttribute("part", "stage");
   frame.append(stage);
   root.append(frame);
-  book.tabIndex = 0;
-  book.setAttribute("role", "group");
+  book.attachInternals().role = "group";
   book.setAttribute("aria-label", "A Book");
   book.setAttribute("controls", "");
   book.style.cssText = `width: ${width}px; height: 560px`;

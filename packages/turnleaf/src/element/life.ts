@@ -178,23 +178,24 @@ export class Life {
     const resize = (): void => {
       const { clientWidth, clientHeight } = this.#stage;
       if (clientWidth > 0 && clientHeight > 0) {
-        viewer.resize(clientWidth, clientHeight, devicePixelRatio);
+        viewer.resize(clientWidth, clientHeight, view.devicePixelRatio);
       }
     };
-    const observer = new ResizeObserver(resize);
+    const view = this.#element.ownerDocument.defaultView ?? window;
+    const observer = new view.ResizeObserver(resize);
     observer.observe(this.#stage);
     signal.addEventListener("abort", () => observer.disconnect(), { once: true });
-    watchRatio(resize, signal);
+    watchRatio(view, resize, signal);
     resize();
   }
 }
 
-/** Follows the screen's pixel ratio, which changes with the zoom and from screen to screen. */
-function watchRatio(changed: () => void, signal: AbortSignal): void {
-  const media = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
+/** Follows the pixel ratio of a window's screen, which changes with the zoom and from screen to screen. */
+function watchRatio(view: Window, changed: () => void, signal: AbortSignal): void {
+  const media = view.matchMedia(`(resolution: ${view.devicePixelRatio}dppx)`);
   const again = (): void => {
     changed();
-    watchRatio(changed, signal);
+    watchRatio(view, changed, signal);
   };
   media.addEventListener("change", again, { once: true, signal });
 }

@@ -237,7 +237,8 @@ export abstract class ReaderElement extends ReflectingElement {
   /** Fills the screen with the element, or leaves full screen. Resolves to whether the browser let it. */
   async toggleFullscreen(): Promise<boolean> {
     try {
-      if (document.fullscreenElement === this) await document.exitFullscreen();
+      const { ownerDocument } = this;
+      if (ownerDocument.fullscreenElement === this) await ownerDocument.exitFullscreen();
       else await this.requestFullscreen();
       return true;
     } catch {

@@ -9,6 +9,7 @@ import { textStyle } from "../text/text.css.ts";
 import { TextLayer } from "../text/text_layer.ts";
 import type { Viewer } from "../viewer.ts";
 import { elementTexts, fill } from "../words/languages.ts";
+import { addStyle } from "./style.ts";
 
 /** What the text is laid over, and what it asks for. */
 export interface Under {
@@ -50,14 +51,11 @@ export class TextOver {
       },
     });
     this.#layer = layer;
-    const root = canvas.getRootNode() as ShadowRoot;
-    const sheet = new CSSStyleSheet();
-    sheet.replaceSync(textStyle);
-    root.adoptedStyleSheets.push(sheet);
+    const removeStyle = addStyle(canvas.getRootNode() as ShadowRoot, textStyle);
     canvas.after(layer.element);
     ended.addEventListener("abort", () => {
       layer.destroy();
-      root.adoptedStyleSheets = root.adoptedStyleSheets.filter((other) => other !== sheet);
+      removeStyle();
     });
   }
 

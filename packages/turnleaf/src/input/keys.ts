@@ -40,7 +40,8 @@ export class Keys {
 
   /** Whether a key pressed there is the book's: not a field's on a page, nor one of the controls beside it. */
   #isMeant(target: EventTarget | undefined): boolean {
-    if (target === this.#element) return true;
+    // The frame about the stage and the controls takes the focus for the book.
+    if (target === this.#element || target === this.#stage.parentElement) return true;
     const isField = target instanceof Element && target.matches("input, textarea, select");
     return !isField && this.#stage.contains(target as Node);
   }

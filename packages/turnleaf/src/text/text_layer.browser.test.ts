@@ -152,7 +152,7 @@ test("a drag with the mouse selects, and what is copied has words and lines", as
 
 test("the text is away while a leaf turns, and another lies there afterwards", async () => {
   await awayAndBack(() => element.next());
-  const groups = [...root().querySelectorAll("[role=group]")];
+  const groups = [...root().querySelectorAll(".text [role=group]")];
   expect(groups.map(({ ariaLabel }) => ariaLabel)).toEqual(["Page iv", "Page v"]);
   await expect
     .poll(() => groups.map(({ textContent }) => textContent))

@@ -20,6 +20,16 @@ export class Viewing {
     return this.#glide?.to.level ?? this.#stage.zoom.level;
   }
 
+  /** What is shown, or on the way to being; setting it shows that at once, as far as the book reaches. */
+  get view(): Zoom {
+    return this.#glide?.to ?? this.#stage.zoom;
+  }
+
+  set view(view: Zoom) {
+    this.#glide = null;
+    this.#stage.zoom = view;
+  }
+
   /** Whether the camera is on its way. */
   get gliding(): boolean {
     return this.#glide !== null;
