@@ -105,6 +105,33 @@ test("every call of next and previous counts", async () => {
   await settled(element);
 });
 
+test("what a held key repeats waits three leaves at most, with the controls' keys and buttons too", async () => {
+  const element = await opened(200, {
+    cover: "none",
+    duration: "60",
+    controls: "",
+    layout: "spread",
+    page: "2",
+  });
+  const button = (): HTMLElement | undefined =>
+    [...(element.shadowRoot?.querySelectorAll("button") ?? [])].find(
+      ({ ariaLabel, title }) => (ariaLabel ?? title) === "Next page",
+    );
+  await expect.poll(button, { timeout: 20_000 }).toBeDefined();
+  let page = 2;
+  for (const press of [
+    () => pressKey(element, "ArrowRight"),
+    () => pressKey(element, " "),
+    () => button()?.click(),
+  ]) {
+    await settled(element);
+    for (let k = 0; k < 30; k++) press();
+    await settled(element);
+    page += 6;
+    expect(element.page).toBe(page);
+  }
+});
+
 test("what is no page number moves nothing, and goTo says so", async () => {
   const element = await opened(20, { cover: "none", duration: "60", page: "6" });
   const starts = heard(element, "turnstart");

@@ -37,7 +37,7 @@ export class TurnleafBook extends ReaderElement {
   readonly #life = new Life(this, this.#stage, {
     prepare: () => this.#keepPlace(),
     options: (source) => this.#options(source),
-    turn: (by) => void this.#turn(by, true),
+    turn: (by) => void this.press(by),
     calm: () => this.#calm,
     goTo: (page) => void this.goTo(page),
     leaving: () => this.#leave(),
@@ -147,6 +147,14 @@ export class TurnleafBook extends ReaderElement {
   /** Turns one leaf back, as `next` turns on. Resolves to whether the book lies there or farther back. */
   previous(): Promise<boolean> {
     return this.#turn(-1, false);
+  }
+
+  /**
+   * A reader turns one leaf on (1) or back (-1), as by a key of the controls.
+   * @internal
+   */
+  press(by: 1 | -1): Promise<boolean> {
+    return this.#turn(by, true);
   }
 
   /**

@@ -28,8 +28,8 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   /** What the book's owner and its source let a reader do. */
   readonly allows: { readonly print: boolean; readonly download: boolean };
   label(page: number): string;
-  next(): Promise<boolean>;
-  previous(): Promise<boolean>;
+  /** A reader turns one leaf on (1) or back (-1): what a held key repeats ends soon after its release. */
+  press(by: 1 | -1): Promise<boolean>;
   first(): Promise<boolean>;
   last(): Promise<boolean>;
   goTo(page: number): Promise<boolean>;

@@ -42,7 +42,7 @@ function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommand
   const onBook: Record<string, () => unknown> = {
     Home: () => book.first(),
     End: () => book.last(),
-    " ": () => (event.shiftKey ? book.previous() : book.next()),
+    " ": () => book.press(event.shiftKey ? -1 : 1),
   };
   // Of what is in its shadow tree the frame about all of it takes the focus for the book.
   const isBook = target === book || (target as Node).parentNode === book.shadowRoot;

@@ -115,7 +115,7 @@ export class PagesBar {
 
   #turn(button: HTMLButtonElement): void {
     if (button.ariaDisabled === "true") return;
-    void (button === this.#next ? this.#book.next() : this.#book.previous());
+    void this.#book.press(button === this.#next ? 1 : -1);
   }
 
   #go(): void {

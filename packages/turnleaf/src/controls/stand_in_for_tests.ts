@@ -38,8 +38,8 @@ export class StandIn extends HTMLElement implements ControlledBook {
     return true;
   }
 
-  next = (): Promise<boolean> => this.#turn("next", this.page + 2);
-  previous = (): Promise<boolean> => this.#turn("previous", this.page - 2);
+  press = (by: 1 | -1): Promise<boolean> =>
+    this.#turn(by === 1 ? "next" : "previous", this.page + 2 * by);
   first = (): Promise<boolean> => this.#turn("first", 1);
   last = (): Promise<boolean> => this.#turn("last", this.pageCount);
   goTo = (page: number): Promise<boolean> => this.#turn(`goTo ${page}`, page);
