@@ -106,6 +106,8 @@ pictures: build chromium tools-rust
 # Takes some ten minutes, nearly all of them the shell's.
 methods: tools-rust
 	cargo run --release --quiet -p lab -- interpolation --into docs/methods.md
+	cargo run --release --quiet -p lab -- synchronisation --into docs/methods.md
+	cargo run --release --quiet -p lab -- picture --figures --size 720 --out docs/methods
 	cargo run --release --quiet -p lab -- models --into docs/methods.md --plot docs/methods/cost-and-fidelity.svg --pictures docs/methods
 
 # The turns that come with the viewer, recorded anew: model="replay" and model="shell".

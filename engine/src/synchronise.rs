@@ -9,6 +9,9 @@
 //! of several masses, so a line at another angle projects the displacements
 //! onto piecewise-linear functions of the distance, by least squares; for lines
 //! along the grid that is the same as the means.
+//!
+//! [`Synchronise::Literal`] is the paper's text word for word instead: it moves
+//! fixed and held masses too, and takes the line from its end points.
 
 use crate::grid::Grid;
 
@@ -27,7 +30,19 @@ pub enum Synchronise {
         /// Angle with the spine in radians.
         angle: f32,
     },
+    /// As the paper says it (section 3.1, step 6). The dog-ear line is taken anew
+    /// at each step from its end points: on the way around the leaf from the
+    /// spine's foot along the free edges to the spine's head, the last masses
+    /// before the first and after the last that has moved. Masses at rest at the
+    /// same distance from it are a group, and every mass of a group, fixed and held
+    /// ones too, is moved by the mean of all their displacements. So the spine
+    /// leaves its place where the line is not parallel to it.
+    Literal,
 }
+
+/// How far a mass is from its rest before it counts as moved, and how much the
+/// distances of one group differ, over the spacing of the masses.
+const LITERAL_TOLERANCE: f32 = 0.01;
 
 /// Synchronisation made ready for one grid and one set of free nodes.
 #[derive(Clone, Debug)]
@@ -38,6 +53,7 @@ pub(crate) enum Synchroniser {
         inverse_count: Vec<f32>,
     },
     Projection(Projection),
+    Literal,
 }
 
 /// The least-squares projection onto piecewise-linear functions of distance.
@@ -68,10 +84,12 @@ impl Synchroniser {
                 }
             }
             Synchronise::DogEar { angle } => Self::Projection(Projection::new(angle, grid, free)),
+            Synchronise::Literal => Self::Literal,
         }
     }
 
-    /// Synchronises the free nodes' positions.
+    /// Synchronises the positions: those of the free nodes, or of all where the
+    /// reading is literal.
     pub fn apply(
         &self,
         grid: &Grid,
@@ -97,8 +115,72 @@ impl Synchroniser {
                     projection.apply(&rest[axis], &mut position[axis]);
                 }
             }
+            Self::Literal => synchronise_literally(grid, rest, position),
         }
     }
+}
+
+/// Moves every mass by the mean displacement of those at its distance from the
+/// dog-ear line; none where no mass of the free edges has moved.
+fn synchronise_literally(grid: &Grid, rest: &[Vec<f32>; 3], position: &mut [Vec<f32>; 3]) {
+    let tolerance = LITERAL_TOLERANCE * grid.du().min(grid.dv());
+    let Some([from, to]) = dog_ear_line(grid, rest, position, tolerance) else {
+        return;
+    };
+    let place = |lane: usize| [rest[0][lane], rest[1][lane]];
+    let [[x0, y0], [x1, y1]] = [place(from), place(to)];
+    let (dx, dy) = (x1 - x0, y1 - y0);
+    let length = (dx * dx + dy * dy).sqrt();
+    let mut masses: Vec<(f32, usize)> = grid
+        .node_lanes()
+        .map(|lane| {
+            let [x, y] = place(lane);
+            ((dx * (y - y0) - dy * (x - x0)) / length, lane)
+        })
+        .collect();
+    masses.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    for group in masses.chunk_by(|a, b| b.0 - a.0 < tolerance) {
+        for axis in 0..3 {
+            let (rest, position) = (&rest[axis], &mut position[axis]);
+            let sum = group
+                .iter()
+                .fold(0.0, |sum, &(_, lane)| sum + (position[lane] - rest[lane]));
+            let mean = sum / group.len() as f32;
+            for &(_, lane) in group {
+                position[lane] = rest[lane] + mean;
+            }
+        }
+    }
+}
+
+/// The end points of the dog-ear line, if a mass of the free edges has moved.
+fn dog_ear_line(
+    grid: &Grid,
+    rest: &[Vec<f32>; 3],
+    position: &[Vec<f32>; 3],
+    tolerance: f32,
+) -> Option<[usize; 2]> {
+    let foot = (0..grid.columns).map(|column| (column, 0));
+    let fore_edge = (1..grid.rows - 1).map(|row| (grid.columns - 1, row));
+    let head = (0..grid.columns)
+        .rev()
+        .map(|column| (column, grid.rows - 1));
+    let way: Vec<usize> = foot
+        .chain(fore_edge)
+        .chain(head)
+        .map(|(column, row)| grid.lane(column, row))
+        .collect();
+    let has_moved = |&lane: &usize| {
+        let square = |axis: usize| {
+            let d = position[axis][lane] - rest[axis][lane];
+            d * d
+        };
+        square(0) + square(1) + square(2) > tolerance * tolerance
+    };
+    let first = way.iter().position(has_moved)?;
+    let last = way.iter().rposition(has_moved)?;
+    let [from, to] = [first.saturating_sub(1), (last + 1).min(way.len() - 1)];
+    Some([way[from], way[to]])
 }
 
 /// Means over each column's free nodes, eight columns at a time.
@@ -362,6 +444,92 @@ mod tests {
                         }
                     }
                 }
+            }
+        });
+    }
+
+    /// Displacements of all masses.
+    fn displacements(scene: &Scene, after: &[Vec<f32>; 3]) -> Vec<(usize, [f32; 3])> {
+        let (grid, _, rest, _) = scene;
+        let moved = |lane: usize| [0, 1, 2].map(|axis| after[axis][lane] - rest[axis][lane]);
+        grid.node_lanes().map(|lane| (lane, moved(lane))).collect()
+    }
+
+    /// A flat leaf, some masses of which are lifted by 1.
+    fn lifted(lift: impl Fn(usize, usize) -> bool) -> Scene {
+        let grid = Grid::new(6, 6, 25.0, 25.0);
+        let rest = grid.rest(Side::Left);
+        let mut position = rest.clone();
+        for row in 0..6 {
+            for column in (0..6).filter(|&column| lift(column, row)) {
+                position[2][grid.lane(column, row)] += 1.0;
+            }
+        }
+        let free = grid.zeros();
+        (grid, free, rest, position)
+    }
+
+    #[test]
+    fn the_literal_reading_moves_fixed_and_held_masses_with_their_group() {
+        // The foot corner alone: the line runs from its neighbour on the foot to that
+        // on the fore-edge, and the diagonal beside it has two masses, both lying.
+        let scene = lifted(|column, row| (column, row) == (5, 0));
+        for (lane, moved) in displacements(&scene, &apply(Synchronise::Literal, &scene)) {
+            let expected = if lane == scene.0.lane(5, 0) { 1.0 } else { 0.0 };
+            assert!((moved[2] - expected).abs() < 1e-6, "{lane}: {moved:?}");
+        }
+        // The foot and the corner's column: a line from (0, 0) to (5, 5), whose
+        // parallels hold masses of the spine and of the fore-edge. None is free.
+        let scene = lifted(|column, row| (row == 0 && column > 0) || (column == 5 && row < 5));
+        let after = displacements(&scene, &apply(Synchronise::Literal, &scene));
+        for (lane, moved) in after {
+            let (column, row) = (lane % scene.0.stride, lane / scene.0.stride);
+            // Of the masses of a diagonal below the line both ends are lifted.
+            let count = 6.0 - column as f32 + row as f32;
+            let lifted = if column == row + 5 { 1.0 } else { 2.0 };
+            let expected = if column > row { lifted / count } else { 0.0 };
+            assert!(
+                (moved[2] - expected).abs() < 1e-6,
+                "{column} {row}: {moved:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn the_literal_reading_is_the_columns_where_whole_columns_are_moved() {
+        for_seeds(|random| {
+            let first = 1 + random.below(5);
+            let mut scene = lifted(|column, _| column >= first);
+            let (grid, free, _, position) = &mut scene;
+            for lane in grid.node_lanes() {
+                free[lane] = 1.0;
+                if lane % grid.stride >= first {
+                    position[0][lane] += random.between(-0.3, 0.3);
+                }
+            }
+            let literal = apply(Synchronise::Literal, &scene);
+            let columns = apply(Synchronise::Columns, &scene);
+            for axis in 0..3 {
+                for lane in scene.0.node_lanes() {
+                    assert!((literal[axis][lane] - columns[axis][lane]).abs() < 2e-5);
+                }
+            }
+        });
+    }
+
+    #[test]
+    fn the_literal_reading_leaves_a_leaf_at_rest_alone_and_keeps_the_mean() {
+        let scene = lifted(|_, _| false);
+        assert_eq!(apply(Synchronise::Literal, &scene), scene.3);
+        for_seeds(|random| {
+            let scene = self::scene(random);
+            let after = apply(Synchronise::Literal, &scene);
+            for axis in 0..3 {
+                let sum = |axes: &[Vec<f32>; 3]| {
+                    let lanes = scene.0.node_lanes();
+                    lanes.map(|lane| f64::from(axes[axis][lane])).sum::<f64>()
+                };
+                assert!((sum(&after) - sum(&scene.3)).abs() < 1e-3);
             }
         });
     }

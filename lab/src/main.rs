@@ -19,6 +19,7 @@ mod picture;
 mod report;
 mod simulate;
 mod specimen;
+mod synchronisation;
 mod table1;
 mod turn;
 mod vibration;
@@ -42,19 +43,27 @@ Usage: lab EXPERIMENT [options]
                                     key frames hold the surface (paper)
               --keys even|condensed    of a loose leaf: every 0.1 s, or within 0.1 % (even)
               --seconds T              duration of the turn (11.4)
+              --sync preset|paper|off  synchronisation of the paper's leaf (preset)
+  synchronisation   both readings of the paper's synchronisation, and none, on
+            the same turns: strains, departures from the spine and the hand
+              --seconds T           duration of a turn (11.4)
+              --markdown            print a table in Markdown
+              --into FILE           put the table between its lines in a page of Markdown
   turn      one turn: strains over all steps, cost of a step and of a surface
   picture   a turn as a sequence of PNG pictures
               --out DIR             folder for the pictures (pictures)
               --frames N            number of pictures (6)
               --size PIXELS         width of a picture (960)
+              --figures             counterparts of the paper's figures 1 to 5 instead
   turn and picture take:
               --model mass-spring   (the only one so far)
               --preset paper-2014|book  (paper-2014)
-              --gesture column|corner   (column)
+              --gesture column|corner|corner-alone   (column)
               --seconds T           duration of the gesture (11.4; book: 0.8)
               --settle T            time simulated after it (2; book: 1)
               --integrator explicit-euler|semi-implicit-euler|runge-kutta-4
-              --no-sync             without synchronisation
+              --sync preset|paper|off   synchronisation: the preset's reading, the paper's
+                                    word for word, or none (preset)
               --no-interpolation    draw the masses themselves
 
 Experiments on a piece of paper; lengths are over its length, loads over its
@@ -129,7 +138,7 @@ Key frames to be handed out:
 All take      --json                print JSON
 ";
 
-const NAMES: &str = "table1, turn, picture, cantilever, tip-load, pear-loop, vibration, upright, lateral-buckling, drop-sheet, energy, convergence, agree, models, interpolation, gestures and keyframes";
+const NAMES: &str = "table1, synchronisation, turn, picture, cantilever, tip-load, pear-loop, vibration, upright, lateral-buckling, drop-sheet, energy, convergence, agree, models, interpolation, gestures and keyframes";
 
 fn main() -> ExitCode {
     match run() {
@@ -166,6 +175,7 @@ fn run() -> Result<(), String> {
         "energy" => energy::run(&mut parser),
         "convergence" => convergence::run(&mut parser),
         "table1" => table1::run(&mut parser),
+        "synchronisation" => synchronisation::run(&mut parser),
         "turn" => turn::run(&mut parser),
         "picture" => picture::run(&mut parser),
         "agree" => agree::run(&mut parser),

@@ -3,20 +3,49 @@
 use std::str::FromStr;
 
 use lexopt::{Arg, Parser};
-use turnleaf_engine::{Gesture, Integrator, MassSpring, Preset, Settings, Synchronise};
+use turnleaf_engine::{Gesture, Grip, Integrator, MassSpring, Preset, Settings, Synchronise};
 
 /// Which turn to simulate.
 pub struct Scene {
     /// The named preset.
     pub preset: Preset,
-    /// `column` or `corner`.
+    /// `column`, `corner` or `corner-alone`.
     pub gesture: String,
     seconds: Option<f32>,
     settle: Option<f32>,
     integrator: Option<Integrator>,
-    no_sync: bool,
+    sync: Sync,
     /// Draw the masses themselves.
     pub no_interpolation: bool,
+}
+
+/// Which reading of synchronisation a mass-spring leaf follows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Sync {
+    /// The preset's own.
+    #[default]
+    Preset,
+    /// The paper's, word for word.
+    Paper,
+    /// None.
+    Off,
+}
+
+impl Sync {
+    /// Reads the option's value.
+    pub fn read(parser: &mut Parser, option: &str) -> Result<Self, String> {
+        let all = [Self::Preset, Self::Paper, Self::Off];
+        Ok(all[choice(parser, option, &["preset", "paper", "off"])?])
+    }
+
+    /// Puts it into the settings of a leaf.
+    pub fn set(self, settings: &mut Settings) {
+        match self {
+            Self::Preset => {}
+            Self::Paper => settings.synchronise = Synchronise::Literal,
+            Self::Off => settings.synchronise = Synchronise::Off,
+        }
+    }
 }
 
 /// Page of the preset `book` where no other is named: metres, and kilograms a
@@ -31,7 +60,7 @@ impl Default for Scene {
             seconds: None,
             settle: None,
             integrator: None,
-            no_sync: false,
+            sync: Sync::default(),
             no_interpolation: false,
         }
     }
@@ -49,7 +78,7 @@ impl Scene {
                 self.preset = presets[choice(parser, option, &presets.map(Preset::name))?];
             }
             "gesture" => {
-                let names = ["column", "corner"];
+                let names = ["column", "corner", "corner-alone"];
                 self.gesture = names[choice(parser, option, &names)?].into();
             }
             "seconds" => self.seconds = Some(seconds(parser, option, 0.05)?),
@@ -62,7 +91,7 @@ impl Scene {
                 ];
                 self.integrator = Some(kinds[choice(parser, option, &kinds.map(|kind| kind.0))?].1);
             }
-            "no-sync" => self.no_sync = true,
+            "sync" => self.sync = Sync::read(parser, option)?,
             "no-interpolation" => self.no_interpolation = true,
             _ => return Ok(false),
         }
@@ -96,9 +125,7 @@ impl Scene {
         if let Some(integrator) = self.integrator {
             settings.integrator = integrator;
         }
-        if self.no_sync {
-            settings.synchronise = Synchronise::Off;
-        }
+        self.sync.set(&mut settings);
         settings
     }
 
@@ -117,6 +144,10 @@ impl Scene {
         let settings = self.settings();
         match self.gesture.as_str() {
             "corner" => settings.corner_gesture(self.seconds()),
+            "corner-alone" => Gesture {
+                grip: Grip::FootCorner,
+                ..settings.column_gesture(self.seconds())
+            },
             _ => settings.column_gesture(self.seconds()),
         }
     }

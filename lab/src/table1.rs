@@ -25,10 +25,12 @@ use turnleaf_engine::{
     Replay, Settings, Side, Stock, Surface, TurnBy, TurnModel, uniform_samples,
 };
 
-use crate::options;
+use crate::options::{self, Sync};
 use crate::simulate::median;
 use crate::{keyframes, keyframes::error};
 
+/// The paper's own means, milliseconds, without key frames and with them.
+const PAPER_MEANS: [f64; 2] = [11395.0, 9678.0];
 /// Duration of the turn: about the paper's mean time without key frames.
 const SECONDS: f32 = 11.4;
 /// Turns in a run.
@@ -49,7 +51,7 @@ struct Plan {
 
 /// Runs the experiment.
 pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let (mut runs, mut model) = (10, None);
+    let (mut runs, mut model, mut sync) = (10, None, Sync::default());
     let mut plan = Plan {
         seconds: SECONDS,
         kind: FrameKind::Masses,
@@ -71,6 +73,7 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
             "interpolate" => {
                 plan.each_frame = options::choice(parser, option, &["key-frame", "frame"])? == 1;
             }
+            "sync" => sync = Sync::read(parser, option)?,
             "model" => model = keyframes::model_or_paper(parser, option)?,
             "keys" => {
                 plan.condensed = options::choice(parser, option, &["even", "condensed"])? == 1;
@@ -84,9 +87,15 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
         None if plan.condensed => {
             return Err("--keys condensed is for a loose leaf; name one with --model.".into());
         }
-        None => Leaf::Paper(Box::new(
-            MassSpring::new(Settings::paper_2014()).map_err(|error| error.to_string())?,
-        )),
+        None => {
+            let mut settings = Settings::paper_2014();
+            sync.set(&mut settings);
+            let leaf = MassSpring::new(settings).map_err(|error| error.to_string())?;
+            Leaf::Paper(Box::new(leaf))
+        }
+        Some(_) if sync != Sync::default() => {
+            return Err("--sync is for the paper's leaf; leave --model out.".into());
+        }
         Some(model) => {
             plan.kind = FrameKind::Surface;
             Leaf::Loose(Box::new(keyframes::leaf(model, Stock::BOOK, None)?))
@@ -280,7 +289,7 @@ fn report(
     if json {
         let rows: Vec<_> = runs
             .iter()
-            .map(|run| json!({ "live_ms": run.live, "replay_ms": run.replay, "reduction_percent": 100.0 * (1.0 - run.replay / run.live) }))
+            .map(|run| json!({ "live_ms": run.live, "replay_ms": run.replay, "reduction_percent": 100.0 * (1.0 - run.replay / run.live), "speed_ratio": run.live / run.replay }))
             .collect();
         let report = json!({
             "model": model,
@@ -292,6 +301,7 @@ fn report(
             "mean_live_ms": live,
             "mean_replay_ms": replay,
             "reduction_percent": reduction,
+            "speed_ratio": live / replay,
             "us_per_step": us_per_step,
             "us_per_surface": us_per_surface,
             "us_per_replayed_frame": per_step(|run| run.replay),
@@ -324,19 +334,27 @@ fn report(
             100.0 * near
         );
     }
-    println!("{COUNTED}\n\n  run      live    replay   saved");
+    println!("{COUNTED}\n\n  run      live    replay   saved   ratio of speeds");
     let row = |name: String, live: f64, replay: f64| {
         println!(
-            "{name:>5}  {live:8.4}  {replay:8.4}  {:5.1} %",
-            100.0 * (1.0 - replay / live)
+            "{name:>5}  {live:8.4}  {replay:8.4}  {:5.1} %  {:8.3}",
+            100.0 * (1.0 - replay / live),
+            live / replay
         );
     };
     for (index, run) in runs.iter().enumerate() {
         row((index + 1).to_string(), run.live, run.replay);
     }
     row("mean".into(), live, replay);
+    let [paper_live, paper_replay] = PAPER_MEANS;
     println!(
-        "\nA step with synchronisation takes {us_per_step:.2} us, a surface {us_per_surface:.2} us, a replayed frame {:.2} us.",
+        "\nThe paper's: {paper_live:.0} and {paper_replay:.0} ms, {:.1} % saved, a ratio of {:.3}, whose part above 1 is its third row's {:.0} %.",
+        100.0 * (1.0 - paper_replay / paper_live),
+        paper_live / paper_replay,
+        100.0 * (paper_live / paper_replay - 1.0)
+    );
+    println!(
+        "A step with synchronisation takes {us_per_step:.2} us, a surface {us_per_surface:.2} us, a replayed frame {:.2} us.",
         per_step(|run| run.replay)
     );
 }

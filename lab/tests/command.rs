@@ -88,7 +88,9 @@ fn options_change_the_turn() {
     };
     let plain = hash(&[]);
     for more in [
-        &["--no-sync"][..],
+        &["--sync", "off"][..],
+        &["--gesture", "corner", "--sync", "paper"],
+        &["--gesture", "corner-alone"],
         &["--no-interpolation"],
         &["--integrator", "runge-kutta-4"],
         &["--gesture", "corner"],
@@ -112,6 +114,86 @@ fn table_1_has_its_rows_and_means() {
     for key in ["mean_live_ms", "mean_replay_ms", "reduction_percent"] {
         assert!(table[key].is_number(), "{key}");
     }
+    // The third row: how much faster a replay is than the live turn.
+    let number = |of: &Value, key: &str| of[key].as_f64().expect("a number");
+    for run in runs {
+        let ratio = number(run, "live_ms") / number(run, "replay_ms");
+        assert!((number(run, "speed_ratio") - ratio).abs() < 1e-9);
+    }
+    let ratio = number(&table, "mean_live_ms") / number(&table, "mean_replay_ms");
+    assert!((number(&table, "speed_ratio") - ratio).abs() < 1e-9);
+    let printed = lab(&["table1", "--runs", "1", "--seconds", "1"]).stdout;
+    let printed = String::from_utf8(printed).expect("text");
+    assert!(printed.contains("ratio of speeds"), "{printed}");
+    assert!(
+        printed.contains("15.1 % saved, a ratio of 1.177"),
+        "{printed}"
+    );
+}
+
+#[test]
+fn both_readings_of_synchronisation_are_compared() {
+    let found = json(&["synchronisation", "--seconds", "4", "--json"]);
+    let rows = found["rows"].as_array().expect("rows");
+    assert_eq!(rows.len(), 12);
+    let figure = |turn: &str, reading: &str, name: &str| {
+        let row = rows
+            .iter()
+            .find(|r| r["turn"] == turn && r["reading"] == reading);
+        row.expect("a row")[name].as_f64().expect("a number")
+    };
+    let (columns, words) = ("preset: columns", "paper's words");
+    // Where the whole column is moved the two are one.
+    for name in ["max_edge_strain", "min_edge_strain", "from_classic"] {
+        let [a, b] = [columns, words].map(|reading| figure("whole column", reading, name));
+        assert!((a - b).abs() < 1e-3, "{name}: {a} {b}");
+    }
+    for turn in ["whole column", "column, foot first", "foot corner alone"] {
+        // Only the paper's words move what is fixed and held.
+        for reading in ["none", columns, "preset: 45°"] {
+            assert!(
+                figure(turn, reading, "from_spine") < 1e-6,
+                "{turn}, {reading}"
+            );
+            assert!(
+                figure(turn, reading, "from_hand") < 1e-5,
+                "{turn}, {reading}"
+            );
+        }
+    }
+    assert!(figure("whole column", words, "from_hand") < 1e-5);
+    for turn in ["column, foot first", "foot corner alone"] {
+        assert!(figure(turn, words, "from_spine") > 1e-4, "{turn}");
+        assert!(figure(turn, words, "from_hand") > 0.1, "{turn}");
+    }
+}
+
+#[test]
+fn the_figures_of_the_paper_have_their_counterparts() {
+    let folder = std::env::temp_dir().join(format!("lab-figures-{}", std::process::id()));
+    let out = folder.to_str().expect("a path of text");
+    let report = json(&[
+        "picture",
+        "--figures",
+        "--out",
+        out,
+        "--size",
+        "240",
+        "--json",
+    ]);
+    let files = report["files"].as_array().expect("files");
+    assert_eq!(files.len(), 5);
+    for (index, file) in files.iter().enumerate() {
+        let bytes = std::fs::read(file.as_str().expect("a path")).expect("a file");
+        let start: &[u8] = if index < 4 { b"\x89PNG" } else { b"<svg" };
+        assert!(bytes.starts_with(start), "{file}");
+        assert!(bytes.len() > 1500, "{file}");
+    }
+    let flow = std::fs::read_to_string(folder.join("figure-5.svg")).expect("text");
+    for step in ["36 masses and 158 springs", "Synchronise", "676 points"] {
+        assert!(flow.contains(step), "{step}");
+    }
+    std::fs::remove_dir_all(folder).expect("removed");
 }
 
 #[test]

@@ -186,10 +186,13 @@ fn spring(picture: &mut Pixmap, ends: &[[f32; 3]; 2], shear: bool, camera: &Came
     stroke(picture, ends, false, &solid(colour, 0.9), width, camera);
 }
 
-/// A red ball.
 fn mass(picture: &mut Pixmap, centre: [f32; 3], camera: &Camera) {
     let (x, y, depth) = camera.see(centre);
-    let radius = 0.021 * camera.pixels(depth);
+    ball(picture, (x, y), 0.021 * camera.pixels(depth));
+}
+
+/// A red ball, pixels.
+pub(super) fn ball(picture: &mut Pixmap, (x, y): (f32, f32), radius: f32) {
     let Some(ball) = PathBuilder::from_circle(x, y, radius) else {
         return;
     };
@@ -251,7 +254,7 @@ fn fill(picture: &mut Pixmap, points: &[[f32; 3]], paint: Paint, camera: &Camera
 }
 
 /// Strokes a line, `width` as part of the picture's width.
-fn stroke(
+pub(super) fn stroke(
     picture: &mut Pixmap,
     points: &[[f32; 3]],
     closed: bool,
@@ -270,7 +273,7 @@ fn stroke(
     }
 }
 
-fn solid<'a>(colour: [f32; 3], opacity: f32) -> Paint<'a> {
+pub(super) fn solid<'a>(colour: [f32; 3], opacity: f32) -> Paint<'a> {
     let [r, g, b] = colour.map(|value| value.clamp(0.0, 255.0) as u8);
     let mut paint = Paint {
         anti_alias: true,

@@ -1,15 +1,17 @@
 //! `lab picture`: a turn as PNG pictures, with masses, springs and the drawn
-//! mesh, after figures 6 and 7 of the paper.
+//! mesh, after figures 6 and 7 of the paper; with `--figures` the counterparts of
+//! its figures 1 to 5.
 
 mod camera;
 mod draw;
+mod figures;
 mod label;
 
 use std::path::PathBuf;
 
 use serde_json::json;
 use tiny_skia::{Pixmap, PixmapPaint, Transform};
-use turnleaf_engine::{Surface, TurnModel};
+use turnleaf_engine::{MassSpring, Surface, TurnModel};
 
 use crate::options::{self, Scene};
 use crate::simulate;
@@ -36,15 +38,20 @@ pub struct Moment {
 pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     let mut scene = Scene::default();
     let (mut out, mut frames, mut size) = (PathBuf::from("pictures"), 6usize, 960u32);
+    let mut of_paper = false;
     let json = options::read(parser, |option, parser| {
         match option {
             "out" => out = options::text(parser, option)?.into(),
             "frames" => frames = options::number(parser, option, 2, 600)?,
             "size" => size = options::number(parser, option, 120, 4096)?,
+            "figures" => of_paper = true,
             _ => return scene.take(option, parser),
         }
         Ok(true)
     })?;
+    if of_paper {
+        return figures::write(&out, size, json);
+    }
     let moments = moments(&scene, frames)?;
     let page = scene.settings().height / scene.settings().width;
     let camera = Camera::around(&moments, page, size);
@@ -85,10 +92,8 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
 /// Moments evenly over the gesture; the last one after all has settled.
 fn moments(scene: &Scene, count: usize) -> Result<Vec<Moment>, String> {
     let mut leaf = scene.leaf()?;
-    let scale = 1.0 / leaf.settings().width;
     let all = simulate::step_count(scene, &leaf);
     let gesture = f64::from(scene.seconds()) / f64::from(leaf.time_step());
-    let mut surface = Surface::new(2, 2);
     let mut moments = Vec::new();
     let mut steps = 0;
     for index in 0..count {
@@ -102,29 +107,36 @@ fn moments(scene: &Scene, count: usize) -> Result<Vec<Moment>, String> {
             leaf.step();
             steps += 1;
         }
-        leaf.write_surface(&mut surface);
-        surface.update_normals();
-        let (columns, rows) = leaf.grid_size();
-        let mut masses = vec![0.0; 3 * columns * rows];
-        let mut velocities = masses.clone();
-        leaf.read_nodes(&mut masses, &mut velocities);
-        let points = |flat: &[f32], scale: f32| {
-            let (points, _) = flat.as_chunks::<3>();
-            points
-                .iter()
-                .map(|point| point.map(|value| value * scale))
-                .collect()
-        };
-        moments.push(Moment {
-            time: leaf.time(),
-            grid: (columns, rows),
-            masses: points(&masses, scale),
-            mesh: (surface.columns, surface.rows),
-            points: points(&surface.positions, scale),
-            normals: points(&surface.normals, 1.0),
-        });
+        moments.push(moment(&mut leaf));
     }
     Ok(moments)
+}
+
+/// What is to be painted of a leaf as it is now.
+fn moment(leaf: &mut MassSpring) -> Moment {
+    let scale = 1.0 / leaf.settings().width;
+    let mut surface = Surface::new(2, 2);
+    leaf.write_surface(&mut surface);
+    surface.update_normals();
+    let (columns, rows) = leaf.grid_size();
+    let mut masses = vec![0.0; 3 * columns * rows];
+    let mut velocities = masses.clone();
+    leaf.read_nodes(&mut masses, &mut velocities);
+    let points = |flat: &[f32], scale: f32| {
+        let (points, _) = flat.as_chunks::<3>();
+        points
+            .iter()
+            .map(|point| point.map(|value| value * scale))
+            .collect()
+    };
+    Moment {
+        time: leaf.time(),
+        grid: (columns, rows),
+        masses: points(&masses, scale),
+        mesh: (surface.columns, surface.rows),
+        points: points(&surface.positions, scale),
+        normals: points(&surface.normals, 1.0),
+    }
 }
 
 /// All pictures on one, at half their size, three in a row.

@@ -128,8 +128,12 @@ impl SheetSettings {
                 return Err(InvalidSheet::Nodes { what, count });
             }
         }
-        if !CAN_SYNCHRONISE && self.synchronise != Synchronise::Off {
-            return Err(InvalidSheet::Synchronise);
+        // A sheet's spine holds its nodes for good, which the literal reading moves.
+        match self.synchronise {
+            Synchronise::Off => {}
+            Synchronise::Literal => return Err(InvalidSheet::Literal),
+            _ if !CAN_SYNCHRONISE => return Err(InvalidSheet::Synchronise),
+            _ => {}
         }
         let hinge = match self.root {
             Root::Hinged(stiffness) => stiffness,
@@ -187,6 +191,8 @@ pub enum InvalidSheet {
     },
     /// Synchronisation, which this engine was built without.
     Synchronise,
+    /// The literal reading of synchronisation, which moves the spine.
+    Literal,
 }
 
 impl core::fmt::Display for InvalidSheet {
@@ -204,6 +210,9 @@ impl core::fmt::Display for InvalidSheet {
             } => write!(
                 f,
                 "A sheet's {what} lies between {least} and {greatest}, not at {value}."
+            ),
+            InvalidSheet::Literal => f.write_str(
+                "A sheet is synchronised without its spine; the literal reading is for masses and springs.",
             ),
             InvalidSheet::Synchronise => f.write_str(
                 "Sheets are synchronised where the engine is built with its feature `synchronise`.",
