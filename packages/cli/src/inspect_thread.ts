@@ -18,7 +18,7 @@ function completeNode(): void {
   };
 }
 
-async function inspect(file: string): Promise<PdfFinding> {
+async function inspect(file: string): Promise<PdfFinding | null> {
   completeNode();
   // The worker's code first: pdf.js then reads in this thread instead of starting another.
   await import("pdfjs-dist/legacy/build/pdf.worker.mjs");
@@ -45,7 +45,12 @@ async function inspect(file: string): Promise<PdfFinding> {
     const title = metadata?.metadata?.get("dc:title") || info?.Title;
     return { title: typeof title === "string" ? title : "", pageCount: document.numPages };
   } catch (error) {
-    return { fault: error instanceof pdfjs.PasswordException ? "password" : "damaged" };
+    if (error instanceof pdfjs.PasswordException) return { fault: "password" };
+    const { details } = Object(error) as { details?: unknown };
+    const isDamaged =
+      error instanceof pdfjs.InvalidPDFException || /^FormatError/.test(`${details}`);
+    // What else fails may be this machine's: the reader in the browser looks again.
+    return isDamaged ? { fault: "damaged" } : null;
   } finally {
     closeSync(descriptor);
   }

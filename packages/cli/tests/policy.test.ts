@@ -4,6 +4,7 @@ import { type Browser, chromium } from "playwright-core";
 import type { TurnleafBook } from "turnleaf";
 import { afterAll, afterEach, beforeAll, describe, expect, test } from "vitest";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { jpeg2000, tinyPdf } from "../../turnleaf/src/sources/tiny_pdf.ts";
 import { pdf, png } from "./books.ts";
 import { serveViewer, type ViewerSite } from "./viewer_page.ts";
 
@@ -34,6 +35,7 @@ const enough = {
 const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 30"><rect width="20" height="30" fill="#00f"/></svg>`;
 const files: Record<string, Buffer | string> = {
   "/book.pdf": pdf(4),
+  "/jpeg2000.pdf": Buffer.from(tinyPdf(jpeg2000)),
   "/book.json": JSON.stringify({ pages: ["1.png", "2.png"] }),
   "/svg.json": JSON.stringify({ pages: ["1.svg", "2.png"] }),
   "/data.json": JSON.stringify({
@@ -112,6 +114,21 @@ test("script-src without 'wasm-unsafe-eval': books lie flat, which is said once"
   expect(said).toEqual([
     "turnleaf-book: books are shown on the flat, as this page's Content-Security-Policy lacks 'wasm-unsafe-eval' in script-src.",
   ]);
+});
+
+test.each([
+  ["with", "'self' 'nonce-map' 'wasm-unsafe-eval'", [200, 30, 30]],
+  ["without", "'self' 'nonce-map'", [255, 255, 255]],
+])("an image in JPEG 2000 %s 'wasm-unsafe-eval': its page is drawn", async (_, scripts, colour) => {
+  const { page } = await visit({ "script-src": scripts });
+  expect(await open(page, "/jpeg2000.pdf")).toBe("");
+  const middle = await page.evaluate(async () => {
+    const book = document.querySelector("turnleaf-book") as TurnleafBook;
+    const pen = new OffscreenCanvas(1, 1).getContext("2d") as OffscreenCanvasRenderingContext2D;
+    pen.drawImage(await book.drawPage(1, 40), -20, -30);
+    return [...pen.getImageData(0, 0, 1, 1).data.slice(0, 3)];
+  });
+  expect(middle).toEqual(colour);
 });
 
 describe("worker-src without blob:", () => {

@@ -14,8 +14,9 @@ import { Senses } from "./element/senses.ts";
 import { addStyle } from "./element/style.ts";
 import { wishOf } from "./element/wish.ts";
 import { style } from "./element.css.ts";
+import { nameAndMessage } from "./sources/failures.ts";
 import type { BookInput } from "./sources/open.ts";
-import type { PageSource } from "./sources/page_source.ts";
+import { BookError, type PageSource } from "./sources/page_source.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer.ts";
 import { elementTexts, fill, languageOf } from "./words/languages.ts";
 
@@ -461,8 +462,9 @@ export class TurnleafBook extends ReaderElement {
   }
 
   #fail(error: unknown): void {
+    const { notOpened } = elementTexts(languageOf(this));
     const message =
-      error instanceof Error ? error.message : elementTexts(languageOf(this)).notOpened;
+      error instanceof BookError ? error.message : `${notOpened} (${nameAndMessage(error)})`;
     this.#words?.say(message, "alert");
     this.#asked.failed();
     this.emit("error", { message });

@@ -362,7 +362,9 @@ describe("what fails", () => {
     expect(source.open).toEqual(["0:100"]);
     source.drawings.shift()?.fail(new Error("odd"));
     await settle();
-    expect(pool.failed(0)?.message).toContain("Page 1 of Fake could not be drawn");
+    expect(pool.failed(0)?.message).toBe(
+      "Page 1 of Fake could not be drawn (Error: odd); turn back to it to try again.",
+    );
     pool.want(at(300, 50));
     pool.want(at(300, 0));
     expect(source.open).toEqual(["0:100"]);

@@ -1,4 +1,5 @@
-import { BookError, type PagePicture, type PageSource } from "../sources/page_source.ts";
+import { unknownFailure } from "../sources/failures.ts";
+import type { BookError, PagePicture, PageSource } from "../sources/page_source.ts";
 import {
   type Bounds,
   dropOrder,
@@ -346,10 +347,8 @@ export class PagePool {
   }
 
   #asBookError(error: unknown, index: number): BookError {
-    if (error instanceof BookError) return error;
-    return new BookError(
-      `Page ${index + 1} of ${this.#source.title} could not be drawn; turn back to it to try again.`,
-    );
+    const what = `Page ${index + 1} of ${this.#source.title} could not be drawn`;
+    return unknownFailure(what, error, "turn back to it to try again");
   }
 
   #now(): number {

@@ -57,3 +57,17 @@ function write(objects: ReadonlyMap<number, string>): string {
 function latin1(text: string): Uint8Array<ArrayBuffer> {
   return Uint8Array.from(text, (letter) => letter.charCodeAt(0));
 }
+
+/** An image of 16 by 16 pixels, all of them 200, 30, 30. */
+const jp2 = atob(
+  "AAAADGpQICANCocKAAAAFGZ0eXBqcDIgAAAAAGpwMiAAAAAtanAyaAAAABZpaGRyAAAAEAAAABAAAwcHAAAAAAAPY29scgEAAAAAABAAAACtanAyY/9P/1EALwAAAAAAEAAAABAAAAAAAAAAAAAAABAAAAAQAAAAAAAAAAAAAwcBAQcBAQcBAf9SAAwAAAABAAQEBAAB/1wAEEBASEhQSEhQSEhQSEhQ/2QAJQABQ3JlYXRlZCBieSBPcGVuSlBFRyB2ZXJzaW9uIDIuNS40/5AACgAAAAAAKQAB/5PPtAgET8+0CAifz7QICJ+AgICAgICAgICAgID/2Q==",
+);
+
+/** A page that is one image in JPEG 2000, of the colour 200, 30, 30. */
+export const jpeg2000: TinyPdf = {
+  pages: ["200 0 0 300 0 0 cm /I Do"],
+  resources: "/XObject << /I 10 0 R >>",
+  objects: [
+    `<< /Type /XObject /Subtype /Image /Width 16 /Height 16 /Filter /JPXDecode /Length ${jp2.length} >>\nstream\n${jp2}\nendstream`,
+  ],
+};
