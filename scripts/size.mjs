@@ -9,7 +9,7 @@
  * out is what is loaded only for a source of pages: a file that is imported
  * later and comes whole from src/sources or another package.
  */
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
@@ -57,6 +57,8 @@ const dist = join(import.meta.dirname, "../packages/turnleaf/dist");
 
 /** Whether a built file holds page sources and nothing of the viewer's. */
 function isPageSource(name) {
+  // What comes whole from another package has no map.
+  if (!existsSync(join(dist, `${name}.map`))) return true;
   const map = JSON.parse(readFileSync(join(dist, `${name}.map`), "utf8"));
   return map.sources.every(
     (source) => source.includes("/src/sources/") || !source.includes("/src/"),

@@ -1,6 +1,7 @@
 import { defineConfig } from "tsdown";
 import { packedFiles } from "./packed_files.js";
 import { shortTexts } from "./short_texts.js";
+import { slimMaps } from "./slim_maps.js";
 import { turnInline } from "./turn_inline.js";
 import { wasmInline } from "./wasm_inline.js";
 
@@ -17,7 +18,7 @@ const common = {
 const viewer = defineConfig({
   ...common,
   entry: ["src/index.ts"],
-  plugins: [wasmInline(), turnInline(), packedFiles(), shortTexts()],
+  plugins: [wasmInline(), turnInline(), packedFiles(), shortTexts(), slimMaps()],
   copy: [
     { from: "../../node_modules/image-size/LICENSE", to: "dist", rename: "license-image-size.txt" },
   ],
@@ -37,7 +38,7 @@ const models = defineConfig({
   ...common,
   entry: { models: "src/models/models.ts" },
   clean: false,
-  plugins: [wasmInline()],
+  plugins: [wasmInline(), slimMaps()],
 });
 
 /** Another: a player of recorded turns needs neither the viewer nor the engine. */

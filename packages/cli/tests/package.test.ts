@@ -16,8 +16,49 @@ test("the built package is imported on a server, where it does nothing", async (
   expect([stdout.trim(), stderr]).toEqual(["function undefined", ""]);
 });
 
-test("the public types need none of another package", () => {
-  const types = readFileSync(new URL("../../turnleaf/dist/index.d.ts", import.meta.url), "utf8");
-  expect(types).toContain("declare class TurnleafBook");
+test.each([
+  ["index", "declare class TurnleafBook"],
+  ["models", "declare class"],
+  ["keyframes", "declare"],
+  ["leaf-stage", "declare class LeafStage"],
+])("the public types of %s need none of another package", (name, declared) => {
+  const types = readFileSync(new URL(`../../turnleaf/dist/${name}.d.ts`, import.meta.url), "utf8");
+  expect(types).toContain(declared);
   expect(types.match(/from "[^"]+"|import\("[^"]+"\)/g)).toBeNull();
+});
+
+const rootFile = (path: string): string =>
+  readFileSync(new URL(`../../../${path}`, import.meta.url), "utf8");
+
+test.each(["turnleaf", "cli"])("what npm packs of packages/%s", async (folder) => {
+  const about = JSON.parse(rootFile(`packages/${folder}/package.json`));
+  expect(about).toMatchObject({ license: "MIT", author: "The Turnleaf authors" });
+  expect(about.keywords.length).toBeGreaterThan(4);
+  // Written by scripts/set_repository.mjs alone, once there is one.
+  expect(about.repository?.url).toBe(JSON.parse(rootFile("package.json")).repository?.url);
+  const [, oldest] = /Node (\d+\.\d+) or later/.exec(rootFile("README.md")) ?? [];
+  expect(about.engines.node).toBe(`>=${oldest}`);
+  expect(rootFile(`packages/${folder}/LICENSE`)).toBe(rootFile("LICENSE"));
+
+  const { stdout } = await promisify(execFile)(
+    "npm",
+    ["pack", "--dry-run", "--json", "--ignore-scripts"],
+    { cwd: fileURLToPath(new URL(`../../${folder}`, import.meta.url)) },
+  );
+  const [{ files }] = JSON.parse(stdout) as [{ files: { path: string; size: number }[] }];
+  const paths = files.map(({ path }) => path);
+  for (const path of ["LICENSE", "README.md", "package.json"]) expect(paths).toContain(path);
+  expect(
+    paths.filter((path) => !/^(dist\/|LICENSE$|README\.md$|package\.json$)/.test(path)),
+  ).toEqual([]);
+  const sizeOf = (ofWhat: RegExp): number =>
+    files.reduce((sum, { path, size }) => sum + (ofWhat.test(path) ? size : 0), 0);
+  expect(sizeOf(/\.map$/)).toBeLessThan(sizeOf(/./) / 3);
+  for (const path of paths.filter((path) => path.endsWith(".map"))) {
+    const { sources, sourcesContent } = JSON.parse(rootFile(`packages/${folder}/${path}`));
+    expect(sources.every((source: string) => source.includes("/node_modules/"))).toBe(false);
+    for (const [k, source] of sources.entries()) {
+      if (/node_modules|\.wasm$/.test(source)) expect(sourcesContent[k]).toBeNull();
+    }
+  }
 });

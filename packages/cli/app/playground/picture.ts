@@ -1,5 +1,6 @@
 /** One of the two pictures: a leaf on its canvas, with what is shown of it. */
 
+import type { Scene } from "three";
 import { type LeafPictures, LeafStage } from "turnleaf/leaf-stage";
 import { Overlay } from "./overlay.ts";
 import type { AnyLeaf } from "./replay_leaf.ts";
@@ -26,7 +27,7 @@ export class Picture {
     this.canvas = canvas;
     this.stage = new LeafStage(canvas, leafSize, redraw);
     this.stage.print(pages);
-    this.#overlay = new Overlay(this.stage.scene);
+    this.#overlay = new Overlay(this.stage.scene as Scene);
   }
 
   /** Follows the canvas's box. */

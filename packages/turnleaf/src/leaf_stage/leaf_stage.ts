@@ -7,7 +7,7 @@
  * z up from the pages.
  */
 
-import type { Scene, Texture } from "three";
+import type { Texture } from "three";
 import { LeafScene } from "../draw/leaf_scene.ts";
 import type { Ray, Vec3 } from "../engine/shapes.ts";
 import { pickSurface } from "../hand/pick.ts";
@@ -47,6 +47,18 @@ export type LeafPictures = Readonly<
   Record<"recto" | "verso" | "left" | "right", PagePicture | null>
 >;
 
+/** A `Scene` of three.js, by what is used of it: whoever has no types of three.js needs none. */
+export interface SceneOfThree {
+  readonly isScene: boolean;
+  add(...objects: object[]): unknown;
+  remove(...objects: object[]): unknown;
+}
+
+/** A `Texture` of three.js, likewise. */
+export interface TextureOfThree {
+  readonly isTexture: boolean;
+}
+
 /** One leaf on one canvas. */
 export class LeafStage {
   readonly #size: LeafSize;
@@ -67,7 +79,7 @@ export class LeafStage {
   }
 
   /** What is drawn; whatever is added to it is drawn too, and is for whoever added it to dispose of. */
-  get scene(): Scene {
+  get scene(): SceneOfThree {
     return this.#scene.scene;
   }
 
@@ -84,8 +96,8 @@ export class LeafStage {
   }
 
   /** Shows textures on the leaf's recto and verso in place of its pictures; null shows those again. */
-  cover(textures: Readonly<Record<"recto" | "verso", Texture>> | null): void {
-    this.#scene.cover(textures);
+  cover(textures: Readonly<Record<"recto" | "verso", TextureOfThree>> | null): void {
+    this.#scene.cover(textures as Readonly<Record<"recto" | "verso", Texture>> | null);
   }
 
   /** Where the leaf is from the next frame on. Its arrays are read in every frame until then. */
