@@ -1,5 +1,7 @@
 /** The built viewer in a Chromium from which everything is deleted that the oldest supported browsers lack. */
 
+import { readdirSync, readFileSync } from "node:fs";
+import { parse } from "acorn";
 import { type Browser, chromium } from "playwright-core";
 import type { TurnleafBook } from "turnleaf";
 import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
@@ -117,6 +119,22 @@ test.each(engines)(
     expect(complaints).toEqual([]);
   },
 );
+
+const built = new URL("../../turnleaf/dist/", import.meta.url);
+const modules = new URL("../../../node_modules/", import.meta.url);
+
+test.each([
+  ...readdirSync(built)
+    .filter((name) => name.endsWith(".js"))
+    .map((name) => new URL(name, built)),
+  // These travel packed in files of the above.
+  new URL("pdfjs-dist/legacy/build/pdf.worker.min.mjs", modules),
+  new URL("pdfjs-dist/legacy/build/pdf.renderer.min.mjs", modules),
+  new URL("three/build/three.module.js", modules),
+  new URL("three/build/three.core.js", modules),
+])("%s has no syntax newer than ES2022, which all of them read", (file) => {
+  parse(readFileSync(file, "utf8"), { ecmaVersion: 2022, sourceType: "module" });
+});
 
 test.each([
   ["Promise.try", "as zone.js takes it away"],
