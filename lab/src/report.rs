@@ -83,12 +83,21 @@ pub fn table(rows: &[Vec<String>], markdown: bool) -> String {
     text
 }
 
+/// Bytes of a page of Markdown that is written into.
+const LONGEST_PAGE: u64 = 16 << 20;
+
 /// Puts text into a file between the lines `<!-- NAME -->` and `<!-- /NAME -->`.
 ///
 /// # Errors
-/// Where the file cannot be read or written, or has no such lines.
+/// Where the file is not a regular one, is larger than 16 MB, cannot be read or
+/// written, or has no such lines.
 pub fn insert(path: &Path, name: &str, text: &str) -> Result<(), String> {
     let fail = |what: &str| Err(format!("{} {what}.", path.display()));
+    match std::fs::metadata(path) {
+        Ok(found) if !found.is_file() => return fail("is not a regular file"),
+        Ok(found) if found.len() > LONGEST_PAGE => return fail("is larger than 16 MB"),
+        _ => {}
+    }
     let Ok(all) = std::fs::read_to_string(path) else {
         return fail("cannot be read");
     };
@@ -124,5 +133,14 @@ mod tests {
                 .ends_with('.')
         );
         std::fs::remove_file(&path).expect("removed");
+    }
+
+    #[test]
+    fn what_never_ends_is_not_read() {
+        let folder = std::env::temp_dir();
+        for path in [Path::new("/dev/zero"), &folder] {
+            let sentence = insert(path, "x", "new").expect_err("no page");
+            assert!(sentence.ends_with('.'), "{sentence}");
+        }
     }
 }

@@ -220,3 +220,22 @@ test.for([
     expect(await element.next()).toBe(true);
   },
 );
+
+test("no more than four of them are fetched at the same time, and none after one has failed", async () => {
+  let [now, most, asked] = [0, 0, 0];
+  serve(async (number) => {
+    now++;
+    asked++;
+    most = Math.max(most, now);
+    const picture = await photograph(number % 5, 20, 16);
+    now--;
+    return number === 45 ? null : picture;
+  });
+  const model = await PhotographsModel.open("/photographs/{0-39}.png", unaborted);
+  expect([asked, most]).toEqual([40, 4]);
+  model.close();
+  asked = 0;
+  const failing = PhotographsModel.open("/photographs/{40-119}.png", unaborted);
+  await expect(failing).rejects.toThrow("was not found");
+  expect(asked).toBeLessThan(14);
+});

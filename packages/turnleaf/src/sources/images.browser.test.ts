@@ -1,4 +1,5 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
+import { limits } from "./limits.ts";
 import { messageOf } from "./message_of.ts";
 import { openSource } from "./open.ts";
 import { tinyPdf } from "./tiny_pdf.ts";
@@ -365,6 +366,42 @@ describe("what cannot be read is told in one sentence", () => {
       /^Page 1 of This book is damaged or no/,
     );
     expect((await source.draw(1, 9, never)).width).toBe(9);
+  });
+  it("a manifest and an image that never end", async () => {
+    const endless = (start: string) => () => {
+      const parts = [new TextEncoder().encode(start)];
+      const pull = (stream: ReadableStreamDefaultController) =>
+        stream.enqueue(parts.shift() ?? new Uint8Array(100_000).fill(32));
+      return new Response(new ReadableStream({ pull }));
+    };
+    expect(await fails(endless('{"pages": ['))).toBe(
+      "a book.json is larger than 7 MB; make it smaller and open it again.",
+    );
+    const { imageBytes } = limits;
+    const bounds = limits as { imageBytes: number };
+    bounds.imageBytes = 3 << 20;
+    try {
+      serve(endless("\x89PNG"));
+      const source = await openSource(["https://a.example/scans/003.png"]);
+      expect(await messageOf(source.draw(0, 9, never))).toBe(
+        "Page 1 of This book (003.png) is larger than 3 MB; make it smaller and open it again.",
+      );
+    } finally {
+      bounds.imageBytes = imageBytes;
+    }
+  });
+  it("an image of more pixels than can be shown, by its header alone", async () => {
+    const head = new DataView(new ArrayBuffer(33));
+    head.setBigUint64(0, 0x89504e470d0a1a0an);
+    head.setUint32(8, 13);
+    head.setUint32(12, 0x49484452);
+    head.setUint32(16, 20_000);
+    head.setUint32(20, 20_000);
+    head.setUint32(24, 0x08020000);
+    const source = await openSource([new File([head], "huge.png")]);
+    expect(await messageOf(source.draw(0, 9, never))).toMatch(
+      /has 20000 x 20000 pixels, more than can be shown; make it smaller\.$/,
+    );
   });
   it("a page that is not there", async () => {
     serve(() => new Response("", { status: 404 }));

@@ -12,6 +12,9 @@ import { shareTurned } from "./sheet.ts";
 const mostPixels = 32e6;
 const mostWidth = 2048;
 
+/** Photographs that are fetched and decoded at the same time: each may be large before it is drawn smaller. */
+const atOnce = 4;
+
 /** Ratios of pictures that differ by less are those of one size, but for whole pixels. */
 const sameRatio = 0.02;
 
@@ -93,13 +96,25 @@ async function decoded(addresses: readonly string[], signal: AbortSignal): Promi
     const size = await source.size(0, signal);
     const ratio = size.height / size.width;
     const width = Math.min(mostWidth, Math.sqrt(mostPixels / (addresses.length * ratio)));
-    const drawing = addresses.map(async (_, index) => {
-      pictures[index] = (await source.draw(index, width, signal)) as ImageBitmap;
-      if (Math.abs(pictures[index].height / pictures[index].width / ratio - 1) < sameRatio) return;
-      throw new BookError("The photographs of a turn must all be of one size.");
-    });
+    let hasFailed = false;
+    const indices = addresses.keys();
+    const drawInTurn = async (): Promise<void> => {
+      for (const index of indices) {
+        if (hasFailed) return;
+        try {
+          const picture = (await source.draw(index, width, signal)) as ImageBitmap;
+          pictures[index] = picture;
+          if (Math.abs(picture.height / picture.width / ratio - 1) < sameRatio) continue;
+          throw new BookError("The photographs of a turn must all be of one size.");
+        } catch (error) {
+          hasFailed = true;
+          throw error;
+        }
+      }
+    };
     // All have ended before what came of them is thrown away.
-    const failed = (await Promise.allSettled(drawing)).find(({ status }) => status === "rejected");
+    const drawn = await Promise.allSettled(Array.from({ length: atOnce }, drawInTurn));
+    const failed = drawn.find(({ status }) => status === "rejected");
     if (failed) throw (failed as PromiseRejectedResult).reason;
     return pictures;
   } catch (error) {
