@@ -133,6 +133,9 @@ pub struct Leaf {
     haste: f32,
     /// Ticks since it was let go.
     fallen: u32,
+    /// Whether a hand of its own has turned it over since it was last sent elsewhere, as
+    /// it lay on the other side.
+    turned_over: bool,
     /// Whether the limit on its fall, and not its own motion, brought it to rest.
     put_down: bool,
     /// Share of the half turn done and its rate of change, 1/s.
@@ -186,6 +189,7 @@ impl Leaf {
             settling: None,
             haste: 1.0,
             fallen: 0,
+            turned_over: false,
             put_down: false,
             share: 0.0,
             share_rate: 0.0,
@@ -206,7 +210,7 @@ impl Leaf {
         self.hands = [None; HANDS];
         self.course = None;
         self.settling = None;
-        self.put_down = false;
+        (self.turned_over, self.put_down) = (false, false);
         let left = side == Side::Left;
         self.share = if left { 1.0 } else { 0.0 };
         self.clamp = if left { core::f32::consts::PI } else { 0.0 };

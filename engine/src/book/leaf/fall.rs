@@ -14,6 +14,17 @@ const SLOW: f32 = 0.35;
 const SETTLE_SECONDS: f32 = 0.15;
 const LONGEST_FALL: u32 = 300;
 
+/// A leaf wider than this (metres) is near to rest at a distance in proportion: what is
+/// small beside it.
+const WIDE: f32 = 0.21;
+
+/// A leaf that has fallen for so many ticks, and has more than this part of the half turn
+/// to go, and less than this rate of it (1/s), lies there: what helps it over is weaker
+/// than its weight.
+const LYING_TICKS: u32 = 24;
+const LYING_TO_GO: f32 = 0.6;
+const LYING_RATE: f32 = 0.2;
+
 impl Leaf {
     /// Lets the leaf fall to a side.
     pub(super) fn fall(&mut self, to: Side, haste: f32) {
@@ -25,6 +36,9 @@ impl Leaf {
         if self.phase != Phase::Falling(to) {
             self.settling = None;
             self.fallen = 0;
+            if self.phase != Phase::Playing(to) {
+                self.turned_over = false;
+            }
         }
         self.haste = haste;
         self.phase = Phase::Falling(to);
@@ -38,16 +52,37 @@ impl Leaf {
         self.settling = None;
         let side = if self.assist { side } else { self.side_ahead() };
         self.phase = Phase::Falling(side);
+        if self.lies_across_from(side) {
+            self.turned_over = true;
+            self.turn(side, self.haste);
+            self.step_playing(side);
+            return;
+        }
         self.help_over(side);
         self.step_sheet();
         self.fallen += 1;
-        let landed = self.height_over_rest(side) < NEAR && self.sheet.greatest_speed() < SLOW;
+        let near = NEAR * (self.sheet.settings().width as f32 / WIDE).max(1.0);
+        let landed = self.height_over_rest(side) < near && self.sheet.greatest_speed() < SLOW;
         if supported && (landed || self.fallen > LONGEST_FALL) {
             self.landed.copy_from_slice(self.sheet.positions());
             self.settling = Some(0.0);
             self.put_down = !landed;
             self.sheet.loads_mut().fill(0.0);
         }
+    }
+
+    /// Whether it lies on the other side than it is bound for, and no hand of its own has
+    /// tried to turn it over yet.
+    fn lies_across_from(&self, side: Side) -> bool {
+        let to_go = match side {
+            Side::Left => 1.0 - self.share,
+            Side::Right => self.share,
+        };
+        self.assist
+            && !self.turned_over
+            && self.fallen >= LYING_TICKS
+            && to_go > LYING_TO_GO
+            && self.share_rate.abs() < LYING_RATE
     }
 
     /// Pushes the leaf round the spine toward a side, most at the fore-edge and

@@ -70,6 +70,18 @@ impl Leaf {
         }
     }
 
+    /// Has a hand of its own turn the leaf to a side from where it is.
+    pub(super) fn turn(&mut self, to: Side, haste: f32) {
+        let rate = haste / (LED * UNHURRIED);
+        let rate = if to == Side::Left { rate } else { -rate };
+        // Where a hand is at this share of its way: of a smoothstep, near enough.
+        let time = self.share.clamp(0.0, 1.0);
+        self.drop_course();
+        self.sheet.grab(TURNER, PLACE[0], PLACE[1]);
+        self.course = Some(Course { time, rate });
+        self.phase = Phase::Playing(to);
+    }
+
     pub(super) fn drop_course(&mut self) {
         self.course = None;
         self.sheet.release(TURNER);

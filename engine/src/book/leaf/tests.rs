@@ -330,3 +330,38 @@ fn a_stiffer_stock_bows_less_and_wind_carries_a_leaf_over() {
         ..paper
     }));
 }
+
+/// Sent back before it had come to rest, a leaf lay on its side until it was put down
+/// through the spine: what helps a leaf over is weaker than its weight.
+#[test]
+fn a_leaf_that_is_sent_back_while_it_lands_is_turned_and_not_put_down() {
+    for stock in Stock::NAMES {
+        let mut book = book();
+        book.set_paper(&Paper {
+            stock: Stock::named(stock).unwrap(),
+            ..Paper::default()
+        });
+        let id = book.lift(Side::Right, 40, 41).unwrap();
+        book.play(id, Side::Left, 0.8);
+        while book.phase(id) != Some(Phase::Falling(Side::Left)) || leaf(&book).share < 0.98 {
+            book.step(1);
+        }
+        book.play(id, Side::Right, 0.8);
+        let mut ticks = 0;
+        let mut highest = 0.0f32;
+        while book.phase(id).is_some() && ticks < 400 {
+            book.step(1);
+            book.update();
+            if let Some(surface) = book.surface(0) {
+                let heights = surface.positions.chunks_exact(3).map(|p| p[2]);
+                highest = heights.fold(highest, f32::max);
+            }
+            ticks += 1;
+        }
+        assert_eq!(book.landed(), [1, 0], "{stock}");
+        assert_eq!(book.read(), 40, "{stock}");
+        // It is lifted over the spine, and not drawn through it.
+        assert!(highest > 0.09, "{stock}: {highest} m high");
+        assert!(ticks < 240, "{stock}: {ticks} ticks");
+    }
+}
