@@ -16,6 +16,14 @@ const isOfWebgl = /WebGL|\bGL_|texSubImage|texStorage|THREE\./;
 const isHarmless = /CONTEXT_LOST_WEBGL|Context (Lost|Restored)|GPU stall due to ReadPixels/;
 
 /**
+ * Whether WebGL complains in a text of the console. Chromium tells of it by warnings, which others write too.
+ * @param {string} text
+ */
+export function isWebglComplaint(text) {
+  return isOfWebgl.test(text) && !isHarmless.test(text);
+}
+
+/**
  * Commands of the browser tests.
  * @type {Record<string, (context: import("vitest/node").BrowserCommandContext) => Promise<string[]>>}
  */
@@ -28,7 +36,7 @@ export const consoleCommands = {
     if (before === undefined) {
       page.on("console", (message) => {
         const text = message.text();
-        if (isOfWebgl.test(text) && !isHarmless.test(text)) complaints.get(page)?.push(text);
+        if (isWebglComplaint(text)) complaints.get(page)?.push(text);
       });
     }
     return before ?? [];

@@ -5,6 +5,7 @@ import type { TurnleafBook } from "turnleaf";
 import { afterAll, afterEach, beforeAll, expect, it } from "vitest";
 import { serve } from "../../../examples/serve.mjs";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { isWebglComplaint } from "../../../scripts/console_watch.mjs";
 
 /** Machines that draw in software are slow; whoever is quick does not wait for it. */
 const patience = { timeout: 40_000 };
@@ -40,7 +41,8 @@ async function open(name: string, { width = 400, height = 280 } = {}) {
   page = await browser.newPage({ viewport: { width, height }, reducedMotion: "reduce" });
   page.on("pageerror", (error) => complaints.push(error.message));
   page.on("console", (message) => {
-    if (message.type() === "error") complaints.push(message.text());
+    const text = message.text();
+    if (message.type() === "error" || isWebglComplaint(text)) complaints.push(text);
   });
   const answer = await page.goto(`${site.url}${name}.html`);
   const policy = answer?.headers()["content-security-policy"] ?? "";

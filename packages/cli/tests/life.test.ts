@@ -4,6 +4,7 @@ import { type Browser, chromium, type Page } from "playwright-core";
 import type { TurnleafBook } from "turnleaf";
 import { afterAll, afterEach, beforeAll, describe, expect, test } from "vitest";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { isWebglComplaint } from "../../../scripts/console_watch.mjs";
 import { pdf, png } from "./books.ts";
 import { countHoldings, holdingsOf, serveViewer, type ViewerSite } from "./viewer_page.ts";
 
@@ -48,7 +49,8 @@ async function open(
   const complaints: string[] = [];
   page.on("pageerror", (error) => complaints.push(error.message));
   page.on("console", (message) => {
-    if (message.type() === "error") complaints.push(message.text());
+    const text = message.text();
+    if (message.type() === "error" || isWebglComplaint(text)) complaints.push(text);
   });
   await page.addInitScript(countHoldings);
   if (options.flat) {

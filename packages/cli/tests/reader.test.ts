@@ -4,6 +4,7 @@ import { type Browser, chromium, type Page } from "playwright-core";
 import type { TurnleafBook } from "turnleaf";
 import { afterAll, beforeAll, expect, it } from "vitest";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { isWebglComplaint } from "../../../scripts/console_watch.mjs";
 import { pdf, png } from "./books.ts";
 import { folderOf, type Started, start } from "./command.ts";
 
@@ -34,7 +35,8 @@ beforeAll(async () => {
   page = await browser.newPage({ viewport: { width: 480, height: 360 }, reducedMotion: "reduce" });
   page.on("pageerror", (error) => complaints.push(error.message));
   page.on("console", (message) => {
-    if (message.type() === "error") complaints.push(message.text());
+    const text = message.text();
+    if (message.type() === "error" || isWebglComplaint(text)) complaints.push(text);
   });
 });
 afterAll(async () => {

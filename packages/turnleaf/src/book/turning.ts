@@ -243,7 +243,7 @@ export class Turning {
     this.#follow();
   }
 
-  /** Steps by whole ticks; answers whether anything still moves or waits. */
+  /** Steps by whole ticks. Returns whether anything still moves or waits. */
   step(ticks: number): boolean {
     const { tick } = this.#engine;
     let left = ticks;
