@@ -28,6 +28,10 @@ ${dark(':host([theme="dark"])')}
 .frame:focus-visible { outline: 2px solid var(--turnleaf-accent); outline-offset: -2px; }
 :host([hidden]) { display: none; }
 .frame { position: absolute; inset: 0; container: turnleaf / inline-size; }
+.room {
+  width: 20rem; padding-top: min(100% / var(--ratio, 1.2), 90vh); visibility: hidden; pointer-events: none;
+}
+:host([controls]) .room { padding-bottom: 100px; }
 [part="stage"] { position: absolute; inset: 0; overflow: hidden; color-scheme: light; }
 :host([controls]) [part="stage"] { inset-block: 48px 52px; }
 [part="canvas"] { position: absolute; inset: 0; width: 100%; height: 100%; display: block; }

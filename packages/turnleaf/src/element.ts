@@ -33,6 +33,8 @@ export class TurnleafBook extends ReaderElement {
 
   /** Holds the book's stage and the controls about it. */
   readonly #frame = document.createElement("div");
+  /** Gives the element its size where the page gives it none. */
+  readonly #room = document.createElement("div");
   /** What the book lies on: the element without its controls. */
   readonly #stage = document.createElement("div");
   readonly #life = new Life(this, this.#stage, {
@@ -357,7 +359,8 @@ export class TurnleafBook extends ReaderElement {
       this.#frame.tabIndex = 0;
       this.#frame.setAttribute("role", "group");
       this.#frame.append(this.#stage);
-      root.append(this.#frame);
+      this.#room.className = "room";
+      root.append(this.#room, this.#frame);
       this.#words = new Announcements(this.#stage);
     }
     const root = this.shadowRoot as ShadowRoot;
@@ -369,7 +372,8 @@ export class TurnleafBook extends ReaderElement {
     if (!this.#connected) return;
     this.#senses.close();
     const input = this.#input ?? this.src;
-    this.#words?.say(input === "" ? "" : elementTexts(languageOf(this)).opening);
+    const { missing, opening } = elementTexts(languageOf(this));
+    this.#words?.say(input === "" ? missing : opening);
     if (input === "") this.#life.close();
     else this.#life.open(input);
   }
@@ -408,6 +412,7 @@ export class TurnleafBook extends ReaderElement {
     this.#left = null;
     this.#reported = null;
     this.#words?.say("");
+    this.#room.style.setProperty("--ratio", String(viewer.placeRatio));
     this.#describe();
     this.emit("load", { pageCount: source.pageCount, title: source.title });
   }
@@ -447,6 +452,7 @@ export class TurnleafBook extends ReaderElement {
   #laidOut(): void {
     const binding = this.#viewer?.binding;
     if (binding === undefined) return;
+    this.#room.style.setProperty("--ratio", String(this.#viewer?.placeRatio));
     this.#describe();
     this.emit("layoutchange", { layout: binding.layout, binding: binding.edge });
   }

@@ -39,6 +39,9 @@ import type { ModelChoice } from "./wear/model_choice.ts";
 export type { Zoom } from "./draw/zoom.ts";
 export type { Craft, ViewerOptions } from "./view/options.ts";
 
+/** How much of the width of its place, as high as its leaves need, an open book takes. */
+const fullness = 0.9;
+
 /** One book on one canvas. */
 export class Viewer {
   /** How the reader moves its leaves. */
@@ -154,6 +157,13 @@ export class Viewer {
   /** How the book is bound now. Another once `rebind` has done its work. */
   get binding(): Binding {
     return this.#bound.binding;
+  }
+
+  /** Width over height of a place that two pages fill with the room that their leaves need. */
+  get placeRatio(): number {
+    const { width, height, rolled } = this.#bound.shape;
+    const pages = rolled ? height / (2 * width) : (2 * width) / height;
+    return fullness * pages;
   }
 
   /** Where the book lies open and how it gets elsewhere; another with every binding. */

@@ -337,6 +337,7 @@ test("it speaks Chinese, and what it is taught", async () => {
     pagesOpen: "",
     back: "",
     notOpened: "",
+    missing: "",
     pageNamed: "",
     slowPage: "",
   });

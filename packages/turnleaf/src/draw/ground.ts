@@ -1,6 +1,6 @@
 /** The table: nothing but the book's soft shadow over whatever the canvas lies on. */
 
-import { Mesh, NoBlending, PlaneGeometry, ShaderMaterial } from "three";
+import { Mesh, NoBlending, PlaneGeometry, ShaderMaterial, Vector2 } from "three";
 
 const vertexShader = /* glsl */ `
 varying vec2 vPlace;
@@ -16,6 +16,7 @@ uniform vec4 box;
 uniform float high;
 uniform vec4 raised;
 uniform float raisedHigh;
+uniform vec2 canvas;
 varying vec2 vPlace;
 
 // Abramowitz and Stegun 7.1.27, absolute error below 5e-4.
@@ -42,7 +43,9 @@ void main() {
   vec2 under = vec2(0.575, -0.5) * raisedHigh;
   lit *= 1.0 - 0.26 * smoothstep(0.0, 0.02, raisedHigh)
              * soft(raised, under, 0.004 + 0.35 * raisedHigh);
-  float shade = 1.0 - lit;
+  // Where the canvas ends there is no shadow left to be cut off.
+  vec2 fromEdge = min(gl_FragCoord.xy, canvas - gl_FragCoord.xy) / min(canvas.x, canvas.y);
+  float shade = (1.0 - lit) * smoothstep(0.0, 0.06, min(fromEdge.x, fromEdge.y));
   float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   shade = clamp(shade + (noise - 0.5) / 255.0, 0.0, 1.0);
   if (shade < 0.002) discard;
@@ -55,6 +58,7 @@ export class Ground {
   readonly mesh: Mesh<PlaneGeometry, ShaderMaterial>;
   readonly #box = [0, 0, 0, 0];
   readonly #raised = [0, 0, 0, 0];
+  readonly #canvas = new Vector2(1, 1);
 
   /** @param z of the table, metres */
   constructor(z: number, size: number) {
@@ -66,6 +70,7 @@ export class Ground {
         high: { value: 0 },
         raised: { value: this.#raised },
         raisedHigh: { value: 0 },
+        canvas: { value: this.#canvas },
       },
       depthWrite: false,
       blending: NoBlending,
@@ -73,6 +78,7 @@ export class Ground {
     this.mesh = new Mesh(new PlaneGeometry(size, size), material);
     this.mesh.position.z = z;
     this.mesh.frustumCulled = false;
+    this.mesh.onBeforeRender = (renderer) => void renderer.getDrawingBufferSize(this.#canvas);
     // Before the book, which is drawn over it.
     this.mesh.renderOrder = -1;
   }

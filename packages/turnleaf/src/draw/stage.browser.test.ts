@@ -137,6 +137,44 @@ test("a line of sight meets the place that it is seen at", () => {
   }
 });
 
+test("beyond the spine of a page that stands alone nothing is cut off at the canvas's edge", () => {
+  for (const alone of [1, -1] as const) {
+    const canvas = document.createElement("canvas");
+    const stage = newStage(canvas, { alone });
+    stage.resize(400, 120, 1);
+    stage.pose(open);
+    // As far from the spine as there is room in the canvas.
+    expect(colourAt(stage, canvas, -0.08 * alone)[3]).toBe(0);
+    const half = colourAt(stage, canvas, -0.02 * alone)[3];
+    expect(half).toBeGreaterThan(60);
+    expect(half).toBeLessThan(250);
+    expect(colourAt(stage, canvas, 0.002 * alone)).toEqual([0xfb, 0xf5, 0xe8, 255]);
+    expect(colourAt(stage, canvas, 0.07 * alone)).toEqual([0xfb, 0xf5, 0xe8, 255]);
+  }
+});
+
+test("the shadow on the table ends before the canvas does", () => {
+  const canvas = document.createElement("canvas");
+  const stage = newStage(canvas, { thickness: 0.02, cover: "hard", rim: 0.0032 });
+  stage.pose(open);
+  stage.draw();
+  const copy = document.createElement("canvas");
+  [copy.width, copy.height] = [canvas.width, canvas.height];
+  const pen = copy.getContext("2d")!;
+  pen.drawImage(canvas, 0, 0);
+  const { data } = pen.getImageData(0, 0, copy.width, copy.height);
+  const alpha = (x: number, y: number) => data[4 * (y * copy.width + x) + 3];
+  let shaded = 0;
+  for (let x = 0; x < copy.width; x++) {
+    for (const y of [0, copy.height - 1]) expect(alpha(x, y)).toBeLessThan(6);
+    for (let y = 0; y < copy.height; y++) if (alpha(x, y) > 20 && alpha(x, y) < 200) shaded++;
+  }
+  for (let y = 0; y < copy.height; y++) {
+    for (const x of [0, copy.width - 1]) expect(alpha(x, y)).toBeLessThan(6);
+  }
+  expect(shaded).toBeGreaterThan(100);
+});
+
 test("at rest the canvas has two device pixels for each CSS pixel at least", () => {
   const canvas = document.createElement("canvas");
   const stage = newStage(canvas);

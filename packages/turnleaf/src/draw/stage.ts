@@ -15,6 +15,7 @@ import {
 import type { Face } from "../book/faces.ts";
 import type { Ray, Vec3 } from "../engine/shapes.ts";
 import type { PageBox, PagePicture } from "../sources/page_source.ts";
+import { BeyondSpine } from "./beyond_spine.ts";
 import { fieldOfView, frameBook, sightOf } from "./camera.ts";
 import { ContextWatch, openContext } from "./context.ts";
 import { DrawnBook } from "./drawn_book.ts";
@@ -68,6 +69,7 @@ export class Stage {
   readonly #context: ContextWatch;
   readonly #scene = new Scene();
   readonly #camera: PerspectiveCamera;
+  readonly #beyond = new BeyondSpine();
   readonly #pictures: PictureTextures;
   #materials: BookMaterials;
   #book: DrawnBook;
@@ -89,7 +91,7 @@ export class Stage {
     this.#pictures = new PictureTextures(this.#renderer);
     this.#materials = new BookMaterials(shape, this.#pictures.paper);
     this.#book = new DrawnBook(shape, this.#materials);
-    this.#scene.add(this.#book.group);
+    this.#scene.add(this.#book.group, this.#beyond.mesh);
     this.#camera = new PerspectiveCamera(fieldOfView, 1, 0.05, 10);
     this.#camera.matrixAutoUpdate = false;
     this.#context = new ContextWatch(canvas, {
@@ -266,6 +268,7 @@ export class Stage {
     // Frees all of the GPU's memory at once; the rest lets go of what three.js keeps.
     if (!this.isLost) this.#renderer.forceContextLoss();
     this.#book.dispose();
+    this.#beyond.dispose();
     this.#materials.dispose();
     this.#pictures.dispose();
     this.#scene.clear();
@@ -301,6 +304,8 @@ export class Stage {
     const [x, y] = this.#zooming.show(zoom);
     const [left, top] = [(x - 0.5 / level) * aspect, y - 0.5 / level];
     camera.setViewOffset(aspect, 1, left, top, aspect / level, 1 / level);
+    const { closedRight, closedLeft } = this.#book.framing;
+    this.#beyond.aim(this.#shape, Math.min(1, closedRight + closedLeft), camera);
   }
 }
 

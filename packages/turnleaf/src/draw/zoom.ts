@@ -25,6 +25,9 @@ export interface Sight {
   readonly book: readonly [number, number, number, number];
 }
 
+/** Where what lies beyond the spine of a page that stands alone begins to fade and is gone, fractions of the page's width. */
+export const fadeBeyondSpine = { from: 0.03, to: 0.3 };
+
 /** The level from which on the book is seen from right over it. */
 const overheadFrom = 1.6;
 

@@ -25,7 +25,7 @@ const openMargins: Margins = { sides: 0.04, ends: 0.09 };
 const closedMargins: Margins = { sides: 0.1, ends: 0.09 };
 
 /** How far a book is shut over its right-hand side, and over its left, 0 to 1. */
-function shutness({ frontBoard, backBoard }: BookPose): [right: number, left: number] {
+export function shutness({ frontBoard, backBoard }: BookPose): [right: number, left: number] {
   return [ease(1 - frontBoard / Math.PI), ease(backBoard / Math.PI)];
 }
 

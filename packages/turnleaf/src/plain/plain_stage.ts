@@ -8,14 +8,14 @@ import type { Face } from "../book/faces.ts";
 import type { LeafSide, PageFace } from "../draw/materials.ts";
 import type { BookPose, BookShape } from "../draw/pose.ts";
 import type { BookStage, DrawOptions, FaceDetail, Place } from "../draw/stage.ts";
-import { type Zoom, Zooming } from "../draw/zoom.ts";
+import { fadeBeyondSpine as fade, type Zoom, Zooming } from "../draw/zoom.ts";
 import { Side } from "../engine/phases.ts";
 import type { Ray, Vec3 } from "../engine/shapes.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import { drawBoard } from "./draw_board.ts";
 import { type Brush, drawCase, drawPage, drawStack, thicknessOf } from "./draw_book.ts";
 import { drawFlat, drawFolded } from "./draw_leaf.ts";
-import { type Layout, layOut, magnified, panelOf, sightOf } from "./layout.ts";
+import { type Layout, layOut, magnified, panelOf, shutness, sightOf } from "./layout.ts";
 import type { PeeledSurface } from "./plain_book.ts";
 
 /** Most pixels of a frame at rest, and device pixels a CSS pixel while something moves, at most. */
@@ -146,6 +146,7 @@ export class PlainStage implements BookStage {
     } else pen.setTransform(unit, 0, 0, unit, x * ratio, y * ratio);
     pen.imageSmoothingQuality = options?.resting ? "high" : "medium";
     this.#paint(unit);
+    this.#fadeBeyondSpine(ratio);
   }
 
   rayAt(x: number, y: number): Ray {
@@ -182,6 +183,26 @@ export class PlainStage implements BookStage {
     const [width, height] = [this.#width, this.#height];
     const whole = layOut(this.#shape, this.#pose, width, height);
     this.#layout = magnified(whole, zoom.level, this.#zooming.show(zoom), width, height);
+  }
+
+  /** Takes away, little by little, what lies beyond the spine of a page that stands alone. */
+  #fadeBeyondSpine(ratio: number): void {
+    const { width, height, alone } = this.#shape;
+    const [right, left] = shutness(this.#pose);
+    const amount = alone === 0 ? 0 : 1 - Math.min(1, right + left);
+    if (amount === 0) return;
+    const [from, to] = [fade.from, fade.to].map((share) =>
+      this.project([-alone * share * width, height / 2, 0]),
+    );
+    const pen = this.#pen;
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const gradient = pen.createLinearGradient(from.x, from.y, to.x, to.y);
+    gradient.addColorStop(0, "rgb(0 0 0 / 0)");
+    gradient.addColorStop(1, `rgb(0 0 0 / ${amount})`);
+    pen.globalCompositeOperation = "destination-out";
+    pen.fillStyle = gradient;
+    pen.fillRect(0, 0, this.#width, this.#height);
+    pen.globalCompositeOperation = "source-over";
   }
 
   #paint(unit: number): void {

@@ -16,6 +16,7 @@ export function addLanguage(tag: string, texts: Texts): void {
 
 const en: ElementTexts = {
   opening: "Opening the book …",
+  missing: "There is no book here yet: give the element a src, or pages.",
   pageOpen: "Page {pages} of {n}",
   pagesOpen: "Pages {pages} of {n}",
   back: "Back of {n}",
@@ -27,6 +28,7 @@ const en: ElementTexts = {
 
 const zh: ElementTexts = {
   opening: "正在打开书籍…",
+  missing: "这里还没有书：请设置 src 或 pages。",
   pageOpen: "第 {pages} 页，共 {n} 页",
   pagesOpen: "第 {pages} 页，共 {n} 页",
   back: "封底，共 {n} 页",

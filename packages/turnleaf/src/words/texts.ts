@@ -11,6 +11,8 @@ export type Plural = { readonly other: string } & Partial<
 /** What the element says by itself. Words in braces stand for what is filled in. */
 export interface ElementTexts {
   readonly opening: string;
+  /** The element was given no book. */
+  readonly missing: string;
   /** Which pages lie open: `{pages}` are their labels, `{n}` is how many the book has. */
   readonly pageOpen: string;
   readonly pagesOpen: string;

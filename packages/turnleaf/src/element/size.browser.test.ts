@@ -1,0 +1,69 @@
+/** The element's size where its page gives it none, and what it says where it was given no book. */
+
+import { afterEach, expect, test, vi } from "vitest";
+import "../index.ts";
+import type { TurnleafBook } from "../element.ts";
+import { happens, scan } from "../element_for_tests.ts";
+
+vi.setConfig({ testTimeout: 120_000 });
+
+afterEach(() => document.body.replaceChildren());
+
+/** An element in a box, both styled as a page may; its pages are so many pixels wide and high. */
+async function shown(
+  box: string,
+  style = "",
+  [width, height]: readonly [number, number] = [90, 135],
+  attributes: Record<string, string> = {},
+): Promise<DOMRect> {
+  const outside = document.createElement("div");
+  outside.style.cssText = box;
+  const element = document.createElement("turnleaf-book") as TurnleafBook;
+  element.style.cssText = style;
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  element.pages = Array.from({ length: 6 }, (_, k) => ({ src: scan(k, width, height) }));
+  outside.append(element);
+  document.body.append(outside);
+  await happens(element, "load");
+  return element.getBoundingClientRect();
+}
+
+test("without a height it is as high as two of the book's pages ask for", async () => {
+  const upright = await shown("width: 480px");
+  expect([upright.width, upright.height]).toEqual([480, 400]);
+  const wide = await shown("width: 480px", "", [160, 90]);
+  expect(wide.height).toBe(192);
+  const calendar = await shown("width: 400px", "", [120, 80], { binding: "top" });
+  expect(calendar.width / calendar.height).toBeLessThan(0.9);
+  // No higher than the window.
+  const large = await shown("width: 1000px");
+  expect(large.height).toBeLessThanOrEqual(innerHeight);
+});
+
+test("in a flex row it has a width, and in a grid", async () => {
+  expect((await shown("display: flex; width: 700px")).width).toBe(320);
+  expect((await shown("display: flex; width: 700px", "flex: 1")).width).toBe(700);
+  expect((await shown("display: grid; width: 700px")).width).toBe(700);
+});
+
+test.each([
+  { style: "height: 300px", width: 500, height: 300 },
+  { style: "width: 150px; height: 200px", width: 150, height: 200 },
+  { style: "position: absolute; inset: 0", width: 500, height: 440 },
+  { style: "width: 200px; aspect-ratio: 1", width: 200, height: 200 },
+])("its page's CSS goes before: $style", async ({ style, width, height }) => {
+  const box = await shown("position: relative; width: 500px; height: 440px", style);
+  expect([box.width, box.height]).toEqual([width, height]);
+});
+
+test("given no book it says what to give it, until it is given one", async () => {
+  const element = document.createElement("turnleaf-book") as TurnleafBook;
+  document.body.append(element);
+  const message = element.shadowRoot?.querySelector<HTMLElement>("[part=message]");
+  expect(message?.textContent).toBe("There is no book here yet: give the element a src, or pages.");
+  expect(message?.checkVisibility()).toBe(true);
+  const loaded = happens(element, "load");
+  element.pages = [{ src: scan(1) }];
+  await loaded;
+  expect(message?.hidden).toBe(true);
+});
