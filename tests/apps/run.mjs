@@ -2,8 +2,8 @@
  * Builds a small app in each of seven frameworks with the packed package, serves
  * it, and turns its book in Chromium. Writes the table in docs/browsers.md.
  *
- *   node tests/apps/run.mjs          all of them
- *   node tests/apps/run.mjs next vue some of them; no table is written
+ *   node tests/apps/run.mjs           all of them
+ *   node tests/apps/run.mjs next vue  some of them, and their rows of the table
  *
  * An app's package.json has scripts "build" and "start", or "build" and the name
  * of the folder to be served; with a script "dev" it is tried in development as
@@ -146,7 +146,6 @@ const browser = await chromium.launch({
   executablePath: findChromium(),
   args: chromiumArguments,
 });
-const rows = [];
 let hasFault = false;
 try {
   await run(root, "npm", "pack", "--workspace", "turnleaf", "--pack-destination", folder);
@@ -185,21 +184,27 @@ try {
     console.log(`${faults.length === 0 ? "passed" : "FAILED"}  ${name}: ${modes.join("; ")}`);
     for (const fault of faults) console.error(`  ${fault}`);
     hasFault ||= faults.length > 0;
-    rows.push(`| ${name} | ${versions.join(", ")} | ${modes.join("; ")} |`);
+    if (faults.length === 0) await writeRow(name, [versions.join(", "), modes.join("; ")]);
   }
 } finally {
   await browser.close();
   await rm(folder, { recursive: true, force: true, maxRetries: 5 });
 }
 if (hasFault) process.exitCode = 1;
-else if (asked.length === 0) {
+
+/** Puts an app's row into the table, in place of the one it had. */
+async function writeRow(name, cells) {
   const file = join(root, "docs/browsers.md");
-  const text = await readFile(file, "utf8");
-  const table = ["| app | packages | served |", "|---|---|---|", ...rows].join("\n");
   const section = /(?<=<!-- apps -->\n)[\s\S]*?(?=<!-- \/apps -->)/;
-  if (!section.test(text)) throw new Error(`${file} has no place for the table.`);
+  const text = await readFile(file, "utf8");
+  const [table] = section.exec(text) ?? [];
+  if (table === undefined) throw new Error(`${file} has no place for the table.`);
+  const start = `| ${name} |`;
+  const others = table.split("\n").filter((row) => row !== "" && !row.startsWith(start));
+  const rows = [...others.slice(2), `${start} ${cells.join(" | ")} |`].sort();
+  const lines = ["| app | packages | served |", "|---|---|---|", ...rows, ""];
   await writeFile(
     file,
-    text.replace(section, () => `${table}\n`),
+    text.replace(section, () => lines.join("\n")),
   );
 }
