@@ -2,6 +2,9 @@
 
 use crate::stock::{Grain, Stock};
 
+/// First root of cos(x) cosh(x) = -1: the first mode of a strip clamped at one end.
+const FIRST_ROOT: f64 = 1.875_104_068_7;
+
 /// The four constants of the bending energy of a nearly inextensible sheet,
 ///
 /// ```text
@@ -45,6 +48,12 @@ impl Rigidity {
             d12: poisson * d,
             d66: (1.0 - poisson) * d / 2.0,
         }
+    }
+
+    /// Angular frequency in a vacuum, rad/s, of the first mode of a leaf `width`
+    /// metres wide and of `areal_mass` kg/m^2, clamped at the spine.
+    pub fn first_frequency(&self, areal_mass: f64, width: f64) -> f64 {
+        FIRST_ROOT * FIRST_ROOT * (self.d11 / areal_mass).sqrt() / (width * width)
     }
 
     /// D11 of a strip across the spine whose long edges are free to curl.

@@ -92,6 +92,7 @@ pub fn run_lateral(parser: &mut lexopt::Parser) -> Result<(), String> {
 fn print(json: bool, model: Model, critical: f64, how: &str, exact: Option<f64>, of_which: Value) {
     let mut figures = json!({
         "model": model.name(),
+        "settings": model.settings(),
         "gamma_critical": critical,
         "measured_by": how,
         "exact": { "gamma_critical": exact },

@@ -76,6 +76,7 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     .hanging();
     let figures = json!({
         "model": model.name(),
+        "settings": model.settings(),
         "gamma": gamma,
         "clamp_angle_deg": degrees,
         "reach": found.reach,
@@ -127,6 +128,7 @@ pub fn run_tip_load(parser: &mut lexopt::Parser) -> Result<(), String> {
     let (w, u) = (found.drop, 1.0 - found.reach);
     let figures = json!({
         "model": model.name(),
+        "settings": model.settings(),
         "load": load,
         "w": w,
         "u": u,

@@ -22,6 +22,7 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     let (steps, changes) = by_step(model)?;
     let figures = json!({
         "model": model.name(),
+        "settings": model.settings(),
         "gamma": GAMMA,
         "nodes": columns,
         "tip_error": errors,

@@ -35,6 +35,7 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     let exact = Air::still(LENGTH).terminal_speed(stock.grammage);
     let figures = json!({
         "model": model.name(),
+        "settings": model.settings(),
         "stock": name,
         "terminal_speed": speed,
         "exact": { "terminal_speed": exact },

@@ -49,6 +49,7 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     };
     let figures = json!({
         "model": model.name(),
+        "settings": model.settings(),
         "gamma": GAMMA,
         "periods": periods,
         "time_step": strip.time_step(),

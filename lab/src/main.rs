@@ -76,7 +76,9 @@ stiffness, and the exact answer stands beside what was found:
   tip-load          the same, weightless, by a dead load P L^2 / stiffness
                       --load P  --nodes N
   pear-loop         its two ends in one clamp; --nodes N
-  vibration         first three roots, clamped at one end; --nodes N
+  vibration         first three roots, clamped at one end, and damping of the first
+                      --stock bible|book|office|coated|card  (book)
+                      --nodes N
   upright           weight at which it falls over, clamped at the foot; --nodes N
   lateral-buckling  the same, clamped at one end of a plate in a vertical plane
                       --nu NU         Poisson's ratio
@@ -87,9 +89,12 @@ stiffness, and the exact answer stands beside what was found:
   energy            what it loses as it swings undamped in a vacuum
                       --periods N     (10)
   agree             sheet against shell, turned by the same hand
-                      --stock bible|book|office|coated|card  (book)
+                      --stock bible|book|office|coated|card|all  (book)
+                      --jobs N        turns computed at once (1)
+                      --into FILE     put a table between its lines in a page of Markdown
   convergence       orders by nodes and by step, hanging at Gamma 10
   all take          --model sheet|shell|mass-spring  (sheet; agree: no other)
+                    --settings book|lab  of the sheet: a book's leaf, or one on its own (book)
 
 Every way of turning a page:
 

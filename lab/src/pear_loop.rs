@@ -36,6 +36,7 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     let exact = pear_loop();
     let figures = json!({
         "model": model.name(),
+        "settings": model.settings(),
         "height": height,
         "width": width,
         "max_edge_strain": specimen.edge_strain(),

@@ -6,22 +6,28 @@ use lexopt::Parser;
 use serde_json::{Value, json};
 
 use crate::options;
-use crate::specimen::Model;
+use crate::specimen::{Model, Settings};
 
-/// Reads the options of an experiment on one piece: `--model`, `--json`, and
-/// those that `take` knows. Returns the model and whether JSON is wanted.
+/// Reads the options of an experiment on one piece: `--model`, `--settings`, `--json`,
+/// and those that `take` knows. Returns the model and whether JSON is wanted.
 pub fn read(
     parser: &mut Parser,
     mut take: impl FnMut(&str, &mut Parser) -> Result<bool, String>,
 ) -> Result<(Model, bool), String> {
-    let mut model = Model::default();
+    let (mut model, mut settings) = (Model::Sheet(Settings::default()), None);
     let json = options::read(parser, |option, parser| {
-        if option == "model" {
-            model = Model::read(parser)?;
-            return Ok(true);
+        match option {
+            "model" => model = Model::read(parser)?,
+            "settings" => settings = Some(Settings::read(parser)?),
+            _ => return take(option, parser),
         }
-        take(option, parser)
+        Ok(true)
     })?;
+    match (model, settings) {
+        (Model::Sheet(_), Some(settings)) => model = Model::Sheet(settings),
+        (_, Some(_)) => return Err("--settings is for the sheet alone.".into()),
+        _ => {}
+    }
     Ok((model, json))
 }
 
@@ -40,6 +46,8 @@ fn print_lines(figures: &Value, before: &str) {
         match value {
             Value::Object(_) => print_lines(value, &format!("{name}, ")),
             Value::String(text) => println!("{name:<28}  {text}"),
+            // Of a model that has no settings to choose from.
+            Value::Null if name == "settings" => {}
             Value::Null => println!("{name:<28}  unknown"),
             _ => println!("{name:<28}  {value}"),
         }

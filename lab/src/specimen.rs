@@ -7,7 +7,8 @@ mod shell;
 use std::f64::consts::FRAC_PI_2;
 
 use lexopt::Parser;
-use turnleaf_engine::{GRAVITY, Stock};
+use turnleaf_engine::book::Paper;
+use turnleaf_engine::{GRAVITY, SheetSettings, Stock};
 
 use crate::options;
 
@@ -20,12 +21,52 @@ pub const BREADTH: f64 = 0.210;
 /// Its mass, kg/m^2: that of book paper.
 const GRAMMAGE: f64 = Stock::BOOK.grammage;
 
-/// Which model computes a piece.
+/// Which settings a sheet has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Settings {
+    /// Those of a leaf of a viewer's book, of which few are in the air.
+    #[default]
+    Book,
+    /// Those of a sheet on its own.
+    Lab,
+}
+
+impl Settings {
+    const ALL: [Self; 2] = [Self::Book, Self::Lab];
+
+    /// Its name as in commands and reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Book => "book",
+            Self::Lab => "lab",
+        }
+    }
+
+    /// The settings that the option `--settings` names.
+    pub fn read(parser: &mut Parser) -> Result<Settings, String> {
+        Ok(Self::ALL[options::choice(parser, "settings", &Self::ALL.map(Self::name))?])
+    }
+
+    /// A sheet of a stock, `size` metres, with its grain along the spine.
+    pub fn sheet(self, size: [f64; 2], stock: Stock) -> SheetSettings {
+        match self {
+            Self::Book => {
+                let paper = Paper {
+                    stock,
+                    ..Paper::default()
+                };
+                paper.sheet(size, 1)
+            }
+            Self::Lab => SheetSettings::leaf(size[0], size[1], stock),
+        }
+    }
+}
+
+/// Which model computes a piece.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Model {
     /// The interactive sheet.
-    #[default]
-    Sheet,
+    Sheet(Settings),
     /// The offline reference.
     Shell,
     /// The paper's masses and springs, by the preset `book`.
@@ -36,7 +77,7 @@ impl Model {
     /// Its name as in commands and reports.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Sheet => "sheet",
+            Self::Sheet(_) => "sheet",
             Self::Shell => "shell",
             Self::MassSpring => "mass-spring",
         }
@@ -44,14 +85,26 @@ impl Model {
 
     /// The model that the option `--model` names.
     pub fn read(parser: &mut Parser) -> Result<Model, String> {
-        let all = [Self::Sheet, Self::Shell, Self::MassSpring];
+        let all = [
+            Self::Sheet(Settings::default()),
+            Self::Shell,
+            Self::MassSpring,
+        ];
         Ok(all[options::choice(parser, "model", &all.map(Self::name))?])
+    }
+
+    /// The settings of a sheet; None of any other model.
+    pub fn settings(self) -> Option<&'static str> {
+        match self {
+            Self::Sheet(settings) => Some(settings.name()),
+            _ => None,
+        }
     }
 
     /// Numbers of columns by which it is refined.
     pub fn refinement(self) -> &'static [usize] {
         match self {
-            Self::Sheet => &[6, 8, 12, 16, 24],
+            Self::Sheet(_) => &[6, 8, 12, 16, 24],
             Self::Shell => &[17, 33, 65, 129],
             Self::MassSpring => &[4, 6, 8, 12, 16],
         }
@@ -65,7 +118,7 @@ impl Model {
     /// A piece as ordered, lying straight.
     pub fn make(self, piece: &Piece) -> Result<Box<dyn Specimen>, String> {
         match self {
-            Self::Sheet => sheet::make(piece),
+            Self::Sheet(settings) => sheet::make(piece, settings),
             Self::Shell => shell::make(piece),
             Self::MassSpring => mass_spring::make(piece),
         }
@@ -181,6 +234,14 @@ pub trait Specimen {
     /// # Errors
     /// Where the model knows no such thing, in a sentence.
     fn carry_end(&mut self, x: f64, z: f64, angle: f64) -> Result<(), String>;
+
+    /// Puts the nodes at places, m, column by column of each row, not moving.
+    ///
+    /// # Errors
+    /// Where the model knows no such thing, in a sentence.
+    fn put(&mut self, _places: &[[f64; 3]]) -> Result<(), String> {
+        Err("This model's nodes cannot be put anywhere.".into())
+    }
 
     /// Lets the piece come to rest.
     ///

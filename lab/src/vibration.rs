@@ -1,4 +1,5 @@
-//! `lab vibration`: how a weightless strip clamped at one end vibrates.
+//! `lab vibration`: how a weightless strip clamped at one end vibrates, and how fast
+//! its first mode dies away.
 //!
 //! A model with vibrations of its own is asked for them. Any other is loaded
 //! with its own inertia in the shape of a mode and rests in a shape nearer to
@@ -8,6 +9,7 @@
 use std::f64::consts::PI;
 
 use serde_json::json;
+use turnleaf_engine::Stock;
 
 use crate::exact::vibration_roots;
 use crate::options;
@@ -17,21 +19,29 @@ use crate::specimen::{Piece, Specimen};
 /// How far the tip is bent, over the length.
 const BENT: f64 = 0.03;
 
+/// Swings to one side that are watched as they die away, after the first.
+const SWINGS: usize = 16;
+
 /// Rounds of inverse iteration for a mode.
 const ROUNDS: usize = 5;
 
 /// Runs the experiment.
 pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let mut columns = None;
+    let (mut columns, mut name) = (None, "book");
     let (model, json) = report::read(parser, |option, parser| {
-        if option != "nodes" {
-            return Ok(false);
+        match option {
+            "nodes" => columns = Some(options::number(parser, option, 8, 513)?),
+            "stock" => name = Stock::NAMES[options::choice(parser, option, &Stock::NAMES)?],
+            _ => return Ok(false),
         }
-        columns = Some(options::number(parser, option, 8, 513)?);
         Ok(true)
     })?;
+    let stock = Stock::named(name).expect("a preset");
     let piece = Piece {
         columns,
+        grammage: stock.grammage,
+        stiffness: stock.stiffness_across,
+        loss: Some(stock.loss),
         ..Piece::weightless()
     };
     // A narrow strip in a vacuum, so that its own modes are those of bending.
@@ -60,15 +70,59 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
         .zip(exact)
         .map(|(root, exact)| report::error(*root, exact))
         .collect();
+    let swings = swings(&mut *model.make(&narrow)?, &narrow, rates[0]);
     let figures = json!({
         "model": model.name(),
+        "stock": name,
+        "damping": swings.as_deref().map(damping),
+        "settings": model.settings(),
         "roots": roots,
         "measured_by": how,
-        "exact": { "roots": exact },
+        "exact": { "roots": exact, "damping": 0.5 * stock.loss },
         "error": { "roots": errors },
     });
     report::print(json, &figures);
     Ok(())
+}
+
+/// Heights of the swings of a piece that starts in the shape of its first mode, of an
+/// angular frequency `rate`, to either side in turn, m; None where it cannot be put there.
+fn swings(specimen: &mut dyn Specimen, piece: &Piece, rate: f64) -> Option<Vec<f64>> {
+    let (columns, rows) = specimen.grid();
+    let root = vibration_roots()[0];
+    let ratio = (root.cosh() + root.cos()) / (root.sinh() + root.sin());
+    let place = |node: usize| {
+        let u = (node % columns) as f64 / (columns - 1) as f64;
+        let x = root * u;
+        let shape = x.cosh() - x.cos() - ratio * (x.sinh() - x.sin());
+        let v = (node / columns) as f64 / (rows - 1) as f64;
+        let height = 0.5 * BENT * piece.length * shape;
+        [u * piece.length, v * piece.breadth, height]
+    };
+    let places: Vec<_> = (0..columns * rows).map(place).collect();
+    specimen.put(&places).ok()?;
+    let (mut found, mut most, mut side) = (Vec::new(), 0.0f64, 1.0);
+    let steps = SWINGS as f64 * PI / (rate * specimen.time_step());
+    for _ in 0..(2.0 * steps) as usize {
+        specimen.step();
+        let height = specimen.tip()[2];
+        if height * side < 0.0 {
+            found.push(most);
+            (most, side) = (0.0, -side);
+        }
+        most = most.max(height.abs());
+        if found.len() > SWINGS {
+            break;
+        }
+    }
+    Some(found)
+}
+
+/// The part of critical damping by which swings die away, after the first; that of paper
+/// is half of its loss tangent.
+fn damping(swings: &[f64]) -> f64 {
+    let (first, last) = (swings[1], swings[swings.len() - 1]);
+    (first / last).ln() / (PI * (swings.len() - 2) as f64)
 }
 
 /// The first three angular frequencies of a piece, rad/s.

@@ -20,6 +20,7 @@ use super::seated::Seated;
 use crate::air::Air;
 use crate::grid::Side;
 use crate::models::sheet::{Root, Sheet, SheetSettings};
+use crate::rigidity::Rigidity;
 use crate::stock::{Grain, Stock};
 use crate::surface::Surface;
 use crate::turn::TurnModel;
@@ -34,9 +35,20 @@ pub const TICK: f32 = 1.0 / 120.0;
 /// 0.2 % of the exact shape at Gamma 10, and ten leaves fit into a frame.
 pub const NODES: [usize; 2] = [10, 14];
 
-/// Stiffness against stretch, N/m: softer than that of a sheet with shorter
-/// steps, as longer ones would jitter.
-const STRETCH: f64 = 2000.0;
+/// Leaves in the air up to which each has two steps in a tick, and those of stiff paper
+/// three, so that it moves as the shell does; with more it has one, so that ten fit into a
+/// frame.
+const FEW: usize = 3;
+const FEW_STIFF: usize = 2;
+
+/// Angle, radians, by which the first mode of a leaf of stiff paper goes on in a tick: its
+/// corner snaps within a few steps.
+const STIFF: f64 = 0.12;
+
+/// Stiffness of a sheet in its plane, in units of a node's mass over the square of a
+/// step, and the greatest, N/m: a stiffer card snaps farther from where the shell does.
+const STIFFNESS: f64 = 2e4;
+const STIFFEST: f64 = 4.4e4;
 
 /// Stiffness of the binding against turning, N: weak against the paper of a
 /// cell, so that the leaf leaves the gutter without a crease and turns freely.
@@ -49,8 +61,9 @@ const LOOK_AHEAD: f32 = 0.12;
 /// others is free.
 const ROOMY: f32 = 2.5;
 
-/// Part of the way to the leaf's direction that the clamp goes in a tick.
-const CLAMP_FOLLOWS: f32 = 0.25;
+/// Part of the way to the leaf's direction that the clamp does not go in a tick; in a step
+/// it is the root of it.
+const CLAMP_STAYS: f32 = 0.75;
 
 /// Farther than this from the spine no hand pulls, metres.
 const FARTHEST: f32 = 1e3;
@@ -110,6 +123,35 @@ impl Default for Paper {
 }
 
 impl Paper {
+    /// The settings of a leaf of it in a book, `width` x `height` metres, while `flying`
+    /// leaves are in the air.
+    pub fn sheet(&self, [width, height]: [f64; 2], flying: usize) -> SheetSettings {
+        let settings = SheetSettings {
+            columns: NODES[0],
+            rows: NODES[1],
+            time_step: f64::from(TICK) / f64::from(self.steps(width, flying)),
+            grain: self.grain,
+            root: Root::Hinged(self.binding),
+            air: Air {
+                wind: self.wind,
+                ..Air::still(width)
+            },
+            ..SheetSettings::leaf(width, height, self.stock)
+        };
+        settings.stiffened(STIFFNESS, STIFFEST)
+    }
+
+    /// Steps in a tick of a leaf of it, `width` metres wide, while so many are in the air.
+    fn steps(&self, width: f64, flying: usize) -> u32 {
+        let rate =
+            Rigidity::of(&self.stock, self.grain).first_frequency(self.stock.grammage, width);
+        match flying {
+            ..=FEW_STIFF if rate * f64::from(TICK) > STIFF => 3,
+            ..=FEW => 2,
+            _ => 1,
+        }
+    }
+
     /// Whether leaves can be made of it.
     pub(super) fn is_sound(&self) -> bool {
         self.stock.check().is_ok()
@@ -121,7 +163,9 @@ impl Paper {
 /// One leaf of paper between two piles.
 pub struct Leaf {
     sheet: Sheet,
-    assist: bool,
+    /// Its sheet's steps in a tick.
+    steps: u32,
+    paper: Paper,
     phase: Phase,
     /// Where each hand that holds the leaf pulls, in book space, and what it holds.
     hands: [Option<[f32; 3]>; HANDS],
@@ -157,20 +201,7 @@ impl Leaf {
     /// A leaf of `width` x `height` metres at rest on the right, drawn at the
     /// columns `u` and at `rows` even rows.
     pub fn new([width, height]: [f64; 2], paper: &Paper, u: &[f32], rows: usize) -> Leaf {
-        let settings = SheetSettings {
-            columns: NODES[0],
-            rows: NODES[1],
-            time_step: f64::from(TICK),
-            stretch: STRETCH,
-            shear: 0.4 * STRETCH,
-            grain: paper.grain,
-            root: Root::Hinged(paper.binding),
-            air: Air {
-                wind: paper.wind,
-                ..Air::still(width)
-            },
-            ..SheetSettings::leaf(width, height, paper.stock)
-        };
+        let settings = paper.sheet([width, height], 1);
         let cell = [
             width as f32 / (NODES[0] - 1) as f32,
             height as f32 / (NODES[1] - 1) as f32,
@@ -181,7 +212,8 @@ impl Leaf {
         let flat = sheet.positions().to_vec();
         Leaf {
             sheet,
-            assist: paper.assist,
+            steps: paper.steps(width, 1),
+            paper: *paper,
             phase: Phase::Resting(Side::Right),
             hands: [None; HANDS],
             hold_of: [[1.0; 2]; HANDS],
@@ -200,6 +232,16 @@ impl Leaf {
             kept: flat.clone(),
             kept_depth: 0.0,
             flat,
+        }
+    }
+
+    /// Says how many leaves are in the air, which its steps depend on.
+    pub fn set_flying(&mut self, flying: usize) {
+        let [width, height] = [self.sheet.settings().width, self.sheet.settings().height];
+        let steps = self.paper.steps(width, flying);
+        if steps != self.steps {
+            self.steps = steps;
+            self.sheet.pace(&self.paper.sheet([width, height], flying));
         }
     }
 
@@ -451,10 +493,13 @@ impl Leaf {
     }
 
     fn step_sheet(&mut self) {
-        let wanted = self.root_angle();
-        self.clamp += (wanted - self.clamp) * CLAMP_FOLLOWS;
-        self.sheet.set_clamp_angle(self.clamp);
-        self.sheet.step();
+        let follows = 1.0 - libm::powf(CLAMP_STAYS, 1.0 / self.steps as f32);
+        for left in (1..=self.steps).rev() {
+            let wanted = self.root_angle();
+            self.clamp += (wanted - self.clamp) * follows;
+            self.sheet.set_clamp_angle(self.clamp);
+            self.sheet.step_of(left);
+        }
     }
 
     /// The leaf's sheet turns over a flat table; in the book the gutter moves

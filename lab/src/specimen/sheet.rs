@@ -1,17 +1,17 @@
 //! The interactive sheet under experiment: at its own nodes and step unless told
 //! otherwise, and brought to rest by nothing but its own steps.
 
-use turnleaf_engine::{Air, Root, Sheet, SheetSettings, Stock, TurnModel};
+use turnleaf_engine::{Air, Root, Sheet, Stock, TurnModel};
 
-use super::{Held, Piece, Specimen, swing_to_rest};
+use super::{Held, Piece, Settings, Specimen, swing_to_rest};
 
 struct SheetPiece {
     sheet: Sheet,
     length: f64,
 }
 
-/// A piece of the sheet.
-pub fn make(piece: &Piece) -> Result<Box<dyn Specimen>, String> {
+/// A piece of the sheet with such settings.
+pub fn make(piece: &Piece, settings: Settings) -> Result<Box<dyn Specimen>, String> {
     let stock = Stock {
         grammage: piece.grammage,
         stiffness_along: piece.stiffness,
@@ -20,7 +20,7 @@ pub fn make(piece: &Piece) -> Result<Box<dyn Specimen>, String> {
         loss: piece.loss.unwrap_or(Stock::BOOK.loss),
         ..Stock::BOOK
     };
-    let mut settings = SheetSettings::leaf(piece.length, piece.breadth, stock);
+    let mut settings = settings.sheet([piece.length, piece.breadth], stock);
     settings.columns = piece.columns.unwrap_or(settings.columns);
     // As on a page cells are about square, and no more of them.
     let cells = piece.breadth / piece.length * (settings.columns - 1) as f64;
@@ -93,6 +93,11 @@ impl Specimen for SheetPiece {
                 self.sheet.pin(column, row, Some(place));
             }
         }
+        Ok(())
+    }
+
+    fn put(&mut self, places: &[[f64; 3]]) -> Result<(), String> {
+        put(&mut self.sheet, places);
         Ok(())
     }
 

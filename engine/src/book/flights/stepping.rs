@@ -33,7 +33,9 @@ impl Flights {
     /// lets those at rest join their piles.
     pub fn step(&mut self, gutter: &Gutter, piles: [&Pile; 2]) {
         self.wake();
+        let flying = self.order.len();
         for flight in &mut self.order {
+            flight.leaf_mut().set_flying(flying);
             flight.leaf_mut().seat(gutter);
         }
         self.make_room();

@@ -50,7 +50,11 @@ impl Leaf {
             return;
         }
         self.settling = None;
-        let side = if self.assist { side } else { self.side_ahead() };
+        let side = if self.paper.assist {
+            side
+        } else {
+            self.side_ahead()
+        };
         self.phase = Phase::Falling(side);
         if self.lies_across_from(side) {
             self.turned_over = true;
@@ -78,7 +82,7 @@ impl Leaf {
             Side::Left => 1.0 - self.share,
             Side::Right => self.share,
         };
-        self.assist
+        self.paper.assist
             && !self.turned_over
             && self.fallen >= LYING_TICKS
             && to_go > LYING_TO_GO
@@ -93,7 +97,11 @@ impl Leaf {
             Side::Right => (self.share, -1.0),
         };
         let strength = ((to_go - 0.1) / 0.3).clamp(0.0, 1.0) * ASSIST * self.haste;
-        let strength = if self.assist { sign * strength } else { 0.0 };
+        let strength = if self.paper.assist {
+            sign * strength
+        } else {
+            0.0
+        };
         let settings = self.sheet.settings();
         // The air that a leaf carries along has to be helped over with it.
         let density = (settings.stock.grammage + settings.air.added_mass) as f32;

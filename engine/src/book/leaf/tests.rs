@@ -71,6 +71,98 @@ fn a_played_turn_lands_on_the_other_side_soon_after_its_time() {
     }
 }
 
+/// The greatest shear, radians, and stretch of diagonals of the leaves in flight.
+fn sheared(book: &Book) -> (f32, f32) {
+    let sheets = book
+        .flights
+        .order()
+        .iter()
+        .map(|flight| flight.leaf().sheet());
+    sheets.fold((0.0, 0.0), |(shear, stretch), sheet| {
+        (
+            f32::max(shear, sheet.max_shear()),
+            f32::max(stretch, sheet.max_diagonal_stretch()),
+        )
+    })
+}
+
+#[test]
+fn a_played_turn_hardly_shears_its_paper() {
+    for name in Stock::NAMES {
+        for (from, seconds, leaves) in [
+            (Side::Right, 0.8, 1),
+            (Side::Left, 0.8, 1),
+            (Side::Right, 0.5, 3),
+            (Side::Right, 0.8, 6),
+        ] {
+            let mut book = book();
+            book.set_paper(&Paper {
+                stock: Stock::named(name).unwrap(),
+                ..Paper::default()
+            });
+            let mut most = (0.0f32, 0.0f32);
+            let mut see = |book: &Book| {
+                let (shear, stretch) = sheared(book);
+                most = (most.0.max(shear), most.1.max(stretch));
+            };
+            for leaf in 0..leaves {
+                let low = if from == Side::Right { 40 + leaf } else { 39 };
+                let id = book.lift(from, low, low + 1).unwrap();
+                book.play(id, from.opposite(), seconds);
+                for _ in 0..16 {
+                    book.step(1);
+                    see(&book);
+                }
+            }
+            rest(&mut book, see);
+            let (shear, stretch) = (most.0.to_degrees(), 100.0 * most.1);
+            // Leaves of a riffle have longer steps.
+            let most = if leaves > 3 { 0.6 } else { 0.5 };
+            assert!(
+                shear <= 1.0 && stretch <= most,
+                "{name}: {leaves} in {seconds} s from {from:?}: {shear} degrees, {stretch} %"
+            );
+        }
+    }
+}
+
+/// With a fourth leaf in the air all go on in longer steps, and in shorter ones again.
+#[test]
+fn leaves_do_not_jerk_as_others_join_them() {
+    let mut book = book();
+    let first = book.lift(Side::Right, 40, 41).unwrap();
+    book.play(first, Side::Left, 2.0);
+    let mut before: Option<(Vec<f32>, Vec<f32>)> = None;
+    let (mut fine, mut coarse) = (0, 0);
+    for tick in 0..200 {
+        if [20, 40, 60].contains(&tick) {
+            let low = 40 + tick / 20;
+            let id = book.lift(Side::Right, low, low + 1).unwrap();
+            book.play(id, Side::Left, if tick == 60 { 0.8 } else { 2.0 });
+        }
+        book.step(1);
+        let Some(flight) = book.flights.get(first) else {
+            break;
+        };
+        let sheet = flight.leaf().sheet();
+        if sheet.settings().time_step < 0.005 {
+            fine += 1;
+        } else {
+            coarse += 1;
+        }
+        if let Some((x, v)) = &before
+            && [20, 40, 60].contains(&tick)
+        {
+            for k in 0..x.len() {
+                let way = sheet.positions()[k] - x[k] - TICK * v[k];
+                assert!(way.abs() < 1e-3, "tick {tick}: {way} m beside its way");
+            }
+        }
+        before = Some((sheet.positions().to_vec(), sheet.velocities().to_vec()));
+    }
+    assert!(fine >= 60 && coarse > 40, "{fine} {coarse}");
+}
+
 #[test]
 fn a_played_turn_never_jumps() {
     let mut book = book();

@@ -34,7 +34,15 @@ impl Sheet {
     }
 
     /// Assembles forces and matrix at the present state.
+    ///
+    /// Of implicit Euler's damping of bending, which is that of paper whose damping
+    /// time is a step, only the paper's own is left: bending acts not at the end x of
+    /// the step but at x less the `lag` times the velocity before it. Where k is the
+    /// square of a mode's angle in a step and b the lag over the step, the mode keeps
+    /// (1 + b k) / (1 + k) of the square of its swing a step: slow ones what paper
+    /// keeps, quick ones b. It is stable at any step.
     pub(super) fn assemble(&mut self) {
+        self.look_back();
         self.system.matrix.copy_from(&self.constant);
         self.system.forces.copy_from_slice(&self.weight);
         let forces = &mut self.system.forces;
@@ -42,13 +50,26 @@ impl Sheet {
             *force += load;
         }
         self.bending
-            .subtract_forces(&self.positions, &self.tangents, forces);
+            .subtract_forces(&self.lagging, &self.lagging_tangents, forces);
         self.membrane.add_to(&self.positions, &mut self.system);
         self.add_inertia_and_air();
         for hand in &mut self.hands {
             hand.add_to(&mut self.system, &self.positions);
         }
         self.add_bounds();
+    }
+
+    /// Finds where nodes and clamp were the lag ago, going as they do now.
+    fn look_back(&mut self) {
+        let (lag, part) = (self.lag, self.lag / self.h);
+        let states = self.positions.iter().zip(&self.velocities);
+        for (to, (x, v)) in self.lagging.iter_mut().zip(states) {
+            *to = x - lag * v;
+        }
+        let states = self.tangents.iter().zip(&self.last_tangents);
+        for (to, (now, last)) in self.lagging_tangents.iter_mut().zip(states) {
+            *to = now - part * (now - last);
+        }
     }
 
     /// Adds what each node's velocity does: inertia, the air it carries and

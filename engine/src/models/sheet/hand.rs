@@ -17,11 +17,11 @@ const FASTEST: f32 = 3.0;
 const REACH: f32 = 0.995;
 
 /// Part of its greatest speed with which a hand begins, that it keeps when it
-/// gives way, the least of it, and how much of it comes back with a step.
+/// gives way, the least of it, and how much of it comes back in a second.
 const FIRST: f32 = 0.1;
 const HESITATION: f32 = 0.3;
 const SLOWEST: f32 = 0.02;
-const RECOVERY: f32 = 0.05;
+const RECOVERY: f32 = 6.0;
 
 /// A hand that holds a sheet.
 #[derive(Clone, Debug)]
@@ -145,12 +145,13 @@ impl Hand {
     }
 }
 
-/// Moves the hands' targets toward where they are wanted, for `h` seconds.
-pub(super) fn follow(hands: &mut [Hand], settings: &SheetSettings, h: f32) {
+/// Moves the hands' targets toward where they are wanted, for the `h` seconds of the
+/// first of `count` steps in which they shall come there.
+pub(super) fn follow(hands: &mut [Hand], settings: &SheetSettings, h: f32, count: u32) {
     for hand in hands.iter_mut() {
         let away = distance(hand.wanted, hand.target);
-        let part = (hand.pace * FASTEST * h / away.max(1e-9)).min(1.0);
-        hand.pace = (hand.pace + RECOVERY).min(1.0);
+        let part = (hand.pace * FASTEST * h / away.max(1e-9)).min(1.0 / count as f32);
+        hand.pace = (hand.pace + RECOVERY * h).min(1.0);
         for axis in 0..3 {
             hand.target[axis] += part * (hand.wanted[axis] - hand.target[axis]);
         }

@@ -43,10 +43,6 @@ const FASTEST: f32 = 12.0;
 /// Stiffness that holds a pinned node, N/m.
 const PIN: f32 = 2e4;
 
-/// Angular frequency at which the stock's loss is met, rad/s: that of the first
-/// swings of a page. Loss in proportion to the rate damps higher ones more.
-const LOSS_AT: f64 = 10.0;
-
 /// A leaf of paper.
 #[derive(Clone, Debug)]
 pub struct Sheet {
@@ -69,8 +65,16 @@ pub struct Sheet {
     velocities: Vec<f32>,
     before: Vec<f32>,
     normals: Vec<[f32; 3]>,
-    /// For each row the place to which the clamp's tangent points.
+    /// For each row the place to which the clamp's tangent points, now and in the
+    /// last step.
     tangents: Vec<f32>,
+    last_tangents: Vec<f32>,
+    /// Seconds before the start of a step at which bending is taken: see
+    /// [`assemble`](Self::assemble).
+    lag: f32,
+    /// The nodes and the clamp's tangents then.
+    lagging: Vec<f32>,
+    lagging_tangents: Vec<f32>,
     contacts: Vec<[Contact; CONTACTS]>,
     pins: Vec<Option<[f32; 3]>>,
     hands: Vec<Hand>,
@@ -119,6 +123,10 @@ impl Sheet {
             before: vec![0.0; 3 * nodes],
             normals: vec![[0.0, 0.0, 1.0]; nodes],
             tangents: vec![0.0; 3 * rows],
+            last_tangents: vec![0.0; 3 * rows],
+            lag: 0.0,
+            lagging: vec![0.0; 3 * nodes],
+            lagging_tangents: vec![0.0; 3 * rows],
             contacts: vec![[Contact::default(); CONTACTS]; nodes],
             pins: vec![None; nodes],
             hands: Vec::new(),
@@ -136,10 +144,14 @@ impl Sheet {
     fn prepare(&mut self) {
         let settings = &self.settings;
         let h = settings.time_step;
-        let loss = (settings.stock.loss / (LOSS_AT * h)) as f32;
+        // Implicit Euler damps as a step's time of damping would. What the paper has
+        // less is taken back by the lag, what it has more is added.
+        let damping = settings.damping_time();
+        self.lag = (h - damping).max(0.0) as f32;
+        let more = ((damping - h).max(0.0) / h) as f32;
         let first = settings.first();
         self.constant.clear();
-        self.bending.add_to(&mut self.constant, first, 1.0 + loss);
+        self.bending.add_to(&mut self.constant, first, 1.0 + more);
         for node in 0..self.mass.len() {
             if self.system.moves(node) {
                 let at = self.system.unknown(node);
@@ -166,6 +178,23 @@ impl Sheet {
         });
     }
 
+    /// Goes on from where it is with another length of step, in seconds, and other
+    /// stiffness in its plane, which `settings` give; all else stays as it is.
+    pub(crate) fn pace(&mut self, settings: &SheetSettings) {
+        self.settings.time_step = settings.time_step;
+        (self.settings.stretch, self.settings.shear) = (settings.stretch, settings.shear);
+        self.h = settings.time_step as f32;
+        self.membrane = Membrane::new(&self.settings);
+        self.prepare();
+    }
+
+    /// Advances by a step, the first of `count` in which its hands shall go the way
+    /// to where they pull.
+    pub(crate) fn step_of(&mut self, count: u32) {
+        hand::follow(&mut self.hands, &self.settings, self.h, count);
+        self.advance();
+    }
+
     /// The settings it was made of.
     pub fn settings(&self) -> &SheetSettings {
         &self.settings
@@ -186,6 +215,7 @@ impl Sheet {
             Side::Left => core::f32::consts::PI,
         };
         self.set_clamp_angle(angle);
+        self.last_tangents.copy_from_slice(&self.tangents);
     }
 
     /// Sets the angle at which the sheet leaves the spine, radians: 0 level to
@@ -341,6 +371,29 @@ impl Sheet {
         }
     }
 
+    fn advance(&mut self) {
+        self.update_normals();
+        self.assemble();
+        self.before.copy_from_slice(&self.positions);
+        if self.system.solve(&mut self.positions) {
+            self.sweep.run(&mut self.positions, &self.contacts);
+            self.synchronise();
+        }
+        let inverse = 1.0 / self.h;
+        let states = self.velocities.chunks_exact_mut(3);
+        let moved = self
+            .positions
+            .chunks_exact(3)
+            .zip(self.before.chunks_exact(3));
+        for (v, (x, before)) in states.zip(moved) {
+            let new: [f32; 3] = core::array::from_fn(|axis| (x[axis] - before[axis]) * inverse);
+            let slower = (FASTEST / dot(new, new).sqrt().max(FASTEST)).min(1.0);
+            v.copy_from_slice(&new.map(|v| v * slower));
+        }
+        self.last_tangents.copy_from_slice(&self.tangents);
+        self.time += f64::from(self.h);
+    }
+
     fn synchronise(&mut self) {
         let (true, Some((grid, synchroniser))) = (CAN_SYNCHRONISE, &self.synchroniser) else {
             return;
@@ -371,26 +424,7 @@ impl TurnModel for Sheet {
     }
 
     fn step(&mut self) {
-        hand::follow(&mut self.hands, &self.settings, self.h);
-        self.update_normals();
-        self.assemble();
-        self.before.copy_from_slice(&self.positions);
-        if self.system.solve(&mut self.positions) {
-            self.sweep.run(&mut self.positions, &self.contacts);
-            self.synchronise();
-        }
-        let inverse = 1.0 / self.h;
-        let states = self.velocities.chunks_exact_mut(3);
-        let moved = self
-            .positions
-            .chunks_exact(3)
-            .zip(self.before.chunks_exact(3));
-        for (v, (x, before)) in states.zip(moved) {
-            let new: [f32; 3] = core::array::from_fn(|axis| (x[axis] - before[axis]) * inverse);
-            let slower = (FASTEST / dot(new, new).sqrt().max(FASTEST)).min(1.0);
-            v.copy_from_slice(&new.map(|v| v * slower));
-        }
-        self.time += f64::from(self.h);
+        self.step_of(1);
     }
 
     fn write_surface(&mut self, surface: &mut Surface) {

@@ -1,6 +1,7 @@
 //! What a sheet is made of and how it is bound.
 
 use crate::air::Air;
+use crate::rigidity::Rigidity;
 use crate::stock::{GRAVITY, Grain, InvalidStock, Stock};
 use crate::synchronise::Synchronise;
 
@@ -92,12 +93,25 @@ impl SheetSettings {
     /// nodes and step allow. How a leaf that is bent two ways snaps depends on that.
     pub(crate) fn fine(mut self, time_step: Option<f64>) -> SheetSettings {
         self.time_step = time_step.unwrap_or(FINE_STEP);
+        let columns = (self.columns as f64 / 12.0).max(1.0);
+        self.stiffened(STIFFEST / (columns * columns), FINE_STRETCH)
+    }
+
+    /// The same leaf, its stiffness in its plane so many times a node's mass over the
+    /// square of the step, but at most `most` N/m.
+    pub(crate) fn stiffened(mut self, times: f64, most: f64) -> SheetSettings {
         let cell = self.cell()[0] * self.cell()[1];
         let node = self.stock.grammage * cell / (self.time_step * self.time_step);
-        let columns = (self.columns as f64 / 12.0).max(1.0);
-        self.stretch = (STIFFEST * node / (columns * columns)).min(FINE_STRETCH);
+        self.stretch = (times * node).min(most);
         self.shear = SHEAR * self.stretch;
         self
+    }
+
+    /// Seconds of damping in proportion to stiffness that give the stock's loss at
+    /// the first frequency of the leaf clamped at the spine.
+    pub(super) fn damping_time(&self) -> f64 {
+        let rigidity = Rigidity::of(&self.stock, self.grain);
+        self.stock.loss / rigidity.first_frequency(self.stock.grammage, self.width)
     }
 
     /// Distance between columns and between rows, metres.

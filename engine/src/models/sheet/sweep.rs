@@ -6,14 +6,25 @@
 //! converge nearly as fast on a sheet and cost a thousandth). Sweeps repeat
 //! until every edge has its length.
 //!
+//! Between them the shear of each cell is limited: chains by themselves turn what
+//! they take out of stretch into shear. It is an inequality, cell by cell, as to make
+//! lengths and right angles exact at once would lock the sheet.
+//!
 //! What a hand's pull or a throw drove through a firm contact within the step is
 //! brought back between the sweeps, so that the paper around it follows.
 
 use super::contact::{CONTACTS, Contact};
 use super::settings::SheetSettings;
+use crate::vector::{dot, sub};
 
 /// Sweeps go on until no edge is longer or shorter by more than this part.
 const TOLERANCE: f32 = 2e-4;
+
+/// Shear of a cell, radians, beyond which sweeps take it back, how much more of it is no
+/// reason to go on, and sweeps after which it yields to lengths.
+const MOST_SHEAR: f32 = 3e-3;
+const MORE_SHEAR: f32 = 1e-3;
+const SHEAR_YIELDS: usize = 40;
 
 /// Depth in a firm contact that is left to its spring, metres; what is deeper is
 /// brought back to it.
@@ -99,6 +110,9 @@ impl Sweep {
             } else {
                 0.0
             };
+            if round < SHEAR_YIELDS && self.limit_shear(positions) > MORE_SHEAR {
+                off = off.max(1.0);
+            }
             for column in self.first..columns {
                 off = off.max(self.chain(positions, column, columns, rows, self.cell[1]));
             }
@@ -145,6 +159,44 @@ impl Sweep {
         } else {
             0.0
         }
+    }
+
+    /// Takes back the shear of cells that have too much of it, one after another;
+    /// returns by how much they had at most, in radians while it is small. The shear
+    /// is the product of a cell's mean tangents, the difference of the squares of its
+    /// diagonals over four times its area.
+    fn limit_shear(&self, positions: &mut [f32]) -> f32 {
+        let x = positions.as_chunks_mut::<3>().0;
+        let slope = 0.5 / (self.cell[0] * self.cell[1]);
+        let mut most = 0.0f32;
+        for foot in 0..self.columns * (self.rows - 1) {
+            if (foot + 1).is_multiple_of(self.columns) {
+                continue;
+            }
+            let head = foot + self.columns;
+            let rising = sub(x[head + 1], x[foot]);
+            let falling = sub(x[foot + 1], x[head]);
+            let [long, short] = [dot(rising, rising), dot(falling, falling)];
+            let shear = 0.5 * slope * (long - short);
+            let excess = shear.abs() - MOST_SHEAR;
+            if excess <= 0.0 {
+                continue;
+            }
+            most = most.max(excess);
+            let [a, b, c, d] = [foot, foot + 1, head, head + 1].map(|node| self.mobility[node]);
+            let stiff = slope * slope * ((a + d) * long + (b + c) * short);
+            if stiff <= 0.0 {
+                continue;
+            }
+            let back = slope * excess.copysign(shear) / stiff;
+            for axis in 0..3 {
+                x[foot][axis] += back * a * rising[axis];
+                x[head + 1][axis] -= back * d * rising[axis];
+                x[foot + 1][axis] += back * b * falling[axis];
+                x[head][axis] -= back * c * falling[axis];
+            }
+        }
+        most
     }
 
     /// Restores one chain of `count` nodes from node `start`, each `step` nodes

@@ -22,6 +22,39 @@ fn a_hanging_page_hangs_as_it_should() {
     }
 }
 
+/// Limp and light, in air and with nothing else to slow it.
+#[test]
+fn a_limp_page_settles() {
+    for (gamma, flying) in [(100.0, 1), (100.0, 9), (20.0, 1), (20.0, 9)] {
+        let hanging = hanging(10, 14, gamma);
+        let paper = crate::book::Paper {
+            stock: hanging.settings().stock,
+            ..Default::default()
+        };
+        let mut sheet = Sheet::new(SheetSettings {
+            root: Root::Clamped,
+            ..paper.sheet(PAGE, flying)
+        })
+        .unwrap();
+        let mut fastest = |seconds: f32| {
+            let steps = (seconds / sheet.time_step()) as usize;
+            let speeds = (0..steps).map(|_| {
+                sheet.step();
+                sheet.greatest_speed()
+            });
+            speeds.fold(0.0, f32::max)
+        };
+        let first = fastest(1.0);
+        fastest(14.0);
+        let [early, _, late] = [2.0, 26.0, 2.0].map(&mut fastest);
+        // Drag in proportion to the square of the speed: it falls as one over time.
+        assert!(
+            late < 2e-3 || late < 0.5 * early && early < 0.1 * first,
+            "Gamma {gamma}, {flying} leaves: {first}, {early}, {late} m/s"
+        );
+    }
+}
+
 #[test]
 fn a_level_sheet_falls_at_its_terminal_speed() {
     for name in Stock::NAMES {

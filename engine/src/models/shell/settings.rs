@@ -153,9 +153,7 @@ impl ShellSettings {
     /// Seconds of stiffness-proportional damping that give the loss tangent at
     /// the first frequency of a clamped strip, 3.516 sqrt(D / m) / width^2.
     pub(super) fn damping_time(&self) -> f64 {
-        const FIRST_ROOT: f64 = 1.875_104_068_7;
-        let rate = (self.rigidity.d11 / self.areal_mass).sqrt() / (self.width * self.width);
-        self.loss / (FIRST_ROOT * FIRST_ROOT * rate)
+        self.loss / self.rigidity.first_frequency(self.areal_mass, self.width)
     }
 
     /// Whether the settings make a leaf.
