@@ -70,11 +70,7 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
         .zip(exact)
         .map(|(root, exact)| report::error(*root, exact))
         .collect();
-    let still = Piece {
-        air: false,
-        ..piece.clone()
-    };
-    let swings = swings(&mut *model.make(&still)?, &still, rates[0]);
+    let swings = swings(&mut *model.make(&narrow)?, &narrow, rates[0]);
     let figures = json!({
         "model": model.name(),
         "stock": name,
@@ -116,10 +112,10 @@ fn swings(specimen: &mut dyn Specimen, piece: &Piece, rate: f64) -> Option<Vec<f
         }
         most = most.max(height.abs());
         if found.len() > SWINGS {
-            return Some(found);
+            break;
         }
     }
-    None
+    Some(found)
 }
 
 /// The part of critical damping by which swings die away, after the first; that of paper

@@ -437,13 +437,14 @@ impl Leaf {
     }
 
     /// Steps by one tick of [`TICK`] seconds. `supported` says whether what lies
-    /// under it, where it goes, is down; only then may it come to rest.
-    pub fn step(&mut self, supported: bool) {
+    /// under it, where it goes, is down; only then may it come to rest. `has_way` says
+    /// whether no other lies upon it in its way there; only then may it be turned over.
+    pub fn step(&mut self, supported: bool, has_way: bool) {
         let before = self.share;
         match self.phase {
             Phase::Resting(_) => return,
             Phase::Held => self.step_held(),
-            Phase::Falling(side) => self.step_falling(side, supported),
+            Phase::Falling(side) => self.step_falling(side, supported, has_way),
             Phase::Playing(side) => self.step_playing(side),
         }
         if let Phase::Resting(_) = self.phase {

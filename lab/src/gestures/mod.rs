@@ -73,6 +73,9 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     let all: Vec<&Played> = played.iter().collect();
     let mut report = figures(&all);
     report["seed"] = json!(seed);
+    if let [one] = &all[..] {
+        report["world"] = World::new(one.seed, one.stock, &choice).describe();
+    }
     let part = |is: &dyn Fn(&Played) -> bool| {
         let of: Vec<&Played> = all.iter().copied().filter(|one| is(one)).collect();
         figures(&of)

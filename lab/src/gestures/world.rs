@@ -1,6 +1,7 @@
 //! The book that a gesture is played on: its page, its paper, its air, and how its
 //! frames come.
 
+use serde_json::{Value, json};
 use turnleaf_engine::book::{Board, Book, Paper};
 use turnleaf_engine::{Grain, Side, Stock};
 
@@ -144,6 +145,29 @@ impl World {
                 ..paper
             },
         }
+    }
+
+    /// What it is, for people.
+    pub fn describe(&self) -> Value {
+        let Paper {
+            stock,
+            grain,
+            binding,
+            wind,
+            ..
+        } = self.paper;
+        json!({
+            "kind": self.kind.name(),
+            "page_mm": self.page.map(|side| 1e3 * side),
+            "frames": format!("{:?}", self.pace).to_lowercase(),
+            "grammage": stock.grammage,
+            "caliper": stock.caliper,
+            "stiffness_along": stock.stiffness_along,
+            "stiffness_across": stock.stiffness_across,
+            "grain": format!("{grain:?}"),
+            "binding": binding,
+            "wind": wind,
+        })
     }
 
     /// Opens the book somewhere, also at its first and its last leaf.

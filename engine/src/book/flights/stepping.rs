@@ -28,6 +28,9 @@ const DEEPEST: f32 = 2.5e-3;
 const ASTRAY: f32 = 2e-4;
 const WARY: f32 = 1.5e-4;
 
+/// Part of the half turn by which a leaf is well ahead of another.
+const AHEAD: f32 = 0.2;
+
 impl Flights {
     /// Steps every flight by one tick between the piles (right and left), and
     /// lets those at rest join their piles.
@@ -82,6 +85,7 @@ impl Flights {
     /// Steps one flight; its neighbours, left and right, are as firm as said.
     fn step_one(&mut self, index: usize, gutter: &Gutter, piles: [&Pile; 2], firm: [f32; 2]) {
         let supported = self.is_supported(index);
+        let has_way = self.has_way(index);
         let (own, [left, right]) = self.among(index);
         let leaf = own.leaf_mut();
         if matches!(leaf.phase(), Phase::Resting(_)) {
@@ -90,7 +94,7 @@ impl Flights {
         let left = left.map(|flight| neighbour_of(flight, firm[0]));
         let right = right.map(|flight| neighbour_of(flight, firm[1]));
         leaf.meet(piles, [left, right], true);
-        leaf.step(supported);
+        leaf.step(supported, has_way);
         leaf.seat(gutter);
     }
 
@@ -200,6 +204,21 @@ impl Flights {
             Side::Left => index.checked_sub(1).and_then(|under| self.order.get(under)),
         };
         under.is_none_or(|under| under.leaf().is_down() && under.phase().side() == Some(side))
+    }
+
+    /// Whether the flight next to flight `index`, where that is bound for, is well ahead
+    /// of it.
+    fn has_way(&self, index: usize) -> bool {
+        let Some(side) = self.order[index].phase().side() else {
+            return false;
+        };
+        let ahead = match side {
+            Side::Right => self.order.get(index + 1),
+            Side::Left => index.checked_sub(1).and_then(|ahead| self.order.get(ahead)),
+        };
+        let share = |flight: &Flight| flight.leaf().share_turned();
+        let own = share(&self.order[index]);
+        ahead.is_none_or(|ahead| (share(ahead) - own).abs() > AHEAD)
     }
 
     /// Wakes leaves that rest upon others that move.

@@ -44,7 +44,7 @@ impl Leaf {
         self.phase = Phase::Falling(to);
     }
 
-    pub(super) fn step_falling(&mut self, side: Side, supported: bool) {
+    pub(super) fn step_falling(&mut self, side: Side, supported: bool, has_way: bool) {
         if self.settling.is_some() && supported {
             self.step_settling(side);
             return;
@@ -56,7 +56,7 @@ impl Leaf {
             self.side_ahead()
         };
         self.phase = Phase::Falling(side);
-        if self.lies_across_from(side) {
+        if has_way && self.lies_across_from(side) {
             self.turned_over = true;
             self.turn(side, self.haste);
             self.step_playing(side);
