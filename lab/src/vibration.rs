@@ -70,7 +70,11 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
         .zip(exact)
         .map(|(root, exact)| report::error(*root, exact))
         .collect();
-    let swings = swings(&mut *model.make(&narrow)?, &narrow, rates[0]);
+    let still = Piece {
+        air: false,
+        ..piece.clone()
+    };
+    let swings = swings(&mut *model.make(&still)?, &still, rates[0]);
     let figures = json!({
         "model": model.name(),
         "stock": name,
@@ -112,10 +116,10 @@ fn swings(specimen: &mut dyn Specimen, piece: &Piece, rate: f64) -> Option<Vec<f
         }
         most = most.max(height.abs());
         if found.len() > SWINGS {
-            break;
+            return Some(found);
         }
     }
-    Some(found)
+    None
 }
 
 /// The part of critical damping by which swings die away, after the first; that of paper
