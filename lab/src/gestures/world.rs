@@ -14,6 +14,9 @@ pub const USUAL: [f64; 2] = [0.14, 0.21];
 const SIDES: [f32; 2] = [0.02, 2.0];
 const RATIO: f32 = 4.0;
 
+/// One gesture of so many is a riffle, as it takes the time of twenty others.
+const RIFFLES: u32 = 30;
+
 /// Names of what leaves are made of: the presets; custom figures as of paper that
 /// is made; and any figures that a book takes.
 pub const STOCKS: [&str; 7] = [
@@ -97,7 +100,7 @@ pub struct World {
 pub struct Choice {
     /// Stocks by their place among [`STOCKS`], in turn.
     pub stocks: Vec<usize>,
-    /// Kinds, at random.
+    /// Kinds, at random; a riffle is rare.
     pub kinds: Vec<Kind>,
     /// Whether pages, air, binding and frames are the usual ones.
     pub is_usual: bool,
@@ -108,7 +111,10 @@ impl World {
     pub fn new(seed: u64, stock: usize, choice: &Choice) -> World {
         // Numbers of its own, so that the hands of a seed are the same in any world.
         let mut random = Random::new(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ 0x9e6c_63d0);
-        let kind = choice.kinds[random.below(choice.kinds.len() as u32) as usize];
+        let kind = kind(
+            &choice.kinds,
+            random.below(RIFFLES * Kind::ALL.len() as u32),
+        );
         let stock = stock_of(stock, &mut random);
         let paper = Paper {
             stock,
@@ -193,6 +199,18 @@ impl World {
         });
         book
     }
+}
+
+/// One of some kinds by a random number; where others may be played a riffle is rare.
+fn kind(kinds: &[Kind], number: u32) -> Kind {
+    let others: Vec<Kind> = { kinds.iter().copied() }
+        .filter(|kind| *kind != Kind::Riffle)
+        .collect();
+    let is_riffle = number.is_multiple_of(RIFFLES) && kinds.contains(&Kind::Riffle);
+    if others.is_empty() || is_riffle {
+        return Kind::Riffle;
+    }
+    others[number as usize % others.len()]
 }
 
 /// Half of the pages are about as large as pages are; the others have any size.
