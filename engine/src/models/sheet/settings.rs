@@ -46,6 +46,8 @@ pub struct SheetSettings {
     pub stretch: f64,
     /// Stiffness against shear, N/m.
     pub shear: f64,
+    /// Sweeps of a step after which the shear of cells yields to the lengths of edges.
+    pub shear_sweeps: usize,
     /// Which lines are kept parallel (the paper's synchronisation), as a
     /// projection after each step.
     pub synchronise: Synchronise,
@@ -84,6 +86,7 @@ impl SheetSettings {
             time_step: 1.0 / 180.0,
             stretch: 8000.0,
             shear: 3200.0,
+            shear_sweeps: 40,
             synchronise: Synchronise::Off,
         }
     }

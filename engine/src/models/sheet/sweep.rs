@@ -20,11 +20,10 @@ use crate::vector::{dot, sub};
 /// Sweeps go on until no edge is longer or shorter by more than this part.
 const TOLERANCE: f32 = 2e-4;
 
-/// Shear of a cell, radians, beyond which sweeps take it back, how much more of it is no
-/// reason to go on, and sweeps after which it yields to lengths.
+/// Shear of a cell, radians, beyond which sweeps take it back, and how much more of it is
+/// no reason to go on.
 const MOST_SHEAR: f32 = 3e-3;
 const MORE_SHEAR: f32 = 1e-3;
-const SHEAR_YIELDS: usize = 40;
 
 /// Depth in a firm contact that is left to its spring, metres; what is deeper is
 /// brought back to it.
@@ -54,6 +53,7 @@ pub(super) struct Sweep {
     rows: usize,
     first: usize,
     cell: [f32; 2],
+    pub shear_sweeps: usize,
     /// One over a node's area, relative to an inner node's; 0 where it is held.
     pub mobility: Vec<f32>,
     links: Vec<Link>,
@@ -79,6 +79,7 @@ impl Sweep {
             rows,
             first,
             cell: [du as f32, dv as f32],
+            shear_sweeps: settings.shear_sweeps,
             mobility: vec![0.0; columns * rows],
             links: vec![Link::default(); columns.max(rows)],
             firm: Vec::with_capacity(columns * rows),
@@ -110,7 +111,7 @@ impl Sweep {
             } else {
                 0.0
             };
-            if round < SHEAR_YIELDS && self.limit_shear(positions) > MORE_SHEAR {
+            if round < self.shear_sweeps && self.limit_shear(positions) > MORE_SHEAR {
                 off = off.max(1.0);
             }
             for column in self.first..columns {
