@@ -83,7 +83,8 @@ export class LeafScene {
       kind: "typeset",
     };
     this.#textures = new PictureTextures(this.#renderer);
-    this.#materials = new BookMaterials(this.#shape, this.#textures.paper);
+    const { paper, anisotropy } = this.#textures;
+    this.#materials = new BookMaterials(this.#shape, paper, anisotropy);
     this.#ground = new Ground(-3 * gap, 12 * Math.max(width, height));
     this.#left = restingPage(-1, this.#shape, this.#materials);
     this.#right = restingPage(1, this.#shape, this.#materials);

@@ -32,8 +32,11 @@ export class BookMaterials {
   readonly #leaves: Record<LeafSide, PaperMaterial>[] = [];
   readonly #sheet: (recto: boolean, thin: boolean) => PaperMaterial;
 
-  /** @param blank what a face shows while it has no picture */
-  constructor(shape: BookShape, blank: Texture) {
+  /**
+   * @param blank what a face shows while it has no picture
+   * @param anisotropy of its own textures, from 1 for none
+   */
+  constructor(shape: BookShape, blank: Texture, anisotropy: number) {
     this.#sheet = (recto, thin) => {
       const side = { recto, thin, ownNormals: !thin };
       return this.#keep(new PaperMaterial(side, shape, blank));
@@ -41,6 +44,7 @@ export class BookMaterials {
     this.pages = { left: this.#sheet(false, false), right: this.#sheet(true, false) };
     const [edges, weave, stripes] = [leafEdgeTexture(), clothTexture(), headbandTexture()];
     this.#grains = [edges, weave, stripes];
+    for (const grain of this.#grains) grain.anisotropy = anisotropy;
     const solid = (colour: string, look: Omit<SolidLook, "base" | "rolled">): SolidMaterial =>
       this.#keep(new SolidMaterial({ base: new Color(colour), rolled: shape.rolled, ...look }));
     const cloth = (): SolidMaterial =>

@@ -89,7 +89,7 @@ export class Stage {
     this.#shape = shape;
     this.#renderer = openRenderer(canvas);
     this.#pictures = new PictureTextures(this.#renderer);
-    this.#materials = new BookMaterials(shape, this.#pictures.paper);
+    this.#materials = new BookMaterials(shape, this.#pictures.paper, this.#pictures.anisotropy);
     this.#book = new DrawnBook(shape, this.#materials);
     this.#scene.add(this.#book.group, this.#beyond.mesh);
     this.#camera = new PerspectiveCamera(fieldOfView, 1, 0.05, 10);
@@ -111,7 +111,7 @@ export class Stage {
     this.#materials.dispose();
     this.#faces.clear();
     this.#shape = shape;
-    this.#materials = new BookMaterials(shape, this.#pictures.paper);
+    this.#materials = new BookMaterials(shape, this.#pictures.paper, this.#pictures.anisotropy);
     this.#book = new DrawnBook(shape, this.#materials);
     this.#scene.add(this.#book.group);
   }

@@ -12,16 +12,20 @@ import {
   type WebGLRenderer,
 } from "three";
 import type { PagePicture } from "../sources/page_source.ts";
+import { anisotropyOf } from "./anisotropy.ts";
 
 /** Textures by picture. */
 export class PictureTextures {
   /** What a face shows while it has no picture. */
   readonly paper: Texture;
+  /** What textures are given, from 1 for none. */
+  readonly anisotropy: number;
   readonly #renderer: WebGLRenderer;
   readonly #textures = new Map<PagePicture, Texture>();
 
   constructor(renderer: WebGLRenderer) {
     this.#renderer = renderer;
+    this.anisotropy = anisotropyOf(renderer);
     this.paper = plainTexture(0xfb, 0xf5, 0xe8);
   }
 
@@ -36,7 +40,7 @@ export class PictureTextures {
     texture.generateMipmaps = true;
     texture.minFilter = LinearMipmapLinearFilter;
     texture.magFilter = LinearFilter;
-    texture.anisotropy = Math.min(8, this.#renderer.capabilities.getMaxAnisotropy());
+    texture.anisotropy = this.anisotropy;
     texture.needsUpdate = true;
     this.#textures.set(picture, texture);
     if (!this.#renderer.getContext().isContextLost()) this.#renderer.initTexture(texture);
@@ -153,7 +157,6 @@ function grainTexture(level: Float32Array, width: number, height: number): Textu
   texture.generateMipmaps = true;
   texture.minFilter = LinearMipmapLinearFilter;
   texture.magFilter = LinearFilter;
-  texture.anisotropy = 8;
   texture.needsUpdate = true;
   return texture;
 }
