@@ -116,8 +116,8 @@ fn a_played_turn_hardly_shears_its_paper() {
             }
             rest(&mut book, see);
             let (shear, stretch) = (most.0.to_degrees(), 100.0 * most.1);
-            // Leaves of a riffle have longer steps.
-            let most = if leaves > 3 { [1.3, 1.1] } else { [1.0, 0.5] };
+            // Leaves that fly with others have longer steps and are softer.
+            let most = if leaves > 1 { [3.3, 2.7] } else { [1.0, 0.5] };
             assert!(
                 shear <= most[0] && stretch <= most[1],
                 "{name}: {leaves} in {seconds} s from {from:?}: {shear} degrees, {stretch} %"
@@ -126,7 +126,7 @@ fn a_played_turn_hardly_shears_its_paper() {
     }
 }
 
-/// With a fourth leaf in the air all go on in longer steps, and in shorter ones again.
+/// With a second leaf in the air both go on in longer steps, and in shorter ones again.
 #[test]
 fn leaves_do_not_jerk_as_others_join_them() {
     let mut book = book();
@@ -160,7 +160,7 @@ fn leaves_do_not_jerk_as_others_join_them() {
         }
         before = Some((sheet.positions().to_vec(), sheet.velocities().to_vec()));
     }
-    assert!(fine >= 60 && coarse > 40, "{fine} {coarse}");
+    assert!(fine >= 20 && coarse > 40, "{fine} {coarse}");
 }
 
 #[test]

@@ -42,8 +42,10 @@ test.each(stocks)(
         peek.step(1 / 60);
         still = turning.inHand && stillness.check([engine.surface(0)]);
       }
-      // Half a second for most; the thinnest trembles, and is left alone after a few.
-      expect(frames).toBeLessThan(stock === "bible" ? 300 : 60);
+      // Stiff paper is still within a second. What is limp loses by its bending no more than paper
+      // does, and swings on a little; the thinnest trembles, and is left alone after a while.
+      const most = { bible: 300, book: 120, office: 60, coated: 60, card: 60 }[stock];
+      expect(frames).toBeLessThan(most);
       const { positions, columns } = engine.surface(0);
       const corner = positions[3 * (columns - 1) + 2];
       expect(corner - top).toBeGreaterThan(0.006);
