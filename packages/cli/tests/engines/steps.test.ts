@@ -1,6 +1,7 @@
 /** One list of steps that every engine goes through: Chromium, Firefox and WebKit. */
 
 import { readFileSync } from "node:fs";
+import { setTimeout as sleep } from "node:timers/promises";
 import { PNG } from "pngjs";
 import type { TurnleafBook } from "turnleaf";
 import { afterAll, beforeAll, beforeEach, describe, expect, test } from "vitest";
@@ -219,15 +220,21 @@ describe.each(here)("%s", (_, { start, hasWebGL }) => {
   });
 
   test("a double click zooms, another zooms back", { timeout: 120_000 }, async () => {
-    const zoom = () => browser.run(() => state.book.zoom);
+    const isZoomed = () => browser.run(() => state.book.zoom > 1.2);
+    // On a busy machine the two clicks may come so far apart that they are no double click.
+    const doubleClick = async (zoomed: boolean) => {
+      for (let times = 0; times < 5 && (await isZoomed()) !== zoomed; times++) {
+        await browser.doubleClick();
+        for (let look = 0; look < 40 && (await isZoomed()) !== zoomed; look++) await sleep(50);
+        await comesToRest();
+      }
+      expect(await isZoomed()).toBe(zoomed);
+    };
     await browser.movePointer(...(await bareAt(0.7)));
-    await browser.doubleClick();
-    await expect.poll(zoom, patience).toBeGreaterThan(1.2);
-    await comesToRest();
+    await doubleClick(true);
     await browser.movePointer(...(await bareAt(0.5)));
-    await browser.doubleClick();
-    await expect.poll(zoom, patience).toBe(1);
-    await comesToRest();
+    await doubleClick(false);
+    expect(await browser.run(() => state.book.zoom)).toBe(1);
     expect(await pageShown()).toBe(22);
     await hasNoComplaint();
   });
