@@ -2,10 +2,11 @@
 //! itself.
 //!
 //! Contact is sought where the leaf is in the book and told to the sheet, which
-//! lives over a flat table, as half-spaces turned back by the gutter's bend.
+//! lives over a flat table, as half-spaces turned back by the gutter's bend. Lengths are those
+//! of a page 0.14 m wide, and in proportion for others.
 
 use super::block::Pile;
-use super::seated::{FAR, Seated};
+use super::seated::Seated;
 use crate::models::sheet::{CONTACTS, Contact};
 use crate::vector::{dot, sub};
 
@@ -97,7 +98,7 @@ fn half_space(
     let flat = sheet.flat.as_chunks::<3>().0[node];
     Contact {
         normal,
-        offset: dot(normal, flat) - gap.max(-DEEPEST),
+        offset: dot(normal, flat) - gap.max(-DEEPEST * leaf.scale),
         velocity: back(velocity),
         friction: sheet.friction,
         firmness: 1.0,
@@ -114,7 +115,7 @@ fn meet_piles(leaf: &mut Seated, [right, left]: [&Pile; 2], sheet: &mut Sheetlik
         column = pile.column_before(x.abs(), column);
         let (height, slope) = pile.height_and_slope(x.abs(), column);
         leaf.pile_gaps[node] = z - height;
-        if z - height > FAR {
+        if z - height > leaf.far() {
             continue;
         }
         let inverse = 1.0 / (1.0 + slope * slope).sqrt();
@@ -137,35 +138,38 @@ fn meet_neighbour(
         contacts[slot] = Contact::default();
     }
     let Some(neighbour) = other else {
-        leaf.gaps[slot - 1].fill(FAR);
+        let far = leaf.far();
+        leaf.gaps[slot - 1].fill(far);
         return;
     };
     let other = neighbour.leaf;
     let mesh = other.mesh();
     let columns = leaf.columns;
+    let (scale, far) = (leaf.scale, leaf.far());
     for node in 0..leaf.points.len() {
         // The column at the spine is everyone's.
         if node % columns == 0 {
             continue;
         }
-        let before = core::mem::replace(&mut leaf.gaps[slot - 1][node], FAR);
+        let before = core::mem::replace(&mut leaf.gaps[slot - 1][node], far);
         let point = leaf.points[node];
         let start = leaf.nearest[slot - 1][node] as usize;
         let Some(near) = mesh.near(point, start) else {
             continue;
         };
         leaf.nearest[slot - 1][node] = near.node as u16;
-        let gap = side * near.height - GAP;
+        let gap = side * near.height - GAP * scale;
         let away = sub(point, other.points[near.node]);
         // What is far, or far to the wrong side, is not lying upon it there.
-        let was_next = before < FAR && gap > before - LEAP;
-        let is_past = near.beyond && gap < -PAST;
-        if gap > FAR || is_past || !(gap > -WRONG || was_next) || dot(away, away) > FAR * FAR {
+        let was_next = before < far && gap > before - LEAP * scale;
+        let is_past = near.beyond && gap < -PAST * scale;
+        let is_next = gap > -WRONG * scale || was_next;
+        if gap > far || is_past || !is_next || dot(away, away) > far * far {
             continue;
         }
         leaf.gaps[slot - 1][node] = gap;
         if neighbour.firmness == 1.0 {
-            leaf.depth = leaf.depth.max(-gap - GAP);
+            leaf.depth = leaf.depth.max(-gap - GAP * scale);
         }
         let normal = near.normal.map(|n| side * n);
         let velocity = other.velocities[near.node];
@@ -194,6 +198,7 @@ fn meet_between(
     let mesh = other.mesh();
     let columns = leaf.columns;
     let nodes = leaf.points.len();
+    let scale = leaf.scale;
     for node in 0..nodes {
         let column = node % columns;
         for [right, up] in BETWEEN {
@@ -203,7 +208,7 @@ fn meet_between(
             }
             let ends = [node, end];
             let gaps = ends.map(|node| leaf.gaps[slot - 1][node]);
-            if gaps[0].max(gaps[1]) > BESIDE {
+            if gaps[0].max(gaps[1]) > BESIDE * scale {
                 continue;
             }
             let point = leaf.middle(node, [right, up]);
@@ -211,13 +216,13 @@ fn meet_between(
             let Some(near) = mesh.near(point, start) else {
                 continue;
             };
-            let gap = side * near.height - GAP;
+            let gap = side * near.height - GAP * scale;
             let least = gaps[0].min(gaps[1]);
-            if gap > least || gap < least - BESIDE {
+            if gap > least || gap < least - BESIDE * scale {
                 continue;
             }
             if neighbour.firmness == 1.0 {
-                leaf.depth = leaf.depth.max(-gap - GAP);
+                leaf.depth = leaf.depth.max(-gap - GAP * scale);
             }
             let normal = near.normal.map(|n| side * n);
             let velocity = other.velocities[near.node];
@@ -255,7 +260,7 @@ pub fn meet_itself(leaf: &mut Seated, sheet: &mut Sheetlike<'_>) {
         let normal = leaf.normals[other];
         let height = dot(away, normal);
         let side = if height >= 0.0 { 1.0 } else { -1.0 };
-        let space = (normal.map(|n| side * n), height.abs() - GAP);
+        let space = (normal.map(|n| side * n), height.abs() - GAP * leaf.scale);
         let velocity = leaf.velocities[other];
         // The other node is pushed itself.
         sheet.contacts[node][SELF] = Contact {
@@ -270,10 +275,11 @@ pub fn meet_itself(leaf: &mut Seated, sheet: &mut Sheetlike<'_>) {
 fn nearest_of_itself(leaf: &Seated, node: usize) -> Option<usize> {
     let columns = leaf.columns;
     let point = leaf.points[node];
-    let (mut best, mut least) = (None, CURLED * CURLED);
+    let (curled, apart) = (CURLED * leaf.scale, APART * leaf.scale);
+    let (mut best, mut least) = (None, curled * curled);
     for (row, [low, high]) in leaf.bounds.iter().enumerate() {
         let beside =
-            |axis: usize| point[axis] < low[axis] - CURLED || point[axis] > high[axis] + CURLED;
+            |axis: usize| point[axis] < low[axis] - curled || point[axis] > high[axis] + curled;
         if (0..3).any(beside) {
             continue;
         }
@@ -283,7 +289,7 @@ fn nearest_of_itself(leaf: &Seated, node: usize) -> Option<usize> {
             if d < least {
                 let u = (node % columns).abs_diff(other % columns) as f32 * leaf.cell[0];
                 let v = (node / columns).abs_diff(row) as f32 * leaf.cell[1];
-                if u * u + v * v > APART * APART {
+                if u * u + v * v > apart * apart {
                     (best, least) = (Some(other), d);
                 }
             }

@@ -4,12 +4,20 @@ use super::mesh::{Mesh, update_normals};
 use super::seat::share_turned;
 use crate::vector::{dot, sub};
 
+/// Width of the page for which the lengths here are given, metres: contact depends on the
+/// size of a leaf's cells, and for another page they are as much longer or shorter as it is.
+const WIDTH: f32 = 0.14;
+
 /// Farther than this from each other, metres, nothing meets within a tick.
-pub const FAR: f32 = 0.07;
+const FAR: f32 = 0.07;
 
 /// Nodes of a cell farther than this from another leaf, metres, keep the whole
 /// cell clear of it.
 const CLOSE: f32 = 0.003;
+
+/// Cosine of the angle between normals at nodes of a leaf that may go through itself between
+/// these; less than a right angle, as a fold between nodes is sharper.
+const BENT_BACK: f32 = 0.3;
 
 /// A leaf's nodes in the book, and what it remembers of what they met.
 #[derive(Clone, Debug)]
@@ -27,6 +35,8 @@ pub struct Seated {
     pub nearest: [Vec<u16>; 2],
     /// Distance between columns and rows, metres.
     pub cell: [f32; 2],
+    /// How much wider the page is than the one for which lengths are given.
+    pub scale: f32,
     /// Deepest contact of the last meeting, metres.
     pub depth: f32,
     /// Distance of each node from the left and from the right neighbour, metres.
@@ -42,6 +52,8 @@ impl Seated {
     pub fn new(columns: usize, rows: usize, cell: [f32; 2]) -> Seated {
         let nodes = columns * rows;
         let same: Vec<u16> = (0..nodes as u16).collect();
+        let scale = cell[0] * (columns - 1) as f32 / WIDTH;
+        let far = vec![FAR * scale; nodes];
         Seated {
             columns,
             points: vec![[0.0; 3]; nodes],
@@ -51,9 +63,10 @@ impl Seated {
             was_held: false,
             nearest: [same.clone(), same],
             cell,
+            scale,
             depth: 0.0,
-            gaps: [vec![FAR; nodes], vec![FAR; nodes]],
-            pile_gaps: vec![FAR; nodes],
+            gaps: [far.clone(), far.clone()],
+            pile_gaps: far,
             bounds: vec![[[0.0; 3]; 2]; rows],
         }
     }
@@ -72,7 +85,14 @@ impl Seated {
     pub fn is_close(&self, side: usize, column: usize, row: usize) -> bool {
         let node = row * self.columns + column;
         let corners = [node, node + 1, node + self.columns, node + self.columns + 1];
-        corners.iter().any(|&node| self.gaps[side][node] < CLOSE)
+        corners
+            .iter()
+            .any(|&node| self.gaps[side][node] < CLOSE * self.scale)
+    }
+
+    /// Farther than this from each other, metres, nothing meets within a tick.
+    pub fn far(&self) -> f32 {
+        FAR * self.scale
     }
 
     /// Brings the normals up to date with the points.
@@ -84,8 +104,9 @@ impl Seated {
     pub fn forget(&mut self) {
         self.was_held = false;
         self.depth = 0.0;
+        let far = self.far();
         for gaps in &mut self.gaps {
-            gaps.fill(FAR);
+            gaps.fill(far);
         }
         for nearest in &mut self.nearest {
             for (node, nearest) in nearest.iter_mut().enumerate() {
@@ -97,8 +118,9 @@ impl Seated {
     /// Forgets neighbours that nodes seem deeper in than `deep` metres: such a node has
     /// come round a rim, or lies under a flap.
     pub fn forget_deep(&mut self, deep: f32) {
+        let far = self.far();
         for gap in self.gaps.iter_mut().flatten().filter(|gap| **gap < -deep) {
-            *gap = FAR;
+            *gap = far;
         }
     }
 
@@ -167,6 +189,14 @@ impl Seated {
                 }
             }
         }
+    }
+
+    /// Whether normals of this leaf are apart by so much that it may go through itself
+    /// between its nodes.
+    pub fn is_bent_back(&self) -> bool {
+        let normals = &self.normals;
+        let middle = normals[normals.len() / 2 + self.columns / 2];
+        normals.iter().any(|n| dot(*n, middle) < BENT_BACK)
     }
 
     /// Whether nodes of this leaf come near enough to others of it to touch.

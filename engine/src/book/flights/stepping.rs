@@ -1,5 +1,6 @@
 //! A tick of the leaves in flight: each steps between its neighbours, and what the tick
-//! drove into each other is brought out of it, or taken back.
+//! drove into each other is brought out of it, or taken back. Lengths are those of a page
+//! 0.14 m wide, and in proportion for others.
 
 use super::Flights;
 use super::MOST_FLIGHTS;
@@ -53,6 +54,10 @@ impl Flights {
             self.step_one(index, gutter, piles, [left, 1.0]);
         }
         self.relax(gutter, piles);
+        let deepest = DEEPEST * self.scale();
+        for flight in &mut self.order {
+            flight.keep_from_itself(gutter, deepest);
+        }
         if self.order.iter().any(Flight::is_astray) {
             self.take_back(gutter);
         }
@@ -112,11 +117,12 @@ impl Flights {
         for index in 0..count {
             let flight = &mut self.order[index];
             let depth = flight.leaf().seated().depth;
-            self.tangled |= depth > ASTRAY;
+            let scale = flight.leaf().seated().scale;
+            self.tangled |= depth > ASTRAY * scale;
             let is_held = self.tangled && flight.leaf().was_held();
-            flight.set_astray(depth > ASTRAY || is_held, depth > WARY);
+            flight.set_astray(depth > ASTRAY * scale || is_held, depth > WARY * scale);
             self.look_again(index, piles);
-            self.order[index].leaf_mut().give_way(DEEP);
+            self.order[index].leaf_mut().give_way(DEEP * scale);
         }
     }
 
@@ -135,12 +141,13 @@ impl Flights {
             return true;
         }
         let seated = neighbours.map(|flight| flight.map(|flight| flight.leaf().seated()));
-        if is_first && leaf.seated().is_clear(seated, DEEP, TICK) {
+        let deep = DEEP * leaf.seated().scale;
+        if is_first && leaf.seated().is_clear(seated, deep, TICK) {
             return true;
         }
         let [left, right] = neighbours.map(|flight| Some(neighbour_of(flight?, 1.0)));
         leaf.meet(piles, [left, right], false);
-        if leaf.seated().depth < DEEP {
+        if leaf.seated().depth < deep {
             return true;
         }
         leaf.push_out();
@@ -148,17 +155,25 @@ impl Flights {
         false
     }
 
+    /// How much wider a page is than the one for which lengths are given.
+    fn scale(&self) -> f32 {
+        self.order
+            .first()
+            .map_or(1.0, |flight| flight.leaf().seated().scale)
+    }
+
     /// Leaves that sank deep into something in the tick, or went through each other,
     /// take it back. Others go on: what they lie upon may just be moving off.
     fn take_back(&mut self, gutter: &Gutter) {
         let count = self.order.len();
         let mut back = [false; MOST_FLIGHTS];
+        let deepest = DEEPEST * self.scale();
         for index in 0..count {
-            back[index] = self.order[index].leaf().has_sunk(DEEPEST);
+            back[index] = self.order[index].leaf().has_sunk(deepest);
         }
         for (flight, back) in self.order.iter_mut().zip(back) {
             if back {
-                flight.leaf_mut().step_back(gutter, DEEPEST);
+                flight.leaf_mut().step_back(gutter, deepest);
             }
             flight.cut();
         }
@@ -173,7 +188,7 @@ impl Flights {
             for index in [index, index + 1] {
                 if !back[index] {
                     back[index] = true;
-                    self.order[index].leaf_mut().step_back(gutter, DEEPEST);
+                    self.order[index].leaf_mut().step_back(gutter, deepest);
                     self.order[index].cut();
                 }
             }
@@ -184,7 +199,7 @@ impl Flights {
     fn look_again(&mut self, index: usize, piles: [&Pile; 2]) {
         let (own, neighbours) = self.among(index);
         let leaf = own.leaf_mut();
-        if leaf.seated().depth > DEEP {
+        if leaf.seated().depth > DEEP * leaf.seated().scale {
             let [left, right] = neighbours.map(|flight| Some(neighbour_of(flight?, 1.0)));
             leaf.meet(piles, [left, right], false);
         }
