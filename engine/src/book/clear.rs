@@ -39,7 +39,7 @@ const ROUNDS: usize = 4;
 const BENT: f32 = 4e-5;
 
 /// Work of looking at a point or an edge, nanoseconds.
-const PROBE: u32 = 100;
+const PROBE: u32 = 50;
 
 /// Steps from a point to the other end of an edge, in columns and rows: along a
 /// row, along a column, along the diagonal of a cell as it is drawn.
@@ -104,6 +104,7 @@ pub fn clear(
     other_close: impl Fn(usize, usize) -> bool,
     work: &mut Work,
 ) {
+    let thorough = thorough && !work.is_spent();
     let own_probes = probes(own, own_bends, [true, thorough], scale, own_close);
     let other_probes = probes(
         other.surface,
@@ -118,13 +119,10 @@ pub fn clear(
         for (probes, by_facets) in [(&own_probes, false), (&other_probes, true)] {
             if thorough {
                 work.spend(PROBE * probes.len() as u32);
-                if work.is_spent() {
-                    return;
-                }
             }
             moved |= lift((own, own_bends), other, [side, scale], probes, by_facets);
         }
-        if !moved {
+        if !moved || work.is_spent() {
             return;
         }
     }

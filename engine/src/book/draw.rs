@@ -33,8 +33,8 @@ const FEW: usize = 3;
 
 /// Work that thorough clearing may take in one picture, and the search for what is drawn
 /// through what, nanoseconds.
-const CLEARING: u32 = 2_000_000;
-const SEARCHING: u32 = 2_000_000;
+const CLEARING: u32 = 4_000_000;
+const SEARCHING: u32 = 2_500_000;
 
 /// Work of moving a flight a part of the way and of cutting it, nanoseconds.
 const MOVING: u32 = 20_000;
@@ -228,15 +228,19 @@ impl Crossings {
     fn find(&mut self, order: &mut [Flight], touch: Touch, work: &mut Work) -> u16 {
         let mut found = 0;
         for left in 0..order.len() {
-            let mut is_wary = false;
+            let mut may_meet_round = false;
             for right in left..order.len() {
-                // What is not next to each other meets only round what lies between.
-                is_wary |= order[right].is_wary();
                 let [step, other] = [left, right].map(|index| self.steps[index]);
+                // What is not next to each other meets only round what is crumpled.
+                may_meet_round |= order[right].may_be_crumpled();
+                let may_meet = match right - left {
+                    0 => order[left].may_be_folded(),
+                    1 => order[left].is_wary() || order[right].is_wary(),
+                    _ => may_meet_round,
+                };
                 // The last picture is clear.
-                let known = self.clear[left] >> right & 1 == 1 || step.max(other) == 0;
-                let is_even = left == right && !order[left].may_be_folded();
-                if known || !is_wary || is_even {
+                let is_known = self.clear[left] >> right & 1 == 1 || step.max(other) == 0;
+                if is_known || !may_meet {
                     continue;
                 }
                 if work.is_spent() {

@@ -256,6 +256,11 @@ impl Flight {
         self.blocks.cut(Mesh::of(&self.surface));
     }
 
+    /// Whether it may reach round others in flight.
+    pub fn may_be_crumpled(&self) -> bool {
+        self.is_crumpled() || self.may_be_folded
+    }
+
     fn is_crumpled(&self) -> bool {
         self.held_back || self.leaf.was_held()
     }
