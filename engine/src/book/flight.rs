@@ -189,12 +189,12 @@ impl Flight {
     }
 
     /// Draws it once more as it was before others moved it, to be kept clear of them
-    /// thoroughly if it is wary or `met` one.
+    /// thoroughly if it `met` one or a hand has crumpled it.
     pub fn draw_again(&mut self, met: bool) {
         self.surface.positions.clone_from(&self.wanted);
         self.surface.update_normals();
         self.wary |= met;
-        if self.wary {
+        if met || self.is_crumpled() {
             self.take_care();
         }
     }

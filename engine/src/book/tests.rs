@@ -520,8 +520,8 @@ fn a_picture_takes_bounded_work_whatever_hands_do() {
         let mut book = Book::new(0.14, 0.21, 100, 0.012).unwrap();
         book.lay(40);
         riffle(&mut book, 11, 6);
-        for frame in 0..120 {
-            if frame % 8 == 0 {
+        for frame in 0..24 {
+            if frame % 4 == 0 {
                 let id = book
                     .flight_id(random.below(book.flights() + 1))
                     .unwrap_or(0);
