@@ -88,7 +88,7 @@ fn bend(points: &[[f32; 3]], node: usize, [at, count]: [usize; 2], step: usize) 
     dot(off, off)
 }
 
-/// Moves what is drawn of a leaf off another. Lengths are those of a page 0.14 m wide; its own
+/// Moves what is drawn of a leaf off another. Lengths are those of a page 0.148 m wide; its own
 /// is wider by `scale`. `side` is 1 where the leaf lies on
 /// the recto's side of the other; `own_close` and `other_close` say of a point of
 /// either, by its column and row, whether it may touch the other leaf.

@@ -6,7 +6,7 @@
 //! side the other belongs. There the picture does not follow the paper through
 //! another leaf but goes only as far as it can, and catches up when the paper has come
 //! clear. The picture drawn last, piles and all, is clear; so there is always one that is,
-//! also where the work that one picture may take is spent. Lengths are those of a page 0.14 m
+//! also where the work that one picture may take is spent. Lengths are those of a page 0.148 m
 //! wide, and in proportion for others.
 
 use super::block::Pile;

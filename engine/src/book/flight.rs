@@ -12,7 +12,7 @@ use crate::grid::Side;
 use crate::surface::Surface;
 use crate::vector::{dot, sub};
 
-/// By how much drawn leaves of a page 0.14 m wide may go through each other and only touch, metres: where a hand
+/// By how much drawn leaves of a page 0.148 m wide may go through each other and only touch, metres: where a hand
 /// has crumpled one, and where they are smooth.
 pub type Touch = [f32; 2];
 
@@ -236,7 +236,7 @@ impl Flight {
     }
 
     /// Lifts what others pushed into the piles (right and left) out of them, so far over
-    /// each, metres for a page 0.14 m wide.
+    /// each, metres for a page 0.148 m wide.
     pub fn lift_off(&mut self, piles: [&Pile; 2], over: [f32; 2]) {
         let scale = self.scale();
         let over = over.map(|over| over * scale);

@@ -3,7 +3,7 @@
 //!
 //! Contact is sought where the leaf is in the book and told to the sheet, which
 //! lives over a flat table, as half-spaces turned back by the gutter's bend. Lengths are those
-//! of a page 0.14 m wide, and in proportion for others.
+//! of a page 0.148 m wide, and in proportion for others.
 
 use super::block::Pile;
 use super::seated::Seated;

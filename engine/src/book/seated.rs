@@ -6,7 +6,7 @@ use crate::vector::{dot, sub};
 
 /// Width of the page for which the lengths here are given, metres: contact depends on the
 /// size of a leaf's cells, and for another page they are as much longer or shorter as it is.
-const WIDTH: f32 = 0.14;
+const WIDTH: f32 = 0.148;
 
 /// Farther than this from each other, metres, nothing meets within a tick.
 const FAR: f32 = 0.07;

@@ -1,6 +1,6 @@
 //! A tick of the leaves in flight: each steps between its neighbours, and what the tick
 //! drove into each other is brought out of it, or taken back. Lengths are those of a page
-//! 0.14 m wide, and in proportion for others.
+//! 0.148 m wide, and in proportion for others.
 
 use super::Flights;
 use super::MOST_FLIGHTS;
