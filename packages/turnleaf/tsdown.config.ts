@@ -56,7 +56,7 @@ const leafStage = defineConfig({
   deps: { neverBundle: ["three"] },
 });
 
-/** One file, for whoever serves it from a place of their own: pdf.js's workers as they come. */
+/** One file, for sites that serve it themselves: pdf.js's workers as they come. */
 const pdfWorker = defineConfig({
   ...common,
   entry: { "pdf-worker": "pdf_worker.js" },

@@ -7,7 +7,7 @@ use turnleaf_engine::{Grain, Side, Stock};
 
 use super::random::Random;
 
-/// The page of most tests, metres. Distances are told as if every page were as wide.
+/// The page of most tests, metres. Distances are reported as if every page were as wide.
 pub const USUAL: [f64; 2] = [0.14, 0.21];
 
 /// Least and greatest side of a page, metres, and the greatest ratio of its sides.

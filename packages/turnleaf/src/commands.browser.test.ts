@@ -232,7 +232,7 @@ test("pages go before src, whichever is set first, and null gives src its place"
   expect(await happens(element, "load")).toMatchObject({ pageCount: 1 });
 });
 
-test("a page that cannot be had is told of, once, with its number and why", async () => {
+test("a page that cannot be had is one pageerror with its number and why", async () => {
   const pages = scans(12);
   pages[4] = { src: "/no-such-image.png" };
   const element = book(pages, { cover: "none", duration: "60" });

@@ -232,7 +232,7 @@ both("a way that is taken back where nothing flies is over at once", async () =>
   expect(turning.moving).toBe(false);
 });
 
-both("whoever hears of the rest and asks for the same place, or another, has it", async () => {
+both("a listener that asks for the same place at rest, or another, gets it", async () => {
   const asked: Promise<boolean>[] = [];
   const rests: number[] = [];
   const { turning, run } = await open(200, "hard", {

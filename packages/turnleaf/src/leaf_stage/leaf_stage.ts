@@ -47,7 +47,7 @@ export type LeafPictures = Readonly<
   Record<"recto" | "verso" | "left" | "right", PagePicture | null>
 >;
 
-/** A `Scene` of three.js, by what is used of it: whoever has no types of three.js needs none. */
+/** A `Scene` of three.js, by what is used of it, so that no types of three.js are needed. */
 export interface SceneOfThree {
   readonly isScene: boolean;
   add(...objects: object[]): unknown;
