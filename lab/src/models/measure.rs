@@ -26,7 +26,7 @@ pub type Tracks = Vec<Vec<Vec<[f64; 3]>>>;
 pub struct Seen {
     /// Its places in each frame of each turn.
     pub tracks: Tracks,
-    /// Those of the drawn mesh; none where pictures are drawn.
+    /// Those of the drawn mesh and of the nodes; none where pictures are drawn.
     pub faults: Option<Faults>,
     /// Microseconds of every frame.
     pub times: Vec<f64>,
@@ -45,6 +45,9 @@ pub fn look(way: &Way, again: usize) -> Result<Seen, String> {
             let mut surface = Surface::new(2, 2);
             model.write_surface(&mut surface);
             seen.bytes = seen.bytes.max(memory::held().saturating_sub(before));
+            let (columns, rows) = model.grid_size();
+            let mut nodes = Surface::new(columns, rows);
+            let mut velocities = vec![0.0; nodes.positions.len()];
             let mut track = Vec::new();
             for frame in 1..=FRAMES {
                 let clock = Instant::now();
@@ -53,6 +56,8 @@ pub fn look(way: &Way, again: usize) -> Result<Seen, String> {
                 seen.times.push(clock.elapsed().as_secs_f64() * 1e6);
                 if round == 0 {
                     faults.include(&surface);
+                    model.read_nodes(&mut nodes.positions, &mut velocities);
+                    faults.include_nodes(&nodes);
                     track.push(shape::places(&surface));
                 }
             }
@@ -210,6 +215,8 @@ pub fn figures(way: &Way, seen: &Seen, reference: &Tracks, live: Option<&Seen>) 
         "area_change": seen.faults.map(|faults| faults.area),
         "angle_defect_degrees": seen.faults.map(|faults| faults.angle),
         "facet_angle_degrees": seen.faults.map(|faults| faults.crease),
+        "shear_degrees": seen.faults.map(|faults| faults.shear),
+        "diagonal_stretch": seen.faults.map(|faults| faults.diagonal),
         "spine_off": seen.faults.map(|faults| faults.spine),
         "keeps_spine": seen.faults.map(|faults| faults.spine < 1e-4),
         "drag_misses": seen.misses,

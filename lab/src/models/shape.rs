@@ -21,6 +21,12 @@ pub struct Faults {
     /// Greatest distance of a point of the spine from where it is bound, over the
     /// width.
     pub spine: f64,
+    /// Greatest shear of a cell of nodes, degrees, as [`Sheet::max_shear`] measures it.
+    ///
+    /// [`Sheet::max_shear`]: turnleaf_engine::Sheet::max_shear
+    pub shear: f64,
+    /// Greatest stretch of a diagonal of a cell of nodes, as part of its length.
+    pub diagonal: f64,
 }
 
 impl Faults {
@@ -64,6 +70,23 @@ impl Faults {
             let y = f64::from(v[row]) * BREADTH;
             let place = point(surface, 0, row);
             self.spine = self.spine.max(length(to([0.0, y, 0.0], place)) / LENGTH);
+        }
+    }
+
+    /// Includes the nodes of a model, which span even cells of the flat page.
+    pub fn include_nodes(&mut self, nodes: &Surface) {
+        let cells = [nodes.columns, nodes.rows].map(|count| (count - 1) as f64);
+        let rest = (LENGTH / cells[0]).hypot(BREADTH / cells[1]);
+        for row in 0..nodes.rows - 1 {
+            for column in 0..nodes.columns - 1 {
+                let [a, b, c, d] = corners(nodes, column, row);
+                let (rising, falling) = (to(a, c), to(d, b));
+                let along: [f64; 3] = std::array::from_fn(|axis| rising[axis] + falling[axis]);
+                let up = to(falling, rising);
+                self.shear = self.shear.max((angle(along, up) - 90.0).abs());
+                let longest = length(rising).max(length(falling));
+                self.diagonal = self.diagonal.max(longest / rest - 1.0);
+            }
         }
     }
 }
@@ -185,6 +208,25 @@ mod tests {
         assert!((faults.area - 0.1).abs() < 1e-5);
         assert!((faults.strain.max - 0.1).abs() < 1e-5);
         assert!(faults.angle < 1e-3);
+    }
+
+    #[test]
+    fn sheared_nodes_are_sheared_by_their_angle() {
+        for shear in [0.0f64, 0.3, -1.2] {
+            let mut nodes = sheet(0.0, 1.0);
+            for point in nodes.positions.as_chunks_mut::<3>().0 {
+                let v = f64::from(point[1]);
+                point[0] += (v * shear.sin()) as f32;
+                point[1] = (v * shear.cos()) as f32;
+            }
+            let mut faults = Faults::default();
+            faults.include_nodes(&nodes);
+            assert!((faults.shear - shear.abs().to_degrees()).abs() < 1e-3);
+            let (du, dv) = (LENGTH / 4.0, BREADTH / 3.0);
+            let square = du * du + dv * dv + 2.0 * du * dv * shear.sin().abs();
+            let longer = (square / (du * du + dv * dv)).sqrt() - 1.0;
+            assert!((faults.diagonal - longer).abs() < 1e-5);
+        }
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 /// Headings of the columns.
-const HEADINGS: [&str; 15] = [
+const HEADINGS: [&str; 17] = [
     "model",
     "µs a frame",
     "kB",
@@ -16,6 +16,8 @@ const HEADINGS: [&str; 15] = [
     "compression %",
     "area %",
     "angles °",
+    "shear °",
+    "diagonals %",
     "facets °",
     "keeps the spine",
     "misses a hand by %",
@@ -83,6 +85,8 @@ fn row(way: &Value) -> Vec<String> {
         part(&way["compression"]),
         part(&way["area_change"]),
         figure(way["angle_defect_degrees"].as_f64()),
+        figure(way["shear_degrees"].as_f64()),
+        part(&way["diagonal_stretch"]),
         figure(way["facet_angle_degrees"].as_f64()),
         spine,
         part(&way["drag_miss"]),
