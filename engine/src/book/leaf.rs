@@ -136,15 +136,16 @@ impl Paper {
     pub fn sheet(&self, [width, height]: [f64; 2], flying: usize) -> SheetSettings {
         let steps = self.steps(width, flying);
         let sheet = SheetSettings::leaf(width, height, self.stock);
+        let (shear_sweeps, stiffest) = if steps > 1 {
+            (sheet.shear_sweeps, STIFFEST)
+        } else {
+            (SHEAR_SWEEPS_OF_MANY, STIFFNESS_OF_MANY)
+        };
         let settings = SheetSettings {
             columns: NODES[0],
             rows: NODES[1],
             time_step: f64::from(TICK) / f64::from(steps),
-            shear_sweeps: if steps > 1 {
-                sheet.shear_sweeps
-            } else {
-                SHEAR_SWEEPS_OF_MANY
-            },
+            shear_sweeps,
             grain: self.grain,
             root: Root::Hinged(self.binding),
             air: Air {
@@ -153,11 +154,7 @@ impl Paper {
             },
             ..sheet
         };
-        if steps > 1 {
-            settings.stiffened(STIFFNESS, STIFFEST)
-        } else {
-            settings.stiffened(STIFFNESS, STIFFNESS_OF_MANY)
-        }
+        settings.stiffened(STIFFNESS, stiffest)
     }
 
     /// Steps in a tick of a leaf of it, `width` metres wide, while so many are in the air.
@@ -182,8 +179,11 @@ impl Paper {
 /// One leaf of paper between two piles.
 pub struct Leaf {
     sheet: Sheet,
-    /// Its sheet's steps in a tick.
+    /// How many leaves are in the air, and its sheet's steps in a tick then.
+    flying: usize,
     steps: u32,
+    /// Part of the way to the leaf's direction that the clamp goes in a step.
+    clamp_follows: f32,
     paper: Paper,
     phase: Phase,
     /// Where each hand that holds the leaf pulls, in book space, and what it holds.
@@ -229,9 +229,11 @@ impl Leaf {
         let v: Vec<f32> = (0..rows).map(|j| j as f32 / (rows - 1) as f32).collect();
         sheet.draw_samples(u, &v);
         let flat = sheet.positions().to_vec();
-        Leaf {
+        let mut leaf = Leaf {
             sheet,
-            steps: paper.steps(width, 1),
+            flying: 1,
+            steps: 0,
+            clamp_follows: 0.0,
             paper: *paper,
             phase: Phase::Resting(Side::Right),
             hands: [None; HANDS],
@@ -251,17 +253,28 @@ impl Leaf {
             kept: flat.clone(),
             kept_depth: 0.0,
             flat,
-        }
+        };
+        leaf.set_steps(paper.steps(width, 1));
+        leaf
     }
 
     /// Says how many leaves are in the air, which its steps depend on.
     pub fn set_flying(&mut self, flying: usize) {
+        if flying == self.flying {
+            return;
+        }
+        self.flying = flying;
         let [width, height] = [self.sheet.settings().width, self.sheet.settings().height];
         let steps = self.paper.steps(width, flying);
         if steps != self.steps {
-            self.steps = steps;
+            self.set_steps(steps);
             self.sheet.pace(&self.paper.sheet([width, height], flying));
         }
+    }
+
+    fn set_steps(&mut self, steps: u32) {
+        self.steps = steps;
+        self.clamp_follows = 1.0 - libm::powf(CLAMP_STAYS, 1.0 / steps as f32);
     }
 
     /// Lays the leaf flat and still on a side.
@@ -513,10 +526,9 @@ impl Leaf {
     }
 
     fn step_sheet(&mut self) {
-        let follows = 1.0 - libm::powf(CLAMP_STAYS, 1.0 / self.steps as f32);
         for left in (1..=self.steps).rev() {
             let wanted = self.root_angle();
-            self.clamp += (wanted - self.clamp) * follows;
+            self.clamp += (wanted - self.clamp) * self.clamp_follows;
             self.sheet.set_clamp_angle(self.clamp);
             self.sheet.step_of(left);
         }
