@@ -112,8 +112,8 @@ methods: tools-rust
 
 # The turns that come with the viewer, recorded anew: model="replay" and model="shell".
 recordings: tools-rust
-	cargo run --release --quiet -p lab -- keyframes --model sheet --gesture edge --seconds 1.2 --settle 0.3 --out packages/turnleaf/src/wear/turns/sheet_turn.tlkf
-	cargo run --release --quiet -p lab -- keyframes --model shell --nodes 17 --gesture edge --seconds 1.2 --settle 0.3 --out packages/turnleaf/src/wear/turns/shell_turn.tlkf
+	cargo run --release --quiet -p lab -- keyframes --model sheet --gesture edge --seconds 1.2 --settle 0.3 --out packages/turnleaf/src/leaf_models/turns/sheet_turn.tlkf
+	cargo run --release --quiet -p lab -- keyframes --model shell --nodes 17 --gesture edge --seconds 1.2 --settle 0.3 --out packages/turnleaf/src/leaf_models/turns/shell_turn.tlkf
 
 # The photographs of a turn that examples/12-models.html shows, drawn anew.
 photographs: build chromium

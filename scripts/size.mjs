@@ -24,15 +24,15 @@ const parts = {
   "shows and turns a book": { limit: 115 },
   "the text over the pages, once they show": { files: ["text_over.js"], limit: 8 },
   "zoomed in, pages of other sizes, fold-outs, the place kept": {
-    files: ["details.js", "fit.js", "flap.js", "place.js"],
+    files: ["detail_pictures.js", "fit.js", "flap_surface.js", "place.js"],
     limit: 6,
   },
   "toolbar and panels": { files: ["controls.js"], limit: 18 },
-  "on the flat, where there is no WebGL": { files: ["plain.js"], limit: 10 },
+  "on the flat, where there is no WebGL": { files: ["canvas2d_backend.js"], limit: 10 },
   // Counted by themselves, as page sources are: a book without the attribute `model`
   // loads none of them. Live models have machine code of their own.
   "another model of turning, live": {
-    files: ["wear.js", "sheet.js", "loose.js"],
+    files: ["leaf_models.js", "lying_sheet.js", "loose_leaf.js"],
     limit: 95,
     isApart: true,
   },
@@ -47,7 +47,7 @@ const parts = {
     limit: 9,
     isApart: true,
   },
-  "sound, printing and films": { files: ["sound.js", "print.js", "film.js"], limit: 6 },
+  "sound, printing and films": { files: ["sound.js", "print_pages.js", "film.js"], limit: 6 },
 };
 
 /** kB gzip of all parts together but for those apart. */

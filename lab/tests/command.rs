@@ -277,7 +277,7 @@ fn a_replayed_sheet_takes_a_fraction_of_the_time() {
 fn the_turns_that_come_with_the_viewer_are_recorded_again() {
     let turns = concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/../packages/turnleaf/src/wear/turns"
+        "/../packages/turnleaf/src/leaf_models/turns"
     );
     let commands: [&[&str]; 2] = [
         &["--model", "sheet"],

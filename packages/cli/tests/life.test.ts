@@ -106,7 +106,7 @@ test("a page that refuses WebAssembly shows a book on the flat, and no error", a
   expect(await page.evaluate(() => document.querySelector("turnleaf-book")?.next())).toBe(true);
   const at = await page.evaluate(() => document.querySelector("turnleaf-book")?.page);
   expect(at).toBe(2);
-  expect(asked.filter((path) => /three|solid/.test(path))).toEqual([]);
+  expect(asked.filter((path) => /three|webgl/.test(path))).toEqual([]);
   expect(asked.some((path) => path.includes("plain"))).toBe(true);
   expect(complaints).toEqual([]);
 });

@@ -102,7 +102,7 @@ describe.each(["/book.pdf", "/book.json", "file:/book.pdf"])("%s", (src) => {
   test("opens in space under the policy that is enough, and nothing is refused", async () => {
     const { page, said, asked } = await visit();
     expect(await open(page, src)).toBe("");
-    expect(asked.some((path) => path.includes("solid"))).toBe(true);
+    expect(asked.some((path) => path.includes("webgl_backend"))).toBe(true);
     expect(said).toEqual([]);
   });
 });
@@ -110,7 +110,7 @@ describe.each(["/book.pdf", "/book.json", "file:/book.pdf"])("%s", (src) => {
 test("script-src without 'wasm-unsafe-eval': books lie flat, which is said once", async () => {
   const { page, said, asked } = await visit({ "script-src": "'self' 'nonce-map'" });
   for (const src of ["/book.pdf", "/book.json"]) expect(await open(page, src)).toBe("");
-  expect(asked.some((path) => path.includes("plain"))).toBe(true);
+  expect(asked.some((path) => path.includes("canvas2d_backend"))).toBe(true);
   expect(said).toEqual([
     "turnleaf-book: books are shown on the flat, as this page's Content-Security-Policy lacks 'wasm-unsafe-eval' in script-src.",
   ]);

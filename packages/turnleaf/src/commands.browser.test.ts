@@ -1,10 +1,10 @@
 /** What a page's script asks of the book, and what it hears of it, in real Chromium. */
 
 import { afterEach, expect, test } from "vitest";
-import { DrawnBook } from "./draw/drawn_book.ts";
 import type { TurnDetail } from "./element/events.ts";
 import type { TurnleafBook } from "./element.ts";
 import { book, happens, scan, scans, settled } from "./element_for_tests.ts";
+import { DrawnBook } from "./webgl/drawn_book.ts";
 
 const pose = DrawnBook.prototype.pose;
 

@@ -2,22 +2,28 @@
 
 import type { Paper } from "./book/paper.ts";
 import { directionOf, forward, leftPage, pageOf, rightPage, spreadOf } from "./book/spreads.ts";
-import { Furnishing } from "./controls/furnish.ts";
+import { ControlsLoader } from "./controls/controls_loader.ts";
 import { Announcements, openPages } from "./element/announcements.ts";
-import { AskedPage } from "./element/asked_page.ts";
-import { type Answers, adopt, attributes, paperOf, turnSecondsOf } from "./element/attributes.ts";
-import { Life, type OpenBook, pdfWorkerOf } from "./element/life.ts";
+import {
+  type AttributeEffects,
+  adopt,
+  attributes,
+  paperOf,
+  turnSecondsOf,
+} from "./element/attributes.ts";
+import { bindingOptionsOf } from "./element/binding_options.ts";
+import { BookLifecycle, type OpenBook, pdfWorkerOf } from "./element/book_lifecycle.ts";
 import { PageChanges } from "./element/page_changes.ts";
 import { pageNumber } from "./element/page_number.ts";
 import { ReaderElement } from "./element/reader_element.ts";
-import { Senses } from "./element/senses.ts";
+import { RequestedPage } from "./element/requested_page.ts";
+import { SoundAndHaptics } from "./element/sound_and_haptics.ts";
 import { addStyle } from "./element/style.ts";
-import { wishOf } from "./element/wish.ts";
 import { style } from "./element.css.ts";
 import { nameAndMessage } from "./sources/failures.ts";
 import type { BookInput } from "./sources/open.ts";
 import { BookError, type PageSource } from "./sources/page_source.ts";
-import type { Viewer, ViewerOptions, Zoom } from "./viewer.ts";
+import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
 import { elementTexts, fill, languageOf } from "./words/languages.ts";
 
 /** Time that a zoom by command takes, seconds. */
@@ -37,7 +43,7 @@ export class TurnleafBook extends ReaderElement {
   readonly #room = document.createElement("div");
   /** What the book lies on: the element without its controls. */
   readonly #stage = document.createElement("div");
-  readonly #life = new Life(this, this.#stage, {
+  readonly #life = new BookLifecycle(this, this.#stage, {
     prepare: () => this.#keepPlace(),
     options: (source) => this.#options(source),
     turn: (by) => void this.press(by),
@@ -49,8 +55,8 @@ export class TurnleafBook extends ReaderElement {
     failed: (error) => this.#fail(error),
   });
   readonly #pageChanges = new PageChanges();
-  readonly #furnishing = new Furnishing((error) => this.#lack(error));
-  readonly #senses = new Senses(
+  readonly #furnishing = new ControlsLoader((error) => this.#lack(error));
+  readonly #senses = new SoundAndHaptics(
     this,
     () => this.#leaves.stock ?? "book",
     (error) => this.#lack(error),
@@ -58,7 +64,7 @@ export class TurnleafBook extends ReaderElement {
   #words: Announcements | null = null;
   #input: BookInput | null = null;
   #paper: Paper | null = null;
-  readonly #asked = new AskedPage();
+  readonly #asked = new RequestedPage();
   /** The page where this book was left. */
   #left: { readonly page: number; readonly view: Zoom } | null = null;
   /** The page that `pagechange` said last, until a page is asked for. */
@@ -174,7 +180,7 @@ export class TurnleafBook extends ReaderElement {
     const viewer = this.#viewer;
     if (viewer === undefined) return this.#asked.ask(asked);
     const spread = spreadOf(viewer.binding, asked);
-    if (this.#motion === "turn") return viewer.steering.goTo(spread);
+    if (this.#motion === "turn") return viewer.leafControl.goTo(spread);
     return viewer.change(spread, this.#motion === "fade");
   }
 
@@ -183,12 +189,12 @@ export class TurnleafBook extends ReaderElement {
    * a click on it does. Resolves, once it does, to whether it lies unfolded.
    */
   unfold(page: number): Promise<boolean> {
-    return this.#viewer?.steering.unfold(page) ?? Promise.resolve(false);
+    return this.#viewer?.leafControl.unfold(page) ?? Promise.resolve(false);
   }
 
   /** Folds in the page that lies unfolded, as any turn does first. Resolves once it does. */
   foldIn(): Promise<void> {
-    return this.#viewer?.steering.foldIn() ?? Promise.resolve();
+    return this.#viewer?.leafControl.foldIn() ?? Promise.resolve();
   }
 
   /**
@@ -262,13 +268,13 @@ export class TurnleafBook extends ReaderElement {
     if (before !== now) attributes[name]?.(this.#answers, now);
   }
 
-  readonly #answers: Answers = {
+  readonly #answers: AttributeEffects = {
     open: () => {
       if (this.#input !== null) return;
       this.#forget();
       this.#reopen();
     },
-    rebind: () => this.#viewer?.rebind(wishOf(this)),
+    rebind: () => this.#viewer?.rebind(bindingOptionsOf(this)),
     setPage: (value) => {
       this.page = value as unknown as number;
     },
@@ -339,7 +345,7 @@ export class TurnleafBook extends ReaderElement {
   #turn(by: 1 | -1, isReaders: boolean): Promise<boolean> {
     const viewer = this.#viewer;
     if (viewer === undefined) return Promise.resolve(false);
-    const { steering } = viewer;
+    const { leafControl: steering } = viewer;
     const way = (by * forward(viewer.binding)) as 1 | -1;
     if (this.#motion === "turn") return isReaders ? steering.press(way) : steering.turn(way);
     // A corner that only lifts is no turn to go on from.
@@ -380,7 +386,7 @@ export class TurnleafBook extends ReaderElement {
 
   #options(source: PageSource): ViewerOptions {
     return {
-      ...wishOf(this),
+      ...bindingOptionsOf(this),
       paper: () => this.#leaves,
       page: () => this.#firstPage(source),
       turnSeconds: () => turnSecondsOf(this),
@@ -397,7 +403,7 @@ export class TurnleafBook extends ReaderElement {
         this.#senses.follow(...frame);
         this.filmed();
       },
-      onLack: (error) => this.#lack(error),
+      onMissingPart: (error) => this.#lack(error),
       onZoom: (zoom) => this.emit("zoomchange", { zoom }),
     };
   }

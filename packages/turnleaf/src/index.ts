@@ -15,13 +15,13 @@ export type { PrintOptions } from "./element/printing.ts";
 export type { Theme } from "./element/reflecting.ts";
 export { TurnleafBook } from "./element.ts";
 export type { Stock, StockFigures, Vec3 } from "./engine/shapes.ts";
+export type { TurnModelName } from "./leaf_models/model_choice.ts";
 export type { Bytes } from "./sources/given.ts";
 export type { Manifest, ManifestImage, ManifestPage } from "./sources/manifest.ts";
 export type { ManifestLink, ManifestOutline, ManifestText } from "./sources/manifest_text.ts";
 export type { BookInput } from "./sources/open.ts";
 export { BookError, type OutlineEntry, type PagePicture } from "./sources/page_source.ts";
 export type { SearchHit } from "./text/searching.ts";
-export type { TurnModelName } from "./wear/model_choice.ts";
 export { addLanguage } from "./words/languages.ts";
 export type { ControlTexts, ElementTexts, Plural, Texts } from "./words/texts.ts";
 

@@ -2,7 +2,7 @@ import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
 import { book, happens, scans, settled } from "./element_for_tests.ts";
 import { Hands } from "./hands_for_tests.ts";
-import { type TurnModelName, turnModels } from "./wear/model_choice.ts";
+import { type TurnModelName, turnModels } from "./leaf_models/model_choice.ts";
 
 afterEach(() => document.body.replaceChildren());
 

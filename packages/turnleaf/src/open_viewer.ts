@@ -1,9 +1,9 @@
 /** Opens a book as well as this machine can show it. */
 
-import { giveUpContext, openContext } from "./draw/context.ts";
 import { mayRunCode } from "./engine/machine_code.ts";
 import { BookError, type PageSource } from "./sources/page_source.ts";
-import { Viewer, type ViewerOptions } from "./viewer.ts";
+import { Viewer, type ViewerOptions } from "./viewer/viewer.ts";
+import { giveUpContext, openContext } from "./webgl/context.ts";
 
 /**
  * Opens a book: in space where there is WebGL 2 and the engine may run; else on
@@ -25,9 +25,9 @@ export async function openViewer(
   if (!mayRun) warnOnce();
   if (!isFlat && mayRun && openContext(canvas)) {
     try {
-      const { craft } = await import("./solid.ts");
+      const { webglBackend } = await import("./webgl_backend.ts");
       signal.throwIfAborted();
-      return await Viewer.open(canvas, source, options, craft, signal);
+      return await Viewer.open(canvas, source, options, webglBackend, signal);
     } catch (error) {
       giveUpContext(canvas);
       signal.throwIfAborted();
@@ -36,9 +36,9 @@ export async function openViewer(
       canvas = freshCanvas();
     }
   }
-  const { craft } = await import("./plain/plain.ts");
+  const { canvas2dBackend } = await import("./canvas2d_backend.ts");
   signal.throwIfAborted();
-  return Viewer.open(canvas, source, options, craft, signal);
+  return Viewer.open(canvas, source, options, canvas2dBackend, signal);
 }
 
 let hasWarned = false;

@@ -1,15 +1,16 @@
 /** Photographs of a turn over a book, in real Chromium: which of them is seen where, by its colour. */
 
+import type { Group } from "three";
 import { afterEach, expect, test, vi } from "vitest";
 import type { Turning } from "./book/turning.ts";
-import type { PhotographQuad } from "./draw/photographs_mesh.ts";
-import type { BookPose, BookShape } from "./draw/pose.ts";
 import type { TurnleafBook } from "./element.ts";
 import { book, happens, keepWhatIsDrawn, scans, settled } from "./element_for_tests.ts";
-import type { BookEngine } from "./engine/engine.ts";
+import type { BookEngine } from "./engine/book_engine.ts";
 import { Hands } from "./hands_for_tests.ts";
-import type { ModelledBook } from "./wear/leaf_model.ts";
-import { PhotographsModel } from "./wear/photographs.ts";
+import type { ModelledBook } from "./leaf_models/leaf_model.ts";
+import { PhotographsModel } from "./leaf_models/photographs.ts";
+import type { BookPose, BookShape } from "./stage/book_pose.ts";
+import type { PhotographQuad } from "./webgl/photographs_mesh.ts";
 
 keepWhatIsDrawn();
 
@@ -126,12 +127,12 @@ test("bound at the top they are rolled with the book, and a command turns too", 
 /** A book of unit size with leaves in flight, stiff, so much of their turns done. */
 function flying(shares: readonly number[], isPeek = false): ModelledBook {
   const flights = shares.map((_, k) => ({ part: "leaf", low: 4 + k, high: 5 + k, from: 4 + k }));
-  const dress = (index: number): Float32Array => {
+  const overrideSurface = (index: number): Float32Array => {
     const [x, z] = [Math.cos(Math.PI * shares[index]), Math.sin(Math.PI * shares[index])];
     return new Float32Array([0, 0, 0, x, 0, z, 0, 1, 0, x, 1, z]);
   };
   return {
-    engine: { columns: new Float32Array([0, 1]), dress } as unknown as BookEngine,
+    engine: { columns: new Float32Array([0, 1]), overrideSurface } as unknown as BookEngine,
     turning: { flights } as unknown as Turning,
     shape: { width: 1, height: 1 } as BookShape,
     peek: { flight: isPeek ? flights[0] : null },
@@ -155,7 +156,7 @@ test("of several leaves the steepest lies over the others", async () => {
   serve((number) => photograph(number, 200 + number));
   const model = await PhotographsModel.open("/photographs/{0-4}.png", unaborted);
   const shown = (): number[] =>
-    (model.pose(pose).above?.children ?? [])
+    ((model.pose(pose).above as Group | undefined)?.children ?? [])
       .filter(({ visible }) => visible)
       .map((quad) => (quad as PhotographQuad).material.uniforms.picture.value.image.width - 200);
   model.show(flying([0.95, 0.55, 0.2]));

@@ -1,10 +1,10 @@
 /** Many leaves in flight, through the element in real Chromium. */
 
 import { afterEach, expect, test } from "vitest";
-import { DrawnBook } from "./draw/drawn_book.ts";
 import type { TurnDetail } from "./element/events.ts";
 import type { TurnleafBook } from "./element.ts";
 import { book, happens, scans, settled } from "./element_for_tests.ts";
+import { DrawnBook } from "./webgl/drawn_book.ts";
 
 const pose = DrawnBook.prototype.pose;
 

@@ -3,7 +3,7 @@
 import { expect } from "vitest";
 import { openViewer } from "./open_viewer.ts";
 import type { PageSource } from "./sources/page_source.ts";
-import type { Viewer, ViewerOptions } from "./viewer.ts";
+import type { Viewer, ViewerOptions } from "./viewer/viewer.ts";
 
 /** Size of their canvases, CSS pixels. */
 export const width = 400;

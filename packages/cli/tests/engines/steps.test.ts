@@ -187,8 +187,8 @@ describe.each(here)("%s", (_, { start, hasWebGL }) => {
     });
     expect(place).toEqual(box);
     expect(await browser.run(() => [state.book.pageCount, state.book.page])).toEqual([112, 18]);
-    const drawn = site.asked.flatMap((path) => /\/(solid|plain)-/.exec(path)?.[1] ?? []);
-    expect(drawn).toEqual([hasWebGL ? "solid" : "plain"]);
+    const drawn = site.asked.flatMap((path) => /\/(webgl|canvas2d)_backend-/.exec(path)?.[1] ?? []);
+    expect(drawn).toEqual([hasWebGL ? "webgl" : "canvas2d"]);
     await showsPrintOnPaper();
     await hasNoComplaint();
   });

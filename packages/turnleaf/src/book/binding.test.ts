@@ -4,7 +4,7 @@ import { expect, test } from "vitest";
 import { edgeFor, layoutFor, pagesNamed } from "./layout.ts";
 import {
   type Binding,
-  type BindingOptions,
+  type BindOptions,
   bind,
   type CoverKind,
   clampSpread,
@@ -29,7 +29,7 @@ function* bindings(pages: number): Generator<[Binding, string]> {
     for (const edge of edges) {
       for (const layout of ["spread", "single"] as const) {
         for (const offset of [0, 1] as const) {
-          const options: BindingOptions = { edge, layout, offset };
+          const options: BindOptions = { edge, layout, offset };
           yield [bind(pages, cover, options), `${pages} ${cover} ${JSON.stringify(options)}`];
         }
       }
@@ -125,7 +125,7 @@ test("random books: the leaves on both sides are all there are, and hard pages s
     const pages = 1 + random(600);
     const cover = covers[random(3)];
     const hardPages = Array.from({ length: random(4) }, () => random(pages + 20) - 5);
-    const options: BindingOptions = {
+    const options: BindOptions = {
       edge: edges[random(4)],
       layout: random(2) ? "single" : "spread",
       offset: random(2) ? 0 : 1,

@@ -3,7 +3,7 @@
 import type { CoverKind, Edge, Layout } from "./spreads.ts";
 
 /** What is asked for; "auto" leaves it to the book or to the space. */
-export interface BindingWish {
+export interface LayoutOptions {
   readonly cover: CoverKind;
   readonly binding: "auto" | Edge;
   readonly layout: "auto" | Layout;
@@ -13,7 +13,7 @@ export interface BindingWish {
 }
 
 /** The edge at which a book is bound that reads in a direction. */
-export function edgeFor(wish: BindingWish["binding"], direction: "ltr" | "rtl"): Edge {
+export function edgeFor(wish: LayoutOptions["binding"], direction: "ltr" | "rtl"): Edge {
   return wish === "auto" ? (direction === "rtl" ? "right" : "left") : wish;
 }
 
@@ -33,7 +33,7 @@ const spreadAbove = 0.68;
  * @param before the layout there was, null at first
  */
 export function layoutFor(
-  wish: BindingWish["layout"],
+  wish: LayoutOptions["layout"],
   aspect: number,
   rolled: boolean,
   width: number,

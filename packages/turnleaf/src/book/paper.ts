@@ -1,6 +1,6 @@
 /** What a book's leaves are made of, how they are bound, and the air about them. */
 
-import type { BookEngine } from "../engine/engine.ts";
+import type { BookEngine } from "../engine/book_engine.ts";
 import { type Stock, type StockFigures, stocks, type Vec3 } from "../engine/shapes.ts";
 
 /** The paper of a book. What is left out, or could not be, is as usual. */
@@ -26,7 +26,7 @@ export function isStock(word: unknown): word is Stock {
 }
 
 /** Makes a book's leaves of a paper. Leaves in flight are laid down. */
-export function makeOf(paper: Paper, engine: BookEngine): void {
+export function applyPaper(paper: Paper, engine: BookEngine): void {
   const { stock = "book", grain = "along", binding = usualBinding, wind = [0, 0, 0] } = paper;
   if (!engine.setStock(stock)) engine.setStock("book");
   if (!engine.setBinding(grain, binding)) engine.setBinding(grain, usualBinding);

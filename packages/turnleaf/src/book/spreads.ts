@@ -19,7 +19,7 @@ export type Layout = "spread" | "single";
 export type CoverKind = "hard" | "soft" | "none";
 
 /** How a book is to be bound; what is left out is as usual: at the left, as spreads, page 1 alone. */
-export interface BindingOptions {
+export interface BindOptions {
   readonly edge?: Edge;
   readonly layout?: Layout;
   /** 1: page 1 has nothing beside it, as usual; 0: pages 1 and 2 face each other. */
@@ -57,7 +57,7 @@ export interface Binding {
 const leavesForBoards = 3;
 
 /** A book's binding: hard covers only where paper is left between them. */
-export function bind(pageCount: number, cover: CoverKind, options: BindingOptions = {}): Binding {
+export function bind(pageCount: number, cover: CoverKind, options: BindOptions = {}): Binding {
   const { edge = "left", layout = "spread", offset = 1, hardPages = [] } = options;
   const step = layout === "single" ? 2 : 1;
   const shifted = step === 1 && offset === 0;

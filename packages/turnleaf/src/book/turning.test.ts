@@ -1,9 +1,10 @@
 /** The book's state over the real engine and over the flat book, its clock driven by hand. */
 
 import { expect, test } from "vitest";
-import { type BookEngine, type BookSize, EngineBook } from "../engine/engine.ts";
+import { PeeledBook } from "../canvas2d/peeled_book.ts";
+import type { BookEngine, BookSize } from "../engine/book_engine.ts";
 import { Phase } from "../engine/phases.ts";
-import { PlainBook } from "../plain/plain_book.ts";
+import { WasmBook } from "../engine/wasm_book.ts";
 import { bind, paperLeaves } from "./spreads.ts";
 import { type Flight, Turning, type TurningEvents } from "./turning.ts";
 
@@ -12,8 +13,8 @@ let make: (size: BookSize) => Promise<BookEngine>;
 /** A test over the engine, and over what stands in for it. */
 function both(name: string, run: () => Promise<void>): void {
   for (const [over, create] of [
-    ["paper", (size: BookSize) => EngineBook.create(size)],
-    ["flat leaves", async (size: BookSize) => new PlainBook(size)],
+    ["paper", (size: BookSize) => WasmBook.create(size)],
+    ["flat leaves", async (size: BookSize) => new PeeledBook(size)],
   ] as const) {
     test(`${name}, ${over}`, async () => {
       make = create;

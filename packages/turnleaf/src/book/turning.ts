@@ -4,7 +4,7 @@
  * pointers, screens or clocks.
  */
 
-import type { BookEngine } from "../engine/engine.ts";
+import type { BookEngine } from "../engine/book_engine.ts";
 import { Cover, isResting, Phase, Side, sideOf } from "../engine/phases.ts";
 import { type Binding, isBoard, leafCount, paperOnLeft, waypoints } from "./spreads.ts";
 

@@ -2,7 +2,7 @@
 
 import { pagesAt } from "../book/spreads.ts";
 import type { PageSource } from "../sources/page_source.ts";
-import type { Viewer } from "../viewer.ts";
+import type { Viewer } from "../viewer/viewer.ts";
 import { elementTexts, fill, list, number } from "../words/languages.ts";
 
 /**

@@ -2,10 +2,10 @@
 
 import { isStock, type Paper } from "../book/paper.ts";
 import type { Stock } from "../engine/shapes.ts";
-import { bindingAttributes } from "./wish.ts";
+import { bindingAttributes } from "./binding_options.ts";
 
 /** What a change of an attribute can ask of the element. */
-export interface Answers {
+export interface AttributeEffects {
   /** Another book: it opens at its beginning. */
   open(): void;
   /** The same book, bound anew, where it lay. */
@@ -28,20 +28,22 @@ export interface Answers {
 
 /** Every attribute that is answered when it changes, and how. */
 export const attributes: Readonly<
-  Record<string, (answers: Answers, value: string | null) => void>
+  Record<string, (effects: AttributeEffects, value: string | null) => void>
 > = {
-  src: (answers) => answers.open(),
-  page: (answers, value) => answers.setPage(value),
-  ...Object.fromEntries(bindingAttributes.map((name) => [name, (to: Answers) => to.rebind()])),
-  duration: (answers) => answers.changePace(),
-  stock: (answers) => answers.changePaper(),
-  assist: (answers) => answers.changePaper(),
-  model: (answers) => answers.changeModel(),
-  "model-src": (answers) => answers.changeModel(),
-  address: (answers) => answers.keepPlace(),
-  remember: (answers) => answers.keepPlace(),
-  controls: (answers) => answers.furnish(),
-  sound: (answers) => answers.hush(),
+  src: (effects) => effects.open(),
+  page: (effects, value) => effects.setPage(value),
+  ...Object.fromEntries(
+    bindingAttributes.map((name) => [name, (to: AttributeEffects) => to.rebind()]),
+  ),
+  duration: (effects) => effects.changePace(),
+  stock: (effects) => effects.changePaper(),
+  assist: (effects) => effects.changePaper(),
+  model: (effects) => effects.changeModel(),
+  "model-src": (effects) => effects.changeModel(),
+  address: (effects) => effects.keepPlace(),
+  remember: (effects) => effects.keepPlace(),
+  controls: (effects) => effects.furnish(),
+  sound: (effects) => effects.hush(),
 };
 
 /** `stock`: a preset; "book" where the attribute names none. */

@@ -2,7 +2,7 @@
 
 import { expect, test, vi } from "vitest";
 import type { ControlledBook } from "../controls/book.ts";
-import { Furnishing } from "../controls/furnish.ts";
+import { ControlsLoader } from "../controls/controls_loader.ts";
 import { loaded } from "../sources/loaded.ts";
 import { BookError } from "../sources/page_source.ts";
 import { Reading } from "./reading.ts";
@@ -42,7 +42,7 @@ test("a part whose code fails in this browser says what failed", async () => {
 
 test("controls that cannot be loaded are told of once for each time they are asked for", async () => {
   const told: unknown[] = [];
-  const furnishing = new Furnishing((error) => told.push(error));
+  const furnishing = new ControlsLoader((error) => told.push(error));
   const show = (shown: boolean): void =>
     furnishing.set(shown, {} as ControlledBook, {} as HTMLElement, {} as HTMLElement);
   show(true);

@@ -1,6 +1,6 @@
 import { afterEach, expect, it, vi } from "vitest";
-import { cleanBookmarks } from "./bookmarks.ts";
-import { keep, recall } from "./memory.ts";
+import { cleanBookmarks } from "./clean_bookmarks.ts";
+import { loadPlace, savePlace } from "./memory.ts";
 
 afterEach(() => vi.unstubAllGlobals());
 
@@ -18,20 +18,20 @@ function storage(text: string | null = null): { text: string | null } {
 
 it("keeps a book's place and gives it back", () => {
   storage();
-  expect(recall("a")).toBe(null);
-  keep("a", { page: 7, zoom: 1.5, bookmarks: [2, 9] });
-  keep("b", { page: 3, zoom: 1, bookmarks: [] });
-  expect(recall("a")).toEqual({ page: 7, zoom: 1.5, bookmarks: [2, 9] });
-  keep("a", { page: 8, zoom: 1, bookmarks: [] });
-  expect(recall("a")).toEqual({ page: 8, zoom: 1, bookmarks: [] });
-  expect(recall("b")?.page).toBe(3);
+  expect(loadPlace("a")).toBe(null);
+  savePlace("a", { page: 7, zoom: 1.5, bookmarks: [2, 9] });
+  savePlace("b", { page: 3, zoom: 1, bookmarks: [] });
+  expect(loadPlace("a")).toEqual({ page: 7, zoom: 1.5, bookmarks: [2, 9] });
+  savePlace("a", { page: 8, zoom: 1, bookmarks: [] });
+  expect(loadPlace("a")).toEqual({ page: 8, zoom: 1, bookmarks: [] });
+  expect(loadPlace("b")?.page).toBe(3);
 });
 
 it("keeps a hundred books, the last read", () => {
   const held = storage();
-  for (let i = 1; i <= 150; i++) keep(`${i}`, { page: i, zoom: 1, bookmarks: [] });
-  expect(recall("50")).toBe(null);
-  expect(recall("51")?.page).toBe(51);
+  for (let i = 1; i <= 150; i++) savePlace(`${i}`, { page: i, zoom: 1, bookmarks: [] });
+  expect(loadPlace("50")).toBe(null);
+  expect(loadPlace("51")?.page).toBe(51);
   expect(JSON.parse(held.text ?? "").length).toBe(100);
 });
 
@@ -49,7 +49,7 @@ it("takes nothing from a storage that somebody else wrote", () => {
   ];
   for (const text of texts) {
     storage(text);
-    expect(recall("a")).toBe(null);
+    expect(loadPlace("a")).toBe(null);
   }
   const rows: [string, number, number, number[]][] = [
     ['["a","7",99,["x",2,2,1,0,-1,1.5,1e9]]', 1, 1, [1, 2]],
@@ -58,21 +58,21 @@ it("takes nothing from a storage that somebody else wrote", () => {
   ];
   for (const [row, page, zoom, bookmarks] of rows) {
     storage(`[${row}]`);
-    expect(recall("a")).toEqual({ page, zoom, bookmarks });
+    expect(loadPlace("a")).toEqual({ page, zoom, bookmarks });
   }
 });
 
 it("lives without a storage, and with one that is full", () => {
   const kept = { page: 1, zoom: 1, bookmarks: [] };
-  expect(() => keep("a", kept)).not.toThrow();
-  expect(recall("a")).toBe(null);
+  expect(() => savePlace("a", kept)).not.toThrow();
+  expect(loadPlace("a")).toBe(null);
   vi.stubGlobal("localStorage", {
     getItem: () => null,
     setItem: () => {
       throw new Error("full");
     },
   });
-  expect(() => keep("a", kept)).not.toThrow();
+  expect(() => savePlace("a", kept)).not.toThrow();
 });
 
 it("bounds the bookmarks", () => {

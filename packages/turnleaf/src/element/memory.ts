@@ -5,10 +5,10 @@
  * reason to stop reading.
  */
 
-import { cleanBookmarks, isPage } from "./bookmarks.ts";
+import { cleanBookmarks, isPage } from "./clean_bookmarks.ts";
 
 /** What is kept of a book. */
-export interface Kept {
+export interface SavedPlace {
   /** From 1. */
   readonly page: number;
   /** 1 to 8. */
@@ -24,7 +24,7 @@ const longestName = 300;
 const longestStore = 400_000;
 
 /** What is kept of the book of a name, or null. */
-export function recall(name: string): Kept | null {
+export function loadPlace(name: string): SavedPlace | null {
   const found = read().find(([other]) => other === short(name));
   if (found === undefined) return null;
   const [, page, zoom, bookmarks] = found;
@@ -36,7 +36,7 @@ export function recall(name: string): Kept | null {
 }
 
 /** Keeps a book; the one that was read longest ago gives way. */
-export function keep(name: string, { page, zoom, bookmarks }: Kept): void {
+export function savePlace(name: string, { page, zoom, bookmarks }: SavedPlace): void {
   const others = read().filter(([other]) => other !== short(name));
   const all = [[short(name), page, Math.round(zoom * 100) / 100, bookmarks], ...others];
   try {

@@ -4,7 +4,7 @@ import { loaded } from "../sources/loaded.ts";
 import type { BookInput } from "../sources/open.ts";
 import type { Moved } from "../sources/page_list.ts";
 import type { PageSource } from "../sources/page_source.ts";
-import type { OpenBook } from "./life.ts";
+import type { OpenBook } from "./book_lifecycle.ts";
 
 /** How many pages of an addition are drawn before it is put in, and how wide, pixels. */
 const checkedPages = 8;

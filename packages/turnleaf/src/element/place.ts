@@ -2,7 +2,7 @@
 
 import type { PageSource } from "../sources/page_source.ts";
 import { pageOfHash, writeAddress } from "./address.ts";
-import { keep, recall } from "./memory.ts";
+import { loadPlace, savePlace } from "./memory.ts";
 
 /** The element, as far as its place is kept. */
 interface PlacedBook extends HTMLElement {
@@ -67,7 +67,7 @@ export class Place {
    */
   opening(source: PageSource | undefined, left: number | null): number | null {
     const remembers = source !== undefined && this.#book.hasAttribute("remember");
-    const kept = remembers ? recall(this.#name(source.title, source.pageCount)) : null;
+    const kept = remembers ? loadPlace(this.#name(source.title, source.pageCount)) : null;
     return this.#asked ?? left ?? kept?.page ?? null;
   }
 
@@ -75,7 +75,7 @@ export class Place {
     const book = this.#book;
     this.#isOpen = true;
     if (!book.hasAttribute("remember")) return;
-    const kept = recall(this.#name(book.bookTitle, book.pageCount));
+    const kept = loadPlace(this.#name(book.bookTitle, book.pageCount));
     if (kept === null) return;
     if (kept.bookmarks.length > 0) book.bookmarks = kept.bookmarks;
     if (kept.zoom > 1) book.zoom = kept.zoom;
@@ -89,7 +89,7 @@ export class Place {
   #keep(): void {
     const { bookTitle, pageCount, page, zoom, bookmarks } = this.#book;
     if (!this.#isOpen || !this.#book.hasAttribute("remember")) return;
-    keep(this.#name(bookTitle, pageCount), { page, zoom, bookmarks });
+    savePlace(this.#name(bookTitle, pageCount), { page, zoom, bookmarks });
   }
 
   /** What tells a book from others: where it comes from, what it is called, how long it is. */

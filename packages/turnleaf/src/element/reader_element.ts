@@ -8,9 +8,9 @@ import {
   type PageSource,
 } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
-import { cleanBookmarks } from "./bookmarks.ts";
+import type { OpenBook } from "./book_lifecycle.ts";
+import { cleanBookmarks } from "./clean_bookmarks.ts";
 import type { Film, RecordOptions } from "./film.ts";
-import type { OpenBook } from "./life.ts";
 import type { Place } from "./place.ts";
 import type { PrintOptions } from "./printing.ts";
 import { ReflectingElement } from "./reflecting.ts";
@@ -178,7 +178,7 @@ export abstract class ReaderElement extends ReflectingElement {
   async print(options: PrintOptions = {}): Promise<boolean> {
     const { source } = this;
     if (!source || !this.allows.print) return false;
-    const { printPages } = await loaded(import("./print.ts"));
+    const { printPages } = await loaded(import("./print_pages.ts"));
     return await printPages(source, options);
   }
 
@@ -186,7 +186,7 @@ export abstract class ReaderElement extends ReflectingElement {
   async download(): Promise<boolean> {
     const { source } = this;
     if (!source || !this.allows.download) return false;
-    const { downloadFile } = await loaded(import("./print.ts"));
+    const { downloadFile } = await loaded(import("./print_pages.ts"));
     return await downloadFile(source);
   }
 

@@ -1,10 +1,10 @@
 /** The properties of `<turnleaf-book>` that are its attributes. */
 
 import type { Stock } from "../engine/shapes.ts";
-import type { TurnModelName } from "../wear/model_choice.ts";
+import type { TurnModelName } from "../leaf_models/model_choice.ts";
 import { stockOf, turnSecondsOf } from "./attributes.ts";
+import { bindingOptionsOf } from "./binding_options.ts";
 import type { Listened, TurnleafEventMap } from "./events.ts";
-import { wishOf } from "./wish.ts";
 
 /** On a server there is no DOM: importing the package is safe there, using the element is not. */
 const Base = (globalThis.HTMLElement ?? class {}) as unknown as new () => Listened;
@@ -13,7 +13,7 @@ const themes = ["auto", "light", "dark", "paper"] as const;
 /** How the element is coloured; `auto` is light or dark, as the system is. */
 export type Theme = (typeof themes)[number];
 
-type Wish = ReturnType<typeof wishOf>;
+type Wish = ReturnType<typeof bindingOptionsOf>;
 
 /** An element whose attributes can be read and set as properties. */
 export class ReflectingElement extends Base {
@@ -120,7 +120,7 @@ export class ReflectingElement extends Base {
    * @default hard
    */
   get cover(): Wish["cover"] {
-    return wishOf(this).cover;
+    return bindingOptionsOf(this).cover;
   }
 
   set cover(cover: Wish["cover"]) {
@@ -133,7 +133,7 @@ export class ReflectingElement extends Base {
    * @default #6a2a26
    */
   get cloth(): string {
-    return wishOf(this).cloth;
+    return bindingOptionsOf(this).cloth;
   }
 
   set cloth(colour: string) {
@@ -146,7 +146,7 @@ export class ReflectingElement extends Base {
    * @default auto
    */
   get binding(): Wish["binding"] {
-    return wishOf(this).binding;
+    return bindingOptionsOf(this).binding;
   }
 
   set binding(edge: Wish["binding"]) {
@@ -159,7 +159,7 @@ export class ReflectingElement extends Base {
    * @default auto
    */
   get layout(): Wish["layout"] {
-    return wishOf(this).layout;
+    return bindingOptionsOf(this).layout;
   }
 
   set layout(layout: Wish["layout"]) {
@@ -172,7 +172,7 @@ export class ReflectingElement extends Base {
    * @default 1
    */
   get offset(): Wish["offset"] {
-    return wishOf(this).offset;
+    return bindingOptionsOf(this).offset;
   }
 
   set offset(offset: Wish["offset"]) {
@@ -185,7 +185,7 @@ export class ReflectingElement extends Base {
    * @default ""
    */
   get hardPages(): string {
-    return wishOf(this).hardPages;
+    return bindingOptionsOf(this).hardPages;
   }
 
   set hardPages(pages: string) {

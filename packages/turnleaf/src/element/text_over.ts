@@ -7,7 +7,7 @@ import type { PageView } from "../text/page_view.ts";
 import { type SearchHit, searchBook } from "../text/searching.ts";
 import { textStyle } from "../text/text.css.ts";
 import { TextLayer } from "../text/text_layer.ts";
-import type { Viewer } from "../viewer.ts";
+import type { Viewer } from "../viewer/viewer.ts";
 import { elementTexts, fill } from "../words/languages.ts";
 import { addStyle } from "./style.ts";
 
@@ -39,7 +39,7 @@ export class TextOver {
       },
       placeOf: (page, size) => viewer.placeOf(page, size),
       project: viewer.project.bind(viewer),
-      onView: viewer.onView.bind(viewer),
+      onView: viewer.onViewChange.bind(viewer),
     };
     const layer = new TextLayer(view, {
       source,

@@ -1,13 +1,13 @@
 import { expect, test } from "vitest";
-import { makeOf } from "../book/paper.ts";
-import { EngineBook } from "./engine.ts";
+import { applyPaper } from "../book/paper.ts";
 import { Cover, isResting, Phase, Side } from "./phases.ts";
 import { columnPlace, stocks } from "./shapes.ts";
+import { WasmBook } from "./wasm_book.ts";
 
 const size = { width: 0.14, height: 0.21, leaves: 40, thickness: 0.012 };
 
 test("columns lie where the viewer's pictures expect them", async () => {
-  const book = await EngineBook.create(size);
+  const book = await WasmBook.create(size);
   const u = book.columns;
   for (let k = 0; k < u.length; k++) expect(u[k]).toBeCloseTo(columnPlace(k, u.length), 6);
   book.lift(Side.right, 0, 1);
@@ -17,14 +17,14 @@ test("columns lie where the viewer's pictures expect them", async () => {
 });
 
 /** A book that lies open, as one must for its leaves to turn: a shut board would press on them. */
-async function open(): Promise<EngineBook> {
-  const book = await EngineBook.create(size);
+async function open(): Promise<WasmBook> {
+  const book = await WasmBook.create(size);
   book.layBoard(Cover.front, Side.left);
   return book;
 }
 
 /** Steps a book until no leaf is in flight; answers the ticks it took. */
-function rest(book: EngineBook): number {
+function rest(book: WasmBook): number {
   for (let ticks = 0; ticks < 2000; ticks++) {
     if (book.flights === 0) return ticks;
     book.step(1);
@@ -92,7 +92,7 @@ test("a held leaf follows the hand; let go it falls", async () => {
 });
 
 test("boards swing and lie down", async () => {
-  const book = await EngineBook.create(size);
+  const book = await WasmBook.create(size);
   expect(book.boardAngle(Cover.front)).toBe(0);
   book.playBoard(Cover.front, Side.left, 0.5);
   for (let k = 0; k < 200 && !isResting(book.stepBoard(Cover.front, 1)); k++);
@@ -107,12 +107,12 @@ test("sizes that are no book's are refused", async () => {
     { ...size, thickness: -1 },
     { ...size, width: Number.POSITIVE_INFINITY },
   ]) {
-    await expect(EngineBook.create(bad)).rejects.toThrow("size");
+    await expect(WasmBook.create(bad)).rejects.toThrow("size");
   }
 });
 
 /** Positions of a leaf of a paper, held by its corner for half a second. */
-async function hang(change: (book: EngineBook) => void): Promise<number[]> {
+async function hang(change: (book: WasmBook) => void): Promise<number[]> {
   const book = await open();
   book.lay(10);
   change(book);
@@ -128,7 +128,7 @@ async function hang(change: (book: EngineBook) => void): Promise<number[]> {
 
 test("the paper's usual figures are the engine's own", async () => {
   const usual = await hang(() => {});
-  expect(await hang((book) => makeOf({}, book))).toEqual(usual);
+  expect(await hang((book) => applyPaper({}, book))).toEqual(usual);
   expect(await hang((book) => void book.setStock("book"))).toEqual(usual);
   const figures = { grammage: 70, caliper: 90, stiffnessAlong: 0.27, stiffnessAcross: 0.12 };
   const inFigures = await hang((book) => void book.setStock(figures));
@@ -149,7 +149,7 @@ test("each paper, binding and wind hangs in its own way, and what is none change
     expect(book.setStock({} as never)).toBe(false);
     expect(book.setBinding("along", -1)).toBe(false);
     expect(book.setWind([Number.NaN, 0, 0])).toBe(false);
-    makeOf({ stock: "vellum" as never, binding: 7, wind: [1e9, 0, 0] }, book);
+    applyPaper({ stock: "vellum" as never, binding: 7, wind: [1e9, 0, 0] }, book);
   });
   expect(refused).toEqual(usual);
 });

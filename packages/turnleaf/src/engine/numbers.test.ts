@@ -1,11 +1,12 @@
 /** Every number that reaches the engine's WASM is one that it takes, whatever a book is asked. */
 
 import { afterEach, expect, test, vi } from "vitest";
-import { makeOf, type Paper } from "../book/paper.ts";
-import { PlainBook } from "../plain/plain_book.ts";
-import { type BookEngine, type BookSize, EngineBook } from "./engine.ts";
-import { Cover, handCount, Side } from "./phases.ts";
+import { applyPaper, type Paper } from "../book/paper.ts";
+import { PeeledBook } from "../canvas2d/peeled_book.ts";
+import type { BookEngine, BookSize } from "./book_engine.ts";
+import { Cover, maxGrabs, Side } from "./phases.ts";
 import type { StockFigures, Vec3 } from "./shapes.ts";
+import { WasmBook } from "./wasm_book.ts";
 
 const size = { width: 0.14, height: 0.21, leaves: 40, thickness: 0.012 };
 
@@ -119,9 +120,9 @@ function askAtRandom(book: BookEngine, seed: number, questions: number): boolean
     () => {
       id = book.lift(side(), count(40), count(40)) || id;
     },
-    () => book.grab(anId(), count(handCount), number(0, 1), number(0, 1)),
-    () => book.hold(anId(), count(handCount), ...vector()),
-    () => book.release(anId(), count(handCount)),
+    () => book.grab(anId(), count(maxGrabs), number(0, 1), number(0, 1)),
+    () => book.hold(anId(), count(maxGrabs), ...vector()),
+    () => book.release(anId(), count(maxGrabs)),
     () => book.play(anId(), side(), number(0.1, 2)),
     () => book.step(random() < 0.9 ? Math.floor(13 * random()) : among([Number.NaN, -1, -0.5])),
     () => void book.phase(anId()),
@@ -150,8 +151,8 @@ function askAtRandom(book: BookEngine, seed: number, questions: number): boolean
 }
 
 for (const [over, create] of [
-  ["the engine", (size: BookSize): Promise<BookEngine> => EngineBook.create(size)],
-  ["flat leaves", async (size: BookSize): Promise<BookEngine> => new PlainBook(size)],
+  ["the engine", (size: BookSize): Promise<BookEngine> => WasmBook.create(size)],
+  ["flat leaves", async (size: BookSize): Promise<BookEngine> => new PeeledBook(size)],
 ] as const) {
   test(`whatever ${over} is asked, what is drawn are numbers`, async () => {
     const faults = watchWasm();
@@ -186,7 +187,7 @@ test("no book is made of sizes that are none", async () => {
   for (const key of ["width", "height", "leaves", "thickness"] as const) {
     for (const value of nasty.filter((value) => !(value >= 0 && value < 2) || key === "leaves")) {
       if (value === 0) continue;
-      await expect(EngineBook.create({ ...size, [key]: value }), `${key} ${value}`).rejects.toThrow(
+      await expect(WasmBook.create({ ...size, [key]: value }), `${key} ${value}`).rejects.toThrow(
         "The engine refused a book of this size.",
       );
     }
@@ -196,7 +197,7 @@ test("no book is made of sizes that are none", async () => {
 
 test("paper that is none is the usual paper", async () => {
   const faults = watchWasm();
-  const book = await EngineBook.create(size);
+  const book = await WasmBook.create(size);
   for (const value of nasty) {
     const stock = {
       grammage: value,
@@ -211,7 +212,7 @@ test("paper that is none is the usual paper", async () => {
       { wind: [0, value, 0] },
       { wind: [] as unknown as Vec3 },
     ];
-    for (const paper of papers) makeOf(paper, book);
+    for (const paper of papers) applyPaper(paper, book);
   }
   expect(faults).toEqual([]);
   book.destroy();

@@ -3,7 +3,7 @@
  * -1 as a count is 4,294,967,295, and NaN in a leaf stays there.
  */
 
-import { handCount } from "./phases.ts";
+import { maxGrabs } from "./phases.ts";
 
 /** A whole number from 0 to `most`; 0 for NaN. */
 export function whole(value: number, most: number): number {
@@ -22,7 +22,7 @@ export function turnSeconds(seconds: number): number {
 
 /** Whether a hand is one that a leaf tells apart, and its numbers are numbers. */
 export function isHand(hand: number, ...numbers: readonly number[]): boolean {
-  return Number.isInteger(hand) && hand >= 0 && hand < handCount && areFinite(numbers);
+  return Number.isInteger(hand) && hand >= 0 && hand < maxGrabs && areFinite(numbers);
 }
 
 /** Whether all are numbers that single precision holds. */

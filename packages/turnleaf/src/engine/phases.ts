@@ -23,7 +23,7 @@ export const Cover = { front: 0, back: 1 } as const;
 export type Cover = (typeof Cover)[keyof typeof Cover];
 
 /** Hands that a leaf tells apart, numbered from 0. */
-export const handCount: number = 4;
+export const maxGrabs: number = 4;
 
 /** Whether a phase is one of rest. */
 export function isResting(phase: Phase): boolean {

@@ -1,6 +1,6 @@
 /** How fast a pointer went when it was lifted. */
 
-import type { Place } from "../draw/stage.ts";
+import type { Place } from "../stage/book_stage.ts";
 
 /** Time before the end that counts, milliseconds. */
 const recent = 90;

@@ -1,11 +1,11 @@
 /** Hands on the element in real Chromium: drag, flick, hover, pinch, wheel, keys. */
 
 import { afterEach, expect, test } from "vitest";
-import { DrawnBook } from "../draw/drawn_book.ts";
 import type { TurnDetail } from "../element/events.ts";
 import type { TurnleafBook } from "../element.ts";
 import { book, happens, scans, settled } from "../element_for_tests.ts";
 import { Hands } from "../hands_for_tests.ts";
+import { DrawnBook } from "../webgl/drawn_book.ts";
 
 const pose = DrawnBook.prototype.pose;
 const request = globalThis.requestAnimationFrame;

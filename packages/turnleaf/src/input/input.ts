@@ -1,12 +1,12 @@
 /** Pointers become commands to the book; wheel and keys are heard beside them. */
 
 import { forward } from "../book/spreads.ts";
-import type { Place } from "../draw/stage.ts";
-import { handCount, Side } from "../engine/phases.ts";
-import type { Hold } from "../view/holding.ts";
-import type { Viewer } from "../viewer.ts";
+import { maxGrabs, Side } from "../engine/phases.ts";
+import type { Place } from "../stage/book_stage.ts";
+import type { DragHit } from "../viewer/drag_state.ts";
+import type { Viewer } from "../viewer/viewer.ts";
 import { Flick } from "./flick.ts";
-import { Keys } from "./keys.ts";
+import { Keys } from "./held_keys.ts";
 import { pageZoom } from "./page_zoom.ts";
 import { Pinch } from "./pinch.ts";
 import { Taps } from "./taps.ts";
@@ -39,7 +39,7 @@ const tapZoomTime = 0.28;
 interface Press extends Place {
   /** The hand that it stands for. */
   readonly hand: number;
-  readonly hold: Hold | null;
+  readonly hold: DragHit | null;
   readonly kind: string;
   readonly time: number;
   readonly flick: Flick;
@@ -103,7 +103,7 @@ export class Input {
     stage.addEventListener("touchmove", (event) => this.#touch(event), { signal, passive: false });
     const pressed = new Keys(keys, stage, target);
     keys.addEventListener("keydown", (event) => pressed.press(event), { signal });
-    const unfollow = this.#viewer.onView(() => this.#follow());
+    const unfollow = this.#viewer.onViewChange(() => this.#follow());
     signal.addEventListener("abort", unfollow, { once: true });
     this.#follow();
   }
@@ -128,7 +128,7 @@ export class Input {
     const hand = this.#freeHand();
     if (hand === null || this.#pinch) return;
     const isZoomed = this.#viewer.zoomLevel > 1;
-    const hold = isZoomed ? null : this.#viewer.steering.pick(at.x, at.y);
+    const hold = isZoomed ? null : this.#viewer.leafControl.pick(at.x, at.y);
     if (hold === null && !isZoomed) return;
     const flick = new Flick();
     flick.move(at, event.timeStamp);
@@ -143,10 +143,11 @@ export class Input {
       does: "wait",
     };
     // A leaf already turning is caught at once, where it is.
-    if (hold && this.#isFlying(hold) && this.#viewer.steering.grab(hold, hand)) press.does = "drag";
+    if (hold && this.#isFlying(hold) && this.#viewer.leafControl.grab(hold, hand))
+      press.does = "drag";
     this.#presses.set(event.pointerId, press);
     this.#canvas.setPointerCapture(event.pointerId);
-    if (press.does === "drag") this.#viewer.steering.drag(hand, at.x, at.y);
+    if (press.does === "drag") this.#viewer.leafControl.drag(hand, at.x, at.y);
   }
 
   #move(event: PointerEvent): void {
@@ -157,7 +158,7 @@ export class Input {
     else {
       press.flick.move(at, event.timeStamp);
       if (press.does === "wait") this.#begin(press, at);
-      if (press.does === "drag") this.#viewer.steering.drag(press.hand, at.x, at.y);
+      if (press.does === "drag") this.#viewer.leafControl.drag(press.hand, at.x, at.y);
       if (press.does === "pan") this.#viewer.zoom(this.#viewer.zoomLevel, press.at, at, 0);
       press.at = at;
     }
@@ -176,7 +177,7 @@ export class Input {
       // Along the page's own way to scroll a finger scrolls it: the browser will say so.
       const { rolled } = this.#viewer.binding;
       if (press.kind === "touch" && Math.abs(rolled ? x : y) > Math.abs(rolled ? y : x)) return;
-      if (this.#viewer.steering.grab(press.hold, press.hand, { x, y })) press.does = "drag";
+      if (this.#viewer.leafControl.grab(press.hold, press.hand, { x, y })) press.does = "drag";
       this.#isPeeking = false;
     }
     this.#canvas.style.cursor = "grabbing";
@@ -199,7 +200,7 @@ export class Input {
     const way = now !== null && now - time <= flickTime ? this.#flicked(flick.velocity(now)) : 0;
     const isOwn = hold === null || sideOf(hold) === (way === 1 ? Side.right : Side.left);
     if (way !== 0 && isOwn) this.#target.turn((way * forward(this.#viewer.binding)) as 1 | -1);
-    this.#viewer.steering.release(hand);
+    this.#viewer.leafControl.release(hand);
     if (way !== 0 && !isOwn) this.#target.turn((way * forward(this.#viewer.binding)) as 1 | -1);
   }
 
@@ -229,7 +230,7 @@ export class Input {
       this.#viewer.zoom(level, from, to, this.#target.calm() ? 0 : tapZoomTime);
       return;
     }
-    if (inside) this.#viewer.steering.tap(at.x, at.y);
+    if (inside) this.#viewer.leafControl.tap(at.x, at.y);
     if (hold === null || inside || this.#isFlying(hold)) return;
     const isRight = sideOf(hold) === Side.right;
     const way = forward(this.#viewer.binding);
@@ -276,30 +277,30 @@ export class Input {
     if (event.pointerType === "touch" || event.buttons !== 0 || this.#presses.size > 0) return;
     const isZoomed = this.#viewer.zoomLevel > 1;
     const hold =
-      isZoomed || event.target !== this.#canvas ? null : this.#viewer.steering.pick(at.x, at.y);
+      isZoomed || event.target !== this.#canvas ? null : this.#viewer.leafControl.pick(at.x, at.y);
     this.#canvas.style.cursor = hold !== null || isZoomed ? "grab" : "";
     this.#peek(hold);
   }
 
   /** Lifts the corner at a place, or lets it fall. */
-  #peek(hold: Hold | null): void {
+  #peek(hold: DragHit | null): void {
     const zone = this.#isPeeking ? stayZone : liftZone;
     const isCorner = hold !== null && hold.u > 1 - zone.u && Math.abs(hold.v - 0.5) > 0.5 - zone.v;
     const lifts = isCorner && !this.#target.calm();
     if (lifts === this.#isPeeking) return;
-    this.#isPeeking = this.#viewer.steering.peek(lifts ? hold : null);
+    this.#isPeeking = this.#viewer.leafControl.peek(lifts ? hold : null);
   }
 
   /** A hand that no pointer stands for, or null. The last is that of a lifted corner. */
   #freeHand(): number | null {
     const taken = new Set([...this.#presses.values()].map(({ hand }) => hand));
-    for (let hand = 0; hand < handCount - 1; hand++) if (!taken.has(hand)) return hand;
+    for (let hand = 0; hand < maxGrabs - 1; hand++) if (!taken.has(hand)) return hand;
     return null;
   }
 
   /** Whether it is a place on what is in flight, rather than on a resting page or a corner that only lifts. */
-  #isFlying(hold: Hold): boolean {
-    return typeof hold.on !== "number" && !this.#viewer.steering.peeks(hold);
+  #isFlying(hold: DragHit): boolean {
+    return typeof hold.on !== "number" && !this.#viewer.leafControl.isPeeked(hold);
   }
 
   /** Where a pointer is on the canvas, CSS pixels. */
@@ -310,13 +311,13 @@ export class Input {
 }
 
 /** The side where a leaf was taken. */
-function sideOf({ on }: Hold): Side {
+function sideOf({ on }: DragHit): Side {
   if (typeof on === "number") return on;
   return on.from === on.low ? Side.right : Side.left;
 }
 
 /** Whether a click there turns the leaf: at an edge or a corner. */
-function turnsByClick({ u, v }: Hold): boolean {
+function turnsByClick({ u, v }: DragHit): boolean {
   if (u > 1 - edgeZone) return true;
   return u > 1 - cornerZone.u && Math.abs(v - 0.5) > 0.5 - cornerZone.v;
 }

@@ -1,8 +1,8 @@
 /** The zoom of a double tap: to the page that was tapped, and back. */
 
 import { pagesAt } from "../book/spreads.ts";
-import type { Place } from "../draw/stage.ts";
-import type { Viewer } from "../viewer.ts";
+import type { Place } from "../stage/book_stage.ts";
+import type { Viewer } from "../viewer/viewer.ts";
 
 /** Share of the canvas that the page's width is to fill. */
 const filled = 0.94;

@@ -1,7 +1,7 @@
 /** Two fingers that zoom and move what lies under them. */
 
-import type { Place } from "../draw/stage.ts";
-import type { Viewer } from "../viewer.ts";
+import type { Place } from "../stage/book_stage.ts";
+import type { Viewer } from "../viewer/viewer.ts";
 
 type Finger = [id: number, at: Place];
 

@@ -1,6 +1,6 @@
 /** What pointers, wheel and keys act on. */
 
-import type { Viewer } from "../viewer.ts";
+import type { Viewer } from "../viewer/viewer.ts";
 
 /** An open book, and what of the element it lies in is asked beside it. */
 export interface InputTarget {

@@ -1,7 +1,7 @@
 /** The wheel: zoom with Ctrl or by pinching a trackpad, pan while zoomed, turn where it scrolls nothing else. */
 
 import { forward } from "../book/spreads.ts";
-import type { Place } from "../draw/stage.ts";
+import type { Place } from "../stage/book_stage.ts";
 import type { InputTarget } from "./target.ts";
 
 /** CSS pixels of a line, for wheels that count in lines. */

@@ -8,11 +8,11 @@
  */
 
 import type { Texture } from "three";
-import { LeafScene } from "../draw/leaf_scene.ts";
 import type { Ray, Vec3 } from "../engine/shapes.ts";
 import { pickSurface } from "../hand/pick.ts";
 import { handAt } from "../hand/reach.ts";
 import type { PagePicture } from "../sources/page_source.ts";
+import { LeafScene } from "../webgl/leaf_scene.ts";
 
 export type { PagePicture, Ray, Vec3 };
 

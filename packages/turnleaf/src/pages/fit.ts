@@ -1,7 +1,7 @@
 /** Fits pictures of pages of other sizes onto the book's leaf. Loaded with the first such page. */
 
 import type { PageBox, PagePicture } from "../sources/page_source.ts";
-import { foldAt, isFoldOut, isTrimmed } from "./placing.ts";
+import { foldAt, isFoldOut, isTrimmed } from "./page_place.ts";
 
 const paper = "#fbf5e8";
 

@@ -3,8 +3,8 @@
 import { expect, test } from "vitest";
 import type { PageBox, PagePicture, PageSource } from "../sources/page_source.ts";
 import { fitToLeaf, unfold } from "./fit.ts";
-import { PagePictures } from "./page_pictures.ts";
-import { placeOnLeaf } from "./placing.ts";
+import { PageBitmaps } from "./page_bitmaps.ts";
+import { placeOnLeaf } from "./page_place.ts";
 
 function sheet(width: number, height: number): HTMLCanvasElement {
   const canvas = document.createElement("canvas");
@@ -92,7 +92,7 @@ function slides(): { source: PageSource; drawn: HTMLCanvasElement[] } {
 test("a picture of the leaf's proportions is shown itself", async () => {
   const { source, drawn } = slides();
   const leaf = { width: 2, height: 1 };
-  const pictures = new PagePictures(source, leaf, { onArrive: () => {}, onDrop: () => {} });
+  const pictures = new PageBitmaps(source, leaf, { onArrive: () => {}, onDrop: () => {} });
   pictures.want({ pages: [1], inSight: 1, lyingOpen: 1 }, 256, false);
   await expect.poll(() => pictures.settled).toBe(true);
   expect(pictures.get(1)).toBe(drawn.at(-1));
@@ -102,7 +102,7 @@ test("a picture of the leaf's proportions is shown itself", async () => {
 test("of a picture that was fitted the fitted one alone is held, and freed at the end", async () => {
   const { source, drawn } = slides();
   const dropped: PagePicture[] = [];
-  const pictures = new PagePictures(
+  const pictures = new PageBitmaps(
     source,
     { width: 2.2, height: 1 },
     {
@@ -130,7 +130,7 @@ test("in place of a page that takes long stands a sentence, until it is drawn", 
   let elapse = (): void => {};
   let arrived = 0;
   const leaf = { width: 2, height: 1 };
-  const pictures = new PagePictures(source, leaf, {
+  const pictures = new PageBitmaps(source, leaf, {
     onArrive: () => arrived++,
     onDrop: () => {},
     slowText: (label) => `Page ${label} takes long.`,

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import type { BookPose } from "../draw/pose.ts";
 import type { Surface } from "../engine/shapes.ts";
+import type { BookPose } from "../stage/book_pose.ts";
 import { MotionMeter } from "./motion.ts";
 
 const [columns, rows] = [9, 9];

@@ -1,7 +1,7 @@
 /** What of a moving book is heard: how fast its leaves bend, and how hard they and the boards arrive. */
 
-import type { BookPose } from "../draw/pose.ts";
 import type { Surface } from "../engine/shapes.ts";
+import type { BookPose } from "../stage/book_pose.ts";
 
 /** Points along a row and along the spine that a leaf is followed at. */
 const places = 5;

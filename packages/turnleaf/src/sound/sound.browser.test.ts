@@ -3,14 +3,14 @@ import { userEvent } from "vitest/browser";
 import { book, happens, scans } from "../element_for_tests.ts";
 import type { Stock } from "../engine/shapes.ts";
 import type { Motion } from "./motion.ts";
-import { Rustle } from "./rustle.ts";
+import { PaperSound } from "./paper_sound.ts";
 
 const rate = 22_050;
 
 /** Loudness (root mean square) of a second of motion, and of what is left a second later. */
 async function loudness(motion: Motion, stock: Stock = "book"): Promise<[number, number]> {
   const context = new OfflineAudioContext(1, 3 * rate, rate);
-  const rustle = new Rustle(context);
+  const rustle = new PaperSound(context);
   rustle.stock = stock;
   for (let time = 0; time < 1; time += 1 / 60) rustle.move(motion, time);
   rustle.rest(1, () => {});

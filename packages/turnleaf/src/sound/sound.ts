@@ -4,16 +4,16 @@
  * book lies still: at rest no audio thread runs.
  */
 
-import type { BookPose } from "../draw/pose.ts";
 import type { Stock, StockFigures } from "../engine/shapes.ts";
+import type { BookPose } from "../stage/book_pose.ts";
 import { MotionMeter } from "./motion.ts";
-import { Rustle } from "./rustle.ts";
+import { PaperSound } from "./paper_sound.ts";
 
 /** The sound of one book; `close` ends it. */
 export class Sound {
   readonly #meter = new MotionMeter();
   #context: AudioContext | null = null;
-  #rustle: Rustle | null = null;
+  #rustle: PaperSound | null = null;
   #closed = false;
 
   /**
@@ -35,7 +35,7 @@ export class Sound {
     if (this.#context === null) {
       if (navigator.userActivation?.hasBeenActive === false) return;
       this.#context = new AudioContext({ latencyHint: "interactive" });
-      this.#rustle = new Rustle(this.#context);
+      this.#rustle = new PaperSound(this.#context);
     }
     if (this.#context.state === "suspended") void this.#context.resume().catch(() => {});
     if (this.#rustle) {

@@ -21,11 +21,11 @@ export async function fetchChecked(
   // 416 answers a range request for a file without a single byte.
   if (response.status === 416) throw emptyFile(name);
   await response.body?.cancel().catch(() => {});
-  throw new BookError(refusal(response.status, name));
+  throw new BookError(httpError(response.status, name));
 }
 
 /** The sentence for a status of the server other than success. */
-export function refusal(status: number, name: string): string {
+export function httpError(status: number, name: string): string {
   if (status === 404 || status === 410) {
     return `${name} was not found; check the address and open it again.`;
   }

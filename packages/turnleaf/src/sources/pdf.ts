@@ -1,7 +1,7 @@
 import type { PDFDocumentLoadingTask, PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist";
 import { cleanLanguage, cleanText } from "./book_text.ts";
 import { nameAndMessage, unknownFailure } from "./failures.ts";
-import { brokeOff, refusal } from "./fetch_bytes.ts";
+import { brokeOff, httpError } from "./fetch_bytes.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import {
   BookError,
@@ -379,7 +379,7 @@ function sentenceFor(
       `${name} is protected by a password; remove the password and open it again.`,
     );
   }
-  if (error instanceof pdfjs.ResponseException) return new BookError(refusal(error.status, name));
+  if (error instanceof pdfjs.ResponseException) return new BookError(httpError(error.status, name));
   if (isUnreachable(error)) return brokeOff(name);
   if (error instanceof WorkerNotStarted) return notStarted(name, pdfWorker, error);
   if (isDamage(pdfjs, error)) {

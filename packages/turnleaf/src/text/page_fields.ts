@@ -1,13 +1,13 @@
 /** The form fields of an open page as real ones, over those that are printed. */
 
 import type { PageField } from "../sources/page_source.ts";
-import { layOver, type Project, placeIn } from "./placing.ts";
+import { layOver, type Project, placeIn } from "./run_place.ts";
 
 /** What fields of a book hold, by their names; it outlives the pages' elements. */
-export type Values = Map<string, string>;
+export type FieldValues = Map<string, string>;
 
 /** An element, and how it is laid onto the page. */
-export interface Laid {
+export interface FieldPlace {
   readonly element: HTMLElement;
   readonly lay: (project: Project) => void;
   /** Shows what a field holds by now, which another view of it may have changed. */
@@ -28,9 +28,9 @@ const letters = { share: 0.62, least: 6, most: 40 };
  */
 export function makeFields(
   fields: readonly PageField[],
-  values: Values,
+  values: FieldValues,
   changed: (name: string, isDone: boolean) => void,
-): Laid[] {
+): FieldPlace[] {
   return fields.map((field) => {
     const element = makeField(field);
     const refresh = (): void => fillIn(element, field, values.get(field.name) ?? field.value);

@@ -1,8 +1,8 @@
 /** The links of an open page as real ones, over what they are printed on. */
 
 import type { LinkTarget, PageLink, TextRun } from "../sources/page_source.ts";
-import type { Laid } from "./page_fields.ts";
-import { layOver, placeIn } from "./placing.ts";
+import type { FieldPlace } from "./page_fields.ts";
+import { layOver, placeIn } from "./run_place.ts";
 
 /**
  * A page's links as elements.
@@ -15,7 +15,7 @@ export function makeLinks(
   runs: readonly TextRun[],
   nameOf: (to: LinkTarget) => string,
   goTo: (page: number) => void,
-): Laid[] {
+): FieldPlace[] {
   return links.map((link) => {
     const { to } = link;
     const a = document.createElement("a");

@@ -2,11 +2,11 @@
 
 import type { TextRun } from "../sources/page_source.ts";
 import { shareBefore } from "./fitting.ts";
-import { isFlat, layOver, type Project, placeIn } from "./placing.ts";
+import { isFlat, layOver, type Project, placeIn } from "./run_place.ts";
 import { findIn, type SearchHit, type Stretch } from "./searching.ts";
 
 /** What is marked: every place of a query faintly, and the one hit strongly. */
-export type Shown = Pick<SearchHit, "query" | "page" | "index">;
+export type ShownHit = Pick<SearchHit, "query" | "page" | "index">;
 
 /** How far a mark goes beyond the letters, as a share of their height. */
 const beyond = 0.08;
@@ -21,7 +21,7 @@ const mostPieces = 8;
  */
 export function layMarks(
   runs: readonly TextRun[],
-  shown: Shown | null,
+  shown: ShownHit | null,
   page: number,
   project: Project,
 ): HTMLElement[] {

@@ -2,7 +2,7 @@
 
 import type { TextRun } from "../sources/page_source.ts";
 import { fontSize, shareBefore, widthOf } from "./fitting.ts";
-import { isFlat, matrixOf, type Project, placeIn } from "./placing.ts";
+import { isFlat, matrixOf, type Project, placeIn } from "./run_place.ts";
 
 /** A piece of a run that is laid out as one: from one character to another. */
 interface Piece {

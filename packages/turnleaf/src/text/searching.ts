@@ -1,7 +1,7 @@
 /** Finds a word or phrase in a whole book. */
 
 import type { TextRun } from "../sources/page_source.ts";
-import { foldQuery, foldRuns } from "./folding.ts";
+import { foldQuery, foldRuns } from "./case_folding.ts";
 import type { PageTexts } from "./page_texts.ts";
 
 /** A place where something was found. */

@@ -12,12 +12,12 @@ import type {
   PageSource,
   TextRun,
 } from "../sources/page_source.ts";
-import { type Laid, makeFields, type Values } from "./page_fields.ts";
+import { type FieldPlace, type FieldValues, makeFields } from "./page_fields.ts";
 import { makeLinks } from "./page_links.ts";
-import { layMarks, type Shown } from "./page_marks.ts";
+import { layMarks, type ShownHit } from "./page_marks.ts";
 import { layText } from "./page_text.ts";
 import type { PageView } from "./page_view.ts";
-import type { Project } from "./placing.ts";
+import type { Project } from "./run_place.ts";
 import { keepSelection } from "./selecting.ts";
 
 /** What is known of an open page. */
@@ -34,7 +34,7 @@ interface Content {
 interface Group {
   readonly element: HTMLElement;
   readonly text: HTMLElement;
-  laid: readonly Laid[] | null;
+  laid: readonly FieldPlace[] | null;
 }
 
 /** What the layer needs beside the view. */
@@ -66,8 +66,8 @@ export class TextLayer {
   #reading = new AbortController();
   #contents = new Map<number, Content>();
   #groups = new Map<number, Group>();
-  readonly #values: Values = new Map();
-  #shown: Shown | null = null;
+  readonly #values: FieldValues = new Map();
+  #shown: ShownHit | null = null;
 
   constructor(view: PageView, options: TextLayerOptions) {
     this.#view = view;
@@ -92,7 +92,7 @@ export class TextLayer {
   }
 
   /** Marks what was found on the pages in sight; null takes the marks away. */
-  mark(shown: Shown | null): void {
+  mark(shown: ShownHit | null): void {
     this.#shown = shown;
     if (!this.element.hidden) this.#place();
   }
@@ -207,7 +207,7 @@ export class TextLayer {
   }
 
   /** Links, fields and what stands for pictures. */
-  #make({ page, runs, links, fields, alt }: Content): readonly Laid[] {
+  #make({ page, runs, links, fields, alt }: Content): readonly FieldPlace[] {
     const { name, goTo, source } = this.#options;
     const nameOf = (to: LinkTarget): string => ("page" in to ? name(to.page) : to.href);
     const made = [

@@ -1,0 +1,276 @@
+/**
+ * Draws a book on the flat, with a 2D canvas: what stands in for the stage where
+ * there is no WebGL. It answers to the same calls. Inside it, lengths are metres
+ * and y runs down from the head.
+ */
+
+import type { Face } from "../book/faces.ts";
+import { Side } from "../engine/phases.ts";
+import type { Ray, Vec3 } from "../engine/shapes.ts";
+import type { PagePicture } from "../sources/page_source.ts";
+import type { BookPose, BookShape } from "../stage/book_pose.ts";
+import type {
+  BookStage,
+  DrawOptions,
+  FaceDetail,
+  LeafSide,
+  PageFace,
+  Place,
+} from "../stage/book_stage.ts";
+import { fadeBeyondSpine as fade, type Zoom, Zooming } from "../stage/zoom.ts";
+import { type Layout, layOut, magnified, panelOf, shutness, sightOf } from "./canvas_layout.ts";
+import { drawBoard } from "./draw_board.ts";
+import { type Brush, drawCase, drawPage, drawStack, thicknessOf } from "./draw_book.ts";
+import { drawFlat, drawFolded } from "./draw_leaf.ts";
+import type { PeeledSurface } from "./peeled_book.ts";
+
+/** Most pixels of a frame at rest, and device pixels a CSS pixel while something moves, at most. */
+const mostPixels = 16e6;
+const mostMovingRatio = 1.5;
+
+/** An open book of which nothing is known yet. */
+const lying: BookPose = {
+  left: null,
+  right: null,
+  leaves: [],
+  lean: 0,
+  frontBoard: Math.PI,
+  backBoard: 0,
+};
+
+/** What shows a picture: a face, a side of a leaf, or what is seen beside a page that is smaller. */
+type Shown = Face | `${LeafSide} ${number}` | `beneath ${PageFace}`;
+
+/** One flat book on one canvas. */
+export class Canvas2DStage implements BookStage {
+  /** Never called: what is drawn without a graphics card is not lost. */
+  onRestored: (() => void) | null = null;
+  onGone: (() => void) | null = null;
+  readonly isLost: boolean = false;
+  readonly #canvas: HTMLCanvasElement;
+  readonly #pen: CanvasRenderingContext2D;
+  #shape: BookShape;
+  readonly #shown = new Map<Shown, PagePicture | null>();
+  readonly #details = new Map<Face, FaceDetail>();
+  readonly #zooming = new Zooming(() =>
+    sightOf(this.#shape, this.#pose, this.#width, this.#height),
+  );
+  #pose = lying;
+  #layout: Layout = { scale: 1, x: 0, y: 0 };
+  #width = 1;
+  #height = 1;
+  #ratio = 1;
+
+  /** @throws Error in one sentence where the canvas has no 2D context to give. */
+  constructor(canvas: HTMLCanvasElement, shape: BookShape) {
+    const pen = canvas.getContext("2d");
+    if (!pen) throw new Error("This book needs a canvas, which this browser does not offer.");
+    this.#canvas = canvas;
+    this.#pen = pen;
+    this.#shape = shape;
+  }
+
+  bind(shape: BookShape): void {
+    this.#shape = shape;
+    this.#shown.clear();
+    this.#details.clear();
+    this.#pose = lying;
+    this.#aim();
+  }
+
+  resize(cssWidth: number, cssHeight: number, pixelRatio: number): void {
+    this.#width = Math.max(1, cssWidth);
+    this.#height = Math.max(1, cssHeight);
+    this.#ratio = Math.max(0.25, pixelRatio);
+    this.#aim();
+  }
+
+  /** On the flat, fold-outs stay folded in. */
+  get unfolds(): boolean {
+    return false;
+  }
+
+  get zoom(): Zoom {
+    return this.#zooming.zoom;
+  }
+
+  set zoom(zoom: Zoom) {
+    this.#aim(zoom);
+  }
+
+  zoomed(level: number, from: Place, to: Place): Zoom {
+    const share = ({ x, y }: Place) => [x / this.#width, y / this.#height] as const;
+    return this.#zooming.zoomed(level, share(from), share(to));
+  }
+
+  setDetail(face: Face, detail: FaceDetail | null): void {
+    if (detail) this.#details.set(face, detail);
+    else this.#details.delete(face);
+  }
+
+  get restingRatio(): number {
+    return Math.min(this.#ratio, Math.sqrt(mostPixels / (this.#width * this.#height)));
+  }
+
+  setFace(face: Face, picture: PagePicture | null): void {
+    this.#shown.set(face, picture);
+  }
+
+  setLeaf(index: number, side: LeafSide, picture: PagePicture | null): void {
+    this.#shown.set(`${side} ${index}`, picture);
+  }
+
+  setUnder(side: PageFace, _behind: PagePicture | null, beneath: PagePicture | null): void {
+    this.#shown.set(`beneath ${side}`, beneath);
+  }
+
+  forget(picture: PagePicture): void {
+    for (const [face, shown] of this.#shown) if (shown === picture) this.#shown.set(face, null);
+  }
+
+  pose(pose: BookPose): void {
+    this.#pose = pose;
+    this.#aim();
+  }
+
+  draw(options?: DrawOptions): void {
+    const ratio = options?.resting
+      ? this.restingRatio
+      : Math.min(this.#ratio, mostMovingRatio) * (options?.pixels ?? 1);
+    const [width, height] = [Math.floor(this.#width * ratio), Math.floor(this.#height * ratio)];
+    if (this.#canvas.width !== width || this.#canvas.height !== height) {
+      this.#canvas.width = width;
+      this.#canvas.height = height;
+    }
+    const pen = this.#pen;
+    const { scale, x, y } = this.#layout;
+    pen.setTransform(1, 0, 0, 1, 0, 0);
+    pen.clearRect(0, 0, width, height);
+    const unit = scale * ratio;
+    if (this.#shape.rolled) {
+      pen.setTransform(0, unit, -unit, 0, x * ratio + unit * this.#shape.height, y * ratio);
+    } else pen.setTransform(unit, 0, 0, unit, x * ratio, y * ratio);
+    pen.imageSmoothingQuality = options?.resting ? "high" : "medium";
+    this.#paint(unit);
+    this.#fadeBeyondSpine(ratio);
+  }
+
+  rayAt(x: number, y: number): Ray {
+    const { scale } = this.#layout;
+    const [right, down] = [(x - this.#layout.x) / scale, (y - this.#layout.y) / scale];
+    const [across, along] = this.#shape.rolled ? [down, right] : [right, this.#shape.height - down];
+    return { origin: [across, along, 1], direction: [0, 0, -1] };
+  }
+
+  project([x, y]: Vec3): Place {
+    const { scale } = this.#layout;
+    const [right, down] = this.#shape.rolled ? [y, x] : [x, this.#shape.height - y];
+    return { x: this.#layout.x + scale * right, y: this.#layout.y + scale * down };
+  }
+
+  projectOn(face: Face, x: number, y: number): Place {
+    const { height } = this.#shape;
+    const [left, top, right, bottom] = panelOf(this.#shape, face);
+    const [u, v] = this.#shape.rolled ? [y, 1 - x] : [x, y];
+    return this.project([left + (right - left) * u, height - top - (bottom - top) * v, 0]);
+  }
+
+  get viewKey(): string {
+    return [...Object.values(this.#layout), this.#width, this.#height].join();
+  }
+
+  destroy(): void {
+    this.#shown.clear();
+    // Frees the pixels at once.
+    this.#canvas.width = this.#canvas.height = 0;
+  }
+
+  #aim(zoom: Zoom = this.#zooming.zoom): void {
+    const [width, height] = [this.#width, this.#height];
+    const whole = layOut(this.#shape, this.#pose, width, height);
+    this.#layout = magnified(whole, zoom.level, this.#zooming.show(zoom), width, height);
+  }
+
+  /** Takes away, little by little, what lies beyond the spine of a page that stands alone. */
+  #fadeBeyondSpine(ratio: number): void {
+    const { width, height, alone } = this.#shape;
+    const [right, left] = shutness(this.#pose);
+    const amount = alone === 0 ? 0 : 1 - Math.min(1, right + left);
+    if (amount === 0) return;
+    const [from, to] = [fade.from, fade.to].map((share) =>
+      this.project([-alone * share * width, height / 2, 0]),
+    );
+    const pen = this.#pen;
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const gradient = pen.createLinearGradient(from.x, from.y, to.x, to.y);
+    gradient.addColorStop(0, "rgb(0 0 0 / 0)");
+    gradient.addColorStop(1, `rgb(0 0 0 / ${amount})`);
+    pen.globalCompositeOperation = "destination-out";
+    pen.fillStyle = gradient;
+    pen.fillRect(0, 0, this.#width, this.#height);
+    pen.globalCompositeOperation = "source-over";
+  }
+
+  #paint(unit: number): void {
+    const brush = { pen: this.#pen, shape: this.#shape, unit };
+    const pose = this.#pose;
+    const { frontBoard, backBoard } = pose;
+    const isHard = this.#shape.cover === "hard";
+    const show = (name: Shown) => this.#shown.get(name) ?? null;
+    const detail = (face: Face) => this.#details.get(face) ?? null;
+    drawCase(brush, pose);
+    for (const [sign, side, inside, lies] of [
+      [-1, "left", "frontInside", frontBoard >= Math.PI],
+      [1, "right", "backInside", backBoard <= 0],
+    ] as const) {
+      if (pose[side]) {
+        drawStack(brush, sign, thicknessOf(pose, side));
+        drawPage(brush, sign, show(`beneath ${side}`));
+        drawPage(brush, sign, show(side), detail(side));
+      } else if (isHard && lies) drawPage(brush, sign, show(inside), detail(inside));
+    }
+    const leaves = pose.leaves as readonly PeeledSurface[];
+    const order = leaves
+      .map((leaf, index) => ({ leaf, index }))
+      .sort((a, b) => a.leaf.id - b.leaf.id);
+    const up = ({ leaf, index }: (typeof order)[number]) =>
+      show(leaf.side === Side.right ? `recto ${index}` : `verso ${index}`);
+    const under = ({ leaf, index }: (typeof order)[number]) =>
+      show(leaf.side === Side.right ? `verso ${index}` : `recto ${index}`);
+    // What was taken up later lay beneath, and is folded over what was before.
+    for (const item of order.toReversed()) {
+      if (!isBoard(item.leaf)) drawFlat(brush, item.leaf, up(item));
+    }
+    const isScan = this.#shape.kind === "scan";
+    for (const item of order) {
+      if (isBoard(item.leaf)) {
+        const angle = angleOf(item.leaf);
+        const picture = show(angle < Math.PI / 2 ? `recto ${item.index}` : `verso ${item.index}`);
+        drawBoard(brush, { side: "leaf", angle, picture, detail: null });
+      } else drawFolded(brush, item.leaf, under(item), isScan ? null : up(item));
+    }
+    if (isHard) {
+      if (frontBoard < Math.PI) this.#paintCover(brush, "front", frontBoard);
+      if (backBoard > 0) this.#paintCover(brush, "back", backBoard);
+    }
+  }
+
+  #paintCover(brush: Brush, name: "front" | "back", angle: number): void {
+    const isOutside = angle < Math.PI / 2 === (name === "front");
+    const face = isOutside ? (`${name}Outside` as const) : (`${name}Inside` as const);
+    const [picture, detail] = [this.#shown.get(face) ?? null, this.#details.get(face) ?? null];
+    drawBoard(brush, { side: isOutside ? "outside" : "inside", angle, picture, detail });
+  }
+}
+
+/** Thickness from which a leaf is a board and turns without a fold, metres. */
+const leastBoard = 0.001;
+
+function isBoard({ thickness = 0 }: PeeledSurface): boolean {
+  return thickness >= leastBoard;
+}
+
+/** How far what is held of a leaf has turned about the spine, radians from the right. */
+function angleOf({ rest, held }: PeeledSurface): number {
+  return Math.acos(Math.min(Math.max(held[0] / Math.abs(rest[0]), -1), 1));
+}

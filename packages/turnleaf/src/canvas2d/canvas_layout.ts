@@ -1,0 +1,142 @@
+/** Where a flat book lies on its canvas. Pure arithmetic. */
+
+import type { Face } from "../book/faces.ts";
+import type { BookPose, BookShape } from "../stage/book_pose.ts";
+import type { CanvasFraction, Sight } from "../stage/zoom.ts";
+
+/** From book space to the canvas: CSS pixels a metre, and where the spine's end is that is seen at the upper left. */
+export interface Layout {
+  readonly scale: number;
+  readonly x: number;
+  readonly y: number;
+}
+
+/** How far the leaves under the uppermost one stand out beside it and below, as shares of their thickness. */
+export const stackShare = 0.3;
+export const stackDrop = 0.18;
+
+interface Margins {
+  readonly sides: number;
+  readonly ends: number;
+}
+
+/** Free room at either side of an open and of a closed book, and above and below, shares of the canvas. */
+const openMargins: Margins = { sides: 0.04, ends: 0.09 };
+const closedMargins: Margins = { sides: 0.1, ends: 0.09 };
+
+/** How far a book is shut over its right-hand side, and over its left, 0 to 1. */
+export function shutness({ frontBoard, backBoard }: BookPose): [right: number, left: number] {
+  return [ease(1 - frontBoard / Math.PI), ease(backBoard / Math.PI)];
+}
+
+/** How much beyond the spine is seen beside a page that stands alone, as a share of its width. */
+const sliver = 0.03;
+
+/** Fits a book to a canvas of CSS pixels: the open spread, the closed book in the middle, or between the two. */
+export function layOut(shape: BookShape, pose: BookPose, width: number, height: number): Layout {
+  const { alone, rolled, rim } = shape;
+  const out = stackShare * shape.thickness;
+  const drop = stackDrop * shape.thickness;
+  const reach = shape.width + rim + out;
+  const spine = alone === 0 ? 0.5 * out : sliver * shape.width;
+  const onRight = (margin: Margins) => fit(-spine, reach, margin);
+  const onLeft = (margin: Margins) => fit(-reach, spine, margin);
+  const [right, left] = shutness(pose);
+  const open =
+    alone === 0 ? fit(-reach, reach, openMargins) : (alone === 1 ? onRight : onLeft)(openMargins);
+  const mix = (of: (layout: Layout) => number): number =>
+    of(open) +
+    right * (of(onRight(closedMargins)) - of(open)) +
+    left * (of(onLeft(closedMargins)) - of(open));
+  return { scale: mix(({ scale }) => scale), x: mix(({ x }) => x), y: mix(({ y }) => y) };
+
+  function fit(from: number, to: number, margin: Margins): Layout {
+    const [head, foot] = [-rim, shape.height + rim + drop];
+    const [room, length] = rolled ? [height, width] : [width, height];
+    const scale = Math.min(
+      (room * (1 - 2 * (rolled ? margin.ends : margin.sides))) / (to - from),
+      (length * (1 - 2 * (rolled ? margin.sides : margin.ends))) / (foot - head),
+    );
+    const across = room / 2 - (scale * (from + to)) / 2;
+    const along = length / 2 - (scale * (head + foot)) / 2;
+    // Rolled, the foot of the spine is at the left and its head at the right.
+    const start = length - along - scale * shape.height;
+    return rolled ? { scale, x: start, y: across } : { scale, x: across, y: along };
+  }
+}
+
+/** The picture of a whole flat book, which zoom magnifies. */
+export function sightOf(shape: BookShape, pose: BookPose, width: number, height: number): Sight {
+  const layout = layOut(shape, pose, width, height);
+  const seen = (x: number, y: number): CanvasFraction => {
+    const [right, down] = shape.rolled ? [y, x] : [x, shape.height - y];
+    return [(layout.x + layout.scale * right) / width, (layout.y + layout.scale * down) / height];
+  };
+  const point = ([x, y]: CanvasFraction): CanvasFraction => {
+    const right = (x * width - layout.x) / layout.scale;
+    const down = (y * height - layout.y) / layout.scale;
+    return shape.rolled ? [down, right] : [right, shape.height - down];
+  };
+  const [right, left] = shutness(pose);
+  const { alone, rim } = shape;
+  const reach = shape.width + rim;
+  const from = alone === 1 ? 0 : (right - 1) * reach;
+  const to = alone === -1 ? 0 : (1 - left) * reach;
+  const corners = [seen(from, 0), seen(to, shape.height)];
+  const [xs, ys] = [0, 1].map((k) => corners.map((corner) => corner[k]));
+  return {
+    seen,
+    point,
+    book: [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)],
+  };
+}
+
+/** A layout magnified about a place of its canvas, shares of it, that comes to the middle. */
+export function magnified(
+  { scale, x, y }: Layout,
+  level: number,
+  middle: CanvasFraction,
+  width: number,
+  height: number,
+): Layout {
+  return {
+    scale: scale * level,
+    x: (x - middle[0] * width) * level + width / 2,
+    y: (y - middle[1] * height) * level + height / 2,
+  };
+}
+
+function ease(t: number): number {
+  const c = Math.min(Math.max(t, 0), 1);
+  return c * c * (3 - 2 * c);
+}
+
+/** A rectangle: metres, y down from the head. */
+export type Box = readonly [left: number, top: number, right: number, bottom: number];
+
+/** The pages of one side. */
+export function pageBox({ width, height }: BookShape, sign: 1 | -1): Box {
+  return sign === 1 ? [0, 0, width, height] : [-width, 0, 0, height];
+}
+
+/** A board of the case that lies on one side. */
+export function boardBox({ width, height, rim }: BookShape, sign: 1 | -1): Box {
+  return sign === 1 ? [0, -rim, width + rim, height + rim] : [-width - rim, -rim, 0, height + rim];
+}
+
+/** Where a face's picture is when its part lies flat. */
+export function panelOf(shape: BookShape, face: Face): Box {
+  if (face === "frontOutside") return boardBox(shape, 1);
+  if (face === "backOutside") return boardBox(shape, -1);
+  return pageBox(shape, face === "right" || face === "backInside" ? 1 : -1);
+}
+
+/** From here on a pen draws in a square of side 1 what is seen upright in a box. */
+export function stretchTo(
+  pen: CanvasRenderingContext2D,
+  [left, top, right, bottom]: Box,
+  rolled: boolean,
+): void {
+  if (rolled) pen.transform(0, top - bottom, right - left, 0, left, bottom);
+  else pen.transform(right - left, 0, 0, bottom - top, left, top);
+}

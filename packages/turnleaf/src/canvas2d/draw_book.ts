@@ -1,0 +1,194 @@
+/** The parts of a flat book that lie still: its shadow, the case, the piles of leaves and their uppermost pages. */
+
+import type { PagePicture } from "../sources/page_source.ts";
+import type { BookPose, BookShape } from "../stage/book_pose.ts";
+import type { FaceDetail } from "../stage/book_stage.ts";
+import { caseSizes } from "../stage/case_sizes.ts";
+import { type Box, boardBox, pageBox, stackDrop, stackShare, stretchTo } from "./canvas_layout.ts";
+
+/** What a book is drawn with: a pen in metres, y down from the head, and device pixels a metre. */
+export interface Brush {
+  readonly pen: CanvasRenderingContext2D;
+  readonly shape: BookShape;
+  readonly unit: number;
+}
+
+/** Colour stops: place from 0 to 1, then a colour. */
+export type Stops = readonly (readonly [at: number, color: string])[];
+
+/** Paper without a picture. */
+export const paper = "#fbf5e8";
+
+/** Warm shade of an opacity, as on paper that other paper lights. */
+export const shade = (opacity: number): string => `rgb(58 40 22 / ${opacity})`;
+export const light = (opacity: number): string => `rgb(255 253 246 / ${opacity})`;
+
+/** The rise of the pages from the gutter: the left page turns from the light, the right one to it. */
+const leftGutter: Stops = [
+  [0, shade(0.5)],
+  [0.012, shade(0.36)],
+  [0.05, shade(0.2)],
+  [0.12, shade(0.09)],
+  [0.22, shade(0.03)],
+  [0.34, shade(0.006)],
+  [0.5, shade(0)],
+  [0.8, shade(0)],
+  [1, shade(0.035)],
+];
+const rightGutter: Stops = [
+  [0, shade(0.46)],
+  [0.01, shade(0.3)],
+  [0.035, shade(0.13)],
+  [0.08, shade(0.045)],
+  [0.15, shade(0.012)],
+  [0.26, shade(0)],
+  [0.75, shade(0)],
+  [0.9, shade(0.012)],
+  [1, shade(0.05)],
+];
+
+/** Fills a box from one place to another with colours between. */
+export function fillBetween(
+  pen: CanvasRenderingContext2D,
+  [x0, y0, x1, y1]: Box,
+  stops: Stops,
+  [left, top, right, bottom]: Box,
+): void {
+  const gradient = pen.createLinearGradient(x0, y0, x1, y1);
+  for (const [at, color] of stops) gradient.addColorStop(at, color);
+  pen.fillStyle = gradient;
+  pen.fillRect(left, top, right - left, bottom - top);
+}
+
+/** A page that lies on one side, in the light that falls on it. */
+export function drawPage(
+  { pen, shape }: Brush,
+  sign: 1 | -1,
+  picture: PagePicture | null,
+  detail: FaceDetail | null = null,
+): void {
+  const box = pageBox(shape, sign);
+  const { width, height } = shape;
+  if (picture && picture.width > 0) {
+    pen.save();
+    stretchTo(pen, box, shape.rolled);
+    pen.drawImage(picture, 0, 0, 1, 1);
+    drawDetail(pen, detail);
+    pen.restore();
+  } else {
+    pen.fillStyle = paper;
+    pen.fillRect(box[0], 0, width, height);
+  }
+  fillBetween(pen, [0, 0, sign * width, 0], sign === 1 ? rightGutter : leftGutter, box);
+}
+
+/** Draws a detail over its picture, which fills the square of side 1. */
+export function drawDetail(pen: CanvasRenderingContext2D, detail: FaceDetail | null): void {
+  if (detail === null) return;
+  const { x, y, width, height } = detail.box;
+  pen.drawImage(detail.picture, x, y, width, height);
+}
+
+/** The edges of the leaves under a side's uppermost page, `thickness` metres of them. */
+export function drawStack({ pen, shape, unit }: Brush, sign: 1 | -1, thickness: number): void {
+  const [out, down] = [stackShare * thickness, stackDrop * thickness];
+  const layers = Math.min(Math.ceil((out * unit) / 1.4), 24);
+  const { width, height } = shape;
+  for (let k = layers; k > 0; k--) {
+    const [dx, dy] = [(out * k) / layers, (down * k) / layers];
+    // Irregular, as leaves are: even bands would beat with the pixels.
+    const tone = 0.5 + 0.5 * Math.sin(k * 12.9898);
+    pen.fillStyle = `rgb(${238 - 26 * tone - k} ${229 - 27 * tone - k} ${211 - 29 * tone - k})`;
+    pen.fillRect(sign === 1 ? 0 : -width - dx, dy, width + dx, height);
+  }
+  if (layers > 0) {
+    const edge = sign * (width + out);
+    const box: Box =
+      sign === 1 ? [width, 0, edge, height + down] : [edge, 0, -width, height + down];
+    fillBetween(
+      pen,
+      [sign * width, 0, edge, 0],
+      [
+        [0, shade(0)],
+        [1, shade(0.22)],
+      ],
+      box,
+    );
+  }
+}
+
+/** Everything under the leaves: the shadow on the table, the boards that lie on it and the spine between. */
+export function drawCase({ pen, shape, unit }: Brush, pose: BookPose): void {
+  const { thickness, height, width, rim } = shape;
+  const isHard = shape.cover === "hard";
+  const rise = (side: "left" | "right"): number => thicknessOf(pose, side);
+  const drop = stackDrop * Math.max(rise("left"), rise("right"));
+  const sides: Box[] = [];
+  for (const sign of [-1, 1] as const) {
+    const side = sign === 1 ? "right" : "left";
+    const lies = sign === 1 ? pose.backBoard <= 0 : pose.frontBoard >= Math.PI;
+    if (isHard ? !lies : !pose[side]) continue;
+    const out = stackShare * rise(side);
+    const [left, top, right, bottom] = isHard ? boardBox(shape, sign) : pageBox(shape, sign);
+    sides.push([
+      left - (sign === -1 ? out : 0),
+      top,
+      right + (sign === 1 ? out : 0),
+      bottom + drop,
+    ]);
+  }
+  const joint = isHard ? 0.5 * stackShare * thickness : 0;
+  const whole: Box = [
+    Math.min(-joint, ...sides.map(([left]) => left)),
+    -rim,
+    Math.max(joint, ...sides.map(([, , right]) => right)),
+    height + rim + drop,
+  ];
+  const color = isHard ? shape.cloth : paper;
+  for (const [blur, lower, opacity] of [
+    [0.22, 0.05, 0.32],
+    [0.05, 0.014, 0.4],
+    [0.012, 0.003, 0.5],
+  ]) {
+    pen.save();
+    pen.shadowColor = `rgb(29 21 14 / ${opacity})`;
+    pen.shadowBlur = blur * width * unit;
+    pen.shadowOffsetY = lower * width * unit;
+    pen.fillStyle = color;
+    fillRounded(pen, whole, caseSizes.corner);
+    pen.restore();
+  }
+  if (!isHard) return;
+  for (const box of sides) drawCloth(pen, box, unit);
+}
+
+/** Light and edges on a lying board. */
+function drawCloth(pen: CanvasRenderingContext2D, box: Box, unit: number): void {
+  const [left, top, right, bottom] = box;
+  fillBetween(
+    pen,
+    [left, top, right, bottom],
+    [
+      [0, light(0.1)],
+      [1, shade(0.25)],
+    ],
+    box,
+  );
+  pen.strokeStyle = shade(0.5);
+  pen.lineWidth = 1 / unit;
+  pen.strokeRect(left, top, right - left, bottom - top);
+}
+
+/** Thickness of the leaves that lie on a side, metres. */
+export function thicknessOf(pose: BookPose, side: "left" | "right"): number {
+  const pile = pose[side];
+  return pile ? pile.curves[2 * pile.columns - 1] : 0;
+}
+
+/** Fills a box with rounded corners. */
+function fillRounded(pen: CanvasRenderingContext2D, box: Box, radius: number): void {
+  const [left, top, right, bottom] = box;
+  pen.beginPath();
+  pen.roundRect(left, top, right - left, bottom - top, radius);
+  pen.fill();
+}

@@ -1,0 +1,149 @@
+/** A leaf that is peeled: the part that still lies flat, and the part that is folded over it. */
+
+import { Side } from "../engine/phases.ts";
+import type { PagePicture } from "../sources/page_source.ts";
+import { pageBox } from "./canvas_layout.ts";
+import { type Brush, drawPage, light, paper, type Stops, shade } from "./draw_book.ts";
+import { beyond, type FoldLine, foldLineOf, mirrored, type Point, partOf } from "./fold_line.ts";
+import type { PeeledSurface } from "./peeled_book.ts";
+
+/** How strongly the other side's print shows through where a leaf is folded over. */
+const showThrough = 0.06;
+
+/** A peeled leaf in the pen's own space, y down from the head. */
+interface Folded {
+  readonly sign: 1 | -1;
+  readonly page: readonly Point[];
+  readonly crease: FoldLine;
+  /** What of the leaf is lifted, where it lay. */
+  readonly lifted: readonly Point[];
+  /** How far what is folded over reaches from the crease, metres. */
+  readonly reach: number;
+  /** How far off the table it is: 0 when it lies on either side, 1 half-way. */
+  readonly height: number;
+}
+
+/** The part of a leaf that still lies on its side, and the shade on the page that it uncovers. */
+export function drawFlat(brush: Brush, leaf: PeeledSurface, picture: PagePicture | null): void {
+  const { pen } = brush;
+  const sign = leaf.side === Side.right ? 1 : -1;
+  const folded = foldOf(brush, leaf);
+  if (folded === null) {
+    drawPage(brush, sign, picture);
+    return;
+  }
+  const { crease, reach, height, page } = folded;
+  pen.save();
+  trace(pen, partOf(page, crease, 1));
+  pen.clip();
+  across(brush, crease, Math.min(0.8 * reach, 0.4 * brush.shape.width), [
+    [0, shade(0.5 * height)],
+    [0.2, shade(0.26 * height)],
+    [0.55, shade(0.09 * height)],
+    [1, shade(0)],
+  ]);
+  pen.restore();
+  pen.save();
+  trace(pen, partOf(page, crease, -1));
+  pen.clip();
+  drawPage(brush, sign, picture);
+  pen.restore();
+}
+
+/** The part of a leaf that is folded over: its other side, rounded toward the crease, over its own shadow. */
+export function drawFolded(
+  brush: Brush,
+  leaf: PeeledSurface,
+  picture: PagePicture | null,
+  behind: PagePicture | null,
+): void {
+  const folded = foldOf(brush, leaf);
+  if (folded === null) return;
+  const { pen, unit, shape } = brush;
+  const { sign, crease, lifted, reach, height } = folded;
+  const outline = lifted.map((point) => mirrored(crease, point));
+  pen.save();
+  pen.shadowColor = `rgb(29 21 14 / ${0.42 * height})`;
+  pen.shadowBlur = 0.13 * height * shape.width * unit;
+  pen.shadowOffsetY = 0.025 * height * shape.width * unit;
+  pen.fillStyle = paper;
+  trace(pen, outline);
+  pen.fill();
+  pen.restore();
+  pen.save();
+  trace(pen, outline);
+  pen.clip();
+  pen.save();
+  mirrorIn(pen, crease);
+  if (behind && behind.width > 0) {
+    // Drawn first: what is printed on this side covers it but for a trace.
+    pen.save();
+    pen.scale(-1, 1);
+    drawPage(brush, sign === 1 ? -1 : 1, picture);
+    pen.restore();
+    pen.globalAlpha = showThrough * height;
+    drawPage(brush, sign, behind);
+  } else {
+    pen.scale(-1, 1);
+    drawPage(brush, sign === 1 ? -1 : 1, picture);
+  }
+  pen.restore();
+  across(brush, crease, -reach, roundness(height));
+  pen.restore();
+}
+
+/** Light on what is folded over, from the crease to its far end. */
+function roundness(height: number): Stops {
+  return [
+    [0, shade(0.42 * height)],
+    [0.03, shade(0.24 * height)],
+    [0.1, shade(0.06 * height)],
+    [0.16, light(0.1 * height)],
+    [0.24, light(0.42 * height)],
+    [0.4, light(0.08 * height)],
+    [0.55, shade(0.02 * height)],
+    [1, shade(0.16 * height)],
+  ];
+}
+
+function foldOf({ shape }: Brush, { side, rest, held }: PeeledSurface): Folded | null {
+  const down = ([x, y]: Point): Point => [x, shape.height - y];
+  const crease = foldLineOf(down(rest), down(held));
+  if (crease === null) return null;
+  const sign = side === Side.right ? 1 : -1;
+  const [left, top, right, bottom] = pageBox(shape, sign);
+  const page: Point[] = [
+    [left, top],
+    [right, top],
+    [right, bottom],
+    [left, bottom],
+  ];
+  const lifted = partOf(page, crease, 1);
+  const reach = Math.max(0, ...lifted.map((point) => beyond(crease, point)));
+  const way = Math.hypot(rest[0] - held[0], rest[1] - held[1]) / (2 * Math.abs(rest[0]));
+  const height = Math.min(1, 1.5 * Math.sin(Math.PI * Math.min(way, 1)));
+  return { sign, page, crease, lifted, reach, height };
+}
+
+/** Fills what is clipped with colours from a crease on, `far` metres beyond it; negative on the other side. */
+function across({ pen, shape }: Brush, { at, normal }: FoldLine, far: number, stops: Stops): void {
+  const [x, y] = at;
+  const gradient = pen.createLinearGradient(x, y, x + far * normal[0], y + far * normal[1]);
+  for (const [place, color] of stops) gradient.addColorStop(place, color);
+  pen.fillStyle = gradient;
+  const size = 3 * (shape.width + shape.height);
+  pen.fillRect(-size, -size, 2 * size, 2 * size);
+}
+
+/** From here on everything is drawn mirrored in a crease. */
+function mirrorIn(pen: CanvasRenderingContext2D, { at, normal }: FoldLine): void {
+  const [nx, ny] = normal;
+  const off = 2 * (at[0] * nx + at[1] * ny);
+  pen.transform(1 - 2 * nx * nx, -2 * nx * ny, -2 * nx * ny, 1 - 2 * ny * ny, off * nx, off * ny);
+}
+
+function trace(pen: CanvasRenderingContext2D, outline: readonly Point[]): void {
+  pen.beginPath();
+  for (const [x, y] of outline) pen.lineTo(x, y);
+  pen.closePath();
+}

@@ -1,0 +1,173 @@
+/** One leaf that is peeled from a side: by a hand, by a command, or on its way to rest. */
+
+import { Phase, Side } from "../engine/phases.ts";
+import { type Point, withinReach } from "./fold_line.ts";
+
+/** Time in seconds in which a leaf let go would cross from side to side. */
+const fallSeconds = 0.5;
+
+/** Shortest way in seconds: a leaf that is nearly there is still seen to move. */
+const shortestWay = 0.15;
+
+/** How far ahead a leaf's speed is looked when it is let go, seconds: a flick turns it. */
+const lookAhead = 0.15;
+
+/** Time in seconds over which a leaf's speed is taken. */
+const speedTime = 0.05;
+
+/** How high a played leaf's corner is carried on its way, as a share of the page's height. */
+const archShare = 0.2;
+
+/** A way from where the leaf was to a side. */
+interface Way {
+  readonly from: Point;
+  readonly to: Side;
+  readonly seconds: number;
+  readonly arch: number;
+  /** A hand lets go of a leaf that moves; a command finds it at rest. */
+  readonly isFall: boolean;
+  time: number;
+}
+
+/** A page's size, metres. */
+export interface PageSize {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** A leaf off its pile. */
+export class Peel {
+  readonly id: number;
+  /** The side that it was taken from. */
+  readonly side: Side;
+  /** Leaves of paper on the left when it lies on the right, and on the left. */
+  readonly low: number;
+  readonly high: number;
+  readonly #size: PageSize;
+  /** Where what is held of it rests on its side. */
+  #rest: Point;
+  /** Where that is now. */
+  #held: Point;
+  #way: Way | null = null;
+  /** By the hand's number: from the hand to what it holds, once it has pulled. */
+  readonly #hands = new Map<number, Point | null>();
+  /** Whether nothing has moved it since it was taken up. */
+  #isFresh = true;
+  #speed = 0;
+  #lastX: number;
+
+  constructor(id: number, side: Side, low: number, high: number, size: PageSize) {
+    this.id = id;
+    this.side = side;
+    this.low = low;
+    this.high = high;
+    this.#size = size;
+    // The lower corner, until a hand takes it elsewhere.
+    this.#rest = this.#held = [this.#sign * size.width, 0];
+    this.#lastX = this.#rest[0];
+  }
+
+  /** Where what is held of it rests, and where it is. */
+  get fold(): { readonly rest: Point; readonly held: Point } {
+    return { rest: this.#rest, held: this.#held };
+  }
+
+  /** The side for which it is bound; null while a hand has it. */
+  get goal(): Side | null {
+    return this.#way?.to ?? null;
+  }
+
+  /** Whether it has arrived there. */
+  get isThere(): boolean {
+    return this.#way !== null && this.#way.time >= this.#way.seconds;
+  }
+
+  get phase(): Phase {
+    const way = this.#way;
+    if (way === null) return Phase.held;
+    if (way.isFall) return way.to === Side.left ? Phase.fallingLeft : Phase.fallingRight;
+    return way.to === Side.left ? Phase.playingLeft : Phase.playingRight;
+  }
+
+  /** A hand takes hold at (u, v) of the leaf. */
+  grab(hand: number, u: number, v: number): void {
+    if (this.#isFresh) {
+      const { width, height } = this.#size;
+      this.#rest = this.#held = [this.#sign * u * width, v * height];
+      this.#lastX = this.#rest[0];
+      this.#hands.set(hand, [0, 0]);
+    } else if (!this.#hands.has(hand)) this.#hands.set(hand, null);
+    this.#isFresh = false;
+    this.#way = null;
+  }
+
+  /** A hand pulls to a place. */
+  pull(hand: number, x: number, y: number): void {
+    const offset = this.#hands.get(hand);
+    if (offset === undefined) return;
+    // What is caught in flight follows the hand from where it was caught.
+    const [dx, dy] = offset ?? [this.#held[0] - x, this.#held[1] - y];
+    if (offset === null) this.#hands.set(hand, [dx, dy]);
+    this.#held = withinReach(this.#rest, [x + dx, y + dy], this.#size.height);
+  }
+
+  /** A hand lets go, or every hand: with none on it, the leaf falls to the side that its swing takes it. */
+  release(hand?: number): void {
+    if (hand === undefined) this.#hands.clear();
+    else this.#hands.delete(hand);
+    if (this.#hands.size > 0) return;
+    const landing = this.#held[0] + lookAhead * this.#speed;
+    this.send(landing < 0 ? Side.left : Side.right, fallSeconds, true);
+  }
+
+  /** Sends it to a side, `seconds` for a whole turn. */
+  send(to: Side, seconds: number, isFall: boolean): void {
+    this.#hands.clear();
+    this.#isFresh = false;
+    const goal = this.#place(to);
+    // What is held at the spine has no way to go.
+    const across = 2 * Math.abs(this.#rest[0]);
+    const share = across > 0 ? Math.abs(goal[0] - this.#held[0]) / across : 1;
+    const upward = this.#rest[1] < this.#size.height / 2 ? 1 : -1;
+    this.#way = {
+      from: this.#held,
+      to,
+      seconds: Math.max(seconds * share, shortestWay),
+      arch: isFall ? 0 : upward * archShare * share * this.#size.height,
+      isFall,
+      time: 0,
+    };
+  }
+
+  /** Lets time pass, seconds. */
+  step(seconds: number): void {
+    const way = this.#way;
+    if (way !== null) {
+      way.time = Math.min(way.time + seconds, way.seconds);
+      this.#held = this.#on(way);
+    }
+    if (seconds <= 0) return;
+    const now = (this.#held[0] - this.#lastX) / seconds;
+    this.#speed += (now - this.#speed) * (1 - Math.exp(-seconds / speedTime));
+    this.#lastX = this.#held[0];
+  }
+
+  #on({ from, to, seconds, arch, isFall, time }: Way): Point {
+    const goal = this.#place(to);
+    const t = time / seconds;
+    if (t >= 1) return goal;
+    const share = isFall ? 1 - (1 - t) ** 3 : t * t * (3 - 2 * t);
+    const lift = arch * Math.sin(Math.PI * share);
+    const x = from[0] + (goal[0] - from[0]) * share;
+    const y = from[1] + (goal[1] - from[1]) * share + lift;
+    return withinReach(this.#rest, [x, y], this.#size.height);
+  }
+
+  #place(side: Side): Point {
+    return side === this.side ? this.#rest : [-this.#rest[0], this.#rest[1]];
+  }
+
+  get #sign(): 1 | -1 {
+    return this.side === Side.right ? 1 : -1;
+  }
+}

@@ -1,0 +1,235 @@
+/**
+ * A bound book whose leaves are peeled rather than bent: what stands in for the
+ * engine where it may not run. It answers the same commands, so that the turns
+ * that wait, promises and events are those of any book.
+ */
+
+import type { BookEngine, BookSize } from "../engine/book_engine.ts";
+import { areFinite, clamp, isHand, turnSeconds, whole, wholeTicks } from "../engine/numbers.ts";
+import { type Cover, Phase, Side } from "../engine/phases.ts";
+import type { Pile, Surface } from "../engine/shapes.ts";
+import { stackShare } from "./canvas_layout.ts";
+import { beyond, foldLineOf, mirrored, type Point } from "./fold_line.ts";
+import { Peel } from "./peel.ts";
+import { Swing } from "./swing.ts";
+
+/** Points along a row and along the spine by which a peeled leaf is found under a pointer. */
+const columns = 13;
+const rows = 13;
+
+/** Height over the table at which a leaf in flight is found, metres: above every pile. */
+const flatHeight = 0.03;
+
+/** How high what is folded over is taken to arch, as a share of a page's width. */
+const archShare = 0.6;
+
+/** Leaves in flight at once, at most. */
+const mostPeels = 12;
+
+/** A leaf in flight as it is found, and as it is folded. */
+export interface PeeledSurface extends Surface {
+  /** The side that it was taken from. */
+  readonly side: Side;
+  /** Where what is held of it rests, and where it is. */
+  readonly rest: Point;
+  readonly held: Point;
+  /** Its number: what was taken up later lies upon what was before. */
+  readonly id: number;
+}
+
+/** One bound book of flat leaves. */
+export class PeeledBook implements BookEngine {
+  readonly tick: number = 1 / 120;
+  readonly columns: Float32Array = Float32Array.from(
+    { length: columns },
+    (_, k) => k / (columns - 1),
+  );
+  readonly #size: BookSize;
+  readonly #boards = [new Swing(), new Swing()];
+  /** From the left to the right. */
+  #peels: Peel[] = [];
+  #read = 0;
+  #count = 0;
+  #version = 0;
+
+  constructor(size: BookSize) {
+    this.#size = size;
+  }
+
+  another(size: BookSize): BookEngine {
+    return new PeeledBook(size);
+  }
+
+  destroy(): void {
+    this.#peels = [];
+  }
+
+  // All paper is peeled alike.
+  setStock(): boolean {
+    return true;
+  }
+
+  setBinding(): boolean {
+    return true;
+  }
+
+  setWind(): boolean {
+    return true;
+  }
+
+  setAssist(): void {}
+
+  // Nor is any turned otherwise.
+  overrideSurface(): null {
+    return null;
+  }
+
+  lay(read: number): void {
+    this.#peels = [];
+    this.#read = whole(read, this.#size.leaves);
+  }
+
+  lift(side: Side, low: number, high: number): number {
+    const [first, last] = [this.#peels[0], this.#peels.at(-1)];
+    const isNext =
+      side === Side.right
+        ? low === (last?.high ?? this.#read)
+        : high === (first?.low ?? this.#read);
+    if (!isNext || high <= low || this.#peels.length >= mostPeels) return 0;
+    const peel = new Peel(++this.#count, side, low, high, this.#size);
+    if (side === Side.right) this.#peels.push(peel);
+    else {
+      this.#peels.unshift(peel);
+      this.#read = low;
+    }
+    return peel.id;
+  }
+
+  grab(id: number, hand: number, u: number, v: number): void {
+    if (!isHand(hand, u, v)) return;
+    // One leaf is in hand at a time: another falls.
+    for (const other of this.#peels) if (other.id !== id) this.#letGo(other);
+    this.#find(id)?.grab(hand, clamp(u, 0, 1), clamp(v, 0, 1));
+  }
+
+  hold(id: number, hand: number, x: number, y: number): void {
+    if (isHand(hand, x, y)) this.#find(id)?.pull(hand, x, y);
+  }
+
+  release(id: number, hand: number): void {
+    const peel = this.#find(id);
+    if (peel) this.#letGo(peel, hand);
+  }
+
+  play(id: number, side: Side, seconds: number): void {
+    const peel = this.#find(id);
+    if (peel === undefined) return;
+    peel.send(side, turnSeconds(seconds), false);
+    this.#takeAlong(peel, side, turnSeconds(seconds));
+  }
+
+  step(ticks: number): void {
+    const seconds = wholeTicks(ticks, this.tick) * this.tick;
+    for (const peel of this.#peels) peel.step(seconds);
+    // A leaf joins its pile once nothing flies between the two.
+    const arrived = (peel: Peel | undefined, side: Side): peel is Peel =>
+      peel?.goal === side && peel.isThere;
+    for (let first = this.#peels[0]; arrived(first, Side.left); first = this.#peels[0]) {
+      this.#read = first.high;
+      this.#peels.shift();
+    }
+    while (arrived(this.#peels.at(-1), Side.right)) this.#peels.pop();
+  }
+
+  phase(id: number): Phase {
+    return this.#find(id)?.phase ?? Phase.over;
+  }
+
+  get read(): number {
+    return this.#read;
+  }
+
+  get flights(): number {
+    return this.#peels.length;
+  }
+
+  update(): void {
+    this.#version++;
+  }
+
+  surface(index: number): PeeledSurface {
+    const { id, side, fold } = this.#peels[index];
+    const { width, height } = this.#size;
+    const crease = foldLineOf(fold.rest, fold.held);
+    const sign = side === Side.right ? 1 : -1;
+    const positions = new Float32Array(3 * columns * rows);
+    for (let k = 0; k < columns * rows; k++) {
+      const u = this.columns[k % columns];
+      const v = Math.floor(k / columns) / (rows - 1);
+      const flat: Point = [sign * u * width, v * height];
+      const isFolded = crease !== null && beyond(crease, flat) > 0;
+      const [x, y] = isFolded ? mirrored(crease, flat) : flat;
+      const arch = isFolded ? 0.001 + archShare * Math.sqrt(Math.max(width ** 2 - x * x, 0)) : 0;
+      positions.set([x, y, flatHeight + arch], 3 * k);
+    }
+    const normals = new Float32Array(0);
+    return { columns, rows, positions, normals, version: this.#version, id, side, ...fold };
+  }
+
+  pile(side: Side): Pile {
+    const { width, leaves, thickness } = this.#size;
+    const last = this.#peels.at(-1)?.high ?? this.#read;
+    const lying = side === Side.left ? this.#read : leaves - last;
+    const [sign, z] = [side === Side.left ? -1 : 1, (thickness * lying) / Math.max(leaves, 1)];
+    const curve = (reach: number, z: number) =>
+      [...this.columns].flatMap((u) => [sign * u * reach, z]);
+    // The edges of the leaves are seen beside the uppermost: what takes hold of them takes that one.
+    const curves = Float32Array.from([...curve(width, z), ...curve(width + stackShare * z, 0)]);
+    return { columns, layers: 2, curves };
+  }
+
+  holdBoard(cover: Cover, angle: number): void {
+    if (areFinite([angle])) this.#boards[cover].hold(angle);
+  }
+
+  releaseBoard(cover: Cover): void {
+    this.#boards[cover].release();
+  }
+
+  playBoard(cover: Cover, side: Side, seconds: number): void {
+    this.#boards[cover].send(side, turnSeconds(seconds));
+  }
+
+  layBoard(cover: Cover, side: Side): void {
+    this.#boards[cover].lay(side);
+  }
+
+  stepBoard(cover: Cover, ticks: number): Phase {
+    this.#boards[cover].step(wholeTicks(ticks, this.tick) * this.tick);
+    return this.#boards[cover].phase;
+  }
+
+  boardAngle(cover: Cover): number {
+    return this.#boards[cover].angle;
+  }
+
+  /** A hand lets a leaf go, or every hand does. */
+  #letGo(peel: Peel, hand?: number): void {
+    if (peel.phase !== Phase.held) return;
+    peel.release(hand);
+    if (peel.goal !== null) this.#takeAlong(peel, peel.goal, null);
+  }
+
+  /** Sends those in the way of a leaf along with it: none may lie upon one that it lies under. */
+  #takeAlong(peel: Peel, side: Side, seconds: number | null): void {
+    const at = this.#peels.indexOf(peel);
+    const inWay = side === Side.right ? this.#peels.slice(at + 1) : this.#peels.slice(0, at);
+    for (const other of inWay) {
+      if (other.goal !== side) other.send(side, seconds ?? 0.5, seconds === null);
+    }
+  }
+
+  #find(id: number): Peel | undefined {
+    return this.#peels.find((peel) => peel.id === id);
+  }
+}

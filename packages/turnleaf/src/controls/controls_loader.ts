@@ -1,0 +1,44 @@
+/** The reader's controls, loaded when they are first shown. */
+
+import { loaded } from "../sources/loaded.ts";
+import type { ControlledBook, FoundPlace } from "./book.ts";
+
+/** Shows and hides the controls of one element. */
+export class ControlsLoader {
+  #wanted = false;
+  #remove: (() => void) | null = null;
+  readonly #failed: (error: unknown) => void;
+
+  /** @param failed told that they cannot be loaded; asked for again, they are loaded again */
+  constructor(failed: (error: unknown) => void) {
+    this.#failed = failed;
+  }
+
+  /**
+   * Shows the controls about a stage, or takes them away.
+   * @param frame what holds the stage
+   */
+  set<Hit extends FoundPlace>(
+    shown: boolean,
+    book: ControlledBook<Hit>,
+    frame: HTMLElement,
+    stage: HTMLElement,
+  ): void {
+    if (this.#wanted === shown) return;
+    this.#wanted = shown;
+    if (shown) this.#load(book, frame, stage).catch(this.#failed);
+    else {
+      this.#remove?.();
+      this.#remove = null;
+    }
+  }
+
+  async #load<Hit extends FoundPlace>(
+    book: ControlledBook<Hit>,
+    frame: HTMLElement,
+    stage: HTMLElement,
+  ): Promise<void> {
+    const { addControls } = await loaded(import("./controls.ts"));
+    if (this.#wanted && this.#remove === null) this.#remove = addControls(book, frame, stage);
+  }
+}

@@ -1,0 +1,201 @@
+/** The life of the book in an element: opened, fitted to the element's size, closed. */
+
+import { Input } from "../input/input.ts";
+import { openViewer } from "../open_viewer.ts";
+import { loaded } from "../sources/loaded.ts";
+import type { BookInput } from "../sources/open.ts";
+import type { PageList } from "../sources/page_list.ts";
+import type { PageSource } from "../sources/page_source.ts";
+import type { Viewer, ViewerOptions } from "../viewer/viewer.ts";
+import { languageOf } from "../words/languages.ts";
+import { Reading } from "./reading.ts";
+
+/** A book that lies open: where its pages come from, what shows it, and the canvas it is shown on. */
+export interface OpenBook {
+  readonly source: PageList;
+  readonly viewer: Viewer;
+  readonly canvas: HTMLCanvasElement;
+  readonly reading: Reading;
+}
+
+/** What an element tells and is told of its book's life. */
+export interface LifecycleHooks {
+  /** What is to be there before a book opens. Never rejects. */
+  prepare(): Promise<void>;
+  /** How a book is shown. */
+  options(source: PageSource): ViewerOptions;
+  /** A reader turns one leaf on (1) or back (-1), with motion or without, as the reader likes it. */
+  readonly turn: (by: 1 | -1) => void;
+  /** Turns to a page (from 1). */
+  goTo(page: number): void;
+  /** The open book is about to go, to come back where it lies. */
+  leaving(): void;
+  /** Whether the reader asked for less motion. */
+  readonly calm: () => boolean;
+  /** A book lies open. */
+  opened(book: OpenBook): void;
+  /** A part of the viewer that the book shows without could not be loaded. */
+  readonly lacks: (error: unknown) => void;
+  /** It could not be opened. */
+  failed(error: unknown): void;
+}
+
+/** `pdf-worker`: the absolute address that the attribute names; undefined where there is none. */
+export function pdfWorkerOf(element: Element): string | undefined {
+  const address = element.getAttribute("pdf-worker");
+  return address ? new URL(address, element.baseURI).href : undefined;
+}
+
+/** At most one book at a time, open or about to be. */
+export class BookLifecycle {
+  readonly #element: HTMLElement;
+  readonly #stage: HTMLElement;
+  readonly #hooks: LifecycleHooks;
+  #book: (OpenBook & { readonly ended: AbortController; readonly input: Input }) | null = null;
+  #opening: AbortController | null = null;
+  #canvas: HTMLCanvasElement | null = null;
+
+  /**
+   * @param element whose keys turn pages
+   * @param stage the place for the canvas, which is as large
+   */
+  constructor(element: HTMLElement, stage: HTMLElement, hooks: LifecycleHooks) {
+    this.#element = element;
+    this.#stage = stage;
+    this.#hooks = hooks;
+  }
+
+  /** The book that lies open, if one does. */
+  get book(): OpenBook | null {
+    return this.#book;
+  }
+
+  /** Opens a book in place of the one before. */
+  open(input: BookInput): void {
+    this.close();
+    this.#begin((signal) => this.#open(input, signal));
+  }
+
+  /** Closes what is open or about to be, and frees all it holds. */
+  close(): void {
+    const source = this.#book?.source;
+    this.#end();
+    source?.close();
+  }
+
+  #begin(open: (signal: AbortSignal) => Promise<void>): void {
+    const opening = new AbortController();
+    this.#opening = opening;
+    open(opening.signal).catch((error: unknown) => {
+      if (opening.signal.aborted) return;
+      this.close();
+      this.#hooks.failed(error);
+    });
+  }
+
+  /** Ends the open book but for where its pages come from, or the opening of one. */
+  #end(): void {
+    this.#opening?.abort();
+    this.#opening = null;
+    const book = this.#book;
+    if (book) {
+      book.ended.abort();
+      book.input.destroy();
+      book.reading.destroy();
+      book.viewer.destroy();
+    }
+    this.#book = null;
+    this.#canvas?.remove();
+    this.#canvas = null;
+  }
+
+  async #open(input: BookInput, signal: AbortSignal): Promise<void> {
+    // An element that shows no book yet has no use for what reads one.
+    const opening = loaded(import("../sources/open.ts"));
+    const [{ openList }] = await Promise.all([opening, this.#hooks.prepare()]);
+    const source = await openList(input, { signal, pdfWorker: pdfWorkerOf(this.#element) });
+    await this.#show(source, false, signal);
+  }
+
+  /** Shows the book whose graphics card failed on the flat, at the same page. */
+  #flatten({ source }: OpenBook): void {
+    this.#hooks.leaving();
+    this.#end();
+    this.#begin((signal) => this.#show(source, true, signal));
+  }
+
+  /**
+   * Shows a book, which is then this one's to close.
+   *
+   * @param isFlat whether without a graphics card
+   */
+  async #show(source: PageList, isFlat: boolean, signal: AbortSignal): Promise<void> {
+    try {
+      // Another book may be open by now, on the canvas that this one would take away.
+      signal.throwIfAborted();
+      const options: ViewerOptions = {
+        ...this.#hooks.options(source),
+        onContextLost: () => this.#book && this.#flatten(this.#book),
+      };
+      const fresh = (): HTMLCanvasElement => this.#freshCanvas();
+      const viewer = await openViewer(fresh, source, options, signal, isFlat);
+      if (signal.aborted) viewer.destroy();
+      signal.throwIfAborted();
+      const canvas = this.#canvas as HTMLCanvasElement;
+      const { turn, calm } = this.#hooks;
+      const input = new Input(canvas, this.#stage, this.#element, { viewer, turn, calm });
+      const goTo = (page: number): void => this.#hooks.goTo(page);
+      const language = (): string => languageOf(this.#element);
+      const under = { source, viewer, canvas, goTo, language };
+      const reading = new Reading(under, this.#hooks.lacks);
+      const ended = new AbortController();
+      this.#book = { source, viewer, canvas, reading, input, ended };
+      this.#follow(viewer, ended.signal);
+    } catch (error) {
+      source.close();
+      throw error;
+    }
+    this.#hooks.opened(this.#book);
+  }
+
+  /**
+   * A canvas whose context was given up cannot be used again: every book gets its own.
+   * @csspart canvas The picture of the book.
+   */
+  #freshCanvas(): HTMLCanvasElement {
+    this.#canvas?.remove();
+    const canvas = document.createElement("canvas");
+    canvas.setAttribute("part", "canvas");
+    canvas.setAttribute("role", "img");
+    // Before all that lies upon it.
+    this.#stage.prepend(canvas);
+    this.#canvas = canvas;
+    return canvas;
+  }
+
+  /** Keeps a book as large as its stage, at the screen's pixel ratio. */
+  #follow(viewer: Viewer, signal: AbortSignal): void {
+    const resize = (): void => {
+      const { clientWidth, clientHeight } = this.#stage;
+      if (clientWidth > 0 && clientHeight > 0) {
+        viewer.resize(clientWidth, clientHeight, view.devicePixelRatio);
+      }
+    };
+    const view = this.#element.ownerDocument.defaultView ?? window;
+    const observer = new view.ResizeObserver(resize);
+    observer.observe(this.#stage);
+    signal.addEventListener("abort", () => observer.disconnect(), { once: true });
+    watchRatio(view, resize, signal);
+    resize();
+  }
+}
+
+/** Follows the pixel ratio of a window's screen, which changes with the zoom and from screen to screen. */
+function watchRatio(view: Window, changed: () => void, signal: AbortSignal): void {
+  const media = view.matchMedia(`(resolution: ${view.devicePixelRatio}dppx)`);
+  const again = (): void => {
+    changed();
+    watchRatio(view, changed, signal);
+  };
+  media.addEventListener("change", again, { once: true, signal });
+}

@@ -1,0 +1,111 @@
+/**
+ * What the viewer needs of whatever moves a book's leaves and boards. Two
+ * implement it: `WasmBook` (simulated paper) and `PeeledBook` (flat leaves).
+ * Numbers and flat arrays alone cross it; lengths are metres, angles radians,
+ * times seconds. Book space: see `shapes.ts`.
+ */
+
+import type { Cover, Phase, Side } from "./phases.ts";
+import type { Pile, Stock, StockFigures, Surface, Vec3 } from "./shapes.ts";
+
+/** The size of a book as an engine sees it. */
+export interface BookSize {
+  /** A page's width and height, metres. */
+  readonly width: number;
+  readonly height: number;
+  /** Leaves of paper, boards not counted. */
+  readonly leaves: number;
+  /** Thickness of all the paper together, metres. */
+  readonly thickness: number;
+}
+
+/**
+ * One bound book with several leaves of paper in flight. A flight is known by
+ * the number that `lift` returns; a command to one that is over changes nothing.
+ * Flights are listed from the left to the right.
+ *
+ * Numbers are kept to what an engine takes: counts are clamped, and a command
+ * with a place that is not a finite number does nothing.
+ */
+export interface BookEngine {
+  /** Length of a tick, seconds. */
+  readonly tick: number;
+  /** u of each column of leaves and piles, 0 at the spine to 1 at the fore-edge. */
+  readonly columns: Float32Array;
+  /** Leaves of paper on the left pile. */
+  readonly read: number;
+  /** Number of leaves in flight. */
+  readonly flights: number;
+
+  /**
+   * Makes another book beside this one, in the same memory where that matters.
+   *
+   * @throws Error where a book of this size cannot be made
+   */
+  another(size: BookSize): BookEngine;
+  /** Frees the book. Nothing may be called afterwards. */
+  destroy(): void;
+
+  /**
+   * Makes the leaves of a stock: a preset, or one in figures. This and the next
+   * three lay down what is in flight. Returns whether leaves can be made of it;
+   * if not, nothing changes.
+   */
+  setStock(stock: Stock | StockFigures): boolean;
+  /**
+   * Binds the leaves with their grain along the spine or across it, and with a
+   * stiffness against turning in the gutter, N (0 to 1). Returns whether it could.
+   */
+  setBinding(grain: "along" | "across", stiffness: number): boolean;
+  /** Sets the velocity of the air, m/s, each component within 20. Returns whether it could. */
+  setWind(wind: Vec3): boolean;
+  /** Sets whether a leaf let go is helped over to its side, or left to gravity. */
+  setAssist(on: boolean): void;
+
+  /** Lays the book open with `read` leaves of paper on the left and none in flight. */
+  lay(read: number): void;
+  /**
+   * Takes up the uppermost leaves of `side`: with them on the right `low` leaves are read, on the
+   * left `high`. Returns the flight's number, or 0 where these are not the uppermost or too many fly.
+   */
+  lift(side: Side, low: number, high: number): number;
+  /** A hand (0 to 3) takes hold of a flight at (u, v). */
+  grab(id: number, hand: number, u: number, v: number): void;
+  /** The hand pulls the flight that it holds to a place in book space, metres. */
+  hold(id: number, hand: number, x: number, y: number, z: number): void;
+  /** The hand lets go; with no other on it, the leaf falls, and those in its way with it. */
+  release(id: number, hand: number): void;
+  /** Takes a flight to `side` from where it is, `seconds` for a whole turn, and those in its way too. */
+  play(id: number, side: Side, seconds: number): void;
+  /** Steps all flights by whole ticks. */
+  step(ticks: number): void;
+  /** Returns what a flight is doing. */
+  phase(id: number): Phase;
+
+  /** Brings surfaces and piles up to date with the last step. */
+  update(): void;
+  /** Returns the drawn mesh of the flight at `index`, counted from the left; valid until the next step. */
+  surface(index: number): Surface;
+  /** Returns the pages at rest on `side`; valid until the next step. */
+  pile(side: Side): Pile;
+  /**
+   * Returns the points of the flight at `index` over a flat table, to be written over: x, y, z in
+   * metres, at the surface's columns and rows, as its sheet has them now. What is written is drawn
+   * by the next `update` in the sheet's place, bent into the gutter between the piles. Null where
+   * leaves cannot be drawn otherwise.
+   */
+  overrideSurface(index: number): Float32Array | null;
+
+  /** A hand holds a board at an angle, radians from the right-hand side. */
+  holdBoard(cover: Cover, angle: number): void;
+  /** The hand lets a board go. */
+  releaseBoard(cover: Cover): void;
+  /** Swings a board to `side`, `seconds` for a whole half turn. */
+  playBoard(cover: Cover, side: Side, seconds: number): void;
+  /** Puts a board down on `side` at once. */
+  layBoard(cover: Cover, side: Side): void;
+  /** Steps a board by whole ticks. Returns what it is doing then. */
+  stepBoard(cover: Cover, ticks: number): Phase;
+  /** Returns a board's angle from the right-hand side, radians. */
+  boardAngle(cover: Cover): number;
+}

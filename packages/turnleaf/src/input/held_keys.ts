@@ -1,0 +1,81 @@
+/** Keys of the book itself: they turn one leaf, zoom, and pan while zoomed. */
+
+import { turnOfKey } from "../book/layout.ts";
+import type { Place } from "../stage/book_stage.ts";
+import type { InputTarget } from "./target.ts";
+
+/** Time that a zoom or pan by key takes, seconds, and the zoom of one key: that of the controls' buttons. */
+const glide = 0.28;
+const zoomStep = 1.5;
+
+/** Share of the stage that an arrow key pans by. */
+const panStep = 0.15;
+
+/** The keys over one book. */
+export class Keys {
+  readonly #element: HTMLElement;
+  readonly #stage: HTMLElement;
+  readonly #target: InputTarget;
+
+  /**
+   * @param element whose keys they are
+   * @param stage what the canvas and the text over it lie in
+   */
+  constructor(element: HTMLElement, stage: HTMLElement, target: InputTarget) {
+    this.#element = element;
+    this.#stage = stage;
+    this.#target = target;
+  }
+
+  /** Answers a key that goes down. Those with Ctrl, Alt or Meta are the browser's. */
+  press(event: KeyboardEvent): void {
+    if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
+    if (!this.#isMeant(event.composedPath()[0])) return;
+    const done = this.#zoom(event.key) || this.#pan(event.key);
+    const by = done ? 0 : turnOfKey(event.key, this.#target.viewer.binding.edge);
+    if (!done && by === 0) return;
+    event.preventDefault();
+    if (by !== 0) this.#target.turn(by);
+  }
+
+  /** Whether a key pressed there is the book's: not a field's on a page, nor one of the controls beside it. */
+  #isMeant(target: EventTarget | undefined): boolean {
+    // The frame about the stage and the controls takes the focus for the book.
+    if (target === this.#element || target === this.#stage.parentElement) return true;
+    const isField = target instanceof Element && target.matches("input, textarea, select");
+    return !isField && this.#stage.contains(target as Node);
+  }
+
+  #zoom(key: string): boolean {
+    const factor = { "+": zoomStep, "=": zoomStep, "-": 1 / zoomStep, "0": 0 }[key];
+    if (factor === undefined) return false;
+    const level = Math.max(this.#target.viewer.zoomLevel * factor, 1);
+    this.#glide(level, this.#middle);
+    return true;
+  }
+
+  /** Arrows move what is zoomed: the view goes where they point. */
+  #pan(key: string): boolean {
+    const { zoomLevel } = this.#target.viewer;
+    if (zoomLevel <= 1) return false;
+    const way = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[
+      key
+    ];
+    if (way === undefined) return false;
+    const { x, y } = this.#middle;
+    const step = 2 * panStep;
+    this.#glide(zoomLevel, { x: x * (1 + step * way[0]), y: y * (1 + step * way[1]) });
+    return true;
+  }
+
+  /** Brings what is in the middle to a place, seen at a level. */
+  #glide(level: number, to: Place): void {
+    const { viewer, calm } = this.#target;
+    viewer.zoom(level, this.#middle, to, calm() ? 0 : glide);
+  }
+
+  get #middle(): Place {
+    const { clientWidth, clientHeight } = this.#stage;
+    return { x: clientWidth / 2, y: clientHeight / 2 };
+  }
+}

@@ -1,0 +1,36 @@
+/** Models of a book's leaves beside the engine's own sheet. Loaded where one is asked for. */
+
+import { cleanText } from "../sources/book_text.ts";
+import { loaded } from "../sources/loaded.ts";
+import { BookError } from "../sources/page_source.ts";
+import type { LeafModel } from "./leaf_model.ts";
+import { type ModelChoice, turnModels } from "./model_choice.ts";
+
+/**
+ * Makes the model of a choice: null for the sheet, which needs none.
+ * Rejects with a `BookError` where it cannot be had, or where there is none of the name;
+ * what it fetches for itself is given up with the signal.
+ */
+export async function openModel(
+  { model, modelSrc }: ModelChoice,
+  signal: AbortSignal,
+): Promise<LeafModel | null> {
+  const name = turnModels.find((known) => known === model);
+  if (name === undefined) {
+    const known = turnModels.join(", ");
+    const said = cleanText(model, 40);
+    throw new BookError(`No way of turning a page is named "${said}"; there are ${known}.`);
+  }
+  if (name === "sheet") return null;
+  if (name === "photographs") {
+    const { PhotographsModel } = await loaded(import("./photographs.ts"));
+    return await PhotographsModel.open(modelSrc, signal);
+  }
+  if (name === "replay" || name === "shell") {
+    const { ReplayModel } = await loaded(import("./replay.ts"));
+    if (name === "replay" && modelSrc) return await ReplayModel.at(modelSrc);
+    return await ReplayModel.ofOwn(name === "replay" ? "sheet" : "shell");
+  }
+  const { LooseModel } = await loaded(import("./loose_leaf.ts"));
+  return await LooseModel.open(name);
+}

@@ -1,0 +1,127 @@
+/** Leaves turned by another of the engine's models, live: each is a loose leaf that is led by its sheet's hand. */
+
+import type { Vec3 } from "../engine/shapes.ts";
+import { type LeafOptions, LooseLeaf } from "../models/models.ts";
+import type { BookPose } from "../stage/book_pose.ts";
+import { crease } from "./crease.ts";
+import {
+  FlightModels,
+  type LeafModel,
+  type LiftedLeaf,
+  type ModelledBook,
+  type Sheet,
+} from "./leaf_model.ts";
+import { lying, placeOn } from "./lying_sheet.ts";
+
+/** The models that are quick enough for that. */
+export const looseModels = ["rigid", "peel", "cylinder", "cone", "mass-spring"] as const;
+export type LooseModelName = (typeof looseModels)[number];
+
+/** A loose leaf, and the place of it that is led. */
+interface Led extends LiftedLeaf {
+  readonly leaf: LooseLeaf;
+  /** Normals of the points about its fold, by number. */
+  creased: ReadonlyMap<number, Vec3>;
+}
+
+/**
+ * Every leaf in flight moved by one model: the place that a hand took hold of is
+ * pulled to where the sheet has it, from then on until the sheet lies. So all
+ * models follow the same hand at the same time, and land when the sheet does.
+ */
+export class LooseModel implements LeafModel {
+  /** What others are made beside. */
+  readonly #first: LooseLeaf;
+  readonly #spare: LooseLeaf[] = [];
+  readonly #worn: FlightModels<Led>;
+  #options: LeafOptions;
+  #columns: ArrayLike<number> = [];
+
+  private constructor(first: LooseLeaf) {
+    this.#first = first;
+    this.#options = first.options;
+    this.#worn = new FlightModels<Led>(
+      (taken) => {
+        const leaf = this.#spare.pop() ?? this.#another(taken.count);
+        leaf.lay(taken.from);
+        leaf.grab(taken.u, taken.v);
+        return { ...taken, leaf, creased: new Map() };
+      },
+      ({ leaf }) => this.#spare.push(leaf),
+    );
+  }
+
+  /** Rejects where there is no WebAssembly. */
+  static async open(model: LooseModelName): Promise<LooseModel> {
+    const options = { model, preset: "book", interpolate: true } as const;
+    return new LooseModel(await LooseLeaf.create(options));
+  }
+
+  show(book: ModelledBook, seconds: number): void {
+    const { width, height } = book.shape;
+    const { columns } = book.engine;
+    if (width !== this.#options.width || height !== this.#options.height) {
+      this.#forget();
+      this.#options = { ...this.#options, width, height };
+    }
+    this.#columns = columns;
+    this.#worn.show(book, (led, points) => {
+      const { leaf, from, u, v, count } = led;
+      const rows = count / columns.length;
+      leaf.hold(...placeOn(points, columns.length, rows, u, v));
+      leaf.advance(seconds);
+      leaf.update();
+      const { positions } = leaf.surface();
+      // Springs lag behind what leads them, and are not where it lies.
+      const part =
+        this.#options.model === "mass-spring" ? 1 - lying(points, columns.length, rows, width) : 1;
+      for (let i = 0; i < points.length; i++) points[i] += part * (positions[i] - points[i]);
+      if (this.#folds) {
+        led.creased = crease(points, columns, from === "right" ? width : -width, height);
+      }
+    });
+  }
+
+  get sheets(): readonly Sheet[] {
+    return this.#worn.sheets;
+  }
+
+  pose(pose: BookPose): BookPose {
+    return { ...pose, folded: this.#folds };
+  }
+
+  finish({ engine, turning }: ModelledBook): void {
+    for (const [index, flight] of turning.flights.entries()) {
+      const led = this.#worn.of(flight);
+      if (!led?.creased.size) continue;
+      // Between differences across a fold there is no normal.
+      const { normals } = engine.surface(index);
+      for (const [at, normal] of led.creased) normals.set(normal, 3 * at);
+    }
+  }
+
+  close(): void {
+    this.#forget();
+    this.#first.destroy();
+  }
+
+  get #folds(): boolean {
+    return this.#options.model === "peel";
+  }
+
+  /** A leaf drawn where a book's is, at so many points. */
+  #another(count: number): LooseLeaf {
+    const leaf = this.#first.another(this.#options);
+    const rows = count / this.#columns.length;
+    leaf.drawAt(
+      this.#columns,
+      Array.from({ length: rows }, (_, row) => row / (rows - 1)),
+    );
+    return leaf;
+  }
+
+  #forget(): void {
+    this.#worn.clear();
+    for (const leaf of this.#spare.splice(0)) leaf.destroy();
+  }
+}

@@ -1,0 +1,132 @@
+/** Photographs of a real turn in place of the leaf, as the British Library turned pages. */
+
+import { ImageSource } from "../sources/images.ts";
+import { BookError } from "../sources/page_source.ts";
+import type { BookPose } from "../stage/book_pose.ts";
+import { type OpenPages, PhotographsMesh } from "../webgl/photographs_mesh.ts";
+import {
+  FlightModels,
+  type LeafModel,
+  type LiftedLeaf,
+  type ModelledBook,
+  type Sheet,
+} from "./leaf_model.ts";
+import { fractionTurned } from "./lying_sheet.ts";
+import { photographRow } from "./photograph_row.ts";
+
+/** Pixels that all photographs of a turn hold together at most, 128 MB as RGBA, and their width at most. */
+const mostPixels = 32e6;
+const mostWidth = 2048;
+
+/** Photographs that are fetched and decoded at the same time: each may be large before it is drawn smaller. */
+const atOnce = 4;
+
+/** Ratios of pictures that differ by less are those of one size, but for whole pixels. */
+const sameRatio = 0.02;
+
+/**
+ * While leaves are in flight they are not drawn; over the open pages lies, for
+ * each, the photograph of the moment at which as much of the turn was done as is
+ * of the sheet's. A corner that only lifts is no turn, and stays paper.
+ */
+export class PhotographsModel implements LeafModel {
+  readonly #pictures: readonly ImageBitmap[];
+  readonly #mesh: PhotographsMesh;
+  readonly #worn = new FlightModels<LiftedLeaf>((taken) => taken);
+  /** The photographs that are seen now, by number. */
+  #seen: readonly number[] = [];
+  #size: Pick<OpenPages, "width" | "height"> = { width: 1, height: 1 };
+
+  private constructor(pictures: readonly ImageBitmap[], ratio: number | null) {
+    this.#pictures = pictures;
+    this.#mesh = new PhotographsMesh(pictures, ratio);
+  }
+
+  /**
+   * Of the photographs at an address with their numbers in braces, the first with
+   * the leaf on the right and the last with it on the left. All are fetched and
+   * decoded first. Rejects with a `BookError` where one cannot be,
+   * or as the signal says.
+   */
+  static async open(address: string, signal: AbortSignal): Promise<PhotographsModel> {
+    const { addresses, ratio } = photographRow(address, document.baseURI);
+    return new PhotographsModel(await decoded(addresses, signal), ratio);
+  }
+
+  show(book: ModelledBook): void {
+    const { columns } = book.engine;
+    const last = this.#pictures.length - 1;
+    const seen: number[] = [];
+    this.#size = book.shape;
+    this.#worn.show(book, ({ count }, points) => {
+      const share = fractionTurned(points, columns.length, count / columns.length);
+      seen.push(Math.round(share * last));
+    });
+    // On either side the leaf that stands steeper lies over the others.
+    seen.sort((a, b) => Math.abs(b - last / 2) - Math.abs(a - last / 2));
+    this.#seen = book.peek.flight ? [] : seen;
+  }
+
+  pose(pose: BookPose): BookPose {
+    const foreEdge = (pile: BookPose["left"]): number => pile?.curves[2 * pile.columns - 1] ?? 0;
+    const { width, height } = this.#size;
+    const [left, right] = [foreEdge(pose.left), foreEdge(pose.right)];
+    this.#mesh.show(this.#seen, { width, height, left, right });
+    const leaves = this.#seen.length > 0 ? [] : pose.leaves;
+    return { ...pose, leaves, above: this.#mesh.group };
+  }
+
+  get sheets(): readonly Sheet[] {
+    return this.#worn.sheets;
+  }
+
+  close(): void {
+    this.#worn.clear();
+    this.#mesh.dispose();
+    for (const picture of this.#pictures) picture.close();
+  }
+}
+
+/** Fetches pictures and decodes them, all at once or none. */
+async function decoded(addresses: readonly string[], signal: AbortSignal): Promise<ImageBitmap[]> {
+  const source = new ImageSource({
+    name: "the photographs of a turn",
+    title: "",
+    language: "",
+    direction: "ltr",
+    kind: "scan",
+    pages: addresses.map((src) => ({ src })),
+  });
+  const pictures: ImageBitmap[] = [];
+  try {
+    const size = await source.size(0, signal);
+    const ratio = size.height / size.width;
+    const width = Math.min(mostWidth, Math.sqrt(mostPixels / (addresses.length * ratio)));
+    let hasFailed = false;
+    const indices = addresses.keys();
+    const drawInTurn = async (): Promise<void> => {
+      for (const index of indices) {
+        if (hasFailed) return;
+        try {
+          const picture = (await source.draw(index, width, signal)) as ImageBitmap;
+          pictures[index] = picture;
+          if (Math.abs(picture.height / picture.width / ratio - 1) < sameRatio) continue;
+          throw new BookError("The photographs of a turn must all be of one size.");
+        } catch (error) {
+          hasFailed = true;
+          throw error;
+        }
+      }
+    };
+    // All have ended before what came of them is thrown away.
+    const drawn = await Promise.allSettled(Array.from({ length: atOnce }, drawInTurn));
+    const failed = drawn.find(({ status }) => status === "rejected");
+    if (failed) throw (failed as PromiseRejectedResult).reason;
+    return pictures;
+  } catch (error) {
+    for (const picture of pictures) picture?.close();
+    throw error;
+  } finally {
+    source.close();
+  }
+}

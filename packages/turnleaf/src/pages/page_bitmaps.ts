@@ -1,0 +1,275 @@
+/** The pages as pictures to print on leaves: the pool's own, fitted, or what stands in for them. */
+
+import { loaded } from "../sources/loaded.ts";
+import type { PageBox, PagePicture, PageSize, PageSource } from "../sources/page_source.ts";
+import { foldAt, isFoldOut, type PrintedOn, placeOnLeaf, wholeLeaf } from "./page_place.ts";
+import { closePicture, PagePool, type PagePoolOptions, type PoolSource } from "./page_pool.ts";
+import { barePage, failedPage, slowPage, waitingPage } from "./stand_in.ts";
+
+/** Told when pictures come and go. */
+export interface PageBitmapsOptions {
+  /** The picture of a page (from 1) changed, it failed, or what stands in for it says something else. */
+  readonly onArrive: (page: number) => void;
+  /** A picture will not be used again; textures made of it can be freed. */
+  readonly onDrop: (picture: PagePicture) => void;
+  /** The sentence for a page, by its label, that takes long to draw. */
+  readonly slowText?: (label: string) => string;
+  /** As the pool's own. */
+  readonly later?: PagePoolOptions["later"];
+}
+
+/** Stand-ins kept: more than a riffle shows at once, for one that is shown may not be dropped. */
+const standInsKept = 32;
+
+/** Width at which a page that passes by looks like itself, device pixels. */
+const leastRoughWidth = 512;
+
+/** What is wanted of a page, most urgent first. */
+interface PagesWanted {
+  readonly pages: readonly number[];
+  /** How many of the first are seen now, and how many of those lie open. */
+  readonly inSight: number;
+  readonly lyingOpen: number;
+}
+
+/** A fold-out that lies open: the pictures of its parts, and the part of its leaf that all of it covers. */
+export interface Unfolded {
+  readonly page: PagePicture;
+  readonly flap: PagePicture;
+  readonly back: PagePicture;
+  readonly place: PageBox;
+}
+
+/** Most pixels across a fold-out. */
+const mostAcross = 4096;
+
+/** What pages of other sizes than the leaf's need. */
+const fitting = () => loaded(import("./fit.ts"));
+
+/** A book's pages as pictures of its leaf's proportions. */
+export class PageBitmaps {
+  readonly #source: PageSource;
+  readonly #pool: PagePool;
+  readonly #leaf: PageSize;
+  readonly #aspect: number;
+  readonly #options: PageBitmapsOptions;
+  #inSight: ReadonlySet<number> = new Set();
+  readonly #standIns = new Map<string, HTMLCanvasElement>();
+
+  /** What each page is printed on, and the part of it that each page drawn so far covers. */
+  #printedOn: (page: number) => PrintedOn = () => "left";
+  readonly #places = new Map<number, PageBox>();
+  #unfolded: { number: number; parts: Unfolded } | null = null;
+
+  /** @param leaf size of the book's leaves, in the source's unit */
+  constructor(source: PageSource, leaf: PageSize, options: PageBitmapsOptions) {
+    this.#source = source;
+    this.#leaf = leaf;
+    this.#aspect = leaf.width / leaf.height;
+    this.#options = options;
+    // Fitted before the pool holds it: its bounds are then of what is truly held.
+    const draw: PageSource["draw"] = async (index, width, signal) => {
+      const before = this.placeOf(index + 1, await source.size(index, signal));
+      const picture = await source.draw(index, Math.ceil(width * before.width), signal);
+      // A scan's true size is known only now.
+      const place = this.placeOf(index + 1, await source.size(index, signal));
+      this.#places.set(index + 1, place);
+      if (place === wholeLeaf) return picture;
+      try {
+        const { fitToLeaf } = await fitting();
+        return fitToLeaf(picture, place, this.#aspect, width);
+      } finally {
+        closePicture(picture);
+      }
+    };
+    const book: PoolSource = {
+      get pageCount() {
+        return source.pageCount;
+      },
+      title: source.title,
+      draw,
+    };
+    this.#pool = new PagePool(book, {
+      onArrive: (index) => options.onArrive(index + 1),
+      onDrop: options.onDrop,
+      onSlow: (index) => options.onArrive(index + 1),
+      later: options.later,
+    });
+  }
+
+  /**
+   * Asks for pages (from 1), `width` device pixels wide.
+   *
+   * @param roughly whether pages in flight are wanted only roughly: two dozen
+   *   sharp ones would take more memory than the pool may
+   */
+  want({ pages, inSight, lyingOpen }: PagesWanted, width: number, roughly: boolean): void {
+    this.#inSight = new Set(pages.slice(0, inSight));
+    const rough = Math.min(width, Math.max(Math.ceil(width / 3), leastRoughWidth));
+    const wanted = pages.map((page, at) => {
+      const isRough = roughly && at >= lyingOpen && at < inSight;
+      return { index: page - 1, width: isRough ? rough : width, isRough };
+    });
+    this.#pool.want(wanted, inSight);
+  }
+
+  /**
+   * The book is bound: `printedOn` tells of each page (from 1) where its spine
+   * is, or that it is on a board. Pictures that lie otherwise then are dropped.
+   */
+  bind(printedOn: (page: number) => PrintedOn): void {
+    const before = this.#printedOn;
+    this.#printedOn = printedOn;
+    for (const [page, place] of this.#places) {
+      if (before(page) === printedOn(page)) continue;
+      this.#places.delete(page);
+      if (place !== wholeLeaf) this.#pool.renumber((index) => (index === page - 1 ? null : index));
+    }
+  }
+
+  /** The part of its leaf that a page (from 1) of some size covers, shares from the upper left corner. */
+  placeOf(page: number, size: PageSize): PageBox {
+    const isTrue = this.#source.kind === "typeset";
+    return placeOnLeaf(size, this.#leaf, isTrue, this.#printedOn(page));
+  }
+
+  /** The same of a page whose picture there was; all of the leaf of others. */
+  placeOfDrawn(page: number): PageBox {
+    return this.#places.get(page) ?? wholeLeaf;
+  }
+
+  /**
+   * Draws a fold-out (a page from 1) that is to lie open; it is shown so until
+   * it is folded in. Null for a page that is none. Rejects as drawing does.
+   */
+  async unfold(page: number, width: number, signal: AbortSignal): Promise<Unfolded | null> {
+    const place = this.placeOfDrawn(page);
+    if (!isFoldOut(place)) return null;
+    const { unfold } = await fitting();
+    const across = Math.min(Math.ceil(width * place.width), mostAcross);
+    const picture = await this.#source.draw(page - 1, across, signal);
+    const parts = { ...unfold(picture, place, this.#aspect, width), place };
+    closePicture(picture);
+    this.foldIn();
+    this.#unfolded = { number: page, parts };
+    return parts;
+  }
+
+  /** Shows every fold-out folded in again. */
+  foldIn(): void {
+    const { parts } = this.#unfolded ?? {};
+    this.#unfolded = null;
+    for (const picture of parts ? [parts.page, parts.flap, parts.back] : []) {
+      this.#options.onDrop(picture);
+      closePicture(picture);
+    }
+  }
+
+  /** Whether a place on a page's leaf, `x` from its left edge, is not under a folded flap. */
+  isBare(page: number, x: number): boolean {
+    const place = this.placeOfDrawn(page);
+    if (!isFoldOut(place) || this.#unfolded?.number === page) return true;
+    const free = 2 * foldAt - place.width;
+    return place.x < 0 ? x > 1 - free : x < free;
+  }
+
+  /** The book's pages are others than before; `moved` answers where a page (from 0) is now, or null. */
+  renumber(moved: (index: number) => number | null): void {
+    this.#inSight = new Set();
+    // Where their leaves are now, `bind` will tell.
+    const on = this.#printedOn;
+    const places = [...this.#places];
+    const before = new Map<number, number>();
+    this.#places.clear();
+    for (const [page, place] of places) {
+      const now = moved(page - 1);
+      if (now === null) continue;
+      this.#places.set(now + 1, place);
+      before.set(now + 1, page);
+    }
+    this.#printedOn = (page) => on(before.get(page) ?? page);
+    this.#pool.renumber(moved);
+  }
+
+  /** The picture of a page (from 1) is out of date; it is shown until the next is drawn. */
+  redraw(page: number): void {
+    this.#pool.redraw(page - 1);
+  }
+
+  /** The best picture of a page (from 1) that there is now; never nothing. */
+  get(page: number): PagePicture {
+    if (this.#unfolded?.number === page) return this.#unfolded.parts.page;
+    return this.#pool.get(page - 1) ?? this.#standIn(page);
+  }
+
+  /** Width of a page's picture in device pixels; infinite where there is none sharper to be had. */
+  sharpness(page: number): number {
+    // On a fold-out that is folded in, what is drawn sharper would lie over the flap.
+    const isFolded = isFoldOut(this.placeOfDrawn(page));
+    if (isFolded || this.#pool.failed(page - 1)) return Number.POSITIVE_INFINITY;
+    return this.#pool.sharpness(page - 1);
+  }
+
+  /** As `get`; null for a page out of sight that is not drawn. */
+  getIfDrawn(page: number): PagePicture | null {
+    return this.#inSight.has(page) || this.#pool.get(page - 1) !== null ? this.get(page) : null;
+  }
+
+  /** Why a page (from 1) cannot be shown, or null. */
+  failure(page: number): string | null {
+    return this.#pool.failed(page - 1)?.message ?? null;
+  }
+
+  /** Paper with nothing on it. */
+  get bare(): PagePicture {
+    return this.#keep("bare", () => barePage(this.#aspect));
+  }
+
+  /** Whether the pages in sight are as sharp as they were asked for, or have failed. */
+  get settled(): boolean {
+    return this.#pool.settled;
+  }
+
+  /** Whether the pages that may come into sight next are so too, as far as memory allows. */
+  get ready(): boolean {
+    return this.#pool.settled && this.#pool.ready;
+  }
+
+  /** While leaves move, only pages of which there is nothing to show are drawn. */
+  set paused(paused: boolean) {
+    this.#pool.paused = paused;
+  }
+
+  /** Drops every picture. */
+  close(): void {
+    this.foldIn();
+    this.#pool.close();
+    for (const canvas of this.#standIns.values()) this.#options.onDrop(canvas);
+    this.#standIns.clear();
+  }
+
+  #standIn(page: number): PagePicture {
+    const failure = this.#pool.failed(page - 1);
+    if (failure) {
+      return this.#keep(`! ${failure.message}`, () => failedPage(failure.message, this.#aspect));
+    }
+    const label = this.#source.label(page - 1);
+    const sentence = this.#pool.slow(page - 1) && this.#options.slowText?.(label);
+    if (sentence) return this.#keep(`… ${sentence}`, () => slowPage(sentence, this.#aspect));
+    return this.#keep(label, () => waitingPage(label, this.#aspect));
+  }
+
+  #keep(key: string, make: () => HTMLCanvasElement): HTMLCanvasElement {
+    const kept = this.#standIns.get(key) ?? make();
+    // Last asked for, last in the map: the first is the one to drop.
+    this.#standIns.delete(key);
+    this.#standIns.set(key, kept);
+    const oldest = this.#standIns.keys().next().value;
+    if (this.#standIns.size > standInsKept && oldest !== undefined) {
+      const canvas = this.#standIns.get(oldest);
+      this.#standIns.delete(oldest);
+      if (canvas) this.#options.onDrop(canvas);
+    }
+    return kept;
+  }
+}

@@ -1,0 +1,106 @@
+/**
+ * What of the book's picture is shown how large. Zoom is an optical one: the
+ * same picture magnified and shifted, but that it is taken from right over the
+ * book as one comes near, so that what is read stands upright. Pure arithmetic.
+ */
+
+/** A zoom: 1 shows the whole book. */
+export interface Zoom {
+  readonly level: number;
+  /** The place of book space (metres, at the height of the pages) in the middle of the canvas. */
+  readonly x: number;
+  readonly y: number;
+}
+
+/** A place on the canvas, shares of its size from its upper left corner. */
+export type CanvasFraction = readonly [x: number, y: number];
+
+/** The picture of a whole book from where it is seen. */
+export interface Sight {
+  /** Where a point of the plane of the pages is in it. */
+  seen(x: number, y: number): CanvasFraction;
+  /** The point of that plane which is seen at a place. */
+  point(at: CanvasFraction): CanvasFraction;
+  /** The book's outline in it: left, top, right, bottom. */
+  readonly book: readonly [number, number, number, number];
+}
+
+/** Where what lies beyond the spine of a page that stands alone begins to fade and is gone, fractions of the page's width. */
+export const fadeBeyondSpine = { from: 0.03, to: 0.3 };
+
+/** The level from which on the book is seen from right over it. */
+const overheadFrom = 1.6;
+
+/** Room around the book that may be panned into the canvas, a share of it at zoom 1. */
+const margin = 0.02;
+
+/** From how far over the book it is seen at a level: 0 from where a reader sits, 1 from right over it. */
+export function overheadAt(level: number): number {
+  const t = within((level - 1) / (overheadFrom - 1), 0, 1);
+  return t * t * (3 - 2 * t);
+}
+
+/** A zoom on the way from one to another, 0 to 1: what both show in one place stays there. */
+export function zoomBetween(from: Zoom, to: Zoom, share: number): Zoom {
+  const level = from.level * (to.level / from.level) ** share;
+  const isPan = Math.abs(to.level / from.level - 1) < 1e-6;
+  const way = isPan ? share : (1 / level - 1 / from.level) / (1 / to.level - 1 / from.level);
+  return { level, x: from.x + (to.x - from.x) * way, y: from.y + (to.y - from.y) * way };
+}
+
+/** Keeps a zoom to the book as that moves: nothing beyond the book is shown while it fills the canvas. */
+export class Zooming {
+  readonly #sightAt: (level: number) => Sight;
+  #zoom: Zoom = { level: 1, x: 0, y: 0 };
+
+  /** @param sightAt how the book is seen at a level, before it is magnified */
+  constructor(sightAt: (level: number) => Sight) {
+    this.#sightAt = sightAt;
+  }
+
+  get zoom(): Zoom {
+    return this.#zoom;
+  }
+
+  /**
+   * Shows a zoom as far as the book reaches; answers what is in the middle, as a
+   * place in the picture of the whole book.
+   */
+  show(zoom: Zoom): CanvasFraction {
+    const sight = this.#sightAt(zoom.level);
+    const middle = keptTo(sight, sight.seen(zoom.x, zoom.y), zoom.level);
+    const [x, y] = sight.point(middle);
+    this.#zoom = { level: zoom.level, x, y };
+    return middle;
+  }
+
+  /** The zoom at `level` in which what is seen at `from` now is seen at `to`, as far as the book reaches. */
+  zoomed(level: number, from: CanvasFraction, to: CanvasFraction): Zoom {
+    const now = this.#sightAt(this.#zoom.level);
+    const middle = now.seen(this.#zoom.x, this.#zoom.y);
+    const point = now.point(beside(middle, from, 1 / this.#zoom.level));
+    const then = this.#sightAt(level);
+    const wanted = beside(then.seen(...point), to, -1 / level);
+    const [x, y] = then.point(keptTo(then, wanted, level));
+    return { level, x, y };
+  }
+}
+
+function beside([x, y]: CanvasFraction, at: CanvasFraction, scale: number): CanvasFraction {
+  return [x + (at[0] - 0.5) * scale, y + (at[1] - 0.5) * scale];
+}
+
+function keptTo({ book }: Sight, [x, y]: CanvasFraction, level: number): CanvasFraction {
+  return [kept(x, 0.5 / level, book[0], book[2]), kept(y, 0.5 / level, book[1], book[3])];
+}
+
+/** Where the book does not fill the canvas it stands in the middle; at level 1 all is shown. */
+function kept(middle: number, half: number, from: number, to: number): number {
+  const [low, high] = [from - margin + half, to + margin - half];
+  const onBook = low > high ? (from + to) / 2 : within(middle, low, high);
+  return within(onBook, half, 1 - half);
+}
+
+function within(value: number, low: number, high: number): number {
+  return Math.min(Math.max(value, low), high);
+}

@@ -1,0 +1,72 @@
+/** How the book is looked at: zoom and pan. */
+
+import type { BookStage, Place } from "../stage/book_stage.ts";
+import { type Zoom, zoomBetween } from "../stage/zoom.ts";
+
+/** The nearest that a book is seen from. */
+const mostZoom = 8;
+
+/** The camera over one book. */
+export class CameraMotion {
+  readonly #stage: BookStage;
+  #glide: { from: Zoom; to: Zoom; passed: number; seconds: number } | null = null;
+
+  constructor(stage: BookStage) {
+    this.#stage = stage;
+  }
+
+  /** The level that is shown, or on the way to being. */
+  get level(): number {
+    return this.#glide?.to.level ?? this.#stage.zoom.level;
+  }
+
+  /** What is shown, or on the way to being; setting it shows that at once, as far as the book reaches. */
+  get view(): Zoom {
+    return this.#glide?.to ?? this.#stage.zoom;
+  }
+
+  set view(view: Zoom) {
+    this.#glide = null;
+    this.#stage.zoom = view;
+  }
+
+  /** Whether the camera is on its way. */
+  get isGliding(): boolean {
+    return this.#glide !== null;
+  }
+
+  /**
+   * Shows the book at a level (1 to 8) so that what is seen at `from` comes to
+   * `to`, as far as the book reaches.
+   *
+   * @param seconds that it takes; 0 at once
+   */
+  zoom(level: number, from: Place, to: Place, seconds: number): void {
+    const shown = this.#stage.zoom;
+    // What is asked for on the way goes on from where that way leads.
+    if (this.#glide) this.#stage.zoom = this.#glide.to;
+    const zoom = this.#stage.zoomed(Math.min(Math.max(level, 1), mostZoom), from, to);
+    this.#stage.zoom = seconds > 0 ? shown : zoom;
+    this.#glide = seconds > 0 ? { from: shown, to: zoom, passed: 0, seconds } : null;
+  }
+
+  /** Looks at something as it is seen where all of the book is shown. */
+  lookAtRest<T>(look: () => T): T {
+    const { zoom } = this.#stage;
+    this.#stage.zoom = { level: 1, x: 0, y: 0 };
+    const seen = look();
+    this.#stage.zoom = zoom;
+    return seen;
+  }
+
+  /** Moves the camera on. Returns whether it still moves. */
+  step(seconds: number): boolean {
+    const glide = this.#glide;
+    if (glide === null) return false;
+    glide.passed += seconds;
+    const t = Math.min(glide.passed / glide.seconds, 1);
+    this.#stage.zoom = zoomBetween(glide.from, glide.to, 1 - (1 - t) ** 3);
+    if (t === 1) this.#glide = null;
+    return t < 1;
+  }
+}

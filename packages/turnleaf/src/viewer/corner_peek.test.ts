@@ -1,0 +1,61 @@
+import { expect, test } from "vitest";
+import { bind } from "../book/spreads.ts";
+import { Turning } from "../book/turning.ts";
+import { Side } from "../engine/phases.ts";
+import { stocks } from "../engine/shapes.ts";
+import { WasmBook } from "../engine/wasm_book.ts";
+import { CornerPeek } from "./corner_peek.ts";
+import { Stillness } from "./stillness.ts";
+
+const [width, height] = [0.14, 0.21];
+
+/** A book of 100 leaves of a stock that lies open in its middle. */
+async function openBook(stock: (typeof stocks)[number]) {
+  const engine = await WasmBook.create({ width, height, leaves: 100, thickness: 0.02 });
+  engine.setStock(stock);
+  const binding = bind(200, "none");
+  const nothing = () => {};
+  const turning = new Turning(engine, binding, {
+    started: nothing,
+    landed: nothing,
+    rested: nothing,
+  });
+  turning.lay(50);
+  const peek = new CornerPeek(turning, binding, { width, height });
+  return { engine, turning, peek };
+}
+
+test.each(stocks)(
+  "a lifted corner of %s paper stands off, holds still soon, and falls back",
+  async (stock) => {
+    for (const side of [Side.right, Side.left]) {
+      const { engine, turning, peek } = await openBook(stock);
+      const top = engine.pile(side).curves[2 * engine.pile(side).columns - 1];
+      expect(peek.begin({ on: side, u: 0.95, v: 0.04, distance: 1 }, top)).toBe(true);
+      // A second one at the same time there is not.
+      expect(peek.begin({ on: side, u: 0.95, v: 0.96, distance: 1 }, top)).toBe(false);
+      const stillness = new Stillness();
+      let frames = 0;
+      for (let still = false; !still && frames < 1200; frames++) {
+        turning.step(2);
+        engine.update();
+        peek.step(1 / 60);
+        still = turning.inHand && stillness.check([engine.surface(0)]);
+      }
+      // Stiff paper is still within a second. What is limp loses by its bending no more than paper
+      // does, and swings on a little; the thinnest trembles, and is left alone after a while.
+      const most = { bible: 300, book: 120, office: 60, coated: 60, card: 60 }[stock];
+      expect(frames).toBeLessThan(most);
+      const { positions, columns } = engine.surface(0);
+      const corner = positions[3 * (columns - 1) + 2];
+      expect(corner - top).toBeGreaterThan(0.006);
+      expect(peek.flight).not.toBeNull();
+      peek.end();
+      for (let k = 0; k < 1200 && turning.moving; k++) turning.step(2);
+      expect(turning.moving).toBe(false);
+      expect(turning.spread).toBe(50);
+      expect(peek.flight).toBeNull();
+      engine.destroy();
+    }
+  },
+);

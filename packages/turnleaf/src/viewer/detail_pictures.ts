@@ -1,0 +1,251 @@
+/**
+ * Sharpness where pages are seen larger than their pictures are: the part in
+ * sight is drawn anew for the screen's own pixels, and laid over the picture.
+ */
+
+import type { Face } from "../book/faces.ts";
+import type { PageBitmaps } from "../pages/page_bitmaps.ts";
+import { closePicture } from "../pages/page_pool.ts";
+import type { PageBox, PagePicture, PageSource } from "../sources/page_source.ts";
+import type { BookStage } from "../stage/book_stage.ts";
+import { acrossAt, isCoarse, type OpenPage, type SharpnessTools } from "./coarseness.ts";
+
+/** What is in sight of a page: shares of its leaf, and how large it is seen. */
+interface Sighted {
+  readonly box: PageBox;
+  /** Canvas pixels across the whole leaf. */
+  readonly across: number;
+}
+
+/** A part of a page that is drawn, or being drawn. */
+interface Detail extends Sighted {
+  readonly page: number;
+  /** Texels across the whole leaf. */
+  readonly texels: number;
+  /** Null while it is drawn, and where it could not be. */
+  picture: PagePicture | null;
+  readonly drawing: AbortController;
+}
+
+/** Texels for each canvas pixel: between texels a print is blurred, and less so where they are finer. */
+const finer = 1.25;
+
+/** Most pixels of one detail, and along one side of it. */
+const mostPixels = 8e6;
+const mostAlong = 4096;
+
+/** How much of its own size a detail reaches beyond what is in sight, so that a little panning shows nothing else. */
+const beyond = 0.2;
+
+/** Strips of a page each way that are in sight or not. */
+const strips = 40;
+
+/** The details of the pages that lie open. */
+export class DetailPictures {
+  readonly #source: PageSource;
+  readonly #stage: BookStage;
+  readonly #aspect: number;
+  readonly #pictures: Pick<PageBitmaps, "placeOf">;
+  readonly #arrived: () => void;
+  readonly #shown = new Map<Face, Detail>();
+  readonly #coming = new Map<Face, Detail>();
+
+  constructor({ source, stage, aspect, pictures, arrived }: SharpnessTools) {
+    this.#pictures = pictures;
+    this.#source = source;
+    this.#stage = stage;
+    this.#aspect = aspect;
+    this.#arrived = arrived;
+  }
+
+  /** Whether nothing in sight waits to become sharper. */
+  get settled(): boolean {
+    return this.#coming.size === 0;
+  }
+
+  /** Looks at the pages that lie open, at rest on a canvas of so many CSS pixels, and draws what is missing. */
+  look(open: readonly OpenPage[], width: number, height: number): void {
+    this.keep(Object.fromEntries(open.map(({ face, page }) => [face, page])));
+    for (const seen of open) {
+      const { face, page } = seen;
+      const box = isCoarse(this.#stage, seen) ? this.#boxInSight(face, width, height) : null;
+      if (box === null) this.#drop(face);
+      else {
+        const across = acrossAt(this.#stage, face, ...middleOf(box));
+        this.#want(face, page, { box, across });
+      }
+    }
+  }
+
+  /** Takes away what belongs to other pages than those that are seen on the faces. */
+  keep(pages: Partial<Record<Face, number | null>>): void {
+    for (const details of [this.#shown, this.#coming]) {
+      for (const [face, { page }] of details) if (pages[face] !== page) this.#drop(face);
+    }
+  }
+
+  /** Takes away what is shown of a page (from 1): it looks otherwise now. */
+  redraw(page: number): void {
+    for (const details of [this.#shown, this.#coming]) {
+      for (const [face, detail] of details) if (detail.page === page) this.#drop(face);
+    }
+  }
+
+  /** Stops drawing; what is shown stays. */
+  pause(): void {
+    for (const face of [...this.#coming.keys()]) this.#abort(face);
+  }
+
+  #want(face: Face, page: number, sighted: Sighted): void {
+    for (const details of [this.#shown, this.#coming]) {
+      const detail = details.get(face);
+      if (detail && serves(detail, sighted)) return;
+    }
+    this.#abort(face);
+    const drawing = new AbortController();
+    const { across } = sighted;
+    const reach = reaching(sighted, this.#aspect);
+    const detail: Detail = { page, across, ...reach, picture: null, drawing };
+    this.#coming.set(face, detail);
+    void this.#draw(face, detail);
+  }
+
+  async #draw(face: Face, detail: Detail): Promise<void> {
+    const { page, box, texels, drawing } = detail;
+    const { signal } = drawing;
+    try {
+      const size = await this.#source.size(page - 1, signal);
+      const { width, height } = size;
+      const place = this.#pictures.placeOf(page, size);
+      const dots = texels * place.width;
+      const region = onDots(within(box, place), dots, (dots * height) / width);
+      // A hair more than whole dots, which a rounding would else take one of.
+      const pixels = region.width * dots + 0.01;
+      const picture = await this.#source.draw(page - 1, pixels, signal, region);
+      if (signal.aborted) closePicture(picture);
+      signal.throwIfAborted();
+      detail.picture = picture;
+      this.#stage.setDetail(face, { picture, box: onLeaf(region, place) });
+    } catch {
+      // The page's own picture stays; why it cannot be drawn is told where that is.
+      if (signal.aborted) return;
+    }
+    this.#coming.delete(face);
+    const before = this.#shown.get(face);
+    this.#shown.set(face, detail);
+    if (before) this.#free(before);
+    this.#arrived();
+  }
+
+  #abort(face: Face): void {
+    this.#coming.get(face)?.drawing.abort(new DOMException("Not in sight.", "AbortError"));
+    this.#coming.delete(face);
+  }
+
+  #drop(face: Face): void {
+    this.#abort(face);
+    const detail = this.#shown.get(face);
+    if (detail === undefined) return;
+    this.#shown.delete(face);
+    this.#stage.setDetail(face, null);
+    this.#free(detail);
+  }
+
+  #free({ picture }: Detail): void {
+    if (picture === null) return;
+    this.#stage.forget(picture);
+    closePicture(picture);
+  }
+
+  /** The part of a face that is seen on the canvas; null for none. */
+  #boxInSight(face: Face, width: number, height: number): PageBox | null {
+    const at = Array.from({ length: strips + 1 }, (_, row) =>
+      Array.from({ length: strips + 1 }, (_, column) =>
+        this.#stage.projectOn(face, column / strips, row / strips),
+      ),
+    );
+    let [left, top, right, bottom] = [strips, strips, 0, 0];
+    for (let row = 0; row < strips; row++) {
+      for (let column = 0; column < strips; column++) {
+        const corners = [0, 1].flatMap((k) => [at[row + k][column], at[row + k][column + 1]]);
+        const [xs, ys] = [corners.map(({ x }) => x), corners.map(({ y }) => y)];
+        if (Math.max(...xs) < 0 || Math.min(...xs) > width) continue;
+        if (Math.max(...ys) < 0 || Math.min(...ys) > height) continue;
+        [left, right] = [Math.min(left, column), Math.max(right, column + 1)];
+        [top, bottom] = [Math.min(top, row), Math.max(bottom, row + 1)];
+      }
+    }
+    if (right === 0) return null;
+    return boxOf(left / strips, top / strips, right / strips, bottom / strips);
+  }
+}
+
+/** Whether a detail shows all that is in sight about as large as it is seen. */
+function serves(detail: Sighted, { box, across }: Sighted): boolean {
+  const slack = 1e-6;
+  return (
+    detail.box.x <= box.x + slack &&
+    detail.box.y <= box.y + slack &&
+    detail.box.x + detail.box.width >= box.x + box.width - slack &&
+    detail.box.y + detail.box.height >= box.y + box.height - slack &&
+    detail.across > 0.98 * across &&
+    detail.across < 1.6 * across
+  );
+}
+
+/** What is drawn for what is in sight: somewhat more of the page, as far as memory allows. */
+function reaching({ box, across }: Sighted, aspect: number): Pick<Detail, "box" | "texels"> {
+  const texels = across * finer;
+  const pixels = ({ width, height }: PageBox): number => texels ** 2 * width * (height / aspect);
+  let best = box;
+  for (const share of [beyond, beyond / 2, 0]) {
+    const [dx, dy] = [share * box.width, share * box.height];
+    best = boxOf(
+      Math.max(box.x - dx, 0),
+      Math.max(box.y - dy, 0),
+      Math.min(box.x + box.width + dx, 1),
+      Math.min(box.y + box.height + dy, 1),
+    );
+    if (pixels(best) <= mostPixels) break;
+  }
+  const longest = Math.max(best.width, best.height / aspect) * texels;
+  const fit = Math.min(Math.sqrt(mostPixels / pixels(best)), mostAlong / longest, 1);
+  return { box: best, texels: texels * fit };
+}
+
+/** A box of the leaf as a box of the page that covers `place` of it. */
+function within(box: PageBox, place: PageBox): PageBox {
+  const x = (value: number): number => clamped((value - place.x) / place.width);
+  const y = (value: number): number => clamped((value - place.y) / place.height);
+  return boxOf(x(box.x), y(box.y), x(box.x + box.width), y(box.y + box.height));
+}
+
+/** A box of a page of so many dots each way, grown to whole dots: a picture of it is neither stretched nor shifted. */
+function onDots(box: PageBox, across: number, down: number): PageBox {
+  const [left, top] = [Math.floor(box.x * across), Math.floor(box.y * down)];
+  const right = Math.max(Math.ceil((box.x + box.width) * across), left + 1);
+  const bottom = Math.max(Math.ceil((box.y + box.height) * down), top + 1);
+  return boxOf(left / across, top / down, right / across, bottom / down);
+}
+
+/** The way back. */
+function onLeaf(region: PageBox, place: PageBox): PageBox {
+  return {
+    x: place.x + region.x * place.width,
+    y: place.y + region.y * place.height,
+    width: region.width * place.width,
+    height: region.height * place.height,
+  };
+}
+
+function boxOf(left: number, top: number, right: number, bottom: number): PageBox {
+  return { x: left, y: top, width: right - left, height: bottom - top };
+}
+
+function middleOf(box: PageBox): [number, number] {
+  return [box.x + box.width / 2, box.y + box.height / 2];
+}
+
+function clamped(share: number): number {
+  return Math.min(Math.max(share, 0), 1);
+}

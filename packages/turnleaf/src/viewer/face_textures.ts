@@ -1,0 +1,127 @@
+/** Gives every face of the drawn book the best picture of its page, and asks for the pages wanted next. */
+
+import {
+  type Face,
+  faceNames,
+  faceOf,
+  facesBetween,
+  facesOfLeaf,
+  isBoardFace,
+  pagesWanted,
+} from "../book/faces.ts";
+import { type Binding, leftPage, pagesAt, rightPage } from "../book/spreads.ts";
+import type { Turning } from "../book/turning.ts";
+import type { PageBitmaps } from "../pages/page_bitmaps.ts";
+import { isTrimmed } from "../pages/page_place.ts";
+import type { BookShape } from "../stage/book_pose.ts";
+import type { BookStage } from "../stage/book_stage.ts";
+import type { CameraMotion } from "./camera_motion.ts";
+import type { OpenPage } from "./coarseness.ts";
+import type { FoldOut } from "./fold_out.ts";
+
+/** Leaves in flight whose pages are drawn as sharp as those at rest: many pass by too fast to be read. */
+const mostSharpFlights = 2;
+
+/** The spreads left and right of all that is in flight. */
+export function spreadsBetween({ flights, spread }: Turning): [low: number, high: number] {
+  return [flights[0]?.low ?? spread, flights.at(-1)?.high ?? spread];
+}
+
+/**
+ * Width in device pixels at which a page looks sharp where all of the book is
+ * shown, in steps, so that a small change of size redraws nothing.
+ */
+export function bitmapWidth(
+  { width, height, rolled, alone }: BookShape,
+  stage: BookStage,
+  viewing: CameraMotion,
+): number {
+  const [u, v] = rolled
+    ? [0.6 * width * (alone || 1), height]
+    : [width * (alone || 1), 0.4 * height];
+  // The pages of a turn are those of the rest after it.
+  const onScreen = viewing.lookAtRest(() => {
+    const spine = stage.project(rolled ? [u, 0, 0] : [0, v, 0]);
+    const edge = stage.project([u, v, 0]);
+    return Math.hypot(edge.x - spine.x, edge.y - spine.y) * stage.restingRatio;
+  });
+  return Math.min(Math.ceil((onScreen * 1.2) / 256) * 256, 2048);
+}
+
+/** Brings a book's pictures onto its stage. */
+export class FaceTextures {
+  readonly #binding: Binding;
+  readonly #stage: BookStage;
+  readonly #turning: Turning;
+  readonly #pictures: PageBitmaps;
+
+  constructor(binding: Binding, stage: BookStage, turning: Turning, pictures: PageBitmaps) {
+    this.#binding = binding;
+    this.#stage = stage;
+    this.#turning = turning;
+    this.#pictures = pictures;
+  }
+
+  /** Asks for the pages in sight and those that may come next, `width` device pixels wide. */
+  want(width: number): void {
+    const { flights, spread, destination } = this.#turning;
+    const wanted = pagesWanted(this.#binding, spread, flights, destination);
+    this.#pictures.want(wanted, width, flights.length > mostSharpFlights);
+  }
+
+  /** The page on each face. */
+  get pages(): Record<Face, number | null> {
+    return facesBetween(this.#binding, ...spreadsBetween(this.#turning));
+  }
+
+  /** The pages that lie open where nothing is in flight. */
+  get open(): OpenPage[] {
+    const { spread } = this.#turning;
+    return pagesAt(this.#binding, spread).flatMap((page) => {
+      const face = faceOf(this.#binding, spread, page);
+      return face ? [{ face, page, width: this.#pictures.sharpness(page) }] : [];
+    });
+  }
+
+  /** Shows on every face what there is, and on the flap of a fold-out that lies open. */
+  show(flap: FoldOut["parts"]): void {
+    const { pages } = this;
+    for (const face of faceNames) this.#stage.setFace(face, this.#pictureOf(face, pages[face]));
+    if (flap) {
+      const [front, back] = flap.sign === 1 ? [flap.flap, flap.back] : [flap.back, flap.flap];
+      this.#stage.setLeaf(0, "recto", front);
+      this.#stage.setLeaf(0, "verso", back);
+    }
+    const [low, high] = spreadsBetween(this.#turning);
+    this.#showUnder("left", pages.left, rightPage(this.#binding, low - 1), low - 1);
+    this.#showUnder("right", pages.right, leftPage(this.#binding, high + 1), high + 1);
+    for (const [index, flight] of this.#turning.flights.entries()) {
+      if (flight.part !== "leaf") continue;
+      const { recto, verso } = facesOfLeaf(this.#binding, flight);
+      this.#stage.setLeaf(index, "recto", this.#pictureOfPaper(recto));
+      this.#stage.setLeaf(index, "verso", this.#pictureOfPaper(verso));
+    }
+  }
+
+  /** What is seen beside a page whose leaf is cut: the page on its back, and the next that lies on its side. */
+  #showUnder(side: "left" | "right", page: number | null, behind: number | null, next: number) {
+    const isCut = page !== null && isTrimmed(this.#pictures.placeOfDrawn(page));
+    const under = side === "left" ? leftPage(this.#binding, next) : rightPage(this.#binding, next);
+    const picture = (page: number | null) =>
+      page === null ? null : this.#pictures.getIfDrawn(page);
+    this.#stage.setUnder(side, isCut ? picture(behind) : null, isCut ? picture(under) : null);
+  }
+
+  #pictureOf(face: Face, page: number | null) {
+    // A board seen by its edge alone is plain cloth rather than a page to come.
+    if (page !== null) {
+      return isBoardFace(face) ? this.#pictures.getIfDrawn(page) : this.#pictures.get(page);
+    }
+    return null;
+  }
+
+  #pictureOfPaper(page: number | null) {
+    // A book with an odd number of pages ends in a bare verso.
+    return page === null ? this.#pictures.bare : this.#pictures.get(page);
+  }
+}

@@ -1,0 +1,130 @@
+/** The fold-out that lies open, or is on its way there or back. At most one is. */
+
+import type { Surface } from "../engine/shapes.ts";
+import type { PageBitmaps, Unfolded } from "../pages/page_bitmaps.ts";
+import { foldAt } from "../pages/page_place.ts";
+import { loaded } from "../sources/loaded.ts";
+import type { BookPose, BookShape } from "../stage/book_pose.ts";
+
+/** Time in which a flap opens, seconds. */
+const openTime = 0.6;
+
+/** What folding asks and tells. */
+export interface FoldOutHooks {
+  /** Whether fold-outs can lie open at all. */
+  readonly unfolds: boolean;
+  /** Width of a leaf, device pixels. */
+  readonly width: () => number;
+  /** Other pictures are to be shown than before. */
+  readonly changed: () => void;
+  /** What bends a fold-out cannot be loaded. */
+  readonly failed: (error: unknown) => void;
+}
+
+/** A fold-out and how far it is open. */
+interface Flap {
+  readonly page: number;
+  readonly sign: 1 | -1;
+  readonly parts: Unfolded;
+  readonly flapSurface: typeof import("./flap_surface.ts").flapSurface;
+  open: number;
+  to: 0 | 1;
+}
+
+/** Opens a fold-out, and folds it in. */
+export class FoldOut {
+  readonly #pictures: PageBitmaps;
+  readonly #hooks: FoldOutHooks;
+  #flap: Flap | null = null;
+  #drawing: AbortController | null = null;
+  #waiting: ((done: boolean) => void)[] = [];
+  #surface: { open: number; surface: Surface } | null = null;
+  #version = 0;
+
+  constructor(pictures: PageBitmaps, hooks: FoldOutHooks) {
+    this.#pictures = pictures;
+    this.#hooks = hooks;
+  }
+
+  /** The page (from 1) that lies open or opens; null where none does. */
+  get page(): number | null {
+    return this.#flap?.to === 1 ? this.#flap.page : null;
+  }
+
+  /** What is printed on the flap, and the side of the book that it belongs to; null where none is seen. */
+  get parts(): (Unfolded & { readonly sign: 1 | -1 }) | null {
+    return this.#flap && { ...this.#flap.parts, sign: this.#flap.sign };
+  }
+
+  /** Opens the fold-out of a page on a side (1 right, -1 left). Resolves, once it lies open, to whether it does. */
+  async unfold(page: number, sign: 1 | -1): Promise<boolean> {
+    if (!this.#hooks.unfolds) return false;
+    this.close();
+    const drawing = new AbortController();
+    this.#drawing = drawing;
+    const width = this.#hooks.width();
+    const flap = await loaded(import("./flap_surface.ts")).catch(this.#hooks.failed);
+    if (!flap || drawing.signal.aborted) return false;
+    const parts = await this.#pictures.unfold(page, width, drawing.signal).catch(() => null);
+    if (drawing.signal.aborted || parts === null) {
+      if (parts) this.#pictures.foldIn();
+      return false;
+    }
+    const { flapSurface } = flap;
+    this.#flap = { page, sign, parts, flapSurface, open: 0, to: 1 };
+    this.#hooks.changed();
+    return await new Promise((resolve) => this.#waiting.push(resolve));
+  }
+
+  /** Folds in what lies open. Resolves once it does. */
+  async foldIn(): Promise<void> {
+    this.#drawing?.abort();
+    if (this.#flap === null) return;
+    this.#tell(false);
+    this.#flap.to = 0;
+    await new Promise((resolve) => this.#waiting.push(resolve));
+  }
+
+  /** Moves on; answers whether anything moves. */
+  step(seconds: number): boolean {
+    const flap = this.#flap;
+    if (flap === null || (flap.to === 1 && flap.open === 1)) return false;
+    const way = seconds / openTime;
+    flap.open = flap.to === 1 ? Math.min(flap.open + way, 1) : Math.max(flap.open - way, 0);
+    if (flap.open !== flap.to) return true;
+    if (flap.to === 0) this.close();
+    else this.#tell(true);
+    return false;
+  }
+
+  /** The flap over the pages as they are posed. */
+  surface(pose: BookPose, { width, height }: BookShape): Surface | null {
+    const flap = this.#flap;
+    const pile = flap?.sign === 1 ? pose.right : pose.left;
+    if (flap === null || pile === null) return null;
+    const { sign, open } = flap;
+    if (this.#surface?.open !== open) {
+      const place = { sign, open, fold: foldAt, share: flap.parts.place.width - foldAt };
+      this.#surface = {
+        open,
+        surface: flap.flapSurface(place, pile, width, height, ++this.#version),
+      };
+    }
+    return this.#surface.surface;
+  }
+
+  /** Puts everything away at once. */
+  close(): void {
+    this.#drawing?.abort();
+    this.#surface = null;
+    if (this.#flap === null) return;
+    this.#flap = null;
+    this.#pictures.foldIn();
+    this.#hooks.changed();
+    this.#tell(false);
+  }
+
+  #tell(done: boolean): void {
+    for (const resolve of this.#waiting.splice(0)) resolve(done);
+  }
+}

@@ -1,0 +1,177 @@
+/** How a reader moves the leaves, by hand and by command, and which of it begins a turn. */
+
+import { faceOf } from "../book/faces.ts";
+import { leftPage, rightPage } from "../book/spreads.ts";
+import type { Flight, Turning } from "../book/turning.ts";
+import { Side } from "../engine/phases.ts";
+import type { Place } from "../stage/book_stage.ts";
+import type { DragHit } from "./drag_state.ts";
+import type { FoldOut } from "./fold_out.ts";
+import type { Rebinder } from "./rebinder.ts";
+
+/** What steering tells of. */
+export interface LeafControlEvents {
+  /** A leaf whose corner was only lifted is turned from now on. */
+  readonly started: (flight: Flight) => void;
+  /** Something moves. */
+  readonly moved: () => void;
+}
+
+/** The leaves of one book in the reader's hands, however it is bound. */
+export class LeafControl {
+  readonly #rebinder: Pick<Rebinder, "bound">;
+  readonly #foldOut: FoldOut;
+  readonly #events: LeafControlEvents;
+  #closed = false;
+
+  constructor(binder: Pick<Rebinder, "bound">, folding: FoldOut, events: LeafControlEvents) {
+    this.#rebinder = binder;
+    this.#foldOut = folding;
+    this.#events = events;
+  }
+
+  /** What a hand at a place on the canvas (CSS pixels) could hold, or null. */
+  pick(x: number, y: number): DragHit | null {
+    const { drag: holding, peek } = this.#rebinder.bound;
+    const hold = holding.pick(x, y);
+    // Beside a corner that is lifted a hand takes that leaf, not the one under it.
+    return hold && peek.flight && hold.on === peek.side ? { ...hold, on: peek.flight } : hold;
+  }
+
+  /**
+   * A hand takes hold where `pick` found something; the leaf then follows `drag`.
+   *
+   * @param pull how far the hand has moved since, CSS pixels
+   */
+  grab(found: DragHit, hand: number, pull: Place = { x: 0, y: 0 }): boolean {
+    if (this.#closed) return false;
+    const { bound } = this.#rebinder;
+    const { drag: holding, peek } = bound;
+    const hold = bound.pulled(found, pull.x, pull.y);
+    const taken = typeof hold.on === "number" ? null : peek.take(hold.on);
+    const grabbed = holding.grab(hold, hand);
+    peek.end();
+    if (taken) this.#events.started(taken);
+    // Whoever heard of it may have taken the book away.
+    return grabbed && !this.#closed;
+  }
+
+  /** A hand that holds something moves to a place on the canvas, CSS pixels. */
+  drag(hand: number, x: number, y: number): void {
+    if (!this.#closed && this.#rebinder.bound.drag.drag(hand, x, y)) this.#events.moved();
+  }
+
+  /** A hand lets go. */
+  release(hand: number): void {
+    if (this.#closed) return;
+    const { drag: holding, turning } = this.#rebinder.bound;
+    const way = turning.holds(hand) ? holding.carried(hand) : 0;
+    if (way !== 0) void turning.press(way);
+    holding.release(hand);
+    this.#events.moved();
+  }
+
+  /** The corner of a resting leaf lifts a little, until null is told. Answers whether it does. */
+  peek(hold: DragHit | null): boolean {
+    // A page that lies unfolded keeps its corners.
+    if (this.#closed || (hold !== null && this.#foldOut.parts !== null)) return false;
+    const { peek, drag: holding, turning } = this.#rebinder.bound;
+    if (hold === null) peek.end();
+    const lifts = hold !== null && peek.begin(hold, holding.floor(hold.on === Side.right ? 1 : -1));
+    if (turning.moving) this.#events.moved();
+    return lifts;
+  }
+
+  /** Whether a place that `pick` found is on a leaf that only lifts a corner. */
+  isPeeked(hold: DragHit): boolean {
+    return hold.on === this.#rebinder.bound.peek.flight;
+  }
+
+  /** Turns a leaf to the left (1) or the right (-1), by command. Resolves as `Turning.turn` does. */
+  turn(way: 1 | -1): Promise<boolean> {
+    return this.#turn(way, (turning) => turning.turn(way));
+  }
+
+  /** Turns a leaf to the left (1) or the right (-1), as a reader asks for it. Resolves as `Turning.press` does. */
+  press(way: 1 | -1): Promise<boolean> {
+    return this.#turn(way, (turning) => turning.press(way));
+  }
+
+  /** Turns to a spread; resolves as `Turning.goTo` does. */
+  goTo(spread: number): Promise<boolean> {
+    return this.#command(
+      () => this.#rebinder.bound.turning.goTo(spread),
+      () => false,
+    );
+  }
+
+  /**
+   * Unfolds a page (from 1) that lies open and is wider than the book. Resolves,
+   * once it does, to whether it lies unfolded.
+   */
+  unfold(page: number): Promise<boolean> {
+    const { binding, turning } = this.#rebinder.bound;
+    const face = this.#closed || turning.moving ? null : faceOf(binding, turning.spread, page);
+    if (face !== "left" && face !== "right") return Promise.resolve(false);
+    return this.#foldOut.unfold(page, face === "right" ? 1 : -1);
+  }
+
+  /** Folds in the page that lies unfolded. Resolves once it does. */
+  foldIn(): Promise<void> {
+    const folded = this.#foldOut.foldIn();
+    this.#events.moved();
+    return folded;
+  }
+
+  /** A tap at a place on the canvas, CSS pixels: unfolds the fold-out there, and folds it in again. */
+  tap(x: number, y: number): void {
+    const { binding, turning } = this.#rebinder.bound;
+    if (this.#closed || turning.moving) return;
+    if (this.#foldOut.page !== null) return void this.foldIn();
+    const on = this.pick(x, y)?.on;
+    if (typeof on !== "number") return;
+    const page = (on === Side.right ? rightPage : leftPage)(binding, turning.spread);
+    if (page !== null) void this.unfold(page);
+  }
+
+  /** Nothing moves any leaf any more. */
+  close(): void {
+    this.#closed = true;
+  }
+
+  #turn(way: 1 | -1, turn: (turning: Turning) => Promise<boolean>): Promise<boolean> {
+    return this.#command(
+      () => turn(this.#rebinder.bound.turning),
+      (flight) => (flight.from === flight.low) === (way === 1),
+    );
+  }
+
+  /**
+   * A command, once what lies unfolded is folded in. While a corner is lifted,
+   * that leaf falls back, or is turned.
+   *
+   * @param turns whether the command is to turn that leaf
+   */
+  async #command(
+    order: () => Promise<boolean>,
+    turns: (flight: Flight) => boolean,
+  ): Promise<boolean> {
+    if (this.#closed) return false;
+    if (this.#foldOut.page !== null) {
+      await this.foldIn();
+      return await this.#command(order, turns);
+    }
+    const { peek } = this.#rebinder.bound;
+    const { flight } = peek;
+    if (flight === null || !turns(flight)) peek.end();
+    const done = order();
+    // Whether it was meant or only lay in the way: it is a turn from now on.
+    const turned =
+      flight !== null && (flight.to === Side.left) === (flight.from === flight.low)
+        ? peek.take(flight)
+        : null;
+    if (turned) this.#events.started(turned);
+    this.#events.moved();
+    return await done;
+  }
+}

@@ -1,0 +1,134 @@
+/** Where pages are seen, measured on the canvas in real Chromium. */
+
+import { afterEach, expect, test } from "vitest";
+import { openSource } from "../sources/open.ts";
+import { brightness, opened, settledViewer } from "../viewer_for_tests.ts";
+
+/** A page with a black square about a place of it, shares of the page. */
+function marked(x: number, y: number): { src: string } {
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [200, 300];
+  const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
+  pen.fillStyle = "#fff";
+  pen.fillRect(0, 0, 200, 300);
+  pen.fillStyle = "#000";
+  pen.fillRect(200 * x - 10, 300 * y - 10, 20, 20);
+  return { src: canvas.toDataURL("image/png") };
+}
+
+const mark = { x: 0.3, y: 0.25 };
+
+let book: Awaited<ReturnType<typeof opened>> | null = null;
+
+afterEach(() => {
+  book?.viewer.destroy();
+  book = null;
+  document.body.replaceChildren();
+});
+
+/** Opens a book of marked pages at a page. */
+async function openedAt(page: number, cover: "hard" | "none") {
+  const pages = Array.from({ length: 12 }, () => marked(mark.x, mark.y));
+  book = await opened(await openSource(pages, {}), { cover, page: () => page });
+  return book;
+}
+
+const spotOf = (place: { x: number; y: number } | null): [number, number] => [
+  place?.x ?? Number.NaN,
+  place?.y ?? Number.NaN,
+];
+
+/** Brightness of the canvas where a page's place is seen, 0 to 255. */
+async function seenAt(page: number, x: number, y: number) {
+  const place = book?.viewer.project(page, x, y);
+  return place && book ? (await brightness(book, place, 1))[0] : null;
+}
+
+/** That the mark of every page in sight, and its surroundings, are seen where they are said to be. */
+async function expectMarks(pages: readonly number[]) {
+  for (const page of pages) {
+    expect(await seenAt(page, mark.x, mark.y)).toBeLessThan(60);
+    for (const [dx, dy] of [
+      [0.12, 0],
+      [-0.12, 0],
+      [0, 0.08],
+      [0, -0.08],
+    ]) {
+      expect(await seenAt(page, mark.x + dx, mark.y + dy)).toBeGreaterThan(120);
+    }
+  }
+}
+
+test.each([
+  { page: 6, cover: "none", seen: [6, 7] },
+  { page: 6, cover: "hard", seen: [6, 7] },
+  // The boards: outside, inside and both at the other end.
+  { page: 1, cover: "hard", seen: [1] },
+  { page: 2, cover: "hard", seen: [2, 3] },
+  { page: 11, cover: "hard", seen: [10, 11] },
+  { page: 12, cover: "hard", seen: [12] },
+] as const)(
+  "a page's place is seen where it is said, page $page, cover $cover",
+  async ({ page, cover, seen }) => {
+    const { viewer } = await openedAt(page, cover);
+    await expectMarks(seen);
+    for (const page of [0, 5, 8, 13, Number.NaN]) expect(viewer.project(page, 0.5, 0.5)).toBeNull();
+  },
+);
+
+test("listeners are told of another view and of leaving it, once, and not at all of the same", async () => {
+  const { viewer } = await openedAt(6, "none");
+  let told = 0;
+  const stop = viewer.onViewChange(() => told++);
+  viewer.invalidate();
+  await expect.poll(() => viewer.settled, { timeout: 20_000 }).toBe(true);
+  expect(told).toBe(0);
+  viewer.resize(360, 300, 1);
+  await expect.poll(() => told, { timeout: 20_000 }).toBe(1);
+  expect(viewer.project(6, 0, 0)).not.toBeNull();
+  const turned = viewer.turning.turn(1);
+  viewer.invalidate();
+  expect(viewer.project(6, 0, 0)).toBeNull();
+  await expect.poll(() => told, { timeout: 20_000 }).toBeGreaterThan(1);
+  await turned;
+  await expect.poll(() => told, { timeout: 20_000 }).toBe(3);
+  expect(viewer.project(8, 0, 0)).not.toBeNull();
+  stop();
+  viewer.resize(400, 300, 1);
+  await expect.poll(() => viewer.settled, { timeout: 20_000 }).toBe(true);
+  expect(told).toBe(3);
+});
+
+test("zoomed and panned, a page's place is seen where it is said, and what is pointed at stays there", async () => {
+  const { viewer } = await openedAt(6, "hard");
+  const at = viewer.project(7, mark.x, mark.y);
+  if (at === null) throw new Error("Page 7 does not lie open.");
+  for (const level of [2, 5, 3]) {
+    viewer.zoom(level, at, at, 0);
+    await settledViewer(viewer);
+    expect(viewer.zoomLevel).toBe(level);
+    const now = viewer.project(7, mark.x, mark.y);
+    // Between what sits and what looks straight down, the heights of the pages part them a little.
+    expect(now?.x).toBeCloseTo(at.x, -1);
+    expect(now?.y).toBeCloseTo(at.y, -1);
+    expect(await seenAt(7, mark.x, mark.y)).toBeLessThan(60);
+    if (level === 5) continue;
+    expect(await seenAt(7, mark.x - 0.12, mark.y)).toBeGreaterThan(120);
+    expect(await seenAt(7, mark.x, mark.y + 0.08)).toBeGreaterThan(120);
+  }
+  const before = viewer.project(7, 0, 0);
+  viewer.zoom(3, { x: 100, y: 100 }, { x: 80, y: 110 }, 0);
+  await settledViewer(viewer);
+  const after = viewer.project(7, 0, 0);
+  expect((after?.x ?? 0) - (before?.x ?? 0)).toBeCloseTo(-20, 0);
+  expect((after?.y ?? 0) - (before?.y ?? 0)).toBeCloseTo(10, 0);
+  expect(await seenAt(7, mark.x, mark.y)).toBeLessThan(60);
+  // What a hand would take is where it is seen.
+  const hold = viewer.leafControl.pick(...spotOf(viewer.project(7, 0.9, 0.5)));
+  expect(hold?.u).toBeCloseTo(0.9, 1);
+  expect(hold?.v).toBeCloseTo(0.5, 1);
+  viewer.zoom(1, at, at, 0);
+  await settledViewer(viewer);
+  expect(viewer.project(7, mark.x, mark.y)?.x).toBeCloseTo(at.x, 3);
+  expect(viewer.project(7, mark.x, mark.y)?.y).toBeCloseTo(at.y, 3);
+});

@@ -1,0 +1,165 @@
+/** Binds one book: at first, and anew where its pages or what is wished of it changed. */
+
+import { applyPaper, type Paper } from "../book/paper.ts";
+import { pageOf, pagesAt, spineOf, spreadOf } from "../book/spreads.ts";
+import type { TurningEvents } from "../book/turning.ts";
+import type { BookEngine } from "../engine/book_engine.ts";
+import type { PageBitmaps } from "../pages/page_bitmaps.ts";
+import type { BookStage } from "../stage/book_stage.ts";
+import {
+  type Bindable,
+  type BindingLayout,
+  type BindingOptions,
+  BoundBook,
+  layOutBinding,
+} from "./bound_book.ts";
+import { defaultBinding, type ViewerOptions } from "./viewer_options.ts";
+
+/** What a binder works with. */
+export interface RebinderParts {
+  readonly book: Bindable;
+  readonly stage: BookStage;
+  readonly pictures: PageBitmaps;
+  readonly options: ViewerOptions;
+  /** Told of the turns of the book as it is bound. */
+  readonly events: TurningEvents;
+}
+
+/** The book as it is bound now, and all that waits for it to lie still. */
+export class Rebinder {
+  readonly #parts: RebinderParts;
+  #bound: BoundBook;
+  #options: BindingOptions;
+  /** The page to keep in sight however the book is bound. */
+  #place: number;
+  #mustBind = false;
+  /** Changes of the pages that wait. */
+  readonly #changes: (() => void)[] = [];
+  /** Paper that waits for the leaves in flight to land. */
+  #nextPaper: Paper | null = null;
+  #closed = false;
+
+  /** @param plan how it is bound first */
+  constructor(tools: RebinderParts, plan: BindingLayout, engine: BookEngine) {
+    this.#parts = tools;
+    this.#options = { ...defaultBinding, ...tools.options };
+    this.#place = tools.options.page();
+    this.#bound = this.#bind(plan, engine);
+  }
+
+  /** The book as it is bound now: another one after `bindAnew`. */
+  get bound(): BoundBook {
+    return this.#bound;
+  }
+
+  /** Whether there is something for `bindAnew` to do. */
+  get hasPending(): boolean {
+    return this.#mustBind || this.#changes.length > 0;
+  }
+
+  /** The book is to be bound otherwise. What is left out stays as it was. */
+  setOptions(changes: Partial<BindingOptions>): void {
+    this.#options = { ...this.#options, ...changes };
+    this.#mustBind = true;
+  }
+
+  /** The pages are to be changed, as `Viewer.changePages` says. */
+  change(change: () => (index: number) => number | null): Promise<boolean> {
+    if (this.#closed) return Promise.resolve(false);
+    return new Promise((resolve, reject) => {
+      this.#changes.push(() => {
+        if (this.#closed) return resolve(false);
+        try {
+          const moved = change();
+          this.#parts.pictures.renumber(moved);
+          this.#place = this.#placeAfter(moved);
+          this.#mustBind = true;
+          resolve(true);
+        } catch (error) {
+          reject(error);
+        }
+      });
+    });
+  }
+
+  /** Other leaves are to be made: at once, or as soon as none is in flight. */
+  setPaper(paper: Paper): void {
+    this.#nextPaper = paper;
+    this.#changePaper();
+  }
+
+  /** Whether the layout that is wished for in a room of so many CSS pixels is the one there is. */
+  suits(width: number, height: number): boolean {
+    return this.#plan(width, height).binding.layout === this.#bound.binding.layout;
+  }
+
+  /** The book lies still, or was laid open elsewhere. */
+  rested(): void {
+    this.#changePaper();
+    const { binding, turning } = this.#bound;
+    // Of two pages in sight, the one that was asked for stays the place.
+    if (!pagesAt(binding, turning.spread).includes(this.#place)) {
+      this.#place = pageOf(binding, turning.spread);
+    }
+  }
+
+  /**
+   * Does what waits, with the page in sight that is in sight now; only while nothing moves.
+   *
+   * @param width,height of the room there is, CSS pixels
+   */
+  bindAnew(width: number, height: number): void {
+    for (const change of this.#changes.splice(0)) change();
+    if (!this.#mustBind) return;
+    this.#mustBind = false;
+    const before = this.#bound;
+    const plan = this.#plan(width, height);
+    this.#parts.stage.bind(plan.shape);
+    this.#bound = this.#bind(plan, before.engine.another(plan.shape));
+    before.destroy();
+  }
+
+  /** Ends what is under way, and frees the engine's book. */
+  close(): void {
+    this.#closed = true;
+    for (const change of this.#changes.splice(0)) change();
+    this.#bound.destroy();
+  }
+
+  #plan(width: number, height: number): BindingLayout {
+    return layOutBinding(
+      this.#parts.book,
+      this.#options,
+      width,
+      height,
+      this.#bound.binding.layout,
+    );
+  }
+
+  /** Binds the book as planned, open at the page to keep in sight. */
+  #bind(plan: BindingLayout, engine: BookEngine): BoundBook {
+    const { stage, pictures, options, events } = this.#parts;
+    const bound = new BoundBook(plan, engine, stage, pictures, events);
+    pictures.bind((page) => spineOf(plan.binding, page));
+    bound.turning.seconds = options.turnSeconds();
+    applyPaper(options.paper(), engine);
+    this.#nextPaper = null;
+    bound.turning.lay(spreadOf(plan.binding, this.#place));
+    return bound;
+  }
+
+  #changePaper(): void {
+    if (this.#nextPaper === null || this.#bound.turning.flights.length > 0) return;
+    applyPaper(this.#nextPaper, this.#bound.engine);
+    this.#nextPaper = null;
+  }
+
+  /** Where the place is once pages have moved: at its own page, else behind the one before it. */
+  #placeAfter(moved: (index: number) => number | null): number {
+    for (let index = this.#place - 1; index >= 0; index--) {
+      const now = moved(index);
+      if (now !== null) return now + (index === this.#place - 1 ? 1 : 2);
+    }
+    return 1;
+  }
+}

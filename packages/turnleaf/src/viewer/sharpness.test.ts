@@ -1,0 +1,33 @@
+/** What makes pages sharper comes late, or not at all. */
+
+import { expect, test, vi } from "vitest";
+import type { OpenPage, SharpnessTools } from "./coarseness.ts";
+import { Sharpness } from "./sharpness.ts";
+
+vi.mock("./details.ts", () => {
+  throw new TypeError("Failed to fetch");
+});
+
+/** A leaf is seen a thousand pixels wide. */
+const stage = {
+  restingRatio: 1,
+  projectOn: (_: string, x: number, y: number) => ({ x: 1000 * x, y: 1500 * y }),
+} as unknown as SharpnessTools["stage"];
+
+test("nothing is loaded for pages that are sharp, and where it cannot be, that is told once", async () => {
+  const told: unknown[] = [];
+  let arrived = 0;
+  const tools = { stage, arrived: () => arrived++, failed: (error: unknown) => told.push(error) };
+  const sharpness = new Sharpness(tools as unknown as SharpnessTools);
+  const seen = (width: number): OpenPage[] => [{ face: "left", page: 2, width }];
+  for (const width of [0, 1200, Number.POSITIVE_INFINITY]) sharpness.look(seen(width), 800, 600);
+  expect(sharpness.settled).toBe(true);
+  sharpness.look(seen(500), 800, 600);
+  expect(sharpness.settled).toBe(false);
+  await expect.poll(() => sharpness.settled).toBe(true);
+  expect(arrived).toBe(1);
+  sharpness.look(seen(500), 800, 600);
+  expect(sharpness.settled).toBe(true);
+  expect(told).toHaveLength(1);
+  expect(String(told[0])).toMatch("A part of the reader failed");
+});

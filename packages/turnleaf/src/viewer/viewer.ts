@@ -1,0 +1,454 @@
+/**
+ * One book on one screen: the way from a command to a frame. It owns the
+ * engine's book, the stage that draws it and the pool of page pictures, and
+ * brings them together frame by frame while something moves. At rest it has no
+ * animation frame and no timer.
+ */
+
+import { faceOf } from "../book/faces.ts";
+import type { Paper } from "../book/paper.ts";
+import { type Binding, clampSpread, pagesAt } from "../book/spreads.ts";
+import type { Flight, Turning, TurningEvents } from "../book/turning.ts";
+import type { BookEngine } from "../engine/book_engine.ts";
+import type { ModelChoice } from "../leaf_models/model_choice.ts";
+import { leafSize } from "../pages/leaf_size.ts";
+import { PageBitmaps } from "../pages/page_bitmaps.ts";
+import type { PageBox, PageSize, PageSource } from "../sources/page_source.ts";
+import type { BookStage, Place } from "../stage/book_stage.ts";
+import type { Zoom } from "../stage/zoom.ts";
+import {
+  type Bindable,
+  type BindingLayout,
+  type BindingOptions,
+  type BoundBook,
+  layOutBinding,
+} from "./bound_book.ts";
+import { CameraMotion } from "./camera_motion.ts";
+import { CrossFade } from "./cross_fade.ts";
+import { bitmapWidth } from "./face_textures.ts";
+import { FoldOut } from "./fold_out.ts";
+import { FrameQuality } from "./frame_quality.ts";
+import { LeafControl } from "./leaf_control.ts";
+import { ModelSwitch } from "./model_switch.ts";
+import { Rebinder } from "./rebinder.ts";
+import { Sharpness } from "./sharpness.ts";
+import { Stillness } from "./stillness.ts";
+import { ViewHistory } from "./view_history.ts";
+import { type Backend, defaultBinding, type ViewerOptions } from "./viewer_options.ts";
+
+export type { Zoom } from "../stage/zoom.ts";
+export type { Backend, ViewerOptions } from "./viewer_options.ts";
+
+/** How much of the width of its place, as high as its leaves need, an open book takes. */
+const fullness = 0.9;
+
+/** One book on one canvas. */
+export class Viewer {
+  /** How the reader moves its leaves. */
+  readonly leafControl: LeafControl;
+  readonly #options: ViewerOptions;
+  readonly #stage: BookStage;
+  readonly #camera: CameraMotion;
+  readonly #bitmaps: PageBitmaps;
+  readonly #crossFade: CrossFade;
+  readonly #sharpness: Sharpness;
+  readonly #foldOut: FoldOut;
+  readonly #modelSwitch: ModelSwitch;
+  readonly #viewHistory = new ViewHistory();
+  readonly #stillness = new Stillness();
+  readonly #frameQuality = new FrameQuality();
+  readonly #rebinder: Rebinder;
+  /** The window in which the canvas is seen: another's frames stop when that one is hidden. */
+  readonly #window: Window;
+  #cssWidth = 0;
+  #cssHeight = 0;
+  #frame = 0;
+  #handled = false;
+  #destroyed = false;
+
+  private constructor(
+    canvas: HTMLCanvasElement,
+    source: PageSource,
+    book: Bindable,
+    plan: BindingLayout,
+    engine: BookEngine,
+    stage: BookStage,
+    options: ViewerOptions,
+    backend: Backend,
+  ) {
+    this.#options = options;
+    this.#window = canvas.ownerDocument.defaultView ?? window;
+    this.#stage = stage;
+    this.#stage.onRestored = () => this.invalidate();
+    this.#stage.onGone = () => options.onContextLost?.();
+    this.#crossFade = new CrossFade(canvas, (from) => options.onRest(from, this.turning.spread));
+    this.#camera = new CameraMotion(stage);
+    this.#bitmaps = new PageBitmaps(source, book.leaf, {
+      slowText: options.slowText,
+      onArrive: (page) => {
+        this.#show();
+        const sentence = this.#bitmaps.failure(page);
+        if (sentence === null || this.#destroyed) return;
+        const isOpen = pagesAt(this.binding, this.turning.spread).includes(page);
+        options.onFailure(page, sentence, isOpen);
+      },
+      onDrop: (picture) => this.#stage.forget(picture),
+    });
+    const arrived = (): void => this.invalidate();
+    const failed = (error: unknown): void => options.onMissingPart?.(error);
+    const { aspect } = book;
+    const pictures = this.#bitmaps;
+    this.#sharpness = new Sharpness({ source, stage, aspect, pictures, arrived, failed });
+    this.#foldOut = new FoldOut(this.#bitmaps, {
+      unfolds: stage.unfolds,
+      width: () => this.#pictureWidth,
+      changed: () => this.#show(),
+      failed,
+    });
+    this.#modelSwitch = new ModelSwitch(backend.models, failed);
+    if (options.model) void this.setModel(options.model());
+    const events: TurningEvents = {
+      started: (flight) => {
+        this.#foldOut.close();
+        this.#show();
+        if (!this.#bound.peek.isLifting) this.#tellStart(flight);
+      },
+      landed: () => this.#show(),
+      rested: (from, to) => {
+        this.#rebinder.rested();
+        options.onRest(from, to);
+      },
+    };
+    const tools = { book, stage, pictures: this.#bitmaps, options, events };
+    this.#rebinder = new Rebinder(tools, plan, engine);
+    this.leafControl = new LeafControl(this.#rebinder, this.#foldOut, {
+      started: (flight) => this.#tellStart(flight),
+      moved: arrived,
+    });
+  }
+
+  /**
+   * Opens a book on a canvas.
+   * Rejects with a `BookError` where no page's size can be had, or
+   * with an `Error` where WebGL 2 or WebAssembly is not to be had.
+   */
+  static async open(
+    canvas: HTMLCanvasElement,
+    source: PageSource,
+    options: ViewerOptions,
+    backend: Backend,
+    signal: AbortSignal,
+  ): Promise<Viewer> {
+    const leaf = await leafSize(source, signal);
+    const book = { source, leaf, aspect: leaf.width / leaf.height };
+    const { clientWidth, clientHeight } = canvas;
+    const plan = layOutBinding(book, { ...defaultBinding, ...options }, clientWidth, clientHeight);
+    const engine = await backend.engine(plan.shape);
+    signal.throwIfAborted();
+    const stage = backend.stage(canvas, plan.shape);
+    return new Viewer(canvas, source, book, plan, engine, stage, options, backend);
+  }
+
+  /** The part of its leaf that a page (from 1) of some size covers, shares from the upper left corner. */
+  placeOf(page: number, size: PageSize): PageBox {
+    return this.#bitmaps.placeOf(page, size);
+  }
+
+  /** How the book is bound now. Another once `rebind` has done its work. */
+  get binding(): Binding {
+    return this.#bound.binding;
+  }
+
+  /** Width over height of a place that two pages fill with the room that their leaves need. */
+  get placeRatio(): number {
+    const { width, height, rolled } = this.#bound.shape;
+    const pages = rolled ? height / (2 * width) : (2 * width) / height;
+    return fullness * pages;
+  }
+
+  /** Where the book lies open and how it gets elsewhere; another with every binding. */
+  get turning(): Turning {
+    return this.#bound.turning;
+  }
+
+  /**
+   * Binds the book anew, as soon as it lies still, with the page in sight that
+   * is in sight now. What is left out stays as it was.
+   */
+  rebind(changes: Partial<BindingOptions>): void {
+    this.#rebinder.setOptions(changes);
+    this.#bindSoon();
+  }
+
+  /**
+   * Changes the book's pages, as soon as it lies still; the page in sight stays,
+   * or the one that lies in its place does.
+   *
+   * Resolves to whether it was done: not where the book was taken away before.
+   * Rejects as `change` throws.
+   *
+   * @param change changes the source and answers where a page (from 0) lies then, null where it is gone
+   */
+  changePages(change: () => (index: number) => number | null): Promise<boolean> {
+    const changed = this.#rebinder.change(change);
+    this.#bindSoon();
+    return changed;
+  }
+
+  /** Fits the book to the canvas's size in CSS pixels. */
+  resize(cssWidth: number, cssHeight: number, pixelRatio: number): void {
+    this.#cssWidth = cssWidth;
+    this.#cssHeight = cssHeight;
+    this.#stage.resize(cssWidth, cssHeight, pixelRatio);
+    if (!this.#rebinder.suits(cssWidth, cssHeight)) this.rebind({});
+    this.#show();
+  }
+
+  /** Opens the book at a spread (clamped to the book) without a turn. */
+  lay(spread: number): void {
+    this.#foldOut.close();
+    this.turning.lay(clampSpread(this.binding, spread));
+    this.#rebinder.rested();
+    this.#bindAnew();
+    this.#show();
+  }
+
+  /**
+   * Opens the book at a spread (clamped to the book) without turning leaves: by a
+   * quiet cross-fade, or at once. Resolves, once that is over, to whether the book lies there.
+   *
+   * @param by resolves to true also where the book lies farther on (1) or back (-1) then
+   */
+  change(spread: number, fades: boolean, by: 1 | 0 | -1 = 0): Promise<boolean> {
+    const from = this.turning.restedAt;
+    const to = clampSpread(this.binding, spread);
+    if (to !== from) this.#options.onStart(Math.min(from, to), Math.max(from, to), to > from);
+    // Whoever hears of it may take the book away at once.
+    if (this.#destroyed) return Promise.resolve(false);
+    if (to !== from || this.turning.moving) {
+      if (fades) {
+        this.#stage.draw({ resting: true });
+        this.#crossFade.begin(from);
+      }
+      this.lay(to);
+      if (!this.#crossFade.isOn) this.#options.onRest(from, to);
+    }
+    if (!this.#crossFade.isOn) return Promise.resolve(true);
+    return this.#crossFade.promise((at) => (by === 0 ? at === to : (at - to) * by >= 0));
+  }
+
+  /** Makes the leaves of another paper: at once, or as soon as none is in flight. */
+  setPaper(paper: Paper): void {
+    this.leafControl.peek(null);
+    this.#rebinder.setPaper(paper);
+  }
+
+  /** Turns the leaves in another way, as soon as it is loaded and none is in flight. */
+  async setModel(choice: ModelChoice): Promise<void> {
+    await this.#modelSwitch.choose(choice);
+    this.#bindSoon();
+  }
+
+  /** Draws a page (from 1) anew, as its source shows something else there now. */
+  redraw(page: number): void {
+    if (this.#destroyed) return;
+    this.#bitmaps.redraw(page);
+    this.#sharpness.redraw(page);
+    this.invalidate();
+  }
+
+  /** Asks for a frame, unless one is already asked for. */
+  invalidate(): void {
+    this.#stillness.stir();
+    this.#askForFrame();
+  }
+
+  /** How near the book is seen, from 1 for all of it to 8; on the way there, what it leads to. */
+  get zoomLevel(): number {
+    return this.#camera.level;
+  }
+
+  /**
+   * Shows the book at a level so that what is seen at `from` comes to `to`, CSS
+   * pixels on the canvas, as far as the book reaches.
+   *
+   * @param seconds that it takes; 0 at once
+   */
+  zoom(level: number, from: Place, to: Place, seconds: number): void {
+    if (this.#destroyed || !(level > 0)) return;
+    this.#bound.peek.end();
+    const before = this.#camera.level;
+    this.#camera.zoom(level, from, to, seconds);
+    this.invalidate();
+    if (this.#camera.level !== before) this.#options.onZoom?.(this.#camera.level);
+  }
+
+  /** What is shown of the book, or on the way to being; setting it shows that at once, as far as the book reaches. */
+  get view(): Zoom {
+    return this.#camera.view;
+  }
+
+  set view(view: Zoom) {
+    if (this.#destroyed) return;
+    this.#camera.view = view;
+    this.invalidate();
+  }
+
+  /** Whether fingers are at the view: frames are drawn as while something moves, and none sharper between them. */
+  set handled(handled: boolean) {
+    this.#handled = handled;
+    this.invalidate();
+  }
+
+  /**
+   * Where a place on a page is seen, CSS pixels from the canvas's upper left
+   * corner; null where that page does not lie open, or leaves are in flight.
+   *
+   * @param page from 1
+   * @param x,y shares of the page from its upper left corner
+   */
+  project(page: number, x: number, y: number): Place | null {
+    if (this.#destroyed || this.#cssWidth === 0) return null;
+    if (this.turning.moving && this.#bound.peek.flight === null) return null;
+    const face = faceOf(this.binding, this.turning.spread, page);
+    if (face === null || !this.#bitmaps.isBare(page, x)) return null;
+    return this.#stage.projectOn(face, x, y);
+  }
+
+  /**
+   * Calls `listener` after a frame in which the book came to rest: other pages
+   * lie open, or they are seen elsewhere, or the same lie still again; and after
+   * the first frame in which it leaves that rest, with whether it rests. What
+   * `project` answers then holds until the next call. Answers how to take the listener away.
+   */
+  onViewChange(listener: (rests: boolean) => void): () => void {
+    return this.#viewHistory.add(listener);
+  }
+
+  /** Whether every page in sight is shown at its full sharpness. */
+  get settled(): boolean {
+    // Before there is room for the book no page is asked for, so none is missing.
+    if (this.#cssWidth === 0 || this.#frame !== 0 || this.#stage.isLost) return false;
+    return this.#bitmaps.settled && this.#sharpness.settled;
+  }
+
+  /** Whether, besides, the model that turns them is there, and the pages that a turn may bring into sight are drawn, as far as memory allows. */
+  get ready(): boolean {
+    return this.settled && this.#bitmaps.ready && this.#modelSwitch.ready;
+  }
+
+  /** Stops everything and frees what the graphics card and the engine hold. */
+  destroy(): void {
+    if (this.#destroyed) return;
+    this.#destroyed = true;
+    this.#window.cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    this.#crossFade.close();
+    this.leafControl.close();
+    this.#foldOut.close();
+    this.#modelSwitch.close();
+    this.#rebinder.close();
+    this.#sharpness.close();
+    this.#bitmaps.close();
+    this.#stage.destroy();
+  }
+
+  #askForFrame(): void {
+    if (this.#destroyed || this.#frame !== 0) return;
+    this.#frame = this.#window.requestAnimationFrame((now) => this.#draw(now));
+  }
+
+  #draw(now: number): void {
+    this.#frame = 0;
+    const {
+      ticks,
+      engine: { tick },
+    } = this.#bound;
+    const passed = ticks.count(now);
+    const seconds = passed * tick;
+    // Without a turn nothing in the engine has moved since the book was laid open.
+    const turned = this.turning.moving;
+    const turning = turned && this.turning.step(passed);
+    // Whoever hears of a turn may take the book away at once.
+    if (this.#destroyed) return;
+    if (turned) this.#modelSwitch.update(this.#bound, seconds);
+    if (!turning) this.#bindAnew();
+    if (this.#destroyed) return;
+    const { peek } = this.#bound;
+    peek.step(seconds);
+    const folding = this.#foldOut.step(seconds);
+    const stepping = this.#camera.step(seconds) || folding;
+    const posed = this.#bound.pose();
+    const flap = this.#foldOut.surface(posed, this.#bound.shape);
+    const pose = { ...this.#modelSwitch.pose(posed), flap };
+    if (stepping) this.#bound.drag.follow();
+    // What is held quite still takes no more frames until the hand moves.
+    const still =
+      turning &&
+      this.turning.inHand &&
+      this.#stillness.check([...posed.leaves, ...this.#modelSwitch.sheets]);
+    const moving = (turning && !still) || stepping;
+    const resting = !moving && !this.#handled;
+    // Of a view that fingers move, the next frame comes when they do.
+    if (moving) this.#frameQuality.frame(now);
+    else this.#frameQuality.rest();
+    const { pixels, roughly } = this.#frameQuality.quality;
+    this.#stage.pose(pose, roughly && !resting);
+    this.#options.onMotion?.(posed, seconds, turning && !still);
+    this.#stage.draw({ resting, pixels });
+    this.#bitmaps.paused = !resting;
+    this.#crossFade.step(now, this.turning.spread);
+    if (this.#destroyed) return;
+    if (moving || this.#crossFade.isOn) this.#askForFrame();
+    else ticks.stop();
+    if (!resting) this.#sharpness.pause();
+    else if (!turning) {
+      this.#sharpness.look(this.#bound.faceTextures.open, this.#cssWidth, this.#cssHeight);
+    }
+    const gone = stepping || this.#handled || this.#crossFade.isOn || (turning && !peek.flight);
+    this.#viewHistory.update(gone ? "" : `${this.turning.spread} ${this.#stage.viewKey}`);
+  }
+
+  #tellStart({ low, high, from }: Flight): void {
+    this.#options.onStart(low, high, from === low);
+  }
+
+  get #bound(): BoundBook {
+    return this.#rebinder.bound;
+  }
+
+  /** Does what waits for the book to lie still as soon as it does. */
+  #bindSoon(): void {
+    this.leafControl.peek(null);
+    if (!this.turning.moving) this.#bindAnew();
+  }
+
+  /** Does what waited for the book to lie still. */
+  #bindAnew(): void {
+    if (this.#destroyed) return;
+    this.#modelSwitch.rest();
+    if (!this.#rebinder.hasPending) return;
+    this.#foldOut.close();
+    this.#sharpness.close();
+    const before = this.binding;
+    this.#rebinder.bindAnew(this.#cssWidth, this.#cssHeight);
+    this.#viewHistory.forget();
+    const { edge, layout } = this.binding;
+    if (edge !== before.edge || layout !== before.layout) this.#options.onLayout?.();
+    this.#show();
+  }
+
+  /** Brings every face's picture up to date, and asks for the pages wanted next. */
+  #show(): void {
+    if (this.#destroyed) return;
+    const { faceTextures: picturing } = this.#bound;
+    if (this.#cssWidth > 0) picturing.want(this.#pictureWidth);
+    picturing.show(this.#foldOut.parts);
+    this.#sharpness.keep(picturing.pages);
+    this.invalidate();
+  }
+
+  get #pictureWidth(): number {
+    return bitmapWidth(this.#bound.shape, this.#stage, this.#camera);
+  }
+}

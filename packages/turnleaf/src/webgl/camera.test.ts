@@ -1,0 +1,126 @@
+import { expect, test } from "vitest";
+import type { BookShape } from "../stage/book_pose.ts";
+import { axesOf, type Framing, fieldOfView, fitPoints, frameBook, type View } from "./camera.ts";
+
+const shape: BookShape = {
+  width: 0.13,
+  height: 0.2,
+  thickness: 0.02,
+  leaves: 200,
+  cover: "hard",
+  rim: 0.0032,
+  cloth: "#6a2a26",
+  kind: "typeset",
+  rolled: false,
+  alone: 0,
+};
+const rim = 0.0032;
+const framing = (part: Partial<Framing>): Framing => ({
+  closedRight: 0,
+  closedLeft: 0,
+  middle: 0,
+  boardEdges: [],
+  flapEdge: [],
+  ...part,
+});
+
+/** A point's place in the picture: -1 to 1 both ways. */
+function seen(view: View, aspect: number, point: [number, number, number]): [number, number] {
+  const away = point.map((p, k) => p - view.position[k]);
+  const dot = (axis: number[]): number => axis.reduce((sum, a, k) => sum + a * away[k], 0);
+  const half = Math.tan((fieldOfView * Math.PI) / 360);
+  const depth = -dot(view.back);
+  return [dot(view.right) / (depth * half * aspect), dot(view.up) / (depth * half)];
+}
+
+const corners: [number, number, number][] = [-1, 1].flatMap((side) =>
+  [-rim, shape.height + rim].flatMap((y) =>
+    [0, shape.thickness / 2].map((z): [number, number, number] => [
+      side * (shape.width + rim + shape.thickness / 2),
+      y,
+      z,
+    ]),
+  ),
+);
+
+test("the open book is in the picture and fills it one way, at any shape of canvas", () => {
+  for (const aspect of [0.4, 0.75, 1, 1.6, 2.4, 4]) {
+    const view = frameBook(shape, framing({}), aspect, rim);
+    const places = corners.map((corner) => seen(view, aspect, corner));
+    for (const [x, y] of places) {
+      expect(Math.abs(x)).toBeLessThan(1);
+      expect(Math.abs(y)).toBeLessThan(1);
+    }
+    const wide = Math.max(...places.map(([x]) => Math.abs(x)));
+    const low = Math.min(...places.map(([, y]) => y));
+    expect(wide > 0.92 || low < -0.85).toBe(true);
+  }
+});
+
+test("an open book stands in the middle from side to side", () => {
+  for (const middle of [-0.01, 0, 0.01]) {
+    const view = frameBook(shape, framing({ middle }), 1.6, rim);
+    expect(view.position[0]).toBeCloseTo(middle, 9);
+  }
+});
+
+test("a leaf that stands nearly upright stays in the picture", () => {
+  const view = frameBook(shape, framing({}), 1.6, rim);
+  for (let k = 1; k < 12; k++) {
+    const angle = (k * Math.PI) / 12;
+    const [x, z] = [0.96 * shape.width * Math.cos(angle), 0.96 * shape.width * Math.sin(angle)];
+    expect(seen(view, 1.6, [x, shape.height, z])[1]).toBeLessThan(1);
+  }
+});
+
+test("a closed book is in the middle of the picture", () => {
+  for (const [part, sign] of [
+    [{ closedRight: 1 }, 1],
+    [{ closedLeft: 1 }, -1],
+  ] as const) {
+    const view = frameBook(shape, framing(part), 1.6, rim);
+    const [x, y] = seen(view, 1.6, [(sign * shape.width) / 2, shape.height / 2, 0.01]);
+    expect(Math.abs(x)).toBeLessThan(0.1);
+    expect(Math.abs(y)).toBeLessThan(0.15);
+  }
+});
+
+test("both closed sides mirror each other", () => {
+  const right = frameBook(shape, framing({ closedRight: 0.7 }), 1.3, rim);
+  const left = frameBook(shape, framing({ closedLeft: 0.7 }), 1.3, rim);
+  expect(left.position[0]).toBeCloseTo(-right.position[0], 9);
+  expect(left.position[1]).toBeCloseTo(right.position[1], 9);
+  expect(left.position[2]).toBeCloseTo(right.position[2], 9);
+});
+
+test("nothing jumps while a board swings", () => {
+  let before: View | undefined;
+  for (let k = 0; k <= 1000; k++) {
+    const closedRight = k / 1000;
+    const angle = Math.PI * (1 - closedRight);
+    const boardEdges = [0.127 * Math.cos(angle), 0.127 * Math.sin(angle)];
+    const view = frameBook(shape, framing({ closedRight, boardEdges }), 1.6, rim);
+    if (before) {
+      const step = Math.hypot(...view.position.map((p, i) => p - before!.position[i]));
+      expect(step).toBeLessThan(0.004);
+    }
+    before = view;
+  }
+});
+
+test("the fit touches its bounds and passes none", () => {
+  const axes = axesOf(1.2, 0.3);
+  const points = [0, 0, 0, 0.3, 0.1, 0.02, -0.1, 0.25, 0.1, 0.05, -0.2, 0];
+  const margins = { sides: 0.05, top: 0.02, bottom: 0.08 };
+  const [across, along, distance] = fitPoints(points, axes, 1.5, margins);
+  const position = [0, 1, 2].map(
+    (k) => axes.right[k] * across + axes.up[k] * along + axes.back[k] * distance,
+  ) as [number, number, number];
+  const view: View = { position, ...axes, distance };
+  const room: number[] = [];
+  for (let k = 0; k < points.length; k += 3) {
+    const [x, y] = seen(view, 1.5, [points[k], points[k + 1], points[k + 2]]);
+    room.push(0.9 - Math.abs(x), 0.96 - y, y + 0.84);
+  }
+  expect(Math.min(...room)).toBeCloseTo(0, 9);
+});

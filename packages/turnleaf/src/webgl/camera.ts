@@ -1,0 +1,313 @@
+/**
+ * Where the camera stands so that the book fills the canvas. Pure arithmetic, no three.js.
+ *
+ * A leaf that stands upright is seen above the head of the book, so the picture holds the space in which
+ * leaves swing, whether one does or not: the book stays where it is when a leaf is taken, and nothing of
+ * the leaf is cut off. How much room that takes depends on the eye alone: the steeper it looks and the
+ * longer its lens, the less (docs/decisions/0016-the-book-stands-still.md).
+ */
+
+import type { BookShape } from "../stage/book_pose.ts";
+import { type CanvasFraction, overheadAt, type Sight } from "../stage/zoom.ts";
+
+/** Vertical field of view, degrees. */
+export const fieldOfView = 12;
+
+/** The camera's place and its three axes in book space. */
+export interface View {
+  position: [number, number, number];
+  right: [number, number, number];
+  up: [number, number, number];
+  /** Out of the picture, toward the reader. */
+  back: [number, number, number];
+  /** From the camera to the middle of the book, metres. */
+  distance: number;
+}
+
+/** Free room between the book and the canvas, as shares of the canvas. */
+export interface Margins {
+  sides: number;
+  top: number;
+  bottom: number;
+}
+
+/** Place across the picture, along it, and distance from the origin: what a fit yields. */
+type Fit = [across: number, along: number, distance: number];
+
+/**
+ * Degrees above the table from which an open book, one page of it, and a closed book are seen: of pages
+ * that are half as high again as they are wide, or higher still. Wider leaves rise farther above the head
+ * and are seen from steeper above, so that they do so by no larger fraction of the page's height.
+ */
+const openElevation = 78;
+const aloneElevation = 82;
+const closedElevation = 66;
+const usualHeight = 1.5;
+/** A closed book is seen from a little beside its spine, degrees. */
+const closedAzimuth = 9;
+
+const radians = Math.PI / 180;
+
+/** Around an open book, around one page of it, and around a closed one. */
+const openMargins: Margins = { sides: 0.035, top: 0.012, bottom: 0.05 };
+const aloneMargins: Margins = { sides: 0.012, top: 0.012, bottom: 0.03 };
+const closedMargins: Margins = { sides: 0.12, top: 0.1, bottom: 0.1 };
+
+/** How much beyond the spine is seen beside a page that stands alone, as a share of its width. */
+const sliver = 0.03;
+
+/**
+ * Half axes of the ellipse in which the outer edge of a leaf swings about the spine, as fractions of the
+ * leaf's width; a leaf that a hand stretches upright comes within one hundredth of the upper. And how far
+ * beyond the foot the edge of a wide leaf hangs that is led by its head, likewise.
+ */
+const swing = { across: 0.97, up: 0.96, dip: 0.07 };
+
+/** What the camera needs to know of a pose. */
+export interface Framing {
+  /** 0 open, 1 closed over the right block. */
+  closedRight: number;
+  /** 0 open, 1 closed over the left block. */
+  closedLeft: number;
+  /** Middle of the open book across the spine, metres. */
+  middle: number;
+  /** x, z of the outer edges of the boards, which stay in the picture as they swing. */
+  boardEdges: number[];
+  /** x, z of the outer edge of a fold-out that lies open; empty for none. */
+  flapEdge: number[];
+}
+
+/**
+ * The view that frames the book, a continuous function of the framing.
+ *
+ * @param overhead 0 from where a reader sits, 1 from right over the book
+ */
+export function frameBook(
+  shape: BookShape,
+  framing: Framing,
+  aspect: number,
+  rim: number,
+  overhead = 0,
+): View {
+  const right = ease(framing.closedRight);
+  const left = ease(framing.closedLeft);
+  const closed = Math.min(1, right + left);
+  const { alone } = shape;
+  const opened = elevationOf(shape);
+  const seated = opened + (closedElevation - opened) * closed;
+  const elevation = seated + (90 - seated) * overhead;
+  const azimuth = closedAzimuth * (left - right) * (1 - overhead);
+  const axes = axesOf(elevation * radians, azimuth * radians, shape.rolled);
+  const open =
+    alone === 0
+      ? fitPoints(openPoints(shape, framing, rim), axes, aspect, openMargins)
+      : fitPoints(alonePoints(shape, framing, alone), axes, aspect, aloneMargins);
+  const fit: Fit = [...open];
+  for (const [share, sign] of [
+    [right, 1],
+    [left, -1],
+  ]) {
+    if (share <= 0) continue;
+    const shut = fitPoints(closedPoints(shape, framing, sign, rim), axes, aspect, closedMargins);
+    for (let k = 0; k < 3; k++) fit[k] += (shut[k] - open[k]) * share;
+  }
+  return viewOf(fit, axes);
+}
+
+/** Degrees above the table from which an open book is seen, or a page of it that stands alone. */
+function elevationOf({ width, height, alone }: BookShape): number {
+  const upright = alone === 0 ? openElevation : aloneElevation;
+  const wide = Math.min(height / width / usualHeight, 1);
+  return Math.atan(Math.tan(upright * radians) / wide) / radians;
+}
+
+/** The picture of the whole book that zoom `level` magnifies. */
+export function sightOf(
+  shape: BookShape,
+  framing: Framing,
+  aspect: number,
+  rim: number,
+  level: number,
+): Sight {
+  const view = frameBook(shape, framing, aspect, rim, overheadAt(level));
+  const { position, right, up, back } = view;
+  const half = Math.tan(0.5 * fieldOfView * radians);
+  const plane = shape.thickness / 2;
+  const seen = (x: number, y: number): CanvasFraction => {
+    const away = [x - position[0], y - position[1], plane - position[2]];
+    const reach = -2 * half * along(back, away, 0);
+    return [0.5 + along(right, away, 0) / (reach * aspect), 0.5 - along(up, away, 0) / reach];
+  };
+  const point = ([x, y]: CanvasFraction): CanvasFraction => {
+    const [across, rise] = [(2 * x - 1) * half * aspect, (1 - 2 * y) * half];
+    const way = (k: number): number => across * right[k] + rise * up[k] - back[k];
+    const t = (plane - position[2]) / way(2);
+    return [position[0] + t * way(0), position[1] + t * way(1)];
+  };
+  const places = sidesOf(shape, framing, rim).flatMap((x) =>
+    [-rim, shape.height + rim].map((y) => seen(x, y)),
+  );
+  const [xs, ys] = [0, 1].map((k) => places.map((place) => place[k]));
+  return {
+    seen,
+    point,
+    book: [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)],
+  };
+}
+
+/** x of the book's outline at either side, metres: open, closed, or on the way between. */
+function sidesOf({ width, thickness, alone }: BookShape, framing: Framing, rim: number): number[] {
+  if (alone !== 0) return [-sliver * alone * width, alone * width];
+  const reach = width + rim + thickness / 2;
+  const { closedRight, closedLeft, middle } = framing;
+  return [middle - (1 - ease(closedRight)) * reach, middle + (1 - ease(closedLeft)) * reach];
+}
+
+/**
+ * The three axes in book space of a camera `elevation` above the table that is
+ * turned `azimuth` about the upright, radians.
+ *
+ * @param rolled whether the camera stands where the book's right side is near
+ */
+export function axesOf(
+  elevation: number,
+  azimuth: number,
+  rolled = false,
+): Pick<View, "right" | "up" | "back"> {
+  const [ce, se, ca, sa] = [
+    Math.cos(elevation),
+    Math.sin(elevation),
+    Math.cos(azimuth),
+    Math.sin(azimuth),
+  ];
+  const turned = (x: number, y: number, z: number): [number, number, number] =>
+    rolled ? [-y, x, z] : [x, y, z];
+  return {
+    right: turned(ca, sa, 0),
+    up: turned(-sa * se, ca * se, ce),
+    back: turned(sa * ce, -ca * ce, se),
+  };
+}
+
+/**
+ * The nearest camera with these axes whose picture holds every point within
+ * the margins. Each bound is linear in the camera's place, so the answer is exact.
+ *
+ * @param points x, y, z of each
+ */
+export function fitPoints(
+  points: readonly number[],
+  axes: Pick<View, "right" | "up" | "back">,
+  aspect: number,
+  margins: Margins,
+): Fit {
+  const half = Math.tan(0.5 * fieldOfView * radians);
+  const across = half * aspect * (1 - 2 * margins.sides);
+  const above = half * (1 - 2 * margins.top);
+  const below = half * (1 - 2 * margins.bottom);
+  // A camera at distance d sees a point within the bound `slope` where
+  // |place - centre| <= slope * (d - height), height being along `back`.
+  const bounds = [-Infinity, -Infinity, -Infinity, -Infinity];
+  for (let k = 0; k < points.length; k += 3) {
+    const x = along(axes.right, points, k);
+    const y = along(axes.up, points, k);
+    const height = along(axes.back, points, k);
+    bounds[0] = Math.max(bounds[0], x + across * height);
+    bounds[1] = Math.max(bounds[1], -x + across * height);
+    bounds[2] = Math.max(bounds[2], y + above * height);
+    bounds[3] = Math.max(bounds[3], -y + below * height);
+  }
+  const distance = Math.max(
+    (bounds[0] + bounds[1]) / (2 * across),
+    (bounds[2] + bounds[3]) / (above + below),
+  );
+  return [
+    (bounds[0] - bounds[1]) / 2,
+    // Spare room above and below is shared as the margins are.
+    (bounds[2] - above * distance + (below * distance - bounds[3])) / 2,
+    distance,
+  ];
+}
+
+function viewOf(fit: Fit, axes: Pick<View, "right" | "up" | "back">): View {
+  const place = (k: number): number =>
+    axes.right[k] * fit[0] + axes.up[k] * fit[1] + axes.back[k] * fit[2];
+  return { position: [place(0), place(1), place(2)], ...axes, distance: fit[2] };
+}
+
+/** Corners of the open book, and where a leaf swings. */
+function openPoints(shape: BookShape, framing: Framing, rim: number): number[] {
+  const { width, height, thickness } = shape;
+  const reach = width + rim + thickness / 2;
+  const points: number[] = [];
+  for (const x of [framing.middle - reach, framing.middle + reach]) {
+    for (const y of [-rim, height + rim]) points.push(x, y, 0, x, y, thickness / 2);
+  }
+  addSwing(points, shape, () => true);
+  addBoards(points, shape, framing, rim);
+  return points;
+}
+
+/** Corners of one page and a sliver beyond the spine, and where its leaf swings until it is upright. */
+function alonePoints(shape: BookShape, framing: Framing, sign: number): number[] {
+  const { width, height, thickness } = shape;
+  const points: number[] = [];
+  // Out of a thick book's gutter pages rise first, and so reach less far.
+  const reach = width - 0.35 * thickness;
+  for (const x of [-sliver * sign * width, sign * reach]) {
+    for (const y of [0, height]) points.push(x, y, 0, x, y, thickness);
+  }
+  addSwing(points, shape, (x) => x * sign > 0 && Math.abs(x) < reach);
+  addEdges(points, shape, framing.flapEdge, 0);
+  return points;
+}
+
+/** Where the outer corners of a leaf swing. */
+function addSwing(
+  points: number[],
+  { width, height }: BookShape,
+  isSeen: (x: number) => boolean,
+): void {
+  // Of leaves no wider than usual ones it stays within the margin.
+  const wide = Math.min(Math.max((width / height - 0.7) / 0.3, 0), 1);
+  const foot = -swing.dip * wide * width;
+  for (let k = 1; k < 12; k++) {
+    const angle = (k * Math.PI) / 12;
+    const x = swing.across * width * Math.cos(angle);
+    const z = swing.up * width * Math.sin(angle);
+    if (!isSeen(x)) continue;
+    points.push(x, height, z, x, foot, z);
+  }
+}
+
+function closedPoints(shape: BookShape, framing: Framing, sign: number, rim: number): number[] {
+  const points: number[] = [];
+  for (const x of [-rim, shape.width + rim]) {
+    for (const y of [-rim, shape.height + rim]) {
+      for (const z of [0, shape.thickness + rim]) points.push(sign * x, y, z);
+    }
+  }
+  addBoards(points, shape, framing, rim);
+  return points;
+}
+
+function addBoards(points: number[], shape: BookShape, framing: Framing, rim: number): void {
+  addEdges(points, shape, framing.boardEdges, rim);
+  addEdges(points, shape, framing.flapEdge, 0);
+}
+
+/** The ends of edges along the spine, told by their x and z. */
+function addEdges(points: number[], shape: BookShape, edges: number[], rim: number): void {
+  for (let k = 0; k < edges.length; k += 2) {
+    for (const y of [-rim, shape.height + rim]) points.push(edges[k], y, edges[k + 1]);
+  }
+}
+
+function along(axis: readonly number[], points: readonly number[], k: number): number {
+  return axis[0] * points[k] + axis[1] * points[k + 1] + axis[2] * points[k + 2];
+}
+
+function ease(t: number): number {
+  const c = Math.min(1, Math.max(0, t));
+  return c * c * (3 - 2 * c);
+}

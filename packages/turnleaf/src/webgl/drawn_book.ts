@@ -1,0 +1,279 @@
+/**
+ * The book as meshes: pages, blocks, leaves, boards, spine and their shadow on
+ * the table. A pose moves them; what a pose leaves where it was costs nothing.
+ */
+
+import { Group, Object3D } from "three";
+import { type Face, isBoardFace } from "../book/faces.ts";
+import type { Surface, Vec3 } from "../engine/shapes.ts";
+import type { BookPose, BookShape } from "../stage/book_pose.ts";
+import { caseSizes } from "../stage/case_sizes.ts";
+import { BlockMesh } from "./block_mesh.ts";
+import { BoardMesh } from "./board_mesh.ts";
+import type { Framing } from "./camera.ts";
+import { placeCase, restingCase } from "./case_shape.ts";
+import { EndpaperMesh } from "./endpaper_mesh.ts";
+import { shadowOfCase, shadowOfFlap, shadowOfLeaves } from "./footprint.ts";
+import { Ground } from "./ground.ts";
+import { LeafMesh } from "./leaf_mesh.ts";
+import type { BookMaterials } from "./materials.ts";
+import { castOver, overheadOf } from "./overhead.ts";
+import { type Overhead, PageMesh, pageRows } from "./page_mesh.ts";
+import { PileShape } from "./pile_shape.ts";
+import { HeadbandMesh, SpineMesh } from "./spine_mesh.ts";
+
+/** Smallest step, metres, of the gutter over the spine that is followed: a sixtieth of a pixel. */
+const leastStep = 5e-6;
+
+/** A side of the open book: its pile and what is drawn of it. */
+interface DrawnSide {
+  readonly pile: PileShape;
+  readonly page: PageMesh;
+  readonly block: BlockMesh;
+  readonly fold: EndpaperMesh;
+  readonly over: Overhead;
+}
+
+/** All meshes of one book. */
+export class DrawnBook {
+  readonly group: Group = new Group();
+  /** What the camera needs to know of the last pose. */
+  readonly framing: Framing;
+  readonly #shape: BookShape;
+  readonly #hard: boolean;
+  readonly #left: DrawnSide;
+  readonly #right: DrawnSide;
+  readonly #materials: BookMaterials;
+  /** Made as they are needed; those in use come first, from the left to the right. */
+  readonly #leaves: LeafMesh[] = [];
+  readonly #front: BoardMesh;
+  readonly #back: BoardMesh;
+  readonly #spine: SpineMesh;
+  readonly #headbands: HeadbandMesh;
+  readonly #ground: Ground;
+  readonly #case = restingCase();
+  #frontAngle = Number.NaN;
+  #backAngle = Number.NaN;
+  /** The leaves as they were lit last. */
+  #lit: readonly Surface[] = [];
+  #isLit = false;
+  /** Whether leaves lie folded on the pages. */
+  #folded: boolean | undefined;
+  /** Whether the light stays as it was found in the pose before. */
+  #isDim = false;
+
+  constructor(shape: BookShape, materials: BookMaterials) {
+    const { width, height, thickness } = shape;
+    this.#shape = shape;
+    this.#materials = materials;
+    this.#hard = shape.cover === "hard";
+    this.framing = {
+      closedRight: 0,
+      closedLeft: 0,
+      middle: 0,
+      boardEdges: [],
+      flapEdge: [],
+    };
+    const side = (sign: 1 | -1): DrawnSide => ({
+      pile: new PileShape(sign),
+      page: new PageMesh(materials.pages[sign === 1 ? "right" : "left"], height, pageRows),
+      block: new BlockMesh(materials.leafEdges, sign, height, thickness),
+      fold: new EndpaperMesh(
+        materials.endpapers[sign === -1 ? "frontInside" : "backInside"],
+        sign,
+        height,
+      ),
+      over: overheadOf(height, new Float32Array(4)),
+    });
+    this.#left = side(-1);
+    this.#right = side(1);
+    const { frontOutside, frontInside, backOutside, backInside } = materials.boards;
+    this.#front = new BoardMesh(true, width, height, frontOutside, frontInside);
+    this.#back = new BoardMesh(false, width, height, backOutside, backInside);
+    this.#spine = new SpineMesh(materials.spine, height, thickness);
+    this.#headbands = new HeadbandMesh(materials.headband, height);
+    const table = this.#hard ? -caseSizes.board - caseSizes.sink : 0;
+    this.#ground = new Ground(table, 12 * Math.max(width, height));
+
+    this.group.add(this.#ground.mesh);
+    for (const { page, block, fold } of [this.#left, this.#right]) {
+      page.mesh.visible = block.mesh.visible = fold.mesh.visible = false;
+      this.group.add(block.mesh, page.mesh);
+      if (this.#hard) this.group.add(fold.mesh);
+    }
+    if (this.#hard) {
+      this.group.add(this.#front.group, this.#back.group, this.#spine.mesh);
+      // A thin book is stapled and has none.
+      if (thickness > 0.004) this.group.add(this.#headbands.mesh);
+    }
+  }
+
+  /** Moves the book; answers whether the camera should follow. */
+  pose(pose: BookPose, roughly = false): boolean {
+    const middle = pose.lean;
+    const caseMoved =
+      pose.frontBoard !== this.#frontAngle ||
+      pose.backBoard !== this.#backAngle ||
+      Math.abs(middle - this.framing.middle) > leastStep;
+    if (caseMoved) this.#placeCase(pose, middle);
+    const leftMoved = this.#placeSide(this.#left, pose.left);
+    const rightMoved = this.#placeSide(this.#right, pose.right);
+    const pilesMoved = leftMoved || rightMoved;
+    const still = !(pilesMoved || caseMoved);
+    if (!still && this.#hard) this.#placeBoards();
+    const flapMoved = this.#followFlap(pose.flap ?? null);
+    const sheets = pose.flap ? [...pose.leaves, pose.flap] : pose.leaves;
+    this.#isDim = roughly && !this.#isDim && still && sheets.length === this.#lit.length;
+    this.#folded = pose.folded;
+    this.#light(pose.leaves, sheets, pilesMoved, still);
+    const [left, right] = [this.#left.pile, this.#right.pile];
+    if (!this.#hard) shadowOfLeaves(this.#ground, this.#shape, pose.leaves, left, right);
+    else if (!still) shadowOfCase(this.#ground, this.#shape, this.#case, left, right);
+    if (pose.above instanceof Object3D) this.group.add(pose.above);
+    if (flapMoved) shadowOfFlap(this.#ground, this.#shape, pose.flap ?? null);
+    return caseMoved || flapMoved;
+  }
+
+  /** Keeps the flap of a fold-out in the picture; answers whether it moved. */
+  #followFlap(flap: Surface | null): boolean {
+    const edge = this.framing.flapEdge;
+    const before = edge.join();
+    edge.length = 0;
+    if (flap) edge.push(...[0, 2].map((axis) => flap.positions[3 * (flap.columns - 1) + axis]));
+    return edge.join() !== before;
+  }
+
+  /** A place on a face's picture, shares from its upper left corner, in book space as posed last. */
+  placeOn(face: Face, pictureX: number, pictureY: number): Vec3 {
+    // The way back of `onPicture`.
+    const [x, y] = this.#shape.rolled ? [pictureY, 1 - pictureX] : [pictureX, pictureY];
+    if (isBoardFace(face)) {
+      const board = face.startsWith("front") ? this.#front : this.#back;
+      return board.placeOn(face.endsWith("Outside"), x, y);
+    }
+    const { pile } = face === "right" ? this.#right : this.#left;
+    const at = pile.pointAt(face === "right" ? x : 1 - x);
+    return [at[0], this.#shape.height * (1 - y), at[1]];
+  }
+
+  dispose(): void {
+    for (const { page, block, fold } of [this.#left, this.#right]) {
+      page.dispose();
+      block.dispose();
+      fold.dispose();
+    }
+    for (const leaf of this.#leaves) leaf.dispose();
+    this.#front.dispose();
+    this.#back.dispose();
+    this.#spine.dispose();
+    this.#headbands.dispose();
+    this.#ground.dispose();
+    this.group.clear();
+  }
+
+  #placeCase(pose: BookPose, middle: number): void {
+    this.#frontAngle = pose.frontBoard;
+    this.#backAngle = pose.backBoard;
+    const joint = this.#hard ? caseSizes.joint : 0;
+    const { thickness } = this.#shape;
+    placeCase(this.#case, thickness, middle, pose.frontBoard, pose.backBoard, joint);
+    this.framing.middle = middle;
+    this.framing.closedRight = this.#case.closedRight;
+    this.framing.closedLeft = this.#case.closedLeft;
+  }
+
+  #placeLeaves(leaves: readonly Surface[]): void {
+    while (this.#leaves.length < leaves.length) {
+      const { recto, verso } = this.#materials.leaf(this.#leaves.length);
+      const mesh = new LeafMesh(recto, verso, this.#materials.leafEdges);
+      this.group.add(mesh.recto, mesh.verso, mesh.rim.mesh);
+      this.#leaves.push(mesh);
+    }
+    const piles = [this.#left.pile, this.#right.pile] as const;
+    for (const [k, mesh] of this.#leaves.entries()) {
+      mesh.recto.visible = mesh.verso.visible = mesh.rim.mesh.visible = k < leaves.length;
+      if (k >= leaves.length) continue;
+      mesh.shape(leaves[k], k + 1, leaves.length - k);
+      if (this.#folded) mesh.lieOpen();
+      else if (!this.#isDim) mesh.light(leaves[k], ...piles, leaves[k - 1], leaves[k + 1]);
+    }
+  }
+
+  #placeSide(side: DrawnSide, pile: BookPose["left"]): boolean {
+    if (!side.pile.update(pile, this.#case, this.#hard)) return false;
+    side.page.mesh.visible = side.block.mesh.visible = side.pile.present;
+    if (side.pile.present) {
+      side.page.shape(side.pile);
+      side.block.shape(side.pile);
+    }
+    return true;
+  }
+
+  #placeBoards(): void {
+    const shape = this.#case;
+    const [left, right] = [this.#left, this.#right];
+    this.#front.place(shape.frontHinge, shape.frontAngle);
+    this.#back.place(shape.backHinge, shape.backAngle);
+    this.#spine.shape(shape);
+    this.#headbands.shape(shape);
+    // Under a board that is nearly shut nobody sees the fold, and it would stick out at the hinge.
+    left.fold.mesh.visible = !left.pile.present && shape.frontAngle > 1.2;
+    right.fold.mesh.visible = !right.pile.present && shape.backAngle < Math.PI - 1.2;
+    for (const { fold } of [left, right]) {
+      if (fold.mesh.visible) fold.shape(shape, left.pile, right.pile);
+    }
+    const reach = this.#shape.width + caseSizes.rim - caseSizes.joint;
+    tipOf(right.over.board, shape.frontHinge, shape.frontAngle, reach, 1);
+    tipOf(left.over.board, shape.backHinge, shape.backAngle, reach, -1);
+    const edges = this.framing.boardEdges;
+    [edges[0], edges[1]] = [right.over.board[2], right.over.board[3]];
+    [edges[2], edges[3]] = [-left.over.board[2], left.over.board[3]];
+  }
+
+  /** @param sheets the leaves and a flap, which hangs on a fore-edge and throws no shadow on its page */
+  #light(
+    leaves: readonly Surface[],
+    sheets: readonly Surface[],
+    pilesMoved: boolean,
+    still: boolean,
+  ): void {
+    const [left, right] = [this.#left, this.#right];
+    const same =
+      sheets.length === this.#lit.length && sheets.every((sheet, k) => sheet === this.#lit[k]);
+    if (still && same && this.#isLit) return;
+    this.#lit = [...sheets];
+    this.#isLit = !this.#isDim;
+    this.#placeLeaves(sheets);
+    if (this.#isDim) return;
+    // Of all leaves the outermost on a side stands nearest over its page.
+    castOver(left.over, left.pile, leaves[0]);
+    castOver(right.over, right.pile, leaves.at(-1));
+    if (left.pile.present) {
+      if (pilesMoved) left.page.open(left.pile, right.pile.mirrored);
+      left.page.light(left.pile, left.over);
+    }
+    if (right.pile.present) {
+      if (pilesMoved) right.page.open(right.pile, left.pile.obstacles);
+      right.page.light(right.pile, right.over);
+    }
+    if (!this.#hard) return;
+    // A board under pages shows its rim alone, where no leaf's shadow is looked for.
+    const [l, r] = [left.pile, right.pile];
+    if (!still || !l.present) this.#front.light(this.#case, l, r, left.over);
+    if (!still || !r.present) this.#back.light(this.#case, l, r, right.over);
+  }
+}
+
+/** Hinge and outer edge of a board that stands over the pages, as points that shut out light. */
+function tipOf(
+  out: Float32Array,
+  hinge: readonly [number, number],
+  angle: number,
+  reach: number,
+  sign: 1 | -1,
+): void {
+  out[0] = sign * hinge[0];
+  out[1] = hinge[1];
+  out[2] = sign * (hinge[0] + reach * Math.cos(angle));
+  out[3] = hinge[1] + reach * Math.sin(angle);
+}

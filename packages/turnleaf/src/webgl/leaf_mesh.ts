@@ -1,0 +1,128 @@
+/** A leaf in flight: two sides over the engine's own memory. */
+
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh } from "three";
+import { columnPlace, type Surface } from "../engine/shapes.ts";
+import { LeafLight } from "./leaf_light.ts";
+import { sheetGeometry } from "./page_mesh.ts";
+import type { PaperMaterial } from "./paper_material.ts";
+import type { PileShape } from "./pile_shape.ts";
+import { RimMesh } from "./rim_mesh.ts";
+import type { SolidMaterial } from "./solid_material.ts";
+
+/** A leaf in flight. */
+export class LeafMesh {
+  readonly recto: Mesh<BufferGeometry, PaperMaterial>;
+  readonly verso: Mesh<BufferGeometry, PaperMaterial>;
+  readonly rim: RimMesh;
+  #columns = 0;
+  #rows = 0;
+  #position = new BufferAttribute(new Float32Array(0), 3);
+  #normal = new BufferAttribute(new Float32Array(0), 3);
+  #rectoGap = new BufferAttribute(new Float32Array(0), 2);
+  #versoGap = new BufferAttribute(new Float32Array(0), 2);
+  #light = new LeafLight(2, 2);
+
+  readonly #place: typeof columnPlace;
+
+  /** @param place u of each of the leaf's columns */
+  constructor(
+    recto: PaperMaterial,
+    verso: PaperMaterial,
+    edges: SolidMaterial,
+    place: typeof columnPlace = columnPlace,
+  ) {
+    this.#place = place;
+    this.rim = new RimMesh(edges);
+    this.recto = new Mesh(new BufferGeometry(), recto);
+    this.verso = new Mesh(new BufferGeometry(), verso);
+    for (const mesh of [this.recto, this.verso]) {
+      mesh.frustumCulled = false;
+      mesh.visible = false;
+    }
+    this.rim.mesh.visible = false;
+  }
+
+  /**
+   * Shows a leaf; the positions and normals stay where the engine keeps them.
+   *
+   * @param left,right how many sheets lie under it on either side, itself one of them
+   */
+  shape(leaf: Surface, left: number, right: number): void {
+    if (leaf.columns !== this.#columns || leaf.rows !== this.#rows) this.#allot(leaf);
+    // The engine's memory moves when it grows; the arrays' size stays.
+    this.#position.array = leaf.positions;
+    this.#normal.array = leaf.normals;
+    this.#position.needsUpdate = true;
+    this.#normal.needsUpdate = true;
+    this.recto.material.lieOver(left, right);
+    this.verso.material.lieOver(left, right);
+    this.recto.material.thickness = this.verso.material.thickness = leaf.thickness ?? 0;
+    this.rim.shape(leaf);
+  }
+
+  /**
+   * Finds the light on both sides of the leaf.
+   *
+   * @param before,after the next leaves in flight to the left and to the right
+   */
+  light(
+    leaf: Surface,
+    left: PileShape,
+    right: PileShape,
+    before: Surface | undefined,
+    after: Surface | undefined,
+  ): void {
+    // The recto looks over the left pile; the verso, mirrored, over the right.
+    const [recto, verso] = [this.#rectoGap, this.#versoGap];
+    this.#light.write(leaf, 1, left.obstacles, before, recto.array as Float32Array);
+    this.#light.write(leaf, -1, right.mirrored, after, verso.array as Float32Array);
+    recto.needsUpdate = true;
+    verso.needsUpdate = true;
+  }
+
+  /** Lies on the pages: the recto sees all of the sky, the verso, which bends up a little, less. */
+  lieOpen(): void {
+    for (const [gap, right] of [
+      [this.#rectoGap, Math.PI / 2],
+      [this.#versoGap, 0.6],
+    ] as const) {
+      for (let k = 0; k < gap.array.length; k++) gap.array[k] = k % 2 ? right : -Math.PI / 2;
+      gap.needsUpdate = true;
+    }
+  }
+
+  dispose(): void {
+    this.recto.geometry.dispose();
+    this.verso.geometry.dispose();
+    this.rim.dispose();
+  }
+
+  #allot(leaf: Surface): void {
+    const { columns, rows } = leaf;
+    this.#columns = columns;
+    this.#rows = rows;
+    this.#light = new LeafLight(columns, rows);
+    const dynamic = (array: Float32Array, size: number): BufferAttribute =>
+      new BufferAttribute(array, size).setUsage(DynamicDrawUsage);
+    this.#position = dynamic(leaf.positions, 3);
+    this.#normal = dynamic(leaf.normals, 3);
+    this.#rectoGap = dynamic(new Float32Array(2 * columns * rows), 2);
+    this.#versoGap = dynamic(new Float32Array(2 * columns * rows), 2);
+    const grid = sheetGeometry(columns, rows, this.#place);
+    for (const [mesh, near, far] of [
+      [this.recto, this.#rectoGap, this.#versoGap],
+      [this.verso, this.#versoGap, this.#rectoGap],
+    ] as const) {
+      mesh.geometry.dispose();
+      const geometry = new BufferGeometry();
+      geometry.setIndex(grid.getIndex());
+      geometry.setAttribute("uv", grid.getAttribute("uv"));
+      geometry.setAttribute("position", this.#position);
+      geometry.setAttribute("normal", this.#normal);
+      geometry.setAttribute("gapSky", near);
+      geometry.setAttribute("gapKey", near);
+      geometry.setAttribute("gapBehind", far);
+      mesh.geometry = geometry;
+    }
+  }
+}

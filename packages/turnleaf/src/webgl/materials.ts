@@ -1,0 +1,118 @@
+/** Every material of a book, and the grains that they share. */
+
+import { Color, type Material, type Texture } from "three";
+import type { Face } from "../book/faces.ts";
+import type { PageBox } from "../sources/page_source.ts";
+import type { BookShape } from "../stage/book_pose.ts";
+import type { LeafSide, PageFace } from "../stage/book_stage.ts";
+import { layDetail } from "./ink.ts";
+import { PaperMaterial } from "./paper_material.ts";
+import { type SolidLook, SolidMaterial } from "./solid_material.ts";
+import { clothTexture, headbandTexture, leafEdgeTexture } from "./textures.ts";
+
+/** A face of a board. */
+export type BoardFace = Exclude<Face, PageFace>;
+
+/** The materials of one book. */
+export class BookMaterials {
+  readonly pages: Record<PageFace, PaperMaterial>;
+  readonly boards: Record<BoardFace, SolidMaterial>;
+  readonly spine: SolidMaterial;
+  readonly leafEdges: SolidMaterial;
+  /** The folds by the front and by the back board, which carry their pastedown's picture on. */
+  readonly endpapers: Record<"frontInside" | "backInside", SolidMaterial>;
+  readonly headband: SolidMaterial;
+  readonly #materials: Material[] = [];
+  readonly #grains: Texture[];
+  readonly #leaves: Record<LeafSide, PaperMaterial>[] = [];
+  readonly #sheet: (recto: boolean, thin: boolean) => PaperMaterial;
+
+  /**
+   * @param blank what a face shows while it has no picture
+   * @param anisotropy of its own textures, from 1 for none
+   */
+  constructor(shape: BookShape, blank: Texture, anisotropy: number) {
+    this.#sheet = (recto, thin) => {
+      const side = { recto, thin, ownNormals: !thin };
+      return this.#keep(new PaperMaterial(side, shape, blank));
+    };
+    this.pages = { left: this.#sheet(false, false), right: this.#sheet(true, false) };
+    const [edges, weave, stripes] = [leafEdgeTexture(), clothTexture(), headbandTexture()];
+    this.#grains = [edges, weave, stripes];
+    for (const grain of this.#grains) grain.anisotropy = anisotropy;
+    const solid = (colour: string, look: Omit<SolidLook, "base" | "rolled">): SolidMaterial =>
+      this.#keep(new SolidMaterial({ base: new Color(colour), rolled: shape.rolled, ...look }));
+    const cloth = (): SolidMaterial =>
+      solid(shape.cloth, { grain: weave, grainDepth: 1, paperiness: 0 });
+    this.boards = {
+      frontOutside: cloth(),
+      frontInside: cloth(),
+      backOutside: cloth(),
+      backInside: cloth(),
+    };
+    this.boards.frontInside.setPicture(blank);
+    this.boards.backInside.setPicture(blank);
+    this.spine = cloth();
+    this.leafEdges = solid("#efe4cf", {
+      grain: edges,
+      grainDepth: 1,
+      paperiness: 0.35,
+      twoSided: true,
+    });
+    const fold = (): SolidMaterial =>
+      solid("#fbf5e8", { grain: weave, grainDepth: 0, paperiness: 1, twoSided: true });
+    this.endpapers = { frontInside: fold(), backInside: fold() };
+    this.endpapers.frontInside.setPicture(blank);
+    this.endpapers.backInside.setPicture(blank);
+    this.headband = solid("#b9a37e", {
+      grain: stripes,
+      grainDepth: 1,
+      paperiness: 0,
+      twoSided: true,
+    });
+  }
+
+  /** Shows a picture on a face; `blank` stands for none, outside the boards null does. */
+  show(face: Face, texture: Texture, none: boolean): void {
+    if (face === "frontOutside" || face === "backOutside") {
+      this.boards[face].setPicture(none ? null : texture);
+    } else if (face === "frontInside" || face === "backInside") {
+      this.boards[face].setPicture(texture);
+      this.endpapers[face].setPicture(texture);
+    } else {
+      this.pages[face].picture = texture;
+    }
+  }
+
+  /** Lays a sharper picture over a part of a face's; null for the part takes it away. */
+  showDetail(face: Face, texture: Texture, box: PageBox | null): void {
+    const isPage = face === "left" || face === "right";
+    layDetail((isPage ? this.pages[face] : this.boards[face]).uniforms, texture, box);
+  }
+
+  /** The materials of a leaf in flight by its place among them; made when it is first asked for. */
+  leaf(index: number): Record<LeafSide, PaperMaterial> {
+    while (this.#leaves.length <= index) {
+      this.#leaves.push({ recto: this.#sheet(true, true), verso: this.#sheet(false, true) });
+    }
+    return this.#leaves[index];
+  }
+
+  /** Shows a picture on one side of a leaf in flight, and through it on the other. */
+  showLeaf(index: number, side: LeafSide, texture: Texture): void {
+    const { recto, verso } = this.leaf(index);
+    const [seen, other] = side === "recto" ? [recto, verso] : [verso, recto];
+    seen.picture = texture;
+    other.pictureBehind = texture;
+  }
+
+  dispose(): void {
+    for (const material of this.#materials) material.dispose();
+    for (const grain of this.#grains) grain.dispose();
+  }
+
+  #keep<M extends Material>(material: M): M {
+    this.#materials.push(material);
+    return material;
+  }
+}

@@ -1,0 +1,182 @@
+/** The material of a printed sheet: a resting page, or one side of a leaf in flight. */
+
+import { BackSide, FrontSide, ShaderMaterial, type Texture } from "three";
+import type { BookShape } from "../stage/book_pose.ts";
+import { printChunk, printUniforms } from "./ink.ts";
+import { gapChunk, lightChunk, pictureChunk } from "./shading.ts";
+
+/** What goes from the vertices to the fragments. */
+const varyings = /* glsl */ `
+varying vec3 vNormal;
+varying vec3 vPlace;
+varying vec2 vUv;
+varying vec2 vGapSky;
+varying vec4 vGapKey;
+varying vec2 vGapBehind;
+`;
+
+const vertexShader = /* glsl */ `
+attribute vec2 gapSky;
+attribute vec4 gapKey;
+attribute vec2 gapBehind;
+uniform float lit;
+uniform vec2 ahead;
+uniform float thick;
+${varyings}
+void main() {
+  vNormal = normal * lit;
+  vPlace = position + 0.5 * thick * vNormal;
+  vUv = uv;
+  vGapSky = gapSky;
+  vGapKey = gapKey;
+  vGapBehind = gapBehind;
+  vec4 seen = viewMatrix * vec4(vPlace, 1.0);
+  gl_Position = projectionMatrix * seen;
+  // Only the depth comes nearer, not the picture.
+  float lead = mix(ahead.x, ahead.y, smoothstep(-0.008, 0.008, position.x));
+  vec4 nearer = projectionMatrix * (seen + vec4(0.0, 0.0, lead, 0.0));
+  gl_Position.z = nearer.z / nearer.w * gl_Position.w;
+}
+`;
+
+const fragmentShader = /* glsl */ `
+uniform sampler2D pictureBehind;
+uniform sampler2D beneath;
+uniform float mirrored;
+uniform float thin;
+uniform float ceiling;
+uniform float pool;
+uniform vec2 size;
+${varyings}
+${lightChunk}
+${gapChunk}
+${pictureChunk}
+${printChunk}
+
+// What shines through a leaf from its other side, with that side's print in it.
+vec3 throughLeaf(vec3 normal, vec2 uv) {
+  float away = max(0.0, (0.35 - dot(normal, KEY_DIRECTION)) / 1.35);
+  float key = away * keyShare(vGapBehind);
+  float sky = skyShare(vGapBehind, -normal);
+  vec3 light = 0.46 * key * vec3(1.05, 0.93, 0.76) + 0.09 * sky * vec3(1.0, 0.93, 0.80);
+  vec3 print = texture2D(pictureBehind, onPicture(vec2(1.0 - uv.x, uv.y)), 2.2).rgb;
+  return thin * light * mix(vec3(1.0), print, 0.75);
+}
+
+// A page on its pile has one end of its gap for each of three places on the key light.
+float keyHere() {
+  if (thin > 0.5) return keyShare(vGapKey.xy);
+  float other = vGapKey.w;
+  vec3 ends = vGapKey.xyz;
+  if (mirrored > 0.5) {
+    return (keyShare(vec2(other, ends.x)) + keyShare(vec2(other, ends.y)) + keyShare(vec2(other, ends.z))) / 3.0;
+  }
+  return (keyShare(vec2(ends.x, other)) + keyShare(vec2(ends.y, other)) + keyShare(vec2(ends.z, other))) / 3.0;
+}
+
+const vec3 BARE = vec3(0.965, 0.913, 0.807);
+
+// Beside a page that is smaller than the book its leaf is cut, or bare where its other side is larger.
+vec3 besidePrint(vec4 print, vec2 uv) {
+  float behind = texture2D(pictureBehind, onPicture(vec2(1.0 - uv.x, uv.y))).a;
+  float leaf = max(print.a, behind);
+  if (thin > 0.5 && leaf < 0.5) discard;
+  vec3 ink = mix(BARE, print.rgb, smoothstep(0.4, 0.6, print.a));
+  if (thin > 0.5) return ink;
+  vec4 under = solid(texture2D(beneath, onPicture(uv), -0.4));
+  // The edge shades what lies under it.
+  float near = texture2D(picture, onPicture(uv), 4.0).a;
+  vec3 lower = mix(BARE, under.rgb, under.a) * (1.0 - 0.3 * near);
+  return mix(lower, ink, smoothstep(0.4, 0.6, leaf));
+}
+
+// Of the sky that other leaves shut out as much comes through them as of the key light.
+vec3 skyHere(vec3 normal) {
+  float open = skyShare(vGapSky, normal);
+  float all = 0.5 + 0.5 * normal.z;
+  return amongPaper(open) + thin * THROUGH * max(0.0, all - open);
+}
+
+void main() {
+  vec3 normal = normalize(vNormal);
+  vec2 uv = vec2(mix(vUv.x, 1.0 - vUv.x, mirrored), vUv.y);
+  vec4 print = printed(onPicture(uv));
+  vec3 ink = print.rgb;
+  if (print.a < 0.99) ink = besidePrint(print, uv);
+  vec3 light = arriving(normal, skyHere(normal), keyHere());
+  light = min(light + throughLeaf(normal, uv), vec3(ceiling));
+  vec2 fromLight = (vPlace.xy - vec2(-0.35 * size.x, 0.65 * size.y)) / (1.5 * size);
+  light *= 1.0 - pool * smoothstep(0.1, 1.0, length(fromLight));
+  gl_FragColor = vec4(ink * light, 1.0);
+  #include <colorspace_fragment>
+  gl_FragColor.rgb = dithered(gl_FragColor.rgb);
+}
+`;
+
+/** How much nearer in depth a leaf counts than the one it lies on, metres. */
+const leadOverOne = 0.0004;
+
+/** Which side of a sheet a material is for. */
+export interface PaperSide {
+  /** The side that faces up where the sheet lies on the right. */
+  readonly recto: boolean;
+  /** Whether light shines through: a leaf in flight, not a page on its pile. */
+  readonly thin: boolean;
+  /** Whether the mesh's normals are this side's own; the leaf's are its recto's. */
+  readonly ownNormals: boolean;
+}
+
+/** A printed sheet's material, by its two pictures. */
+export class PaperMaterial extends ShaderMaterial {
+  constructor(side: PaperSide, { kind, width, height, rolled }: BookShape, paper: Texture) {
+    super({
+      defines: rolled ? { ROLLED: "" } : {},
+      vertexShader,
+      fragmentShader,
+      side: side.recto ? FrontSide : BackSide,
+      uniforms: {
+        ...printUniforms(paper),
+        pictureBehind: { value: paper },
+        beneath: { value: paper },
+        lit: { value: side.recto || side.ownNormals ? 1 : -1 },
+        mirrored: { value: side.recto ? 0 : 1 },
+        thin: { value: side.thin ? 1 : 0 },
+        ahead: { value: [0, 0] },
+        thick: { value: 0 },
+        ceiling: { value: kind === "scan" ? 1 : 1.03 },
+        pool: { value: kind === "scan" ? 0 : 0.024 },
+        size: { value: [width, height] },
+      },
+    });
+  }
+
+  /** The picture on this side. */
+  set picture(texture: Texture) {
+    this.uniforms.picture.value = texture;
+  }
+
+  /**
+   * A leaf that touches those under it is the one seen, also where all are bent
+   * and their triangles cross.
+   *
+   * @param left,right how many lie under it when it lies on that side
+   */
+  lieOver(left: number, right: number): void {
+    this.uniforms.ahead.value = [leadOverOne * left, leadOverOne * right];
+  }
+
+  /** The picture of the page that is seen beside this one where its leaf is cut smaller. */
+  set beneath(texture: Texture) {
+    this.uniforms.beneath.value = texture;
+  }
+
+  /** How thick the sheet is, metres, so that its two sides stand apart; 0 for paper. */
+  set thickness(metres: number) {
+    this.uniforms.thick.value = metres;
+  }
+
+  /** The picture on the sheet's other side. */
+  set pictureBehind(texture: Texture) {
+    this.uniforms.pictureBehind.value = texture;
+  }
+}

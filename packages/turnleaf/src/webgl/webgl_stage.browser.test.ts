@@ -1,0 +1,213 @@
+import { afterEach, expect, test } from "vitest";
+import type { Pile, Surface } from "../engine/shapes.ts";
+import { columnPlace } from "../engine/shapes.ts";
+import type { BookPose, BookShape } from "../stage/book_pose.ts";
+import { WebGLStage } from "./webgl_stage.ts";
+
+const shape: BookShape = {
+  width: 0.13,
+  height: 0.2,
+  thickness: 0,
+  leaves: 1,
+  cover: "none",
+  rim: 0,
+  cloth: "#6a2a26",
+  kind: "scan",
+  rolled: false,
+  alone: 0,
+};
+
+const stages: WebGLStage[] = [];
+
+function newStage(canvas: HTMLCanvasElement, more: Partial<BookShape> = {}): WebGLStage {
+  const stage = new WebGLStage(canvas, { ...shape, ...more });
+  stage.resize(200, 120, 1);
+  stages.push(stage);
+  return stage;
+}
+
+afterEach(() => {
+  for (const stage of stages.splice(0)) stage.destroy();
+});
+
+/** A pile of flat pages. */
+function flatPile(sign: number): Pile {
+  const [columns, layers] = [49, 2];
+  const curves = new Float32Array(2 * columns * layers);
+  for (let k = 0; k < columns * layers; k++) {
+    curves[2 * k] = sign * shape.width * columnPlace(k % columns, columns);
+  }
+  return { columns, layers, curves };
+}
+
+const open: BookPose = {
+  left: flatPile(-1),
+  right: flatPile(1),
+  leaves: [],
+  lean: 0,
+  frontBoard: Math.PI,
+  backBoard: 0,
+};
+
+function plainPicture(colour: string): HTMLCanvasElement {
+  const picture = document.createElement("canvas");
+  picture.width = 64;
+  picture.height = 96;
+  const context = picture.getContext("2d")!;
+  context.fillStyle = colour;
+  context.fillRect(0, 0, 64, 96);
+  return picture;
+}
+
+/** A flat leaf that stands at an angle from lying on the right, radians. */
+function standingLeaf(angle: number): Surface {
+  const [columns, rows] = [49, 25];
+  const positions = new Float32Array(3 * columns * rows);
+  const normals = new Float32Array(3 * columns * rows);
+  const [across, up] = [Math.cos(angle), Math.sin(angle)];
+  for (let k = 0; k < columns * rows; k++) {
+    const out = shape.width * columnPlace(k % columns, columns);
+    const y = (Math.floor(k / columns) / (rows - 1)) * shape.height;
+    positions.set([out * across, y, out * up], 3 * k);
+    normals.set([-up, 0, across], 3 * k);
+  }
+  return { columns, rows, positions, normals, version: 1 };
+}
+
+/** The colour where a place is seen, by default halfway up a page that lies flat. */
+function colourAt(stage: WebGLStage, canvas: HTMLCanvasElement, x: number, z = 0): number[] {
+  const copy = document.createElement("canvas");
+  copy.width = canvas.width;
+  copy.height = canvas.height;
+  const context = copy.getContext("2d")!;
+  stage.draw();
+  context.drawImage(canvas, 0, 0);
+  const place = stage.project([x, shape.height / 2, z]);
+  return [...context.getImageData(Math.round(place.x), Math.round(place.y), 1, 1).data];
+}
+
+test("a flat page of a scan is exactly its own picture", () => {
+  const canvas = document.createElement("canvas");
+  const stage = newStage(canvas);
+  stage.setFace("left", plainPicture("#c08a4b"));
+  stage.setFace("right", plainPicture("#fbf5e8"));
+  stage.pose(open);
+  expect(colourAt(stage, canvas, -0.07)).toEqual([0xc0, 0x8a, 0x4b, 255]);
+  expect(colourAt(stage, canvas, 0.07)).toEqual([0xfb, 0xf5, 0xe8, 255]);
+});
+
+test("deep among leaves that stand close it is warm and dim, not black", () => {
+  const canvas = document.createElement("canvas");
+  const stage = newStage(canvas);
+  const angle = 1.68;
+  stage.pose({ ...open, leaves: [standingLeaf(1.9), standingLeaf(angle), standingLeaf(1.46)] });
+  const out = 0.03;
+  const [red, green, blue] = colourAt(stage, canvas, out * Math.cos(angle), out * Math.sin(angle));
+  expect(red).toBeLessThan(150);
+  expect(red).toBeGreaterThan(104);
+  expect(blue).toBeLessThan(green);
+  expect(green).toBeLessThan(red);
+});
+
+test("a forgotten picture leaves blank paper, and the table is clear", () => {
+  const canvas = document.createElement("canvas");
+  const stage = newStage(canvas);
+  const picture = plainPicture("#000000");
+  stage.setFace("right", picture);
+  stage.pose(open);
+  expect(colourAt(stage, canvas, 0.07)).toEqual([0, 0, 0, 255]);
+  stage.forget(picture);
+  expect(colourAt(stage, canvas, 0.07)).toEqual([0xfb, 0xf5, 0xe8, 255]);
+  expect(colourAt(stage, canvas, -0.5)[3]).toBe(0);
+});
+
+test("a line of sight meets the place that it is seen at", () => {
+  const stage = newStage(document.createElement("canvas"), {
+    thickness: 0.02,
+    cover: "hard",
+    rim: 0.0032,
+  });
+  for (const frontBoard of [Math.PI, 1.2, 0]) {
+    stage.pose({ ...open, left: null, frontBoard });
+    const { origin, direction } = stage.rayAt(57, 83);
+    const t = (0.01 - origin[2]) / direction[2];
+    const met = stage.project([origin[0] + t * direction[0], origin[1] + t * direction[1], 0.01]);
+    expect(met.x).toBeCloseTo(57, 3);
+    expect(met.y).toBeCloseTo(83, 3);
+  }
+});
+
+test("beyond the spine of a page that stands alone nothing is cut off at the canvas's edge", () => {
+  for (const alone of [1, -1] as const) {
+    const canvas = document.createElement("canvas");
+    const stage = newStage(canvas, { alone });
+    stage.resize(400, 120, 1);
+    stage.pose(open);
+    // As far from the spine as there is room in the canvas.
+    expect(colourAt(stage, canvas, -0.08 * alone)[3]).toBe(0);
+    const half = colourAt(stage, canvas, -0.02 * alone)[3];
+    expect(half).toBeGreaterThan(60);
+    expect(half).toBeLessThan(250);
+    expect(colourAt(stage, canvas, 0.002 * alone)).toEqual([0xfb, 0xf5, 0xe8, 255]);
+    expect(colourAt(stage, canvas, 0.07 * alone)).toEqual([0xfb, 0xf5, 0xe8, 255]);
+  }
+});
+
+test("the shadow on the table ends before the canvas does", () => {
+  const canvas = document.createElement("canvas");
+  const stage = newStage(canvas, { thickness: 0.02, cover: "hard", rim: 0.0032 });
+  stage.pose(open);
+  stage.draw();
+  const copy = document.createElement("canvas");
+  [copy.width, copy.height] = [canvas.width, canvas.height];
+  const pen = copy.getContext("2d")!;
+  pen.drawImage(canvas, 0, 0);
+  const { data } = pen.getImageData(0, 0, copy.width, copy.height);
+  const alpha = (x: number, y: number) => data[4 * (y * copy.width + x) + 3];
+  let shaded = 0;
+  for (let x = 0; x < copy.width; x++) {
+    for (const y of [0, copy.height - 1]) expect(alpha(x, y)).toBeLessThan(6);
+    for (let y = 0; y < copy.height; y++) if (alpha(x, y) > 20 && alpha(x, y) < 200) shaded++;
+  }
+  for (let y = 0; y < copy.height; y++) {
+    for (const x of [0, copy.width - 1]) expect(alpha(x, y)).toBeLessThan(6);
+  }
+  expect(shaded).toBeGreaterThan(100);
+});
+
+test("at rest the canvas has two device pixels for each CSS pixel at least", () => {
+  const canvas = document.createElement("canvas");
+  const stage = newStage(canvas);
+  stage.pose(open);
+  stage.draw({ resting: true });
+  expect([canvas.width, canvas.height]).toEqual([400, 240]);
+  stage.draw();
+  expect([canvas.width, canvas.height]).toEqual([200, 120]);
+});
+
+test("a lost context comes back with everything on it", async () => {
+  const canvas = document.createElement("canvas");
+  const stage = newStage(canvas);
+  stage.setFace("right", plainPicture("#3366aa"));
+  stage.pose(open);
+  const before = colourAt(stage, canvas, 0.07);
+  const loss = canvas.getContext("webgl2")!.getExtension("WEBGL_lose_context")!;
+  const lost = new Promise((done) => canvas.addEventListener("webglcontextlost", done));
+  loss.loseContext();
+  await lost;
+  stage.draw();
+  const restored = new Promise<void>((done) => {
+    stage.onRestored = done;
+  });
+  // The browser gives a context back only after the event has run its course.
+  await new Promise((done) => setTimeout(done, 0));
+  loss.restoreContext();
+  await restored;
+  expect(colourAt(stage, canvas, 0.07)).toEqual(before);
+});
+
+test("a card without a context says so in one sentence", () => {
+  const canvas = document.createElement("canvas");
+  canvas.getContext = () => null;
+  expect(() => new WebGLStage(canvas, shape)).toThrow(/has no context to give/);
+});

@@ -1,0 +1,266 @@
+/** The stage in space: a book drawn by three.js. It owns everything of the book that is on the GPU. */
+
+import {
+  PerspectiveCamera,
+  Scene,
+  SRGBColorSpace,
+  type Texture,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import type { Face } from "../book/faces.ts";
+import type { Ray, Vec3 } from "../engine/shapes.ts";
+import type { PagePicture } from "../sources/page_source.ts";
+import type { BookPose, BookShape } from "../stage/book_pose.ts";
+import type {
+  BookStage,
+  DrawOptions,
+  FaceDetail,
+  LeafSide,
+  PageFace,
+  Place,
+} from "../stage/book_stage.ts";
+import { overheadAt, type Zoom, Zooming } from "../stage/zoom.ts";
+import { BeyondSpine } from "./beyond_spine.ts";
+import { fieldOfView, frameBook, sightOf } from "./camera.ts";
+import { ContextWatch, openContext } from "./context.ts";
+import { DrawnBook } from "./drawn_book.ts";
+import { dropFromCard } from "./drop_from_gpu.ts";
+import { BookMaterials } from "./materials.ts";
+import { PictureTextures } from "./textures.ts";
+
+/** Most pixels of a frame at rest. */
+const mostPixels = 16e6;
+
+/** A face of the book, or a side of a leaf in flight. */
+type Printed = Face | `${LeafSide} ${number}` | `${"behind" | "beneath"} ${PageFace}`;
+
+/** Shows a texture on a face; `none` says that it stands for no picture. */
+type Show = (texture: Texture, none: boolean) => void;
+
+/** One book on one canvas, drawn by three.js. */
+export class WebGLStage implements BookStage {
+  onRestored: (() => void) | null = null;
+  onGone: (() => void) | null = null;
+  readonly #canvas: HTMLCanvasElement;
+  #shape: BookShape;
+  readonly #renderer: WebGLRenderer;
+  readonly #context: ContextWatch;
+  readonly #scene = new Scene();
+  readonly #camera: PerspectiveCamera;
+  readonly #beyond = new BeyondSpine();
+  readonly #pictures: PictureTextures;
+  #materials: BookMaterials;
+  #book: DrawnBook;
+  readonly #faces = new Map<Printed, { shown: PagePicture | null; show: Show }>();
+  #width = 1;
+  #height = 1;
+  #ratio = 1;
+  readonly #zooming = new Zooming((level) =>
+    sightOf(this.#shape, this.#book.framing, this.#aspect, this.#shape.rim, level),
+  );
+
+  /**
+   * @throws Error in one sentence where the browser has no WebGL 2.
+   */
+  constructor(canvas: HTMLCanvasElement, shape: BookShape) {
+    this.#canvas = canvas;
+    this.#shape = shape;
+    this.#renderer = openRenderer(canvas);
+    this.#pictures = new PictureTextures(this.#renderer);
+    this.#materials = new BookMaterials(shape, this.#pictures.paper, this.#pictures.anisotropy);
+    this.#book = new DrawnBook(shape, this.#materials);
+    this.#scene.add(this.#book.group, this.#beyond.mesh);
+    this.#camera = new PerspectiveCamera(fieldOfView, 1, 0.05, 10);
+    this.#camera.matrixAutoUpdate = false;
+    this.#context = new ContextWatch(canvas, {
+      lost: () => {
+        dropFromCard(this.#scene);
+        this.#pictures.drop();
+      },
+      restored: () => this.onRestored?.(),
+      gone: () => this.onGone?.(),
+    });
+  }
+
+  bind(shape: BookShape): void {
+    this.#scene.remove(this.#book.group);
+    this.#book.dispose();
+    this.#materials.dispose();
+    this.#faces.clear();
+    this.#shape = shape;
+    this.#materials = new BookMaterials(shape, this.#pictures.paper, this.#pictures.anisotropy);
+    this.#book = new DrawnBook(shape, this.#materials);
+    this.#scene.add(this.#book.group);
+  }
+
+  resize(cssWidth: number, cssHeight: number, pixelRatio: number): void {
+    this.#width = Math.max(1, cssWidth);
+    this.#height = Math.max(1, cssHeight);
+    this.#ratio = Math.max(0.25, pixelRatio);
+    this.#aim();
+  }
+
+  get unfolds(): boolean {
+    return true;
+  }
+
+  get zoom(): Zoom {
+    return this.#zooming.zoom;
+  }
+
+  set zoom(zoom: Zoom) {
+    this.#aim(zoom);
+  }
+
+  zoomed(level: number, from: Place, to: Place): Zoom {
+    const share = ({ x, y }: Place) => [x / this.#width, y / this.#height] as const;
+    return this.#zooming.zoomed(level, share(from), share(to));
+  }
+
+  setFace(face: Face, picture: PagePicture | null): void {
+    this.#print(face, picture, (texture, none) => this.#materials.show(face, texture, none));
+  }
+
+  setLeaf(index: number, side: LeafSide, picture: PagePicture | null): void {
+    this.#print(`${side} ${index}`, picture, (texture) =>
+      this.#materials.showLeaf(index, side, texture),
+    );
+  }
+
+  setUnder(side: PageFace, behind: PagePicture | null, beneath: PagePicture | null): void {
+    const page = this.#materials.pages[side];
+    this.#print(`behind ${side}`, behind, (texture) => {
+      page.pictureBehind = texture;
+    });
+    this.#print(`beneath ${side}`, beneath, (texture) => {
+      page.beneath = texture;
+    });
+  }
+
+  setDetail(face: Face, detail: FaceDetail | null): void {
+    const texture = this.#pictures.of(detail?.picture ?? null);
+    this.#materials.showDetail(face, texture, detail?.box ?? null);
+  }
+
+  get restingRatio(): number {
+    const ratio = Math.max(2, this.#ratio);
+    // No canvas larger than the GPU takes.
+    const most = this.#renderer.capabilities.maxTextureSize;
+    const longest = Math.max(this.#width, this.#height);
+    const fit = Math.min(most / longest, Math.sqrt(mostPixels / (this.#width * this.#height)));
+    return Math.max(Math.min(this.#ratio, fit), Math.min(ratio, fit));
+  }
+
+  forget(picture: PagePicture): void {
+    for (const [face, { shown, show }] of this.#faces) {
+      if (shown === picture) this.#print(face, null, show);
+    }
+    this.#pictures.forget(picture);
+  }
+
+  pose(pose: BookPose, roughly = false): void {
+    if (this.#book.pose(pose, roughly)) this.#aim();
+  }
+
+  draw(options?: DrawOptions): void {
+    const ratio = options?.resting ? this.restingRatio : this.#ratio * (options?.pixels ?? 1);
+    const [width, height] = [Math.floor(this.#width * ratio), Math.floor(this.#height * ratio)];
+    if (this.#canvas.width !== width || this.#canvas.height !== height) {
+      // Clears the canvas; it is filled again below before anyone can see.
+      this.#renderer.setDrawingBufferSize(this.#width, this.#height, ratio);
+    }
+    this.#renderer.render(this.#scene, this.#camera);
+  }
+
+  rayAt(x: number, y: number): Ray {
+    const { elements: m } = this.#camera.matrixWorld;
+    const { elements: p } = this.#camera.projectionMatrix;
+    // Zoomed in, the middle of the canvas is not that of the lens.
+    const right = ((2 * x) / this.#width - 1 + p[8]) / p[0];
+    const up = (1 - (2 * y) / this.#height + p[9]) / p[5];
+    const way = [0, 1, 2].map((k) => right * m[k] + up * m[4 + k] - m[8 + k]);
+    const length = Math.hypot(way[0], way[1], way[2]);
+    return {
+      origin: [m[12], m[13], m[14]],
+      direction: [way[0] / length, way[1] / length, way[2] / length],
+    };
+  }
+
+  get isLost(): boolean {
+    return this.#context.isLost;
+  }
+
+  project(point: Vec3): Place {
+    const seen = new Vector3(...point).project(this.#camera);
+    return { x: (0.5 + 0.5 * seen.x) * this.#width, y: (0.5 - 0.5 * seen.y) * this.#height };
+  }
+
+  projectOn(face: Face, x: number, y: number): Place {
+    return this.project(this.#book.placeOn(face, x, y));
+  }
+
+  get viewKey(): string {
+    const { matrixWorld, projectionMatrix } = this.#camera;
+    return [
+      ...matrixWorld.elements,
+      ...projectionMatrix.elements,
+      this.#width,
+      this.#height,
+    ].join();
+  }
+
+  destroy(): void {
+    this.#context.destroy();
+    // Frees all of the GPU's memory at once; the rest lets go of what three.js keeps.
+    if (!this.isLost) this.#renderer.forceContextLoss();
+    this.#book.dispose();
+    this.#beyond.dispose();
+    this.#materials.dispose();
+    this.#pictures.dispose();
+    this.#scene.clear();
+    this.#renderer.dispose();
+  }
+
+  #print(face: Printed, picture: PagePicture | null, show: Show): void {
+    if (this.#faces.get(face)?.shown === picture) return;
+    this.#faces.set(face, { shown: picture, show });
+    show(this.#pictures.of(picture), picture === null);
+  }
+
+  get #aspect(): number {
+    return this.#width / this.#height;
+  }
+
+  #aim(zoom: Zoom = this.#zooming.zoom): void {
+    const { level } = zoom;
+    const [aspect, overhead] = [this.#aspect, overheadAt(level)];
+    const view = frameBook(this.#shape, this.#book.framing, aspect, this.#shape.rim, overhead);
+    const camera = this.#camera;
+    camera.matrix.makeBasis(
+      new Vector3(...view.right),
+      new Vector3(...view.up),
+      new Vector3(...view.back),
+    );
+    camera.matrix.setPosition(...view.position);
+    camera.matrixWorldNeedsUpdate = true;
+    camera.updateMatrixWorld(true);
+    const size = 2 * Math.max(this.#shape.width, this.#shape.height);
+    camera.near = Math.max(0.02, view.distance - size);
+    camera.far = view.distance + 2 * size;
+    const [x, y] = this.#zooming.show(zoom);
+    const [left, top] = [(x - 0.5 / level) * aspect, y - 0.5 / level];
+    camera.setViewOffset(aspect, 1, left, top, aspect / level, 1 / level);
+    const { closedRight, closedLeft } = this.#book.framing;
+    this.#beyond.aim(this.#shape, Math.min(1, closedRight + closedLeft), camera);
+  }
+}
+
+function openRenderer(canvas: HTMLCanvasElement): WebGLRenderer {
+  const context = openContext(canvas);
+  if (!context) throw new Error("The graphics card has no context to give.");
+  const renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: true });
+  renderer.outputColorSpace = SRGBColorSpace;
+  renderer.setClearColor(0, 0);
+  return renderer;
+}

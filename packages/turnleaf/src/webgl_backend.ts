@@ -1,0 +1,12 @@
+/** A book in space: simulated paper, drawn by the graphics card. Loaded when a book opens where both are to be had. */
+
+import { WasmBook } from "./engine/wasm_book.ts";
+import type { Backend } from "./viewer/viewer.ts";
+import { WebGLStage } from "./webgl/webgl_stage.ts";
+
+/** Paper that the engine bends and three.js draws. */
+export const webglBackend: Backend = {
+  engine: (size) => WasmBook.create(size),
+  stage: (canvas, shape) => new WebGLStage(canvas, shape),
+  models: () => import("./leaf_models/leaf_models.ts"),
+};
