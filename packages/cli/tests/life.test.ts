@@ -107,7 +107,7 @@ test("a page that refuses WebAssembly shows a book on the flat, and no error", a
   const at = await page.evaluate(() => document.querySelector("turnleaf-book")?.page);
   expect(at).toBe(2);
   expect(asked.filter((path) => /three|webgl/.test(path))).toEqual([]);
-  expect(asked.some((path) => path.includes("plain"))).toBe(true);
+  expect(asked.some((path) => path.includes("canvas2d_backend"))).toBe(true);
   expect(complaints).toEqual([]);
 });
 

@@ -4,7 +4,7 @@ import { expect, test, vi } from "vitest";
 import type { OpenPage, SharpnessTools } from "./coarseness.ts";
 import { Sharpness } from "./sharpness.ts";
 
-vi.mock("./details.ts", () => {
+vi.mock("./detail_pictures.ts", () => {
   throw new TypeError("Failed to fetch");
 });
 
