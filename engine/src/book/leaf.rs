@@ -35,10 +35,13 @@ pub const TICK: f32 = 1.0 / 120.0;
 /// 0.2 % of the exact shape at Gamma 10, and ten leaves fit into a frame.
 pub const NODES: [usize; 2] = [10, 14];
 
-/// Steps in a tick of a leaf that is alone in the air, so that it moves as the shell does,
-/// and of one of stiff paper. With others it has one, so that ten fit into a frame.
-const STEPS_ALONE: u32 = 2;
-const STEPS_ALONE_STIFF: u32 = 3;
+/// Leaves that fly at once in short steps, at most, so that they move as the shell does;
+/// where there are more each has one step in a tick, and ten fit into a frame.
+const FEW: usize = 3;
+
+/// Steps in a tick of one of a few leaves, and of one of a few of stiff paper.
+const STEPS: u32 = 2;
+const STEPS_STIFF: u32 = 3;
 
 /// Angle, radians, by which the first mode of a leaf of stiff paper goes on in a tick: its
 /// corner snaps within a few steps.
@@ -48,7 +51,7 @@ const STIFF: f64 = 0.12;
 /// 12 a riffle of ten took twice as long.
 const SHEAR_SWEEPS_OF_MANY: usize = 6;
 
-/// Stiffness in its plane of a sheet that is alone, in units of a node's mass over the
+/// Stiffness in its plane of one of a few leaves, in units of a node's mass over the
 /// square of a step, and the greatest, N/m: a stiffer card snaps farther from where the
 /// shell does.
 const STIFFNESS: f64 = 2e4;
@@ -162,9 +165,9 @@ impl Paper {
         let rate =
             Rigidity::of(&self.stock, self.grain).first_frequency(self.stock.grammage, width);
         match flying {
-            2.. => 1,
-            _ if rate * f64::from(TICK) > STIFF => STEPS_ALONE_STIFF,
-            _ => STEPS_ALONE,
+            _ if flying > FEW => 1,
+            _ if rate * f64::from(TICK) > STIFF => STEPS_STIFF,
+            _ => STEPS,
         }
     }
 

@@ -103,7 +103,8 @@ impl Seated {
     }
 
     /// Whether no node can have come deeper than `deep` metres into anything within
-    /// `seconds` since all was looked for, at the velocities of now: so far off was
+    /// `seconds` since all was looked for, at the velocities of now, nor any that was
+    /// not [close](Self::is_close) to a neighbour have come close: so far off was
     /// everything.
     pub fn is_clear(&self, [left, right]: [Option<&Seated>; 2], deep: f32, seconds: f32) -> bool {
         let apart = |v: [f32; 3], w: [f32; 3]| {
@@ -115,7 +116,9 @@ impl Seated {
             let clear_of = |side: usize, other: Option<&Seated>| {
                 let nearest = self.nearest[side][node] as usize;
                 other.is_none_or(|other| {
-                    self.gaps[side][node] + deep > apart(v, other.velocities[nearest])
+                    let gap = self.gaps[side][node];
+                    let nearer = apart(v, other.velocities[nearest]);
+                    gap + deep > nearer && (gap < CLOSE || gap - CLOSE > nearer)
                 })
             };
             self.pile_gaps[node] + deep > apart(v, [0.0; 3])

@@ -116,8 +116,12 @@ fn a_played_turn_hardly_shears_its_paper() {
             }
             rest(&mut book, see);
             let (shear, stretch) = (most.0.to_degrees(), 100.0 * most.1);
-            // Leaves that fly with others have longer steps and are softer.
-            let most = if leaves > 1 { [3.3, 2.7] } else { [1.0, 0.5] };
+            // Where more than a few fly they have longer steps and are softer.
+            let most = if leaves > FEW as u32 {
+                [3.3, 2.7]
+            } else {
+                [1.0, 0.5]
+            };
             assert!(
                 shear <= most[0] && stretch <= most[1],
                 "{name}: {leaves} in {seconds} s from {from:?}: {shear} degrees, {stretch} %"
