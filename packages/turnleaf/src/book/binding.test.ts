@@ -1,4 +1,7 @@
-/** Every binding, layout and offset: each page has one place, and reading passes all of them in order. */
+/**
+ * Every binding, layout and offset: each page has exactly one place, and
+ * reading passes all of them in order.
+ */
 
 import { expect, test } from "vitest";
 import { edgeFor, layoutFor, pagesNamed } from "./layout.ts";
@@ -163,7 +166,7 @@ test("a page stands alone where it is much larger so, and does not flicker betwe
   expect(fit(0, 0)).toBe("spread");
   expect(fit(0, 0, "single")).toBe("single");
   expect(layoutFor("single", 1, false, 1280, 800, null)).toBe("single");
-  // One above the other: a phone has room for both, a wide screen has not.
+  // One page above the other: a phone has space for both, a wide screen does not.
   expect(layoutFor("auto", 2 / 3, true, 390, 844, null)).toBe("spread");
   expect(layoutFor("auto", 3 / 2, true, 1280, 500, null)).toBe("single");
   for (let width = 300; width < 1200; width++) {

@@ -1,8 +1,8 @@
-/** Which page is printed on which face of what is drawn. */
+/** Maps pages to the faces of the drawn book. */
 
 import { type Binding, leafCount, leftPage, rightPage } from "./spreads.ts";
 
-/** The faces of the drawn book that carry a page, but for those of leaves in flight. */
+/** The faces of the drawn book that carry a page, except those of leaves in flight. */
 export const faceNames = [
   "left",
   "right",
@@ -15,21 +15,21 @@ export const faceNames = [
 /** A face of the drawn book. */
 export type Face = (typeof faceNames)[number];
 
-/** Whether a face is one of a cover board. */
+/** Returns whether a face belongs to a cover board. */
 export function isBoardFace(face: Face): boolean {
   return face.startsWith("front") || face.startsWith("back");
 }
 
-/** What lies between two spreads: a leaf, or a sheaf that flies as one. */
+/** The range of spreads that a leaf, or a sheaf that flies as one, lies between. */
 export interface Between {
-  /** The spread seen when it lies on the right, and on the left. */
+  /** The spread visible when it lies on the right, and on the left. */
   readonly low: number;
   readonly high: number;
 }
 
 /**
- * The page (from 1) on each face while what is in flight is between the spreads
- * `low` and `high`, or at rest where the two are the same.
+ * Returns the page (from 1) on each face while the leaves in flight are between
+ * the spreads `low` and `high`. At rest the two are equal.
  */
 export function facesBetween(
   binding: Binding,
@@ -48,7 +48,10 @@ export function facesBetween(
   };
 }
 
-/** The face on which a page (from 1) is seen while the book rests at a spread; null where it does not lie open. */
+/**
+ * Returns the face that shows a page (from 1) while the book rests at a spread,
+ * or null if the page does not lie open.
+ */
 export function faceOf(binding: Binding, spread: number, page: number): Face | null {
   const last = leafCount(binding);
   const { hardCover } = binding;
@@ -61,7 +64,10 @@ export function faceOf(binding: Binding, spread: number, page: number): Face | n
   return hardCover && spread === 1 ? "frontInside" : "left";
 }
 
-/** The pages on both sides of a leaf in flight; a sheaf shows its first and its last. */
+/**
+ * Returns the pages on both sides of a leaf in flight; for a sheaf, its first
+ * and its last page.
+ */
 export function facesOfLeaf(
   binding: Binding,
   { low, high }: Between,
@@ -72,16 +78,16 @@ export function facesOfLeaf(
 /** Pages to have ready, most urgent first. */
 export interface PagesWanted {
   readonly pages: readonly number[];
-  /** How many of the first are seen now, and how many of those lie open rather than fly. */
+  /** How many of the first are visible now, and how many of those lie open rather than fly. */
   readonly inSight: number;
   readonly lyingOpen: number;
 }
 
 /**
- * The pages to have ready at a spread where some leaves are in flight, told
- * from the left to the right: what is seen, then what `to` shows, where the book
- * will come to rest, what the next turns in either direction would show, and
- * the boards' outsides.
+ * Returns the pages to have ready at a spread while some leaves are in flight,
+ * given from left to right. First come the visible pages, then those of the
+ * spread `to` where the book will come to rest, then those that the next turns
+ * in either direction would show, and last the outsides of the boards.
  */
 export function pagesWanted(
   binding: Binding,
@@ -97,7 +103,7 @@ export function pagesWanted(
   if (low === 0) faces.push(boards.frontInside);
   if (high === last) faces.push(boards.backInside);
   const lyingOpen = existing(faces);
-  // Of the leaves in flight those first that will be seen longest.
+  // Leaves in flight that stay visible longest come first.
   const toGo = (flight: Between): number =>
     Math.min(Math.abs(flight.low - to), Math.abs(flight.high - to));
   for (const flight of [...flights].sort((a, b) => toGo(a) - toGo(b))) {

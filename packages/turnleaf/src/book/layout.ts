@@ -1,8 +1,8 @@
-/** How a book is to be bound and laid out, from what is asked for and the space there is. */
+/** Chooses how a book is bound and laid out, from the options and the available space. */
 
 import type { CoverKind, Edge, Layout } from "./spreads.ts";
 
-/** What is asked for; "auto" leaves it to the book or to the space. */
+/** The requested layout; "auto" leaves the choice to the book or to the space. */
 export interface LayoutOptions {
   readonly cover: CoverKind;
   readonly binding: "auto" | Edge;
@@ -12,25 +12,27 @@ export interface LayoutOptions {
   readonly hardPages: string;
 }
 
-/** The edge at which a book is bound that reads in a direction. */
+/** Returns the edge at which a book is bound for a reading direction. */
 export function edgeFor(wish: LayoutOptions["binding"], direction: "ltr" | "rtl"): Edge {
   return wish === "auto" ? (direction === "rtl" ? "right" : "left") : wish;
 }
 
 /**
- * A page alone is shown where it is so much larger than in a spread, and goes
- * back where it is less so: between the two shares, the layout stays.
+ * "auto" shows a single page if the page in a spread would be smaller than the
+ * first fraction of it, and returns to spreads above the second. Between the
+ * two the layout stays.
  */
 const singleBelow = 0.6;
 const spreadAbove = 0.68;
 
 /**
- * The layout for a place.
+ * Returns the layout for a place.
  *
  * @param aspect a page's width over its height
- * @param rolled whether the two pages of a spread lie one above the other
- * @param width,height of the place, both 0 while it is not known
- * @param before the layout there was, null at first
+ * @param quarterTurned whether the two pages of a spread lie one above the
+ * other
+ * @param width,height of the place, both 0 while unknown
+ * @param before the previous layout, null at first
  */
 export function layoutFor(
   wish: LayoutOptions["layout"],
@@ -49,9 +51,10 @@ export function layoutFor(
 }
 
 /**
- * Which way a key turns a book bound at an edge: 1 on, -1 back, 0 for a key that
- * turns nothing. Arrows point to where the leaf lies that is turned; on a book
- * that turns up or down, those to the sides do as on one bound at the left.
+ * Returns which way a key turns a book bound at an edge: 1 forward, -1 back, 0
+ * for a key that turns nothing. Arrows point to where the leaf to turn lies. On
+ * a book that turns up or down, the left and right arrows act as on one bound
+ * at the left.
  */
 export function turnOfKey(key: string, edge: Edge): 1 | 0 | -1 {
   if (key === "PageDown") return 1;
@@ -63,10 +66,13 @@ export function turnOfKey(key: string, edge: Edge): 1 | 0 | -1 {
   return (across || (edge === "top" ? down : -down)) as 1 | 0 | -1;
 }
 
-/** Most numbers of a list of pages that are read: a longer one is no list of pages. */
+/** Maximum of numbers read from a list of pages. */
 const mostNumbers = 10_000;
 
-/** The pages that a list such as "1-2,9" names, those of a book of `pageCount`; what is no number names none. */
+/**
+ * Returns the pages that a list such as "1-2,9" names in a book of `pageCount`
+ * pages. Invalid entries are ignored.
+ */
 export function pagesNamed(list: string, pageCount: number): number[] {
   const pages = new Set<number>();
   for (const part of list.split(",", mostNumbers)) {

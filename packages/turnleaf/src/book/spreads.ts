@@ -1,28 +1,31 @@
 /**
  * Which page lies where: the arithmetic of leaves and spreads.
  *
- * Leaf k (from 0) has two faces, recto 2k and verso 2k + 1, counted as they lie
- * in a book that is bound on its left or, rolled by a quarter turn, at its top:
- * it turns from the right to the left. A book that is bound on its right or at
- * its bottom is the same book with its pages counted from the other end. At
- * spread s, s leaves lie on the left: face 2s - 1 is seen beside face 2s. Pages
- * count from 1. With hard covers the first and the last leaf are the boards.
+ * Leaf k (from 0) has two faces, recto 2k and verso 2k + 1, counted in a book
+ * that is bound on its left or, turned by a quarter, at its top: leaf k turns
+ * from the right to the left. A book bound on its right or at its bottom is the
+ * same book with its pages counted from the other end. At spread s, s leaves
+ * lie on the left: face 2s - 1 is visible beside face 2s. Pages count from 1.
+ * With hard covers the first and the last leaf are the boards.
  */
 
 /** The edge at which a book is bound, as its reader holds it. */
 export type Edge = "left" | "right" | "top" | "bottom";
 
-/** Pages on both sides of every leaf and two of them seen, or one on each leaf and alone in sight. */
+/**
+ * "spread": pages on both sides of every leaf, two of them visible. "single":
+ * one page on each leaf, visible alone.
+ */
 export type Layout = "spread" | "single";
 
 /** What holds the leaves: boards in cloth, card, or nothing. */
 export type CoverKind = "hard" | "soft" | "none";
 
-/** How a book is to be bound; what is left out is as usual: at the left, as spreads, page 1 alone. */
+/** How a book is to be bound. By default it is bound at the left, in spreads, with page 1 alone. */
 export interface BindOptions {
   readonly edge?: Edge;
   readonly layout?: Layout;
-  /** 1: page 1 has nothing beside it, as usual; 0: pages 1 and 2 face each other. */
+  /** 1, the default: page 1 has nothing beside it; 0: pages 1 and 2 face each other. */
   readonly offset?: 0 | 1;
   /** Pages (from 1) on leaves of board. */
   readonly hardPages?: Iterable<number>;
@@ -31,7 +34,10 @@ export interface BindOptions {
 /** A book's leaves and covers, and where its pages are on them. */
 export interface Binding {
   readonly pageCount: number;
-  /** Leaves, boards included; also the number of the spread at which all lie on the left. */
+  /**
+   * Number of leaves, boards included; also the number of the spread at which
+   * all lie on the left.
+   */
   readonly leaves: number;
   /** Whether the first and the last leaf are stiff boards. */
   readonly hardCover: boolean;
@@ -41,9 +47,12 @@ export interface Binding {
   readonly layout: Layout;
   /** Whether reading goes from the left of the engine's book to its right. */
   readonly reversed: boolean;
-  /** Whether the spine lies across the screen: the engine's right is then below it. */
+  /** Whether the spine lies across the screen: the engine's right is then at the bottom. */
   readonly rolled: boolean;
-  /** The first and the last spread at which the book may lie open: without boards, no bare one. */
+  /**
+   * The first and the last spread at which the book may lie open. Without
+   * boards, a spread of bare paper does not count.
+   */
   readonly first: number;
   readonly last: number;
   /** Leaves of board among the paper, from 0. */
@@ -53,22 +62,22 @@ export interface Binding {
   readonly step: 1 | 2;
 }
 
-/** Fewest leaves with which two boards still hold paper between them. */
+/** Minimum of leaves with which two boards still hold paper between them. */
 const leavesForBoards = 3;
 
-/** A book's binding: hard covers only where paper is left between them. */
+/** Binds a book. Hard covers need paper between them; a book too thin for that gets none. */
 export function bind(pageCount: number, cover: CoverKind, options: BindOptions = {}): Binding {
   const { edge = "left", layout = "spread", offset = 1, hardPages = [] } = options;
   const step = layout === "single" ? 2 : 1;
   const shifted = step === 1 && offset === 0;
-  // Where no page is left for the boards they are bare, and page 1 has a leaf's back to itself.
+  // If no page is left for the boards they are bare, and page 1 has the back of its leaf to itself.
   const bareBoards = shifted && cover === "hard";
   const lead = bareBoards ? 3 : shifted ? 1 : 0;
   const faces = lead + step * (pageCount - 1) + 1;
   const leaves = Math.ceil(faces / 2) + (bareBoards ? 1 : 0);
   const hardCover = cover === "hard" && leaves >= leavesForBoards;
   const reversed = edge === "right" || edge === "bottom";
-  // A spread with nothing on it but bare paper is no place to lie open at.
+  // The book does not lie open at a spread that shows only bare paper.
   const begin = lead === 0 || hardCover ? 0 : 1;
   const end = step === 2 || (faces < 2 * leaves && !hardCover) ? leaves - 1 : leaves;
   const binding = {
@@ -92,67 +101,70 @@ export function bind(pageCount: number, cover: CoverKind, options: BindOptions =
   return binding;
 }
 
-/** Leaves of the book, boards included; also the number of the spread at which all lie on the left. */
+/**
+ * Returns the number of leaves, boards included; also the number of the spread
+ * at which all lie on the left.
+ */
 export function leafCount(binding: Binding): number {
   return binding.leaves;
 }
 
-/** Leaves of paper, without the boards. */
+/** Returns the number of leaves of paper, without the boards. */
 export function paperLeaves(binding: Binding): number {
   return leafCount(binding) - (binding.hardCover ? 2 : 0);
 }
 
-/** Leaves of paper on the left at spread `s`, which may lie between two whole ones. */
+/** Returns the number of paper leaves on the left at spread `s`, which may be fractional. */
 export function paperOnLeft(binding: Binding, s: number): number {
   const boards = binding.hardCover ? 1 : 0;
   return Math.min(Math.max(s - boards, 0), paperLeaves(binding));
 }
 
-/** Whether leaf `k` is a board. */
+/** Returns whether leaf `k` is a board. */
 export function isBoard(binding: Binding, k: number): boolean {
   return binding.hardCover && (k === 0 || k === leafCount(binding) - 1);
 }
 
-/** The page on the engine's left at spread `s`, or null where there is none. */
+/** Returns the page on the engine's left at spread `s`, or null if there is none. */
 export function leftPage(binding: Binding, s: number): number | null {
   return pageOnFace(binding, 2 * s - 1);
 }
 
-/** The page on the engine's right at spread `s`, or null where there is none. */
+/** Returns the page on the engine's right at spread `s`, or null if there is none. */
 export function rightPage(binding: Binding, s: number): number | null {
   return pageOnFace(binding, 2 * s);
 }
 
-/** The pages that lie open at spread `s`, in the order of reading. */
+/** Returns the pages that lie open at spread `s`, in the order of reading. */
 export function pagesAt(binding: Binding, s: number): number[] {
   const pages = [leftPage(binding, s), rightPage(binding, s)].filter((page) => page !== null);
   return binding.reversed ? pages.reverse() : pages;
 }
 
-/** Which way the spreads count as reading goes on. */
+/** Returns the sign by which spreads count as reading goes on. */
 export function forward(binding: Binding): 1 | -1 {
   return binding.reversed ? -1 : 1;
 }
 
-/** Whether a way from one spread to another goes on in the book or back. */
+/** Returns the direction of reading from one spread to another. */
 export function directionOf(binding: Binding, from: number, to: number): "forward" | "backward" {
   return (to - from) * forward(binding) > 0 ? "forward" : "backward";
 }
 
-/** A spread as near as may be to `s` at which the book may lie open. */
+/** Returns the spread nearest to `s` at which the book may lie open. */
 export function clampSpread(binding: Binding, s: number): number {
   return Math.min(Math.max(s, binding.first), binding.last);
 }
 
-/** The spread that shows page `page` (clamped to the book). */
+/** Returns the spread that shows page `page` (clamped to the book). */
 export function spreadOf(binding: Binding, page: number): number {
   const clamped = Math.min(Math.max(Math.round(page) || 1, 1), binding.pageCount);
   return (faceOfPage(binding, clamped) + 1) >> 1;
 }
 
 /**
- * The first page seen at spread `s`, in the order of reading; on a closed side
- * without a page of its own, the nearest.
+ * Returns the first visible page at spread `s` in the order of reading; on a
+ * closed side without a page of its own, the nearest.
  */
 export function pageOf(binding: Binding, s: number): number {
   const [page] = pagesAt(binding, s);
@@ -161,7 +173,10 @@ export function pageOf(binding: Binding, s: number): number {
   return 2 * read <= binding.lead ? 1 : binding.pageCount;
 }
 
-/** The edge of a page that lies at the spine, as it is read; "board" of a page on the boards of a hard cover. */
+/**
+ * Returns the edge of a page that lies at the spine, as it is read, or "board"
+ * for a page on the boards of a hard cover.
+ */
 export function spineOf(binding: Binding, page: number): Edge | "board" {
   const face = faceOfPage(binding, page);
   if (isBoard(binding, face >> 1)) return "board";
@@ -170,7 +185,7 @@ export function spineOf(binding: Binding, page: number): Edge | "board" {
   return isRecto ? "left" : "right";
 }
 
-/** The face of a page, which is of this book. */
+/** Returns the face of a page of this book. */
 function faceOfPage(binding: Pick<Binding, "lead" | "step" | "reversed" | "leaves">, page: number) {
   const read = binding.lead + binding.step * (page - 1);
   return binding.reversed ? 2 * binding.leaves - 1 - read : read;
@@ -182,16 +197,19 @@ function pageOnFace(binding: Binding, face: number): number | null {
   return Number.isInteger(page) && page >= 1 && page <= binding.pageCount ? page : null;
 }
 
-/** Leaves that a way turns one by one, at most. */
+/** Maximum of leaves that a jump turns one by one. */
 const mostSingle = 12;
 
-/** Leaves that fly for all those of a longer way, each for its share, as under a thumb. */
+/**
+ * Leaves that fly in a longer jump. Each stands for an equal part of all
+ * leaves, as in a riffle.
+ */
 const riffled = 9;
 
 /**
- * The spreads at which a way from one spread to another stops: one turn each.
- * A short way turns every leaf of paper, a long one few that stand for many; a
- * board always turns by itself, for it carries its own two pages.
+ * Returns the spreads at which the turns from one spread to another end. A
+ * short jump turns every leaf of paper, a long one few that stand for many. A
+ * board always turns by itself, because it carries two pages of its own.
  */
 export function waypoints(binding: Binding, from: number, to: number): number[] {
   const last = leafCount(binding);
@@ -203,7 +221,7 @@ export function waypoints(binding: Binding, from: number, to: number): number[] 
   return way;
 }
 
-/** The stops between two spreads that no board parts. */
+/** Returns the ends of the turns between two spreads with no board between them. */
 function turnsTo(from: number, to: number): number[] {
   const leaves = Math.abs(to - from);
   const turns = leaves <= mostSingle ? leaves : riffled;

@@ -1,4 +1,7 @@
-/** The book's state over the real engine and over the flat book, its clock driven by hand. */
+/**
+ * The book's state over the real engine and over the flat book, with the clock
+ * driven by the test.
+ */
 
 import { expect, test } from "vitest";
 import { PeeledBook } from "../canvas2d/peeled_book.ts";
@@ -10,7 +13,7 @@ import { type Flight, Turning, type TurningEvents } from "./turning.ts";
 
 let make: (size: BookSize) => Promise<BookEngine>;
 
-/** A test over the engine, and over what stands in for it. */
+/** Runs a test over the engine and over its flat replacement. */
 function both(name: string, run: () => Promise<void>): void {
   for (const [over, create] of [
     ["paper", (size: BookSize) => WasmBook.create(size)],
@@ -44,11 +47,11 @@ async function open(pages: number, cover: "hard" | "none", heard: Partial<Turnin
   return { engine, turning, flights, run, pass };
 }
 
-/** What a promise holds by now; "pending" where it has not resolved. */
+/** Returns what a promise has resolved to by now, or "pending". */
 const now = <T>(promise: Promise<T>): Promise<T | "pending"> =>
   Promise.race([promise, Promise.resolve().then(() => "pending" as const)]);
 
-/** Seconds of leaves that follow each other at the usual pace. */
+/** Seconds between leaves that follow each other at the default pace. */
 const apart = 0.072;
 
 both("a way stops at both boards, and every turn keeps what it promised", async () => {
@@ -75,7 +78,7 @@ both("no leaf flies beside a board", async () => {
     turning.step(1);
     const boards = turning.flights.filter(({ part }) => part !== "leaf");
     if (boards.length > 0) expect(turning.flights.length).toBe(1);
-    // The same by hand.
+    // The same by dragging.
     if (boards.length > 0) expect(turning.lift(0)).toBeNull();
   }
   run();
@@ -149,7 +152,7 @@ both("turns asked for one after another while others fly all count", async () =>
   for (let k = 0; k < 20; k++) promised.push(turning.turn(-1));
   run(20_000);
   expect(turning.spread).toBe(41);
-  // Those that were taken back again say so.
+  // Turns that were taken back resolve to false.
   const kept = [...Array(40).fill(true), ...Array(20).fill(false), ...Array(20).fill(true)];
   expect(await Promise.all(promised)).toEqual(kept);
 });
@@ -202,7 +205,7 @@ both("the book says that it rests once, at the end of its way", async () => {
     expect(await tell(turning.goTo(60))).toBe("0 to 60");
     expect(await tell(turning.goTo(100))).toBe("60 to 100");
     expect(await tell(turning.goTo(0))).toBe("100 to 0");
-    // Reversed, and sent elsewhere, in the middle of the way: also where just then nothing flies.
+    // Reversed, and sent elsewhere, halfway: also at moments when nothing flies.
     for (const seconds of [0.1, 0.3, 0.5, 0.7, 0.9, 1.1]) {
       void turning.goTo(60);
       pass(seconds);
@@ -472,7 +475,7 @@ both("the second hand's leaf is held, and the first hand's falls to its side", a
     expect(one.to).toBe(first);
     expect(engine.phase(one.id)).toBe(first === 0 ? Phase.fallingRight : Phase.fallingLeft);
     for (let k = 0; k < 120; k++) {
-      // What the first hand does is no business of either leaf's any more.
+      // The first pointer no longer affects either leaf.
       turning.hold(0, -sign * 0.1, 0.1, 0.1);
       turning.step(4);
     }
@@ -497,7 +500,7 @@ both("a key after a second hand's grab turns that hand's leaf", async () => {
   turning.hold(1, -0.08, 0.1, 0.06);
   turning.step(30);
   turning.release(1);
-  // The finger that lost its leaf is still down; no leaf is its own.
+  // The finger that lost its leaf is still down; it holds no leaf.
   expect([one.to, two.to]).toEqual([0, 1]);
   turning.turn(-1);
   expect([one.to, two.to]).toEqual([0, 0]);

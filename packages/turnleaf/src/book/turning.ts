@@ -1,6 +1,6 @@
 /**
  * The book's state: where it lies open, what is in flight, and the turns still
- * to come. Every change is a command to the engine; nothing here knows of
+ * to come. Every change is a command to the engine; nothing here depends on
  * pointers, screens or clocks.
  */
 
@@ -11,52 +11,55 @@ import { type Binding, isBoard, leafCount, paperOnLeft, waypoints } from "./spre
 /** A leaf or a board between two spreads. */
 export interface Flight {
   readonly part: "leaf" | Cover;
-  /** The engine's number of it; 0 for a board. */
+  /** The engine's number of the flight; 0 for a board. */
   readonly id: number;
-  /** The spread seen when it lies on the right, and on the left. */
+  /** The spread visible when it lies on the right, and on the left. */
   readonly low: number;
   readonly high: number;
-  /** The spread where it was taken up. */
+  /** The spread where it was picked up. */
   readonly from: number;
   /** The side it was last sent to. */
   to: Side;
-  /** u and v of where a hand first took hold of it. */
+  /** u and v of where a pointer first grabbed it. */
   grip?: readonly [u: number, v: number];
 }
 
-/** What happens to the book, in the order it happens. */
+/** The events of a book, in the order they happen. */
 export interface TurningEvents {
-  /** A leaf or a board leaves its side. */
+  /** A leaf or a board has left its side. */
   started(flight: Flight): void;
-  /** It came to rest on a side. */
+  /** It has come to rest on a side. */
   landed(flight: Flight): void;
   /**
-   * The book is at rest: nothing is in flight and nothing waits to begin. `from` is where it
-   * rested before, and equals `to` where everything fell back.
+   * The book is at rest: nothing is in flight and nothing waits to begin.
+   * `from` is where it rested before; it equals `to` if every leaf fell back.
    */
   rested(from: number, to: number): void;
 }
 
-/** Leaves in flight at once, at most. */
+/** Maximum of leaves in flight at once. */
 const mostFlights = 12;
 
-/** Turns of a reader's that wait to begin, at most: a held key must stop soon after its release. */
+/** Maximum of a reader's turns that wait to begin: a held key must stop soon after its release. */
 const mostWaiting = 3;
 
-/** Time between two leaves that follow each other, seconds and as a share of a turn. */
+/**
+ * Minimum time between two leaves that follow each other, in seconds and as a
+ * fraction of a turn.
+ */
 const leastApart = 0.07;
 const shareApart = 0.09;
 
-/** Shortest a turn is, seconds. */
+/** Minimum length of a turn in seconds. */
 const shortestTurn = 0.25;
 
-/** A promise that is kept or broken when the book comes to rest. */
+/** A promise that resolves to true or false when the book comes to rest. */
 interface Promised {
   readonly isKeptAt: (spread: number) => boolean;
   readonly resolve: (kept: boolean) => void;
 }
 
-/** Where the book lies open and how it gets elsewhere. */
+/** Holds where the book lies open and turns it elsewhere. */
 export class Turning {
   /** Length of a whole turn in seconds. */
   seconds = 0.8;
@@ -65,20 +68,23 @@ export class Turning {
   readonly #binding: Binding;
   readonly #events: TurningEvents;
   #spread = 0;
-  /** The spread where the book rested last, and whether it has left that rest. */
+  /** The spread where the book last rested, and whether it has left that rest. */
   #restedAt = 0;
   #hasLeft = false;
   /** Leaves of paper from the left to the right, or one board by itself. */
   #flights: Flight[] = [];
-  /** Spreads still to reach, one turn each, and whether a reader's own turns ask for them, not a command. */
+  /**
+   * Spreads still to reach, one turn each, and whether a reader's turns ask for
+   * them rather than a command.
+   */
   #plan: number[] = [];
   #isReaders = false;
-  /** Time since a leaf was taken up, seconds. */
+  /** Time since a leaf was picked up, in seconds. */
   #sinceLift = Number.POSITIVE_INFINITY;
-  /** What each hand has hold of: until it lets go, or a command takes it from it. */
+  /** The flight that each pointer holds, until it releases it or a command takes it over. */
   readonly #held = new Map<number, Flight>();
   #promised: Promised[] = [];
-  /** Rises when everything in flight is put down at once: what was under way is void. */
+  /** Rises when everything in flight is put down at once, which voids whatever was under way. */
   #era = 0;
 
   constructor(engine: BookEngine, binding: Binding, events: TurningEvents) {
@@ -87,7 +93,7 @@ export class Turning {
     this.#events = events;
   }
 
-  /** The spread that lies open, but for what is in flight. */
+  /** The spread that lies open, leaves in flight aside. */
   get spread(): number {
     return this.#spread;
   }
@@ -97,12 +103,12 @@ export class Turning {
     return this.#flights;
   }
 
-  /** The spread where the book rested last. */
+  /** The spread where the book last rested. */
   get restedAt(): number {
     return this.#restedAt;
   }
 
-  /** The spread where the book will lie when all that is asked for is done. */
+  /** The spread where the book will lie when all requests are done. */
   get destination(): number {
     return this.#plan.at(-1) ?? this.#landing;
   }
@@ -118,7 +124,7 @@ export class Turning {
     this.#spread = this.#restedAt = spread;
     this.#hasLeft = false;
     this.#engine.lay(paperOnLeft(this.#binding, spread));
-    // Where there are no boards, none presses the pages flat.
+    // Without boards nothing presses the pages flat.
     const { hardCover } = this.#binding;
     const last = leafCount(this.#binding);
     this.#engine.layBoard(Cover.front, spread > 0 || !hardCover ? Side.left : Side.right);
@@ -127,7 +133,7 @@ export class Turning {
     keepPromises(this.#takePromises(), spread);
   }
 
-  /** Stops where it is, for good: every promise resolves to false, and the engine is not called again. */
+  /** Stops for good: every promise resolves to false, and the engine is not called again. */
   close(): void {
     this.#putDown();
     for (const { resolve } of this.#takePromises()) resolve(false);
@@ -140,12 +146,12 @@ export class Turning {
   }
 
   /**
-   * Turns one leaf on (1) or back (-1) from where the book will lie when all that was asked for
-   * before is done. Every call counts: what waits becomes a jump where it is many leaves. A leaf
-   * in hand is the one that is turned.
+   * Turns one leaf forward (1) or back (-1) from where the book will lie when
+   * all earlier requests are done. Every call counts: waiting turns become a
+   * jump if they are many. A held leaf is the one that is turned.
    *
-   * Resolves, once the book is at rest, to whether it lies there or farther on that way; at once
-   * to false at the book's end.
+   * Resolves, once the book is at rest, to whether it lies there or farther on
+   * in that direction; at once to false at the end of the book.
    */
   turn(by: 1 | -1): Promise<boolean> {
     const held = this.#heldLast;
@@ -157,11 +163,12 @@ export class Turning {
   }
 
   /**
-   * A reader turns one leaf on (1) or back (-1), by a key, a click, a flick or the wheel. What a
-   * reader sees counts: against the leaves in flight, the one taken up last goes back, and a jump
-   * is called off; and few turns wait, so that a held key stops soon after its release.
+   * Turns one leaf forward (1) or back (-1) for a reader's key, click, flick or
+   * wheel. What the reader sees counts: against the leaves in flight, the last
+   * one picked up goes back, and a jump is cancelled. Few turns wait, so that a
+   * held key stops soon after its release.
    *
-   * Resolves as `turn` does, and at once to false where too many wait.
+   * Resolves as `turn` does, and at once to false if too many turns wait.
    */
   press(by: 1 | -1): Promise<boolean> {
     const held = this.#heldLast;
@@ -180,14 +187,17 @@ export class Turning {
     return this.#promise((at) => (at - destination) * by >= 0);
   }
 
-  /** The spread to which `turn` would turn; null at the book's end. */
+  /** Returns the spread to which `turn` would turn, or null at the end of the book. */
   turned(by: 1 | -1): number | null {
     const held = this.#heldLast;
     if (held !== undefined) return by === 1 ? held.high : held.low;
     return this.#next(by);
   }
 
-  /** A hand takes up the leaf or board on top of `side`; null where there is none, or where it has to wait. */
+  /**
+   * Picks up the leaf or board on top of `side`. Returns null if there is none
+   * or it has to wait.
+   */
   lift(side: Side): Flight | null {
     const [low, high] =
       side === Side.right
@@ -200,8 +210,8 @@ export class Turning {
   }
 
   /**
-   * A hand holds a flight at (u, v) of its surface. What was planned is off, and
-   * a leaf that another hand held is let go: one is in hand at a time.
+   * Grabs a flight at (u, v) of its surface. Planned turns are cancelled, and a
+   * leaf held by another pointer is released: one leaf is held at a time.
    */
   grab(flight: Flight, hand: number, u: number, v: number): void {
     if (!this.#flights.includes(flight)) return;
@@ -214,26 +224,26 @@ export class Turning {
     this.#follow();
   }
 
-  /** A hand pulls to a place in book space (metres). */
+  /** Pulls a grab to a place in book space (metres). */
   hold(hand: number, x: number, y: number, z: number): void {
-    // What a command took from the hand, and what was taken up since, is not its own.
+    // A leaf that a command took over, and one picked up since, do not follow this grab.
     const flight = this.#held.get(hand);
     if (flight?.part === "leaf") this.#engine.hold(flight.id, hand, x, y, z);
     else if (flight) this.#engine.holdBoard(flight.part, Math.atan2(Math.max(z, 0), x));
   }
 
-  /** Whether a hand has hold of something. */
+  /** Returns whether a grab holds something. */
   holds(hand: number): boolean {
     return this.#held.has(hand);
   }
 
-  /** Whether all that moves is in hand, and nothing else is to come. */
+  /** Whether every moving leaf is held and no turn waits. */
   get inHand(): boolean {
     const held = [...this.#held.values()];
     return this.#plan.length === 0 && this.#flights.every((flight) => held.includes(flight));
   }
 
-  /** A hand lets go. */
+  /** Releases a grab. */
   release(hand: number): void {
     const flight = this.#held.get(hand);
     this.#held.delete(hand);
@@ -260,13 +270,13 @@ export class Turning {
     return this.moving;
   }
 
-  /** Where the book will lie when all that is in flight has landed. */
+  /** The spread where the book will lie when everything in flight has landed. */
   get #landing(): number {
     const back = this.#flights.find(({ to }) => to === Side.right);
     return back?.low ?? this.#rightEnd;
   }
 
-  /** The spreads left and right of all that is in flight. */
+  /** The spreads left and right of everything in flight. */
   get #leftEnd(): number {
     return this.#flights[0]?.low ?? this.#spread;
   }
@@ -279,51 +289,57 @@ export class Turning {
     return Math.max(leastApart, shareApart * this.seconds);
   }
 
-  /** Whether leaf `low` may fly beside what is in flight: a board flies alone. */
+  /** Returns whether leaf `low` may fly beside the leaves in flight: a board flies alone. */
   #mayFly(low: number): boolean {
     const { length } = this.#flights;
     if (length === 0) return true;
     return length < mostFlights && this.#flights[0].part === "leaf" && !isBoard(this.#binding, low);
   }
 
-  /** Whether what waits to begin goes against a turn `by`. */
+  /** Returns whether the waiting turns go against a turn `by`. */
   #plansAgainst(by: 1 | -1): boolean {
     return this.#plan.length > 0 && (this.destination - this.#landing) * by < 0;
   }
 
-  /** The flight that a turn `by` sends back: the last that was sent the other way. */
+  /** Returns the flight that a turn `by` sends back: the last one sent the other way. */
   #nextBack(by: 1 | -1): Flight | undefined {
     return by === 1
       ? this.#flights.find(({ to }) => to === Side.right)
       : this.#flights.findLast(({ to }) => to === Side.left);
   }
 
-  /** What was taken in hand last, where something is in hand. */
+  /** The flight grabbed last, if one is held. */
   get #heldLast(): Flight | undefined {
     return [...this.#held.values()].at(-1);
   }
 
-  /** The spread one leaf on (1) or back (-1) from the destination; null at the book's end. */
+  /**
+   * Returns the spread one leaf forward (1) or back (-1) from the destination,
+   * or null at the end of the book.
+   */
   #next(by: 1 | -1): number | null {
     const spread = this.destination + by;
     return spread < this.#binding.first || spread > this.#binding.last ? null : spread;
   }
 
-  /** Sends what is in flight to where it lies at a spread, and plans the rest of the way there. */
+  /**
+   * Sends the leaves in flight to where they lie at a spread, and plans the
+   * rest of the way there.
+   */
   #head(spread: number): void {
     this.#plan = [];
     const held = [...this.#held.values()];
     for (const flight of this.#flights) {
       const { low, high } = flight;
       const to = spread >= high ? Side.left : spread <= low ? Side.right : flight.to;
-      // What is on its way there keeps its pace.
+      // A leaf already on its way there keeps its pace.
       if (flight.to !== to || held.includes(flight)) this.#play(flight, to);
     }
     this.#plan = waypoints(this.#binding, this.#landing, spread);
     this.#isReaders = false;
   }
 
-  /** Takes a leaf or board from the hand that holds it, and turns it. */
+  /** Takes a leaf or board over from the grab that holds it, and turns it. */
   #turnHeld(held: Flight, by: 1 | -1): Promise<boolean> {
     this.#plan = [];
     this.#play(held, sideTo(by));
@@ -331,26 +347,29 @@ export class Turning {
     return this.#promise((at) => (at - destination) * by >= 0);
   }
 
-  /** Drops from the plan what has come about by itself. */
+  /** Drops planned turns that are already done. */
   #dropReached(): void {
     while (this.#plan.length > 0 && this.#plan[0] === this.#landing) this.#plan.shift();
   }
 
-  /** Begins the next turn that waits, if it may begin yet. */
+  /** Begins the next waiting turn, if it may begin yet. */
   #liftNext(): void {
     this.#dropReached();
     if (this.#plan.length === 0 || this.#sinceLift < this.#apart) return;
     const [from, to] = [this.#landing, this.#plan[0]];
     const side = from < to ? Side.right : Side.left;
     const [low, high] = from < to ? [from, to] : [to, from];
-    // A leaf on its way to the side from which the next one comes must arrive there first.
+    // A leaf on its way to the side that the next one leaves must land there first.
     if (!this.#mayFly(low) || this.#flights.some((flight) => flight.to === side)) return;
     this.#plan.shift();
     const flight = this.#take(side, low, high);
     if (flight !== null) this.#play(flight, flight.to);
   }
 
-  /** Takes up what is between two spreads; null where it cannot be, or where whoever heard of it put it down again. */
+  /**
+   * Picks up what lies between two spreads. Returns null if that is impossible,
+   * or if a listener put it down again.
+   */
   #take(side: Side, low: number, high: number): Flight | null {
     const board = high - low === 1 && isBoard(this.#binding, low);
     const part = board ? (low === 0 ? Cover.front : Cover.back) : "leaf";
@@ -377,13 +396,13 @@ export class Turning {
       this.#engine.play(flight.id, to, Math.max(this.seconds, shortestTurn));
       this.#follow();
     } else {
-      // Others wait until it lies: it is swung faster.
+      // Other turns wait for the board to land, so it turns faster.
       const seconds = this.seconds / (this.#plan.length > 0 ? 2 : 1);
       this.#engine.playBoard(flight.part, to, Math.max(seconds, shortestTurn));
     }
   }
 
-  /** Learns where each flight is bound for: one that lets go or is sent takes others along. */
+  /** Updates the side that each flight is bound for: a released or sent leaf takes others along. */
   #follow(): void {
     for (const flight of this.#flights) flight.to = sideOf(this.#phase(flight)) ?? flight.to;
   }
@@ -402,7 +421,7 @@ export class Turning {
       return flight.part === "leaf" ? phase === Phase.over : isResting(phase);
     };
     const landed = this.#flights.filter(hasLanded);
-    // Of a leaf that is over, the pile knows where it went.
+    // The pile tells where a landed leaf went.
     const read = landed.length > 0 ? this.#engine.read : 0;
     for (const flight of landed) {
       if (flight.part !== "leaf") continue;
@@ -413,7 +432,7 @@ export class Turning {
     this.#land(landed);
   }
 
-  /** Tells of what came to rest, on either side from the pile on. */
+  /** Reports what has come to rest, on either side from the pile outward. */
   #land(landed: readonly Flight[]): void {
     const left = landed.filter(({ to }) => to === Side.left);
     const right = landed.filter(({ to }) => to === Side.right).reverse();
@@ -423,15 +442,15 @@ export class Turning {
       if (to !== flight.from) this.#spread = to;
       for (const [hand, held] of this.#held) if (held === flight) this.#held.delete(hand);
       this.#events.landed(flight);
-      // Whoever heard of it may have laid the book elsewhere, or taken it away.
+      // A listener may have laid the book elsewhere or taken it away.
       if (era !== this.#era) return;
     }
   }
 
-  /** Nothing moves and nothing waits: says so where something did, then keeps the promises. */
+  /** Reports the rest if something had moved, then resolves the promises. */
   #rest(): void {
     const at = this.#spread;
-    // What a listener asks for is promised for the rest after this one.
+    // What a listener requests belongs to the rest after this one.
     const promised = this.#takePromises();
     if (this.#hasLeft) {
       const from = this.#restedAt;
@@ -452,7 +471,7 @@ export class Turning {
 
   #promise(isKeptAt: Promised["isKeptAt"]): Promise<boolean> {
     const promised = new Promise<boolean>((resolve) => this.#promised.push({ isKeptAt, resolve }));
-    // Also a turn that was asked for and called off before it began.
+    // Also for a turn that was cancelled before it began.
     if (!this.moving) this.#rest();
     return promised;
   }
@@ -468,7 +487,7 @@ function keepPromises(promised: readonly Promised[], at: number): void {
   for (const { isKeptAt, resolve } of promised) resolve(isKeptAt(at));
 }
 
-/** The side that a turn `by` goes to. */
+/** Returns the side that a turn `by` goes to. */
 function sideTo(by: 1 | -1): Side {
   return by === 1 ? Side.left : Side.right;
 }

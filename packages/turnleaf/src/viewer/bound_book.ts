@@ -1,4 +1,4 @@
-/** A book as it is bound now. Bound anew, it is another one, which the same stage shows. */
+/** A book under one binding. Each change of binding makes a new one, shown by the same stage. */
 
 import { edgeFor, type LayoutOptions, layoutFor, pagesNamed } from "../book/layout.ts";
 import { type Binding, bind, type Layout, leafCount, paperLeaves } from "../book/spreads.ts";
@@ -17,15 +17,15 @@ import { FaceTextures, spreadsBetween } from "./face_textures.ts";
 import { paperPerBoard, Stiffening } from "./stiff.ts";
 import { TickCounter } from "./tick_counter.ts";
 
-/** A square-rooted page area of 140 x 210 mm, metres: every book has paper of this size. */
+/** Square root of a page area of 140 x 210 mm, in metres: every book has paper of this size. */
 const paperSize = Math.sqrt(0.14 * 0.21);
 
-/** How a book is to be bound, and the colour of its cloth as CSS writes it. */
+/** How a book is to be bound, and the CSS colour of its cloth. */
 export interface BindingOptions extends LayoutOptions {
   readonly cloth: string;
 }
 
-/** What of a book is the same however it is bound. */
+/** The properties of a book that no binding changes. */
 export interface Bindable {
   readonly source: Pick<PageSource, "pageCount" | "direction" | "kind">;
   /** A page's size in the source's unit, and its width over its height. */
@@ -33,17 +33,17 @@ export interface Bindable {
   readonly aspect: number;
 }
 
-/** Where pages lie and what the stage is to draw. */
+/** Where the pages lie, and the shape that the stage draws. */
 export interface BindingLayout {
   readonly binding: Binding;
   readonly shape: BookShape;
 }
 
 /**
- * How a book is bound as wished.
+ * Lays a book out by its options.
  *
- * @param width,height of the place where it is shown, CSS pixels; 0 where not known
- * @param before the layout there was, null at first
+ * @param width,height of the place where it is shown, CSS pixels; 0 if unknown
+ * @param before the previous layout, null at first
  */
 export function layOutBinding(
   book: Bindable,
@@ -60,10 +60,10 @@ export function layOutBinding(
   const hardPages = pagesNamed(wish.hardPages, pageCount);
   const binding = bind(pageCount, cover, { edge, layout, offset, hardPages });
   const { rolled, reversed } = binding;
-  // The engine's book is as wide as its pages reach from the spine.
+  // The engine's book is as wide as its pages are from the spine outward.
   const aspect = rolled ? 1 / book.aspect : book.aspect;
   const leaves = paperLeaves(binding);
-  // Thicker than the paper would be, so that reading on is seen; but no book is a brick.
+  // Thicker than the paper would be, so that progress through the book is visible, but bounded.
   const bulk = leaves + binding.hardLeaves.size * (paperPerBoard - 1);
   const thickness = 0.024 * (1 - Math.exp((-bulk * 0.0004) / 0.024));
   const shape: BookShape = {
@@ -81,7 +81,7 @@ export function layOutBinding(
   return { binding, shape };
 }
 
-/** One way that a book is bound: its engine's book, its state, and the hands on it. */
+/** A bound book: its binding, its engine's book, its state and the grabs on it. */
 export class BoundBook {
   readonly binding: Binding;
   readonly shape: BookShape;
@@ -112,7 +112,7 @@ export class BoundBook {
     this.#stiffening = new Stiffening(binding, shape.width);
   }
 
-  /** Where the book's parts are now. */
+  /** Returns where the book's parts are now. */
   pose(): BookPose {
     const { engine, binding } = this;
     const { flights } = this.turning;
@@ -135,8 +135,9 @@ export class BoundBook {
   }
 
   /**
-   * What a hand takes that pulls by x, y CSS pixels from where it found `hold`: where a page stands alone,
-   * a pull away from its spine, from the page or from beside the spine, brings the one before it back.
+   * Returns what a pull by x, y CSS pixels from `hold` moves. If a page stands
+   * alone, a pull away from its spine, from the page or from beside the spine,
+   * brings the previous page back.
    */
   pulled(hold: DragHit, x: number, y: number): DragHit {
     const { alone, rolled } = this.shape;
@@ -145,13 +146,16 @@ export class BoundBook {
     return { ...hold, on: alone === 1 ? Side.left : Side.right, u: 1 };
   }
 
-  /** Ends what is under way and frees the engine's book. */
+  /** Stops all motion and frees the engine's book. */
   destroy(): void {
     this.turning.close();
     this.engine.destroy();
   }
 
-  /** The boards' angles; where there are none, how far the outermost leaves have opened the book. */
+  /**
+   * Returns the angles of the boards; without boards, how far the outermost
+   * leaves have opened the book.
+   */
   #covers(leaves: readonly Surface[]): Pick<BookPose, "frontBoard" | "backBoard"> {
     const { engine, binding } = this;
     if (binding.hardCover) {
@@ -160,7 +164,7 @@ export class BoundBook {
         backBoard: engine.boardAngle(Cover.back),
       };
     }
-    // Of a book of single pages one side is shown, which stays where it is.
+    // A book of single pages shows one side, which stays where it is.
     if (binding.layout === "single") return { frontBoard: Math.PI, backBoard: 0 };
     const [low, high] = spreadsBetween(this.turning);
     return {
@@ -169,7 +173,10 @@ export class BoundBook {
     };
   }
 
-  /** How far a leaf has turned, 0 on the right to pi on the left; `resting` where there is none. */
+  /**
+   * Returns how far a leaf has turned, 0 on the right to pi on the left;
+   * `resting` if there is no leaf.
+   */
   #angleOf(leaf: Surface | undefined, resting: number): number {
     if (leaf === undefined) return resting;
     const { positions, columns, rows } = leaf;

@@ -1,9 +1,9 @@
-/** How the book is looked at: zoom and pan. */
+/** Moves the camera: zoom and pan. */
 
 import type { BookStage, Place } from "../stage/book_stage.ts";
 import { type Zoom, zoomBetween } from "../stage/zoom.ts";
 
-/** The nearest that a book is seen from. */
+/** Maximum zoom level. */
 const mostZoom = 8;
 
 /** The camera over one book. */
@@ -15,12 +15,15 @@ export class CameraMotion {
     this.#stage = stage;
   }
 
-  /** The level that is shown, or on the way to being. */
+  /** The current zoom level, or the one the camera is moving to. */
   get level(): number {
     return this.#glide?.to.level ?? this.#stage.zoom.level;
   }
 
-  /** What is shown, or on the way to being; setting it shows that at once, as far as the book reaches. */
+  /**
+   * The current view, or the one the camera is moving to. Setting it shows the
+   * view at once, clamped to the book.
+   */
   get view(): Zoom {
     return this.#glide?.to ?? this.#stage.zoom;
   }
@@ -30,27 +33,27 @@ export class CameraMotion {
     this.#stage.zoom = view;
   }
 
-  /** Whether the camera is on its way. */
+  /** Whether the camera is moving. */
   get isGliding(): boolean {
     return this.#glide !== null;
   }
 
   /**
-   * Shows the book at a level (1 to 8) so that what is seen at `from` comes to
-   * `to`, as far as the book reaches.
+   * Shows the book at a level (1 to 8) so that the point seen at `from` comes
+   * to `to`, clamped to the book.
    *
-   * @param seconds that it takes; 0 at once
+   * @param seconds duration; 0 for at once
    */
   zoom(level: number, from: Place, to: Place, seconds: number): void {
     const shown = this.#stage.zoom;
-    // What is asked for on the way goes on from where that way leads.
+    // A request during a motion starts from the end of that motion.
     if (this.#glide) this.#stage.zoom = this.#glide.to;
     const zoom = this.#stage.zoomed(Math.min(Math.max(level, 1), mostZoom), from, to);
     this.#stage.zoom = seconds > 0 ? shown : zoom;
     this.#glide = seconds > 0 ? { from: shown, to: zoom, passed: 0, seconds } : null;
   }
 
-  /** Looks at something as it is seen where all of the book is shown. */
+  /** Calls `look` with the camera as it is when it shows the whole book. */
   lookAtRest<T>(look: () => T): T {
     const { zoom } = this.#stage;
     this.#stage.zoom = { level: 1, x: 0, y: 0 };
@@ -59,7 +62,7 @@ export class CameraMotion {
     return seen;
   }
 
-  /** Moves the camera on. Returns whether it still moves. */
+  /** Advances the camera. Returns whether it still moves. */
   step(seconds: number): boolean {
     const glide = this.#glide;
     if (glide === null) return false;

@@ -1,40 +1,43 @@
-/** Pages that are seen larger than their pictures are. */
+/** Finds pages that are seen larger than their bitmaps. */
 
 import type { Face } from "../book/faces.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { BookStage } from "../stage/book_stage.ts";
 
-/** A page that lies open, on the face where it is seen. */
+/** A page that lies open, and the face that shows it. */
 export interface OpenPage {
   readonly face: Face;
   /** From 1. */
   readonly page: number;
-  /** Width of its picture in device pixels; infinite where the source has no sharper one. */
+  /** Width of its bitmap in device pixels; infinite if the source has no sharper one. */
   readonly width: number;
 }
 
-/** What sharper parts are made of and shown on. */
+/** What draws and shows sharper parts of pages. */
 export interface SharpnessTools {
   readonly source: PageSource;
   readonly stage: BookStage;
   /** A leaf's width over its height. */
   readonly aspect: number;
-  /** Knows where on its leaf a page lies. */
+  /** Gives the place of a page on its leaf. */
   readonly pictures: Pick<PageBitmaps, "placeOf">;
-  /** Something came, and a frame should be drawn. */
+  /** Called when something has arrived and a frame should be drawn. */
   readonly arrived: () => void;
-  /** What draws sharper parts cannot be loaded: pages stay as their pictures are. */
+  /** Called if the code that draws sharper parts cannot be loaded: pages keep their bitmaps. */
   readonly failed: (error: unknown) => void;
 }
 
-/** Canvas pixels across a whole leaf, as large as it is seen at a place of a face. */
+/** Returns the canvas pixels across a whole leaf at the size it has at a point of a face. */
 export function acrossAt(stage: BookStage, face: Face, x: number, y: number): number {
   const [from, to] = [x - 0.01, x + 0.01].map((x) => stage.projectOn(face, x, y));
   return (Math.hypot(to.x - from.x, to.y - from.y) / 0.02) * stage.restingRatio;
 }
 
-/** Whether a page is seen larger than its picture is. Where that is to come, nobody knows yet how the page lies on its leaf. */
+/**
+ * Returns whether a page is seen larger than its bitmap. Before the bitmap
+ * arrives, the page's place on its leaf is unknown.
+ */
 export function isCoarse(stage: BookStage, { face, width }: OpenPage): boolean {
   return width > 0 && acrossAt(stage, face, 0.5, 0.5) > width;
 }

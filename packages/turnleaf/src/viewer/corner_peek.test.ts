@@ -9,7 +9,7 @@ import { Stillness } from "./stillness.ts";
 
 const [width, height] = [0.14, 0.21];
 
-/** A book of 100 leaves of a stock that lies open in its middle. */
+/** Opens a book of 100 leaves of a stock in its middle. */
 async function openBook(stock: (typeof stocks)[number]) {
   const engine = await WasmBook.create({ width, height, leaves: 100, thickness: 0.02 });
   engine.setStock(stock);
@@ -32,7 +32,7 @@ test.each(stocks)(
       const { engine, turning, peek } = await openBook(stock);
       const top = engine.pile(side).curves[2 * engine.pile(side).columns - 1];
       expect(peek.begin({ on: side, u: 0.95, v: 0.04, distance: 1 }, top)).toBe(true);
-      // A second one at the same time there is not.
+      // There is no second peek at the same time.
       expect(peek.begin({ on: side, u: 0.95, v: 0.96, distance: 1 }, top)).toBe(false);
       const stillness = new Stillness();
       let frames = 0;
@@ -42,8 +42,9 @@ test.each(stocks)(
         peek.step(1 / 60);
         still = turning.inHand && stillness.check([engine.surface(0)]);
       }
-      // Stiff paper is still within a second. What is limp loses by its bending no more than paper
-      // does, and swings on a little; the thinnest trembles, and is left alone after a while.
+      // Stiff paper is still within a second. Limp paper loses no more to its
+      // bending than real paper does, and swings on a little; the thinnest
+      // trembles, and is ignored after a while.
       const most = { bible: 300, book: 120, office: 60, coated: 60, card: 60 }[stock];
       expect(frames).toBeLessThan(most);
       const { positions, columns } = engine.surface(0);

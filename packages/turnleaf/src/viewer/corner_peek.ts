@@ -1,4 +1,4 @@
-/** A corner that lifts a little under a pointer which hovers there, to say that it can be taken. */
+/** Lifts a corner a little under a hovering pointer, to show that it can be grabbed. */
 
 import { type Binding, isBoard } from "../book/spreads.ts";
 import type { Flight, Turning } from "../book/turning.ts";
@@ -6,18 +6,21 @@ import { maxGrabs, Side } from "../engine/phases.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import type { DragHit } from "./drag_state.ts";
 
-/** The hand that lifts a corner: the last, which no pointer stands for. */
+/** The grab that lifts a corner: the last one, which no pointer uses. */
 const hand: number = maxGrabs - 1;
 
-/** Where the corner is lifted to: shares of the leaf's width toward the spine, toward its middle, and up. */
+/**
+ * How far the corner is lifted: fractions of the leaf's width toward the spine,
+ * toward its middle, and up.
+ */
 const inward = 0.1;
 const along = 0.07;
 const up = 0.13;
 
-/** Time in seconds in which it is lifted two thirds of that way. */
+/** Time constant of the lift, in seconds: two thirds of the way. */
 const liftTime = 0.09;
 
-/** The corner of one bound book that is lifted, if one is. */
+/** The lifted corner of one bound book, if there is one. */
 export class CornerPeek {
   readonly #turning: Turning;
   readonly #binding: Binding;
@@ -27,7 +30,7 @@ export class CornerPeek {
   #side: Side = Side.right;
   #v = 0;
   #z = 0;
-  /** How much of its way it is lifted. */
+  /** The fraction of its way that the corner is lifted. */
   #share = 0;
 
   constructor(turning: Turning, binding: Binding, shape: Pick<BookShape, "width" | "height">) {
@@ -36,12 +39,12 @@ export class CornerPeek {
     this.#shape = shape;
   }
 
-  /** Whether the flight that begins is a corner's, and no turn. */
+  /** Whether the flight that begins belongs to a corner, not to a turn. */
   get isLifting(): boolean {
     return this.#lifting;
   }
 
-  /** The leaf whose corner is lifted or falls back, where nothing else is in flight. */
+  /** The leaf whose corner is lifted or falls back, if nothing else is in flight. */
   get flight(): Flight | null {
     const { flights } = this.#turning;
     return flights.length === 1 && flights[0] === this.#flight ? this.#flight : null;
@@ -58,8 +61,8 @@ export class CornerPeek {
   }
 
   /**
-   * Lifts the corner of a resting leaf nearest to a place on it; not while
-   * anything is in flight. Answers whether it does.
+   * Lifts the corner of a resting leaf nearest to a place on it, unless
+   * something is in flight. Returns whether it does.
    *
    * @param z of that corner as it lies, metres
    */
@@ -78,7 +81,7 @@ export class CornerPeek {
     return true;
   }
 
-  /** Lifts it on. */
+  /** Advances the lift. */
   step(seconds: number): void {
     if (!this.isHeld || this.#share === 1) return;
     this.#share += (1 - this.#share) * (1 - Math.exp(-seconds / liftTime));
@@ -91,7 +94,7 @@ export class CornerPeek {
     this.#turning.release(hand);
   }
 
-  /** The flight is a turn from now on: answers it once, where it is the one whose corner was lifted. */
+  /** Makes the peek a turn. Returns the flight, once, if it is the one whose corner was lifted. */
   take(flight: Flight): Flight | null {
     if (flight !== this.flight) return null;
     this.#flight = null;

@@ -1,4 +1,7 @@
-/** Readers who asked for less motion: a fade in place of the turn, in space and on the flat. */
+/**
+ * Readers who prefer reduced motion: a fade in place of the turn, in WebGL and
+ * on the 2D canvas.
+ */
 
 import { afterEach, beforeEach, describe, expect, test } from "vitest";
 import type { TurnDetail } from "../element/events.ts";
@@ -9,7 +12,7 @@ const realMedia = globalThis.matchMedia;
 const realContext = HTMLCanvasElement.prototype.getContext;
 let isCalm = true;
 
-/** A page of one colour. */
+/** Returns a page of one colour. */
 function plainPage(colour: string): { src: string } {
   const canvas = document.createElement("canvas");
   [canvas.width, canvas.height] = [90, 120];
@@ -25,7 +28,7 @@ const pages = () => Array.from({ length: 12 }, (_, k) => plainPage((k + 1) & 2 ?
 const canvases = (element: TurnleafBook) =>
   [...(element.shadowRoot?.querySelectorAll("canvas") ?? [])].filter(({ width }) => width > 0);
 
-/** Red and blue in the middle of the page on the right, as mixed. */
+/** Returns red and blue in the middle of the page on the right, as mixed. */
 function seen(element: TurnleafBook): { red: number; blue: number } | null {
   const mix = canvases(element).find((canvas) => canvas.ariaHidden === "true");
   if (!mix) return null;
@@ -80,7 +83,7 @@ describe.each([
     }
     await turned;
     expect(heard).toEqual(["turnstart 2 4 forward", "pagechange 2 4 forward", "landed true"]);
-    // It begins as it was, and grows into what it becomes.
+    // It starts at the old picture and grows into the new one.
     expect(mixed.length).toBeGreaterThan(0);
     expect(mixed[0].red).toBeGreaterThan(150);
     for (const [k, { red, blue }] of mixed.entries()) {
@@ -122,7 +125,7 @@ describe.each([
     const faded = element.goTo(9);
     expect(canvases(element).length).toBe(2);
     expect(await faded).toBe(true);
-    // The book lies farther on than the turn led.
+    // The book lies farther on than the turn went.
     expect(await turned).toBe(true);
     isCalm = false;
     expect(await element.previous()).toBe(true);

@@ -1,21 +1,21 @@
-/** A quiet change of the picture, for readers who asked for less motion: what was goes as what is comes. */
+/** A cross-fade from one spread to another, for readers who prefer reduced motion. */
 
 /** Length of a fade, milliseconds. */
 const fadeTime = 200;
 
-/** A cross-fade over a canvas from one spread to another. Between fades it holds nothing. */
+/** A cross-fade over a canvas from one spread to another. Between fades it holds no memory. */
 export class CrossFade {
   readonly #canvas: HTMLCanvasElement;
   readonly #rested: (from: number) => void;
-  /** The spread from which the first of fades that follow each other went. */
+  /** The spread where the first of consecutive fades began. */
   #from = 0;
   #promised: { isKeptAt: (spread: number) => boolean; resolve: (kept: boolean) => void }[] = [];
-  /** What is seen meanwhile, and the picture that goes. */
+  /** The visible mix, and the picture that fades out. */
   #mix: HTMLCanvasElement | null = null;
   #before: HTMLCanvasElement | null = null;
   #start = 0;
 
-  /** @param rested told of the end of fades that follow each other, and where the first began */
+  /** @param rested called at the end of consecutive fades with the spread where the first began */
   constructor(canvas: HTMLCanvasElement, rested: (from: number) => void) {
     this.#canvas = canvas;
     this.#rested = rested;
@@ -26,7 +26,10 @@ export class CrossFade {
     return this.#mix !== null;
   }
 
-  /** Keeps what is seen of a spread now, to fade from it. Right after a frame: a WebGL canvas forgets it soon. */
+  /**
+   * Keeps the current picture of a spread to fade from. Call it right after a
+   * frame, before the WebGL canvas is cleared.
+   */
   begin(from: number): void {
     const { width, height } = this.#mix ?? this.#canvas;
     const before = document.createElement("canvas");
@@ -40,19 +43,22 @@ export class CrossFade {
     this.#mix.setAttribute("aria-hidden", "true");
     this.#mix.style.pointerEvents = "none";
     this.#canvas.after(this.#mix);
-    // Still there for hands and for those who listen, but not seen twice.
+    // Still there for pointers and assistive technology, but not visible twice.
     this.#canvas.style.opacity = "0";
   }
 
-  /** Resolves, once the fade is over, to whether `isKeptAt` says so of the spread where the book lies then. */
+  /**
+   * Resolves, once the fade is over, to the result of `isKeptAt` for the spread
+   * where the book lies then.
+   */
   promise(isKeptAt: (spread: number) => boolean): Promise<boolean> {
     return new Promise((resolve) => this.#promised.push({ isKeptAt, resolve }));
   }
 
   /**
-   * Mixes the frame just drawn with what was before; ends by itself.
+   * Mixes the frame just drawn with the picture before; ends by itself.
    *
-   * @param now as animation frames tell it
+   * @param now time of the animation frame
    * @param spread where the book lies
    */
   step(now: number, spread: number): void {
@@ -62,7 +68,7 @@ export class CrossFade {
     const share = (now - this.#start) / fadeTime;
     if (share >= 1) {
       this.#clear();
-      // What a listener asks for is promised for the fade after this one.
+      // What a listener requests belongs to the fade after this one.
       const promised = this.#takePromises();
       this.#rested(this.#from);
       for (const { isKeptAt, resolve } of promised) resolve(isKeptAt(spread));
@@ -73,13 +79,13 @@ export class CrossFade {
     const pen = penOf(mix);
     pen.globalAlpha = 1 - share;
     pen.drawImage(before, 0, 0, mix.width, mix.height);
-    // Sums of light, so that what is in both pictures does not grow paler on the way.
+    // Adds light, so that what is in both pictures does not fade on the way.
     pen.globalCompositeOperation = "lighter";
     pen.globalAlpha = share;
     pen.drawImage(this.#canvas, 0, 0);
   }
 
-  /** Shows the canvas itself, at once; what was promised resolves to false. */
+  /** Shows the canvas itself at once; pending promises resolve to false. */
   close(): void {
     this.#clear();
     for (const { resolve } of this.#takePromises()) resolve(false);

@@ -4,7 +4,7 @@ import { afterEach, expect, test } from "vitest";
 import type { PageBox, PageSource } from "../sources/page_source.ts";
 import { brightness, height, opened, settledViewer, width } from "../viewer_for_tests.ts";
 
-/** Bars on each page, black and white in turn from edge to edge. */
+/** Bars on each page, alternately black and white from edge to edge. */
 const bars = 48;
 
 interface Drawing {
@@ -13,7 +13,10 @@ interface Drawing {
   readonly signal: AbortSignal;
 }
 
-/** A book whose pages are bars that are sharp at any size, and all that was drawn of it. */
+/**
+ * Returns a book whose pages are bars that are sharp at any size, and a record
+ * of what was drawn.
+ */
 function barred(): { source: PageSource; drawn: Drawing[] } {
   const drawn: Drawing[] = [];
   const source: PageSource = {
@@ -53,7 +56,10 @@ afterEach(() => {
   document.body.replaceChildren();
 });
 
-/** Canvas pixels that a bar's edge takes from a tenth of its height to nine tenths: the mean of the edges in sight. */
+/**
+ * Returns the canvas pixels in which a bar's edge rises from a tenth of its
+ * height to nine tenths: the mean of the visible edges.
+ */
 async function edgeWidth(): Promise<number> {
   if (book === null) throw new Error("No book is open.");
   const row = await brightness(book, { x: 0, y: height / 2 }, book.canvas.width);
@@ -61,7 +67,7 @@ async function edgeWidth(): Promise<number> {
   const edges = row.flatMap((value, k) => (k > 0 && row[k - 1] < half !== value < half ? [k] : []));
   const widths: number[] = [];
   for (let k = 1; k + 1 < edges.length; k++) {
-    // From the middle of one bar to that of the next: what light does along the page does not count.
+    // From the middle of one bar to that of the next, so that light along the page does not count.
     const from = Math.round((edges[k - 1] + edges[k]) / 2);
     const until = Math.round((edges[k] + edges[k + 1]) / 2);
     const part = row.slice(from, until + 1);
@@ -90,7 +96,7 @@ test("zoomed, a page is as sharp as the screen can show, however near", async ()
   for (const level of [2, 4, 8]) {
     viewer.zoom(level, onPage, middle, 0);
     await settledViewer(viewer);
-    // An edge between two pixels takes up to 1.6 of them; of CSS pixels there are half as many.
+    // An edge between two pixels takes up to 1.6 of them; there are half as many CSS pixels.
     expect(await edgeWidth()).toBeLessThan(1.8);
   }
   const details = drawn.filter(({ region }) => region !== undefined);
@@ -132,14 +138,14 @@ test("a detail stays in sight until the next is there, and goes with the zoom", 
   gate = new Promise((resolve) => {
     open = resolve;
   });
-  // A part of what is in sight now was in sight before.
+  // Part of what is in sight now was in sight before.
   viewer.zoom(6, middle, { x: middle.x - 120, y: middle.y }, 0);
   await new Promise((resolve) => requestAnimationFrame(resolve));
   expect(viewer.settled).toBe(false);
   const row = await brightness(book, { x: 20, y: middle.y }, 300);
   const grey = row.filter((value) => value > 70 && value < 180).length;
   expect(grey).toBeLessThan(20);
-  // A movement calls off what is drawn for another place.
+  // A movement cancels drawings for another place.
   const count = drawn.length;
   viewer.zoom(7, middle, middle, 0);
   await new Promise((resolve) => requestAnimationFrame(resolve));

@@ -1,6 +1,6 @@
 /**
- * Sharpness where pages are seen larger than their pictures are: the part in
- * sight is drawn anew for the screen's own pixels, and laid over the picture.
+ * Sharpens pages that are seen larger than their bitmaps: the part in sight is
+ * drawn again at the screen's resolution and laid over the bitmap.
  */
 
 import type { Face } from "../book/faces.ts";
@@ -10,37 +10,43 @@ import type { PageBox, PagePicture, PageSource } from "../sources/page_source.ts
 import type { BookStage } from "../stage/book_stage.ts";
 import { acrossAt, isCoarse, type OpenPage, type SharpnessTools } from "./coarseness.ts";
 
-/** What is in sight of a page: shares of its leaf, and how large it is seen. */
+/** The part of a page in sight, as fractions of its leaf, and its apparent size. */
 interface Sighted {
   readonly box: PageBox;
   /** Canvas pixels across the whole leaf. */
   readonly across: number;
 }
 
-/** A part of a page that is drawn, or being drawn. */
+/** A part of a page that is drawn or being drawn. */
 interface Detail extends Sighted {
   readonly page: number;
   /** Texels across the whole leaf. */
   readonly texels: number;
-  /** Null while it is drawn, and where it could not be. */
+  /** Null while it is being drawn, and if it cannot be. */
   picture: PagePicture | null;
   readonly drawing: AbortController;
 }
 
-/** Texels for each canvas pixel: between texels a print is blurred, and less so where they are finer. */
+/**
+ * Texels per canvas pixel: interpolation between texels blurs a page, and less
+ * so if they are finer.
+ */
 const finer = 1.25;
 
-/** Most pixels of one detail, and along one side of it. */
+/** Maximum of pixels of one detail, and along one side of it. */
 const mostPixels = 8e6;
 const mostAlong = 4096;
 
-/** How much of its own size a detail reaches beyond what is in sight, so that a little panning shows nothing else. */
+/**
+ * How far a detail reaches beyond the part in sight, as a fraction of that
+ * part, so that a little panning stays within it.
+ */
 const beyond = 0.2;
 
-/** Strips of a page each way that are in sight or not. */
+/** Strips of a page in each direction that are tested for being in sight. */
 const strips = 40;
 
-/** The details of the pages that lie open. */
+/** The details of the open pages. */
 export class DetailPictures {
   readonly #source: PageSource;
   readonly #stage: BookStage;
@@ -58,12 +64,15 @@ export class DetailPictures {
     this.#arrived = arrived;
   }
 
-  /** Whether nothing in sight waits to become sharper. */
+  /** Whether every page in sight is sharp. */
   get settled(): boolean {
     return this.#coming.size === 0;
   }
 
-  /** Looks at the pages that lie open, at rest on a canvas of so many CSS pixels, and draws what is missing. */
+  /**
+   * Examines the open pages, at rest on a canvas of the given size in CSS
+   * pixels, and draws what is missing.
+   */
   look(open: readonly OpenPage[], width: number, height: number): void {
     this.keep(Object.fromEntries(open.map(({ face, page }) => [face, page])));
     for (const seen of open) {
@@ -77,21 +86,21 @@ export class DetailPictures {
     }
   }
 
-  /** Takes away what belongs to other pages than those that are seen on the faces. */
+  /** Removes details of pages other than those on the faces. */
   keep(pages: Partial<Record<Face, number | null>>): void {
     for (const details of [this.#shown, this.#coming]) {
       for (const [face, { page }] of details) if (pages[face] !== page) this.#drop(face);
     }
   }
 
-  /** Takes away what is shown of a page (from 1): it looks otherwise now. */
+  /** Removes the detail of a page (from 1) whose content has changed. */
   redraw(page: number): void {
     for (const details of [this.#shown, this.#coming]) {
       for (const [face, detail] of details) if (detail.page === page) this.#drop(face);
     }
   }
 
-  /** Stops drawing; what is shown stays. */
+  /** Stops drawing; visible details stay. */
   pause(): void {
     for (const face of [...this.#coming.keys()]) this.#abort(face);
   }
@@ -119,7 +128,7 @@ export class DetailPictures {
       const place = this.#pictures.placeOf(page, size);
       const dots = texels * place.width;
       const region = onDots(within(box, place), dots, (dots * height) / width);
-      // A hair more than whole dots, which a rounding would else take one of.
+      // Slightly more than whole pixels, so that rounding does not drop one.
       const pixels = region.width * dots + 0.01;
       const picture = await this.#source.draw(page - 1, pixels, signal, region);
       if (signal.aborted) closePicture(picture);
@@ -127,7 +136,7 @@ export class DetailPictures {
       detail.picture = picture;
       this.#stage.setDetail(face, { picture, box: onLeaf(region, place) });
     } catch {
-      // The page's own picture stays; why it cannot be drawn is told where that is.
+      // The page's bitmap stays; its own drawing reports the error.
       if (signal.aborted) return;
     }
     this.#coming.delete(face);
@@ -157,7 +166,7 @@ export class DetailPictures {
     closePicture(picture);
   }
 
-  /** The part of a face that is seen on the canvas; null for none. */
+  /** Returns the part of a face that is visible on the canvas, or null. */
   #boxInSight(face: Face, width: number, height: number): PageBox | null {
     const at = Array.from({ length: strips + 1 }, (_, row) =>
       Array.from({ length: strips + 1 }, (_, column) =>
@@ -180,7 +189,7 @@ export class DetailPictures {
   }
 }
 
-/** Whether a detail shows all that is in sight about as large as it is seen. */
+/** Returns whether a detail covers the part in sight at about its apparent size. */
 function serves(detail: Sighted, { box, across }: Sighted): boolean {
   const slack = 1e-6;
   return (
@@ -193,7 +202,7 @@ function serves(detail: Sighted, { box, across }: Sighted): boolean {
   );
 }
 
-/** What is drawn for what is in sight: somewhat more of the page, as far as memory allows. */
+/** Returns the part to draw for a part in sight: somewhat more of the page, within memory. */
 function reaching({ box, across }: Sighted, aspect: number): Pick<Detail, "box" | "texels"> {
   const texels = across * finer;
   const pixels = ({ width, height }: PageBox): number => texels ** 2 * width * (height / aspect);
@@ -213,14 +222,17 @@ function reaching({ box, across }: Sighted, aspect: number): Pick<Detail, "box" 
   return { box: best, texels: texels * fit };
 }
 
-/** A box of the leaf as a box of the page that covers `place` of it. */
+/** Converts a box of the leaf to a box of the page that covers `place` of it. */
 function within(box: PageBox, place: PageBox): PageBox {
   const x = (value: number): number => clamped((value - place.x) / place.width);
   const y = (value: number): number => clamped((value - place.y) / place.height);
   return boxOf(x(box.x), y(box.y), x(box.x + box.width), y(box.y + box.height));
 }
 
-/** A box of a page of so many dots each way, grown to whole dots: a picture of it is neither stretched nor shifted. */
+/**
+ * Grows a box of a page to whole pixels of the given resolution, so that a
+ * picture of it is neither stretched nor shifted.
+ */
 function onDots(box: PageBox, across: number, down: number): PageBox {
   const [left, top] = [Math.floor(box.x * across), Math.floor(box.y * down)];
   const right = Math.max(Math.ceil((box.x + box.width) * across), left + 1);
@@ -228,7 +240,7 @@ function onDots(box: PageBox, across: number, down: number): PageBox {
   return boxOf(left / across, top / down, right / across, bottom / down);
 }
 
-/** The way back. */
+/** The inverse of `within`. */
 function onLeaf(region: PageBox, place: PageBox): PageBox {
   return {
     x: place.x + region.x * place.width,

@@ -1,4 +1,4 @@
-/** Hands on the book: what they could take hold of, and where they pull it. */
+/** Grabs on the book: what a pointer can grab, and where it pulls it. */
 
 import type { Flight, Turning } from "../book/turning.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
@@ -8,13 +8,13 @@ import { type Hit, pickPile, pickSurface } from "../hand/pick.ts";
 import { handAt } from "../hand/reach.ts";
 import type { BookStage } from "../stage/book_stage.ts";
 
-/** What a hand could take hold of. */
+/** What a pointer can grab. */
 export interface DragHit extends Hit {
-  /** What is in flight there, or the side whose uppermost leaf it is. */
+  /** The flight there, or the side whose uppermost leaf it is. */
   readonly on: Flight | Side;
 }
 
-/** What hands need of the book. */
+/** What dragging needs of the book. */
 export interface DragContext {
   readonly engine: BookEngine;
   readonly stage: BookStage;
@@ -22,53 +22,62 @@ export interface DragContext {
   /** A page's size, metres. */
   readonly width: number;
   readonly height: number;
-  /** The side whose pages alone are seen, 1 right or -1 left; 0 where both are. */
+  /** The side whose pages alone are visible, 1 right or -1 left; 0 if both are. */
   readonly alone: 1 | 0 | -1;
-  /** Whether a leaf or board lies on a side, beside all that is in flight. */
+  /** Returns whether a leaf or board lies on a side, besides everything in flight. */
   hasLeaf(side: Side): boolean;
 }
 
-/** Nearest to the spine that a leaf is held, a fraction of its width: nearer, a hand could not turn it. */
+/**
+ * Minimum distance from the spine at which a leaf is held, as a fraction of its
+ * width: closer, it could not be turned.
+ */
 const nearestHeld = 0.3;
 
-/** Up to this u a leaf is held far from its edge; and how far beyond the spine it is then carried over, shares of its width. */
+/**
+ * Up to this u a leaf counts as held far from its edge; and how far beyond the
+ * spine it is then carried over, as a fraction of its width.
+ */
 const farFromEdge = 0.65;
 const beyondSpine = 0.12;
 
-/** How near the spine a hand carries a leaf over where there is nothing beyond it to be seen, as a share of its width. */
+/**
+ * Distance from the spine at which a leaf counts as carried over if nothing
+ * beyond the spine is visible, as a fraction of its width.
+ */
 const nearSpine = 0.35;
 
-/** A hand that holds something. */
+/** A pointer that holds something. */
 interface Hand {
-  /** Where on the canvas it is, CSS pixels. */
+  /** Its position on the canvas, CSS pixels. */
   x: number;
   y: number;
-  /** u of the spot that it holds. */
+  /** u of the point that it holds. */
   readonly u: number;
-  /** Where it is across the spine, metres. */
+  /** Its position across the spine, metres. */
   across: number;
 }
 
-/** The hands on one book. */
+/** The grabs on one book. */
 export class DragState {
   readonly #book: DragContext;
-  /** Each hand that holds something. */
+  /** Each pointer that holds something. */
   readonly #hands = new Map<number, Hand>();
 
   constructor(book: DragContext) {
     this.#book = book;
   }
 
-  /** What a hand at a place on the canvas (CSS pixels) could hold, or null. */
+  /** Returns what a pointer at a place on the canvas (CSS pixels) can grab, or null. */
   pick(x: number, y: number): DragHit | null {
     const { engine, stage, turning } = this.#book;
     const ray = stage.rayAt(x, y);
     let best: DragHit | null = this.#pickSide(ray);
     for (const [index, flight] of turning.flights.entries()) {
-      // Of a board in flight every place counts, wherever its page is seen.
+      // A board in flight can be grabbed anywhere, wherever its page is seen.
       if (flight.part !== "leaf") return best && { ...best, on: flight };
       const hit = pickSurface(ray, engine.surface(index), engine.columns);
-      // A leaf upon the page under it is the one that is taken.
+      // The leaf is preferred to the page under it.
       if (hit && (best === null || hit.distance < best.distance + 0.001)) {
         best = { ...hit, on: flight };
       }
@@ -76,7 +85,7 @@ export class DragState {
     return best;
   }
 
-  /** A hand takes hold where `pick` found something; the leaf then follows `drag`. */
+  /** Grabs what `pick` found; the leaf then follows `drag`. */
   grab(hold: DragHit, hand: number): boolean {
     const { turning } = this.#book;
     const flight = typeof hold.on === "number" ? turning.lift(hold.on) : hold.on;
@@ -87,7 +96,7 @@ export class DragState {
     return true;
   }
 
-  /** A hand moves to a place on the canvas, CSS pixels; answers whether it holds something. */
+  /** Moves a grab to a place on the canvas, CSS pixels. Returns whether it holds something. */
   drag(hand: number, x: number, y: number): boolean {
     const held = this.#hands.get(hand);
     if (held === undefined) return false;
@@ -101,10 +110,11 @@ export class DragState {
   }
 
   /**
-   * The side, 1 left or -1 right, to which a hand has carried a leaf that would fall
-   * back, let go at rest: one held far from the edge, as most of it still hangs over
-   * the other side; and one of a page that stands alone, which a hand on the screen
-   * can carry no farther than upright. 0 where the leaf itself knows.
+   * Returns the side, 1 left or -1 right, to which a pointer has carried a leaf
+   * that would fall back if released at rest: one held far from the edge,
+   * because most of it still hangs over the other side; or one of a page that
+   * stands alone, which a pointer on the screen can carry no farther than
+   * upright. Returns 0 if the engine decides.
    */
   carried(hand: number): 1 | 0 | -1 {
     const held = this.#hands.get(hand);
@@ -116,20 +126,20 @@ export class DragState {
     return share < 0 ? 1 : -1;
   }
 
-  /** The camera moved: what hands hold is carried along under them. */
+  /** Carries held leaves along when the camera has moved. */
   follow(): void {
     for (const [hand, { x, y }] of this.#hands) this.drag(hand, x, y);
   }
 
-  /** A hand lets go. */
+  /** Releases a grab. */
   release(hand: number): void {
     this.#hands.delete(hand);
     this.#book.turning.release(hand);
   }
 
-  /** Height of the pages under x, metres. */
+  /** Returns the height of the pages under x, metres. */
   floor(x: number): number {
-    // The fore-edge's height does for a hand, which holds the leaf near its edge.
+    // The height of the fore-edge suffices, because a leaf is held near its edge.
     return heightOf(this.#book.engine.pile(x >= 0 ? Side.right : Side.left));
   }
 
@@ -146,7 +156,7 @@ export class DragState {
   }
 }
 
-/** Height of a pile's uppermost page at its fore-edge, metres: the pile's thickness. */
+/** Returns the height of a pile's uppermost page at its fore-edge, metres: the pile's thickness. */
 export function heightOf(pile: Pile): number {
   return pile.curves[2 * pile.columns - 1];
 }

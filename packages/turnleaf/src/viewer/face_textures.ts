@@ -1,4 +1,7 @@
-/** Gives every face of the drawn book the best picture of its page, and asks for the pages wanted next. */
+/**
+ * Shows the best bitmap of its page on every face of the drawn book, and
+ * requests the pages wanted next.
+ */
 
 import {
   type Face,
@@ -19,17 +22,20 @@ import type { CameraMotion } from "./camera_motion.ts";
 import type { OpenPage } from "./coarseness.ts";
 import type { FoldOut } from "./fold_out.ts";
 
-/** Leaves in flight whose pages are drawn as sharp as those at rest: many pass by too fast to be read. */
+/**
+ * Maximum of leaves in flight whose pages are drawn as sharp as those at rest:
+ * many pass by too fast to be read.
+ */
 const mostSharpFlights = 2;
 
-/** The spreads left and right of all that is in flight. */
+/** Returns the spreads left and right of everything in flight. */
 export function spreadsBetween({ flights, spread }: Turning): [low: number, high: number] {
   return [flights[0]?.low ?? spread, flights.at(-1)?.high ?? spread];
 }
 
 /**
- * Width in device pixels at which a page looks sharp where all of the book is
- * shown, in steps, so that a small change of size redraws nothing.
+ * Returns the width in device pixels at which a page looks sharp when the whole
+ * book is shown, in steps, so that a small change of size redraws nothing.
  */
 export function bitmapWidth(
   { width, height, rolled, alone }: BookShape,
@@ -48,7 +54,7 @@ export function bitmapWidth(
   return Math.min(Math.ceil((onScreen * 1.2) / 256) * 256, 2048);
 }
 
-/** Brings a book's pictures onto its stage. */
+/** Brings a book's bitmaps onto its stage. */
 export class FaceTextures {
   readonly #binding: Binding;
   readonly #stage: BookStage;
@@ -62,7 +68,7 @@ export class FaceTextures {
     this.#pictures = pictures;
   }
 
-  /** Asks for the pages in sight and those that may come next, `width` device pixels wide. */
+  /** Requests the visible pages and those that may come next, `width` device pixels wide. */
   want(width: number): void {
     const { flights, spread, destination } = this.#turning;
     const wanted = pagesWanted(this.#binding, spread, flights, destination);
@@ -74,7 +80,7 @@ export class FaceTextures {
     return facesBetween(this.#binding, ...spreadsBetween(this.#turning));
   }
 
-  /** The pages that lie open where nothing is in flight. */
+  /** The pages that lie open if nothing is in flight. */
   get open(): OpenPage[] {
     const { spread } = this.#turning;
     return pagesAt(this.#binding, spread).flatMap((page) => {
@@ -83,7 +89,7 @@ export class FaceTextures {
     });
   }
 
-  /** Shows on every face what there is, and on the flap of a fold-out that lies open. */
+  /** Shows what is available on every face, and on the flap of an open fold-out. */
   show(flap: FoldOut["parts"]): void {
     const { pages } = this;
     for (const face of faceNames) this.#stage.setFace(face, this.#pictureOf(face, pages[face]));
@@ -103,7 +109,10 @@ export class FaceTextures {
     }
   }
 
-  /** What is seen beside a page whose leaf is cut: the page on its back, and the next that lies on its side. */
+  /**
+   * Shows what is visible beside a page whose leaf is trimmed: the page on its
+   * back, and the next that lies on its side.
+   */
   #showUnder(side: "left" | "right", page: number | null, behind: number | null, next: number) {
     const isCut = page !== null && isTrimmed(this.#pictures.placeOfDrawn(page));
     const under = side === "left" ? leftPage(this.#binding, next) : rightPage(this.#binding, next);
@@ -113,7 +122,7 @@ export class FaceTextures {
   }
 
   #pictureOf(face: Face, page: number | null) {
-    // A board seen by its edge alone is plain cloth rather than a page to come.
+    // A board seen edge-on is plain cloth rather than a page to come.
     if (page !== null) {
       return isBoardFace(face) ? this.#pictures.getIfDrawn(page) : this.#pictures.get(page);
     }

@@ -1,4 +1,7 @@
-/** The flap of a fold-out: the part of a wide page beyond its fold, from lying on the page to lying beside the book. */
+/**
+ * The flap of a fold-out: the part of a wide page beyond its fold, from lying
+ * on the page to lying beside the book.
+ */
 
 import { columnPlace, type Pile, type Surface } from "../engine/shapes.ts";
 
@@ -8,7 +11,10 @@ export interface FlapPlace {
   readonly sign: 1 | -1;
   /** 0 folded in, 1 lying open. */
   readonly open: number;
-  /** Where the fold is, share of the page from the spine, and how wide the flap is, likewise. */
+  /**
+   * Position of the fold, as a fraction of the page from the spine, and the
+   * width of the flap, likewise.
+   */
   readonly fold: number;
   readonly share: number;
 }
@@ -16,14 +22,14 @@ export interface FlapPlace {
 /** As fine as a leaf in flight, which is drawn in its place. */
 const rows = 25;
 
-/** A folded flap lies this high over its page, metres. */
+/** Height of a folded flap over its page, metres. */
 const clear = 0.0006;
 
-/** Over this last part of its way down a flap takes the page's shape. */
+/** The last part of its way down in which a flap takes the page's shape. */
 const settling = 0.3;
 
 /**
- * The flap as a sheet: a row runs from the fold outward.
+ * Returns the flap as a sheet: a row runs from the fold outward.
  *
  * @param pile that the page lies on
  * @param width,height of the book's page, metres
@@ -66,7 +72,7 @@ export function flapSurface(
   return { columns, rows, positions, normals, version };
 }
 
-/** x and z of a pile's uppermost page at u, metres. */
+/** Returns x and z of a pile's uppermost page at u, metres. */
 function placeOn({ curves, columns }: Pile, u: number): [x: number, z: number] {
   let k = 0;
   while (k + 2 < columns && columnPlace(k + 1, columns) < u) k++;

@@ -1,4 +1,4 @@
-/** The fold-out that lies open, or is on its way there or back. At most one is. */
+/** The open fold-out, or the one that opens or closes. There is at most one. */
 
 import type { Surface } from "../engine/shapes.ts";
 import type { PageBitmaps, Unfolded } from "../pages/page_bitmaps.ts";
@@ -9,15 +9,15 @@ import type { BookPose, BookShape } from "../stage/book_pose.ts";
 /** Time in which a flap opens, seconds. */
 const openTime = 0.6;
 
-/** What folding asks and tells. */
+/** The dependencies and callbacks of fold-outs. */
 export interface FoldOutHooks {
   /** Whether fold-outs can lie open at all. */
   readonly unfolds: boolean;
   /** Width of a leaf, device pixels. */
   readonly width: () => number;
-  /** Other pictures are to be shown than before. */
+  /** Called when the faces show other bitmaps than before. */
   readonly changed: () => void;
-  /** What bends a fold-out cannot be loaded. */
+  /** Called if the code that bends a fold-out cannot be loaded. */
   readonly failed: (error: unknown) => void;
 }
 
@@ -31,7 +31,7 @@ interface Flap {
   to: 0 | 1;
 }
 
-/** Opens a fold-out, and folds it in. */
+/** Unfolds and folds in a fold-out. */
 export class FoldOut {
   readonly #pictures: PageBitmaps;
   readonly #hooks: FoldOutHooks;
@@ -46,17 +46,23 @@ export class FoldOut {
     this.#hooks = hooks;
   }
 
-  /** The page (from 1) that lies open or opens; null where none does. */
+  /** The page (from 1) that lies open or opens; null if none does. */
   get page(): number | null {
     return this.#flap?.to === 1 ? this.#flap.page : null;
   }
 
-  /** What is printed on the flap, and the side of the book that it belongs to; null where none is seen. */
+  /**
+   * The bitmaps on the flap, and the side of the book that it belongs to; null
+   * if no flap is visible.
+   */
   get parts(): (Unfolded & { readonly sign: 1 | -1 }) | null {
     return this.#flap && { ...this.#flap.parts, sign: this.#flap.sign };
   }
 
-  /** Opens the fold-out of a page on a side (1 right, -1 left). Resolves, once it lies open, to whether it does. */
+  /**
+   * Opens the fold-out of a page on a side (1 right, -1 left). Resolves, once
+   * it lies open, to whether it does.
+   */
   async unfold(page: number, sign: 1 | -1): Promise<boolean> {
     if (!this.#hooks.unfolds) return false;
     this.close();
@@ -76,7 +82,7 @@ export class FoldOut {
     return await new Promise((resolve) => this.#waiting.push(resolve));
   }
 
-  /** Folds in what lies open. Resolves once it does. */
+  /** Folds in the open fold-out. Resolves once it is folded in. */
   async foldIn(): Promise<void> {
     this.#drawing?.abort();
     if (this.#flap === null) return;
@@ -85,7 +91,7 @@ export class FoldOut {
     await new Promise((resolve) => this.#waiting.push(resolve));
   }
 
-  /** Moves on; answers whether anything moves. */
+  /** Advances the motion. Returns whether anything moves. */
   step(seconds: number): boolean {
     const flap = this.#flap;
     if (flap === null || (flap.to === 1 && flap.open === 1)) return false;
@@ -97,7 +103,7 @@ export class FoldOut {
     return false;
   }
 
-  /** The flap over the pages as they are posed. */
+  /** Returns the flap over the pages of a pose. */
   surface(pose: BookPose, { width, height }: BookShape): Surface | null {
     const flap = this.#flap;
     const pile = flap?.sign === 1 ? pose.right : pose.left;
@@ -113,7 +119,7 @@ export class FoldOut {
     return this.#surface.surface;
   }
 
-  /** Puts everything away at once. */
+  /** Removes everything at once. */
   close(): void {
     this.#drawing?.abort();
     this.#surface = null;

@@ -1,7 +1,10 @@
 import { expect, test } from "vitest";
 import { FrameQuality } from "./frame_quality.ts";
 
-/** A movement of so many frames, each as long after the one before as `cost` says; answers the shares of pixels. */
+/**
+ * Runs a movement of some frames, each as long after the previous one as `cost`
+ * says. Returns the fractions of pixels.
+ */
 function move(
   governor: FrameQuality,
   frames: number,
@@ -40,7 +43,7 @@ test("single late frames, pauses and the time between movements count for nothin
 
 test("late frames lower it until they come in time, and no further", () => {
   const governor = new FrameQuality();
-  // A card that is slow by the pixel: 40 ms at full, 22 ms at three quarters.
+  // A graphics card limited by pixels: 40 ms at full, 22 ms at three quarters.
   const slow = ({ pixels }: { pixels: number }) => Math.max(40 * pixels ** 2, 16.7);
   const seen = move(governor, 80, slow);
   expect(seen[0]).toBe(1);
@@ -77,7 +80,7 @@ test("where nothing helps, as on a screen that is held to 30 frames, nothing is 
   const governor = new FrameQuality();
   move(governor, 400, () => 33.3);
   expect(governor.quality).toEqual(best);
-  // It is still on its guard.
+  // It still waits longer.
   move(governor, 60, ({ pixels }) => 33.3 + 60 * (pixels - 0.5));
   expect(governor.quality.pixels).toBeLessThan(1);
 });

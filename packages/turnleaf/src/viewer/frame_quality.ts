@@ -1,18 +1,18 @@
 /**
- * How well frames are drawn while something moves: worse by itself where they
- * come late, and better again where they come in time. What rests is always
- * drawn as well as it can be. Knows no clock but the frames it is told of.
+ * Adapts the drawing quality while something moves: lower if frames come late,
+ * higher again if they come in time. What rests is always drawn at full
+ * quality. Its only clock is the times of the frames.
  */
 
-/** What a frame of a movement is drawn with. */
+/** The settings with which a frame of a movement is drawn. */
 export interface Quality {
-  /** Share of the screen's pixel ratio. */
+  /** Fraction of the screen's pixel ratio. */
   readonly pixels: number;
-  /** Whether shadows between leaves are found anew in every other frame alone. */
+  /** If true, shadows between leaves are computed only in every other frame. */
   readonly roughly: boolean;
 }
 
-/** From the best to the least. */
+/** From the best to the lowest. */
 const steps: readonly Quality[] = [
   { pixels: 1, roughly: false },
   { pixels: 1, roughly: true },
@@ -20,19 +20,22 @@ const steps: readonly Quality[] = [
   { pixels: 0.55, roughly: true },
 ];
 
-/** Frames that are judged together: by the middle one, so that a single late one counts for nothing. */
+/** Frames judged together, by their median, so that a single late one counts for nothing. */
 const judged = 12;
 
-/** Time between two frames, milliseconds, above which they are late: fewer than 45 a second. */
+/** Time between two frames, in milliseconds, above which they are late: fewer than 45 a second. */
 const dueAtFirst = 22;
 
-/** Longer than this nobody was looking, milliseconds. */
+/** A longer interval means that the page was hidden, milliseconds. */
 const absent = 250;
 
-/** Share of their time that frames must lose by a step down for it to be of use. */
+/** Minimum fraction of their time that frames must gain by a step down for it to be kept. */
 const leastGain = 0.1;
 
-/** Judgements in time before a step up is tried; more with every one that was in vain, up to as many times more. */
+/**
+ * Judgements in time before a step up is tried. Each failed trial adds as many,
+ * up to the maximum.
+ */
 const patience = 5;
 const mostPatience = 8;
 
@@ -44,7 +47,10 @@ export class FrameQuality {
   #due = dueAtFirst;
   #inTime = 0;
   #wait = 1;
-  /** Time between frames before the last step down, until that one is judged; and whether a step up is. */
+  /**
+   * Time between frames before the last step down, until that one is judged;
+   * and whether a step up is on trial.
+   */
   #before = 0;
   #isTrial = false;
 
@@ -66,7 +72,7 @@ export class FrameQuality {
     this.#judge(sorted[judged >> 1]);
   }
 
-  /** The movement is over: the time until the next one is no frame's. */
+  /** Ends the movement: the time until the next one belongs to no frame. */
   rest(): void {
     this.#last = 0;
   }
@@ -84,7 +90,7 @@ export class FrameQuality {
       const isLast = this.#step === steps.length - 1;
       if (!isLast) this.#step++;
       else {
-        // Nothing of this is what takes the time: the screen itself, or the page around, is slow.
+        // No setting here is what takes the time: the screen itself, or the page around, is slow.
         this.#step = 0;
         this.#due = 1.3 * middle;
         this.#before = 0;

@@ -1,4 +1,7 @@
-/** How a reader moves the leaves, by hand and by command, and which of it begins a turn. */
+/**
+ * Moves the leaves for a reader, by dragging and by command, and decides which
+ * of it begins a turn.
+ */
 
 import { faceOf } from "../book/faces.ts";
 import { leftPage, rightPage } from "../book/spreads.ts";
@@ -9,7 +12,7 @@ import type { DragHit } from "./drag_state.ts";
 import type { FoldOut } from "./fold_out.ts";
 import type { Rebinder } from "./rebinder.ts";
 
-/** What steering tells of. */
+/** The events of leaf control. */
 export interface LeafControlEvents {
   /** A leaf whose corner was only lifted is turned from now on. */
   readonly started: (flight: Flight) => void;
@@ -17,7 +20,7 @@ export interface LeafControlEvents {
   readonly moved: () => void;
 }
 
-/** The leaves of one book in the reader's hands, however it is bound. */
+/** The leaves of one book under the reader's control, however it is bound. */
 export class LeafControl {
   readonly #rebinder: Pick<Rebinder, "bound">;
   readonly #foldOut: FoldOut;
@@ -30,18 +33,18 @@ export class LeafControl {
     this.#events = events;
   }
 
-  /** What a hand at a place on the canvas (CSS pixels) could hold, or null. */
+  /** Returns what a pointer at a place on the canvas (CSS pixels) can grab, or null. */
   pick(x: number, y: number): DragHit | null {
     const { drag: holding, peek } = this.#rebinder.bound;
     const hold = holding.pick(x, y);
-    // Beside a corner that is lifted a hand takes that leaf, not the one under it.
+    // Beside a lifted corner a pointer grabs that leaf, not the one under it.
     return hold && peek.flight && hold.on === peek.side ? { ...hold, on: peek.flight } : hold;
   }
 
   /**
-   * A hand takes hold where `pick` found something; the leaf then follows `drag`.
+   * Grabs what `pick` found; the leaf then follows `drag`.
    *
-   * @param pull how far the hand has moved since, CSS pixels
+   * @param pull how far the pointer has moved since, CSS pixels
    */
   grab(found: DragHit, hand: number, pull: Place = { x: 0, y: 0 }): boolean {
     if (this.#closed) return false;
@@ -52,16 +55,16 @@ export class LeafControl {
     const grabbed = holding.grab(hold, hand);
     peek.end();
     if (taken) this.#events.started(taken);
-    // Whoever heard of it may have taken the book away.
+    // A listener may have taken the book away.
     return grabbed && !this.#closed;
   }
 
-  /** A hand that holds something moves to a place on the canvas, CSS pixels. */
+  /** Moves a grab to a place on the canvas, CSS pixels. */
   drag(hand: number, x: number, y: number): void {
     if (!this.#closed && this.#rebinder.bound.drag.drag(hand, x, y)) this.#events.moved();
   }
 
-  /** A hand lets go. */
+  /** Releases a grab. */
   release(hand: number): void {
     if (this.#closed) return;
     const { drag: holding, turning } = this.#rebinder.bound;
@@ -71,9 +74,12 @@ export class LeafControl {
     this.#events.moved();
   }
 
-  /** The corner of a resting leaf lifts a little, until null is told. Answers whether it does. */
+  /**
+   * Lifts the corner of a resting leaf a little, until called with null.
+   * Returns whether it does.
+   */
   peek(hold: DragHit | null): boolean {
-    // A page that lies unfolded keeps its corners.
+    // An unfolded page keeps its corners.
     if (this.#closed || (hold !== null && this.#foldOut.parts !== null)) return false;
     const { peek, drag: holding, turning } = this.#rebinder.bound;
     if (hold === null) peek.end();
@@ -82,22 +88,25 @@ export class LeafControl {
     return lifts;
   }
 
-  /** Whether a place that `pick` found is on a leaf that only lifts a corner. */
+  /** Returns whether a place found by `pick` is on a leaf with only its corner lifted. */
   isPeeked(hold: DragHit): boolean {
     return hold.on === this.#rebinder.bound.peek.flight;
   }
 
-  /** Turns a leaf to the left (1) or the right (-1), by command. Resolves as `Turning.turn` does. */
+  /** Turns a leaf to the left (1) or the right (-1) by command. Resolves as `Turning.turn` does. */
   turn(way: 1 | -1): Promise<boolean> {
     return this.#turn(way, (turning) => turning.turn(way));
   }
 
-  /** Turns a leaf to the left (1) or the right (-1), as a reader asks for it. Resolves as `Turning.press` does. */
+  /**
+   * Turns a leaf to the left (1) or the right (-1) for the reader. Resolves as
+   * `Turning.press` does.
+   */
   press(way: 1 | -1): Promise<boolean> {
     return this.#turn(way, (turning) => turning.press(way));
   }
 
-  /** Turns to a spread; resolves as `Turning.goTo` does. */
+  /** Turns to a spread. Resolves as `Turning.goTo` does. */
   goTo(spread: number): Promise<boolean> {
     return this.#command(
       () => this.#rebinder.bound.turning.goTo(spread),
@@ -106,8 +115,8 @@ export class LeafControl {
   }
 
   /**
-   * Unfolds a page (from 1) that lies open and is wider than the book. Resolves,
-   * once it does, to whether it lies unfolded.
+   * Unfolds an open page (from 1) that is wider than the book. Resolves, once
+   * it lies unfolded, to whether it does.
    */
   unfold(page: number): Promise<boolean> {
     const { binding, turning } = this.#rebinder.bound;
@@ -116,14 +125,17 @@ export class LeafControl {
     return this.#foldOut.unfold(page, face === "right" ? 1 : -1);
   }
 
-  /** Folds in the page that lies unfolded. Resolves once it does. */
+  /** Folds in the unfolded page. Resolves once it is folded in. */
   foldIn(): Promise<void> {
     const folded = this.#foldOut.foldIn();
     this.#events.moved();
     return folded;
   }
 
-  /** A tap at a place on the canvas, CSS pixels: unfolds the fold-out there, and folds it in again. */
+  /**
+   * Handles a tap at a place on the canvas, CSS pixels: unfolds the fold-out
+   * there, or folds it in again.
+   */
   tap(x: number, y: number): void {
     const { binding, turning } = this.#rebinder.bound;
     if (this.#closed || turning.moving) return;
@@ -134,7 +146,7 @@ export class LeafControl {
     if (page !== null) void this.unfold(page);
   }
 
-  /** Nothing moves any leaf any more. */
+  /** Stops all control of the leaves. */
   close(): void {
     this.#closed = true;
   }
@@ -147,8 +159,8 @@ export class LeafControl {
   }
 
   /**
-   * A command, once what lies unfolded is folded in. While a corner is lifted,
-   * that leaf falls back, or is turned.
+   * Runs a command, after folding in an unfolded page. A leaf with its corner
+   * lifted falls back, or is turned.
    *
    * @param turns whether the command is to turn that leaf
    */
@@ -165,7 +177,7 @@ export class LeafControl {
     const { flight } = peek;
     if (flight === null || !turns(flight)) peek.end();
     const done = order();
-    // Whether it was meant or only lay in the way: it is a turn from now on.
+    // Whether the command meant that leaf or it only lay in the way, it is a turn from now on.
     const turned =
       flight !== null && (flight.to === Side.left) === (flight.from === flight.low)
         ? peek.take(flight)

@@ -1,11 +1,14 @@
-/** How the leaves of a viewer are turned where not as sheets: what does it is loaded when it is chosen. */
+/**
+ * Selects the model that turns the leaves, if not as sheets: its code is loaded
+ * when it is chosen.
+ */
 
 import type { LeafModel, ModelledBook } from "../leaf_models/leaf_model.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
 import { loaded } from "../sources/loaded.ts";
 import type { BookPose } from "../stage/book_pose.ts";
 
-/** What loads the models that a backend can show. */
+/** Loads the models that a backend can show. */
 export type LoadModels = () => Promise<typeof import("../leaf_models/leaf_models.ts")>;
 
 /** The model of the leaves in flight, and the one that waits for them to land. */
@@ -13,24 +16,27 @@ export class ModelSwitch {
   readonly #load: LoadModels | undefined;
   readonly #failed: (error: unknown) => void;
   #model: LeafModel | null = null;
-  /** What is to take its place once the book lies still; undefined where nothing is. */
+  /** The model that replaces it once the book is at rest; undefined if there is none. */
   #next: LeafModel | null | undefined;
-  /** Aborted by the next choice: what comes of the one before is void. */
+  /** Aborted by the next choice, which voids the result of this one. */
   #choosing = new AbortController();
   #isLoading = false;
 
-  /** @param load undefined where leaves are turned in one way alone */
+  /** @param load undefined if the backend turns leaves in one way only */
   constructor(load: LoadModels | undefined, failed: (error: unknown) => void) {
     this.#load = load;
     this.#failed = failed;
   }
 
-  /** Whether nothing that was chosen is yet to come. */
+  /** Whether no chosen model is still being loaded. */
   get ready(): boolean {
     return !this.#isLoading && this.#next === undefined;
   }
 
-  /** Turns leaves in another way, from when the book next lies still. Resolves once `rest` can see to it. Never rejects. */
+  /**
+   * Chooses another model, used from the next rest of the book on. Resolves
+   * once `rest` can switch to it. Never rejects.
+   */
   async choose(choice: ModelChoice): Promise<void> {
     this.#choosing.abort();
     this.#choosing = new AbortController();
@@ -50,7 +56,7 @@ export class ModelSwitch {
     this.#next = model;
   }
 
-  /** The book lies still. */
+  /** Switches to the next model. Call it when the book is at rest. */
   rest(): void {
     if (this.#next === undefined) return;
     this.#model?.close();
@@ -58,24 +64,24 @@ export class ModelSwitch {
     this.#next = undefined;
   }
 
-  /** What is to be drawn of a book, where its parts are as told. */
+  /** Returns what is to be drawn of a book whose parts are as `pose` says. */
   pose(pose: BookPose): BookPose {
     return this.#model?.pose?.(pose) ?? pose;
   }
 
-  /** The sheets that it follows, which may still move when what is drawn does not. */
+  /** The sheets that it follows, which may still move when the drawing does not. */
   get sheets(): LeafModel["sheets"] {
     return this.#model?.sheets ?? [];
   }
 
-  /** Draws the leaves in flight as they are some seconds later than before. */
+  /** Draws the leaves in flight `seconds` later than before. */
   update(book: ModelledBook, seconds: number): void {
     this.#model?.show(book, seconds);
     book.engine.update();
     this.#model?.finish?.(book);
   }
 
-  /** Takes away what is and what comes. */
+  /** Removes the current model and the next one. */
   close(): void {
     this.#choosing.abort();
     this.#next?.close();

@@ -1,10 +1,10 @@
-/** Where pages are seen, measured on the canvas in real Chromium. */
+/** Where pages are visible, measured on the canvas in real Chromium. */
 
 import { afterEach, expect, test } from "vitest";
 import { openSource } from "../sources/open.ts";
 import { brightness, opened, settledViewer } from "../viewer_for_tests.ts";
 
-/** A page with a black square about a place of it, shares of the page. */
+/** Returns a page with a black square about a place of it, in fractions of the page. */
 function marked(x: number, y: number): { src: string } {
   const canvas = document.createElement("canvas");
   [canvas.width, canvas.height] = [200, 300];
@@ -38,13 +38,13 @@ const spotOf = (place: { x: number; y: number } | null): [number, number] => [
   place?.y ?? Number.NaN,
 ];
 
-/** Brightness of the canvas where a page's place is seen, 0 to 255. */
+/** Returns the brightness of the canvas where a page's place is seen, 0 to 255. */
 async function seenAt(page: number, x: number, y: number) {
   const place = book?.viewer.project(page, x, y);
   return place && book ? (await brightness(book, place, 1))[0] : null;
 }
 
-/** That the mark of every page in sight, and its surroundings, are seen where they are said to be. */
+/** Expects the mark of every visible page, and its surroundings, where they are projected. */
 async function expectMarks(pages: readonly number[]) {
   for (const page of pages) {
     expect(await seenAt(page, mark.x, mark.y)).toBeLessThan(60);
@@ -108,7 +108,7 @@ test("zoomed and panned, a page's place is seen where it is said, and what is po
     await settledViewer(viewer);
     expect(viewer.zoomLevel).toBe(level);
     const now = viewer.project(7, mark.x, mark.y);
-    // Between what sits and what looks straight down, the heights of the pages part them a little.
+    // From the seated view to the view from above, the heights of the pages move them a little.
     expect(now?.x).toBeCloseTo(at.x, -1);
     expect(now?.y).toBeCloseTo(at.y, -1);
     expect(await seenAt(7, mark.x, mark.y)).toBeLessThan(60);
@@ -123,7 +123,7 @@ test("zoomed and panned, a page's place is seen where it is said, and what is po
   expect((after?.x ?? 0) - (before?.x ?? 0)).toBeCloseTo(-20, 0);
   expect((after?.y ?? 0) - (before?.y ?? 0)).toBeCloseTo(10, 0);
   expect(await seenAt(7, mark.x, mark.y)).toBeLessThan(60);
-  // What a hand would take is where it is seen.
+  // A pointer grabs the page where it is seen.
   const hold = viewer.leafControl.pick(...spotOf(viewer.project(7, 0.9, 0.5)));
   expect(hold?.u).toBeCloseTo(0.9, 1);
   expect(hold?.v).toBeCloseTo(0.5, 1);

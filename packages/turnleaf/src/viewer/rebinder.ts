@@ -1,4 +1,4 @@
-/** Binds one book: at first, and anew where its pages or what is wished of it changed. */
+/** Binds one book: at first, and again when its pages or its options change. */
 
 import { applyPaper, type Paper } from "../book/paper.ts";
 import { pageOf, pagesAt, spineOf, spreadOf } from "../book/spreads.ts";
@@ -15,17 +15,17 @@ import {
 } from "./bound_book.ts";
 import { defaultBinding, type ViewerOptions } from "./viewer_options.ts";
 
-/** What a binder works with. */
+/** The dependencies of a rebinder. */
 export interface RebinderParts {
   readonly book: Bindable;
   readonly stage: BookStage;
   readonly pictures: PageBitmaps;
   readonly options: ViewerOptions;
-  /** Told of the turns of the book as it is bound. */
+  /** Receives the turns of the bound book. */
   readonly events: TurningEvents;
 }
 
-/** The book as it is bound now, and all that waits for it to lie still. */
+/** The book as it is bound now, and all changes that wait for its rest. */
 export class Rebinder {
   readonly #parts: RebinderParts;
   #bound: BoundBook;
@@ -33,13 +33,13 @@ export class Rebinder {
   /** The page to keep in sight however the book is bound. */
   #place: number;
   #mustBind = false;
-  /** Changes of the pages that wait. */
+  /** Waiting changes of the pages. */
   readonly #changes: (() => void)[] = [];
   /** Paper that waits for the leaves in flight to land. */
   #nextPaper: Paper | null = null;
   #closed = false;
 
-  /** @param plan how it is bound first */
+  /** @param plan the first binding */
   constructor(tools: RebinderParts, plan: BindingLayout, engine: BookEngine) {
     this.#parts = tools;
     this.#options = { ...defaultBinding, ...tools.options };
@@ -47,23 +47,23 @@ export class Rebinder {
     this.#bound = this.#bind(plan, engine);
   }
 
-  /** The book as it is bound now: another one after `bindAnew`. */
+  /** The book as it is bound now. `bindAnew` replaces it. */
   get bound(): BoundBook {
     return this.#bound;
   }
 
-  /** Whether there is something for `bindAnew` to do. */
+  /** Whether `bindAnew` has something to do. */
   get hasPending(): boolean {
     return this.#mustBind || this.#changes.length > 0;
   }
 
-  /** The book is to be bound otherwise. What is left out stays as it was. */
+  /** Changes options of the binding. Options left out stay as they were. */
   setOptions(changes: Partial<BindingOptions>): void {
     this.#options = { ...this.#options, ...changes };
     this.#mustBind = true;
   }
 
-  /** The pages are to be changed, as `Viewer.changePages` says. */
+  /** Queues a change of the pages, as `Viewer.changePages` describes. */
   change(change: () => (index: number) => number | null): Promise<boolean> {
     if (this.#closed) return Promise.resolve(false);
     return new Promise((resolve, reject) => {
@@ -82,31 +82,32 @@ export class Rebinder {
     });
   }
 
-  /** Other leaves are to be made: at once, or as soon as none is in flight. */
+  /** Changes the paper: at once, or as soon as no leaf is in flight. */
   setPaper(paper: Paper): void {
     this.#nextPaper = paper;
     this.#changePaper();
   }
 
-  /** Whether the layout that is wished for in a room of so many CSS pixels is the one there is. */
+  /** Returns whether the layout for a place of some CSS pixels is the current one. */
   suits(width: number, height: number): boolean {
     return this.#plan(width, height).binding.layout === this.#bound.binding.layout;
   }
 
-  /** The book lies still, or was laid open elsewhere. */
+  /** Call it when the book has come to rest, or was laid open elsewhere. */
   rested(): void {
     this.#changePaper();
     const { binding, turning } = this.#bound;
-    // Of two pages in sight, the one that was asked for stays the place.
+    // Of two visible pages, the requested one stays the place.
     if (!pagesAt(binding, turning.spread).includes(this.#place)) {
       this.#place = pageOf(binding, turning.spread);
     }
   }
 
   /**
-   * Does what waits, with the page in sight that is in sight now; only while nothing moves.
+   * Applies waiting changes and keeps the visible page in sight; only while
+   * nothing moves.
    *
-   * @param width,height of the room there is, CSS pixels
+   * @param width,height of the available space, CSS pixels
    */
   bindAnew(width: number, height: number): void {
     for (const change of this.#changes.splice(0)) change();
@@ -119,7 +120,7 @@ export class Rebinder {
     before.destroy();
   }
 
-  /** Ends what is under way, and frees the engine's book. */
+  /** Stops all motion and frees the engine's book. */
   close(): void {
     this.#closed = true;
     for (const change of this.#changes.splice(0)) change();
@@ -136,7 +137,7 @@ export class Rebinder {
     );
   }
 
-  /** Binds the book as planned, open at the page to keep in sight. */
+  /** Binds the book by a layout, open at the page to keep in sight. */
   #bind(plan: BindingLayout, engine: BookEngine): BoundBook {
     const { stage, pictures, options, events } = this.#parts;
     const bound = new BoundBook(plan, engine, stage, pictures, events);
@@ -154,7 +155,10 @@ export class Rebinder {
     this.#nextPaper = null;
   }
 
-  /** Where the place is once pages have moved: at its own page, else behind the one before it. */
+  /**
+   * Returns the place after pages have moved: at its own page, otherwise after
+   * the one before it.
+   */
   #placeAfter(moved: (index: number) => number | null): number {
     for (let index = this.#place - 1; index >= 0; index--) {
       const now = moved(index);

@@ -1,4 +1,4 @@
-/** What makes pages sharper comes late, or not at all. */
+/** Sharper parts arrive late, or not at all. */
 
 import { expect, test, vi } from "vitest";
 import type { OpenPage, SharpnessTools } from "./coarseness.ts";

@@ -1,11 +1,11 @@
-/** Sharpness where pages are seen larger than their pictures are: what sees to it is loaded when one first is. */
+/** Sharpens pages that are seen larger than their bitmaps: the code is loaded when one first is. */
 
 import type { Face } from "../book/faces.ts";
 import { loaded } from "../sources/loaded.ts";
 import { isCoarse, type OpenPage, type SharpnessTools } from "./coarseness.ts";
 import type { DetailPictures } from "./detail_pictures.ts";
 
-/** The sharper parts of the pages that lie open. */
+/** The sharper parts of the open pages. */
 export class Sharpness {
   readonly #tools: SharpnessTools;
   #details: DetailPictures | null = null;
@@ -16,33 +16,36 @@ export class Sharpness {
     this.#tools = tools;
   }
 
-  /** Whether nothing in sight waits to become sharper. */
+  /** Whether every page in sight is sharp. */
   get settled(): boolean {
     return !this.#isLoading && (this.#details?.settled ?? true);
   }
 
-  /** Looks at the pages that lie open, at rest on a canvas of so many CSS pixels, and draws what is missing. */
+  /**
+   * Examines the open pages, at rest on a canvas of the given size in CSS
+   * pixels, and draws what is missing.
+   */
   look(open: readonly OpenPage[], width: number, height: number): void {
     if (this.#details) this.#details.look(open, width, height);
     else if (!this.#isAsked && open.some((page) => isCoarse(this.#tools.stage, page))) this.#load();
   }
 
-  /** Takes away what belongs to other pages than those that are seen on the faces. */
+  /** Removes details of pages other than those on the faces. */
   keep(pages: Partial<Record<Face, number | null>>): void {
     this.#details?.keep(pages);
   }
 
-  /** Takes away what is shown of a page (from 1): it looks otherwise now. */
+  /** Removes the detail of a page (from 1) whose content has changed. */
   redraw(page: number): void {
     this.#details?.redraw(page);
   }
 
-  /** Stops drawing; what is shown stays. */
+  /** Stops drawing; visible details stay. */
   pause(): void {
     this.#details?.pause();
   }
 
-  /** Takes everything away. */
+  /** Removes everything. */
   close(): void {
     this.#details?.keep({});
   }

@@ -1,4 +1,7 @@
-/** The book stands still while a leaf turns: measured frame by frame, under a clock of the test's own. */
+/**
+ * The book stands still while a leaf turns: measured frame by frame, under the
+ * test's own clock.
+ */
 
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { canvas2dBackend } from "../canvas2d_backend.ts";
@@ -15,7 +18,7 @@ vi.setConfig({ testTimeout: 180_000 });
 
 const backends = { webgl: webglBackend, canvas2d: canvas2dBackend };
 
-/** A book, the place where it is shown in CSS pixels, and how. */
+/** A book, the place where it is shown in CSS pixels, and its options. */
 interface Shown {
   readonly page: readonly [width: number, height: number];
   readonly place: readonly [width: number, height: number];
@@ -25,7 +28,7 @@ interface Shown {
 
 const usual: Shown = { page: [200, 300], place: [1280, 800] };
 
-/** Where books are usually shown. */
+/** Typical places for books. */
 const places: readonly (Shown & { readonly name: string })[] = [
   { name: "in a page, 4:3", page: [200, 300], place: [800, 600] },
   { name: "full screen, 16:10", ...usual },
@@ -56,7 +59,7 @@ let frames: FrameRequestCallback[];
 let now: number;
 
 beforeEach(() => {
-  // What is measured are places, not pixels.
+  // Positions are measured, not pixels.
   vi.spyOn(WebGL2RenderingContext.prototype, "drawElements").mockImplementation(() => undefined);
 });
 
@@ -115,7 +118,7 @@ async function opened({ page, place, options, backend = "webgl" }: Shown): Promi
   vi.spyOn(window, "requestAnimationFrame").mockImplementation((frame) => frames.push(frame));
 }
 
-/** Draws so many frames, a sixtieth of a second each, and looks after each of them. */
+/** Draws some frames, a sixtieth of a second each, and calls `look` after each of them. */
 function pass(count: number, look: () => void = () => undefined): void {
   for (let k = 0; k < count; k++) {
     now += 1000 / 60;
@@ -124,7 +127,7 @@ function pass(count: number, look: () => void = () => undefined): void {
   }
 }
 
-/** How large the book is seen, CSS pixels: along the spine and across a page. */
+/** Returns the apparent size of the book, CSS pixels: along the spine and across a page. */
 function apparentSize(): [number, number] {
   const [spine, head, edge] = [
     [0, 0, 0],
@@ -136,9 +139,9 @@ function apparentSize(): [number, number] {
 
 const apart = (a: Place, b: Place): number => Math.hypot(a.x - b.x, a.y - b.y);
 
-/** Where a place of a leaf, fractions from spine and foot, is seen. */
+/** Returns where a place of a leaf, in fractions from spine and foot, is seen. */
 function seenOn({ positions, columns, rows }: Surface, u: number, v: number): Place {
-  // As a view of the engine's memory it holds for the moment.
+  // A view of the engine's memory, valid for the moment.
   const places = engine.columns;
   let column = 0;
   while (column < columns - 2 && places[column + 1] < u) column++;
@@ -156,7 +159,7 @@ function seenOn({ positions, columns, rows }: Surface, u: number, v: number): Pl
   return stage.project([mixed[0], mixed[1], mixed[2]]);
 }
 
-/** What is seen while leaves move, against how the book is seen at rest. */
+/** Compares what is visible while leaves move with the book at rest. */
 class Watch {
   /** Smallest and largest apparent size, as a fraction of that at rest. */
   size: [number, number] = [1, 1];
@@ -188,8 +191,9 @@ class Watch {
 }
 
 /**
- * Takes the leaf that is turned on at a place (fractions from spine and foot) and carries it over in a
- * second, resting ten times on the way. Returns how far what was taken was from the pointer at worst, CSS pixels.
+ * Grabs the leaf that is turned next at a place (fractions from spine and foot)
+ * and carries it over in a second, resting ten times on the way. Returns the
+ * maximum distance of the held point from the pointer, CSS pixels.
  */
 function carry(u: number, v: number, look: () => void): number {
   const side = viewer.binding.reversed ? -1 : 1;
@@ -222,7 +226,10 @@ function turn(look: () => void): void {
   pass(90, look);
 }
 
-/** Places where a leaf is taken, fractions from spine and foot: corners, the edge, and far from it. */
+/**
+ * Places where a leaf is grabbed, as fractions from spine and foot: corners,
+ * the edge, and far from it.
+ */
 const grips = [
   [0.97, 0.05],
   [0.97, 0.5],
@@ -231,7 +238,7 @@ const grips = [
   [0.7, 0.95],
 ] as const;
 
-/** Turns a leaf by command and carries others over by hand. Returns what was measured. */
+/** Turns a leaf by command and carries others over by dragging. Returns what was measured. */
 function turnAndCarry({ place }: Shown): string {
   const page = apparentSize()[1];
   const watch = new Watch(place);
@@ -255,7 +262,7 @@ function turnAndCarry({ place }: Shown): string {
   for (const px of worst) expect(px, report).toBeLessThan(0.035 * page);
   expect(beyond.top, report).toBe(0);
   for (const px of dips) expect(px, report).toBeLessThan(0.01 * place[1]);
-  // A page alone hands its leaves over an edge beyond which nothing is shown.
+  // A page alone carries its leaves over an edge beyond which nothing is shown.
   if (viewer.binding.layout === "spread") {
     expect(Math.max(beyond.left, beyond.right), report).toBe(0);
   }

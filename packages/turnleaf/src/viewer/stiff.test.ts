@@ -19,7 +19,10 @@ async function open(hardPages: number[], cover: "soft" | "none" = "none") {
   return { binding, engine, turning, stiffening: new Stiffening(binding, width) };
 }
 
-/** How far a leaf's points lie off the straight line from its spine to its fore-edge, at most, metres. */
+/**
+ * Returns the maximum distance of a leaf's points from the straight line from
+ * its spine to its fore-edge, metres.
+ */
 function bend({ positions, columns, rows }: Surface): number {
   let most = 0;
   for (let row = 0; row < rows; row++) {
@@ -50,7 +53,7 @@ test("board turns flat, card bends half as much as paper, and paper is left as i
     expect(bend(paper)).toBeGreaterThan(0.005);
     expect(bend(leaf) / bend(paper)).toBeGreaterThanOrEqual(least);
     expect(bend(leaf) / bend(paper)).toBeLessThanOrEqual(most);
-    // The same until the leaf moves: a frame in which nothing moves costs nothing.
+    // The same until the leaf moves: a frame without motion costs nothing.
     expect(stiffening.leaf(engine.surface(0), turning.flights[0])).toBe(leaf);
   }
 });

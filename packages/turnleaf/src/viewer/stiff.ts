@@ -1,31 +1,37 @@
 /**
  * Leaves that are stiffer than the paper between them: board, which stays flat,
- * and card, which bends half as much. The engine moves them as it moves paper;
- * here what it answers is straightened before it is drawn.
+ * and card, which bends half as much. The engine moves them as paper; here its
+ * surfaces are straightened before they are drawn.
  */
 
 import type { Binding } from "../book/spreads.ts";
 import type { Flight } from "../book/turning.ts";
 import { columnPlace, type Pile, type Surface } from "../engine/shapes.ts";
 
-/** How straight card is, from paper's bend at 0 to a board at 1. */
+/** Stiffness of card, from 0 for paper to 1 for a board. */
 const cardStiffness = 0.5;
 
 /** Thickness of a leaf of board and of card, metres. */
 const boardThickness = 0.0016;
 const cardThickness = 0.0004;
 
-/** Leaves of paper that a leaf of board is as thick as. */
+/** Leaves of paper that together are as thick as a leaf of board. */
 export const paperPerBoard: number = boardThickness / 0.0004;
 
-/** Shares of a turn between which what lies under a leaf takes its shape from it, or gives it back. */
+/**
+ * Fractions of a turn between which the paper under a leaf takes its shape from
+ * the leaf, or gives it up.
+ */
 const pressed = [0.1, 0.45] as const;
 
 /** Straightens the leaves of one binding. */
 export class Stiffening {
   readonly #binding: Binding;
   readonly #width: number;
-  /** Straightened surfaces by what they were made of: the same answers for the same leaf keep a frame free. */
+  /**
+   * Straightened surfaces by their originals: the same result for the same leaf
+   * keeps a frame free.
+   */
   #leaves = new WeakMap<Surface, Surface>();
 
   /** @param width of a leaf, metres */
@@ -34,7 +40,7 @@ export class Stiffening {
     this.#width = width;
   }
 
-  /** A leaf in flight as stiff as it is. */
+  /** Returns a leaf in flight, straightened by its stiffness. */
   leaf(surface: Surface, flight: Flight): Surface {
     const share = this.#of(flight.low);
     if (share === 0) return surface;
@@ -47,7 +53,10 @@ export class Stiffening {
     return leaf;
   }
 
-  /** The piles as straight as the leaf upon each, left and right; `leaves` are those in flight between. */
+  /**
+   * Returns the left and right pile, each straightened by the leaf on it;
+   * `leaves` are those in flight between.
+   */
   piles(
     left: Pile,
     right: Pile,
@@ -71,7 +80,7 @@ export class Stiffening {
     return [straight(left, onLeft, -1), straight(right, onRight, 1)];
   }
 
-  /** How straight leaf `k` is. */
+  /** Returns the stiffness of leaf `k`, 0 to 1. */
   #of(k: number): number {
     const { hardLeaves, softCover, leaves } = this.#binding;
     if (hardLeaves.has(k)) return 1;
@@ -79,7 +88,7 @@ export class Stiffening {
   }
 }
 
-/** How far a leaf has turned, from 0 on the right to 1 on the left. */
+/** Returns how far a leaf has turned, from 0 on the right to 1 on the left. */
 function turned({ positions, columns, rows }: Surface): number {
   const edge = 3 * ((rows >> 1) * columns + columns - 1);
   return Math.atan2(Math.max(positions[edge + 2], 0), positions[edge]) / Math.PI;
@@ -90,7 +99,7 @@ function mix(from: number, to: number, share: number): number {
   return from + (to - from) * t * t * (3 - 2 * t);
 }
 
-/** A leaf between its own shape and the plane through its root and the middle of its fore-edge. */
+/** Mixes a leaf's own shape with the plane through its root and the middle of its fore-edge. */
 function straightened(surface: Surface, share: number, width: number): Surface {
   const { columns, rows } = surface;
   const positions = surface.positions.slice();
@@ -119,7 +128,10 @@ function straightened(surface: Surface, share: number, width: number): Surface {
   return { ...surface, positions, normals };
 }
 
-/** A pile between its own shape and straight leaves from the gutter to the height of their fore-edges. */
+/**
+ * Mixes a pile's own shape with straight leaves from the gutter to the height
+ * of their fore-edges.
+ */
 function straightenedPile(pile: Pile, share: number, reach: number): Pile {
   const { columns, layers } = pile;
   const curves = pile.curves.slice();

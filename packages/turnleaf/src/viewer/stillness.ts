@@ -1,27 +1,28 @@
-/** Whether what is held has come to rest in the hand. */
+/** Detects whether a held leaf has come to rest. */
 
 import type { Surface } from "../engine/shapes.ts";
 
-/** Motion in a frame that nobody sees, metres: a sixtieth of a pixel. */
+/** Imperceptible motion in a frame, metres: a sixtieth of a pixel. */
 const unseen = 5e-6;
 
 /**
- * In so many frames without a stir that motion doubles: the thinnest paper
- * trembles in a hand for as long as one looks, and no battery pays for that.
+ * Frames without visible motion after which that threshold doubles: the
+ * thinnest paper trembles for as long as it is held, and drawing that would
+ * drain a battery.
  */
 const doubling = 30;
 
-/** Frames in a row without more than that. */
+/** Consecutive frames below the threshold that count as rest. */
 const frames = 8;
 
-/** Looks at leaves from frame to frame. */
+/** Compares leaves from frame to frame. */
 export class Stillness {
   #before: Float32Array[] = [];
   #count = 0;
-  /** Frames since the last stir. */
+  /** Frames since the last visible motion. */
   #passed = 0;
 
-  /** Whether leaves have not moved for some frames, this one included. */
+  /** Returns whether leaves have not moved for some frames, this one included. */
   check(leaves: readonly Pick<Surface, "positions">[]): boolean {
     const least = unseen * 2 ** (this.#passed++ / doubling);
     const moved =
@@ -32,7 +33,7 @@ export class Stillness {
     return this.#count >= frames;
   }
 
-  /** Begins anew: something changed. */
+  /** Starts over: something changed. */
   stir(): void {
     this.#count = this.#passed = 0;
   }

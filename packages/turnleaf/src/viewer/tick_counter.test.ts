@@ -1,4 +1,4 @@
-/** Ticks from frame to frame, whatever times the browser tells. */
+/** Ticks from frame to frame, whatever times the browser reports. */
 
 import { expect, test } from "vitest";
 import { TickCounter } from "./tick_counter.ts";

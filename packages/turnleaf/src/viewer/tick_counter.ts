@@ -1,9 +1,9 @@
-/** From the screen's frames to the engine's ticks. */
+/** Converts the screen's frames to the engine's ticks. */
 
-/** Longest time a frame may stand for, seconds; after a pause the turn goes on where it was. */
+/** Maximum time of one frame, in seconds; after a pause the turn goes on where it was. */
 const longestFrame = 0.1;
 
-/** Counts the whole ticks that pass from frame to frame while something moves. */
+/** Counts the whole ticks from frame to frame while something moves. */
 export class TickCounter {
   readonly #tick: number;
   #lastTime: number | null = null;
@@ -15,10 +15,11 @@ export class TickCounter {
   }
 
   /**
-   * Returns the whole ticks since the last frame, 0 or more: none in the first of a
-   * movement, nor for a frame whose time is no number or not after the last one's.
+   * Returns the whole ticks since the last frame, 0 or more: none in the first
+   * frame of a movement, nor for a frame whose time is not a number or not
+   * later than the last one's.
    *
-   * @param now time of the frame in milliseconds, as animation frames tell it
+   * @param now time of the animation frame in milliseconds
    */
   count(now: number): number {
     if (!Number.isFinite(now)) return 0;
@@ -31,7 +32,7 @@ export class TickCounter {
     return ticks;
   }
 
-  /** The movement is over: the next frame is the first of another, which owes nothing to this one. */
+  /** Ends the movement: the next frame is the first of another. */
   stop(): void {
     this.#lastTime = null;
     this.#remainder = 0;

@@ -1,8 +1,8 @@
 /**
- * One book on one screen: the way from a command to a frame. It owns the
- * engine's book, the stage that draws it and the pool of page pictures, and
- * brings them together frame by frame while something moves. At rest it has no
- * animation frame and no timer.
+ * One book on one screen, from a command to a frame. It owns the engine's book,
+ * the stage that draws it and the pool of page bitmaps, and brings them
+ * together frame by frame while something moves. At rest it has no animation
+ * frame and no timer.
  */
 
 import { faceOf } from "../book/faces.ts";
@@ -39,12 +39,15 @@ import { type Backend, defaultBinding, type ViewerOptions } from "./viewer_optio
 export type { Zoom } from "../stage/zoom.ts";
 export type { Backend, ViewerOptions } from "./viewer_options.ts";
 
-/** How much of the width of its place, as high as its leaves need, an open book takes. */
+/**
+ * Fraction of the width of its place that an open book takes, in a place as
+ * high as its leaves need.
+ */
 const fullness = 0.9;
 
 /** One book on one canvas. */
 export class Viewer {
-  /** How the reader moves its leaves. */
+  /** The reader's control of its leaves. */
   readonly leafControl: LeafControl;
   readonly #options: ViewerOptions;
   readonly #stage: BookStage;
@@ -58,7 +61,7 @@ export class Viewer {
   readonly #stillness = new Stillness();
   readonly #frameQuality = new FrameQuality();
   readonly #rebinder: Rebinder;
-  /** The window in which the canvas is seen: another's frames stop when that one is hidden. */
+  /** The window that shows the canvas: another window's frames stop when that one is hidden. */
   readonly #window: Window;
   #cssWidth = 0;
   #cssHeight = 0;
@@ -128,9 +131,8 @@ export class Viewer {
   }
 
   /**
-   * Opens a book on a canvas.
-   * Rejects with a `BookError` where no page's size can be had, or
-   * with an `Error` where WebGL 2 or WebAssembly is not to be had.
+   * Opens a book on a canvas. Rejects with a `BookError` if no page's size can
+   * be read, or with an `Error` if WebGL 2 or WebAssembly is unavailable.
    */
   static async open(
     canvas: HTMLCanvasElement,
@@ -149,31 +151,34 @@ export class Viewer {
     return new Viewer(canvas, source, book, plan, engine, stage, options, backend);
   }
 
-  /** The part of its leaf that a page (from 1) of some size covers, shares from the upper left corner. */
+  /**
+   * Returns the part of its leaf that a page (from 1) of some size covers, as
+   * fractions from the upper left corner.
+   */
   placeOf(page: number, size: PageSize): PageBox {
     return this.#bitmaps.placeOf(page, size);
   }
 
-  /** How the book is bound now. Another once `rebind` has done its work. */
+  /** The current binding. `rebind` replaces it. */
   get binding(): Binding {
     return this.#bound.binding;
   }
 
-  /** Width over height of a place that two pages fill with the room that their leaves need. */
+  /** Width over height of a place that two pages fill, with the headroom that their leaves need. */
   get placeRatio(): number {
     const { width, height, rolled } = this.#bound.shape;
     const pages = rolled ? height / (2 * width) : (2 * width) / height;
     return fullness * pages;
   }
 
-  /** Where the book lies open and how it gets elsewhere; another with every binding. */
+  /** Where the book lies open and how it gets elsewhere; replaced with every binding. */
   get turning(): Turning {
     return this.#bound.turning;
   }
 
   /**
-   * Binds the book anew, as soon as it lies still, with the page in sight that
-   * is in sight now. What is left out stays as it was.
+   * Changes options of the binding, as soon as the book is at rest, and keeps
+   * the visible page in sight. Options left out stay as they were.
    */
   rebind(changes: Partial<BindingOptions>): void {
     this.#rebinder.setOptions(changes);
@@ -181,13 +186,14 @@ export class Viewer {
   }
 
   /**
-   * Changes the book's pages, as soon as it lies still; the page in sight stays,
-   * or the one that lies in its place does.
+   * Changes the book's pages as soon as it is at rest. The visible page stays
+   * in sight, or the one that lies in its place.
    *
-   * Resolves to whether it was done: not where the book was taken away before.
-   * Rejects as `change` throws.
+   * Resolves to whether the change was made: false if the book was closed
+   * before. Rejects with what `change` throws.
    *
-   * @param change changes the source and answers where a page (from 0) lies then, null where it is gone
+   * @param change changes the source and returns a function from the old index
+   * of a page (from 0) to the new one, null if it was removed
    */
   changePages(change: () => (index: number) => number | null): Promise<boolean> {
     const changed = this.#rebinder.change(change);
@@ -195,7 +201,7 @@ export class Viewer {
     return changed;
   }
 
-  /** Fits the book to the canvas's size in CSS pixels. */
+  /** Fits the book to the size of the canvas in CSS pixels. */
   resize(cssWidth: number, cssHeight: number, pixelRatio: number): void {
     this.#cssWidth = cssWidth;
     this.#cssHeight = cssHeight;
@@ -214,16 +220,18 @@ export class Viewer {
   }
 
   /**
-   * Opens the book at a spread (clamped to the book) without turning leaves: by a
-   * quiet cross-fade, or at once. Resolves, once that is over, to whether the book lies there.
+   * Opens the book at a spread (clamped to the book) without turning leaves: by
+   * a cross-fade, or at once. Resolves, once that is over, to whether the book
+   * lies there.
    *
-   * @param by resolves to true also where the book lies farther on (1) or back (-1) then
+   * @param by resolves to true also if the book lies farther on (1) or back
+   * (-1) then
    */
   change(spread: number, fades: boolean, by: 1 | 0 | -1 = 0): Promise<boolean> {
     const from = this.turning.restedAt;
     const to = clampSpread(this.binding, spread);
     if (to !== from) this.#options.onStart(Math.min(from, to), Math.max(from, to), to > from);
-    // Whoever hears of it may take the book away at once.
+    // A listener may destroy the viewer at once.
     if (this.#destroyed) return Promise.resolve(false);
     if (to !== from || this.turning.moving) {
       if (fades) {
@@ -237,19 +245,19 @@ export class Viewer {
     return this.#crossFade.promise((at) => (by === 0 ? at === to : (at - to) * by >= 0));
   }
 
-  /** Makes the leaves of another paper: at once, or as soon as none is in flight. */
+  /** Changes the paper: at once, or as soon as no leaf is in flight. */
   setPaper(paper: Paper): void {
     this.leafControl.peek(null);
     this.#rebinder.setPaper(paper);
   }
 
-  /** Turns the leaves in another way, as soon as it is loaded and none is in flight. */
+  /** Changes the model that turns the leaves, as soon as it is loaded and no leaf is in flight. */
   async setModel(choice: ModelChoice): Promise<void> {
     await this.#modelSwitch.choose(choice);
     this.#bindSoon();
   }
 
-  /** Draws a page (from 1) anew, as its source shows something else there now. */
+  /** Redraws a page (from 1) whose content has changed. */
   redraw(page: number): void {
     if (this.#destroyed) return;
     this.#bitmaps.redraw(page);
@@ -257,22 +265,22 @@ export class Viewer {
     this.invalidate();
   }
 
-  /** Asks for a frame, unless one is already asked for. */
+  /** Requests a frame, unless one is already requested. */
   invalidate(): void {
     this.#stillness.stir();
     this.#askForFrame();
   }
 
-  /** How near the book is seen, from 1 for all of it to 8; on the way there, what it leads to. */
+  /** The zoom level, 1 for the whole book to 8; during a motion, the one that it leads to. */
   get zoomLevel(): number {
     return this.#camera.level;
   }
 
   /**
-   * Shows the book at a level so that what is seen at `from` comes to `to`, CSS
-   * pixels on the canvas, as far as the book reaches.
+   * Shows the book at a level so that the point seen at `from` comes to `to`,
+   * CSS pixels on the canvas, clamped to the book.
    *
-   * @param seconds that it takes; 0 at once
+   * @param seconds duration; 0 for at once
    */
   zoom(level: number, from: Place, to: Place, seconds: number): void {
     if (this.#destroyed || !(level > 0)) return;
@@ -283,7 +291,10 @@ export class Viewer {
     if (this.#camera.level !== before) this.#options.onZoom?.(this.#camera.level);
   }
 
-  /** What is shown of the book, or on the way to being; setting it shows that at once, as far as the book reaches. */
+  /**
+   * The current view of the book, or the one the camera is moving to. Setting
+   * it shows the view at once, clamped to the book.
+   */
   get view(): Zoom {
     return this.#camera.view;
   }
@@ -294,18 +305,21 @@ export class Viewer {
     this.invalidate();
   }
 
-  /** Whether fingers are at the view: frames are drawn as while something moves, and none sharper between them. */
+  /**
+   * Whether fingers move the view: frames are then drawn as while something
+   * moves, and none sharper between them.
+   */
   set handled(handled: boolean) {
     this.#handled = handled;
     this.invalidate();
   }
 
   /**
-   * Where a place on a page is seen, CSS pixels from the canvas's upper left
-   * corner; null where that page does not lie open, or leaves are in flight.
+   * Returns where a point of a page is seen, CSS pixels from the canvas's upper
+   * left corner, or null if the page does not lie open or leaves are in flight.
    *
    * @param page from 1
-   * @param x,y shares of the page from its upper left corner
+   * @param x,y fractions of the page from its upper left corner
    */
   project(page: number, x: number, y: number): Place | null {
     if (this.#destroyed || this.#cssWidth === 0) return null;
@@ -316,28 +330,32 @@ export class Viewer {
   }
 
   /**
-   * Calls `listener` after a frame in which the book came to rest: other pages
-   * lie open, or they are seen elsewhere, or the same lie still again; and after
-   * the first frame in which it leaves that rest, with whether it rests. What
-   * `project` answers then holds until the next call. Answers how to take the listener away.
+   * Adds a listener, called after a frame in which the book has come to rest
+   * (other pages lie open, or they are seen elsewhere, or the same lie still
+   * again) and after the first frame in which it leaves that rest, with whether
+   * it rests. Results of `project` hold until the next call. Returns a function
+   * that removes the listener.
    */
   onViewChange(listener: (rests: boolean) => void): () => void {
     return this.#viewHistory.add(listener);
   }
 
-  /** Whether every page in sight is shown at its full sharpness. */
+  /** Whether every visible page is shown at its full sharpness. */
   get settled(): boolean {
-    // Before there is room for the book no page is asked for, so none is missing.
+    // Before the book has a size no page is requested, so none is missing.
     if (this.#cssWidth === 0 || this.#frame !== 0 || this.#stage.isLost) return false;
     return this.#bitmaps.settled && this.#sharpness.settled;
   }
 
-  /** Whether, besides, the model that turns them is there, and the pages that a turn may bring into sight are drawn, as far as memory allows. */
+  /**
+   * Whether the book is settled, its model is loaded, and the pages that a turn
+   * may bring into sight are drawn, as far as memory allows.
+   */
   get ready(): boolean {
     return this.settled && this.#bitmaps.ready && this.#modelSwitch.ready;
   }
 
-  /** Stops everything and frees what the graphics card and the engine hold. */
+  /** Stops everything and frees the memory of the graphics card and the engine. */
   destroy(): void {
     if (this.#destroyed) return;
     this.#destroyed = true;
@@ -369,7 +387,7 @@ export class Viewer {
     // Without a turn nothing in the engine has moved since the book was laid open.
     const turned = this.turning.moving;
     const turning = turned && this.turning.step(passed);
-    // Whoever hears of a turn may take the book away at once.
+    // A listener of a turn may destroy the viewer at once.
     if (this.#destroyed) return;
     if (turned) this.#modelSwitch.update(this.#bound, seconds);
     if (!turning) this.#bindAnew();
@@ -382,14 +400,14 @@ export class Viewer {
     const flap = this.#foldOut.surface(posed, this.#bound.shape);
     const pose = { ...this.#modelSwitch.pose(posed), flap };
     if (stepping) this.#bound.drag.follow();
-    // What is held quite still takes no more frames until the hand moves.
+    // A leaf held still takes no more frames until its pointer moves.
     const still =
       turning &&
       this.turning.inHand &&
       this.#stillness.check([...posed.leaves, ...this.#modelSwitch.sheets]);
     const moving = (turning && !still) || stepping;
     const resting = !moving && !this.#handled;
-    // Of a view that fingers move, the next frame comes when they do.
+    // While fingers move the view, the next frame comes with their next event.
     if (moving) this.#frameQuality.frame(now);
     else this.#frameQuality.rest();
     const { pixels, roughly } = this.#frameQuality.quality;
@@ -417,13 +435,13 @@ export class Viewer {
     return this.#rebinder.bound;
   }
 
-  /** Does what waits for the book to lie still as soon as it does. */
+  /** Applies waiting changes as soon as the book is at rest. */
   #bindSoon(): void {
     this.leafControl.peek(null);
     if (!this.turning.moving) this.#bindAnew();
   }
 
-  /** Does what waited for the book to lie still. */
+  /** Applies waiting changes. */
   #bindAnew(): void {
     if (this.#destroyed) return;
     this.#modelSwitch.rest();
@@ -438,7 +456,7 @@ export class Viewer {
     this.#show();
   }
 
-  /** Brings every face's picture up to date, and asks for the pages wanted next. */
+  /** Updates the bitmap of every face, and requests the pages wanted next. */
   #show(): void {
     if (this.#destroyed) return;
     const { faceTextures: picturing } = this.#bound;

@@ -1,4 +1,4 @@
-/** How a book is shown, and by what. */
+/** The options of a viewer, and its backend. */
 
 import type { Paper } from "../book/paper.ts";
 import type { BookEngine, BookSize } from "../engine/book_engine.ts";
@@ -8,45 +8,54 @@ import type { BookStage } from "../stage/book_stage.ts";
 import type { BindingOptions } from "./bound_book.ts";
 import type { LoadModels } from "./model_switch.ts";
 
-/** What moves a book's leaves and what draws them; the two of a backend are made for each other. */
+/** What moves a book's leaves and what draws them; the two of a backend belong together. */
 export interface Backend {
   engine(size: BookSize): Promise<BookEngine>;
   stage(canvas: HTMLCanvasElement, shape: BookShape): BookStage;
-  /** Loads other models than the engine's own; left out where there are none. */
+  /** Loads models other than the engine's; undefined if there are none. */
   readonly models?: LoadModels;
 }
 
 /** How a book is shown. */
 export interface ViewerOptions extends Partial<BindingOptions> {
-  /** What the leaves are made of, asked for when the book lies open. */
+  /** Returns the paper of the leaves; called when the book lies open. */
   readonly paper: () => Paper;
-  /** The page (from 1) at which the book lies open first, asked for when it does. */
+  /** Returns the page (from 1) at which the book first lies open; called when it does. */
   readonly page: () => number;
-  /** Length of a played turn, seconds, asked for likewise. */
+  /** Returns the length of a played turn in seconds; called likewise. */
   readonly turnSeconds: () => number;
-  /** How leaves are turned, asked for likewise: as sheets where nothing is said. */
+  /** Returns the model that turns the leaves; called likewise. The default is sheets. */
   readonly model?: () => ModelChoice;
   /** A turn begins between two spreads. */
   readonly onStart: (low: number, high: number, forward: boolean) => void;
-  /** The book came to rest at a spread, and nothing more is planned. */
+  /** The book has come to rest at a spread, and nothing more is planned. */
   readonly onRest: (from: number, to: number) => void;
-  /** A page (from 1) cannot be shown, whether it lies open or not; the sentence says why. */
+  /**
+   * A page (from 1) cannot be shown, whether it lies open or not; the sentence
+   * gives the reason.
+   */
   readonly onFailure: (page: number, sentence: string, isOpen: boolean) => void;
-  /** The sentence for a page, by its label, that takes long to draw; its label alone where nothing is said. */
+  /**
+   * Returns the sentence for a page that takes long to draw, from its label.
+   * The default is the label alone.
+   */
   readonly slowText?: (label: string) => string;
-  /** The book is seen from nearer or farther: the level that is shown, or on the way to being. */
+  /** The zoom level has changed: the current one, or the one the camera is moving to. */
   readonly onZoom?: (level: number) => void;
-  /** A part of the viewer that the book shows without could not be loaded. */
+  /** An optional part of the viewer could not be loaded. */
   readonly onMissingPart?: (error: unknown) => void;
-  /** The graphics card failed for good: nothing of the book is seen any more. */
+  /** The graphics card failed for good: the book is no longer visible. */
   readonly onContextLost?: () => void;
-  /** A frame: where the book's parts are, seconds since the one before, and whether leaves are in flight. */
+  /**
+   * A frame: where the book's parts are, seconds since the previous one, and
+   * whether leaves are in flight.
+   */
   readonly onMotion?: (pose: BookPose, seconds: number, moving: boolean) => void;
-  /** The book is laid out or bound in another way than before. */
+  /** The layout or the binding has changed. */
   readonly onLayout?: () => void;
 }
 
-/** How a book is bound where nothing is said. */
+/** The default binding. */
 export const defaultBinding: BindingOptions = {
   cover: "hard",
   cloth: "#6a2a26",
