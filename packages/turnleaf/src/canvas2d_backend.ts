@@ -1,4 +1,4 @@
-/** A book on the flat: leaves that are peeled, drawn with a 2D canvas. Loaded where a book in space cannot be had. */
+/** A flat book: peeled leaves on a 2D canvas. Loaded where WebGL or WebAssembly is unavailable. */
 
 import { Canvas2DStage } from "./canvas2d/canvas2d_stage.ts";
 import { PeeledBook } from "./canvas2d/peeled_book.ts";

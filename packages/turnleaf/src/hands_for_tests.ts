@@ -1,8 +1,11 @@
-/** A reader's hands, for tests in a browser. */
+/** Simulated pointers, for tests in a browser. */
 
 import type { TurnleafBook } from "./element.ts";
 
-/** What hands do to one book: places in CSS pixels from the element's upper left corner. */
+/**
+ * Dispatches pointer and keyboard events to one book: places in CSS pixels from
+ * the element's upper left corner.
+ */
 export class Hands {
   readonly element: TurnleafBook;
   readonly canvas: HTMLCanvasElement;
@@ -12,11 +15,11 @@ export class Hands {
     this.element = element;
     this.stage = element.shadowRoot?.querySelector("[part=stage]") as HTMLElement;
     this.canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
-    // Pointers that no device moves cannot be captured.
+    // Pointers without a device cannot be captured.
     this.canvas.setPointerCapture = () => {};
   }
 
-  /** A pointer event; answers whether the page around may do with it what it likes. */
+  /** Dispatches a pointer event. Returns whether its default action is allowed. */
   point(name: string, x: number, y: number, more: PointerEventInit = {}): boolean {
     const { left, top } = this.element.getBoundingClientRect();
     return this.canvas.dispatchEvent(
@@ -34,13 +37,13 @@ export class Hands {
     );
   }
 
-  /** Presses and lifts. */
+  /** Presses and releases. */
   click(x: number, y: number, more: PointerEventInit = {}): void {
     this.point("pointerdown", x, y, more);
     this.point("pointerup", x, y, more);
   }
 
-  /** Moves in small steps from one place to another, as fast as events come. */
+  /** Moves in small steps from one place to another, as fast as events are dispatched. */
   flick(from: [number, number], to: [number, number], more: PointerEventInit = {}): void {
     for (let k = 1; k <= 4; k++) {
       const [x, y] = [0, 1].map((i) => from[i] + ((to[i] - from[i]) * k) / 4);
@@ -48,7 +51,7 @@ export class Hands {
     }
   }
 
-  /** Moves in small steps from one place to another, some at a frame. */
+  /** Moves in small steps from one place to another, some per frame. */
   async move(
     from: [number, number],
     to: [number, number],
@@ -62,7 +65,7 @@ export class Hands {
     }
   }
 
-  /** A wheel event; answers whether the page around may scroll by it. */
+  /** Dispatches a wheel event. Returns whether the page around may scroll by it. */
   roll(deltaX: number, deltaY: number, more: WheelEventInit = {}): boolean {
     const { left, top } = this.element.getBoundingClientRect();
     return this.canvas.dispatchEvent(

@@ -1,4 +1,7 @@
-/** A book in space: simulated paper, drawn by the graphics card. Loaded when a book opens where both are to be had. */
+/**
+ * A 3D book: simulated paper, drawn by the graphics card. Loaded when a book
+ * opens where both are available.
+ */
 
 import { WasmBook } from "./engine/wasm_book.ts";
 import type { Backend } from "./viewer/viewer.ts";

@@ -1,4 +1,4 @@
-/** A book on the flat, in a Chromium that refuses WebGL: the same element, the same answers. */
+/** A book on a 2D canvas, in a Chromium without WebGL: the same element with the same results. */
 
 import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
 import type { TurnDetail } from "../element/events.ts";
@@ -22,7 +22,10 @@ function canvasOf(element: HTMLElement): HTMLCanvasElement {
   return element.shadowRoot?.querySelector("[part=canvas]") as HTMLCanvasElement;
 }
 
-/** Colour of a place of the canvas, CSS pixels: red, green, blue, opacity from 0 to 255. */
+/**
+ * Returns the colour at a place of the canvas, CSS pixels: red, green, blue,
+ * opacity from 0 to 255.
+ */
 function colourAt(element: HTMLElement, x: number, y: number): number[] {
   const canvas = canvasOf(element);
   const scale = canvas.width / canvas.clientWidth;
@@ -30,7 +33,7 @@ function colourAt(element: HTMLElement, x: number, y: number): number[] {
   return [...pen.getImageData(x * scale, y * scale, 1, 1).data];
 }
 
-/** A pointer does something at a place of the canvas, CSS pixels. */
+/** Dispatches a pointer event at a place of the canvas, CSS pixels. */
 function point(element: HTMLElement, name: string, x: number, y: number): void {
   const canvas = canvasOf(element);
   canvas.setPointerCapture = () => {};
@@ -60,7 +63,7 @@ test("without WebGL a book opens, turns and says where it is, and loads neither 
   expect(await changed).toEqual({ from: 1, to: 2, direction: "forward" });
   expect(await element.goTo(7)).toBe(true);
   expect(element.page).toBe(6);
-  // Several that are asked for at once are turned one after the other.
+  // Several turns requested at once are done one after the other.
   const turns = [element.next(), element.next()];
   expect(await Promise.all(turns)).toEqual([true, true]);
   expect(element.page).toBe(10);
@@ -98,10 +101,10 @@ test("a leaf is peeled from a corner, an edge or the foot, and falls to the side
       point(element, "pointermove", x + ((toX - x) * k) / 5, y + ((toY - y) * k) / 5);
     }
     expect(element.page).toBe(before);
-    // While it is held it stays off both sides.
+    // While it is held it lies on neither side.
     await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
     expect(element.settled).toBe(false);
-    // A hand that rests before it lets go throws nothing.
+    // A pointer that rests before it releases throws nothing.
     await new Promise((resolve) => setTimeout(resolve, 150));
     point(element, "pointerup", toX, toY);
     await changed;
@@ -124,7 +127,7 @@ test("a corner lifts under the pointer, and takes no frame once it holds still",
   for (const name of ["turnstart", "pagechange"]) {
     element.addEventListener(name, () => turned.push(name));
   }
-  /** What is seen about the corner. */
+  /** Returns the pixels around the corner. */
   const seen = (): Uint8ClampedArray => {
     const canvas = canvasOf(element);
     const scale = canvas.width / canvas.clientWidth;
@@ -158,7 +161,7 @@ test("nothing runs at rest, and a removed book is gone", async () => {
       await new Promise((resolve) => setTimeout(resolve, 300));
       return frames - before;
     };
-    // What was still being drawn when it came to rest may ask for a frame of its own.
+    // A page that was still being drawn when the book came to rest may request a frame of its own.
     await expect.poll(quiet, { timeout: 10_000 }).toBe(0);
     frames = 0;
     void element.next();

@@ -1,7 +1,6 @@
 /**
- * Draws a book on the flat, with a 2D canvas: what stands in for the stage where
- * there is no WebGL. It answers to the same calls. Inside it, lengths are metres
- * and y runs down from the head.
+ * Draws a flat book on a 2D canvas: the stage for browsers without WebGL.
+ * Lengths are metres; y runs down from the head.
  */
 
 import type { Face } from "../book/faces.ts";
@@ -24,11 +23,14 @@ import { type Brush, drawCase, drawPage, drawStack, thicknessOf } from "./draw_b
 import { drawFlat, drawFolded } from "./draw_leaf.ts";
 import type { PeeledSurface } from "./peeled_book.ts";
 
-/** Most pixels of a frame at rest, and device pixels a CSS pixel while something moves, at most. */
+/**
+ * Maximum of pixels of a frame at rest, and of device pixels per CSS pixel
+ * while something moves.
+ */
 const mostPixels = 16e6;
 const mostMovingRatio = 1.5;
 
-/** An open book of which nothing is known yet. */
+/** An open book before its first pose. */
 const lying: BookPose = {
   left: null,
   right: null,
@@ -38,12 +40,15 @@ const lying: BookPose = {
   backBoard: 0,
 };
 
-/** What shows a picture: a face, a side of a leaf, or what is seen beside a page that is smaller. */
+/**
+ * What shows a bitmap: a face, a side of a leaf, or the part visible beside a
+ * page that is smaller.
+ */
 type Shown = Face | `${LeafSide} ${number}` | `beneath ${PageFace}`;
 
 /** One flat book on one canvas. */
 export class Canvas2DStage implements BookStage {
-  /** Never called: what is drawn without a graphics card is not lost. */
+  /** Never called: a 2D canvas loses no context. */
   onRestored: (() => void) | null = null;
   onGone: (() => void) | null = null;
   readonly isLost: boolean = false;
@@ -61,7 +66,7 @@ export class Canvas2DStage implements BookStage {
   #height = 1;
   #ratio = 1;
 
-  /** @throws Error in one sentence where the canvas has no 2D context to give. */
+  /** @throws Error if the canvas has no 2D context */
   constructor(canvas: HTMLCanvasElement, shape: BookShape) {
     const pen = canvas.getContext("2d");
     if (!pen) throw new Error("This book needs a canvas, which this browser does not offer.");
@@ -85,7 +90,7 @@ export class Canvas2DStage implements BookStage {
     this.#aim();
   }
 
-  /** On the flat, fold-outs stay folded in. */
+  /** A flat book keeps its fold-outs folded in. */
   get unfolds(): boolean {
     return false;
   }
@@ -191,7 +196,7 @@ export class Canvas2DStage implements BookStage {
     this.#layout = magnified(whole, zoom.level, this.#zooming.show(zoom), width, height);
   }
 
-  /** Takes away, little by little, what lies beyond the spine of a page that stands alone. */
+  /** Fades out what lies beyond the spine of a page that stands alone. */
   #fadeBeyondSpine(ratio: number): void {
     const { width, height, alone } = this.#shape;
     const [right, left] = shutness(this.#pose);
@@ -237,7 +242,7 @@ export class Canvas2DStage implements BookStage {
       show(leaf.side === Side.right ? `recto ${index}` : `verso ${index}`);
     const under = ({ leaf, index }: (typeof order)[number]) =>
       show(leaf.side === Side.right ? `verso ${index}` : `recto ${index}`);
-    // What was taken up later lay beneath, and is folded over what was before.
+    // The leaf picked up later lay beneath, and is folded over the earlier one.
     for (const item of order.toReversed()) {
       if (!isBoard(item.leaf)) drawFlat(brush, item.leaf, up(item));
     }
@@ -263,14 +268,14 @@ export class Canvas2DStage implements BookStage {
   }
 }
 
-/** Thickness from which a leaf is a board and turns without a fold, metres. */
+/** Minimum thickness at which a leaf is a board and turns without a fold, metres. */
 const leastBoard = 0.001;
 
 function isBoard({ thickness = 0 }: PeeledSurface): boolean {
   return thickness >= leastBoard;
 }
 
-/** How far what is held of a leaf has turned about the spine, radians from the right. */
+/** Returns how far the held point of a leaf has turned about the spine, radians from the right. */
 function angleOf({ rest, held }: PeeledSurface): number {
   return Math.acos(Math.min(Math.max(held[0] / Math.abs(rest[0]), -1), 1));
 }

@@ -4,14 +4,20 @@ import type { Face } from "../book/faces.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import type { CanvasFraction, Sight } from "../stage/zoom.ts";
 
-/** From book space to the canvas: CSS pixels a metre, and where the spine's end is that is seen at the upper left. */
+/**
+ * From book space to the canvas: CSS pixels per metre, and the position of the
+ * spine's end at the upper left.
+ */
 export interface Layout {
   readonly scale: number;
   readonly x: number;
   readonly y: number;
 }
 
-/** How far the leaves under the uppermost one stand out beside it and below, as shares of their thickness. */
+/**
+ * How far the leaves under the uppermost one stick out beside it and below, as
+ * a fraction of their thickness.
+ */
 export const stackShare = 0.3;
 export const stackDrop = 0.18;
 
@@ -20,19 +26,25 @@ interface Margins {
   readonly ends: number;
 }
 
-/** Free room at either side of an open and of a closed book, and above and below, shares of the canvas. */
+/** Margins beside an open and a closed book, and above and below, as fractions of the canvas. */
 const openMargins: Margins = { sides: 0.04, ends: 0.09 };
 const closedMargins: Margins = { sides: 0.1, ends: 0.09 };
 
-/** How far a book is shut over its right-hand side, and over its left, 0 to 1. */
+/** Returns how far a book is closed over its right-hand side, and over its left, 0 to 1. */
 export function shutness({ frontBoard, backBoard }: BookPose): [right: number, left: number] {
   return [ease(1 - frontBoard / Math.PI), ease(backBoard / Math.PI)];
 }
 
-/** How much beyond the spine is seen beside a page that stands alone, as a share of its width. */
+/**
+ * Width visible beyond the spine beside a page that stands alone, as a fraction
+ * of the page's width.
+ */
 const sliver = 0.03;
 
-/** Fits a book to a canvas of CSS pixels: the open spread, the closed book in the middle, or between the two. */
+/**
+ * Fits a book to a canvas in CSS pixels: the open spread, the closed book in
+ * the middle, or between the two.
+ */
 export function layOut(shape: BookShape, pose: BookPose, width: number, height: number): Layout {
   const { alone, rolled, rim } = shape;
   const out = stackShare * shape.thickness;
@@ -59,13 +71,13 @@ export function layOut(shape: BookShape, pose: BookPose, width: number, height: 
     );
     const across = room / 2 - (scale * (from + to)) / 2;
     const along = length / 2 - (scale * (head + foot)) / 2;
-    // Rolled, the foot of the spine is at the left and its head at the right.
+    // Turned by a quarter, the foot of the spine is at the left and its head at the right.
     const start = length - along - scale * shape.height;
     return rolled ? { scale, x: start, y: across } : { scale, x: across, y: along };
   }
 }
 
-/** The picture of a whole flat book, which zoom magnifies. */
+/** Returns the picture of a whole flat book, which zoom magnifies. */
 export function sightOf(shape: BookShape, pose: BookPose, width: number, height: number): Sight {
   const layout = layOut(shape, pose, width, height);
   const seen = (x: number, y: number): CanvasFraction => {
@@ -91,7 +103,10 @@ export function sightOf(shape: BookShape, pose: BookPose, width: number, height:
   };
 }
 
-/** A layout magnified about a place of its canvas, shares of it, that comes to the middle. */
+/**
+ * Magnifies a layout about a place of its canvas, in fractions, and moves that
+ * place to the middle.
+ */
 export function magnified(
   { scale, x, y }: Layout,
   level: number,
@@ -114,24 +129,24 @@ function ease(t: number): number {
 /** A rectangle: metres, y down from the head. */
 export type Box = readonly [left: number, top: number, right: number, bottom: number];
 
-/** The pages of one side. */
+/** Returns the box of the pages of one side. */
 export function pageBox({ width, height }: BookShape, sign: 1 | -1): Box {
   return sign === 1 ? [0, 0, width, height] : [-width, 0, 0, height];
 }
 
-/** A board of the case that lies on one side. */
+/** Returns the box of a board of the case that lies on one side. */
 export function boardBox({ width, height, rim }: BookShape, sign: 1 | -1): Box {
   return sign === 1 ? [0, -rim, width + rim, height + rim] : [-width - rim, -rim, 0, height + rim];
 }
 
-/** Where a face's picture is when its part lies flat. */
+/** Returns where a face's picture is when its part lies flat. */
 export function panelOf(shape: BookShape, face: Face): Box {
   if (face === "frontOutside") return boardBox(shape, 1);
   if (face === "backOutside") return boardBox(shape, -1);
   return pageBox(shape, face === "right" || face === "backInside" ? 1 : -1);
 }
 
-/** From here on a pen draws in a square of side 1 what is seen upright in a box. */
+/** Transforms a pen so that a square of side 1 covers a box. */
 export function stretchTo(
   pen: CanvasRenderingContext2D,
   [left, top, right, bottom]: Box,

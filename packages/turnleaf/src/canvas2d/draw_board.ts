@@ -1,4 +1,7 @@
-/** A cover board that is not open on the table: it swings about the spine, or lies closed over the leaves. */
+/**
+ * A cover board that does not lie open: it swings about the spine, or lies
+ * closed over the leaves.
+ */
 
 import type { PagePicture } from "../sources/page_source.ts";
 import type { FaceDetail } from "../stage/book_stage.ts";
@@ -13,10 +16,10 @@ import {
   shade,
 } from "./draw_book.ts";
 
-/** How much larger the fore-edge of a board that stands upright looks: it is nearer to the eye. */
+/** How much larger the fore-edge of an upright board looks, because it is nearer to the eye. */
 const nearness = 0.16;
 
-/** Width in device pixels of the slices in which a picture is drawn on a board that is seen at an angle. */
+/** Width in device pixels of the slices in which a picture is drawn on a board seen at an angle. */
 const sliceWidth = 3;
 
 /** The hinge's groove and the rounded fore-edge of a board seen from outside. */
@@ -32,7 +35,10 @@ const groove: Stops = [
   [1, shade(0.3)],
 ];
 
-/** What of a board is seen: the cover's cloth, the paper pasted on its inside, or a side of a leaf of board. */
+/**
+ * The visible side of a board: the cover's cloth, the paper pasted on its
+ * inside, or a side of a leaf of board.
+ */
 export type BoardSide = "outside" | "inside" | "leaf";
 
 /** A board as it is seen. */
@@ -41,14 +47,14 @@ export interface SeenBoard {
   /** Radians from lying on the right. */
   readonly angle: number;
   readonly picture: PagePicture | null;
-  /** On the same side, seen where the board lies flat. */
+  /** A detail on the same side, visible where the board lies flat. */
   readonly detail: FaceDetail | null;
 }
 
 /** A place on a board, across it from the hinge (0) to its edge (1) and along it in metres from the head. */
 type Placing = (u: number, y: number) => [x: number, y: number];
 
-/** Draws a board over the shadow that it throws. */
+/** Draws a board and its shadow. */
 export function drawBoard(brush: Brush, board: SeenBoard): void {
   const { pen, shape, unit } = brush;
   const { angle, side } = board;
@@ -90,7 +96,7 @@ export function drawBoard(brush: Brush, board: SeenBoard): void {
   pen.restore();
 }
 
-/** The picture on a board, in slices where it is seen at an angle. */
+/** Draws the picture on a board, in slices if it is seen at an angle. */
 function drawPicture(
   { pen, shape, unit }: Brush,
   { angle, side, picture, detail }: SeenBoard,
@@ -99,7 +105,7 @@ function drawPicture(
 ): void {
   if (!picture || picture.width === 0) return;
   const { width: w, height: h } = picture;
-  // Outside it covers the board; inside, it leaves a rim of cloth.
+  // The outside picture covers the board; the inside one leaves a rim of cloth.
   const inset = side === "inside" ? rim : 0;
   const share = 1 - inset / (shape.width + rim);
   const isFlat = Math.sin(angle) < 0.01;
@@ -111,7 +117,7 @@ function drawPicture(
     const [, bottom] = at(u0 * share, shape.height + rim - inset);
     const from = angle < Math.PI / 2 ? u0 : 1 - u1;
     const start = Math.min(x0, x1);
-    // A little wider, or the ground would shine through between two slices.
+    // Slightly wider, so that the ground does not show between two slices.
     const end = start + Math.abs(x1 - x0) + (isFlat ? 0 : 1 / unit);
     const part: [number, number, number, number] = shape.rolled
       ? [0, from * h, w, h / count]

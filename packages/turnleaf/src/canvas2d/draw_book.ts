@@ -1,4 +1,7 @@
-/** The parts of a flat book that lie still: its shadow, the case, the piles of leaves and their uppermost pages. */
+/**
+ * The resting parts of a flat book: its shadow, the case, the piles of leaves
+ * and their uppermost pages.
+ */
 
 import type { PagePicture } from "../sources/page_source.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
@@ -6,24 +9,30 @@ import type { FaceDetail } from "../stage/book_stage.ts";
 import { caseSizes } from "../stage/case_sizes.ts";
 import { type Box, boardBox, pageBox, stackDrop, stackShare, stretchTo } from "./canvas_layout.ts";
 
-/** What a book is drawn with: a pen in metres, y down from the head, and device pixels a metre. */
+/**
+ * What a book is drawn with: a pen in metres, y down from the head, and device
+ * pixels per metre.
+ */
 export interface Brush {
   readonly pen: CanvasRenderingContext2D;
   readonly shape: BookShape;
   readonly unit: number;
 }
 
-/** Colour stops: place from 0 to 1, then a colour. */
+/** Colour stops: position from 0 to 1, then a colour. */
 export type Stops = readonly (readonly [at: number, color: string])[];
 
 /** Paper without a picture. */
 export const paper = "#fbf5e8";
 
-/** Warm shade of an opacity, as on paper that other paper lights. */
+/** Returns a warm shade of an opacity, as on paper lit by other paper. */
 export const shade = (opacity: number): string => `rgb(58 40 22 / ${opacity})`;
 export const light = (opacity: number): string => `rgb(255 253 246 / ${opacity})`;
 
-/** The rise of the pages from the gutter: the left page turns from the light, the right one to it. */
+/**
+ * The rise of the pages from the gutter: the left page faces away from the
+ * light, the right one toward it.
+ */
 const leftGutter: Stops = [
   [0, shade(0.5)],
   [0.012, shade(0.36)],
@@ -47,7 +56,7 @@ const rightGutter: Stops = [
   [1, shade(0.05)],
 ];
 
-/** Fills a box from one place to another with colours between. */
+/** Fills a box with a gradient from one place to another. */
 export function fillBetween(
   pen: CanvasRenderingContext2D,
   [x0, y0, x1, y1]: Box,
@@ -60,7 +69,7 @@ export function fillBetween(
   pen.fillRect(left, top, right - left, bottom - top);
 }
 
-/** A page that lies on one side, in the light that falls on it. */
+/** Draws a page that lies on one side, in the light that falls on it. */
 export function drawPage(
   { pen, shape }: Brush,
   sign: 1 | -1,
@@ -89,7 +98,7 @@ export function drawDetail(pen: CanvasRenderingContext2D, detail: FaceDetail | n
   pen.drawImage(detail.picture, x, y, width, height);
 }
 
-/** The edges of the leaves under a side's uppermost page, `thickness` metres of them. */
+/** Draws the edges of the leaves under a side's uppermost page, `thickness` metres of them. */
 export function drawStack({ pen, shape, unit }: Brush, sign: 1 | -1, thickness: number): void {
   const [out, down] = [stackShare * thickness, stackDrop * thickness];
   const layers = Math.min(Math.ceil((out * unit) / 1.4), 24);
@@ -117,7 +126,10 @@ export function drawStack({ pen, shape, unit }: Brush, sign: 1 | -1, thickness: 
   }
 }
 
-/** Everything under the leaves: the shadow on the table, the boards that lie on it and the spine between. */
+/**
+ * Draws everything under the leaves: the shadow on the table, the boards that
+ * lie on it and the spine between.
+ */
 export function drawCase({ pen, shape, unit }: Brush, pose: BookPose): void {
   const { thickness, height, width, rim } = shape;
   const isHard = shape.cover === "hard";
@@ -162,7 +174,7 @@ export function drawCase({ pen, shape, unit }: Brush, pose: BookPose): void {
   for (const box of sides) drawCloth(pen, box, unit);
 }
 
-/** Light and edges on a lying board. */
+/** Draws light and edges on a lying board. */
 function drawCloth(pen: CanvasRenderingContext2D, box: Box, unit: number): void {
   const [left, top, right, bottom] = box;
   fillBetween(
@@ -179,7 +191,7 @@ function drawCloth(pen: CanvasRenderingContext2D, box: Box, unit: number): void 
   pen.strokeRect(left, top, right - left, bottom - top);
 }
 
-/** Thickness of the leaves that lie on a side, metres. */
+/** Returns the thickness of the leaves that lie on a side, metres. */
 export function thicknessOf(pose: BookPose, side: "left" | "right"): number {
   const pile = pose[side];
   return pile ? pile.curves[2 * pile.columns - 1] : 0;

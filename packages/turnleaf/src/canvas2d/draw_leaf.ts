@@ -1,4 +1,4 @@
-/** A leaf that is peeled: the part that still lies flat, and the part that is folded over it. */
+/** A peeled leaf: the part that still lies flat, and the part that is folded over it. */
 
 import { Side } from "../engine/phases.ts";
 import type { PagePicture } from "../sources/page_source.ts";
@@ -7,7 +7,7 @@ import { type Brush, drawPage, light, paper, type Stops, shade } from "./draw_bo
 import { beyond, type FoldLine, foldLineOf, mirrored, type Point, partOf } from "./fold_line.ts";
 import type { PeeledSurface } from "./peeled_book.ts";
 
-/** How strongly the other side's print shows through where a leaf is folded over. */
+/** How strongly the ink of the other side shows through where a leaf is folded over. */
 const showThrough = 0.06;
 
 /** A peeled leaf in the pen's own space, y down from the head. */
@@ -15,15 +15,18 @@ interface Folded {
   readonly sign: 1 | -1;
   readonly page: readonly Point[];
   readonly crease: FoldLine;
-  /** What of the leaf is lifted, where it lay. */
+  /** The lifted part of the leaf, where it lay. */
   readonly lifted: readonly Point[];
-  /** How far what is folded over reaches from the crease, metres. */
+  /** How far the folded part reaches from the crease, metres. */
   readonly reach: number;
-  /** How far off the table it is: 0 when it lies on either side, 1 half-way. */
+  /** Height above the table: 0 when it lies on either side, 1 half-way. */
   readonly height: number;
 }
 
-/** The part of a leaf that still lies on its side, and the shade on the page that it uncovers. */
+/**
+ * Draws the part of a leaf that still lies on its side, and the shade on the
+ * page that it uncovers.
+ */
 export function drawFlat(brush: Brush, leaf: PeeledSurface, picture: PagePicture | null): void {
   const { pen } = brush;
   const sign = leaf.side === Side.right ? 1 : -1;
@@ -50,7 +53,10 @@ export function drawFlat(brush: Brush, leaf: PeeledSurface, picture: PagePicture
   pen.restore();
 }
 
-/** The part of a leaf that is folded over: its other side, rounded toward the crease, over its own shadow. */
+/**
+ * Draws the part of a leaf that is folded over: its other side, rounded toward
+ * the crease, over its own shadow.
+ */
 export function drawFolded(
   brush: Brush,
   leaf: PeeledSurface,
@@ -76,7 +82,7 @@ export function drawFolded(
   pen.save();
   mirrorIn(pen, crease);
   if (behind && behind.width > 0) {
-    // Drawn first: what is printed on this side covers it but for a trace.
+    // Drawn first: the ink on this side covers it except for a trace.
     pen.save();
     pen.scale(-1, 1);
     drawPage(brush, sign === 1 ? -1 : 1, picture);
@@ -92,7 +98,7 @@ export function drawFolded(
   pen.restore();
 }
 
-/** Light on what is folded over, from the crease to its far end. */
+/** Returns the light on the folded part, from the crease to its far end. */
 function roundness(height: number): Stops {
   return [
     [0, shade(0.42 * height)],
@@ -125,7 +131,10 @@ function foldOf({ shape }: Brush, { side, rest, held }: PeeledSurface): Folded |
   return { sign, page, crease, lifted, reach, height };
 }
 
-/** Fills what is clipped with colours from a crease on, `far` metres beyond it; negative on the other side. */
+/**
+ * Fills the clipped area with a gradient from a crease, `far` metres beyond it;
+ * negative on the other side.
+ */
 function across({ pen, shape }: Brush, { at, normal }: FoldLine, far: number, stops: Stops): void {
   const [x, y] = at;
   const gradient = pen.createLinearGradient(x, y, x + far * normal[0], y + far * normal[1]);
@@ -135,7 +144,7 @@ function across({ pen, shape }: Brush, { at, normal }: FoldLine, far: number, st
   pen.fillRect(-size, -size, 2 * size, 2 * size);
 }
 
-/** From here on everything is drawn mirrored in a crease. */
+/** Mirrors everything drawn from here on in a crease. */
 function mirrorIn(pen: CanvasRenderingContext2D, { at, normal }: FoldLine): void {
   const [nx, ny] = normal;
   const off = 2 * (at[0] * nx + at[1] * ny);

@@ -1,8 +1,9 @@
 /**
- * The classic peel of a flat leaf. What is held of it rests at one place and is
- * pulled to another; the leaf folds along the line half-way between the two, and
- * what lies beyond that crease is seen mirrored in it. Lengths in metres, x
- * across the spine, y along it; the spine lies at x = 0 from y = 0 to `height`.
+ * The classic peel of a flat leaf. The held point of the leaf rests at one
+ * place and is pulled to another; the leaf folds along the line half-way
+ * between the two, and the part beyond that crease is mirrored in it. Lengths
+ * in metres, x across the spine, y along it; the spine lies at x = 0 from y = 0
+ * to `height`.
  */
 
 /** A place on the table. */
@@ -10,19 +11,22 @@ export type Point = readonly [x: number, y: number];
 
 /** The line along which a leaf is folded. */
 export interface FoldLine {
-  /** A point of it. */
+  /** A point on it. */
   readonly at: Point;
-  /** Unit vector across it, toward where what is lifted came from. */
+  /** Unit vector across it, toward where the lifted part came from. */
   readonly normal: Point;
 }
 
-/** Rounds in which a place is brought into both circles: what is left is less than a hair's breadth. */
+/**
+ * Iterations that bring a place into both circles: the remaining error is less
+ * than a hair's breadth.
+ */
 const rounds = 8;
 
 /**
- * The place nearest to `to` to which what rests at `rest` can be pulled without
- * tearing the leaf from its spine: no farther from either end of the spine than
- * it rests.
+ * Returns the place nearest to `to` to which a point resting at `rest` can be
+ * pulled without tearing the leaf from its spine: no farther from either end of
+ * the spine than it rests.
  */
 export function withinReach(rest: Point, to: Point, height: number): Point {
   let [x, y] = to;
@@ -38,7 +42,10 @@ export function withinReach(rest: Point, to: Point, height: number): Point {
   return [x, y];
 }
 
-/** The crease of a leaf held at a place of which `rest` is where it rests; null while it lies there. */
+/**
+ * Returns the crease of a leaf held at a place, where `rest` is the resting
+ * place of the held point; null while it rests.
+ */
 export function foldLineOf(rest: Point, held: Point): FoldLine | null {
   const [dx, dy] = [rest[0] - held[0], rest[1] - held[1]];
   const apart = Math.hypot(dx, dy);
@@ -49,18 +56,18 @@ export function foldLineOf(rest: Point, held: Point): FoldLine | null {
   };
 }
 
-/** How far a point is beyond a crease, on the side of what is lifted; negative on the other. */
+/** Returns how far a point is beyond a crease, on the lifted side; negative on the other. */
 export function beyond({ at, normal }: FoldLine, [x, y]: Point): number {
   return (x - at[0]) * normal[0] + (y - at[1]) * normal[1];
 }
 
-/** A point mirrored in a crease. */
+/** Returns a point mirrored in a crease. */
 export function mirrored(crease: FoldLine, point: Point): Point {
   const twice = 2 * beyond(crease, point);
   return [point[0] - twice * crease.normal[0], point[1] - twice * crease.normal[1]];
 }
 
-/** The part of a convex polygon that is beyond a crease (1), or before it (-1). */
+/** Returns the part of a convex polygon that is beyond a crease (1), or before it (-1). */
 export function partOf(polygon: readonly Point[], crease: FoldLine, side: 1 | -1): Point[] {
   const part: Point[] = [];
   for (const [k, here] of polygon.entries()) {

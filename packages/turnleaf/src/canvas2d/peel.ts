@@ -1,30 +1,33 @@
-/** One leaf that is peeled from a side: by a hand, by a command, or on its way to rest. */
+/** One leaf peeled from a side: held, turned by a command, or falling. */
 
 import { Phase, Side } from "../engine/phases.ts";
 import { type Point, withinReach } from "./fold_line.ts";
 
-/** Time in seconds in which a leaf let go would cross from side to side. */
+/** Time in seconds in which a released leaf would cross from side to side. */
 const fallSeconds = 0.5;
 
-/** Shortest way in seconds: a leaf that is nearly there is still seen to move. */
+/** Minimum duration in seconds: a leaf that is nearly there is still seen to move. */
 const shortestWay = 0.15;
 
-/** How far ahead a leaf's speed is looked when it is let go, seconds: a flick turns it. */
+/** How far ahead a leaf's motion is extrapolated at its release, seconds: a flick turns it. */
 const lookAhead = 0.15;
 
-/** Time in seconds over which a leaf's speed is taken. */
+/** Time in seconds over which a leaf's speed is measured. */
 const speedTime = 0.05;
 
-/** How high a played leaf's corner is carried on its way, as a share of the page's height. */
+/** Height of a played leaf's corner on its path, as a fraction of the page's height. */
 const archShare = 0.2;
 
-/** A way from where the leaf was to a side. */
+/** A path from where the leaf was to a side. */
 interface Way {
   readonly from: Point;
   readonly to: Side;
   readonly seconds: number;
   readonly arch: number;
-  /** A hand lets go of a leaf that moves; a command finds it at rest. */
+  /**
+   * Whether it is a fall: a released leaf already moves, a leaf turned by
+   * command starts at rest.
+   */
   readonly isFall: boolean;
   time: number;
 }
@@ -38,20 +41,20 @@ export interface PageSize {
 /** A leaf off its pile. */
 export class Peel {
   readonly id: number;
-  /** The side that it was taken from. */
+  /** The side that it was picked up from. */
   readonly side: Side;
-  /** Leaves of paper on the left when it lies on the right, and on the left. */
+  /** Leaves of paper on the left when it lies on the right, and when it lies on the left. */
   readonly low: number;
   readonly high: number;
   readonly #size: PageSize;
-  /** Where what is held of it rests on its side. */
+  /** Where the held point rests on its side. */
   #rest: Point;
-  /** Where that is now. */
+  /** Where the held point is now. */
   #held: Point;
   #way: Way | null = null;
-  /** By the hand's number: from the hand to what it holds, once it has pulled. */
+  /** By the grab's number: from the pointer to the held point, once it has been pulled. */
   readonly #hands = new Map<number, Point | null>();
-  /** Whether nothing has moved it since it was taken up. */
+  /** Whether nothing has moved it since it was picked up. */
   #isFresh = true;
   #speed = 0;
   #lastX: number;
@@ -62,17 +65,17 @@ export class Peel {
     this.low = low;
     this.high = high;
     this.#size = size;
-    // The lower corner, until a hand takes it elsewhere.
+    // The lower corner, until a grab moves it elsewhere.
     this.#rest = this.#held = [this.#sign * size.width, 0];
     this.#lastX = this.#rest[0];
   }
 
-  /** Where what is held of it rests, and where it is. */
+  /** Where the held point rests, and where it is. */
   get fold(): { readonly rest: Point; readonly held: Point } {
     return { rest: this.#rest, held: this.#held };
   }
 
-  /** The side for which it is bound; null while a hand has it. */
+  /** The side for which it is bound; null while it is held. */
   get goal(): Side | null {
     return this.#way?.to ?? null;
   }
@@ -89,7 +92,7 @@ export class Peel {
     return way.to === Side.left ? Phase.playingLeft : Phase.playingRight;
   }
 
-  /** A hand takes hold at (u, v) of the leaf. */
+  /** Grabs the leaf at (u, v). */
   grab(hand: number, u: number, v: number): void {
     if (this.#isFresh) {
       const { width, height } = this.#size;
@@ -101,17 +104,20 @@ export class Peel {
     this.#way = null;
   }
 
-  /** A hand pulls to a place. */
+  /** Pulls a grab to a place. */
   pull(hand: number, x: number, y: number): void {
     const offset = this.#hands.get(hand);
     if (offset === undefined) return;
-    // What is caught in flight follows the hand from where it was caught.
+    // A leaf caught in flight follows the pointer from where it was caught.
     const [dx, dy] = offset ?? [this.#held[0] - x, this.#held[1] - y];
     if (offset === null) this.#hands.set(hand, [dx, dy]);
     this.#held = withinReach(this.#rest, [x + dx, y + dy], this.#size.height);
   }
 
-  /** A hand lets go, or every hand: with none on it, the leaf falls to the side that its swing takes it. */
+  /**
+   * Releases a grab, or every grab: with none left, the leaf falls to the side
+   * that its swing takes it.
+   */
   release(hand?: number): void {
     if (hand === undefined) this.#hands.clear();
     else this.#hands.delete(hand);
@@ -125,7 +131,7 @@ export class Peel {
     this.#hands.clear();
     this.#isFresh = false;
     const goal = this.#place(to);
-    // What is held at the spine has no way to go.
+    // A point held at the spine does not move across.
     const across = 2 * Math.abs(this.#rest[0]);
     const share = across > 0 ? Math.abs(goal[0] - this.#held[0]) / across : 1;
     const upward = this.#rest[1] < this.#size.height / 2 ? 1 : -1;
@@ -139,7 +145,7 @@ export class Peel {
     };
   }
 
-  /** Lets time pass, seconds. */
+  /** Advances by a time in seconds. */
   step(seconds: number): void {
     const way = this.#way;
     if (way !== null) {

@@ -1,7 +1,7 @@
 /**
- * A bound book whose leaves are peeled rather than bent: what stands in for the
- * engine where it may not run. It answers the same commands, so that the turns
- * that wait, promises and events are those of any book.
+ * A bound book whose leaves are peeled rather than bent: the engine for
+ * browsers where WebAssembly is unavailable. It has the same interface, so that
+ * waiting turns, promises and events are those of any book.
  */
 
 import type { BookEngine, BookSize } from "../engine/book_engine.ts";
@@ -13,27 +13,27 @@ import { beyond, foldLineOf, mirrored, type Point } from "./fold_line.ts";
 import { Peel } from "./peel.ts";
 import { Swing } from "./swing.ts";
 
-/** Points along a row and along the spine by which a peeled leaf is found under a pointer. */
+/** Points along a row and along the spine of the surface by which a pointer finds a peeled leaf. */
 const columns = 13;
 const rows = 13;
 
-/** Height over the table at which a leaf in flight is found, metres: above every pile. */
+/** Height above the table at which a leaf in flight is found, metres: above every pile. */
 const flatHeight = 0.03;
 
-/** How high what is folded over is taken to arch, as a share of a page's width. */
+/** Height of the folded part's arch, as a fraction of a page's width. */
 const archShare = 0.6;
 
-/** Leaves in flight at once, at most. */
+/** Maximum of leaves in flight at once. */
 const mostPeels = 12;
 
-/** A leaf in flight as it is found, and as it is folded. */
+/** The surface of a leaf in flight for pointers, and its fold for drawing. */
 export interface PeeledSurface extends Surface {
-  /** The side that it was taken from. */
+  /** The side that it was picked up from. */
   readonly side: Side;
-  /** Where what is held of it rests, and where it is. */
+  /** Where the held point rests, and where it is. */
   readonly rest: Point;
   readonly held: Point;
-  /** Its number: what was taken up later lies upon what was before. */
+  /** Its number: a leaf picked up later lies on the earlier ones. */
   readonly id: number;
 }
 
@@ -79,7 +79,7 @@ export class PeeledBook implements BookEngine {
 
   setAssist(): void {}
 
-  // Nor is any turned otherwise.
+  // No surface can be overridden.
   overrideSurface(): null {
     return null;
   }
@@ -107,7 +107,7 @@ export class PeeledBook implements BookEngine {
 
   grab(id: number, hand: number, u: number, v: number): void {
     if (!isHand(hand, u, v)) return;
-    // One leaf is in hand at a time: another falls.
+    // One leaf is held at a time: the other falls.
     for (const other of this.#peels) if (other.id !== id) this.#letGo(other);
     this.#find(id)?.grab(hand, clamp(u, 0, 1), clamp(v, 0, 1));
   }
@@ -183,7 +183,7 @@ export class PeeledBook implements BookEngine {
     const [sign, z] = [side === Side.left ? -1 : 1, (thickness * lying) / Math.max(leaves, 1)];
     const curve = (reach: number, z: number) =>
       [...this.columns].flatMap((u) => [sign * u * reach, z]);
-    // The edges of the leaves are seen beside the uppermost: what takes hold of them takes that one.
+    // The edges of the leaves are visible beside the uppermost one: a grab of them takes that one.
     const curves = Float32Array.from([...curve(width, z), ...curve(width + stackShare * z, 0)]);
     return { columns, layers: 2, curves };
   }
@@ -213,14 +213,17 @@ export class PeeledBook implements BookEngine {
     return this.#boards[cover].angle;
   }
 
-  /** A hand lets a leaf go, or every hand does. */
+  /** Releases a grab of a leaf, or every grab. */
   #letGo(peel: Peel, hand?: number): void {
     if (peel.phase !== Phase.held) return;
     peel.release(hand);
     if (peel.goal !== null) this.#takeAlong(peel, peel.goal, null);
   }
 
-  /** Sends those in the way of a leaf along with it: none may lie upon one that it lies under. */
+  /**
+   * Sends the leaves in the way of a leaf along with it: no leaf may lie on one
+   * that it lies under.
+   */
   #takeAlong(peel: Peel, side: Side, seconds: number | null): void {
     const at = this.#peels.indexOf(peel);
     const inWay = side === Side.right ? this.#peels.slice(at + 1) : this.#peels.slice(0, at);

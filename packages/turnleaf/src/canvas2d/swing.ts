@@ -1,11 +1,11 @@
-/** A cover board that swings about the spine: held, let go, or played. */
+/** A cover board that swings about the spine: held, falling, or played. */
 
 import { Phase, Side } from "../engine/phases.ts";
 
-/** Time in seconds in which a board let go would swing from side to side. */
+/** Time in seconds in which a released board would swing from side to side. */
 const fallSeconds = 0.6;
 
-/** A board's angle from the right-hand side, radians, and where it is bound. */
+/** A board's angle from the right-hand side, radians, and its destination. */
 export class Swing {
   angle = 0;
   #way: { from: number; to: Side; seconds: number; time: number; isFall: boolean } | null = null;
@@ -26,14 +26,14 @@ export class Swing {
     this.angle = angleOf(side);
   }
 
-  /** A hand holds it at an angle. */
+  /** Holds it at an angle. */
   hold(angle: number): void {
     this.#way = null;
     this.#isHeld = true;
     this.angle = Math.min(Math.max(angle, 0), Math.PI);
   }
 
-  /** The hand lets go: it falls to the nearer side. */
+  /** Releases it: it falls to the nearer side. */
   release(): void {
     if (this.#isHeld)
       this.send(this.angle > Math.PI / 2 ? Side.left : Side.right, fallSeconds, true);
@@ -46,7 +46,7 @@ export class Swing {
     this.#way = { from: this.angle, to, seconds: Math.max(seconds * share, 0.1), time: 0, isFall };
   }
 
-  /** Lets time pass, seconds. */
+  /** Advances by a time in seconds. */
   step(seconds: number): void {
     const way = this.#way;
     if (way === null) return;

@@ -7,10 +7,10 @@ const u = Float32Array.from([0, 0.1, 0.4, 1]);
 const width = 0.14;
 const height = 0.21;
 
-/** A line of sight straight down onto (x, y). */
+/** Returns a line of sight straight down onto (x, y). */
 const down = (x: number, y: number): Ray => ({ origin: [x, y, 1], direction: [0, 0, -2] });
 
-/** One flat curve at height z, on the side of `sign`. */
+/** Returns a pile of one flat curve at height z, on the side of `sign`. */
 function flatPile(sign: number, z: number): Pile {
   const curves = Float32Array.from([...u].flatMap((u) => [sign * u * width, z]));
   return { columns: u.length, layers: 1, curves };

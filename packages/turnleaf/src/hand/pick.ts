@@ -1,4 +1,4 @@
-/** What a line of sight meets: a place on a resting page, or on a leaf in flight. */
+/** Intersects a line of sight with resting pages and leaves in flight. */
 
 import type { Pile, Ray, Surface } from "../engine/shapes.ts";
 
@@ -14,11 +14,11 @@ export interface Hit extends Place {
 }
 
 /**
- * Where a line of sight meets the uppermost page of a pile, or the pile's
- * fore-edge, which counts as that page's.
+ * Returns where a line of sight intersects the uppermost page of a pile, or the
+ * pile's fore-edge, which counts as part of that page.
  *
  * @param sign 1 for the pile on the right, -1 on the left
- * @param u where the pile's columns lie
+ * @param u u of the pile's columns
  * @param height of the page, metres
  */
 export function pickPile(
@@ -44,7 +44,7 @@ export function pickPile(
   return best;
 }
 
-/** Where a ray meets the rectangle along y over two points of a curve; u there from 0 to 1. */
+/** Intersects a ray with the rectangle along y over two points of a curve; u there is 0 to 1. */
 function pickStrip(
   ray: Ray,
   curves: Float32Array,
@@ -66,10 +66,10 @@ function pickStrip(
 }
 
 /**
- * Where a line of sight meets a leaf in flight, from either side
+ * Returns where a line of sight intersects a leaf in flight, from either side
  * (Moeller and Trumbore 1997 for each half of a cell).
  *
- * @param u where the surface's columns lie
+ * @param u u of the surface's columns
  */
 export function pickSurface(ray: Ray, surface: Surface, u: Float32Array): Hit | null {
   const { columns, rows } = surface;
@@ -100,7 +100,10 @@ export function pickSurface(ray: Ray, surface: Surface, u: Float32Array): Hit | 
   return best;
 }
 
-/** Weights of corners b and c where the ray meets triangle abc, and the distance there. */
+/**
+ * Returns the weights of corners b and c where the ray intersects triangle abc,
+ * and the distance there.
+ */
 function pickTriangle(ray: Ray, at: Float32Array, a: number, b: number, c: number) {
   const [ax, ay, az] = [at[3 * a], at[3 * a + 1], at[3 * a + 2]];
   const [e1x, e1y, e1z] = [at[3 * b] - ax, at[3 * b + 1] - ay, at[3 * b + 2] - az];

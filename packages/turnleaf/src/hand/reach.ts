@@ -1,24 +1,24 @@
-/** Where in space a hand is that a screen shows only from one side. */
+/** Finds the 3D position of a pointer that the screen gives only in 2D. */
 
 import type { Ray, Vec3 } from "../engine/shapes.ts";
 
 /**
- * How high the hand arches over the spine, as a share of its reach. Below 1, so
- * that the leaf bows between hand and spine as a carried page does, instead of
- * swinging over stretched tight as a board.
+ * Height of the pointer's arch over the spine, as a fraction of its reach.
+ * Below 1, so that the leaf bows between pointer and spine as a carried page
+ * does, instead of swinging over stretched tight as a board.
  */
 const archHeight = 0.62;
 
 /**
- * The place of a hand that carries a leaf over the spine: where the line of
- * sight meets an elliptic arch of half-width `reach` (metres) about the spine,
- * and the plane of the table beyond it.
+ * Returns the position of a pointer that carries a leaf over the spine: where
+ * the line of sight intersects an elliptic arch of half-width `reach` (metres)
+ * about the spine, or the plane of the table beyond it.
  *
- * @param floor height of the pages under x, metres: the hand stays above
+ * @param floor height of the pages under x, metres: the pointer stays above
  */
 export function handAt(ray: Ray, reach: number, floor: (x: number) => number): Vec3 {
   // The eye looks down steeply, so its x hardly changes with height and the
-  // iteration settles to well under a millimetre in a few rounds.
+  // iteration converges to well under a millimetre in a few rounds.
   let place = at(ray, 0);
   for (let round = 0; round < 8; round++) {
     const share = Math.min(Math.abs(place[0]) / reach, 1);
@@ -28,7 +28,7 @@ export function handAt(ray: Ray, reach: number, floor: (x: number) => number): V
   return place;
 }
 
-/** The point of a ray at height z; where the ray runs level, its origin's x and y. */
+/** Returns the point of a ray at height z, or the origin's x and y for a level ray. */
 function at(ray: Ray, z: number): Vec3 {
   const t = Math.abs(ray.direction[2]) < 1e-9 ? 0 : (z - ray.origin[2]) / ray.direction[2];
   return [ray.origin[0] + t * ray.direction[0], ray.origin[1] + t * ray.direction[1], z];

@@ -1,7 +1,7 @@
 /**
  * Draws one leaf over two resting pages, lit as the viewer lights a book: for
- * pages that show a leaf of `turnleaf/models` or a recorded turn. Draws when it
- * is told to, and asks for no animation frame.
+ * pages that show a leaf of `turnleaf/models` or a recorded turn. Draws when
+ * `draw` is called, and requests no animation frame.
  *
  * Metres, as in `turnleaf/models`: x across the spine, y along it to the head,
  * z up from the pages.
@@ -24,7 +24,7 @@ export interface LeafSize {
   readonly height: number;
 }
 
-/** Points of a leaf, columns and rows of them at even distances. */
+/** Points of a leaf in evenly spaced columns and rows. */
 export interface ShownLeaf {
   /** Points along a row, from the spine. */
   readonly columns: number;
@@ -42,12 +42,12 @@ export interface LeafPlace {
   readonly v: number;
 }
 
-/** What is printed: on the leaf's two sides, and on the page that rests on either side. Null is blank. */
+/** Pictures of the leaf's two sides, and of the page that rests on either side. Null is blank. */
 export type LeafPictures = Readonly<
   Record<"recto" | "verso" | "left" | "right", PagePicture | null>
 >;
 
-/** A `Scene` of three.js, by what is used of it, so that no types of three.js are needed. */
+/** The part of a three.js `Scene` that is used, so that no types of three.js are needed. */
 export interface SceneOfThree {
   readonly isScene: boolean;
   add(...objects: object[]): unknown;
@@ -70,37 +70,48 @@ export class LeafStage {
   #height = 1;
 
   /**
-   * @param onRestored called when the graphics card came back after a loss, and a frame is to be drawn
-   * @throws Error in one sentence where the browser has no WebGL 2
+   * @param onRestored called when the graphics context was restored after a
+   * loss, and a frame should be drawn
+   *
+   * @throws Error if the browser has no WebGL 2
    */
   constructor(canvas: HTMLCanvasElement, size: LeafSize, onRestored?: () => void) {
     this.#size = size;
     this.#scene = new LeafScene(canvas, size, onRestored);
   }
 
-  /** What is drawn; whatever is added to it is drawn too, and is for whoever added it to dispose of. */
+  /**
+   * The scene that is drawn. Objects added to it are drawn too; whoever adds an
+   * object disposes of it.
+   */
   get scene(): SceneOfThree {
     return this.#scene.scene;
   }
 
-  /** The canvas's place is `width` by `height` CSS pixels, each `pixelRatio` device pixels. */
+  /** Fits the canvas to `width` by `height` CSS pixels, each `pixelRatio` device pixels. */
   resize(width: number, height: number, pixelRatio: number): void {
     this.#width = Math.max(1, width);
     this.#height = Math.max(1, height);
     this.#scene.resize(this.#width, this.#height, pixelRatio);
   }
 
-  /** Prints the leaf and the pages from the next frame on. */
+  /** Sets the pictures of the leaf and the pages from the next frame on. */
   print(pictures: LeafPictures): void {
     this.#scene.print(pictures);
   }
 
-  /** Shows textures on the leaf's recto and verso in place of its pictures; null shows those again. */
+  /**
+   * Shows textures on the leaf's recto and verso in place of its pictures; null
+   * shows those again.
+   */
   cover(textures: Readonly<Record<"recto" | "verso", TextureOfThree>> | null): void {
     this.#scene.cover(textures as Readonly<Record<"recto" | "verso", Texture>> | null);
   }
 
-  /** Where the leaf is from the next frame on. Its arrays are read in every frame until then. */
+  /**
+   * Sets where the leaf is from the next frame on. Its arrays are read in every
+   * frame until then.
+   */
   show(leaf: ShownLeaf): void {
     if (this.#u.length !== leaf.columns) {
       this.#u = Float32Array.from({ length: leaf.columns }, (_, k) => k / (leaf.columns - 1));
@@ -109,26 +120,29 @@ export class LeafStage {
     this.#scene.show(leaf);
   }
 
-  /** Draws one frame, now. */
+  /** Draws one frame immediately. */
   draw(): void {
     this.#scene.draw();
   }
 
-  /** The place of the leaf that is seen at a place of the canvas, CSS pixels from its upper left corner; null beside it. */
+  /**
+   * Returns the place on the leaf at a position of the canvas, CSS pixels from
+   * its upper left corner, or null beside the leaf.
+   */
   pick(x: number, y: number): LeafPlace | null {
     if (!this.#leaf) return null;
     return pickSurface(this.#ray(x, y), { ...this.#leaf, version: 0 }, this.#u);
   }
 
   /**
-   * Where a hand is that is seen at a place of the canvas and carries over the
-   * spine what lies `reach` metres from it: on an arch.
+   * Returns the position in space, on an arch, of a pointer at a position of
+   * the canvas that carries a point of the leaf `reach` metres from the spine.
    */
   handAt(x: number, y: number, reach: number): Vec3 {
     return handAt(this.#ray(x, y), Math.max(reach, 0.01 * this.#size.width), () => 0);
   }
 
-  /** Frees everything on the graphics card. The canvas cannot be drawn on again. */
+  /** Frees all memory of the graphics card. The canvas cannot be drawn on again. */
   destroy(): void {
     this.#scene.destroy();
   }

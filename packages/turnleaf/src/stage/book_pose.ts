@@ -2,7 +2,7 @@
 
 import type { Pile, Surface } from "../engine/shapes.ts";
 
-/** What of a book never changes while it is read. Lengths in metres. */
+/** The constant shape of a bound book. Lengths in metres. */
 export interface BookShape {
   /** Page width across the spine. */
   readonly width: number;
@@ -13,11 +13,11 @@ export interface BookShape {
   readonly leaves: number;
   /** Boards in cloth, or nothing but leaves. */
   readonly cover: "hard" | "none";
-  /** How far its boards stand out beyond the pages at head, foot and fore-edge; 0 where there are none. */
+  /** How far its boards extend beyond the pages at head, foot and fore-edge; 0 without boards. */
   readonly rim: number;
   /** Whether the spine lies across the screen and the right side below it. */
   readonly rolled: boolean;
-  /** The side whose pages alone are read, 1 right or -1 left; 0 where both are. */
+  /** The side whose pages alone are read, 1 right or -1 left; 0 if both are. */
   readonly alone: 1 | 0 | -1;
   /** CSS colour of the boards and the spine. */
   readonly cloth: string;
@@ -25,24 +25,36 @@ export interface BookShape {
   readonly kind: "typeset" | "scan";
 }
 
-/** Where the parts of the book are. Book space: see `engine/shapes.ts`; z = 0 is the boards' inner face. */
+/**
+ * Where the parts of the book are. For book space see `engine/shapes.ts`; z = 0
+ * is the boards' inner face.
+ */
 export interface BookPose {
-  /** Resting pages on the left; null where none lie. */
+  /** Resting pages on the left; null if there are none. */
   readonly left: Pile | null;
-  /** Resting pages on the right; null where none lie. */
+  /** Resting pages on the right; null if there are none. */
   readonly right: Pile | null;
-  /** The leaves in flight, from the left to the right. A recto faces up where its leaf lies on the right. */
+  /**
+   * The leaves in flight, from left to right. A recto faces up where its leaf
+   * lies on the right.
+   */
   readonly leaves: readonly Surface[];
-  /** Whether they lie folded on the pages, so that light falls on them as on these, rather than between them. */
+  /** Whether they lie folded on the pages and are lit as these, rather than between them. */
   readonly folded?: boolean;
-  /** The flap of a fold-out that lies open, where none is in flight. */
+  /** The flap of an open fold-out, if there is one. */
   readonly flap?: Surface | null;
-  /** An object of the stage's own kind (three.js's `Object3D`) seen over the book from now on; who put it there takes it away. */
+  /**
+   * An object of the stage's own kind (three.js's `Object3D`) shown over the
+   * book until it is removed by its owner.
+   */
   readonly above?: object;
-  /** Half of what the right block is thicker than the left, metres: so far the gutter is off the spine's middle. */
+  /**
+   * Half the difference in thickness of the right and the left pile, metres:
+   * the offset of the gutter from the spine's middle.
+   */
   readonly lean: number;
-  /** Radians: pi lies open on the left, 0 is closed over the right block. */
+  /** Radians: pi lies open on the left, 0 is closed over the right pile. */
   readonly frontBoard: number;
-  /** Radians: 0 lies open on the right, pi is closed over the left block. */
+  /** Radians: 0 lies open on the right, pi is closed over the left pile. */
   readonly backBoard: number;
 }

@@ -1,7 +1,7 @@
 /**
- * What the viewer needs of whatever draws a book. Two implement it:
- * `WebGLStage` (in space, by three.js) and `Canvas2DStage` (on the flat). A stage
- * draws when `draw` is called: it asks for no animation frame and no timer.
+ * What the viewer needs of a stage, which draws a book. Two implement it:
+ * `WebGLStage` (3D, by three.js) and `Canvas2DStage` (flat). A stage draws when
+ * `draw` is called: it requests no animation frame and no timer.
  */
 
 import type { Face } from "../book/faces.ts";
@@ -22,7 +22,10 @@ export type PageFace = "left" | "right";
 /** A side of a leaf in flight. */
 export type LeafSide = "recto" | "verso";
 
-/** A sharper picture of a part of a face's own; the part in fractions of that from its upper left corner. */
+/**
+ * A sharper bitmap of a part of a face's own; the part in fractions of that
+ * from its upper left corner.
+ */
 export interface FaceDetail {
   readonly picture: PagePicture;
   readonly box: PageBox;
@@ -38,26 +41,35 @@ export interface DrawOptions {
 
 /** Draws one book on one canvas. */
 export interface BookStage {
-  /** Called when the graphics context came back after a loss and a frame should be drawn again. */
+  /**
+   * Called when the graphics context was restored after a loss and a frame
+   * should be drawn again.
+   */
   onRestored: (() => void) | null;
-  /** Called when the context was lost and did not come back in time: this stage shows nothing any more. */
+  /**
+   * Called when the context was lost and was not restored in time: this stage
+   * shows nothing any more.
+   */
   onGone: (() => void) | null;
   /** Whether fold-outs can lie open. */
   readonly unfolds: boolean;
-  /** Whether the graphics context is lost just now, so that nothing is seen. */
+  /** Whether the graphics context is currently lost, so that nothing is visible. */
   readonly isLost: boolean;
   /** Canvas pixels for each CSS pixel in a frame at rest. */
   readonly restingRatio: number;
-  /** What the projection follows from, as a key: where two are the same, so is what is projected. */
+  /** A key of the projection: two equal keys mean the same projection. */
   readonly viewKey: string;
-  /** How near the book is seen, and what of it. What is set is kept to the book. */
+  /** The zoom level and the centre of the view. Setting it clamps it to the book. */
   zoom: Zoom;
 
-  /** Shows a book of another shape in place of the one before, at first with nothing on its faces. */
+  /** Replaces the book by one of another shape, at first with nothing on its faces. */
   bind(shape: BookShape): void;
-  /** Fits the canvas's place: `cssWidth` by `cssHeight` CSS pixels, each `pixelRatio` device pixels. */
+  /** Fits the canvas to `cssWidth` by `cssHeight` CSS pixels, each `pixelRatio` device pixels. */
   resize(cssWidth: number, cssHeight: number, pixelRatio: number): void;
-  /** Returns the zoom at `level` in which what is seen at `from` now is seen at `to`, as far as the book reaches. */
+  /**
+   * Returns the zoom at `level` in which the point seen at `from` now is seen
+   * at `to`, clamped to the book.
+   */
   zoomed(level: number, from: Place, to: Place): Zoom;
 
   /** Sets what a face shows from the next frame on; null for a blank page, or plain cloth outside. */
@@ -65,34 +77,40 @@ export interface BookStage {
   /** Sets what a side of the leaf in flight at `index`, counted from the left, shows; null is blank. */
   setLeaf(index: number, side: LeafSide, picture: PagePicture | null): void;
   /**
-   * Sets what is seen beside the page on a side where its leaf is cut smaller: the
-   * page printed on its other side bounds it too, and the one beneath shows.
+   * Sets what is visible beside the page on a side where its leaf is trimmed:
+   * the page on its other side bounds it too, and the one beneath shows.
    */
   setUnder(side: PageFace, behind: PagePicture | null, beneath: PagePicture | null): void;
   /**
-   * Lays a sharper picture over a part of a face's own from the next frame on;
-   * null takes it away. It stays the caller's, who calls `forget` when it is closed.
+   * Lays a sharper bitmap over a part of a face's own from the next frame on;
+   * null removes it. The caller keeps ownership and calls `forget` when closing
+   * it.
    */
   setDetail(face: Face, detail: FaceDetail | null): void;
-  /** Frees what the stage keeps of a picture. Faces that still show it go blank. */
+  /** Frees the stage's resources for a bitmap. Faces that still show it go blank. */
   forget(picture: PagePicture): void;
 
   /**
-   * Sets where the book's parts are from the next frame on. What stays where it was costs nothing.
+   * Sets where the book's parts are from the next frame on. Parts that have not
+   * moved cost nothing.
    *
-   * @param roughly if true, light between leaves is found in every other pose alone
+   * @param roughly if true, light between leaves is computed only in every
+   * other pose
    */
   pose(pose: BookPose, roughly?: boolean): void;
-  /** Draws one frame, now. */
+  /** Draws one frame immediately. */
   draw(options?: DrawOptions): void;
 
   /** Returns the line of sight through a place on the canvas, CSS pixels from its upper left corner. */
   rayAt(x: number, y: number): Ray;
   /** Returns where a point of book space is on the canvas, CSS pixels from its upper left corner. */
   project(point: Vec3): Place;
-  /** Returns where a place on a face's picture, fractions from its upper left corner, is on the canvas, likewise. */
+  /**
+   * Returns where a place on a face's bitmap, in fractions from its upper left
+   * corner, is on the canvas, likewise.
+   */
   projectOn(face: Face, x: number, y: number): Place;
 
-  /** Frees everything. The canvas cannot be drawn on again. */
+  /** Frees all resources. The canvas cannot be drawn on again. */
   destroy(): void;
 }

@@ -1,15 +1,15 @@
-/** What the parts of a case measure, however it is drawn. */
+/** The dimensions of a case, shared by all stages. */
 
 /** Lengths of a case, metres. */
 export const caseSizes = {
   /** Thickness of a board. */
   board: 0.0026,
-  /** How far boards stand out beyond the pages at head, foot and fore-edge. */
+  /** How far boards extend beyond the pages at head, foot and fore-edge. */
   rim: 0.0032,
   bevel: 0.0006,
   corner: 0.0012,
   /** Length of the cloth hinge between a board and the spine. */
   joint: 0.006,
-  /** The boards' inner faces lie this far under the lowest leaf, so that the two never coincide. */
+  /** Depth of the boards' inner faces under the lowest leaf, so that the two never coincide. */
   sink: 0.0002,
 } as const;

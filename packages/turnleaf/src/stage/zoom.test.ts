@@ -28,14 +28,14 @@ function zoomingOver(framing: Partial<Framing> = {}, aspect = 1.6) {
   };
   const sightAt = (level: number) => sightOf(shape, whole, aspect, 0.0032, level);
   const zooming = new Zooming(sightAt);
-  /** Where a point is on the canvas. */
+  /** Returns where a point is on the canvas. */
   const seen = (x: number, y: number): CanvasFraction => {
     const { level } = zooming.zoom;
     const middle = zooming.show(zooming.zoom);
     const [sx, sy] = sightAt(level).seen(x, y);
     return [(sx - middle[0]) * level + 0.5, (sy - middle[1]) * level + 0.5];
   };
-  /** The point at a place on the canvas. */
+  /** Returns the point at a place on the canvas. */
   const pointAt = ([x, y]: CanvasFraction): CanvasFraction => {
     const { level } = zooming.zoom;
     const middle = zooming.show(zooming.zoom);

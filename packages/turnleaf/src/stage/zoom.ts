@@ -1,46 +1,53 @@
 /**
- * What of the book's picture is shown how large. Zoom is an optical one: the
- * same picture magnified and shifted, but that it is taken from right over the
- * book as one comes near, so that what is read stands upright. Pure arithmetic.
+ * Which part of the book's picture is shown, and how large. Zoom is optical:
+ * the same picture magnified and shifted, except that the camera moves right
+ * over the book as the level rises, so that the text stands upright. Pure
+ * arithmetic.
  */
 
 /** A zoom: 1 shows the whole book. */
 export interface Zoom {
   readonly level: number;
-  /** The place of book space (metres, at the height of the pages) in the middle of the canvas. */
+  /** The point of book space (metres, at the height of the pages) in the middle of the canvas. */
   readonly x: number;
   readonly y: number;
 }
 
-/** A place on the canvas, shares of its size from its upper left corner. */
+/** A place on the canvas, in fractions of its size from its upper left corner. */
 export type CanvasFraction = readonly [x: number, y: number];
 
-/** The picture of a whole book from where it is seen. */
+/** The picture of a whole book from a camera position. */
 export interface Sight {
-  /** Where a point of the plane of the pages is in it. */
+  /** Returns where a point of the plane of the pages is in the picture. */
   seen(x: number, y: number): CanvasFraction;
-  /** The point of that plane which is seen at a place. */
+  /** Returns the point of that plane at a place of the picture. */
   point(at: CanvasFraction): CanvasFraction;
   /** The book's outline in it: left, top, right, bottom. */
   readonly book: readonly [number, number, number, number];
 }
 
-/** Where what lies beyond the spine of a page that stands alone begins to fade and is gone, fractions of the page's width. */
+/**
+ * Where the area beyond the spine of a page that stands alone begins to fade
+ * and where it has vanished, as fractions of the page's width.
+ */
 export const fadeBeyondSpine = { from: 0.03, to: 0.3 };
 
 /** The level from which on the book is seen from right over it. */
 const overheadFrom = 1.6;
 
-/** Room around the book that may be panned into the canvas, a share of it at zoom 1. */
+/** Margin around the book that may be panned into the canvas, as a fraction of it at zoom 1. */
 const margin = 0.02;
 
-/** From how far over the book it is seen at a level: 0 from where a reader sits, 1 from right over it. */
+/**
+ * Returns how far over the book the camera is at a level: 0 from where a reader
+ * sits, 1 from right over it.
+ */
 export function overheadAt(level: number): number {
   const t = within((level - 1) / (overheadFrom - 1), 0, 1);
   return t * t * (3 - 2 * t);
 }
 
-/** A zoom on the way from one to another, 0 to 1: what both show in one place stays there. */
+/** Interpolates between two zooms, 0 to 1: a point that both show in one place stays there. */
 export function zoomBetween(from: Zoom, to: Zoom, share: number): Zoom {
   const level = from.level * (to.level / from.level) ** share;
   const isPan = Math.abs(to.level / from.level - 1) < 1e-6;
@@ -48,12 +55,15 @@ export function zoomBetween(from: Zoom, to: Zoom, share: number): Zoom {
   return { level, x: from.x + (to.x - from.x) * way, y: from.y + (to.y - from.y) * way };
 }
 
-/** Keeps a zoom to the book as that moves: nothing beyond the book is shown while it fills the canvas. */
+/**
+ * Clamps a zoom to the book as the book moves: nothing beyond the book is shown
+ * while it fills the canvas.
+ */
 export class Zooming {
   readonly #sightAt: (level: number) => Sight;
   #zoom: Zoom = { level: 1, x: 0, y: 0 };
 
-  /** @param sightAt how the book is seen at a level, before it is magnified */
+  /** @param sightAt returns the picture of the book at a level, before magnification */
   constructor(sightAt: (level: number) => Sight) {
     this.#sightAt = sightAt;
   }
@@ -63,8 +73,8 @@ export class Zooming {
   }
 
   /**
-   * Shows a zoom as far as the book reaches; answers what is in the middle, as a
-   * place in the picture of the whole book.
+   * Shows a zoom, clamped to the book. Returns the place in the picture of the
+   * whole book that is in the middle.
    */
   show(zoom: Zoom): CanvasFraction {
     const sight = this.#sightAt(zoom.level);
@@ -74,7 +84,10 @@ export class Zooming {
     return middle;
   }
 
-  /** The zoom at `level` in which what is seen at `from` now is seen at `to`, as far as the book reaches. */
+  /**
+   * Returns the zoom at `level` in which the point seen at `from` now is seen
+   * at `to`, clamped to the book.
+   */
   zoomed(level: number, from: CanvasFraction, to: CanvasFraction): Zoom {
     const now = this.#sightAt(this.#zoom.level);
     const middle = now.seen(this.#zoom.x, this.#zoom.y);
@@ -94,7 +107,7 @@ function keptTo({ book }: Sight, [x, y]: CanvasFraction, level: number): CanvasF
   return [kept(x, 0.5 / level, book[0], book[2]), kept(y, 0.5 / level, book[1], book[3])];
 }
 
-/** Where the book does not fill the canvas it stands in the middle; at level 1 all is shown. */
+/** A book that does not fill the canvas is centred; at level 1 all of it is shown. */
 function kept(middle: number, half: number, from: number, to: number): number {
   const [low, high] = [from - margin + half, to + margin - half];
   const onBook = low > high ? (from + to) / 2 : within(middle, low, high);

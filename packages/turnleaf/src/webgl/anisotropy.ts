@@ -1,23 +1,24 @@
-/** How far textures are filtered along the direction in which a page is seen at a low angle. */
+/** The anisotropic filtering of textures, for pages seen at a low angle. */
 
 import type { WebGLRenderer } from "three";
 
-/** The most that is asked of a graphics card: more is not seen on a page. */
+/** Maximum used: more makes no visible difference on a page. */
 const most = 8;
 
-/** What browsers say in place of a name that they keep to themselves. */
+/** The placeholder that browsers report for a masked renderer name. */
 const masked = "WebKit WebGL";
 
 /**
- * Mesa's rasteriser in software, llvmpipe, filters anisotropically in a time that
- * grows with the square of a footprint's length: a frame in which leaves are
- * seen edge-on takes it minutes. WebKit names no card; on Linux it may be this one.
+ * Returns whether anisotropic filtering is slow. Mesa's software rasteriser,
+ * llvmpipe, takes a time that grows with the square of a footprint's length: a
+ * frame with leaves seen edge-on takes it minutes. WebKit masks the name; on
+ * Linux it may be this one.
  */
 export function isSlowAtAngles(renderer: string, userAgent: string): boolean {
   return /llvmpipe/i.test(renderer) || (renderer === "Apple GPU" && /\bLinux\b/.test(userAgent));
 }
 
-/** The anisotropy that a renderer's textures get, from 1 for none. */
+/** Returns the anisotropy for a renderer's textures, from 1 for none. */
 export function anisotropyOf(renderer: WebGLRenderer): number {
   const gl = renderer.getContext();
   let name = String(gl.getParameter(gl.RENDERER));

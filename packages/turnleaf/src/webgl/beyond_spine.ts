@@ -1,4 +1,7 @@
-/** What lies beyond the spine of a page that stands alone fades out, instead of being cut off at the canvas's edge. */
+/**
+ * Fades out the area beyond the spine of a page that stands alone, instead of
+ * cutting it off at the canvas's edge.
+ */
 
 import {
   CustomBlending,
@@ -33,7 +36,7 @@ void main() {
 }
 `;
 
-/** A quad over the whole picture, drawn last, that takes away what is under it. */
+/** A quad over the whole picture, drawn last, that clears what is under it. */
 export class BeyondSpine {
   readonly mesh: Mesh<PlaneGeometry, ShaderMaterial>;
   readonly #from = new Vector2();
@@ -63,7 +66,8 @@ export class BeyondSpine {
 
   /**
    * Follows the camera.
-   * @param closed how far the book is shut, 0 to 1: then all of it is shown
+   *
+   * @param closed how far the book is closed, 0 to 1: then all of it is shown
    */
   aim(
     { width, height, thickness, alone }: BookShape,

@@ -5,7 +5,7 @@ import type { PileShape } from "./pile_shape.ts";
 import { SolidGeometry } from "./solid_geometry.ts";
 import type { SolidMaterial } from "./solid_material.ts";
 
-/** The block of one side. Its points at the uppermost layer are the resting page's own. */
+/** The pile of one side. Its points at the uppermost layer are the resting page's own. */
 export class BlockMesh {
   readonly mesh: Mesh<BufferGeometry, SolidMaterial>;
   readonly #height: number;
@@ -15,7 +15,7 @@ export class BlockMesh {
   #columns = 0;
   #layers = 0;
 
-  /** @param thickness of the whole block, metres */
+  /** @param thickness of all leaves of the book, metres */
   constructor(material: SolidMaterial, sign: 1 | -1, height: number, thickness: number) {
     this.#sign = sign;
     this.#height = height;
@@ -40,7 +40,7 @@ export class BlockMesh {
           // The bands run along the leaves: the texture's y goes through the thickness.
           solid.grainAt[2 * point] = 3 * x;
           solid.grainAt[2 * point + 1] = this.#band(pile, layer);
-          // Near the board and in the gutter less light comes in.
+          // Less light reaches points near the board and in the gutter.
           const high = layers > 1 ? 1 - layer / (layers - 1) : 1;
           const gutter = Math.min(1, Math.abs(x) / (0.6 * this.#thickness));
           solid.open[2 * point] = (0.62 + 0.38 * high) * (0.55 + 0.45 * gutter);
@@ -75,7 +75,7 @@ export class BlockMesh {
     }
   }
 
-  /** Where a layer lies in the whole book, 0 to 1, so that bands stay as leaves go over. */
+  /** Returns where a layer lies in the whole book, 0 to 1, so that bands stay as leaves go over. */
   #band(pile: PileShape, layer: number): number {
     const { columns, layers } = pile;
     const height = (k: number): number => pile.curves[2 * (columns * k + columns - 1) + 1];

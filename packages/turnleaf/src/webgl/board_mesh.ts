@@ -19,7 +19,7 @@ import type { PileShape } from "./pile_shape.ts";
 import { SolidGeometry } from "./solid_geometry.ts";
 import type { SolidMaterial } from "./solid_material.ts";
 
-/** Threads of cloth repeat after this many metres. */
+/** Period of the cloth's threads, metres. */
 export const clothRepeat = 0.06;
 
 /** Points around each corner of a board. */
@@ -52,7 +52,7 @@ export class BoardMesh {
     this.#inner = this.#innerFace();
     this.#outside = new Mesh(this.#shell().geometry, outside);
     this.#inside = new Mesh(this.#inner.geometry, inside);
-    // The pastedown leaves a border of turned-in cloth, but not at the hinge.
+    // The pastedown leaves a border of turned-in cloth, except at the hinge.
     const [edge, end] = [(1.1 * rim) / this.#width, (1.1 * rim) / (pageHeight + 2 * rim)];
     inside.panel = front ? [edge, end, 1.001, 1 - end] : [-0.001, end, 1 - edge, 1 - end];
     for (const mesh of [this.#outside, this.#inside]) {
@@ -78,23 +78,23 @@ export class BoardMesh {
     this.group.matrixWorldNeedsUpdate = true;
   }
 
-  /** A place on the picture of the outer or the inner face, shares from its upper left corner, in book space. */
+  /**
+   * Returns a place on the picture of the outer or the inner face, in fractions
+   * from its upper left corner, in book space.
+   */
   placeOn(outer: boolean, x: number, y: number): Vec3 {
     const { rim, board } = caseSizes;
     const [left, top, right, bottom] = (outer ? this.#outside : this.#inside).material.panel;
     const u = left + (right - left) * x;
     const v = top + (bottom - top) * y;
-    // The way back of what dresses the faces.
+    // The inverse of the faces' texture coordinates.
     const across = this.#width * (outer === this.#front ? u : 1 - u);
     const along = (1 - v) * (this.#height + 2 * rim) - rim;
     const place = new Vector3(across, along, outer ? -board : 0);
     return place.applyMatrix4(this.group.matrix).toArray();
   }
 
-  /**
-   * Finds the light on the inner face between the two piles, and under the leaf
-   * in flight.
-   */
+  /** Computes the light on the inner face between the two piles, and under the leaf in flight. */
   light(shape: CaseShape, left: PileShape, right: PileShape, over: Overhead): void {
     const front = this.#front;
     const [hinge, angle] = front
@@ -120,7 +120,7 @@ export class BoardMesh {
       const z = hinge[1] + local * Math.sin(angle);
       const piles = [left.obstacles, right.obstacles];
       sharesBetween(x, z, normal, piles, lid, this.#shares);
-      // What lies under the block is dark; points beside it see past its edge.
+      // Points under the pile are dark; points beside it see past its edge.
       const covered = block.present && Math.abs(x) < edge;
       const { sky: openSky, key: openKey } = this.#shares;
       for (let row = 0; row < rows; row++) {
@@ -135,7 +135,7 @@ export class BoardMesh {
         }
         if (covered) [sky, key] = [0, 0];
         if (beyond) {
-          // The key light comes from the head, and so is shut out before the foot.
+          // The key light comes from the head, and is therefore blocked before the foot.
           sky = Math.max(sky, 0.55 * lidOpen);
           key = row === 0 ? 0.1 : lidOpen;
         }
@@ -146,7 +146,7 @@ export class BoardMesh {
     solid.touch("open");
   }
 
-  /** Shares of sky and key under the leaf in one of its sections. */
+  /** Returns the fractions of sky and key light under the leaf in one of its sections. */
   #under(over: Overhead, row: number, x: number, z: number, normal: number): [number, number] {
     const sign = this.#front ? -1 : 1;
     const { left, right } = this.#shares;
@@ -166,14 +166,14 @@ export class BoardMesh {
     this.#inside.geometry.dispose();
   }
 
-  /** The rows of a page, and one beyond it at either end. */
+  /** Returns the rows of a page, and one beyond it at either end. */
   #rowPlaces(): number[] {
     const { rim, bevel } = caseSizes;
     const rows = Array.from({ length: pageRows }, (_, k) => (this.#height * k) / (pageRows - 1));
     return [bevel - rim, ...rows, this.#height + rim - bevel];
   }
 
-  /** Picture and grain places of a point of the board. */
+  /** Writes texture and grain coordinates of a point of the board. */
   #dress(solid: SolidGeometry, point: number, x: number, y: number, outer: boolean): void {
     const { rim } = caseSizes;
     const u = x / this.#width;
@@ -194,7 +194,7 @@ export class BoardMesh {
     solid.reserve(innerColumns * rows.length);
     rows.forEach((y, row) => {
       for (let i = 0; i < innerColumns; i++) {
-        // The last columns share the rim, where the block's shadow is.
+        // The last columns lie in the rim, where the pile's shadow is.
         const inner = innerColumns - 8;
         const page = this.#width - rim;
         const x =
@@ -211,7 +211,7 @@ export class BoardMesh {
     return solid;
   }
 
-  /** Outer face, sides and bevels. */
+  /** Builds the outer face, sides and bevels. */
   #shell(): SolidGeometry {
     const { board, bevel } = caseSizes;
     const around = 4 * cornerPoints;
@@ -242,7 +242,7 @@ export class BoardMesh {
     return solid;
   }
 
-  /** A rounded rectangle of points, against the clock as seen from the inner face. */
+  /** Adds a rounded rectangle of points, anticlockwise as seen from the inner face. */
   #ring(solid: SolidGeometry, inset: number, z: number, nz: number): number {
     const { rim, corner } = caseSizes;
     const first = solid.reserve(4 * cornerPoints);

@@ -24,7 +24,7 @@ const framing = (part: Partial<Framing>): Framing => ({
   ...part,
 });
 
-/** A point's place in the picture: -1 to 1 both ways. */
+/** Returns a point's place in the picture: -1 to 1 both ways. */
 function seen(view: View, aspect: number, point: [number, number, number]): [number, number] {
   const away = point.map((p, k) => p - view.position[k]);
   const dot = (axis: number[]): number => axis.reduce((sum, a, k) => sum + a * away[k], 0);

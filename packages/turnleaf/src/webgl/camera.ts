@@ -1,10 +1,12 @@
 /**
- * Where the camera stands so that the book fills the canvas. Pure arithmetic, no three.js.
+ * Where the camera stands so that the book fills the canvas. Pure arithmetic,
+ * no three.js.
  *
- * A leaf that stands upright is seen above the head of the book, so the picture holds the space in which
- * leaves swing, whether one does or not: the book stays where it is when a leaf is taken, and nothing of
- * the leaf is cut off. How much room that takes depends on the eye alone: the steeper it looks and the
- * longer its lens, the less (docs/decisions/0016-the-book-stands-still.md).
+ * An upright leaf is seen above the head of the book, so the picture holds the
+ * space in which leaves swing, whether one does or not: the book stays where it
+ * is when a leaf is grabbed, and nothing of the leaf is cut off. The headroom
+ * that takes depends on the eye alone: the steeper it looks and the longer its
+ * lens, the less (docs/decisions/0016-the-book-stands-still.md).
  */
 
 import type { BookShape } from "../stage/book_pose.ts";
@@ -24,20 +26,21 @@ export interface View {
   distance: number;
 }
 
-/** Free room between the book and the canvas, as shares of the canvas. */
+/** Margins between the book and the canvas, as fractions of the canvas. */
 export interface Margins {
   sides: number;
   top: number;
   bottom: number;
 }
 
-/** Place across the picture, along it, and distance from the origin: what a fit yields. */
+/** Place across the picture, along it, and distance from the origin: the result of a fit. */
 type Fit = [across: number, along: number, distance: number];
 
 /**
- * Degrees above the table from which an open book, one page of it, and a closed book are seen: of pages
- * that are half as high again as they are wide, or higher still. Wider leaves rise farther above the head
- * and are seen from steeper above, so that they do so by no larger fraction of the page's height.
+ * Degrees above the table from which an open book, one page of it, and a closed
+ * book are seen, for pages half as high again as they are wide, or higher.
+ * Wider leaves rise farther above the head and are seen from steeper above, so
+ * that they do so by no larger fraction of the page's height.
  */
 const openElevation = 78;
 const aloneElevation = 82;
@@ -53,32 +56,33 @@ const openMargins: Margins = { sides: 0.035, top: 0.012, bottom: 0.05 };
 const aloneMargins: Margins = { sides: 0.012, top: 0.012, bottom: 0.03 };
 const closedMargins: Margins = { sides: 0.12, top: 0.1, bottom: 0.1 };
 
-/** How much beyond the spine is seen beside a page that stands alone, as a share of its width. */
+/** Width visible beyond the spine beside a page that stands alone, as a fraction of its width. */
 const sliver = 0.03;
 
 /**
- * Half axes of the ellipse in which the outer edge of a leaf swings about the spine, as fractions of the
- * leaf's width; a leaf that a hand stretches upright comes within one hundredth of the upper. And how far
- * beyond the foot the edge of a wide leaf hangs that is led by its head, likewise.
+ * Half axes of the ellipse in which the outer edge of a leaf swings about the
+ * spine, as fractions of the leaf's width; a leaf stretched upright by a
+ * pointer comes within one hundredth of the upper. And how far beyond the foot
+ * the edge of a wide leaf hangs that is led by its head, likewise.
  */
 const swing = { across: 0.97, up: 0.96, dip: 0.07 };
 
-/** What the camera needs to know of a pose. */
+/** The properties of a pose that the camera depends on. */
 export interface Framing {
-  /** 0 open, 1 closed over the right block. */
+  /** 0 open, 1 closed over the right pile. */
   closedRight: number;
-  /** 0 open, 1 closed over the left block. */
+  /** 0 open, 1 closed over the left pile. */
   closedLeft: number;
   /** Middle of the open book across the spine, metres. */
   middle: number;
   /** x, z of the outer edges of the boards, which stay in the picture as they swing. */
   boardEdges: number[];
-  /** x, z of the outer edge of a fold-out that lies open; empty for none. */
+  /** x, z of the outer edge of an open fold-out; empty if there is none. */
   flapEdge: number[];
 }
 
 /**
- * The view that frames the book, a continuous function of the framing.
+ * Returns the view that frames the book, a continuous function of the framing.
  *
  * @param overhead 0 from where a reader sits, 1 from right over the book
  */
@@ -114,14 +118,17 @@ export function frameBook(
   return viewOf(fit, axes);
 }
 
-/** Degrees above the table from which an open book is seen, or a page of it that stands alone. */
+/**
+ * Returns the degrees above the table from which an open book, or a page of it
+ * that stands alone, is seen.
+ */
 function elevationOf({ width, height, alone }: BookShape): number {
   const upright = alone === 0 ? openElevation : aloneElevation;
   const wide = Math.min(height / width / usualHeight, 1);
   return Math.atan(Math.tan(upright * radians) / wide) / radians;
 }
 
-/** The picture of the whole book that zoom `level` magnifies. */
+/** Returns the picture of the whole book that zoom `level` magnifies. */
 export function sightOf(
   shape: BookShape,
   framing: Framing,
@@ -155,7 +162,7 @@ export function sightOf(
   };
 }
 
-/** x of the book's outline at either side, metres: open, closed, or on the way between. */
+/** Returns x of the book's outline at either side, metres: open, closed, or between the two. */
 function sidesOf({ width, thickness, alone }: BookShape, framing: Framing, rim: number): number[] {
   if (alone !== 0) return [-sliver * alone * width, alone * width];
   const reach = width + rim + thickness / 2;
@@ -164,10 +171,11 @@ function sidesOf({ width, thickness, alone }: BookShape, framing: Framing, rim: 
 }
 
 /**
- * The three axes in book space of a camera `elevation` above the table that is
- * turned `azimuth` about the upright, radians.
+ * Returns the three axes in book space of a camera `elevation` above the table
+ * that is turned `azimuth` about the vertical, radians.
  *
- * @param rolled whether the camera stands where the book's right side is near
+ * @param quarterTurned whether the camera stands where the book's right side is
+ * near
  */
 export function axesOf(
   elevation: number,
@@ -190,8 +198,9 @@ export function axesOf(
 }
 
 /**
- * The nearest camera with these axes whose picture holds every point within
- * the margins. Each bound is linear in the camera's place, so the answer is exact.
+ * Returns the nearest camera with these axes whose picture holds every point
+ * within the margins. Each bound is linear in the camera's position, so the
+ * result is exact.
  *
  * @param points x, y, z of each
  */
@@ -223,7 +232,7 @@ export function fitPoints(
   );
   return [
     (bounds[0] - bounds[1]) / 2,
-    // Spare room above and below is shared as the margins are.
+    // Spare space above and below is divided as the margins are.
     (bounds[2] - above * distance + (below * distance - bounds[3])) / 2,
     distance,
   ];
@@ -235,7 +244,7 @@ function viewOf(fit: Fit, axes: Pick<View, "right" | "up" | "back">): View {
   return { position: [place(0), place(1), place(2)], ...axes, distance: fit[2] };
 }
 
-/** Corners of the open book, and where a leaf swings. */
+/** Adds the corners of the open book, and where a leaf swings. */
 function openPoints(shape: BookShape, framing: Framing, rim: number): number[] {
   const { width, height, thickness } = shape;
   const reach = width + rim + thickness / 2;
@@ -248,11 +257,14 @@ function openPoints(shape: BookShape, framing: Framing, rim: number): number[] {
   return points;
 }
 
-/** Corners of one page and a sliver beyond the spine, and where its leaf swings until it is upright. */
+/**
+ * Adds the corners of one page and a sliver beyond the spine, and where its
+ * leaf swings until it is upright.
+ */
 function alonePoints(shape: BookShape, framing: Framing, sign: number): number[] {
   const { width, height, thickness } = shape;
   const points: number[] = [];
-  // Out of a thick book's gutter pages rise first, and so reach less far.
+  // Pages rise out of a thick book's gutter first, and reach less far.
   const reach = width - 0.35 * thickness;
   for (const x of [-sliver * sign * width, sign * reach]) {
     for (const y of [0, height]) points.push(x, y, 0, x, y, thickness);
@@ -262,13 +274,13 @@ function alonePoints(shape: BookShape, framing: Framing, sign: number): number[]
   return points;
 }
 
-/** Where the outer corners of a leaf swing. */
+/** Adds where the outer corners of a leaf swing. */
 function addSwing(
   points: number[],
   { width, height }: BookShape,
   isSeen: (x: number) => boolean,
 ): void {
-  // Of leaves no wider than usual ones it stays within the margin.
+  // Leaves no wider than typical ones stay within the margin.
   const wide = Math.min(Math.max((width / height - 0.7) / 0.3, 0), 1);
   const foot = -swing.dip * wide * width;
   for (let k = 1; k < 12; k++) {
@@ -296,7 +308,7 @@ function addBoards(points: number[], shape: BookShape, framing: Framing, rim: nu
   addEdges(points, shape, framing.flapEdge, 0);
 }
 
-/** The ends of edges along the spine, told by their x and z. */
+/** Adds the ends of edges along the spine, given by their x and z. */
 function addEdges(points: number[], shape: BookShape, edges: number[], rim: number): void {
   for (let k = 0; k < edges.length; k += 2) {
     for (const y of [-rim, shape.height + rim]) points.push(edges[k], y, edges[k + 1]);

@@ -1,16 +1,17 @@
 /**
  * The case of a bound book as it moves: two rigid boards and the stiff spine
- * between them, joined by a hinge of cloth each. Seen in the plane across the
+ * between them, each joined by a hinge of cloth. Seen in the plane across the
  * spine. Pure arithmetic.
  *
  * The spine lies flat under an open book and stands up as a board closes; its
  * lower edge stays on the table. From the back board's hinge to the front
- * board's the case runs back hinge, C, D, front hinge, where C to D is the spine.
+ * board's the case runs back hinge, C, D, front hinge, where C to D is the
+ * spine.
  */
 
 import { caseSizes } from "../stage/case_sizes.ts";
 
-/** Angles and places of the case's parts, metres and radians. */
+/** Angles and positions of the case's parts, metres and radians. */
 export interface CaseShape {
   /** x, z of the spine's edge by the back board. */
   c: [number, number];
@@ -20,13 +21,13 @@ export interface CaseShape {
   frontHinge: [number, number];
   frontAngle: number;
   backAngle: number;
-  /** 0 open, 1 closed over the right block. */
+  /** 0 open, 1 closed over the right pile. */
   closedRight: number;
-  /** 0 open, 1 closed over the left block. */
+  /** 0 open, 1 closed over the left pile. */
   closedLeft: number;
 }
 
-/** An open case about the spine. */
+/** Returns an open case around the spine. */
 export function restingCase(): CaseShape {
   return {
     c: [0, 0],
@@ -43,8 +44,8 @@ export function restingCase(): CaseShape {
 /**
  * Places the case.
  *
- * @param thickness of the block, metres
- * @param middle of the open block across the spine, metres
+ * @param thickness of all leaves, metres
+ * @param middle of the open book across the spine, metres
  * @param hinge length of the cloth hinge, metres
  */
 export function placeCase(
@@ -85,17 +86,18 @@ export function placeCase(
 }
 
 /**
- * How high pages may lie at `x` under a board that closes over them, metres;
- * Infinity where none is over them.
+ * Returns how high pages may lie at `x` under a board that closes over them,
+ * metres; Infinity if none is over them.
  *
- * @param sign 1 for the right block under the front board, -1 for the left under the back board
+ * @param sign 1 for the right pile under the front board, -1 for the left under
+ * the back board
  */
 export function lidHeight(shape: CaseShape, sign: 1 | -1, x: number): number {
   const hinge = sign === 1 ? shape.frontHinge : shape.backHinge;
   const angle = sign === 1 ? shape.frontAngle : Math.PI - shape.backAngle;
   if (angle > 1.4) return Infinity;
   const out = sign * (x - hinge[0]);
-  // Under the cloth hinge the block's shoulder is rounded, the more the flatter the board.
+  // Under the cloth hinge the pile's shoulder is rounded, the more the flatter the board.
   if (out < 0) return hinge[1] + 0.5 * out * (1 - angle / 1.4);
   return hinge[1] + out * Math.tan(angle);
 }

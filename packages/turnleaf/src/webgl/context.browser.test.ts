@@ -1,4 +1,4 @@
-/** The graphics card is lost: for a while, or for good. */
+/** The graphics context is lost: for a while, or for good. */
 
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "../element.ts";
@@ -12,7 +12,10 @@ const canvasOf = (element: TurnleafBook) =>
 const card = (canvas: HTMLCanvasElement) =>
   canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context");
 
-/** Copies an element's canvas, small, after every frame; answers its last picture. */
+/**
+ * Copies an element's canvas, scaled down, after every frame. Returns a
+ * function that returns its last picture.
+ */
 function photographer(element: TurnleafBook) {
   const copy = document.createElement("canvas");
   [copy.width, copy.height] = [60, 44];
@@ -21,7 +24,7 @@ function photographer(element: TurnleafBook) {
   globalThis.requestAnimationFrame = (call) =>
     real((now) => {
       call(now);
-      // Frames that others ask for leave the canvas empty.
+      // Frames requested by others leave the canvas empty.
       const canvas = canvasOf(element);
       const before = pen.getImageData(0, 0, 60, 44);
       pen.clearRect(0, 0, 60, 44);
@@ -37,7 +40,7 @@ function photographer(element: TurnleafBook) {
   };
 }
 
-/** Errors and complaints while something is done. */
+/** Returns the errors and warnings logged while `work` runs. */
 async function complaintsOf(work: () => Promise<void>): Promise<unknown[]> {
   const complaints: unknown[] = [];
   const heard = (event: Event) => complaints.push((event as ErrorEvent).message ?? event.type);
@@ -65,7 +68,7 @@ test("the same book is seen again when it comes back, wherever it lies by then",
     extension?.loseContext();
     await lost;
     expect(element.settled).toBe(false);
-    // Whatever is asked of it meanwhile is done.
+    // Commands are still carried out meanwhile.
     expect(await element.next()).toBe(true);
     expect(await element.goTo(4)).toBe(true);
     element.setAttribute("cloth", "#234");
@@ -95,7 +98,7 @@ test("the pictures of its pages come back too", async () => {
     const lost = new Promise((done) => canvas.addEventListener("webglcontextlost", done));
     extension?.loseContext();
     await lost;
-    // Not before everyone has heard of the loss.
+    // Not before every listener has heard of the loss.
     await new Promise((resolve) => setTimeout(resolve));
     const restored = new Promise((done) => canvas.addEventListener("webglcontextrestored", done));
     extension?.restoreContext();
@@ -128,7 +131,7 @@ test("a book whose card does not come back goes on on the flat, at the same page
   expect(element.page).toBe(1);
   expect(await element.goTo(5)).toBe(true);
   expect(element.page).toBe(4);
-  // Opened anew, it asks the card again.
+  // When it opens again, it requests a context again.
   element.pages = scans(6);
   await happens(element, "load");
   expect(canvasOf(element).getContext("webgl2")).not.toBeNull();

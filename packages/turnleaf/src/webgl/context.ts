@@ -1,9 +1,12 @@
-/** A canvas's WebGL 2 context: asked for, given up, lost and come back. Free of three.js, which is loaded after it. */
+/**
+ * A canvas's WebGL 2 context: creation, release, loss and restoration. Free of
+ * three.js, which is loaded after it.
+ */
 
-/** How long a lost context is waited for while the page is in sight, milliseconds. */
+/** Timeout for the restoration of a lost context while the page is visible, milliseconds. */
 const patience = 4000;
 
-/** The context; null where there is none to be had. */
+/** Returns the context, or null if there is none. */
 export function openContext(canvas: HTMLCanvasElement): WebGL2RenderingContext | null {
   return canvas.getContext("webgl2", {
     alpha: true,
@@ -14,22 +17,22 @@ export function openContext(canvas: HTMLCanvasElement): WebGL2RenderingContext |
   });
 }
 
-/** Frees all that a canvas has on the graphics card, now rather than when it is collected. */
+/** Frees all memory of a canvas on the graphics card now, rather than when it is collected. */
 export function giveUpContext(canvas: HTMLCanvasElement): void {
   openContext(canvas)?.getExtension("WEBGL_lose_context")?.loseContext();
 }
 
-/** What is told of a context. */
+/** Events of a context. */
 export interface ContextEvents {
-  /** It is lost, with everything that was on the card. */
+  /** It was lost, with everything on the graphics card. */
   lost(): void;
-  /** It is back: everything is to be drawn again. */
+  /** It was restored: everything is to be drawn again. */
   restored(): void;
-  /** It did not come back in time. */
+  /** It was not restored in time. */
   gone(): void;
 }
 
-/** Waits for a context when it is lost. */
+/** Waits for the restoration of a lost context. */
 export class ContextWatch {
   readonly #events: ContextEvents;
   readonly #ended = new AbortController();
@@ -43,7 +46,7 @@ export class ContextWatch {
     canvas.addEventListener("webglcontextrestored", () => this.#restored(), { signal });
   }
 
-  /** Whether there is no context now: nothing that is drawn is seen. */
+  /** Whether there is no context now, so that nothing drawn is visible. */
   get isLost(): boolean {
     return this.#isLost;
   }
@@ -55,7 +58,7 @@ export class ContextWatch {
   }
 
   #lost(event: Event): void {
-    // Or it would never come back.
+    // Otherwise it would never be restored.
     event.preventDefault();
     this.#isLost = true;
     this.#events.lost();
@@ -70,7 +73,7 @@ export class ContextWatch {
 
   #wait(): void {
     clearTimeout(this.#timer);
-    // A page out of sight may be without its card for as long as that lasts.
+    // A hidden page may be without its context for as long as it is hidden.
     if (document.hidden) {
       const { signal } = this.#ended;
       const seen = (): void => {

@@ -1,6 +1,6 @@
 /**
- * The book as meshes: pages, blocks, leaves, boards, spine and their shadow on
- * the table. A pose moves them; what a pose leaves where it was costs nothing.
+ * The book as meshes: pages, piles, leaves, boards, spine and their shadow on
+ * the table. A pose moves them; parts that have not moved cost nothing.
  */
 
 import { Group, Object3D } from "three";
@@ -22,10 +22,13 @@ import { type Overhead, PageMesh, pageRows } from "./page_mesh.ts";
 import { PileShape } from "./pile_shape.ts";
 import { HeadbandMesh, SpineMesh } from "./spine_mesh.ts";
 
-/** Smallest step, metres, of the gutter over the spine that is followed: a sixtieth of a pixel. */
+/**
+ * Smallest movement, metres, of the gutter over the spine that is followed: a
+ * sixtieth of a pixel.
+ */
 const leastStep = 5e-6;
 
-/** A side of the open book: its pile and what is drawn of it. */
+/** A side of the open book: its pile and its meshes. */
 interface DrawnSide {
   readonly pile: PileShape;
   readonly page: PageMesh;
@@ -37,14 +40,14 @@ interface DrawnSide {
 /** All meshes of one book. */
 export class DrawnBook {
   readonly group: Group = new Group();
-  /** What the camera needs to know of the last pose. */
+  /** The properties of the last pose that the camera depends on. */
   readonly framing: Framing;
   readonly #shape: BookShape;
   readonly #hard: boolean;
   readonly #left: DrawnSide;
   readonly #right: DrawnSide;
   readonly #materials: BookMaterials;
-  /** Made as they are needed; those in use come first, from the left to the right. */
+  /** Created when they are needed; those in use come first, from left to right. */
   readonly #leaves: LeafMesh[] = [];
   readonly #front: BoardMesh;
   readonly #back: BoardMesh;
@@ -54,12 +57,12 @@ export class DrawnBook {
   readonly #case = restingCase();
   #frontAngle = Number.NaN;
   #backAngle = Number.NaN;
-  /** The leaves as they were lit last. */
+  /** The leaves as they were last lit. */
   #lit: readonly Surface[] = [];
   #isLit = false;
   /** Whether leaves lie folded on the pages. */
   #folded: boolean | undefined;
-  /** Whether the light stays as it was found in the pose before. */
+  /** Whether the light is reused from the previous pose. */
   #isDim = false;
 
   constructor(shape: BookShape, materials: BookMaterials) {
@@ -108,7 +111,7 @@ export class DrawnBook {
     }
   }
 
-  /** Moves the book; answers whether the camera should follow. */
+  /** Moves the book. Returns whether the camera should follow. */
   pose(pose: BookPose, roughly = false): boolean {
     const middle = pose.lean;
     const caseMoved =
@@ -134,7 +137,7 @@ export class DrawnBook {
     return caseMoved || flapMoved;
   }
 
-  /** Keeps the flap of a fold-out in the picture; answers whether it moved. */
+  /** Keeps the flap of a fold-out in the picture. Returns whether it moved. */
   #followFlap(flap: Surface | null): boolean {
     const edge = this.framing.flapEdge;
     const before = edge.join();
@@ -143,9 +146,12 @@ export class DrawnBook {
     return edge.join() !== before;
   }
 
-  /** A place on a face's picture, shares from its upper left corner, in book space as posed last. */
+  /**
+   * Returns a place on a face's picture, in fractions from its upper left
+   * corner, in book space of the last pose.
+   */
   placeOn(face: Face, pictureX: number, pictureY: number): Vec3 {
-    // The way back of `onPicture`.
+    // The inverse of `onPicture`.
     const [x, y] = this.#shape.rolled ? [pictureY, 1 - pictureX] : [pictureX, pictureY];
     if (isBoardFace(face)) {
       const board = face.startsWith("front") ? this.#front : this.#back;
@@ -216,7 +222,7 @@ export class DrawnBook {
     this.#back.place(shape.backHinge, shape.backAngle);
     this.#spine.shape(shape);
     this.#headbands.shape(shape);
-    // Under a board that is nearly shut nobody sees the fold, and it would stick out at the hinge.
+    // Under a nearly closed board the fold is not visible, and would stick out at the hinge.
     left.fold.mesh.visible = !left.pile.present && shape.frontAngle > 1.2;
     right.fold.mesh.visible = !right.pile.present && shape.backAngle < Math.PI - 1.2;
     for (const { fold } of [left, right]) {
@@ -230,7 +236,10 @@ export class DrawnBook {
     [edges[2], edges[3]] = [-left.over.board[2], left.over.board[3]];
   }
 
-  /** @param sheets the leaves and a flap, which hangs on a fore-edge and throws no shadow on its page */
+  /**
+   * @param sheets the leaves and a flap, which hangs on a fore-edge and throws
+   * no shadow on its page
+   */
   #light(
     leaves: readonly Surface[],
     sheets: readonly Surface[],
@@ -245,7 +254,7 @@ export class DrawnBook {
     this.#isLit = !this.#isDim;
     this.#placeLeaves(sheets);
     if (this.#isDim) return;
-    // Of all leaves the outermost on a side stands nearest over its page.
+    // The outermost leaf on a side is nearest to its page.
     castOver(left.over, left.pile, leaves[0]);
     castOver(right.over, right.pile, leaves.at(-1));
     if (left.pile.present) {
@@ -257,14 +266,17 @@ export class DrawnBook {
       right.page.light(right.pile, right.over);
     }
     if (!this.#hard) return;
-    // A board under pages shows its rim alone, where no leaf's shadow is looked for.
+    // A board under pages shows only its rim, which no leaf shades.
     const [l, r] = [left.pile, right.pile];
     if (!still || !l.present) this.#front.light(this.#case, l, r, left.over);
     if (!still || !r.present) this.#back.light(this.#case, l, r, right.over);
   }
 }
 
-/** Hinge and outer edge of a board that stands over the pages, as points that shut out light. */
+/**
+ * Writes hinge and outer edge of a board that stands over the pages, as points
+ * that block light.
+ */
 function tipOf(
   out: Float32Array,
   hinge: readonly [number, number],

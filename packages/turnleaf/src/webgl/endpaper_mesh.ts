@@ -1,5 +1,5 @@
 /**
- * The fold of an endpaper: where no leaf lies on a side, its pastedown runs on
+ * The fold of an endpaper: if no leaf lies on a side, its pastedown continues
  * over the hinge into the gutter.
  */
 
@@ -12,7 +12,7 @@ import { SolidGeometry } from "./solid_geometry.ts";
 import type { SolidMaterial } from "./solid_material.ts";
 
 const steps = 9;
-/** Width of the fold as a share of a page's. */
+/** Width of the fold as a fraction of a page's. */
 const foldShare = 0.07;
 const noLid = [0, 0, 0] as const;
 
@@ -35,7 +35,7 @@ export class EndpaperMesh {
     this.mesh.frustumCulled = false;
   }
 
-  /** Follows the case, and finds the light between the piles. */
+  /** Follows the case, and computes the light between the piles. */
   shape(shape: CaseShape, left: PileShape, right: PileShape): void {
     const front = this.#sign === -1;
     const hinge = front ? shape.frontHinge : shape.backHinge;
@@ -73,7 +73,7 @@ export class EndpaperMesh {
         const point = end * steps + i;
         solid.place(point, x, end * this.#height, z);
         solid.face(point, nx, 0, nz);
-        // The picture's last strip before the hinge, mirrored: patterns run on unbroken.
+        // The picture's last strip before the hinge, mirrored: patterns continue unbroken.
         const beyond = (foldShare * (steps - 1 - i)) / (steps - 1);
         solid.uv[2 * point] = front ? 1 - beyond : beyond;
         solid.uv[2 * point + 1] = 1 - end;

@@ -1,4 +1,4 @@
-/** What of the book stands on the table, and what hangs over it: the shadow it throws there. */
+/** The shadow on the table of everything that stands on it or hangs over it. */
 
 import type { Surface } from "../engine/shapes.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
@@ -7,7 +7,7 @@ import type { CaseShape } from "./case_shape.ts";
 import type { Ground } from "./ground.ts";
 import type { PileShape } from "./pile_shape.ts";
 
-/** Throws the shadow of a book in boards. */
+/** Draws the shadow of a book in boards. */
 export function shadowOfCase(
   ground: Ground,
   book: BookShape,
@@ -26,7 +26,7 @@ export function shadowOfCase(
   for (const { hinge, angle } of boards) {
     const lift = reach * Math.sin(angle);
     const span = reach * Math.cos(angle);
-    // A raised board leaves the table to the block alone, and throws a softer shadow.
+    // Under a raised board only the pile stands on the table; the board throws a softer shadow.
     const down = Math.max(0, 1 - lift / 0.03) ** 2;
     x0 = Math.min(x0, hinge[0] + span * down);
     x1 = Math.max(x1, hinge[0] + span * down);
@@ -41,7 +41,7 @@ export function shadowOfCase(
   ground.raise(over0, y0, over1, y1, high);
 }
 
-/** Throws the shadow of leaves without boards. */
+/** Draws the shadow of leaves without boards. */
 export function shadowOfLeaves(
   ground: Ground,
   book: BookShape,
@@ -69,7 +69,7 @@ export function shadowOfLeaves(
   ground.shadow(x0, 0, x1, book.height, Math.max(left.top, right.top));
 }
 
-/** Throws the shadow of a fold-out's flap beside the book; of none where it is null. */
+/** Draws the shadow of a fold-out's flap beside the book; nothing for null. */
 export function shadowOfFlap(ground: Ground, book: BookShape, flap: Surface | null): void {
   if (flap === null) {
     ground.raise(0, 0, 0, 0, 0);

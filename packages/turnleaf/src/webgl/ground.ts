@@ -1,4 +1,4 @@
-/** The table: nothing but the book's soft shadow over whatever the canvas lies on. */
+/** The table: nothing but the book's soft shadow over the background of the canvas. */
 
 import { Mesh, NoBlending, PlaneGeometry, ShaderMaterial, Vector2 } from "three";
 
@@ -10,7 +10,7 @@ void main() {
 }
 `;
 
-/** The shadow of a box whose edge is softened by a Gaussian, thrice. */
+/** The shadow of a box whose edge is softened by a Gaussian, cubed. */
 const fragmentShader = /* glsl */ `
 uniform vec4 box;
 uniform float high;
@@ -79,11 +79,14 @@ export class Ground {
     this.mesh.position.z = z;
     this.mesh.frustumCulled = false;
     this.mesh.onBeforeRender = (renderer) => void renderer.getDrawingBufferSize(this.#canvas);
-    // Before the book, which is drawn over it.
+    // Drawn before the book.
     this.mesh.renderOrder = -1;
   }
 
-  /** The book covers x0 to x1, y0 to y1 and stands `high` above the table, metres. */
+  /**
+   * Sets the shadow of the book, which covers x0 to x1, y0 to y1 and stands
+   * `high` above the table, metres.
+   */
   shadow(x0: number, y0: number, x1: number, y1: number, high: number): void {
     this.#box[0] = x0;
     this.#box[1] = y0;
@@ -92,7 +95,10 @@ export class Ground {
     this.mesh.material.uniforms.high.value = high;
   }
 
-  /** A board or leaf over x0 to x1, y0 to y1 is raised, `high` above the table at its middle, metres. */
+  /**
+   * Sets the shadow of a board or leaf over x0 to x1, y0 to y1, raised `high`
+   * above the table at its middle, metres.
+   */
   raise(x0: number, y0: number, x1: number, y1: number, high: number): void {
     this.#raised[0] = x0;
     this.#raised[1] = y0;

@@ -1,14 +1,14 @@
 /**
- * What is printed on a face: its picture, and over a part of it a detail, a
- * sharper picture of that part alone.
+ * The ink on a face: its picture, and over a part of it a detail, a sharper
+ * picture of that part.
  */
 
 import type { IUniform, Texture } from "three";
 import type { PageBox } from "../sources/page_source.ts";
 
 /**
- * `printed(uv)`: the print's colour at a place of the picture, from its upper
- * left corner, and how far there is one: 0 where a picture is clear.
+ * `printed(uv)`: the ink's colour at a place of the picture, from its upper
+ * left corner, and its coverage: 0 where a picture is transparent.
  */
 export const printChunk: string = /* glsl */ `
 uniform sampler2D picture;
@@ -28,10 +28,10 @@ vec4 printed(vec2 uv) {
 }
 `;
 
-/** Beside the picture: no detail is seen. */
+/** Beside the picture: no detail is visible. */
 const nowhere = [2, 2, 1, 1];
 
-/** The uniforms of a print that shows a picture and no detail. */
+/** Returns the uniforms of ink that shows a picture and no detail. */
 export function printUniforms(picture: Texture): Record<string, IUniform> {
   return {
     picture: { value: picture },
@@ -40,7 +40,7 @@ export function printUniforms(picture: Texture): Record<string, IUniform> {
   };
 }
 
-/** Lays a detail over a part of a print's picture; null takes it away. */
+/** Lays a detail over a part of a picture; null removes it. */
 export function layDetail(
   uniforms: Record<string, IUniform>,
   texture: Texture,

@@ -1,33 +1,33 @@
 /**
  * The light on one side of a leaf in flight, between a pile and the next leaf.
  *
- * It is found at some rows and columns and blended between them: many leaves
- * fly at once, and light changes slowly over a sheet.
+ * It is computed at some rows and columns and interpolated between them: many
+ * leaves fly at once, and light changes slowly over a sheet.
  */
 
 import type { Surface } from "../engine/shapes.ts";
 import { compassToRadians, gapsOfRow } from "./light.ts";
 
-/** Every how many rows and columns the light is found. */
+/** The light is computed at every so many rows and columns. */
 const rowStep = 3;
 const columnStep = 2;
 
-/** Every how many of those columns are looked at as obstacles. */
+/** Every so many of those columns are tested as obstacles. */
 const obstacleStep = 2;
 
 const noPoints = new Float32Array(0);
 
-/** Computes the gaps of a leaf's sides; what it computes in is used again and again. */
+/** Computes the gaps of a leaf's sides; its buffers are reused. */
 export class LeafLight {
   readonly #columns: Blend;
   readonly #rows: Blend;
-  /** One row seen as if it lay on the right: x, z, normal's x and z, and its gaps. */
+  /** One row mirrored to the right: x, z, normal's x and z, and its gaps. */
   readonly #x: Float32Array;
   readonly #z: Float32Array;
   readonly #nx: Float32Array;
   readonly #nz: Float32Array;
   readonly #gaps: Float32Array;
-  /** The gaps found, as angles in book space. */
+  /** The computed gaps, as angles in book space. */
   readonly #found: Float32Array;
   /** x, z of points of the next leaf's row. */
   readonly #next: Float32Array;
@@ -50,7 +50,8 @@ export class LeafLight {
    * Writes the gap through which each point of a leaf sees the sky.
    *
    * @param sign 1 for the recto, -1 for the verso
-   * @param pile x, z of the pile that this side looks over, seen as if the leaf lay on the right
+   * @param pile x, z of the pile that this side faces, mirrored as if the leaf
+   * lay on the right
    * @param next the leaf in flight that this side faces
    * @param out left and right end for each point, radians
    */
@@ -83,13 +84,13 @@ export class LeafLight {
       const at = 3 * (row * columns + places[i]);
       this.#x[i] = sign * positions[at];
       this.#z[i] = positions[at + 2];
-      // The verso's normal is the recto's turned round, then mirrored.
+      // The verso's normal is the recto's reversed, then mirrored.
       this.#nx[i] = normals[at];
       this.#nz[i] = sign * normals[at + 2];
     }
   }
 
-  /** Every few points of a row of the next leaf. */
+  /** Reads every few points of a row of the next leaf. */
   #readNext(next: Surface, row: number, sign: 1 | -1): Float32Array {
     const { places } = this.#columns;
     for (let k = 0, to = 0; k < places.length; k += obstacleStep, to += 2) {
@@ -100,7 +101,7 @@ export class LeafLight {
     return this.#next;
   }
 
-  /** Blends what was found to every point. */
+  /** Interpolates the computed gaps to every point. */
   #spread(out: Float32Array): void {
     const [columns, rows, found] = [this.#columns, this.#rows, this.#found];
     const stride = 2 * columns.places.length;
@@ -121,11 +122,11 @@ export class LeafLight {
   }
 }
 
-/** Every few of many places, and between which two of them each of all lies. */
+/** Samples of many places, and between which two of them each place lies. */
 class Blend {
   readonly count: number;
   readonly places: readonly number[];
-  /** Of each place, which of the few comes before it, and how far it is from there to the next. */
+  /** For each place, the sample before it, and its distance from there to the next. */
   readonly first: Uint16Array;
   readonly share: Float32Array;
 

@@ -45,7 +45,8 @@ export class LeafMesh {
   /**
    * Shows a leaf; the positions and normals stay where the engine keeps them.
    *
-   * @param left,right how many sheets lie under it on either side, itself one of them
+   * @param left,right the number of sheets under it on either side, itself
+   * included
    */
   shape(leaf: Surface, left: number, right: number): void {
     if (leaf.columns !== this.#columns || leaf.rows !== this.#rows) this.#allot(leaf);
@@ -61,7 +62,7 @@ export class LeafMesh {
   }
 
   /**
-   * Finds the light on both sides of the leaf.
+   * Computes the light on both sides of the leaf.
    *
    * @param before,after the next leaves in flight to the left and to the right
    */
@@ -80,7 +81,10 @@ export class LeafMesh {
     verso.needsUpdate = true;
   }
 
-  /** Lies on the pages: the recto sees all of the sky, the verso, which bends up a little, less. */
+  /**
+   * Lights it as lying on the pages: the recto sees all of the sky, the verso,
+   * which bends up a little, less.
+   */
   lieOpen(): void {
     for (const [gap, right] of [
       [this.#rectoGap, Math.PI / 2],

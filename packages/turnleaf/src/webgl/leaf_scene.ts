@@ -18,18 +18,18 @@ import { type Overhead, PageMesh, pageRows } from "./page_mesh.ts";
 import { obstacleStride, PileShape } from "./pile_shape.ts";
 import { PictureTextures } from "./textures.ts";
 
-/** Degrees above the table: lower than a reader sits, so that a leaf's bend is seen. */
+/** Degrees above the table: lower than for a book, so that a leaf's bend is visible. */
 const elevation = 50;
 
 const margins = { sides: 0.04, top: 0.04, bottom: 0.06 };
 
-/** How far the pages lie under the leaf at rest, metres: less than anyone sees. */
+/** Depth of the pages under the resting leaf, metres: less than is visible. */
 const gap = 0.0002;
 
 /** Columns of a resting page's mesh. */
 const pageColumns = 49;
 
-/** A page on the table, and what of the leaf stands over it. */
+/** A page on the table, and the part of the leaf over it. */
 interface RestingPage {
   readonly pile: PileShape;
   readonly page: PageMesh;
@@ -52,7 +52,7 @@ export class LeafScene {
   #pictures: Readonly<Record<LeafSide, PagePicture | null>> = { recto: null, verso: null };
   #version = 0;
 
-  /** @throws Error in one sentence where the browser has no WebGL 2 */
+  /** @throws Error if the browser has no WebGL 2 */
   constructor(
     canvas: HTMLCanvasElement,
     { width, height }: { width: number; height: number },
@@ -157,7 +157,7 @@ export class LeafScene {
     if (!this.#context.isLost) this.#renderer.render(this.scene, this.#camera);
   }
 
-  /** The line of sight through a place, -1 to 1 across to the right and up. */
+  /** Returns the line of sight through a place, -1 to 1 across to the right and up. */
   rayAt(right: number, up: number): Ray {
     const { elements: m } = this.#camera.matrixWorld;
     const { elements: p } = this.#camera.projectionMatrix;
@@ -180,7 +180,7 @@ export class LeafScene {
   }
 }
 
-/** A page at rest, flat on the table. */
+/** Returns a page at rest, flat on the table. */
 function restingPage(
   sign: 1 | -1,
   { width, height }: BookShape,
@@ -198,7 +198,7 @@ function restingPage(
   return { pile, page, over: overheadOf(height, new Float32Array(0)) };
 }
 
-/** The widest step over columns that comes to the last one. */
+/** Returns the widest step over columns that ends at the last one. */
 function strideOf(columns: number): number {
   for (let stride = obstacleStride; stride > 1; stride--) {
     if ((columns - 1) % stride === 0) return stride;

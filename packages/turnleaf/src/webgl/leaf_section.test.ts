@@ -4,7 +4,7 @@ import { LeafSection } from "./leaf_section.ts";
 
 const [columns, rows, width, height] = [9, 5, 0.14, 0.2];
 
-/** A flat leaf on the right, `above` the table. */
+/** Returns a flat leaf on the right, `above` the table. */
 function flatLeaf(above: number): Surface {
   const positions = new Float32Array(3 * columns * rows);
   for (let row = 0; row < rows; row++) {

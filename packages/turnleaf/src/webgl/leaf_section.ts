@@ -1,6 +1,6 @@
 /**
- * Cuts a leaf in flight with one plane for each row of a resting page: what
- * of the leaf stands between that row and the light.
+ * Cuts a leaf in flight with one plane for each row of a resting page, to find
+ * the part of the leaf between that row and the light.
  *
  * The planes run across the spine. For the sky they are upright; for the key
  * light they lean toward the head as the light does, so that the shadow of a
@@ -31,7 +31,7 @@ export class LeafSection {
     );
   }
 
-  /** x, z of the points found in a row; the first `counts[row]` numbers are in use. */
+  /** Returns x, z of the points in a row; the first `counts[row]` numbers are in use. */
   row(row: number): Float32Array {
     return this.#views[row];
   }
@@ -45,8 +45,9 @@ export class LeafSection {
    * Cuts the leaf.
    *
    * @param sign -1 mirrors x
-   * @param slope how far the planes lean toward the head for each metre above `base`
-   * @param stride every how many columns are looked at; divides columns - 1
+   * @param slope how far the planes lean toward the head for each metre above
+   * `base`
+   * @param stride tests every so many columns; divides columns - 1
    */
   cut(leaf: Surface, sign: 1 | -1, slope: number, base: number, stride: number): void {
     const { positions, columns, rows } = leaf;
@@ -57,7 +58,7 @@ export class LeafSection {
         this.#edge(positions, a, a + 3 * columns, sign, slope, base);
       }
     }
-    // The foot and head edges bound what is cut where they cross a plane.
+    // The foot and head edges bound the section where they cross a plane.
     for (const row of [0, rows - 1]) {
       for (let column = 0; column + stride < columns; column += stride) {
         const a = 3 * (row * columns + column);

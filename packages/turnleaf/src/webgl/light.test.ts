@@ -12,7 +12,7 @@ import {
 
 const none = new Float32Array(0);
 
-/** Gaps, in radians, of a row given by its x and z on the right side. */
+/** Returns the gaps, in radians, of a row given by its x and z on the right side. */
 function gaps(
   points: [number, number][],
   opposite: [number, number][],

@@ -25,7 +25,7 @@ export const penumbra = 0.1;
 
 /**
  * How far a leaf's shadow falls toward the foot for each metre that the leaf is
- * above the page, for three places on the key light: their mean is soft along
+ * above the page, for three points on the key light: their mean is soft along
  * the spine too.
  */
 export const shadowSlopes: readonly [number, number, number] = [-0.13, 0, 0.13].map(
@@ -33,9 +33,9 @@ export const shadowSlopes: readonly [number, number, number] = [-0.13, 0, 0.13].
 ) as [number, number, number];
 
 /**
- * The direction (dx, dz) as a number that rises with its angle from straight
- * up and needs no arc tangent: 0 up, 1 right, -1 left, 2 or -2 down. A quarter
- * turn is exactly 1.
+ * Returns the direction (dx, dz) as a number that rises with its angle from
+ * straight up and needs no arc tangent: 0 up, 1 right, -1 left, 2 or -2 down. A
+ * quarter turn is exactly 1.
  */
 export function compass(dx: number, dz: number): number {
   const flat = Math.abs(dx);
@@ -44,7 +44,7 @@ export function compass(dx: number, dz: number): number {
   return dx >= 0 ? 2 - beyond : beyond - 2;
 }
 
-/** A compass number as radians from straight up. */
+/** Returns a compass number as radians from straight up. */
 export function compassToRadians(c: number): number {
   const quarter = Math.floor(c + 0.5);
   const part = c - quarter;
@@ -52,7 +52,7 @@ export function compassToRadians(c: number): number {
   return quarter * (Math.PI / 2) + Math.atan2(part, 1 - Math.abs(part));
 }
 
-/** `c` shifted by whole turns to within half a turn of `center`. */
+/** Returns `c` shifted by whole turns to within half a turn of `center`. */
 function near(c: number, center: number): number {
   if (c - center > 2) return c - 4;
   if (c - center < -2) return c + 4;
@@ -60,16 +60,16 @@ function near(c: number, center: number): number {
 }
 
 /**
- * The gap through which each point of one row of a sheet sees the sky.
+ * Computes the gap through which each point of one row of a sheet sees the sky.
  *
- * The sheet is told as if it lay on the right with its lit side up; mirror x
- * for the left. Then what lies toward the root bounds the gap on the left, and
- * what lies toward the fore-edge bounds it on the right.
+ * The sheet is given as if it lay on the right with its lit side up; mirror x
+ * for the left. Then points toward the root bound the gap on the left, and
+ * points toward the fore-edge bound it on the right.
  *
  * @param x,z the row's points from the root to the fore-edge
  * @param nx,nz its normals on the lit side
  * @param count points in the row
- * @param stride every how many points are looked at as obstacles; divides count - 1
+ * @param stride tests every so many points as obstacles; divides count - 1
  * @param opposite x, z of the pile across the gutter, may be empty
  * @param next x, z of a leaf in flight that the lit side faces, may be empty
  * @param out left and right end for each point, as compass numbers
@@ -112,19 +112,19 @@ export function gapsOfRow(
       if (k < i) left = Math.max(left, near(c, normal - 1));
       else right = Math.min(right, near(c, normal + 1));
     }
-    // More than shut makes shadows no darker, but would pull their edges outward.
+    // A gap beyond closed makes shadows no darker, but would pull their edges outward.
     out[2 * i] = Math.min(left, normal + 1);
     out[2 * i + 1] = Math.max(right, normal - 1);
   }
 }
 
 /**
- * The left end of the gap of a resting page's point where a leaf or a board
- * rises from the spine: whatever of it is seen farthest to the right. Told for
- * the right side; mirror x for the left.
+ * Returns the left end of the gap of a resting page's point where a leaf or a
+ * board rises from the spine: the direction of its point farthest to the right.
+ * Given for the right side; mirror x for the left.
  *
  * @param points x, z of the leaf's section
- * @param count how many numbers of `points` are in use
+ * @param count numbers of `points` in use
  */
 export function leftEndUnder(px: number, pz: number, points: Float32Array, count: number): number {
   let left = -1;
@@ -135,7 +135,7 @@ export function leftEndUnder(px: number, pz: number, points: Float32Array, count
   return Math.min(left, 1.05);
 }
 
-/** The gap over a point, radians, and the shares of sky and key light that come through it. */
+/** The gap over a point, radians, and the fractions of sky and key light that come through it. */
 export interface Shares {
   left: number;
   right: number;
@@ -144,13 +144,14 @@ export interface Shares {
 }
 
 /**
- * Shares of sky and key that reach a point of a stiff face between the piles.
+ * Computes the fractions of sky and key light that reach a point of a stiff
+ * face between the piles.
  *
  * @param normal angle of the face's normal from straight up, radians
  * @param piles x, z of points of each pile, book space
  * @param lid x, z of the outer edge of a board that stands over the point, and
- *   1 where it rises from the left, -1 from the right; 0 for none
- * @param out the shares
+ * 1 where it rises from the left, -1 from the right; 0 for none
+ * @param out the result
  */
 export function sharesBetween(
   x: number,
@@ -180,12 +181,15 @@ export function sharesBetween(
   out.key = keyShare(left, right);
 }
 
-/** Share of the sky seen through the gap between two angles, radians, by a surface with the normal's angle. */
+/**
+ * Returns the fraction of the sky seen through the gap between two angles,
+ * radians, by a surface with the normal's angle.
+ */
 export function skyShare(left: number, right: number, normal: number): number {
   return Math.max(0, 0.5 * (edgeSine(right - normal) - edgeSine(left - normal)));
 }
 
-/** Share of the key light that comes through the gap between two angles, radians. */
+/** Returns the fraction of the key light that comes through the gap between two angles, radians. */
 export function keyShare(left: number, right: number): number {
   return (
     smooth((keyAngle - left + penumbra) / (2 * penumbra)) *

@@ -1,4 +1,4 @@
-/** Every material of a book, and the grains that they share. */
+/** Every material of a book, and the grain textures that they have in common. */
 
 import { Color, type Material, type Texture } from "three";
 import type { Face } from "../book/faces.ts";
@@ -19,7 +19,10 @@ export class BookMaterials {
   readonly boards: Record<BoardFace, SolidMaterial>;
   readonly spine: SolidMaterial;
   readonly leafEdges: SolidMaterial;
-  /** The folds by the front and by the back board, which carry their pastedown's picture on. */
+  /**
+   * The folds by the front and by the back board, which continue the picture of
+   * their pastedown.
+   */
   readonly endpapers: Record<"frontInside" | "backInside", SolidMaterial>;
   readonly headband: SolidMaterial;
   readonly #materials: Material[] = [];
@@ -29,6 +32,7 @@ export class BookMaterials {
 
   /**
    * @param blank what a face shows while it has no picture
+   *
    * @param anisotropy of its own textures, from 1 for none
    */
   constructor(shape: BookShape, blank: Texture, anisotropy: number) {
@@ -72,7 +76,7 @@ export class BookMaterials {
     });
   }
 
-  /** Shows a picture on a face; `blank` stands for none, outside the boards null does. */
+  /** Shows a picture on a face; `blank` stands for no picture, and outside the boards null does. */
   show(face: Face, texture: Texture, none: boolean): void {
     if (face === "frontOutside" || face === "backOutside") {
       this.boards[face].setPicture(none ? null : texture);
@@ -84,13 +88,13 @@ export class BookMaterials {
     }
   }
 
-  /** Lays a sharper picture over a part of a face's; null for the part takes it away. */
+  /** Lays a sharper picture over a part of a face's; null for the part removes it. */
   showDetail(face: Face, texture: Texture, box: PageBox | null): void {
     const isPage = face === "left" || face === "right";
     layDetail((isPage ? this.pages[face] : this.boards[face]).uniforms, texture, box);
   }
 
-  /** The materials of a leaf in flight by its place among them; made when it is first asked for. */
+  /** Returns the materials of a leaf in flight by its index; creates them on first use. */
   leaf(index: number): Record<LeafSide, PaperMaterial> {
     while (this.#leaves.length <= index) {
       this.#leaves.push({ recto: this.#sheet(true, true), verso: this.#sheet(false, true) });

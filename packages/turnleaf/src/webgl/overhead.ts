@@ -1,4 +1,4 @@
-/** What of a leaf stands between a resting page and the light. */
+/** The part of a leaf between a resting page and the light. */
 
 import type { Surface } from "../engine/shapes.ts";
 import { LeafSection } from "./leaf_section.ts";
@@ -8,10 +8,10 @@ import { pageRows } from "./page_mesh.ts";
 import { obstacleStride, type PileShape } from "./pile_shape.ts";
 
 /**
- * Room for what stands over a page.
+ * Creates the buffers for what stands over a page.
  *
  * @param height of the page, metres
- * @param board where the tip of a board over it is kept; empty where there is none
+ * @param board receives the tip of a board over it; empty if there is none
  */
 export function overheadOf(height: number, board: Float32Array): Overhead {
   const section = (): LeafSection => new LeafSection(pageRows, height);
@@ -19,9 +19,10 @@ export function overheadOf(height: number, board: Float32Array): Overhead {
 }
 
 /**
- * Cuts what stands over a side's page: the leaf nearest to it, or nothing.
+ * Cuts the leaf nearest to a side's page, or clears the section.
  *
- * @param stride every how many of the leaf's columns are looked at; divides their number less 1
+ * @param stride tests every so many of the leaf's columns; divides their number
+ * less 1
  */
 export function castOver(
   over: Overhead,

@@ -17,7 +17,7 @@ export interface Overhead {
   readonly sky: LeafSection;
   /** One for each place on the key light. */
   readonly keys: readonly LeafSection[];
-  /** x, z of points of the board, mirrored for the left; empty where it lies flat. */
+  /** x, z of points of the board, mirrored for the left; empty if it lies flat. */
   readonly board: Float32Array;
 }
 
@@ -31,7 +31,7 @@ export class PageMesh {
   #normals = new Float32Array(0);
   #gapSky = new Float32Array(0);
   #gapKey = new Float32Array(0);
-  /** The gap of each column as the piles alone leave it, radians, told for the right side. */
+  /** The gap of each column between the piles alone, radians, for the right side. */
   #gaps = new Float32Array(0);
 
   constructor(material: PaperMaterial, height: number, rows: number) {
@@ -62,9 +62,10 @@ export class PageMesh {
   }
 
   /**
-   * Finds the gaps that the piles leave.
+   * Computes the gaps between the piles.
    *
-   * @param opposite points of the pile across the gutter, as seen from this side on the right
+   * @param opposite points of the pile across the gutter, as seen from this
+   * side on the right
    */
   open(pile: PileShape, opposite: Float32Array): void {
     const { x, z, nx, nz, columns } = pile;
@@ -72,12 +73,13 @@ export class PageMesh {
     for (let k = 0; k < 2 * columns; k++) this.#gaps[k] = compassToRadians(this.#gaps[k]);
   }
 
-  /** Finds the light on the page under what stands over it. */
+  /** Computes the light on the page under what stands over it. */
   light(pile: PileShape, over: Overhead): void {
     const { x, z, columns, sign } = pile;
     const [gapSky, gapKey] = [this.#gapSky, this.#gapKey];
-    // Wider than the soft edge, or one aslant of the rows comes in steps; not by much, or
-    // one along them is seen to be three, as it is with more rows.
+    // Wider than the soft edge, or an edge aslant of the rows would show steps;
+    // not by much, or one along them would show three edges, as it does with
+    // more rows.
     const keyLow = sign * keyAngle - 2.2 * penumbra;
     const keyHigh = sign * keyAngle + 2.2 * penumbra;
     for (let i = 0; i < columns; i++) {
@@ -143,7 +145,8 @@ export class PageMesh {
 }
 
 /**
- * Triangles and texture places of a sheet whose points run row by row from the foot.
+ * Returns the triangles and texture coordinates of a sheet whose points run row
+ * by row from the foot.
  *
  * @param place u of each column
  */

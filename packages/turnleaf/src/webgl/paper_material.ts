@@ -5,7 +5,7 @@ import type { BookShape } from "../stage/book_pose.ts";
 import { printChunk, printUniforms } from "./ink.ts";
 import { gapChunk, lightChunk, pictureChunk } from "./shading.ts";
 
-/** What goes from the vertices to the fragments. */
+/** Values passed from the vertex to the fragment shader. */
 const varyings = /* glsl */ `
 varying vec3 vNormal;
 varying vec3 vPlace;
@@ -156,21 +156,21 @@ export class PaperMaterial extends ShaderMaterial {
   }
 
   /**
-   * A leaf that touches those under it is the one seen, also where all are bent
-   * and their triangles cross.
+   * Makes the leaf visible over those under it, also where all are bent and
+   * their triangles cross.
    *
-   * @param left,right how many lie under it when it lies on that side
+   * @param left,right the number under it when it lies on that side
    */
   lieOver(left: number, right: number): void {
     this.uniforms.ahead.value = [leadOverOne * left, leadOverOne * right];
   }
 
-  /** The picture of the page that is seen beside this one where its leaf is cut smaller. */
+  /** The picture of the page visible beside this one where its leaf is trimmed. */
   set beneath(texture: Texture) {
     this.uniforms.beneath.value = texture;
   }
 
-  /** How thick the sheet is, metres, so that its two sides stand apart; 0 for paper. */
+  /** Thickness of the sheet, metres, so that its two sides stand apart; 0 for paper. */
   set thickness(metres: number) {
     this.uniforms.thick.value = metres;
   }

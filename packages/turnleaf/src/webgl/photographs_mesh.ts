@@ -21,7 +21,7 @@ void main() {
 }
 `;
 
-/** As it was taken: nothing lights it, and where it is clear the book is seen. */
+/** Unlit, as it was taken; where it is transparent the book is visible. */
 const fragmentShader = /* glsl */ `
 uniform sampler2D picture;
 varying vec2 vUv;
@@ -30,7 +30,7 @@ void main() {
 }
 `;
 
-/** Drawn after all else. */
+/** Drawn after everything else. */
 const last = 100;
 
 /** Where the open pages lie, metres. */
@@ -43,10 +43,13 @@ export interface OpenPages {
   readonly right: number;
 }
 
-/** A picture over both pages, from fore-edge to fore-edge, and over their head and foot as far as it is higher. */
+/**
+ * A picture over both pages, from fore-edge to fore-edge, and over their head
+ * and foot as far as it is higher.
+ */
 export type PhotographQuad = Mesh<BufferGeometry, ShaderMaterial>;
 
-/** Photographs over one book, none or more at once, those told last uppermost. */
+/** Photographs over one book, any number at once, the last uppermost. */
 export class PhotographsMesh {
   readonly group: Group = new Group();
   readonly #ratio: number | null;
@@ -54,8 +57,11 @@ export class PhotographsMesh {
   readonly #quads: PhotographQuad[] = [];
 
   /**
-   * @param pictures of the open book from above, its spine upright in the middle
-   * @param ratio width over height of a page in them, so that it is stretched to the book's; null where it is the book's
+   * @param pictures of the open book from above, its spine upright in the
+   * middle
+   *
+   * @param ratio width over height of a page in them, stretched to the book's;
+   * null if it is the book's
    */
   constructor(pictures: readonly ImageBitmap[], ratio: number | null) {
     this.#ratio = ratio;
@@ -106,7 +112,7 @@ export class PhotographsMesh {
     geometry.setAttribute("position", new BufferAttribute(new Float32Array(12), 3));
     geometry.setAttribute("uv", new BufferAttribute(new Float32Array([0, 0, 1, 0, 0, 1, 1, 1]), 2));
     geometry.setIndex([0, 2, 1, 1, 2, 3]);
-    // A bitmap's colours are multiplied by its alpha already.
+    // A bitmap's colours are already multiplied by its alpha.
     const material = new ShaderMaterial({
       vertexShader,
       fragmentShader,

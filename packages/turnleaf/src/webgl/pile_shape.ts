@@ -1,9 +1,12 @@
-/** The resting pages of one side as they are drawn: the engine's pile, squared up under a closing board. */
+/**
+ * The resting pages of one side as they are drawn: the engine's pile, squared
+ * up under a closing board.
+ */
 
 import { columnAt, columnPlace, type Pile } from "../engine/shapes.ts";
 import { type CaseShape, lidHeight } from "./case_shape.ts";
 
-/** Every how many columns the light looks at a page as an obstacle. */
+/** The light tests every so many columns of a page as obstacles. */
 export const obstacleStride = 4;
 
 /** A side's curves as drawn, kept so that nothing is computed while they stand still. */
@@ -14,12 +17,12 @@ export class PileShape {
   present = false;
   /** x, z of each point as drawn, layer by layer from the top. */
   curves: Float32Array = new Float32Array(0);
-  /** The uppermost page seen as if it lay on the right: x, z, normal's x and z. */
+  /** The uppermost page mirrored to the right: x, z, normal's x and z. */
   x: Float32Array = new Float32Array(0);
   z: Float32Array = new Float32Array(0);
   nx: Float32Array = new Float32Array(0);
   nz: Float32Array = new Float32Array(0);
-  /** Every few points of the uppermost page, x, z in book space; empty where no page lies. */
+  /** Every few points of the uppermost page, x, z in book space; empty if no page lies there. */
   obstacles: Float32Array = new Float32Array(0);
   /** The same mirrored. */
   mirrored: Float32Array = new Float32Array(0);
@@ -33,7 +36,7 @@ export class PileShape {
     this.sign = sign;
   }
 
-  /** Takes over a pile; answers whether anything moved. */
+  /** Reads a pile. Returns whether anything moved. */
   update(pile: Pile | null, shape: CaseShape, boards: boolean): boolean {
     if (pile === null) {
       const moved = this.present;
@@ -53,12 +56,12 @@ export class PileShape {
     return true;
   }
 
-  /** Height of the uppermost page at its fore-edge, metres; 0 where no page lies. */
+  /** Height of the uppermost page at its fore-edge, metres; 0 if no page lies there. */
   get top(): number {
     return this.present ? this.z[this.columns - 1] : 0;
   }
 
-  /** x and z of the uppermost page at u, 0 at the spine to 1 at the fore-edge, metres. */
+  /** Returns x and z of the uppermost page at u, 0 at the spine to 1 at the fore-edge, metres. */
   pointAt(u: number): [x: number, z: number] {
     const { columns, sign, x, z } = this;
     const k = Math.min(Math.floor(columnAt(u, columns)), columns - 2);
@@ -95,9 +98,9 @@ export class PileShape {
   }
 
   /**
-   * A block follows its spine as a board closes: the pages' roots stand up with
-   * the spine, and the block is square where it is shut. The pages are also
-   * kept under the board that closes over them.
+   * Makes a pile follow its spine as a board closes: the pages' roots stand up
+   * with the spine, and the pile is square when the book is closed. The pages
+   * are also kept under the board that closes over them.
    */
   #square(closed: number, shape: CaseShape): void {
     const { curves, columns, layers, sign } = this;
@@ -105,7 +108,7 @@ export class PileShape {
     for (let layer = 0; layer < layers; layer++) {
       const first = 2 * columns * layer;
       const up = layers > 1 ? 1 - layer / (layers - 1) : 0;
-      // A little within the cloth that bends around them.
+      // Slightly within the cloth that bends around them.
       const inset = sign * 0.0012 * Math.min(1, 4 * closed);
       const shift = foot[0] + (head[0] - foot[0]) * up + inset - curves[first];
       const root = Math.max(0, head[1]) * up;

@@ -16,7 +16,7 @@ export class RimMesh {
     this.mesh.frustumCulled = false;
   }
 
-  /** Follows the leaf; one that is thin has no rim. */
+  /** Follows the leaf; a thin one has no rim. */
   shape(leaf: Surface): void {
     const thickness = leaf.thickness ?? 0;
     this.mesh.visible = thickness > 0;
@@ -71,7 +71,10 @@ export class RimMesh {
   }
 }
 
-/** The points of a leaf's free edges, from the spine at the foot round to the spine at the head. */
+/**
+ * Returns the points of a leaf's free edges, from the spine at the foot around
+ * to the spine at the head.
+ */
 function edgeOf(columns: number, rows: number): number[] {
   const points: number[] = [];
   for (let column = 0; column < columns; column++) points.push(column);

@@ -1,4 +1,4 @@
-/** The shader text that every part of the book shares: one light for paper, cloth and board. */
+/** The shader code that every part of the book uses: one light for paper, cloth and board. */
 
 import { keyAngle, keyDirection, penumbra } from "./light.ts";
 
@@ -9,7 +9,7 @@ const glslVector = (v: readonly number[]): string => `vec3(${v.map(glslNumber).j
  * `litColour(normal, sky, key)`: light in units of what a flat, open page
  * receives, so that such a page is exactly its own picture.
  *
- * Paper lights paper: what is missing in a gutter is partly made up by the
+ * Paper lights paper: light missing in a gutter is partly made up by the
  * neighbouring page, more of its red than of its blue. A shadow's floor is the
  * part of the key light that comes through the sheet which throws it.
  */
@@ -43,7 +43,8 @@ vec3 dithered(vec3 colour) {
 
 /**
  * `onPicture(uv)`: the place on a page's picture that is printed on a place of
- * its leaf, both from the upper left corner as a book bound at the left is seen.
+ * its leaf, both from the upper left corner as seen in a book bound at the
+ * left.
  */
 export const pictureChunk: string = /* glsl */ `
 vec2 onPicture(vec2 uv) {
@@ -55,7 +56,7 @@ vec2 onPicture(vec2 uv) {
 }
 `;
 
-/** Shares of sky and key seen through a gap (left, right), radians from straight up. */
+/** Fractions of sky and key light seen through a gap (left, right), radians from straight up. */
 export const gapChunk: string = /* glsl */ `
 float edgeSine(float angle, vec2 across) {
   float s = sin(angle) * across.y - cos(angle) * across.x;

@@ -9,7 +9,7 @@ export class SolidGeometry {
   readonly normals: Float32Array;
   readonly uv: Float32Array;
   readonly grainAt: Float32Array;
-  /** Shares of sky and of key light that reach the point. */
+  /** Fractions of sky and of key light that reach the point. */
   readonly open: Float32Array;
   readonly #index: Uint16Array;
   #points = 0;
@@ -34,7 +34,7 @@ export class SolidGeometry {
     this.geometry.setIndex(new BufferAttribute(this.#index, 1));
   }
 
-  /** Reserves points; answers the first one's number. */
+  /** Reserves points. Returns the index of the first one. */
   reserve(count: number): number {
     const first = this.#points;
     this.#points += count;
@@ -47,13 +47,13 @@ export class SolidGeometry {
     this.#index[this.#corners++] = c;
   }
 
-  /** The square of four corners in turn. */
+  /** Adds the square of four corners in order. */
   square(a: number, b: number, c: number, d: number): void {
     this.triangle(a, b, c);
     this.triangle(a, c, d);
   }
 
-  /** A grid of points that run row by row; `flip` turns it over. */
+  /** Adds a grid of points that run row by row; `flip` turns it over. */
   grid(first: number, columns: number, rows: number, flip = false): void {
     for (let row = 0; row + 1 < rows; row++) {
       for (let column = 0; column + 1 < columns; column++) {
@@ -76,7 +76,7 @@ export class SolidGeometry {
     this.normals[3 * point + 2] = nz;
   }
 
-  /** Has the changed arrays sent to the GPU. */
+  /** Uploads the changed arrays to the GPU. */
   touch(...names: ("position" | "normal" | "uv" | "grainAt" | "open")[]): void {
     for (const name of names) this.geometry.getAttribute(name).needsUpdate = true;
   }

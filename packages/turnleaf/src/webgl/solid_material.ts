@@ -1,4 +1,4 @@
-/** The material of all that is not a sheet: leaf edges, cloth, boards, headbands. */
+/** The material of everything that is not a sheet: leaf edges, cloth, boards, headbands. */
 
 import { type Color, DoubleSide, FrontSide, ShaderMaterial, type Texture } from "three";
 import { printChunk, printUniforms } from "./ink.ts";
@@ -63,23 +63,23 @@ void main() {
 }
 `;
 
-/** What a solid surface looks like. */
+/** The look of a solid surface. */
 export interface SolidLook {
   readonly base: Color;
   readonly grain: Texture;
   /** How much the grain darkens and brightens. */
   readonly grainDepth: number;
-  /** How much light neighbouring paper throws in, 0 to 1. */
+  /** How much light neighbouring paper reflects in, 0 to 1. */
   readonly paperiness: number;
-  /** Seen from both sides. */
+  /** If true, it is visible from both sides. */
   readonly twoSided?: boolean;
   /** Whether the book lies with its spine across the screen, and pictures with it. */
   readonly rolled: boolean;
 }
 
-/** A solid surface's material, with a picture on a panel of it where it has one. */
+/** A solid surface's material, with a picture on a panel of it if there is one. */
 export class SolidMaterial extends ShaderMaterial {
-  /** Bound where there is no picture. */
+  /** Bound if there is no picture. */
   readonly #grain: Texture;
 
   constructor(look: SolidLook) {

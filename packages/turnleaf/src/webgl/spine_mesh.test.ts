@@ -6,7 +6,7 @@ import { SpineMesh } from "./spine_mesh.ts";
 
 const steps = 41;
 
-/** x and z of the strip's outer line from the back board to the front board. */
+/** Returns x and z of the strip's outer line from the back board to the front board. */
 function outerLine(thickness: number, front: number): [x: number, z: number][] {
   const shape = restingCase();
   placeCase(shape, thickness, 0, front, 0, caseSizes.joint);

@@ -24,7 +24,7 @@ export class SpineMesh {
   readonly #inner = new Float32Array(2 * steps);
   readonly #normal = new Float32Array(2 * steps);
 
-  /** @param thickness of the block, metres */
+  /** @param thickness of all leaves, metres */
   constructor(material: SolidMaterial, height: number, thickness: number) {
     this.#height = height;
     this.#thickness = thickness;
@@ -53,7 +53,7 @@ export class SpineMesh {
         solid.face(outer, nx, 0, nz);
         solid.place(inner, this.#inner[2 * i], ends[end], this.#inner[2 * i + 1]);
         solid.face(inner, -nx, 0, -nz);
-        // The inside lies under the block, and is dark there.
+        // The inside lies under the leaves, and is dark there.
         solid.open[2 * inner] = 0.4;
         solid.open[2 * inner + 1] = 0.25;
         for (const point of [outer, inner]) this.#weave(point, i, ends[end]);
@@ -79,11 +79,11 @@ export class SpineMesh {
     this.#solid.grainAt[2 * point + 1] = y / clothRepeat;
   }
 
-  /** The strip's outer and inner line in the plane across the spine. */
+  /** Computes the strip's outer and inner line in the plane across the spine. */
   #section(shape: CaseShape): void {
     const { backHinge: a, c, d, frontHinge: b } = shape;
     const span = Math.hypot(d[0] - c[0], d[1] - c[1]);
-    // A corner is rounded over a share of the spine, and all of its hinge.
+    // A corner is rounded over a fraction of the spine, and all of its hinge.
     const share = span > 0 ? Math.min(0.35, 0.007 / span) : 0;
     const mid = (t: number, k: 0 | 1): number => c[k] + (d[k] - c[k]) * t;
     const bent = Math.abs(Math.sin(0.5 * Math.PI * (shape.closedLeft - shape.closedRight)));
@@ -141,10 +141,10 @@ export class SpineMesh {
 }
 
 /**
- * The control point that rounds a corner half as much as a curve toward it
- * would. Only the shorter arm counts: the spine of a thin book is shorter than
- * its hinge, and by the hinge's length the strip would run past the other
- * corner and back, turned inside out, and stand up through the gutter.
+ * Returns the control point that rounds a corner half as much as a curve toward
+ * it would. Only the shorter arm counts: the spine of a thin book is shorter
+ * than its hinge, and with the hinge's length the strip would run past the
+ * other corner and back, turned inside out, and stand up through the gutter.
  */
 function pullAround(from: Place, corner: Place, end: Place): Place {
   const arms = [from, end].map(([x, z]) => [x - corner[0], z - corner[1]]);

@@ -18,7 +18,7 @@ import { anisotropyOf } from "./anisotropy.ts";
 export class PictureTextures {
   /** What a face shows while it has no picture. */
   readonly paper: Texture;
-  /** What textures are given, from 1 for none. */
+  /** Anisotropy of the textures, from 1 for none. */
   readonly anisotropy: number;
   readonly #renderer: WebGLRenderer;
   readonly #textures = new Map<PagePicture, Texture>();
@@ -29,7 +29,7 @@ export class PictureTextures {
     this.paper = plainTexture(0xfb, 0xf5, 0xe8);
   }
 
-  /** The picture's texture, sent to the GPU now rather than in the middle of a turn. */
+  /** Returns the picture's texture, uploaded to the GPU now rather than in the middle of a turn. */
   of(picture: PagePicture | null): Texture {
     if (picture === null) return this.paper;
     const known = this.#textures.get(picture);
@@ -47,7 +47,10 @@ export class PictureTextures {
     return texture;
   }
 
-  /** Frees a picture's texture. No material may show it any more: three.js would make it anew. */
+  /**
+   * Frees a picture's texture. No material may show it any more: three.js would
+   * create it again.
+   */
   forget(picture: PagePicture): void {
     const texture = this.#textures.get(picture);
     if (texture === undefined) return;
@@ -57,7 +60,7 @@ export class PictureTextures {
     this.#textures.delete(picture);
   }
 
-  /** Takes every texture from the graphics card; one that is shown again is sent there again. */
+  /** Removes every texture from the graphics card; one that is shown again is uploaded again. */
   drop(): void {
     for (const texture of this.#textures.values()) texture.dispose();
     this.paper.dispose();
@@ -77,9 +80,9 @@ function plainTexture(r: number, g: number, b: number): Texture {
 }
 
 /**
- * The edges of a block's leaves as bands that differ at every scale, so that
- * some show at any distance and none beat with the pixels: x along the edge,
- * y through the block's thickness. Red is brightness, half = as it is.
+ * Draws the edges of a pile's leaves as bands that differ at every scale, so
+ * that some show at any distance and none beat with the pixels: x along the
+ * edge, y through the pile's thickness. Red is brightness, half = as it is.
  */
 export function leafEdgeTexture(): Texture {
   const [width, height] = [64, 512];
@@ -112,7 +115,10 @@ export function leafEdgeTexture(): Texture {
   return grainTexture(level, width, height);
 }
 
-/** Book cloth: threads over and under, thick and thin places. Red is brightness, half = as it is. */
+/**
+ * Draws book cloth: threads over and under, thick and thin places. Red is
+ * brightness, half = as it is.
+ */
 export function clothTexture(): Texture {
   const size = 512;
   const threads = 128;
@@ -121,7 +127,7 @@ export function clothTexture(): Texture {
   const weft = Float32Array.from({ length: threads }, () => random() - 0.5);
   const level = new Float32Array(size * size);
   const spots = Float32Array.from({ length: 32 * 32 }, () => 2 * random() - 1);
-  /** Smooth noise from -1 to 1 that repeats after 32. */
+  /** Returns smooth noise from -1 to 1 with a period of 32. */
   const mottle = (x: number, y: number): number => {
     const [i, j] = [Math.floor(x), Math.floor(y)];
     const spot = (di: number, dj: number): number => spots[((j + dj) % 32) * 32 + ((i + di) % 32)];
@@ -161,7 +167,7 @@ function grainTexture(level: Float32Array, width: number, height: number): Textu
   return texture;
 }
 
-/** Numbers from 0 to 1, the same for the same seed (mulberry32). */
+/** Returns a generator of numbers from 0 to 1, the same for the same seed (mulberry32). */
 function randomNumbers(seed: number): () => number {
   let state = seed;
   return () => {
@@ -172,7 +178,10 @@ function randomNumbers(seed: number): () => number {
   };
 }
 
-/** A headband's stripes, dark and light in turn along x. Red is brightness, half = as it is. */
+/**
+ * Draws a headband's stripes, alternately dark and light along x. Red is
+ * brightness, half = as it is.
+ */
 export function headbandTexture(): Texture {
   const level = Float32Array.from(
     { length: 32 },

@@ -30,7 +30,7 @@ afterEach(() => {
   for (const stage of stages.splice(0)) stage.destroy();
 });
 
-/** A pile of flat pages. */
+/** Returns a pile of flat pages. */
 function flatPile(sign: number): Pile {
   const [columns, layers] = [49, 2];
   const curves = new Float32Array(2 * columns * layers);
@@ -59,7 +59,7 @@ function plainPicture(colour: string): HTMLCanvasElement {
   return picture;
 }
 
-/** A flat leaf that stands at an angle from lying on the right, radians. */
+/** Returns a flat leaf at an angle from lying on the right, radians. */
 function standingLeaf(angle: number): Surface {
   const [columns, rows] = [49, 25];
   const positions = new Float32Array(3 * columns * rows);
@@ -74,7 +74,7 @@ function standingLeaf(angle: number): Surface {
   return { columns, rows, positions, normals, version: 1 };
 }
 
-/** The colour where a place is seen, by default halfway up a page that lies flat. */
+/** Returns the colour where a place is seen, by default halfway up a page that lies flat. */
 function colourAt(stage: WebGLStage, canvas: HTMLCanvasElement, x: number, z = 0): number[] {
   const copy = document.createElement("canvas");
   copy.width = canvas.width;
@@ -143,7 +143,7 @@ test("beyond the spine of a page that stands alone nothing is cut off at the can
     const stage = newStage(canvas, { alone });
     stage.resize(400, 120, 1);
     stage.pose(open);
-    // As far from the spine as there is room in the canvas.
+    // As far from the spine as the canvas has space.
     expect(colourAt(stage, canvas, -0.08 * alone)[3]).toBe(0);
     const half = colourAt(stage, canvas, -0.02 * alone)[3];
     expect(half).toBeGreaterThan(60);
@@ -199,7 +199,7 @@ test("a lost context comes back with everything on it", async () => {
   const restored = new Promise<void>((done) => {
     stage.onRestored = done;
   });
-  // The browser gives a context back only after the event has run its course.
+  // The browser restores a context only after the event has run its course.
   await new Promise((done) => setTimeout(done, 0));
   loss.restoreContext();
   await restored;

@@ -1,4 +1,4 @@
-/** The stage in space: a book drawn by three.js. It owns everything of the book that is on the GPU. */
+/** The 3D stage: a book drawn by three.js. It owns everything of the book that is on the GPU. */
 
 import {
   PerspectiveCamera,
@@ -29,7 +29,7 @@ import { dropFromCard } from "./drop_from_gpu.ts";
 import { BookMaterials } from "./materials.ts";
 import { PictureTextures } from "./textures.ts";
 
-/** Most pixels of a frame at rest. */
+/** Maximum of pixels of a frame at rest. */
 const mostPixels = 16e6;
 
 /** A face of the book, or a side of a leaf in flight. */
@@ -60,9 +60,7 @@ export class WebGLStage implements BookStage {
     sightOf(this.#shape, this.#book.framing, this.#aspect, this.#shape.rim, level),
   );
 
-  /**
-   * @throws Error in one sentence where the browser has no WebGL 2.
-   */
+  /** @throws Error if the browser has no WebGL 2. */
   constructor(canvas: HTMLCanvasElement, shape: BookShape) {
     this.#canvas = canvas;
     this.#shape = shape;
@@ -145,7 +143,7 @@ export class WebGLStage implements BookStage {
 
   get restingRatio(): number {
     const ratio = Math.max(2, this.#ratio);
-    // No canvas larger than the GPU takes.
+    // The canvas is no larger than the GPU supports.
     const most = this.#renderer.capabilities.maxTextureSize;
     const longest = Math.max(this.#width, this.#height);
     const fit = Math.min(most / longest, Math.sqrt(mostPixels / (this.#width * this.#height)));
@@ -167,7 +165,7 @@ export class WebGLStage implements BookStage {
     const ratio = options?.resting ? this.restingRatio : this.#ratio * (options?.pixels ?? 1);
     const [width, height] = [Math.floor(this.#width * ratio), Math.floor(this.#height * ratio)];
     if (this.#canvas.width !== width || this.#canvas.height !== height) {
-      // Clears the canvas; it is filled again below before anyone can see.
+      // Clears the canvas; it is drawn again below before it can be seen.
       this.#renderer.setDrawingBufferSize(this.#width, this.#height, ratio);
     }
     this.#renderer.render(this.#scene, this.#camera);
@@ -212,7 +210,7 @@ export class WebGLStage implements BookStage {
 
   destroy(): void {
     this.#context.destroy();
-    // Frees all of the GPU's memory at once; the rest lets go of what three.js keeps.
+    // Frees all of the GPU's memory at once; the rest releases what three.js keeps.
     if (!this.isLost) this.#renderer.forceContextLoss();
     this.#book.dispose();
     this.#beyond.dispose();
