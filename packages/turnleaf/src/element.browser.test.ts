@@ -1,4 +1,4 @@
-/** The element in real Chromium: opening, turning, failing, going away. */
+/** The element in real Chromium: opening, turning, failing, being removed. */
 
 import { afterEach, expect, test } from "vitest";
 import type { TurnDetail } from "./element/events.ts";
@@ -100,7 +100,7 @@ test("nothing runs at rest, and nothing after removal", async () => {
 });
 
 test("it can be made and removed many times, and comes back where it was", async () => {
-  // Chromium keeps 16 contexts alive and complains when one more takes the oldest away.
+  // Chromium keeps 16 contexts alive and warns when one more evicts the oldest.
   const complaints: unknown[] = [];
   const warn = console.warn;
   console.warn = (...words) => complaints.push(words);
@@ -130,7 +130,7 @@ test("a book that cannot be opened says why where the page would be", async () =
   expect(message(element)?.getAttribute("role")).toBe("alert");
   expect(message(element)?.hidden).toBe(false);
 
-  // Another source takes the sentence away.
+  // Another source removes the sentence.
   const loaded = happens(element, "load");
   element.pages = scans(4);
   await loaded;
@@ -346,7 +346,7 @@ test("the paper changes without opening the book anew; unknown words are the usu
     element.setAttribute("stock", stock);
     expect(element.stock).toBe(stock || "book");
     const turned = element.next();
-    // In mid-turn too: what flies lands first.
+    // In mid-turn too: leaves in flight land first.
     element.stock = "office";
     element.setAttribute("assist", stock === "card" ? "off" : "on");
     element.paper = { grain: "across", wind: [0.1, 0, 0], binding: Number.NaN };

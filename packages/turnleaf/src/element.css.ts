@@ -1,14 +1,16 @@
-/** What lies about the book in the dark: asked for by name, or by the system. */
+/** The desk in the dark theme: by the attribute, or by the system. */
 const dark = (selector: string): string => /* css */ `${selector} {
   --turnleaf-desk: radial-gradient(ellipse at 50% 38%, #35302b, #191715 95%);
   --turnleaf-accent: #eba58d; --turnleaf-dim: brightness(0.86); color-scheme: dark;
 }`;
 
 /**
- * The element's own style; what it looks like outside is the page's to say. The
- * controls bring theirs along.
- * @cssproperty --turnleaf-desk What lies about the book, where the element has controls or a theme.
- * @cssproperty --turnleaf-accent What is chosen, and the outline of what has the focus.
+ * The element's own style; outside it the page decides. The controls bring
+ * their own.
+ *
+ * @cssproperty --turnleaf-desk Background of the book, if the element has
+ * controls or a theme.
+ * @cssproperty --turnleaf-accent Selected items, and the focus outline.
  * @cssproperty --turnleaf-dim A filter over the book and its thumbnails.
  */
 export const style: string = /* css */ `

@@ -26,22 +26,25 @@ import { BookError, type PageSource } from "./sources/page_source.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
 import { elementTexts, fill, languageOf } from "./words/languages.ts";
 
-/** Time that a zoom by command takes, seconds. */
+/** Duration of a zoom by command, seconds. */
 const zoomSeconds = 0.25;
 
 /**
- * The element's class: opens the book and turns it. Its attributes are told where their properties are.
- * @csspart stage What the book lies on: the element without its controls.
+ * The element's class: opens the book and turns it. Its attributes are
+ * described with their properties.
+ *
+ * @csspart stage The area in which the book lies: the element without its
+ * controls.
  */
 export class TurnleafBook extends ReaderElement {
-  /** Attributes that are answered when they change. */
+  /** Attributes whose changes are observed. */
   static readonly observedAttributes: readonly string[] = Object.keys(attributes);
 
-  /** Holds the book's stage and the controls about it. */
+  /** Holds the book's stage and the controls around it. */
   readonly #frame = document.createElement("div");
-  /** Gives the element its size where the page gives it none. */
+  /** Gives the element its size if the page gives it none. */
   readonly #room = document.createElement("div");
-  /** What the book lies on: the element without its controls. */
+  /** The area in which the book lies: the element without its controls. */
   readonly #stage = document.createElement("div");
   readonly #life = new BookLifecycle(this, this.#stage, {
     prepare: () => this.#keepPlace(),
@@ -65,17 +68,18 @@ export class TurnleafBook extends ReaderElement {
   #input: BookInput | null = null;
   #paper: Paper | null = null;
   readonly #asked = new RequestedPage();
-  /** The page where this book was left. */
+  /** The page where this book was last closed. */
   #left: { readonly page: number; readonly view: Zoom } | null = null;
-  /** The page that `pagechange` said last, until a page is asked for. */
+  /** The page of the last `pagechange`, until a page is requested. */
   #reported: number | null = null;
   /** Whether the element is in a document. */
   #connected = false;
 
   /**
-   * What the book is made of: images in order, a manifest, or a file as it was chosen, dropped or fetched (a
-   * `File`, a `FileList`, a `Blob` of any type, an `ArrayBuffer`, a typed array). While it is set, `src` does
-   * nothing, as with a video's `srcObject`; null gives `src` its place back.
+   * The book's contents: images in order, a manifest, or a file as it was
+   * chosen, dropped or fetched (a `File`, a `FileList`, a `Blob` of any type,
+   * an `ArrayBuffer`, a typed array). While it is set, `src` does nothing, as
+   * with a video's `srcObject`; null gives `src` its place back.
    */
   get pages(): BookInput | null {
     return this.#input;
@@ -87,7 +91,10 @@ export class TurnleafBook extends ReaderElement {
     this.#reopen();
   }
 
-  /** The paper in figures, how it is bound, and the wind; what it says goes before the attributes. */
+  /**
+   * The paper in figures, the stiffness of the binding, and the wind; it
+   * overrides the attributes.
+   */
   get paper(): Paper | null {
     return this.#paper;
   }
@@ -98,10 +105,13 @@ export class TurnleafBook extends ReaderElement {
   }
 
   /**
-   * The first page in sight, from 1; the attribute, the page at which the book opens, goes before what
-   * the book itself asks for. Setting either turns there, as `goTo` does; what is no number does nothing.
-   * Setting the page that `pagechange` said last, and no other since, does nothing either: a page may
-   * keep its own state in step with the book, as frameworks do, without calling a turn back.
+   * The first visible page, from 1. The attribute, the page at which the book
+   * opens, overrides the book's own opening page. Setting either turns there,
+   * as `goTo` does; a value that is not a number does nothing. Setting the page
+   * of the last `pagechange`, with none requested since, does nothing either: a
+   * page may keep its own state in step with the book, as frameworks do,
+   * without calling a turn back.
+   *
    * @attribute page
    * @default 1
    */
@@ -115,17 +125,20 @@ export class TurnleafBook extends ReaderElement {
     if (asked !== null && asked !== this.#reported) void this.goTo(asked);
   }
 
-  /** Whether the pages in sight are at full sharpness and nothing moves. */
+  /** Whether the visible pages are at full sharpness and nothing moves. */
   get settled(): boolean {
     return this.#viewer?.settled ?? false;
   }
 
-  /** Whether, besides, the pages that the next turn brings into sight are drawn, as far as memory allows. */
+  /**
+   * Whether the book is settled and the pages that the next turn brings into
+   * view are drawn, as far as memory allows.
+   */
   get ready(): boolean {
     return this.#viewer?.ready ?? false;
   }
 
-  /** The pages that lie open, by the side they are seen on: left, or above the spine; right, or below it. */
+  /** The open pages, by the side they are seen on: left, or above the spine; right, or below it. */
   get spread(): { left: number | null; right: number | null } {
     const viewer = this.#viewer;
     if (!viewer) return { left: null, right: null };
@@ -133,33 +146,39 @@ export class TurnleafBook extends ReaderElement {
     return { left: leftPage(binding, turning.spread), right: rightPage(binding, turning.spread) };
   }
 
-  /** Which way the book is read: as it is bound, else as its source says. */
+  /** The reading direction: by the binding, otherwise by its source. */
   get direction(): "ltr" | "rtl" {
     const edge = this.#viewer?.binding.edge ?? this.getAttribute("binding");
     return edge === "right" ? "rtl" : "ltr";
   }
 
-  /** How the book is laid out: as asked for, or as the space there is asks. */
+  /** The current layout: the requested one, or the one that fits the space. */
   get shownLayout(): "spread" | "single" {
     return this.#viewer?.binding.layout ?? "spread";
   }
 
   /**
-   * Turns one leaf on from where the book will lie when all that was asked for before is done: every call
-   * counts, and many in a row become one jump. Resolves, once the book is at rest, to whether it lies there
-   * or farther on; to false at the book's end, and while no book is open.
+   * Turns one leaf forward from where the book will lie when all earlier
+   * requests are done: every call counts, and many in a row become one jump.
+   * Resolves, once the book is at rest, to whether it lies there or farther on;
+   * to false at the end of the book, and while no book is open.
    */
   next(): Promise<boolean> {
     return this.#turn(1, false);
   }
 
-  /** Turns one leaf back, as `next` turns on. Resolves to whether the book lies there or farther back. */
+  /**
+   * Turns one leaf back, as `next` turns forward. Resolves to whether the book
+   * lies there or farther back.
+   */
   previous(): Promise<boolean> {
     return this.#turn(-1, false);
   }
 
   /**
-   * A reader turns one leaf on (1) or back (-1), as by a key of the controls.
+   * Turns one leaf forward (1) or back (-1) for the reader, as by a key of the
+   * controls.
+   *
    * @internal
    */
   press(by: 1 | -1): Promise<boolean> {
@@ -167,9 +186,11 @@ export class TurnleafBook extends ReaderElement {
   }
 
   /**
-   * Turns to a page (from 1, clamped to the book). Resolves, once the book is at rest, to whether it lies
-   * there. Before a book is open, that book opens there: resolves once it has, to false if it cannot be
-   * opened or the element is taken out of its document. Rejects with a `TypeError` what is no number.
+   * Turns to a page (from 1, clamped to the book). Resolves, once the book is
+   * at rest, to whether it lies there. Before a book is open, that book opens
+   * there: resolves once it has, to false if it cannot be opened or the element
+   * is removed from its document. Rejects with a `TypeError` if the page is not
+   * a number.
    */
   goTo(page: number): Promise<boolean> {
     const asked = pageNumber(page);
@@ -185,39 +206,44 @@ export class TurnleafBook extends ReaderElement {
   }
 
   /**
-   * Unfolds a page (from 1) that lies open and is clearly wider than the book, as
-   * a click on it does. Resolves, once it does, to whether it lies unfolded.
+   * Unfolds an open page (from 1) that is clearly wider than the book, as a
+   * click on it does. Resolves, once it is unfolded, to whether it is.
    */
   unfold(page: number): Promise<boolean> {
     return this.#viewer?.leafControl.unfold(page) ?? Promise.resolve(false);
   }
 
-  /** Folds in the page that lies unfolded, as any turn does first. Resolves once it does. */
+  /** Folds in the unfolded page, as any turn does first. Resolves once it is folded in. */
   foldIn(): Promise<void> {
     return this.#viewer?.leafControl.foldIn() ?? Promise.resolve();
   }
 
   /**
-   * Puts pages before page `at` (from 1), or behind the last. The page in sight stays.
-   * Resolves, once the book lies still and they are in it, to whether they are. Rejects with a `BookError`,
-   * and changes nothing, if they cannot be opened, one of the first eight cannot be drawn, or there is no page
-   * `at`. A later one that cannot be drawn is a `pageerror` when it is about to be seen.
+   * Inserts pages before page `at` (from 1), or after the last. The visible
+   * page stays. Resolves, once the book is at rest and they are in it, to
+   * whether they are. Rejects with a `BookError`, and changes nothing, if they
+   * cannot be opened, one of the first eight cannot be drawn, or there is no
+   * page `at`. A later one that cannot be drawn is a `pageerror` when it is
+   * about to be seen.
    */
   insertPages(at: number, pages: BookInput): Promise<boolean> {
     return this.#changePages(at, 0, pages);
   }
 
-  /** Takes out `count` pages from page `from` (from 1) on. Resolves and rejects as `insertPages` does. */
+  /**
+   * Removes `count` pages from page `from` (from 1) on. Resolves and rejects as
+   * `insertPages` does.
+   */
   removePages(from: number, count = 1): Promise<boolean> {
     return this.#changePages(from, count, null);
   }
 
-  /** Puts other pages in place of page `page` (from 1). Resolves and rejects as `insertPages` does. */
+  /** Replaces page `page` (from 1) by other pages. Resolves and rejects as `insertPages` does. */
   replacePage(page: number, pages: BookInput): Promise<boolean> {
     return this.#changePages(page, 1, pages);
   }
 
-  /** How near the book is seen: 1, all of it, to 8. Setting it zooms about the middle. */
+  /** The zoom level: 1 for the whole book, to 8. Setting it zooms about the middle. */
   get zoom(): number {
     return this.#viewer?.zoomLevel ?? this.#left?.view.level ?? 1;
   }
@@ -226,7 +252,10 @@ export class TurnleafBook extends ReaderElement {
     this.zoomTo(level);
   }
 
-  /** Zooms to a level (1 to 8). The place `at`, in CSS pixels from the element's upper left corner, stays where it is; the middle where none is given. */
+  /**
+   * Zooms to a level (1 to 8). The point `at`, in CSS pixels from the element's
+   * upper left corner, stays where it is. The default is the middle.
+   */
   zoomTo(level: number, at?: { x: number; y: number }): void {
     const { clientWidth, clientHeight, offsetLeft, offsetTop } = this.#stage;
     const place = at
@@ -235,7 +264,7 @@ export class TurnleafBook extends ReaderElement {
     this.#viewer?.zoom(Number(level), place, place, this.#calm ? 0 : zoomSeconds);
   }
 
-  /** Gives the book the focus, from one of its controls too: keys then turn its pages. */
+  /** Focuses the book, also from one of its controls: keys then turn its pages. */
   override focus(options?: FocusOptions): void {
     this.#frame.focus(options);
   }
@@ -297,20 +326,23 @@ export class TurnleafBook extends ReaderElement {
     return this.#life.book?.viewer;
   }
 
-  /** The page at which a book opens, or would: where it was asked for, else where its source says. */
+  /**
+   * Returns the page at which a book opens, or would: the requested one,
+   * otherwise the source's.
+   */
   #firstPage(source?: PageSource): number {
     const said = pageNumber(this.getAttribute("page")) ?? source?.openingPage ?? 1;
     const page = this.#asked.page ?? this.keptPage(source, this.#left?.page ?? null) ?? said;
     return Math.min(Math.max(Math.round(page) || 1, 1), source?.pageCount ?? page);
   }
 
-  /** Another book is to open: at its beginning, without the other's bookmarks. */
+  /** Prepares for another book: it opens at its beginning, without the other's bookmarks. */
   #forget(): void {
     this.forgetBook();
     this.#left = null;
   }
 
-  /** Keeps in mind where the open book lies, and is silent. */
+  /** Remembers where the open book lies, and stops its sound. */
   #leave(): void {
     this.#senses.close();
     if (this.#viewer) this.#left = { page: this.page, view: this.#viewer.view };
@@ -329,26 +361,26 @@ export class TurnleafBook extends ReaderElement {
     return { ...paperOf(this), ...this.#paper };
   }
 
-  /** Whether the reader asked the system for less motion. */
+  /** Whether the reader prefers reduced motion. */
   get #calm(): boolean {
     const view = this.ownerDocument.defaultView ?? window;
     return view.matchMedia("(prefers-reduced-motion: reduce)").matches;
   }
 
-  /** How pages change: leaves turn, what is seen fades, or neither. */
+  /** How pages change: leaves turn, pages cross-fade, or neither. */
   get #motion(): "turn" | "fade" | "none" {
     if (turnSecondsOf(this) === 0) return "none";
     return this.#calm ? "fade" : "turn";
   }
 
-  /** @param isReaders whether a reader asks for it, by hand or key, and not a page's script */
+  /** @param isReaders whether the reader asks for it, by pointer or key, and not a page's script */
   #turn(by: 1 | -1, isReaders: boolean): Promise<boolean> {
     const viewer = this.#viewer;
     if (viewer === undefined) return Promise.resolve(false);
     const { leafControl: steering } = viewer;
     const way = (by * forward(viewer.binding)) as 1 | -1;
     if (this.#motion === "turn") return isReaders ? steering.press(way) : steering.turn(way);
-    // A corner that only lifts is no turn to go on from.
+    // A corner that only lifts is not a turn to go on from.
     steering.peek(null);
     const spread = viewer.turning.turned(way);
     if (spread === null) return Promise.resolve(false);
@@ -357,7 +389,8 @@ export class TurnleafBook extends ReaderElement {
 
   #build(): void {
     if (this.shadowRoot === null) {
-      // What takes the focus for the book is in its shadow tree: the element itself is its page's to write on.
+      // A child of the shadow tree takes the focus for the book: the element's
+      // own attributes belong to the page.
       const root = this.attachShadow({ mode: "open", delegatesFocus: true });
       this.attachInternals().role = "group";
       this.#stage.setAttribute("part", "stage");
@@ -410,7 +443,7 @@ export class TurnleafBook extends ReaderElement {
 
   #opened({ source, viewer }: OpenBook): void {
     const { binding } = viewer;
-    // A page may have been asked for since the book was laid open.
+    // A page may have been requested since the book was laid open.
     const isElsewhere = this.#asked.page !== null && this.#asked.page !== this.#left?.page;
     if (this.#asked.page !== null) viewer.lay(spreadOf(binding, this.#asked.page));
     this.#asked.opened((page) => spreadOf(binding, page) === viewer.turning.spread);
@@ -447,7 +480,7 @@ export class TurnleafBook extends ReaderElement {
     const worker = pdfWorkerOf(this);
     const moved = await this.#pageChanges.change(book, at, count, input, worker);
     if (moved && this.#life.book) {
-      // Where other pages lie in place of one, its bookmark is theirs.
+      // If other pages replace one, its bookmark moves to them.
       this.moveBookmarks((index) => moved(index) ?? (input ? index : null));
       this.#describe();
       this.emit("pageschange", { pageCount: this.pageCount });
@@ -463,7 +496,7 @@ export class TurnleafBook extends ReaderElement {
     this.emit("layoutchange", { layout: binding.layout, binding: binding.edge });
   }
 
-  /** Says which pages lie open, to those who hear it. */
+  /** Announces the open pages to screen readers. */
   #describe(): void {
     const book = this.#life.book;
     if (book === null) return;
@@ -482,7 +515,7 @@ export class TurnleafBook extends ReaderElement {
     this.emit("error", { message });
   }
 
-  /** The book is there, but something about it is not. */
+  /** Reports that an optional part of the open book is missing. */
   #lack(error: unknown): void {
     if (error instanceof Error) this.emit("error", { message: error.message });
   }

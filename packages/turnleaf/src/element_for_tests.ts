@@ -4,7 +4,7 @@ import { afterAll, beforeAll, expect } from "vitest";
 import "./index.ts";
 import type { TurnleafBook } from "./element.ts";
 
-/** A scan of a page: its number in black on paper. */
+/** Returns a scan of a page: its number in black on paper. */
 export function scan(number: number, width = 90, height = 120): string {
   const canvas = document.createElement("canvas");
   canvas.width = width;
@@ -18,11 +18,11 @@ export function scan(number: number, width = 90, height = 120): string {
   return canvas.toDataURL("image/png");
 }
 
-/** So many of them. */
+/** Returns some scans. */
 export const scans = (count: number): { src: string }[] =>
   Array.from({ length: count }, (_, i) => ({ src: scan(i + 1) }));
 
-/** An element in the document that shows them. */
+/** Adds an element to the document that shows them. */
 export function book(
   pages: TurnleafBook["pages"],
   attributes: Record<string, string> = {},
@@ -35,7 +35,7 @@ export function book(
   return element;
 }
 
-/** The next event of a name. */
+/** Resolves to the next event of a name. */
 export const happens = <T>(element: TurnleafBook, name: string): Promise<T> =>
   new Promise((resolve) =>
     element.addEventListener(name, (event) => resolve((event as CustomEvent<T>).detail), {
@@ -47,7 +47,10 @@ export const happens = <T>(element: TurnleafBook, name: string): Promise<T> =>
 export const settled = (element: TurnleafBook): Promise<void> =>
   expect.poll(() => element.settled, { timeout: 20_000, interval: 50 }).toBe(true);
 
-/** For the tests of a file: what a WebGL canvas shows can be read at any time, not within its frame alone. */
+/**
+ * Makes what a WebGL canvas shows readable at any time, not only within its
+ * frame, for the tests of a file.
+ */
 export function keepWhatIsDrawn(): void {
   const { getContext } = HTMLCanvasElement.prototype;
   beforeAll(() => {

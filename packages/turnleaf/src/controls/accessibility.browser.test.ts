@@ -6,7 +6,7 @@ import { standIn } from "./stand_in_for_tests.ts";
 
 afterEach(() => document.body.replaceChildren());
 
-/** What is seriously wrong, in words. */
+/** Returns the serious faults, in words. */
 async function faults(element: Element): Promise<string[]> {
   const { violations } = await axe.run(element, {
     rules: { region: { enabled: false } },

@@ -1,4 +1,4 @@
-/** What can be done with the book: one table, that the toolbar, the menu and the keys share. */
+/** The actions on a book: one table, used by the toolbar, the menu and the keys. */
 
 import type { ControlledBook } from "./book.ts";
 import type { Icon } from "./make.ts";
@@ -8,15 +8,15 @@ import type { Say } from "./say.ts";
 export const tabs = ["contents", "thumbnails", "search", "bookmarks"] as const;
 export type Tab = (typeof tabs)[number];
 
-/** What the reader can ask for. */
+/** An action of the reader. */
 export interface Action {
   icon(): Icon;
   label(): string;
   /** @param opener the button, to which the focus returns */
   run(opener: HTMLElement): void;
-  /** The key that does the same. */
+  /** The key of the same action. */
   readonly key?: string;
-  /** Whether it is on, of what can be on and off. */
+  /** Returns whether it is on; absent if it cannot be on and off. */
   pressed?(): boolean;
   disabled?(): boolean;
   hidden?(): boolean;
@@ -33,11 +33,11 @@ export type ActionName =
   | "print"
   | "download";
 
-/** How much nearer one press brings the book. */
+/** Zoom factor of one press. */
 const zoomStep = 1.5;
 export const most = 8;
 
-/** The page that a bookmark is set at: the first in sight. */
+/** The page of a new bookmark: the first visible one. */
 const isMarked = (book: ControlledBook): boolean => book.bookmarks.includes(book.page);
 
 /** Zooms by one step in or out, or (0) back to the whole book. */
@@ -46,7 +46,8 @@ export function zoomBy(book: ControlledBook, by: 1 | 0 | -1): void {
 }
 
 /**
- * Everything that can be done.
+ * Returns all actions.
+ *
  * @param print asks what is to be printed
  */
 export function actionsOf(

@@ -7,7 +7,7 @@ import { make, roving } from "./make.ts";
 import { Menu } from "./menu.ts";
 import type { Say } from "./say.ts";
 
-/** Tabs that have a button where there is little room, and actions that have one where there is much. */
+/** Tabs that have a button if there is little space, and actions that have one if there is much. */
 const narrowTabs: readonly Tab[] = ["contents", "search"];
 const inBar: readonly ActionName[] = ["zoomOut", "zoomIn", "layout", "bookmark", "fullscreen"];
 
@@ -67,19 +67,19 @@ export class Bar {
     this.menu.refresh();
     const all = [...this.element.querySelectorAll<HTMLElement>(".group button")];
     if (all.every(({ tabIndex }) => tabIndex === 0)) for (const button of all) button.tabIndex = -1;
-    // The one that Tab reaches must be one that is there.
+    // The button that Tab reaches must be a visible one.
     const buttons = this.#buttons();
     if (buttons[0] && !buttons.some(({ tabIndex }) => tabIndex === 0)) buttons[0].tabIndex = 0;
   }
 
-  /** Tells which tab of the panel is open. */
+  /** Shows which tab of the panel is open. */
   showTab(open: Tab | null): void {
     for (const [tab, button] of this.#tabButtons) {
       button.setAttribute("aria-expanded", String(tab === open));
     }
   }
 
-  /** The button of a tab; where it has no room, the first one. */
+  /** Returns the button of a tab; if it is hidden, the first one. */
   buttonOf(tab: Tab): HTMLElement | undefined {
     const button = this.#tabButtons.get(tab);
     return button?.offsetParent ? button : this.#buttons()[0];

@@ -1,4 +1,7 @@
-/** What the controls need of a book: a part of the element's public face, so that a stand-in can take its place. */
+/**
+ * What the controls need of a book: a part of the element's public interface,
+ * so that a test double can replace it.
+ */
 
 import type { PrintOptions } from "../element/printing.ts";
 import type { OutlineEntry, PagePicture } from "../sources/page_source.ts";
@@ -19,16 +22,19 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   readonly direction: "ltr" | "rtl";
   /** The pages that lie open. */
   readonly spread: { readonly left: number | null; readonly right: number | null };
-  /** 1 where the first page stands alone. */
+  /** 1 if the first page stands alone. */
   readonly offset: 0 | 1;
   readonly shownLayout: "spread" | "single";
   readonly zoom: number;
   readonly bookmarks: readonly number[];
   readonly playing: boolean;
-  /** What the book's owner and its source let a reader do. */
+  /** What the book's owner and its source permit. */
   readonly allows: { readonly print: boolean; readonly download: boolean };
   label(page: number): string;
-  /** A reader turns one leaf on (1) or back (-1): what a held key repeats ends soon after its release. */
+  /**
+   * Turns one leaf forward (1) or back (-1) for the reader: what a held key
+   * repeats ends soon after its release.
+   */
   press(by: 1 | -1): Promise<boolean>;
   first(): Promise<boolean>;
   last(): Promise<boolean>;

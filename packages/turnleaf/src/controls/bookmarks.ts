@@ -6,14 +6,14 @@ import { make } from "./make.ts";
 import type { View } from "./panel.ts";
 import { namePage, type Say } from "./say.ts";
 
-/** Bookmarked pages in the book's order, each with a way there and a way to take it off. */
+/** Bookmarked pages in the book's order, each with a button to go there and one to remove it. */
 export class Bookmarks implements View {
   readonly element: HTMLElement = make("div", { class: "view" });
   readonly #book: ControlledBook;
   readonly #say: Say;
   readonly #picked: () => void;
 
-  /** @param picked hears that the reader went to a page */
+  /** @param picked called when the reader went to a page */
   constructor(book: ControlledBook, say: Say, picked: () => void) {
     this.#book = book;
     this.#say = say;

@@ -1,10 +1,11 @@
-/** Buttons that follow what they stand for. */
+/** Buttons that follow the state of their actions. */
 
 import type { Action } from "./actions.ts";
 import { type Icon, icon, make, setIcon } from "./make.ts";
 
 /**
- * A round button with an icon and a name.
+ * Creates a round button with an icon and a name.
+ *
  * @csspart button A button of the controls that shows an icon.
  */
 export function iconButton(
@@ -19,7 +20,7 @@ export function iconButton(
   );
 }
 
-/** A button that does an action; `refresh` shows what has become of it. */
+/** Creates a button for an action; `refresh` updates its state. */
 export function actionButton(action: Action): { button: HTMLButtonElement; refresh(): void } {
   const button = iconButton(action.icon(), action.label());
   if (action.key) button.setAttribute("aria-keyshortcuts", action.key);

@@ -6,21 +6,21 @@ import { make } from "./make.ts";
 import type { View } from "./panel.ts";
 import type { Say } from "./say.ts";
 
-/** Most lines shown, and how deep: no book is read by more. */
+/** Maximum of lines shown, and of their depth. */
 const mostLines = 3000;
 const deepest = 8;
 
-/** Asked for when it is first shown, and again for another book. */
+/** The contents of the book. Loaded when first shown, and again for another book. */
 export class Contents implements View {
   readonly element: HTMLElement = make("div", { class: "view" });
   readonly #book: ControlledBook;
   readonly #say: Say;
   readonly #picked: () => void;
   #lines: { readonly page: number; readonly button: HTMLButtonElement }[] = [];
-  /** The question under way or answered, null before it is put. */
+  /** The request, pending or done; null before the first. */
   #asked: object | null = null;
 
-  /** @param picked hears that the reader went to an entry */
+  /** @param picked called when the reader went to an entry */
   constructor(book: ControlledBook, say: Say, picked: () => void) {
     this.#book = book;
     this.#say = say;
@@ -62,7 +62,7 @@ export class Contents implements View {
     this.element.replaceChildren(make("p", { class: "note" }, sentence));
   }
 
-  /** Another book is open: what was shown is not its own. */
+  /** Clears the contents of a book that was closed. */
   forget(): void {
     this.#asked = null;
     this.#lines = [];
@@ -89,7 +89,7 @@ export class Contents implements View {
     }
   }
 
-  /** The last entry that begins before the pages in sight end. */
+  /** Returns the last entry that begins before the visible pages end. */
   #current(): HTMLButtonElement | null {
     const { page, spread } = this.#book;
     const seen = Math.max(page, spread.left ?? 0, spread.right ?? 0);
@@ -115,7 +115,7 @@ export class Contents implements View {
 
   #line({ title, page, href }: OutlineEntry): HTMLElement {
     if (page === null) {
-      // Of addresses only those of the web and of mail are followed.
+      // Only addresses of the web and of mail are followed.
       if (!href || !/^(https?|mailto):/i.test(href)) return make("span", { class: "line" }, title);
       return make(
         "a",
@@ -138,7 +138,7 @@ export class Contents implements View {
   }
 }
 
-/** What has the focus in the shadow tree of an element. */
+/** Returns the focused element in the shadow tree of an element. */
 function activeIn(element: Element): Element | null {
   const root = element.getRootNode();
   return root instanceof ShadowRoot ? root.activeElement : null;

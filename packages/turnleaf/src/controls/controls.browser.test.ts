@@ -1,4 +1,7 @@
-/** The controls in real Chromium, about a stand-in: what each asks of the book, by pointer and by key. */
+/**
+ * The controls in real Chromium, on a test double: what each requests of the
+ * book, by pointer and by key.
+ */
 
 import { afterEach, expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
@@ -94,7 +97,7 @@ test("the panel takes the focus and gives it back", async () => {
   button.focus();
   await userEvent.keyboard("{Enter}");
   expect(button.ariaExpanded).toBe("true");
-  // The chapter in sight.
+  // The visible chapter.
   await expect.poll(() => active(root)).toBe("Loomingsii");
   expect(root.activeElement?.getAttribute("aria-current")).toBe("true");
   await userEvent.keyboard("{Escape}");
@@ -105,7 +108,7 @@ test("the panel takes the focus and gives it back", async () => {
   button.click();
   [...root.querySelectorAll<HTMLElement>(".contents .line")][2]?.click();
   expect(book.asked).toEqual(["goTo 9"]);
-  // Links of the web alone are links.
+  // Only web links are links.
   const links = [...root.querySelectorAll<HTMLAnchorElement>(".contents a")];
   expect(links.map(({ href, rel }) => [href, rel])).toEqual([
     ["https://example.org/", "noopener noreferrer"],
@@ -138,7 +141,7 @@ test("everything that is pressed is 44 pixels tall and wide, on a desk and on a 
       .filter(({ offsetWidth, offsetHeight }) => Math.min(offsetWidth, offsetHeight) < 44)
       .map((element) => element.outerHTML);
     expect(small).toEqual([]);
-    // Nothing sticks out.
+    // Nothing overflows.
     const bars = [...root.querySelectorAll<HTMLElement>(".bar, .pages")];
     for (const bar of bars) expect(bar.scrollWidth).toBeLessThanOrEqual(width);
     book.remove();
@@ -230,7 +233,7 @@ test("a search lists its places with what stands about them, and counts them", a
   rows()[2]?.click();
   expect(book.asked.at(-1)).toBe("hit 3");
   expect(rows()[2]?.getAttribute("aria-current")).toBe("true");
-  // The marks go with the panel.
+  // The marks disappear with the panel.
   named(root, "Close").click();
   expect(book.asked.at(-1)).toBe("hit none");
   book.hits = [];
@@ -270,7 +273,7 @@ test("of 5,000 small pages only those in sight exist, and one is drawn at a time
   expect(book.mostDrawing).toBe(1);
   await userEvent.keyboard("{Enter}");
   expect(book.asked.at(-1)).toBe("goTo 5000");
-  // Nothing is drawn once the panel is gone.
+  // Nothing is drawn after the panel has closed.
   named(root, "Close").click();
   expect(cells()).toBe(0);
   await expect.poll(() => book.drawing).toBe(0);
@@ -348,7 +351,7 @@ test("it speaks Chinese, and what it is taught", async () => {
   named(root, "Contents").focus();
   await userEvent.keyboard("{ArrowLeft}");
   expect(active(root)).toBe("Thumbnails");
-  // A language nobody knows, and what is none.
+  // An unknown language, and an invalid one.
   book.lang = "xx-not a language";
   await expect.poll(() => root.querySelector("[role=toolbar]")?.ariaLabel).toBe("Reader");
 });

@@ -1,4 +1,4 @@
-/** The reader's controls about a book: toolbar, side panel, slider, keys. */
+/** The reader's controls around a book: toolbar, side panel, slider, keys. */
 
 import { addStyle } from "../element/style.ts";
 import { languageOf } from "../words/languages.ts";
@@ -21,16 +21,20 @@ import { Thumbnails } from "./thumbnails.ts";
 /** Attributes of the element that change what the controls show. */
 const watched = ["lang", "dir", "sound", "theme", "layout"];
 
-/** What the book says of itself that the controls show. */
+/** The book's events that change what the controls show. */
 const heard = ["pagechange", "zoomchange", "layoutchange", "bookmarkchange", "playchange"];
 
-/** Width in CSS pixels below which the panel lies over the book and goes when something is picked in it. */
+/**
+ * Width in CSS pixels below which the panel lies over the book and closes when
+ * something is picked in it.
+ */
 const narrow = 720;
 
 /**
- * Puts controls about a book.
+ * Adds controls around a book.
+ *
  * @param frame holds the stage; the controls go before and after it
- * @returns takes them away again, with every listener
+ * @returns a function that removes them, with every listener
  */
 export function addControls<Hit extends FoundPlace>(
   book: ControlledBook<Hit>,
@@ -42,7 +46,7 @@ export function addControls<Hit extends FoundPlace>(
   let remove = build(book, frame, stage);
   const language = (): string => `${languageOf(book)} ${getComputedStyle(book).direction}`;
   let spoken = language();
-  // Another language: all words are others.
+  // Another language changes every text.
   const observer = new MutationObserver(() => {
     if (language() === spoken) return;
     spoken = language();
@@ -72,7 +76,7 @@ function build<Hit extends FoundPlace>(
     if (tab === null) return;
     const hadFocus = panel.element.contains((frame.getRootNode() as ShadowRoot).activeElement);
     panel.close();
-    // Not into nothing: back to the button that opens it.
+    // The focus returns to the button that opens the panel.
     if (hadFocus) (bar.buttonOf(tab) ?? book).focus({ preventScroll: true });
   };
   const picked = (): void => {

@@ -9,14 +9,15 @@ export class ControlsLoader {
   #remove: (() => void) | null = null;
   readonly #failed: (error: unknown) => void;
 
-  /** @param failed told that they cannot be loaded; asked for again, they are loaded again */
+  /** @param failed called if they cannot be loaded; the next request loads them again */
   constructor(failed: (error: unknown) => void) {
     this.#failed = failed;
   }
 
   /**
-   * Shows the controls about a stage, or takes them away.
-   * @param frame what holds the stage
+   * Shows the controls around a stage, or removes them.
+   *
+   * @param frame holds the stage
    */
   set<Hit extends FoundPlace>(
     shown: boolean,

@@ -1,13 +1,13 @@
 /** The part of a book that finding a page needs. */
 export interface Labelled {
   readonly pageCount: number;
-  /** What a page (from 1) calls itself. */
+  /** Returns the label of a page (from 1). */
   label(page: number): string;
 }
 
 /**
- * The page (from 1) that `text` names: by its label as printed, in whatever
- * case, else by its number; null where the book has none of the kind.
+ * Returns the page (from 1) that `text` names: by its label as printed,
+ * ignoring case, otherwise by its number; null if there is none.
  */
 export function findPage(book: Labelled, text: string): number | null {
   const wanted = text.trim().toLowerCase();

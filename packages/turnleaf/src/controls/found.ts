@@ -6,10 +6,10 @@ import { icon, make } from "./make.ts";
 import type { View } from "./panel.ts";
 import { namePage, type Say } from "./say.ts";
 
-/** Results that are listed at first, and with every press on the button for more. */
+/** Results listed at first, and with every press of the button for more. */
 const atOnce = 200;
 
-/** A field, how many places were found, and the places with what stands about them. */
+/** A search field, the number of hits, and the hits with their context. */
 export class Found<Hit extends FoundPlace> implements View {
   readonly element: HTMLElement = make("div", { class: "view found" });
   readonly #book: ControlledBook<Hit>;
@@ -21,7 +21,7 @@ export class Found<Hit extends FoundPlace> implements View {
   #search: AbortController | null = null;
   #hits: readonly Hit[] = [];
 
-  /** @param picked hears that the reader went to a place */
+  /** @param picked called when the reader went to a hit */
   constructor(book: ControlledBook<Hit>, say: Say, picked: () => void) {
     this.#book = book;
     this.#say = say;
@@ -41,7 +41,7 @@ export class Found<Hit extends FoundPlace> implements View {
       event.preventDefault();
       void this.#find();
     });
-    // The cross in the field empties it.
+    // The clear button in the field empties it.
     this.#field.addEventListener("input", () => {
       if (this.#field.value === "") this.forget();
     });
@@ -50,7 +50,7 @@ export class Found<Hit extends FoundPlace> implements View {
 
   show(): void {}
 
-  /** The marks go with the panel; the list stays for the next time. */
+  /** The marks disappear with the panel; the list stays for the next time. */
   hide(): void {
     void this.#book.showHit(null);
     for (const row of this.#results.querySelectorAll("[aria-current]")) {
@@ -65,7 +65,7 @@ export class Found<Hit extends FoundPlace> implements View {
     this.#field.select();
   }
 
-  /** Ends the search and takes away what it found. */
+  /** Ends the search and clears its results. */
   forget(): void {
     this.#search?.abort();
     this.#search = null;
@@ -96,7 +96,7 @@ export class Found<Hit extends FoundPlace> implements View {
     }
   }
 
-  /** Lists the hits from the how manyth on. */
+  /** Lists the hits from an index on. */
   #list(from: number): void {
     const { texts, number } = this.#say;
     for (const hit of this.#hits.slice(from, from + atOnce)) {

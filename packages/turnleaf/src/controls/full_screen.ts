@@ -1,12 +1,15 @@
-/** In full screen the bars make room for the book, and come back when they are looked for. */
+/** In full screen the bars hide, and come back when the pointer moves. */
 
-/** Milliseconds that the bars stay after the last movement. */
+/** Milliseconds for which the bars stay after the last movement. */
 const sight = 2500;
 
 /**
- * Follows the pointer while an element fills the screen. No timer runs once the bars are away.
- * @param frame what is marked: `full` in full screen, `awake` while the bars are in sight
- * @param changed hears that full screen began or ended
+ * Follows the pointer while an element fills the screen. No timer runs once the
+ * bars are hidden.
+ *
+ * @param frame gets the class `full` in full screen, and `awake` while the bars
+ * are visible
+ * @param changed called when full screen began or ended
  */
 export function watchFullScreen(
   book: HTMLElement,
@@ -33,7 +36,8 @@ export function watchFullScreen(
     changed();
   };
   const moved = ({ movementX, movementY }: PointerEvent): void => {
-    // Browsers tell of a move too when what lies under a still pointer changes, as it does when the bars go.
+    // Browsers also send a move when the content under a still pointer changes,
+    // as it does when the bars hide.
     if (movementX !== 0 || movementY !== 0) wake();
   };
   book.addEventListener("pointermove", moved, { passive: true, signal });

@@ -1,18 +1,19 @@
-/** Keys of a reader. Those that turn one page are the element's own. */
+/** The reader's keys. Those that turn one page belong to the element. */
 
 import type { ControlledBook } from "./book.ts";
 
-/** What keys ask for beside the book itself. */
+/** Commands of keys besides those of the book itself. */
 export interface KeyCommands {
   search(): void;
-  /** Closes what is open; answers whether something was. */
+  /** Closes what is open. Returns whether something was. */
   escape(): boolean;
   zoom(by: 1 | 0 | -1): void;
 }
 
 /**
- * Listens on the element until the signal. Keys with Ctrl, Alt or Meta are the
- * browser's; those typed into a field, or meant for a button, stay there.
+ * Listens on the element until the signal aborts. Keys with Ctrl, Alt or Meta
+ * belong to the browser; those typed into a field, or meant for a button, stay
+ * there.
  */
 export function listenToKeys(
   book: ControlledBook,
@@ -44,7 +45,7 @@ function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommand
     End: () => book.last(),
     " ": () => book.press(event.shiftKey ? -1 : 1),
   };
-  // Of what is in its shadow tree the frame about all of it takes the focus for the book.
+  // In its shadow tree, the frame around everything takes the focus for the book.
   const isBook = target === book || (target as Node).parentNode === book.shadowRoot;
   const command = anywhere[event.key] ?? (isBook ? onBook[event.key] : undefined);
   if (command === undefined) return;
@@ -52,7 +53,7 @@ function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommand
   void command();
 }
 
-/** Whether a key typed there is a letter rather than a command. */
+/** Returns whether a key typed there is a letter rather than a command. */
 function isTyping(target: EventTarget | undefined): boolean {
   if (!(target instanceof HTMLElement)) return false;
   if (target.isContentEditable || /^(TEXTAREA|SELECT)$/.test(target.tagName)) return true;

@@ -1,6 +1,12 @@
-/** Elements and icons, made in code: a strict security policy allows no markup with style. */
+/**
+ * Elements and icons, created in code: a strict security policy allows no
+ * inline style in markup.
+ */
 
-/** An element with its attributes and children; `true` is an attribute without a value, `false` none. */
+/**
+ * Creates an element with its attributes and children; `true` is an attribute
+ * without a value, `false` none.
+ */
 export function make<K extends keyof HTMLElementTagNameMap>(
   tag: K,
   attributes: Readonly<Record<string, string | number | boolean>> = {},
@@ -42,7 +48,7 @@ const paths = {
 /** The name of an icon. */
 export type Icon = keyof typeof paths;
 
-/** A small drawing in the colour of the text about it. */
+/** Creates an icon in the colour of the surrounding text. */
 export function icon(name: Icon): SVGSVGElement {
   const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
   svg.setAttribute("viewBox", "0 0 24 24");
@@ -59,10 +65,11 @@ export function setIcon(button: Element, name: Icon): void {
 }
 
 /**
- * Makes a keyboard of a row: arrows, Home and End go from one to the next of
- * what `items` finds, in the order in which they are seen.
+ * Adds keyboard navigation to a row: arrows, Home and End move between the
+ * `items`, in the order in which they are seen.
  *
- * @param isColumn whether they lie below each other too: then so do the arrows
+ * @param isColumn whether they lie below each other too: then vertical arrows
+ * move as well
  */
 export function roving(row: HTMLElement, items: () => HTMLElement[], isColumn = false): void {
   row.addEventListener("keydown", (event) => {

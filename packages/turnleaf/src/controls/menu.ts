@@ -1,4 +1,4 @@
-/** The menu of everything that has no place in the toolbar. */
+/** The menu of everything without a place in the toolbar. */
 
 import type { Action, ActionName } from "./actions.ts";
 import type { ControlledBook } from "./book.ts";
@@ -7,13 +7,14 @@ import type { Say } from "./say.ts";
 
 const themes = ["auto", "light", "dark", "paper"] as const;
 
-/** The menu's order; those of the first line have a button of their own where there is room. */
+/** The menu's order; those of the first line have a button of their own if there is space. */
 const inBar: readonly ActionName[] = ["zoomIn", "zoomOut", "layout", "fullscreen"];
 const always: readonly ActionName[] = ["play", "sound", "print", "download"];
 
 /**
  * A menu under its button.
- * @csspart menu What the last button of the toolbar opens.
+ *
+ * @csspart menu The menu that the last button of the toolbar opens.
  */
 export class Menu {
   readonly element: HTMLElement;

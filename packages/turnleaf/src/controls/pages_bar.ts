@@ -1,4 +1,4 @@
-/** The row at the foot of the book: one page back and on, the slider, the page field. */
+/** The row at the foot of the book: one page back and forward, the slider, the page field. */
 
 import { fill } from "../words/languages.ts";
 import type { ControlledBook } from "./book.ts";
@@ -8,10 +8,11 @@ import { make } from "./make.ts";
 import type { Say } from "./say.ts";
 
 /**
- * Where the book lies open, and the ways elsewhere.
+ * Shows where the book lies open, and turns it elsewhere.
+ *
  * @csspart pages The row beneath the book.
  * @csspart slider The slider over the book's pages.
- * @csspart field The field that says and takes the page.
+ * @csspart field The field that shows and accepts the page.
  */
 export class PagesBar {
   readonly element: HTMLElement;
@@ -24,7 +25,7 @@ export class PagesBar {
   readonly #status: HTMLElement = make("span", { role: "status", class: "unseen" });
   readonly #previous: HTMLButtonElement;
   readonly #next: HTMLButtonElement;
-  /** Whether the reader has hold of the slider: it then shows where to, not where the book is. */
+  /** Whether the reader drags the slider: it then shows the target, not the book's place. */
   #sliding = false;
 
   constructor(book: ControlledBook, say: Say) {

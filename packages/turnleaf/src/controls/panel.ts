@@ -5,16 +5,16 @@ import { iconButton } from "./buttons.ts";
 import { icon, make, roving } from "./make.ts";
 import type { Say } from "./say.ts";
 
-/** What a tab shows. */
+/** The content of a tab. */
 export interface View {
   readonly element: HTMLElement;
-  /** It comes into sight. */
+  /** Called when it becomes visible. */
   show(): void;
-  /** It goes out of sight. */
+  /** Called when it is hidden. */
   hide(): void;
-  /** The book lies open elsewhere, or its bookmarks are others. */
+  /** Called when the book lies open elsewhere, or its bookmarks have changed. */
   refresh(): void;
-  /** Takes the focus to where the reader goes on. */
+  /** Moves the focus to where the reader goes on. */
   focus(): void;
 }
 
@@ -27,13 +27,13 @@ export class Panel {
   readonly #views: Readonly<Record<Tab, View>>;
   readonly #tabButtons = new Map<Tab, HTMLButtonElement>();
   readonly #body: HTMLElement;
-  /** Names the tab where the row of tabs is not needed: beside the toolbar's own buttons. */
+  /** Names the tab if the row of tabs is hidden: beside the toolbar's own buttons. */
   readonly #heading: HTMLElement = make("h2", { class: "wide" });
   readonly #say: Say;
   readonly #changed: (tab: Tab | null) => void;
   #open: Tab | null = null;
 
-  /** @param changed hears which tab is open */
+  /** @param changed called with the open tab */
   constructor(
     say: Say,
     views: Readonly<Record<Tab, View>>,
@@ -71,7 +71,7 @@ export class Panel {
     this.element.append(make("div", { class: "head" }, row, this.#heading, shut), this.#body);
   }
 
-  /** The tab that is open, or null. */
+  /** The open tab, or null. */
   get tab(): Tab | null {
     return this.#open;
   }
@@ -94,12 +94,12 @@ export class Panel {
     this.#changed(tab);
   }
 
-  /** Takes the focus to where the reader goes on in the open tab. */
+  /** Moves the focus to where the reader goes on in the open tab. */
   focus(): void {
     if (this.#open) this.#views[this.#open].focus();
   }
 
-  /** Takes it away. */
+  /** Closes it. */
   close(): void {
     if (this.#open) this.#views[this.#open].hide();
     this.#open = null;
@@ -107,7 +107,7 @@ export class Panel {
     this.#changed(null);
   }
 
-  /** Shows what has become of the book. */
+  /** Updates it from the book. */
   refresh(): void {
     if (this.#open) this.#views[this.#open].refresh();
   }

@@ -1,4 +1,4 @@
-/** Asks which pages are to be printed, and tells how far their drawing is. */
+/** Asks which pages are to be printed, and shows how far their drawing is. */
 
 import { mostPrinted } from "../element/printing.ts";
 import { fill } from "../words/languages.ts";
@@ -8,7 +8,8 @@ import { make } from "./make.ts";
 import type { Say } from "./say.ts";
 
 /**
- * Opens the dialog in a shadow tree; it goes by itself.
+ * Opens the dialog in a shadow tree; it removes itself.
+ *
  * @csspart dialog The dialog that asks which pages are to be printed.
  */
 export function askPrint(book: ControlledBook, say: Say, host: Node): void {

@@ -6,7 +6,7 @@ import type { ControlTexts, Plural } from "../words/texts.ts";
 import { en } from "./texts_en.ts";
 import { zh } from "./texts_zh.ts";
 
-/** What the controls say, and how they write numbers. */
+/** The texts of the controls, and how numbers are written. */
 export interface Say {
   readonly texts: ControlTexts;
   /** A page by its label, such as "Page iv". */
@@ -15,7 +15,7 @@ export interface Say {
   plural(forms: Plural, n: number): string;
 }
 
-/** The controls' words in a language, English where nobody taught it. */
+/** Returns the controls' texts in a language, English if it is unknown. */
 export function speak(tag: string): Say {
   return {
     texts: textsFor(tag, { en, zh }),
@@ -25,7 +25,7 @@ export function speak(tag: string): Say {
   };
 }
 
-/** A page (from 1) by its own name, such as "Page iv". */
+/** Returns a page (from 1) by its own name, such as "Page iv". */
 export const namePage = (
   { pageNamed }: Say,
   book: { label(page: number): string },

@@ -1,4 +1,4 @@
-/** A book that only says what it was asked to do, under the controls. */
+/** A test double of a book, which records what it was asked to do, under the controls. */
 
 import { addStyle } from "../element/style.ts";
 import { style } from "../element.css.ts";
@@ -20,9 +20,9 @@ export class StandIn extends HTMLElement implements ControlledBook {
   playing = false;
   allows = { print: true, download: true };
   hits: readonly FoundPlace[] = [];
-  /** What was asked for, in order. */
+  /** The calls, in order. */
   readonly asked: string[] = [];
-  /** Pages drawn at once, now and at most. */
+  /** Pages drawn at once: now, and the maximum. */
   drawing = 0;
   mostDrawing = 0;
   drawn = 0;
@@ -123,7 +123,10 @@ export class StandIn extends HTMLElement implements ControlledBook {
 }
 customElements.define("stand-in", StandIn);
 
-/** A stand-in with controls in the document, `width` CSS pixels wide, and what takes the controls away. */
+/**
+ * Adds a test double with controls to the document, `width` CSS pixels wide.
+ * Returns it with a function that removes the controls.
+ */
 export function standIn(
   width = 780,
   change: Partial<StandIn> = {},

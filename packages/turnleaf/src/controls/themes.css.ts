@@ -1,6 +1,6 @@
 /** The colours and letters of the controls, by theme. */
 
-/** The dark theme's for a selector: asked for by name, or by the system. */
+/** Returns the rules of the dark theme for a selector: by the attribute, or by the system. */
 const dark = (selector: string): string => /* css */ `${selector} {
   --turnleaf-surface: #24211e; --turnleaf-field: #302c28; --turnleaf-page: #d9d3c7;
   --turnleaf-ink: #ece5da; --turnleaf-muted: #b3a99b;
@@ -8,18 +8,19 @@ const dark = (selector: string): string => /* css */ `${selector} {
 }`;
 
 /**
- * What a page may set otherwise for its controls.
- * @cssproperty --turnleaf-surface Ground of the controls.
- * @cssproperty --turnleaf-field Ground of what is written in.
+ * The properties that a page may set for its controls.
+ *
+ * @cssproperty --turnleaf-surface Background of the controls.
+ * @cssproperty --turnleaf-field Background of fields.
  * @cssproperty --turnleaf-page A thumbnail that is not drawn yet.
- * @cssproperty --turnleaf-ink Words and icons.
- * @cssproperty --turnleaf-muted Words that matter less.
+ * @cssproperty --turnleaf-ink Text and icons.
+ * @cssproperty --turnleaf-muted Less important text.
  * @cssproperty --turnleaf-line Lines between the controls.
- * @cssproperty --turnleaf-track The slider's line, where it is not past yet.
- * @cssproperty --turnleaf-hover What is under the pointer.
- * @cssproperty --turnleaf-mark What was found, in the list of places.
- * @cssproperty --turnleaf-font Letters of the controls.
- * @cssproperty --turnleaf-serif Letters of titles.
+ * @cssproperty --turnleaf-track The slider's track after the thumb.
+ * @cssproperty --turnleaf-hover Background under the pointer.
+ * @cssproperty --turnleaf-mark Hits in the list of places.
+ * @cssproperty --turnleaf-font Font of the controls.
+ * @cssproperty --turnleaf-serif Font of titles.
  */
 export const themes: string = /* css */ `
 :host {

@@ -1,13 +1,19 @@
-/** Small pictures of pages: few drawn at once, few kept. */
+/** Thumbnails of pages: few drawn at once, few kept. */
 
 import type { PagePicture } from "../sources/page_source.ts";
 import type { ControlledBook } from "./book.ts";
 
-/** Width of a small page, CSS pixels, and most of them kept: 60 of A4 are 11 MB on a fine screen. */
+/**
+ * Width of a thumbnail, CSS pixels, and the maximum of those kept: 60 of A4 are
+ * 11 MB on a high-density screen.
+ */
 const width = 104;
 const mostKept = 60;
 
-/** Draws one page at a time, the last asked for first: the pages that the book itself needs come before. */
+/**
+ * Draws one page at a time, the last request first: the pages that the book
+ * itself needs have priority.
+ */
 export class ThumbnailPictures {
   readonly #book: ControlledBook;
   /** By page, oldest first. */
@@ -19,7 +25,7 @@ export class ThumbnailPictures {
     this.#book = book;
   }
 
-  /** Paints a page on a canvas, as soon as it is drawn; never, where the signal comes first. */
+  /** Paints a page on a canvas as soon as it is drawn, unless the signal aborts first. */
   paint(page: number, canvas: HTMLCanvasElement, signal: AbortSignal): void {
     const kept = this.#kept.get(page);
     if (kept) {
@@ -30,7 +36,7 @@ export class ThumbnailPictures {
     void this.#draw();
   }
 
-  /** Forgets every picture: the book is another. */
+  /** Forgets every thumbnail, for another book. */
   clear(): void {
     this.#kept.clear();
     this.#waiting = [];
@@ -48,7 +54,8 @@ export class ThumbnailPictures {
         if (!signal.aborted) this.#keep(page, picture, canvas);
         if ("close" in picture) picture.close();
       } catch {
-        // A page that cannot be drawn stays an empty sheet here; the book says why where it is opened.
+        // A page that cannot be drawn stays an empty sheet here; the book gives
+        // the reason where it is opened.
       }
     }
     this.#isDrawing = false;

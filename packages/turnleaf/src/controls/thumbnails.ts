@@ -1,4 +1,4 @@
-/** The tab of small pages. */
+/** The tab of thumbnails. */
 
 import type { ControlledBook } from "./book.ts";
 import { make } from "./make.ts";
@@ -9,16 +9,16 @@ import { ThumbnailPictures } from "./thumbnail_pictures.ts";
 /** A row of two pages, CSS pixels; the style sheet draws it so high. */
 const rowHeight = 192;
 const perRow = 2;
-/** Rows that stand ready above and below what is in sight. */
+/** Rows kept ready above and below the visible ones. */
 const spare = 2;
 
-/** A page that stands in the list. */
+/** A page in the list. */
 interface Cell {
   readonly button: HTMLButtonElement;
   readonly gone: AbortController;
 }
 
-/** A list as long as the book, of which only what is in sight exists. */
+/** A list as long as the book, of which only the visible part exists. */
 export class Thumbnails implements View {
   readonly element: HTMLElement = make("div", { class: "view thumbnails", tabindex: -1 });
   readonly #book: ControlledBook;
@@ -28,11 +28,11 @@ export class Thumbnails implements View {
   readonly #pictures: ThumbnailPictures;
   readonly #cells = new Map<number, Cell>();
   readonly #observer = new ResizeObserver(() => this.#fill());
-  /** The page that the keyboard is at. */
+  /** The page that has the keyboard focus. */
   #at = 1;
   #isShown = false;
 
-  /** @param picked hears that the reader went to a page */
+  /** @param picked called when the reader went to a page */
   constructor(book: ControlledBook, say: Say, picked: () => void) {
     this.#book = book;
     this.#say = say;
@@ -60,7 +60,7 @@ export class Thumbnails implements View {
     for (const page of [...this.#cells.keys()]) this.#remove(page);
   }
 
-  /** Another book is open: its pages are others. */
+  /** Clears the list for another book. */
   forget(): void {
     for (const page of [...this.#cells.keys()]) this.#remove(page);
     this.#pictures.clear();
@@ -77,7 +77,7 @@ export class Thumbnails implements View {
     this.#fill();
   }
 
-  /** Shows which pages lie open. */
+  /** Marks the open pages. */
   #mark(): void {
     const { page } = this.#book;
     const { left, right } = this.#book.spread;
@@ -92,12 +92,12 @@ export class Thumbnails implements View {
     this.#focusPage(this.#book.page);
   }
 
-  /** The row of a page, from 0: pages that face each other share one. */
+  /** Returns the row of a page, from 0: pages that face each other are in one. */
   #rowOf(page: number): number {
     return Math.floor((page - 1 + this.#book.offset) / perRow);
   }
 
-  /** Brings the row of a page into sight. */
+  /** Scrolls the row of a page into view. */
   #reveal(page: number): void {
     const top = this.#rowOf(page) * rowHeight;
     const { scrollTop, clientHeight } = this.element;
@@ -106,7 +106,7 @@ export class Thumbnails implements View {
     }
   }
 
-  /** Makes the cells that are in sight, and takes the others away. */
+  /** Creates the visible cells, and removes the others. */
   #fill(): void {
     if (!this.#isShown) return;
     const { scrollTop, clientHeight } = this.element;
@@ -144,7 +144,7 @@ export class Thumbnails implements View {
     item.style.insetInlineStart = `${(((page - 1 + this.#book.offset) % perRow) * 100) / perRow}%`;
     const cell = { button, gone: new AbortController() };
     this.#cells.set(page, cell);
-    // In the book's order, as those who listen go through it.
+    // In the book's order, for screen readers.
     const after = [...this.#cells.keys()].filter((other) => other > page).sort((a, b) => a - b)[0];
     const next = after === undefined ? null : this.#cells.get(after)?.button.parentElement;
     this.#list.insertBefore(item, next ?? null);

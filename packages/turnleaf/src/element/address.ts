@@ -1,14 +1,17 @@
-/** The page in the page's own address: `#page=23`. */
+/** The page number in the document's address: `#page=23`. */
 
 const pattern = /(^#?|&)page=(\d{1,6})(?=&|$)/;
 
-/** The page (from 1) that a fragment such as `#page=12` or `#a=b&page=12` names; null where it names none. */
+/**
+ * Returns the page (from 1) that a fragment such as `#page=12` or
+ * `#a=b&page=12` names; null if it names none.
+ */
 export function pageOfHash(hash: string): number | null {
   const page = Number(pattern.exec(hash)?.[2] ?? 0);
   return page >= 1 ? page : null;
 }
 
-/** The fragment with another page in it; all else that it says stays. */
+/** Returns the fragment with another page in it; the rest stays. */
 export function hashWithPage(hash: string, page: number): string {
   if (pattern.test(hash)) return hash.replace(pattern, `$1page=${page}`);
   return hash.length > 1 ? `${hash}&page=${page}` : `#page=${page}`;
@@ -21,6 +24,6 @@ export function writeAddress(page: number): void {
   try {
     history.replaceState(history.state, "", hash);
   } catch {
-    // Browsers refuse what comes too often, and a page without an address of its own.
+    // Browsers throw if it is called too often, and in a page without an address of its own.
   }
 }

@@ -1,4 +1,4 @@
-/** What the element says in words: to those who look, and to those who listen. */
+/** The element's messages: visible ones, and those for screen readers. */
 
 import { pagesAt } from "../book/spreads.ts";
 import type { PageSource } from "../sources/page_source.ts";
@@ -6,8 +6,10 @@ import type { Viewer } from "../viewer/viewer.ts";
 import { elementTexts, fill, list, number } from "../words/languages.ts";
 
 /**
- * The two places in an element's shadow tree where it speaks.
- * @csspart message The sheet that says why a book is not there, or that it is on its way.
+ * The two places in an element's shadow tree for messages.
+ *
+ * @csspart message The sheet that explains why a book is not shown, or that it
+ * is loading.
  */
 export class Announcements {
   readonly #message: HTMLElement = document.createElement("div");
@@ -21,20 +23,20 @@ export class Announcements {
     root.append(this.#message, this.#live);
   }
 
-  /** Shows a sentence where the page would be; an empty one takes it away. */
+  /** Shows a sentence where the page would be; an empty one removes it. */
   say(sentence: string, role: "status" | "alert" = "status"): void {
     this.#message.setAttribute("role", role);
     this.#message.textContent = sentence;
     this.#message.hidden = sentence === "";
   }
 
-  /** Tells those who listen rather than look. */
+  /** Announces a text to screen readers. */
   announce(text: string): void {
     this.#live.textContent = text;
   }
 }
 
-/** Which pages lie open, such as "Pages iv and v of 112", in a language. */
+/** Returns which pages lie open, such as "Pages iv and v of 112", in a language. */
 export function openPages(source: PageSource, viewer: Viewer, tag: string): string {
   const { spread } = viewer.turning;
   const seen = pagesAt(viewer.binding, spread).map((page) => source.label(page - 1));

@@ -1,14 +1,14 @@
-/** The attributes of `<turnleaf-book>`: what each says, and what a change of it asks for. */
+/** The attributes of `<turnleaf-book>`: their meaning, and the effect of a change. */
 
 import { isStock, type Paper } from "../book/paper.ts";
 import type { Stock } from "../engine/shapes.ts";
 import { bindingAttributes } from "./binding_options.ts";
 
-/** What a change of an attribute can ask of the element. */
+/** The possible effects of a change of an attribute. */
 export interface AttributeEffects {
   /** Another book: it opens at its beginning. */
   open(): void;
-  /** The same book, bound anew, where it lay. */
+  /** The same book, bound again, where it lay. */
   rebind(): void;
   /** The attribute of the page has another value: the book turns there if it is a number. */
   setPage(value: string | null): void;
@@ -18,15 +18,15 @@ export interface AttributeEffects {
   changeModel(): void;
   /** Turns take another time. */
   changePace(): void;
-  /** The place is kept from now on, or no more. */
+  /** The place is kept from now on, or no longer. */
   keepPlace(): void;
-  /** The controls come or go. */
+  /** The controls appear or disappear. */
   furnish(): void;
-  /** The book falls silent, until a leaf moves that is to be heard. */
+  /** Stops the sound until a leaf moves that should be heard. */
   hush(): void;
 }
 
-/** Every attribute that is answered when it changes, and how. */
+/** Every observed attribute and the effect of its change. */
 export const attributes: Readonly<
   Record<string, (effects: AttributeEffects, value: string | null) => void>
 > = {
@@ -46,27 +46,31 @@ export const attributes: Readonly<
   sound: (effects) => effects.hush(),
 };
 
-/** `stock`: a preset; "book" where the attribute names none. */
+/** Returns the preset of `stock`; "book" if the attribute names none. */
 export function stockOf(element: Element): Stock {
   const stock = element.getAttribute("stock");
   return isStock(stock) ? stock : "book";
 }
 
-/** The paper that the attributes name. */
+/** Returns the paper that the attributes name. */
 export function paperOf(element: Element): Paper {
   return { stock: stockOf(element), assist: element.getAttribute("assist") !== "off" };
 }
 
 /**
- * `duration`: length of a turn in seconds, 0 for no motion at all; 0.8 if the attribute is missing,
- * empty, or no number from 0 to a minute.
+ * Returns the length of a turn by `duration`, in seconds: 0 for no motion at
+ * all; 0.8 if the attribute is missing, empty, or not a number from 0 to a
+ * minute.
  */
 export function turnSecondsOf(element: Element): number {
   const milliseconds = Number(element.getAttribute("duration")?.trim() || 800);
   return milliseconds >= 0 && milliseconds <= 60_000 ? milliseconds / 1000 : 0.8;
 }
 
-/** Takes over what was set before the element was defined: it lies on the element and hides the accessors. */
+/**
+ * Applies properties that were set before the element was defined: they lie on
+ * the element and hide the accessors.
+ */
 export function adopt(element: HTMLElement): void {
   for (const name of Object.keys(element)) {
     if (!(name in Object.getPrototypeOf(element))) continue;

@@ -1,4 +1,4 @@
-/** The attributes that say how the book is bound: `cover`, `cloth`, `binding`, `layout`, `offset`, `hard-pages`. */
+/** The attributes of the binding: `cover`, `cloth`, `binding`, `layout`, `offset`, `hard-pages`. */
 
 import type { LayoutOptions } from "../book/layout.ts";
 
@@ -16,7 +16,7 @@ const covers = ["hard", "soft", "none"] as const;
 const bindings = ["auto", "left", "right", "top", "bottom"] as const;
 const layouts = ["auto", "spread", "single"] as const;
 
-/** What an element's attributes say; a word that is none of an attribute's is as if it were not there. */
+/** Returns the options in an element's attributes; an invalid value counts as missing. */
 export function bindingOptionsOf(element: Element): LayoutOptions & { cloth: string } {
   const word = <W extends string>(name: string, words: readonly W[]): W =>
     words.find((known) => known === element.getAttribute(name)) ?? words[0];

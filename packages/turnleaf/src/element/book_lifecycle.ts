@@ -10,7 +10,7 @@ import type { Viewer, ViewerOptions } from "../viewer/viewer.ts";
 import { languageOf } from "../words/languages.ts";
 import { Reading } from "./reading.ts";
 
-/** A book that lies open: where its pages come from, what shows it, and the canvas it is shown on. */
+/** An open book: the source of its pages, its viewer, and its canvas. */
 export interface OpenBook {
   readonly source: PageList;
   readonly viewer: Viewer;
@@ -18,35 +18,35 @@ export interface OpenBook {
   readonly reading: Reading;
 }
 
-/** What an element tells and is told of its book's life. */
+/** The callbacks between an element and the life of its book. */
 export interface LifecycleHooks {
-  /** What is to be there before a book opens. Never rejects. */
+  /** Loads what is needed before a book opens. Never rejects. */
   prepare(): Promise<void>;
   /** How a book is shown. */
   options(source: PageSource): ViewerOptions;
-  /** A reader turns one leaf on (1) or back (-1), with motion or without, as the reader likes it. */
+  /** Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers. */
   readonly turn: (by: 1 | -1) => void;
   /** Turns to a page (from 1). */
   goTo(page: number): void;
-  /** The open book is about to go, to come back where it lies. */
+  /** The open book is about to close, to be opened again where it lies. */
   leaving(): void;
-  /** Whether the reader asked for less motion. */
+  /** Returns whether the reader prefers reduced motion. */
   readonly calm: () => boolean;
   /** A book lies open. */
   opened(book: OpenBook): void;
-  /** A part of the viewer that the book shows without could not be loaded. */
+  /** An optional part of the viewer could not be loaded. */
   readonly lacks: (error: unknown) => void;
   /** It could not be opened. */
   failed(error: unknown): void;
 }
 
-/** `pdf-worker`: the absolute address that the attribute names; undefined where there is none. */
+/** Returns the absolute address in `pdf-worker`; undefined if there is none. */
 export function pdfWorkerOf(element: Element): string | undefined {
   const address = element.getAttribute("pdf-worker");
   return address ? new URL(address, element.baseURI).href : undefined;
 }
 
-/** At most one book at a time, open or about to be. */
+/** Holds at most one book, open or opening. */
 export class BookLifecycle {
   readonly #element: HTMLElement;
   readonly #stage: HTMLElement;
@@ -57,7 +57,8 @@ export class BookLifecycle {
 
   /**
    * @param element whose keys turn pages
-   * @param stage the place for the canvas, which is as large
+   *
+   * @param stage the place for the canvas, which has its size
    */
   constructor(element: HTMLElement, stage: HTMLElement, hooks: LifecycleHooks) {
     this.#element = element;
@@ -65,18 +66,18 @@ export class BookLifecycle {
     this.#hooks = hooks;
   }
 
-  /** The book that lies open, if one does. */
+  /** The open book, if there is one. */
   get book(): OpenBook | null {
     return this.#book;
   }
 
-  /** Opens a book in place of the one before. */
+  /** Opens a book in place of the previous one. */
   open(input: BookInput): void {
     this.close();
     this.#begin((signal) => this.#open(input, signal));
   }
 
-  /** Closes what is open or about to be, and frees all it holds. */
+  /** Closes the open or opening book, and frees its resources. */
   close(): void {
     const source = this.#book?.source;
     this.#end();
@@ -93,7 +94,7 @@ export class BookLifecycle {
     });
   }
 
-  /** Ends the open book but for where its pages come from, or the opening of one. */
+  /** Ends the open book except its source, or the opening of one. */
   #end(): void {
     this.#opening?.abort();
     this.#opening = null;
@@ -110,14 +111,14 @@ export class BookLifecycle {
   }
 
   async #open(input: BookInput, signal: AbortSignal): Promise<void> {
-    // An element that shows no book yet has no use for what reads one.
+    // An element that shows no book yet does not need the code that reads one.
     const opening = loaded(import("../sources/open.ts"));
     const [{ openList }] = await Promise.all([opening, this.#hooks.prepare()]);
     const source = await openList(input, { signal, pdfWorker: pdfWorkerOf(this.#element) });
     await this.#show(source, false, signal);
   }
 
-  /** Shows the book whose graphics card failed on the flat, at the same page. */
+  /** Shows the book whose graphics card failed with the canvas backend, at the same page. */
   #flatten({ source }: OpenBook): void {
     this.#hooks.leaving();
     this.#end();
@@ -127,11 +128,11 @@ export class BookLifecycle {
   /**
    * Shows a book, which is then this one's to close.
    *
-   * @param isFlat whether without a graphics card
+   * @param isFlat whether to use the canvas backend
    */
   async #show(source: PageList, isFlat: boolean, signal: AbortSignal): Promise<void> {
     try {
-      // Another book may be open by now, on the canvas that this one would take away.
+      // Another book may be open by now, on the canvas that this one would remove.
       signal.throwIfAborted();
       const options: ViewerOptions = {
         ...this.#hooks.options(source),
@@ -159,7 +160,9 @@ export class BookLifecycle {
   }
 
   /**
-   * A canvas whose context was given up cannot be used again: every book gets its own.
+   * A canvas whose context was released cannot be used again: every book gets
+   * its own.
+   *
    * @csspart canvas The picture of the book.
    */
   #freshCanvas(): HTMLCanvasElement {
@@ -167,7 +170,7 @@ export class BookLifecycle {
     const canvas = document.createElement("canvas");
     canvas.setAttribute("part", "canvas");
     canvas.setAttribute("role", "img");
-    // Before all that lies upon it.
+    // Before everything that lies on it.
     this.#stage.prepend(canvas);
     this.#canvas = canvas;
     return canvas;

@@ -1,38 +1,50 @@
-/** What `<turnleaf-book>` tells its page. */
+/** The events of `<turnleaf-book>`. */
 
 import type { Edge, Layout } from "../book/spreads.ts";
 
-/** Where a turn leads, in page numbers from 1. */
+/** A turn from one page to another, in page numbers from 1. */
 export interface TurnDetail {
-  /** The first page seen before. */
+  /** The first visible page before. */
   readonly from: number;
-  /** The first page seen after. */
+  /** The first visible page after. */
   readonly to: number;
-  /** On or back, as the book is read. */
+  /** The direction of reading. */
   readonly direction: "forward" | "backward";
 }
 
-/** The events of `<turnleaf-book>` by name; those of every element it has too. */
+/** The events of `<turnleaf-book>` by name, besides those of every element. */
 export interface TurnleafEventMap {
   /** The book is open and can be turned. */
   load: CustomEvent<{ pageCount: number; title: string }>;
-  /** A leaf leaves its side, by hand or by command. */
+  /** A leaf leaves its side, by dragging or by command. */
   turnstart: CustomEvent<TurnDetail>;
-  /** The book came to rest at another spread and nothing more is planned: once a jump, however long. */
+  /**
+   * The book has come to rest at another spread and nothing more is planned:
+   * once per jump, however long.
+   */
   pagechange: CustomEvent<TurnDetail>;
-  /** The book is bound at another edge, or shows two pages rather than one, or one rather than two. */
+  /**
+   * The book is bound at another edge, or shows two pages rather than one, or
+   * one rather than two.
+   */
   layoutchange: CustomEvent<{ layout: Layout; binding: Edge }>;
-  /** Pages were added, taken out or replaced. */
+  /** Pages were inserted, removed or replaced. */
   pageschange: CustomEvent<{ pageCount: number }>;
-  /** The book is seen from nearer or farther; `zoom` as the property is. */
+  /** The zoom level has changed; `zoom` as the property is. */
   zoomchange: CustomEvent<{ zoom: number }>;
-  /** Other pages are bookmarked. */
+  /** The bookmarks have changed. */
   bookmarkchange: CustomEvent<{ bookmarks: readonly number[] }>;
-  /** The slide-show begins or ends. */
+  /** The slide-show starts or stops. */
   playchange: CustomEvent<{ playing: boolean }>;
-  /** A page (from 1) could not be drawn; the sentence, which stands in its place, says why. The other pages are shown. */
+  /**
+   * A page (from 1) could not be drawn; the sentence, which stands in its
+   * place, gives the reason. The other pages are shown.
+   */
   pageerror: CustomEvent<{ page: number; message: string }>;
-  /** The book could not be opened, or a part of the viewer not be loaded, without which it shows; the sentence says which. */
+  /**
+   * The book could not be opened, or an optional part of the viewer could not
+   * be loaded; the sentence says which.
+   */
   error: CustomEvent<{ message: string }>;
 }
 
@@ -42,6 +54,7 @@ type AnyEvents = Omit<HTMLElementEventMap, keyof TurnleafEventMap> & TurnleafEve
 export interface Listened extends HTMLElement {
   /**
    * Calls `listener` at every event of a type: `options` as of every element.
+   *
    * @param type one of `<turnleaf-book>` or of any element
    */
   addEventListener<K extends keyof AnyEvents>(
@@ -54,7 +67,7 @@ export interface Listened extends HTMLElement {
     listener: EventListenerOrEventListenerObject,
     options?: boolean | AddEventListenerOptions,
   ): void;
-  /** Calls `listener` no more; `type` and `options` as they were given. */
+  /** Removes `listener`; `type` and `options` as they were given. */
   removeEventListener<K extends keyof AnyEvents>(
     type: K,
     listener: (this: this, event: AnyEvents[K]) => unknown,

@@ -14,7 +14,7 @@ async function open(): Promise<TurnleafBook> {
   return element;
 }
 
-/** Different pictures of a film, as it plays, by a few of their pixels. */
+/** Returns the distinct pictures of a film as it plays, each as a few of its pixels. */
 async function watch(film: Blob): Promise<{ width: number; height: number; looks: string[] }> {
   const video = document.createElement("video");
   video.muted = true;

@@ -4,46 +4,50 @@ import { BookError } from "../sources/page_source.ts";
 
 /** How a film is recorded. */
 export interface RecordOptions {
-  /** Seconds after which it ends by itself, 0.1 to 600; else it goes on until `stopRecording()`. */
+  /**
+   * Seconds after which it ends by itself, 0.1 to 600. The default is to go on
+   * until `stopRecording()`.
+   */
   readonly seconds?: number;
 }
 
-/** What is written, the best first. */
+/** The formats, the best first. */
 const types = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", "video/mp4"];
 
 const bitsPerSecond = 12e6;
 
-/** Most pixels along a side: what encoders take. */
+/** Maximum of pixels along a side, which encoders support. */
 const mostAlong = 1920;
 
-/** Frames that a film goes on for once it shall end: the encoder is that far behind. */
+/** Frames for which a film continues after it is stopped: the encoder is that far behind. */
 const lastFrames = 3;
 
-/** Most frames for which it then waits for the encoder's first picture: ten seconds. */
+/** Maximum of frames for which it then waits for the encoder's first picture: ten seconds. */
 const longestWait = 600;
 
-/** How often the encoder hands over what it has, milliseconds. */
+/** Interval at which the encoder delivers its data, milliseconds. */
 const handOver = 100;
 
 /** One film, from the next frame of the book until it is stopped. */
 export class Film {
-  /** Resolves to the film. Rejects with a `BookError` where the browser fails to make it. */
+  /** Resolves to the film. Rejects with a `BookError` if the browser fails to make it. */
   readonly done: Promise<Blob>;
   readonly #source: () => HTMLCanvasElement | undefined;
   readonly #type: string;
   readonly #canvas = document.createElement("canvas");
   readonly #timer: number | undefined;
   #ended!: { resolve: (film: Blob) => void; reject: (error: Error) => void };
-  /** Null until the book is drawn first. */
+  /** Null until the book is first drawn. */
   #recorder: MediaRecorder | null = null;
-  /** The animation frame asked for. */
+  /** The requested animation frame. */
   #next = 0;
-  /** Frames until it ends, once it shall. */
+  /** Frames until it ends, once it is stopped. */
   #left = 0;
 
   /**
-   * @param source the canvas on which the book is drawn now
-   * @throws BookError where the browser cannot record
+   * @param source returns the canvas on which the book is drawn now
+   *
+   * @throws BookError if the browser cannot record
    */
   constructor(source: () => HTMLCanvasElement | undefined, { seconds }: RecordOptions) {
     const type =
@@ -56,7 +60,7 @@ export class Film {
     this.#type = type;
     const { clientWidth, clientHeight } = shown;
     const scale = Math.min(devicePixelRatio, mostAlong / Math.max(clientWidth, clientHeight, 1));
-    // Encoders take even sizes alone.
+    // Encoders take only even sizes.
     this.#canvas.width = 2 * Math.max(Math.round((clientWidth * scale) / 2), 1);
     this.#canvas.height = 2 * Math.max(Math.round((clientHeight * scale) / 2), 1);
     this.done = new Promise((resolve, reject) => {
@@ -68,7 +72,7 @@ export class Film {
     }
   }
 
-  /** The book is about to be drawn: the film takes what is then on its canvas. */
+  /** Call it when the book is about to be drawn: the film takes what is then on its canvas. */
   frame(): void {
     // In the same task: later the canvas may be cleared already.
     queueMicrotask(() => {
@@ -77,7 +81,7 @@ export class Film {
     });
   }
 
-  /** Ends the film, once it has what is seen now. */
+  /** Ends the film, once it contains the current picture. */
   stop(): void {
     clearTimeout(this.#timer);
     if (this.#recorder === null) {
@@ -108,12 +112,12 @@ export class Film {
       this.#ended.reject(new BookError("The film could not be recorded."));
     };
     recorder.start(handOver);
-    // What lies still is filmed too, frame by frame: a film lasts as long as it was recorded.
+    // A resting book is filmed too, frame by frame: a film lasts as long as it was recorded.
     const go = (): void => {
       this.#canvas.getContext("2d")?.drawImage(this.#canvas, 0, 0);
       track.requestFrame();
       this.#next = requestAnimationFrame(() => {
-        // On a busy machine the encoder has nothing yet when a short film should end.
+        // On a busy machine the encoder has no data yet when a short film should end.
         const isMade = parts.some(({ size }) => size > 0) || waited >= longestWait;
         if (this.#left > 0 && !isMade) waited++;
         if (this.#left > 0 && isMade && --this.#left === 0) recorder.stop();
@@ -134,7 +138,7 @@ export class Film {
   }
 }
 
-/** Paints what is seen about the book: the nearest ground behind it, plain or as the desk's. */
+/** Paints the background of the book: the nearest one behind it, plain or the desk's. */
 function paintGround(
   pen: CanvasRenderingContext2D,
   shown: HTMLCanvasElement,
@@ -152,7 +156,7 @@ function paintGround(
     if (desk) {
       const [, x = 50, y = 50, inner = "", outer = "", end = 100] = desk;
       const [left, top] = [(width * Number(x)) / 100, (height * Number(y)) / 100];
-      // To the farthest corner, as CSS has it.
+      // To the farthest corner, as in CSS.
       const reach = Math.SQRT2;
       const gradient = pen.createRadialGradient(0, 0, 0, 0, 0, reach);
       gradient.addColorStop(0, inner);

@@ -1,4 +1,4 @@
-/** The element in its page: what it writes on itself, and where it is moved to. */
+/** The element in its page: the attributes it writes on itself, and where it is moved to. */
 
 import { afterEach, expect, test, vi } from "vitest";
 import { userEvent } from "vitest/browser";
@@ -74,12 +74,12 @@ test("moved within its page it keeps its page and its zoom", async () => {
   document.body.append(elsewhere);
   const loaded = happens(element, "load");
   elsewhere.append(element);
-  // While it opens again too.
+  // Also while it opens again.
   expect(element.zoom).toBe(3);
   await loaded;
   await settled(element);
   expect(shown()).toEqual(before);
-  // Another book is seen whole.
+  // Another book is shown whole.
   const another = happens(element, "load");
   element.pages = scans(4);
   await another;

@@ -1,4 +1,4 @@
-/** Parts that are loaded late and cannot be: told once, in one sentence. */
+/** Parts that are loaded late and cannot be: reported once, in one sentence. */
 
 import { expect, test, vi } from "vitest";
 import type { ControlledBook } from "../controls/book.ts";

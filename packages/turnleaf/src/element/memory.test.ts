@@ -4,7 +4,7 @@ import { loadPlace, savePlace } from "./memory.ts";
 
 afterEach(() => vi.unstubAllGlobals());
 
-/** A storage that holds `text`. */
+/** Returns a storage that holds `text`. */
 function storage(text: string | null = null): { text: string | null } {
   const held = { text };
   vi.stubGlobal("localStorage", {

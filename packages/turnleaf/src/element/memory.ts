@@ -1,13 +1,12 @@
 /**
- * What is kept of books in the browser's storage: where each was left, how near
- * it was seen, what was bookmarked. Storage may be missing, full, or written by
- * somebody else: what comes out of it is checked, and what does not go in is no
- * reason to stop reading.
+ * The state of books kept in the browser's storage: page, zoom level,
+ * bookmarks. Storage may be missing, full, or written by other code: what is
+ * read is checked, and a failed write does not stop reading.
  */
 
 import { cleanBookmarks, isPage } from "./clean_bookmarks.ts";
 
-/** What is kept of a book. */
+/** The state kept of a book. */
 export interface SavedPlace {
   /** From 1. */
   readonly page: number;
@@ -17,13 +16,13 @@ export interface SavedPlace {
   readonly bookmarks: readonly number[];
 }
 
-/** Everything lies under one name, the book read last at its head. */
+/** Everything is under one key, the last book read first. */
 const key = "turnleaf";
 const mostBooks = 100;
 const longestName = 300;
 const longestStore = 400_000;
 
-/** What is kept of the book of a name, or null. */
+/** Returns the state kept of the book of a name, or null. */
 export function loadPlace(name: string): SavedPlace | null {
   const found = read().find(([other]) => other === short(name));
   if (found === undefined) return null;
@@ -35,7 +34,7 @@ export function loadPlace(name: string): SavedPlace | null {
   };
 }
 
-/** Keeps a book; the one that was read longest ago gives way. */
+/** Keeps a book; the one read longest ago is dropped. */
 export function savePlace(name: string, { page, zoom, bookmarks }: SavedPlace): void {
   const others = read().filter(([other]) => other !== short(name));
   const all = [[short(name), page, Math.round(zoom * 100) / 100, bookmarks], ...others];
@@ -46,7 +45,7 @@ export function savePlace(name: string, { page, zoom, bookmarks }: SavedPlace): 
   }
 }
 
-/** Rows of name, page, zoom, bookmarks; only the name is checked. */
+/** Returns rows of name, page, zoom, bookmarks; only the name is checked. */
 function read(): [string, ...unknown[]][] {
   try {
     const text = localStorage.getItem(key) ?? "";

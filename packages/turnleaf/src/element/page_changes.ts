@@ -1,4 +1,4 @@
-/** Pages added to an open book, taken from it and replaced. */
+/** Inserts, removes and replaces pages of an open book. */
 
 import { loaded } from "../sources/loaded.ts";
 import type { BookInput } from "../sources/open.ts";
@@ -6,22 +6,26 @@ import type { Moved } from "../sources/page_list.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
 
-/** How many pages of an addition are drawn before it is put in, and how wide, pixels. */
+/** How many pages of an addition are drawn before it is inserted, and how wide, pixels. */
 const checkedPages = 8;
 const checkedWidth = 64;
 
-/** Changes the pages of one element's book, one change after the other, in the order they are asked for. */
+/**
+ * Changes the pages of one element's book, one change after the other, in the
+ * order of the calls.
+ */
 export class PageChanges {
   #last: Promise<unknown> = Promise.resolve();
 
   /**
-   * Puts pages in place of `count` pages from `at` (from 1) on. Resolves, once
-   * they are there, to where the others lie now; to null where the book went away before.
-   * Rejects with a `BookError`, and changes nothing then.
+   * Replaces `count` pages from `at` (from 1) on by others. Resolves, once they
+   * are there, to a function that returns where the others lie now; to null if
+   * the book was closed before. Rejects with a `BookError`, and changes nothing
+   * then.
    *
-   * @param book the book that lies open when it is this change's turn
-   * @param input what the pages come from; null for none
-   * @param pdfWorker address of pdf.js's workers, where they may not be blobs
+   * @param book the open book when it is this change's turn
+   * @param input the source of the pages; null for none
+   * @param pdfWorker address of pdf.js's workers, if they may not be blobs
    */
   change(
     book: () => OpenBook | null,
@@ -61,8 +65,8 @@ async function apply(
 }
 
 /**
- * Draws the first pages of an addition once, as a list may name what is not there.
- * Rejects with a `BookError` if one of them cannot be drawn.
+ * Draws the first pages of an addition once, because a list may name missing
+ * files. Rejects with a `BookError` if one of them cannot be drawn.
  */
 async function check(source: PageSource): Promise<void> {
   const ended = new AbortController();

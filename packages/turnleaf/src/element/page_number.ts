@@ -1,7 +1,7 @@
 /** Page numbers as pages and frameworks give them. */
 
 /**
- * The number that a value stands for as that of a page: a number, or text that
+ * Returns the number that a value stands for as a page: a number, or text that
  * writes one, as attributes and fields do. Null for anything else, such as NaN,
  * undefined and text without a number. It may lie outside the book.
  */

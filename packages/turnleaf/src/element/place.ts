@@ -1,4 +1,4 @@
-/** Where a book lies open is kept, as its attributes ask: in the address, and over a reload. */
+/** Keeps where a book lies open, as its attributes say: in the address, and over a reload. */
 
 import type { PageSource } from "../sources/page_source.ts";
 import { pageOfHash, writeAddress } from "./address.ts";
@@ -26,7 +26,7 @@ export class Place {
     this.#book = book;
   }
 
-  /** Begins to listen: to the element, to the address, and to the page's going away. */
+  /** Starts listening: to the element, to the address, and to the page's unloading. */
   follow(): void {
     this.#ended = new AbortController();
     this.#isOpen = this.#book.pageCount > 0;
@@ -43,27 +43,29 @@ export class Place {
     });
   }
 
-  /** Keeps the place a last time, and listens no more. */
+  /** Keeps the place a last time, and stops listening. */
   leave(): void {
     this.#keep();
     this.#isOpen = false;
     this.#ended?.abort();
   }
 
-  /** The open book goes away for another. */
+  /** Call it when the open book is closed for another. */
   closed(): void {
     this.#keep();
     this.#isOpen = false;
   }
 
-  /** The page that the address asks for; null where it asks for none, or is not asked. */
+  /** The page in the address; null if there is none, or the address is not used. */
   get #asked(): number | null {
     return this.#book.hasAttribute("address") ? pageOfHash(location.hash) : null;
   }
 
   /**
-   * The page at which a book opens: as the address says, else where it was left.
-   * @param left where this element left it, when it was open before
+   * Returns the page at which a book opens: the one in the address, otherwise
+   * where it was left.
+   *
+   * @param left where this element left it, if it was open before
    */
   opening(source: PageSource | undefined, left: number | null): number | null {
     const remembers = source !== undefined && this.#book.hasAttribute("remember");
@@ -92,7 +94,7 @@ export class Place {
     savePlace(this.#name(bookTitle, pageCount), { page, zoom, bookmarks });
   }
 
-  /** What tells a book from others: where it comes from, what it is called, how long it is. */
+  /** Returns what identifies a book: its address, its title, its length. */
   #name(title: string, pageCount: number): string {
     return `${this.#book.src} ${pageCount} ${title}`;
   }

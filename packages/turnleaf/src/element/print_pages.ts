@@ -1,4 +1,4 @@
-/** Prints the pages of a book, a sheet each, and hands out its file. */
+/** Prints the pages of a book, one per sheet, and downloads its file. */
 
 import { BookError, type PagePicture, type PageSource } from "../sources/page_source.ts";
 import { mostPrinted, type PrintOptions } from "./printing.ts";
@@ -8,14 +8,14 @@ const printWidth = 1240;
 
 /**
  * Draws pages and opens the browser's print dialog with them, each upright on a
- * sheet of its own. Resolves, once they went to the dialog, to true.
- * Rejects with a `BookError` where a page cannot be drawn, there is none or there are too many,
+ * sheet of its own. Resolves to true once they are in the dialog. Rejects with
+ * a `BookError` if a page cannot be drawn, there is none or there are too many,
  * or with the signal's reason.
  */
 export async function printPages(source: PageSource, options: PrintOptions): Promise<true> {
   const { from = 1, to = source.pageCount, onPage } = options;
   const [first, last] = [Math.max(Math.ceil(from), 1), Math.min(Math.floor(to), source.pageCount)];
-  // Nor is there one between 3 and 2, or where a number is none.
+  // Nor is there one between 3 and 2, or if a number is NaN.
   if (!(first <= last)) {
     throw new BookError(
       `There are no pages ${from} to ${to} to print; the book has ${source.pageCount}.`,
@@ -60,7 +60,7 @@ export async function printPages(source: PageSource, options: PrintOptions): Pro
   }
 }
 
-/** Out of sight but there: what is not rendered is not printed. */
+/** Out of sight but rendered: an element that is not rendered is not printed. */
 function hidden(frame: HTMLIFrameElement): HTMLIFrameElement {
   frame.ariaHidden = "true";
   frame.tabIndex = -1;
@@ -84,7 +84,7 @@ function inside(frame: HTMLIFrameElement): { document: Document; window: Window 
   return { document: window.document, window };
 }
 
-/** A drawn page as a file; its bitmap is freed. */
+/** Returns a drawn page as a file; its bitmap is freed. */
 async function encode(picture: PagePicture): Promise<Blob> {
   const canvas = document.createElement("canvas");
   canvas.width = picture.width;
@@ -100,19 +100,19 @@ async function encode(picture: PagePicture): Promise<Blob> {
   return blob;
 }
 
-/** Hands the source's own file to the reader; resolves to whether there is one. */
+/** Downloads the source's own file for the reader. Resolves to whether there is one. */
 export async function downloadFile(source: PageSource): Promise<boolean> {
   const file = await source.file?.();
   if (file === undefined) return false;
   const link = document.createElement("a");
   const ending = { "application/pdf": ".pdf", "application/epub+zip": ".epub" }[file.type] ?? "";
-  // What no file system takes in a name.
+  // Characters that file systems do not allow in a name.
   const name = source.title.replace(/[\p{C}\\/:*?"<>|]+/gu, " ").trim() || "book";
   const isNamed = ending !== "" && name.toLowerCase().endsWith(ending);
   link.download = isNamed ? name : name + ending;
   link.href = URL.createObjectURL(file);
   link.click();
-  // The browser has taken it by the next turn of its loop, at the latest in a minute.
+  // The browser has read it by the next task, at the latest in a minute.
   setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
   return true;
 }

@@ -1,16 +1,16 @@
-/** What may be asked of a printing. Apart from it, which is loaded when first asked for. */
+/** The options of printing, apart from its code, which is loaded on first use. */
 
-/** Which pages are printed, and how it goes on. */
+/** Which pages are printed, and a callback for progress. */
 export interface PrintOptions {
-  /** First page, from 1; the book's first where it is not given. */
+  /** First page, from 1. The default is the book's first. */
   readonly from?: number;
-  /** Last page; the book's last where it is not given. */
+  /** Last page. The default is the book's last. */
   readonly to?: number;
-  /** Gives up what is not drawn yet. */
+  /** Aborts the drawing. */
   readonly signal?: AbortSignal;
   /** Called before a page (from 1) is drawn. */
   readonly onPage?: (page: number) => void;
 }
 
-/** Most pages printed at once: each is half a megabyte until it is on paper. */
+/** Maximum of pages printed at once: each takes half a megabyte until it is printed. */
 export const mostPrinted = 300;

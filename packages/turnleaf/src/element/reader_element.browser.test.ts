@@ -1,4 +1,7 @@
-/** What the element does for a reader beside turning: its place kept, slide-show, print, download. */
+/**
+ * What the element does for a reader besides turning: its place kept,
+ * slide-show, print, download.
+ */
 
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { book, happens, scans, settled } from "../element_for_tests.ts";
@@ -30,7 +33,7 @@ test("page, zoom and bookmarks outlive the element, for the same book alone", as
   expect(again.page).toBe(6);
   expect(again.bookmarks).toEqual([5]);
   await expect.poll(() => again.zoom).toBe(2);
-  // Another book in the same element begins anew.
+  // Another book in the same element starts afresh.
   const loaded = happens(again, "load");
   again.pages = scans(10);
   await loaded;
@@ -54,7 +57,7 @@ test("the address says the page, and the page follows the address", async () => 
   const changed = happens<{ to: number }>(element, "pagechange");
   location.hash = "#page=2";
   expect((await changed).to).toBe(2);
-  // What names no page turns nothing, and stays.
+  // A fragment without a page turns nothing, and stays.
   location.hash = "#elsewhere";
   await new Promise((resolve) => addEventListener("hashchange", resolve, { once: true }));
   expect(element.page).toBe(2);
@@ -109,7 +112,7 @@ test("printing draws a sheet a page in a frame of its own, and takes it away", a
   expect(images).toBe(3);
   expect(frame).not.toBe(null);
   await expect.poll(() => document.querySelector("iframe")).toBe(null);
-  // Given up half-way, nothing is left either.
+  // Aborted half-way, nothing is left either.
   const ended = new AbortController();
   const printing = element.print({ signal: ended.signal, onPage: () => ended.abort() });
   await expect(printing).rejects.toThrow();

@@ -1,4 +1,7 @@
-/** What a reader does with an open book beside turning it: finds, marks, prints, keeps the place. */
+/**
+ * What a reader does with an open book besides turning it: search, bookmarks,
+ * printing, keeping the place.
+ */
 
 import { loaded } from "../sources/loaded.ts";
 import {
@@ -16,22 +19,23 @@ import type { PrintOptions } from "./printing.ts";
 import { ReflectingElement } from "./reflecting.ts";
 import { SlideShow } from "./slide_show.ts";
 
-/** Widest a page is drawn for whoever asks, pixels. */
+/** Maximum width of a page drawn for a caller, pixels. */
 const widestDrawn = 2048;
 
-/** Everything about the book that is not the book: its own subclass opens and turns it. */
+/** Everything around the book: its own subclass opens and turns it. */
 export abstract class ReaderElement extends ReflectingElement {
   abstract readonly page: number;
   abstract zoom: number;
   abstract goTo(page: number): Promise<boolean>;
   abstract next(): Promise<boolean>;
   /**
-   * The book that lies open.
+   * The open book.
+   *
    * @internal
    */
   protected abstract get book(): OpenBook | null;
 
-  /** What keeps the place, once an attribute has asked for it. */
+  /** Keeps the place, once an attribute has asked for it. */
   #place: Place | null = null;
   readonly #show = new SlideShow(this, () =>
     this.emit("playchange", { playing: this.#show.playing }),
@@ -49,34 +53,39 @@ export abstract class ReaderElement extends ReflectingElement {
     return this.source?.title ?? "";
   }
 
-  /** What a page (from 1) calls itself, such as "iv" or "23". */
+  /** Returns the label of a page (from 1), such as "iv" or "23". */
   label(page: number): string {
     const { source } = this;
     return source && page >= 1 && page <= source.pageCount ? source.label(page - 1) : String(page);
   }
 
   /**
-   * Finds every place of the book where `query` stands. Resolves to them in reading order, at most 2,000;
-   * to none while no book is open.
-   * Case, accents, ligatures, quotation marks and hyphens do not count.
-   * Rejects with the signal's reason when aborted, or when the book is closed, and with a `BookError`
-   * where the part of the viewer that searches cannot be loaded.
-   * @param options `signal` gives the search up
+   * Finds every place of the book that contains `query`. Resolves to them in
+   * reading order, at most 2,000; to none while no book is open. Case, accents,
+   * ligatures, quotation marks and hyphens do not count. Rejects with the
+   * signal's reason when aborted, or when the book is closed, and with a
+   * `BookError` if the part of the viewer that searches cannot be loaded.
+   *
+   * @param options `signal` aborts the search
    */
   async search(query: string, options?: { signal?: AbortSignal }): Promise<readonly SearchHit[]> {
     return (await this.book?.reading.search(query, options?.signal)) ?? [];
   }
 
   /**
-   * Turns to a hit and marks it, strongly, and faintly every other place of its query that comes in sight;
-   * null takes the marks away. Resolves, once the book is at rest, to whether the hit lies open.
+   * Turns to a hit and marks it, strongly, and faintly every other visible
+   * place of its query; null removes the marks. Resolves, once the book is at
+   * rest, to whether the hit lies open.
    */
   showHit(hit: SearchHit | null): Promise<boolean> {
     this.book?.reading.mark(hit);
     return hit ? this.goTo(hit.page) : Promise.resolve(true);
   }
 
-  /** Resolves to the book's table of contents; empty where it has none, or no book is open. Rejects with a `BookError`. */
+  /**
+   * Resolves to the book's table of contents; empty if it has none, or no book
+   * is open. Rejects with a `BookError`.
+   */
   async outline(): Promise<readonly OutlineEntry[]> {
     return (await this.book?.reading.outline()) ?? [];
   }
@@ -92,7 +101,9 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   /**
-   * Pages lie elsewhere than before: `moved` answers where one (from 0) does, or null. Bookmarks go with theirs.
+   * Moves bookmarks with their pages: `moved` returns where one (from 0) lies
+   * now, or null.
+   *
    * @internal
    */
   protected moveBookmarks(moved: (index: number) => number | null): void {
@@ -103,20 +114,21 @@ export abstract class ReaderElement extends ReflectingElement {
     if (pages.join() !== this.#bookmarks.join()) this.bookmarks = pages;
   }
 
-  /** Bookmarks a page (from 1), the first in sight where none is given; one that is bookmarked no more. */
+  /** Bookmarks a page (from 1), by default the first visible one, or removes its bookmark. */
   toggleBookmark(page: number = this.page): void {
     const others = this.#bookmarks.filter((other) => other !== page);
     this.bookmarks = others.length < this.#bookmarks.length ? others : [...others, page];
   }
 
-  /** Whether a leaf or a board is on its way, or in a hand. */
+  /** Whether a leaf or a board is moving or held. */
   get turning(): boolean {
     return this.book?.viewer.turning.moving ?? false;
   }
 
   /**
-   * Takes the element out of its page, which ends and frees everything, as taking it out by any
-   * other way does. Put into a page again, it opens its book where that lay.
+   * Removes the element from its page, which ends and frees everything, as
+   * removing it in any other way does. Inserted into a page again, it opens its
+   * book where that lay.
    */
   destroy(): void {
     this.remove();
@@ -127,12 +139,15 @@ export abstract class ReaderElement extends ReflectingElement {
     return this.#show.playing;
   }
 
-  /** Turns the pages one after another, each shown for `secondsPerPage` (1 to 3600; 6 where not given), until the last or `pause()`. */
+  /**
+   * Turns the pages one after another, each shown for `secondsPerPage` (1 to
+   * 3600, 6 by default), until the last or `pause()`.
+   */
   play(secondsPerPage?: number): void {
     this.#show.play(secondsPerPage);
   }
 
-  /** Ends the slide-show. */
+  /** Stops the slide-show. */
   pause(): void {
     this.#show.pause();
   }
@@ -148,9 +163,9 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   /**
-   * Draws a page (from 1) by itself, `width` pixels wide (at most 2048), as for a thumbnail.
-   * Resolves to the picture. A bitmap is whoever's who asked for it: `close()` frees it.
-   * Rejects with a `BookError`, or with the reason of `signal`.
+   * Draws a page (from 1) by itself, `width` pixels wide (at most 2048), as for
+   * a thumbnail. Resolves to the picture. The caller owns a bitmap: `close()`
+   * frees it. Rejects with a `BookError`, or with the reason of `signal`.
    */
   async drawPage(page: number, width: number, signal?: AbortSignal): Promise<PagePicture> {
     const { source } = this;
@@ -161,7 +176,7 @@ export abstract class ReaderElement extends ReflectingElement {
     return await source.draw(Math.round(page) - 1, across, signal ?? new AbortController().signal);
   }
 
-  /** What the book's owner and its source let a reader do; nothing while none is open. */
+  /** What the book's owner and its source permit; nothing while no book is open. */
   get allows(): { readonly print: boolean; readonly download: boolean } {
     const { source } = this;
     return {
@@ -171,9 +186,10 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   /**
-   * Draws the pages that `options` name and opens the browser's print dialog with them, a sheet each.
-   * Resolves, once they are there, to whether the book may be printed. Rejects with a `BookError` where a
-   * page cannot be drawn, and where no page or more than 300 are asked for.
+   * Draws the pages that `options` name and opens the browser's print dialog
+   * with them, one per sheet. Resolves, once they are there, to whether the
+   * book may be printed. Rejects with a `BookError` if a page cannot be drawn,
+   * and if no page or more than 300 are requested.
    */
   async print(options: PrintOptions = {}): Promise<boolean> {
     const { source } = this;
@@ -182,7 +198,7 @@ export abstract class ReaderElement extends ReflectingElement {
     return await printPages(source, options);
   }
 
-  /** Hands the book's own file to the reader. Resolves to whether there is one. */
+  /** Downloads the book's own file. Resolves to whether there is one. */
   async download(): Promise<boolean> {
     const { source } = this;
     if (!source || !this.allows.download) return false;
@@ -191,9 +207,11 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   /**
-   * Records a film of the book as it is shown, until `stopRecording()`, or for so many seconds. Resolves to
-   * the film, WebM where the browser writes it. Rejects with a `BookError` where no book is open, one is
-   * recorded already, or the browser cannot.
+   * Records a film of the book as it is shown, until `stopRecording()`, or for
+   * some seconds. Resolves to the film, WebM if the browser writes it. Rejects
+   * with a `BookError` if no book is open, one is recorded already, or the
+   * browser cannot.
+   *
    * @param options `seconds` (0.1 to 600) ends it by itself
    */
   async record(options: RecordOptions = {}): Promise<Blob> {
@@ -207,7 +225,7 @@ export abstract class ReaderElement extends ReflectingElement {
     }
     const film = new Film(() => this.book?.canvas, options);
     this.#film = film;
-    // What lies still is drawn once, to be seen.
+    // A resting book is drawn once for the film.
     book.viewer.invalidate();
     try {
       return await film.done;
@@ -216,25 +234,29 @@ export abstract class ReaderElement extends ReflectingElement {
     }
   }
 
-  /** Ends the film that `record()` began. */
+  /** Ends the film that `record()` started. */
   stopRecording(): void {
     this.#film?.stop();
   }
 
-  /** Whether a film is recorded. */
+  /** Whether a film is being recorded. */
   get recording(): boolean {
     return this.#film !== null;
   }
 
   /**
-   * The book is about to be drawn.
+   * Call it when the book is about to be drawn.
+   *
    * @internal
    */
   protected filmed(): void {
     this.#film?.frame();
   }
 
-  /** Fills the screen with the element, or leaves full screen. Resolves to whether the browser let it. */
+  /**
+   * Fills the screen with the element, or leaves full screen. Resolves to
+   * whether the browser allowed it.
+   */
   async toggleFullscreen(): Promise<boolean> {
     try {
       const { ownerDocument } = this;
@@ -255,7 +277,9 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   /**
-   * Loads what keeps the place, where an attribute asks for it. Rejects with a `BookError` where it cannot.
+   * Loads the code that keeps the place, if an attribute asks for it. Rejects
+   * with a `BookError` if it cannot be loaded.
+   *
    * @internal
    */
   protected async keepPlace(): Promise<void> {
@@ -268,7 +292,8 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   /**
-   * The element is in a document.
+   * Call it when the element is in a document.
+   *
    * @internal
    */
   protected connectReader(): void {
@@ -276,7 +301,8 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   /**
-   * The element leaves its document, its book still open.
+   * Call it when the element leaves its document, its book still open.
+   *
    * @internal
    */
   protected disconnectReader(): void {
@@ -286,7 +312,8 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   /**
-   * Another book takes the place of the one that is open.
+   * Call it when another book replaces the open one.
+   *
    * @internal
    */
   protected forgetBook(): void {
@@ -296,7 +323,9 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   /**
-   * The page at which a book is to open, as the address says or where it was left; null where neither does.
+   * Returns the page at which a book is to open, by the address or where it was
+   * left; null if neither is known.
+   *
    * @internal
    */
   protected keptPage(source: PageSource | undefined, left: number | null): number | null {

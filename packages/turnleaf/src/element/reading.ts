@@ -1,18 +1,18 @@
-/** The open book as something to read: its text, which comes a moment after it, and its contents. */
+/** The readable parts of the open book: its text, loaded a moment after it, and its contents. */
 
 import { loaded } from "../sources/loaded.ts";
 import type { OutlineEntry } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
 import type { TextOver, Under } from "./text_over.ts";
 
-/** What an open book has to read. */
+/** The text and the contents of an open book. */
 export class Reading {
   readonly #under: Under;
   readonly #ended = new AbortController();
-  /** Rejects with a `BookError` where it cannot be loaded. */
+  /** Rejects with a `BookError` if it cannot be loaded. */
   readonly #text: Promise<TextOver>;
 
-  /** @param failed told that there will be no text, once */
+  /** @param failed called once if there will be no text */
   constructor(under: Under, failed: (error: unknown) => void) {
     this.#under = under;
     const { signal } = this.#ended;
@@ -30,12 +30,15 @@ export class Reading {
     return (await this.#text).search(query, either);
   }
 
-  /** Marks a hit and every other place of its query wherever they come in sight; null takes the marks away. */
+  /**
+   * Marks a hit and every other place of its query when they become visible;
+   * null removes the marks.
+   */
   mark(hit: SearchHit | null): void {
     this.#withText((text) => text.mark(hit));
   }
 
-  /** The book has other pages than before: all that was read of them is read anew. */
+  /** Reads the pages again after a change of the book. */
   changed(): void {
     this.#withText((text) => text.changed());
   }
@@ -45,12 +48,12 @@ export class Reading {
     return (await this.#under.source.outline?.(this.#ended.signal)) ?? [];
   }
 
-  /** Takes the text away and ends every search. */
+  /** Removes the text and ends every search. */
   destroy(): void {
     this.#ended.abort();
   }
 
-  /** Does something once the text is there. Where it cannot be loaded, that has been said. */
+  /** Calls `act` once the text is loaded. If it cannot be loaded, `failed` has reported that. */
   #withText(act: (text: TextOver) => void): void {
     this.#text.then(
       (text) => this.#ended.signal.aborted || act(text),

@@ -1,4 +1,4 @@
-/** The properties of `<turnleaf-book>` that are its attributes. */
+/** The properties of `<turnleaf-book>` that reflect its attributes. */
 
 import type { Stock } from "../engine/shapes.ts";
 import type { TurnModelName } from "../leaf_models/model_choice.ts";
@@ -10,7 +10,7 @@ import type { Listened, TurnleafEventMap } from "./events.ts";
 const Base = (globalThis.HTMLElement ?? class {}) as unknown as new () => Listened;
 
 const themes = ["auto", "light", "dark", "paper"] as const;
-/** How the element is coloured; `auto` is light or dark, as the system is. */
+/** Colour theme; `auto` follows the system. */
 export type Theme = (typeof themes)[number];
 
 type Wish = ReturnType<typeof bindingOptionsOf>;
@@ -31,8 +31,11 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * Address of the package's file `pdf-worker.js`, for pages whose Content-Security-Policy lacks `blob:` in
-   * `worker-src`; the file must be of this package's version, on the page's own site. It is read when a book opens.
+   * Address of the package's file `pdf-worker.js`, for pages whose
+   * Content-Security-Policy does not allow `blob:` in `worker-src`; the file
+   * must be of this package's version, on the page's own site. It is read when
+   * a book opens.
+   *
    * @attribute pdf-worker
    * @default ""
    */
@@ -45,7 +48,9 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * The paper that the leaves are made of: 30 (`bible`), 70 (`book`), 80, 170 or 250 g/m² (`card`). In mid-turn it waits until the leaf lies.
+   * The paper of the leaves: 30 (`bible`), 70 (`book`), 80, 170 or 250 g/m²
+   * (`card`). A change in mid-turn waits until the leaf has landed.
+   *
    * @attribute stock
    * @default book
    */
@@ -58,7 +63,9 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * Whether a leaf let go is helped over to its side (`on`), rather than left to gravity (`off`).
+   * Whether a released leaf is helped over to its side (`on`), rather than left
+   * to gravity (`off`).
+   *
    * @attribute assist
    * @default on
    */
@@ -71,7 +78,9 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * Length of a played turn, milliseconds up to 60,000. With 0 pages change at once, without motion.
+   * Length of a played turn, in milliseconds, 0 to 60,000. With 0 pages change
+   * at once, without motion.
+   *
    * @attribute duration
    * @default 800
    */
@@ -84,10 +93,14 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * How leaves turn: bent as paper (`sheet`); as boards (`rigid`); folded flat (`peel`); rolled (`cylinder`,
-   * `cone`); as masses on springs (`mass-spring`); as a thin shell did when it was recorded (`shell`); as any
-   * recorded turn (`replay`); in photographs of a turn (`photographs`). In mid-turn it waits until the leaf lies.
-   * On the flat all are peeled. A name of none is an `error`, and leaves turn as sheets.
+   * How leaves turn: bent as paper (`sheet`); as boards (`rigid`); folded flat
+   * (`peel`); around a cylinder or cone (`cylinder`, `cone`); as masses on
+   * springs (`mass-spring`); as a recorded thin shell (`shell`); as any
+   * recorded turn (`replay`); in photographs of a turn (`photographs`). A
+   * change in mid-turn waits until the leaf has landed. Without WebGL all
+   * leaves are peeled. An unknown name is an `error`, and leaves turn as
+   * sheets.
+   *
    * @attribute model
    * @default sheet
    */
@@ -100,9 +113,11 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * Address of what `model` shows. For `replay`, of a recorded turn; without one, leaves turn as a sheet did by its
-   * fore-edge. For `photographs`, of the pictures, with their numbers in braces, and how wide to how high their
-   * pages are: `turn-{01-24}.webp#ratio=2:3`.
+   * Address of the data of `model`. For `replay`, of a recorded turn; the
+   * default is a recording of a sheet turned by its fore-edge. For
+   * `photographs`, of the pictures, with their numbers in braces, and the ratio
+   * of their pages: `turn-{01-24}.webp#ratio=2:3`.
+   *
    * @attribute model-src
    * @default ""
    */
@@ -115,7 +130,9 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * What the first and the last leaf are: boards (`hard`), card (`soft`), or paper like the rest (`none`).
+   * The first and the last leaf: boards (`hard`), card (`soft`), or paper like
+   * the rest (`none`).
+   *
    * @attribute cover
    * @default hard
    */
@@ -128,7 +145,8 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * Colour of the boards, as CSS writes one.
+   * CSS colour of the boards.
+   *
    * @attribute cloth
    * @default #6a2a26
    */
@@ -141,7 +159,8 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * The edge at which the book is bound; `auto` follows the direction it is read in.
+   * The edge at which the book is bound; `auto` follows the reading direction.
+   *
    * @attribute binding
    * @default auto
    */
@@ -154,7 +173,8 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * Two pages or one; `auto` follows the space there is.
+   * Two pages or one; `auto` follows the available space.
+   *
    * @attribute layout
    * @default auto
    */
@@ -206,7 +226,8 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * How the element is coloured; `auto` is light or dark, as the system is.
+   * Colour theme; `auto` follows the system.
+   *
    * @attribute theme
    * @default auto
    */
@@ -220,7 +241,9 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * Whether the page is kept in the page's own address, as `#page=23`: for one book of a page.
+   * Whether the page number is kept in the document's address, as `#page=23`:
+   * for one book per document.
+   *
    * @attribute address
    * @default off
    */
@@ -246,7 +269,8 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * Whether the leaves are heard, from the reader's first gesture on.
+   * Whether leaves make a sound, from the reader's first gesture on.
+   *
    * @attribute sound
    * @default off
    */
@@ -259,7 +283,8 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * Whether a phone stirs when a leaf is taken and when it lies.
+   * Whether a phone vibrates when a leaf is grabbed and when it lands.
+   *
    * @attribute vibrate
    * @default off
    */

@@ -1,28 +1,31 @@
-/** A page asked for while no book is open. */
+/** A page requested while no book is open. */
 
-/** The page at which the next book is to open, and the calls that wait for it. */
+/** The page at which the next book is to open, and the pending calls. */
 export class RequestedPage {
   #page: number | null = null;
   #waiting: { page: number; resolve: (lies: boolean) => void }[] = [];
 
-  /** The page (from 1) that was asked for last; null where none was. */
+  /** The page (from 1) requested last, or null. */
   get page(): number | null {
     return this.#page;
   }
 
-  /** Asks for a page. Resolves, once a book is open or could not be opened, to whether it lies open there. */
+  /**
+   * Requests a page. Resolves, once a book is open or could not be opened, to
+   * whether it lies open there.
+   */
   ask(page: number): Promise<boolean> {
     this.#page = page;
     return new Promise((resolve) => this.#waiting.push({ page, resolve }));
   }
 
-  /** A book is open; `liesAt` tells whether at the spread of a page. */
+  /** Call it when a book is open; `liesAt` returns whether it is at the spread of a page. */
   opened(liesAt: (page: number) => boolean): void {
     this.#page = null;
     this.#resolve(liesAt);
   }
 
-  /** No book will open for now. The page stays asked for. */
+  /** Call it when no book will open for now. The request stays. */
   failed(): void {
     this.#resolve(() => false);
   }

@@ -1,4 +1,4 @@
-/** The element's size where its page gives it none, and what it says where it was given no book. */
+/** The element's size if its page gives it none, and its message if it has no book. */
 
 import { afterEach, expect, test, vi } from "vitest";
 import "../index.ts";
@@ -9,7 +9,10 @@ vi.setConfig({ testTimeout: 120_000 });
 
 afterEach(() => document.body.replaceChildren());
 
-/** An element in a box, both styled as a page may; its pages are so many pixels wide and high. */
+/**
+ * Shows an element in a box, both styled as a page may; its pages are so many
+ * pixels wide and high.
+ */
 async function shown(
   box: string,
   style = "",

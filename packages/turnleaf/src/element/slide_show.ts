@@ -1,10 +1,10 @@
 /** Turns the pages by itself, one after another. */
 
-/** Seconds that a page is shown where nobody says; the shortest and the longest that are taken. */
+/** Default of the seconds for which a page is shown, and the minimum and the maximum. */
 const usual = 6;
 const [least, most] = [1, 3600];
 
-/** The element, as far as it is shown by itself. */
+/** The part of the element that a slide-show needs. */
 interface ShownBook extends HTMLElement {
   readonly page: number;
   readonly pageCount: number;
@@ -19,7 +19,7 @@ export class SlideShow {
   #seconds = usual;
   #playing = false;
 
-  /** @param changed hears that it began or ended */
+  /** @param changed called when it started or stopped */
   constructor(book: ShownBook, changed: () => void) {
     this.#book = book;
     this.#changed = changed;
@@ -29,13 +29,13 @@ export class SlideShow {
     return this.#playing;
   }
 
-  /** Begins, or goes on at another pace. */
+  /** Starts, or changes the pace. */
   play(seconds: number = usual): void {
     this.#seconds = seconds >= least && seconds <= most ? seconds : usual;
     this.#wait();
     if (this.#playing) return;
     this.#playing = true;
-    // Whoever turns a page has it for as long as any other.
+    // A page turned to by the reader is shown as long as any other.
     this.#book.addEventListener("pagechange", this.#wait);
     this.#changed();
   }
@@ -57,7 +57,7 @@ export class SlideShow {
   async #turn(): Promise<void> {
     const { page } = this.#book;
     await this.#book.next();
-    // Where nothing comes after, it is over.
+    // At the last page, it is over.
     if (this.#playing && this.#book.page === page) this.pause();
   }
 }

@@ -1,4 +1,4 @@
-/** A page that takes long, in an open book: the clock is the test's. */
+/** A page that takes long, in an open book, with the test's own clock. */
 
 import { afterEach, expect, test, vi } from "vitest";
 import { book, happens, scan } from "../element_for_tests.ts";
@@ -26,7 +26,7 @@ test("it says so in the element's language, and the others are drawn", async () 
   await happens(element, "load");
   const slow = () => timer.mock.calls.filter(([, milliseconds]) => milliseconds === slowTime);
   await expect.poll(() => slow().length, { timeout: 20_000 }).toBeGreaterThan(0);
-  // The page has its turn once the first is drawn, if not before.
+  // The page is drawn after the first, if not before.
   await expect.poll(() => lines(), { timeout: 20_000 }).toContain("2");
   expect(element.settled).toBe(false);
   for (const [call] of slow()) (call as () => void)();

@@ -1,15 +1,15 @@
-/** A book that is heard and felt, where the element asks for it: attributes `sound` and `vibrate`. */
+/** The sound and the vibration of a book, by the attributes `sound` and `vibrate`. */
 
 import type { Stock, StockFigures } from "../engine/shapes.ts";
 import type { Sound } from "../sound/sound.ts";
 import { loaded } from "../sources/loaded.ts";
 import type { ViewerOptions } from "../viewer/viewer.ts";
 
-/** How long a phone stirs when a leaf is taken and when it lies, milliseconds. */
+/** Duration of the vibration when a leaf is grabbed and when it lands, milliseconds. */
 const taken = 8;
 const laid = 14;
 
-/** The sound and the stirring of the book in an element. */
+/** The sound and the vibration of the book in an element. */
 export class SoundAndHaptics {
   readonly #element: HTMLElement;
   readonly #stock: () => Stock | StockFigures;
@@ -18,8 +18,9 @@ export class SoundAndHaptics {
   #asked = false;
 
   /**
-   * @param stock what the leaves are made of now
-   * @param failed told that what makes sound cannot be loaded
+   * @param stock returns the paper of the leaves
+   *
+   * @param failed called if the code that makes sound cannot be loaded
    */
   constructor(
     element: HTMLElement,
@@ -31,7 +32,10 @@ export class SoundAndHaptics {
     this.#failed = failed;
   }
 
-  /** A frame of the book. What makes sound is loaded with the first that moves. */
+  /**
+   * Handles a frame of the book. The code that makes sound is loaded with the
+   * first moving frame.
+   */
   readonly follow: NonNullable<ViewerOptions["onMotion"]> = (pose, seconds, moving) => {
     if (!this.#element.hasAttribute("sound")) return;
     this.#sound?.follow(pose, seconds, moving, this.#stock());
@@ -42,17 +46,17 @@ export class SoundAndHaptics {
     }, this.#failed);
   };
 
-  /** A leaf was taken up. */
+  /** Call it when a leaf was picked up. */
   take(): void {
     this.#stir(taken);
   }
 
-  /** The book lies still. */
+  /** Call it when the book is at rest. */
   lie(): void {
     this.#stir(laid);
   }
 
-  /** Silence: the book is closed, or is not to be heard any more. */
+  /** Stops the sound: the book is closed, or the attribute was removed. */
   close(): void {
     this.#asked = false;
     this.#sound?.close();

@@ -1,11 +1,12 @@
-/** Style sheets of a shadow tree, in whatever document its host is by now. */
+/** Style sheets of a shadow tree, whatever document its host is in. */
 
 /**
- * Adds a style sheet to a shadow tree: not a `<style>` element, which pages with a strict security policy
- * forbid. A constructed sheet belongs to one document for good, and a tree that moves to another loses
- * its sheets, so each is made of the window in which the tree is now.
+ * Adds a style sheet to a shadow tree: not a `<style>` element, which pages
+ * with a strict security policy forbid. A constructed sheet belongs to one
+ * document for good, and a tree that moves to another loses its sheets, so each
+ * is made in the window in which the tree is now.
  *
- * @returns takes it away again
+ * @returns a function that removes it
  */
 export function addStyle(root: ShadowRoot, css: string): () => void {
   const view = root.ownerDocument.defaultView;

@@ -1,4 +1,4 @@
-/** The text of an open book, laid over its pages and searched: loaded once the book shows, which it does without. */
+/** The text of an open book, laid over its pages and searched: loaded after the book is shown. */
 
 import { pagesAt } from "../book/spreads.ts";
 import type { PageSource } from "../sources/page_source.ts";
@@ -11,15 +11,15 @@ import type { Viewer } from "../viewer/viewer.ts";
 import { elementTexts, fill } from "../words/languages.ts";
 import { addStyle } from "./style.ts";
 
-/** What the text is laid over, and what it asks for. */
+/** What the text layer needs of the open book. */
 export interface Under {
   readonly source: PageSource;
   readonly viewer: Viewer;
-  /** In a shadow tree; read out only where there is no text. */
+  /** In a shadow tree; read out only if there is no text. */
   readonly canvas: HTMLCanvasElement;
   /** Turns to a page (from 1). */
   readonly goTo: (page: number) => void;
-  /** Tag of the language that the element speaks. */
+  /** Returns the tag of the element's language. */
   readonly language: () => string;
 }
 
@@ -29,7 +29,7 @@ export class TextOver {
   readonly #texts: PageTexts;
   readonly #layer: TextLayer;
 
-  /** @param ended its abort takes the text away */
+  /** @param ended its abort removes the text */
   constructor({ source, viewer, canvas, goTo, language }: Under, ended: AbortSignal) {
     this.#source = source;
     this.#texts = new PageTexts(source);
@@ -64,12 +64,15 @@ export class TextOver {
     return searchBook(this.#texts, this.#source.pageCount, query, signal);
   }
 
-  /** Marks a hit and every other place of its query wherever they come in sight; null takes the marks away. */
+  /**
+   * Marks a hit and every other place of its query when they become visible;
+   * null removes the marks.
+   */
   mark(hit: SearchHit | null): void {
     this.#layer.mark(hit);
   }
 
-  /** The book has other pages than before: all that was read of them is read anew. */
+  /** Reads the pages again after a change of the book. */
   changed(): void {
     this.#texts.clear();
     this.#layer.reload();

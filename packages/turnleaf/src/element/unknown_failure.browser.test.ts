@@ -1,4 +1,4 @@
-/** A failure that nobody foresaw, told by the element. */
+/** An unforeseen error, reported by the element. */
 
 import { afterEach, expect, test, vi } from "vitest";
 import { book, happens, scans } from "../element_for_tests.ts";

@@ -1,21 +1,24 @@
-/** How fast a pointer went when it was lifted. */
+/** The speed of a pointer at its release. */
 
 import type { Place } from "../stage/book_stage.ts";
 
-/** Time before the end that counts, milliseconds. */
+/** Time before the release that counts, milliseconds. */
 const recent = 90;
 
-/** The last places of one pointer. */
+/** The last positions of one pointer. */
 export class Flick {
   #places: (Place & { readonly time: number })[] = [];
 
-  /** Takes down a place, CSS pixels, and its time, milliseconds. */
+  /** Records a position, CSS pixels, and its time, milliseconds. */
   move({ x, y }: Place, time: number): void {
     this.#places = this.#places.filter((place) => time - place.time <= recent);
     this.#places.push({ x, y, time });
   }
 
-  /** Velocity at a time, CSS pixels a millisecond: none where the pointer had stopped before. */
+  /**
+   * Returns the velocity at a time, CSS pixels per millisecond: zero if the
+   * pointer had stopped before.
+   */
   velocity(time: number): Place {
     const places = this.#places.filter((place) => time - place.time <= recent);
     const [first, last] = [places[0], places.at(-1)];

@@ -4,11 +4,14 @@ import { turnOfKey } from "../book/layout.ts";
 import type { Place } from "../stage/book_stage.ts";
 import type { InputTarget } from "./target.ts";
 
-/** Time that a zoom or pan by key takes, seconds, and the zoom of one key: that of the controls' buttons. */
+/**
+ * Duration of a zoom or pan by key, seconds, and the zoom of one key: that of
+ * the controls' buttons.
+ */
 const glide = 0.28;
 const zoomStep = 1.5;
 
-/** Share of the stage that an arrow key pans by. */
+/** How far an arrow key pans, as a fraction of the stage. */
 const panStep = 0.15;
 
 /** The keys over one book. */
@@ -19,7 +22,8 @@ export class Keys {
 
   /**
    * @param element whose keys they are
-   * @param stage what the canvas and the text over it lie in
+   *
+   * @param stage contains the canvas and the text over it
    */
   constructor(element: HTMLElement, stage: HTMLElement, target: InputTarget) {
     this.#element = element;
@@ -27,7 +31,7 @@ export class Keys {
     this.#target = target;
   }
 
-  /** Answers a key that goes down. Those with Ctrl, Alt or Meta are the browser's. */
+  /** Handles a key that goes down. Keys with Ctrl, Alt or Meta belong to the browser. */
   press(event: KeyboardEvent): void {
     if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
     if (!this.#isMeant(event.composedPath()[0])) return;
@@ -38,9 +42,12 @@ export class Keys {
     if (by !== 0) this.#target.turn(by);
   }
 
-  /** Whether a key pressed there is the book's: not a field's on a page, nor one of the controls beside it. */
+  /**
+   * Returns whether a key pressed there is the book's: not a field's on a page,
+   * nor one of the controls beside it.
+   */
   #isMeant(target: EventTarget | undefined): boolean {
-    // The frame about the stage and the controls takes the focus for the book.
+    // The frame around the stage and the controls takes the focus for the book.
     if (target === this.#element || target === this.#stage.parentElement) return true;
     const isField = target instanceof Element && target.matches("input, textarea, select");
     return !isField && this.#stage.contains(target as Node);
@@ -54,7 +61,7 @@ export class Keys {
     return true;
   }
 
-  /** Arrows move what is zoomed: the view goes where they point. */
+  /** Pans a zoomed book: the view goes where the arrows point. */
   #pan(key: string): boolean {
     const { zoomLevel } = this.#target.viewer;
     if (zoomLevel <= 1) return false;
@@ -68,7 +75,7 @@ export class Keys {
     return true;
   }
 
-  /** Brings what is in the middle to a place, seen at a level. */
+  /** Moves the point in the middle to a place, at a level. */
   #glide(level: number, to: Place): void {
     const { viewer, calm } = this.#target;
     viewer.zoom(level, this.#middle, to, calm() ? 0 : glide);

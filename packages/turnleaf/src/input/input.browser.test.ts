@@ -1,4 +1,4 @@
-/** Hands on the element in real Chromium: drag, flick, hover, pinch, wheel, keys. */
+/** Pointers and keys on the element in real Chromium: drag, flick, hover, pinch, wheel, keys. */
 
 import { afterEach, expect, test } from "vitest";
 import type { TurnDetail } from "../element/events.ts";
@@ -17,7 +17,7 @@ afterEach(() => {
   document.body.style.cssText = "";
 });
 
-/** A book of pages that lies open at page 6, and hands on it. */
+/** Opens a book at page 6, with simulated pointers. */
 async function opened(attributes: Record<string, string> = {}) {
   const element = book(scans(12), { page: "6", cover: "none", duration: "120", ...attributes });
   await happens(element, "load");
@@ -25,7 +25,7 @@ async function opened(attributes: Record<string, string> = {}) {
   return { element, hands: new Hands(element) };
 }
 
-/** Counts the animation frames that are asked for. */
+/** Counts the requested animation frames. */
 function watchFrames(): { count: number } {
   const seen = { count: 0 };
   globalThis.requestAnimationFrame = (call) => {
@@ -35,7 +35,7 @@ function watchFrames(): { count: number } {
   return seen;
 }
 
-/** The leaves that are drawn in flight. */
+/** Returns the leaves that are drawn in flight. */
 function watchFlights(): { positions: Float32Array[] } {
   const seen: { positions: Float32Array[] } = { positions: [] };
   DrawnBook.prototype.pose = function (parts) {
@@ -61,20 +61,20 @@ test("a drag in the middle of a page turns it, a click there does not", async ()
   expect(element.settled).toBe(true);
   hands.point("pointerdown", 205, 110);
   await hands.move([205, 110], [60, 100]);
-  // Held still it comes to rest in the hand.
+  // Held still it comes to rest.
   await settled(element);
   hands.point("pointerup", 60, 100);
   await settled(element);
   expect(element.page).toBe(8);
 });
 
-// Where one page fills the screen there is no room beyond its spine to carry a leaf to.
+// If one page fills the screen there is no space beyond its spine to carry a leaf to.
 test.each([
   { binding: "left", taken: 0.98, carried: 0.15, page: 7 },
   { binding: "right", taken: 0.02, carried: 0.85, page: 7 },
   { binding: "left", taken: 0.98, carried: 0.6, page: 6 },
   { binding: "right", taken: 0.02, carried: 0.4, page: 6 },
-  // The page before, pulled back from the spine; too little of it, it falls back.
+  // The previous page, pulled back from the spine; pulled too little, it falls back.
   { binding: "left", taken: 0.1, carried: 0.9, page: 5 },
   { binding: "right", taken: 0.9, carried: 0.1, page: 5 },
   { binding: "left", taken: 0.1, carried: 0.28, page: 6 },
@@ -98,7 +98,7 @@ test("a click at an edge turns, and a flick of a finger on either page does", as
   hands.click(245, 110);
   expect((await happens<TurnDetail>(element, "pagechange")).to).toBe(8);
   const touch = { pointerType: "touch", pointerId: 7 };
-  // Outward on the left page: no leaf there goes that way, but the reader wants on.
+  // Outward on the left page: no leaf there goes that way, but the reader means forward.
   for (const [from, to, page] of [
     [120, 70, 10],
     [80, 140, 8],
@@ -128,7 +128,7 @@ test("a finger that scrolls the page turns nothing, and one that is taken away l
   hands.point("pointercancel", 200, 82, touch);
   await settled(element);
   expect(element.page).toBe(6);
-  // One finger may scroll; two are the book's.
+  // One finger may scroll; two belong to the book.
   const finger = (identifier: number) =>
     new Touch({ identifier, target: hands.canvas, clientX: 20 * identifier, clientY: 20 });
   const touchmove = (touches: Touch[]) =>
@@ -174,7 +174,7 @@ test("a corner lifts under a mouse, holds still without a frame, and lies down",
   await calls(1);
   expect(frames.count).toBe(0);
   expect(started.times).toBe(0);
-  // On the same corner nothing begins anew.
+  // On the same corner nothing starts again.
   hands.point("pointermove", corner[0] - 2, corner[1] - 2);
   await calls(1);
   expect(frames.count).toBe(0);
@@ -199,7 +199,7 @@ test("a corner lifts under a mouse, holds still without a frame, and lies down",
   expect(element.page).toBe(6);
   expect(started.times).toBe(2);
 
-  // A drag takes it from where it is lifted, and holds still without frames too.
+  // A drag grabs it where it is lifted, and holds still without frames too.
   await settled(element);
   hands.point("pointermove", 200, 60);
   await settled(element);
@@ -218,7 +218,7 @@ test("a corner lifts under a mouse, holds still without a frame, and lies down",
   hands.point("pointerup", 40, 120);
   await settled(element);
   expect(element.page).toBe(8);
-  // Away from the element it lies down as well.
+  // Outside the element it falls as well.
   hands.point("pointermove", 200, 60);
   hands.point("pointermove", ...corner);
   await expect.poll(() => flights.positions.length).toBe(1);
@@ -312,7 +312,7 @@ test("the wheel zooms with Ctrl, pans while zoomed, turns where nothing else scr
   element.zoom = 1;
   await settled(element);
 
-  // Across it turns, once a swipe.
+  // Across it turns, once per swipe.
   for (let k = 0; k < 6; k++) expect(hands.roll(30, 2)).toBe(false);
   await settled(element);
   expect(element.page).toBe(8);

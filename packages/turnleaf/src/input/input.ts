@@ -1,4 +1,4 @@
-/** Pointers become commands to the book; wheel and keys are heard beside them. */
+/** Converts pointer events to commands to the book, and passes on wheel and keys. */
 
 import { forward } from "../book/spreads.ts";
 import { maxGrabs, Side } from "../engine/phases.ts";
@@ -13,7 +13,10 @@ import { Taps } from "./taps.ts";
 import type { InputTarget } from "./target.ts";
 import { Wheel } from "./wheel.ts";
 
-/** Share of a page next to its fore-edge, and of its height at head and foot, where a click turns. */
+/**
+ * Fraction of a page next to its fore-edge, and of its height at head and foot,
+ * where a click turns.
+ */
 const edgeZone = 0.3;
 const cornerZone = { u: 0.5, v: 0.2 };
 
@@ -21,46 +24,52 @@ const cornerZone = { u: 0.5, v: 0.2 };
 const liftZone = { u: 0.16, v: 0.13 };
 const stayZone = { u: 0.3, v: 0.24 };
 
-/** Movement in CSS pixels from which a press is a drag: fingers are less sure. */
+/** Movement in CSS pixels from which a press is a drag: fingers are less precise. */
 const dragStart = { mouse: 4, other: 8 };
 
-/** From here on a pointer that is lifted flicks the leaf over, CSS pixels a millisecond; and the longest such a press is, ms. */
+/**
+ * Minimum speed of a pointer whose release flicks the leaf over, CSS pixels per
+ * millisecond; and the maximum duration of such a press, ms.
+ */
 const flickSpeed = 0.45;
 const flickTime = 450;
 
-/** How far a panned book glides on, in seconds of its speed, and the time that it takes, seconds. */
+/** How far a panned book glides on, in seconds of its speed, and for how long, seconds. */
 const glideOn = 0.13;
 const glideTime = 0.4;
 
-/** Time that the zoom of a double tap takes, seconds. */
+/** Duration of the zoom of a double tap, seconds. */
 const tapZoomTime = 0.28;
 
 /** A pointer that is down. */
 interface Press extends Place {
-  /** The hand that it stands for. */
+  /** The number of its grab. */
   readonly hand: number;
   readonly hold: DragHit | null;
   readonly kind: string;
   readonly time: number;
   readonly flick: Flick;
-  /** What it does by now: nothing yet, move a leaf, or the view. */
+  /** Its current effect: none yet, moving a leaf, or moving the view. */
   does: "wait" | "drag" | "pan";
-  /** Where it is. */
+  /** Its position. */
   at: Place;
 }
 
-/** What of a page takes pointers itself: links and fields; and text, from a mouse or pen that selects it. */
+/**
+ * Elements of a page that handle pointers themselves: links and fields; and
+ * text, for a mouse or pen that selects it.
+ */
 const ownPointers = "a, button, input, select, textarea";
 const selected = "span, .guard";
 
-/** Everything that a reader does to one book by hand; `destroy` takes every listener away. */
+/** All pointer input on one book; `destroy` removes every listener. */
 export class Input {
   readonly #canvas: HTMLCanvasElement;
   readonly #stage: HTMLElement;
   readonly #viewer: Viewer;
   readonly #target: InputTarget;
   readonly #ended = new AbortController();
-  /** By the pointer's number. */
+  /** By the pointer's id. */
   readonly #presses = new Map<number, Press>();
   readonly #taps = new Taps();
   readonly #wheel: Wheel;
@@ -68,7 +77,8 @@ export class Input {
   #isPeeking = false;
 
   /**
-   * @param stage what the canvas and the text over it lie in
+   * @param stage contains the canvas and the text over it
+   *
    * @param keys the element whose keys turn pages
    */
   constructor(
@@ -83,14 +93,14 @@ export class Input {
     this.#viewer = target.viewer;
     this.#wheel = new Wheel(target);
     const { signal } = this.#ended;
-    // Caught on the way down: what lies upon the canvas has pointers of its own.
+    // In the capture phase: elements on top of the canvas have their own listeners.
     const on = (name: string, handle: (event: PointerEvent) => void) =>
       stage.addEventListener(name, handle as EventListener, { signal, capture: true });
     on("pointerdown", (event) => this.#down(event));
     on("pointermove", (event) => this.#move(event));
     on("pointerup", (event) => this.#up(event));
     on("pointercancel", (event) => this.#up(event));
-    // A menu or a dialog may swallow the end of a press; nobody must be left holding a leaf.
+    // A menu or a dialog may swallow the end of a press; no leaf must stay held.
     on("lostpointercapture", (event) => {
       if (event.target === canvas) this.#up(event);
     });
@@ -99,7 +109,8 @@ export class Input {
       signal,
       passive: false,
     });
-    // Two fingers are the book's; so is one on a book that is zoomed. Else the page scrolls as it likes.
+    // Two fingers belong to the book; so does one on a zoomed book. Otherwise
+    // the page scrolls as it likes.
     stage.addEventListener("touchmove", (event) => this.#touch(event), { signal, passive: false });
     const pressed = new Keys(keys, stage, target);
     keys.addEventListener("keydown", (event) => pressed.press(event), { signal });
@@ -108,13 +119,13 @@ export class Input {
     this.#follow();
   }
 
-  /** Takes every listener away. */
+  /** Removes every listener. */
   destroy(): void {
     this.#ended.abort();
     this.#stage.style.touchAction = "";
   }
 
-  /** Lets the page scroll by the drags that turn no leaf, unless they move a book that is zoomed. */
+  /** Lets the page scroll by drags that turn no leaf, unless they move a zoomed book. */
   #follow(): void {
     const scroll = this.#viewer.binding.rolled ? "pan-x" : "pan-y";
     this.#stage.style.touchAction = this.#viewer.zoomLevel > 1 ? "none" : scroll;
@@ -142,7 +153,7 @@ export class Input {
       time: event.timeStamp,
       does: "wait",
     };
-    // A leaf already turning is caught at once, where it is.
+    // A leaf in flight is caught at once, where it is.
     if (hold && this.#isFlying(hold) && this.#viewer.leafControl.grab(hold, hand))
       press.does = "drag";
     this.#presses.set(event.pointerId, press);
@@ -164,7 +175,7 @@ export class Input {
     }
   }
 
-  /** A press that has moved becomes a drag or a pan. */
+  /** Makes a press that has moved a drag or a pan. */
   #begin(press: Press, at: Place): void {
     const [x, y] = [at.x - press.x, at.y - press.y];
     const isMouse = press.kind === "mouse";
@@ -174,7 +185,7 @@ export class Input {
       press.does = "pan";
       this.#viewer.handled = true;
     } else {
-      // Along the page's own way to scroll a finger scrolls it: the browser will say so.
+      // Along the page's own scroll direction a finger scrolls it: the browser will say so.
       const { rolled } = this.#viewer.binding;
       if (press.kind === "touch" && Math.abs(rolled ? x : y) > Math.abs(rolled ? y : x)) return;
       if (this.#viewer.leafControl.grab(press.hold, press.hand, { x, y })) press.does = "drag";
@@ -195,7 +206,10 @@ export class Input {
     else if (isDone) this.#tap(press, event);
   }
 
-  /** A leaf falls where it is let go; a flick turns it over, or one of the other side. */
+  /**
+   * Releases a press: a leaf falls where it is released; a flick turns it over,
+   * or one of the other side.
+   */
   #letGo({ hold, hand, flick, time }: Press, now: number | null): void {
     const way = now !== null && now - time <= flickTime ? this.#flicked(flick.velocity(now)) : 0;
     const isOwn = hold === null || sideOf(hold) === (way === 1 ? Side.right : Side.left);
@@ -204,7 +218,7 @@ export class Input {
     if (way !== 0 && !isOwn) this.#target.turn((way * forward(this.#viewer.binding)) as 1 | -1);
   }
 
-  /** The way that a flick turns: 1 to the left, -1 to the right, 0 for none. */
+  /** Returns the direction in which a flick turns: 1 to the left, -1 to the right, 0 for none. */
   #flicked(velocity: Place): 1 | 0 | -1 {
     const { rolled } = this.#viewer.binding;
     const along = rolled ? velocity.y : velocity.x;
@@ -237,7 +251,10 @@ export class Input {
     this.#target.turn(isRight ? way : (-way as 1 | -1));
   }
 
-  /** A second finger zooms, unless the first already turns a leaf: then it is another hand. */
+  /**
+   * Starts a zoom with a second finger, unless the first already turns a leaf:
+   * then it is another grab.
+   */
   #beginPinch(event: PointerEvent, at: Place): boolean {
     if (event.pointerType !== "touch" || this.#pinch) return false;
     const other = [...this.#presses].find(
@@ -261,7 +278,7 @@ export class Input {
     const flick = new Flick();
     const hand = this.#freeHand() ?? 0;
     const press = { ...at, at, hand, hold: null, kind: "touch", flick, time: event.timeStamp };
-    // The finger that stays goes on moving what is zoomed.
+    // The remaining finger continues to pan.
     if (this.#viewer.zoomLevel > 1) this.#presses.set(id, { ...press, does: "pan" });
     else this.#viewer.handled = false;
     return true;
@@ -272,7 +289,7 @@ export class Input {
     event.preventDefault();
   }
 
-  /** A mouse or pen that hovers: its cursor, and the corner that lifts under it. */
+  /** Handles a hovering mouse or pen: its cursor, and the corner that lifts under it. */
   #hover(event: PointerEvent, at: Place): void {
     if (event.pointerType === "touch" || event.buttons !== 0 || this.#presses.size > 0) return;
     const isZoomed = this.#viewer.zoomLevel > 1;
@@ -291,38 +308,44 @@ export class Input {
     this.#isPeeking = this.#viewer.leafControl.peek(lifts ? hold : null);
   }
 
-  /** A hand that no pointer stands for, or null. The last is that of a lifted corner. */
+  /** Returns the number of a free grab, or null. The last belongs to a lifted corner. */
   #freeHand(): number | null {
     const taken = new Set([...this.#presses.values()].map(({ hand }) => hand));
     for (let hand = 0; hand < maxGrabs - 1; hand++) if (!taken.has(hand)) return hand;
     return null;
   }
 
-  /** Whether it is a place on what is in flight, rather than on a resting page or a corner that only lifts. */
+  /**
+   * Returns whether it is a place on a leaf in flight, rather than on a resting
+   * page or a corner that only lifts.
+   */
   #isFlying(hold: DragHit): boolean {
     return typeof hold.on !== "number" && !this.#viewer.leafControl.isPeeked(hold);
   }
 
-  /** Where a pointer is on the canvas, CSS pixels. */
+  /** Returns where a pointer is on the canvas, CSS pixels. */
   #place(event: MouseEvent): Place {
     const box = this.#canvas.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   }
 }
 
-/** The side where a leaf was taken. */
+/** Returns the side where a leaf was grabbed. */
 function sideOf({ on }: DragHit): Side {
   if (typeof on === "number") return on;
   return on.from === on.low ? Side.right : Side.left;
 }
 
-/** Whether a click there turns the leaf: at an edge or a corner. */
+/** Returns whether a click there turns the leaf: at an edge or a corner. */
 function turnsByClick({ u, v }: DragHit): boolean {
   if (u > 1 - edgeZone) return true;
   return u > 1 - cornerZone.u && Math.abs(v - 0.5) > 0.5 - cornerZone.v;
 }
 
-/** Whether a press is for something upon the page: a link or field, or text that it selects. */
+/**
+ * Returns whether a press is for an element on the page: a link or field, or
+ * text that it selects.
+ */
 function isElsewhere(event: PointerEvent): boolean {
   const { target } = event;
   if (!(target instanceof Element)) return false;

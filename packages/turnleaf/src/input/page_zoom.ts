@@ -1,17 +1,17 @@
-/** The zoom of a double tap: to the page that was tapped, and back. */
+/** The zoom of a double tap: to the tapped page, and back. */
 
 import { pagesAt } from "../book/spreads.ts";
 import type { Place } from "../stage/book_stage.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 
-/** Share of the canvas that the page's width is to fill. */
+/** Fraction of the canvas that the page's width is to fill. */
 const filled = 0.94;
 
-/** Least and most that a double tap zooms. */
+/** Minimum and maximum level of a double tap. */
 const least = 2;
 const most = 4;
 
-/** A zoom to ask for: the level, and what comes to where. */
+/** A requested zoom: the level, and which point comes where. */
 interface AskedZoom {
   readonly level: number;
   readonly from: Place;
@@ -19,8 +19,8 @@ interface AskedZoom {
 }
 
 /**
- * What a double tap at a place asks for: the page there across the whole
- * canvas; from a book that is zoomed, all of it.
+ * Returns the zoom for a double tap at a place: the page there across the whole
+ * canvas; for a zoomed book, all of it.
  *
  * @param width of the canvas, CSS pixels
  */
@@ -34,7 +34,7 @@ export function pageZoom(viewer: Viewer, at: Place, width: number): AskedZoom {
   const [page] = pages.sort((a, b) => Math.abs(a.middle - at.x) - Math.abs(b.middle - at.x));
   if (page === undefined) return { ...whole, level: least };
   const level = Math.min(Math.max((filled * width) / page.across, least), most);
-  // Where the page is wider than the canvas, what was tapped stays in sight.
+  // If the page is wider than the canvas, the tapped point stays in sight.
   const fits = level * page.across <= width;
   const from = fits ? { x: page.middle, y: at.y } : at;
   return { level, from, to: fits ? { x: width / 2, y: at.y } : at };

@@ -1,4 +1,4 @@
-/** Two fingers that zoom and move what lies under them. */
+/** A pinch: two fingers that zoom and move what lies under them. */
 
 import type { Place } from "../stage/book_stage.ts";
 import type { Viewer } from "../viewer/viewer.ts";
@@ -9,7 +9,7 @@ type Finger = [id: number, at: Place];
 export class Pinch {
   readonly #viewer: Viewer;
   readonly #fingers: Map<number, Place>;
-  /** Zoom for each pixel between the fingers. */
+  /** Zoom per pixel between the fingers. */
   readonly #rate: number;
 
   constructor(viewer: Viewer, first: Finger, second: Finger) {
@@ -18,7 +18,7 @@ export class Pinch {
     this.#rate = viewer.zoomLevel / Math.max(this.#apart, 1);
   }
 
-  /** A pointer moves; answers whether it is one of the two. */
+  /** Moves a pointer. Returns whether it is one of the two. */
   move(id: number, at: Place): boolean {
     if (!this.#fingers.has(id)) return false;
     const before = this.#middle;
@@ -27,7 +27,7 @@ export class Pinch {
     return true;
   }
 
-  /** A pointer is lifted: answers the finger that stays, or null where it was none of the two. */
+  /** Releases a pointer. Returns the remaining finger, or null if it was none of the two. */
   lift(id: number): Finger | null {
     if (!this.#fingers.delete(id)) return null;
     return [...this.#fingers][0];

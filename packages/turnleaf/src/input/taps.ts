@@ -1,6 +1,9 @@
-/** Presses that end where they began: one after the other, close by, is a double one. */
+/** Detects double taps: presses that end where they began, one after the other, close together. */
 
-/** Most time between two, milliseconds, and most distance, CSS pixels: a finger is not as sure as a mouse. */
+/**
+ * Maximum time between two, milliseconds, and maximum distance, CSS pixels: a
+ * finger is less precise than a mouse.
+ */
 const soon = 350;
 const near = { mouse: 6, other: 28 };
 
@@ -11,11 +14,11 @@ interface Tap {
   readonly kind: string;
 }
 
-/** Tells the second of two taps. */
+/** Detects the second of two taps. */
 export class Taps {
   #last: Tap | null = null;
 
-  /** Takes down a tap; answers whether it is the second of a double one. */
+  /** Records a tap. Returns whether it is the second of a double tap. */
   tap({ clientX: x, clientY: y, timeStamp: time, pointerType: kind }: PointerEvent): boolean {
     const last = this.#last;
     const reach = kind === "mouse" ? near.mouse : near.other;
@@ -28,7 +31,7 @@ export class Taps {
     return isSecond;
   }
 
-  /** What was tapped so far counts no more. */
+  /** Forgets the previous tap. */
   forget(): void {
     this.#last = null;
   }

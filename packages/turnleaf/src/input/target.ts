@@ -1,12 +1,12 @@
-/** What pointers, wheel and keys act on. */
+/** The target of pointers, wheel and keys. */
 
 import type { Viewer } from "../viewer/viewer.ts";
 
-/** An open book, and what of the element it lies in is asked beside it. */
+/** An open book, and the callbacks of the element around it. */
 export interface InputTarget {
   readonly viewer: Viewer;
-  /** A reader turns one leaf on (1) or back (-1), with motion or without, as the reader likes it. */
+  /** Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers. */
   readonly turn: (by: 1 | -1) => void;
-  /** Whether the reader asked for less motion. */
+  /** Returns whether the reader prefers reduced motion. */
   readonly calm: () => boolean;
 }

@@ -1,4 +1,7 @@
-/** The wheel: zoom with Ctrl or by pinching a trackpad, pan while zoomed, turn where it scrolls nothing else. */
+/**
+ * The wheel: zoom with Ctrl or by pinching a trackpad, pan while zoomed, turn
+ * where nothing scrolls.
+ */
 
 import { forward } from "../book/spreads.ts";
 import type { Place } from "../stage/book_stage.ts";
@@ -7,7 +10,10 @@ import type { InputTarget } from "./target.ts";
 /** CSS pixels of a line, for wheels that count in lines. */
 const line = 16;
 
-/** Zoom for each pixel of a pinch, as an exponent, and the most pixels that one event counts for. */
+/**
+ * Zoom per pixel of a pinch, as an exponent, and the maximum of pixels that one
+ * event counts for.
+ */
 const zoomRate = 0.009;
 const mostZoomStep = 40;
 
@@ -17,11 +23,14 @@ const notch = 90;
 /** Pixels of a smooth wheel that turn a leaf. */
 const swipe = 60;
 
-/** Least time between two leaves, and the pause that parts one swipe from the next, milliseconds. */
+/**
+ * Minimum time between two leaves, and the pause that separates one swipe from
+ * the next, milliseconds.
+ */
 const leastApart = 120;
 const pause = 150;
 
-/** Time that a zoom or pan by wheel takes, seconds: wheels go in steps. */
+/** Duration of a zoom or pan by wheel, seconds: wheels go in steps. */
 const glide = 0.12;
 
 /** The wheel over one book. */
@@ -37,7 +46,7 @@ export class Wheel {
     this.#target = target;
   }
 
-  /** Answers an event at a place on the canvas. What it takes, the page around it does not scroll by. */
+  /** Handles an event at a place on the canvas. An event that it uses does not scroll the page. */
   roll(event: WheelEvent, at: Place): void {
     if (event.defaultPrevented) return;
     const { viewer } = this.#target;
@@ -53,7 +62,7 @@ export class Wheel {
     event.preventDefault();
   }
 
-  /** Turns leaves; answers whether the event is the book's. */
+  /** Turns leaves. Returns whether the event is the book's. */
   #turn(event: WheelEvent, x: number, y: number): boolean {
     const isAcross = Math.abs(x) > Math.abs(y);
     if (!isAcross && scrolls(event)) return false;
@@ -66,7 +75,7 @@ export class Wheel {
     }
     this.#last = time;
     this.#sum += delta;
-    // A trackpad goes on by itself after a swipe: that turns no more leaves.
+    // A trackpad continues by itself after a swipe: that turns no more leaves.
     const isEnough = isNotch || (!this.#isSpent && Math.abs(this.#sum) >= swipe);
     if (isEnough && time - this.#turned >= leastApart) {
       this.#isSpent = true;
@@ -77,7 +86,10 @@ export class Wheel {
   }
 }
 
-/** Whether the wheel would scroll what is around the book, up to what fills the screen. */
+/**
+ * Returns whether the wheel would scroll an element around the book, up to the
+ * one that fills the screen.
+ */
 function scrolls(event: WheelEvent): boolean {
   const { fullscreenElement, scrollingElement } = document;
   for (const node of event.composedPath()) {

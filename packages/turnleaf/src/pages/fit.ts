@@ -6,9 +6,10 @@ import { foldAt, isFoldOut, isTrimmed } from "./page_place.ts";
 const paper = "#fbf5e8";
 
 /**
- * A picture of the leaf's proportions with a page's on it, no sharper than that is and
- * no wider than the leaf is wanted. Where the leaf is cut to a smaller page it is clear,
- * and so is a board beside its cover; a little margin is paper. A fold-out is folded in.
+ * Draws a page's picture on one of the leaf's proportions, no sharper than the
+ * former and no wider than `width`. Where the leaf is trimmed to a smaller page
+ * it is transparent, and so is a board beside its cover; a small margin is
+ * paper. A fold-out is folded in.
  *
  * @param place the part of the leaf that the page covers
  * @param aspect the leaf's width over its height
@@ -31,7 +32,7 @@ export function fitToLeaf(
 }
 
 /**
- * The parts of a fold-out that lies open, each as high as the leaf: what is on
+ * Returns the parts of an open fold-out, each as high as the leaf: what is on
  * it, what is beyond its fold, and the bare back of that.
  */
 export function unfold(
@@ -60,7 +61,10 @@ export function unfold(
   return { page, flap, back };
 }
 
-/** A canvas of the leaf's proportions, as large as the picture fills it and no wider than wanted. */
+/**
+ * Returns a canvas of the leaf's proportions, as large as the picture fills it
+ * and no wider than `width`.
+ */
 function leafFor(picture: PagePicture, place: PageBox, aspect: number, width: number) {
   const across = Math.min(picture.width / place.width, width);
   const canvas = document.createElement("canvas");
@@ -81,11 +85,11 @@ function drawOn(
   pen.drawImage(picture, x * across, y * down, width * across, height * down);
 }
 
-/** Lays the back of a fold-out's flap over its page, with the shadow of its free edge. */
+/** Draws the back of a fold-out's flap over its page, with the shadow of its free edge. */
 function drawFolded(pen: CanvasRenderingContext2D, place: PageBox): void {
   const { width, height } = pen.canvas;
   const isRight = place.x < 0;
-  // Told for a page whose spine is on its left.
+  // Mirrored for a page whose spine is on its right.
   if (isRight) {
     pen.translate(width, 0);
     pen.scale(-1, 1);
@@ -100,7 +104,7 @@ function drawFolded(pen: CanvasRenderingContext2D, place: PageBox): void {
   pen.fillRect(free - 0.03 * width, top, 0.03 * width, tall);
   pen.fillStyle = paper;
   pen.fillRect(free, top, fold - free, tall);
-  // The fold's round catches less light.
+  // The round of the fold receives less light.
   const bend = pen.createLinearGradient(fold - 0.03 * width, 0, fold, 0);
   bend.addColorStop(0, "rgb(60 45 25 / 0)");
   bend.addColorStop(1, "rgb(60 45 25 / 0.14)");

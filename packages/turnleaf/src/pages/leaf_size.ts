@@ -6,8 +6,9 @@ import type { PageSize, PageSource } from "../sources/page_source.ts";
 const [narrowest, widest] = [0.25, 4];
 
 /**
- * A leaf's size in the source's unit: that of an inner page, as covers often
- * have another size; of another page where that one cannot be read.
+ * Returns a leaf's size in the source's unit: that of an inner page, because
+ * covers often have another size, or of another page if that one cannot be
+ * read.
  */
 export async function leafSize(source: PageSource, signal: AbortSignal): Promise<PageSize> {
   let failure: unknown;

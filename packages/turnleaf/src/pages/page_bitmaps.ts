@@ -1,4 +1,4 @@
-/** The pages as pictures to print on leaves: the pool's own, fitted, or what stands in for them. */
+/** The bitmaps shown on leaves: the pool's own, fitted to the leaf, or stand-ins. */
 
 import { loaded } from "../sources/loaded.ts";
 import type { PageBox, PagePicture, PageSize, PageSource } from "../sources/page_source.ts";
@@ -6,33 +6,39 @@ import { foldAt, isFoldOut, type PrintedOn, placeOnLeaf, wholeLeaf } from "./pag
 import { closePicture, PagePool, type PagePoolOptions, type PoolSource } from "./page_pool.ts";
 import { barePage, failedPage, slowPage, waitingPage } from "./stand_in.ts";
 
-/** Told when pictures come and go. */
+/** Callbacks for changes of bitmaps. */
 export interface PageBitmapsOptions {
-  /** The picture of a page (from 1) changed, it failed, or what stands in for it says something else. */
+  /**
+   * The bitmap of a page (from 1) has changed, its drawing failed, or its
+   * stand-in says something else.
+   */
   readonly onArrive: (page: number) => void;
-  /** A picture will not be used again; textures made of it can be freed. */
+  /** A bitmap will not be used again; textures made of it can be freed. */
   readonly onDrop: (picture: PagePicture) => void;
-  /** The sentence for a page, by its label, that takes long to draw. */
+  /** Returns the sentence for a page that takes long to draw, from its label. */
   readonly slowText?: (label: string) => string;
-  /** As the pool's own. */
+  /** As in the pool's options. */
   readonly later?: PagePoolOptions["later"];
 }
 
-/** Stand-ins kept: more than a riffle shows at once, for one that is shown may not be dropped. */
+/**
+ * Number of stand-ins kept: more than a riffle shows at once, because a visible
+ * one may not be dropped.
+ */
 const standInsKept = 32;
 
-/** Width at which a page that passes by looks like itself, device pixels. */
+/** Width at which a page that passes by is recognisable, device pixels. */
 const leastRoughWidth = 512;
 
-/** What is wanted of a page, most urgent first. */
+/** The pages wanted, most urgent first. */
 interface PagesWanted {
   readonly pages: readonly number[];
-  /** How many of the first are seen now, and how many of those lie open. */
+  /** How many of the first are visible now, and how many of those lie open. */
   readonly inSight: number;
   readonly lyingOpen: number;
 }
 
-/** A fold-out that lies open: the pictures of its parts, and the part of its leaf that all of it covers. */
+/** An open fold-out: the bitmaps of its parts, and the part of its leaf that all of it covers. */
 export interface Unfolded {
   readonly page: PagePicture;
   readonly flap: PagePicture;
@@ -40,13 +46,13 @@ export interface Unfolded {
   readonly place: PageBox;
 }
 
-/** Most pixels across a fold-out. */
+/** Maximum of pixels across a fold-out. */
 const mostAcross = 4096;
 
-/** What pages of other sizes than the leaf's need. */
+/** Loads what pages of other sizes than the leaf's need. */
 const fitting = () => loaded(import("./fit.ts"));
 
-/** A book's pages as pictures of its leaf's proportions. */
+/** A book's pages as bitmaps of its leaf's proportions. */
 export class PageBitmaps {
   readonly #source: PageSource;
   readonly #pool: PagePool;
@@ -56,7 +62,7 @@ export class PageBitmaps {
   #inSight: ReadonlySet<number> = new Set();
   readonly #standIns = new Map<string, HTMLCanvasElement>();
 
-  /** What each page is printed on, and the part of it that each page drawn so far covers. */
+  /** What each page is printed on, and the part of its leaf that each page drawn so far covers. */
   #printedOn: (page: number) => PrintedOn = () => "left";
   readonly #places = new Map<number, PageBox>();
   #unfolded: { number: number; parts: Unfolded } | null = null;
@@ -67,7 +73,7 @@ export class PageBitmaps {
     this.#leaf = leaf;
     this.#aspect = leaf.width / leaf.height;
     this.#options = options;
-    // Fitted before the pool holds it: its bounds are then of what is truly held.
+    // Fitted before the pool holds it: its bounds then apply to the memory really held.
     const draw: PageSource["draw"] = async (index, width, signal) => {
       const before = this.placeOf(index + 1, await source.size(index, signal));
       const picture = await source.draw(index, Math.ceil(width * before.width), signal);
@@ -98,10 +104,10 @@ export class PageBitmaps {
   }
 
   /**
-   * Asks for pages (from 1), `width` device pixels wide.
+   * Requests pages (from 1), `width` device pixels wide.
    *
-   * @param roughly whether pages in flight are wanted only roughly: two dozen
-   *   sharp ones would take more memory than the pool may
+   * @param roughly if true, pages in flight are wanted only roughly: two dozen
+   * sharp ones would take more memory than the pool may
    */
   want({ pages, inSight, lyingOpen }: PagesWanted, width: number, roughly: boolean): void {
     this.#inSight = new Set(pages.slice(0, inSight));
@@ -114,8 +120,8 @@ export class PageBitmaps {
   }
 
   /**
-   * The book is bound: `printedOn` tells of each page (from 1) where its spine
-   * is, or that it is on a board. Pictures that lie otherwise then are dropped.
+   * Sets what each page (from 1) is printed on: where its spine is, or that it
+   * is on a board. Bitmaps that lie otherwise than before are dropped.
    */
   bind(printedOn: (page: number) => PrintedOn): void {
     const before = this.#printedOn;
@@ -127,20 +133,24 @@ export class PageBitmaps {
     }
   }
 
-  /** The part of its leaf that a page (from 1) of some size covers, shares from the upper left corner. */
+  /**
+   * Returns the part of its leaf that a page (from 1) of some size covers, as
+   * fractions from the upper left corner.
+   */
   placeOf(page: number, size: PageSize): PageBox {
     const isTrue = this.#source.kind === "typeset";
     return placeOnLeaf(size, this.#leaf, isTrue, this.#printedOn(page));
   }
 
-  /** The same of a page whose picture there was; all of the leaf of others. */
+  /** Returns the same for a page that has had a bitmap; the whole leaf for others. */
   placeOfDrawn(page: number): PageBox {
     return this.#places.get(page) ?? wholeLeaf;
   }
 
   /**
-   * Draws a fold-out (a page from 1) that is to lie open; it is shown so until
-   * it is folded in. Null for a page that is none. Rejects as drawing does.
+   * Draws a fold-out (a page from 1) to be opened; it is shown so until it is
+   * folded in. Resolves to null for a page that is not a fold-out. Rejects as
+   * drawing does.
    */
   async unfold(page: number, width: number, signal: AbortSignal): Promise<Unfolded | null> {
     const place = this.placeOfDrawn(page);
@@ -165,7 +175,7 @@ export class PageBitmaps {
     }
   }
 
-  /** Whether a place on a page's leaf, `x` from its left edge, is not under a folded flap. */
+  /** Returns whether a place on a page's leaf, `x` from its left edge, is outside a folded flap. */
   isBare(page: number, x: number): boolean {
     const place = this.placeOfDrawn(page);
     if (!isFoldOut(place) || this.#unfolded?.number === page) return true;
@@ -173,10 +183,13 @@ export class PageBitmaps {
     return place.x < 0 ? x > 1 - free : x < free;
   }
 
-  /** The book's pages are others than before; `moved` answers where a page (from 0) is now, or null. */
+  /**
+   * Renumbers the pages after a change of the book; `moved` returns where a
+   * page (from 0) is now, or null.
+   */
   renumber(moved: (index: number) => number | null): void {
     this.#inSight = new Set();
-    // Where their leaves are now, `bind` will tell.
+    // `bind` sets where their leaves are now.
     const on = this.#printedOn;
     const places = [...this.#places];
     const before = new Map<number, number>();
@@ -191,51 +204,54 @@ export class PageBitmaps {
     this.#pool.renumber(moved);
   }
 
-  /** The picture of a page (from 1) is out of date; it is shown until the next is drawn. */
+  /** Marks the bitmap of a page (from 1) as out of date; it is shown until the next is drawn. */
   redraw(page: number): void {
     this.#pool.redraw(page - 1);
   }
 
-  /** The best picture of a page (from 1) that there is now; never nothing. */
+  /** Returns the best available bitmap of a page (from 1), or a stand-in; never null. */
   get(page: number): PagePicture {
     if (this.#unfolded?.number === page) return this.#unfolded.parts.page;
     return this.#pool.get(page - 1) ?? this.#standIn(page);
   }
 
-  /** Width of a page's picture in device pixels; infinite where there is none sharper to be had. */
+  /**
+   * Returns the width of a page's bitmap in device pixels; infinite if no
+   * sharper one can be drawn.
+   */
   sharpness(page: number): number {
-    // On a fold-out that is folded in, what is drawn sharper would lie over the flap.
+    // On a folded fold-out, a sharper detail would lie over the flap.
     const isFolded = isFoldOut(this.placeOfDrawn(page));
     if (isFolded || this.#pool.failed(page - 1)) return Number.POSITIVE_INFINITY;
     return this.#pool.sharpness(page - 1);
   }
 
-  /** As `get`; null for a page out of sight that is not drawn. */
+  /** As `get`, but null for a page out of sight that is not drawn. */
   getIfDrawn(page: number): PagePicture | null {
     return this.#inSight.has(page) || this.#pool.get(page - 1) !== null ? this.get(page) : null;
   }
 
-  /** Why a page (from 1) cannot be shown, or null. */
+  /** Returns why a page (from 1) cannot be shown, or null. */
   failure(page: number): string | null {
     return this.#pool.failed(page - 1)?.message ?? null;
   }
 
-  /** Paper with nothing on it. */
+  /** Blank paper. */
   get bare(): PagePicture {
     return this.#keep("bare", () => barePage(this.#aspect));
   }
 
-  /** Whether the pages in sight are as sharp as they were asked for, or have failed. */
+  /** Whether the visible pages are as sharp as requested, or have failed. */
   get settled(): boolean {
     return this.#pool.settled;
   }
 
-  /** Whether the pages that may come into sight next are so too, as far as memory allows. */
+  /** Whether the pages that may become visible next are so too, as far as memory allows. */
   get ready(): boolean {
     return this.#pool.settled && this.#pool.ready;
   }
 
-  /** While leaves move, only pages of which there is nothing to show are drawn. */
+  /** While leaves move, only pages without any bitmap are drawn. */
   set paused(paused: boolean) {
     this.#pool.paused = paused;
   }
@@ -261,7 +277,7 @@ export class PageBitmaps {
 
   #keep(key: string, make: () => HTMLCanvasElement): HTMLCanvasElement {
     const kept = this.#standIns.get(key) ?? make();
-    // Last asked for, last in the map: the first is the one to drop.
+    // The map is in the order of requests: the first one is dropped.
     this.#standIns.delete(key);
     this.#standIns.set(key, kept);
     const oldest = this.#standIns.keys().next().value;

@@ -5,38 +5,38 @@ export interface WantedPage {
   /** From 0. */
   readonly index: number;
   readonly width: number;
-  /** That width is rough already: it is not drawn more roughly before. */
+  /** If true, that width is rough already: no rougher bitmap is drawn first. */
   readonly isRough?: boolean;
 }
 
-/** A picture that the pool holds. */
+/** A bitmap that the pool holds. */
 export interface Held {
   readonly picture: PagePicture;
-  /** The width that was asked for; a source may draw narrower than that. */
+  /** The requested width; a source may draw narrower than that. */
   readonly asked: number;
   readonly bytes: number;
 }
 
-/** How much may be held at once. */
+/** The maximum that may be held at once. */
 export interface Bounds {
   readonly pages: number;
   readonly bytes: number;
-  /** The first so many wanted pages are held whatever they take. */
+  /** The first so many wanted pages are held whatever memory they take. */
   readonly always: number;
 }
 
-/** Height over width of a page of which nothing is known yet. */
+/** Height over width assumed for an unknown page. */
 const usualRatio = 1.5;
 
-/** What a picture takes in memory: 4 bytes a pixel. */
+/** Returns the memory of a bitmap: 4 bytes per pixel. */
 export function pictureBytes(picture: PagePicture): number {
   return 4 * picture.width * picture.height;
 }
 
 /**
- * Held pages in the order in which they are dropped: first those that are not
- * wanted, the farthest from every wanted page foremost; then the wanted ones,
- * the least urgent foremost.
+ * Returns held pages in the order in which they are dropped: first the unwanted
+ * ones, starting with the farthest from every wanted page; then the wanted
+ * ones, starting with the least urgent.
  */
 export function dropOrder(
   wanted: readonly WantedPage[],
@@ -53,10 +53,11 @@ export function dropOrder(
 }
 
 /**
- * The wanted pages that can be held all at once, taken in their order: drawing
- * another would drop one of them, which would be drawn again, and so on without
- * end.
- * @param ratios height over width of every page that was drawn before
+ * Returns the wanted pages that can be held all at once, in their order:
+ * drawing another would drop one of them, which would be drawn again, and so on
+ * without end.
+ *
+ * @param ratios height over width of every page drawn so far
  */
 export function withinBudget(
   wanted: readonly WantedPage[],

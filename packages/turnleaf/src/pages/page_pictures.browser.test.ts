@@ -1,4 +1,4 @@
-/** Pictures fitted to the leaf: their size, and what is held of them. */
+/** Bitmaps fitted to the leaf: their size, and which of them are kept. */
 
 import { expect, test } from "vitest";
 import type { PageBox, PagePicture, PageSource } from "../sources/page_source.ts";
@@ -24,7 +24,7 @@ test("other proportions take no more pixels than the leaf is wanted with", () =>
     expect(w).toBeLessThanOrEqual(512);
     expect(Math.abs(w / h / aspect - 1)).toBeLessThan(0.02);
   }
-  // A small picture is not blown up: the graphics card does that as well.
+  // A small bitmap is not enlarged: the graphics card does that as well.
   const half = { x: 0, y: 0.375, width: 1, height: 0.25 };
   expect(fitToLeaf(sheet(100, 50), half, 0.5, 512).width).toBe(100);
 });
@@ -72,7 +72,7 @@ test("a fold-out is folded in: its flap's back lies on the page, at its fore-edg
   }
 });
 
-/** A source of one page, twice as wide as it is high, and the pictures drawn of it. */
+/** Returns a source of one page, twice as wide as it is high, and a list of what it has drawn. */
 function slides(): { source: PageSource; drawn: HTMLCanvasElement[] } {
   const drawn: HTMLCanvasElement[] = [];
   const source = {

@@ -10,7 +10,7 @@ test("a page of the book's size covers its leaf, and so does one of nearly its s
     expect(onLeaf(400, 600, on)).toEqual({ x: 0, y: 0, width: 1, height: 1 });
     expect(onLeaf(402, 600, on)).toEqual({ x: 0, y: 0, width: 1, height: 1 });
   }
-  // Of a scan the number of its pixels says nothing.
+  // The number of pixels of a scan says nothing about its size.
   expect(onLeaf(1600, 2400, "left", false)).toEqual({ x: 0, y: 0, width: 1, height: 1 });
 });
 

@@ -2,42 +2,55 @@
 
 import type { PageBox, PageSize } from "../sources/page_source.ts";
 
-/** The edge of a page's picture that lies at the spine. */
+/** The edge of a page's bitmap that lies at the spine. */
 export type SpineEdge = "left" | "right" | "top" | "bottom";
 
-/** What a page is printed on: a leaf whose spine lies at an edge of the picture, or a cover's board. */
+/**
+ * What a page is printed on: a leaf whose spine lies at an edge of the bitmap,
+ * or a cover's board.
+ */
 export type PrintedOn = SpineEdge | "board";
 
-/** Difference of sizes that nobody sees, so that a picture may just be stretched. */
+/** Imperceptible difference of sizes, for which a bitmap may simply be stretched. */
 const unseen = 0.015;
 
-/** A page smaller than its leaf by no more than this share has a margin there; a smaller one a smaller leaf. */
+/**
+ * A page smaller than its leaf by no more than this fraction gets a margin
+ * there; for a smaller one the leaf is trimmed.
+ */
 const margin = 0.08;
 
-/** From this share of a leaf's width on a page is folded; below it is made to fit. */
+/** From this fraction of a leaf's width on a page is folded; below it is made to fit. */
 const foldFrom = 1.2;
 
-/** Where a fold-out is folded, share of the leaf from the spine; the flap beyond is no wider. */
+/**
+ * Position of a fold-out's fold, as a fraction of the leaf from the spine; the
+ * flap beyond is no wider.
+ */
 export const foldAt = 0.98;
 
-/** Widest a page is, in widths of the book; shares of a leaf that a page has at least, the longer way. */
+/**
+ * Maximum width of a page, in widths of the book; and the minimum fraction of a
+ * leaf that a page has in the longer direction.
+ */
 const widest = 1.95;
 const least = 0.5;
 
-/** Difference of proportions up to which a cover is cut to its board rather than set upon it. */
+/** Difference of proportions up to which a cover is cropped to its board rather than set on it. */
 const mostCut = 0.2;
 
-/** All of a leaf. */
+/** The whole leaf. */
 export const wholeLeaf: PageBox = { x: 0, y: 0, width: 1, height: 1 };
 
 /**
- * The part of a leaf that a page covers, shares of the leaf from its upper left
- * corner: as large beside the book's pages as it says it is, no larger than the
- * book, and at the spine. A page clearly wider than the book reaches beyond the
- * fore-edge; on a board it is as large as the board.
+ * Returns the part of a leaf that a page covers, in fractions of the leaf from
+ * its upper left corner: at its own size relative to the book's pages, no
+ * larger than the book, and at the spine. A page clearly wider than the book
+ * reaches beyond the fore-edge; on a board it is as large as the board.
  *
  * @param leaf size of the book's pages in the same unit
- * @param isTrue whether sizes are those of paper; those of scans tell proportions alone
+ * @param isTrue whether sizes are those of paper; those of scans give only
+ * proportions
  */
 export function placeOnLeaf(
   size: PageSize,
@@ -57,7 +70,7 @@ export function placeOnLeaf(
   };
 }
 
-/** A page's width and height as shares of its leaf's. */
+/** Returns a page's width and height as fractions of its leaf's. */
 function sharesOf(
   size: PageSize,
   leaf: PageSize,
@@ -67,7 +80,7 @@ function sharesOf(
 ): [width: number, height: number] {
   const tall = size.height / leaf.height;
   let scale = isTrue ? tall : 1;
-  // A scan as high as others and wider is of a wider page; another may be of any.
+  // A scan as high as others and wider is of a wider page; another may be of any size.
   const isAsHigh = isTrue || Math.abs(Math.log(tall)) < Math.log(1.3);
   const isWide = aspect * Math.min(scale, 1) > foldFrom;
   const most = mayFold && isAsHigh && isWide ? widest : 1;
@@ -76,7 +89,7 @@ function sharesOf(
   return [aspect * scale, scale];
 }
 
-/** A cover of nearly the board's proportions is cut to them; another lies upon it whole. */
+/** Crops a cover of nearly the board's proportions; another lies on it whole. */
 function placeOnBoard(aspect: number): PageBox {
   if (Math.abs(aspect - 1) <= unseen) return wholeLeaf;
   const isCut = Math.abs(Math.log(aspect)) < Math.log(1 + mostCut);
@@ -84,12 +97,15 @@ function placeOnBoard(aspect: number): PageBox {
   return { x: (1 - width) / 2, y: (1 - height) / 2, width, height };
 }
 
-/** Whether a leaf is cut to a page that covers so much of it, rather than left with a margin. */
+/**
+ * Returns whether a leaf is trimmed to a page that covers this part of it,
+ * rather than left with a margin.
+ */
 export function isTrimmed({ width, height }: PageBox): boolean {
   return Math.min(width, height) < 1 - margin;
 }
 
-/** Whether a page that covers a part of a leaf reaches beyond it, folded. */
+/** Returns whether a page that covers a part of a leaf reaches beyond it, folded. */
 export function isFoldOut({ width }: PageBox): boolean {
   return width > foldFrom;
 }

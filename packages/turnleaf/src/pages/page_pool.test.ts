@@ -22,7 +22,7 @@ class FakePicture {
   }
 }
 
-/** Draws when the test says so; pages are `ratio` times as high as wide. */
+/** Draws when the test calls it; pages are `ratio` times as high as wide. */
 class FakeSource implements PageSource {
   readonly title = "Fake";
   readonly language = "";
@@ -64,7 +64,7 @@ class FakeSource implements PageSource {
     for (const drawing of this.drawings.splice(0)) drawing.finish();
     await settle();
   }
-  /** Draws until nothing more is asked for; returns how many pictures that took. */
+  /** Draws until nothing more is requested. Returns how many drawings that took. */
   async finishEverything(most = 1000): Promise<number> {
     let count = 0;
     while (this.drawings.length > 0) {
@@ -274,7 +274,7 @@ class FakeTimers {
     this.waiting.set(call, milliseconds);
     return () => this.waiting.delete(call);
   };
-  /** Lets the time of all that waits come. */
+  /** Fires all timers. */
   elapse(): void {
     for (const [call, milliseconds] of [...this.waiting]) {
       expect(milliseconds).toBe(slowTime);
@@ -295,12 +295,12 @@ describe("what takes long", () => {
     timers.elapse();
     expect(slow).toEqual([4, 5]);
     expect([pool.slow(4), pool.slow(5), pool.slow(6)]).toEqual([true, true, false]);
-    // Two go on beside the two that are slow, and no more.
+    // Two continue beside the two slow ones, and no more.
     expect(source.open).toEqual(["4:100", "5:100", "6:300", "7:300"]);
     source.drawings.splice(2).map((drawing) => drawing.finish());
     await settle();
     expect([pool.get(6)?.width, pool.get(7)?.width]).toEqual([300, 300]);
-    // When they come at last they are shown as any page is.
+    // When they finish at last they are shown as any page is.
     await source.finishEverything();
     expect([pool.slow(4), pool.get(4)?.width]).toEqual([false, 300]);
     expect(timers.waiting.size).toBe(0);
@@ -315,7 +315,7 @@ describe("what takes long", () => {
     timers.elapse();
     timers.elapse();
     expect(source.open).toEqual(["0:100", "1:100"]);
-    // A page that is wanted no more makes room, slow or not.
+    // A page no longer wanted makes room, slow or not.
     pool.want(at(300, 2, 3), 4);
     expect(source.open).toEqual(["2:100"]);
     pool.close();
@@ -424,7 +424,10 @@ it("holds its promises whatever is asked of it", async () => {
   expect(live.size, trace).toBe(0);
 });
 
-/** Numbers from 0 to 1 that a seed repeats: a linear congruential generator (Numerical Recipes). */
+/**
+ * Returns a generator of numbers from 0 to 1, repeatable by its seed: a linear
+ * congruential generator (Numerical Recipes).
+ */
 function generator(seed: number): () => number {
   let state = seed >>> 0;
   return () => {

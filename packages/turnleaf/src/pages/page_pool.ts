@@ -12,30 +12,39 @@ import {
 export type { WantedPage } from "./page_budget.ts";
 
 export interface PagePoolOptions {
-  /** A better picture of the page is there, or its drawing failed. */
+  /** A better bitmap of the page has arrived, or its drawing failed. */
   readonly onArrive?: (index: number) => void;
-  /** The picture is about to be closed: free whatever was made of it. Called after `onArrive` of a better one. */
+  /**
+   * The bitmap is about to be closed: free whatever was made of it. Called
+   * after `onArrive` of a better one.
+   */
   readonly onDrop?: (picture: PagePicture) => void;
-  /** A page of which there is nothing to show takes long to draw; it is drawn on. */
+  /** A page without any bitmap takes long to draw; its drawing continues. */
   readonly onSlow?: (index: number) => void;
-  /** Calls back after some milliseconds, and returns how to call that off; a timer unless given. */
+  /**
+   * Calls back after some milliseconds, and returns a function that cancels it.
+   * The default is a timer.
+   */
   readonly later?: (call: () => void, milliseconds: number) => () => void;
-  /** Pages held at once; 12 unless given. */
+  /** Maximum of pages held at once. The default is 12. */
   readonly maxPages?: number;
-  /** Bytes of pictures held at once, 4 a pixel; 192 MB unless given. */
+  /** Maximum of bytes of bitmaps held at once, 4 per pixel. The default is 192 MB. */
   readonly maxBytes?: number;
-  /** Pages drawn at the same time; 2 unless given. */
+  /** Pages drawn at the same time. The default is 2. */
   readonly drawing?: number;
-  /** Milliseconds of a clock, to learn whether a rough picture comes much sooner than a sharp one. */
+  /**
+   * Returns a time in milliseconds, to learn whether a rough bitmap arrives
+   * much sooner than a sharp one.
+   */
   readonly now?: () => number;
 }
 
-/** A rough picture's share of the wanted width. */
+/** Width of a rough bitmap as a fraction of the wanted width. */
 const roughShare = 1 / 3;
-/** A sharp picture that takes no longer than this, in milliseconds, needs no rough one before it. */
+/** A sharp bitmap that takes no longer than this, in milliseconds, needs no rough one before it. */
 const quick = 40;
 
-/** A drawing that takes longer than this, in milliseconds, is a slow one. */
+/** A drawing that takes longer than this, in milliseconds, counts as slow. */
 export const slowTime = 5000;
 
 /** What the pool needs of a book. */
@@ -47,14 +56,13 @@ interface Job {
   readonly rough: boolean;
   readonly controller: AbortController;
   isSlow: boolean;
-  /** Calls off the timer that marks it as slow. */
+  /** Cancels the timer that marks it as slow. */
   readonly cancelTimer: () => void;
 }
 
 /**
- * Keeps the pages that are wanted drawn, and no more of them than memory
- * allows. It works only while something wanted is missing: at rest it has no
- * timer and no request.
+ * Keeps the wanted pages drawn, within a bound on memory. It works only while
+ * something wanted is missing: at rest it has no timer and no request.
  */
 export class PagePool {
   readonly #source: PoolSource;
@@ -77,13 +85,13 @@ export class PagePool {
   }
 
   /**
-   * The pages to have, the most urgent first: those in sight, then those that
-   * may come into sight next. Replaces the list before. Drawings of pages no
-   * longer on it are aborted; a page that failed is tried again once it has
-   * been off the list.
+   * Sets the wanted pages, the most urgent first: the visible ones, then those
+   * that may become visible next. Replaces the previous list. Drawings of pages
+   * no longer on it are aborted; a failed page is tried again once it has been
+   * off the list.
    *
-   * @param inSight how many of the first are in sight: rough pictures are drawn
-   *   for them alone, and they are never dropped
+   * @param inSight how many of the first are visible: rough bitmaps are drawn
+   * only for them, and they are never dropped
    */
   want(pages: readonly WantedPage[], inSight = 2): void {
     if (this.#isClosed) return;
@@ -103,33 +111,37 @@ export class PagePool {
     this.#drawNext();
   }
 
-  /** The best picture there is of page `index`; null while there is none. It stays the pool's own. */
+  /** Returns the best bitmap of page `index`, or null. The pool keeps ownership. */
   get(index: number): PagePicture | null {
     return this.#held.get(index)?.picture ?? null;
   }
 
-  /** Width of that picture in device pixels: 0 of none, infinite where the source has no sharper one. */
+  /**
+   * Returns the width of that bitmap in device pixels: 0 if there is none,
+   * infinite if the source has no sharper one.
+   */
   sharpness(index: number): number {
     const held = this.#held.get(index);
     if (held === undefined) return 0;
-    // A page of other proportions than asked for may lack a pixel by rounding.
+    // A page of other proportions than requested may be a pixel narrower by rounding.
     return held.picture.width < held.asked - 2 ? Number.POSITIVE_INFINITY : held.picture.width;
   }
 
-  /** Why page `index` has no picture; null while it has one or may yet get one. */
+  /** Returns why page `index` has no bitmap; null while it has one or may yet get one. */
   failed(index: number): BookError | null {
     return this.#held.has(index) ? null : (this.#failed.get(index) ?? null);
   }
 
-  /** Whether page `index` has no picture yet because its drawing takes long. */
+  /** Returns whether page `index` has no bitmap yet because its drawing takes long. */
   slow(index: number): boolean {
     return !this.#held.has(index) && this.#jobs.get(index)?.isSlow === true;
   }
 
   /**
-   * The book's pages are others than before: pictures stay with their pages.
+   * Renumbers the pages after a change of the book: bitmaps stay with their
+   * pages.
    *
-   * @param moved where a page lies now; null where it is gone
+   * @param moved returns where a page lies now; null if it was removed
    */
   renumber(moved: (index: number) => number | null): void {
     for (const job of [...this.#jobs.values()]) this.#abort(job);
@@ -146,7 +158,7 @@ export class PagePool {
     }
   }
 
-  /** The picture of page `index` is out of date; it is held until another is drawn. */
+  /** Marks the bitmap of page `index` as out of date; it is kept until another is drawn. */
   redraw(index: number): void {
     const job = [...this.#jobs.values()].find((running) => running.index === index);
     if (job) this.#abort(job);
@@ -162,8 +174,8 @@ export class PagePool {
   }
 
   /**
-   * While paused, drawing starts only for a page in sight of which there is
-   * nothing to show: for as long as a leaf turns, so that frames come first.
+   * While paused, drawing starts only for a visible page without any bitmap:
+   * while a leaf turns, frames come first.
    */
   set paused(paused: boolean) {
     this.#isPaused = paused;
@@ -174,7 +186,7 @@ export class PagePool {
     return this.#isPaused;
   }
 
-  /** Whether every page in sight is as sharp as it was asked for, or has failed. */
+  /** Whether every visible page is as sharp as requested, or has failed. */
   get settled(): boolean {
     return this.#wanted
       .slice(0, this.#inSight)
@@ -184,7 +196,7 @@ export class PagePool {
       );
   }
 
-  /** Whether every page on the list that memory allows is as sharp as it was asked for, or has failed. */
+  /** Whether every listed page that fits in memory is as sharp as requested, or has failed. */
   get ready(): boolean {
     const affordable = withinBudget(this.#wanted, this.#held, this.#bounds, this.#ratios);
     return this.#wanted.every(
@@ -195,14 +207,14 @@ export class PagePool {
     );
   }
 
-  /** Bytes of the pictures held. */
+  /** Bytes of the bitmaps held. */
   get bytes(): number {
     let bytes = 0;
     for (const held of this.#held.values()) bytes += held.bytes;
     return bytes;
   }
 
-  /** Aborts everything and drops every picture. The source stays open: it is its owner's. */
+  /** Aborts everything and drops every bitmap. The source stays open: its owner closes it. */
   close(): void {
     this.#isClosed = true;
     this.#wanted = [];
@@ -219,14 +231,20 @@ export class PagePool {
     }
   }
 
-  /** Whether another drawing may start: slow ones take no place of others', as many as there are places. */
+  /**
+   * Whether another drawing may start. Slow ones take no place of others, up to
+   * as many as there are places.
+   */
   get #isFree(): boolean {
     const { drawing = 2 } = this.#options;
     const slow = [...this.#jobs.values()].filter(({ isSlow }) => isSlow).length;
     return this.#jobs.size - Math.min(slow, drawing) < drawing;
   }
 
-  /** First a picture of each page in sight, then sharp ones of all, in order. */
+  /**
+   * Returns the next drawing: first a bitmap of each visible page, then sharp
+   * ones of all, in order.
+   */
   #nextJob(): Job | null {
     const open = this.#wanted.filter(
       ({ index }) => !this.#jobs.has(index) && !this.#failed.has(index),
@@ -256,7 +274,7 @@ export class PagePool {
     return job;
   }
 
-  /** A drawing takes long: others go on beside it. */
+  /** Marks a drawing as slow, so that others go on beside it. */
   #markSlow(job: Job): void {
     if (this.#jobs.get(job.index) !== job) return;
     job.isSlow = true;
@@ -264,7 +282,7 @@ export class PagePool {
     this.#drawNext();
   }
 
-  /** A drawing is over: done, failed or aborted. */
+  /** Ends a drawing: done, failed or aborted. */
   #end(job: Job): void {
     job.cancelTimer();
     this.#jobs.delete(job.index);
@@ -370,7 +388,7 @@ function defaultNow(): number {
   return performance.now();
 }
 
-/** Frees a picture's memory at once. */
+/** Frees a bitmap's memory at once. */
 export function closePicture(picture: PagePicture): void {
   if ("close" in picture) picture.close();
   else picture.width = picture.height = 0;

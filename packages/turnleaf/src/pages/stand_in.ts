@@ -1,14 +1,13 @@
 /**
- * Pictures that stand where a page's own cannot: while it is being drawn, or
- * because it cannot be. Never a blank page: the reader sees which page it is,
- * or what went wrong.
+ * Stand-ins for pages that are being drawn, or that cannot be. Never a blank
+ * page: the reader sees which page it is, or what went wrong.
  */
 
-/** Paper, and ink that stays behind the text of real pages. */
+/** Paper, and ink fainter than the text of real pages. */
 const paper = "#fbf5e8";
 const ink = "#211d1a";
 const faintInk = "rgb(33 29 26 / 0.28)";
-/** Ink that is read without effort and does not call for it. */
+/** Ink that is easily read without drawing attention. */
 const paleInk = "rgb(33 29 26 / 0.66)";
 
 /** Width of a sentence to be read, and of a mere label, of which a riffle shows two dozen. */
@@ -31,7 +30,7 @@ function sheet(
   return { canvas, pen };
 }
 
-/** A page still being drawn: its label in faint ink between two short rules. */
+/** Returns a page still being drawn: its label in faint ink between two short rules. */
 export function waitingPage(label: string, aspect: number): HTMLCanvasElement {
   const { canvas, pen } = sheet(aspect, labelWidth);
   const { width } = canvas;
@@ -44,12 +43,12 @@ export function waitingPage(label: string, aspect: number): HTMLCanvasElement {
   return canvas;
 }
 
-/** A page that cannot be drawn: the sentence that says why. */
+/** Returns a page that cannot be drawn: the sentence that gives the reason. */
 export function failedPage(sentence: string, aspect: number): HTMLCanvasElement {
   return sentencePage(sentence, aspect, ink);
 }
 
-/** A page that takes long to draw: the sentence that says so, in paler ink. */
+/** Returns a page that takes long to draw: the sentence that says so, in paler ink. */
 export function slowPage(sentence: string, aspect: number): HTMLCanvasElement {
   return sentencePage(sentence, aspect, paleInk);
 }
@@ -68,7 +67,7 @@ function sentencePage(sentence: string, aspect: number, colour: string): HTMLCan
   return canvas;
 }
 
-/** Paper with nothing on it: the back of a last page that has none. */
+/** Returns blank paper: the back of a last page without one. */
 export function barePage(aspect: number): HTMLCanvasElement {
   return sheet(aspect, labelWidth).canvas;
 }

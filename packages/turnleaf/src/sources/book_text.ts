@@ -1,10 +1,10 @@
 import { limits } from "./limits.ts";
 
-/** Control and direction-override characters, which a title or label must not smuggle in. */
+/** Control and direction-override characters, which are not allowed in titles and labels. */
 // biome-ignore lint/suspicious/noControlCharactersInRegex: they are what is removed
 const unprintable = /[\u0000-\u001f\u007f-\u009f\u200e\u200f\u202a-\u202e\u2066-\u2069\ufeff]/g;
 
-/** `text` on one line, without unprintable characters, of at most `length` characters. */
+/** Returns `text` on one line, without unprintable characters, of at most `length` characters. */
 export function cleanText(text: unknown, length: number = limits.titleLength): string {
   if (typeof text !== "string") return "";
   const line = text
@@ -15,7 +15,10 @@ export function cleanText(text: unknown, length: number = limits.titleLength): s
   return [...line].slice(0, length).join("");
 }
 
-/** A piece of a page's text as it is: spaces stay, unprintable characters go, lone halves of characters too. */
+/**
+ * Returns a piece of a page's text as it is, with its spaces, but without
+ * unprintable characters and lone surrogates.
+ */
 export function cleanRun(text: unknown): string {
   if (typeof text !== "string") return "";
   return text
@@ -25,7 +28,10 @@ export function cleanRun(text: unknown): string {
     .replace(/\p{Surrogate}/gu, "");
 }
 
-/** An address that a book's link may lead to, of the web or of mail; empty where `address` is none. */
+/**
+ * Returns an address that a book's link may lead to, of the web or of mail;
+ * empty if `address` is none.
+ */
 export function cleanAddress(address: unknown): string {
   if (typeof address !== "string" || address.length > limits.urlLength) return "";
   try {
@@ -36,7 +42,7 @@ export function cleanAddress(address: unknown): string {
   }
 }
 
-/** A BCP 47 tag in its canonical form; empty where `tag` is none. */
+/** Returns a BCP 47 tag in its canonical form; empty if `tag` is none. */
 export function cleanLanguage(tag: unknown): string {
   const text = cleanText(tag, 60).replaceAll("_", "-");
   try {
@@ -47,8 +53,8 @@ export function cleanLanguage(tag: unknown): string {
 }
 
 /**
- * What a sentence calls the file at `url`: the last part of its path, decoded;
- * "this book" where it has none (a blob or data URL).
+ * Returns the name of the file at `url` for sentences: the last part of its
+ * path, decoded, or "this book" for a blob or data URL.
  */
 export function nameOfUrl(url: string): string {
   if (/^(blob|data):/i.test(url)) return "this book";

@@ -1,14 +1,15 @@
-/** Sentences for failures that nobody foresaw. */
+/** Sentences for unforeseen errors. */
 
 import { cleanText } from "./book_text.ts";
 import { BookError } from "./page_source.ts";
 
-/** Most characters of another library's message that a sentence quotes. */
+/** Maximum of characters quoted from another library's message. */
 const messageLength = 200;
 
 /**
- * An error's name and message, such as "TypeError: x is not a function". An error that pdf.js passed
- * on from its worker has both as `details`.
+ * Returns an error's name and message, such as "TypeError: x is not a
+ * function". An error that pdf.js passed on from its worker has both as
+ * `details`.
  */
 export function nameAndMessage(error: unknown): string {
   const { details } = Object(error) as { details?: unknown };
@@ -16,8 +17,8 @@ export function nameAndMessage(error: unknown): string {
 }
 
 /**
- * A failure for which there is no sentence of its own: it names the error, which is its `cause`.
- * A `BookError` is returned as it is.
+ * Returns a `BookError` for an unforeseen error: it names the error, which is
+ * its `cause`. A `BookError` is returned as it is.
  *
  * @param what what failed, such as "book.pdf cannot be read"
  * @param remedy what to do about it

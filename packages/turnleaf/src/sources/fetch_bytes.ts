@@ -1,8 +1,8 @@
 import { BookError } from "./page_source.ts";
 
 /**
- * Fetches `url`, with every failure told as a sentence about `name`.
- * Rejects with a `BookError`, or with the signal's reason when aborted.
+ * Fetches `url`. Rejects with a `BookError`, a sentence about `name`, or with
+ * the signal's reason when aborted.
  */
 export async function fetchChecked(
   url: string,
@@ -18,13 +18,13 @@ export async function fetchChecked(
     throw new BookError(unreachable(url, name));
   }
   if (response.ok) return response;
-  // 416 answers a range request for a file without a single byte.
+  // 416 is the response to a range request for an empty file.
   if (response.status === 416) throw emptyFile(name);
   await response.body?.cancel().catch(() => {});
   throw new BookError(httpError(response.status, name));
 }
 
-/** The sentence for a status of the server other than success. */
+/** Returns the error for a status of the server other than success. */
 export function httpError(status: number, name: string): string {
   if (status === 404 || status === 410) {
     return `${name} was not found; check the address and open it again.`;
@@ -35,12 +35,12 @@ export function httpError(status: number, name: string): string {
   return `${name} could not be fetched (the server answered ${status}); try again later.`;
 }
 
-/** The sentence for a file without a byte. */
+/** Returns the error for an empty file. */
 export function emptyFile(name: string): BookError {
   return new BookError(`${name} is empty; get the file again.`);
 }
 
-/** The sentence for a connection that breaks. */
+/** Returns the error for a connection that breaks. */
 export function brokeOff(name: string): BookError {
   return new BookError(
     `${name} broke off while it was fetched; check the connection and try again.`,
@@ -58,8 +58,8 @@ function unreachable(url: string, name: string): string {
 }
 
 /**
- * A response's bytes, of at most `most`.
- * Rejects with a `BookError` beyond that or when the connection breaks.
+ * Reads a response's bytes, at most `most`. Rejects with a `BookError` beyond
+ * that or when the connection breaks.
  */
 export async function readBounded(
   response: Response,
@@ -86,7 +86,7 @@ export async function readBounded(
 }
 
 /**
- * The first bytes of a response, `wanted` of them where it has so many; the
+ * Reads the first bytes of a response, `wanted` of them if it has so many; the
  * rest is not fetched.
  */
 export async function readStart(response: Response, wanted: number): Promise<Uint8Array> {
@@ -99,7 +99,8 @@ export async function readStart(response: Response, wanted: number): Promise<Uin
     parts.push(part.value);
     length += part.value.length;
   }
-  // A server that sent no more than was asked for is heard out: its connection serves again.
+  // A response with no more than was requested is read to its end, so that the
+  // connection can be reused.
   const isAll = response.status === 206 && (await reader?.read())?.done;
   if (!isAll) await reader?.cancel().catch(() => {});
   return join(parts, length).subarray(0, wanted);

@@ -1,11 +1,11 @@
-/** What a script gives as a book or a page: which kinds are taken, and as what. */
+/** Values that a script gives as a book or a page: which kinds are accepted, and as what. */
 
 import { BookError } from "./page_source.ts";
 
-/** A file's bytes as a script may have them. */
+/** A file's bytes in any of their JavaScript forms. */
 export type Bytes = Blob | ArrayBuffer | ArrayBufferView<ArrayBuffer>;
 
-/** Bytes as a blob; null where a value is none. */
+/** Returns bytes as a blob; null if a value is none. */
 export function blobOf(value: unknown): Blob | null {
   if (value instanceof Blob) return value;
   if (value instanceof ArrayBuffer) return new Blob([value]);
@@ -13,14 +13,17 @@ export function blobOf(value: unknown): Blob | null {
   return null;
 }
 
-/** The files of a list, as an input or a drop gives it, in the natural order of their names; null where a value is none. */
+/**
+ * Returns the files of a list, from an input or a drop, in the natural order of
+ * their names; null if a value is none.
+ */
 export function filesOf(value: unknown): File[] | null {
   if (typeof FileList === "undefined" || !(value instanceof FileList)) return null;
   const { compare } = new Intl.Collator(undefined, { numeric: true });
   return [...value].sort((a, b) => compare(a.name, b.name));
 }
 
-/** The sentence for a value that is no book. */
+/** Returns the error for a value that is not a book. */
 export function wrongKind(value: unknown): BookError {
   const kind = Object.prototype.toString.call(value).slice(8, -1);
   return new BookError(

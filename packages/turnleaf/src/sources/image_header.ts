@@ -1,4 +1,7 @@
-/** What an image is and how large, read from its first bytes: no decoding, and no <img>, which a page's policy may forbid. */
+/**
+ * The type and size of an image, read from its first bytes: no decoding, and no
+ * <img>, which a page's policy may forbid.
+ */
 
 import { GIF } from "image-size/types/gif";
 import { JPG } from "image-size/types/jpg";
@@ -7,7 +10,10 @@ import { WEBP } from "image-size/types/webp";
 import type { PageSize } from "./page_source.ts";
 import { imageType, type Kind, sniff, sniffLength } from "./sniff.ts";
 
-/** Bytes in which a header is looked for: a JPEG's may come after a large profile and a preview. */
+/**
+ * Bytes in which a header is searched for: a JPEG's may come after a large
+ * profile and a preview.
+ */
 const headerLength = 1 << 20;
 
 const readers: Readonly<Record<string, typeof JPG>> = {
@@ -20,20 +26,23 @@ const readers: Readonly<Record<string, typeof JPG>> = {
 const startOf = async (file: Blob): Promise<Uint8Array> =>
   new Uint8Array(await file.slice(0, sniffLength).arrayBuffer());
 
-/** What a file is by its first bytes. */
+/** Returns the kind of a file, from its first bytes. */
 export async function kindOfFile(file: Blob): Promise<Kind> {
   return sniff(await startOf(file));
 }
 
-/** An image of the type that its first bytes tell, whatever its server or its file's name says. */
+/**
+ * Returns an image with the type found in its first bytes, whatever its server
+ * or its file's name says.
+ */
 export async function typedImage(image: Blob): Promise<Blob> {
   const type = imageType(await startOf(image));
   return type === null || type === image.type ? image : new Blob([image], { type });
 }
 
 /**
- * The size of a typed image in pixels, upright as its EXIF data says; null where its header is not
- * understood, as that of an AVIF.
+ * Returns the size of a typed image in pixels, upright by its EXIF data; null
+ * if its header is not understood, as that of an AVIF.
  */
 export async function sizeFromHeader(image: Blob): Promise<PageSize | null> {
   const reader = readers[image.type];
@@ -41,7 +50,7 @@ export async function sizeFromHeader(image: Blob): Promise<PageSize | null> {
   try {
     const start = new Uint8Array(await image.slice(0, headerLength).arrayBuffer());
     const { width, height, orientation = 1 } = reader.calculate(start);
-    // From 5 on, rows of pixels stand upright.
+    // From 5 on the image is turned by a quarter.
     return orientation >= 5 ? { width: height, height: width } : { width, height };
   } catch {
     return null;

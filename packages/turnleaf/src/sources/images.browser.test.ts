@@ -21,7 +21,7 @@ async function image(width: number, height: number, type = "image/png"): Promise
 const address = async (width: number, height: number): Promise<string> =>
   URL.createObjectURL(await image(width, height));
 
-/** Answers every fetch with `answer`. */
+/** Responds to every fetch with `answer`. */
 function serve(answer: (url: string, init?: RequestInit) => Response | Promise<Response>): void {
   vi.spyOn(globalThis, "fetch").mockImplementation(async (input, init) =>
     answer(String(input), init),
@@ -134,7 +134,7 @@ describe("a book of images", () => {
   });
 });
 
-/** The colours of a picture's places, shares of its size, as "r,g,b". */
+/** Returns the colours at places of the picture, fractions of its size, as "r,g,b". */
 function coloursOf(
   picture: CanvasImageSource & { width: number; height: number },
   ...at: [number, number][]
@@ -147,7 +147,7 @@ function coloursOf(
   });
 }
 
-/** A list as a file input has it. */
+/** Returns a list as a file input has it. */
 function fileList(...files: File[]): FileList {
   const transfer = new DataTransfer();
   for (const file of files) transfer.items.add(file);
@@ -270,7 +270,7 @@ describe("an SVG", () => {
     );
     const picture = await source.draw(0, 500, never);
     expect([picture.width, picture.height]).toEqual([500, 1000]);
-    // An edge of pixels that were made larger would be blurred over 50 of them.
+    // An edge of enlarged pixels would be blurred over 50 of them.
     expect(coloursOf(picture, [0.495, 0.75], [0.505, 0.75], [0.75, 0.495])).toEqual([
       "255,0,0",
       "0,0,255",

@@ -16,13 +16,13 @@ import {
 } from "./page_source.ts";
 import { SharedTasks } from "./shared_tasks.ts";
 
-/** Encoded images kept, so that a page drawn sharper is not fetched again. */
+/** Encoded images kept, so that drawing a page sharper does not fetch it again. */
 const keptImages = 6;
 
 /**
  * A book of images: scans, a comic's pages, exported slides. Each is fetched
- * when it is first needed and decoded straight to the width that is asked for,
- * never beyond its own.
+ * when it is first needed and decoded straight to the requested width, never
+ * beyond its own.
  */
 export class ImageSource implements PageSource {
   readonly title: string;
@@ -30,7 +30,7 @@ export class ImageSource implements PageSource {
   readonly direction: "ltr" | "rtl";
   readonly kind: "typeset" | "scan";
   readonly pageCount: number;
-  /** One image alone is a file; many are not. */
+  /** A single image is a file; several are not. */
   readonly file?: () => Promise<Blob>;
   readonly #book: ImageBook;
   readonly #sizes: (PageSize | undefined)[];
@@ -70,7 +70,7 @@ export class ImageSource implements PageSource {
     const size = await this.#measure(index, image);
     signal.throwIfAborted();
     const part = scaleBox(region, size);
-    // Lines are sharp at any size, pixels at their own.
+    // Vector images are sharp at any size, bitmaps at their own.
     const pixels = fitPixels(part, isSvg(image) ? width : Math.min(width, part.width));
     const whole = region === wholePage && !isSvg(image);
     const picture = await this.#decode(index, image, whole ? null : part, pixels);
@@ -102,7 +102,10 @@ export class ImageSource implements PageSource {
     this.#fetching.abortAll();
   }
 
-  /** Boxes in the unit of `size()`, which is the image's own pixels once they are known, not what a manifest claims. */
+  /**
+   * Scales boxes to the unit of `size()`, which is the image's own pixels once
+   * they are known, not what a manifest claims.
+   */
   #toScale<T extends PageBox>(index: number, boxes: readonly T[] = []): readonly T[] {
     const claimed = this.#book.pages[index]?.size;
     const size = this.#sizes[index];
@@ -111,7 +114,7 @@ export class ImageSource implements PageSource {
     return boxes.map((box) => ({ ...box, ...scaleBox(box, scale) }));
   }
 
-  /** The image's own size, which may differ from what a manifest claims. */
+  /** Measures the image's own size, which may differ from what a manifest claims. */
   async #measure(index: number, image: Blob): Promise<PageSize> {
     const known = this.#sizes[index];
     if (known && this.#measured.has(index)) return known;
@@ -129,7 +132,7 @@ export class ImageSource implements PageSource {
     return size;
   }
 
-  /** @param part what of the image is wanted, in its pixels; null for all of it */
+  /** @param part the part of the image wanted, in its pixels; null for all of it */
   async #decode(
     index: number,
     image: Blob,
@@ -168,7 +171,7 @@ export class ImageSource implements PageSource {
     return image;
   }
 
-  /** Moves the image to the end of those kept and lets the oldest go. */
+  /** Moves the image to the end of those kept and drops the oldest. */
   #keep(index: number, image: Blob): void {
     if (this.#closed) return;
     this.#images.delete(index);
@@ -227,7 +230,7 @@ function scaleBox({ x, y, width, height }: PageBox, by: PageSize): PageBox {
 const isPdf = async (file: Blob): Promise<boolean> => (await kindOfFile(file)) === "pdf";
 const isSvg = (image: Blob): boolean => image.type === "image/svg+xml";
 
-/** An image's size in pixels, turned upright as its EXIF data says. Rejects where it is none. */
+/** Returns an image's size in pixels, upright by its EXIF data. Rejects if it is not an image. */
 async function measure(image: Blob): Promise<PageSize> {
   if (isSvg(image)) {
     const { sizeOfSvg } = await loaded(import("./svg.ts"));

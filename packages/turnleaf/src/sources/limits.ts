@@ -2,10 +2,10 @@ import type { PageBox, PageSize } from "./page_source.ts";
 
 /**
  * Bounds on everything that comes from a file, so that no book, broken or
- * hostile, takes the reader's machine down.
+ * hostile, exhausts the reader's machine.
  */
 export const limits = {
-  /** Longest side of a drawn page in pixels: what every WebGL 2 device can hold. */
+  /** Longest side of a drawn page in pixels, supported by every WebGL 2 device. */
   side: 4096,
   /** Pixels of a drawn page, 64 MB as RGBA. */
   pixels: 16_000_000,
@@ -13,7 +13,7 @@ export const limits = {
   imagePixels: 120_000_000,
   /** Bytes of one encoded image. */
   imageBytes: 100_000_000,
-  /** Bytes of a PDF; more cannot be held in one array in every browser. */
+  /** Bytes of a PDF; more does not fit in one array in every browser. */
   pdfBytes: 2_000_000_000,
   /** Bytes of a manifest. */
   manifestBytes: 8_000_000,
@@ -29,24 +29,24 @@ export const limits = {
   runs: 8000,
   runLength: 4000,
   textLength: 200_000,
-  /** Characters that say what a page's pictures show. */
+  /** Characters of the description of a page's pictures. */
   altLength: 2000,
   /** Links or fields of a page. */
   annotations: 2000,
-  /** Characters that a field holds, and what a choice offers. */
+  /** Characters of a field's value, and the options of a choice. */
   fieldLength: 20_000,
   options: 500,
-  /** Lines of the contents, and how deep they go. */
+  /** Lines of the contents, and their depth. */
   outlineEntries: 5000,
   outlineDepth: 8,
 } as const;
 
-/** All of a page, in shares of its size. */
+/** All of a page, in fractions of its size. */
 export const wholePage: PageBox = { x: 0, y: 0, width: 1, height: 1 };
 
 /**
- * The pixels at which a page of `size` is drawn to be `width` wide: whole
- * numbers of at least 1, within `limits.side` and `limits.pixels`, in the
+ * Returns the pixels at which a page of `size` is drawn to be `width` wide:
+ * whole numbers of at least 1, within `limits.side` and `limits.pixels`, in the
  * page's own proportions.
  */
 export function fitPixels(size: PageSize, width: number): PageSize {
@@ -60,12 +60,12 @@ export function fitPixels(size: PageSize, width: number): PageSize {
   };
 }
 
-/** Whether `size` is one a page can have: finite, positive and within `limits.pageSide`. */
+/** Returns whether `size` is valid for a page: finite, positive and within `limits.pageSide`. */
 export function isPageSize(size: PageSize): boolean {
   return isSide(size.width) && isSide(size.height);
 }
 
-/** Whether `box` lies somewhere about a page and has some size. */
+/** Returns whether `box` lies somewhere about a page and has some size. */
 export function isPageBox({ x, y, width, height }: PageBox): boolean {
   return (
     Math.abs(x) <= limits.pageSide &&

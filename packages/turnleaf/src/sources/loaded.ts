@@ -1,17 +1,18 @@
-/** Parts of the viewer that are loaded when there is a use for them. */
+/** Loads parts of the viewer when they are first needed. */
 
 import { unknownFailure } from "./failures.ts";
 import { BookError } from "./page_source.ts";
 
 /**
- * Returns what a lazy import resolves to. Rejects with a `BookError` where the file cannot be
- * fetched, or its code fails in this browser; the error is its `cause`.
+ * Returns what a lazy import resolves to. Rejects with a `BookError` if the
+ * file cannot be fetched, or its code fails in this browser; the error is its
+ * `cause`.
  */
 export async function loaded<Part>(part: Promise<Part>): Promise<Part> {
   try {
     return await part;
   } catch (error) {
-    // No browser tells the two apart but by words, which all speak of fetching or importing.
+    // Browsers tell the two apart only by their messages, which all speak of fetching or importing.
     const isFetching =
       error instanceof TypeError && /fetch|import(ed|ing)|^load failed/i.test(error.message);
     const remedy = "update the browser, or load the web page again";

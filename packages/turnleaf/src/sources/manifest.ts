@@ -16,7 +16,7 @@ import type { OutlineEntry, PageLink, PageSize, TextRun } from "./page_source.ts
 export interface ImagePage {
   /** Absolute URL, or the image's own bytes. */
   readonly src: string | Blob;
-  /** Pixels, where they are known before the image is there. */
+  /** Pixels, if they are known before the image is fetched. */
   readonly size?: PageSize;
   readonly label?: string;
   /** What the image shows, in words. */
@@ -28,7 +28,7 @@ export interface ImagePage {
 
 /** A book made of images, checked and with every URL resolved. */
 export interface ImageBook {
-  /** What sentences call the book: its file's name. */
+  /** The book's name in sentences: its file's name. */
   readonly name: string;
   readonly title: string;
   readonly language: string;
@@ -38,36 +38,39 @@ export interface ImageBook {
   readonly outline?: readonly OutlineEntry[];
 }
 
-/** A page as a manifest writes it: its address, or the address with what is known of it. A script may give the image itself. */
+/**
+ * A page as a manifest writes it: its address, or the address with its
+ * properties. A script may give the image itself.
+ */
 export type ManifestPage = string | Bytes | ManifestImage;
 
-/** What a manifest knows of a page. */
+/** The properties of a page in a manifest. */
 export interface ManifestImage {
-  /** Address of its image, relative to the manifest; from a script also the image itself. */
+  /** Address of its image, relative to the manifest; a script may give the image itself. */
   readonly src: string | Bytes;
-  /** Pixels across: with it and `height` the image need not be fetched to be placed. */
+  /** Width in pixels: with it and `height` the image can be placed before it is fetched. */
   readonly width?: number;
-  /** Pixels down. */
+  /** Height in pixels. */
   readonly height?: number;
-  /** What the page calls itself, such as "iv". */
+  /** The page's label, such as "iv". */
   readonly label?: string;
   /** What the image shows, in words. */
   readonly alt?: string;
-  /** What can be read on it: selected, found and heard. */
+  /** Its text, which can be selected, found and read aloud. */
   readonly text?: readonly ManifestText[];
-  /** Where it leads. */
+  /** Its links. */
   readonly links?: readonly ManifestLink[];
 }
 
-/** A book of images; all but `pages` may be left out. */
+/** A book of images; every property but `pages` is optional. */
 export interface Manifest {
-  /** The book's title; its file's name where it has none. */
+  /** The book's title. The default is its file's name. */
   readonly title?: string;
   /** BCP 47 tag. */
   readonly language?: string;
-  /** Which way it is read; "ltr" unless it says otherwise. */
+  /** Reading direction. The default is "ltr". */
   readonly direction?: "ltr" | "rtl";
-  /** "scan" unless it says "typeset": pages whose paper is pure white. */
+  /** The default is "scan"; "typeset" pages have pure white paper. */
   readonly kind?: "typeset" | "scan";
   /** The table of contents. */
   readonly outline?: readonly ManifestOutline[];
@@ -78,10 +81,11 @@ export interface Manifest {
 const dataImage = /^data:image\/(png|jpeg|webp|avif|gif|svg\+xml)[;,]/i;
 
 /**
- * Checks a manifest as what it is, a stranger's file. A list alone stands for
- * its pages. Members that it does not know are ignored.
+ * Checks a manifest, which may come from anyone. A list alone stands for its
+ * pages. Unknown members are ignored.
+ *
  * @param base absolute URL that the pages' own are relative to
- * @param name what sentences call the manifest
+ * @param name the manifest's name in sentences
  * @throws BookError naming the manifest and the member at fault
  */
 export function parseManifest(value: unknown, base: string, name: string): ImageBook {
@@ -136,7 +140,8 @@ function parsePage(value: unknown, base: string, pages: number, place: string): 
 }
 
 /**
- * The absolute URL of an image: http, https, blob, or an image as data.
+ * Returns the absolute URL of an image: http, https, blob, or an image as data.
+ *
  * @throws BookError naming `place`
  */
 function resolveImage(src: string, base: string, place: string): string {
@@ -187,7 +192,7 @@ function language(value: unknown, name: string): string {
   return tag;
 }
 
-/** One of `options`; the first where the manifest says nothing. */
+/** Returns one of `options`; the first if the manifest has none. */
 function choice<T extends string>(
   fields: Record<string, unknown>,
   key: string,

@@ -2,16 +2,18 @@ import { cleanText } from "./book_text.ts";
 import { limits } from "./limits.ts";
 import { BookError } from "./page_source.ts";
 
-/** Checks that every part of a manifest shares; what fails is told with its place. */
+/** Checks used by every part of a manifest; errors name their place. */
 
-/** Whether `value` is an object with members. */
+/** Returns whether `value` is an object with members. */
 export function isRecord(value: unknown): value is Record<string, unknown> {
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
 /**
- * A member that is text, cleaned and of at most `most` characters; empty where it is absent.
- * @throws BookError where it is anything else
+ * Returns a member that is text, cleaned and of at most `most` characters;
+ * empty if it is absent.
+ *
+ * @throws BookError if it is anything else
  */
 export function textOf(
   fields: Record<string, unknown>,
@@ -26,8 +28,9 @@ export function textOf(
 }
 
 /**
- * A member that is a list of at most `most`; empty where it is absent.
- * @throws BookError where it is no list, or a longer one
+ * Returns a member that is a list of at most `most`; empty if it is absent.
+ *
+ * @throws BookError if it is not a list, or a longer one
  */
 export function listOf(
   fields: Record<string, unknown>,
@@ -44,14 +47,14 @@ export function listOf(
   return value;
 }
 
-/** Whether `value` can be a page's width or height. */
+/** Returns whether `value` can be a page's width or height. */
 export function isSide(value: unknown): value is number {
   return (
     typeof value === "number" && Number.isFinite(value) && value > 0 && value <= limits.pageSide
   );
 }
 
-/** The sentence that names the place, what is wrong there and what to do. */
+/** Returns the error that names the place, what is wrong there and what to do. */
 export function fault(place: string, what: string, remedy: string): BookError {
   return new BookError(`${place} ${what}; ${remedy}.`);
 }

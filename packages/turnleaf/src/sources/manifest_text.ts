@@ -5,29 +5,29 @@ import type { LinkTarget, OutlineEntry, PageBox, PageLink, TextRun } from "./pag
 
 /** A line or word of a page, as a manifest writes it; its box in the pixels of the page's width and height. */
 export interface ManifestText extends PageBox {
-  /** Its words. */
+  /** Its text. */
   readonly text: string;
-  /** Clockwise, degrees; 0 unless given. */
+  /** Degrees, clockwise. The default is 0. */
   readonly angle?: number;
-  /** Whether a line ends here; it does unless this is false. */
+  /** Whether a line ends here. The default is true. */
   readonly end?: boolean;
   /** Whether its letters stand below each other; `height` is then along the line. */
   readonly vertical?: boolean;
 }
 
-/** A link, as a manifest writes it: `page` (from 1) or `href` says where it leads. */
+/** A link, as a manifest writes it; `page` (from 1) or `href` is its target. */
 export interface ManifestLink extends PageBox {
   /** A page of this book. */
   readonly page?: number;
   /** An address of the web or of mail. */
   readonly href?: string;
-  /** What it says of itself. */
+  /** Its title. */
   readonly title?: string;
 }
 
 /** A line of the contents, as a manifest writes it. */
 export interface ManifestOutline {
-  /** What it says. */
+  /** Its title. */
   readonly title: string;
   /** The page it leads to, from 1. */
   readonly page?: number;
@@ -38,7 +38,8 @@ export interface ManifestOutline {
 }
 
 /**
- * The text of a page. A place that is none of a text's is told in one sentence.
+ * Parses the text of a page.
+ *
  * @throws BookError naming `place` and the piece at fault
  */
 export function parseText(fields: Record<string, unknown>, place: string): TextRun[] {
@@ -69,8 +70,9 @@ export function parseText(fields: Record<string, unknown>, place: string): TextR
 }
 
 /**
- * The links of a page.
- * @param pages how many pages there are to lead to
+ * Parses the links of a page.
+ *
+ * @param pages number of pages in the book
  * @throws BookError naming `place` and the link at fault
  */
 export function parseLinks(
@@ -88,7 +90,8 @@ export function parseLinks(
 }
 
 /**
- * The contents of a book.
+ * Parses the contents of a book.
+ *
  * @throws BookError naming `name` and the entry at fault
  */
 export function parseOutline(

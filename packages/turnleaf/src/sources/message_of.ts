@@ -1,9 +1,9 @@
-/** For tests alone. */
+/** For tests only. */
 
 import { expect } from "vitest";
 import { BookError } from "./page_source.ts";
 
-/** The sentence that a promise fails with; a test fails where it is no `BookError`. */
+/** Returns the message that a promise rejects with; the test fails if it is not a `BookError`. */
 export async function messageOf(promise: Promise<unknown>): Promise<string> {
   const error = await promise.then(
     () => new Error("It did not fail."),

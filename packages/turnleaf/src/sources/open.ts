@@ -10,22 +10,23 @@ import type { PdfOptions } from "./pdf.ts";
 import { type Kind, sniff, sniffLength } from "./sniff.ts";
 
 /**
- * What can be opened: an address, images in order, a manifest, a file that was chosen, dropped or fetched,
- * or several images that were chosen, which are put in the natural order of their names.
+ * What can be opened: an address, images in order, a manifest, a file that was
+ * chosen, dropped or fetched, or several chosen images, which are put in the
+ * natural order of their names.
  */
 export type BookInput = string | readonly ManifestPage[] | Manifest | Bytes | FileList;
 
 export interface OpenOptions extends PdfOptions {
-  /** What sentences call the book where its address or file has no name. */
+  /** The book's name in sentences if its address or file has none. */
   readonly name?: string;
-  /** What relative addresses are relative to; the document unless given. */
+  /** Base of relative addresses. The default is the document. */
   readonly base?: string;
 }
 
 /**
- * Opens a book, told apart by its first bytes, whatever its name. What reads
- * the format is loaded here and not before.
- * Rejects with a `BookError`, or with the signal's reason when aborted.
+ * Opens a book, whose format is detected from its first bytes, whatever its
+ * name. The code for the format is loaded here and not before. Rejects with a
+ * `BookError`, or with the signal's reason when aborted.
  */
 export async function openSource(input: BookInput, options: OpenOptions = {}): Promise<PageSource> {
   options.signal?.throwIfAborted();
@@ -39,13 +40,13 @@ export async function openSource(input: BookInput, options: OpenOptions = {}): P
   return await openImages(manifest);
 }
 
-/** The one file of a list of one, which need not be an image; null of other lists. */
+/** Returns the single file of a list of one, which need not be an image; null for other lists. */
 function aloneOf(input: BookInput): Blob | null {
   const list = filesOf(input) ?? input;
   return Array.isArray(list) && list.length === 1 ? blobOf(list[0]) : null;
 }
 
-/** Whether a value is an object as JSON has them, right or wrong as a manifest, or has pages. */
+/** Returns whether a value is a JSON object, valid as a manifest or not, or has pages. */
 function isManifest(value: unknown): boolean {
   if (typeof value !== "object" || value === null) return false;
   const kind = Object.getPrototypeOf(value);
@@ -75,7 +76,7 @@ async function openAddress(address: string, options: OpenOptions): Promise<PageS
     case "json": {
       const whole = await fetchChecked(url, name, init);
       const bytes = await readBounded(whole, limits.manifestBytes, name, options.signal);
-      // A redirect moves what relative addresses are relative to.
+      // A redirect moves the base of relative addresses.
       return await openImages(parseManifest(parseJson(bytes, name), whole.url || url, name));
     }
     default:
@@ -102,7 +103,7 @@ async function openBlob(blob: Blob, options: OpenOptions): Promise<PageSource> {
   }
 }
 
-/** @throws BookError where no source reads what begins with these bytes */
+/** @throws BookError if no source reads files with this start */
 function kindOf(start: Uint8Array, name: string): Kind {
   if (start.length === 0) throw emptyFile(name);
   const kind = sniff(start);
@@ -134,7 +135,7 @@ function single(src: string | Blob, name: string): ImageBook {
   return { name, title: name, language: "", direction: "ltr", kind: "scan", pages: [{ src }] };
 }
 
-/** The whole file's length, from the answer to a request for its start. */
+/** Returns the whole file's length, from the response to a request for its start. */
 function lengthOf(response: Response): number | undefined {
   const total = /\/(\d+)$/.exec(response.headers.get("content-range") ?? "")?.[1];
   const length = total ?? (response.status === 200 ? response.headers.get("content-length") : null);

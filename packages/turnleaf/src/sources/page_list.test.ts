@@ -2,7 +2,10 @@ import { expect, test } from "vitest";
 import { PageList } from "./page_list.ts";
 import { BookError, type PageSource } from "./page_source.ts";
 
-/** A source whose pages say where they come from, and which says when it is closed. */
+/**
+ * Returns a source whose pages are labelled by where they come from, and which
+ * reports when it is closed.
+ */
 function source(name: string, pageCount: number, closed: string[] = [], labels = ""): PageSource {
   return {
     title: name,
@@ -27,7 +30,7 @@ function source(name: string, pageCount: number, closed: string[] = [], labels =
 
 const signal = new AbortController().signal;
 
-/** Which page lies at every place. */
+/** Returns which page lies at every place. */
 const pages = async (list: PageList) =>
   await Promise.all(
     Array.from({ length: list.pageCount }, (_, index) => list.draw(index, 1, signal) as unknown),

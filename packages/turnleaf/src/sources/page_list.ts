@@ -1,4 +1,4 @@
-/** A book whose pages may be added to, taken away and replaced while it is open. */
+/** A book whose pages may be added, removed and replaced while it is open. */
 
 import {
   BookError,
@@ -19,15 +19,16 @@ interface Entry {
   readonly index: number;
 }
 
-/** Where a page (from 0) lies after a change; null where it is gone. */
+/** Returns where a page (from 0) lies after a change; null if it was removed. */
 export type Moved = (index: number) => number | null;
 
-/** Most pages of a list: far more than a book has, few enough to keep in mind. */
+/** Maximum of pages in a list: far more than a book has, few enough to keep in memory. */
 const mostPages = 100_000;
 
 /**
- * Pages of several sources as those of one book. It is called, read and opened
- * as the first source says, and closes every source once none of its pages is left.
+ * Presents pages of several sources as those of one book. Its title, direction
+ * and other properties are the first source's; a source is closed once none of
+ * its pages is left.
  */
 export class PageList implements PageSource {
   readonly #first: PageSource;
@@ -66,7 +67,7 @@ export class PageList implements PageSource {
     return this.#first.allows;
   }
 
-  /** The first source's file, for as long as the book is nothing else. */
+  /** The first source's file, while the book has no other pages. */
   get file(): (() => Promise<Blob>) | undefined {
     const first = this.#first;
     const isWhole =
@@ -82,7 +83,7 @@ export class PageList implements PageSource {
   label(index: number): string {
     const entry = this.#entries[index];
     const label = entry?.source.label(entry.index);
-    // What is merely counted is counted anew.
+    // Pages that are merely numbered are renumbered.
     return label === undefined || label === String(entry.index + 1) ? String(index + 1) : label;
   }
 
@@ -107,7 +108,7 @@ export class PageList implements PageSource {
     entry?.source.fill?.(entry.index, name, value);
   }
 
-  /** A page's links; those to pages that are gone are left out. */
+  /** Returns a page's links, without those to removed pages. */
   links(index: number, signal: AbortSignal): Promise<readonly PageLink[]> {
     return this.#of(index, async (source, own) => {
       const links = (await source.links?.(own, signal)) ?? [];
@@ -136,11 +137,11 @@ export class PageList implements PageSource {
   }
 
   /**
-   * Puts another source's pages in place of `count` pages from `at` (from 0) on,
-   * or behind the last. The list owns the source from then on.
+   * Replaces `count` pages from `at` (from 0) on by another source's pages; at
+   * the end, appends them. The list owns the source from then on.
    *
-   * @throws BookError where there are no such pages, or where none would be left
-   *   or too many; nothing has changed then
+   * @throws BookError if there are no such pages, or if none or too many would
+   * be left; nothing has changed then
    */
   splice(at: number, count: number, source: PageSource | null): Moved {
     const before = this.#entries;

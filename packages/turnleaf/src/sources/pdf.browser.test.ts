@@ -24,7 +24,7 @@ async function open(bytes: Uint8Array<ArrayBuffer>, name = "book.pdf"): Promise<
 
 const openTiny = (pdf: TinyPdf): Promise<PageSource> => open(tinyPdf(pdf));
 
-/** The colour at a share of the picture's width and height, as "r,g,b". */
+/** Returns the colour at fractions of the picture's width and height, as "r,g,b". */
 function colourAt(picture: PagePicture, x: number, y: number): string {
   const canvas = new OffscreenCanvas(picture.width, picture.height);
   const context = canvas.getContext("2d")!;

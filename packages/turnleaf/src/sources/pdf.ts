@@ -41,7 +41,7 @@ export interface PdfOptions {
 
 /** Bytes of one such piece. */
 const piece = 1 << 16;
-/** Milliseconds that a worker has to end by itself before it is ended. */
+/** Milliseconds that a worker has to end by itself before it is terminated. */
 const closingTime = 2000;
 /** Pages whose parsed content is kept, so that drawing them sharper is quick. */
 const keptPages = 6;
@@ -92,7 +92,10 @@ export async function openPdf(input: PdfInput, options: PdfOptions = {}): Promis
     throw sentenceFor(pdfjs, error, input.name, options.pdfWorker);
   }
 }
-/** Loads pdf.js and starts its worker. Rejects with a `BookError` where the browser refuses. */
+/**
+ * Loads pdf.js and starts its worker. Rejects with a `BookError` if the browser
+ * does not allow it.
+ */
 async function startThread(name: string, { pdfWorker, signal }: PdfOptions): Promise<PdfThread> {
   try {
     const pdfjs = await loadPdfLibrary();
@@ -105,7 +108,7 @@ async function startThread(name: string, { pdfWorker, signal }: PdfOptions): Pro
   }
 }
 
-/** What is known of a document once it is open. */
+/** The properties of an open document. */
 interface Description {
   readonly name: string;
   readonly document: PDFDocumentProxy;
@@ -119,7 +122,10 @@ interface Description {
   readonly form: PdfForm;
 }
 
-/** The page at which a PDF asks to be opened; the first where it does not say, or what it says makes no sense. */
+/**
+ * Returns the page at which a PDF should open; the first if it does not say, or
+ * its setting is invalid.
+ */
 async function openingPageOf(document: PDFDocumentProxy, targets: PdfTargets): Promise<number> {
   const action = await document.getOpenAction();
   return (await targets.page(action?.get("dest"))) ?? 1;
@@ -290,7 +296,7 @@ class PdfSource implements PageSource {
     this.#stop();
   }
 
-  /** Returns what `read` finds on a page. Rejects as `draw` does. */
+  /** Returns the result of `read` on a page. Rejects as `draw` does. */
   async #read<T>(
     index: number,
     signal: AbortSignal,
@@ -332,7 +338,7 @@ class PdfSource implements PageSource {
     }
   }
 
-  /** The signal's reason, or the sentence for an error at page `index`. */
+  /** Returns the signal's reason, or the error for page `index`. */
   #failureOf(error: unknown, index: number, signal?: AbortSignal): unknown {
     if (signal?.aborted) return signal.reason;
     const { pdfjs } = this.#thread;
@@ -348,7 +354,7 @@ class PdfSource implements PageSource {
   }
 }
 
-/** Rejects once more bytes have come than a PDF may have, where the server did not say how many. */
+/** Rejects once more bytes have arrived than a PDF may have, if the server did not say how many. */
 function grownTooLarge(task: PDFDocumentLoadingTask, { name }: PdfInput): Promise<never> {
   return new Promise((_, reject) => {
     task.onProgress = ({ loaded }: { loaded: number }) => {
@@ -363,10 +369,10 @@ function tooLarge(name: string): BookError {
   );
 }
 
-/** What to do about an error that is the browser's or the file's: nobody knows which. */
+/** The remedy for an error of the browser or the file, whichever it is. */
 const remedy = "update the browser, or get the file again";
 
-/** The sentence that says why a document cannot be read. */
+/** Returns the sentence that explains why a document cannot be read. */
 function sentenceFor(
   pdfjs: PdfLibrary,
   error: unknown,
@@ -389,7 +395,7 @@ function sentenceFor(
   return unknownFailure(`${name} cannot be read`, error, remedy);
 }
 
-/** Whether pdf.js says by an error that the file is not as it should be. */
+/** Returns whether an error of pdf.js means that the file is damaged. */
 function isDamage(pdfjs: PdfLibrary, error: unknown): boolean {
   if (error instanceof pdfjs.InvalidPDFException) return true;
   // Errors of the worker come with their own name and message as `details`.
@@ -398,7 +404,7 @@ function isDamage(pdfjs: PdfLibrary, error: unknown): boolean {
   );
 }
 
-/** Whether an error is of the connection: each browser has words of its own, and no code. */
+/** Returns whether an error is of the connection: each browser has its own message, and no code. */
 function isUnreachable(error: unknown): boolean {
   return /(failed to fetch|networkerror|load failed|network error)/i.test(nameAndMessage(error));
 }

@@ -8,10 +8,13 @@ interface Node {
   readonly children?: readonly Node[];
 }
 
-/** Nodes looked at: a page has a few thousand at most. */
+/** Maximum of nodes visited: a page has a few thousand at most. */
 const mostNodes = 20_000;
 
-/** What a tagged PDF says of a page's pictures, in the page's order; empty where it says nothing. Rejects as pdf.js does. */
+/**
+ * Returns a tagged PDF's descriptions of a page's pictures, in the page's
+ * order. Rejects as pdf.js does.
+ */
 export async function altOfPage(page: PDFPageProxy): Promise<string> {
   const said: string[] = [];
   const waiting: Node[] = [((await page.getStructTree()) ?? {}) as Node];
@@ -19,7 +22,7 @@ export async function altOfPage(page: PDFPageProxy): Promise<string> {
     const node = waiting.pop();
     const alt = cleanText(node?.alt, limits.altLength);
     if (alt !== "") said.push(alt);
-    // What stands for a whole is said in place of its parts.
+    // The description of a whole replaces those of its parts.
     else waiting.push(...(node?.children ?? []).toReversed());
   }
   return said.join(" ").slice(0, limits.altLength);

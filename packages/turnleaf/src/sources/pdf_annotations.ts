@@ -4,7 +4,7 @@ import { isPageBox, limits } from "./limits.ts";
 import type { PageBox, PageField, PageLink } from "./page_source.ts";
 import type { PdfTargets } from "./pdf_targets.ts";
 
-/** What pdf.js says of an annotation, as far as it is used here; what stands in the file can be anything. */
+/** The properties of a pdf.js annotation used here; a file can contain anything. */
 interface Annotation {
   readonly id: string;
   readonly subtype?: string;
@@ -30,7 +30,7 @@ interface Annotation {
   readonly maxLen?: number;
 }
 
-/** The links of a page. Rejects as pdf.js does. */
+/** Returns the links of a page. Rejects as pdf.js does. */
 export async function linksOfPage(page: PDFPageProxy, targets: PdfTargets): Promise<PageLink[]> {
   const links = await annotationsOf(page, (one) => one.subtype === "Link");
   const found = links.map(async (one): Promise<PageLink | null> => {
@@ -41,7 +41,7 @@ export async function linksOfPage(page: PDFPageProxy, targets: PdfTargets): Prom
   return (await Promise.all(found)).filter((link) => link !== null);
 }
 
-/** What a document's fields hold, kept where pdf.js draws and saves it from. */
+/** The values of a document's fields, kept where pdf.js draws and saves them from. */
 export class PdfForm {
   readonly #storage: PDFDocumentProxy["annotationStorage"];
   readonly #widgets = new Map<string, Map<string, PageField>>();
@@ -51,12 +51,15 @@ export class PdfForm {
     this.#storage = document.annotationStorage;
   }
 
-  /** Whether a field holds something else than its file says. */
+  /** Whether the value of a field differs from its file's. */
   get isFilled(): boolean {
     return this.#values.size > 0;
   }
 
-  /** The fields of a page: text, check boxes, radio buttons and choices. Rejects as pdf.js does. */
+  /**
+   * Returns the fields of a page: text, check boxes, radio buttons and choices.
+   * Rejects as pdf.js does.
+   */
   async fieldsOf(page: PDFPageProxy): Promise<PageField[]> {
     const all = await annotationsOf(page, (one) => one.subtype === "Widget" && !one.hidden);
     return all.flatMap((one) => {
@@ -73,7 +76,7 @@ export class PdfForm {
     });
   }
 
-  /** A field holds another value from now on, in every view of it. */
+  /** Sets the value of a field, in every view of it. */
   fill(name: string, value: string): void {
     const held = value.slice(0, limits.fieldLength);
     this.#values.set(name, held);

@@ -1,18 +1,18 @@
 import type { PdfLibrary } from "./pdf_runtime.ts";
 
-/** Where a PDF's bytes are. */
+/** The location of a PDF's bytes. */
 export interface PdfInput {
-  /** What sentences call the file. */
+  /** The file's name in sentences. */
   readonly name: string;
   readonly from: string | Blob;
-  /** Bytes, where they are known. */
+  /** Bytes, if known. */
   readonly length?: number;
 }
 
-/** From here on a file is read in the pieces that its shown pages need, never whole. */
+/** From this size on a file is read in the pieces that its visible pages need, never whole. */
 const largeFile = 24 << 20;
 
-/** The part of pdf.js's parameters that says where the bytes come from. */
+/** Returns the parameters of pdf.js that say where the bytes come from. */
 export async function place(pdfjs: PdfLibrary, input: PdfInput): Promise<object> {
   const { from } = input;
   const isLarge = (input.length ?? 0) > largeFile;
@@ -23,7 +23,7 @@ export async function place(pdfjs: PdfLibrary, input: PdfInput): Promise<object>
   return { range: blobRange(pdfjs, from), disableAutoFetch: true };
 }
 
-/** Reads a large file of this machine piece by piece. */
+/** Reads a large local file piece by piece. */
 function blobRange(pdfjs: PdfLibrary, blob: Blob): object {
   class BlobRange extends pdfjs.PDFDataRangeTransport {
     override requestDataRange(begin: number, end: number): void {
@@ -31,7 +31,7 @@ function blobRange(pdfjs: PdfLibrary, blob: Blob): object {
         .slice(begin, end)
         .arrayBuffer()
         .then((bytes) => this.onDataRange(begin, new Uint8Array(bytes)))
-        // The file was taken away: the pages not yet read stay unread.
+        // The file was removed: the pages not yet read stay unread.
         .catch(() => this.abort());
     }
   }

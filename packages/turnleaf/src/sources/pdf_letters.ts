@@ -1,30 +1,33 @@
 import type { PDFPageProxy } from "pdfjs-dist";
 import type { PdfLibrary } from "./pdf_runtime.ts";
 
-/** A character as a page shows it; its lengths as shares of the font's size. */
+/** A character as a page shows it; its lengths as fractions of the font's size. */
 export interface Letter {
   /** One UTF-16 unit. */
   readonly unit: string;
   readonly advance: number;
-  /** How far the next one is moved on beyond that. */
+  /** The extra distance to the next one. */
   readonly kern: number;
-  /** Letters of one string share this number; between two strings anything may happen. */
+  /** Letters of one string have the same number; between two strings anything may happen. */
   readonly group: number;
 }
 
-/** A piece of text whose letters are looked for: its length and its font's size in one unit. */
+/** A piece of text whose letters are searched for: its length and its font's size in one unit. */
 interface Line {
   readonly text: string;
   readonly width: number;
   readonly em: number;
 }
 
-/** How far ahead a line's letters are looked for: pages show things that are no text, or another's. */
+/**
+ * How far ahead a line's letters are searched for: pages show things that are
+ * not text, or another line's.
+ */
 const lookAhead = 3000;
 
 type Glyph = { unicode?: unknown; width?: unknown; isSpace?: unknown } | number | null;
 
-/** The letters of a page in the order in which they are shown. Rejects as pdf.js does. */
+/** Returns the letters of a page in the order in which they are shown. Rejects as pdf.js does. */
 export async function lettersOfPage(pdfjs: PdfLibrary, page: PDFPageProxy): Promise<Letter[]> {
   const { OPS } = pdfjs;
   const { fnArray, argsArray } = await page.getOperatorList();
@@ -74,14 +77,14 @@ export async function lettersOfPage(pdfjs: PdfLibrary, page: PDFPageProxy): Prom
         images++;
     }
   }
-  // A scan's image was decoded a second time for this, and is not kept for nothing.
+  // A scan's image was decoded a second time for this, and is freed.
   if (images > 0) page.cleanup();
   return letters;
 }
 
 /**
- * Where each letter of each line begins, as a share of the line's length; null
- * where a line's letters are not found one after the other.
+ * Returns where each letter of each line begins, as a fraction of the line's
+ * length; null if a line's letters are not found one after the other.
  */
 export function placeLetters(
   lines: readonly Line[],
@@ -109,14 +112,14 @@ function startsAt(letters: readonly Letter[], from: number, wanted: string): boo
   return true;
 }
 
-/** Goes through a line letter by letter from a letter on. */
+/** Matches a line letter by letter from a letter on. */
 function follow(
   { text, width, em }: Line,
   letters: readonly Letter[],
   from: number,
 ): { places: number[]; next: number } | null {
   const places: number[] = [];
-  /** Characters before which another string begins: how wide such a gap is, nobody says. */
+  /** Characters before which another string begins: the width of such a gap is unknown. */
   const gaps: number[] = [];
   let [at, x, end] = [from, 0, 0];
   for (let k = 0; k < text.length; k++) {
@@ -128,7 +131,7 @@ function follow(
       if (at > from && letter.group !== letters[at - 1].group) gaps.push(k);
       isFound = letter.unit === text[k];
       if (isFound) places[k] = x;
-      // Spaces that are shown count; anything else is another line.
+      // Visible spaces count; anything else is another line.
       else if (letter.unit.trim() !== "") return null;
       x += letter.advance;
       if (isFound) end = x;

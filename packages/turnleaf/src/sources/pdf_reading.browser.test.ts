@@ -24,7 +24,7 @@ const say = (text: string, matrix: string): string => `BT /F1 20 Tf ${matrix} Tm
 const textOf = async (content: string, more: Partial<TinyPdf> = {}): Promise<readonly TextRun[]> =>
   await (await open({ pages: [content], resources: fonts, ...more })).text!(0, never);
 
-/** Where on the picture there is ink, in shares of it. */
+/** Returns the box of the ink on the picture, in fractions of it. */
 function inkOf(picture: PagePicture): { left: number; top: number; right: number; bottom: number } {
   const { width, height } = picture;
   const context = new OffscreenCanvas(width, height).getContext("2d")!;
@@ -65,7 +65,7 @@ describe("the text of a PDF's page", () => {
   });
 
   it("says where each letter stands, where it is asked to", async () => {
-    // Words set far apart by hand, as a justified line is.
+    // Words set far apart explicitly, as in a justified line.
     const set = (x: number, text: string): string => say(text, `1 0 0 1 ${x} 250`);
     const content = `${set(20, "iii")}${set(44, "WWW")}${say("apart", "1 0 0 1 20 200")}`;
     const source = await open({ pages: [content], resources: fonts });

@@ -8,9 +8,7 @@ let library: Promise<PdfLibrary> | undefined;
 let worker: Promise<string> | undefined;
 let renderer: Promise<string> | undefined;
 
-/**
- * Loads pdf.js. Rejects with whatever its code throws in a browser that it does not fit.
- */
+/** Loads pdf.js. Rejects with the error of its code in an unsupported browser. */
 export function loadPdfLibrary(): Promise<PdfLibrary> {
   library ??= start().catch((error: unknown) => {
     library = undefined;
@@ -24,7 +22,7 @@ async function start(): Promise<PdfLibrary> {
   return await loaded(import("pdfjs-dist/legacy/build/pdf.mjs"));
 }
 
-/** Restores what old versions of zone.js take away and pdf.js's own polyfills take for granted. */
+/** Restores what old versions of zone.js remove and pdf.js's own polyfills rely on. */
 function completePromise(): void {
   Promise.withResolvers ??= function withResolvers<T>(): PromiseWithResolvers<T> {
     let resolve!: PromiseWithResolvers<T>["resolve"];
@@ -38,9 +36,10 @@ function completePromise(): void {
 }
 
 /**
- * The address of the worker that reads documents. Both of pdf.js's workers start from blob URLs,
- * because no other way works in every bundler and in none with nothing to configure; a page whose
- * security policy forbids that (`worker-src` without `blob:`) gives their address instead.
+ * Returns the address of the worker that reads documents. Both of pdf.js's
+ * workers start from blob URLs, because no other way works in every bundler
+ * without configuration; a page whose security policy forbids that
+ * (`worker-src` without `blob:`) gives their address instead.
  */
 export function blobWorker(): Promise<string> {
   worker ??= loaded(import("packed:pdfjs-dist/legacy/build/pdf.worker.min.mjs")).then(scriptUrl);
@@ -50,9 +49,11 @@ export function blobWorker(): Promise<string> {
 }
 
 /**
- * The address of the worker that draws pages. Where it does not start, pdf.js draws them in the page.
+ * Returns the address of the worker that draws pages. If it does not start,
+ * pdf.js draws them in the page.
  *
- * @param address of the worker that reads documents, where it is not a blob: its file does both
+ * @param address of the worker that reads documents, if it is not a blob: its
+ * file does both
  */
 export async function rendererAddress(address?: string): Promise<string> {
   if (address) return `${address}#renderer`;
@@ -65,8 +66,9 @@ export async function rendererAddress(address?: string): Promise<string> {
 }
 
 /**
- * Has the documents that are opened next draw their pages by the worker at `address`. Defined anew,
- * as pdf.js takes a string alone, which is none where the page requires Trusted Types.
+ * Makes documents opened from now on draw their pages by the worker at
+ * `address`. Redefines the property, because pdf.js accepts only a string,
+ * which is not one if the page requires Trusted Types.
  */
 export function useRenderer(pdfjs: PdfLibrary, address: string): void {
   const value = trustedScript(address);
@@ -84,9 +86,9 @@ async function scriptUrl(packed: { default: string }): Promise<string> {
 }
 
 /**
- * The files that pdf.js asks for while it reads: character maps of Chinese,
- * Japanese and Korean, decoders of JPEG 2000 and JBIG2, two symbol fonts.
- * Each travels in a module of its own and is loaded when it is asked for.
+ * The files that pdf.js requests while it reads: character maps of Chinese,
+ * Japanese and Korean, decoders of JPEG 2000 and JBIG2, two symbol fonts. Each
+ * is in a module of its own and is loaded on request.
  */
 export class PackedDataFactory {
   async fetch({ kind, filename }: { kind: string; filename: string }): Promise<Uint8Array> {
@@ -112,18 +114,21 @@ async function characterMap(filename: string): Promise<Uint8Array> {
     .then(unpackFolder);
   const map = (await characterMaps).get(filename);
   if (!map) throw new Error(`No such character map: ${filename}`);
-  // A copy: pdf.js hands the bytes over to its worker.
+  // A copy: pdf.js transfers the bytes to its worker.
   return map.slice();
 }
 
-/** Gzip in base64, as packed_files.js of this package writes it. */
+/** Unpacks gzip in base64, as packed_files.js of this package writes it. */
 async function unpack(base64: string): Promise<Uint8Array<ArrayBuffer>> {
   const packed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** The files of a packed folder: a table's length, the table {name: [offset, length]}, the bytes. */
+/**
+ * Returns the files of a packed folder: a table's length, the table {name:
+ * [offset, length]}, the bytes.
+ */
 function unpackFolder(bytes: Uint8Array): Map<string, Uint8Array> {
   const start = 4 + new DataView(bytes.buffer).getUint32(0, true);
   const table = JSON.parse(new TextDecoder().decode(bytes.subarray(4, start)));

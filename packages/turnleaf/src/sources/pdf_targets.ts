@@ -3,7 +3,7 @@ import { cleanAddress, cleanText } from "./book_text.ts";
 import { limits } from "./limits.ts";
 import type { LinkTarget, OutlineEntry } from "./page_source.ts";
 
-/** What links and contents of one document lead to: each destination is asked for once. */
+/** The targets of links and contents of one document: each destination is resolved once. */
 export class PdfTargets {
   readonly #document: PDFDocumentProxy;
   readonly #pages = new Map<string, Promise<number | null>>();
@@ -12,7 +12,7 @@ export class PdfTargets {
     this.#document = document;
   }
 
-  /** The page (from 1) of a destination, or null where it makes no sense. */
+  /** Returns the page (from 1) of a destination, or null if it is invalid. */
   page(destination: unknown): Promise<number | null> {
     const key = JSON.stringify(destination) ?? "";
     let page = this.#pages.get(key);
@@ -23,7 +23,7 @@ export class PdfTargets {
     return page;
   }
 
-  /** The place that a link or a line of the contents leads to, or null. */
+  /** Returns the target of a link or a line of the contents, or null. */
   async of(
     from: { url?: string | null; dest?: unknown; action?: string | null },
     here = 1,
@@ -55,7 +55,7 @@ export class PdfTargets {
   }
 }
 
-/** The contents of a document, bounded in depth and number. Rejects as pdf.js does. */
+/** Returns the contents of a document, bounded in depth and number. Rejects as pdf.js does. */
 export async function outlineOf(
   document: PDFDocumentProxy,
   targets: PdfTargets,

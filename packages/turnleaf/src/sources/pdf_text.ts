@@ -4,7 +4,7 @@ import { isPageSize, limits } from "./limits.ts";
 import type { TextRun } from "./page_source.ts";
 import { type Letter, placeLetters } from "./pdf_letters.ts";
 
-/** What pdf.js says of a piece of text; what stands in the file can still be anything. */
+/** A pdf.js piece of text; a file can contain anything. */
 interface Item {
   readonly str?: string;
   readonly transform: readonly number[];
@@ -32,8 +32,10 @@ interface Piece {
 }
 
 /**
- * The text of a page in the order of its file, which is the order of reading. Rejects as pdf.js does.
- * @param letters where each letter stands is found with this
+ * Returns the text of a page in the order of its file, which is the reading
+ * order. Rejects as pdf.js does.
+ *
+ * @param letters finds the place of each letter
  */
 export async function textOfPage(
   page: PDFPageProxy,
@@ -74,12 +76,12 @@ async function readPieces(page: PDFPageProxy, signal: AbortSignal): Promise<Piec
       }
     }
   } finally {
-    // Ends the worker's reading too, where this stops before the page does.
+    // Also ends the worker's reading, if this stops before the page does.
     reader.cancel(new Error("The text is not wanted any more.")).catch(() => {});
   }
 }
 
-/** Spaces and ends of lines that come as items of their own belong to the run before them. */
+/** Appends spaces and ends of lines that come as items of their own to the run before them. */
 function follow(pieces: Piece[], item: Item): void {
   const last = pieces.at(-1);
   if (last === undefined) return;
@@ -93,7 +95,8 @@ function pieceOf(item: Item, style: Style | undefined, view: readonly number[]):
   const text = cleanRun(item.str);
   if (text.trim() === "") return null;
   const [a, b, c, d, e, f] = item.transform;
-  // Where the baseline begins, and how the letters stand, on a page seen from its top left corner.
+  // Where the baseline begins, and the direction of the letters, on a page seen
+  // from its top left corner.
   const x = view[0] * e + view[2] * f + view[4];
   const y = view[1] * e + view[3] * f + view[5];
   const along = { x: view[0] * a + view[2] * b, y: view[1] * a + view[3] * b };
@@ -123,7 +126,7 @@ function between(value: number | undefined, low: number, high: number, otherwise
   return value !== undefined && value >= low && value <= high ? value : otherwise;
 }
 
-/** Whether something of the run is seen on its page: a file's text may lie anywhere. */
+/** Returns whether part of the run is visible on its page: a file's text may lie anywhere. */
 function isWithin(
   run: TextRun,
   page: { readonly width: number; readonly height: number },

@@ -1,4 +1,4 @@
-/** pdf.js's workers: how they are started, and what becomes of their failures. */
+/** pdf.js's workers: how they start, and how their errors are reported. */
 
 import type { PDFWorker } from "pdfjs-dist";
 import { nameAndMessage } from "./failures.ts";
@@ -6,24 +6,25 @@ import { BookError } from "./page_source.ts";
 import { blobWorker, type PdfLibrary } from "./pdf_runtime.ts";
 import { trustedScript } from "./trusted_script.ts";
 
-/** Milliseconds in which a worker has to say that it is there. */
+/** Milliseconds in which a worker has to report that it has started. */
 export const startingTime = 60_000;
 
-/** Why a worker does not work: it was not started, or its code or the page's failed. */
+/** The reason why a worker does not work: it was not started, or its code or the page's failed. */
 export class WorkerFailure extends Error {
   override readonly name: string = "WorkerFailure";
 }
 
-/** The browser did not start the worker: a policy forbids it, or the script is not there. */
+/** The browser did not start the worker: a policy forbids it, or the script is missing. */
 export class WorkerNotStarted extends WorkerFailure {}
 
 /**
- * A worker that reads one document. What goes wrong in it or in what the page does with its
- * messages, and pdf.js does not notice, rejects whatever waits for it: nothing waits for ever.
+ * A worker that reads one document. Errors in it, or in the page's handling of
+ * its messages, that pdf.js does not notice reject every pending promise:
+ * nothing waits for ever.
  */
 export class PdfThread {
   readonly pdfjs: PdfLibrary;
-  /** As pdf.js takes it. */
+  /** As pdf.js expects it. */
   readonly worker: PDFWorker;
   readonly #thread: Worker;
   readonly #waiting = new Set<(failure: Error) => void>();
@@ -40,7 +41,7 @@ export class PdfThread {
     thread.addEventListener("error", (event) => {
       event.preventDefault();
       const { message } = event;
-      // An event without a message is of a script that could not be loaded.
+      // An event without a message comes from a script that could not be loaded.
       const failure = message
         ? new WorkerFailure(message.replace(/^Uncaught /, ""))
         : new WorkerNotStarted("It did not load.");
@@ -53,10 +54,11 @@ export class PdfThread {
   }
 
   /**
-   * Starts a worker; its owner ends it by `stop`. Fails with a `WorkerNotStarted` where the browser
-   * refuses at once.
+   * Starts a worker; its owner ends it by `stop`. Rejects with a
+   * `WorkerNotStarted` if the browser does not allow it.
    *
-   * @param address the worker's script on the page's own site, where it may not be a blob
+   * @param address the worker's script on the page's own site, if it may not be
+   * a blob
    */
   static async start(pdfjs: PdfLibrary, address?: string): Promise<PdfThread> {
     const script = address ?? (await blobWorker());
@@ -67,7 +69,7 @@ export class PdfThread {
     }
   }
 
-  /** What `promise` resolves to, or a rejection as soon as the worker fails. */
+  /** Resolves as `promise` does, or rejects as soon as the worker fails. */
   orFailed<T>(promise: Promise<T>): Promise<T> {
     return new Promise((resolve, reject) => {
       if (this.#failure) reject(this.#failure);
@@ -83,7 +85,7 @@ export class PdfThread {
     this.#thread.terminate();
   };
 
-  /** The worker for pdf.js, whose own listeners throw where nobody would hear of it. */
+  /** Returns the worker for pdf.js, whose own listeners throw without a handler. */
   #port(): Pick<Worker, "postMessage" | "addEventListener" | "removeEventListener"> {
     const thread = this.#thread;
     const guarded = (listener: (event: Event) => void) => (event: Event) => {
@@ -101,7 +103,7 @@ export class PdfThread {
     };
   }
 
-  /** @param isFinal whether nothing will ever come of this worker */
+  /** @param isFinal whether the worker cannot recover */
   #fail(failure: Error, isFinal: boolean): void {
     if (isFinal) this.#failure = failure;
     for (const reject of this.#waiting) reject(failure);
@@ -109,7 +111,7 @@ export class PdfThread {
   }
 }
 
-/** The sentence for a worker that the browser did not start. */
+/** Returns the error for a worker that the browser did not start. */
 export function notStarted(name: string, address: string | undefined, cause: Error): BookError {
   let remedy =
     "allow blob: in worker-src of this page's Content-Security-Policy, or set the attribute pdf-worker";

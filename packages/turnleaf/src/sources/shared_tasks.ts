@@ -4,16 +4,13 @@ interface Task<V> {
   waiting: number;
 }
 
-/**
- * Runs one task a key for all who wait for it, and aborts it when the last of
- * them has given up.
- */
+/** Runs one task per key for all its waiters, and aborts it when the last of them has given up. */
 export class SharedTasks<K, V> {
   readonly #tasks = new Map<K, Task<V>>();
 
   /**
-   * The result of the key's task, started by `start` where none is under way.
-   * Rejects with the signal's reason when this waiter gives up.
+   * Returns the result of the key's task, started by `start` if none is
+   * running. Rejects with the signal's reason when this waiter gives up.
    */
   async run(key: K, start: (signal: AbortSignal) => Promise<V>, signal?: AbortSignal): Promise<V> {
     signal?.throwIfAborted();
@@ -52,7 +49,7 @@ export class SharedTasks<K, V> {
   }
 }
 
-/** `promise`, or a rejection with the signal's reason as soon as that aborts. */
+/** Resolves as `promise` does, or rejects with the signal's reason as soon as that aborts. */
 export function orAborted<T>(promise: Promise<T>, signal: AbortSignal): Promise<T> {
   return new Promise((resolve, reject) => {
     const abort = (): void => reject(signal.reason);

@@ -1,11 +1,11 @@
-/** What a file is, as far as its first bytes tell. */
+/** The kind of a file, as far as its first bytes show. */
 export type Kind = "pdf" | "json" | "image" | "html" | "archive" | "unknown";
 
-/** A PDF's mark, and most bytes that may stand before it. */
+/** A PDF's mark, and the maximum of bytes that may precede it. */
 const pdfMark = "%PDF-";
 const mostBefore = 1024;
 
-/** How many first bytes `sniff` looks at. */
+/** How many first bytes `sniff` examines. */
 export const sniffLength: number = mostBefore + pdfMark.length;
 
 const images: readonly (readonly [type: string, offset: number, mark: string])[] = [
@@ -21,9 +21,10 @@ const images: readonly (readonly [type: string, offset: number, mark: string])[]
 const archives = ["PK\x03\x04", "Rar!", "7z\xbc\xaf"];
 
 /**
- * The format by its first bytes, whatever its name and the server say. A PDF
- * may have up to 1024 bytes of other matter before its mark, whatever they look like.
- * @param start the first `sniffLength` bytes, fewer where the file has fewer
+ * Returns the format by the first bytes, whatever the file's name and the
+ * server say. A PDF may have up to 1024 bytes of other data before its mark.
+ *
+ * @param start the first `sniffLength` bytes, fewer if the file has fewer
  */
 export function sniff(start: Uint8Array): Kind {
   const text = latin1(start.subarray(0, sniffLength));
@@ -36,7 +37,7 @@ export function sniff(start: Uint8Array): Kind {
   return "unknown";
 }
 
-/** The MIME type of an image by its first bytes; null where they are of none. */
+/** Returns the MIME type of an image by its first bytes; null if they are not an image's. */
 export function imageType(start: Uint8Array): string | null {
   const text = latin1(start.subarray(0, sniffLength));
   const found = images.find(([, offset, mark]) => text.startsWith(mark, offset));

@@ -1,14 +1,15 @@
 /**
- * SVG images as pages. They are drawn through an <img>, in which no script runs and nothing else is
- * loaded; the address is of data, as blob: taints a canvas in WebKit.
+ * SVG images as pages. They are drawn through an <img>, in which no script runs
+ * and nothing else is loaded; the address is a data: URL, because blob: taints
+ * a canvas in WebKit.
  */
 
 import type { PageBox, PageSize } from "./page_source.ts";
 
-/** The root's tag; what stands in quotes may hold anything. */
+/** The root's tag; quoted values may contain anything. */
 const rootTag = /<(?:[\w-]+:)?svg(?=[\s/>])(?:[^>"']|"[^"]*"|'[^']*')*>/i;
 
-/** CSS pixels of the units that a length may have. */
+/** CSS pixels per unit of length. */
 const units: Readonly<Record<string, number>> = {
   "": 1,
   px: 1,
@@ -20,10 +21,10 @@ const units: Readonly<Record<string, number>> = {
   q: 96 / 101.6,
 };
 
-/** What an image without any size has, as CSS says. */
+/** Size of an image without any, as CSS defines. */
 const usualSize: PageSize = { width: 300, height: 150 };
 
-/** Its text, or null where it has no root. */
+/** Returns its text, or null if it has no root. */
 async function read(image: Blob): Promise<{ text: string; tag: string } | null> {
   const text = await image.text();
   const tag = rootTag.exec(text)?.[0];
@@ -35,7 +36,7 @@ function attribute(tag: string, name: string): string | undefined {
   return found?.[1] ?? found?.[2];
 }
 
-/** A length in CSS pixels; null where there is none, or it is relative. */
+/** Returns a length in CSS pixels; null if there is none, or it is relative. */
 function length(text: string | undefined): number | null {
   const [, number, unit] = /^\s*([\d.]+(?:e[+-]?\d+)?)\s*([a-z]*)\s*$/i.exec(text ?? "") ?? [];
   const scale = units[unit?.toLowerCase() ?? "none"];
@@ -43,7 +44,7 @@ function length(text: string | undefined): number | null {
   return pixels > 0 ? pixels : null;
 }
 
-/** The size that the root's tag says: its lengths, what of them is missing by the proportions of its viewBox. */
+/** Returns the size in the root's tag: its lengths, completed by the proportions of its viewBox. */
 function sizeOf(tag: string): PageSize {
   const [width, height] = [length(attribute(tag, "width")), length(attribute(tag, "height"))];
   const box = attribute(tag, "viewBox")
@@ -60,7 +61,7 @@ function sizeOf(tag: string): PageSize {
   return { width: across, height: down };
 }
 
-/** An SVG's size in CSS pixels. Rejects where it is none. */
+/** Returns an SVG's size in CSS pixels. Rejects if it is not an SVG. */
 export async function sizeOfSvg(image: Blob): Promise<PageSize> {
   const svg = await read(image);
   if (svg === null) throw new Error("There is no <svg>.");
@@ -68,8 +69,8 @@ export async function sizeOfSvg(image: Blob): Promise<PageSize> {
 }
 
 /**
- * Draws a part of an SVG, in its own pixels, so that it has `pixels`. Rejects where it is none, and
- * where the page's policy does not allow images of data.
+ * Draws a part of an SVG, in its own pixels, so that it has `pixels`. Rejects
+ * if it is not an SVG, and if the page's policy does not allow images as data.
  */
 export async function drawSvg(image: Blob, part: PageBox, pixels: PageSize): Promise<ImageBitmap> {
   const svg = await read(image);
@@ -77,7 +78,7 @@ export async function drawSvg(image: Blob, part: PageBox, pixels: PageSize): Pro
   const picture = new Image();
   picture.src = `data:image/svg+xml,${encodeURIComponent(svg.text.replace(svg.tag, sized(svg.tag)))}`;
   await picture.decode();
-  // In Chromium fonts that it brings are there one task later.
+  // In Chromium embedded fonts are ready one task later.
   await new Promise((resolve) => setTimeout(resolve));
   const canvas = new OffscreenCanvas(pixels.width, pixels.height);
   const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
@@ -86,7 +87,10 @@ export async function drawSvg(image: Blob, part: PageBox, pixels: PageSize): Pro
   return canvas.transferToImageBitmap();
 }
 
-/** The root's tag with its size in pixels, without which Firefox draws nothing, and a viewBox, without which nothing scales. */
+/**
+ * Returns the root's tag with its size in pixels, without which Firefox draws
+ * nothing, and a viewBox, without which nothing scales.
+ */
 function sized(tag: string): string {
   const { width, height } = sizeOf(tag);
   const bare = tag.replace(/\s(width|height)\s*=\s*("[^"]*"|'[^']*')/g, "");

@@ -1,4 +1,4 @@
-/** What a tiny PDF is made of; for tests alone. */
+/** The contents of a tiny PDF; for tests only. */
 export interface TinyPdf {
   /** A content stream a page, in points of a page 200 wide and 300 high. */
   readonly pages: readonly string[];

@@ -1,6 +1,6 @@
 /** Addresses of scripts on pages that require Trusted Types. */
 
-/** What this file needs of the browser's `trustedTypes`. */
+/** The part of the browser's `trustedTypes` used here. */
 interface PolicyFactory {
   createPolicy(
     name: string,
@@ -11,9 +11,10 @@ interface PolicyFactory {
 let policy: ReturnType<PolicyFactory["createPolicy"]> | undefined;
 
 /**
- * The address of a worker's script, which is the viewer's own or one that the page's author set, as
- * `new Worker` takes it where the page requires Trusted Types: made by the policy `turnleaf`. It is
- * the plain address where the browser has no Trusted Types or the page does not allow the policy.
+ * Returns the address of a worker's script, the viewer's own or one set by the
+ * page's author, as `new Worker` accepts it if the page requires Trusted Types:
+ * made by the policy `turnleaf`. It is the plain address if the browser has no
+ * Trusted Types or the page does not allow the policy.
  */
 export function trustedScript(address: string): string {
   const { trustedTypes } = globalThis as { trustedTypes?: PolicyFactory };
