@@ -1,4 +1,7 @@
-/** Books bound in other ways, turned by hand in real Chromium: which page is seen where, by its colour. */
+/**
+ * Books bound in other ways, turned by dragging in real Chromium: which page is
+ * seen where, by its colour.
+ */
 
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
@@ -23,7 +26,10 @@ function plain(page: number, width = 80, height = 120): { src: string } {
 const pages = (count: number): { src: string }[] =>
   Array.from({ length: count }, (_, k) => plain(k + 1));
 
-/** The hue at a place of the element, shares of its size; null where there is no strong colour. */
+/**
+ * Returns the hue at a place of the element, in fractions of its size; null if
+ * there is no strong colour.
+ */
 async function hueAt(element: TurnleafBook, x: number, y: number): Promise<number | null> {
   await settled(element);
   const canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
@@ -47,7 +53,10 @@ async function expectPage(element: TurnleafBook, page: number, x: number, y: num
   expect(Math.min(off, 360 - off), `page ${page} at ${x}, ${y}`).toBeLessThan(12);
 }
 
-/** Drags from one place to another, shares of the element's size, slowly enough for the leaf to follow. */
+/**
+ * Drags from one place to another, in fractions of the element's size, slowly
+ * enough for the leaf to follow.
+ */
 async function drag(element: TurnleafBook, from: [number, number], to: [number, number]) {
   const canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
   canvas.setPointerCapture = () => {};
@@ -161,7 +170,7 @@ test("what is bound anew in the middle of a turn lands first", async () => {
   element.setAttribute("binding", "right");
   expect(await turned).toBe(true);
   await settled(element);
-  // Page 6 came into sight; beside it now lies 5.
+  // Page 6 has become visible; beside it now lies 5.
   expect(element.spread).toEqual({ left: 6, right: 5 });
   await expectPage(element, 6, 0.35, 0.6);
   await expectPage(element, 5, 0.65, 0.6);
@@ -254,7 +263,7 @@ test("pages are added, taken out and replaced while the book lies open, which ke
   expect([await turned, await removed]).toEqual([true, true]);
   await settled(element);
   expect([element.pageCount, element.page]).toEqual([10, 6]);
-  // What was taken out is marked no more.
+  // A removed page is no longer bookmarked.
   expect(element.bookmarks).toEqual([5, 10]);
   await expectPage(element, 8, 0.35, 0.6);
   expect(changes).toEqual([14, 12, 12, 10]);

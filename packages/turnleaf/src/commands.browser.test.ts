@@ -1,4 +1,4 @@
-/** What a page's script asks of the book, and what it hears of it, in real Chromium. */
+/** A page's script and the book: the script's calls and the book's events, in real Chromium. */
 
 import { afterEach, expect, test } from "vitest";
 import type { TurnDetail } from "./element/events.ts";
@@ -20,7 +20,7 @@ async function opened(count: number, attributes: Record<string, string>): Promis
   return element;
 }
 
-/** Gathers what an event said each time. */
+/** Collects the details of an event. */
 function heard<T>(element: TurnleafBook, name: string): T[] {
   const details: T[] = [];
   element.addEventListener(name, (event) => details.push((event as CustomEvent<T>).detail));
@@ -47,7 +47,7 @@ test("a page number kept in step with the book stops no jump, and changes once a
   expect(await element.goTo(1)).toBe(true);
   const told = changes.map(({ from, to, direction }) => `${from} ${to} ${direction}`);
   expect(told).toEqual(["1 10 forward", "10 40 forward", "40 1 backward"]);
-  // Sent elsewhere in the middle, and back.
+  // Sent elsewhere halfway, and back.
   const far = element.goTo(30);
   await expect.poll(() => element.page, { interval: 10 }).toBeGreaterThan(1);
   expect(await element.goTo(1)).toBe(true);
@@ -72,7 +72,7 @@ test("a page number that comes late calls no turn back, and another one does", a
   const element = await opened(40, { cover: "none", duration: "300", page: "4" });
   expect(await element.next()).toBe(true);
   expect(element.page).toBe(6);
-  // The reader has turned on by the time a framework says the page that it heard of.
+  // The reader has turned further by the time a framework sets the page of an earlier event.
   pressKey(element, "ArrowRight");
   element.page = 6;
   await settled(element);
@@ -81,7 +81,7 @@ test("a page number that comes late calls no turn back, and another one does", a
   element.page = 6;
   await settled(element);
   expect(element.page).toBe(6);
-  // Asked for, it is a command, also where it was asked for before.
+  // An explicit request is a command, also if it was requested before.
   element.page = 20;
   element.page = 6;
   await settled(element);
@@ -214,7 +214,7 @@ test("a goTo that no book comes for resolves to false", async () => {
   const asked = removed.goTo(3);
   removed.remove();
   expect(await asked).toBe(false);
-  // What was asked for is not forgotten.
+  // The request is not forgotten.
   document.body.append(removed);
   await happens(removed, "load");
   expect(removed.page).toBe(2);

@@ -1,4 +1,4 @@
-/** What is seen in every frame of a turn: pages, and never blank paper in their place. */
+/** Every frame of a turn shows pages, and never blank paper in their place. */
 
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
@@ -22,7 +22,7 @@ function bluePage(): string {
   return canvas.toDataURL();
 }
 
-/** Share of the book in the picture that is blue; 0 where no book is in it. */
+/** Returns the fraction of the book in the picture that is blue; 0 if no book is in it. */
 function blueShare(element: TurnleafBook): number {
   const canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
   const [width, height] = [150, 110];
@@ -48,7 +48,7 @@ test("no frame of a turn, there or back, shows blank paper or no book", async ()
   );
   await happens(element, "load");
   await settled(element);
-  // What has never been in sight may still be on its way: here all pages are.
+  // A page that was never visible may still be on its way: here all pages have been.
   for (const to of [4, 6, 4]) await element.goTo(to);
   await settled(element);
 

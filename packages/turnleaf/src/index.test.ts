@@ -18,7 +18,7 @@ function types(): void {
   book.addEventListener("layoutchange", ({ detail }) => {
     expectTypeOf(detail).toEqualTypeOf<{ layout: Layout; binding: Edge }>();
   });
-  // These are every element's too, and say more here.
+  // These are every element's too, and have more details here.
   book.addEventListener("load", ({ detail }) => expectTypeOf(detail.pageCount).toBeNumber());
   book.addEventListener("error", ({ detail }) => expectTypeOf(detail.message).toBeString());
   book.addEventListener("click", (event) => expectTypeOf(event).toEqualTypeOf<PointerEvent>());

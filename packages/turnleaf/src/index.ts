@@ -1,8 +1,8 @@
 /**
  * Turnleaf: a book whose pages turn as paper turns.
  *
- * Importing this module defines `<turnleaf-book>`, once, where there is a DOM;
- * on a server it does nothing.
+ * Importing this module defines `<turnleaf-book>`, once, if there is a DOM; on
+ * a server it does nothing.
  */
 
 import { TurnleafBook } from "./element.ts";

@@ -9,7 +9,7 @@ afterEach(() => document.body.replaceChildren());
 const ready = (element: TurnleafBook): Promise<void> =>
   expect.poll(() => element.ready, { timeout: 30_000, interval: 50 }).toBe(true);
 
-/** A book of ten pages that turns so, at pages 4 and 5. */
+/** Opens a book of ten pages with a model, at pages 4 and 5. */
 async function opened(
   model: TurnModelName,
   attributes: Record<string, string> = {},
@@ -29,20 +29,20 @@ async function opened(
   return element;
 }
 
-/** Drags from one place of the element to another, shares of its size. */
+/** Drags from one place of the element to another, in fractions of its size. */
 async function drag(element: TurnleafBook, from: [number, number], to: [number, number]) {
   const hands = new Hands(element);
   const at = ([x, y]: [number, number]): [number, number] => [300 * x, 220 * y];
   hands.point("pointerdown", ...at(from));
   await hands.move(at(from), at(to));
-  // However slow the machine is, the leaf is where the hand is before that lets go.
+  // However slow the machine is, the leaf is where the pointer is before the release.
   for (let frame = 0; frame < 40; frame++) {
     await new Promise((resolve) => requestAnimationFrame(resolve));
   }
   hands.point("pointerup", ...at(to));
 }
 
-/** Those that need no more than their name. */
+/** The models that need no data. */
 const worn = turnModels.filter((model) => model !== "sheet" && model !== "photographs");
 
 test.for(worn)("%s: a command and a drag turn a page, and then nothing runs", async (model) => {

@@ -1,4 +1,4 @@
-/** Opens a book as well as this machine can show it. */
+/** Opens a book with the best backend that this machine supports. */
 
 import { mayRunCode } from "./engine/machine_code.ts";
 import { BookError, type PageSource } from "./sources/page_source.ts";
@@ -6,12 +6,13 @@ import { Viewer, type ViewerOptions } from "./viewer/viewer.ts";
 import { giveUpContext, openContext } from "./webgl/context.ts";
 
 /**
- * Opens a book: in space where there is WebGL 2 and the engine may run; else on
- * the flat, and then neither three.js nor the engine is loaded.
- * Rejects with a `BookError` where no page's size can be had.
+ * Opens a book: in 3D if WebGL 2 and WebAssembly are available; otherwise on a
+ * 2D canvas, and then neither three.js nor the engine is loaded. Rejects with a
+ * `BookError` if no page's size can be read.
  *
- * @param freshCanvas a canvas that nothing was drawn on, in place of the one before
- * @param isFlat whether the graphics card is not to be asked
+ * @param freshCanvas returns a canvas that nothing was drawn on, in place of
+ * the previous one
+ * @param isFlat whether to use the 2D canvas in any case
  */
 export async function openViewer(
   freshCanvas: () => HTMLCanvasElement,
@@ -31,7 +32,7 @@ export async function openViewer(
     } catch (error) {
       giveUpContext(canvas);
       signal.throwIfAborted();
-      // Without its pages there is no book; without its card there is a plainer one.
+      // Without its pages there is no book; without a graphics card there is a plainer one.
       if (error instanceof BookError) throw error;
       canvas = freshCanvas();
     }
@@ -43,7 +44,10 @@ export async function openViewer(
 
 let hasWarned = false;
 
-/** Says on the console, once a page, why books are shown on the flat: nothing on the page does. */
+/**
+ * Warns on the console, once per page, why books are shown on a 2D canvas:
+ * nothing on the page says it.
+ */
 function warnOnce(): void {
   if (hasWarned || !globalThis.WebAssembly) return;
   hasWarned = true;

@@ -1,4 +1,7 @@
-/** Whatever is asked of a book, in any order: at rest each page in sight is seen, and WebGL complains of nothing. */
+/**
+ * Any sequence of operations on a book: at rest each visible page is shown, and
+ * WebGL reports no error.
+ */
 
 import { afterEach, expect, test } from "vitest";
 import { commands } from "vitest/browser";
@@ -9,12 +12,15 @@ keepWhatIsDrawn();
 
 afterEach(() => document.body.replaceChildren());
 
-/** Degrees of hue between pages that follow each other: no two in sight are alike. */
+/** Degrees of hue between consecutive pages: no two visible ones are alike. */
 const hueStep = 67;
 
 const pictures = new Map<string, { src: string }>();
 
-/** A page of one hue; every fifth is of other proportions, so that it is fitted to its leaf. */
+/**
+ * Returns a page of one hue; every fifth has other proportions, so that it is
+ * fitted to its leaf.
+ */
 function plainPage(hue: number, number: number): { src: string } {
   const isWide = number % 5 === 3;
   const key = `${hue} ${isWide}`;
@@ -30,7 +36,7 @@ function plainPage(hue: number, number: number): { src: string } {
   return page;
 }
 
-/** Numbers from 0 to 1, the same for the same seed. */
+/** Returns a generator of numbers from 0 to 1, the same for the same seed. */
 function randomNumbers(seed: number): () => number {
   let state = seed;
   return () => {
@@ -39,7 +45,7 @@ function randomNumbers(seed: number): () => number {
   };
 }
 
-/** Share of what is drawn, by hue in steps of 10 degrees, of all pixels that have one. */
+/** Returns the fraction of pixels by hue in steps of 10 degrees, of all pixels that have one. */
 function hues(element: TurnleafBook): number[] {
   const canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
   const small = document.createElement("canvas");
@@ -63,7 +69,7 @@ function hues(element: TurnleafBook): number[] {
   return counts;
 }
 
-/** How much of what is drawn has about a hue. */
+/** Returns the fraction of pixels near a hue. */
 function shareOf(counts: readonly number[], hue: number): number {
   const middle = Math.floor((hue + 5) / 10);
   return [-1, 0, 1].reduce((sum, by) => sum + counts[(middle + by + 36) % 36], 0);
@@ -140,7 +146,7 @@ test("at rest every page in sight is seen, whatever was asked before", {
       await new Promise((resolve) => setTimeout(resolve, 30 * random()));
       document.body.append(element);
       await loaded;
-      // It opens what it was given.
+      // It opens the pages that were set.
       pages = [...given];
     },
   };

@@ -1,4 +1,7 @@
-/** Photographs of a turn over a book, in real Chromium: which of them is seen where, by its colour. */
+/**
+ * Photographs of a turn over a book, in real Chromium: which of them is seen
+ * where, by its colour.
+ */
 
 import type { Group } from "three";
 import { afterEach, expect, test, vi } from "vitest";
@@ -23,7 +26,7 @@ const count = 5;
 const unaborted = new AbortController().signal;
 const hueOf = (number: number): number => 20 + 72 * number;
 
-/** A photograph: its left half a colour of its own, its right half clear. */
+/** Returns a photograph: its left half in a colour of its own, its right half transparent. */
 async function photograph(number: number, width = 200, height = 160): Promise<Blob> {
   const canvas = new OffscreenCanvas(width, height);
   const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
@@ -32,7 +35,7 @@ async function photograph(number: number, width = 200, height = 160): Promise<Bl
   return await canvas.convertToBlob({ type: "image/png" });
 }
 
-/** Answers what is asked for below /photographs/ with what `answer` makes of the number in it. */
+/** Responds to requests below /photographs/ with the result of `answer` for the number in it. */
 function serve(answer: (number: number) => Promise<BodyInit | null>): void {
   const { fetch } = globalThis;
   vi.spyOn(globalThis, "fetch").mockImplementation(async (input, init) => {
@@ -57,7 +60,10 @@ async function opened(attributes: Record<string, string> = {}): Promise<Turnleaf
   return element;
 }
 
-/** The number of the photograph that is seen at a place, shares of the element's size; null where the book is. */
+/**
+ * Returns the number of the photograph seen at a place, in fractions of the
+ * element's size; null if the book is.
+ */
 function seenAt(element: TurnleafBook, x: number, y: number): number | null {
   const canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
   const copy = document.createElement("canvas");
@@ -96,7 +102,7 @@ test.for(ways)(
     await sees(order[0]);
     await hands.move(near, middle);
     await sees(order[1]);
-    // Where a photograph is clear the book's own page is seen.
+    // Where a photograph is transparent the book's own page is seen.
     expect(seenAt(element, ...clear)).toBeNull();
     await hands.move(middle, far);
     await sees(order[2]);
@@ -116,7 +122,8 @@ test("bound at the top they are rolled with the book, and a command turns too", 
   serve(photograph);
   const element = await opened({ binding: "top", duration: "60000" });
   const turned = element.next();
-  // A page stands alone here: of the left half of a photograph, above the spine, a strip is seen.
+  // A page stands alone here: only a strip of the left half of a photograph,
+  // above the spine, is visible.
   await expect.poll(() => seenAt(element, 0.5, 0.1), { timeout: 20_000 }).not.toBeNull();
   expect(seenAt(element, 0.5, 0.75)).toBeNull();
   element.duration = 300;
@@ -124,7 +131,10 @@ test("bound at the top they are rolled with the book, and a command turns too", 
   expect(await turned).toBe(false);
 });
 
-/** A book of unit size with leaves in flight, stiff, so much of their turns done. */
+/**
+ * Returns a book of unit size with stiff leaves in flight, each with a fraction
+ * of its turn done.
+ */
 function flying(shares: readonly number[], isPeek = false): ModelledBook {
   const flights = shares.map((_, k) => ({ part: "leaf", low: 4 + k, high: 5 + k, from: 4 + k }));
   const overrideSurface = (index: number): Float32Array => {
@@ -152,7 +162,7 @@ test("a corner that only lifts stays paper", async () => {
 });
 
 test("of several leaves the steepest lies over the others", async () => {
-  // Each is known by its width.
+  // Each is identified by its width.
   serve((number) => photograph(number, 200 + number));
   const model = await PhotographsModel.open("/photographs/{0-4}.png", unaborted);
   const shown = (): number[] =>

@@ -8,7 +8,7 @@ afterEach(() => {
   document.body.replaceChildren();
 });
 
-/** A board of two by two points that swings over; `far` of the way. */
+/** Returns a board of two by two points that swings over; `far` is the fraction of the way. */
 function file(far = 1): Uint8Array<ArrayBuffer> {
   const recorder = new TurnRecorder({ width: 0.15, height: 0.2, u: [0, 1], v: [0, 1] });
   for (let k = 0; k <= 30; k++) {
@@ -19,7 +19,7 @@ function file(far = 1): Uint8Array<ArrayBuffer> {
   return recorder.finish().bytes;
 }
 
-/** Answers what is asked for below /turns/ with these bytes, all else as it is. */
+/** Responds to requests below /turns/ with these bytes, to others as usual. */
 function serve(body: Uint8Array<ArrayBuffer>, status = 200): void {
   const { fetch } = globalThis;
   vi.spyOn(globalThis, "fetch").mockImplementation(async (input, init) =>
@@ -30,7 +30,10 @@ function serve(body: Uint8Array<ArrayBuffer>, status = 200): void {
 const ready = (element: TurnleafBook): Promise<void> =>
   expect.poll(() => element.ready, { timeout: 30_000, interval: 50 }).toBe(true);
 
-/** What goes wrong with a book that turns so, before and in a turn, which it makes in any case. */
+/**
+ * Returns the errors of a book with this model, before and during a turn, which
+ * it makes in any case.
+ */
 async function faults(attributes: Record<string, string>): Promise<string[]> {
   const element = book(scans(8), { cover: "none", duration: "300", page: "2", ...attributes });
   const said: string[] = [];

@@ -24,7 +24,7 @@ function watchFlights(): { now: number; most: number } {
   return seen;
 }
 
-/** Gathers where the book came to rest. */
+/** Collects where the book came to rest. */
 function watchChanges(element: TurnleafBook): TurnDetail[] {
   const changes: TurnDetail[] = [];
   element.addEventListener("pagechange", (event) =>
@@ -107,7 +107,7 @@ test("a second hand takes up another leaf, and the first hand's falls", async ()
         clientY: top + 120,
       }),
     );
-  /** Where a hand can take the fore-edge, from the outside in. */
+  /** Where a pointer can grab the fore-edge, from the outside in. */
   const edge = (from: number, by: number) => {
     let x = from;
     do {
@@ -123,7 +123,7 @@ test("a second hand takes up another leaf, and the first hand's falls", async ()
   point("pointerdown", 2, leftEdge);
   point("pointermove", 2, leftEdge + 30);
   await expect.poll(() => flights.most, { timeout: 20_000 }).toBe(2);
-  // The finger that lost its leaf moves on and goes away; the other holds.
+  // The finger that lost its leaf moves further and is released; the other holds.
   point("pointermove", 1, rightEdge - 60);
   await expect.poll(() => flights.now, { timeout: 20_000 }).toBe(1);
   point("pointerup", 1, rightEdge - 60);

@@ -1,4 +1,4 @@
-/** Before and after every test in a browser: one in which WebGL complains fails. */
+/** Before and after every browser test: a WebGL error makes it fail. */
 
 import { afterEach, beforeAll, expect } from "vitest";
 import { commands } from "vitest/browser";
@@ -9,7 +9,7 @@ declare module "vitest/browser" {
   }
 }
 
-/** Waits until the graphics process has done, and told of, all that was asked of it. */
+/** Waits until the graphics process has done everything requested and reported its errors. */
 function finishDrawing(): void {
   const context = document.createElement("canvas").getContext("webgl2");
   context?.readPixels(0, 0, 1, 1, context.RGBA, context.UNSIGNED_BYTE, new Uint8Array(4));

@@ -1,4 +1,7 @@
-/** Pictures and their textures over whole turns: none is sent to the graphics card once it is freed. */
+/**
+ * Pictures and their textures over whole turns: none is uploaded to the
+ * graphics card once it is freed.
+ */
 
 import { afterEach, expect, test } from "vitest";
 import { book, happens, scans, settled } from "./element_for_tests.ts";

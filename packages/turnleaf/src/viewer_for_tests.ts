@@ -9,7 +9,7 @@ import type { Viewer, ViewerOptions } from "./viewer/viewer.ts";
 export const width = 400;
 export const height = 300;
 
-/** A book on a canvas in the document, once it rests. */
+/** Opens a book on a canvas in the document. Resolves once it rests. */
 export async function opened(
   source: PageSource,
   options: Partial<ViewerOptions>,
@@ -44,7 +44,10 @@ export async function opened(
 export const settledViewer = (viewer: Viewer): Promise<void> =>
   expect.poll(() => viewer.settled, { timeout: 30_000, interval: 50 }).toBe(true);
 
-/** Brightness of the canvas's own pixels in a row of them, from a place in CSS pixels on to the right, 0 to 255. */
+/**
+ * Returns the brightness of the canvas's own pixels in a row, from a place in
+ * CSS pixels to the right, 0 to 255.
+ */
 export async function brightness(
   { canvas, viewer }: { canvas: HTMLCanvasElement; viewer: Viewer },
   place: { x: number; y: number },

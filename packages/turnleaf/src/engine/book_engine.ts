@@ -1,8 +1,8 @@
 /**
- * What the viewer needs of whatever moves a book's leaves and boards. Two
- * implement it: `WasmBook` (simulated paper) and `PeeledBook` (flat leaves).
- * Numbers and flat arrays alone cross it; lengths are metres, angles radians,
- * times seconds. Book space: see `shapes.ts`.
+ * What the viewer needs of an engine, which moves a book's leaves and boards.
+ * Two implement it: `WasmBook` (simulated paper) and `PeeledBook` (flat
+ * leaves). Only numbers and flat arrays cross it; lengths are metres, angles
+ * radians, times seconds. For book space see `shapes.ts`.
  */
 
 import type { Cover, Phase, Side } from "./phases.ts";
@@ -20,12 +20,12 @@ export interface BookSize {
 }
 
 /**
- * One bound book with several leaves of paper in flight. A flight is known by
- * the number that `lift` returns; a command to one that is over changes nothing.
- * Flights are listed from the left to the right.
+ * One bound book with several leaves of paper in flight. A flight is identified
+ * by the number that `lift` returns; a command to one that is over changes
+ * nothing. Flights are listed from left to right.
  *
- * Numbers are kept to what an engine takes: counts are clamped, and a command
- * with a place that is not a finite number does nothing.
+ * Numbers are clamped to what an engine accepts, and a command with a place
+ * that is not a finite number does nothing.
  */
 export interface BookEngine {
   /** Length of a tick, seconds. */
@@ -38,67 +38,71 @@ export interface BookEngine {
   readonly flights: number;
 
   /**
-   * Makes another book beside this one, in the same memory where that matters.
+   * Makes another book beside this one, in the same memory if it has one.
    *
-   * @throws Error where a book of this size cannot be made
+   * @throws Error if a book of this size cannot be made
    */
   another(size: BookSize): BookEngine;
   /** Frees the book. Nothing may be called afterwards. */
   destroy(): void;
 
   /**
-   * Makes the leaves of a stock: a preset, or one in figures. This and the next
-   * three lay down what is in flight. Returns whether leaves can be made of it;
-   * if not, nothing changes.
+   * Sets the stock of the leaves: a preset, or one in figures. This and the
+   * next three lay down the leaves in flight. Returns whether the stock is
+   * valid; if not, nothing changes.
    */
   setStock(stock: Stock | StockFigures): boolean;
   /**
-   * Binds the leaves with their grain along the spine or across it, and with a
-   * stiffness against turning in the gutter, N (0 to 1). Returns whether it could.
+   * Sets the direction of the grain and the stiffness of the binding against
+   * turning in the gutter, N (0 to 1). Returns whether they are valid.
    */
   setBinding(grain: "along" | "across", stiffness: number): boolean;
-  /** Sets the velocity of the air, m/s, each component within 20. Returns whether it could. */
+  /** Sets the velocity of the air, m/s, each component within 20. Returns whether it is valid. */
   setWind(wind: Vec3): boolean;
-  /** Sets whether a leaf let go is helped over to its side, or left to gravity. */
+  /** Sets whether a released leaf is helped over to its side, or left to gravity. */
   setAssist(on: boolean): void;
 
   /** Lays the book open with `read` leaves of paper on the left and none in flight. */
   lay(read: number): void;
   /**
-   * Takes up the uppermost leaves of `side`: with them on the right `low` leaves are read, on the
-   * left `high`. Returns the flight's number, or 0 where these are not the uppermost or too many fly.
+   * Picks up the uppermost leaves of `side`: with them on the right `low`
+   * leaves are read, on the left `high`. Returns the flight's number, or 0 if
+   * these are not the uppermost or too many fly.
    */
   lift(side: Side, low: number, high: number): number;
-  /** A hand (0 to 3) takes hold of a flight at (u, v). */
+  /** Grabs a flight at (u, v); `hand` is the number of the grab, 0 to 3. */
   grab(id: number, hand: number, u: number, v: number): void;
-  /** The hand pulls the flight that it holds to a place in book space, metres. */
+  /** Pulls a grab to a place in book space, metres. */
   hold(id: number, hand: number, x: number, y: number, z: number): void;
-  /** The hand lets go; with no other on it, the leaf falls, and those in its way with it. */
+  /** Releases a grab; with no other on it, the leaf falls, and those in its way with it. */
   release(id: number, hand: number): void;
-  /** Takes a flight to `side` from where it is, `seconds` for a whole turn, and those in its way too. */
+  /**
+   * Plays a flight to `side` from where it is, `seconds` for a whole turn, and
+   * those in its way too.
+   */
   play(id: number, side: Side, seconds: number): void;
   /** Steps all flights by whole ticks. */
   step(ticks: number): void;
   /** Returns what a flight is doing. */
   phase(id: number): Phase;
 
-  /** Brings surfaces and piles up to date with the last step. */
+  /** Updates surfaces and piles from the last step. */
   update(): void;
   /** Returns the drawn mesh of the flight at `index`, counted from the left; valid until the next step. */
   surface(index: number): Surface;
   /** Returns the pages at rest on `side`; valid until the next step. */
   pile(side: Side): Pile;
   /**
-   * Returns the points of the flight at `index` over a flat table, to be written over: x, y, z in
-   * metres, at the surface's columns and rows, as its sheet has them now. What is written is drawn
-   * by the next `update` in the sheet's place, bent into the gutter between the piles. Null where
-   * leaves cannot be drawn otherwise.
+   * Returns the points of the flight at `index` over a flat table, to be
+   * overwritten: x, y, z in metres, at the surface's columns and rows, as its
+   * sheet has them now. The next `update` draws them in the sheet's place, bent
+   * into the gutter between the piles. Null if surfaces cannot be overridden.
    */
   overrideSurface(index: number): Float32Array | null;
 
-  /** A hand holds a board at an angle, radians from the right-hand side. */
+  /** Holds a board at an angle, radians from the right-hand side. */
   holdBoard(cover: Cover, angle: number): void;
-  /** The hand lets a board go. */
+  /** Releases a board. */
   releaseBoard(cover: Cover): void;
   /** Swings a board to `side`, `seconds` for a whole half turn. */
   playBoard(cover: Cover, side: Side, seconds: number): void;

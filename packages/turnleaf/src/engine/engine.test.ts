@@ -16,14 +16,14 @@ test("columns lie where the viewer's pictures expect them", async () => {
   book.destroy();
 });
 
-/** A book that lies open, as one must for its leaves to turn: a shut board would press on them. */
+/** Opens a book so that its leaves can turn: a closed board would press on them. */
 async function open(): Promise<WasmBook> {
   const book = await WasmBook.create(size);
   book.layBoard(Cover.front, Side.left);
   return book;
 }
 
-/** Steps a book until no leaf is in flight; answers the ticks it took. */
+/** Steps a book until no leaf is in flight. Returns the ticks it took. */
 function rest(book: WasmBook): number {
   for (let ticks = 0; ticks < 2000; ticks++) {
     if (book.flights === 0) return ticks;
@@ -63,7 +63,7 @@ test("twelve leaves fly at once, each with its own surface", async () => {
   expect(new Set(surfaces.map(({ positions }) => positions.byteOffset)).size).toBe(12);
   const heights = surfaces.map(({ positions }) => Math.max(...positions));
   expect(heights.every((height) => height > 0.001 && height < 0.3)).toBe(true);
-  // What is asked for again is the same view, also after the engine's memory grew.
+  // A repeated call returns the same view, also after the engine's memory grew.
   expect(book.surface(3)).toBe(surfaces[3]);
   rest(book);
   expect(book.read).toBe(12);
@@ -111,7 +111,7 @@ test("sizes that are no book's are refused", async () => {
   }
 });
 
-/** Positions of a leaf of a paper, held by its corner for half a second. */
+/** Returns the positions of a leaf of a paper, held by its corner for half a second. */
 async function hang(change: (book: WasmBook) => void): Promise<number[]> {
   const book = await open();
   book.lay(10);
@@ -156,7 +156,7 @@ test("each paper, binding and wind hangs in its own way, and what is none change
 
 test("both piles are as thick as the leaves that lie on them", async () => {
   const book = await open();
-  /** How high a side's uppermost page lies in its middle, metres. */
+  /** Returns the height of a side's uppermost page in its middle, metres. */
   const height = (side: Side): number => {
     const { columns, curves } = book.pile(side);
     const middle = Array.from({ length: columns }, (_, k) => k).find(

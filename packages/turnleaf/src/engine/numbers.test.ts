@@ -1,4 +1,7 @@
-/** Every number that reaches the engine's WASM is one that it takes, whatever a book is asked. */
+/**
+ * Every number passed to the engine's WASM is valid, whatever the book's
+ * methods are called with.
+ */
 
 import { afterEach, expect, test, vi } from "vitest";
 import { applyPaper, type Paper } from "../book/paper.ts";
@@ -28,7 +31,7 @@ const nasty = [
   5e-324,
 ];
 
-/** Arguments that WASM takes as whole numbers without a sign, by function and place after the book. */
+/** Arguments that WASM takes as unsigned integers, by function and position after the book. */
 const counts: Readonly<Record<string, readonly number[]>> = {
   tl_book_new: [2],
   tl_book_set_stock: [0],
@@ -57,7 +60,7 @@ const counts: Readonly<Record<string, readonly number[]>> = {
 
 afterEach(() => vi.restoreAllMocks());
 
-/** What reaches WASM and should not, by call. */
+/** Returns a list of the invalid arguments that reach WASM, by call. */
 function watchWasm(): string[] {
   const faults: string[] = [];
   const { instantiate } = WebAssembly;
@@ -82,7 +85,7 @@ function watchWasm(): string[] {
   return faults;
 }
 
-/** Numbers from 0 to 1, the same for the same seed. */
+/** Returns a generator of numbers from 0 to 1, the same for the same seed. */
 function randomNumbers(seed: number): () => number {
   let state = seed;
   return () => {
@@ -91,11 +94,14 @@ function randomNumbers(seed: number): () => number {
   };
 }
 
-/** Asks a book at random; returns whether every number that is drawn was one, after each question. */
+/**
+ * Calls a book's methods at random. Returns whether every drawn number was
+ * finite after each call.
+ */
 function askAtRandom(book: BookEngine, seed: number, questions: number): boolean {
   const random = randomNumbers(seed);
   const among = <T>(values: readonly T[]): T => values[Math.floor(random() * values.length)];
-  /** Usually a number in bounds, now and then one that is none. */
+  /** Usually a number in bounds, now and then an invalid one. */
   const number = (least: number, most: number): number =>
     random() < 0.25 ? among(nasty) : least + (most - least) * random();
   const count = (most: number): number =>

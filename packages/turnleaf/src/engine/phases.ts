@@ -1,10 +1,10 @@
-/** How the engine counts sides, covers and hands, and what it says a leaf is doing. */
+/** The engine's numbers for sides, covers and phases of a leaf. */
 
-/** A side of the open book, as the engine counts them. */
+/** A side of the open book, as the engine numbers them. */
 export const Side = { right: 0, left: 1 } as const;
 export type Side = (typeof Side)[keyof typeof Side];
 
-/** What a leaf or a board is doing. */
+/** The phase of a leaf or a board. */
 export const Phase = {
   restingRight: 0,
   restingLeft: 1,
@@ -13,7 +13,7 @@ export const Phase = {
   fallingLeft: 4,
   playingRight: 5,
   playingLeft: 6,
-  /** The leaf joined its pile: no flight of this number is left. */
+  /** The leaf has joined its pile: no flight of this number is left. */
   over: 7,
 } as const;
 export type Phase = (typeof Phase)[keyof typeof Phase];
@@ -22,15 +22,18 @@ export type Phase = (typeof Phase)[keyof typeof Phase];
 export const Cover = { front: 0, back: 1 } as const;
 export type Cover = (typeof Cover)[keyof typeof Cover];
 
-/** Hands that a leaf tells apart, numbered from 0. */
+/** Number of grabs on a leaf; they are numbered from 0. */
 export const maxGrabs: number = 4;
 
-/** Whether a phase is one of rest. */
+/** Returns whether a phase is one of rest. */
 export function isResting(phase: Phase): boolean {
   return phase === Phase.restingRight || phase === Phase.restingLeft;
 }
 
-/** The side where a leaf or board rests or is bound for; null while a hand holds it, and once it is over. */
+/**
+ * Returns the side where a leaf or board rests or is bound for; null while it
+ * is held, and once it is over.
+ */
 export function sideOf(phase: Phase): Side | null {
   switch (phase) {
     case Phase.restingRight:

@@ -1,8 +1,8 @@
 /**
- * Shapes that cross the wall between engine and viewer, as flat arrays over the
- * engine's own memory. Book space: metres; x across the spine to the right,
- * y along the spine to the head, z up from the table; the spine lies at x = 0,
- * the foot of the pages at y = 0.
+ * Shapes passed from the engine to the viewer, as flat arrays over the engine's
+ * own memory. Book space: metres; x across the spine to the right, y along the
+ * spine to the head, z up from the table; the spine lies at x = 0, the foot of
+ * the pages at y = 0.
  */
 
 /** The drawn mesh of a leaf in flight, row by row from the foot; a row runs from the spine to the fore-edge. */
@@ -17,7 +17,7 @@ export interface Surface {
   readonly normals: Float32Array;
   /** Rises whenever positions change. */
   readonly version: number;
-  /** Metres, where the leaf is so thick that its edges are seen. */
+  /** Metres, if the leaf is so thick that its edges are visible. */
   readonly thickness?: number;
 }
 
@@ -42,7 +42,7 @@ export type Stock = (typeof stocks)[number];
 
 /** A stock in figures, in the units of the paper trade. */
 export interface StockFigures {
-  /** Mass of a square metre, g/m². */
+  /** Mass per square metre, g/m². */
   readonly grammage: number;
   /** Thickness of a sheet, µm. */
   readonly caliper: number;
@@ -62,14 +62,18 @@ export interface Ray {
 }
 
 /**
- * u of a column of leaves and piles, 0 at the spine and 1 at the fore-edge:
- * they crowd where pages bend. The engine's `crowded_columns`, held to it by a test.
+ * Returns u of a column of leaves and piles, 0 at the spine and 1 at the
+ * fore-edge: columns crowd where pages bend. A test keeps it equal to the
+ * engine's `crowded_columns`.
  */
 export function columnPlace(column: number, columns: number): number {
   return (column / (columns - 1)) ** 1.7;
 }
 
-/** The column at u, with the share of the way to the next; the way back of `columnPlace`. */
+/**
+ * Returns the column at u, and the fraction of the way to the next: the inverse
+ * of `columnPlace`.
+ */
 export function columnAt(u: number, columns: number): number {
   return Math.min(Math.max(u, 0), 1) ** (1 / 1.7) * (columns - 1);
 }

@@ -1,6 +1,6 @@
 /**
- * The engine through its WASM face: one instance a book, so that dropping the
- * book frees all of its memory. Numbers and flat arrays alone cross the wall.
+ * The engine through WASM: one instance per book, so that dropping the book
+ * frees all of its memory. Only numbers and flat arrays cross the boundary.
  */
 
 import type { BookEngine, BookSize } from "./book_engine.ts";
@@ -61,7 +61,10 @@ interface Exports {
   tl_board_angle(book: number, cover: Cover): number;
 }
 
-/** Bounds of what the engine is asked: numbers of flights, of flights at once, of leaves; metres from the spine. */
+/**
+ * Bounds of arguments: numbers of flights, of flights at once, of leaves;
+ * metres from the spine.
+ */
 const mostIds = 2 ** 32 - 1;
 const mostFlights = 16;
 const mostLeaves = 1e6;
@@ -69,7 +72,7 @@ const farthest = 1000;
 
 let compiled: Promise<WebAssembly.Module> | undefined;
 
-/** Compiles the engine once a page, at the first book. */
+/** Compiles the engine once per page, for the first book. */
 function compile(): Promise<WebAssembly.Module> {
   compiled ??= (async () => {
     const packed = Uint8Array.from(atob(code), (c) => c.charCodeAt(0));
@@ -80,18 +83,18 @@ function compile(): Promise<WebAssembly.Module> {
 
 /**
  * One bound book in the engine, with several leaves of paper in flight. A
- * flight is known by the number that `lift` returns; a command to one that is
- * over changes nothing. Flights are listed from the left to the right.
+ * flight is identified by the number that `lift` returns; a command to one that
+ * is over changes nothing. Flights are listed from left to right.
  *
- * Numbers are kept to what the engine takes: counts are clamped, places clamped
- * to 1 km, and a command with a place that is no number does nothing.
+ * Numbers are clamped to what the engine accepts, places to 1 km, and a command
+ * with a place that is not a number does nothing.
  */
 export class WasmBook implements BookEngine {
   readonly tick: number;
   readonly #wasm: Exports;
   readonly #book: number;
   readonly #leaves: number;
-  /** Surfaces by the address of their positions: the engine uses few, again and again. */
+  /** Surfaces by the address of their positions: the engine reuses a few. */
   readonly #surfaces = new Map<number, Surface>();
   readonly #piles: (Pile | undefined)[] = [undefined, undefined];
 
@@ -105,7 +108,7 @@ export class WasmBook implements BookEngine {
     if (this.#book === 0) throw new Error("The engine refused a book of this size.");
   }
 
-  /** Makes a book. Rejects where WebAssembly is not to be had. */
+  /** Makes a book. Rejects if WebAssembly is unavailable. */
   static async create(size: BookSize): Promise<WasmBook> {
     const instance = await WebAssembly.instantiate(await compile(), {});
     return new WasmBook(instance.exports as unknown as Exports, size);
@@ -152,7 +155,7 @@ export class WasmBook implements BookEngine {
     this.#changed(1);
   }
 
-  /** New leaves lie elsewhere in the engine's memory: views of the old ones are void. */
+  /** New leaves lie elsewhere in the engine's memory: views of the old ones are invalid. */
   #changed(answer: number): boolean {
     this.#surfaces.clear();
     return answer !== 0;

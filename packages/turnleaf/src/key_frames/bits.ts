@@ -1,21 +1,24 @@
-/** Whole numbers that grow smaller along a run, in few bits: Rice's code, whose parameter follows the numbers before. */
+/**
+ * Codes integers that become smaller along a run, in few bits: Rice's code,
+ * whose parameter adapts to the numbers before.
+ */
 
-/** Bits of the length of a run, and of the parameter that it begins with. */
+/** Bits of the length of a run, and of its first parameter. */
 const lengthBits = 17;
 const parameterBits = 5;
 
-/** Ones that a number begins with at most; so many say that it follows plainly. */
+/** Maximum of ones that a number begins with; that many mark a plain number. */
 const mostOnes = 24;
 const plainBits = 32;
 
-/** No code is as large as this. */
+/** Every code is smaller than this. */
 const mostCode = 2 ** 27;
 
-/** The mean of the numbers before, in sixteenths, asks for a parameter. */
+/** Returns the parameter for the mean of the numbers before, in sixteenths. */
 const parameterOf = (mean: number): number => 32 - Math.clz32(mean >>> 5);
 const meanAfter = (mean: number, code: number): number => mean - Math.floor(mean / 4) + 4 * code;
 
-/** 0, -1, 1, -2 ... as 0, 1, 2, 3 ... */
+/** Returns 0, -1, 1, -2 ... as 0, 1, 2, 3 ... */
 const zigzag = (value: number): number => (value < 0 ? -2 * value - 1 : 2 * value);
 
 /** Writes bits, the lowest first. */
@@ -53,13 +56,13 @@ export class BitWriter {
     }
   }
 
-  /** What was written, in whole bytes. */
+  /** The written bits, in whole bytes. */
   get bytes(): Uint8Array<ArrayBuffer> {
     return Uint8Array.from(this.#bytes);
   }
 }
 
-/** Bits that a run takes. */
+/** Returns the number of bits of a run. */
 export function costOf(values: Int32Array): number {
   const { length, parameter } = beginningOf(values);
   let mean = 16 * 2 ** parameter;
@@ -90,7 +93,7 @@ export class BitReader {
     this.#bytes = bytes;
   }
 
-  /** The next bits as a number from 0. Throws a RangeError where the bytes end before. */
+  /** Returns the next bits as a number from 0. Throws a RangeError if the bytes end before. */
   bits(count: number): number {
     if (this.#used + count > 8 * this.#bytes.length) throw new RangeError("The bits end early.");
     let value = 0;
@@ -105,7 +108,7 @@ export class BitReader {
     return value;
   }
 
-  /** Reads a run into `values`. Throws a RangeError where it is none. */
+  /** Reads a run into `values`. Throws a RangeError if it is not one. */
   run(values: Int32Array): void {
     values.fill(0);
     const length = this.bits(lengthBits);

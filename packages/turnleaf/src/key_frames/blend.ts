@@ -1,4 +1,4 @@
-/** Which frames a blend reads at a time, and the weight of each: cubic Hermite pieces. */
+/** The frames that a blend reads at a time, and their weights: cubic Hermite pieces. */
 
 /** Frames that a blend reads, and the weight of each. */
 export interface Mix {
@@ -6,7 +6,10 @@ export interface Mix {
   readonly weight: readonly [number, number, number, number];
 }
 
-/** The mix at a time among rising times. Before the first and after the last the frames stand still. */
+/**
+ * Returns the mix at a time among increasing times. Before the first and after
+ * the last the frames stand still.
+ */
 export function mixAt(times: ArrayLike<number>, time: number): Mix {
   const last = times.length - 1;
   const after = firstAfter(times, time);
@@ -22,7 +25,7 @@ export function mixAt(times: ArrayLike<number>, time: number): Mix {
   return { frame, weight: weights((time - times[before]) / length, left, right) };
 }
 
-/** Number of times up to a time. */
+/** Returns the number of times up to a time. */
 function firstAfter(times: ArrayLike<number>, time: number): number {
   let [low, high] = [0, times.length];
   while (low < high) {
@@ -34,10 +37,10 @@ function firstAfter(times: ArrayLike<number>, time: number): number {
 }
 
 /**
- * Weights of four frames. The tangent at a frame is that of the parabola through
- * it and both neighbours, `left` and `right` their distances beyond the two
- * frames, over the distance of these; a frame without a neighbour (0) has that of
- * the parabola at its other end.
+ * Returns the weights of four frames. The tangent at a frame is that of the
+ * parabola through it and both neighbours, `left` and `right` their distances
+ * beyond the two frames, over the distance of these; a frame without a
+ * neighbour (0) has that of the parabola at its other end.
  */
 function weights(t: number, left: number, right: number): Mix["weight"] {
   let [from, to] = [(2 * t - 3) * t * t + 1, (3 - 2 * t) * t * t];

@@ -17,8 +17,9 @@ import { Waves } from "./waves.ts";
 const newest = 2;
 
 /**
- * Reads a recorded turn from the bytes of its file, of version 1 or 2.
- * @throws TurnError where they are anything but a whole and unchanged one
+ * Decodes a recorded turn from the bytes of its file, of version 1 or 2.
+ *
+ * @throws TurnError unless they are a complete and unchanged file
  */
 export function decodeTurn(bytes: Uint8Array): RecordedTurn {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -38,7 +39,7 @@ export function decodeTurn(bytes: Uint8Array): RecordedTurn {
   return new RecordedTurn(version === 1 ? readWhole(view) : readPacked(view));
 }
 
-/** What the first bytes of either version say. */
+/** Reads the header of either version. */
 function readHeader(view: DataView, most: number) {
   const model = recordedModels[view.getUint32(8, true) - 1];
   const [width, height] = [view.getFloat32(16, true), view.getFloat32(20, true)];
@@ -58,7 +59,7 @@ function readHeader(view: DataView, most: number) {
   return { model, width, height, columns, rows, frames };
 }
 
-/** Looks whether a file is as long as it should be, and its checksum fits. */
+/** Checks the length of a file, and its checksum. */
 function requireWhole(view: DataView, length: number): void {
   const found = view.byteLength;
   if (found !== length) {
@@ -128,7 +129,7 @@ function readPlaces(view: DataView, at: number, count: number): Float32Array {
   return places;
 }
 
-/** Positions of all frames from their packed shares. */
+/** Unpacks the positions of all frames from their coefficients. */
 function unpack(
   packed: Uint8Array,
   u: Float32Array,
@@ -140,7 +141,7 @@ function unpack(
   const positions = new Float32Array(3 * length * times.length);
   const rest = new Int32Array(length);
   const shares = new Float64Array(length);
-  // Of each axis the frame that is read and the two before it, in turns.
+  // For each axis the current frame and the two before it, in rotation.
   const kept = Array.from({ length: 9 }, () => new Int32Array(length));
   const of = (frame: number, axis: number) => kept[3 * (frame % 3) + axis];
   try {

@@ -1,24 +1,36 @@
-/** What files of key frames have in common: numbers, their bounds, and a checksum. docs/formats.md tells the format. */
+/**
+ * The common parts of files of key frames: numbers, their bounds, and a
+ * checksum. docs/formats.md describes the format.
+ */
 
-/** Bytes that are no recorded turn; the message says why, in one sentence. */
+/** Bytes that are not a recorded turn; the message gives the reason, in one sentence. */
 export class TurnError extends Error {
   override readonly name = "TurnError";
 }
 
-/** Bytes before what is of a version's own, of the whole header of version 2, and of the checksum. */
+/**
+ * Length of the header common to both versions, of the whole header of version
+ * 2, and of the checksum.
+ */
 export const commonHeader = 36;
 export const packedHeader = 48;
 export const checksumLength = 8;
 
-/** Bounds of version 2: points along a side, points of all frames, and a multiple of the quantum. */
+/**
+ * Bounds of version 2: points along a side, points of all frames, and a
+ * multiple of the quantum.
+ */
 export const mostAlong = 256;
 export const mostPoints: number = 2 ** 22;
 export const mostMultiple: number = 2 ** 24;
 
-/** Bytes that the packed shares of a frame take at least: for each axis 2 bits say the way, and 22 begin a run. */
+/**
+ * Minimum bytes of the packed coefficients of a frame: for each axis 2 bits for
+ * the prediction, and 22 for the start of a run.
+ */
 export const leastPackedFrame = 9;
 
-/** FNV-1a of 64 bits over bytes, as its 8 bytes from the lowest. */
+/** Returns the FNV-1a hash of 64 bits over bytes, as its 8 bytes from the lowest. */
 export function checksum(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
   // By halves, as the prime is 2^40 + 435.
   let [high, low] = [0xcbf29ce4, 0x84222325];
@@ -35,11 +47,13 @@ export function checksum(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
   return sum;
 }
 
-/** Multiples of one axis in the frame before and in the one before that, where there are such. */
+/** Multiples of one axis in the frame before and in the one before that, if there are such. */
 export type Before = readonly [Int32Array | undefined, Int32Array | undefined];
 
 /**
- * What the frames before let expect of a multiple in one of three ways.
+ * Returns the prediction of a multiple from the frames before, in one of three
+ * ways.
+ *
  * @param before multiples of the same axis
  */
 export function expected(

@@ -1,4 +1,7 @@
-/** Files that ask for far more than they hold: refused, or read with memory and work in proportion. */
+/**
+ * Files that claim far more than they hold: rejected, or read with memory and
+ * work in proportion.
+ */
 import { afterEach, describe, expect, it, vi } from "vitest";
 import cornerFile from "../../../../engine/tests/fixtures/corner.tlkf?inline";
 import { BitWriter } from "./bits.ts";
@@ -7,7 +10,10 @@ import { decodeTurn, TurnError } from "./key_frames.ts";
 
 afterEach(() => vi.unstubAllGlobals());
 
-/** A sealed file of version 2 with these counts, whose shares are `packed`. */
+/**
+ * Returns a file of version 2 with these counts, its coefficients `packed`,
+ * with a valid checksum.
+ */
 function turnFile(columns: number, rows: number, frames: number, packed: Uint8Array): Uint8Array {
   const even = (n: number) => Array.from({ length: n }, (_, i) => i / (n - 1));
   const reals = [...even(columns), ...even(rows)];
@@ -32,7 +38,7 @@ function turnFile(columns: number, rows: number, frames: number, packed: Uint8Ar
   return bytes;
 }
 
-/** Counts the typed arrays that are made, and their bytes. */
+/** Counts the typed arrays that are created, and their bytes. */
 function countArrays() {
   const made = { arrays: 0, bytes: 0 };
   for (const name of ["Int32Array", "Uint32Array", "Float32Array", "Float64Array"] as const) {
@@ -60,7 +66,7 @@ describe("counts that a file cannot fill", () => {
     const turn = decodeTurn(bytes);
     expect(turn.frames).toBe(frames);
     expect(made.arrays).toBeLessThan(100);
-    // The positions, 12 bytes a point, are what was asked for.
+    // The positions, 12 bytes per point, were requested.
     expect(made.bytes).toBeLessThan(1.2 * 12 * 4 * frames);
   });
 
@@ -101,7 +107,7 @@ describe("counts that a file cannot fill", () => {
   });
 });
 
-/** Numbers below a bound, by a seed (Numerical Recipes' generator). */
+/** Returns a generator of numbers below a bound, by a seed (that of Numerical Recipes). */
 function randomOf(seed: number): (below: number) => number {
   let state = seed;
   return (below) => {
@@ -115,7 +121,10 @@ describe("random files", () => {
     c.charCodeAt(0),
   );
 
-  /** Counts near their bounds, and shares that are bits, or runs of numbers of any size. */
+  /**
+   * Counts near their bounds, and coefficients that are random bits, or runs of
+   * numbers of any size.
+   */
   function invented(random: (below: number) => number): Uint8Array {
     const side = () => [2, 3, 9, 26, 256][random(5)];
     const [columns, rows, frames] = [side(), side(), 1 + random(random(2) ? 4 : 60)];

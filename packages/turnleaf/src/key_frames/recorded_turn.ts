@@ -1,6 +1,6 @@
 import { blend, mixAt } from "./blend.ts";
 
-/** The models that turns are recorded of, by the numbers in files less 1. */
+/** The models of recorded turns, by the numbers in files less 1. */
 export const recordedModels = [
   "mass-spring",
   "sheet",
@@ -11,19 +11,19 @@ export const recordedModels = [
   "cone",
 ] as const;
 
-/** What a recording holds. */
+/** The contents of a recording. */
 export interface TurnRecord {
   /** Columns of points, from the spine, and rows, from the foot: u and v of each, from 0 to 1. */
   readonly u: Float32Array;
   readonly v: Float32Array;
-  /** The leaf's, metres. */
+  /** Size of the leaf, metres. */
   readonly width: number;
   readonly height: number;
   /** The model that was recorded. */
   readonly model: (typeof recordedModels)[number];
-  /** How far the replay is at most from what was recorded, over the width; NaN where nobody measured it. */
+  /** Maximum distance of the replay from the original, over the width; NaN if unknown. */
   readonly error: number;
-  /** When each key frame was taken, seconds since the start. */
+  /** Times of the key frames, seconds since the start. */
   readonly times: Float32Array;
   /** Frame after frame x, y, z of each point, metres, row by row from the foot. */
   readonly positions: Float32Array;
@@ -37,13 +37,13 @@ interface Way {
   readonly scale: number;
 }
 
-/** Sizes whose ratios differ by less than this are of one ratio. */
+/** Sizes whose ratios differ by less than this count as one ratio. */
 const sameRatio = 0.005;
 
 /**
- * A recorded turn, which can be played on any page of its ratio, by any number of
- * pages at once: playing changes nothing in it. What `reversed` and the like answer
- * shares its frames.
+ * A recorded turn, which can be played on any page of its ratio, by any number
+ * of pages at once: playing changes nothing in it. The results of `reversed`
+ * and the like use the same frames.
  *
  * x across the spine to the right, y along it to the head, z up from the table.
  */
@@ -100,7 +100,7 @@ export class RecordedTurn {
     return this.#record.model;
   }
 
-  /** How far the replay is at most from what was recorded, over the width; NaN where nobody measured it. */
+  /** Maximum distance of the replay from the original, over the width; NaN if unknown. */
   get error(): number {
     return this.#record.error;
   }
@@ -110,12 +110,12 @@ export class RecordedTurn {
     return this.#record.times.length;
   }
 
-  /** How long it takes, seconds. */
+  /** Its duration, seconds. */
   get duration(): number {
     return this.#length / this.#way.pace;
   }
 
-  /** When the key frames come, seconds from 0 to the duration. */
+  /** Times of the key frames, seconds from 0 to the duration. */
   get times(): Float64Array {
     const { isBackward, pace } = this.#way;
     const times = Float64Array.from(this.#record.times, (time) =>
@@ -129,7 +129,7 @@ export class RecordedTurn {
    * the foot. Before 0 and after the duration the leaf lies as at these.
    *
    * @param out of 3 * columns * rows floats
-   * @throws RangeError where it is of another length
+   * @throws RangeError if it has another length
    */
   sample(time: number, out: Float32Array): void {
     const { times, positions } = this.#record;
@@ -144,20 +144,24 @@ export class RecordedTurn {
     if (isMirrored) for (let i = 0; i < out.length; i += 3) out[i] = -out[i];
   }
 
-  /** The same turn from its end to its beginning. */
+  /** Returns the same turn from its end to its beginning. */
   reversed(): RecordedTurn {
     return this.#as({ isBackward: !this.#way.isBackward });
   }
 
-  /** The same turn across the spine: from the left to the right where it went from the right to the left. */
+  /**
+   * Returns the same turn mirrored in the spine: from left to right if it went
+   * from right to left.
+   */
   mirrored(): RecordedTurn {
     return this.#as({ isMirrored: !this.#way.isMirrored });
   }
 
   /**
-   * The same turn in less time.
+   * Returns the same turn in less time.
+   *
    * @param factor 2 for twice as fast, 0.5 for half
-   * @throws RangeError where it is not above 0
+   * @throws RangeError unless it is above 0
    */
   faster(factor: number): RecordedTurn {
     if (!(factor > 0 && factor < Number.POSITIVE_INFINITY)) {
@@ -167,8 +171,10 @@ export class RecordedTurn {
   }
 
   /**
-   * The same turn of a leaf of another size, metres.
-   * @throws RangeError where that has another ratio: paper that long would bend otherwise
+   * Returns the same turn of a leaf of another size, metres.
+   *
+   * @throws RangeError if that has another ratio: paper that long would bend
+   * otherwise
    */
   scaled(width: number, height: number): RecordedTurn {
     const ratio = (width * this.height) / (height * this.width);
@@ -187,9 +193,9 @@ export class RecordedTurn {
 }
 
 /**
- * Writes smooth unit normals of a surface, on the side that is up where the leaf
- * lies on the right: cross products of the differences along u and v. Points
- * whose neighbours coincide keep what `normals` held.
+ * Writes smooth unit normals of a surface, on the side that is up where the
+ * leaf lies on the right: cross products of the differences along u and v.
+ * Points whose neighbours coincide keep their values in `normals`.
  */
 export function writeNormals(
   columns: number,
@@ -204,7 +210,7 @@ export function writeNormals(
       const at = 3 * (row * columns + column);
       const left = column > 0 ? at - 3 : at;
       const right = column < columns - 1 ? at + 3 : at;
-      // Written out: this is done for every point of every frame.
+      // Unrolled: this runs for every point of every frame.
       const ux = positions[right] - positions[left];
       const uy = positions[right + 1] - positions[left + 1];
       const uz = positions[right + 2] - positions[left + 2];

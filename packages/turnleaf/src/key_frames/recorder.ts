@@ -12,26 +12,26 @@ export interface RecordedLeaf {
   /** u of each column of points and v of each row, rising from 0 to 1; 256 at most. */
   readonly u: ArrayLike<number>;
   readonly v: ArrayLike<number>;
-  /** The model that moves it; "sheet" unless told. */
+  /** The model that moves it. The default is "sheet". */
   readonly model?: TurnRecord["model"];
 }
 
 /** A turn in a file. */
 export interface TurnFile {
-  /** What `decodeTurn` reads. */
+  /** The bytes for `decodeTurn`. */
   readonly bytes: Uint8Array<ArrayBuffer>;
-  /** How far a replay is at most from the recording, over the width. */
+  /** Maximum distance of a replay from the recording, over the width. */
   readonly error: number;
-  /** Key frames that were kept. */
+  /** Number of key frames kept. */
   readonly frames: number;
 }
 
-/** The part of the tolerance that rounding may take; the rest is the blend's. */
+/** The fraction of the tolerance for rounding; the rest is the blend's. */
 const rounding = 0.4;
 
 /**
- * Records a turn frame by frame, whatever turns the leaf, and keeps of it what a
- * replay needs.
+ * Records a turn frame by frame, from any source, and keeps what a replay
+ * needs.
  *
  * ```ts
  * const recorder = new TurnRecorder({ width: 0.14, height: 0.21, u, v });
@@ -47,7 +47,7 @@ export class TurnRecorder {
   readonly #times: number[] = [];
   readonly #frames: Float32Array[] = [];
 
-  /** @throws RangeError where the size, `u` or `v` are not a leaf's */
+  /** @throws RangeError if the size, `u` or `v` are invalid */
   constructor(leaf: RecordedLeaf) {
     this.#leaf = leaf;
     this.#u = placesOf(leaf.u);
@@ -59,14 +59,16 @@ export class TurnRecorder {
   }
 
   /**
-   * Adds a frame: x, y, z of each point, metres, row by row from the foot. It is copied.
+   * Adds a frame: x, y, z of each point, metres, row by row from the foot. It
+   * is copied.
    *
    * @param time seconds, after that of the frame before
-   * @throws RangeError where it is not, or where these are not a frame's numbers
+   * @throws RangeError if it is not, or if the positions are not a frame's
+   * numbers
    */
   add(time: number, positions: ArrayLike<number>): void {
     const last = this.#times.at(-1);
-    // As the file will hold it: two frames must not fall together.
+    // As stored in the file: two frames must not coincide.
     const at = Math.fround(time);
     if (!Number.isFinite(at) || (last !== undefined && at <= last)) {
       throw new RangeError("A frame is recorded after the one before.");
@@ -86,8 +88,9 @@ export class TurnRecorder {
   /**
    * Ends the recording.
    *
-   * @param tolerance how far a replay may be from it, over the width
-   * @throws RangeError where nothing was recorded, or it cannot be told so finely
+   * @param tolerance maximum distance of a replay from it, over the width
+   * @throws RangeError if nothing was recorded, or the tolerance is too small
+   * for it
    */
   finish(tolerance = 0.001): TurnFile {
     if (this.#times.length === 0) throw new RangeError("Nothing was recorded.");
@@ -101,7 +104,7 @@ export class TurnRecorder {
     return { bytes, error: error / this.#leaf.width, frames: keys.length };
   }
 
-  /** The coarsest quantum with which no point is farther off than rounding may bring it. */
+  /** Finds the coarsest quantum whose rounding moves no point farther than allowed. */
   #round(most: number) {
     const length = 3 * this.#u.length * this.#v.length;
     const shares = this.#frames.flatMap((frame) =>
@@ -191,8 +194,9 @@ function pack(
 }
 
 /**
- * The frames to keep, rising, so that a blend of their rounded positions is
- * nowhere farther from the recording than `tolerance`, metres; and how far it is.
+ * Returns the frames to keep, rising, so that a blend of their rounded
+ * positions is nowhere farther from the recording than `tolerance`, metres; and
+ * its maximum distance.
  */
 function chooseKeys(
   times: readonly number[],
@@ -238,7 +242,7 @@ function chooseKeys(
   return { keys, error: Math.max(...errors) };
 }
 
-/** The frame that is farthest off and not kept yet; a kept one where all are. */
+/** Returns the frame with the largest error that is not kept yet; a kept one if all are. */
 function worstOf(errors: Float64Array, keys: readonly number[]): number {
   const kept = new Set(keys);
   let worst = keys[0];
@@ -248,7 +252,7 @@ function worstOf(errors: Float64Array, keys: readonly number[]): number {
   return worst;
 }
 
-/** The longest distance between points of two frames. */
+/** Returns the longest distance between points of two frames. */
 function farthest(a: Float32Array, b: Float32Array): number {
   let most = 0;
   for (let i = 0; i < a.length; i += 3) {

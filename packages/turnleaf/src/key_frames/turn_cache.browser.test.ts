@@ -15,7 +15,7 @@ function file(): Uint8Array<ArrayBuffer> {
   return recorder.finish().bytes;
 }
 
-/** Answers requests; counts them. */
+/** Responds to requests and counts them. */
 function serve(body: BodyInit, status = 200) {
   return vi
     .spyOn(globalThis, "fetch")
@@ -67,7 +67,7 @@ it("records a turn once, in this visit and the next", async () => {
   expect(a).toBe(b);
   await ask(new TurnCache({ name }));
   expect(record).toHaveBeenCalledTimes(1);
-  // What lies there damaged is recorded anew.
+  // A damaged entry is recorded again.
   const store = await caches.open(name);
   for (const key of await store.keys()) await store.put(key, new Response("damaged"));
   expect((await ask(new TurnCache({ name }))).frames).toBe(2);

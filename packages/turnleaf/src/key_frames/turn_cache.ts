@@ -2,22 +2,29 @@ import { decodeTurn } from "./decode.ts";
 import { TurnError } from "./file.ts";
 import type { RecordedTurn } from "./recorded_turn.ts";
 
-/** What a cache of turns is like. */
+/** The options of a cache of turns. */
 export interface TurnCacheOptions {
-  /** Of the browser's store in which turns outlast the visit; "turnleaf-turns" unless told. */
+  /**
+   * Name of the browser's store in which turns outlast the visit. The default
+   * is "turnleaf-turns".
+   */
   readonly name?: string;
-  /** Turns held in memory; the one that was asked for longest ago goes first. 32 unless told. */
+  /**
+   * Maximum of turns held in memory; the one requested longest ago is dropped
+   * first. The default is 32.
+   */
   readonly most?: number;
 }
 
-/** A file larger than this is no turn's. */
+/** A larger file is not a turn. */
 const mostBytes = 16 << 20;
 
 /**
- * One recording for all: books and pages of a document share it in memory, later
- * visits find it in the browser's Cache Storage, and all visitors on the network's
- * caches, as a name from `turnName` stands for one content for ever and may be
- * served with `Cache-Control: public, max-age=31536000, immutable`.
+ * A cache of recordings: the books and pages of a document use one copy in
+ * memory, later visits find it in the browser's Cache Storage, and all visitors
+ * in the network's caches, because a name from `turnName` stands for one
+ * content for ever and may be served with `Cache-Control: public,
+ * max-age=31536000, immutable`.
  */
 export class TurnCache {
   readonly #name: string;
@@ -30,8 +37,8 @@ export class TurnCache {
   }
 
   /**
-   * The turn at an address, fetched once.
-   * Rejects with a `TurnError` where there is none, and then asks again the next time.
+   * Returns the turn at an address, fetched once. Rejects with a `TurnError` if
+   * there is none, and then fetches again the next time.
    */
   fetch(address: string | URL): Promise<RecordedTurn> {
     const url = new URL(address, globalThis.document?.baseURI).href;
@@ -42,17 +49,18 @@ export class TurnCache {
       const bytes = await bytesOf(response.clone());
       await requireName(url, bytes);
       const turn = decodeTurn(bytes);
-      // Only what may be shared for ever is kept beyond the visit: else the server is asked.
+      // Only a file named by its content is kept beyond the visit; otherwise the server is asked.
       if (!kept && nameIn(url)) await store?.put(url, response).catch(() => {});
       return turn;
     });
   }
 
   /**
-   * The turn of a name, recorded once by whoever asks first.
+   * Returns the turn of a name, recorded once by its first caller.
    *
-   * @param name says all that makes it what it is: model, paper, gesture, seconds
-   * @param record makes the bytes of its file, as `TurnRecorder.finish` does
+   * @param name identifies everything that defines it: model, paper, gesture,
+   * seconds
+   * @param record returns the bytes of its file, as `TurnRecorder.finish` does
    */
   record(name: string, record: () => Promise<Uint8Array<ArrayBuffer>>): Promise<RecordedTurn> {
     const key = `https://turnleaf.invalid/${encodeURIComponent(name)}`;
@@ -62,7 +70,7 @@ export class TurnCache {
         try {
           return decodeTurn(await bytesOf(kept));
         } catch {
-          // What another version kept, or somebody else: it is recorded anew.
+          // An entry of another version, or of other code: it is recorded again.
         }
       }
       const bytes = await record();
@@ -72,7 +80,7 @@ export class TurnCache {
     });
   }
 
-  /** Forgets all turns, those kept from other visits too. */
+  /** Forgets all turns, also those kept from other visits. */
   async clear(): Promise<void> {
     this.#turns.clear();
     await globalThis.caches?.delete(this.#name).catch(() => false);
@@ -84,7 +92,7 @@ export class TurnCache {
   ): Promise<RecordedTurn> {
     const known = this.#turns.get(key);
     const turn = known ?? this.#open().then(load);
-    // Asked for last, last in the map: the first is the one to forget.
+    // The map is in the order of requests: the first one is dropped.
     this.#turns.delete(key);
     this.#turns.set(key, turn);
     const [oldest] = this.#turns.keys();
@@ -93,28 +101,34 @@ export class TurnCache {
     return turn;
   }
 
-  /** The browser's store; none where the page is not secure, or storing is forbidden. */
+  /**
+   * Returns the browser's store; undefined if the page is not secure, or
+   * storage is not allowed.
+   */
   async #open(): Promise<Cache | undefined> {
     return await globalThis.caches?.open(this.#name).catch(() => undefined);
   }
 }
 
-/** The name of a turn's file by its content: `turn-` and the first 32 digits of its SHA-256. */
+/**
+ * Returns the name of a turn's file by its content: `turn-` and the first 32
+ * digits of its SHA-256.
+ */
 export async function turnName(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
   const digest = new Uint8Array(await crypto.subtle.digest("SHA-256", bytes));
   const digits = [...digest.subarray(0, 16)].map((byte) => byte.toString(16).padStart(2, "0"));
   return `turn-${digits.join("")}.tlkf`;
 }
 
-/** The name by content in an address, if it has one. */
+/** Returns the name by content in an address, if it has one. */
 function nameIn(url: string): string | null {
   return /\/(turn-[0-9a-f]{32}\.tlkf)(?:[?#]|$)/.exec(url)?.[1] ?? null;
 }
 
-/** Where the address names a content, it must be that one. */
+/** Checks the content against the name in its address. */
 async function requireName(url: string, bytes: Uint8Array<ArrayBuffer>): Promise<void> {
   const name = nameIn(url);
-  // There is no digest where the page is not secure.
+  // There is no digest if the page is not secure.
   if (!name || !globalThis.crypto?.subtle || (await turnName(bytes)) === name) return;
   throw new TurnError(`The recorded turn at ${url} is another than its name says.`);
 }

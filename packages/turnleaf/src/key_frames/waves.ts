@@ -1,16 +1,19 @@
 /**
  * A frame as a sum of smooth surfaces: polynomials along u times polynomials
  * along v, orthonormal over the points. Paper bends smoothly, so a few of them
- * say nearly all of it, and the rest rounds to nothing.
+ * describe nearly all of it, and the rest rounds to nothing.
  */
 
-/** Orthonormal polynomials over places: the value of the k-th at place i lies at k * n + i. */
+/**
+ * Returns orthonormal polynomials over places: the value of the k-th at place i
+ * is at k * n + i.
+ */
 function polynomials(places: Float32Array): Float64Array {
   const n = places.length;
   const basis = new Float64Array(n * n);
   const next = new Float64Array(n).fill(1);
   for (let k = 0; k < n; k++) {
-    // Taken away twice: once leaves a rounding error that grows with the degree.
+    // Subtracted twice: once leaves a rounding error that grows with the degree.
     for (let time = 0; time < 2; time++) {
       for (let lower = 0; lower < k; lower++) {
         let share = 0;
@@ -31,8 +34,9 @@ function polynomials(places: Float32Array): Float64Array {
 }
 
 /**
- * The product of two matrices, row by row, each element summed in the order of its
- * terms. Four terms at a time, as a large file has thousands of millions of them.
+ * Multiplies two matrices, row by row, each element summed in the order of its
+ * terms. Four terms at a time, because a large file has thousands of millions
+ * of them.
  *
  * @param a of `rows` rows, each `stride` long, of which the first `terms` count
  * @param b of `terms` rows and `columns` columns
@@ -67,7 +71,7 @@ function multiply(
   }
 }
 
-/** Frames of a size as sums, and back. */
+/** Converts frames of a size to coefficients, and back. */
 export class Waves {
   readonly #columns: number;
   readonly #rows: number;
@@ -77,10 +81,10 @@ export class Waves {
   readonly #acrossV: Float64Array;
   readonly #half: Float64Array;
   readonly #sums: Float64Array;
-  /** Places of the shares in the order in which they are kept, the smoothest first. */
+  /** Indices of the coefficients in the order of the file, the smoothest first. */
   readonly order: Uint32Array;
 
-  /** Throws a RangeError where places are too near each other. */
+  /** Throws a RangeError if places are too close to each other. */
   constructor(u: Float32Array, v: Float32Array) {
     const [columns, rows] = [u.length, v.length];
     this.#columns = columns;
@@ -101,7 +105,10 @@ export class Waves {
     );
   }
 
-  /** Writes the values of the sums with shares, into every third place from `first` on. */
+  /**
+   * Writes the values of the sums with some coefficients, into every third
+   * place from `first` on.
+   */
   write(shares: Float64Array, values: Float32Array, first: number): void {
     const [columns, rows, half, sums] = [this.#columns, this.#rows, this.#half, this.#sums];
     // High degrees along v are mostly 0 throughout.
@@ -113,7 +120,7 @@ export class Waves {
     for (let at = 0; at < sums.length; at++) values[first + 3 * at] = sums[at];
   }
 
-  /** The shares of the sums in values, every third from `axis` on. */
+  /** Returns the coefficients of values, every third from `axis` on. */
   shares(values: Float32Array, axis: number): Float64Array {
     const [columns, rows, half] = [this.#columns, this.#rows, this.#half];
     for (let row = 0; row < rows; row++) {

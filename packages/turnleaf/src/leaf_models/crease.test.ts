@@ -5,7 +5,10 @@ const columns = Float32Array.from({ length: 9 }, (_, k) => k / 8);
 const rows = 5;
 const height = 0.2;
 
-/** A leaf whose outer half is folded over on the line of its middle; the width negative where it lay on the left. */
+/**
+ * Returns a leaf whose outer half is folded over on the line of its middle; the
+ * width is negative if it lay on the left.
+ */
 function folded(width: number): Float32Array {
   const points = new Float32Array(3 * columns.length * rows);
   for (let row = 0; row < rows; row++) {
@@ -32,7 +35,7 @@ test.for([0.15, -0.15])(
         expect(x).toBeCloseTo(width / 2, 6);
         const normal = normals.get(at) ?? [0, 0, 0];
         expect(Math.hypot(...normal)).toBeCloseTo(1, 6);
-        // The side that is seen looks up and, at the fold, outward.
+        // The visible side faces up and, at the fold, outward.
         expect(Math.sign(normal[2])).toBe(recto);
         expect(Math.sign(normal[0]) * recto).toBe(Math.sign(width));
       }

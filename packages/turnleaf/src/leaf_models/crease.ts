@@ -2,21 +2,27 @@
 
 import type { Vec3 } from "../engine/shapes.ts";
 
-/** How far the folded part is drawn over the rest, metres: what is nearer than a tenth of that is lifted off the page with it. */
+/**
+ * Distance of the folded part above the rest as drawn, metres: points closer
+ * than a tenth of it are raised off the page with it.
+ */
 const apart = 5e-4;
 
-/** How far light takes the fold for round: sine of its edge's tilt. */
+/** How round the fold is lit: sine of its edge's tilt. */
 const round = 0.75;
 
 /**
- * Draws the points of a peeled leaf that are nearest to its fold on the fold: it
- * is a clean line then, where it would else be as ragged as the mesh. What is
- * folded over is lifted clear of the rest.
+ * Moves the points of a peeled leaf that are nearest to its fold onto the fold,
+ * so that it is a clean line rather than as ragged as the mesh. The folded part
+ * is raised above the rest.
  *
- * @param points of the leaf over a flat table, x, y, z, row by row from the foot
+ * @param points of the leaf over a flat table, x, y, z, row by row from the
+ * foot
  * @param columns u of each column
- * @param width,height of the leaf, metres; the width negative where it lay on the left
- * @returns by the number of each point about the fold its normal there, on the recto's side
+ * @param width,height of the leaf, metres; the width is negative if it lay on
+ * the left
+ * @returns the normal of each point at the fold by its number, on the recto's
+ * side
  */
 export function crease(
   points: Float32Array,
@@ -30,7 +36,7 @@ export function crease(
     columns[at % across] * width,
     (Math.floor(at / across) / (rows - 1)) * height,
   ];
-  // Of all points the one that is folded over farthest says best where the fold is.
+  // The point that is folded over farthest locates the fold best.
   let [most, nx, ny, fold] = [1e-6, 0, 0, 0];
   for (let at = 0; at < across * rows; at++) {
     const [x, y] = flat(at);
@@ -42,7 +48,7 @@ export function crease(
   }
   const normals = new Map<number, Vec3>();
   if (fold === 0 && nx === 0) return normals;
-  // What is folded over shows its verso; of a leaf that lay on the left, its recto.
+  // The folded part shows its verso; of a leaf that lay on the left, its recto.
   const seen = width < 0 ? 1 : -1;
   for (let at = 0; at < across * rows; at++) {
     const [x, y] = flat(at);
@@ -51,8 +57,9 @@ export function crease(
     const beyond = nx * x + ny * y - fold;
     const isForeEdge = column === across - 1;
     const isFootOrHead = at < across || at >= across * (rows - 1);
-    // Half of the longest way over an edge of the mesh, along the fold's normal. What is on the
-    // outline goes to the fold along it, or the fold would end in a notch or a spike.
+    // Half of the longest way over an edge of the mesh, along the fold's
+    // normal. Points on the outline move to the fold along it, or the fold
+    // would end in a notch or a spike.
     const wide = Math.abs(nx * width) * (isForeEdge ? next : 0.5 * next);
     const tall = (Math.abs(ny) * height) / (rows - 1);
     const near = 0.55 * (wide + tall);

@@ -1,4 +1,4 @@
-/** What turns leaves otherwise than as the sheets that they are. */
+/** Models that draw leaves in flight in place of the engine's sheets. */
 
 import type { Turning } from "../book/turning.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
@@ -9,7 +9,7 @@ export interface ModelledBook {
   readonly engine: BookEngine;
   readonly turning: Turning;
   readonly shape: BookShape;
-  /** Holds the leaf whose corner only lifts, where nothing else is in flight. */
+  /** Holds the leaf whose corner only lifts, if nothing else is in flight. */
   readonly peek: { readonly flight: object | null };
 }
 
@@ -20,22 +20,25 @@ export interface Sheet {
 
 /** A model of a book's leaves in flight: it follows their sheets, and is drawn in place of them. */
 export interface LeafModel {
-  /** Moves on by `seconds`, and writes where each leaf is for the engine's next update. */
+  /** Advances by `seconds`, and writes where each leaf is for the engine's next update. */
   show(book: ModelledBook, seconds: number): void;
-  /** After that update: puts right what the engine cannot know of leaves that are no sheets. */
+  /**
+   * Called after that update: corrects what the engine does not know of leaves
+   * that are not sheets.
+   */
   finish?(book: ModelledBook): void;
-  /** The sheets of the leaves in flight as they were last. */
+  /** The sheets of the leaves in flight as they last were. */
   readonly sheets: readonly Sheet[];
-  /** What is drawn of a book in whose leaves it has a say. */
+  /** Returns what is drawn of a book, if the model changes it. */
   pose?(pose: BookPose): BookPose;
-  /** Takes away all that it holds. */
+  /** Frees its resources. */
   close(): void;
 }
 
-/** Where the engine's own hand holds a leaf that it turns: the same as in its play.rs. */
+/** Where the engine's own grab holds a leaf that it turns: the same as in its play.rs. */
 const turner = [1, 0.14] as const;
 
-/** A leaf that is taken up. */
+/** A leaf that was picked up. */
 export interface LiftedLeaf {
   /** The side on which it lay. */
   readonly from: "left" | "right";
@@ -46,7 +49,10 @@ export interface LiftedLeaf {
   readonly count: number;
 }
 
-/** The leaves in flight by what a model keeps of each, from when it is taken up until it lies. */
+/**
+ * The leaves in flight with the state that a model keeps of each, from when it
+ * is picked up until it lands.
+ */
 export class FlightModels<Kept> {
   readonly #make: (taken: LiftedLeaf) => Kept;
   readonly #free: (kept: Kept) => void;
@@ -54,15 +60,16 @@ export class FlightModels<Kept> {
   #sheets: Sheet[] = [];
 
   /**
-   * @param make of a leaf that is taken up
-   * @param free of one that lies again
+   * @param make creates the state of a leaf that is picked up
+   *
+   * @param free frees the state of one that has landed
    */
   constructor(make: (taken: LiftedLeaf) => Kept, free: (kept: Kept) => void = () => {}) {
     this.#make = make;
     this.#free = free;
   }
 
-  /** The sheets of the leaves in flight as they were last. */
+  /** The sheets of the leaves in flight as they last were. */
   get sheets(): readonly Sheet[] {
     return this.#sheets;
   }
@@ -91,12 +98,12 @@ export class FlightModels<Kept> {
     }
   }
 
-  /** What is kept of a leaf; undefined where it is not worn. */
+  /** Returns the state of a leaf; undefined if the model does not draw it. */
   of(flight: object): Kept | undefined {
     return this.#kept.get(flight);
   }
 
-  /** Frees what is kept of all. */
+  /** Frees the state of every leaf. */
   clear(): void {
     for (const kept of this.#kept.values()) this.#free(kept);
     this.#kept.clear();

@@ -1,4 +1,4 @@
-/** Models of a book's leaves beside the engine's own sheet. Loaded where one is asked for. */
+/** Models of a book's leaves other than the engine's sheet. Loaded on first use. */
 
 import { cleanText } from "../sources/book_text.ts";
 import { loaded } from "../sources/loaded.ts";
@@ -7,9 +7,9 @@ import type { LeafModel } from "./leaf_model.ts";
 import { type ModelChoice, turnModels } from "./model_choice.ts";
 
 /**
- * Makes the model of a choice: null for the sheet, which needs none.
- * Rejects with a `BookError` where it cannot be had, or where there is none of the name;
- * what it fetches for itself is given up with the signal.
+ * Opens the model of a choice: null for the sheet, which needs none. Rejects
+ * with a `BookError` if it cannot be loaded, or if there is none of the name;
+ * the signal aborts its requests.
  */
 export async function openModel(
   { model, modelSrc }: ModelChoice,

@@ -1,4 +1,7 @@
-/** Leaves turned by another of the engine's models, live: each is a loose leaf that is led by its sheet's hand. */
+/**
+ * Leaves turned by another of the engine's models, live: each is a loose leaf
+ * that follows the grabs of its sheet.
+ */
 
 import type { Vec3 } from "../engine/shapes.ts";
 import { type LeafOptions, LooseLeaf } from "../models/models.ts";
@@ -13,11 +16,11 @@ import {
 } from "./leaf_model.ts";
 import { lying, placeOn } from "./lying_sheet.ts";
 
-/** The models that are quick enough for that. */
+/** The models that are fast enough for that. */
 export const looseModels = ["rigid", "peel", "cylinder", "cone", "mass-spring"] as const;
 export type LooseModelName = (typeof looseModels)[number];
 
-/** A loose leaf, and the place of it that is led. */
+/** A loose leaf, and the point of it that is pulled. */
 interface Led extends LiftedLeaf {
   readonly leaf: LooseLeaf;
   /** Normals of the points about its fold, by number. */
@@ -25,12 +28,12 @@ interface Led extends LiftedLeaf {
 }
 
 /**
- * Every leaf in flight moved by one model: the place that a hand took hold of is
- * pulled to where the sheet has it, from then on until the sheet lies. So all
- * models follow the same hand at the same time, and land when the sheet does.
+ * Every leaf in flight moved by one model: the grabbed point is pulled to where
+ * the sheet has it, from then on until the sheet lies. So all models follow the
+ * same pointer at the same time, and land when the sheet does.
  */
 export class LooseModel implements LeafModel {
-  /** What others are made beside. */
+  /** Others are made beside it, in the same memory. */
   readonly #first: LooseLeaf;
   readonly #spare: LooseLeaf[] = [];
   readonly #worn: FlightModels<Led>;
@@ -51,7 +54,7 @@ export class LooseModel implements LeafModel {
     );
   }
 
-  /** Rejects where there is no WebAssembly. */
+  /** Rejects if there is no WebAssembly. */
   static async open(model: LooseModelName): Promise<LooseModel> {
     const options = { model, preset: "book", interpolate: true } as const;
     return new LooseModel(await LooseLeaf.create(options));
@@ -72,7 +75,7 @@ export class LooseModel implements LeafModel {
       leaf.advance(seconds);
       leaf.update();
       const { positions } = leaf.surface();
-      // Springs lag behind what leads them, and are not where it lies.
+      // Springs lag behind the point that pulls them, and are not where it lies.
       const part =
         this.#options.model === "mass-spring" ? 1 - lying(points, columns.length, rows, width) : 1;
       for (let i = 0; i < points.length; i++) points[i] += part * (positions[i] - points[i]);
@@ -94,7 +97,7 @@ export class LooseModel implements LeafModel {
     for (const [index, flight] of turning.flights.entries()) {
       const led = this.#worn.of(flight);
       if (!led?.creased.size) continue;
-      // Between differences across a fold there is no normal.
+      // Differences across a fold give no normal.
       const { normals } = engine.surface(index);
       for (const [at, normal] of led.creased) normals.set(normal, 3 * at);
     }
@@ -109,7 +112,7 @@ export class LooseModel implements LeafModel {
     return this.#options.model === "peel";
   }
 
-  /** A leaf drawn where a book's is, at so many points. */
+  /** Returns a leaf drawn where a book's is, at so many points. */
   #another(count: number): LooseLeaf {
     const leaf = this.#first.another(this.#options);
     const rows = count / this.#columns.length;

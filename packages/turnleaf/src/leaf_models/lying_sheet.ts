@@ -1,8 +1,11 @@
-/** What is asked of a sheet over a flat table: grids of points, x, y, z of each, row by row from the foot. */
+/**
+ * Measurements of a sheet over a flat table: grids of points, x, y, z of each,
+ * row by row from the foot.
+ */
 
 import { columnAt } from "../engine/shapes.ts";
 
-/** Where a sheet has the place (u, v) of the leaf. */
+/** Returns where a sheet has the place (u, v) of the leaf. */
 export function placeOn(
   points: Float32Array,
   columns: number,
@@ -24,7 +27,7 @@ export function placeOn(
   return [along(0), along(1), along(2)];
 }
 
-/** How far the fore-edge has turned on the whole, from 0 on the right to 1 on the left. */
+/** Returns how far the fore-edge has turned on the whole, from 0 on the right to 1 on the left. */
 export function fractionTurned(points: Float32Array, columns: number, rows: number): number {
   let sum = 0;
   for (let row = 1; row <= rows; row++) {
@@ -34,10 +37,10 @@ export function fractionTurned(points: Float32Array, columns: number, rows: numb
   return sum / (rows * Math.PI);
 }
 
-/** Heights of the fore-edge, shares of the width, between which a leaf has all but come to lie. */
+/** Heights of the fore-edge, as fractions of the width, between which a leaf is about to land. */
 const down = [0.01, 0.12] as const;
 
-/** How much a leaf lies already, or still: 1 flat on a side, 0 from a hand's breadth over it on. */
+/** Returns how far a leaf has landed: 1 flat on a side, 0 from a few centimetres above it on. */
 export function lying(points: Float32Array, columns: number, rows: number, width: number): number {
   let highest = 0;
   for (let row = 1; row <= rows; row++) {

@@ -1,6 +1,6 @@
-/** Which way pages are turned, where somebody chose one. */
+/** The choice of a model of turning. */
 
-/** The ways: the engine's own first. */
+/** The models: the engine's own first. */
 export const turnModels = [
   "sheet",
   "rigid",
@@ -13,12 +13,12 @@ export const turnModels = [
   "photographs",
 ] as const;
 
-/** A way of turning a page. */
+/** The name of a model of turning. */
 export type TurnModelName = (typeof turnModels)[number];
 
-/** One of them, or what was named in place of one. */
+/** One of them, or the unknown name that was given in place of one. */
 export interface ModelChoice {
   readonly model: string;
-  /** Address of what it shows, where it shows something: a recorded turn, or photographs of one. */
+  /** Address of its data, if it needs any: a recorded turn, or photographs of one. */
   readonly modelSrc: string;
 }

@@ -1,28 +1,29 @@
-/** Addresses of a row of photographs, from one with their numbers in braces. */
+/** Addresses of a series of photographs, from one with their numbers in braces. */
 
 import { limits } from "../sources/limits.ts";
 import { BookError } from "../sources/page_source.ts";
 
-/** A row of photographs. */
+/** A series of photographs. */
 export interface PhotographRow {
   readonly addresses: readonly string[];
-  /** Width over height of a page in them; null where that is not said. */
+  /** Width over height of a page in them; null if unknown. */
   readonly ratio: number | null;
 }
 
-/** Photographs of a turn, at most. */
+/** Maximum of photographs of a turn. */
 const most = 120;
 
-/** A page is at most so many times as long as wide, or as wide as long. */
+/** Maximum ratio of a page's longer to its shorter side. */
 const longest = 10;
 
 /**
- * What `turn-{01-24}.webp#ratio=2:3` stands for: the addresses with every number
- * from the first to the last, as long as the first is written, rising or falling,
+ * Expands `turn-{01-24}.webp#ratio=2:3`: the addresses with every number from
+ * the first to the last, as long as the first is written, rising or falling,
  * and the ratio of the pages in the photographs, which may be left out.
  *
- * @param base what relative ones are relative to
- * @throws BookError where it names no row of 2 to 120 addresses, or no ratio that a page can have
+ * @param base base of relative addresses
+ * @throws BookError if it does not name a series of 2 to 120 addresses, or the
+ * ratio is impossible for a page
  */
 export function photographRow(address: string, base: string): PhotographRow {
   const [row, said] = address.split("#ratio=");

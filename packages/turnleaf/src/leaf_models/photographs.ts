@@ -14,26 +14,26 @@ import {
 import { fractionTurned } from "./lying_sheet.ts";
 import { photographRow } from "./photograph_row.ts";
 
-/** Pixels that all photographs of a turn hold together at most, 128 MB as RGBA, and their width at most. */
+/** Maximum of pixels of all photographs of a turn together, 128 MB as RGBA, and of their width. */
 const mostPixels = 32e6;
 const mostWidth = 2048;
 
-/** Photographs that are fetched and decoded at the same time: each may be large before it is drawn smaller. */
+/** Photographs fetched and decoded at the same time: each may be large before it is scaled down. */
 const atOnce = 4;
 
-/** Ratios of pictures that differ by less are those of one size, but for whole pixels. */
+/** Difference of ratios below which pictures are of one size, but for whole pixels. */
 const sameRatio = 0.02;
 
 /**
- * While leaves are in flight they are not drawn; over the open pages lies, for
- * each, the photograph of the moment at which as much of the turn was done as is
- * of the sheet's. A corner that only lifts is no turn, and stays paper.
+ * Leaves in flight are not drawn; over the open pages lies, for each, the
+ * photograph of the moment at which as much of the turn was done as is of the
+ * sheet's. A corner that only lifts is not a turn, and stays paper.
  */
 export class PhotographsModel implements LeafModel {
   readonly #pictures: readonly ImageBitmap[];
   readonly #mesh: PhotographsMesh;
   readonly #worn = new FlightModels<LiftedLeaf>((taken) => taken);
-  /** The photographs that are seen now, by number. */
+  /** The visible photographs, by number. */
   #seen: readonly number[] = [];
   #size: Pick<OpenPages, "width" | "height"> = { width: 1, height: 1 };
 
@@ -43,10 +43,10 @@ export class PhotographsModel implements LeafModel {
   }
 
   /**
-   * Of the photographs at an address with their numbers in braces, the first with
-   * the leaf on the right and the last with it on the left. All are fetched and
-   * decoded first. Rejects with a `BookError` where one cannot be,
-   * or as the signal says.
+   * Opens the photographs at an address with their numbers in braces, the first
+   * with the leaf on the right and the last with it on the left. All are
+   * fetched and decoded first. Rejects with a `BookError` if one cannot be, or
+   * with the signal's reason.
    */
   static async open(address: string, signal: AbortSignal): Promise<PhotographsModel> {
     const { addresses, ratio } = photographRow(address, document.baseURI);
@@ -62,7 +62,7 @@ export class PhotographsModel implements LeafModel {
       const share = fractionTurned(points, columns.length, count / columns.length);
       seen.push(Math.round(share * last));
     });
-    // On either side the leaf that stands steeper lies over the others.
+    // On either side the steeper leaf lies over the others.
     seen.sort((a, b) => Math.abs(b - last / 2) - Math.abs(a - last / 2));
     this.#seen = book.peek.flight ? [] : seen;
   }
@@ -87,7 +87,7 @@ export class PhotographsModel implements LeafModel {
   }
 }
 
-/** Fetches pictures and decodes them, all at once or none. */
+/** Fetches pictures and decodes them, all or none. */
 async function decoded(addresses: readonly string[], signal: AbortSignal): Promise<ImageBitmap[]> {
   const source = new ImageSource({
     name: "the photographs of a turn",
@@ -118,7 +118,7 @@ async function decoded(addresses: readonly string[], signal: AbortSignal): Promi
         }
       }
     };
-    // All have ended before what came of them is thrown away.
+    // All have ended before their results are dropped.
     const drawn = await Promise.allSettled(Array.from({ length: atOnce }, drawInTurn));
     const failed = drawn.find(({ status }) => status === "rejected");
     if (failed) throw (failed as PromiseRejectedResult).reason;

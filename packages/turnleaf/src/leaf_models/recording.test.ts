@@ -21,7 +21,10 @@ const leaf: Played = {
 };
 const room = () => new Float32Array(3 * u.length * v.length);
 
-/** Greatest change of the length of an edge between neighbouring columns, as a share. */
+/**
+ * Returns the maximum change of the length of an edge between neighbouring
+ * columns, as a fraction.
+ */
 function strain(points: Float32Array, width: number): number {
   let most = 0;
   for (let row = 0; row < v.length; row++) {
@@ -69,7 +72,7 @@ test("it is mirrored, turned upside down and stretched", () => {
   expect(other[top + 1]).toBeCloseTo(plain[top + 1], 6);
 });
 
-/** A board swung from an angle to another, shares of the turn. */
+/** Returns a board swung from one angle to another, in fractions of the turn. */
 function swung(from: number, to: number) {
   const [columns, rows] = [even(4), even(3)];
   const recorder = new TurnRecorder({ width: 0.14, height: 0.21, u: columns, v: rows });

@@ -1,17 +1,23 @@
-/** A recorded turn by how much of it is done, rather than by time, at the points of another leaf. */
+/**
+ * Plays a recorded turn by the fraction of it that is done, rather than by
+ * time, at the points of another leaf.
+ */
 
 import { blend, type Mix, mixAt } from "../key_frames/blend.ts";
 import type { RecordedTurn } from "../key_frames/recorded_turn.ts";
 import { BookError } from "../sources/page_source.ts";
 import { fractionTurned } from "./lying_sheet.ts";
 
-/** Looks at a recording, and places between which its time is looked up. */
+/** Number of samples of a recording, between which its time is interpolated. */
 const looks = 400;
 
-/** A turn leads at least from the one to the other of these shares: what is beyond is the leaf's lying down. */
+/**
+ * A turn must lead at least from one to the other of these fractions: the rest
+ * is the leaf's landing.
+ */
 const [begun, done] = [0.1, 0.9];
 
-/** A leaf that is moved as recorded. */
+/** The leaf on which a recording is played. */
 export interface Played {
   /** u of its columns and v of its rows, rising from 0 to 1. */
   readonly u: ArrayLike<number>;
@@ -25,15 +31,15 @@ export interface Played {
   readonly isUpsideDown: boolean;
 }
 
-/** A recorded turn from the right to the left. Playing changes nothing in it but what it needs for a moment. */
+/** A recorded turn from right to left. Playing changes nothing in it but its buffers. */
 export class Recording {
   /** The model that was recorded. */
   readonly model: RecordedTurn["model"];
   readonly #turn: RecordedTurn;
-  /** When each of so many shares of the turn is done first, seconds. */
+  /** When each fraction of the turn is first done, seconds. */
   readonly #times = new Float64Array(looks + 1);
   readonly #frame: Float32Array;
-  /** The leaf whose points were asked for last, and how they mix from those recorded. */
+  /** The leaf of the last call, and how its points mix from those recorded. */
   #u: ArrayLike<number> = [];
   #v: ArrayLike<number> = [];
   #across: Mix[] = [];
@@ -41,8 +47,9 @@ export class Recording {
 
   /**
    * @param turn from either side to the other
-   * @param name what errors call it
-   * @throws BookError where it leads a leaf less far
+   *
+   * @param name its name in errors
+   * @throws BookError if it turns a leaf less far
    */
   constructor(turn: RecordedTurn, name: string) {
     this.model = turn.model;
@@ -69,8 +76,9 @@ export class Recording {
   }
 
   /**
-   * Writes x, y, z of the points of a leaf, metres, row by row from the foot, when
-   * a share of its turn is done. A leaf of another ratio is stretched along the spine.
+   * Writes x, y, z of the points of a leaf, metres, row by row from the foot,
+   * when a fraction of its turn is done. A leaf of another ratio is stretched
+   * along the spine.
    */
   write(leaf: Played, share: number, out: Float32Array): void {
     const { columns, rows, width, height } = this.#turn;

@@ -12,7 +12,7 @@ const columns = Float32Array.from({ length: 9 }, (_, k) => k / 8);
 const rows = 5;
 const [width, height] = [0.14, 0.21];
 
-/** A book with one leaf in flight: a board at an angle, a share of the turn. */
+/** Returns a book with one leaf in flight: a board at an angle, a fraction of the turn. */
 function bookAt(share: number, from: "left" | "right") {
   const points = new Float32Array(3 * columns.length * rows);
   for (let row = 0; row < rows; row++) {
@@ -51,7 +51,7 @@ test.for(["right", "left"] as const)(
       model.show(book);
       expect(Math.max(...points.map((x, i) => Math.abs(x - wanted[i])))).toBeLessThan(1e-4);
       expect(Math.max(...points.map((x, i) => Math.abs(x - board[i])))).toBeGreaterThan(0.005);
-      // What it follows is the sheet, not itself.
+      // It follows the sheet, not itself.
       expect(model.sheets[0].positions).toEqual(board);
     }
     model.close();

@@ -1,4 +1,4 @@
-/** Leaves turned as a recorded turn was: of the book's own, or one that the page gives. */
+/** Leaves turned as in a recording: the viewer's own, or one that the page gives. */
 
 import { decodeTurn } from "../key_frames/decode.ts";
 import { TurnError } from "../key_frames/file.ts";
@@ -18,13 +18,13 @@ import {
 import { fractionTurned, lying } from "./lying_sheet.ts";
 import { type Played, Recording } from "./recording.ts";
 
-/** Turns that pages give: all books of a document share them. */
+/** Turns that pages give: all books of a document use the same ones. */
 const turns = new TurnCache();
 
 /** A file in base64. */
 type Inlined = { readonly default: string };
 
-/** What was recorded with the viewer itself, by model. */
+/** The recordings that come with the viewer, by model. */
 const own = {
   sheet: (): Promise<Inlined> => import("./turns/sheet_turn.tlkf"),
   shell: (): Promise<Inlined> => import("./turns/shell_turn.tlkf"),
@@ -32,8 +32,9 @@ const own = {
 
 /**
  * Every leaf in flight is where a recording was when as much of its turn was
- * done as is of the sheet's. So it follows a hand over and back, and the clock of
- * a timed turn; where the hand pulls other than over it does not follow.
+ * done as is of the sheet's. So it follows a pointer over and back, and the
+ * clock of a timed turn; where the pointer pulls other than over it does not
+ * follow.
  */
 export class ReplayModel implements LeafModel {
   readonly #recording: Recording;
@@ -46,14 +47,14 @@ export class ReplayModel implements LeafModel {
     this.#recording = recording;
   }
 
-  /** Of the turn by the fore-edge that comes with the viewer. */
+  /** Opens the turn by the fore-edge that comes with the viewer. */
   static async ofOwn(model: keyof typeof own): Promise<ReplayModel> {
     const { default: base64 } = await loaded(own[model]());
     const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
     return new ReplayModel(new Recording(decodeTurn(bytes), model));
   }
 
-  /** Of the turn in the file at an address. Rejects with a `BookError` where there is none. */
+  /** Opens the turn in the file at an address. Rejects with a `BookError` if there is none. */
   static async at(address: string): Promise<ReplayModel> {
     const isNamed = !/^(blob|data):/i.test(address);
     const name = isNamed ? `The turn file ${nameOfUrl(address)}` : "The turn file";
@@ -100,7 +101,10 @@ export class ReplayModel implements LeafModel {
     this.#worn.clear();
   }
 
-  /** Leaves are drawn at these columns and evenly at so many rows. The columns are copied: the engine's memory moves. */
+  /**
+   * Copies the columns at which leaves are drawn, because the engine's memory
+   * moves; rows are evenly spaced.
+   */
   #drawnAt(columns: Float32Array, rows: number): void {
     if (columns.length === this.#columns.length && rows === this.#rows.length) return;
     this.#columns = columns.slice();

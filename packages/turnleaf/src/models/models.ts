@@ -1,6 +1,6 @@
 /**
  * Loose leaves: one leaf over a table, moved by any of the engine's models and
- * turned by the same gestures and hands. For pages that compare models, play
+ * turned by the same gestures and grabs. For pages that compare models, play
  * with them or bake a turn; no book needs it. Its machine code is its own, so
  * that the viewer does not carry it. Runs in browsers and in Node.
  *
@@ -28,7 +28,7 @@ export type Model = (typeof models)[number];
 
 /** A paper's figures: kg/m^2, m, and N m of stiffness along and across the grain. */
 export interface LeafStock {
-  /** Mass of a square metre, kg/m^2. */
+  /** Mass per square metre, kg/m^2. */
   readonly grammage: number;
   /** Thickness, m. */
   readonly caliper: number;
@@ -63,7 +63,7 @@ function stock(grammage: number, caliper: number, across: number, friction: numb
   };
 }
 
-/** What a loose leaf is. */
+/** The options of a loose leaf. */
 export interface LeafOptions {
   /** The model that moves it. */
   readonly model: Model;
@@ -77,47 +77,59 @@ export interface LeafOptions {
   readonly side?: LeafSide;
   /** Acceleration of gravity downward, m/s^2. Default 9.80665. */
   readonly gravity?: number;
-  /** Density of the air over the real one's: 0 is a vacuum. Default 1. */
+  /** Density of the air relative to real air: 0 is a vacuum. Default 1. */
   readonly air?: number;
-  /** Columns and rows of nodes. Default the model's own; of no consequence for rigid, peel, cylinder and cone. */
+  /**
+   * Columns and rows of nodes. Default the model's own; ignored by rigid, peel,
+   * cylinder and cone.
+   */
   readonly nodes?: readonly [columns: number, rows: number];
   /** Length of a step, seconds. Default the model's own. */
   readonly timeStep?: number;
   /** Columns and rows of drawn points. Default 26 x 26. */
   readonly points?: readonly [columns: number, rows: number];
-  /** Of mass-spring: the paper's own constants, or paper's weight and stiffness. Default paper-2014. */
+  /**
+   * For mass-spring: the paper's own constants, or paper's weight and
+   * stiffness. Default paper-2014.
+   */
   readonly preset?: "paper-2014" | "book";
-  /** Of mass-spring and sheet: which lines are kept parallel; a number is the dog-ear line's angle with the spine, radians. Default none. */
+  /**
+   * For mass-spring and sheet: which lines are kept parallel; a number is the
+   * dog-ear line's angle with the spine, radians. Default none.
+   */
   readonly synchronise?: "off" | "columns" | number;
-  /** Of mass-spring: whether the drawn points are interpolated between its nodes, or are its nodes. Default false. */
+  /**
+   * For mass-spring: whether the drawn points are interpolated between its
+   * nodes, or are its nodes. Default false.
+   */
   readonly interpolate?: boolean;
-  /** Of shell: how its bending follows from its nodes. Default grid. */
+  /** For shell: the discretisation of its bending. Default grid. */
   readonly discretisation?: "grid" | "triangles";
 }
 
 /** A side of the spine. */
 export type LeafSide = "left" | "right";
 
-/** How a leaf is turned: by its fore-edge, by its foot corner, or by that and let go upright. */
+/** How a leaf is turned: by its fore-edge, by its foot corner, or by that and released upright. */
 export type LeafTurn = "edge" | "corner" | "let-go";
 
 const turns: readonly LeafTurn[] = ["edge", "corner", "let-go"];
 
-/** What can be said of a leaf's nodes as if they were paper's. */
+/** Energies and strains of a leaf's nodes as if they were paper's. */
 export interface LeafFigures {
-  /** Energy of motion, J. */
+  /** Kinetic energy, J. */
   readonly kinetic: number;
   /** Energy of bending and twist, J. */
   readonly bending: number;
-  /** Energy of height over the table, J. */
+  /** Potential energy, J. */
   readonly gravity: number;
   /** Largest stretch of an edge between neighbouring nodes: 0.01 is one per cent longer than at rest. */
   readonly stretch: number;
-  /** Largest compression of one, below 0. */
+  /** Largest compression of an edge, below 0. */
   readonly compression: number;
 }
 
-/** A grid in the engine's memory: good until the leaf's next `update`. */
+/** A grid in the engine's memory: valid until the leaf's next `update`. */
 export interface LeafGrid {
   /** Points along a row, from the spine. */
   readonly columns: number;
@@ -146,7 +158,7 @@ interface Exports {
   tl_leaf_drop(leaf: number): void;
   tl_leaf_error(): number;
   tl_leaf_error_length(): number;
-  /** Called by the golden test alone. */
+  /** Called only by the golden test. */
   tl_leaf_hash(kind: number): bigint;
   tl_leaf_lay(leaf: number, side: number): void;
   tl_leaf_samples(leaf: number, columns: number, rows: number): number;
@@ -186,7 +198,7 @@ function compile(): Promise<WebAssembly.Module> {
 
 const sideNumber = (side: LeafSide) => (side === "left" ? 1 : 0);
 
-/** The numbers of `tl_leaf_new`, in their order. */
+/** Returns the arguments of `tl_leaf_new`, in their order. */
 function figuresOf(options: LeafOptions): number[] {
   const { stock = leafStocks.book, synchronise = "off" } = options;
   const [nodeColumns, nodeRows] = options.nodes ?? [0, 0];
@@ -219,7 +231,8 @@ function figuresOf(options: LeafOptions): number[] {
 }
 
 /**
- * A loose leaf, in an engine of its own but for `another`: dropping all frees its memory.
+ * A loose leaf, in an engine of its own except for `another`: dropping all of
+ * them frees its memory.
  *
  * ```ts
  * const leaf = await LooseLeaf.create({ model: "cone" });
@@ -230,7 +243,7 @@ function figuresOf(options: LeafOptions): number[] {
  * ```
  */
 export class LooseLeaf {
-  /** What it was made of. */
+  /** Its options. */
   readonly options: LeafOptions;
   readonly #wasm: Exports;
   readonly #leaf: number;
@@ -253,9 +266,9 @@ export class LooseLeaf {
   }
 
   /**
-   * Makes a leaf, flat and still on its side.
-   * @throws Error in one sentence where the options make no leaf, or where there
-   *   is no WebAssembly
+   * Makes a leaf, flat and at rest on its side.
+   *
+   * @throws Error if the options are invalid, or if there is no WebAssembly
    */
   static async create(options: LeafOptions): Promise<LooseLeaf> {
     const instance = await WebAssembly.instantiate(await compile(), {});
@@ -263,23 +276,25 @@ export class LooseLeaf {
   }
 
   /**
-   * Another leaf in the same memory, at once.
-   * @throws Error in one sentence where the options make no leaf
+   * Makes another leaf in the same memory, synchronously.
+   *
+   * @throws Error if the options are invalid
    */
   another(options: LeafOptions): LooseLeaf {
     return new LooseLeaf(this.#wasm, options);
   }
 
-  /** Lays the leaf flat and still on a side, nothing holding it. */
+  /** Lays the leaf flat and at rest on a side, held by nothing. */
   lay(side: LeafSide): void {
     this.#wasm.tl_leaf_lay(this.#leaf, sideNumber(side));
   }
 
   /**
-   * Draws at every pair of `u` and `v` instead of evenly, each 2 to 1024 numbers
-   * that rise within 0 to 1. Mass-spring without interpolation goes on to draw its
-   * nodes. Ends a record under way.
-   * @throws RangeError where they are not such
+   * Draws at every pair of `u` and `v` instead of evenly, each 2 to 1024
+   * numbers that rise within 0 to 1. Mass-spring without interpolation still
+   * draws its nodes. Ends a running record.
+   *
+   * @throws RangeError if they are invalid
    */
   drawAt(u: ArrayLike<number>, v: ArrayLike<number>): void {
     const [wasm, leaf] = [this.#wasm, this.#leaf];
@@ -296,27 +311,30 @@ export class LooseLeaf {
     this.#wasm.tl_leaf_play(this.#leaf, turns.indexOf(by), sideNumber(from), seconds);
   }
 
-  /** Whether such a turn is under way: the leaf's own hand still leads it. */
+  /** Whether such a turn is in progress: the leaf's own grab still leads it. */
   get playing(): boolean {
     return this.#wasm.tl_leaf_playing(this.#leaf) !== 0;
   }
 
-  /** A hand takes hold at (u, v), and ends a turn under way. */
+  /** Grabs the leaf at (u, v), and ends a turn in progress. */
   grab(u: number, v: number): void {
     this.#wasm.tl_leaf_grab(this.#leaf, u, v);
   }
 
-  /** The hand pulls what it holds to a place, metres: the leaf follows as far as its model lets it. */
+  /** Pulls the grabbed point to a place, metres: the leaf follows as far as its model allows. */
   hold(x: number, y: number, z: number): void {
     this.#wasm.tl_leaf_hold(this.#leaf, x, y, z);
   }
 
-  /** The hand, or the turn under way, lets go: the leaf falls. */
+  /** Releases the leaf, held or turning: it falls. */
   release(): void {
     this.#wasm.tl_leaf_release(this.#leaf);
   }
 
-  /** Moves on by seconds (at most 60), in whole steps of the model; what is left over is made up for by the next call. */
+  /**
+   * Advances by seconds (at most 60), in whole steps of the model; the
+   * remainder is carried over to the next call.
+   */
   advance(seconds: number): void {
     this.#wasm.tl_leaf_advance(this.#leaf, seconds);
   }
@@ -331,12 +349,12 @@ export class LooseLeaf {
     return this.#wasm.tl_leaf_time(this.#leaf);
   }
 
-  /** Brings `surface` and `nodes` up to date. */
+  /** Updates `surface` and `nodes`. */
   update(): void {
     this.#wasm.tl_leaf_update(this.#leaf);
   }
 
-  /** The drawn surface as of the last `update`. */
+  /** Returns the drawn surface as of the last `update`. */
   surface(): LeafSurface {
     const [wasm, leaf] = [this.#wasm, this.#leaf];
     const [columns, rows] = [wasm.tl_leaf_columns(leaf), wasm.tl_leaf_rows(leaf)];
@@ -350,7 +368,7 @@ export class LooseLeaf {
     };
   }
 
-  /** The model's nodes as of the last `update`: its masses, where it has masses. */
+  /** Returns the model's nodes as of the last `update`: its masses, if it has masses. */
   nodes(): LeafNodes {
     const [wasm, leaf] = [this.#wasm, this.#leaf];
     const [columns, rows] = [wasm.tl_leaf_node_columns(leaf), wasm.tl_leaf_node_rows(leaf)];
@@ -364,7 +382,7 @@ export class LooseLeaf {
     };
   }
 
-  /** Energies and strains now. */
+  /** Returns the current energies and strains. */
   measure(): LeafFigures {
     const at = this.#wasm.tl_leaf_measure(this.#leaf);
     const figures = new Float64Array(this.#wasm.memory.buffer, at, 5);
@@ -377,14 +395,17 @@ export class LooseLeaf {
     this.#wasm.tl_leaf_record(this.#leaf, interval);
   }
 
-  /** Ends the record: the bytes of a file of key frames, none where `record` was not called. */
+  /**
+   * Ends the record. Returns the bytes of a file of key frames, none if
+   * `record` was not called.
+   */
   finishRecord(): Uint8Array {
     const length = this.#wasm.tl_leaf_finish_record(this.#leaf);
     const at = this.#wasm.tl_leaf_record_bytes(this.#leaf);
     return new Uint8Array(this.#wasm.memory.buffer, at, length).slice();
   }
 
-  /** Frees the leaf; it is of no use afterwards. */
+  /** Frees the leaf. Nothing may be called afterwards. */
   destroy(): void {
     this.#wasm.tl_leaf_drop(this.#leaf);
   }
@@ -400,7 +421,7 @@ export interface Spring {
   readonly kind: "structural" | "shear" | "bend";
 }
 
-/** The springs of a grid of masses, for figures of it. */
+/** Returns the springs of a grid of masses. */
 export function springsOf(columns: number, rows: number): Spring[] {
   const springs: Spring[] = [];
   const steps = [

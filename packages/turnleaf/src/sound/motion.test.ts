@@ -6,7 +6,10 @@ import { MotionMeter } from "./motion.ts";
 const [columns, rows] = [9, 9];
 const positions = new Float32Array(3 * columns * rows);
 
-/** A leaf that leaves the spine at an angle and curls by `curl` radians over its width, `height` metres up. */
+/**
+ * Returns a leaf that leaves the spine at an angle and curls by `curl` radians
+ * over its width, `height` metres up.
+ */
 function pose(angle: number, curl: number, height = 0): BookPose {
   const normals = new Float32Array(3 * columns * rows);
   for (let at = 0; at < columns * rows; at++) {
@@ -27,7 +30,7 @@ test("a leaf that turns stiffly is silent; one that bends sounds as fast as it b
     return meter.measure(pose(angle, curl), frame).bending;
   };
   expect(speed(0.3, 0)).toBeLessThan(1e-3);
-  // Four places on from the spine, each a quarter of the curl further.
+  // Four places from the spine on, each a quarter of the curl further.
   expect(speed(0.3, 0.08)).toBeCloseTo(0.02 / frame, 3);
   expect(speed(0, 0.16)).toBeCloseTo(0.04 / frame, 3);
 });
@@ -43,7 +46,7 @@ test("what falls is heard when it is stopped, and not before", () => {
   expect([at(0.04), at(0.03), at(0.02)]).toEqual([0, 0, 0].map((zero) => expect.closeTo(zero, 4)));
   expect(at(0.02)).toBeCloseTo(0.01 / frame, 3);
   expect(at(0.02)).toBe(0);
-  // Taken up again.
+  // Picked up again.
   expect([at(0.03), at(0.05)]).toEqual([0, 0]);
 });
 

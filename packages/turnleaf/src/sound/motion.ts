@@ -1,9 +1,12 @@
-/** What of a moving book is heard: how fast its leaves bend, and how hard they and the boards arrive. */
+/**
+ * The audible motion of a book: how fast its leaves bend, and how hard they and
+ * the boards land.
+ */
 
 import type { Surface } from "../engine/shapes.ts";
 import type { BookPose } from "../stage/book_pose.ts";
 
-/** Points along a row and along the spine that a leaf is followed at. */
+/** Points along a row and along the spine at which a leaf is sampled. */
 const places = 5;
 
 /** Points that sink slower than this make no sound when they are stopped, m/s. */
@@ -13,11 +16,11 @@ const leastFall = 0.15;
 export interface Motion {
   /** Bending speed of the leaves in flight, summed: radians a second between neighbouring places. */
   readonly bending: number;
-  /** Speed that falling paper and boards lost in this frame, m/s: what they bring to where they land. */
+  /** Speed that falling paper and boards lost in this frame, m/s: their impact. */
   readonly impact: number;
 }
 
-/** What is kept of a leaf: for each place its normal, its height and how fast that rose. */
+/** The state kept of a leaf: for each place its normal, its height and its vertical speed. */
 type Kept = Float32Array;
 const each = 5;
 
@@ -28,7 +31,10 @@ export class MotionMeter {
   #boards: number[] = [];
   #swing: number[] = [];
 
-  /** The motion since the frame before, `seconds` ago. A leaf that was not there then is silent yet. */
+  /**
+   * Returns the motion since the previous frame, `seconds` ago. A leaf that was
+   * not there then is silent yet.
+   */
   measure(pose: BookPose, seconds: number): Motion {
     if (!(seconds > 0)) return { bending: 0, impact: 0 };
     let [bending, impact] = [0, 0];
@@ -46,7 +52,7 @@ export class MotionMeter {
     const swing = boards.map((angle, k) => (angle - (this.#boards[k] ?? angle)) / seconds);
     for (const [k, speed] of swing.entries()) {
       const lost = Math.abs(this.#swing[k] ?? 0) - Math.abs(speed);
-      // A board that stops within a frame has met what it falls on; its edge is a hand's breadth out.
+      // A board that stops within a frame has hit what it falls on; its edge is some 15 cm out.
       if (speed === 0 && lost > 0) impact += 0.15 * lost;
     }
     this.#boards = boards;
@@ -71,12 +77,15 @@ function sample(leaf: Surface, before: Kept | undefined, seconds: number): Kept 
   return kept;
 }
 
-/** Mean change of the angles between neighbouring places of a row, radians: a leaf that turns stiffly has none. */
+/**
+ * Returns the mean change of the angles between neighbouring places of a row,
+ * radians: 0 for a leaf that turns stiffly.
+ */
 function bendingBetween(before: Kept, now: Kept): number {
   let sum = 0;
   for (let at = 0; at + each < now.length; at += each) {
     if ((at / each + 1) % places === 0) continue;
-    // Leaves on the flat have no normals: they are heard as they land alone.
+    // Leaves of a flat book have no normals: they are heard only as they land.
     sum += Math.abs(angle(now, at) - angle(before, at)) || 0;
   }
   return sum / (places * (places - 1));
@@ -92,7 +101,7 @@ function angle(kept: Kept, at: number): number {
   return 2 * Math.asin(Math.min(across / 2, 1));
 }
 
-/** Mean speed that sinking places lost. */
+/** Returns the mean speed that sinking places lost. */
 function impactBetween(before: Kept, now: Kept): number {
   let sum = 0;
   for (let at = 4; at < now.length; at += each) {

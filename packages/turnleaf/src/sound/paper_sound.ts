@@ -1,4 +1,4 @@
-/** The sound of paper: noise that crackles as the leaves bend, and a brush where they land. */
+/** The sound of paper: noise that crackles as the leaves bend, and a soft thud where they land. */
 
 import { type Stock, type StockFigures, stocks } from "../engine/shapes.ts";
 import type { Motion } from "./motion.ts";
@@ -10,14 +10,14 @@ const grammages = [30, 70, 80, 170, 250];
 const usualBending = 2;
 const usualImpact = 0.3;
 
-/** Times in which the sound follows the leaves and dies away after a landing, seconds. */
+/** Times in which the sound follows the leaves and fades after a landing, seconds. */
 const following = 0.025;
 const dying = 0.05;
 
-/** Length of the noise that is played over and over, seconds. */
+/** Length of the noise loop, seconds. */
 const noiseLength = 1.5;
 
-/** Noise with the crackle of fibres that let go one by one. Always the same. */
+/** Returns noise with the crackle of fibres that break one by one. Always the same. */
 function crackle(context: BaseAudioContext): AudioBuffer {
   const { sampleRate } = context;
   const buffer = context.createBuffer(1, Math.round(noiseLength * sampleRate), sampleRate);
@@ -36,7 +36,7 @@ function crackle(context: BaseAudioContext): AudioBuffer {
   return buffer;
 }
 
-/** The rustle of one book, as nodes of an audio context. */
+/** The sound of one book, as nodes of an audio context. */
 export class PaperSound {
   readonly #context: BaseAudioContext;
   readonly #noise: AudioBuffer;
@@ -60,7 +60,7 @@ export class PaperSound {
     [this.#brush, this.#landing] = voice("lowpass");
   }
 
-  /** Of which paper: the lighter, the higher and softer. Bible paper whispers, card snaps. */
+  /** The paper: the lighter, the higher and softer. Bible paper whispers, card snaps. */
   set stock(stock: Stock | StockFigures) {
     const grammage =
       typeof stock === "string" ? grammages[stocks.indexOf(stock)] : Math.max(stock.grammage, 1);
@@ -70,7 +70,7 @@ export class PaperSound {
     this.#loudness = Math.min(0.5 / light, 1);
   }
 
-  /** Sounds as the book moves, from `time` on by the context's clock. */
+  /** Plays the motion of the book, from `time` on by the context's clock. */
   move({ bending, impact }: Motion, time: number): void {
     if (this.#source === null) {
       this.#source = new AudioBufferSourceNode(this.#context, { buffer: this.#noise, loop: true });
@@ -88,7 +88,7 @@ export class PaperSound {
     }
   }
 
-  /** Dies away from `time` on, and then tells `silent`, unless it moves again before. */
+  /** Fades from `time` on, and then calls `silent`, unless it moves again before. */
   rest(time: number, silent: () => void): void {
     const source = this.#source;
     if (source === null) return;

@@ -7,7 +7,10 @@ import { PaperSound } from "./paper_sound.ts";
 
 const rate = 22_050;
 
-/** Loudness (root mean square) of a second of motion, and of what is left a second later. */
+/**
+ * Returns the loudness (root mean square) of a second of motion, and of the
+ * remainder a second later.
+ */
 async function loudness(motion: Motion, stock: Stock = "book"): Promise<[number, number]> {
   const context = new OfflineAudioContext(1, 3 * rate, rate);
   const rustle = new PaperSound(context);
@@ -73,7 +76,7 @@ test("with sound, a context runs while leaves move, is suspended at rest and clo
   expect(made).toEqual([]);
   await userEvent.click(document.body);
   await element.next();
-  // What sounds is loaded with the first turn and may be late for it.
+  // The code for sound is loaded with the first turn and may be late for it.
   await element.next();
   expect(made.length).toBe(1);
   const [context] = made;

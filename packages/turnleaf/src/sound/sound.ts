@@ -1,7 +1,7 @@
 /**
- * A book that is heard. Its audio context is made at the first motion after the
- * reader's first gesture, as browsers demand one, and is suspended while the
- * book lies still: at rest no audio thread runs.
+ * The sound of a book. Its audio context is created at the first motion after
+ * the reader's first gesture, as browsers require, and is suspended while the
+ * book is at rest: then no audio thread runs.
  */
 
 import type { Stock, StockFigures } from "../engine/shapes.ts";
@@ -17,13 +17,13 @@ export class Sound {
   #closed = false;
 
   /**
-   * Follows a frame of a book.
+   * Handles a frame of a book.
    *
-   * @param seconds since the frame before
-   * @param moving whether there is another to come
+   * @param seconds since the previous frame
+   * @param moving whether another is to come
    */
   follow(pose: BookPose, seconds: number, moving: boolean, stock: Stock | StockFigures): void {
-    // Screens that are quicker than the engine draw a frame twice.
+    // Screens faster than the engine draw a frame twice.
     if (this.#closed || (moving && seconds === 0)) return;
     const motion = this.#meter.measure(pose, seconds);
     if (!moving) {
@@ -44,7 +44,7 @@ export class Sound {
     }
   }
 
-  /** Falls silent for good. */
+  /** Stops the sound for good. */
   close(): void {
     this.#closed = true;
     this.#context?.close().catch(() => {});

@@ -1,4 +1,4 @@
-/** Text as it is compared when something is looked for: case, accents, ligatures and hyphens do not count. */
+/** Folds text for comparison in a search: case, accents, ligatures and hyphens do not count. */
 
 import type { TextRun } from "../sources/page_source.ts";
 
@@ -8,14 +8,14 @@ const accents =
 const singleQuotes = /[\u2018-\u201b\u2032\u02bc]/g;
 const doubleQuotes = /[\u201c-\u201f\u2033\u00ab\u00bb]/g;
 const hyphens = /[\u2010\u2011\u2212\u00ad]/g;
-/** Dashes part words as spaces do. */
+/** Dashes separate words as spaces do. */
 const dashes = /[\u2012-\u2015]/g;
-/** Scripts that set no spaces between words, so that a line ends anywhere. */
+/** Scripts without spaces between words, so that a line ends anywhere. */
 const unspaced =
   /[\p{Script=Han}\p{Script=Hiragana}\p{Script=Katakana}\u3000-\u303f\uff00-\uffef]/u;
 const letter = /[\p{L}\p{M}]/u;
 
-/** Folded text, and where in the page's runs each of its characters stands. */
+/** Folded text, and where in the page's runs each of its characters is. */
 export interface Folded {
   readonly text: string;
   /** Index of the run, and the character's place in it, for each character of `text`. */
@@ -23,9 +23,9 @@ export interface Folded {
   readonly places: readonly number[];
 }
 
-/** One character as it is compared; may be several, or none. */
+/** Returns one character as it is compared; may be several, or none. */
 function foldCharacter(character: string): string {
-  // Most of what is read is plain, and a book has millions of characters.
+  // Most text is plain, and a book has millions of characters.
   if (character < "\u0080") return character.toLowerCase();
   if (character >= "\u4e00" && character <= "\u9fff") return character;
   return character
@@ -41,7 +41,7 @@ function foldCharacter(character: string): string {
     .normalize("NFC");
 }
 
-/** The text of a page's runs, folded into one line. */
+/** Returns the text of a page's runs, folded into one line. */
 export function foldRuns(runs: readonly Pick<TextRun, "text" | "end">[]): Folded {
   let text = "";
   const runsAt: number[] = [];
@@ -55,7 +55,7 @@ export function foldRuns(runs: readonly Pick<TextRun, "text" | "end">[]): Folded
     }
     last = characters;
   };
-  /** What was met between two letters and counts only where it separates them. */
+  /** A pending space, which counts only between two letters. */
   let space = false;
   let broken = 0;
   for (const [run, { text: said, end }] of runs.entries()) {
@@ -83,7 +83,7 @@ export function foldRuns(runs: readonly Pick<TextRun, "text" | "end">[]): Folded
   return { text, runs: runsAt, places: placesAt };
 }
 
-/** A query, folded as the text it is looked for in. */
+/** Returns a query, folded as the text that is searched. */
 export function foldQuery(query: string): string {
   return foldRuns([{ text: query, end: false }]).text;
 }

@@ -1,8 +1,11 @@
-/** How wide text is in the layer's one font, so that it can be fitted over printed text of any other. */
+/**
+ * Measures text in the layer's one font, so that it can be fitted over printed
+ * text of any other.
+ */
 
 import type { TextRun } from "../sources/page_source.ts";
 
-/** The layer's font size, CSS pixels; what is laid out at it is scaled to the page. */
+/** The layer's font size, CSS pixels; text laid out in it is scaled to the page. */
 export const fontSize = 20;
 
 /** The layer's font, as CSS and a canvas write it. */
@@ -10,7 +13,7 @@ export const font: string = `${fontSize}px serif`;
 
 let pen: CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D | null = null;
 
-/** Width of `text` on one line, CSS pixels; never 0. */
+/** Returns the width of `text` on one line, CSS pixels; never 0. */
 export function widthOf(text: string): number {
   pen ??= new OffscreenCanvas(1, 1).getContext("2d");
   if (pen === null) return text.length * fontSize * 0.5;
@@ -18,7 +21,10 @@ export function widthOf(text: string): number {
   return Math.max(pen.measureText(text).width, 0.01);
 }
 
-/** What share of a run's line lies before its character `at`: as its source says, or as it would be in the layer's font. */
+/**
+ * Returns the fraction of a run's line before its character `at`: from its
+ * source, or measured in the layer's font.
+ */
 export function shareBefore(
   { text, places }: Pick<TextRun, "text" | "places">,
   at: number,

@@ -1,30 +1,33 @@
-/** The form fields of an open page as real ones, over those that are printed. */
+/** The form fields of an open page as real ones, over the printed ones. */
 
 import type { PageField } from "../sources/page_source.ts";
 import { layOver, type Project, placeIn } from "./run_place.ts";
 
-/** What fields of a book hold, by their names; it outlives the pages' elements. */
+/** Values of a book's fields, by their names; they outlive the pages' elements. */
 export type FieldValues = Map<string, string>;
 
 /** An element, and how it is laid onto the page. */
 export interface FieldPlace {
   readonly element: HTMLElement;
   readonly lay: (project: Project) => void;
-  /** Shows what a field holds by now, which another view of it may have changed. */
+  /** Shows a field's current value, which another view of it may have changed. */
   readonly refresh?: () => void;
 }
 
 type Control = HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement;
 
-/** The most and least size of letters in a field, as a share of its height and in CSS pixels. */
+/**
+ * Maximum and minimum size of letters in a field, as a fraction of its height
+ * and in CSS pixels.
+ */
 const letters = { share: 0.62, least: 6, most: 40 };
 
 /**
- * A page's fields as elements, which hold what `values` says.
+ * Returns a page's fields as elements, with their values from `values`.
  *
  * @csspart form-field A field of a form on a page.
- * @param changed called with a field's name after it got another value, and
- *   with whether that is done for now, or the reader is still at it
+ * @param changed called with a field's name after its value has changed, and
+ * with whether the reader is done with it for now
  */
 export function makeFields(
   fields: readonly PageField[],
@@ -41,7 +44,7 @@ export function makeFields(
     refresh();
     element.addEventListener("input", () => take(false));
     element.addEventListener("change", () => take(true));
-    // What is typed is no command to the book.
+    // Typing is not a command to the book.
     element.addEventListener("keydown", (event) => event.stopPropagation());
     const lay = (project: Project): void => {
       layOver(element, placeIn(field, project));
@@ -53,7 +56,7 @@ export function makeFields(
   });
 }
 
-/** Height of a line in a field of several, CSS pixels. */
+/** Height of a line in a field of several lines, CSS pixels. */
 const lineHeight = 20;
 
 function makeField(field: PageField): Control {
@@ -80,7 +83,7 @@ function makeField(field: PageField): Control {
 
 function fillIn(element: Control, field: PageField, value: string): void {
   if (isSwitch(element)) element.checked = value !== "" && value === field.on;
-  // Whoever writes there keeps the caret.
+  // A focused field keeps its caret.
   else if (element.value !== value) element.value = value;
 }
 

@@ -1,13 +1,13 @@
-/** The links of an open page as real ones, over what they are printed on. */
+/** The links of an open page as real ones, over their printed text. */
 
 import type { LinkTarget, PageLink, TextRun } from "../sources/page_source.ts";
 import type { FieldPlace } from "./page_fields.ts";
 import { layOver, placeIn } from "./run_place.ts";
 
 /**
- * A page's links as elements.
+ * Returns a page's links as elements.
  *
- * @param nameOf what a place that a link leads to is called
+ * @param nameOf returns the name of a link's target
  * @param goTo follows a link within the book
  */
 export function makeLinks(
@@ -36,7 +36,7 @@ export function makeLinks(
   });
 }
 
-/** What is printed where a link is: the share of each level run that lies in it. */
+/** Returns the printed text under a link: the fraction of each level run that lies in it. */
 function textUnder(link: PageLink, runs: readonly TextRun[]): string {
   const parts = runs.map((run) => {
     const middle = run.y + run.height / 2;

@@ -1,4 +1,4 @@
-/** Marks on an open page where something was found. */
+/** Marks hits of a search on an open page. */
 
 import type { TextRun } from "../sources/page_source.ts";
 import { shareBefore } from "./fitting.ts";
@@ -8,14 +8,15 @@ import { findIn, type SearchHit, type Stretch } from "./searching.ts";
 /** What is marked: every place of a query faintly, and the one hit strongly. */
 export type ShownHit = Pick<SearchHit, "query" | "page" | "index">;
 
-/** How far a mark goes beyond the letters, as a share of their height. */
+/** How far a mark extends beyond the letters, as a fraction of their height. */
 const beyond = 0.08;
 
-/** Pieces in which a mark that does not lie flat is laid. */
+/** Number of pieces in which a mark that does not lie flat is laid. */
 const mostPieces = 8;
 
 /**
- * The marks of a page, none where nothing of what is shown stands on it.
+ * Returns the marks of a page, none if it has no hit.
+ *
  * @csspart mark A place that a search found.
  * @csspart mark-here The one of them that is shown.
  */
@@ -41,7 +42,7 @@ function layStretch(
   const box = runs[run];
   const place = placeIn(box, project);
   const along = (at: number): number => shareBefore(box, at);
-  // Along a vertical line the box's height is what the letters share.
+  // Along a vertical line, fractions run along the box's height.
   const part: typeof place = box.vertical ? (u, v) => place(v, u) : place;
   const margin = (beyond * Math.min(box.width, box.height)) / Math.max(box.width, box.height);
   const [start, end] = [along(from) - margin, along(to) + margin];

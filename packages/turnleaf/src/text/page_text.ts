@@ -1,4 +1,4 @@
-/** One open page's text as elements: transparent, selectable, each piece exactly over its print. */
+/** One open page's text as elements: transparent, selectable, each piece exactly over its ink. */
 
 import type { TextRun } from "../sources/page_source.ts";
 import { fontSize, shareBefore, widthOf } from "./fitting.ts";
@@ -11,10 +11,10 @@ interface Piece {
   readonly to: number;
 }
 
-/** How far a word may lie beside its print, CSS pixels. */
+/** Maximum distance of a word from its ink, CSS pixels. */
 const mostOff = 1;
 
-/** The page's text as elements in reading order, a line's end after each line. */
+/** Returns the page's text as elements in reading order, a line's end after each line. */
 export function layText(runs: readonly TextRun[], project: Project): Node[] {
   return runs.flatMap((run) => {
     const place = placeIn(run, project);
@@ -29,7 +29,8 @@ export function layText(runs: readonly TextRun[], project: Project): Node[] {
       const matrix = matrixOf(place, piece.from, piece.to, width, height);
       if (matrix === null) span.hidden = true;
       else {
-        // The width is the print's: a space at the end goes beyond it, on whichever side that is.
+        // The width is that of the ink: a space at the end extends beyond it,
+        // on whichever side that is.
         Object.assign(span.style, {
           transform: matrix,
           width: `${width}px`,
@@ -48,7 +49,10 @@ function wholeOf({ text }: TextRun): Piece {
   return { text, from: 0, to: 1 };
 }
 
-/** A run in as few pieces as lie over its print, letter for letter; each ends with a word where it can. */
+/**
+ * Splits a run into the fewest pieces that lie over its ink, letter for letter;
+ * each ends with a word if possible.
+ */
 function piecesOf(run: TextRun, place: ReturnType<typeof placeIn>): Piece[] {
   const [left, right] = [place(0, 0), place(1, 0)];
   const length = left && right ? Math.hypot(right.x - left.x, right.y - left.y) : 0;
@@ -65,7 +69,10 @@ function piecesOf(run: TextRun, place: ReturnType<typeof placeIn>): Piece[] {
   return split(0, run.text.length);
 }
 
-/** How far the words of a piece would lie beside their print if it were laid out as one, as a share of the run. */
+/**
+ * Returns how far the words of a piece would lie beside their ink if it were
+ * laid out as one, as a fraction of the run.
+ */
 function offPrint(run: TextRun, from: number, to: number): number {
   const { text, places } = run;
   if (places === undefined) return 0;
@@ -79,7 +86,10 @@ function offPrint(run: TextRun, from: number, to: number): number {
   return most;
 }
 
-/** Where a text can be cut near its middle: after a space, else between letters; 0 where it is too short. */
+/**
+ * Returns where a text can be cut near its middle: after a space, otherwise
+ * between letters; 0 if it is too short.
+ */
 function middleOf(text: string): number {
   const half = text.length >> 1;
   const after = text.indexOf(" ", half) + 1;

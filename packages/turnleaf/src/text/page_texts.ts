@@ -1,17 +1,17 @@
-/** The text of a book's pages, read when it is asked for, and a bounded part of it kept. */
+/** The text of a book's pages, read on request, with a bounded cache. */
 
 import type { PageSource, TextRun } from "../sources/page_source.ts";
 
-/** Most characters kept: those of some five hundred full pages. */
+/** Maximum of characters kept: those of some five hundred full pages. */
 const mostLetters = 1_500_000;
 
-/** What a run costs beside its letters, in letters. */
+/** Cost of a run besides its letters, in letters. */
 const runCost = 40;
 
 /** Text of pages, by page number. */
 export class PageTexts {
   readonly #source: PageSource;
-  /** In the order in which they were last asked for. */
+  /** In the order in which they were last requested. */
   #kept = new Map<number, readonly TextRun[]>();
   #cost = 0;
 
@@ -19,7 +19,10 @@ export class PageTexts {
     this.#source = source;
   }
 
-  /** The runs of a page (from 1); none where it has no text or cannot be read. Rejects with the signal's reason alone. */
+  /**
+   * Returns the runs of a page (from 1); none if it has no text or cannot be
+   * read. Rejects only with the signal's reason.
+   */
   async of(page: number, signal: AbortSignal): Promise<readonly TextRun[]> {
     const all = this.#kept;
     const kept = all.get(page);
@@ -31,17 +34,17 @@ export class PageTexts {
     try {
       const runs = (await this.#source.text?.(page - 1, signal)) ?? [];
       signal.throwIfAborted();
-      // What was asked for before the pages changed is not this page's any more.
+      // A request from before the pages changed is not this page's any more.
       if (all === this.#kept) this.#keep(page, runs);
       return runs;
     } catch {
-      // A page that cannot be read is told where it would be seen.
+      // A page that cannot be read is reported where it would be seen.
       signal.throwIfAborted();
       return [];
     }
   }
 
-  /** Forgets all: the pages are others than before. */
+  /** Forgets all texts, after a change of the pages. */
   clear(): void {
     this.#kept = new Map();
     this.#cost = 0;

@@ -1,4 +1,7 @@
-/** What the text needs of the book under it: where its pages are seen, and when that changes. */
+/**
+ * What the text layer needs of the book under it: where its pages are seen, and
+ * when that changes.
+ */
 
 import type { PageBox, PageSize } from "../sources/page_source.ts";
 
@@ -12,10 +15,19 @@ export interface Point {
 export interface PageView {
   /** The pages (from 1) that lie open, in the order in which they are read. */
   readonly openPages: readonly number[];
-  /** The part of its leaf that a page of some size covers, shares from the upper left corner. */
+  /**
+   * Returns the part of its leaf that a page of some size covers, as fractions
+   * from the upper left corner.
+   */
   placeOf(page: number, size: PageSize): PageBox;
-  /** Where a place on a page (shares of its leaf from the upper left) is seen; null where it is not, or moves. */
+  /**
+   * Returns where a place on a page (in fractions of its leaf from the upper
+   * left) is seen; null if it is not visible, or moves.
+   */
   project(page: number, x: number, y: number): Point | null;
-  /** Calls `listener` when the book has come to rest in another view, and when it leaves it, with whether it rests. */
+  /**
+   * Calls `listener` with whether the book rests, when it has come to rest in
+   * another view and when it leaves it.
+   */
   onView(listener: (rests: boolean) => void): () => void;
 }

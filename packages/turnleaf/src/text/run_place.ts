@@ -3,10 +3,10 @@
 import type { PageBox } from "../sources/page_source.ts";
 import type { Point } from "./page_view.ts";
 
-/** Where a place of a page, in the unit of its size, is seen. */
+/** Returns where a place of a page, in the unit of its size, is seen. */
 export type Project = (x: number, y: number) => Point | null;
 
-/** How far a piece may lie off the page that curves under it, CSS pixels. */
+/** Maximum distance of a piece from the page that curves under it, CSS pixels. */
 const mostApart = 0.75;
 
 /** A box that may be turned about its upper left corner, clockwise by radians. */
@@ -14,7 +14,7 @@ export interface TurnedBox extends PageBox {
   readonly angle?: number;
 }
 
-/** Where a place of a box, in shares of it, is seen. */
+/** Returns where a place of a box, in fractions of it, is seen. */
 export function placeIn(box: TurnedBox, project: Project): (u: number, v: number) => Point | null {
   const { angle = 0, x, y, width, height } = box;
   const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
@@ -23,11 +23,11 @@ export function placeIn(box: TurnedBox, project: Project): (u: number, v: number
 }
 
 /**
- * The CSS matrix that lays an element of `width` by `height` CSS pixels with
- * its origin in its upper left corner over a part of a box; null where that is
- * not seen.
+ * Returns the CSS matrix that lays an element of `width` by `height` CSS pixels
+ * with its origin in its upper left corner over a part of a box; null if that
+ * is not visible.
  *
- * @param from,to the part along the box, as shares of its width
+ * @param from,to the part along the box, as fractions of its width
  */
 export function matrixOf(
   place: (u: number, v: number) => Point | null,
@@ -49,7 +49,10 @@ export function matrixOf(
   return `matrix(${parts.map((part) => Number(part.toFixed(5))).join()})`;
 }
 
-/** Whether a flat piece from one share of a box to another lies on the page, which may curve under it. */
+/**
+ * Returns whether a flat piece from one fraction of a box to another lies on
+ * the page, which may curve under it.
+ */
 export function isFlat(
   place: (u: number, v: number) => Point | null,
   from: number,
@@ -67,11 +70,10 @@ export function isFlat(
 }
 
 /**
- * Lays an element over a part of a box, in the size in which it is seen, so
- * that its edges are as thin and its corners as round as anywhere. One that is
- * not seen is hidden.
+ * Lays an element over a part of a box, at its apparent size, so that its edges
+ * are as thin and its corners as round as anywhere. An invisible one is hidden.
  *
- * @param from,to the part along the box, as shares of its width
+ * @param from,to the part along the box, as fractions of its width
  */
 export function layOver(
   element: HTMLElement,

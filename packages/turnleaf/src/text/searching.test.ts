@@ -5,7 +5,7 @@ import { findIn, searchBook } from "./searching.ts";
 
 const never = new AbortController().signal;
 
-/** Runs of lines, one a line; a line that ends in "+" goes on in the next run. */
+/** Returns runs of lines, one per line; a line that ends in "+" continues in the next run. */
 const lines = (...texts: string[]): TextRun[] =>
   texts.map((text) => ({
     text: text.replace(/\+$/, ""),
@@ -17,7 +17,7 @@ const lines = (...texts: string[]): TextRun[] =>
     end: !text.endsWith("+"),
   }));
 
-/** What was found, as the page writes it. */
+/** Returns the hits, as the page writes them. */
 const found = (query: string, ...texts: string[]): string[] => {
   const runs = lines(...texts);
   return findIn(runs, query).map((stretches) =>
@@ -56,7 +56,7 @@ describe("what is found", () => {
   });
 });
 
-/** A source of pages of text, and which of them were asked for. */
+/** Returns a source of pages of text, and a record of its requests. */
 function sourceOf(pages: readonly (readonly TextRun[])[]): { source: PageSource; asked: number[] } {
   const asked: number[] = [];
   const text = async (index: number): Promise<readonly TextRun[]> => {

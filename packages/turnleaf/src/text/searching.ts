@@ -4,19 +4,22 @@ import type { TextRun } from "../sources/page_source.ts";
 import { foldQuery, foldRuns } from "./case_folding.ts";
 import type { PageTexts } from "./page_texts.ts";
 
-/** A place where something was found. */
+/** A hit of a search. */
 export interface SearchHit {
   /** The page, from 1. */
   readonly page: number;
-  /** What stands before it on the page, some fifty characters in one line; begins with "… " where there is more. */
+  /**
+   * The text before it on the page, some fifty characters in one line; begins
+   * with "… " if there is more.
+   */
   readonly before: string;
-  /** What was found, as the page writes it. */
+  /** The text that was found, as the page writes it. */
   readonly text: string;
-  /** What stands behind it, likewise; ends with " …" where there is more. */
+  /** The text after it, likewise; ends with " …" if there is more. */
   readonly after: string;
-  /** What was looked for. */
+  /** The query. */
   readonly query: string;
-  /** Which of the page's places it is, from 0. */
+  /** Its index among the page's hits, from 0. */
   readonly index: number;
 }
 
@@ -27,20 +30,21 @@ export interface Stretch {
   readonly to: number;
 }
 
-/** Longest query in characters, and most hits of a book: more than anybody looks through. */
+/** Maximum of characters of a query, and of hits in a book: more than anybody looks through. */
 const longestQuery = 200;
 const mostHits = 2000;
 
-/** Characters of a page about a hit. */
+/** Characters of context around a hit. */
 const about = 48;
 
-/** Pages after which the screen gets its turn. */
+/** Pages after which the search yields to the browser. */
 const pagesAtOnce = 8;
 
 /**
- * Every place of a book where a text stands, in reading order, at most 2,000.
- * Case, accents, ligatures, width, quotation marks and hyphens do not count; a
- * line's end counts as a space. Rejects with the signal's reason when aborted.
+ * Returns every place of a book that contains a text, in reading order, at most
+ * 2,000. Case, accents, ligatures, width, quotation marks and hyphens do not
+ * count; a line's end counts as a space. Rejects with the signal's reason when
+ * aborted.
  *
  * @param count number of pages
  */
@@ -65,7 +69,10 @@ export async function searchBook(
   return hits;
 }
 
-/** Every place of a page where a text stands, each as the stretches of the runs that it covers. */
+/**
+ * Returns every place of a page that contains a text, each as the stretches of
+ * the runs that it covers.
+ */
 export function findIn(runs: readonly TextRun[], query: string): readonly (readonly Stretch[])[] {
   const wanted = foldQuery(query.slice(0, longestQuery));
   const found: Stretch[][] = [];
@@ -87,7 +94,7 @@ export function findIn(runs: readonly TextRun[], query: string): readonly (reado
   return found;
 }
 
-/** UTF-16 units of the character at a place. */
+/** Returns the UTF-16 units of the character at a place. */
 function lengthAt(text: string, place: number): number {
   return (text.codePointAt(place) ?? 0) > 0xffff ? 2 : 1;
 }
@@ -114,7 +121,7 @@ function contextOf(
   return { before: startOf(before), text: oneLine(text).trim(), after: endOf(after) };
 }
 
-/** A run with what follows it on one line: a space at a line's end, and no hyphen there. */
+/** Returns a run with its separator in one line: a space at a line's end, and no hyphen there. */
 function joined({ text, end }: TextRun): string {
   if (!end) return text;
   const isBroken = /\p{L}[-\u00ad\u2010]\s*$/u.test(text);
@@ -123,7 +130,7 @@ function joined({ text, end }: TextRun): string {
 
 const oneLine = (text: string): string => text.replace(/\s+/g, " ");
 
-/** The end of a text, beginning with a whole word where there is one. */
+/** Returns the end of a text, beginning with a whole word if possible. */
 function startOf(text: string): string {
   const line = oneLine(text);
   if (line.length <= about) return line.trimStart();

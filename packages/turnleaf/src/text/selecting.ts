@@ -1,11 +1,11 @@
-/** Keeps a selection that is being dragged where the pointer is. */
+/** Keeps the end of a selection at the pointer that drags it. */
 
 /**
- * Between lines and beside them a browser would take everything up to the
+ * Between lines and beside them a browser would select everything up to the
  * layer's end. A guard that cannot be selected lies behind the text while the
  * pointer drags, next in order to the piece that the selection has reached.
  *
- * @param signal takes the listeners away
+ * @param signal removes the listeners
  */
 export function keepSelection(layer: HTMLElement, signal: AbortSignal): void {
   const guard = document.createElement("div");

@@ -1,7 +1,7 @@
 /**
- * How the text over a book looks: not at all, until it is selected. Then it
- * darkens the page as a marker would: pieces that overlap are not seen. (A
- * colour without any transparency would be thinned by the browser.)
+ * The style of the text over a book: invisible until it is selected. Then it
+ * darkens the page as a marker would: overlaps of pieces do not show. (A fully
+ * opaque colour would be thinned by the browser.)
  */
 export const textStyle: string = /* css */ `
 .reading { position: absolute; inset: 0; overflow: hidden; pointer-events: none; }

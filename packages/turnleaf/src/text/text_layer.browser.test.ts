@@ -1,4 +1,7 @@
-/** The text over a resting book, in a real browser: where it lies, and what a reader does with it. */
+/**
+ * The text over a resting book, in a real browser: where it lies, and what a
+ * reader does with it.
+ */
 
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cdp, userEvent } from "vitest/browser";
@@ -7,7 +10,10 @@ import { book, happens, scans, settled } from "../element_for_tests.ts";
 import { tinyPdf } from "../sources/tiny_pdf.ts";
 
 const fonts = "/Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica >> >>";
-/** A line of text on a page of 200 x 300 points, its baseline so far above the foot. */
+/**
+ * Returns a line of text on a page of 200 x 300 points, its baseline at a
+ * height above the foot.
+ */
 const line = (text: string, y: number, x = 30): string =>
   `BT /F1 16 Tf ${x} ${y} Td (${text}) Tj ET\n`;
 const link = (target: string): string =>
@@ -28,7 +34,7 @@ function pdf(): File {
   return new File([bytes], "whale.pdf");
 }
 
-// Real turns on a busy machine that draws in software take their time.
+// Real turns on a busy machine with software rendering take long.
 vi.setConfig({ testTimeout: 180_000 });
 
 let element: TurnleafBook;
@@ -50,7 +56,7 @@ afterEach(() => {
 
 const root = (): ShadowRoot => element.shadowRoot as ShadowRoot;
 const spans = (): HTMLElement[] => [...root().querySelectorAll<HTMLElement>(".text span")];
-/** The box of a piece of text, which may be laid out in several. */
+/** Returns the box of a piece of text, which may be laid out in several. */
 function boxOf(text: string): DOMRect {
   const all = spans();
   for (let first = all.length - 1; first >= 0; first--) {
@@ -71,7 +77,7 @@ function boxOf(text: string): DOMRect {
   throw new Error(`No "${text}" on the page.`);
 }
 
-/** Does something that moves the view: the text goes away, however shortly, and comes back at rest. */
+/** Moves the view: the text disappears, however shortly, and comes back at rest. */
 async function awayAndBack(move: () => unknown): Promise<void> {
   const layer = root().querySelector(".reading") as HTMLElement;
   const states: boolean[] = [];
@@ -84,7 +90,7 @@ async function awayAndBack(move: () => unknown): Promise<void> {
   await settled(element);
 }
 
-/** The box of the ink that is seen on the screen within a box, CSS pixels. */
+/** Returns the box of the ink on the screen within a box, CSS pixels. */
 async function inkIn(box: DOMRect): Promise<DOMRect> {
   const { x: left, y: top, scale } = frame();
   const [x, y, width, height] = [box.x, box.y, box.width, box.height].map(Math.round);
@@ -123,7 +129,7 @@ async function inkIn(box: DOMRect): Promise<DOMRect> {
   );
 }
 
-/** A box with some room about it. */
+/** Returns a box with a margin around it. */
 const around = ({ x, y, width, height }: DOMRect, room: number): DOMRect =>
   new DOMRect(x - room, y - room, width + 2 * room, height + 2 * room);
 
@@ -145,7 +151,7 @@ test("a drag with the mouse selects, and what is copied has words and lines", as
   expect(element.page).toBe(2);
   let copied = "";
   document.addEventListener("copy", () => (copied = String(getSelection())), { once: true });
-  // As a reader does: a script's own copy would need a press that is not long ago.
+  // As a reader does: a script's own copy would need a recent press.
   await userEvent.keyboard("{Control>}c{/Control}");
   await expect.poll(() => copied).toBe("Call me\nIshmael. Some\nyears ago");
 });
@@ -236,7 +242,7 @@ test("the tree of accessibility has the pages in order, each with its text, and 
     "StaticText: never mind how",
     "StaticText: long Ishmael",
     "link: Page vii",
-    // What is said of every spread, to those who only listen.
+    // The announcement of every spread for screen readers.
     "StaticText: Pages ii and iii of 8",
   ]);
 });
@@ -251,13 +257,13 @@ interface AXTree {
   }[];
 }
 
-/** The browser's own interface for tools, as far as it is used here. */
+/** The part of the browser's own interface for tools that is used here. */
 interface Session {
   send(method: string, parameters?: object): Promise<unknown>;
 }
 const session = (): Session => cdp() as unknown as Session;
 
-/** This document's frame among those of the test's page. */
+/** Returns this document's frame among those of the test's page. */
 async function frameId(): Promise<string> {
   interface Tree {
     readonly frame: { readonly id: string; readonly url: string };
@@ -269,18 +275,18 @@ async function frameId(): Promise<string> {
   return find(frameTree) ?? frameTree.frame.id;
 }
 
-/** Where the middle of a box's left (0) or right (1) edge is. */
+/** Returns where the middle of a box's left (0) or right (1) edge is. */
 function edgeOf({ left, width, top, height }: DOMRect, side: 0 | 1): { x: number; y: number } {
   return { x: left + (side === 0 ? 1 : width - 1), y: top + height / 2 };
 }
 
-/** Where this document lies on the outermost page, of which the tools speak. */
+/** Returns where this document lies on the outermost page, which the tools use. */
 function frame(): { x: number; y: number; scale: number } {
   const box = frameElement?.getBoundingClientRect();
   return { x: box?.left ?? 0, y: box?.top ?? 0, scale: box ? box.width / innerWidth : 1 };
 }
 
-/** A real mouse. */
+/** Sends a real mouse event. */
 async function mouse(type: string, x: number, y: number, buttons: number): Promise<void> {
   const { x: left, y: top, scale } = frame();
   await session().send("Input.dispatchMouseEvent", {

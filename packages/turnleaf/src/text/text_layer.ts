@@ -1,7 +1,7 @@
 /**
- * The text over a resting book: selectable, found by the browser, heard by a
- * screen reader, with links that lead on. It is hidden the moment something
- * moves and comes back at rest; at rest nothing runs.
+ * The text over a resting book: selectable, found by the browser, read by a
+ * screen reader, with working links. It is hidden as soon as something moves
+ * and comes back at rest; at rest nothing runs.
  */
 
 import type {
@@ -20,7 +20,7 @@ import type { PageView } from "./page_view.ts";
 import type { Project } from "./run_place.ts";
 import { keepSelection } from "./selecting.ts";
 
-/** What is known of an open page. */
+/** The contents of an open page. */
 interface Content {
   readonly page: number;
   readonly size: PageSize;
@@ -30,39 +30,44 @@ interface Content {
   readonly alt: string;
 }
 
-/** An open page's elements: its text, laid anew in every view, and what keeps its focus and its value. */
+/**
+ * An open page's elements: its text, laid out again in every view, and those
+ * that keep their focus and their value.
+ */
 interface Group {
   readonly element: HTMLElement;
   readonly text: HTMLElement;
   laid: readonly FieldPlace[] | null;
 }
 
-/** What the layer needs beside the view. */
+/** The options of the layer besides the view. */
 export interface TextLayerOptions {
   readonly source: PageSource;
-  /** What a page's group is called: "Page iv". */
+  /** Returns the name of a page's group: "Page iv". */
   readonly name: (page: number) => string;
-  /** A link within the book is followed. */
+  /** Follows a link within the book. */
   readonly goTo: (page: number) => void;
-  /** The print of a page is out of date: one of its fields holds something else. */
+  /** Redraws a page after one of its fields has changed. */
   readonly redraw: (page: number) => void;
-  /** Called with whether the pages in sight can be read as text. */
+  /** Called with whether the visible pages have text. */
   readonly onText: (isText: boolean) => void;
 }
 
 /**
  * The layer of one book.
- * @csspart text The text over the resting pages, not seen until it is selected.
+ *
+ * @csspart text The text over the resting pages, invisible until it is
+ * selected.
  */
 export class TextLayer {
-  /** The text, and under it the marks, which darken what is printed as ink does. */
+  /** The text, and under it the marks, which darken the page as ink does. */
   readonly element: HTMLElement = document.createElement("div");
   readonly #text: HTMLElement = document.createElement("div");
   readonly #marks: HTMLElement = document.createElement("div");
   readonly #view: PageView;
   readonly #options: TextLayerOptions;
   readonly #ended = new AbortController();
-  /** Ends the reading of pages that lie open no more. */
+  /** Aborts the reading of pages that are no longer open. */
   #reading = new AbortController();
   #contents = new Map<number, Content>();
   #groups = new Map<number, Group>();
@@ -91,13 +96,13 @@ export class TextLayer {
     this.#update();
   }
 
-  /** Marks what was found on the pages in sight; null takes the marks away. */
+  /** Marks hits on the visible pages; null removes the marks. */
   mark(shown: ShownHit | null): void {
     this.#shown = shown;
     if (!this.element.hidden) this.#place();
   }
 
-  /** Reads the open pages anew: they are others than before. */
+  /** Reads the open pages again after a change. */
   reload(): void {
     this.#reading.abort();
     this.#contents.clear();
@@ -105,14 +110,14 @@ export class TextLayer {
     this.#update();
   }
 
-  /** Takes the layer and its listeners away. */
+  /** Removes the layer and its listeners. */
   destroy(): void {
     this.#ended.abort();
     this.#reading.abort();
     this.element.remove();
   }
 
-  /** Follows the view: hides while it moves, else lays out the pages that lie open. */
+  /** Follows the view: hides while it moves, lays out the open pages when it rests. */
   #update(rests = true): void {
     const pages = this.#view.openPages;
     const isSeen = rests && pages.some((page) => this.#view.project(page, 0.5, 0.5) !== null);
@@ -122,7 +127,7 @@ export class TextLayer {
     this.#place();
   }
 
-  /** Other pages lie open: groups for them, filled as their contents arrive. */
+  /** Creates groups for other open pages, filled as their contents arrive. */
   #open(pages: readonly number[]): void {
     this.#reading.abort();
     this.#reading = new AbortController();
@@ -150,7 +155,7 @@ export class TextLayer {
           this.#contents.set(page, content);
           if (!this.element.hidden) this.#place();
         },
-        // A page that cannot be read is told where it would be seen.
+        // A page that cannot be read is reported where it would be seen.
         () => {},
       );
     }
@@ -168,7 +173,7 @@ export class TextLayer {
     return { page, runs, links, fields, alt, size: await source.size(index, signal) };
   }
 
-  /** Lays what is known of the open pages over them as they are seen now. */
+  /** Lays the known contents of the open pages over them as they are seen now. */
   #place(): void {
     let isText = false;
     this.#marks.replaceChildren();
@@ -199,14 +204,14 @@ export class TextLayer {
     for (const { lay } of group.laid) lay(project);
   }
 
-  /** Open pages with a field of this name are out of date; others are drawn when they are turned to. */
+  /** Redraws open pages with a field of this name; others are drawn when they are turned to. */
   #redraw(field: string): void {
     for (const { page, fields } of this.#contents.values()) {
       if (fields.some(({ name }) => name === field)) this.#options.redraw(page);
     }
   }
 
-  /** Links, fields and what stands for pictures. */
+  /** Creates links, fields and descriptions of pictures. */
   #make({ page, runs, links, fields, alt }: Content): readonly FieldPlace[] {
     const { name, goTo, source } = this.#options;
     const nameOf = (to: LinkTarget): string => ("page" in to ? name(to.page) : to.href);

@@ -1,14 +1,16 @@
-/** Which language the element speaks, and how a text is filled in. */
+/** Selects the element's language, and fills in texts. */
 
 import type { ElementTexts, Texts } from "./texts.ts";
 
 const added = new Map<string, Texts>();
 
 /**
- * Teaches every `<turnleaf-book>` a language, or other words for one it knows.
- * Elements speak it from when they are next shown or their `lang` changes.
- * @param tag BCP 47, such as "de" or "pt-BR"; "pt" serves every kind of Portuguese
- * @param texts everything that is said in it
+ * Adds a language to every `<turnleaf-book>`, or replaces texts of one.
+ * Elements use it from when they are next shown or their `lang` changes.
+ *
+ * @param tag BCP 47, such as "de" or "pt-BR"; "pt" serves every kind of
+ * Portuguese
+ * @param texts every text of the language
  */
 export function addLanguage(tag: string, texts: Texts): void {
   added.set(tag.toLowerCase(), texts);
@@ -37,10 +39,13 @@ const zh: ElementTexts = {
   slowPage: "第 {label} 页仍在绘制中，请稍候。",
 };
 
-/** What the element itself says in a language. */
+/** Returns the element's own texts in a language. */
 export const elementTexts = (tag: string): ElementTexts => textsFor(tag, { en, zh });
 
-/** The texts for a language: those added, those built in, of the language without its region, English. */
+/**
+ * Returns the texts for a language: the first of those added, those built in,
+ * those of the language without its region, English.
+ */
 export function textsFor<T>(tag: string, own: { readonly [tag: string]: T; readonly en: T }): T {
   let name = tag.toLowerCase();
   while (name !== "") {
@@ -51,7 +56,7 @@ export function textsFor<T>(tag: string, own: { readonly [tag: string]: T; reado
   return own.en;
 }
 
-/** The language of an element: its own, that of what it stands in, the browser's. */
+/** Returns the language of an element: its own, an ancestor's, or the browser's. */
 export function languageOf(element: Element): string {
   let at: Element | null = element;
   while (at) {
@@ -63,24 +68,24 @@ export function languageOf(element: Element): string {
   return navigator.language;
 }
 
-/** A text with what stands in braces filled in. */
+/** Returns a text with its placeholders in braces filled in. */
 export function fill(text: string, values: Readonly<Record<string, string>>): string {
   return text.replace(/\{(\w+)\}/g, (whole, name: string) =>
     Object.hasOwn(values, name) ? values[name] : whole,
   );
 }
 
-/** A number as a language writes it; plainly where the tag is none. */
+/** Returns a number as a language writes it; plainly if the tag is invalid. */
 export function number(tag: string, n: number): string {
   return attempt(() => new Intl.NumberFormat(tag).format(n)) ?? String(n);
 }
 
-/** Words in a row, such as "iv and v". */
+/** Returns words in a list, such as "iv and v". */
 export function list(tag: string, words: readonly string[]): string {
   return attempt(() => new Intl.ListFormat(tag).format(words)) ?? words.join(", ");
 }
 
-/** What Intl makes; it throws at a tag that is none, and then there is nothing. */
+/** Returns the result of `make`; undefined if Intl throws at an invalid tag. */
 export function attempt<T>(make: () => T): T | undefined {
   try {
     return make();

@@ -1,4 +1,4 @@
-/** What the element and its controls say, in one language. */
+/** The texts of the element and its controls, in one language. */
 
 /**
  * A text that depends on a number: one wording for each of the language's plural
@@ -8,15 +8,15 @@ export type Plural = { readonly other: string } & Partial<
   Readonly<Record<Intl.LDMLPluralRule, string>>
 >;
 
-/** What the element says by itself. Words in braces stand for what is filled in. */
+/** The element's own texts. Words in braces are placeholders. */
 export interface ElementTexts {
   readonly opening: string;
-  /** The element was given no book. */
+  /** The element has no book. */
   readonly missing: string;
-  /** Which pages lie open: `{pages}` are their labels, `{n}` is how many the book has. */
+  /** Which pages lie open: `{pages}` are their labels, `{n}` is the number of pages in the book. */
   readonly pageOpen: string;
   readonly pagesOpen: string;
-  /** The closed back: `{n}` is how many pages the book has. */
+  /** The closed back: `{n}` is the number of pages in the book. */
   readonly back: string;
   readonly notOpened: string;
   /** A page by its label. */
@@ -25,7 +25,7 @@ export interface ElementTexts {
   readonly slowPage: string;
 }
 
-/** What the controls say. Words in braces stand for what is filled in. */
+/** The texts of the controls. Words in braces are placeholders. */
 export interface ControlTexts {
   readonly toolbar: string;
   readonly pages: string;
@@ -38,11 +38,11 @@ export interface ControlTexts {
   readonly next: string;
   readonly previous: string;
   readonly page: string;
-  /** After the page field: `{n}` is how many pages there are. */
+  /** After the page field: `{n}` is the number of pages. */
   readonly of: string;
-  /** After the page field where the label is no number: `{page}` of `{n}`. */
+  /** After the page field if the label is not a number: `{page}` of `{n}`. */
   readonly pageOf: string;
-  /** The slider's place: the page's label, its number, how many there are. */
+  /** The slider's place: the page's label, its number, the number of pages. */
   readonly place: string;
   readonly noSuchPage: string;
   readonly zoomIn: string;
@@ -72,11 +72,11 @@ export interface ControlTexts {
   readonly from: string;
   readonly to: string;
   readonly cancel: string;
-  /** Most pages that are printed at once. */
+  /** Maximum of pages that are printed at once. */
   readonly mostPrinted: Plural;
   readonly drawing: string;
   readonly wait: string;
 }
 
-/** Everything that is said, so that a language is added whole. */
+/** Every text, so that a language is added whole. */
 export type Texts = ElementTexts & ControlTexts;
