@@ -4,7 +4,7 @@
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
-use turnleaf_engine::{BitHash, Condensed, KeyFrameError, KeyFrames};
+use turnleaf_engine::{BitHash, Condensed, FrameKind, KeyFrameError, KeyFrames};
 
 /// The system's allocator, counting what each thread holds, and held at most.
 struct Counting;
@@ -133,13 +133,23 @@ impl Random {
     }
 }
 
+/// The number in an environment variable, if there is one.
+fn number_of(variable: &str) -> Option<u64> {
+    let text = std::env::var(variable).ok()?;
+    Some(text.parse().expect("a number"))
+}
+
+/// How many times as many rounds as usual a random test goes.
+fn fuzz() -> u64 {
+    number_of("TURNLEAF_FUZZ").unwrap_or(1)
+}
+
 /// Set `TURNLEAF_SEED` to play one seed again.
 #[test]
 fn random_files_are_refused_in_one_sentence_or_hold_finite_numbers() {
     let fixture = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/corner.tlkf");
     let sound = std::fs::read(fixture).expect("a fixture");
-    let one = std::env::var("TURNLEAF_SEED").ok();
-    let seeds = match one.map(|seed| seed.parse().expect("a number")) {
+    let seeds = match number_of("TURNLEAF_SEED") {
         Some(seed) => seed..=seed,
         None => 1u64..=5,
     };
@@ -147,7 +157,7 @@ fn random_files_are_refused_in_one_sentence_or_hold_finite_numbers() {
     for seed in seeds {
         println!("TURNLEAF_SEED={seed}");
         let mut random = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
-        for round in 0..200 {
+        for round in 0..200 * fuzz() {
             let bytes = if round % 2 == 0 {
                 let mut side = || [2, 3, 9, 26, 256][random.below(5) as usize];
                 let (columns, rows) = (side(), side());
@@ -194,4 +204,79 @@ fn random_files_are_refused_in_one_sentence_or_hold_finite_numbers() {
     }
     println!("{read} read, {refused} refused");
     assert!(read > 0 && refused > 0);
+}
+
+/// Numbers by the generator of Numerical Recipes, which the viewer's tests have as well.
+struct Congruential(u32);
+
+impl Congruential {
+    fn below(&mut self, bound: usize) -> usize {
+        self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        ((u64::from(self.0) * bound as u64) >> 32) as usize
+    }
+}
+
+/// A sound file with some bytes changed, cut or added, mostly with a checksum that
+/// fits. `mutated` in packages/turnleaf/src/key_frames/verdicts.test.ts is the same.
+fn mutated(files: &[Vec<u8>], random: &mut Congruential) -> Vec<u8> {
+    let mut bytes = files[random.below(files.len())].clone();
+    let way = random.below(8);
+    if way == 0 {
+        bytes.truncate(random.below(bytes.len()));
+    } else if way == 1 {
+        for _ in 0..1 + random.below(16) {
+            bytes.push(random.below(256) as u8);
+        }
+    }
+    for _ in 0..random.below(4) {
+        if bytes.is_empty() {
+            break;
+        }
+        let within = if random.below(2) == 0 {
+            64
+        } else {
+            bytes.len()
+        };
+        let at = random.below(within.min(bytes.len()));
+        bytes[at] = match random.below(4) {
+            0 => bytes[at] ^ (1 << random.below(8)),
+            1 => 0,
+            2 => 255,
+            _ => random.below(256) as u8,
+        };
+    }
+    if random.below(8) > 0 && bytes.len() >= 8 {
+        bytes.truncate(bytes.len() - 8);
+        bytes = sealed(bytes);
+    }
+    bytes
+}
+
+/// `UPDATE_GOLDEN=1` writes the verdicts anew; `TURNLEAF_VERDICTS` names a file
+/// for those of another seed or of more rounds, for the viewer's test to read.
+#[test]
+fn mutated_files_get_the_verdicts_that_the_viewer_gives() {
+    let fixtures = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures");
+    let files = ["corner", "corner-whole", "recorded-in-script"]
+        .map(|name| std::fs::read(format!("{fixtures}/{name}.tlkf")).expect("a fixture"));
+    let seed = number_of("TURNLEAF_SEED").unwrap_or(1);
+    println!("TURNLEAF_SEED={seed}");
+    let mut random = Congruential(seed as u32);
+    let verdicts: String = (0..2000 * fuzz())
+        .map(|_| {
+            let read = KeyFrames::from_bytes(&mutated(&files, &mut random));
+            // Masses alone cannot be played without the engine.
+            let plays = read.is_ok_and(|frames| frames.kind == FrameKind::Surface);
+            if plays { '1' } else { '0' }
+        })
+        .collect();
+    let golden = format!("{fixtures}/mutated.verdicts");
+    if let Ok(path) = std::env::var("TURNLEAF_VERDICTS") {
+        std::fs::write(path, verdicts).expect("a file to write");
+    } else if std::env::var("UPDATE_GOLDEN").is_ok() {
+        std::fs::write(golden, verdicts).expect("a file to write");
+    } else if seed == 1 && fuzz() == 1 {
+        let expected = std::fs::read_to_string(golden).expect("a fixture");
+        assert!(verdicts == expected, "other verdicts than before");
+    }
 }

@@ -15,6 +15,8 @@ import { RecordedTurn, recordedModels, type TurnRecord } from "./recorded_turn.t
 import { Waves } from "./waves.ts";
 
 const newest = 2;
+/** Settings of the model that the header can name: its own, the paper's of 2014, a book's. */
+const presets = 3;
 
 /**
  * Decodes a recorded turn from the bytes of its file, of version 1 or 2.
@@ -51,6 +53,7 @@ function readHeader(view: DataView, most: number) {
   }
   const isSound =
     model !== undefined &&
+    view.getUint32(12, true) < presets &&
     [width, height].every((side) => side > 0 && side < Number.POSITIVE_INFINITY) &&
     [columns, rows].every((count) => count >= 2 && count <= most) &&
     frames >= 1 &&

@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { clue, fuzzed, type Random } from "../random_for_tests.ts";
 import { limits } from "./limits.ts";
 import { parseManifest } from "./manifest.ts";
 import { BookError } from "./page_source.ts";
@@ -194,31 +195,25 @@ describe("a bad manifest is told in one sentence that names it and the place", (
   });
 });
 
-it("takes any JSON without another failure than a BookError", () => {
-  const seed = (Date.now() % 0x7fffffff) | 1;
-  let state = seed;
-  const random = (most: number): number => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return Math.floor((state / 2 ** 32) * most);
-  };
+describe("random JSON", () => {
   const leaves = [null, 0, -1, 1e308, "", "1.jpg", "\ud800", "data:,", true, "__proto__"];
   const keys =
     "pages src width height label title direction text links outline children href page x y __proto__".split(
       " ",
     );
-  const grow = (depth: number): unknown => {
-    const kind = depth > 4 ? 0 : random(3);
-    if (kind === 0) return leaves[random(leaves.length)];
-    const parts = Array.from({ length: random(5) }, () => grow(depth + 1));
+  const grow = (random: Random, depth: number): unknown => {
+    const kind = depth > 4 ? 0 : random.below(3);
+    if (kind === 0) return random.among(leaves);
+    const parts = Array.from({ length: random.below(5) }, () => grow(random, depth + 1));
     if (kind === 1) return parts;
-    return Object.fromEntries(parts.map((part) => [keys[random(keys.length)], part]));
+    return Object.fromEntries(parts.map((part) => [random.among(keys), part]));
   };
-  for (let i = 0; i < 3000; i++) {
-    const value = { ...(grow(0) as object), pages: grow(1) };
+  fuzzed("has no other failure than a BookError", 3000, (random) => {
+    const value = { ...(grow(random, 0) as object), pages: grow(random, 1) };
     try {
       parse(value);
     } catch (error) {
-      expect(error, `seed ${seed}: ${JSON.stringify(value)}`).toBeInstanceOf(BookError);
+      expect(error, clue(value)).toBeInstanceOf(BookError);
     }
-  }
+  });
 });
