@@ -52,6 +52,11 @@ export class WebGLStage implements BookStage {
   readonly #pictures: PictureTextures;
   #materials: BookMaterials;
   #book: DrawnBook;
+  /**
+   * What a book of another shape has taken the place of. It is disposed of after the next frame: three.js
+   * keeps a compiled program while a material uses it, and the new materials use the same.
+   */
+  readonly #replaced: { dispose(): void }[] = [];
   readonly #faces = new Map<Printed, { shown: PagePicture | null; show: Show }>();
   #width = 1;
   #height = 1;
@@ -83,8 +88,7 @@ export class WebGLStage implements BookStage {
 
   bind(shape: BookShape): void {
     this.#scene.remove(this.#book.group);
-    this.#book.dispose();
-    this.#materials.dispose();
+    this.#replaced.push(this.#book, this.#materials);
     this.#faces.clear();
     this.#shape = shape;
     this.#materials = new BookMaterials(shape, this.#pictures.paper, this.#pictures.anisotropy);
@@ -169,6 +173,7 @@ export class WebGLStage implements BookStage {
       this.#renderer.setDrawingBufferSize(this.#width, this.#height, ratio);
     }
     this.#renderer.render(this.#scene, this.#camera);
+    for (const replaced of this.#replaced.splice(0)) replaced.dispose();
   }
 
   rayAt(x: number, y: number): Ray {
@@ -212,6 +217,7 @@ export class WebGLStage implements BookStage {
     this.#context.destroy();
     // Frees all of the GPU's memory at once; the rest releases what three.js keeps.
     if (!this.isLost) this.#renderer.forceContextLoss();
+    for (const replaced of this.#replaced.splice(0)) replaced.dispose();
     this.#book.dispose();
     this.#beyond.dispose();
     this.#materials.dispose();
