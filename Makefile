@@ -14,7 +14,7 @@ WASM = packages/turnleaf/src/engine/turnleaf.wasm
 MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 
-.PHONY: read build wasm test test-rust test-js check check-rust check-js bench gestures playground examples pictures methods recordings photographs reference book clean tools-rust chromium browsers engines test-apps
+.PHONY: read build wasm test test-rust test-js check check-rust check-js bench gestures soak fuzz playground examples pictures methods recordings photographs reference book clean tools-rust chromium browsers engines test-apps
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -86,6 +86,21 @@ test-apps: build chromium
 # Takes about half an hour on two cores.
 gestures: tools-rust
 	cargo run --release --quiet -p lab -- gestures --count 20000 --worst 5 --jobs $(JOBS) --into docs/physics.md
+
+# Ten thousand random operations on a book in Chromium, by SEED: no warning of WebGL, no blank page at
+# rest, no memory that grows. Writes the table in docs/performance.md. Takes about twenty minutes on two
+# cores, on Linux.
+OPERATIONS ?= 10000
+SEED ?= $(shell date +%s | tail -c 7)
+soak: build chromium
+	node tests/soak/run.mjs --operations $(OPERATIONS) --seed $(SEED) --into docs/performance.md
+
+# Every parser with what mutated files and texts say, FUZZ times as much of it as `make test` has, by SEED.
+FUZZ ?= 50
+fuzz: $(MODULES) tools-rust
+	mkdir -p target
+	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts cargo test --release --quiet -p turnleaf-engine --test hostile_key_frames
+	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts npx vitest run --project node fuzz.test manifest.test hostile.test verdicts.test hostile_addresses.test
 
 # Two models that turn the same page side by side.
 playground: build

@@ -6,7 +6,8 @@ import { afterAll, afterEach, beforeAll, describe, expect, test } from "vitest";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
 import { isWebglComplaint } from "../../../scripts/console_watch.mjs";
 import { pdf, png } from "./books.ts";
-import { countHoldings, holdingsOf, serveViewer, type ViewerSite } from "./viewer_page.ts";
+import { countHoldings, holdingsOf } from "./holdings.ts";
+import { serveViewer, type ViewerSite } from "./viewer_page.ts";
 
 let browser: Browser;
 let site: ViewerSite | undefined;

@@ -1,0 +1,261 @@
+/**
+ * Soaks a book: thousands of random operations in a real browser, by a seed.
+ * Fails where WebGL complains, an error is not caught, a page in sight is blank at
+ * rest, or the browser's memory has grown by more than a bound since the first
+ * thousand.
+ *
+ *   node tests/soak/run.mjs [--operations 10000] [--seed N] [--into FILE]
+ *
+ * With --into the table of memory is written into a Markdown file, between its
+ * marks. Pictures of what is blank are left in target/soak.
+ */
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { createServer } from "node:http";
+import { join } from "node:path";
+import { parseArgs } from "node:util";
+import ts from "typescript";
+import { isWebglComplaint } from "../../scripts/console_watch.mjs";
+import { Browser } from "./browser.mjs";
+import { memoryByHolder, memoryByProcess } from "./browser_memory.mjs";
+
+const root = join(import.meta.dirname, "../..");
+const pictures = join(root, "target/soak");
+
+/** Operations after which the memory is what later memory is compared with, and how much more it may become. */
+const first = 1000;
+const mostGrowth = 0.15;
+
+/** Operations between two checks at rest, and how many of them, the last, are drawn. */
+const between = 10;
+const drawnOperations = 4;
+
+/** Of the frames of a movement that is drawn, one in so many is. */
+const drawnFrames = 6;
+
+const { values } = parseArgs({
+  options: {
+    operations: { type: "string", default: "10000" },
+    seed: { type: "string", default: String(Date.now() % 1_000_000) },
+    into: { type: "string" },
+  },
+});
+const [operations, seed] = [Number(values.operations), Number(values.seed)];
+
+const html = `<!doctype html><title>Soak</title><link rel="icon" href="data:,">
+<style>body { margin: 0 }</style>
+<script type="importmap">{"imports":{"three":"/three/three.module.js"}}</script>
+<script type="module" src="/turnleaf/index.js"></script>`;
+
+/** Folders by the first part of an address. */
+const folders = {
+  turnleaf: "packages/turnleaf/dist",
+  three: "node_modules/three/build",
+  books: "books",
+  source: "packages/turnleaf/src",
+};
+
+/** A TypeScript file of the tests as a script that runs without a build. */
+function transpile(path) {
+  const options = { module: ts.ModuleKind.ESNext, target: ts.ScriptTarget.ES2022 };
+  return ts.transpile(readFileSync(join(root, path), "utf8"), options);
+}
+
+/** Type and body of what is at an address: the page, the built viewer, the book, and what plays with them. */
+function answer(address) {
+  if (address === "/") return ["text/html", html];
+  const [, folder, name] = /^\/(\w+)\/([\w.-]+)$/.exec(address) ?? [];
+  const path = join(folders[folder], name);
+  if (name.endsWith(".ts")) return ["text/javascript", transpile(path)];
+  const type = name.endsWith(".pdf") ? "application/pdf" : "text/javascript";
+  return [type, readFileSync(join(root, path))];
+}
+
+async function serve() {
+  const server = createServer((request, response) => {
+    try {
+      const [type, body] = answer(request.url);
+      response.writeHead(200, { "Content-Type": type }).end(body);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+  const stop = () => {
+    server.closeAllConnections();
+    server.close();
+  };
+  return { url: `http://127.0.0.1:${server.address().port}/`, stop };
+}
+
+/**
+ * Runs in the page before anything else: frames come one after another, and each
+ * stands for the longest time that the viewer counts for one, so that a turn takes
+ * no longer than it takes to compute. Drawing is in software and takes nearly all
+ * of the time: while `clock.draws`, a part of the frames of a movement is drawn and
+ * always its last; else none. All but the drawing itself happens in any case.
+ */
+function driveFrames(drawnFrames) {
+  const clock = { draws: true };
+  Object.assign(globalThis, { clock });
+  let [now, count, frames, isDrawn] = [1000, 0, 0, true];
+  const waiting = new Map();
+  const pass = () => {
+    now += 100;
+    isDrawn = clock.draws && ++frames % drawnFrames === 0;
+    const calls = [...waiting.values()];
+    waiting.clear();
+    for (const call of calls) call(now);
+    // All has come to rest, and nobody will ask for another frame.
+    const isLast = clock.draws && !isDrawn && waiting.size === 0;
+    isDrawn = true;
+    if (isLast) for (const call of calls) call(now);
+    isDrawn = clock.draws;
+  };
+  window.requestAnimationFrame = (call) => {
+    waiting.set(++count, call);
+    if (waiting.size === 1) setTimeout(pass);
+    return count;
+  };
+  window.cancelAnimationFrame = (frame) => waiting.delete(frame);
+  const { prototype } = WebGL2RenderingContext;
+  for (const name of ["drawElements", "drawArrays"]) {
+    const draw = prototype[name];
+    prototype[name] = function (...what) {
+      if (isDrawn) draw.apply(this, what);
+    };
+  }
+}
+
+/** Runs in the page: makes the operations, with a first book. */
+async function prepare(seed) {
+  const { RandomOperations } = await import("/source/operations_for_tests.ts");
+  const picture = async () => {
+    const png = await fetch(`data:image/png;base64,${await globalThis.takePicture()}`);
+    const bitmap = await createImageBitmap(await png.blob());
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+    const pen = canvas.getContext("2d", { willReadFrequently: true });
+    pen.drawImage(bitmap, 0, 0);
+    bitmap.close();
+    return pen.getImageData(0, 0, canvas.width, canvas.height);
+  };
+  globalThis.operations = new RandomOperations({ seed, pdf: "/books/moby-dick.pdf", picture });
+  await globalThis.operations.start();
+}
+
+/** Runs in the page: the operations from one number up to another. Returns what was wrong. */
+async function soak([from, to, between, drawnOperations]) {
+  const { operations, clock } = globalThis;
+  const wrong = [];
+  for (let k = from; k < to; k++) {
+    const draws = k % between >= between - drawnOperations;
+    if (draws !== clock.draws) {
+      clock.draws = draws;
+      operations.redraw();
+    }
+    await operations.next();
+    if (k % between < between - 1) continue;
+    const blank = await operations.check();
+    if (blank.length === 0) continue;
+    await globalThis.keepPicture();
+    wrong.push(`${blank.join(", ")}: ${operations.state}`);
+  }
+  return [...wrong, ...operations.errors.splice(0)];
+}
+
+console.log(`Seed ${seed}, ${operations} operations.`);
+const site = await serve();
+const viewport = [120, 90];
+const browser = await Browser.start(...viewport);
+const wrong = [];
+const complain = (text) => {
+  wrong.push(text);
+  console.error(text);
+};
+browser.page.on("Runtime.exceptionThrown", ({ exceptionDetails: { text, exception } }) =>
+  complain(`Not caught: ${exception?.description ?? text}`),
+);
+const hear = (level, text) => {
+  if (level === "error" || isWebglComplaint(text)) complain(text);
+};
+browser.page.on("Log.entryAdded", ({ entry: { level, text } }) => hear(level, text));
+browser.page.on("Runtime.consoleAPICalled", ({ type, args }) =>
+  hear(type, args.map(({ value, description }) => value ?? description).join(" ")),
+);
+const holdings = transpile("packages/cli/tests/holdings.ts");
+const { countHoldings, holdingsOf } = await import(
+  `data:text/javascript,${encodeURIComponent(holdings)}`
+);
+await browser.runFirst(driveFrames, drawnFrames);
+await browser.runFirst(countHoldings);
+await browser.expose("takePicture", () => browser.picture());
+let kept = 0;
+await browser.expose("keepPicture", async () => {
+  mkdirSync(pictures, { recursive: true });
+  const picture = Buffer.from(await browser.picture(), "base64");
+  writeFileSync(join(pictures, `${seed}-${++kept}.png`), picture);
+});
+await browser.goTo(site.url);
+await browser.evaluate(prepare, seed);
+
+const start = Date.now();
+/** Megabytes after so many operations: of all processes, of each, and by what holds them. */
+const measured = [];
+
+async function measure(done) {
+  const held = await holdingsOf(browser, browser.page);
+  const processes = memoryByProcess(browser.pid);
+  const holders = await memoryByHolder(browser.session);
+  const inPage = {
+    "JavaScript objects": held.heap / 2 ** 20,
+    "WASM memories": held.memoryBytes / 2 ** 20,
+    "bitmaps and canvases": held.pictureBytes / 2 ** 20,
+    textures: held.textureBytes / 2 ** 20,
+  };
+  measured.push({ done, processes, inPage, holders });
+  const { rests, hues, prints } = await browser.evaluate(() => globalThis.operations.checked);
+  const list = (sizes) =>
+    Object.entries(sizes)
+      .map(([name, size]) => `${name} ${size.toFixed(1)}`)
+      .join(", ");
+  const seconds = Math.round((Date.now() - start) / 1000);
+  console.log(`${done} operations, ${seconds} s; ${rests} rests, ${hues} coloured and ${prints} printed pages checked; ${wrong.length} complaints; ${held.workers} workers, ${held.contexts} contexts, ${held.urls} URLs, ${held.nodes} nodes, ${held.listeners} listeners
+  MB by process: ${list(processes)}
+  MB in the page: ${list(inPage)}
+  MB by the browser's count: ${list(holders)}`);
+}
+
+/** A table of what is measured first and last. */
+function table() {
+  const [before, after] = [measured[0], measured.at(-1)];
+  const rows = ["processes", "inPage", "holders"].flatMap((group) =>
+    Object.keys(after[group]).map((name) => {
+      const [from, to] = [before[group][name] ?? 0, after[group][name]];
+      return `| ${name === "all" ? "**all processes**" : name} | ${from.toFixed(1)} | ${to.toFixed(1)} |`;
+    }),
+  );
+  return `| MB | after ${before.done} operations | after ${after.done} |\n|---|---|---|\n${rows.join("\n")}`;
+}
+
+try {
+  const batch = 250;
+  for (let done = 0; done < operations; done += batch) {
+    const to = Math.min(done + batch, operations);
+    const range = [done, to, between, drawnOperations];
+    for (const text of await browser.evaluate(soak, range)) complain(text);
+    if (to % first === 0 || to === operations) await measure(to);
+  }
+} finally {
+  await browser.close();
+  site.stop();
+}
+const growth = measured.at(-1).processes.all / measured[0].processes.all - 1;
+if (growth > mostGrowth) {
+  complain(`The browser's memory has grown by ${(100 * growth).toFixed(0)} %.`);
+}
+console.log(`\n${table()}\n\nSeed ${seed}: ${wrong.length} complaints.`);
+if (values.into) {
+  const text = readFileSync(values.into, "utf8");
+  const marks = /(<!-- soak -->)[\s\S]*(<!-- \/soak -->)/;
+  writeFileSync(values.into, text.replace(marks, `$1\n${table()}\n$2`));
+}
+process.exitCode = wrong.length > 0 ? 1 : 0;
