@@ -74,6 +74,8 @@ const viewer = {
   ],
   "element_for_tests.ts": ["element.ts", "index.ts"],
   "hands_for_tests.ts": ["element.ts"],
+  "operations_for_tests.ts": ["element.ts", "hands_for_tests.ts"],
+  "random_for_tests.ts": [],
   "setup_for_tests.ts": [],
   "viewer_for_tests.ts": ["open_viewer.ts", "sources", "viewer"],
 };

@@ -202,6 +202,10 @@ const start = Date.now();
 const measured = [];
 
 async function measure(done) {
+  await browser.evaluate(() => {
+    globalThis.clock.draws = true;
+    return globalThis.operations.start();
+  });
   const held = await holdingsOf(browser, browser.page);
   const processes = memoryByProcess(browser.pid);
   const holders = await memoryByHolder(browser.session);

@@ -3,14 +3,14 @@ import { afterEach, describe, expect, vi } from "vitest";
 import { pagesNamed } from "./book/layout.ts";
 import { pageOfHash } from "./element/address.ts";
 import { turnSecondsOf } from "./element/attributes.ts";
-import { keep, recall } from "./element/memory.ts";
+import { loadPlace, savePlace } from "./element/memory.ts";
 import { pageNumber } from "./element/page_number.ts";
+import { photographRow } from "./leaf_models/photograph_row.ts";
 import { clue, fuzzed, wildPieces } from "./random_for_tests.ts";
 import { sizeFromHeader, typedImage } from "./sources/image_header.ts";
 import { limits } from "./sources/limits.ts";
 import { parseManifest } from "./sources/manifest.ts";
 import { BookError } from "./sources/page_source.ts";
-import { photographRow } from "./wear/photograph_row.ts";
 
 afterEach(() => vi.unstubAllGlobals());
 
@@ -73,15 +73,15 @@ describe("mutated places in the browser's storage", () => {
         },
       });
       const before = text;
-      const kept = recall("a");
+      const kept = loadPlace("a");
       if (kept !== null) {
         expect(Number.isInteger(kept.page) && kept.page >= 1, clue(before)).toBe(true);
         expect(kept.zoom >= 1 && kept.zoom <= 8, clue(before)).toBe(true);
         expect(kept.bookmarks.length).toBeLessThanOrEqual(500);
         expect(kept.bookmarks.every((page) => Number.isInteger(page) && page >= 1)).toBe(true);
       }
-      keep("a", { page: 5, zoom: 2, bookmarks: [1] });
-      expect(recall("a"), clue(before)).toEqual({ page: 5, zoom: 2, bookmarks: [1] });
+      savePlace("a", { page: 5, zoom: 2, bookmarks: [1] });
+      expect(loadPlace("a"), clue(before)).toEqual({ page: 5, zoom: 2, bookmarks: [1] });
     },
   );
 });

@@ -88,14 +88,19 @@ export class RandomOperations {
     this.#operations = this.#all();
   }
 
-  /** Opens the first book. */
+  /** Opens the PDF in a new element, as at first: measurements are to be of the same book. */
   async start(): Promise<void> {
+    this.end();
     this.#make();
     this.#element.src = this.#options.pdf;
     await this.#loaded();
     this.#pdfPages = this.#element.pageCount;
     this.#given = this.#prints();
     this.#pages = [...this.#given];
+    await this.#until(
+      () => this.#element.ready,
+      () => "the first book is never ready",
+    );
   }
 
   /** Takes the element away. */
