@@ -199,6 +199,12 @@ run("npm", "run", "--silent", "build");
 const native = criterion();
 run("node", "scripts/build_wasm.mjs", "--trials");
 const wasm = JSON.parse(run("node", "bench/engine_wasm.mjs", "--json")).results;
+/** What `make soak` has written last: it takes longer than all the rest. */
+const memory = () =>
+  /<!-- soak -->[\s\S]*<!-- \/soak -->[\s\S]*/
+    .exec(readFileSync(join(root, "docs/performance.md"), "utf8"))[0]
+    .trimEnd();
+
 const text = `# Performance
 
 Written by \`node scripts/performance.mjs\`; every number is that run's. One core of: ${cpus()[0].model.trim()}, Node ${process.version}. Shared machines are noisy: compare ratios within one run.
@@ -250,6 +256,10 @@ ${await frames()}
 ## Size
 
 ${sizes()}
+
+## Memory
+
+${memory()}
 `;
 writeFileSync(join(root, "docs/performance.md"), text);
 console.log("docs/performance.md written");
