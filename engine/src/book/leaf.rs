@@ -39,7 +39,7 @@ pub const NODES: [usize; 2] = [10, 14];
 /// where there are more each has one step in a tick, and ten fit into a frame.
 const FEW: usize = 3;
 
-/// Steps in a tick of one of a few leaves, and of one of a few of stiff paper.
+/// Steps in a tick of one of a few leaves, and of one of stiff paper that is alone.
 const STEPS: u32 = 2;
 const STEPS_STIFF: u32 = 3;
 
@@ -47,8 +47,9 @@ const STEPS_STIFF: u32 = 3;
 /// corner snaps within a few steps.
 const STIFF: f64 = 0.12;
 
-/// Sweeps of a step after which the shear of one of many leaves yields to lengths: with
-/// 12 a riffle of ten took twice as long.
+/// Sweeps of a step after which the shear of one of a few leaves, and of one of many, yields
+/// to lengths: with twice as many three of card, and ten, cost half as much again and more.
+const SHEAR_SWEEPS_OF_FEW: usize = 20;
 const SHEAR_SWEEPS_OF_MANY: usize = 6;
 
 /// Stiffness in its plane of one of a few leaves, in units of a node's mass over the
@@ -139,10 +140,10 @@ impl Paper {
     pub fn sheet(&self, [width, height]: [f64; 2], flying: usize) -> SheetSettings {
         let steps = self.steps(width, flying);
         let sheet = SheetSettings::leaf(width, height, self.stock);
-        let (shear_sweeps, stiffest) = if steps > 1 {
-            (sheet.shear_sweeps, STIFFEST)
-        } else {
-            (SHEAR_SWEEPS_OF_MANY, STIFFNESS_OF_MANY)
+        let (shear_sweeps, stiffest) = match flying {
+            _ if flying > FEW => (SHEAR_SWEEPS_OF_MANY, STIFFNESS_OF_MANY),
+            2.. => (SHEAR_SWEEPS_OF_FEW, STIFFEST),
+            _ => (sheet.shear_sweeps, STIFFEST),
         };
         let settings = SheetSettings {
             columns: NODES[0],
@@ -166,6 +167,7 @@ impl Paper {
             Rigidity::of(&self.stock, self.grain).first_frequency(self.stock.grammage, width);
         match flying {
             _ if flying > FEW => 1,
+            2.. => STEPS,
             _ if rate * f64::from(TICK) > STIFF => STEPS_STIFF,
             _ => STEPS,
         }
@@ -268,10 +270,11 @@ impl Leaf {
         }
         self.flying = flying;
         let [width, height] = [self.sheet.settings().width, self.sheet.settings().height];
-        let steps = self.paper.steps(width, flying);
-        if steps != self.steps {
-            self.set_steps(steps);
-            self.sheet.pace(&self.paper.sheet([width, height], flying));
+        let settings = self.paper.sheet([width, height], flying);
+        let pace = |of: &SheetSettings| (of.time_step, of.shear_sweeps);
+        if pace(&settings) != pace(self.sheet.settings()) {
+            self.set_steps(self.paper.steps(width, flying));
+            self.sheet.pace(&settings);
         }
     }
 
