@@ -230,7 +230,10 @@ impl Leaf {
             width as f32 / (NODES[0] - 1) as f32,
             height as f32 / (NODES[1] - 1) as f32,
         ];
-        let mut sheet = Sheet::new(settings).expect("a book's sizes make a sheet");
+        // Not `expect`: that would link the formatting of the error's numbers into the WASM.
+        let Ok(mut sheet) = Sheet::new(settings) else {
+            panic!("a book's sizes make a sheet");
+        };
         let v: Vec<f32> = (0..rows).map(|j| j as f32 / (rows - 1) as f32).collect();
         sheet.draw_samples(u, &v);
         let flat = sheet.positions().to_vec();
