@@ -10,11 +10,11 @@ JOBS ?= $(shell getconf _NPROCESSORS_ONLN)
 # npm's own summary of licences and funding is noise in a first run.
 NPM_QUIET = --no-audit --no-fund --loglevel=error
 CLI = packages/cli/dist/main.js
-WASM = packages/turnleaf/src/engine/turnleaf.wasm
 MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
+RUST_SOURCES = $(shell find Cargo.toml Cargo.lock rust-toolchain.toml engine/Cargo.toml wasm/Cargo.toml engine/src wasm/src -type f)
 
-.PHONY: read build wasm test test-rust test-js check check-rust check-js bench gestures soak fuzz playground examples pictures methods recordings photographs reference book clean tools-rust chromium browsers engines test-apps
+.PHONY: read build wasm test test-rust test-js check check-rust check-js size bench gestures soak fuzz playground examples pictures methods recordings photographs reference book clean tools-rust chromium browsers engines test-apps
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -27,11 +27,13 @@ $(MODULES): package.json package-lock.json packages/turnleaf/package.json packag
 	npm ci $(NPM_QUIET)
 	@touch $@
 
-packages/cli/dist/.built: $(MODULES) $(SOURCES)
+packages/cli/dist/.built: $(MODULES) $(SOURCES) $(RUST_SOURCES)
+	node scripts/build_wasm.mjs --update
 	npm run --silent build
 	@touch $@
 
-# The engine as WASM. The file is committed, so that a build needs no Rust.
+# The engine as WASM. The files are committed, so that a build needs no Rust; a build
+# makes them anew if the Rust sources have changed and the wasm32 target is installed.
 wasm: $(MODULES) tools-rust
 	node scripts/build_wasm.mjs
 
@@ -68,6 +70,10 @@ check-js: build
 	node scripts/check_imports.mjs
 	node scripts/reference.mjs --check
 	node scripts/check_links.mjs
+	node scripts/size.mjs
+
+# What a page loads, by part and with limits.
+size: build
 	node scripts/size.mjs
 
 # Measures, and writes docs/performance.md.

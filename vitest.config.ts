@@ -1,7 +1,6 @@
 import { playwright } from "@vitest/browser-playwright";
 import { defineConfig } from "vitest/config";
 import { packedFiles } from "./packages/turnleaf/packed_files.js";
-import { shortTexts } from "./packages/turnleaf/short_texts.js";
 import { turnInline } from "./packages/turnleaf/turn_inline.js";
 import { wasmInline } from "./packages/turnleaf/wasm_inline.js";
 import { chromiumArguments, findChromium } from "./scripts/chromium.mjs";
@@ -15,7 +14,7 @@ export default defineConfig({
   test: {
     projects: [
       {
-        plugins: [wasmInline(), turnInline(), packedFiles(), shortTexts()],
+        plugins: [wasmInline(), turnInline(), packedFiles()],
         assetsInclude: ["**/*.tlkf"],
         test: {
           name: "node",
@@ -33,7 +32,7 @@ export default defineConfig({
         test: { name: "engines", environment: "node", include: [engines] },
       },
       {
-        plugins: [wasmInline(), turnInline(), packedFiles(), shortTexts()],
+        plugins: [wasmInline(), turnInline(), packedFiles()],
         optimizeDeps: { include: ["three", "pdfjs-dist/legacy/build/pdf.mjs", "axe-core"] },
         test: {
           name: "chromium",

@@ -10,10 +10,11 @@ const root = join(import.meta.dirname, "..");
 
 /** The viewer's parts, lowest first, and what each may import. A folder, or a file at the top. */
 const viewer = {
-  engine: [],
-  sources: [],
+  "packed.ts": [],
+  engine: ["packed.ts"],
+  sources: ["packed.ts"],
   words: [],
-  models: ["engine"],
+  models: ["engine", "packed.ts"],
   key_frames: [],
   book: ["engine"],
   hand: ["engine"],

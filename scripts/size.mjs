@@ -33,7 +33,7 @@ const parts = {
   // loads none of them. Live models have machine code of their own.
   "another model of turning, live": {
     files: ["leaf_models.js", "lying_sheet.js", "loose_leaf.js"],
-    limit: 95,
+    limit: 140,
     isApart: true,
   },
   "recorded turns": {

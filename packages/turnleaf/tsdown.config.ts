@@ -1,6 +1,5 @@
 import { defineConfig } from "tsdown";
 import { packedFiles } from "./packed_files.js";
-import { shortTexts } from "./short_texts.js";
 import { slimMaps } from "./slim_maps.js";
 import { turnInline } from "./turn_inline.js";
 import { wasmInline } from "./wasm_inline.js";
@@ -18,8 +17,10 @@ const common = {
 const viewer = defineConfig({
   ...common,
   entry: ["src/index.ts"],
-  plugins: [wasmInline(), turnInline(), packedFiles(), shortTexts(), slimMaps()],
+  plugins: [wasmInline(), turnInline(), packedFiles(), slimMaps()],
   copy: [
+    // For pages that serve the engine themselves.
+    { from: "src/engine/turnleaf.wasm", to: "dist" },
     { from: "../../node_modules/image-size/LICENSE", to: "dist", rename: "license-image-size.txt" },
   ],
   deps: { neverBundle: ["three"], onlyBundle: ["pdfjs-dist", "image-size"] },

@@ -1,11 +1,12 @@
 import { readFile } from "node:fs/promises";
-import { packCode } from "./pack_code.js";
+import { gzipSync } from "node:zlib";
 
 /**
- * Lets TypeScript import the engine's machine code as text: `import code from
- * "./turnleaf.wasm"` yields it packed, in base64. Inlined, so that whoever bundles the
- * package has no file to copy and no fetch to configure; packed, as what a page
- * loads is counted. Serves both tsdown and vite, whose plugins share this shape.
+ * Lets TypeScript import a WASM as text: `import code from "./turnleaf.wasm"` yields gzip
+ * in base64, which src/packed.ts unpacks. Inlined, so that whoever bundles the package
+ * has no file to copy and no fetch to configure; compressed, as base64 of the bare file
+ * is a quarter larger once a server compresses it. Serves both tsdown and vite, whose
+ * plugins share this shape.
  */
 export function wasmInline() {
   return {
@@ -14,7 +15,7 @@ export function wasmInline() {
     async load(id) {
       const file = id.split("?")[0];
       if (!file.endsWith(".wasm")) return null;
-      const base64 = Buffer.from(await packCode(await readFile(file))).toString("base64");
+      const base64 = gzipSync(await readFile(file), { level: 9 }).toString("base64");
       return { code: `export default ${JSON.stringify(base64)};`, moduleType: "js", map: null };
     },
   };

@@ -2,6 +2,9 @@
 //! is drawn anything but numbers. A hang shows as more ticks than a call may take:
 //! what a call of any count did is compared with one of the most that counts.
 
+use turnleaf_engine::book::Book;
+
+use crate::books::*;
 use crate::*;
 
 /// SplitMix64 (Steele, Lea and Flood 2014).

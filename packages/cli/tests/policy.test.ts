@@ -158,6 +158,26 @@ describe("worker-src without blob:", () => {
   });
 });
 
+describe("engine-src", () => {
+  test("the engine is the file that it names, and the one in the package is not loaded", async () => {
+    const { page, said, asked } = await visit();
+    const file = "turnleaf/turnleaf.wasm";
+    expect(await open(page, "/book.json", { "engine-src": file })).toBe("");
+    expect(asked.filter((path) => path === `/${file}`).length).toBe(1);
+    expect(asked.some((path) => path.includes("webgl_backend"))).toBe(true);
+    expect(asked.filter((path) => /turnleaf-[^/]*\.js/.test(path))).toEqual([]);
+    expect(said).toEqual([]);
+  });
+
+  test("an address that is none is named, and a right one opens the book afterwards", async () => {
+    const { page } = await visit();
+    expect(await open(page, "/book.json", { "engine-src": "/none.wasm" })).toMatch(
+      /; engine-src names http:\S+\/none\.wasm: correct it, or allow it in connect-src/,
+    );
+    expect(await open(page, "/book.json", { "engine-src": "turnleaf/turnleaf.wasm" })).toBe("");
+  });
+});
+
 test("connect-src without the book's site: the sentence names the directive", async () => {
   const { page } = await visit({ "connect-src": "'none'" });
   expect(await open(page, "/book.pdf")).toMatch(

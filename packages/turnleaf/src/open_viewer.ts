@@ -1,6 +1,6 @@
 /** Opens a book with the best backend that this machine supports. */
 
-import { mayRunCode } from "./engine/machine_code.ts";
+import { engineCode, mayRunCode } from "./engine/machine_code.ts";
 import { BookError, type PageSource } from "./sources/page_source.ts";
 import { Viewer, type ViewerOptions } from "./viewer/viewer.ts";
 import { giveUpContext, openContext } from "./webgl/context.ts";
@@ -12,23 +12,25 @@ import { giveUpContext, openContext } from "./webgl/context.ts";
  *
  * @param freshCanvas returns a canvas that nothing was drawn on, in place of
  * the previous one
- * @param isFlat whether to use the 2D canvas in any case
+ * @param how `isFlat`: whether to use the 2D canvas in any case; `engineSrc`: absolute
+ * address of the engine's file, "" for the engine in the package
  */
 export async function openViewer(
   freshCanvas: () => HTMLCanvasElement,
   source: PageSource,
   options: ViewerOptions,
   signal: AbortSignal,
-  isFlat = false,
+  { isFlat = false, engineSrc = "" }: { isFlat?: boolean; engineSrc?: string } = {},
 ): Promise<Viewer> {
   let canvas = freshCanvas();
   const mayRun = mayRunCode();
   if (!mayRun) warnOnce();
   if (!isFlat && mayRun && openContext(canvas)) {
     try {
-      const { webglBackend } = await import("./webgl_backend.ts");
+      // Both are loaded at the same time.
+      const [code, { webglBackend }] = [loadEngine(engineSrc), await import("./webgl_backend.ts")];
       signal.throwIfAborted();
-      return await Viewer.open(canvas, source, options, webglBackend, signal);
+      return await Viewer.open(canvas, source, options, webglBackend(code), signal);
     } catch (error) {
       giveUpContext(canvas);
       signal.throwIfAborted();
@@ -40,6 +42,19 @@ export async function openViewer(
   const { canvas2dBackend } = await import("./canvas2d_backend.ts");
   signal.throwIfAborted();
   return Viewer.open(canvas, source, options, canvas2dBackend, signal);
+}
+
+/** Rejects with a `BookError` if the file at an address cannot be loaded. */
+function loadEngine(engineSrc: string): Promise<WebAssembly.Module> {
+  const code = engineCode(engineSrc).catch((error: unknown) => {
+    if (engineSrc === "") throw error;
+    throw new BookError(
+      `The book cannot be shown, as the engine cannot be loaded; engine-src names ${engineSrc}: correct it, or allow it in connect-src of this page's Content-Security-Policy.`,
+    );
+  });
+  // It is awaited later.
+  code.catch(() => {});
+  return code;
 }
 
 let hasWarned = false;

@@ -7,9 +7,11 @@ import { WasmBook } from "./engine/wasm_book.ts";
 import type { Backend } from "./viewer/viewer.ts";
 import { WebGLStage } from "./webgl/webgl_stage.ts";
 
-/** Paper that the engine bends and three.js draws. */
-export const webglBackend: Backend = {
-  engine: (size) => WasmBook.create(size),
-  stage: (canvas, shape) => new WebGLStage(canvas, shape),
-  models: () => import("./leaf_models/leaf_models.ts"),
-};
+/** Paper that the engine, of compiled code, bends and three.js draws. */
+export function webglBackend(code: Promise<WebAssembly.Module>): Backend {
+  return {
+    engine: (size) => WasmBook.create(size, code),
+    stage: (canvas, shape) => new WebGLStage(canvas, shape),
+    models: () => import("./leaf_models/leaf_models.ts"),
+  };
+}

@@ -40,10 +40,15 @@ export interface LifecycleHooks {
   failed(error: unknown): void;
 }
 
+/** Returns the absolute address in an attribute; undefined if there is none. */
+function addressIn(element: Element, attribute: string): string | undefined {
+  const address = element.getAttribute(attribute);
+  return address ? new URL(address, element.baseURI).href : undefined;
+}
+
 /** Returns the absolute address in `pdf-worker`; undefined if there is none. */
 export function pdfWorkerOf(element: Element): string | undefined {
-  const address = element.getAttribute("pdf-worker");
-  return address ? new URL(address, element.baseURI).href : undefined;
+  return addressIn(element, "pdf-worker");
 }
 
 /** Holds at most one book, open or opening. */
@@ -139,7 +144,10 @@ export class BookLifecycle {
         onContextLost: () => this.#book && this.#flatten(this.#book),
       };
       const fresh = (): HTMLCanvasElement => this.#freshCanvas();
-      const viewer = await openViewer(fresh, source, options, signal, isFlat);
+      const viewer = await openViewer(fresh, source, options, signal, {
+        isFlat,
+        engineSrc: addressIn(this.#element, "engine-src") ?? "",
+      });
       if (signal.aborted) viewer.destroy();
       signal.throwIfAborted();
       const canvas = this.#canvas as HTMLCanvasElement;

@@ -48,6 +48,22 @@ export class ReflectingElement extends Base {
   }
 
   /**
+   * Address of the package's file `turnleaf.wasm`, for pages that serve it
+   * themselves: the engine inside the package is then not loaded. The file must
+   * be of this package's version. It is read when a book opens.
+   *
+   * @attribute engine-src
+   * @default ""
+   */
+  get engineSrc(): string {
+    return this.getAttribute("engine-src") ?? "";
+  }
+
+  set engineSrc(address: string) {
+    this.setAttribute("engine-src", address);
+  }
+
+  /**
    * The paper of the leaves: 30 (`bible`), 70 (`book`), 80, 170 or 250 g/m²
    * (`card`). A change in mid-turn waits until the leaf has landed.
    *

@@ -4,7 +4,7 @@
  */
 
 import type { BookEngine, BookSize } from "./book_engine.ts";
-import { unpackCode } from "./machine_code.ts";
+import { engineCode } from "./machine_code.ts";
 import { areFinite, clamp, isHand, turnSeconds, whole, wholeTicks } from "./numbers.ts";
 import type { Cover, Phase, Side } from "./phases.ts";
 import {
@@ -15,7 +15,6 @@ import {
   stocks,
   type Vec3,
 } from "./shapes.ts";
-import code from "./turnleaf.wasm";
 
 interface Exports {
   memory: WebAssembly.Memory;
@@ -70,17 +69,6 @@ const mostFlights = 16;
 const mostLeaves = 1e6;
 const farthest = 1000;
 
-let compiled: Promise<WebAssembly.Module> | undefined;
-
-/** Compiles the engine once per page, for the first book. */
-function compile(): Promise<WebAssembly.Module> {
-  compiled ??= (async () => {
-    const packed = Uint8Array.from(atob(code), (c) => c.charCodeAt(0));
-    return WebAssembly.compile(await unpackCode(packed));
-  })();
-  return compiled;
-}
-
 /**
  * One bound book in the engine, with several leaves of paper in flight. A
  * flight is identified by the number that `lift` returns; a command to one that
@@ -108,9 +96,12 @@ export class WasmBook implements BookEngine {
     if (this.#book === 0) throw new Error("The engine refused a book of this size.");
   }
 
-  /** Makes a book. Rejects if WebAssembly is unavailable. */
-  static async create(size: BookSize): Promise<WasmBook> {
-    const instance = await WebAssembly.instantiate(await compile(), {});
+  /** Makes a book with the compiled code, by default that in the package. Rejects if WebAssembly is unavailable. */
+  static async create(
+    size: BookSize,
+    code: Promise<WebAssembly.Module> = engineCode(),
+  ): Promise<WasmBook> {
+    const instance = await WebAssembly.instantiate(await code, {});
     return new WasmBook(instance.exports as unknown as Exports, size);
   }
 

@@ -9,7 +9,7 @@
  * spine to 1 at the fore-edge, v from 0 at the foot to 1 at the head.
  */
 
-import { unpackCode } from "../engine/machine_code.ts";
+import { unpack } from "../packed.ts";
 import code from "./models.wasm";
 
 /** The models, by the engine's numbers less 1. */
@@ -189,10 +189,7 @@ interface Exports {
 let compiled: Promise<WebAssembly.Module> | undefined;
 
 function compile(): Promise<WebAssembly.Module> {
-  compiled ??= (async () => {
-    const packed = Uint8Array.from(atob(code), (c) => c.charCodeAt(0));
-    return WebAssembly.compile(await unpackCode(packed));
-  })();
+  compiled ??= unpack(code).then((bytes) => WebAssembly.compile(bytes));
   return compiled;
 }
 

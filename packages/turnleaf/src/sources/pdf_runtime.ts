@@ -1,3 +1,4 @@
+import { unpack } from "../packed.ts";
 import { loaded } from "./loaded.ts";
 import { trustedScript } from "./trusted_script.ts";
 
@@ -118,17 +119,7 @@ async function characterMap(filename: string): Promise<Uint8Array> {
   return map.slice();
 }
 
-/** Unpacks gzip in base64, as packed_files.js of this package writes it. */
-async function unpack(base64: string): Promise<Uint8Array<ArrayBuffer>> {
-  const packed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-
-/**
- * Returns the files of a packed folder: a table's length, the table {name:
- * [offset, length]}, the bytes.
- */
+/** The files of a packed folder: a table's length, the table {name: [offset, length]}, the bytes. */
 function unpackFolder(bytes: Uint8Array): Map<string, Uint8Array> {
   const start = 4 + new DataView(bytes.buffer).getUint32(0, true);
   const table = JSON.parse(new TextDecoder().decode(bytes.subarray(4, start)));

@@ -6,6 +6,7 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { canvas2dBackend } from "../canvas2d_backend.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
+import { engineCode } from "../engine/machine_code.ts";
 import type { Surface } from "../engine/shapes.ts";
 import { openSource } from "../sources/open.ts";
 import type { BookPose } from "../stage/book_pose.ts";
@@ -16,7 +17,7 @@ import { Viewer, type ViewerOptions } from "./viewer.ts";
 
 vi.setConfig({ testTimeout: 180_000 });
 
-const backends = { webgl: webglBackend, canvas2d: canvas2dBackend };
+const backends = { webgl: webglBackend(engineCode()), canvas2d: canvas2dBackend };
 
 /** A book, the place where it is shown in CSS pixels, and its options. */
 interface Shown {
