@@ -156,6 +156,17 @@ describe("recording", () => {
     expect(error).toBeCloseTo(turn.error, 7);
   });
 
+  it("encodes a turn as the engine does: the same frames, quantum and packed bytes", () => {
+    const whole = decodeTurn(bytesOf(wholeFile));
+    const recorder = new TurnRecorder(whole);
+    for (const time of whole.times) recorder.add(time, sample(whole, time));
+    const { bytes, error } = recorder.finish(0.001);
+    expect(error).toBeCloseTo(corner.error, 6);
+    // The error is measured with the reader's own rounding; the checksum follows it.
+    const encoded = (file: Uint8Array) => [...file.slice(0, 40), ...file.slice(44, -8)];
+    expect(encoded(bytes)).toEqual(encoded(bytesOf(cornerFile)));
+  });
+
   it("keeps fewer frames where less is asked", () => {
     const [fine, rough] = [recordBent(0.0003), recordBent(0.01)];
     expect(rough.frames).toBeLessThan(fine.frames);

@@ -95,7 +95,8 @@ export class TurnRecorder {
   finish(tolerance = 0.001): TurnFile {
     if (this.#times.length === 0) throw new RangeError("Nothing was recorded.");
     if (!(tolerance > 0)) throw new RangeError("The tolerance is above 0.");
-    const most = tolerance * this.#leaf.width;
+    // In single precision, as the engine's encoder has it.
+    const most = Math.fround(Math.fround(tolerance) * Math.fround(this.#leaf.width));
     const { quantum, multiples, rounded } = this.#round(most);
     const { keys, error } = chooseKeys(this.#times, this.#frames, rounded, most);
     const kept = keys.flatMap((key) => multiples.slice(3 * key, 3 * key + 3));
@@ -111,7 +112,7 @@ export class TurnRecorder {
       [0, 1, 2].map((axis) => this.#waves.shares(frame, axis)),
     );
     const rounded = new Float32Array(length * this.#frames.length);
-    for (let quantum = Math.fround(4 * most); ; quantum = Math.fround(0.8 * quantum)) {
+    for (let quantum = Math.fround(4 * most); ; quantum = Math.fround(Math.fround(0.8) * quantum)) {
       const multiples = shares.map((axis) =>
         Int32Array.from(axis, (share) => Math.round(share / quantum)),
       );
