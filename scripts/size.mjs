@@ -22,7 +22,7 @@ import { gzipSync } from "node:zlib";
  */
 const parts = {
   "shows and turns a book": { limit: 115 },
-  "the text over the pages, once they show": { files: ["text_over.js"], limit: 8 },
+  "the text over the pages, once they show": { files: ["book_text_overlay.js"], limit: 8 },
   "zoomed in, pages of other sizes, fold-outs, the place kept": {
     files: ["detail_pictures.js", "fit.js", "flap_surface.js", "place.js"],
     limit: 6,

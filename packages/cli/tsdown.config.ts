@@ -1,6 +1,6 @@
 import { defineConfig } from "tsdown";
 
-/** The command, with all that it needs inside: installing it installs nothing else. */
+/** The command, with all its dependencies inside: installing it installs nothing else. */
 export default defineConfig({
   entry: ["src/main.ts", "src/inspect_thread.ts"],
   platform: "node",

@@ -1,14 +1,17 @@
 import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 
-/** The reader app, the page that films and the playground, built beside the command that serves it. */
+/**
+ * The reader app, the filming page and the playground, built beside the command
+ * that serves them.
+ */
 export default defineConfig({
   root: fileURLToPath(new URL("./app", import.meta.url)),
   publicDir: false,
   build: {
     outDir: "../dist/app",
     emptyOutDir: true,
-    // Nothing inline: the server's security policy allows files alone.
+    // Nothing inline: the server's security policy allows only files.
     assetsInlineLimit: 0,
     rolldownOptions: {
       input: ["index.html", "film.html", "playground.html"].map((name) =>

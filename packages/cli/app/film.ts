@@ -1,10 +1,10 @@
-/** The page that `turnleaf film` films: one book, turned when the command says so. */
+/** The page that `turnleaf film` films: one book, turned as the command says. */
 
 import "turnleaf";
 import type { TurnleafBook } from "turnleaf";
 import { FilmClock } from "./film_clock.ts";
 
-/** What the command says about the film. */
+/** The command's configuration of the film. */
 interface Config {
   readonly src: string;
   readonly fps: number;
@@ -13,7 +13,7 @@ interface Config {
   readonly theme: string;
 }
 
-/** Time between two looks at whether the pages are drawn, milliseconds. */
+/** Interval of the polls whether the pages are drawn, milliseconds. */
 const look = 20;
 
 const clock = new FilmClock();
@@ -36,10 +36,12 @@ class Film {
   readonly #src: string;
 
   /**
-   * Opens the book where the film begins or goes on. Answers how many turns the whole film has.
+   * Opens the book where the film begins or goes on. Returns the number of
+   * turns in the whole film.
    *
-   * @param from,to the first page and the last one (from 1); null for the book's last
-   * @param done turns of the film that are taken already
+   * @param from,to the first page and the last one (from 1); null for the
+   * book's last
+   * @param done turns of the film that are done already
    */
   async open(request: { from: number; to: number | null; done: number }) {
     const book = this.#book;
@@ -57,7 +59,7 @@ class Film {
       throw new Error(`The book has ${book.pageCount} pages; page ${last} is none of them.`);
     }
     await this.rest();
-    // By its end alone is it known how a book's pages lie in spreads: walked without a turn.
+    // Only the end shows how a book's pages lie in spreads: walked without a turn.
     const places = [from];
     const step = book.shownLayout === "single" ? 1 : 2;
     for (let page = lastOf(book.spread); page < last; page += step) places.push(page + 1);
@@ -65,7 +67,7 @@ class Film {
     return { pages: book.pageCount, turns: places.length - 1 };
   }
 
-  /** Waits until the book lies still and its pages and those beside them are drawn. */
+  /** Waits until the book is at rest and its pages and those beside them are drawn. */
   async rest(): Promise<void> {
     clock.free = true;
     while (!this.#book.ready || clock.isAsked) {
@@ -75,7 +77,7 @@ class Film {
     this.#isTurning = false;
   }
 
-  /** Begins to turn a leaf. */
+  /** Starts turning a leaf. */
   turn(): void {
     this.#isTurning = true;
     clock.begin();
@@ -84,10 +86,10 @@ class Film {
     });
   }
 
-  /** Goes on by one frame; answers whether something still moves. */
+  /** Advances by one frame. Returns whether something still moves. */
   async step(): Promise<boolean> {
     clock.pass(this.#frame);
-    // What waited for the turn to end hears of it.
+    // Promises that waited for the end of the turn resolve.
     await new Promise((resolve) => setTimeout(resolve));
     return this.#isTurning || clock.isAsked;
   }

@@ -1,20 +1,20 @@
 /**
- * A clock that goes on when it is told to. It takes the place of the page's
- * animation frames, so that whatever moves in the page moves by whole frames of
- * the film, however long each takes to draw.
+ * A clock that advances on command. It replaces the page's animation frames, so
+ * that everything in the page moves by whole frames of the film, however long
+ * each takes to draw.
  */
 
-/** Of frames farther apart, the viewer would take the machine for a slow one and draw worse, milliseconds. */
+/** Maximum time between frames, milliseconds: at more, the viewer would lower its quality. */
 const longest = 1000 / 50;
 
-/** The page's animation frames, driven by hand. */
+/** The page's animation frames, under the film's control. */
 export class FilmClock {
   #waiting = new Map<number, FrameRequestCallback>();
   #count = 0;
-  /** When the movement under way began, and the time since then, milliseconds. */
+  /** When the current movement began, and the time since then, milliseconds. */
   #start = 1000;
   #passed = 0;
-  /** Whether the frame under way is one that nobody will see. */
+  /** Whether the current frame will not be seen. */
   #isUnseen = false;
   /** Whether frames come by themselves, as they do in a page. */
   #isFree = true;
@@ -29,7 +29,7 @@ export class FilmClock {
     this.#skipUnseen();
   }
 
-  /** Whether a frame is asked for: something moves. */
+  /** Whether a frame is requested: something moves. */
   get isAsked(): boolean {
     return this.#waiting.size > 0;
   }
@@ -39,18 +39,18 @@ export class FilmClock {
     if (free && this.isAsked) setTimeout(() => this.#isFree && this.pass(longest), 0);
   }
 
-  /** Begins a movement. Its frames are as far apart to the last bit whenever it begins. */
+  /** Begins a movement. Its frames are equally spaced to the last bit, whenever it begins. */
   begin(): void {
     this.#start = Math.ceil(this.#now);
     this.#passed = 0;
   }
 
-  /** To a fraction that can be told apart at any time, so that differences are exact. */
+  /** Rounded so that differences are exact at any time. */
   get #now(): number {
     return this.#start + Math.round(this.#passed * 1024) / 1024;
   }
 
-  /** Lets a time pass, milliseconds; only its last frame is drawn. */
+  /** Advances by a time, milliseconds; only its last frame is drawn. */
   pass(milliseconds: number): void {
     const frames = Math.ceil(milliseconds / longest);
     for (let frame = 1; frame <= frames; frame++) {
@@ -63,13 +63,13 @@ export class FilmClock {
       };
       call();
       if (!this.#isUnseen || this.isAsked) continue;
-      // All came to rest in a frame that was not drawn, and nobody will ask for another.
+      // Everything came to rest in a frame that was not drawn, and nobody will request another.
       this.#isUnseen = false;
       call();
     }
   }
 
-  /** In software a frame takes a second to draw: those that no picture is taken of are not. */
+  /** Software rendering takes a second per frame: frames without a picture are not drawn. */
   #skipUnseen(): void {
     const { prototype } = WebGL2RenderingContext;
     for (const name of ["drawElements", "drawArrays"] as const) {

@@ -2,7 +2,7 @@
 
 import "turnleaf";
 
-/** What the command says about the book it serves. */
+/** The command's configuration of the book. */
 interface Config {
   readonly src: string;
   readonly title: string;

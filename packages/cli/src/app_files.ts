@@ -12,7 +12,8 @@ const types: Readonly<Record<string, string>> = {
 };
 
 /**
- * The built pages and what they load, by their addresses.
+ * Returns the built pages and what they load, by their addresses.
+ *
  * @param page the name of the one that is at "/"
  */
 export async function appFiles(page: string): Promise<Map<string, ServedFile>> {

@@ -4,7 +4,7 @@ import { type FilmCommand, filmHelp, parseFilm } from "./film/film_arguments.ts"
 import { usageProblem } from "./options.ts";
 import { UsageProblem } from "./problem.ts";
 
-/** What the command line asks for. */
+/** A parsed command line. */
 export type Command =
   | { readonly name: "help"; readonly text: string }
   | FilmCommand
@@ -16,7 +16,7 @@ export type Command =
       readonly path: string;
     });
 
-/** How something is served. */
+/** The options of serving. */
 export interface ServeOptions {
   /** Undefined: 4173, or the next one that is free. */
   readonly port: number | undefined;
@@ -51,11 +51,12 @@ const commands = new Map<
 ]);
 
 /**
- * Reads the command line, without the names of Node and of the script.
+ * Parses the command line, without the names of Node and of the script.
+ *
  * @throws UsageProblem
  */
 export function parseCommand(args: readonly string[]): Command {
-  // A book of a command's name is opened by: turnleaf read film
+  // A book whose name is a command's is opened by: turnleaf read film
   const own = commands.get(args[0] ?? "");
   if (own) {
     const [, ...rest] = args;

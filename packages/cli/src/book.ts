@@ -6,7 +6,7 @@ import { inspectPdf } from "./inspect_pdf.ts";
 import { fileProblem, Problem, printable } from "./problem.ts";
 import { openRegular, tooLarge } from "./regular_file.ts";
 
-/** A file that the server hands out: from the disk, or text made at the start. */
+/** A served file: from the disk, or text made at the start. */
 export type ServedFile =
   | { readonly type: string; readonly path: string }
   | { readonly type: string; readonly text: string };
@@ -15,19 +15,20 @@ export type ServedFile =
 export interface ServedBook {
   /** Printable, on one line. */
   readonly title: string;
-  /** Where the reader app finds it: one of the addresses of `files`. */
+  /** Its address for the reader app: one of the addresses of `files`. */
   readonly src: string;
   /** Every file of the book, by the exact path of its address. */
   readonly files: ReadonlyMap<string, ServedFile>;
 }
 
-/** Bytes of a PDF and of an image: the bounds of the viewer that shows them. */
+/** Maximum of bytes of a PDF and of an image: the bounds of the viewer. */
 const mostPdfBytes = 2_000_000_000;
 const mostImageBytes = 100_000_000;
 
 /**
- * Opens what the user named and looks at it, so that what is wrong with it is
- * said before anything is served.
+ * Opens the named file or folder and checks it, so that errors are reported
+ * before anything is served.
+ *
  * @param warn receives a sentence about something that is left out
  * @throws Problem
  */
@@ -106,7 +107,8 @@ async function openFolder(
 }
 
 /**
- * The first bytes of a file as latin-1 text, and how many it has in all.
+ * Returns the first bytes of a file as latin-1 text, and its length.
+ *
  * @throws Problem
  */
 async function readStart(file: string, given: string): Promise<{ start: string; size: number }> {
@@ -125,7 +127,7 @@ async function readStart(file: string, given: string): Promise<{ start: string; 
   }
 }
 
-/** The file's name is in its address, because that is how the reader's sentences call it. */
+/** Returns an address with the file's name in it, because the reader's sentences use that name. */
 function address(name: string): string {
   return `/book/${encodeName(name)}`;
 }

@@ -1,6 +1,6 @@
 import { spawn } from "node:child_process";
 
-/** Opens `url` in the user's browser where there seems to be one; never fails. */
+/** Opens `url` in the user's browser if there seems to be one; never fails. */
 export function openBrowser(url: string): void {
   const command = browserCommand(process.platform, process.env);
   if (!command) return;
@@ -10,7 +10,10 @@ export function openBrowser(url: string): void {
   child.unref();
 }
 
-/** The program that opens an address, and its arguments before it; null where nobody would see it. */
+/**
+ * Returns the program that opens an address, and its arguments before it; null
+ * without a display.
+ */
 export function browserCommand(
   platform: NodeJS.Platform,
   environment: NodeJS.ProcessEnv,

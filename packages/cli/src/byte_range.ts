@@ -5,9 +5,10 @@ export interface ByteRange {
 }
 
 /**
- * The one range that a Range header asks for. "unsatisfiable" where the file
- * has none of its bytes; null where the whole file is to be sent: there is no
- * header, it cannot be read, or it asks for several ranges (RFC 9110, 14.2).
+ * Returns the one range that a Range header requests. "unsatisfiable" if the
+ * file has none of its bytes; null if the whole file is to be sent: there is no
+ * header, it is malformed, or it requests several ranges (RFC 9110, 14.2).
+ *
  * @param size of the file in bytes
  */
 export function parseRange(

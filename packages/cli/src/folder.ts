@@ -16,8 +16,9 @@ export interface FolderContent {
 }
 
 /**
- * Lists the PDFs and images directly in `folder`; what is hidden, and what
- * leads out of the folder, is left out.
+ * Lists the PDFs and images directly in `folder`; hidden files, and links out
+ * of the folder, are left out.
+ *
  * @param given how the user named the folder
  * @throws Problem
  */
@@ -46,7 +47,7 @@ export async function listFolder(
   return { pdfs, images };
 }
 
-/** The file without links; null where it is none or lies outside of the folder. */
+/** Returns the file without links; null if it is none or lies outside of the folder. */
 async function insideFile(
   folder: string,
   name: string,
@@ -70,7 +71,7 @@ async function insideFile(
 export interface FolderPage {
   readonly file: string;
   readonly type: string;
-  /** Pixels, upright; empty where the header does not say: the browser then finds them. */
+  /** Pixels, upright; empty if the header does not say: the browser then finds them. */
   readonly size: { readonly width: number; readonly height: number } | Record<string, never>;
 }
 
@@ -87,7 +88,7 @@ async function imagePage(file: string): Promise<FolderPage> {
   const type = imageTypeOfName(file) ?? "application/octet-stream";
   const size = await imageSizeFromFile(file).catch(() => null);
   if (!size || !(size.width > 0) || !(size.height > 0)) return { file, type, size: {} };
-  // EXIF orientations from 5 on lie on their side; browsers turn them upright.
+  // EXIF orientations from 5 on are turned by a quarter; browsers turn them upright.
   const lies = (size.orientation ?? 1) >= 5;
   const { width, height } = lies ? { width: size.height, height: size.width } : size;
   return { file, type, size: { width, height } };

@@ -1,4 +1,7 @@
-/** How many first bytes of a file tell its format: a PDF's mark has up to 1024 others before it. */
+/**
+ * Number of first bytes of a file that determine its format: a PDF's mark has
+ * up to 1024 others before it.
+ */
 export const sniffLength = 1029;
 
 const marks: readonly (readonly [string, number, string])[] = [
@@ -9,7 +12,10 @@ const marks: readonly (readonly [string, number, string])[] = [
   ["image/avif", 4, "ftypavi"],
 ];
 
-/** The media type of an image by its first bytes (latin-1); undefined for any other file. */
+/**
+ * Returns the media type of an image by its first bytes (latin-1); undefined
+ * for any other file.
+ */
 export function imageType(start: string): string | undefined {
   return marks.find(([, offset, mark]) => start.startsWith(mark, offset))?.[0];
 }
@@ -23,7 +29,10 @@ const byEnding: ReadonlyMap<string, string> = new Map([
   [".avif", "image/avif"],
 ]);
 
-/** The media type of an image by the ending of its name. SVG is none of them: it can hold scripts. */
+/**
+ * Returns the media type of an image by the suffix of its name. SVG is not
+ * included: it can hold scripts.
+ */
 export function imageTypeOfName(name: string): string | undefined {
   return byEnding.get(/\.[a-z]+$/i.exec(name)?.[0].toLowerCase() ?? "");
 }

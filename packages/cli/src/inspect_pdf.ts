@@ -1,12 +1,12 @@
 import { Worker } from "node:worker_threads";
 import { Problem, printable } from "./problem.ts";
 
-/** What the thread answers about a PDF. */
+/** The thread's result for a PDF. */
 export type PdfFinding =
   | { readonly title: string; readonly pageCount: number }
   | { readonly fault: "password" | "damaged" | "unreadable" };
 
-/** Milliseconds after which a PDF is served unseen: the reader then says what is wrong with it. */
+/** Milliseconds after which a PDF is served unchecked: the reader then reports its errors. */
 const patience = 20_000;
 
 /**
@@ -35,11 +35,11 @@ export async function inspectPdf(file: string, given: string): Promise<{ readonl
   }
 }
 
-/** Null where the thread gave no answer. */
+/** Resolves to null if the thread gave no result. */
 function ask(file: string): Promise<PdfFinding | null> {
   const thread = new Worker(new URL("./inspect_thread.js", import.meta.url), {
     workerData: file,
-    // The library's own remarks are for developers.
+    // The library's own messages are for developers.
     stdout: true,
     stderr: true,
     resourceLimits: { maxOldGenerationSizeMb: 1024 },

@@ -5,7 +5,7 @@ import type { PdfFinding } from "./inspect_pdf.ts";
 /** Bytes read at a time: of a large file only what its first page and title need. */
 const piece = 1 << 16;
 
-/** What pdf.js needs of newer JavaScript than Node 20 has. */
+/** Adds the newer JavaScript features that pdf.js needs and Node 20 does not have. */
 function completeNode(): void {
   Promise.withResolvers ??= function withResolvers<T>(): PromiseWithResolvers<T> {
     let resolve!: PromiseWithResolvers<T>["resolve"];
@@ -38,7 +38,7 @@ async function inspect(file: string): Promise<PdfFinding | null> {
       disableAutoFetch: true,
       verbosity: pdfjs.VerbosityLevel.ERRORS,
     }).promise;
-    // The first page must be there: a file may have a sound end and nothing else.
+    // The first page must exist: a file may have a valid end and nothing else.
     if (document.numPages > 0) await document.getPage(1);
     const metadata = await document.getMetadata().catch(() => null);
     const info = metadata?.info as { Title?: unknown } | undefined;
@@ -49,7 +49,7 @@ async function inspect(file: string): Promise<PdfFinding | null> {
     const { details } = Object(error) as { details?: unknown };
     const isDamaged =
       error instanceof pdfjs.InvalidPDFException || /^FormatError/.test(`${details}`);
-    // What else fails may be this machine's: the reader in the browser looks again.
+    // Other failures may be this machine's: the reader in the browser tries again.
     return isDamaged ? { fault: "damaged" } : null;
   } finally {
     closeSync(descriptor);

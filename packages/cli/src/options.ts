@@ -1,10 +1,12 @@
-/** Options that commands share, each wrong value refused in one sentence. */
+/** Parses options common to several commands. Each wrong value fails in one sentence. */
 
 import { parseArgs } from "node:util";
 import { UsageProblem } from "./problem.ts";
 
 /**
- * Reads options that take a value, each at most once, and what stands between them.
+ * Parses options that take a value, each at most once, and the arguments
+ * between them.
+ *
  * @throws UsageProblem
  */
 export function parseOptions(
@@ -20,14 +22,15 @@ export function parseOptions(
   }
 }
 
-/** The first sentence of what Node says about a command line. */
+/** Returns the first sentence of Node's error about a command line. */
 export function usageProblem(error: unknown): UsageProblem {
   const first = error instanceof Error ? (error.message.split(/\. |\n/)[0] ?? "") : "";
   return new UsageProblem(`${first.replace(/\.$/, "")}.`);
 }
 
 /**
- * A number between bounds, or what it is where none is given.
+ * Parses a number between bounds, with a default.
+ *
  * @throws UsageProblem
  */
 export function parseNumber(
@@ -44,7 +47,8 @@ export function parseNumber(
 }
 
 /**
- * A width and a height such as 1280x720, whole numbers between bounds.
+ * Parses a width and a height such as 1280x720, whole numbers between bounds.
+ *
  * @throws UsageProblem
  */
 export function parseSize(
@@ -62,7 +66,8 @@ export function parseSize(
 }
 
 /**
- * One of some names, the first where none is given.
+ * Parses one of some names, by default the first.
+ *
  * @throws UsageProblem
  */
 export function oneOf<Name extends string>(

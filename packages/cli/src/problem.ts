@@ -1,22 +1,25 @@
-/** What went wrong, in one sentence for whoever typed the command; the command then ends with status 1. */
+/** An error described in one sentence for the user; the command then ends with status 1. */
 export class Problem extends Error {}
 
-/** The command was not understood: status 2. */
+/** The command line was not understood: status 2. */
 export class UsageProblem extends Error {
-  /** What may be said, where that is known better than by the command as a whole. */
+  /** The valid usage, if it is narrower than that of the command as a whole. */
   help: string | undefined;
 }
 
 // biome-ignore lint/suspicious/noControlCharactersInRegex: they are what is removed
 const unprintable = /[\u0000-\u001f\u007f-\u009f\u200e\u200f\u202a-\u202e\u2066-\u2069\ufeff]+/g;
 
-/** A name from outside, such as a file's or a title, made safe for a terminal and no longer than 200 characters. */
+/**
+ * Returns a name from outside, such as a file's or a title, made safe for a
+ * terminal and no longer than 200 characters.
+ */
 export function printable(text: string): string {
   const line = [...text.replace(unprintable, " ").trim()];
   return line.length <= 200 ? line.join("") : `${line.slice(0, 199).join("")}…`;
 }
 
-/** The sentence for an error of the file system met at `path`. */
+/** Returns the sentence for an error of the file system at `path`. */
 export function fileProblem(path: string, error: unknown): Problem {
   const name = printable(path);
   const code = (error as NodeJS.ErrnoException | null)?.code;

@@ -1,10 +1,10 @@
-/** How far something long has come, for whoever waits at a terminal. */
+/** The progress of a long command, on the terminal. */
 
 const width = 24;
-/** The bar is drawn anew no more often than this, milliseconds. */
+/** Minimum interval between two drawings of the bar, milliseconds. */
 const least = 100;
 
-/** One line that is written anew on a terminal; elsewhere a line for every tenth. */
+/** One line that is rewritten on a terminal; elsewhere a line for every tenth. */
 export class Progress {
   readonly #out: NodeJS.WriteStream;
   readonly #started = Date.now();
@@ -17,13 +17,15 @@ export class Progress {
   }
 
   /**
-   * Shows how far it has come.
-   * @param share 0 to 1
+   * Shows the progress.
+   *
+   * @param fraction 0 to 1
    * @param text what is being done
-   * @param before the share that an earlier run had done: it took this one no time
+   * @param before the fraction done by an earlier run, which took this one no
+   * time
    */
-  show(share: number, text: string, before = 0): void {
-    const part = Math.min(Math.max(share, 0), 1);
+  show(fraction: number, text: string, before = 0): void {
+    const part = Math.min(Math.max(fraction, 0), 1);
     if (this.#out.isTTY) this.#draw(part, text, before);
     else if (Math.floor(part * 10) > this.#tenths) {
       this.#tenths = Math.floor(part * 10);
@@ -31,7 +33,7 @@ export class Progress {
     }
   }
 
-  /** Takes the bar away. */
+  /** Removes the bar. */
   clear(): void {
     if (this.#isShown) this.#out.write("\r\x1b[K");
     this.#isShown = false;

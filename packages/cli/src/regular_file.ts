@@ -3,8 +3,10 @@ import { type FileHandle, open } from "node:fs/promises";
 import { fileProblem, Problem, printable } from "./problem.ts";
 
 /**
- * Opens a file for reading; null where it is not a regular one. A pipe or a device
- * is opened without waiting for its other end, and never read: it might not end.
+ * Opens a file for reading; null if it is not a regular one. A pipe or a device
+ * is opened without waiting for its other end, and never read: it might not
+ * end.
+ *
  * @param flags more flags of `open`, such as `O_NOFOLLOW`
  */
 export async function openRegular(path: string, flags = 0): Promise<FileHandle | null> {
@@ -22,7 +24,8 @@ export async function openRegular(path: string, flags = 0): Promise<FileHandle |
 
 /**
  * Reads a whole regular file, of at most `most` bytes.
- * @throws Problem where it cannot be read, is not regular, or is larger
+ *
+ * @throws Problem if it cannot be read, is not regular, or is larger
  */
 export async function readRegular(path: string, most: number): Promise<Buffer> {
   const handle = await openRegular(path).catch((error: unknown) => {
@@ -32,7 +35,7 @@ export async function readRegular(path: string, most: number): Promise<Buffer> {
   try {
     const { size } = await handle.stat();
     if (size > most) throw tooLarge(path, most);
-    // No more than it held when it was looked at, should it grow meanwhile.
+    // No more than its size when it was checked, in case it grows meanwhile.
     const bytes = Buffer.alloc(size);
     let length = 0;
     while (length < size) {
@@ -48,7 +51,7 @@ export async function readRegular(path: string, most: number): Promise<Buffer> {
   }
 }
 
-/** The sentence for a file of more than `most` bytes. */
+/** Returns the error for a file of more than `most` bytes. */
 export function tooLarge(path: string, most: number): Problem {
   const size = most >= 1e9 ? `${Math.floor(most / 1e9)} GB` : `${Math.floor(most / 1e6)} MB`;
   return new Problem(`${printable(path)} is larger than ${size}; name a smaller file.`);

@@ -7,9 +7,9 @@ import { parseRange } from "./byte_range.ts";
 import { openRegular } from "./regular_file.ts";
 
 /**
- * Answers a GET or HEAD request with a file, or with the one range of it that
- * is asked for. A failure after the head was sent ends the connection, so that
- * the reader knows of it.
+ * Responds to a GET or HEAD request with a file, or with the one requested
+ * range of it. A failure after the head was sent ends the connection, so that
+ * the client notices.
  */
 export async function sendFile(
   file: ServedFile,
@@ -62,7 +62,7 @@ async function sendFrom(
   await pipeline(handle.createReadStream({ start, end, autoClose: false }), response);
 }
 
-/** Opens what was a regular file when the command started, and only if it still is, and no link. */
+/** Opens a file that was regular when the command started, if it still is, and not a link. */
 async function openServed(path: string): Promise<FileHandle | null> {
   return await openRegular(path, constants.O_NOFOLLOW ?? 0).catch(() => null);
 }

@@ -4,9 +4,11 @@ import { openBrowser } from "./browser.ts";
 import { serve } from "./server.ts";
 
 /**
- * Serves files, says so, and opens the browser, until the command is stopped.
- * @param announce the line that says what is served at an address
- * @throws Problem where nothing can be served
+ * Serves files, prints the address, and opens the browser, until the command is
+ * stopped.
+ *
+ * @param announce returns the line that says what is served at an address
+ * @throws Problem if nothing can be served
  */
 export async function serveUntilStopped(
   files: ReadonlyMap<string, ServedFile>,

@@ -4,14 +4,14 @@ import type { ServedFile } from "./book.ts";
 import { Problem } from "./problem.ts";
 import { sendFile } from "./send_file.ts";
 
-/** The machine itself and nobody else. */
+/** Only this machine. */
 const loopback = "127.0.0.1";
 const usualPort = 4173;
-/** Ports that are tried from `usualPort` on. */
+/** Ports tried from `usualPort` on. */
 const portsTried = 50;
 
 const headers: Readonly<Record<string, string>> = {
-  // See docs/policy.md: blob: is where pdf.js's workers and printed pages are, data: where SVG pages.
+  // See docs/policy.md: blob: is used by pdf.js's workers and printed pages, data: by SVG pages.
   "Content-Security-Policy": [
     "default-src 'none'",
     "script-src 'self' 'wasm-unsafe-eval'",
@@ -40,9 +40,10 @@ export interface Serving {
 }
 
 /**
- * Serves `files`, each at the exact path that is its key, to this machine alone.
- * @param port undefined for the usual one or the next that is free; 0 for any
- * @throws Problem where the port cannot be had
+ * Serves `files`, each at the exact path that is its key, to this machine only.
+ *
+ * @param port undefined for the default one or the next that is free; 0 for any
+ * @throws Problem if the port is not available
  */
 export async function serve(
   files: ReadonlyMap<string, ServedFile>,
@@ -74,7 +75,7 @@ async function answer(
   response: ServerResponse,
 ): Promise<void> {
   for (const [name, value] of Object.entries(headers)) response.setHeader(name, value);
-  // Another name that leads here (DNS rebinding) would let a web page read the book.
+  // Another name that resolves here (DNS rebinding) would let a web page read the book.
   if (!hosts.has(request.headers.host?.toLowerCase() ?? "")) {
     refuse(response, 403, "This address is not served.");
     return;
@@ -84,14 +85,14 @@ async function answer(
     refuse(response, 405, "Only GET and HEAD are answered.");
     return;
   }
-  // Looked up as it is, never joined to a path: what is not a key is not there.
+  // Looked up as it is, never joined to a path: only keys exist.
   const file = files.get(request.url?.split("?", 1)[0] ?? "");
   if (file) await sendFile(file, request, response);
   else refuse(response, 404, "There is nothing here.");
 }
 
 function refuse(response: ServerResponse, status: number, sentence: string): void {
-  // What a refused request still sends is not read.
+  // The body of a rejected request is not read.
   response.setHeader("Connection", "close");
   response.writeHead(status, { "Content-Type": "text/plain" }).end(`${sentence}\n`);
 }

@@ -32,7 +32,7 @@ async function bakeJson(...args: string[]): Promise<Baked> {
   return JSON.parse(readFileSync(at("turn.json"), "utf8"));
 }
 
-/** x, y, z as glTF has them. */
+/** Converts x, y, z to glTF's axes. */
 const turned = ([x = 0, y = 0, z = 0]: readonly number[]): number[] => [x, z, -y];
 
 describe("glTF", () => {
@@ -76,10 +76,10 @@ describe("glTF", () => {
       expect(base.getCount()).toBe(280);
       let worst = 0;
       for (const [frame, positions] of turn.frames.entries()) {
-        const share = weightsAt(times, weights, frame / 120);
+        const fraction = weightsAt(times, weights, frame / 120);
         for (let point = 0; point < 280; point++) {
           const place: number[] = base.getElement(point, []);
-          for (const [k, weight] of share) {
+          for (const [k, weight] of fraction) {
             const move: number[] =
               targets[k]?.getAttribute("POSITION")?.getElement(point, []) ?? [];
             for (const axis of [0, 1, 2])
@@ -90,7 +90,7 @@ describe("glTF", () => {
           worst = Math.max(worst, Math.hypot(...apart));
         }
       }
-      // A thousandth of the width as asked for, and what 16 bits lose of twice the width.
+      // The requested thousandth of the width, and the error of 16 bits over twice the width.
       expect(worst).toBeLessThan(0.001 * 0.14 + 3e-5);
       expect(worst).toBeGreaterThan(1e-6);
       // Seen from above, the recto is lit: its normals point up where it lies on the right.
@@ -101,7 +101,7 @@ describe("glTF", () => {
   );
 });
 
-/** Targets with a weight at a time, on the straight line between two key frames. */
+/** Returns the targets with a weight at a time, on the straight line between two key frames. */
 function weightsAt(
   times: ArrayLike<number>,
   weights: ArrayLike<number>,

@@ -109,7 +109,7 @@ it("three shows the turn where it is, its recto before and its verso after", asy
   for (const frame of [0, 36, 52, frames.length - 1]) {
     const now = await page.evaluate(
       (time) => (globalThis as unknown as { show(time: number): Promise<Shown> }).show(time),
-      // At its very end three would begin the turn anew.
+      // At its very end three would restart the turn.
       Math.min(frame / 120, (frames.length - 1) / 120 - 1e-4),
     );
     shown.push(now);
@@ -125,7 +125,7 @@ it("three shows the turn where it is, its recto before and its verso after", asy
         const [a = 0, b = 0, c = 0] = truth;
         worst = Math.max(worst, Math.hypot(x - a, y - c, z + b));
       }
-      // A thousandth of the width as asked for, and what 16 bits and three's floats lose.
+      // The requested thousandth of the width, and the error of 16 bits and three's floats.
       expect(worst).toBeLessThan(0.00014 + 5e-5);
     }
   }

@@ -16,7 +16,7 @@ function chunk(type: string, data: Uint8Array): Buffer {
   return Buffer.concat([ends.subarray(0, 4), body, ends.subarray(4)]);
 }
 
-/** A PNG of one shade of grey, 0 to 255. */
+/** Returns a PNG of one shade of grey, 0 to 255. */
 export function png(width: number, height: number, grey = 128): Buffer {
   const header = Buffer.alloc(13);
   header.writeUInt32BE(width, 0);
@@ -32,7 +32,10 @@ export function png(width: number, height: number, grey = 128): Buffer {
   ]);
 }
 
-/** A PNG of one colour with pale lines, as of text, and a dark mark in its upper left corner. */
+/**
+ * Returns a PNG of one colour with pale lines, as of text, and a dark mark in
+ * its upper left corner.
+ */
 export function page(colour: readonly [number, number, number]): Buffer {
   const [width, height] = [64, 96];
   const header = Buffer.alloc(13);
@@ -56,7 +59,7 @@ export function page(colour: readonly [number, number, number]): Buffer {
   ]);
 }
 
-/** A JPEG's head, of the size and EXIF orientation given: enough for whoever reads the size. */
+/** Returns a JPEG's head, of the given size and EXIF orientation: enough to read the size. */
 export function jpegHead(width: number, height: number, orientation: number): Buffer {
   const app1 = Buffer.from(
     "FFE100224578696600004D4D002A00000008000101120003000000010001000000000000",
@@ -69,7 +72,7 @@ export function jpegHead(width: number, height: number, orientation: number): Bu
   return Buffer.concat([Buffer.from("FFD8", "hex"), app1, frame, Buffer.from("FFD9", "hex")]);
 }
 
-/** A PDF of `pages` red pages; `padding` bytes of comment make it as large as wanted. */
+/** Returns a PDF of `pages` red pages; `padding` bytes of comment make it larger. */
 export function pdf(pages = 2, title = "A Small Book", padding = 0): Buffer {
   const content = "1 0 0 rg 0 0 200 300 re f";
   const kids = Array.from({ length: pages }, (_, i) => `${5 + i} 0 R`).join(" ");

@@ -7,7 +7,7 @@ import { fileURLToPath } from "node:url";
 
 const main = fileURLToPath(new URL("../dist/main.js", import.meta.url));
 
-/** What a command that ended left behind. */
+/** The result of a command that ended. */
 export interface Ended {
   readonly status: number | null;
   readonly signal: NodeJS.Signals | null;
@@ -86,14 +86,14 @@ export async function startServing(...args: string[]): Promise<Started> {
   };
 }
 
-/** An answer of the server, with its headers in lower case. */
+/** A response of the server, with its headers in lower case. */
 export interface Answer {
   readonly status: number;
   readonly headers: NodeJS.Dict<string | string[]>;
   readonly body: Buffer;
 }
 
-/** Sends a request exactly as given: no path is tidied up and no header added. */
+/** Sends a request exactly as given: the path is not normalised and no header added. */
 export function ask(
   port: number,
   path: string,
@@ -118,7 +118,7 @@ export function ask(
   });
 }
 
-/** A folder of the given files, gone when `remove` is called. */
+/** Creates a folder of the given files, deleted when `remove` is called. */
 export function folderOf(files: Record<string, string | Uint8Array>): {
   readonly path: string;
   remove(): void;

@@ -7,7 +7,7 @@ import { serve } from "../../../examples/serve.mjs";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
 import { isWebglComplaint } from "../../../scripts/console_watch.mjs";
 
-/** Machines that draw in software are slow; whoever is quick does not wait for it. */
+/** Generous for machines with software rendering; fast ones do not wait. */
 const patience = { timeout: 40_000 };
 
 let browser: Browser;
@@ -28,7 +28,7 @@ afterEach(async () => {
   expect(complaints.splice(0)).toEqual([]);
 });
 
-/** What the example's book answers. */
+/** Evaluates a function on the example's book. */
 const ask = <T, A>(look: (book: TurnleafBook, value: A) => T, value?: A): Promise<Awaited<T>> =>
   page.locator("turnleaf-book").evaluate(look as never, value as never) as never;
 
@@ -52,14 +52,17 @@ async function open(name: string, { width = 400, height = 280 } = {}) {
   await expect.poll(() => ask((book) => book.settled), patience).toBe(true);
 }
 
-/** Fades to a page, and has leaves turn from then on. */
+/** Fades to a page, and turns leaves from then on. */
 async function turnFrom(number: number) {
   await ask((book, to) => book.goTo(to as number), number);
   await expect.poll(() => ask((book) => book.settled), patience).toBe(true);
   await page.emulateMedia({ reducedMotion: "no-preference" });
 }
 
-/** Drags from one place of the book to another, shares of its size, at the pace of its frames. */
+/**
+ * Drags from one place of the book to another, in fractions of its size, at the
+ * pace of its frames.
+ */
 async function drag(from: readonly [number, number], to: readonly [number, number]) {
   const box = await page.locator("turnleaf-book").boundingBox();
   if (!box) throw new Error("no book");

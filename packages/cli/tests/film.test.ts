@@ -11,7 +11,7 @@ import { pdf } from "./books.ts";
 import { folderOf } from "./command.ts";
 
 const main = fileURLToPath(new URL("../dist/main.js", import.meta.url));
-/** Small and few: drawing is in software here. */
+/** Small and few: rendering is in software here. */
 const small = ["--size", "96x64", "--fps", "8", "--seconds-per-turn", "0.5", "--pause", "0.25"];
 
 let folder: ReturnType<typeof folderOf>;
@@ -78,7 +78,7 @@ describe("what cannot be filmed ends with one sentence", () => {
     expect((await film([...args, "--chromium", "/no/such"])).stderr).toBe(
       "/no/such is no program; name a Chromium or Chrome.\n",
     );
-    // Where the usual places hold none either.
+    // Also if the usual places hold none.
     const ended = await film(args, { PATH: "", CHROMIUM: undefined });
     if (ended.status !== 0) expect(ended.stderr).toContain(none);
     expect(findProgram(["chromium"], { PATH: "" })).toBeNull();
@@ -147,7 +147,7 @@ describe("a film", () => {
       const [a, b] = [whole, stopped].map((folder) => readFileSync(join(folder, name)));
       expect(a?.equals(b as Buffer), name).toBe(true);
     }
-    // Each turn shows other pictures than what lies still before and after it.
+    // Each turn shows other pictures than the resting book before and after it.
     expect(
       new Set(names.map((name) => readFileSync(join(whole, name), "base64"))).size,
     ).toBeGreaterThan(names.length / 2);

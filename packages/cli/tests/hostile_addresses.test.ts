@@ -1,4 +1,4 @@
-/** Addresses that are none, or lead elsewhere: both servers refuse them and go on. */
+/** Invalid addresses, and those that lead elsewhere: both servers reject them and go on. */
 import { connect } from "node:net";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { serve as serveExamples } from "../../../examples/serve.mjs";
@@ -18,7 +18,10 @@ const addresses = [
   ...[`/${"a/".repeat(3000)}`, `/examples/${"%41".repeat(2000)}.html`, "/examples/.html"],
 ];
 
-/** The status of the answer to a request line as it is, or null where the connection is closed. */
+/**
+ * Returns the status of the response to a raw request line, or null if the
+ * connection is closed.
+ */
 function statusOf(port: number, address: string): Promise<number | null> {
   return new Promise((resolve, reject) => {
     const socket = connect(port, "127.0.0.1");
@@ -35,7 +38,7 @@ function statusOf(port: number, address: string): Promise<number | null> {
   });
 }
 
-/** Addresses by a seed, of pieces that servers have stumbled over. */
+/** Returns addresses by a seed, made of pieces that have broken other servers. */
 function invented(seed: number): string {
   const pieces = ["/", "//", ".", "..", "%2e", "%2f", "%00", "%", "\\", ":", "@", "[", "]", "?"];
   const words = ["examples", "books", "index.html", "node_modules", "http:", "localhost", "é", "#"];

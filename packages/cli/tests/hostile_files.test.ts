@@ -1,4 +1,4 @@
-/** Files that never end, or are larger than anything that is read: refused in one sentence. */
+/** Files that never end, or are too large: rejected in one sentence. */
 import { execFileSync } from "node:child_process";
 import { existsSync, symlinkSync, truncateSync } from "node:fs";
 import { join } from "node:path";
@@ -19,7 +19,7 @@ beforeAll(() => {
     "large.pdf": pdf(),
     "film/000001.png": png(1, 1),
   });
-  // Sparse: they take no room on the disk.
+  // Sparse: they take no space on the disk.
   truncateSync(at("large.png"), 100_000_001);
   truncateSync(at("large.pdf"), 2_000_000_001);
   if (process.platform === "win32") return;
@@ -106,7 +106,7 @@ onUnix("a file that is opened", () => {
     await expect(readRegular(at("small.png"), bytes.length - 1)).rejects.toThrow(
       "small.png is larger than 0 MB; name a smaller file.",
     );
-    // Files of the kernel tell no size: they are read as empty.
+    // Files of the kernel report no size: they are read as empty.
     if (existsSync("/proc/self/maps")) {
       expect(await readRegular("/proc/self/maps", 1e6)).toHaveLength(0);
     }

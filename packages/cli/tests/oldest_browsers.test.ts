@@ -1,4 +1,7 @@
-/** The built viewer in a Chromium from which everything is deleted that the oldest supported browsers lack. */
+/**
+ * The built viewer in a Chromium from which all features are deleted that the
+ * oldest supported browsers do not have.
+ */
 
 import { readdirSync, readFileSync } from "node:fs";
 import { parse } from "acorn";
@@ -30,8 +33,8 @@ afterEach(async () => {
 });
 
 /**
- * Runs in the page before anything else: deletes features there and, before their own code, in its
- * workers. Counts what it found to delete in `deleted`.
+ * Runs in the page before anything else: deletes features there and, before
+ * their own code, in its workers. Counts the features it deleted in `deleted`.
  */
 function deleteFeatures(features: readonly string[]): void {
   const deleteAll = (names: readonly string[]): number => {
@@ -64,7 +67,7 @@ function deleteFeatures(features: readonly string[]): void {
   };
 }
 
-/** Opens a book, turns it, reads it and looks near; resolves to what was found on the way. */
+/** Opens a book, turns it, reads it and zooms. Resolves to what was found. */
 async function use(src: string) {
   const book = document.createElement("turnleaf-book") as TurnleafBook;
   book.style.cssText = "width: 320px; height: 240px";
@@ -127,7 +130,7 @@ test.each([
   ...readdirSync(built)
     .filter((name) => name.endsWith(".js"))
     .map((name) => new URL(name, built)),
-  // These travel packed in files of the above.
+  // These are packed in files of the above.
   new URL("pdfjs-dist/legacy/build/pdf.worker.min.mjs", modules),
   new URL("pdfjs-dist/legacy/build/pdf.renderer.min.mjs", modules),
   new URL("three/build/three.module.js", modules),

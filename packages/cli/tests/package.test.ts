@@ -7,7 +7,7 @@ import { expect, test } from "vitest";
 test("the built package is imported on a server, where it does nothing", async () => {
   const script = `const turnleaf = await import("turnleaf");
     console.log(typeof turnleaf.TurnleafBook, typeof globalThis.customElements);`;
-  // Of its own process: what the tests load beside it might stand in for a DOM.
+  // In a process of its own: other tests may define a DOM.
   const { stdout, stderr } = await promisify(execFile)(
     process.execPath,
     ["--input-type=module", "--eval", script],
@@ -34,7 +34,7 @@ test.each(["turnleaf", "cli"])("what npm packs of packages/%s", async (folder) =
   const about = JSON.parse(rootFile(`packages/${folder}/package.json`));
   expect(about).toMatchObject({ license: "MIT", author: "The Turnleaf authors" });
   expect(about.keywords.length).toBeGreaterThan(4);
-  // Written by scripts/set_repository.mjs alone, once there is one.
+  // Written only by scripts/set_repository.mjs, once there is one.
   expect(about.repository?.url).toBe(JSON.parse(rootFile("package.json")).repository?.url);
   const [, oldest] = /Node (\d+\.\d+) or later/.exec(rootFile("README.md")) ?? [];
   expect(about.engines.node).toBe(`>=${oldest}`);

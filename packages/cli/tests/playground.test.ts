@@ -8,7 +8,7 @@ import { afterAll, afterEach, beforeAll, expect, it } from "vitest";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
 import { type Started, startServing } from "./command.ts";
 
-/** Machines that draw in software are slow; whoever is quick does not wait for it. */
+/** Generous for machines with software rendering; fast ones do not wait. */
 const patience = { timeout: 50_000 };
 const atRest = "At rest: nothing is computed or drawn.";
 /** Two models that cost next to nothing. */
@@ -58,14 +58,17 @@ const isStill = () => expect.poll(status, patience).toBe(atRest);
 const words = (plot: "energy" | "strain" | "cost") =>
   page.locator(".plot").nth(["energy", "strain", "cost"].indexOf(plot)).locator("p:not(:empty)");
 
-/** Runs in the page: whether both leaves stand well above the table, by their energy of height. */
+/**
+ * Runs in the page. Returns whether both leaves stand well above the table, by
+ * their potential energy.
+ */
 const areBothUp = (): boolean =>
   [...document.querySelectorAll(".plot:first-child p")].every(({ textContent }) => {
     const [, number, unit] = /height ([\d.]+) (\D?)J/.exec(textContent ?? "") ?? [];
     return unit === "m" || (unit === "µ" && Number(number) > 100);
   });
 
-/** Waits until both stand up; every frame is looked at, so that no moment is missed. */
+/** Waits until both stand up; checks every frame, so that no moment is missed. */
 const comeUp = () => page.waitForFunction(areBothUp, null, patience);
 
 const press = (name: string) => page.getByRole("button", { name, exact: true }).click();
@@ -217,7 +220,7 @@ it("ignores a hostile link with one sentence", async () => {
   expect(await alert.textContent()).toBe("");
 });
 
-/** The bytes that a click brings. */
+/** Returns the bytes that a click downloads. */
 async function downloaded(click: () => Promise<void>): Promise<{ name: string; bytes: Buffer }> {
   const [download] = await Promise.all([page.waitForEvent("download"), click()]);
   return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
@@ -267,7 +270,7 @@ it("records a turn as a film and as key frames of either leaf", async () => {
     expect(turn.times.length).toBeGreaterThan(2);
   }
   const film = await downloaded(() => files.first().click());
-  // Where no policy forbids films.
+  // Without a policy that forbids films.
   const bare = await browser.newPage();
   const seen = await bare.evaluate(async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));

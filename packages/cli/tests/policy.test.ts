@@ -21,7 +21,7 @@ afterEach(async () => {
   site = undefined;
 });
 
-/** What docs/policy.md says is enough for PDFs and images from the page's own site. */
+/** The policy that docs/policy.md gives for PDFs and images from the page's own site. */
 const enough = {
   "default-src": "'none'",
   "script-src": "'self' 'nonce-map' 'wasm-unsafe-eval'",
@@ -46,7 +46,7 @@ const files: Record<string, Buffer | string> = {
   "/2.png": png(60, 90),
 };
 
-/** A page under a policy, and what its console said. */
+/** Opens a page under a policy. Returns it with its console messages. */
 async function visit(changes: Partial<Record<keyof typeof enough | "img-src", string>> = {}) {
   const policy = Object.entries({ ...enough, ...changes }).map((entry) => entry.join(" "));
   site = await serveViewer((path) => files[path] ?? null, policy.join("; "));
@@ -60,7 +60,10 @@ async function visit(changes: Partial<Record<keyof typeof enough | "img-src", st
   return { page, said, asked: site.asked };
 }
 
-/** Shows a book and turns a leaf: resolves to the sentence of its error, or "" where it opened and turned. */
+/**
+ * Shows a book and turns a leaf. Resolves to the sentence of its error, or ""
+ * if it opened and turned.
+ */
 async function show([src, attributes]: readonly [string, Record<string, string>]) {
   const book = document.createElement("turnleaf-book") as TurnleafBook;
   for (const [name, value] of Object.entries({ duration: "80", ...attributes })) {
@@ -88,7 +91,7 @@ const open = (
   attributes: Record<string, string> = {},
 ) => page.evaluate(show, [src, attributes] as const);
 
-/** Draws a page (from 1) of the book that is open: resolves to "" or to why it cannot be drawn. */
+/** Draws a page (from 1) of the open book. Resolves to "" or to why it cannot be drawn. */
 const draw = (page: Awaited<ReturnType<typeof visit>>["page"], number: number) =>
   page.evaluate(
     (number) =>

@@ -1,4 +1,4 @@
-/** The whole way, as a reader goes it: the built command, a real Chromium, a mouse. */
+/** The whole path of a reader: the built command, a real Chromium, a mouse. */
 
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -11,7 +11,7 @@ import { folderOf, type Started, start } from "./command.ts";
 const book = fileURLToPath(new URL("../../../books/moby-dick.pdf", import.meta.url));
 const other = fileURLToPath(new URL("../../../books/others/charis-features.pdf", import.meta.url));
 
-// Small: drawing is in software here.
+// Small: rendering is in software here.
 const viewport = { width: 760, height: 620 };
 
 let browser: Browser;
@@ -36,7 +36,7 @@ async function serve(path: string): Promise<Started> {
   return served;
 }
 
-/** What the page was asked to do over time, counted from inside. */
+/** The page's activity over time, counted from inside. */
 interface Counts {
   frames: number;
   timers: number;
@@ -88,9 +88,9 @@ const shownPage = (page: Page) =>
 const counts = (page: Page): Promise<Counts> =>
   page.evaluate(() => ({ ...(globalThis as unknown as { counts: Counts }).counts }));
 
-/** Moves in from the window's side at a height until the pointer is over what a hand can take. */
-async function findEdge(page: Page, from: "left" | "right", share: number): Promise<number> {
-  const y = viewport.height * share;
+/** Moves in from the window's side at a height until the pointer is over something it can grab. */
+async function findEdge(page: Page, from: "left" | "right", fraction: number): Promise<number> {
+  const y = viewport.height * fraction;
   for (let inward = 0; inward < viewport.width / 2; inward += 6) {
     const x = from === "left" ? inward : viewport.width - inward;
     await page.mouse.move(x, y);
@@ -103,7 +103,10 @@ async function findEdge(page: Page, from: "left" | "right", share: number): Prom
   throw new Error(`No page to take from the ${from}.`);
 }
 
-/** Share of the window's pixels in a rectangle (shares of the window) that are dark as ink. */
+/**
+ * Returns the fraction of the window's pixels in a rectangle (in fractions of
+ * the window) that are dark as ink.
+ */
 async function ink(page: Page, box: { x: number; y: number; width: number; height: number }) {
   const png = (await page.screenshot()).toString("base64");
   return page.evaluate(
@@ -137,7 +140,7 @@ const rightText = { x: 0.56, y: 0.41, width: 0.17, height: 0.29 };
 
 test("the default book opens, is dragged over, and rests", { timeout: 180_000 }, async () => {
   const served = await serve(book);
-  // It lies open where it asks to: at the ship that faces its first chapter.
+  // It opens where it asks to: at the ship that faces its first chapter.
   const { page: first } = await open(served, "");
   expect(await shownPage(first)).toBe(18);
   const { page, errors } = await open(served, "#page=22");
@@ -176,7 +179,7 @@ test("the default book opens, is dragged over, and rests", { timeout: 180_000 },
     expect((await ink(page, box)).dark).toBeGreaterThan(0.02);
   expect(await page.evaluate(() => location.hash)).toBe("#page=24");
 
-  // Let go near where it was taken, it falls back.
+  // Released near where it was grabbed, it falls back.
   const again = await findEdge(page, "right", 0.7);
   await page.mouse.move(again - 8, viewport.height * 0.7);
   await page.mouse.down();
@@ -229,7 +232,7 @@ test("keys, clicks and commands turn pages and land where told", { timeout: 180_
     expect(await shownPage(page)).toBe(lands);
   }
 
-  // A second command takes over from the first, which is told so.
+  // A second command takes over from the first, whose promise resolves to false.
   const [first, second] = await page.evaluate(async () => {
     const element = document.querySelector("turnleaf-book");
     return Promise.all([element?.goTo(90), element?.goTo(20)]);
@@ -273,7 +276,7 @@ test("another real PDF, with an odd number of pages", { timeout: 120_000 }, asyn
   expect(errors).toEqual([]);
 });
 
-/** The element's message where the page would be, and what it announces. */
+/** Returns the element's message where the page would be, and its announcement. */
 const said = (page: Page) =>
   page.evaluate(() => {
     const root = document.querySelector("turnleaf-book")?.shadowRoot;
@@ -298,11 +301,11 @@ test("what breaks after it was opened says so where the page would be", {
   folder.remove();
   const page = await browser.newPage({ viewport });
 
-  // A file that is gone: nothing can be shown.
+  // A deleted file: nothing can be shown.
   await page.goto(whole.url);
   await expect.poll(async () => (await said(page)).alert, { timeout: 20_000 }).toContain(".pdf");
 
-  // Pages that are gone: the book is there, and each page says why it is not.
+  // Deleted pages: the book opens, and each page gives the reason why it is not shown.
   await page.goto(scans.url);
   await expect.poll(async () => (await said(page)).live, { timeout: 20_000 }).toContain("1.png");
   expect((await said(page)).alert).toBe("");

@@ -196,7 +196,7 @@ describe("a PDF", () => {
   });
 });
 
-/** Sends a path that no client would, and returns the whole answer. */
+/** Sends a path that no client would. Returns the whole response. */
 async function rawGet(port: number, path: string): Promise<string> {
   const socket = connect(port, "127.0.0.1");
   socket.write(`GET ${path} HTTP/1.1\r\nHost: 127.0.0.1:${port}\r\nConnection: close\r\n\r\n`);

@@ -196,13 +196,13 @@ test("a listener may take the book away", async () => {
 test("a book that was replaced while it opened leaves the other alone", async () => {
   const element = book(scans(4));
   const late = new Blob(["%PDF-1.4"]);
-  let [asked, answered] = [false, false];
+  let [asked, done] = [false, false];
   late.slice = () => {
     asked = true;
     const slow = new Blob();
     slow.arrayBuffer = async () => {
       await new Promise((resolve) => setTimeout(resolve, 400));
-      answered = true;
+      done = true;
       return await new Response((await (await fetch(scan(1))).blob()) as Blob).arrayBuffer();
     };
     return slow;
@@ -212,7 +212,7 @@ test("a book that was replaced while it opened leaves the other alone", async ()
   element.pages = scans(6);
   await happens(element, "load");
   const canvas = element.shadowRoot?.querySelector("canvas");
-  await expect.poll(() => answered).toBe(true);
+  await expect.poll(() => done).toBe(true);
   await new Promise((resolve) => setTimeout(resolve, 100));
   expect(element.shadowRoot?.querySelectorAll("canvas").length).toBe(1);
   expect(element.shadowRoot?.querySelector("canvas")).toBe(canvas);

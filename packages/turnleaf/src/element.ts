@@ -43,7 +43,7 @@ export class TurnleafBook extends ReaderElement {
   /** Holds the book's stage and the controls around it. */
   readonly #frame = document.createElement("div");
   /** Gives the element its size if the page gives it none. */
-  readonly #room = document.createElement("div");
+  readonly #sizer = document.createElement("div");
   /** The area in which the book lies: the element without its controls. */
   readonly #stage = document.createElement("div");
   readonly #life = new BookLifecycle(this, this.#stage, {
@@ -54,15 +54,15 @@ export class TurnleafBook extends ReaderElement {
     goTo: (page) => void this.goTo(page),
     leaving: () => this.#leave(),
     opened: (book) => this.#opened(book),
-    lacks: (error) => this.#lack(error),
+    missingPart: (error) => this.#reportMissingPart(error),
     failed: (error) => this.#fail(error),
   });
   readonly #pageChanges = new PageChanges();
-  readonly #furnishing = new ControlsLoader((error) => this.#lack(error));
-  readonly #senses = new SoundAndHaptics(
+  readonly #controls = new ControlsLoader((error) => this.#reportMissingPart(error));
+  readonly #soundAndHaptics = new SoundAndHaptics(
     this,
     () => this.#leaves.stock ?? "book",
-    (error) => this.#lack(error),
+    (error) => this.#reportMissingPart(error),
   );
   #words: Announcements | null = null;
   #input: BookInput | null = null;
@@ -275,7 +275,7 @@ export class TurnleafBook extends ReaderElement {
     this.#build();
     this.#connected = true;
     this.connectReader();
-    this.#furnish();
+    this.#updateControls();
     this.#reopen();
   }
 
@@ -288,16 +288,16 @@ export class TurnleafBook extends ReaderElement {
     this.#asked.failed();
     this.disconnectReader();
     this.#connected = false;
-    this.#furnish();
+    this.#updateControls();
     this.#life.close();
   }
 
   /** @internal */
   attributeChangedCallback(name: string, before: string | null, now: string | null): void {
-    if (before !== now) attributes[name]?.(this.#answers, now);
+    if (before !== now) attributes[name]?.(this.#effects, now);
   }
 
-  readonly #answers: AttributeEffects = {
+  readonly #effects: AttributeEffects = {
     open: () => {
       if (this.#input !== null) return;
       this.#forget();
@@ -313,8 +313,8 @@ export class TurnleafBook extends ReaderElement {
       if (this.#viewer) this.#viewer.turning.seconds = turnSecondsOf(this);
     },
     keepPlace: () => void this.#keepPlace(),
-    furnish: () => this.#furnish(),
-    hush: () => this.#senses.close(),
+    updateControls: () => this.#updateControls(),
+    stopSound: () => this.#soundAndHaptics.close(),
   };
 
   /** @internal */
@@ -344,17 +344,17 @@ export class TurnleafBook extends ReaderElement {
 
   /** Remembers where the open book lies, and stops its sound. */
   #leave(): void {
-    this.#senses.close();
+    this.#soundAndHaptics.close();
     if (this.#viewer) this.#left = { page: this.page, view: this.#viewer.view };
   }
 
   #keepPlace(): Promise<void> {
-    return this.keepPlace().catch((error: unknown) => this.#lack(error));
+    return this.keepPlace().catch((error: unknown) => this.#reportMissingPart(error));
   }
 
-  #furnish(): void {
+  #updateControls(): void {
     const shown = this.#connected && this.controls;
-    this.#furnishing.set(shown, this, this.#frame, this.#stage);
+    this.#controls.set(shown, this, this.#frame, this.#stage);
   }
 
   get #leaves(): Paper {
@@ -398,8 +398,8 @@ export class TurnleafBook extends ReaderElement {
       this.#frame.tabIndex = 0;
       this.#frame.setAttribute("role", "group");
       this.#frame.append(this.#stage);
-      this.#room.className = "room";
-      root.append(this.#room, this.#frame);
+      this.#sizer.className = "room";
+      root.append(this.#sizer, this.#frame);
       this.#words = new Announcements(this.#stage);
     }
     const root = this.shadowRoot as ShadowRoot;
@@ -409,7 +409,7 @@ export class TurnleafBook extends ReaderElement {
   #reopen(): void {
     // The parser's attributes come one by one before the element is connected: one book, not four.
     if (!this.#connected) return;
-    this.#senses.close();
+    this.#soundAndHaptics.close();
     const input = this.#input ?? this.src;
     const { missing, opening } = elementTexts(languageOf(this));
     this.#words?.say(input === "" ? missing : opening);
@@ -433,10 +433,10 @@ export class TurnleafBook extends ReaderElement {
       },
       onLayout: () => this.#laidOut(),
       onMotion: (...frame) => {
-        this.#senses.follow(...frame);
+        this.#soundAndHaptics.follow(...frame);
         this.filmed();
       },
-      onMissingPart: (error) => this.#lack(error),
+      onMissingPart: (error) => this.#reportMissingPart(error),
       onZoom: (zoom) => this.emit("zoomchange", { zoom }),
     };
   }
@@ -451,7 +451,7 @@ export class TurnleafBook extends ReaderElement {
     this.#left = null;
     this.#reported = null;
     this.#words?.say("");
-    this.#room.style.setProperty("--ratio", String(viewer.placeRatio));
+    this.#sizer.style.setProperty("--ratio", String(viewer.placeRatio));
     this.#describe();
     this.emit("load", { pageCount: source.pageCount, title: source.title });
   }
@@ -459,7 +459,7 @@ export class TurnleafBook extends ReaderElement {
   #started(low: number, high: number, toLeft: boolean): void {
     const binding = this.#viewer?.binding;
     if (binding === undefined) return;
-    this.#senses.take();
+    this.#soundAndHaptics.take();
     const [from, to] = toLeft ? [low, high] : [high, low];
     const direction = directionOf(binding, from, to);
     this.emit("turnstart", { from: pageOf(binding, from), to: pageOf(binding, to), direction });
@@ -467,7 +467,7 @@ export class TurnleafBook extends ReaderElement {
 
   #rested(from: number, to: number): void {
     const binding = this.#viewer?.binding;
-    this.#senses.lie();
+    this.#soundAndHaptics.lie();
     if (binding === undefined || from === to) return;
     this.#describe();
     const direction = directionOf(binding, from, to);
@@ -491,7 +491,7 @@ export class TurnleafBook extends ReaderElement {
   #laidOut(): void {
     const binding = this.#viewer?.binding;
     if (binding === undefined) return;
-    this.#room.style.setProperty("--ratio", String(this.#viewer?.placeRatio));
+    this.#sizer.style.setProperty("--ratio", String(this.#viewer?.placeRatio));
     this.#describe();
     this.emit("layoutchange", { layout: binding.layout, binding: binding.edge });
   }
@@ -516,7 +516,7 @@ export class TurnleafBook extends ReaderElement {
   }
 
   /** Reports that an optional part of the open book is missing. */
-  #lack(error: unknown): void {
+  #reportMissingPart(error: unknown): void {
     if (error instanceof Error) this.emit("error", { message: error.message });
   }
 }

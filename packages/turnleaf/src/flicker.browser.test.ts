@@ -23,7 +23,7 @@ function bluePage(): string {
 }
 
 /** Returns the fraction of the book in the picture that is blue; 0 if no book is in it. */
-function blueShare(element: TurnleafBook): number {
+function blueFraction(element: TurnleafBook): number {
   const canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
   const [width, height] = [150, 110];
   const copy = new OffscreenCanvas(width, height).getContext("2d");
@@ -52,19 +52,19 @@ test("no frame of a turn, there or back, shows blank paper or no book", async ()
   for (const to of [4, 6, 4]) await element.goTo(to);
   await settled(element);
 
-  const shares: number[] = [];
+  const fractions: number[] = [];
   // The canvas holds its picture until the frame is over.
   globalThis.requestAnimationFrame = (call) =>
     request((time) => {
       call(time);
-      shares.push(blueShare(element));
+      fractions.push(blueFraction(element));
     });
   expect(await element.next()).toBe(true);
   expect(await element.previous()).toBe(true);
   await settled(element);
-  const rest = shares.at(-1) ?? 0;
+  const rest = fractions.at(-1) ?? 0;
   expect(rest).toBeGreaterThan(0.7);
-  expect(shares.length).toBeGreaterThan(4);
+  expect(fractions.length).toBeGreaterThan(4);
   // A blank page would be nearly half of it.
-  expect(Math.min(...shares)).toBeGreaterThan(0.75 * rest);
+  expect(Math.min(...fractions)).toBeGreaterThan(0.75 * rest);
 });

@@ -1,8 +1,8 @@
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
 import { book, happens, scans, settled } from "./element_for_tests.ts";
-import { Hands } from "./hands_for_tests.ts";
 import { type TurnModelName, turnModels } from "./leaf_models/model_choice.ts";
+import { TestPointer } from "./pointer_for_tests.ts";
 
 afterEach(() => document.body.replaceChildren());
 
@@ -31,46 +31,49 @@ async function opened(
 
 /** Drags from one place of the element to another, in fractions of its size. */
 async function drag(element: TurnleafBook, from: [number, number], to: [number, number]) {
-  const hands = new Hands(element);
+  const pointer = new TestPointer(element);
   const at = ([x, y]: [number, number]): [number, number] => [300 * x, 220 * y];
-  hands.point("pointerdown", ...at(from));
-  await hands.move(at(from), at(to));
+  pointer.point("pointerdown", ...at(from));
+  await pointer.move(at(from), at(to));
   // However slow the machine is, the leaf is where the pointer is before the release.
   for (let frame = 0; frame < 40; frame++) {
     await new Promise((resolve) => requestAnimationFrame(resolve));
   }
-  hands.point("pointerup", ...at(to));
+  pointer.point("pointerup", ...at(to));
 }
 
 /** The models that need no data. */
-const worn = turnModels.filter((model) => model !== "sheet" && model !== "photographs");
+const modelNames = turnModels.filter((model) => model !== "sheet" && model !== "photographs");
 
-test.for(worn)("%s: a command and a drag turn a page, and then nothing runs", async (model) => {
-  const element = await opened(model);
-  expect(await element.next()).toBe(true);
-  expect(element.spread).toEqual({ left: 6, right: 7 });
-  await ready(element);
-  const turned = happens(element, "pagechange");
-  await drag(element, [0.08, 0.6], [0.85, 0.5]);
-  expect(await turned).toMatchObject({ from: 6, to: 4, direction: "backward" });
-  await settled(element);
-  let frames = 0;
-  const { requestAnimationFrame } = window;
-  window.requestAnimationFrame = (call) => {
-    frames++;
-    return requestAnimationFrame(call);
-  };
-  await new Promise((resolve) => setTimeout(resolve, 200));
-  window.requestAnimationFrame = requestAnimationFrame;
-  expect(frames).toBe(0);
-});
+test.for(modelNames)(
+  "%s: a command and a drag turn a page, and then nothing runs",
+  async (model) => {
+    const element = await opened(model);
+    expect(await element.next()).toBe(true);
+    expect(element.spread).toEqual({ left: 6, right: 7 });
+    await ready(element);
+    const turned = happens(element, "pagechange");
+    await drag(element, [0.08, 0.6], [0.85, 0.5]);
+    expect(await turned).toMatchObject({ from: 6, to: 4, direction: "backward" });
+    await settled(element);
+    let frames = 0;
+    const { requestAnimationFrame } = window;
+    window.requestAnimationFrame = (call) => {
+      frames++;
+      return requestAnimationFrame(call);
+    };
+    await new Promise((resolve) => setTimeout(resolve, 200));
+    window.requestAnimationFrame = requestAnimationFrame;
+    expect(frames).toBe(0);
+  },
+);
 
 const ways = [
   { binding: "right", from: [0.08, 0.6], to: [0.85, 0.5] },
   { binding: "top", from: [0.5, 0.85], to: [0.5, 0.1] },
 ] as const;
 
-test.for(worn.flatMap((model) => ways.map((way) => ({ model, ...way }))))(
+test.for(modelNames.flatMap((model) => ways.map((way) => ({ model, ...way }))))(
   "$model, bound at the $binding: a drag turns a leaf",
   async ({ model, binding, from, to }) => {
     const element = await opened(model, { binding });

@@ -4,7 +4,7 @@
  */
 
 import type { TurnleafBook } from "./element.ts";
-import { Hands } from "./hands_for_tests.ts";
+import { TestPointer } from "./pointer_for_tests.ts";
 
 /** What a page should show: one hue in degrees, or the print of a PDF's page. */
 type Content = number | "print";
@@ -126,7 +126,7 @@ export class RandomOperations {
     element.style.cssText = size;
     element.pause();
     // No corner is lifted where no pointer is.
-    this.#hands()?.stage.dispatchEvent(new PointerEvent("pointerleave"));
+    this.#pointer()?.stage.dispatchEvent(new PointerEvent("pointerleave"));
     await this.#until(
       () => element.pageCount === this.#pages.length,
       () => `${element.pageCount} pages in place of ${this.#pages.length}`,
@@ -187,13 +187,13 @@ export class RandomOperations {
       riffle: () => {
         for (let k = this.#whole(2, 20); k > 0; k--) void element().next();
       },
-      key: () => this.#hands()?.key(this.#among(["ArrowLeft", "ArrowRight", "Home", "End", "+"])),
+      key: () => this.#pointer()?.key(this.#among(["ArrowLeft", "ArrowRight", "Home", "End", "+"])),
       drag: () => this.#drag("mouse"),
       touch: () => this.#drag("touch"),
       pinch: () => this.#pinch(),
-      wheel: () => this.#hands()?.roll(0, this.#whole(-200, 200), { ctrlKey: true }),
+      wheel: () => this.#pointer()?.roll(0, this.#whole(-200, 200), { ctrlKey: true }),
       hover: () =>
-        this.#hands()?.point("pointermove", this.#whole(0, width), this.#whole(0, height)),
+        this.#pointer()?.point("pointermove", this.#whole(0, width), this.#whole(0, height)),
     };
     const places: Group = {
       zoom: () => element().zoomTo(this.#among([1, 2.5, 6])),
@@ -321,20 +321,20 @@ export class RandomOperations {
   }
 
   async #drag(pointerType: string): Promise<void> {
-    const hands = this.#hands();
-    if (hands === null) return;
+    const pointer = this.#pointer();
+    if (pointer === null) return;
     const place = (): [number, number] => [this.#whole(5, width - 5), this.#whole(5, height - 5)];
     const [from, to] = [place(), place()];
     const more = { pointerType, pointerId: 7 };
-    hands.point("pointerdown", ...from, more);
-    await hands.move(from, to, more);
-    if (this.#random() < 0.2) await hands.move(to, from, more);
-    hands.point(this.#random() < 0.8 ? "pointerup" : "pointercancel", ...to, more);
+    pointer.point("pointerdown", ...from, more);
+    await pointer.move(from, to, more);
+    if (this.#random() < 0.2) await pointer.move(to, from, more);
+    pointer.point(this.#random() < 0.8 ? "pointerup" : "pointercancel", ...to, more);
   }
 
   async #pinch(): Promise<void> {
-    const hands = this.#hands();
-    if (hands === null) return;
+    const pointer = this.#pointer();
+    if (pointer === null) return;
     const fingers = [1, 2].map((pointerId) => ({ pointerId, pointerType: "touch" }));
     const place = (finger: number, off: number): [number, number] => [
       width / 2 + (finger ? off : -off),
@@ -342,9 +342,12 @@ export class RandomOperations {
     ];
     const [from, to] = [width / 8, this.#whole(5, width / 3)];
     for (const [k, finger] of fingers.entries())
-      hands.point("pointerdown", ...place(k, from), finger);
-    await Promise.all(fingers.map((finger, k) => hands.move(place(k, from), place(k, to), finger)));
-    for (const [k, finger] of fingers.entries()) hands.point("pointerup", ...place(k, to), finger);
+      pointer.point("pointerdown", ...place(k, from), finger);
+    await Promise.all(
+      fingers.map((finger, k) => pointer.move(place(k, from), place(k, to), finger)),
+    );
+    for (const [k, finger] of fingers.entries())
+      pointer.point("pointerup", ...place(k, to), finger);
   }
 
   /** Takes the graphics card away, and most times gives it back before the book is shown without one. */
@@ -359,8 +362,10 @@ export class RandomOperations {
     else await wait(4500);
   }
 
-  #hands(): Hands | null {
-    return this.#element.shadowRoot?.querySelector("canvas") ? new Hands(this.#element) : null;
+  #pointer(): TestPointer | null {
+    return this.#element.shadowRoot?.querySelector("canvas")
+      ? new TestPointer(this.#element)
+      : null;
   }
 
   /** Waits until the book in the element is open. */

@@ -9,9 +9,9 @@ import type { Turning } from "./book/turning.ts";
 import type { TurnleafBook } from "./element.ts";
 import { book, happens, keepWhatIsDrawn, scans, settled } from "./element_for_tests.ts";
 import type { BookEngine } from "./engine/book_engine.ts";
-import { Hands } from "./hands_for_tests.ts";
 import type { ModelledBook } from "./leaf_models/leaf_model.ts";
 import { PhotographsModel } from "./leaf_models/photographs.ts";
+import { TestPointer } from "./pointer_for_tests.ts";
 import type { BookPose, BookShape } from "./stage/book_pose.ts";
 import type { PhotographQuad } from "./webgl/photographs_mesh.ts";
 
@@ -35,13 +35,13 @@ async function photograph(number: number, width = 200, height = 160): Promise<Bl
   return await canvas.convertToBlob({ type: "image/png" });
 }
 
-/** Responds to requests below /photographs/ with the result of `answer` for the number in it. */
-function serve(answer: (number: number) => Promise<BodyInit | null>): void {
+/** Responds to requests below /photographs/ with the result of `respond` for the number in it. */
+function serve(respond: (number: number) => Promise<BodyInit | null>): void {
   const { fetch } = globalThis;
   vi.spyOn(globalThis, "fetch").mockImplementation(async (input, init) => {
     const [, number] = /\/photographs\/(\d+)\.png$/.exec(String(input)) ?? [];
     if (number === undefined) return fetch(input, init);
-    const body = await answer(Number(number));
+    const body = await respond(Number(number));
     return new Response(body, { status: body === null ? 404 : 200 });
   });
 }
@@ -89,7 +89,7 @@ test.for(ways)(
   async ({ binding, start, clear, order }) => {
     serve(photograph);
     const element = await opened({ binding });
-    const hands = new Hands(element);
+    const pointer = new TestPointer(element);
     const at = (x: number, y = 0.5): [number, number] => [300 * x, 220 * y];
     const sees = (number: number | null) =>
       expect.poll(() => seenAt(element, 0.3, 0.5), { timeout: 20_000 }).toBe(number);
@@ -97,28 +97,28 @@ test.for(ways)(
     const middle = at(0.5, 0.3);
     const near = at(start[0] + (0.5 - start[0]) * 0.1);
     const far = at(1 - start[0]);
-    hands.point("pointerdown", ...at(start[0], start[1]));
-    await hands.move(at(start[0], start[1]), near);
+    pointer.point("pointerdown", ...at(start[0], start[1]));
+    await pointer.move(at(start[0], start[1]), near);
     await sees(order[0]);
-    await hands.move(near, middle);
+    await pointer.move(near, middle);
     await sees(order[1]);
     // Where a photograph is transparent the book's own page is seen.
     expect(seenAt(element, ...clear)).toBeNull();
-    await hands.move(middle, far);
+    await pointer.move(middle, far);
     await sees(order[2]);
-    await hands.move(far, middle);
+    await pointer.move(far, middle);
     await sees(order[1]);
     const turned = happens(element, "pagechange");
-    await hands.move(middle, far);
+    await pointer.move(middle, far);
     await sees(order[2]);
-    hands.point("pointerup", ...far);
+    pointer.point("pointerup", ...far);
     expect(await turned).toMatchObject({ direction: "forward" });
     await settled(element);
     await sees(null);
   },
 );
 
-test("bound at the top they are rolled with the book, and a command turns too", async () => {
+test("bound at the top they are quarterTurned with the book, and a command turns too", async () => {
   serve(photograph);
   const element = await opened({ binding: "top", duration: "60000" });
   const turned = element.next();
@@ -135,10 +135,10 @@ test("bound at the top they are rolled with the book, and a command turns too", 
  * Returns a book of unit size with stiff leaves in flight, each with a fraction
  * of its turn done.
  */
-function flying(shares: readonly number[], isPeek = false): ModelledBook {
-  const flights = shares.map((_, k) => ({ part: "leaf", low: 4 + k, high: 5 + k, from: 4 + k }));
+function flying(fractions: readonly number[], isPeek = false): ModelledBook {
+  const flights = fractions.map((_, k) => ({ part: "leaf", low: 4 + k, high: 5 + k, from: 4 + k }));
   const overrideSurface = (index: number): Float32Array => {
-    const [x, z] = [Math.cos(Math.PI * shares[index]), Math.sin(Math.PI * shares[index])];
+    const [x, z] = [Math.cos(Math.PI * fractions[index]), Math.sin(Math.PI * fractions[index])];
     return new Float32Array([0, 0, 0, x, 0, z, 0, 1, 0, x, 1, z]);
   };
   return {
@@ -214,8 +214,8 @@ test.for([
   ],
 ] as const)(
   "of photographs %s one sentence tells, and leaves turn as sheets",
-  async ([, answer, sentence]) => {
-    serve(answer);
+  async ([, respond, sentence]) => {
+    serve(respond);
     const said: string[] = [];
     const element = book(scans(10), {
       model: "photographs",

@@ -1,4 +1,4 @@
-/** The page's state and what it does: settings in, two leaves moving, pictures out. */
+/** The page's state and its actions: settings in, two leaves moving, pictures out. */
 
 import type { LeafTurn } from "turnleaf/models";
 import { Clock } from "./clock.ts";
@@ -10,13 +10,13 @@ import type { Settings } from "./settings.ts";
 import { fill, type Texts } from "./texts.ts";
 import { leafSize, type Variant } from "./variants.ts";
 
-/** Milliseconds of a frame that the models may take; the rest is for drawing. */
+/** Milliseconds of a frame for the models; the rest is for drawing. */
 const budget = 14;
 
-/** A slowness that nobody sees. */
+/** An imperceptible slowness. */
 const realEnough = 1.15;
 
-/** What of the settings makes other leaves. */
+/** The settings that need new leaves. */
 const making = [
   "left",
   "right",
@@ -30,11 +30,11 @@ const making = [
   "steps",
 ] as const satisfies readonly (keyof Settings)[];
 
-/** Where the bench says something. */
+/** Receives the messages of the bench. */
 export interface BenchReport {
   /** How fast time passes, in a few words. */
   state(text: string): void;
-  /** What went wrong, in one sentence; empty where nothing is. */
+  /** What went wrong, in one sentence; empty if nothing did. */
   fault(text: string): void;
   /** A recording ended by itself. */
   full(): void;
@@ -49,7 +49,7 @@ export class Bench {
   readonly #clock = new Clock((seconds) => this.#frame(seconds));
   #settings: Settings;
   #leaves: TwoLeaves | null = null;
-  /** Rises with every change that makes other leaves: only the last one's are taken. */
+  /** Rises with every change that needs new leaves: only the last one's are used. */
   #change = 0;
   #isPaused = false;
   #recording: Recording | null = null;
@@ -80,7 +80,7 @@ export class Bench {
     return this.#recording !== null;
   }
 
-  /** Takes settings; where they make other leaves, those lie flat where the ones before were. */
+  /** Applies settings; new leaves lie flat where the previous ones were. */
   async set(settings: Settings): Promise<void> {
     const before = this.#settings;
     this.#settings = settings;
@@ -95,25 +95,25 @@ export class Bench {
     this.#go();
   }
 
-  /** A hand takes both leaves at a place. */
+  /** Grabs both leaves at a place. */
   grab({ u, v }: { u: number; v: number }): void {
     this.#leaves?.grab(u, v);
     this.#go();
   }
 
-  /** It pulls both to a place, metres. */
+  /** Pulls both to a place, metres. */
   hold(x: number, y: number, z: number): void {
     this.#leaves?.hold(x, y, z);
     this.#go();
   }
 
-  /** It lets both go. */
+  /** Releases both. */
   release(): void {
     this.#leaves?.release();
     this.#go();
   }
 
-  /** Holds time, or lets it pass again. */
+  /** Pauses or resumes time. */
   set isPaused(isPaused: boolean) {
     this.#isPaused = isPaused;
     if (isPaused) this.#clock.stop();
@@ -121,14 +121,14 @@ export class Bench {
     this.#sayState();
   }
 
-  /** Holds time and lets one tick of it pass. */
+  /** Pauses time and advances by one tick. */
   step(): void {
     this.isPaused = true;
     this.#leaves?.advance(0, 0);
     this.#moved();
   }
 
-  /** Draws all again: what is shown of the leaves changed, or their size on the screen. */
+  /** Draws everything again after a change of the settings or of the size on the screen. */
   show(): void {
     const leaves = this.#leaves;
     if (!leaves) return;
@@ -139,13 +139,13 @@ export class Bench {
     this.#sayState();
   }
 
-  /** Both pictures as they are now. */
+  /** Returns both current pictures. */
   picture(): HTMLCanvasElement {
     this.show();
     return new BothPictures(this.#pictures.map(({ canvas }) => canvas)).canvas;
   }
 
-  /** Starts a recording with what is seen now. */
+  /** Starts a recording with the current picture. */
   record(): void {
     const leaves = this.#leaves;
     if (!leaves || this.#recording) return;
@@ -157,8 +157,9 @@ export class Bench {
 
   /**
    * Ends it.
-   * @returns what was recorded
-   * @throws Error where it cannot be kept
+   *
+   * @returns the recorded files
+   * @throws Error if it cannot be saved
    */
   async finishRecording(): Promise<MadeFile[]> {
     const recording = this.#recording;
@@ -183,7 +184,7 @@ export class Bench {
         leaves.destroy();
         return;
       }
-      // Frames of other leaves are no part of the recording.
+      // Frames of other leaves do not belong to the recording.
       if (this.#recording) this.#report.full();
       this.#leaves?.destroy();
       this.#leaves = leaves;
@@ -219,7 +220,7 @@ export class Bench {
     if (this.#recording?.isFull) this.#report.full();
   }
 
-  /** A model that broke down would draw nothing any more. */
+  /** Replaces leaves whose model broke down, which would not be drawn any more. */
   #mend(leaves: TwoLeaves): void {
     for (const { leaf } of leaves.pair) {
       if (Number.isFinite(leaf.measure().kinetic)) continue;

@@ -1,9 +1,9 @@
-/** Lets the leaves' time pass while something moves, and asks for no frame while nothing does. */
+/** Advances the leaves' time while something moves, and requests no frame at rest. */
 
-/** A frame after a longer pause lets no more time pass than this, seconds. */
+/** Maximum time of one frame, seconds, after a longer pause. */
 const longestFrame = 0.25;
 
-/** What part of what is known of the pace is kept from one frame to the next. */
+/** Weight of the previous pace in its moving average. */
 const memory = 0.9;
 
 /** Drives frames. */
@@ -14,23 +14,26 @@ export class Clock {
   #real = 0;
   #passed = 0;
 
-  /** @param frame lets seconds of real time pass; answers how many passed for the leaves, and whether they lie still */
+  /**
+   * @param frame advances by seconds of real time; returns how many passed for
+   * the leaves, and whether they are at rest
+   */
   constructor(frame: (seconds: number) => { passed: number; isStill: boolean }) {
     this.#frame = frame;
   }
 
-  /** Asks for frames until the leaves lie still. */
+  /** Requests frames until the leaves are at rest. */
   start(): void {
     if (this.#asked === 0) this.#asked = requestAnimationFrame((now) => this.#go(now));
   }
 
-  /** Asks for no more. */
+  /** Stops requesting frames. */
   stop(): void {
     cancelAnimationFrame(this.#asked);
     this.#rest();
   }
 
-  /** How many times slower than the real time the leaves' time passes; NaN before any passed. */
+  /** How many times slower than real time the leaves' time passes; NaN before any passed. */
   get slowness(): number {
     return this.#real / this.#passed;
   }

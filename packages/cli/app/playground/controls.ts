@@ -36,9 +36,9 @@ function round(value: number): number {
 }
 
 /**
- * Makes the controls.
+ * Creates the controls.
  *
- * @param change called with what the reader changed
+ * @param change called with the changed settings
  * @param keep the buttons of the last group
  */
 export function makeControls(
@@ -106,7 +106,7 @@ type Part = { element: HTMLElement; show: (settings: Settings) => void };
 
 const note = (text: string) => make("p", { className: "note" }, text);
 
-/** A slider over the values of a setting; over a list of numbers it counts them. */
+/** Creates a slider over the values of a setting; over a list of numbers it uses their indices. */
 function makeSlider(
   name: NumberName,
   texts: Texts,
@@ -125,7 +125,7 @@ function makeSlider(
     max: `${most}`,
     step: `${by}`,
   });
-  // For eyes alone: the slider says it too.
+  // Hidden from screen readers: the slider says it too.
   const words = make("span", { className: "value", ariaHidden: "true" });
   const show = (settings: Settings): void => {
     const value = settings[name];

@@ -18,12 +18,12 @@ const lines: Readonly<Record<Kind, readonly Line[]>> = {
 
 const kinds: readonly Kind[] = ["energy", "strain", "cost"];
 
-/** A number with its unit, three digits of it. */
+/** Returns a number with its unit, with three digits. */
 export function write(value: number, unit: "J" | "s" | "%"): string {
   if (!Number.isFinite(value)) return "–";
   if (unit === "%") return `${Number((100 * value).toPrecision(2))} %`;
   const size = Math.abs(value);
-  // Less than a nanojoule, or a nanosecond, is nothing here.
+  // Less than a nanojoule, or a nanosecond, counts as zero.
   if (size < 1e-9) return `0 ${unit}`;
   const [scale, prefix] = size < 1e-3 ? [1e6, "µ"] : size < 1 ? [1e3, "m"] : [1, ""];
   return `${Number((scale * value).toPrecision(3))} ${prefix}${unit}`;
@@ -68,13 +68,13 @@ export class Figures {
     for (const kind of kinds) this.#plots[kind].add(time, all[kind]);
   }
 
-  /** Draws the plots, and writes what both leaves are at now. */
+  /** Draws the plots, and writes the current figures of both leaves. */
   show(pair: readonly BenchLeaf[], names: readonly string[]): void {
     for (const kind of kinds) this.#plots[kind].draw();
     for (const [k, one] of pair.entries()) {
       const { kinetic, bending, gravity, stretch, compression } = one.figures;
       const step = one.leaf.timeStep;
-      const share = (1e-6 * one.cost) / step;
+      const fraction = (1e-6 * one.cost) / step;
       this.#say("energy", k, names[k], {
         kinetic: write(kinetic, "J"),
         bending: write(bending, "J"),
@@ -87,12 +87,12 @@ export class Figures {
       this.#say("cost", k, names[k], {
         cost: write(1e-6 * one.cost, "s"),
         step: String(Number((1000 * step).toPrecision(3))),
-        share: write(share, "%"),
+        fraction: write(fraction, "%"),
       });
     }
   }
 
-  /** Forgets what was. */
+  /** Clears the plots. */
   clear(): void {
     for (const kind of kinds) this.#plots[kind].clear();
   }

@@ -1,20 +1,23 @@
-/** The one hand: a drag on either picture, or the arrow keys, hold both leaves at the same place. */
+/**
+ * Pointer and keys: a drag on either picture, or the arrow keys, hold both
+ * leaves at the same place.
+ */
 
 import type { LeafPlace } from "turnleaf/leaf-stage";
 import type { Picture } from "./picture.ts";
 import { leafSize } from "./variants.ts";
 
-/** What a hand does. */
+/** The actions of a pointer. */
 export interface HandActions {
   grab(place: LeafPlace): void;
   hold(x: number, y: number, z: number): void;
   release(): void;
 }
 
-/** Nearer to the spine a leaf does not give way. */
+/** Closer to the spine a leaf does not give way. */
 const leastU = 0.08;
 
-/** How far a key moves the hand, as part of the width. */
+/** How far a key moves the grab, as a fraction of the width. */
 const byKey = 0.06;
 
 const ways: Readonly<Record<string, readonly [number, number]>> = {
@@ -24,12 +27,12 @@ const ways: Readonly<Record<string, readonly [number, number]>> = {
   ArrowDown: [0, -1],
 };
 
-/** Lets a picture be dragged, and moved by keys while it has the focus. */
+/** Makes a picture draggable, and movable by keys while it has the focus. */
 export function followHand(picture: Picture, actions: HandActions): void {
   const { canvas, stage } = picture;
   let reach = 0;
   let pointer: number | null = null;
-  /** Where the keys hold the foot corner; null where they do not. */
+  /** Where the keys hold the foot corner; null if they do not. */
   let corner: { x: number; y: number } | null = null;
 
   const end = (): void => {

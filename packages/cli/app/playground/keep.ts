@@ -1,4 +1,4 @@
-/** Files that the reader keeps: links in a list, each gone when the next of its name comes. */
+/** Files for the reader to save: links in a list, each replaced by the next of its name. */
 
 import { make } from "./make.ts";
 
@@ -7,7 +7,7 @@ export class Kept {
   readonly element: HTMLUListElement = make("ul", { className: "files" });
   readonly #urls = new Map<string, { url: string; item: HTMLElement }>();
 
-  /** @param label what the list is called */
+  /** @param label the name of the list */
   constructor(label: string) {
     this.element.setAttribute("aria-label", label);
   }
@@ -15,8 +15,8 @@ export class Kept {
   /**
    * Adds a file.
    *
-   * @param note what is said of it beside its size
-   * @param isSaved whether it is saved at once, as its button was pressed
+   * @param note shown beside its size
+   * @param isSaved whether it is saved at once, because its button was pressed
    */
   add(name: string, blob: Blob, note = "", isSaved = false): void {
     const before = this.#urls.get(name);

@@ -1,4 +1,4 @@
-/** The two leaves: at the same moment, under the same hand. */
+/** The two leaves: at the same moment, held at the same place. */
 
 import { type LeafFigures, type LeafSide, type LeafTurn, LooseLeaf } from "turnleaf/models";
 import { type AnyLeaf, ReplayLeaf } from "./replay_leaf.ts";
@@ -8,16 +8,16 @@ import { isReplayed, leafOptions } from "./variants.ts";
 /** Both pictures show the same moment: neither leaf is ever more than this ahead, seconds. */
 const tick = 1 / 120;
 
-/** Every so often it is looked whether anything still moves, seconds of the leaves' time. */
+/** Interval of the checks for motion, seconds of the leaves' time. */
 const lookEvery = 0.25;
 
-/** What moved less than so far since then lies still, metres. */
+/** A motion of less than this since then counts as rest, metres. */
 const leastMove = 2e-5;
 
-/** Some models creep for ever; after so long without a hand they are taken to be at rest, seconds. */
+/** Some models creep for ever; after so long without a grab they count as at rest, seconds. */
 const longest = 20;
 
-/** What part of what is known of the cost is kept from one frame to the next. */
+/** Weight of the previous cost in its moving average. */
 const memory = 0.97;
 
 /** One of the two. */
@@ -31,12 +31,12 @@ export class BenchLeaf {
     this.leaf = leaf;
   }
 
-  /** Microseconds that a step took lately; NaN where none was made. */
+  /** Microseconds of a recent step; NaN before the first. */
   get cost(): number {
     return (1000 * this.#milliseconds) / this.#steps;
   }
 
-  /** Moves on; what that took is kept. */
+  /** Advances and measures its cost. */
   advance(seconds: number): void {
     const start = performance.now();
     this.leaf.advance(seconds);
@@ -44,13 +44,13 @@ export class BenchLeaf {
     this.#steps += seconds / this.leaf.timeStep;
   }
 
-  /** Lets what was long ago count less. */
+  /** Reduces the weight of old measurements. */
   forget(): void {
     this.#milliseconds *= memory;
     this.#steps *= memory;
   }
 
-  /** Whether no node has moved since this was asked last. */
+  /** Returns whether no node has moved since the last call. */
   isAsBefore(): boolean {
     this.leaf.update();
     const { positions } = this.leaf.nodes();
@@ -85,8 +85,9 @@ export class TwoLeaves {
   }
 
   /**
-   * Makes two leaves, flat and still on a side.
-   * @throws Error in one sentence where the settings make no leaf
+   * Makes two leaves, flat and at rest on a side.
+   *
+   * @throws Error if the settings are invalid
    */
   static async create(settings: Settings, side: LeafSide): Promise<TwoLeaves> {
     const made = await Promise.allSettled(
@@ -102,7 +103,7 @@ export class TwoLeaves {
     throw made.find((one) => one.status === "rejected")?.reason;
   }
 
-  /** Whether nothing moves, so that nothing need be drawn. */
+  /** Whether nothing moves, so that nothing needs to be drawn. */
   get isStill(): boolean {
     return this.#isStill;
   }
@@ -115,25 +116,25 @@ export class TwoLeaves {
     this.#wake();
   }
 
-  /** The hand takes hold of both at the same place. */
+  /** Grabs both at the same place. */
   grab(u: number, v: number): void {
     for (const { leaf } of this.pair) leaf.grab(u, v);
     this.#wake();
   }
 
-  /** The hand pulls both to the same place, metres. */
+  /** Pulls both to the same place, metres. */
   hold(x: number, y: number, z: number): void {
     this.#held = [x, y, z];
     for (const { leaf } of this.pair) leaf.hold(x, y, z);
     this.#wake();
   }
 
-  /** Where the hand is; null where none holds. */
+  /** The place of the grab; null if there is none. */
   get held(): readonly [x: number, y: number, z: number] | null {
     return this.#held;
   }
 
-  /** The hand lets go of both. */
+  /** Releases both. */
   release(): void {
     this.#held = null;
     for (const { leaf } of this.pair) leaf.release();
@@ -141,10 +142,10 @@ export class TwoLeaves {
   }
 
   /**
-   * Moves both on by seconds of their time, in ticks, for as long as the budget
-   * lasts, milliseconds; but for one tick, which is always made.
+   * Advances both by seconds of their time, in ticks, within the budget in
+   * milliseconds, but by at least one tick.
    *
-   * @returns by how much they moved on, seconds
+   * @returns the time by which they advanced, seconds
    */
   advance(seconds: number, budget: number): number {
     const start = performance.now();
@@ -175,7 +176,7 @@ export class TwoLeaves {
     this.#sinceLook += seconds;
     if (this.#sinceLook < lookEvery) return;
     this.#sinceLook = 0;
-    // Each is asked, so that each knows next time where it was.
+    // Each is checked, so that each remembers where it was.
     const asBefore = this.pair.map((one) => one.isAsBefore()).every(Boolean);
     const isLed = this.pair.some(({ leaf }) => leaf.playing);
     this.#isStill = !isLed && (asBefore || this.#idle > longest);

@@ -1,4 +1,4 @@
-/** The playground: two models turn the same page side by side, under the same hand. */
+/** The playground: two models turn the same page side by side, held at the same place. */
 
 import { Bench } from "./bench.ts";
 import { makeControls } from "./controls.ts";
@@ -16,7 +16,7 @@ const { language, texts } = textsFor(navigator.language);
 document.documentElement.lang = language;
 document.title = texts.title;
 
-/** What is said: how fast time passes, and what went wrong. */
+/** Messages: how fast time passes, and what went wrong. */
 const state = make("p", { className: "status" });
 const fault = make("p", { className: "fault" });
 state.setAttribute("role", "status");
@@ -95,12 +95,12 @@ const bench = new Bench([first, second], figures, texts, settingsOfLink(), {
     if (state.textContent !== text) state.textContent = text;
   },
   fault: (text) => {
-    // What was wrong with a link stays until something else is to be said.
+    // An error in a link stays until there is another message.
     if (text !== "" || hasMoved) fault.textContent = text;
   },
   full: () => void keepRecording(),
 });
-/** Whether the reader changed anything since the link was read. */
+/** Whether the reader has changed anything since the link was read. */
 let hasMoved = false;
 for (const picture of [first, second]) {
   followHand(picture, {
@@ -137,7 +137,7 @@ function change(changed: Partial<Settings>): void {
   showSettings();
 }
 
-/** The settings that the address carries; the first ones where it carries none that can be taken. */
+/** Returns the settings in the address; the first ones if it has none that are valid. */
 function settingsOfLink(): Settings {
   try {
     return readLink(location.hash);

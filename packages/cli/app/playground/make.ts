@@ -1,6 +1,6 @@
-/** Elements in one line each. */
+/** Creates elements in one line each. */
 
-/** Makes an element with properties and children. */
+/** Creates an element with properties and children. */
 export function make<Tag extends keyof HTMLElementTagNameMap>(
   tag: Tag,
   properties: Partial<HTMLElementTagNameMap[Tag]> = {},

@@ -1,4 +1,7 @@
-/** What the paper's figures show of a leaf: its masses, its springs, lines parallel to the dog-ear line. */
+/**
+ * The overlay of a leaf, as in the paper's figures: its masses, its springs,
+ * lines parallel to the dog-ear line.
+ */
 
 import {
   BufferAttribute,
@@ -28,7 +31,7 @@ const pointsAlong = 25;
 /** Drawn over the paper, not hidden by it: the far side of a bend is part of the figure. */
 const over = { depthTest: false, depthWrite: false, transparent: true } as const;
 
-/** Masses are round: how much of a point each of its pixels is. */
+/** Returns a round sprite for masses. */
 function disc(): DataTexture {
   const size = 32;
   const pixels = new Uint8Array(4 * size * size).fill(255);
@@ -44,7 +47,7 @@ function disc(): DataTexture {
   return texture;
 }
 
-/** A part of the overlay: as many points as it needs at the moment. */
+/** A part of the overlay: as many points as it currently needs. */
 class Marks<Mesh extends Points | LineSegments> {
   readonly mesh: Mesh;
   #room = 0;
@@ -56,7 +59,7 @@ class Marks<Mesh extends Points | LineSegments> {
     mesh.visible = false;
   }
 
-  /** The positions to write to, made anew where their number changed. */
+  /** Returns the positions to write to, reallocated if their number changed. */
   positions(count: number): Float32Array {
     if (count !== this.#room) {
       this.#room = count;
@@ -110,7 +113,7 @@ export class Overlay {
     scene.add(this.#masses.mesh, this.#lines.mesh, ...this.#springs.map(({ marks }) => marks.mesh));
   }
 
-  /** Follows a leaf; what is not to be shown is hidden. */
+  /** Follows a leaf; parts that are switched off are hidden. */
   show(variant: Variant, nodes: LeafGrid, surface: LeafGrid, settings: Settings): void {
     this.#masses.mesh.visible = settings.masses;
     if (settings.masses) {
@@ -121,7 +124,7 @@ export class Overlay {
     if (settings.lines) this.#showLines(surface, (settings.angle * Math.PI) / 180);
   }
 
-  /** Springs of a leaf that has them; of another the edges between its nodes. */
+  /** Shows the springs of a leaf that has them; of another the edges between its nodes. */
   #showSprings(
     isShown: boolean,
     areSprings: boolean,
@@ -158,7 +161,7 @@ export class Overlay {
 
 type Place = readonly [u: number, v: number];
 
-/** The ends of lines across a flat leaf, each at `angle` radians with the spine. */
+/** Returns the ends of lines across a flat leaf, each at `angle` radians with the spine. */
 export function linesAt(angle: number): (readonly [Place, Place])[] {
   const { width, height } = leafSize;
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
@@ -181,13 +184,13 @@ export function linesAt(angle: number): (readonly [Place, Place])[] {
   return lines;
 }
 
-const clamp = (share: number): number => Math.min(1, Math.max(0, share));
+const clamp = (fraction: number): number => Math.min(1, Math.max(0, fraction));
 
 function copyPoint(from: Float32Array, point: number, to: Float32Array, place: number): void {
   for (let axis = 0; axis < 3; axis++) to[3 * place + axis] = from[3 * point + axis];
 }
 
-/** The place (u, v) of a surface, between its four nearest points. */
+/** Interpolates the place (u, v) of a surface between its four nearest points. */
 function writePlace(
   { columns, rows, positions }: LeafGrid,
   u: number,

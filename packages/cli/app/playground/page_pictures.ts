@@ -1,4 +1,4 @@
-/** What is printed on the leaf and on the pages under it: a few lines that show every bend. */
+/** The pictures on the leaf and on the pages under it: a few lines that show every bend. */
 
 import type { LeafPictures } from "turnleaf/leaf-stage";
 
@@ -13,7 +13,7 @@ const [width, height] = [888, 1260];
 const margin = 118;
 const size = 33;
 
-/** The four pages that are seen, from the left to the right. */
+/** Returns the four visible pages, from left to right. */
 export function drawPages(): LeafPictures {
   const [left, recto, verso, right] = [2, 3, 4, 5].map(drawPage);
   return { left, recto, verso, right };

@@ -1,11 +1,14 @@
-/** What can be said of points as if they were paper's: the same as `LooseLeaf.measure` says of nodes. */
+/**
+ * Energies and strains of points as if they were paper's: the same as
+ * `LooseLeaf.measure` returns for nodes.
+ */
 
 import type { LeafFigures, LeafNodes, LeafStock } from "turnleaf/models";
 
 /** Poisson's ratio of the engine's papers. */
 const poisson = 0.29;
 
-/** What the points are of. */
+/** The leaf of the points. */
 export interface PaperLeaf {
   readonly width: number;
   readonly height: number;
@@ -14,7 +17,10 @@ export interface PaperLeaf {
   readonly gravity: number;
 }
 
-/** Energies of a leaf of paper whose points are there and so fast, and strains between neighbours. */
+/**
+ * Returns the energies of a leaf of paper with these points and velocities, and
+ * the strains between neighbours.
+ */
 export function paperFigures(
   { width, height, stock, gravity }: PaperLeaf,
   points: LeafNodes,

@@ -1,4 +1,4 @@
-/** One of the two pictures: a leaf on its canvas, with what is shown of it. */
+/** One of the two pictures: a leaf on its canvas, with its overlay. */
 
 import type { Scene } from "three";
 import { type LeafPictures, LeafStage } from "turnleaf/leaf-stage";
@@ -8,7 +8,7 @@ import type { Settings } from "./settings.ts";
 import { StrainColours } from "./strain.ts";
 import { leafSize, type Variant } from "./variants.ts";
 
-/** Device pixels for each CSS pixel, at most: beyond, nobody sees more. */
+/** Maximum of device pixels per CSS pixel: more makes no visible difference. */
 const mostRatio = 2;
 
 /** A leaf's picture. */
@@ -20,8 +20,9 @@ export class Picture {
   #isCovered = false;
 
   /**
-   * @param redraw has the leaf shown again, as the graphics card came back
-   * @throws Error in one sentence where the browser has no WebGL 2
+   * @param redraw shows the leaf again after the graphics context was restored
+   *
+   * @throws Error if the browser has no WebGL 2
    */
   constructor(canvas: HTMLCanvasElement, pages: LeafPictures, redraw: () => void) {
     this.canvas = canvas;

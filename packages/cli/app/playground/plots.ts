@@ -1,6 +1,6 @@
 /** Lines over time, of both leaves in one picture. */
 
-/** What a line is drawn as. */
+/** The style of a line. */
 type Dash = "whole" | "dashed" | "dotted";
 
 const dashes: Record<Dash, readonly number[]> = {
@@ -15,10 +15,10 @@ export interface Line {
   readonly dash: Dash;
 }
 
-/** Seconds of the leaves' time that are seen. */
+/** Visible seconds of the leaves' time. */
 const span = 4;
 
-/** More samples are not kept: two for each pixel of a wide plot. */
+/** Maximum of samples kept: two for each pixel of a wide plot. */
 const most = 1200;
 
 /** A plot on a canvas. */
@@ -30,7 +30,7 @@ export class Plot {
   readonly #values: number[][];
   readonly #label: (value: number) => string;
 
-  /** @param label a value as it is written at the top of the plot */
+  /** @param label formats a value for the top of the plot */
   constructor(
     canvas: HTMLCanvasElement,
     lines: readonly Line[],
@@ -44,7 +44,7 @@ export class Plot {
     this.#values = lines.map(() => []);
   }
 
-  /** Adds what each line is at a time, in the lines' order. */
+  /** Adds the value of each line at a time, in the lines' order. */
   add(time: number, values: readonly number[]): void {
     this.#times.push(time);
     for (const [k, value] of values.entries()) this.#values[k].push(value);
@@ -55,13 +55,13 @@ export class Plot {
     for (const own of this.#values) own.splice(0, gone);
   }
 
-  /** Forgets everything. */
+  /** Removes all samples. */
   clear(): void {
     this.#times.length = 0;
     for (const own of this.#values) own.length = 0;
   }
 
-  /** Draws what is known, now. */
+  /** Draws the plot. */
   draw(): void {
     const canvas = this.#canvas;
     const pen = canvas.getContext("2d");
@@ -105,7 +105,7 @@ export class Plot {
     pen.setLineDash([]);
   }
 
-  /** The values at the foot and at the top: a round number above the highest. */
+  /** Returns the values at the foot and at the top: a round number above the highest. */
   #range(): readonly [number, number] {
     const all = this.#values.flat().filter(Number.isFinite);
     const [least, most] = [Math.min(0, ...all), Math.max(0, ...all)];
@@ -116,10 +116,10 @@ export class Plot {
   }
 }
 
-/** 1, 2 or 5 times a power of ten, at least the value. */
+/** Returns 1, 2 or 5 times a power of ten, at least the value. */
 export function roundUp(value: number): number {
   const power = 10 ** Math.floor(Math.log10(value));
-  // Less than a hair above is that number itself.
+  // A value slightly above a round number counts as that number.
   const times = [1, 2, 5].find((times) => times * power >= 0.999999 * value) ?? 10;
   return times * power;
 }

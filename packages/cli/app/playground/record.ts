@@ -1,22 +1,25 @@
-/** What is recorded of both leaves: a film of the pictures, and key frames of each. */
+/** Recordings of both leaves: a film of the pictures, and key frames of each. */
 
 import { TurnRecorder } from "turnleaf/keyframes";
 import type { BenchLeaf } from "./leaves.ts";
 
-/** What is written, the best first. */
+/** The formats, the best first. */
 const types = ["video/webm;codecs=vp9", "video/webm;codecs=vp8", "video/webm", "video/mp4"];
 
-/** Seconds of the leaves' time between two frames of a recording: half a frame of a film less. */
+/**
+ * Minimum time between two frames of a recording, in seconds of the leaves'
+ * time: half a frame of a film less.
+ */
 const leastBetween = 1 / 61;
 
-/** A recording ends by itself after so long, seconds of the leaves' time. */
+/** A recording ends by itself after this time, seconds of the leaves' time. */
 const longest = 10;
 
-/** A file to be kept. */
+/** A file to be saved. */
 export interface MadeFile {
   readonly name: string;
   readonly blob: Blob;
-  /** How far a replay of key frames is at most from the recording, over the width. */
+  /** Maximum distance of a replay of key frames from the recording, over the width. */
   readonly error?: number;
 }
 
@@ -29,13 +32,13 @@ export class BothPictures {
     this.#pictures = pictures;
     const sum = pictures.reduce((all, { width }) => all + width, 0);
     const highest = Math.max(...pictures.map(({ height }) => height));
-    // Encoders take even sizes alone.
+    // Encoders take only even sizes.
     this.canvas.width = 2 * Math.max(1, Math.floor(sum / 2));
     this.canvas.height = 2 * Math.max(1, Math.floor(highest / 2));
     this.paint();
   }
 
-  /** Takes what is on the pictures' canvases, in the task in which they were drawn. */
+  /** Copies the pictures' canvases, in the task in which they were drawn. */
   paint(): void {
     const pen = this.canvas.getContext("2d");
     if (!pen) return;
@@ -50,7 +53,7 @@ export class BothPictures {
   }
 }
 
-/** One recording, from when it is made. */
+/** One recording, from its creation on. */
 export class Recording {
   readonly #both: BothPictures;
   readonly #leaves: readonly BenchLeaf[];
@@ -78,7 +81,7 @@ export class Recording {
     this.#film?.start();
   }
 
-  /** Whether it is as long as a recording may be. */
+  /** Whether it has reached its maximum length. */
   get isFull(): boolean {
     return this.#first !== null && this.#last - this.#first >= longest;
   }
@@ -96,7 +99,7 @@ export class Recording {
     }
   }
 
-  /** Ends it; answers what was recorded, nothing of what has no frame. */
+  /** Ends it. Returns the recorded files, without those that have no frame. */
   async finish(names: readonly string[]): Promise<MadeFile[]> {
     const files: MadeFile[] = [];
     const film = await this.#endFilm();
@@ -122,7 +125,7 @@ export class Recording {
   }
 }
 
-/** A recorder of a canvas; null where the browser has none. */
+/** Returns a recorder of a canvas; null if the browser has none. */
 function openFilm(canvas: HTMLCanvasElement): MediaRecorder | null {
   const mimeType =
     globalThis.MediaRecorder && types.find((type) => MediaRecorder.isTypeSupported(type));

@@ -5,7 +5,7 @@ import { ReplayLeaf } from "./replay_leaf.ts";
 
 const options = { model: "sheet", width: 0.148, height: 0.21, points: [25, 33] } as const;
 
-/** Greatest distance between points, metres. */
+/** Returns the maximum distance between points, metres. */
 function apart(a: Pick<LeafNodes, "positions">, b: Pick<LeafNodes, "positions">): number {
   let most = 0;
   for (let i = 0; i < a.positions.length; i += 3) {
@@ -15,7 +15,7 @@ function apart(a: Pick<LeafNodes, "positions">, b: Pick<LeafNodes, "positions">)
   return most;
 }
 
-/** x of the fore-edge's middle, over the width. */
+/** Returns x of the fore-edge's middle, over the width. */
 const edgeOf = ({ columns, rows, positions }: LeafNodes): number =>
   positions[3 * ((rows >> 1) * columns + columns - 1)] / 0.148;
 
@@ -54,12 +54,12 @@ test("it turns as fast as it is asked to, and then lies", async () => {
 test("it follows a hand by how far over that is, and falls to the nearer side", async () => {
   const replay = await ReplayLeaf.create(options);
   replay.grab();
-  for (const share of [0.7, 0.3, 0.6]) {
-    replay.hold(0.1 * Math.cos(Math.PI * share), 0.1, 0.1 * Math.sin(Math.PI * share));
+  for (const fraction of [0.7, 0.3, 0.6]) {
+    replay.hold(0.1 * Math.cos(Math.PI * fraction), 0.1, 0.1 * Math.sin(Math.PI * fraction));
     replay.advance(1 / 60);
     const { columns, rows, positions } = replay.nodes();
     const at = 3 * ((rows >> 1) * columns + columns - 1);
-    expect(Math.atan2(positions[at + 2], positions[at]) / Math.PI).toBeCloseTo(share, 1);
+    expect(Math.atan2(positions[at + 2], positions[at]) / Math.PI).toBeCloseTo(fraction, 1);
   }
   replay.release();
   for (let k = 0; k < 120; k++) replay.advance(1 / 60);

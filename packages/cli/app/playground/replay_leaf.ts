@@ -1,4 +1,4 @@
-/** A leaf that repeats what was recorded of a live one: what a hand and a turn make of key frames. */
+/** A leaf that replays a recording of a live one: grabs and turns over key frames. */
 
 import { decodeTurn, type RecordedTurn, writeNormals } from "turnleaf/keyframes";
 import {
@@ -13,7 +13,7 @@ import {
 } from "turnleaf/models";
 import { paperFigures } from "./paper_figures.ts";
 
-/** What the playground asks of a leaf, whether it is live or a recording. */
+/** What the playground needs of a leaf, live or recorded. */
 export type AnyLeaf = Pick<
   LooseLeaf,
   | "options"
@@ -32,24 +32,27 @@ export type AnyLeaf = Pick<
   | "destroy"
 >;
 
-/** What is recorded: a turn of so long and what comes after it, a frame every so often, seconds. */
+/**
+ * The recording: a turn of this length and the time after it, with a frame at
+ * this interval, seconds.
+ */
 const turnTime = 1.2;
 const afterTime = 0.6;
 const between = 1 / 60;
 
-/** Places between which the time of a share of the turn is looked up. */
+/** Number of samples between which the time of a fraction of the turn is interpolated. */
 const looks = 200;
 
-/** A turn from the right to the left, and when each of so many shares of it is done first, seconds. */
+/** A turn from right to left, and when each fraction of it is first done, seconds. */
 interface Recorded {
   readonly turn: RecordedTurn;
   readonly times: Float64Array;
 }
 
 /**
- * Repeats the turns of the leaf that its options make, each recorded when it is
- * first played. Held, it is where the turn by the fore-edge is as far over as the
- * hand; let go, it goes on in that turn to the nearer side.
+ * Replays the turns of the leaf that its options make, each recorded when it is
+ * first played. Held, it is where the turn by the fore-edge is as far over as
+ * the pointer; released, it goes on in that turn to the nearer side.
  */
 export class ReplayLeaf implements AnyLeaf {
   readonly options: LeafOptions;
@@ -60,7 +63,10 @@ export class ReplayLeaf implements AnyLeaf {
   readonly #velocities: Float32Array;
   #now: Recorded;
   #isMirrored: boolean;
-  /** Seconds of the recording; how many of them pass in a second; and whether a played turn is under way. */
+  /**
+   * Seconds of the recording; how many of them pass in a second; and whether a
+   * played turn is in progress.
+   */
   #time = 0;
   #pace = 0;
   #isPlaying = false;
@@ -83,7 +89,7 @@ export class ReplayLeaf implements AnyLeaf {
     this.#velocities.fill(0);
   }
 
-  /** Records the leaf of the options. Rejects in one sentence where they make none. */
+  /** Records the leaf of the options. Rejects if they are invalid. */
   static async create(options: LeafOptions): Promise<ReplayLeaf> {
     const live = await LooseLeaf.create(options);
     live.update();
@@ -109,14 +115,14 @@ export class ReplayLeaf implements AnyLeaf {
 
   grab(): void {
     const { columns, rows, positions } = this.#surface;
-    const isLeft = shareTurned(positions, columns, rows) > 0.5;
+    const isLeft = fractionTurned(positions, columns, rows) > 0.5;
     this.#begin("edge", isLeft ? "left" : "right");
     this.#pace = 0;
   }
 
   hold(x: number, _y: number, z: number): void {
-    const share = Math.atan2(Math.max(z, 0), this.#isMirrored ? -x : x) / Math.PI;
-    const at = share * looks;
+    const fraction = Math.atan2(Math.max(z, 0), this.#isMirrored ? -x : x) / Math.PI;
+    const at = fraction * looks;
     const low = Math.min(Math.floor(at), looks - 1);
     const [before, after] = [this.#now.times[low], this.#now.times[low + 1]];
     this.#time = before + (at - low) * (after - before);
@@ -197,8 +203,8 @@ export class ReplayLeaf implements AnyLeaf {
     const times = new Float64Array(looks + 1).fill(duration);
     for (let next = 0, time = 0; time <= duration; time += between / 2) {
       turn.sample(time, points);
-      const share = shareTurned(points, columns, rows);
-      for (; next <= looks * share; next++) times[next] = time;
+      const fraction = fractionTurned(points, columns, rows);
+      for (; next <= looks * fraction; next++) times[next] = time;
     }
     const recorded = { turn, times };
     this.#recorded.set(by, recorded);
@@ -206,8 +212,8 @@ export class ReplayLeaf implements AnyLeaf {
   }
 }
 
-/** How far the fore-edge has turned on the whole, from 0 on the right to 1 on the left. */
-function shareTurned(points: Float32Array, columns: number, rows: number): number {
+/** Returns how far the fore-edge has turned on the whole, from 0 on the right to 1 on the left. */
+function fractionTurned(points: Float32Array, columns: number, rows: number): number {
   let sum = 0;
   for (let row = 1; row <= rows; row++) {
     const edge = 3 * (row * columns - 1);

@@ -1,10 +1,10 @@
-/** All that can be set on the page, and the link that carries it. */
+/** The settings of the page, and the link that carries them. */
 
 import { ownNodes, type Variant, variantNames } from "./variants.ts";
 
-/** A whole of settings. */
+/** A complete set of settings. */
 export interface Settings {
-  /** What moves the leaf on the left of the page, and the one on the right. */
+  /** The model of the leaf on the left of the page, and of the one on the right. */
   readonly left: Variant;
   readonly right: Variant;
   /** g/m². */
@@ -15,26 +15,26 @@ export interface Settings {
   readonly stiffness: number;
   /** m/s². */
   readonly gravity: number;
-  /** Density over the real air's. */
+  /** Density relative to real air. */
   readonly air: number;
   /** The dog-ear line's angle with the spine, degrees. */
   readonly angle: number;
-  /** Columns of nodes; the least is each model's own number. */
+  /** Columns of nodes; the minimum stands for each model's own number. */
   readonly nodes: number;
-  /** Steps a second; 0 is each model's own. */
+  /** Steps per second; 0 for each model's own. */
   readonly steps: number;
-  /** How long a played turn takes, seconds. */
+  /** Length of a played turn, seconds. */
   readonly seconds: number;
   /** How fast time passes. */
   readonly pace: number;
-  /** What is shown of a leaf beside its paper. */
+  /** The visible parts of the overlay. */
   readonly masses: boolean;
   readonly springs: boolean;
   readonly lines: boolean;
   readonly strain: boolean;
 }
 
-/** The values that a setting may have. */
+/** The valid values of a setting. */
 type Bounds<T> = [T] extends [boolean]
   ? { readonly kind: "switch" }
   : [T] extends [number]
@@ -52,7 +52,7 @@ const onOrOff = { kind: "switch" } as const;
 const range = (least: number, most: number, by: number) =>
   ({ kind: "range", least, most, by }) as const;
 
-/** What each setting may be. */
+/** The valid values of each setting. */
 export const bounds: { readonly [Name in keyof Settings]: Bounds<Settings[Name]> } = {
   left: { kind: "names", of: variantNames },
   right: { kind: "names", of: variantNames },
@@ -72,7 +72,7 @@ export const bounds: { readonly [Name in keyof Settings]: Bounds<Settings[Name]>
   strain: onOrOff,
 };
 
-/** What is set where nothing was chosen. */
+/** The defaults. */
 export const firstSettings: Settings = {
   left: "springs-both",
   right: "sheet",
@@ -94,10 +94,13 @@ export const firstSettings: Settings = {
 
 const names = Object.keys(firstSettings) as (keyof Settings)[];
 
-/** No link of the page's own is longer. */
+/** Maximum length: no link of the page's own is longer. */
 const longest = 600;
 
-/** The part of a link that carries settings: those that are not as at first, without "#". */
+/**
+ * Returns the part of a link that carries settings: those that differ from the
+ * defaults, without "#".
+ */
 export function writeLink(settings: Settings): string {
   const link = new URLSearchParams();
   for (const name of names) {
@@ -107,7 +110,10 @@ export function writeLink(settings: Settings): string {
   return link.toString();
 }
 
-/** What was wrong with a link: the setting whose value it is, or null where it is no link of this page. */
+/**
+ * An error in a link: the setting with an invalid value, or null if it is not a
+ * link of this page.
+ */
 export class BadLink extends Error {
   readonly setting: keyof Settings | null;
 
@@ -118,10 +124,11 @@ export class BadLink extends Error {
 }
 
 /**
- * The settings that a link carries.
+ * Reads the settings of a link.
  *
- * @param link with or without "#"; empty for the first settings
- * @throws BadLink where any part of it is not a setting within its bounds: then none of it is taken
+ * @param link with or without "#"; empty for the defaults
+ * @throws BadLink if any part of it is not a setting within its bounds: then
+ * none of it is used
  */
 export function readLink(link: string): Settings {
   if (link.length > longest) throw new BadLink(null);

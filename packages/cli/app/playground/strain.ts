@@ -1,4 +1,4 @@
-/** How far a leaf's cells are stretched, as colours on its paper. */
+/** The strain of a leaf's cells, as colours on its paper. */
 
 import { DataTexture, LinearFilter, SRGBColorSpace } from "three";
 import type { LeafGrid } from "turnleaf/models";
@@ -11,7 +11,7 @@ const paper = [251, 245, 232] as const;
 const stretched = [178, 40, 28] as const;
 const pressed = [32, 82, 160] as const;
 
-/** The strain of each cell of a grid: of its four edges the one farthest from its length at rest. */
+/** Returns the strain of each cell of a grid: that of its four edges with the largest magnitude. */
 export function strainOfCells({ columns, rows, positions }: LeafGrid): Float32Array {
   const [across, up] = [leafSize.width / (columns - 1), leafSize.height / (rows - 1)];
   const strain = (a: number, b: number, rest: number): number => {
@@ -41,7 +41,7 @@ export class StrainColours {
   #columns = 0;
   #rows = 0;
 
-  /** Colours a leaf; answers whether the textures are others than before. */
+  /** Colours a leaf. Returns whether the textures have changed. */
   paint(grid: LeafGrid): boolean {
     const isNew = grid.columns - 1 !== this.#columns || grid.rows - 1 !== this.#rows;
     if (isNew) {
@@ -56,9 +56,9 @@ export class StrainColours {
       // Pictures begin at the head.
       const line = (this.#rows - 1 - row) * this.#columns;
       for (let column = 0; column < this.#columns; column++, cell++) {
-        const share = Math.min(1, Math.abs(cells[cell]) / fullStrain);
+        const fraction = Math.min(1, Math.abs(cells[cell]) / fullStrain);
         const full = cells[cell] > 0 ? stretched : pressed;
-        const colour = paper.map((from, k) => Math.round(from + (full[k] - from) * share));
+        const colour = paper.map((from, k) => Math.round(from + (full[k] - from) * fraction));
         recto.set(colour, 4 * (line + column));
         verso.set(colour, 4 * (line + this.#columns - 1 - column));
       }

@@ -1,9 +1,9 @@
-/** What the page says, in each of its languages. */
+/** The texts of the page, in each of its languages. */
 
 import type { Settings } from "./settings.ts";
 import type { Variant } from "./variants.ts";
 
-/** All that is said. {braces} stand for what is filled in. */
+/** All texts. Words in {braces} are placeholders. */
 export interface Texts {
   readonly title: string;
   readonly intro: string;
@@ -111,7 +111,7 @@ const en: Texts = {
     energy:
       "{model}: motion {kinetic} (whole line), bending {bending} (dashed), height {gravity} (dotted)",
     strain: "{model}: stretched {stretch}, pressed {compression}",
-    cost: "{model}: {cost} a step of {step} ms, {share} of real time",
+    cost: "{model}: {cost} a step of {step} ms, {fraction} of real time",
   },
   notes: {
     shell:
@@ -201,7 +201,7 @@ const zh: Texts = {
   figures: {
     energy: "{model}：动能 {kinetic}（实线），弯曲 {bending}（虚线），重力 {gravity}（点线）",
     strain: "{model}：拉伸 {stretch}，压缩 {compression}",
-    cost: "{model}：每步 {cost}，步长 {step} ms，占实时 {share}",
+    cost: "{model}：每步 {cost}，步长 {step} ms，占实时 {fraction}",
   },
   notes: {
     shell: "薄壳自身的网格为 33 × 45，翻一页需数分钟；未选择时此处用 10 × 14。",
@@ -223,7 +223,7 @@ const zh: Texts = {
   notRecorded: "录制内容无法保存，请录短一些。",
 };
 
-/** The texts for a language; English for one that the page does not speak. */
+/** Returns the texts for a language, or English. */
 export function textsFor(language: string): {
   readonly language: "en" | "zh";
   readonly texts: Texts;
@@ -231,6 +231,6 @@ export function textsFor(language: string): {
   return /^zh\b/i.test(language) ? { language: "zh", texts: zh } : { language: "en", texts: en };
 }
 
-/** A text with what stands in its braces filled in. */
+/** Returns a text with its placeholders filled in. */
 export const fill = (text: string, values: Readonly<Record<string, string>>): string =>
   text.replace(/\{(\w+)\}/g, (all, name) => (Object.hasOwn(values, name) ? values[name] : all));

@@ -1,4 +1,4 @@
-/** The models that can be set side by side, and the leaf that settings make of one. */
+/** The models that can be compared, and the leaf for the settings of one. */
 
 import type { LeafOptions } from "turnleaf/models";
 import type { Settings } from "./settings.ts";
@@ -7,15 +7,15 @@ import type { Settings } from "./settings.ts";
 export const leafSize = { width: 0.148, height: 0.21 } as const;
 
 type Own = Pick<LeafOptions, "model" | "preset" | "interpolate" | "discretisation"> & {
-  /** Whether the dog-ear line's angle is of consequence. */
+  /** Whether the dog-ear line's angle has an effect. */
   readonly isSynchronised?: boolean;
-  /** Whether it repeats what was recorded of such a leaf. */
+  /** Whether it replays a recording of such a leaf. */
   readonly isReplayed?: boolean;
 };
 
 const springs = { model: "mass-spring", preset: "book" } as const;
 
-/** What each is made of, by its name in links. */
+/** The options of each, by its name in links. */
 export const variants = {
   "paper-2014": {
     model: "mass-spring",
@@ -44,22 +44,22 @@ export type Variant = keyof typeof variants;
 /** All of them, in the order in which they are offered. */
 export const variantNames = Object.keys(variants) as Variant[];
 
-/** Whether a variant has springs, not only nodes. */
+/** Returns whether a variant has springs, not only nodes. */
 export const hasSprings = (variant: Variant): boolean => variants[variant].model === "mass-spring";
 
-/** Whether a variant is a recording's replay, and no live leaf. */
+/** Returns whether a variant replays a recording rather than a live leaf. */
 export const isReplayed = (variant: Variant): boolean => {
   const own: Own = variants[variant];
   return own.isReplayed ?? false;
 };
 
-/** The drawn points: many enough to bend smoothly, and light is found at every fourth column. */
+/** The drawn points: enough to bend smoothly, and light is computed at every fourth column. */
 const points = [25, 33] as const;
 
-/** Columns and rows where nobody chose: the shell's own grid takes minutes for a turn. */
+/** Default columns and rows of the shell: its own grid takes minutes for a turn. */
 const shellNodes = [10, 14] as const;
 
-/** The leaf that a variant and the settings make. */
+/** Returns the options of the leaf for a variant and the settings. */
 export function leafOptions(variant: Variant, settings: Settings): LeafOptions {
   const { isSynchronised, isReplayed: _, ...own }: Own = variants[variant];
   const { nodes, steps, stiffness } = settings;
@@ -88,5 +88,8 @@ export const grainRatio = 2.25;
 /** Fewer columns than any choice: the model's own number. */
 export const ownNodes = 3;
 
-/** Rows beside so many columns, nearly as far apart; the models of springs take no more. */
+/**
+ * Returns the rows for so many columns, nearly equally spaced; the models of
+ * springs allow no more.
+ */
 export const rowsOf = (columns: number): number => Math.min(16, Math.round(1.4 * columns));

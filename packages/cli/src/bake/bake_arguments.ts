@@ -3,7 +3,7 @@ import type { LeafStockName, Model } from "turnleaf/models";
 import { oneOf, parseNumber, parseOptions, parseSize } from "../options.ts";
 import { UsageProblem } from "../problem.ts";
 
-/** Every model and paper, the usual one first: told here, so that reading a book loads no model. */
+/** Every model and paper, the default first: listed here, so that reading a book loads no model. */
 const models = Object.keys({
   sheet: 0,
   "mass-spring": 0,
@@ -21,7 +21,7 @@ const stocks = Object.keys({
   card: 0,
 } satisfies Record<LeafStockName, 0>) as LeafStockName[];
 
-/** What a turn can be written as. */
+/** The output formats. */
 const formats = ["glb", "obj", "json", "tlkf"] as const;
 /** How the leaf is turned. */
 const gestures = ["corner", "edge", "let-go"] as const;
@@ -34,16 +34,16 @@ export interface BakeCommand {
   readonly stock: LeafStockName;
   readonly out: string;
   readonly format: (typeof formats)[number];
-  /** How long the hand takes; the leaf then comes to rest. */
+  /** Duration of the grab; the leaf then comes to rest. */
   readonly seconds: number;
-  /** Frames a second of what is written frame by frame. */
+  /** Frames per second of formats written frame by frame. */
   readonly fps: number;
-  /** Of the leaf, metres. */
+  /** Size of the leaf, metres. */
   readonly width: number;
   readonly height: number;
   /** Columns and rows of points. */
   readonly points: readonly [number, number];
-  /** How far what is written may be from the turn, over the width. */
+  /** Maximum distance of the output from the turn, over the width. */
   readonly tolerance: number;
   /** Images of both sides. */
   readonly front: string | undefined;
@@ -69,7 +69,8 @@ export const bakeHelp = `turnleaf bake --out FILE writes the turn of a leaf for 
 `;
 
 /**
- * Reads what comes after `turnleaf bake`.
+ * Parses the arguments of `turnleaf bake`.
+ *
  * @throws UsageProblem
  */
 export function parseBake(args: readonly string[]): BakeCommand {

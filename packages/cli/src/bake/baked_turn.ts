@@ -1,15 +1,18 @@
-/** A turn simulated from its beginning to its rest, and what is kept of it. */
+/** A turn simulated from its beginning to its rest, and reduced to key frames. */
 
 import { writeNormals } from "turnleaf/keyframes";
 import { LooseLeaf, leafStocks } from "turnleaf/models";
 import { Problem } from "../problem.ts";
 import type { BakeCommand } from "./bake_arguments.ts";
 
-/** Frames a second at which the turn is looked at, or a few more: at whole steps of its model. */
+/** Minimum of frames per second at which the turn is sampled: at whole steps of its model. */
 const rate = 120;
-/** Longest wait for the leaf to come to rest after the hand let go, seconds. */
+/** Maximum time for the leaf to come to rest after its release, seconds. */
 const patience = 4;
-/** Motion from frame to frame that nobody sees, over the width; and frames in a row without more. */
+/**
+ * Imperceptible motion from frame to frame, over the width; and the consecutive
+ * frames below it that count as rest.
+ */
 const unseen = 2e-5;
 const stillFrames = 12;
 
@@ -27,17 +30,17 @@ export interface Points {
   readonly v: Float32Array;
 }
 
-/** The points of a command. */
+/** Returns the points of a command. */
 export function pointsOf({ points }: BakeCommand): Points {
   const even = (n: number) => Float32Array.from({ length: n }, (_, i) => i / (n - 1));
   return { u: even(points[0]), v: even(points[1]) };
 }
 
 /**
- * Simulates the turn until the leaf lies still.
+ * Simulates the turn until the leaf is at rest.
  *
- * @param tell hears how far it has come, seconds of about how many
- * @throws Problem where the model refuses the leaf
+ * @param tell called with the progress: seconds, and an estimate of their total
+ * @throws Problem if the model rejects the leaf
  */
 export async function simulate(
   command: BakeCommand,
@@ -45,7 +48,7 @@ export async function simulate(
   signal: AbortSignal,
 ): Promise<Frame[]> {
   const { model, gesture, stock, seconds, width, height, points } = command;
-  // Masses and springs as paper has them, and drawn by as many points as any other model.
+  // Masses and springs as paper has them, drawn by as many points as any other model.
   const springs = { preset: "book", interpolate: true } as const;
   const options = { model, width, height, stock: leafStocks[stock], points, ...springs };
   const leaf = await LooseLeaf.create(options).catch((error: unknown) => {
@@ -67,7 +70,7 @@ export async function simulate(
       still = isStill ? still + 1 : 0;
       frames.push({ time, positions });
       tell(time, seconds + 1);
-      // So that Ctrl+C is heard.
+      // Lets Ctrl+C be handled.
       if (step % 30 === 0) await new Promise((resolve) => setImmediate(resolve));
       signal.throwIfAborted();
     }
@@ -78,8 +81,8 @@ export async function simulate(
 }
 
 /**
- * Few frames between which others lie on straight lines, as near as `tolerance`,
- * metres: from each the longest line that holds.
+ * Returns few frames between which the others lie on straight lines, within
+ * `tolerance`, metres: from each the longest line that holds.
  */
 export function keepFrames(frames: readonly Frame[], tolerance: number): Frame[] {
   const kept = frames.slice(0, 1);
@@ -99,13 +102,13 @@ function isStraight(frames: readonly Frame[], from: number, to: number, toleranc
     .every(({ time, positions }) => farthest(between(...ends, time), positions) <= tolerance);
 }
 
-/** Positions on the straight line between two frames. */
+/** Interpolates positions linearly between two frames. */
 export function between(a: Frame, b: Frame, time: number): Float32Array {
-  const share = (time - a.time) / (b.time - a.time);
-  return a.positions.map((value, i) => value + share * ((b.positions[i] ?? 0) - value));
+  const fraction = (time - a.time) / (b.time - a.time);
+  return a.positions.map((value, i) => value + fraction * ((b.positions[i] ?? 0) - value));
 }
 
-/** The turn at a steady rate, from its first frame to its last. */
+/** Returns the turn at a constant rate, from its first frame to its last. */
 export function atRate(frames: readonly Frame[], fps: number): Frame[] {
   const end = frames.at(-1)?.time ?? 0;
   const steady: Frame[] = [];
@@ -118,7 +121,7 @@ export function atRate(frames: readonly Frame[], fps: number): Frame[] {
   return steady;
 }
 
-/** The longest distance between points of two frames. */
+/** Returns the longest distance between points of two frames. */
 export function farthest(a: Float32Array, b: Float32Array): number {
   let most = 0;
   for (let i = 0; i < a.length; i += 3) {
@@ -128,7 +131,7 @@ export function farthest(a: Float32Array, b: Float32Array): number {
   return Math.sqrt(most);
 }
 
-/** Unit normals of a frame, up where the leaf lies on the right. */
+/** Returns the unit normals of a frame, up where the leaf lies on the right. */
 export function normalsOf({ u, v }: Points, positions: Float32Array): Float32Array {
   const normals = Float32Array.from(positions, (_, i) => (i % 3 === 2 ? 1 : 0));
   writeNormals(u.length, v.length, positions, normals);

@@ -1,21 +1,23 @@
 /**
- * A turn as glTF 2.0, binary: one mesh with a morph target for each key frame but
- * the first, and an animation of their weights in straight lines. The recto and
- * the verso are primitives of their own, so that each has its own picture.
+ * A turn as glTF 2.0, binary: one mesh with a morph target for each key frame
+ * but the first, and an animation of their weights, linearly interpolated. The
+ * recto and the verso are primitives of their own, so that each has its own
+ * picture.
  *
- * Positions are kept in 16 bits (KHR_mesh_quantization), as paper is thinner than
- * what that loses. glTF looks from the front, y up: our x, z and -y.
+ * Positions are stored in 16 bits (KHR_mesh_quantization), because paper is
+ * much thicker than the error. glTF looks from the front, y up: our x, z and
+ * -y.
  */
 
 import { type Frame, normalsOf, type Points } from "./baked_turn.ts";
 import type { PageImage } from "./page_image.ts";
 
-/** What is written beside the shape. */
+/** Options besides the shape. */
 export interface GlbOptions {
   readonly generator: string;
   readonly front: PageImage | null;
   readonly back: PageImage | null;
-  /** What made the turn, for whoever reads the file. */
+  /** Description of the turn's origin, for readers of the file. */
   readonly extras: Readonly<Record<string, unknown>>;
 }
 
@@ -25,10 +27,10 @@ const unsignedShort = 5123;
 const unsignedInt = 5125;
 const largest = 32767;
 
-/** Warm white, where a side has no picture. */
+/** Warm white, if a side has no picture. */
 const paper = [0.94, 0.92, 0.87, 1];
 
-/** Parts of the one buffer, and what tells where they are. */
+/** Parts of the one buffer, and their accessors. */
 class Parts {
   readonly views: object[] = [];
   readonly accessors: object[] = [];
@@ -55,7 +57,7 @@ class Parts {
   }
 }
 
-/** x, y, z as glTF has them. */
+/** Converts x, y, z to glTF's axes. */
 const turned = (values: Float32Array): Float32Array =>
   values.map((_, i) => {
     const at = i - (i % 3);
@@ -80,7 +82,7 @@ function bounds(values: ArrayLike<number>): { min: number[]; max: number[] } {
   };
 }
 
-/** The file's bytes. */
+/** Returns the file's bytes. */
 export function writeGlb(points: Points, frames: readonly Frame[], options: GlbOptions): Buffer {
   const parts = new Parts();
   const shapes = frames.map(({ positions }) => ({
@@ -95,7 +97,7 @@ export function writeGlb(points: Points, frames: readonly Frame[], options: GlbO
   );
   const count = points.u.length * points.v.length;
   const place = (values: Float32Array): number => {
-    // Four shorts a point: what is drawn begins at multiples of four bytes.
+    // Four shorts per point: vertex data is aligned to four bytes.
     const shorts = new Int16Array(4 * count);
     const whole = Array.from(values, (value) => Math.round((value / scale) * largest));
     for (const [i, value] of whole.entries()) shorts[4 * Math.floor(i / 3) + (i % 3)] = value;
@@ -149,7 +151,7 @@ export function writeGlb(points: Points, frames: readonly Frame[], options: GlbO
   return container(JSON.stringify(json), parts.bytes);
 }
 
-/** Where on its picture each point is: the spine is at the left of a recto, at the right of a verso. */
+/** Writes texture coordinates: the spine is at the left of a recto, at the right of a verso. */
 function pictureAccessor(parts: Parts, { u, v }: Points, isVerso: boolean): number {
   const shorts = new Uint16Array(2 * u.length * v.length);
   for (const [row, y] of v.entries()) {
@@ -164,7 +166,7 @@ function pictureAccessor(parts: Parts, { u, v }: Points, isVerso: boolean): numb
   return parts.accessor(view, unsignedShort, u.length * v.length, rest);
 }
 
-/** Two triangles a cell, seen from their own side alone. */
+/** Writes two triangles per cell, visible only from their own side. */
 function indexAccessor(parts: Parts, { u, v }: Points, isVerso: boolean): number {
   const indices: number[] = [];
   for (let row = 0; row + 1 < v.length; row++) {
@@ -200,7 +202,7 @@ function materials(parts: Parts, { front, back }: GlbOptions): object {
     ...all,
     images: images.map(({ type, bytes }) => ({ mimeType: type, bufferView: parts.view(bytes) })),
     textures: images.map((_, source) => ({ source, sampler: 0 })),
-    // Not repeated; softened from afar.
+    // Not repeated; filtered when seen from afar.
     samplers: [{ magFilter: 9729, minFilter: 9987, wrapS: 33071, wrapT: 33071 }],
   };
 }

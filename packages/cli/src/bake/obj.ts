@@ -1,15 +1,15 @@
-/** A turn as OBJ files, one a frame, for programs that read nothing else. */
+/** A turn as OBJ files, one per frame, for programs that read nothing else. */
 
 import { basename } from "node:path";
 import { type Frame, normalsOf, type Points } from "./baked_turn.ts";
 
-/** A file to be written: its name's ending after that of the turn, and its text. */
+/** A file to be written: its name's suffix after that of the turn, and its text. */
 export interface NamedText {
   readonly ending: string;
   readonly text: string;
 }
 
-/** One OBJ a frame and the materials of them all; y is up, lengths are metres. */
+/** Returns one OBJ per frame and the materials of them all; y is up, lengths are metres. */
 export function* writeObj(
   name: string,
   points: Points,
@@ -42,7 +42,10 @@ function vectors(kind: string, values: Float32Array, sign: 1 | -1): string[] {
   return lines;
 }
 
-/** Those of the recto, then those of the verso, whose spine is at its right. */
+/**
+ * Returns the texture coordinates of the recto, then those of the verso, whose
+ * spine is at its right.
+ */
 function picturePlaces({ u, v }: Points): string[] {
   const side = (isVerso: boolean) =>
     [...v].flatMap((y) => [...u].map((x) => `vt ${short(isVerso ? 1 - x : x)} ${short(y)}`));

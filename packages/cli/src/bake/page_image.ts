@@ -2,18 +2,20 @@ import { imageType } from "../image_types.ts";
 import { Problem, printable } from "../problem.ts";
 import { readRegular } from "../regular_file.ts";
 
-/** The picture of a page, as its file is. */
+/** The picture of a page, as in its file. */
 export interface PageImage {
   readonly type: "image/png" | "image/jpeg";
   readonly bytes: Uint8Array;
 }
 
-/** Bytes of a picture, which goes whole into the file that is written. */
+/** Maximum of bytes of a picture, which is embedded whole in the output. */
 const mostBytes = 100_000_000;
 
 /**
- * Reads a picture for a side; null where none is named.
- * @throws Problem where it cannot be read, is larger than 100 MB, or is neither PNG nor JPEG
+ * Reads a picture for a side; null if none is named.
+ *
+ * @throws Problem if it cannot be read, is larger than 100 MB, or is neither
+ * PNG nor JPEG
  */
 export async function readPageImage(path: string | undefined): Promise<PageImage | null> {
   if (path === undefined) return null;

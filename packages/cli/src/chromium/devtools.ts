@@ -1,7 +1,6 @@
 /**
- * One page in a Chromium without a window, driven over a pipe by the protocol of
- * its own developer tools: for the few commands that a film takes, no library
- * need be installed.
+ * One page in a headless Chromium, driven over a pipe by the protocol of its
+ * developer tools: for the few commands of a film no library need be installed.
  */
 
 import { type ChildProcess, spawn } from "node:child_process";
@@ -11,7 +10,10 @@ import { join } from "node:path";
 import type { Readable, Writable } from "node:stream";
 import { Problem, printable } from "../problem.ts";
 
-/** It speaks to nobody, leaves nothing behind, and draws in software where there is no graphics card. */
+/**
+ * No network requests of its own, no traces left, and software rendering
+ * without a graphics card.
+ */
 const flags = [
   "--headless",
   "--remote-debugging-pipe",
@@ -29,10 +31,13 @@ const flags = [
   "--ignore-gpu-blocklist",
 ];
 
-/** The user root has no sandbox to be had on Linux, and the file system's shared memory may be small there. */
+/**
+ * The root user has no sandbox on Linux, and the file system's shared memory
+ * may be small there.
+ */
 const rootFlags = ["--no-sandbox", "--disable-dev-shm-usage"];
 
-/** Longest wait for the browser to end by itself, milliseconds. */
+/** Timeout for the browser to end by itself, milliseconds. */
 const patience = 5000;
 
 interface Waiting {
@@ -50,7 +55,7 @@ export class ChromiumPage {
   #count = 0;
   #session = "";
   #complaint = "";
-  /** Why nothing can be asked any more. */
+  /** Why no command can be sent any more. */
   #gone: Problem | null = null;
 
   private constructor(child: ChildProcess, profile: string) {
@@ -69,14 +74,15 @@ export class ChromiumPage {
 
   /**
    * Starts a browser with one empty page of a size in pixels.
-   * @throws Problem where it does not start
+   *
+   * @throws Problem if it does not start
    */
   static async start(program: string, width: number, height: number): Promise<ChromiumPage> {
     const profile = await mkdtemp(join(tmpdir(), "turnleaf-chromium-"));
     const root = process.getuid?.() === 0 ? rootFlags : [];
     const child = spawn(program, [...flags, ...root, `--user-data-dir=${profile}`], {
       stdio: ["ignore", "ignore", "pipe", "pipe", "pipe"],
-      // Ctrl+C in the terminal is this command's to answer: it ends the browser itself.
+      // This command handles Ctrl+C in the terminal: it ends the browser itself.
       detached: process.platform !== "win32",
     });
     const page = new ChromiumPage(child, profile);
@@ -86,7 +92,7 @@ export class ChromiumPage {
       page.#session = String(sessionId);
       const size = { width, height, deviceScaleFactor: 1, mobile: false };
       await page.#ask("Emulation.setDeviceMetricsOverride", size);
-      // Whoever wants a film wants its motion.
+      // A film needs full motion.
       const features = [{ name: "prefers-reduced-motion", value: "no-preference" }];
       await page.#ask("Emulation.setEmulatedMedia", { features });
       return page;
@@ -102,8 +108,9 @@ export class ChromiumPage {
   }
 
   /**
-   * The value of an expression in the page, once it is there.
-   * @throws Problem with the page's own sentence where it fails
+   * Returns the value of an expression in the page, awaited.
+   *
+   * @throws Problem with the page's own sentence if it fails
    */
   async evaluate<T>(expression: string): Promise<T> {
     const options = { expression, awaitPromise: true, returnByValue: true };
@@ -117,14 +124,14 @@ export class ChromiumPage {
     throw new Problem(printable((text.split("\n")[0] ?? "").replace(/^\w*Error: /, "")));
   }
 
-  /** What the page looks like now, as PNG. */
+  /** Returns a screenshot of the page, as PNG. */
   async picture(): Promise<Buffer> {
     const options = { format: "png", optimizeForSpeed: true };
     const { data } = await this.#ask("Page.captureScreenshot", options);
     return Buffer.from(String(data), "base64");
   }
 
-  /** Ends the browser and removes what it wrote. */
+  /** Ends the browser and removes its profile. */
   async close(): Promise<void> {
     if (this.#gone === null) this.#ask("Browser.close", {}).catch(() => {});
     const timer = setTimeout(() => this.#child.kill("SIGKILL"), patience);

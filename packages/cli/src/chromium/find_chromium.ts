@@ -1,7 +1,7 @@
 import { Problem, printable } from "../problem.ts";
 import { findProgram } from "./find_program.ts";
 
-/** What Chromium and its kin are called, and where they are where they are on no PATH. */
+/** Names of Chromium and its relatives, and their locations outside the PATH. */
 const usual = [
   "chromium",
   "chromium-browser",
@@ -17,9 +17,10 @@ const usual = [
 ];
 
 /**
- * The file of a Chromium: the one named by --chromium, else by the environment
- * variable CHROMIUM, else one of the usual ones.
- * @throws Problem where there is none
+ * Returns the file of a Chromium: the one named by --chromium, otherwise by the
+ * environment variable CHROMIUM, otherwise one of the usual ones.
+ *
+ * @throws Problem if there is none
  */
 export function findChromium(
   named: string | undefined,

@@ -2,8 +2,8 @@ import { accessSync, constants, statSync } from "node:fs";
 import { delimiter, isAbsolute, join, sep } from "node:path";
 
 /**
- * The file of a program: of the first name that is one. A name with a folder is
- * taken as it is, any other is looked up on the PATH.
+ * Returns the file of a program: of the first name that exists. A name with a
+ * folder is used as it is, any other is looked up on the PATH.
  */
 export function findProgram(
   names: readonly string[],

@@ -1,4 +1,4 @@
-/** From numbered pictures to a film, by ffmpeg. */
+/** Encodes numbered pictures as a film, by ffmpeg. */
 
 import { spawn } from "node:child_process";
 import { rename, rm } from "node:fs/promises";
@@ -7,15 +7,15 @@ import { findProgram } from "../chromium/find_program.ts";
 import { fileProblem, Problem, printable } from "../problem.ts";
 import type { Frames } from "./frames.ts";
 
-/** What a film can be written as. */
+/** The formats of a film. */
 export const filmFormats = ["mp4", "webm", "gif", "png"] as const;
 export type FilmFormat = (typeof filmFormats)[number];
 
-/** How ffmpeg writes each; pictures stay as they are. */
+/** Arguments of ffmpeg for each; pictures stay as they are. */
 const codecs: Readonly<Record<Exclude<FilmFormat, "png">, readonly string[]>> = {
   mp4: ["-c:v", "libx264", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart"],
   webm: ["-c:v", "libvpx-vp9", "-crf", "30", "-b:v", "0", "-row-mt", "1", "-pix_fmt", "yuv420p"],
-  // One palette for all of the film: 256 colours that are those of its pages.
+  // One palette for all of the film: 256 colours of its pages.
   gif: [
     "-vf",
     "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=bayer:bayer_scale=4",
@@ -23,8 +23,10 @@ const codecs: Readonly<Record<Exclude<FilmFormat, "png">, readonly string[]>> = 
 };
 
 /**
- * The file of ffmpeg: named by the environment variable FFMPEG, or on the PATH.
- * @throws Problem where there is none
+ * Returns the file of ffmpeg: named by the environment variable FFMPEG, or on
+ * the PATH.
+ *
+ * @throws Problem if there is none
  */
 export function findFfmpeg(environment: NodeJS.ProcessEnv = process.env): string {
   const found = findProgram([environment.FFMPEG ?? "ffmpeg"], environment);
@@ -35,8 +37,9 @@ export function findFfmpeg(environment: NodeJS.ProcessEnv = process.env): string
 }
 
 /**
- * Writes the film into `out`, whole or not at all.
- * @throws Problem with what ffmpeg says where it fails
+ * Writes the film to `out`, complete or not at all.
+ *
+ * @throws Problem with ffmpeg's message if it fails
  */
 export async function encodeFilm(
   ffmpeg: string,

@@ -13,9 +13,10 @@ import type { FilmCommand } from "./film_arguments.ts";
 import { Frames, requestName } from "./frames.ts";
 
 /**
- * Films a book as its pages turn. Frame by frame: the page's clock goes on by
+ * Films a book as its pages turn. Frame by frame: the page's clock advances by
  * one frame when that has been taken, so the film is as smooth on a slow
  * machine. Stopped by `signal`, it goes on from there the next time.
+ *
  * @throws Problem
  */
 export async function film(command: FilmCommand, signal: AbortSignal): Promise<void> {
@@ -46,7 +47,7 @@ export async function film(command: FilmCommand, signal: AbortSignal): Promise<v
   console.log(`${printable(out)}: ${frames.count} frames, ${turns} turns, ${seconds} s`);
 }
 
-/** Draws every frame that is not there yet. */
+/** Draws every frame that is missing. */
 async function take(
   command: FilmCommand,
   book: ServedBook,
@@ -71,15 +72,15 @@ async function take(
   }
 }
 
-/** What the page that is filmed says of itself. */
+/** The page's description of the opened book. */
 interface Opened {
   /** From 1, of the book. */
   readonly pages: number;
-  /** Turns from the first page to the last one that is filmed. */
+  /** Turns from the first page to the last one in the film. */
   readonly turns: number;
 }
 
-/** Moves the film's page on, and writes down what it looks like. */
+/** Advances the film's page, and saves its pictures. */
 class Taking {
   readonly #page: ChromiumPage;
   readonly #command: FilmCommand;
@@ -112,15 +113,15 @@ class Taking {
     const { turns } = await this.#page.evaluate<Opened>(`film.open(${asked})`);
     if (frames.parts === 0) await this.#part(() => this.#pause());
     for (let turn = done; turn < turns; turn++) {
-      const tell = (share: number): void => {
+      const tell = (fraction: number): void => {
         const text = `turn ${turn + 1} of ${turns}, ${this.#number} frames`;
-        this.#progress.show((turn + share) / turns, text, done / turns);
+        this.#progress.show((turn + fraction) / turns, text, done / turns);
       };
       await this.#part(() => this.#turn(tell));
     }
   }
 
-  /** The page's script has run. */
+  /** Resolves when the page's script has run. */
   async #loaded(): Promise<void> {
     await this.#page.evaluate(`new Promise((resolve) => {
       const look = () => globalThis.film ? resolve() : setTimeout(look, 20);
@@ -134,7 +135,7 @@ class Taking {
     await this.#frames.endPart(this.#number - before);
   }
 
-  async #turn(tell: (share: number) => void): Promise<void> {
+  async #turn(tell: (fraction: number) => void): Promise<void> {
     const { fps, turnSeconds } = this.#command;
     const before = this.#number;
     await this.#page.evaluate("film.turn()");
@@ -146,7 +147,7 @@ class Taking {
     await this.#pause();
   }
 
-  /** The book at rest: one look, as often as the pause lasts. */
+  /** Films the resting book: one picture, repeated for the length of the pause. */
   async #pause(): Promise<void> {
     const count = Math.max(Math.round(this.#command.pauseSeconds * this.#command.fps), 1);
     const first = this.#number;
@@ -167,7 +168,7 @@ class Taking {
   }
 }
 
-/** The page that is filmed, and the book. */
+/** Serves the filming page and the book. */
 async function serveFilm(command: FilmCommand, book: ServedBook): Promise<Serving> {
   const app = await appFiles("index.html").catch(() => new Map<string, ServedFile>());
   if (!app.has("/film.html")) throw new Problem("The reader is not built; run: npm run build");
@@ -181,7 +182,7 @@ async function serveFilm(command: FilmCommand, book: ServedBook): Promise<Servin
   return await serve(files, 0);
 }
 
-/** A name that two films share only if all their pictures are the same. */
+/** Returns a name that is equal for two films only if all their pictures are the same. */
 async function nameOf(command: FilmCommand, book: ServedBook): Promise<string> {
   const { chromium: _, out: __, path: ___, format: ____, ...what } = command;
   const files = await Promise.all(

@@ -3,7 +3,7 @@ import { oneOf, parseNumber, parseOptions, parseSize } from "../options.ts";
 import { UsageProblem } from "../problem.ts";
 import { type FilmFormat, filmFormats } from "./encode.ts";
 
-/** What is to be filmed, and how. */
+/** The options of a film. */
 export interface FilmCommand {
   readonly name: "film";
   readonly path: string;
@@ -17,7 +17,7 @@ export interface FilmCommand {
   readonly width: number;
   readonly height: number;
   readonly fps: number;
-  /** How long a leaf is in the air, and how long the book lies still between two. */
+  /** Length of a turn, and of the pause between two. */
   readonly turnSeconds: number;
   readonly pauseSeconds: number;
   readonly stock: string;
@@ -43,7 +43,8 @@ numbered pictures. Stopped, the same command goes on where it was.
 `;
 
 /**
- * Reads what comes after `turnleaf film`.
+ * Parses the arguments of `turnleaf film`.
+ *
  * @throws UsageProblem
  */
 export function parseFilm(args: readonly string[]): FilmCommand {

@@ -1,4 +1,7 @@
-/** The frames of a film on the disk, and the note beside them from which an interrupted film goes on. */
+/**
+ * The frames of a film on the disk, and a note beside them from which an
+ * interrupted film goes on.
+ */
 
 import { createHash } from "node:crypto";
 import { constants } from "node:fs";
@@ -8,23 +11,26 @@ import { fileProblem, Problem, printable } from "../problem.ts";
 import { readRegular } from "../regular_file.ts";
 
 const noteName = "film.json";
-/** Bytes of a note, and pictures of a film: more than any film has. */
+/** Maximum of bytes of a note, and of pictures of a film: more than any film has. */
 const longestNote = 1_000_000;
 const mostPictures = 999_999;
 
-/** What is known of a film beside its pictures. */
+/** The state of a film besides its pictures. */
 interface Note {
-  /** Of everything that decides what its pictures look like. */
+  /** Hash of everything that determines its pictures. */
   readonly request: string;
   readonly fps: number;
   readonly width: number;
   readonly height: number;
-  /** Pictures of the pause before the first turn, and of each turn that is whole with the pause after it. */
+  /**
+   * Pictures of the pause before the first turn, and of each complete turn with
+   * the pause after it.
+   */
   parts: number[];
   whole: boolean;
 }
 
-/** What makes one film differ from another, as one short name. */
+/** Returns a short name of everything that makes films differ. */
 export function requestName(request: object): string {
   return createHash("sha256").update(JSON.stringify(request)).digest("hex").slice(0, 32);
 }
@@ -40,10 +46,11 @@ export class Frames {
   }
 
   /**
-   * Opens the folder of a film; the pictures that are there of the same film are kept.
+   * Opens the folder of a film; existing pictures of the same film are kept.
    *
-   * @param isOurs whether the folder is the command's own, whose pictures of another film may go
-   * @throws Problem where the folder holds something else, or cannot be written
+   * @param isOurs whether the folder is the command's own, whose pictures of
+   * another film may be deleted
+   * @throws Problem if the folder holds something else, or cannot be written
    */
   static async open(
     folder: string,
@@ -69,34 +76,34 @@ export class Frames {
     }
   }
 
-  /** Parts that are whole: the pause at the beginning and the turns after it. */
+  /** Complete parts: the pause at the beginning and the turns after it. */
   get parts(): number {
     return this.#note.parts.length;
   }
 
-  /** Pictures in the parts that are whole. */
+  /** Pictures in the complete parts. */
   get count(): number {
     return this.#note.parts.reduce((sum, count) => sum + count, 0);
   }
 
-  /** Whether every picture is there. */
+  /** Whether every picture exists. */
   get isWhole(): boolean {
     return this.#note.whole;
   }
 
-  /** Another part is whole. */
+  /** Marks another part as complete. */
   async endPart(pictures: number): Promise<void> {
     this.#note.parts.push(pictures);
     await this.#keep();
   }
 
-  /** The film is whole. */
+  /** Marks the film as complete. */
   async end(): Promise<void> {
     this.#note.whole = true;
     await this.#keep();
   }
 
-  /** Whether picture `number` (from 0) is there. */
+  /** Returns whether picture `number` (from 0) exists. */
   async has(number: number): Promise<boolean> {
     const there = access(this.#file(number), constants.R_OK);
     return await there.then(
@@ -105,7 +112,7 @@ export class Frames {
     );
   }
 
-  /** Writes a picture, whole or not at all. */
+  /** Writes a picture, completely or not at all. */
   async write(number: number, picture: Uint8Array): Promise<void> {
     const file = this.#file(number);
     await writeFile(`${file}.part`, picture).catch((error: unknown) => {
@@ -114,7 +121,7 @@ export class Frames {
     await rename(`${file}.part`, file);
   }
 
-  /** Writes a picture that looks as another one does. */
+  /** Writes a copy of another picture. */
   async repeat(number: number, as: number): Promise<void> {
     const file = this.#file(number);
     await copyFile(this.#file(as), `${file}.part`, constants.COPYFILE_FICLONE).catch(
@@ -130,7 +137,7 @@ export class Frames {
     await rm(this.folder, { recursive: true, force: true });
   }
 
-  /** What a program of films calls the pictures. */
+  /** The name pattern of the pictures for film programs. */
   get pattern(): string {
     return join(this.folder.replaceAll("%", "%%"), "%06d.png");
   }
@@ -150,7 +157,7 @@ function isOwnName(name: string): boolean {
   return /^\d{6}\.png(\.part)?$/.test(name) || name.startsWith(noteName);
 }
 
-/** The note of a film, or null where there is none that can be gone by. */
+/** Returns the note of a film, or null if there is no valid one. */
 async function readNote(file: string): Promise<Note | null> {
   try {
     const note = JSON.parse(String(await readRegular(file, longestNote))) as Note;

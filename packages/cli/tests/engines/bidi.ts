@@ -3,7 +3,7 @@ import { WebSocket } from "ws";
 /** A session of WebDriver BiDi: https://w3c.github.io/webdriver-bidi/ */
 export interface BidiSession {
   readonly capabilities: { readonly browserVersion: string };
-  /** Sends a command. Rejects with what the browser says if it fails, or if the session ends. */
+  /** Sends a command. Rejects with the browser's message if it fails, or if the session ends. */
   send(method: string, params: object): Promise<Record<string, unknown>>;
   disconnect(): void;
 }

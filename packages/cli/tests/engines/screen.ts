@@ -1,9 +1,9 @@
 import { findXvfb } from "../../../../scripts/browsers.mjs";
 import { Child } from "./child.ts";
 
-/** A screen that only exists in memory, with OpenGL in software. */
+/** A screen that exists only in memory, with OpenGL in software. */
 export interface Screen {
-  /** Environment of the programs that shall use it. */
+  /** Environment of the programs that should use it. */
   readonly environment: NodeJS.ProcessEnv;
   close(): Promise<void>;
 }
@@ -19,7 +19,7 @@ export async function startScreen(): Promise<Screen> {
     environment: {
       DISPLAY: `:${display}`,
       GDK_BACKEND: "x11",
-      // No graphics card is asked, so that the pictures are the same everywhere.
+      // No graphics card, so that the pictures are the same everywhere.
       LIBGL_ALWAYS_SOFTWARE: "1",
     },
     close: () => server.kill(),

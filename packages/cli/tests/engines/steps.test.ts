@@ -11,12 +11,12 @@ import type { DrivenBrowser, StartBrowser } from "./driven_browser.ts";
 import { startFirefox, startHeadlessFirefox } from "./firefox.ts";
 import { startWebKit } from "./webkit.ts";
 
-/** What the page's scripts find on it beside the document. */
+/** The page's state for its scripts, besides the document. */
 interface PageState {
   book: TurnleafBook;
   /** Errors, warnings and violations of the policy since the page was loaded. */
   complaints: string[];
-  /** Animation frames that scripts asked for. */
+  /** Animation frames that scripts requested. */
   frames: number;
 }
 declare global {
@@ -25,7 +25,7 @@ declare global {
 
 const file = readFileSync(new URL("../../../../books/moby-dick.pdf", import.meta.url));
 
-/** What the viewer needs, and no more. */
+/** The viewer's minimum policy. */
 const policy = [
   "default-src 'none'",
   "script-src 'self' 'wasm-unsafe-eval' 'nonce-map'",
@@ -35,14 +35,14 @@ const policy = [
   "connect-src 'self'",
 ].join("; ");
 
-/** Where the book lies on the page, CSS pixels: small, as drawing is in software. */
+/** Where the book lies on the page, CSS pixels: small, because of software rendering. */
 const box = { left: 8, top: 8, width: 264, height: 192 } as const;
 
-/** The pixel of the page at fractions of the book's width and height. */
+/** Returns the pixel of the page at fractions of the book's width and height. */
 const at = (x: number, y: number) =>
   [Math.round(box.left + x * box.width), Math.round(box.top + y * box.height)] as const;
 
-/** The outer margin of the right page, in space and on the flat. */
+/** The outer margin of the right page, in WebGL and on the 2D canvas. */
 const foreEdge = at(0.88, 0.55);
 
 const patience = { timeout: 60_000, interval: 50 };
@@ -50,12 +50,12 @@ const patience = { timeout: 60_000, interval: 50 };
 interface Engine {
   readonly name: string;
   readonly start: StartBrowser;
-  /** Whether it has WebGL 2; else the book is shown on the flat. */
+  /** Whether it has WebGL 2; otherwise the book is shown on a 2D canvas. */
   readonly hasWebGL: boolean;
   readonly isHere: boolean;
 }
 
-// WebKitGTK, and a screen for Firefox, are had on Linux alone.
+// WebKitGTK, and a screen for Firefox, exist only on Linux.
 const isLinux = process.platform === "linux";
 const engines: readonly Engine[] = [
   { name: "Chromium", start: startChromium, hasWebGL: true, isHere: true },
@@ -80,7 +80,7 @@ describe.each(here)("%s", (_, { start, hasWebGL }) => {
     await site?.stop();
   }, 60_000);
   beforeEach(({ skip, onTestFailed, task }) => {
-    // Each step begins where the one before it ended.
+    // Each step begins where the previous one ended.
     if (hasFailed) skip("a step before it failed");
     onTestFailed(() => {
       hasFailed = true;
@@ -95,7 +95,7 @@ describe.each(here)("%s", (_, { start, hasWebGL }) => {
   const hasNoComplaint = async () =>
     expect(await browser.run(() => state.complaints.splice(0))).toEqual([]);
 
-  /** Moves the pressed pointer to another place over some frames, as a hand does. */
+  /** Moves the pressed pointer to another place over some frames, as a reader does. */
   async function movePressed(
     from: readonly [number, number],
     to: readonly [number, number],
@@ -111,7 +111,7 @@ describe.each(here)("%s", (_, { start, hasWebGL }) => {
     await browser.releaseButton();
   }
 
-  /** Expects that what is seen well within the open pages is paper with print on it. */
+  /** Expects paper with ink well within the open pages. */
   async function showsPrintOnPaper() {
     const { width, data } = PNG.sync.read(await browser.screenshot());
     let [all, paper, ink] = [0, 0, 0];
@@ -121,7 +121,7 @@ describe.each(here)("%s", (_, { start, hasWebGL }) => {
         const [green, below] = [y, y + 1].map((y) => data[4 * (y * width + x) + 1]);
         all++;
         if (green > 225) paper++;
-        // Shadows are soft; print has edges, however small it is.
+        // Shadows are soft; ink has edges, however small it is.
         if (Math.abs(green - below) > 12) ink++;
       }
     }
@@ -129,7 +129,7 @@ describe.each(here)("%s", (_, { start, hasWebGL }) => {
     expect(ink / all).toBeGreaterThan(0.1);
   }
 
-  /** The uppermost place on a page without text, at a fraction of the book's width. */
+  /** Returns the uppermost place on a page without text, at a fraction of the book's width. */
   async function bareAt(fraction: number): Promise<readonly [number, number]> {
     const [x] = at(fraction, 0);
     const y = await browser.run(
@@ -141,7 +141,7 @@ describe.each(here)("%s", (_, { start, hasWebGL }) => {
         return null;
       },
       x,
-      // The book's head is above this where it is seen whole.
+      // The book's head is above this when it is seen whole.
       at(0, 0.25)[1],
       at(0, 0.9)[1],
     );
@@ -221,7 +221,7 @@ describe.each(here)("%s", (_, { start, hasWebGL }) => {
 
   test("a double click zooms, another zooms back", { timeout: 120_000 }, async () => {
     const isZoomed = () => browser.run(() => state.book.zoom > 1.2);
-    // On a busy machine the two clicks may come so far apart that they are no double click.
+    // On a busy machine the two clicks may be too far apart for a double click.
     const doubleClick = async (zoomed: boolean) => {
       for (let times = 0; times < 5 && (await isZoomed()) !== zoomed; times++) {
         await browser.doubleClick();

@@ -5,7 +5,7 @@ import { freePort } from "./free_port.ts";
 import { startScreen } from "./screen.ts";
 import * as actions from "./webdriver_actions.ts";
 
-/** Longest time that a script may take, milliseconds: drawing in software is slow. */
+/** Timeout of a script, milliseconds: software rendering is slow. */
 const scriptTime = 120_000;
 
 /** Starts WebKitGTK's MiniBrowser on a screen. */
@@ -75,7 +75,7 @@ export async function startWebKit(): Promise<DrivenBrowser> {
   };
 }
 
-/** Resolves once a server that starts answers at an address. */
+/** Resolves once a starting server responds at an address. */
 async function answersAt(url: string): Promise<void> {
   for (let round = 0; round < 300; round++) {
     const response = await fetch(url).catch(() => null);

@@ -13,8 +13,8 @@ export interface LayoutOptions {
 }
 
 /** Returns the edge at which a book is bound for a reading direction. */
-export function edgeFor(wish: LayoutOptions["binding"], direction: "ltr" | "rtl"): Edge {
-  return wish === "auto" ? (direction === "rtl" ? "right" : "left") : wish;
+export function edgeFor(requested: LayoutOptions["binding"], direction: "ltr" | "rtl"): Edge {
+  return requested === "auto" ? (direction === "rtl" ? "right" : "left") : requested;
 }
 
 /**
@@ -35,19 +35,19 @@ const spreadAbove = 0.68;
  * @param before the previous layout, null at first
  */
 export function layoutFor(
-  wish: LayoutOptions["layout"],
+  requested: LayoutOptions["layout"],
   aspect: number,
-  rolled: boolean,
+  quarterTurned: boolean,
   width: number,
   height: number,
   before: Layout | null,
 ): Layout {
-  if (wish !== "auto") return wish;
+  if (requested !== "auto") return requested;
   if (width === 0 || height === 0) return before ?? "spread";
-  const [across, down] = rolled ? [1, 2] : [2, 1];
+  const [across, down] = quarterTurned ? [1, 2] : [2, 1];
   const inSpread = Math.min(height / down, width / across / aspect);
-  const share = inSpread / Math.min(height, width / aspect);
-  return share < (before === "single" ? spreadAbove : singleBelow) ? "single" : "spread";
+  const fraction = inSpread / Math.min(height, width / aspect);
+  return fraction < (before === "single" ? spreadAbove : singleBelow) ? "single" : "spread";
 }
 
 /**

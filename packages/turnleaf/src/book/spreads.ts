@@ -48,7 +48,7 @@ export interface Binding {
   /** Whether reading goes from the left of the engine's book to its right. */
   readonly reversed: boolean;
   /** Whether the spine lies across the screen: the engine's right is then at the bottom. */
-  readonly rolled: boolean;
+  readonly quarterTurned: boolean;
   /**
    * The first and the last spread at which the book may lie open. Without
    * boards, a spread of bare paper does not count.
@@ -88,7 +88,7 @@ export function bind(pageCount: number, cover: CoverKind, options: BindOptions =
     edge,
     layout,
     reversed,
-    rolled: edge === "top" || edge === "bottom",
+    quarterTurned: edge === "top" || edge === "bottom",
     first: reversed ? leaves - end : begin,
     last: reversed ? leaves - begin : end,
     hardLeaves: new Set<number>(),
@@ -181,7 +181,7 @@ export function spineOf(binding: Binding, page: number): Edge | "board" {
   const face = faceOfPage(binding, page);
   if (isBoard(binding, face >> 1)) return "board";
   const isRecto = face % 2 === 0;
-  if (binding.rolled) return isRecto ? "top" : "bottom";
+  if (binding.quarterTurned) return isRecto ? "top" : "bottom";
   return isRecto ? "left" : "right";
 }
 

@@ -79,7 +79,7 @@ both("no leaf flies beside a board", async () => {
     const boards = turning.flights.filter(({ part }) => part !== "leaf");
     if (boards.length > 0) expect(turning.flights.length).toBe(1);
     // The same by dragging.
-    if (boards.length > 0) expect(turning.lift(0)).toBeNull();
+    if (boards.length > 0) expect(turning.pickUp(0)).toBeNull();
   }
   run();
   expect(turning.spread).toBe(10);
@@ -371,7 +371,7 @@ both("nothing is asked of the engine once a listener took the book away", async 
     let touched = false;
     close = () => {
       turning.close();
-      for (const name of ["lay", "lift", "play", "step", "grab", "hold"] as const) {
+      for (const name of ["lay", "pickUp", "play", "step", "grab", "hold"] as const) {
         engine[name] = () => {
           touched = true;
           return 0 as never;
@@ -388,7 +388,7 @@ both("nothing is asked of the engine once a listener took the book away", async 
 both("a hand has no hold on what a key took from it, nor on what flies next", async () => {
   const { turning, flights, run } = await open(12, "hard");
   turning.lay(4);
-  const flight = turning.lift(0) as Flight;
+  const flight = turning.pickUp(0) as Flight;
   turning.grab(flight, 0, 1, 0.5);
   turning.hold(0, 0.1, 0.1, 0.08);
   turning.step(40);
@@ -419,7 +419,7 @@ both("a key during a hand's hold sends the leaf to the key's side", async () => 
   ] as const) {
     const { turning, run } = await open(12, "none");
     turning.lay(3);
-    turning.grab(turning.lift(0) as Flight, 0, 1, 0.5);
+    turning.grab(turning.pickUp(0) as Flight, 0, 1, 0.5);
     turning.hold(0, 0.05, 0.1, 0.1);
     turning.step(60);
     const landed = turning.turn(by);
@@ -436,7 +436,7 @@ both("a leaf or a board let go says where it falls", async () => {
   ] as const) {
     const { turning, run } = await open(12, "hard");
     turning.lay(3);
-    turning.grab(turning.lift(0) as Flight, 0, 1, 0.5);
+    turning.grab(turning.pickUp(0) as Flight, 0, 1, 0.5);
     turning.hold(0, x, 0.1, 0.03);
     turning.step(120);
     turning.release(0);
@@ -447,7 +447,7 @@ both("a leaf or a board let go says where it falls", async () => {
     expect(turning.spread).toBe(end);
 
     turning.lay(0);
-    turning.grab(turning.lift(0) as Flight, 0, 1, 0.5);
+    turning.grab(turning.pickUp(0) as Flight, 0, 1, 0.5);
     turning.hold(0, x, 0.1, 0.03);
     turning.step(120);
     turning.release(0);
@@ -465,11 +465,11 @@ both("the second hand's leaf is held, and the first hand's falls to its side", a
     const { engine, turning, run } = await open(60, "none");
     turning.lay(10);
     const sign = first === 0 ? 1 : -1;
-    const one = turning.lift(first) as Flight;
+    const one = turning.pickUp(first) as Flight;
     turning.grab(one, 0, 1, 0.5);
     turning.hold(0, sign * 0.08, 0.1, 0.06);
     turning.step(60);
-    const two = turning.lift(second) as Flight;
+    const two = turning.pickUp(second) as Flight;
     turning.grab(two, 1, 1, 0.5);
     turning.hold(1, -sign * 0.08, 0.1, 0.06);
     expect(one.to).toBe(first);
@@ -491,11 +491,11 @@ both("the second hand's leaf is held, and the first hand's falls to its side", a
 both("a key after a second hand's grab turns that hand's leaf", async () => {
   const { turning, run } = await open(60, "none");
   turning.lay(10);
-  const one = turning.lift(0) as Flight;
+  const one = turning.pickUp(0) as Flight;
   turning.grab(one, 0, 1, 0.5);
   turning.hold(0, 0.08, 0.1, 0.06);
   turning.step(30);
-  const two = turning.lift(1) as Flight;
+  const two = turning.pickUp(1) as Flight;
   turning.grab(two, 1, 1, 0.5);
   turning.hold(1, -0.08, 0.1, 0.06);
   turning.step(30);
@@ -511,10 +511,10 @@ both("a key after a second hand's grab turns that hand's leaf", async () => {
 both("one leaf in two hands falls when the second lets go", async () => {
   const { turning, run } = await open(60, "none");
   turning.lay(10);
-  const flight = turning.lift(0) as Flight;
-  for (const hand of [0, 1]) {
-    turning.grab(flight, hand, 1, hand);
-    turning.hold(hand, 0.1, 0.2 * hand, 0.05);
+  const flight = turning.pickUp(0) as Flight;
+  for (const grab of [0, 1]) {
+    turning.grab(flight, grab, 1, grab);
+    turning.hold(grab, 0.1, 0.2 * grab, 0.05);
   }
   turning.step(100);
   turning.release(0);

@@ -48,13 +48,13 @@ const mostWaiting = 3;
  * fraction of a turn.
  */
 const leastApart = 0.07;
-const shareApart = 0.09;
+const fractionApart = 0.09;
 
 /** Minimum length of a turn in seconds. */
 const shortestTurn = 0.25;
 
 /** A promise that resolves to true or false when the book comes to rest. */
-interface Promised {
+interface PendingPromise {
   readonly isKeptAt: (spread: number) => boolean;
   readonly resolve: (kept: boolean) => void;
 }
@@ -80,10 +80,10 @@ export class Turning {
   #plan: number[] = [];
   #isReaders = false;
   /** Time since a leaf was picked up, in seconds. */
-  #sinceLift = Number.POSITIVE_INFINITY;
+  #sincePickUp = Number.POSITIVE_INFINITY;
   /** The flight that each pointer holds, until it releases it or a command takes it over. */
   readonly #held = new Map<number, Flight>();
-  #promised: Promised[] = [];
+  #promised: PendingPromise[] = [];
   /** Rises when everything in flight is put down at once, which voids whatever was under way. */
   #era = 0;
 
@@ -198,7 +198,7 @@ export class Turning {
    * Picks up the leaf or board on top of `side`. Returns null if there is none
    * or it has to wait.
    */
-  lift(side: Side): Flight | null {
+  pickUp(side: Side): Flight | null {
     const [low, high] =
       side === Side.right
         ? [this.#rightEnd, this.#rightEnd + 1]
@@ -213,42 +213,42 @@ export class Turning {
    * Grabs a flight at (u, v) of its surface. Planned turns are cancelled, and a
    * leaf held by another pointer is released: one leaf is held at a time.
    */
-  grab(flight: Flight, hand: number, u: number, v: number): void {
+  grab(flight: Flight, grab: number, u: number, v: number): void {
     if (!this.#flights.includes(flight)) return;
     this.#plan = [];
     for (const [other, held] of this.#held) if (held !== flight) this.#held.delete(other);
-    this.#held.set(hand, flight);
+    this.#held.set(grab, flight);
     if (flight.part !== "leaf") return;
     flight.grip ??= [u, v];
-    this.#engine.grab(flight.id, hand, u, v);
+    this.#engine.grab(flight.id, grab, u, v);
     this.#follow();
   }
 
   /** Pulls a grab to a place in book space (metres). */
-  hold(hand: number, x: number, y: number, z: number): void {
+  hold(grab: number, x: number, y: number, z: number): void {
     // A leaf that a command took over, and one picked up since, do not follow this grab.
-    const flight = this.#held.get(hand);
-    if (flight?.part === "leaf") this.#engine.hold(flight.id, hand, x, y, z);
+    const flight = this.#held.get(grab);
+    if (flight?.part === "leaf") this.#engine.hold(flight.id, grab, x, y, z);
     else if (flight) this.#engine.holdBoard(flight.part, Math.atan2(Math.max(z, 0), x));
   }
 
   /** Returns whether a grab holds something. */
-  holds(hand: number): boolean {
-    return this.#held.has(hand);
+  holds(grab: number): boolean {
+    return this.#held.has(grab);
   }
 
   /** Whether every moving leaf is held and no turn waits. */
-  get inHand(): boolean {
+  get isHeld(): boolean {
     const held = [...this.#held.values()];
     return this.#plan.length === 0 && this.#flights.every((flight) => held.includes(flight));
   }
 
   /** Releases a grab. */
-  release(hand: number): void {
-    const flight = this.#held.get(hand);
-    this.#held.delete(hand);
+  release(grab: number): void {
+    const flight = this.#held.get(grab);
+    this.#held.delete(grab);
     if (flight === undefined || !this.#flights.includes(flight)) return;
-    if (flight.part === "leaf") this.#engine.release(flight.id, hand);
+    if (flight.part === "leaf") this.#engine.release(flight.id, grab);
     else if (![...this.#held.values()].includes(flight)) this.#engine.releaseBoard(flight.part);
     this.#follow();
   }
@@ -258,11 +258,11 @@ export class Turning {
     const { tick } = this.#engine;
     let left = ticks;
     do {
-      this.#liftNext();
-      const wait = Math.ceil((this.#apart - this.#sinceLift) / tick);
+      this.#pickUpNext();
+      const wait = Math.ceil((this.#apart - this.#sincePickUp) / tick);
       const now = this.#plan.length > 0 && wait > 0 ? Math.min(left, wait) : left;
       this.#advance(now);
-      this.#sinceLift += now * tick;
+      this.#sincePickUp += now * tick;
       left -= now;
     } while (left > 0 && this.moving);
     this.#dropReached();
@@ -286,7 +286,7 @@ export class Turning {
   }
 
   get #apart(): number {
-    return Math.max(leastApart, shareApart * this.seconds);
+    return Math.max(leastApart, fractionApart * this.seconds);
   }
 
   /** Returns whether leaf `low` may fly beside the leaves in flight: a board flies alone. */
@@ -353,9 +353,9 @@ export class Turning {
   }
 
   /** Begins the next waiting turn, if it may begin yet. */
-  #liftNext(): void {
+  #pickUpNext(): void {
     this.#dropReached();
-    if (this.#plan.length === 0 || this.#sinceLift < this.#apart) return;
+    if (this.#plan.length === 0 || this.#sincePickUp < this.#apart) return;
     const [from, to] = [this.#landing, this.#plan[0]];
     const side = from < to ? Side.right : Side.left;
     const [low, high] = from < to ? [from, to] : [to, from];
@@ -374,7 +374,7 @@ export class Turning {
     const board = high - low === 1 && isBoard(this.#binding, low);
     const part = board ? (low === 0 ? Cover.front : Cover.back) : "leaf";
     const read = (s: number): number => paperOnLeft(this.#binding, s);
-    const id = board ? 0 : this.#engine.lift(side, read(low), read(high));
+    const id = board ? 0 : this.#engine.pickUp(side, read(low), read(high));
     if (!board && id === 0) {
       this.#plan = [];
       return null;
@@ -383,14 +383,14 @@ export class Turning {
     const flight: Flight = { part, id, low, high, from, to };
     if (side === Side.right) this.#flights.push(flight);
     else this.#flights.unshift(flight);
-    this.#sinceLift = 0;
+    this.#sincePickUp = 0;
     this.#hasLeft = true;
     this.#events.started(flight);
     return this.#flights.includes(flight) ? flight : null;
   }
 
   #play(flight: Flight, to: Side): void {
-    for (const [hand, held] of this.#held) if (held === flight) this.#held.delete(hand);
+    for (const [grab, held] of this.#held) if (held === flight) this.#held.delete(grab);
     flight.to = to;
     if (flight.part === "leaf") {
       this.#engine.play(flight.id, to, Math.max(this.seconds, shortestTurn));
@@ -440,7 +440,7 @@ export class Turning {
     for (const flight of [...left, ...right]) {
       const to = flight.to === Side.left ? flight.high : flight.low;
       if (to !== flight.from) this.#spread = to;
-      for (const [hand, held] of this.#held) if (held === flight) this.#held.delete(hand);
+      for (const [grab, held] of this.#held) if (held === flight) this.#held.delete(grab);
       this.#events.landed(flight);
       // A listener may have laid the book elsewhere or taken it away.
       if (era !== this.#era) return;
@@ -466,24 +466,24 @@ export class Turning {
     this.#plan = [];
     this.#flights = [];
     this.#held.clear();
-    this.#sinceLift = Number.POSITIVE_INFINITY;
+    this.#sincePickUp = Number.POSITIVE_INFINITY;
   }
 
-  #promise(isKeptAt: Promised["isKeptAt"]): Promise<boolean> {
+  #promise(isKeptAt: PendingPromise["isKeptAt"]): Promise<boolean> {
     const promised = new Promise<boolean>((resolve) => this.#promised.push({ isKeptAt, resolve }));
     // Also for a turn that was cancelled before it began.
     if (!this.moving) this.#rest();
     return promised;
   }
 
-  #takePromises(): readonly Promised[] {
+  #takePromises(): readonly PendingPromise[] {
     const promised = this.#promised;
     this.#promised = [];
     return promised;
   }
 }
 
-function keepPromises(promised: readonly Promised[], at: number): void {
+function keepPromises(promised: readonly PendingPromise[], at: number): void {
   for (const { isKeptAt, resolve } of promised) resolve(isKeptAt(at));
 }
 

@@ -16,7 +16,7 @@ import type {
   PageFace,
   Place,
 } from "../stage/book_stage.ts";
-import { fadeBeyondSpine as fade, type Zoom, Zooming } from "../stage/zoom.ts";
+import { fadeBeyondSpine as fade, type Zoom, ZoomState } from "../stage/zoom.ts";
 import { type Layout, layOut, magnified, panelOf, shutness, sightOf } from "./canvas_layout.ts";
 import { drawBoard } from "./draw_board.ts";
 import { type Brush, drawCase, drawPage, drawStack, thicknessOf } from "./draw_book.ts";
@@ -44,20 +44,20 @@ const lying: BookPose = {
  * What shows a bitmap: a face, a side of a leaf, or the part visible beside a
  * page that is smaller.
  */
-type Shown = Face | `${LeafSide} ${number}` | `beneath ${PageFace}`;
+type BitmapTarget = Face | `${LeafSide} ${number}` | `beneath ${PageFace}`;
 
 /** One flat book on one canvas. */
 export class Canvas2DStage implements BookStage {
   /** Never called: a 2D canvas loses no context. */
   onRestored: (() => void) | null = null;
-  onGone: (() => void) | null = null;
+  onContextLost: (() => void) | null = null;
   readonly isLost: boolean = false;
   readonly #canvas: HTMLCanvasElement;
   readonly #pen: CanvasRenderingContext2D;
   #shape: BookShape;
-  readonly #shown = new Map<Shown, PagePicture | null>();
+  readonly #shown = new Map<BitmapTarget, PagePicture | null>();
   readonly #details = new Map<Face, FaceDetail>();
-  readonly #zooming = new Zooming(() =>
+  readonly #zooming = new ZoomState(() =>
     sightOf(this.#shape, this.#pose, this.#width, this.#height),
   );
   #pose = lying;
@@ -104,8 +104,8 @@ export class Canvas2DStage implements BookStage {
   }
 
   zoomed(level: number, from: Place, to: Place): Zoom {
-    const share = ({ x, y }: Place) => [x / this.#width, y / this.#height] as const;
-    return this.#zooming.zoomed(level, share(from), share(to));
+    const fraction = ({ x, y }: Place) => [x / this.#width, y / this.#height] as const;
+    return this.#zooming.zoomed(level, fraction(from), fraction(to));
   }
 
   setDetail(face: Face, detail: FaceDetail | null): void {
@@ -152,7 +152,7 @@ export class Canvas2DStage implements BookStage {
     pen.setTransform(1, 0, 0, 1, 0, 0);
     pen.clearRect(0, 0, width, height);
     const unit = scale * ratio;
-    if (this.#shape.rolled) {
+    if (this.#shape.quarterTurned) {
       pen.setTransform(0, unit, -unit, 0, x * ratio + unit * this.#shape.height, y * ratio);
     } else pen.setTransform(unit, 0, 0, unit, x * ratio, y * ratio);
     pen.imageSmoothingQuality = options?.resting ? "high" : "medium";
@@ -163,20 +163,22 @@ export class Canvas2DStage implements BookStage {
   rayAt(x: number, y: number): Ray {
     const { scale } = this.#layout;
     const [right, down] = [(x - this.#layout.x) / scale, (y - this.#layout.y) / scale];
-    const [across, along] = this.#shape.rolled ? [down, right] : [right, this.#shape.height - down];
+    const [across, along] = this.#shape.quarterTurned
+      ? [down, right]
+      : [right, this.#shape.height - down];
     return { origin: [across, along, 1], direction: [0, 0, -1] };
   }
 
   project([x, y]: Vec3): Place {
     const { scale } = this.#layout;
-    const [right, down] = this.#shape.rolled ? [y, x] : [x, this.#shape.height - y];
+    const [right, down] = this.#shape.quarterTurned ? [y, x] : [x, this.#shape.height - y];
     return { x: this.#layout.x + scale * right, y: this.#layout.y + scale * down };
   }
 
   projectOn(face: Face, x: number, y: number): Place {
     const { height } = this.#shape;
     const [left, top, right, bottom] = panelOf(this.#shape, face);
-    const [u, v] = this.#shape.rolled ? [y, 1 - x] : [x, y];
+    const [u, v] = this.#shape.quarterTurned ? [y, 1 - x] : [x, y];
     return this.project([left + (right - left) * u, height - top - (bottom - top) * v, 0]);
   }
 
@@ -202,8 +204,8 @@ export class Canvas2DStage implements BookStage {
     const [right, left] = shutness(this.#pose);
     const amount = alone === 0 ? 0 : 1 - Math.min(1, right + left);
     if (amount === 0) return;
-    const [from, to] = [fade.from, fade.to].map((share) =>
-      this.project([-alone * share * width, height / 2, 0]),
+    const [from, to] = [fade.from, fade.to].map((fraction) =>
+      this.project([-alone * fraction * width, height / 2, 0]),
     );
     const pen = this.#pen;
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -221,7 +223,7 @@ export class Canvas2DStage implements BookStage {
     const pose = this.#pose;
     const { frontBoard, backBoard } = pose;
     const isHard = this.#shape.cover === "hard";
-    const show = (name: Shown) => this.#shown.get(name) ?? null;
+    const show = (name: BitmapTarget) => this.#shown.get(name) ?? null;
     const detail = (face: Face) => this.#details.get(face) ?? null;
     drawCase(brush, pose);
     for (const [sign, side, inside, lies] of [

@@ -18,7 +18,7 @@ export interface Layout {
  * How far the leaves under the uppermost one stick out beside it and below, as
  * a fraction of their thickness.
  */
-export const stackShare = 0.3;
+export const stackFraction = 0.3;
 export const stackDrop = 0.18;
 
 interface Margins {
@@ -46,8 +46,8 @@ const sliver = 0.03;
  * the middle, or between the two.
  */
 export function layOut(shape: BookShape, pose: BookPose, width: number, height: number): Layout {
-  const { alone, rolled, rim } = shape;
-  const out = stackShare * shape.thickness;
+  const { alone, quarterTurned, rim } = shape;
+  const out = stackFraction * shape.thickness;
   const drop = stackDrop * shape.thickness;
   const reach = shape.width + rim + out;
   const spine = alone === 0 ? 0.5 * out : sliver * shape.width;
@@ -64,16 +64,16 @@ export function layOut(shape: BookShape, pose: BookPose, width: number, height: 
 
   function fit(from: number, to: number, margin: Margins): Layout {
     const [head, foot] = [-rim, shape.height + rim + drop];
-    const [room, length] = rolled ? [height, width] : [width, height];
+    const [room, length] = quarterTurned ? [height, width] : [width, height];
     const scale = Math.min(
-      (room * (1 - 2 * (rolled ? margin.ends : margin.sides))) / (to - from),
-      (length * (1 - 2 * (rolled ? margin.sides : margin.ends))) / (foot - head),
+      (room * (1 - 2 * (quarterTurned ? margin.ends : margin.sides))) / (to - from),
+      (length * (1 - 2 * (quarterTurned ? margin.sides : margin.ends))) / (foot - head),
     );
     const across = room / 2 - (scale * (from + to)) / 2;
     const along = length / 2 - (scale * (head + foot)) / 2;
     // Turned by a quarter, the foot of the spine is at the left and its head at the right.
     const start = length - along - scale * shape.height;
-    return rolled ? { scale, x: start, y: across } : { scale, x: across, y: along };
+    return quarterTurned ? { scale, x: start, y: across } : { scale, x: across, y: along };
   }
 }
 
@@ -81,13 +81,13 @@ export function layOut(shape: BookShape, pose: BookPose, width: number, height: 
 export function sightOf(shape: BookShape, pose: BookPose, width: number, height: number): Sight {
   const layout = layOut(shape, pose, width, height);
   const seen = (x: number, y: number): CanvasFraction => {
-    const [right, down] = shape.rolled ? [y, x] : [x, shape.height - y];
+    const [right, down] = shape.quarterTurned ? [y, x] : [x, shape.height - y];
     return [(layout.x + layout.scale * right) / width, (layout.y + layout.scale * down) / height];
   };
   const point = ([x, y]: CanvasFraction): CanvasFraction => {
     const right = (x * width - layout.x) / layout.scale;
     const down = (y * height - layout.y) / layout.scale;
-    return shape.rolled ? [down, right] : [right, shape.height - down];
+    return shape.quarterTurned ? [down, right] : [right, shape.height - down];
   };
   const [right, left] = shutness(pose);
   const { alone, rim } = shape;
@@ -150,8 +150,8 @@ export function panelOf(shape: BookShape, face: Face): Box {
 export function stretchTo(
   pen: CanvasRenderingContext2D,
   [left, top, right, bottom]: Box,
-  rolled: boolean,
+  quarterTurned: boolean,
 ): void {
-  if (rolled) pen.transform(0, top - bottom, right - left, 0, left, bottom);
+  if (quarterTurned) pen.transform(0, top - bottom, right - left, 0, left, bottom);
   else pen.transform(right - left, 0, 0, bottom - top, left, top);
 }

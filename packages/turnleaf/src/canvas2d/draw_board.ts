@@ -52,7 +52,7 @@ export interface SeenBoard {
 }
 
 /** A place on a board, across it from the hinge (0) to its edge (1) and along it in metres from the head. */
-type Placing = (u: number, y: number) => [x: number, y: number];
+type BoardToCanvas = (u: number, y: number) => [x: number, y: number];
 
 /** Draws a board and its shadow. */
 export function drawBoard(brush: Brush, board: SeenBoard): void {
@@ -61,7 +61,7 @@ export function drawBoard(brush: Brush, board: SeenBoard): void {
   const rim = side === "leaf" ? 0 : shape.rim;
   const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
   const [width, height] = [shape.width + rim, shape.height];
-  const at: Placing = (u, y) => [
+  const at: BoardToCanvas = (u, y) => [
     cos * u * width,
     height / 2 + (y - height / 2) * (1 + nearness * sin * u),
   ];
@@ -101,29 +101,29 @@ function drawPicture(
   { pen, shape, unit }: Brush,
   { angle, side, picture, detail }: SeenBoard,
   rim: number,
-  at: Placing,
+  at: BoardToCanvas,
 ): void {
   if (!picture || picture.width === 0) return;
   const { width: w, height: h } = picture;
   // The outside picture covers the board; the inside one leaves a rim of cloth.
   const inset = side === "inside" ? rim : 0;
-  const share = 1 - inset / (shape.width + rim);
+  const fraction = 1 - inset / (shape.width + rim);
   const isFlat = Math.sin(angle) < 0.01;
   const count = isFlat ? 1 : Math.ceil((Math.abs(at(1, 0)[0]) * unit) / sliceWidth) + 1;
   for (let k = 0; k < count; k++) {
     const [u0, u1] = [k / count, (k + 1) / count];
-    const [x0, top] = at(u0 * share, inset - rim);
-    const [x1] = at(u1 * share, 0);
-    const [, bottom] = at(u0 * share, shape.height + rim - inset);
+    const [x0, top] = at(u0 * fraction, inset - rim);
+    const [x1] = at(u1 * fraction, 0);
+    const [, bottom] = at(u0 * fraction, shape.height + rim - inset);
     const from = angle < Math.PI / 2 ? u0 : 1 - u1;
     const start = Math.min(x0, x1);
     // Slightly wider, so that the ground does not show between two slices.
     const end = start + Math.abs(x1 - x0) + (isFlat ? 0 : 1 / unit);
-    const part: [number, number, number, number] = shape.rolled
+    const part: [number, number, number, number] = shape.quarterTurned
       ? [0, from * h, w, h / count]
       : [from * w, 0, w / count, h];
     pen.save();
-    stretchTo(pen, [start, top, end, bottom], shape.rolled);
+    stretchTo(pen, [start, top, end, bottom], shape.quarterTurned);
     pen.drawImage(picture, ...part, 0, 0, 1, 1);
     if (isFlat) drawDetail(pen, detail);
     pen.restore();

@@ -7,7 +7,14 @@ import type { PagePicture } from "../sources/page_source.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import type { FaceDetail } from "../stage/book_stage.ts";
 import { caseSizes } from "../stage/case_sizes.ts";
-import { type Box, boardBox, pageBox, stackDrop, stackShare, stretchTo } from "./canvas_layout.ts";
+import {
+  type Box,
+  boardBox,
+  pageBox,
+  stackDrop,
+  stackFraction,
+  stretchTo,
+} from "./canvas_layout.ts";
 
 /**
  * What a book is drawn with: a pen in metres, y down from the head, and device
@@ -80,7 +87,7 @@ export function drawPage(
   const { width, height } = shape;
   if (picture && picture.width > 0) {
     pen.save();
-    stretchTo(pen, box, shape.rolled);
+    stretchTo(pen, box, shape.quarterTurned);
     pen.drawImage(picture, 0, 0, 1, 1);
     drawDetail(pen, detail);
     pen.restore();
@@ -100,7 +107,7 @@ export function drawDetail(pen: CanvasRenderingContext2D, detail: FaceDetail | n
 
 /** Draws the edges of the leaves under a side's uppermost page, `thickness` metres of them. */
 export function drawStack({ pen, shape, unit }: Brush, sign: 1 | -1, thickness: number): void {
-  const [out, down] = [stackShare * thickness, stackDrop * thickness];
+  const [out, down] = [stackFraction * thickness, stackDrop * thickness];
   const layers = Math.min(Math.ceil((out * unit) / 1.4), 24);
   const { width, height } = shape;
   for (let k = layers; k > 0; k--) {
@@ -140,7 +147,7 @@ export function drawCase({ pen, shape, unit }: Brush, pose: BookPose): void {
     const side = sign === 1 ? "right" : "left";
     const lies = sign === 1 ? pose.backBoard <= 0 : pose.frontBoard >= Math.PI;
     if (isHard ? !lies : !pose[side]) continue;
-    const out = stackShare * rise(side);
+    const out = stackFraction * rise(side);
     const [left, top, right, bottom] = isHard ? boardBox(shape, sign) : pageBox(shape, sign);
     sides.push([
       left - (sign === -1 ? out : 0),
@@ -149,7 +156,7 @@ export function drawCase({ pen, shape, unit }: Brush, pose: BookPose): void {
       bottom + drop,
     ]);
   }
-  const joint = isHard ? 0.5 * stackShare * thickness : 0;
+  const joint = isHard ? 0.5 * stackFraction * thickness : 0;
   const whole: Box = [
     Math.min(-joint, ...sides.map(([left]) => left)),
     -rim,

@@ -11,7 +11,7 @@ import type { PeeledSurface } from "./peeled_book.ts";
 const showThrough = 0.06;
 
 /** A peeled leaf in the pen's own space, y down from the head. */
-interface Folded {
+interface PeeledLeaf {
   readonly sign: 1 | -1;
   readonly page: readonly Point[];
   readonly crease: FoldLine;
@@ -112,7 +112,7 @@ function roundness(height: number): Stops {
   ];
 }
 
-function foldOf({ shape }: Brush, { side, rest, held }: PeeledSurface): Folded | null {
+function foldOf({ shape }: Brush, { side, rest, held }: PeeledSurface): PeeledLeaf | null {
   const down = ([x, y]: Point): Point => [x, shape.height - y];
   const crease = foldLineOf(down(rest), down(held));
   if (crease === null) return null;

@@ -75,8 +75,11 @@ export function partOf(polygon: readonly Point[], crease: FoldLine, side: 1 | -1
     const [a, b] = [side * beyond(crease, here), side * beyond(crease, next)];
     if (a >= 0) part.push(here);
     if (a * b < 0) {
-      const share = a / (a - b);
-      part.push([here[0] + (next[0] - here[0]) * share, here[1] + (next[1] - here[1]) * share]);
+      const fraction = a / (a - b);
+      part.push([
+        here[0] + (next[0] - here[0]) * fraction,
+        here[1] + (next[1] - here[1]) * fraction,
+      ]);
     }
   }
   return part;

@@ -16,10 +16,10 @@ const lookAhead = 0.15;
 const speedTime = 0.05;
 
 /** Height of a played leaf's corner on its path, as a fraction of the page's height. */
-const archShare = 0.2;
+const archFraction = 0.2;
 
 /** A path from where the leaf was to a side. */
-interface Way {
+interface PeelPath {
   readonly from: Point;
   readonly to: Side;
   readonly seconds: number;
@@ -51,9 +51,9 @@ export class Peel {
   #rest: Point;
   /** Where the held point is now. */
   #held: Point;
-  #way: Way | null = null;
+  #way: PeelPath | null = null;
   /** By the grab's number: from the pointer to the held point, once it has been pulled. */
-  readonly #hands = new Map<number, Point | null>();
+  readonly #grabs = new Map<number, Point | null>();
   /** Whether nothing has moved it since it was picked up. */
   #isFresh = true;
   #speed = 0;
@@ -93,24 +93,24 @@ export class Peel {
   }
 
   /** Grabs the leaf at (u, v). */
-  grab(hand: number, u: number, v: number): void {
+  grab(grab: number, u: number, v: number): void {
     if (this.#isFresh) {
       const { width, height } = this.#size;
       this.#rest = this.#held = [this.#sign * u * width, v * height];
       this.#lastX = this.#rest[0];
-      this.#hands.set(hand, [0, 0]);
-    } else if (!this.#hands.has(hand)) this.#hands.set(hand, null);
+      this.#grabs.set(grab, [0, 0]);
+    } else if (!this.#grabs.has(grab)) this.#grabs.set(grab, null);
     this.#isFresh = false;
     this.#way = null;
   }
 
   /** Pulls a grab to a place. */
-  pull(hand: number, x: number, y: number): void {
-    const offset = this.#hands.get(hand);
+  pull(grab: number, x: number, y: number): void {
+    const offset = this.#grabs.get(grab);
     if (offset === undefined) return;
     // A leaf caught in flight follows the pointer from where it was caught.
     const [dx, dy] = offset ?? [this.#held[0] - x, this.#held[1] - y];
-    if (offset === null) this.#hands.set(hand, [dx, dy]);
+    if (offset === null) this.#grabs.set(grab, [dx, dy]);
     this.#held = withinReach(this.#rest, [x + dx, y + dy], this.#size.height);
   }
 
@@ -118,28 +118,28 @@ export class Peel {
    * Releases a grab, or every grab: with none left, the leaf falls to the side
    * that its swing takes it.
    */
-  release(hand?: number): void {
-    if (hand === undefined) this.#hands.clear();
-    else this.#hands.delete(hand);
-    if (this.#hands.size > 0) return;
+  release(grab?: number): void {
+    if (grab === undefined) this.#grabs.clear();
+    else this.#grabs.delete(grab);
+    if (this.#grabs.size > 0) return;
     const landing = this.#held[0] + lookAhead * this.#speed;
     this.send(landing < 0 ? Side.left : Side.right, fallSeconds, true);
   }
 
   /** Sends it to a side, `seconds` for a whole turn. */
   send(to: Side, seconds: number, isFall: boolean): void {
-    this.#hands.clear();
+    this.#grabs.clear();
     this.#isFresh = false;
     const goal = this.#place(to);
     // A point held at the spine does not move across.
     const across = 2 * Math.abs(this.#rest[0]);
-    const share = across > 0 ? Math.abs(goal[0] - this.#held[0]) / across : 1;
+    const fraction = across > 0 ? Math.abs(goal[0] - this.#held[0]) / across : 1;
     const upward = this.#rest[1] < this.#size.height / 2 ? 1 : -1;
     this.#way = {
       from: this.#held,
       to,
-      seconds: Math.max(seconds * share, shortestWay),
-      arch: isFall ? 0 : upward * archShare * share * this.#size.height,
+      seconds: Math.max(seconds * fraction, shortestWay),
+      arch: isFall ? 0 : upward * archFraction * fraction * this.#size.height,
       isFall,
       time: 0,
     };
@@ -158,14 +158,14 @@ export class Peel {
     this.#lastX = this.#held[0];
   }
 
-  #on({ from, to, seconds, arch, isFall, time }: Way): Point {
+  #on({ from, to, seconds, arch, isFall, time }: PeelPath): Point {
     const goal = this.#place(to);
     const t = time / seconds;
     if (t >= 1) return goal;
-    const share = isFall ? 1 - (1 - t) ** 3 : t * t * (3 - 2 * t);
-    const lift = arch * Math.sin(Math.PI * share);
-    const x = from[0] + (goal[0] - from[0]) * share;
-    const y = from[1] + (goal[1] - from[1]) * share + lift;
+    const fraction = isFall ? 1 - (1 - t) ** 3 : t * t * (3 - 2 * t);
+    const lift = arch * Math.sin(Math.PI * fraction);
+    const x = from[0] + (goal[0] - from[0]) * fraction;
+    const y = from[1] + (goal[1] - from[1]) * fraction + lift;
     return withinReach(this.#rest, [x, y], this.#size.height);
   }
 

@@ -5,10 +5,10 @@
  */
 
 import type { BookEngine, BookSize } from "../engine/book_engine.ts";
-import { areFinite, clamp, isHand, turnSeconds, whole, wholeTicks } from "../engine/numbers.ts";
+import { areFinite, clamp, isGrab, turnSeconds, whole, wholeTicks } from "../engine/numbers.ts";
 import { type Cover, Phase, Side } from "../engine/phases.ts";
 import type { Pile, Surface } from "../engine/shapes.ts";
-import { stackShare } from "./canvas_layout.ts";
+import { stackFraction } from "./canvas_layout.ts";
 import { beyond, foldLineOf, mirrored, type Point } from "./fold_line.ts";
 import { Peel } from "./peel.ts";
 import { Swing } from "./swing.ts";
@@ -21,7 +21,7 @@ const rows = 13;
 const flatHeight = 0.03;
 
 /** Height of the folded part's arch, as a fraction of a page's width. */
-const archShare = 0.6;
+const archFraction = 0.6;
 
 /** Maximum of leaves in flight at once. */
 const mostPeels = 12;
@@ -89,7 +89,7 @@ export class PeeledBook implements BookEngine {
     this.#read = whole(read, this.#size.leaves);
   }
 
-  lift(side: Side, low: number, high: number): number {
+  pickUp(side: Side, low: number, high: number): number {
     const [first, last] = [this.#peels[0], this.#peels.at(-1)];
     const isNext =
       side === Side.right
@@ -105,20 +105,20 @@ export class PeeledBook implements BookEngine {
     return peel.id;
   }
 
-  grab(id: number, hand: number, u: number, v: number): void {
-    if (!isHand(hand, u, v)) return;
+  grab(id: number, grab: number, u: number, v: number): void {
+    if (!isGrab(grab, u, v)) return;
     // One leaf is held at a time: the other falls.
-    for (const other of this.#peels) if (other.id !== id) this.#letGo(other);
-    this.#find(id)?.grab(hand, clamp(u, 0, 1), clamp(v, 0, 1));
+    for (const other of this.#peels) if (other.id !== id) this.#releasePeel(other);
+    this.#find(id)?.grab(grab, clamp(u, 0, 1), clamp(v, 0, 1));
   }
 
-  hold(id: number, hand: number, x: number, y: number): void {
-    if (isHand(hand, x, y)) this.#find(id)?.pull(hand, x, y);
+  hold(id: number, grab: number, x: number, y: number): void {
+    if (isGrab(grab, x, y)) this.#find(id)?.pull(grab, x, y);
   }
 
-  release(id: number, hand: number): void {
+  release(id: number, grab: number): void {
     const peel = this.#find(id);
-    if (peel) this.#letGo(peel, hand);
+    if (peel) this.#releasePeel(peel, grab);
   }
 
   play(id: number, side: Side, seconds: number): void {
@@ -169,7 +169,7 @@ export class PeeledBook implements BookEngine {
       const flat: Point = [sign * u * width, v * height];
       const isFolded = crease !== null && beyond(crease, flat) > 0;
       const [x, y] = isFolded ? mirrored(crease, flat) : flat;
-      const arch = isFolded ? 0.001 + archShare * Math.sqrt(Math.max(width ** 2 - x * x, 0)) : 0;
+      const arch = isFolded ? 0.001 + archFraction * Math.sqrt(Math.max(width ** 2 - x * x, 0)) : 0;
       positions.set([x, y, flatHeight + arch], 3 * k);
     }
     const normals = new Float32Array(0);
@@ -184,7 +184,7 @@ export class PeeledBook implements BookEngine {
     const curve = (reach: number, z: number) =>
       [...this.columns].flatMap((u) => [sign * u * reach, z]);
     // The edges of the leaves are visible beside the uppermost one: a grab of them takes that one.
-    const curves = Float32Array.from([...curve(width, z), ...curve(width + stackShare * z, 0)]);
+    const curves = Float32Array.from([...curve(width, z), ...curve(width + stackFraction * z, 0)]);
     return { columns, layers: 2, curves };
   }
 
@@ -214,9 +214,9 @@ export class PeeledBook implements BookEngine {
   }
 
   /** Releases a grab of a leaf, or every grab. */
-  #letGo(peel: Peel, hand?: number): void {
+  #releasePeel(peel: Peel, grab?: number): void {
     if (peel.phase !== Phase.held) return;
-    peel.release(hand);
+    peel.release(grab);
     if (peel.goal !== null) this.#takeAlong(peel, peel.goal, null);
   }
 

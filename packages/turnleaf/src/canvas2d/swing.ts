@@ -42,8 +42,14 @@ export class Swing {
   /** Swings it to a side, `seconds` for a whole half turn. */
   send(to: Side, seconds: number, isFall = false): void {
     this.#isHeld = false;
-    const share = Math.abs(angleOf(to) - this.angle) / Math.PI;
-    this.#way = { from: this.angle, to, seconds: Math.max(seconds * share, 0.1), time: 0, isFall };
+    const fraction = Math.abs(angleOf(to) - this.angle) / Math.PI;
+    this.#way = {
+      from: this.angle,
+      to,
+      seconds: Math.max(seconds * fraction, 0.1),
+      time: 0,
+      isFall,
+    };
   }
 
   /** Advances by a time in seconds. */
@@ -52,8 +58,8 @@ export class Swing {
     if (way === null) return;
     way.time += seconds;
     const t = Math.min(way.time / way.seconds, 1);
-    const share = way.isFall ? t * t : t * t * (3 - 2 * t);
-    this.angle = way.from + (angleOf(way.to) - way.from) * share;
+    const fraction = way.isFall ? t * t : t * t * (3 - 2 * t);
+    this.angle = way.from + (angleOf(way.to) - way.from) * fraction;
     if (t < 1) return;
     this.angle = angleOf(way.to);
     this.#way = null;

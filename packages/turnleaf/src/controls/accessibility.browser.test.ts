@@ -2,7 +2,7 @@
 
 import axe from "axe-core";
 import { afterEach, expect, test } from "vitest";
-import { standIn } from "./stand_in_for_tests.ts";
+import { addFakeBook } from "./fake_book_for_tests.ts";
 
 afterEach(() => document.body.replaceChildren());
 
@@ -23,7 +23,7 @@ const hit = { page: 2, before: "the white ", text: "whale", after: " of it" };
 for (const theme of ["light", "dark", "paper"]) {
   for (const width of [780, 390]) {
     test(`${theme}, ${width} pixels wide: nothing serious in any panel`, async () => {
-      const { book, root } = standIn(width, { hits: [hit], bookmarks: [2, 4] });
+      const { book, root } = addFakeBook(width, { hits: [hit], bookmarks: [2, 4] });
       book.setAttribute("theme", theme);
       const press = (selector: string) => root.querySelector<HTMLElement>(selector)?.click();
       expect(await faults(book)).toEqual([]);

@@ -2,7 +2,7 @@
 
 import type { ControlledBook } from "./book.ts";
 import type { Icon } from "./make.ts";
-import type { Say } from "./say.ts";
+import type { Wording } from "./wording.ts";
 
 /** The tabs of the side panel. */
 export const tabs = ["contents", "thumbnails", "search", "bookmarks"] as const;
@@ -35,14 +35,14 @@ export type ActionName =
 
 /** Zoom factor of one press. */
 const zoomStep = 1.5;
-export const most = 8;
+export const maxZoom = 8;
 
 /** The page of a new bookmark: the first visible one. */
 const isMarked = (book: ControlledBook): boolean => book.bookmarks.includes(book.page);
 
 /** Zooms by one step in or out, or (0) back to the whole book. */
 export function zoomBy(book: ControlledBook, by: 1 | 0 | -1): void {
-  book.zoomTo(by === 0 ? 1 : Math.min(Math.max(book.zoom * zoomStep ** by, 1), most));
+  book.zoomTo(by === 0 ? 1 : Math.min(Math.max(book.zoom * zoomStep ** by, 1), maxZoom));
 }
 
 /**
@@ -52,7 +52,7 @@ export function zoomBy(book: ControlledBook, by: 1 | 0 | -1): void {
  */
 export function actionsOf(
   book: ControlledBook,
-  { texts }: Say,
+  { texts }: Wording,
   print: () => void,
 ): Readonly<Record<ActionName, Action>> {
   const isFull = (): boolean => book.ownerDocument.fullscreenElement === book;
@@ -69,7 +69,7 @@ export function actionsOf(
       label: () => texts.zoomIn,
       key: "+",
       run: () => zoomBy(book, 1),
-      disabled: () => book.zoom >= most,
+      disabled: () => book.zoom >= maxZoom,
     },
     layout: {
       icon: () => (book.shownLayout === "single" ? "spread" : "single"),

@@ -5,7 +5,7 @@ import type { ControlledBook } from "./book.ts";
 import { actionButton, iconButton } from "./buttons.ts";
 import { make, roving } from "./make.ts";
 import { Menu } from "./menu.ts";
-import type { Say } from "./say.ts";
+import type { Wording } from "./wording.ts";
 
 /** Tabs that have a button if there is little space, and actions that have one if there is much. */
 const narrowTabs: readonly Tab[] = ["contents", "search"];
@@ -27,14 +27,14 @@ export class Bar {
   /** @param toggle opens a tab of the panel, or closes it */
   constructor(
     book: ControlledBook,
-    say: Say,
+    wording: Wording,
     actions: Readonly<Record<ActionName, Action>>,
     toggle: (tab: Tab, opener: HTMLElement) => void,
   ) {
     this.#book = book;
     const start = make("div", { class: "group" });
     for (const tab of tabs) {
-      const button = iconButton(tab, say.texts[tab], { "aria-expanded": "false" });
+      const button = iconButton(tab, wording.texts[tab], { "aria-expanded": "false" });
       if (!narrowTabs.includes(tab)) button.classList.add("wide");
       button.addEventListener("click", () => toggle(tab, button));
       this.#tabButtons.set(tab, button);
@@ -47,14 +47,14 @@ export class Bar {
       this.#refreshers.push(refresh);
       end.append(button);
     }
-    const more = iconButton("more", say.texts.more);
+    const more = iconButton("more", wording.texts.more);
     end.append(more);
-    this.menu = new Menu(book, say, actions, more);
+    this.menu = new Menu(book, wording, actions, more);
     this.element = make("div", {
       role: "toolbar",
       part: "toolbar",
       class: "ui bar",
-      "aria-label": say.texts.toolbar,
+      "aria-label": wording.texts.toolbar,
     });
     this.element.append(start, this.#title, end, this.menu.element);
     roving(this.element, () => this.#buttons());

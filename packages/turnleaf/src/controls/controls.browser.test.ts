@@ -6,7 +6,7 @@
 import { afterEach, expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
 import { addLanguage } from "../words/languages.ts";
-import { standIn } from "./stand_in_for_tests.ts";
+import { addFakeBook } from "./fake_book_for_tests.ts";
 import { en } from "./texts_en.ts";
 
 afterEach(() => document.body.replaceChildren());
@@ -25,7 +25,7 @@ const active = (root: ShadowRoot): string => {
 };
 
 test("Tab goes through the book, the toolbar, the panel and the row of pages, and on", async () => {
-  const { book, root } = standIn();
+  const { book, root } = addFakeBook();
   const before = document.createElement("button");
   const after = document.createElement("button");
   book.before(before);
@@ -55,7 +55,7 @@ test("Tab goes through the book, the toolbar, the panel and the row of pages, an
 });
 
 test("arrows go along the toolbar; each button says what it does", async () => {
-  const { book, root } = standIn();
+  const { book, root } = addFakeBook();
   named(root, "Contents").focus();
   const way = [active(root)];
   for (let i = 0; i < 9; i++) {
@@ -92,7 +92,7 @@ test("arrows go along the toolbar; each button says what it does", async () => {
 });
 
 test("the panel takes the focus and gives it back", async () => {
-  const { book, root } = standIn();
+  const { book, root } = addFakeBook();
   const button = named(root, "Contents");
   button.focus();
   await userEvent.keyboard("{Enter}");
@@ -116,7 +116,7 @@ test("the panel takes the focus and gives it back", async () => {
 });
 
 test("on a narrow element the panel goes when something is picked", async () => {
-  const { book, root } = standIn(390);
+  const { book, root } = addFakeBook(390);
   named(root, "Contents").click();
   await expect.poll(() => root.querySelectorAll(".contents .line").length).toBe(5);
   const tabs = [...root.querySelectorAll<HTMLElement>("[role=tab]")];
@@ -134,7 +134,7 @@ test("on a narrow element the panel goes when something is picked", async () => 
 
 test("everything that is pressed is 44 pixels tall and wide, on a desk and on a phone", () => {
   for (const width of [780, 390]) {
-    const { root, book } = standIn(width);
+    const { root, book } = addFakeBook(width);
     named(root, "More").click();
     const small = [...root.querySelectorAll<HTMLElement>("button, input[type=range]")]
       .filter((element) => element.offsetParent !== null)
@@ -149,7 +149,7 @@ test("everything that is pressed is 44 pixels tall and wide, on a desk and on a 
 });
 
 test("the slider says where it is and turns as it is dragged", async () => {
-  const { book, root } = standIn();
+  const { book, root } = addFakeBook();
   const slider = root.querySelector<HTMLInputElement>("[part=slider]") as HTMLInputElement;
   expect(slider.getAttribute("aria-valuetext")).toBe("Page iv, 4 of 30");
   slider.focus();
@@ -167,7 +167,7 @@ test("the slider says where it is and turns as it is dragged", async () => {
 });
 
 test("the page field finds labels and numbers, and says what is not there", async () => {
-  const { book, root } = standIn();
+  const { book, root } = addFakeBook();
   const field = root.querySelector<HTMLInputElement>(".entry") as HTMLInputElement;
   const said = () => root.querySelector(".pages [role=status]")?.textContent;
   expect(field.value).toBe("iv");
@@ -185,7 +185,7 @@ test("the page field finds labels and numbers, and says what is not there", asyn
 });
 
 test("keys turn, zoom and search; those of a field and of the browser are left alone", async () => {
-  const { book, root } = standIn();
+  const { book, root } = addFakeBook();
   book.focus();
   await userEvent.keyboard(" {Shift>} {/Shift}{End}{Home}+-0fb");
   expect(book.asked).toEqual([
@@ -218,7 +218,7 @@ test("a search lists its places with what stands about them, and counts them", a
     text: "<b>Whale</b>",
     after: ` ${i}`,
   }));
-  const { book, root } = standIn(780, { hits });
+  const { book, root } = addFakeBook(780, { hits });
   named(root, "Search").click();
   await userEvent.keyboard("whale{Enter}");
   const status = () => root.querySelector(".found [role=status]")?.textContent;
@@ -243,7 +243,7 @@ test("a search lists its places with what stands about them, and counts them", a
 });
 
 test("bookmarks are listed in the book's order and can be taken off", async () => {
-  const { book, root } = standIn();
+  const { book, root } = addFakeBook();
   named(root, "Bookmarks").click();
   expect(active(root)).toBe("Bookmark this page");
   await userEvent.keyboard("{Enter}");
@@ -257,7 +257,7 @@ test("bookmarks are listed in the book's order and can be taken off", async () =
 });
 
 test("of 5,000 small pages only those in sight exist, and one is drawn at a time", async () => {
-  const { book, root } = standIn(780, { pageCount: 5000, page: 2500 });
+  const { book, root } = addFakeBook(780, { pageCount: 5000, page: 2500 });
   named(root, "Thumbnails").click();
   expect(active(root)).toBe("Page 2494");
   const cells = () => root.querySelectorAll(".sheet li").length;
@@ -280,7 +280,7 @@ test("of 5,000 small pages only those in sight exist, and one is drawn at a time
 });
 
 test("the menu works by key and chooses a theme", async () => {
-  const { book, root } = standIn();
+  const { book, root } = addFakeBook();
   const more = named(root, "More");
   more.focus();
   await userEvent.keyboard("{Enter}");
@@ -307,7 +307,7 @@ test("the menu works by key and chooses a theme", async () => {
 });
 
 test("the print dialog asks for pages and closes when they are printed", async () => {
-  const { book, root } = standIn();
+  const { book, root } = addFakeBook();
   named(root, "More").click();
   [...root.querySelectorAll<HTMLElement>("[role=menuitem]")]
     .find((item) => item.textContent === "Print")
@@ -326,7 +326,7 @@ test("the print dialog asks for pages and closes when they are printed", async (
 });
 
 test("it speaks Chinese, and what it is taught", async () => {
-  const { book, root } = standIn();
+  const { book, root } = addFakeBook();
   book.lang = "zh-CN";
   await expect.poll(() => root.querySelector("[role=toolbar]")?.ariaLabel).toBe("阅读器");
   expect(root.querySelector("[part=slider]")?.getAttribute("aria-valuetext")).toBe(
@@ -357,7 +357,7 @@ test("it speaks Chinese, and what it is taught", async () => {
 });
 
 test("taken away, nothing is left, and no key is answered", async () => {
-  const { book, root, remove } = standIn();
+  const { book, root, remove } = addFakeBook();
   named(root, "Thumbnails").click();
   remove();
   expect(root.querySelectorAll("button, input, section").length).toBe(0);

@@ -27,14 +27,14 @@ export const style: string = /* css */ `
 
 .track { position: relative; flex: 1; height: 44px; margin-inline: 6px; }
 .track input { appearance: none; width: 100%; height: 100%; margin: 0; background: none; cursor: pointer; touch-action: none; border-radius: 8px; }
-.track { --past: linear-gradient(to right, var(--turnleaf-accent) calc(9px + var(--share, 0) * (100% - 18px)), var(--turnleaf-track) 0); }
-[dir="rtl"] > .track { --past: linear-gradient(to left, var(--turnleaf-accent) calc(9px + var(--share, 0) * (100% - 18px)), var(--turnleaf-track) 0); }
+.track { --past: linear-gradient(to right, var(--turnleaf-accent) calc(9px + var(--fraction, 0) * (100% - 18px)), var(--turnleaf-track) 0); }
+[dir="rtl"] > .track { --past: linear-gradient(to left, var(--turnleaf-accent) calc(9px + var(--fraction, 0) * (100% - 18px)), var(--turnleaf-track) 0); }
 .track input::-webkit-slider-runnable-track { height: 4px; border-radius: 2px; background: var(--past); }
 .track input::-moz-range-track { height: 4px; border-radius: 2px; background: var(--past); }
 .track input::-webkit-slider-thumb { appearance: none; width: 18px; height: 18px; margin-top: -7px; border: 2px solid var(--turnleaf-surface); border-radius: 50%; background: var(--turnleaf-accent); box-shadow: 0 1px 3px rgb(0 0 0 / 0.3); }
 .track input::-moz-range-thumb { box-sizing: border-box; width: 18px; height: 18px; border: 2px solid var(--turnleaf-surface); border-radius: 50%; background: var(--turnleaf-accent); }
-.bubble { position: absolute; bottom: 54px; inset-inline-start: calc(var(--share, 0) * 100%); translate: calc(var(--share, 0) * -100%) 0; padding: 3px 12px; border-radius: 8px; background: var(--turnleaf-ink); color: var(--turnleaf-surface); font-variant-numeric: tabular-nums; white-space: nowrap; opacity: 0; pointer-events: none; transition: opacity 0.15s; }
-[dir="rtl"] > .track .bubble { translate: calc(var(--share, 0) * 100%) 0; }
+.bubble { position: absolute; bottom: 54px; inset-inline-start: calc(var(--fraction, 0) * 100%); translate: calc(var(--fraction, 0) * -100%) 0; padding: 3px 12px; border-radius: 8px; background: var(--turnleaf-ink); color: var(--turnleaf-surface); font-variant-numeric: tabular-nums; white-space: nowrap; opacity: 0; pointer-events: none; transition: opacity 0.15s; }
+[dir="rtl"] > .track .bubble { translate: calc(var(--fraction, 0) * 100%) 0; }
 .held .bubble { opacity: 1; }
 
 .panel { top: 48px; bottom: 52px; inset-inline-end: auto; width: var(--wide); display: flex; flex-direction: column; border-inline-end: 1px solid var(--turnleaf-line); z-index: 3; }

@@ -5,18 +5,18 @@ import { languageOf } from "../words/languages.ts";
 import { actionsOf, type Tab, zoomBy } from "./actions.ts";
 import { Bar } from "./bar.ts";
 import type { ControlledBook, FoundPlace } from "./book.ts";
-import { Bookmarks } from "./bookmarks.ts";
-import { Contents } from "./contents.ts";
+import { BookmarksTab } from "./bookmarks_tab.ts";
+import { ContentsTab } from "./contents_tab.ts";
 import { style } from "./controls.css.ts";
-import { Found } from "./found.ts";
 import { watchFullScreen } from "./full_screen.ts";
 import { listenToKeys } from "./keys.ts";
 import { PagesBar } from "./pages_bar.ts";
 import { Panel } from "./panel.ts";
 import { askPrint } from "./print_dialog.ts";
-import { speak } from "./say.ts";
+import { SearchTab } from "./search_tab.ts";
 import { themes } from "./themes.css.ts";
-import { Thumbnails } from "./thumbnails.ts";
+import { ThumbnailsTab } from "./thumbnails_tab.ts";
+import { wordingFor } from "./wording.ts";
 
 /** Attributes of the element that change what the controls show. */
 const watched = ["lang", "dir", "sound", "theme", "layout"];
@@ -66,7 +66,7 @@ function build<Hit extends FoundPlace>(
   frame: HTMLElement,
   stage: HTMLElement,
 ): () => void {
-  const say = speak(languageOf(book));
+  const wording = wordingFor(languageOf(book));
   const ended = new AbortController();
   const { signal } = ended;
   const isNarrow = (): boolean => frame.clientWidth < narrow;
@@ -93,15 +93,15 @@ function build<Hit extends FoundPlace>(
   };
 
   const views = {
-    contents: new Contents(book, say, picked),
-    thumbnails: new Thumbnails(book, say, picked),
-    search: new Found(book, say, picked),
-    bookmarks: new Bookmarks(book, say, picked),
+    contents: new ContentsTab(book, wording, picked),
+    thumbnails: new ThumbnailsTab(book, wording, picked),
+    search: new SearchTab(book, wording, picked),
+    bookmarks: new BookmarksTab(book, wording, picked),
   };
-  const actions = actionsOf(book, say, () => askPrint(book, say, frame));
-  const bar = new Bar(book, say, actions, toggle);
-  const pages = new PagesBar(book, say);
-  const panel = new Panel(say, views, close, (tab) => {
+  const actions = actionsOf(book, wording, () => askPrint(book, wording, frame));
+  const bar = new Bar(book, wording, actions, toggle);
+  const pages = new PagesBar(book, wording);
+  const panel = new Panel(wording, views, close, (tab) => {
     bar.showTab(tab);
     frame.classList.toggle("open", tab !== null);
   });

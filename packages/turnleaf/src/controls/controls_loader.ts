@@ -1,6 +1,6 @@
 /** The reader's controls, loaded when they are first shown. */
 
-import { loaded } from "../sources/loaded.ts";
+import { loadPart } from "../sources/load_part.ts";
 import type { ControlledBook, FoundPlace } from "./book.ts";
 
 /** Shows and hides the controls of one element. */
@@ -39,7 +39,7 @@ export class ControlsLoader {
     frame: HTMLElement,
     stage: HTMLElement,
   ): Promise<void> {
-    const { addControls } = await loaded(import("./controls.ts"));
+    const { addControls } = await loadPart(import("./controls.ts"));
     if (this.#wanted && this.#remove === null) this.#remove = addControls(book, frame, stage);
   }
 }

@@ -3,7 +3,7 @@
 import type { Action, ActionName } from "./actions.ts";
 import type { ControlledBook } from "./book.ts";
 import { icon, make, roving, setIcon } from "./make.ts";
-import type { Say } from "./say.ts";
+import type { Wording } from "./wording.ts";
 
 const themes = ["auto", "light", "dark", "paper"] as const;
 
@@ -25,7 +25,7 @@ export class Menu {
   /** @param opener the button under which it opens */
   constructor(
     book: ControlledBook,
-    say: Say,
+    wording: Wording,
     actions: Readonly<Record<ActionName, Action>>,
     opener: HTMLButtonElement,
   ) {
@@ -35,12 +35,12 @@ export class Menu {
       role: "menu",
       part: "menu",
       class: "menu",
-      "aria-label": say.texts.more,
+      "aria-label": wording.texts.more,
       hidden: true,
     });
     for (const name of inBar) this.#add(actions[name], "narrow");
     for (const name of always) this.#add(actions[name], "");
-    this.#addThemes(say);
+    this.#addThemes(wording);
     opener.setAttribute("aria-haspopup", "menu");
     opener.setAttribute("aria-expanded", "false");
     opener.addEventListener("click", () => (this.element.hidden ? this.open() : this.close()));
@@ -102,7 +102,7 @@ export class Menu {
     });
   }
 
-  #addThemes({ texts }: Say): void {
+  #addThemes({ texts }: Wording): void {
     const names = {
       auto: texts.themeAuto,
       light: texts.themeLight,

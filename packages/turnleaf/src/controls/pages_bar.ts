@@ -5,7 +5,7 @@ import type { ControlledBook } from "./book.ts";
 import { iconButton } from "./buttons.ts";
 import { findPage } from "./find_page.ts";
 import { make } from "./make.ts";
-import type { Say } from "./say.ts";
+import type { Wording } from "./wording.ts";
 
 /**
  * Shows where the book lies open, and turns it elsewhere.
@@ -17,7 +17,7 @@ import type { Say } from "./say.ts";
 export class PagesBar {
   readonly element: HTMLElement;
   readonly #book: ControlledBook;
-  readonly #say: Say;
+  readonly #wording: Wording;
   readonly #slider: HTMLInputElement;
   readonly #bubble: HTMLElement = make("span", { class: "bubble", "aria-hidden": "true" });
   readonly #field: HTMLInputElement;
@@ -28,10 +28,10 @@ export class PagesBar {
   /** Whether the reader drags the slider: it then shows the target, not the book's place. */
   #sliding = false;
 
-  constructor(book: ControlledBook, say: Say) {
+  constructor(book: ControlledBook, wording: Wording) {
     this.#book = book;
-    this.#say = say;
-    const { texts } = say;
+    this.#wording = wording;
+    const { texts } = wording;
     this.#previous = iconButton("previous", texts.previous);
     this.#next = iconButton("next", texts.next);
     this.#previous.addEventListener("click", () => this.#turn(this.#previous));
@@ -76,7 +76,7 @@ export class PagesBar {
     if ((this.element.getRootNode() as ShadowRoot).activeElement !== this.#field) {
       this.#field.value = label;
     }
-    const { texts, number } = this.#say;
+    const { texts, number } = this.#wording;
     const values = { page: number(page), n: number(pageCount) };
     this.#count.textContent = fill(label === String(page) ? texts.of : texts.pageOf, values);
     this.#previous.ariaDisabled = String(page <= 1);
@@ -124,7 +124,7 @@ export class PagesBar {
     if (page === null) {
       this.#field.setAttribute("aria-invalid", "true");
       const label = this.#field.value.slice(0, 40);
-      this.#status.textContent = fill(this.#say.texts.noSuchPage, { label });
+      this.#status.textContent = fill(this.#wording.texts.noSuchPage, { label });
       this.#field.select();
       return;
     }
@@ -135,7 +135,7 @@ export class PagesBar {
 
   /** Sets the slider at a page and says so. */
   #slide(page: number): void {
-    const { texts, number } = this.#say;
+    const { texts, number } = this.#wording;
     const { pageCount } = this.#book;
     const label = this.#book.label(page);
     this.#slider.value = String(page);
@@ -144,7 +144,7 @@ export class PagesBar {
       fill(texts.place, { label, page: number(page), n: number(pageCount) }),
     );
     this.#bubble.textContent = label;
-    const share = pageCount > 1 ? (page - 1) / (pageCount - 1) : 0;
-    this.element.style.setProperty("--share", share.toFixed(4));
+    const fraction = pageCount > 1 ? (page - 1) / (pageCount - 1) : 0;
+    this.element.style.setProperty("--fraction", fraction.toFixed(4));
   }
 }

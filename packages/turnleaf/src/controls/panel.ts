@@ -3,10 +3,10 @@
 import { type Tab, tabs } from "./actions.ts";
 import { iconButton } from "./buttons.ts";
 import { icon, make, roving } from "./make.ts";
-import type { Say } from "./say.ts";
+import type { Wording } from "./wording.ts";
 
 /** The content of a tab. */
-export interface View {
+export interface PanelTab {
   readonly element: HTMLElement;
   /** Called when it becomes visible. */
   show(): void;
@@ -24,26 +24,26 @@ export interface View {
  */
 export class Panel {
   readonly element: HTMLElement;
-  readonly #views: Readonly<Record<Tab, View>>;
+  readonly #views: Readonly<Record<Tab, PanelTab>>;
   readonly #tabButtons = new Map<Tab, HTMLButtonElement>();
   readonly #body: HTMLElement;
   /** Names the tab if the row of tabs is hidden: beside the toolbar's own buttons. */
   readonly #heading: HTMLElement = make("h2", { class: "wide" });
-  readonly #say: Say;
+  readonly #wording: Wording;
   readonly #changed: (tab: Tab | null) => void;
   #open: Tab | null = null;
 
   /** @param changed called with the open tab */
   constructor(
-    say: Say,
-    views: Readonly<Record<Tab, View>>,
+    wording: Wording,
+    views: Readonly<Record<Tab, PanelTab>>,
     close: () => void,
     changed: (tab: Tab | null) => void,
   ) {
     this.#views = views;
-    this.#say = say;
+    this.#wording = wording;
     this.#changed = changed;
-    const { texts } = say;
+    const { texts } = wording;
     const row = make("div", { role: "tablist", class: "tabs narrow" });
     for (const tab of tabs) {
       const button = make("button", {
@@ -87,7 +87,7 @@ export class Panel {
       button.tabIndex = name === tab ? 0 : -1;
       this.#views[name].element.hidden = name !== tab;
     }
-    this.#heading.textContent = this.#say.texts[tab];
+    this.#heading.textContent = this.#wording.texts[tab];
     this.#body.setAttribute("aria-labelledby", `tab-${tab}`);
     this.element.setAttribute("aria-labelledby", `tab-${tab}`);
     this.#views[tab].show();

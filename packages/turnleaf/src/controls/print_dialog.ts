@@ -5,15 +5,15 @@ import { fill } from "../words/languages.ts";
 import type { ControlledBook } from "./book.ts";
 import { findPage } from "./find_page.ts";
 import { make } from "./make.ts";
-import type { Say } from "./say.ts";
+import type { Wording } from "./wording.ts";
 
 /**
  * Opens the dialog in a shadow tree; it removes itself.
  *
  * @csspart dialog The dialog that asks which pages are to be printed.
  */
-export function askPrint(book: ControlledBook, say: Say, host: Node): void {
-  const { texts, number } = say;
+export function askPrint(book: ControlledBook, wording: Wording, host: Node): void {
+  const { texts, number } = wording;
   const ended = new AbortController();
   const field = (label: string, page: number) => {
     const input = make("input", { class: "entry", autocomplete: "off", spellcheck: "false" });
@@ -23,7 +23,8 @@ export function askPrint(book: ControlledBook, say: Say, host: Node): void {
   const from = field(texts.from, 1);
   const to = field(texts.to, Math.min(book.pageCount, mostPrinted));
   const status = make("p", { role: "status", class: "note" });
-  if (book.pageCount > mostPrinted) status.textContent = say.plural(texts.mostPrinted, mostPrinted);
+  if (book.pageCount > mostPrinted)
+    status.textContent = wording.plural(texts.mostPrinted, mostPrinted);
   const progress = make("progress", { hidden: true, "aria-label": texts.print });
   const cancel = make("button", { type: "button", class: "plain" }, texts.cancel);
   const go = make("button", { type: "submit", class: "plain strong" }, texts.print);
@@ -51,7 +52,7 @@ export function askPrint(book: ControlledBook, say: Say, host: Node): void {
     if (Math.abs(last - first) < mostPrinted) {
       return { first: Math.min(first, last), last: Math.max(first, last) };
     }
-    status.textContent = say.plural(texts.mostPrinted, mostPrinted);
+    status.textContent = wording.plural(texts.mostPrinted, mostPrinted);
     return null;
   };
 

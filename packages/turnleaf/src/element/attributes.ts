@@ -21,9 +21,9 @@ export interface AttributeEffects {
   /** The place is kept from now on, or no longer. */
   keepPlace(): void;
   /** The controls appear or disappear. */
-  furnish(): void;
+  updateControls(): void;
   /** Stops the sound until a leaf moves that should be heard. */
-  hush(): void;
+  stopSound(): void;
 }
 
 /** Every observed attribute and the effect of its change. */
@@ -42,8 +42,8 @@ export const attributes: Readonly<
   "model-src": (effects) => effects.changeModel(),
   address: (effects) => effects.keepPlace(),
   remember: (effects) => effects.keepPlace(),
-  controls: (effects) => effects.furnish(),
-  sound: (effects) => effects.hush(),
+  controls: (effects) => effects.updateControls(),
+  sound: (effects) => effects.stopSound(),
 };
 
 /** Returns the preset of `stock`; "book" if the attribute names none. */

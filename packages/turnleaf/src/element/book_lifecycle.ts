@@ -2,20 +2,20 @@
 
 import { Input } from "../input/input.ts";
 import { openViewer } from "../open_viewer.ts";
-import { loaded } from "../sources/loaded.ts";
+import { loadPart } from "../sources/load_part.ts";
 import type { BookInput } from "../sources/open.ts";
 import type { PageList } from "../sources/page_list.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Viewer, ViewerOptions } from "../viewer/viewer.ts";
 import { languageOf } from "../words/languages.ts";
-import { Reading } from "./reading.ts";
+import { ReadableBook } from "./readable_book.ts";
 
 /** An open book: the source of its pages, its viewer, and its canvas. */
 export interface OpenBook {
   readonly source: PageList;
   readonly viewer: Viewer;
   readonly canvas: HTMLCanvasElement;
-  readonly reading: Reading;
+  readonly reading: ReadableBook;
 }
 
 /** The callbacks between an element and the life of its book. */
@@ -35,7 +35,7 @@ export interface LifecycleHooks {
   /** A book lies open. */
   opened(book: OpenBook): void;
   /** An optional part of the viewer could not be loaded. */
-  readonly lacks: (error: unknown) => void;
+  readonly missingPart: (error: unknown) => void;
   /** It could not be opened. */
   failed(error: unknown): void;
 }
@@ -117,7 +117,7 @@ export class BookLifecycle {
 
   async #open(input: BookInput, signal: AbortSignal): Promise<void> {
     // An element that shows no book yet does not need the code that reads one.
-    const opening = loaded(import("../sources/open.ts"));
+    const opening = loadPart(import("../sources/open.ts"));
     const [{ openList }] = await Promise.all([opening, this.#hooks.prepare()]);
     const source = await openList(input, { signal, pdfWorker: pdfWorkerOf(this.#element) });
     await this.#show(source, false, signal);
@@ -156,7 +156,7 @@ export class BookLifecycle {
       const goTo = (page: number): void => this.#hooks.goTo(page);
       const language = (): string => languageOf(this.#element);
       const under = { source, viewer, canvas, goTo, language };
-      const reading = new Reading(under, this.#hooks.lacks);
+      const reading = new ReadableBook(under, this.#hooks.missingPart);
       const ended = new AbortController();
       this.#book = { source, viewer, canvas, reading, input, ended };
       this.#follow(viewer, ended.signal);

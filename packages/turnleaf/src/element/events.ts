@@ -51,7 +51,7 @@ export interface TurnleafEventMap {
 type AnyEvents = Omit<HTMLElementEventMap, keyof TurnleafEventMap> & TurnleafEventMap;
 
 /** An element whose listeners get the events of `<turnleaf-book>`, each of its type. */
-export interface Listened extends HTMLElement {
+export interface TypedEventElement extends HTMLElement {
   /**
    * Calls `listener` at every event of a type: `options` as of every element.
    *

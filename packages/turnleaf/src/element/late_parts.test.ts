@@ -3,15 +3,15 @@
 import { expect, test, vi } from "vitest";
 import type { ControlledBook } from "../controls/book.ts";
 import { ControlsLoader } from "../controls/controls_loader.ts";
-import { loaded } from "../sources/loaded.ts";
+import { loadPart } from "../sources/load_part.ts";
 import { BookError } from "../sources/page_source.ts";
-import { Reading } from "./reading.ts";
-import type { Under } from "./text_over.ts";
+import type { TextTarget } from "./book_text_overlay.ts";
+import { ReadableBook } from "./readable_book.ts";
 
 vi.mock("../controls/controls.ts", () => {
   throw new TypeError("Failed to fetch");
 });
-vi.mock("./text_over.ts", () => {
+vi.mock("./book_text_overlay.ts", () => {
   throw new TypeError("Failed to fetch");
 });
 
@@ -24,14 +24,14 @@ const failure = expect.objectContaining({
 });
 
 test("a part that is there is loaded, and another is told of", async () => {
-  expect(await loaded(Promise.resolve(7))).toBe(7);
-  const failing = loaded(Promise.reject(new TypeError("Failed to fetch")));
+  expect(await loadPart(Promise.resolve(7))).toBe(7);
+  const failing = loadPart(Promise.reject(new TypeError("Failed to fetch")));
   await expect(failing).rejects.toThrow(new BookError(sentence));
 });
 
 test("a part whose code fails in this browser says what failed", async () => {
   const cause = new TypeError("x.toReversed is not a function");
-  const error: unknown = await loaded(Promise.reject(cause)).catch((error) => error);
+  const error: unknown = await loadPart(Promise.reject(cause)).catch((error) => error);
   expect(error).toEqual(
     new BookError(
       "A part of the reader failed (TypeError: x.toReversed is not a function); update the browser, or load the web page again.",
@@ -55,7 +55,7 @@ test("controls that cannot be loaded are told of once for each time they are ask
 
 test("a book whose text cannot be loaded is told of once, and cannot be searched", async () => {
   const told: unknown[] = [];
-  const reading = new Reading({ source: {} } as Under, (error) => told.push(error));
+  const reading = new ReadableBook({ source: {} } as TextTarget, (error) => told.push(error));
   reading.mark(null);
   reading.changed();
   await expect(reading.search("leaf")).rejects.toEqual(failure);
@@ -65,7 +65,7 @@ test("a book whose text cannot be loaded is told of once, and cannot be searched
 
 test("a book that is closed before its text came tells nothing", async () => {
   const told: unknown[] = [];
-  const reading = new Reading({ source: {} } as Under, (error) => told.push(error));
+  const reading = new ReadableBook({ source: {} } as TextTarget, (error) => told.push(error));
   const search = reading.search("leaf");
   reading.destroy();
   await expect(search).rejects.toThrow();

@@ -1,8 +1,8 @@
 /** Inserts, removes and replaces pages of an open book. */
 
-import { loaded } from "../sources/loaded.ts";
+import { loadPart } from "../sources/load_part.ts";
 import type { BookInput } from "../sources/open.ts";
-import type { Moved } from "../sources/page_list.ts";
+import type { NewIndex } from "../sources/page_list.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
 
@@ -33,7 +33,7 @@ export class PageChanges {
     count: number,
     input: BookInput | null,
     pdfWorker?: string,
-  ): Promise<Moved | null> {
+  ): Promise<NewIndex | null> {
     const changed = this.#last.then(() => apply(book(), at, count, input, pdfWorker));
     this.#last = changed.catch(() => {});
     return changed;
@@ -46,11 +46,11 @@ async function apply(
   count: number,
   input: BookInput | null,
   pdfWorker: string | undefined,
-): Promise<Moved | null> {
+): Promise<NewIndex | null> {
   if (book === null) return null;
-  const { openSource } = await loaded(import("../sources/open.ts"));
+  const { openSource } = await loadPart(import("../sources/open.ts"));
   const added = input === null ? null : await openSource(input, { pdfWorker });
-  let moved = null as Moved | null;
+  let moved = null as NewIndex | null;
   try {
     if (added !== null) await check(added);
     await book.viewer.changePages(() => {

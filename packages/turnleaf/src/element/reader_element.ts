@@ -3,7 +3,7 @@
  * printing, keeping the place.
  */
 
-import { loaded } from "../sources/loaded.ts";
+import { loadPart } from "../sources/load_part.ts";
 import {
   BookError,
   type OutlineEntry,
@@ -13,10 +13,10 @@ import {
 import type { SearchHit } from "../text/searching.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
 import { cleanBookmarks } from "./clean_bookmarks.ts";
-import type { Film, RecordOptions } from "./film.ts";
-import type { Place } from "./place.ts";
+import type { FilmRecorder, RecordOptions } from "./film_recorder.ts";
+import type { PlaceKeeper } from "./place_keeper.ts";
 import type { PrintOptions } from "./printing.ts";
-import { ReflectingElement } from "./reflecting.ts";
+import { ReflectingElement } from "./reflecting_element.ts";
 import { SlideShow } from "./slide_show.ts";
 
 /** Maximum width of a page drawn for a caller, pixels. */
@@ -36,12 +36,12 @@ export abstract class ReaderElement extends ReflectingElement {
   protected abstract get book(): OpenBook | null;
 
   /** Keeps the place, once an attribute has asked for it. */
-  #place: Place | null = null;
+  #place: PlaceKeeper | null = null;
   readonly #show = new SlideShow(this, () =>
     this.emit("playchange", { playing: this.#show.playing }),
   );
   #bookmarks: readonly number[] = [];
-  #film: Film | null = null;
+  #film: FilmRecorder | null = null;
 
   /** Number of pages; 0 until the book is open. */
   get pageCount(): number {
@@ -194,7 +194,7 @@ export abstract class ReaderElement extends ReflectingElement {
   async print(options: PrintOptions = {}): Promise<boolean> {
     const { source } = this;
     if (!source || !this.allows.print) return false;
-    const { printPages } = await loaded(import("./print_pages.ts"));
+    const { printPages } = await loadPart(import("./print_pages.ts"));
     return await printPages(source, options);
   }
 
@@ -202,7 +202,7 @@ export abstract class ReaderElement extends ReflectingElement {
   async download(): Promise<boolean> {
     const { source } = this;
     if (!source || !this.allows.download) return false;
-    const { downloadFile } = await loaded(import("./print_pages.ts"));
+    const { downloadFile } = await loadPart(import("./print_pages.ts"));
     return await downloadFile(source);
   }
 
@@ -215,7 +215,7 @@ export abstract class ReaderElement extends ReflectingElement {
    * @param options `seconds` (0.1 to 600) ends it by itself
    */
   async record(options: RecordOptions = {}): Promise<Blob> {
-    const { Film } = await loaded(import("./film.ts"));
+    const { FilmRecorder } = await loadPart(import("./film_recorder.ts"));
     const { book } = this;
     if (!book || this.#film) {
       const sentence = book
@@ -223,7 +223,7 @@ export abstract class ReaderElement extends ReflectingElement {
         : "There is no book to record; open one.";
       throw new BookError(sentence);
     }
-    const film = new Film(() => this.book?.canvas, options);
+    const film = new FilmRecorder(() => this.book?.canvas, options);
     this.#film = film;
     // A resting book is drawn once for the film.
     book.viewer.invalidate();
@@ -284,10 +284,10 @@ export abstract class ReaderElement extends ReflectingElement {
    */
   protected async keepPlace(): Promise<void> {
     if (!this.address && !this.remember) return;
-    const { Place } = await loaded(import("./place.ts"));
+    const { PlaceKeeper } = await loadPart(import("./place_keeper.ts"));
     // Both attributes may have asked.
     if (this.#place) return;
-    this.#place = new Place(this);
+    this.#place = new PlaceKeeper(this);
     if (this.isConnected) this.#place.follow();
   }
 

@@ -2,7 +2,7 @@
 
 import type { Stock, StockFigures } from "../engine/shapes.ts";
 import type { Sound } from "../sound/sound.ts";
-import { loaded } from "../sources/loaded.ts";
+import { loadPart } from "../sources/load_part.ts";
 import type { ViewerOptions } from "../viewer/viewer.ts";
 
 /** Duration of the vibration when a leaf is grabbed and when it lands, milliseconds. */
@@ -41,19 +41,19 @@ export class SoundAndHaptics {
     this.#sound?.follow(pose, seconds, moving, this.#stock());
     if (this.#asked || !moving) return;
     this.#asked = true;
-    loaded(import("../sound/sound.ts")).then(({ Sound }) => {
+    loadPart(import("../sound/sound.ts")).then(({ Sound }) => {
       if (this.#asked) this.#sound = new Sound();
     }, this.#failed);
   };
 
   /** Call it when a leaf was picked up. */
   take(): void {
-    this.#stir(taken);
+    this.#vibrate(taken);
   }
 
   /** Call it when the book is at rest. */
   lie(): void {
-    this.#stir(laid);
+    this.#vibrate(laid);
   }
 
   /** Stops the sound: the book is closed, or the attribute was removed. */
@@ -63,7 +63,7 @@ export class SoundAndHaptics {
     this.#sound = null;
   }
 
-  #stir(milliseconds: number): void {
+  #vibrate(milliseconds: number): void {
     if (!this.#element.hasAttribute("vibrate") || !navigator.userActivation?.hasBeenActive) return;
     navigator.vibrate?.(milliseconds);
   }

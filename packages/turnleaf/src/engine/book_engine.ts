@@ -69,13 +69,13 @@ export interface BookEngine {
    * leaves are read, on the left `high`. Returns the flight's number, or 0 if
    * these are not the uppermost or too many fly.
    */
-  lift(side: Side, low: number, high: number): number;
-  /** Grabs a flight at (u, v); `hand` is the number of the grab, 0 to 3. */
-  grab(id: number, hand: number, u: number, v: number): void;
+  pickUp(side: Side, low: number, high: number): number;
+  /** Grabs a flight at (u, v); `grab` is its number, 0 to 3. */
+  grab(id: number, grab: number, u: number, v: number): void;
   /** Pulls a grab to a place in book space, metres. */
-  hold(id: number, hand: number, x: number, y: number, z: number): void;
+  hold(id: number, grab: number, x: number, y: number, z: number): void;
   /** Releases a grab; with no other on it, the leaf falls, and those in its way with it. */
-  release(id: number, hand: number): void;
+  release(id: number, grab: number): void;
   /**
    * Plays a flight to `side` from where it is, `seconds` for a whole turn, and
    * those in its way too.

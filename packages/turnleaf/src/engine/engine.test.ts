@@ -10,7 +10,7 @@ test("columns lie where the viewer's pictures expect them", async () => {
   const book = await WasmBook.create(size);
   const u = book.columns;
   for (let k = 0; k < u.length; k++) expect(u[k]).toBeCloseTo(columnPlace(k, u.length), 6);
-  book.lift(Side.right, 0, 1);
+  book.pickUp(Side.right, 0, 1);
   expect(book.surface(0).columns).toBe(u.length);
   expect(book.pile(Side.left).columns).toBe(u.length);
   book.destroy();
@@ -35,7 +35,7 @@ function rest(book: WasmBook): number {
 test("a leaf is lifted, played and laid down on the other pile", async () => {
   const book = await open();
   book.lay(10);
-  const id = book.lift(Side.right, 10, 11);
+  const id = book.pickUp(Side.right, 10, 11);
   const { version } = book.surface(0);
   book.play(id, Side.left, 0.8);
   book.step(Math.round(0.4 / book.tick));
@@ -52,7 +52,7 @@ test("a leaf is lifted, played and laid down on the other pile", async () => {
 test("twelve leaves fly at once, each with its own surface", async () => {
   const book = await open();
   const ids = Array.from({ length: 12 }, (_, k) => {
-    const id = book.lift(Side.right, k, k + 1);
+    const id = book.pickUp(Side.right, k, k + 1);
     book.play(id, Side.left, 0.8);
     book.step(Math.round(0.05 / book.tick));
     return id;
@@ -72,7 +72,7 @@ test("twelve leaves fly at once, each with its own surface", async () => {
 
 test("a held leaf follows the hand; let go it falls", async () => {
   const book = await open();
-  const id = book.lift(Side.right, 0, 1);
+  const id = book.pickUp(Side.right, 0, 1);
   book.grab(id, 0, 1, 0);
   const tick = Math.round(1 / 60 / book.tick);
   for (let k = 0; k < 60; k++) {
@@ -116,7 +116,7 @@ async function hang(change: (book: WasmBook) => void): Promise<number[]> {
   const book = await open();
   book.lay(10);
   change(book);
-  const id = book.lift(Side.right, 10, 11);
+  const id = book.pickUp(Side.right, 10, 11);
   book.grab(id, 0, 1, 0);
   book.hold(id, 0, 0.06, 0.02, 0.07);
   book.step(Math.round(0.5 / book.tick));

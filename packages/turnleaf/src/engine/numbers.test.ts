@@ -127,10 +127,10 @@ function askAtRandom(book: BookEngine, seed: number, questions: number): boolean
     () => book.lay(count(40)),
     () => {
       const read = book.read;
-      id = book.lift(Side.right, read, read + 1) || id;
+      id = book.pickUp(Side.right, read, read + 1) || id;
     },
     () => {
-      id = book.lift(side(), count(40), count(40)) || id;
+      id = book.pickUp(side(), count(40), count(40)) || id;
     },
     () => book.grab(anId(), count(maxGrabs), number(0, 1), number(0, 1)),
     () => book.hold(anId(), count(maxGrabs), ...vector()),
@@ -179,7 +179,7 @@ for (const [over, create] of [
   test(`time that goes backwards, or is none, moves nothing of ${over}`, async () => {
     const book = await create(size);
     book.lay(10);
-    const id = book.lift(Side.right, 10, 11);
+    const id = book.pickUp(Side.right, 10, 11);
     book.play(id, Side.left, 0.8);
     book.step(20);
     book.update();

@@ -20,9 +20,9 @@ export function turnSeconds(seconds: number): number {
   return Number.isNaN(seconds) ? 1 : clamp(seconds, 0, 3600);
 }
 
-/** Returns whether `hand` is the number of a grab, and its numbers are finite. */
-export function isHand(hand: number, ...numbers: readonly number[]): boolean {
-  return Number.isInteger(hand) && hand >= 0 && hand < maxGrabs && areFinite(numbers);
+/** Returns whether `grab` is the number of a grab, and its numbers are finite. */
+export function isGrab(grab: number, ...numbers: readonly number[]): boolean {
+  return Number.isInteger(grab) && grab >= 0 && grab < maxGrabs && areFinite(numbers);
 }
 
 /** Returns whether all are numbers that single precision holds. */

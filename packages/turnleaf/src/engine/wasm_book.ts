@@ -5,7 +5,7 @@
 
 import type { BookEngine, BookSize } from "./book_engine.ts";
 import { engineCode } from "./machine_code.ts";
-import { areFinite, clamp, isHand, turnSeconds, whole, wholeTicks } from "./numbers.ts";
+import { areFinite, clamp, isGrab, turnSeconds, whole, wholeTicks } from "./numbers.ts";
 import type { Cover, Phase, Side } from "./phases.ts";
 import {
   type Pile,
@@ -34,9 +34,9 @@ interface Exports {
   tl_book_set_assist(book: number, on: number): void;
   tl_book_lay(book: number, read: number): void;
   tl_book_lift(book: number, side: Side, low: number, high: number): number;
-  tl_book_grab(book: number, id: number, hand: number, u: number, v: number): void;
-  tl_book_hold(book: number, id: number, hand: number, x: number, y: number, z: number): void;
-  tl_book_release(book: number, id: number, hand: number): void;
+  tl_book_grab(book: number, id: number, grab: number, u: number, v: number): void;
+  tl_book_hold(book: number, id: number, grab: number, x: number, y: number, z: number): void;
+  tl_book_release(book: number, id: number, grab: number): void;
   tl_book_play(book: number, id: number, side: Side, seconds: number): void;
   tl_book_step(book: number, ticks: number): void;
   tl_book_phase(book: number, id: number): Phase;
@@ -147,34 +147,34 @@ export class WasmBook implements BookEngine {
   }
 
   /** New leaves lie elsewhere in the engine's memory: views of the old ones are invalid. */
-  #changed(answer: number): boolean {
+  #changed(result: number): boolean {
     this.#surfaces.clear();
-    return answer !== 0;
+    return result !== 0;
   }
 
   lay(read: number): void {
     this.#wasm.tl_book_lay(this.#book, whole(read, this.#leaves));
   }
 
-  lift(side: Side, low: number, high: number): number {
+  pickUp(side: Side, low: number, high: number): number {
     const most = this.#leaves;
     return this.#wasm.tl_book_lift(this.#book, side, whole(low, most), whole(high, most));
   }
 
-  grab(id: number, hand: number, u: number, v: number): void {
-    if (!isHand(hand, u, v)) return;
+  grab(id: number, grab: number, u: number, v: number): void {
+    if (!isGrab(grab, u, v)) return;
     const [inU, inV] = [clamp(u, 0, 1), clamp(v, 0, 1)];
-    this.#wasm.tl_book_grab(this.#book, whole(id, mostIds), hand, inU, inV);
+    this.#wasm.tl_book_grab(this.#book, whole(id, mostIds), grab, inU, inV);
   }
 
-  hold(id: number, hand: number, x: number, y: number, z: number): void {
-    if (!isHand(hand, x, y, z)) return;
+  hold(id: number, grab: number, x: number, y: number, z: number): void {
+    if (!isGrab(grab, x, y, z)) return;
     const near = (metres: number): number => clamp(metres, -farthest, farthest);
-    this.#wasm.tl_book_hold(this.#book, whole(id, mostIds), hand, near(x), near(y), near(z));
+    this.#wasm.tl_book_hold(this.#book, whole(id, mostIds), grab, near(x), near(y), near(z));
   }
 
-  release(id: number, hand: number): void {
-    if (isHand(hand)) this.#wasm.tl_book_release(this.#book, whole(id, mostIds), hand);
+  release(id: number, grab: number): void {
+    if (isGrab(grab)) this.#wasm.tl_book_release(this.#book, whole(id, mostIds), grab);
   }
 
   play(id: number, side: Side, seconds: number): void {

@@ -4,7 +4,7 @@ import { afterEach, expect, test } from "vitest";
 import type { TurnDetail } from "../element/events.ts";
 import type { TurnleafBook } from "../element.ts";
 import { book, happens, scans, settled } from "../element_for_tests.ts";
-import { Hands } from "../hands_for_tests.ts";
+import { TestPointer } from "../pointer_for_tests.ts";
 import { DrawnBook } from "../webgl/drawn_book.ts";
 
 const pose = DrawnBook.prototype.pose;
@@ -22,7 +22,7 @@ async function opened(attributes: Record<string, string> = {}) {
   const element = book(scans(12), { page: "6", cover: "none", duration: "120", ...attributes });
   await happens(element, "load");
   await settled(element);
-  return { element, hands: new Hands(element) };
+  return { element, pointer: new TestPointer(element) };
 }
 
 /** Counts the requested animation frames. */
@@ -55,15 +55,15 @@ const calls = (times: number) =>
   Promise.all(Array.from({ length: times }, () => new Promise((done) => setTimeout(done, 60))));
 
 test("a drag in the middle of a page turns it, a click there does not", async () => {
-  const { element, hands } = await opened();
-  hands.click(200, 110);
+  const { element, pointer } = await opened();
+  pointer.click(200, 110);
   await calls(1);
   expect(element.settled).toBe(true);
-  hands.point("pointerdown", 205, 110);
-  await hands.move([205, 110], [60, 100]);
+  pointer.point("pointerdown", 205, 110);
+  await pointer.move([205, 110], [60, 100]);
   // Held still it comes to rest.
   await settled(element);
-  hands.point("pointerup", 60, 100);
+  pointer.point("pointerup", 60, 100);
   await settled(element);
   expect(element.page).toBe(8);
 });
@@ -81,21 +81,21 @@ test.each([
 ] as const)(
   "a page that stands alone, bound at the $binding, is carried from $taken to $carried",
   async ({ binding, taken, carried, page }) => {
-    const { element, hands } = await opened({ layout: "single", binding });
+    const { element, pointer } = await opened({ layout: "single", binding });
     // A page of 90 by 120 pixels in the middle of the element.
-    const at = (share: number): [number, number] => [150 + (share - 0.5) * 150, 120];
-    hands.point("pointerdown", ...at(taken));
-    await hands.move(at(taken), at(carried));
+    const at = (fraction: number): [number, number] => [150 + (fraction - 0.5) * 150, 120];
+    pointer.point("pointerdown", ...at(taken));
+    await pointer.move(at(taken), at(carried));
     await settled(element);
-    hands.point("pointerup", ...at(carried));
+    pointer.point("pointerup", ...at(carried));
     await settled(element);
     expect(element.page).toBe(page);
   },
 );
 
 test("a click at an edge turns, and a flick of a finger on either page does", async () => {
-  const { element, hands } = await opened();
-  hands.click(245, 110);
+  const { element, pointer } = await opened();
+  pointer.click(245, 110);
   expect((await happens<TurnDetail>(element, "pagechange")).to).toBe(8);
   const touch = { pointerType: "touch", pointerId: 7 };
   // Outward on the left page: no leaf there goes that way, but the reader means forward.
@@ -106,33 +106,33 @@ test("a click at an edge turns, and a flick of a finger on either page does", as
     [180, 240, 8],
   ]) {
     const changed = happens<TurnDetail>(element, "pagechange");
-    hands.point("pointerdown", from, 110, touch);
-    hands.flick([from, 110], [to, 112], touch);
-    hands.point("pointerup", to, 112, touch);
+    pointer.point("pointerdown", from, 110, touch);
+    pointer.flick([from, 110], [to, 112], touch);
+    pointer.point("pointerup", to, 112, touch);
     expect((await changed).to).toBe(page);
     await settled(element);
   }
 });
 
 test("a finger that scrolls the page turns nothing, and one that is taken away lets go", async () => {
-  const { element, hands } = await opened();
+  const { element, pointer } = await opened();
   const started = count(element, "turnstart");
   const touch = { pointerType: "touch", pointerId: 7 };
-  expect(getComputedStyle(hands.stage).touchAction).toBe("pan-y");
-  hands.point("pointerdown", 220, 80, touch);
-  await hands.move([220, 80], [222, 140], touch);
-  hands.point("pointercancel", 222, 140, touch);
+  expect(getComputedStyle(pointer.stage).touchAction).toBe("pan-y");
+  pointer.point("pointerdown", 220, 80, touch);
+  await pointer.move([220, 80], [222, 140], touch);
+  pointer.point("pointercancel", 222, 140, touch);
   expect(started.times).toBe(0);
-  hands.point("pointerdown", 220, 80, touch);
-  await hands.move([220, 80], [200, 82], touch);
-  hands.point("pointercancel", 200, 82, touch);
+  pointer.point("pointerdown", 220, 80, touch);
+  await pointer.move([220, 80], [200, 82], touch);
+  pointer.point("pointercancel", 200, 82, touch);
   await settled(element);
   expect(element.page).toBe(6);
   // One finger may scroll; two belong to the book.
   const finger = (identifier: number) =>
-    new Touch({ identifier, target: hands.canvas, clientX: 20 * identifier, clientY: 20 });
+    new Touch({ identifier, target: pointer.canvas, clientX: 20 * identifier, clientY: 20 });
   const touchmove = (touches: Touch[]) =>
-    hands.canvas.dispatchEvent(
+    pointer.canvas.dispatchEvent(
       new TouchEvent("touchmove", { touches, bubbles: true, cancelable: true, composed: true }),
     );
   expect(touchmove([finger(1)])).toBe(true);
@@ -140,27 +140,27 @@ test("a finger that scrolls the page turns nothing, and one that is taken away l
   element.zoom = 3;
   expect(touchmove([finger(1)])).toBe(false);
   await settled(element);
-  expect(getComputedStyle(hands.stage).touchAction).toBe("none");
+  expect(getComputedStyle(pointer.stage).touchAction).toBe("none");
   element.zoom = 1;
   await settled(element);
-  expect(getComputedStyle(hands.stage).touchAction).toBe("pan-y");
+  expect(getComputedStyle(pointer.stage).touchAction).toBe("pan-y");
   element.setAttribute("binding", "top");
   await settled(element);
-  expect(getComputedStyle(hands.stage).touchAction).toBe("pan-x");
+  expect(getComputedStyle(pointer.stage).touchAction).toBe("pan-x");
 });
 
 test("a corner lifts under a mouse, holds still without a frame, and lies down", async () => {
-  const { element, hands } = await opened();
+  const { element, pointer } = await opened();
   const started = count(element, "turnstart");
   const flights = watchFlights();
   let corner: [number, number] = [0, 0];
   // The corner of the page at the foot, wherever it is seen.
   for (let y = 215; y > 150 && flights.positions.length === 0; y -= 3) {
     for (let x = 296; x > 200 && flights.positions.length === 0; x -= 3) {
-      hands.point("pointermove", x, y);
-      if (hands.canvas.style.cursor !== "grab") continue;
+      pointer.point("pointermove", x, y);
+      if (pointer.canvas.style.cursor !== "grab") continue;
       corner = [x - 4, y - 4];
-      hands.point("pointermove", ...corner);
+      pointer.point("pointermove", ...corner);
       await new Promise((resolve) => request(() => request(resolve)));
       break;
     }
@@ -175,25 +175,25 @@ test("a corner lifts under a mouse, holds still without a frame, and lies down",
   expect(frames.count).toBe(0);
   expect(started.times).toBe(0);
   // On the same corner nothing starts again.
-  hands.point("pointermove", corner[0] - 2, corner[1] - 2);
+  pointer.point("pointermove", corner[0] - 2, corner[1] - 2);
   await calls(1);
   expect(frames.count).toBe(0);
-  hands.point("pointermove", 200, 60);
+  pointer.point("pointermove", 200, 60);
   await settled(element);
   expect(flights.positions.length).toBe(0);
   expect(element.page).toBe(6);
   expect(started.times).toBe(0);
 
   // Lifted, a click turns it; the other way goes the other way.
-  hands.point("pointermove", ...corner);
+  pointer.point("pointermove", ...corner);
   await settled(element);
-  hands.click(...corner);
+  pointer.click(...corner);
   expect((await happens<TurnDetail>(element, "pagechange")).to).toBe(8);
   expect(started.times).toBe(1);
   await settled(element);
-  hands.point("pointermove", 200, 60);
+  pointer.point("pointermove", 200, 60);
   await settled(element);
-  hands.point("pointermove", ...corner);
+  pointer.point("pointermove", ...corner);
   await settled(element);
   expect(await element.previous()).toBe(true);
   expect(element.page).toBe(6);
@@ -201,111 +201,117 @@ test("a corner lifts under a mouse, holds still without a frame, and lies down",
 
   // A drag grabs it where it is lifted, and holds still without frames too.
   await settled(element);
-  hands.point("pointermove", 200, 60);
+  pointer.point("pointermove", 200, 60);
   await settled(element);
-  hands.point("pointermove", ...corner);
+  pointer.point("pointermove", ...corner);
   await settled(element);
-  hands.point("pointerdown", ...corner);
-  await hands.move(corner, [corner[0] - 60, corner[1] - 20]);
+  pointer.point("pointerdown", ...corner);
+  await pointer.move(corner, [corner[0] - 60, corner[1] - 20]);
   expect(started.times).toBe(3);
   await settled(element);
   frames.count = 0;
   await calls(1);
   expect(frames.count).toBe(0);
   expect(flights.positions.length).toBe(1);
-  await hands.move([corner[0] - 60, corner[1] - 20], [40, 120]);
+  await pointer.move([corner[0] - 60, corner[1] - 20], [40, 120]);
   await settled(element);
-  hands.point("pointerup", 40, 120);
+  pointer.point("pointerup", 40, 120);
   await settled(element);
   expect(element.page).toBe(8);
   // Outside the element it falls as well.
-  hands.point("pointermove", 200, 60);
-  hands.point("pointermove", ...corner);
+  pointer.point("pointermove", 200, 60);
+  pointer.point("pointermove", ...corner);
   await expect.poll(() => flights.positions.length).toBe(1);
-  hands.stage.dispatchEvent(new PointerEvent("pointerleave"));
+  pointer.stage.dispatchEvent(new PointerEvent("pointerleave"));
   await settled(element);
   expect(flights.positions.length).toBe(0);
 });
 
 test("two fingers zoom about what is between them, one then pans, and edges hold", async () => {
-  const { element, hands } = await opened();
+  const { element, pointer } = await opened();
   const zooms: number[] = [];
   element.addEventListener("zoomchange", (event) =>
     zooms.push((event as CustomEvent<{ zoom: number }>).detail.zoom),
   );
   const [a, b] = [1, 2].map((pointerId) => ({ pointerId, pointerType: "touch" }));
-  hands.point("pointerdown", 140, 110, a);
-  hands.point("pointerdown", 160, 110, b);
-  await Promise.all([hands.move([140, 110], [120, 100], a), hands.move([160, 110], [180, 120], b)]);
+  pointer.point("pointerdown", 140, 110, a);
+  pointer.point("pointerdown", 160, 110, b);
+  await Promise.all([
+    pointer.move([140, 110], [120, 100], a),
+    pointer.move([160, 110], [180, 120], b),
+  ]);
   expect(element.zoom).toBeGreaterThan(2.9);
   expect(element.zoom).toBeLessThan(3.4);
   expect(zooms.at(-1)).toBe(element.zoom);
-  hands.point("pointerup", 180, 120, b);
+  pointer.point("pointerup", 180, 120, b);
   const level = element.zoom;
-  await hands.move([120, 100], [60, 60], a);
-  hands.point("pointerup", 60, 60, a);
+  await pointer.move([120, 100], [60, 60], a);
+  pointer.point("pointerup", 60, 60, a);
   await settled(element);
   expect(element.zoom).toBe(level);
   expect(element.page).toBe(6);
   // No swipe turns while zoomed.
-  hands.point("pointerdown", 250, 110, a);
-  hands.flick([250, 110], [100, 110], a);
-  hands.point("pointerup", 100, 110, a);
+  pointer.point("pointerdown", 250, 110, a);
+  pointer.flick([250, 110], [100, 110], a);
+  pointer.point("pointerup", 100, 110, a);
   await settled(element);
   expect(element.page).toBe(6);
   // Pinched together it is whole again, and no smaller.
-  hands.point("pointerdown", 60, 110, a);
-  hands.point("pointerdown", 240, 110, b);
-  await Promise.all([hands.move([60, 110], [145, 110], a), hands.move([240, 110], [155, 110], b)]);
-  hands.point("pointerup", 155, 110, b);
-  hands.point("pointerup", 145, 110, a);
+  pointer.point("pointerdown", 60, 110, a);
+  pointer.point("pointerdown", 240, 110, b);
+  await Promise.all([
+    pointer.move([60, 110], [145, 110], a),
+    pointer.move([240, 110], [155, 110], b),
+  ]);
+  pointer.point("pointerup", 155, 110, b);
+  pointer.point("pointerup", 145, 110, a);
   expect(element.zoom).toBe(1);
   await settled(element);
 });
 
 test("a double tap zooms to the page and back, keys zoom and pan", async () => {
-  const { element, hands } = await opened();
+  const { element, pointer } = await opened();
   const touch = { pointerType: "touch", pointerId: 3 };
-  hands.click(200, 100, touch);
-  hands.click(203, 102, touch);
+  pointer.click(200, 100, touch);
+  pointer.click(203, 102, touch);
   expect(element.zoom).toBeGreaterThanOrEqual(2);
   await settled(element);
-  const cursor = hands.canvas.style.cursor;
-  hands.point("pointermove", 150, 100);
-  expect(hands.canvas.style.cursor).toBe("grab");
-  hands.canvas.style.cursor = cursor;
-  hands.click(120, 100, touch);
-  hands.click(120, 100, touch);
+  const cursor = pointer.canvas.style.cursor;
+  pointer.point("pointermove", 150, 100);
+  expect(pointer.canvas.style.cursor).toBe("grab");
+  pointer.canvas.style.cursor = cursor;
+  pointer.click(120, 100, touch);
+  pointer.click(120, 100, touch);
   expect(element.zoom).toBe(1);
   await settled(element);
-  hands.click(200, 100);
-  hands.click(200, 100);
+  pointer.click(200, 100);
+  pointer.click(200, 100);
   expect(element.zoom).toBeGreaterThanOrEqual(2);
-  hands.key("0");
+  pointer.key("0");
   expect(element.zoom).toBe(1);
-  hands.key("+");
+  pointer.key("+");
   expect(element.zoom).toBeCloseTo(1.5, 6);
-  hands.key("+");
+  pointer.key("+");
   expect(element.zoom).toBeCloseTo(2.25, 6);
-  hands.key("ArrowRight");
+  pointer.key("ArrowRight");
   await settled(element);
   expect(element.page).toBe(6);
-  hands.key("-");
-  hands.key("-");
-  hands.key("-");
+  pointer.key("-");
+  pointer.key("-");
+  pointer.key("-");
   expect(element.zoom).toBe(1);
-  hands.key("ArrowRight");
+  pointer.key("ArrowRight");
   await happens(element, "pagechange");
   expect(element.page).toBe(8);
 });
 
 test("the wheel zooms with Ctrl, pans while zoomed, turns where nothing else scrolls", async () => {
-  const { element, hands } = await opened();
-  expect(hands.roll(0, -40, { ctrlKey: true })).toBe(false);
+  const { element, pointer } = await opened();
+  expect(pointer.roll(0, -40, { ctrlKey: true })).toBe(false);
   expect(element.zoom).toBeGreaterThan(1.3);
   await settled(element);
   const level = element.zoom;
-  expect(hands.roll(30, 20)).toBe(false);
+  expect(pointer.roll(30, 20)).toBe(false);
   await settled(element);
   expect(element.zoom).toBe(level);
   expect(element.page).toBe(6);
@@ -313,7 +319,7 @@ test("the wheel zooms with Ctrl, pans while zoomed, turns where nothing else scr
   await settled(element);
 
   // Across it turns, once per swipe.
-  for (let k = 0; k < 6; k++) expect(hands.roll(30, 2)).toBe(false);
+  for (let k = 0; k < 6; k++) expect(pointer.roll(30, 2)).toBe(false);
   await settled(element);
   expect(element.page).toBe(8);
   await calls(4);
@@ -322,16 +328,16 @@ test("the wheel zooms with Ctrl, pans while zoomed, turns where nothing else scr
   const tall = document.createElement("div");
   tall.style.height = "3000px";
   document.body.append(tall);
-  expect(hands.roll(0, 120)).toBe(true);
+  expect(pointer.roll(0, 120)).toBe(true);
   await settled(element);
   expect(element.page).toBe(8);
   tall.remove();
   document.documentElement.style.overflow = "hidden";
   try {
-    expect(hands.roll(0, 120)).toBe(false);
+    expect(pointer.roll(0, 120)).toBe(false);
     expect((await happens<TurnDetail>(element, "pagechange")).to).toBe(10);
     await calls(4);
-    expect(hands.roll(0, -120)).toBe(false);
+    expect(pointer.roll(0, -120)).toBe(false);
     expect((await happens<TurnDetail>(element, "pagechange")).to).toBe(8);
   } finally {
     document.documentElement.style.overflow = "";
@@ -361,10 +367,10 @@ test("who asked for less motion sees no corner lift and no glide", async () => {
   globalThis.matchMedia = (query) =>
     query.includes("reduced-motion") ? ({ matches: true } as MediaQueryList) : real(query);
   try {
-    const { element, hands } = await opened();
+    const { element, pointer } = await opened();
     const flights = watchFlights();
     for (let y = 215; y > 150; y -= 6) {
-      for (let x = 296; x > 240; x -= 6) hands.point("pointermove", x, y);
+      for (let x = 296; x > 240; x -= 6) pointer.point("pointermove", x, y);
     }
     element.zoom = 4;
     expect(element.zoom).toBe(4);

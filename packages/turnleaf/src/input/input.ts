@@ -44,7 +44,7 @@ const tapZoomTime = 0.28;
 /** A pointer that is down. */
 interface Press extends Place {
   /** The number of its grab. */
-  readonly hand: number;
+  readonly grab: number;
   readonly hold: DragHit | null;
   readonly kind: string;
   readonly time: number;
@@ -127,7 +127,7 @@ export class Input {
 
   /** Lets the page scroll by drags that turn no leaf, unless they move a zoomed book. */
   #follow(): void {
-    const scroll = this.#viewer.binding.rolled ? "pan-x" : "pan-y";
+    const scroll = this.#viewer.binding.quarterTurned ? "pan-x" : "pan-y";
     this.#stage.style.touchAction = this.#viewer.zoomLevel > 1 ? "none" : scroll;
   }
 
@@ -136,8 +136,8 @@ export class Input {
     if (this.#presses.has(event.pointerId) || event.button !== 0 || isElsewhere(event)) return;
     const at = this.#place(event);
     if (this.#beginPinch(event, at)) return;
-    const hand = this.#freeHand();
-    if (hand === null || this.#pinch) return;
+    const grab = this.#freeGrab();
+    if (grab === null || this.#pinch) return;
     const isZoomed = this.#viewer.zoomLevel > 1;
     const hold = isZoomed ? null : this.#viewer.leafControl.pick(at.x, at.y);
     if (hold === null && !isZoomed) return;
@@ -146,7 +146,7 @@ export class Input {
     const press: Press = {
       ...at,
       at,
-      hand,
+      grab: grab,
       hold,
       kind,
       flick,
@@ -154,11 +154,11 @@ export class Input {
       does: "wait",
     };
     // A leaf in flight is caught at once, where it is.
-    if (hold && this.#isFlying(hold) && this.#viewer.leafControl.grab(hold, hand))
+    if (hold && this.#isFlying(hold) && this.#viewer.leafControl.grab(hold, grab))
       press.does = "drag";
     this.#presses.set(event.pointerId, press);
     this.#canvas.setPointerCapture(event.pointerId);
-    if (press.does === "drag") this.#viewer.leafControl.drag(hand, at.x, at.y);
+    if (press.does === "drag") this.#viewer.leafControl.drag(grab, at.x, at.y);
   }
 
   #move(event: PointerEvent): void {
@@ -169,7 +169,7 @@ export class Input {
     else {
       press.flick.move(at, event.timeStamp);
       if (press.does === "wait") this.#begin(press, at);
-      if (press.does === "drag") this.#viewer.leafControl.drag(press.hand, at.x, at.y);
+      if (press.does === "drag") this.#viewer.leafControl.drag(press.grab, at.x, at.y);
       if (press.does === "pan") this.#viewer.zoom(this.#viewer.zoomLevel, press.at, at, 0);
       press.at = at;
     }
@@ -186,9 +186,13 @@ export class Input {
       this.#viewer.handled = true;
     } else {
       // Along the page's own scroll direction a finger scrolls it: the browser will say so.
-      const { rolled } = this.#viewer.binding;
-      if (press.kind === "touch" && Math.abs(rolled ? x : y) > Math.abs(rolled ? y : x)) return;
-      if (this.#viewer.leafControl.grab(press.hold, press.hand, { x, y })) press.does = "drag";
+      const { quarterTurned } = this.#viewer.binding;
+      if (
+        press.kind === "touch" &&
+        Math.abs(quarterTurned ? x : y) > Math.abs(quarterTurned ? y : x)
+      )
+        return;
+      if (this.#viewer.leafControl.grab(press.hold, press.grab, { x, y })) press.does = "drag";
       this.#isPeeking = false;
     }
     this.#canvas.style.cursor = "grabbing";
@@ -201,7 +205,7 @@ export class Input {
     this.#presses.delete(event.pointerId);
     this.#canvas.style.cursor = "";
     const isDone = event.type === "pointerup";
-    if (press.does === "drag") this.#letGo(press, isDone ? event.timeStamp : null);
+    if (press.does === "drag") this.#release(press, isDone ? event.timeStamp : null);
     else if (press.does === "pan") this.#letGlide(press, isDone ? event.timeStamp : null);
     else if (isDone) this.#tap(press, event);
   }
@@ -210,19 +214,19 @@ export class Input {
    * Releases a press: a leaf falls where it is released; a flick turns it over,
    * or one of the other side.
    */
-  #letGo({ hold, hand, flick, time }: Press, now: number | null): void {
+  #release({ hold, grab, flick, time }: Press, now: number | null): void {
     const way = now !== null && now - time <= flickTime ? this.#flicked(flick.velocity(now)) : 0;
     const isOwn = hold === null || sideOf(hold) === (way === 1 ? Side.right : Side.left);
     if (way !== 0 && isOwn) this.#target.turn((way * forward(this.#viewer.binding)) as 1 | -1);
-    this.#viewer.leafControl.release(hand);
+    this.#viewer.leafControl.release(grab);
     if (way !== 0 && !isOwn) this.#target.turn((way * forward(this.#viewer.binding)) as 1 | -1);
   }
 
   /** Returns the direction in which a flick turns: 1 to the left, -1 to the right, 0 for none. */
   #flicked(velocity: Place): 1 | 0 | -1 {
-    const { rolled } = this.#viewer.binding;
-    const along = rolled ? velocity.y : velocity.x;
-    const beside = rolled ? velocity.x : velocity.y;
+    const { quarterTurned } = this.#viewer.binding;
+    const along = quarterTurned ? velocity.y : velocity.x;
+    const beside = quarterTurned ? velocity.x : velocity.y;
     if (Math.abs(along) < flickSpeed || Math.abs(along) < Math.abs(beside)) return 0;
     return along < 0 ? 1 : -1;
   }
@@ -271,13 +275,13 @@ export class Input {
   }
 
   #endPinch(event: PointerEvent): boolean {
-    const left = this.#pinch?.lift(event.pointerId) ?? null;
+    const left = this.#pinch?.pointerUp(event.pointerId) ?? null;
     if (left === null) return false;
     this.#pinch = null;
     const [id, at] = left;
     const flick = new Flick();
-    const hand = this.#freeHand() ?? 0;
-    const press = { ...at, at, hand, hold: null, kind: "touch", flick, time: event.timeStamp };
+    const grab = this.#freeGrab() ?? 0;
+    const press = { ...at, at, grab, hold: null, kind: "touch", flick, time: event.timeStamp };
     // The remaining finger continues to pan.
     if (this.#viewer.zoomLevel > 1) this.#presses.set(id, { ...press, does: "pan" });
     else this.#viewer.handled = false;
@@ -309,9 +313,9 @@ export class Input {
   }
 
   /** Returns the number of a free grab, or null. The last belongs to a lifted corner. */
-  #freeHand(): number | null {
-    const taken = new Set([...this.#presses.values()].map(({ hand }) => hand));
-    for (let hand = 0; hand < maxGrabs - 1; hand++) if (!taken.has(hand)) return hand;
+  #freeGrab(): number | null {
+    const taken = new Set([...this.#presses.values()].map(({ grab }) => grab));
+    for (let grab = 0; grab < maxGrabs - 1; grab++) if (!taken.has(grab)) return grab;
     return null;
   }
 

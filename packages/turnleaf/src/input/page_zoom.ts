@@ -12,7 +12,7 @@ const least = 2;
 const most = 4;
 
 /** A requested zoom: the level, and which point comes where. */
-interface AskedZoom {
+interface RequestedZoom {
   readonly level: number;
   readonly from: Place;
   readonly to: Place;
@@ -24,7 +24,7 @@ interface AskedZoom {
  *
  * @param width of the canvas, CSS pixels
  */
-export function pageZoom(viewer: Viewer, at: Place, width: number): AskedZoom {
+export function pageZoom(viewer: Viewer, at: Place, width: number): RequestedZoom {
   const whole = { level: 1, from: at, to: at };
   if (viewer.zoomLevel > 1) return whole;
   const pages = pagesAt(viewer.binding, viewer.turning.spread).flatMap((page) => {

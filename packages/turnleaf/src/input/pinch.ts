@@ -28,7 +28,7 @@ export class Pinch {
   }
 
   /** Releases a pointer. Returns the remaining finger, or null if it was none of the two. */
-  lift(id: number): Finger | null {
+  pointerUp(id: number): Finger | null {
     if (!this.#fingers.delete(id)) return null;
     return [...this.#fingers][0];
   }

@@ -11,8 +11,8 @@ import {
   packedHeader,
   TurnError,
 } from "./file.ts";
+import { PolynomialBasis } from "./polynomial_basis.ts";
 import { RecordedTurn, recordedModels, type TurnRecord } from "./recorded_turn.ts";
-import { Waves } from "./waves.ts";
 
 const newest = 2;
 /** Settings of the model that the header can name: its own, the paper's of 2014, a book's. */
@@ -143,12 +143,12 @@ function unpack(
   const length = u.length * v.length;
   const positions = new Float32Array(3 * length * times.length);
   const rest = new Int32Array(length);
-  const shares = new Float64Array(length);
+  const coefficients = new Float64Array(length);
   // For each axis the current frame and the two before it, in rotation.
   const kept = Array.from({ length: 9 }, () => new Int32Array(length));
   const of = (frame: number, axis: number) => kept[3 * (frame % 3) + axis];
   try {
-    const waves = new Waves(u, v);
+    const basis = new PolynomialBasis(u, v);
     const reader = new BitReader(packed);
     for (let at = 0; at < 3 * times.length; at++) {
       const [frame, axis] = [Math.floor(at / 3), at % 3];
@@ -158,13 +158,13 @@ function unpack(
       const multiples = of(frame, axis);
       const before = [of(frame + 2, axis), of(frame + 1, axis)] as const;
       for (let i = 0; i < length; i++) {
-        const place = waves.order[i];
+        const place = basis.order[i];
         const multiple = rest[i] + expected(before, times, frame, way, place);
         if (Math.abs(multiple) > mostMultiple) throw new RangeError("It is too large.");
         multiples[place] = multiple;
-        shares[place] = multiple * quantum;
+        coefficients[place] = multiple * quantum;
       }
-      waves.write(shares, positions, 3 * length * frame + axis);
+      basis.write(coefficients, positions, 3 * length * frame + axis);
     }
     if (!reader.isAtEnd) throw new RangeError("There is more than was told.");
   } catch (error) {

@@ -48,7 +48,7 @@ export function checksum(bytes: Uint8Array): Uint8Array<ArrayBuffer> {
 }
 
 /** Multiples of one axis in the frame before and in the one before that, if there are such. */
-export type Before = readonly [Int32Array | undefined, Int32Array | undefined];
+export type EarlierFrames = readonly [Int32Array | undefined, Int32Array | undefined];
 
 /**
  * Returns the prediction of a multiple from the frames before, in one of three
@@ -57,7 +57,7 @@ export type Before = readonly [Int32Array | undefined, Int32Array | undefined];
  * @param before multiples of the same axis
  */
 export function expected(
-  before: Before,
+  before: EarlierFrames,
   times: ArrayLike<number>,
   frame: number,
   way: number,

@@ -86,14 +86,14 @@ describe("counts that a file cannot fill", () => {
 
   it("more points than a turn has, or bytes than are there, are refused likewise", () => {
     const small = turnFile(2, 2, 1, new Uint8Array(9));
-    const refusals: [number, number, string][] = [
+    const rejected: [number, number, string][] = [
       [24, 257, "The header of this recorded turn cannot be."],
       [32, 2 ** 21, "The header of this recorded turn cannot be."],
       [32, 2 ** 19, "bytes long and is"],
       [44, 0xffffffff, "bytes long and is"],
     ];
     for (const version of [1, 2]) {
-      for (const [at, count, sentence] of refusals) {
+      for (const [at, count, sentence] of rejected) {
         const bytes = small.slice();
         const view = new DataView(bytes.buffer);
         view.setUint16(4, version, true);
@@ -155,8 +155,8 @@ describe("random files", () => {
       try {
         const turn = decodeTurn(bytes);
         const frame = new Float32Array(3 * turn.columns * turn.rows);
-        for (const share of [0, 0.37, 1]) {
-          turn.sample(share * turn.duration, frame);
+        for (const fraction of [0, 0.37, 1]) {
+          turn.sample(fraction * turn.duration, frame);
           expect(frame.every(Number.isFinite)).toBe(true);
         }
         played++;

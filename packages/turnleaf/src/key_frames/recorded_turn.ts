@@ -30,7 +30,7 @@ export interface TurnRecord {
 }
 
 /** How a recording is played. */
-interface Way {
+interface Playback {
   readonly pace: number;
   readonly isBackward: boolean;
   readonly isMirrored: boolean;
@@ -49,14 +49,14 @@ const sameRatio = 0.005;
  */
 export class RecordedTurn {
   readonly #record: TurnRecord;
-  readonly #way: Way;
+  readonly #way: Playback;
   readonly #first: number;
   readonly #length: number;
 
   /** @internal */
   constructor(
     record: TurnRecord,
-    way: Way = { pace: 1, isBackward: false, isMirrored: false, scale: 1 },
+    way: Playback = { pace: 1, isBackward: false, isMirrored: false, scale: 1 },
   ) {
     this.#record = record;
     this.#way = way;
@@ -187,7 +187,7 @@ export class RecordedTurn {
     return this.#as({ scale: (this.#way.scale * width) / this.width });
   }
 
-  #as(way: Partial<Way>): RecordedTurn {
+  #as(way: Partial<Playback>): RecordedTurn {
     return new RecordedTurn(this.#record, { ...this.#way, ...way });
   }
 }

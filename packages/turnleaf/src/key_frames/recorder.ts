@@ -1,8 +1,8 @@
 import { BitWriter, costOf } from "./bits.ts";
 import { blend, mixAt } from "./blend.ts";
 import { checksum, expected, mostAlong, mostMultiple, mostPoints, packedHeader } from "./file.ts";
+import { PolynomialBasis } from "./polynomial_basis.ts";
 import { recordedModels, type TurnRecord } from "./recorded_turn.ts";
-import { Waves } from "./waves.ts";
 
 /** The leaf that is recorded. */
 export interface RecordedLeaf {
@@ -43,7 +43,7 @@ export class TurnRecorder {
   readonly #leaf: RecordedLeaf;
   readonly #u: Float32Array;
   readonly #v: Float32Array;
-  readonly #waves: Waves;
+  readonly #basis: PolynomialBasis;
   readonly #times: number[] = [];
   readonly #frames: Float32Array[] = [];
 
@@ -55,7 +55,7 @@ export class TurnRecorder {
     if (!(leaf.width > 0 && leaf.height > 0 && leaf.width < 1e6 && leaf.height < 1e6)) {
       throw new RangeError("A leaf's width and height are above 0.");
     }
-    this.#waves = new Waves(this.#u, this.#v);
+    this.#basis = new PolynomialBasis(this.#u, this.#v);
   }
 
   /**
@@ -108,23 +108,23 @@ export class TurnRecorder {
   /** Finds the coarsest quantum whose rounding moves no point farther than allowed. */
   #round(most: number) {
     const length = 3 * this.#u.length * this.#v.length;
-    const shares = this.#frames.flatMap((frame) =>
-      [0, 1, 2].map((axis) => this.#waves.shares(frame, axis)),
+    const coefficients = this.#frames.flatMap((frame) =>
+      [0, 1, 2].map((axis) => this.#basis.coefficients(frame, axis)),
     );
     const rounded = new Float32Array(length * this.#frames.length);
     for (let quantum = Math.fround(4 * most); ; quantum = Math.fround(Math.fround(0.8) * quantum)) {
-      const multiples = shares.map((axis) =>
-        Int32Array.from(axis, (share) => Math.round(share / quantum)),
+      const multiples = coefficients.map((axis) =>
+        Int32Array.from(axis, (coefficient) => Math.round(coefficient / quantum)),
       );
-      const isTooFine = shares.some((axis) =>
-        axis.some((share) => !(Math.abs(share / quantum) <= mostMultiple)),
+      const isTooFine = coefficients.some((axis) =>
+        axis.some((coefficient) => !(Math.abs(coefficient / quantum) <= mostMultiple)),
       );
       if (isTooFine) throw new RangeError("The tolerance is too fine for this leaf.");
       const isNear = this.#frames.every((frame, at) => {
         const here = rounded.subarray(at * length, (at + 1) * length);
         for (let axis = 0; axis < 3; axis++) {
           const whole = Float64Array.from(multiples[3 * at + axis], (m) => m * quantum);
-          this.#waves.write(whole, here, axis);
+          this.#basis.write(whole, here, axis);
         }
         return farthest(here, frame) <= rounding * most;
       });
@@ -138,7 +138,7 @@ export class TurnRecorder {
     quantum: number,
     error: number,
   ) {
-    const packed = pack(multiples, times, this.#waves.order);
+    const packed = pack(multiples, times, this.#basis.order);
     const reals = [...this.#u, ...this.#v, ...times];
     const end = packedHeader + 4 * reals.length + packed.length;
     const bytes = new Uint8Array(end + 8);

@@ -42,7 +42,7 @@ export class TurnCache {
    */
   fetch(address: string | URL): Promise<RecordedTurn> {
     const url = new URL(address, globalThis.document?.baseURI).href;
-    return this.#share(url, async (store) => {
+    return this.#once(url, async (store) => {
       const kept = await store?.match(url);
       const response = kept ?? (await fetch(url).catch(() => null));
       if (!response?.ok) throw new TurnError(`The recorded turn at ${url} could not be fetched.`);
@@ -64,7 +64,7 @@ export class TurnCache {
    */
   record(name: string, record: () => Promise<Uint8Array<ArrayBuffer>>): Promise<RecordedTurn> {
     const key = `https://turnleaf.invalid/${encodeURIComponent(name)}`;
-    return this.#share(key, async (store) => {
+    return this.#once(key, async (store) => {
       const kept = await store?.match(key);
       if (kept) {
         try {
@@ -86,7 +86,7 @@ export class TurnCache {
     await globalThis.caches?.delete(this.#name).catch(() => false);
   }
 
-  #share(
+  #once(
     key: string,
     load: (store: Cache | undefined) => Promise<RecordedTurn>,
   ): Promise<RecordedTurn> {

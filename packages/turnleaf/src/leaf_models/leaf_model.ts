@@ -39,7 +39,7 @@ export interface LeafModel {
 const turner = [1, 0.14] as const;
 
 /** A leaf that was picked up. */
-export interface LiftedLeaf {
+export interface PickedUpLeaf {
   /** The side on which it lay. */
   readonly from: "left" | "right";
   /** Where it is held. */
@@ -54,7 +54,7 @@ export interface LiftedLeaf {
  * is picked up until it lands.
  */
 export class FlightModels<Kept> {
-  readonly #make: (taken: LiftedLeaf) => Kept;
+  readonly #make: (taken: PickedUpLeaf) => Kept;
   readonly #free: (kept: Kept) => void;
   readonly #kept = new Map<object, Kept>();
   #sheets: Sheet[] = [];
@@ -64,7 +64,7 @@ export class FlightModels<Kept> {
    *
    * @param free frees the state of one that has landed
    */
-  constructor(make: (taken: LiftedLeaf) => Kept, free: (kept: Kept) => void = () => {}) {
+  constructor(make: (taken: PickedUpLeaf) => Kept, free: (kept: Kept) => void = () => {}) {
     this.#make = make;
     this.#free = free;
   }

@@ -1,7 +1,7 @@
 /** Models of a book's leaves other than the engine's sheet. Loaded on first use. */
 
 import { cleanText } from "../sources/book_text.ts";
-import { loaded } from "../sources/loaded.ts";
+import { loadPart } from "../sources/load_part.ts";
 import { BookError } from "../sources/page_source.ts";
 import type { LeafModel } from "./leaf_model.ts";
 import { type ModelChoice, turnModels } from "./model_choice.ts";
@@ -23,14 +23,14 @@ export async function openModel(
   }
   if (name === "sheet") return null;
   if (name === "photographs") {
-    const { PhotographsModel } = await loaded(import("./photographs.ts"));
+    const { PhotographsModel } = await loadPart(import("./photographs.ts"));
     return await PhotographsModel.open(modelSrc, signal);
   }
   if (name === "replay" || name === "shell") {
-    const { ReplayModel } = await loaded(import("./replay.ts"));
+    const { ReplayModel } = await loadPart(import("./replay.ts"));
     if (name === "replay" && modelSrc) return await ReplayModel.at(modelSrc);
     return await ReplayModel.ofOwn(name === "replay" ? "sheet" : "shell");
   }
-  const { LooseModel } = await loaded(import("./loose_leaf.ts"));
+  const { LooseModel } = await loadPart(import("./loose_leaf.ts"));
   return await LooseModel.open(name);
 }

@@ -10,8 +10,8 @@ import { crease } from "./crease.ts";
 import {
   FlightModels,
   type LeafModel,
-  type LiftedLeaf,
   type ModelledBook,
+  type PickedUpLeaf,
   type Sheet,
 } from "./leaf_model.ts";
 import { lying, placeOn } from "./lying_sheet.ts";
@@ -21,7 +21,7 @@ export const looseModels = ["rigid", "peel", "cylinder", "cone", "mass-spring"] 
 export type LooseModelName = (typeof looseModels)[number];
 
 /** A loose leaf, and the point of it that is pulled. */
-interface Led extends LiftedLeaf {
+interface PulledLeaf extends PickedUpLeaf {
   readonly leaf: LooseLeaf;
   /** Normals of the points about its fold, by number. */
   creased: ReadonlyMap<number, Vec3>;
@@ -36,14 +36,14 @@ export class LooseModel implements LeafModel {
   /** Others are made beside it, in the same memory. */
   readonly #first: LooseLeaf;
   readonly #spare: LooseLeaf[] = [];
-  readonly #worn: FlightModels<Led>;
+  readonly #flights: FlightModels<PulledLeaf>;
   #options: LeafOptions;
   #columns: ArrayLike<number> = [];
 
   private constructor(first: LooseLeaf) {
     this.#first = first;
     this.#options = first.options;
-    this.#worn = new FlightModels<Led>(
+    this.#flights = new FlightModels<PulledLeaf>(
       (taken) => {
         const leaf = this.#spare.pop() ?? this.#another(taken.count);
         leaf.lay(taken.from);
@@ -68,8 +68,8 @@ export class LooseModel implements LeafModel {
       this.#options = { ...this.#options, width, height };
     }
     this.#columns = columns;
-    this.#worn.show(book, (led, points) => {
-      const { leaf, from, u, v, count } = led;
+    this.#flights.show(book, (pulled, points) => {
+      const { leaf, from, u, v, count } = pulled;
       const rows = count / columns.length;
       leaf.hold(...placeOn(points, columns.length, rows, u, v));
       leaf.advance(seconds);
@@ -80,13 +80,13 @@ export class LooseModel implements LeafModel {
         this.#options.model === "mass-spring" ? 1 - lying(points, columns.length, rows, width) : 1;
       for (let i = 0; i < points.length; i++) points[i] += part * (positions[i] - points[i]);
       if (this.#folds) {
-        led.creased = crease(points, columns, from === "right" ? width : -width, height);
+        pulled.creased = crease(points, columns, from === "right" ? width : -width, height);
       }
     });
   }
 
   get sheets(): readonly Sheet[] {
-    return this.#worn.sheets;
+    return this.#flights.sheets;
   }
 
   pose(pose: BookPose): BookPose {
@@ -95,11 +95,11 @@ export class LooseModel implements LeafModel {
 
   finish({ engine, turning }: ModelledBook): void {
     for (const [index, flight] of turning.flights.entries()) {
-      const led = this.#worn.of(flight);
-      if (!led?.creased.size) continue;
+      const pulled = this.#flights.of(flight);
+      if (!pulled?.creased.size) continue;
       // Differences across a fold give no normal.
       const { normals } = engine.surface(index);
-      for (const [at, normal] of led.creased) normals.set(normal, 3 * at);
+      for (const [at, normal] of pulled.creased) normals.set(normal, 3 * at);
     }
   }
 
@@ -124,7 +124,7 @@ export class LooseModel implements LeafModel {
   }
 
   #forget(): void {
-    this.#worn.clear();
+    this.#flights.clear();
     for (const leaf of this.#spare.splice(0)) leaf.destroy();
   }
 }

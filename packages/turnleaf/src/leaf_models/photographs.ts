@@ -7,8 +7,8 @@ import { type OpenPages, PhotographsMesh } from "../webgl/photographs_mesh.ts";
 import {
   FlightModels,
   type LeafModel,
-  type LiftedLeaf,
   type ModelledBook,
+  type PickedUpLeaf,
   type Sheet,
 } from "./leaf_model.ts";
 import { fractionTurned } from "./lying_sheet.ts";
@@ -32,7 +32,7 @@ const sameRatio = 0.02;
 export class PhotographsModel implements LeafModel {
   readonly #pictures: readonly ImageBitmap[];
   readonly #mesh: PhotographsMesh;
-  readonly #worn = new FlightModels<LiftedLeaf>((taken) => taken);
+  readonly #flights = new FlightModels<PickedUpLeaf>((taken) => taken);
   /** The visible photographs, by number. */
   #seen: readonly number[] = [];
   #size: Pick<OpenPages, "width" | "height"> = { width: 1, height: 1 };
@@ -58,9 +58,9 @@ export class PhotographsModel implements LeafModel {
     const last = this.#pictures.length - 1;
     const seen: number[] = [];
     this.#size = book.shape;
-    this.#worn.show(book, ({ count }, points) => {
-      const share = fractionTurned(points, columns.length, count / columns.length);
-      seen.push(Math.round(share * last));
+    this.#flights.show(book, ({ count }, points) => {
+      const fraction = fractionTurned(points, columns.length, count / columns.length);
+      seen.push(Math.round(fraction * last));
     });
     // On either side the steeper leaf lies over the others.
     seen.sort((a, b) => Math.abs(b - last / 2) - Math.abs(a - last / 2));
@@ -77,11 +77,11 @@ export class PhotographsModel implements LeafModel {
   }
 
   get sheets(): readonly Sheet[] {
-    return this.#worn.sheets;
+    return this.#flights.sheets;
   }
 
   close(): void {
-    this.#worn.clear();
+    this.#flights.clear();
     this.#mesh.dispose();
     for (const picture of this.#pictures) picture.close();
   }

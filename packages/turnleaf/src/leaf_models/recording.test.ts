@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { decodeTurn } from "../key_frames/decode.ts";
 import { TurnRecorder } from "../key_frames/recorder.ts";
 import { fractionTurned } from "./lying_sheet.ts";
-import { type Played, Recording } from "./recording.ts";
+import { Recording, type ReplayedLeaf } from "./recording.ts";
 import sheet from "./turns/sheet_turn.tlkf";
 import shell from "./turns/shell_turn.tlkf";
 
@@ -11,7 +11,7 @@ const read = (base64: string) => decodeTurn(Uint8Array.from(atob(base64), (c) =>
 
 const u = even(49).map((place) => place ** 1.7);
 const v = even(25);
-const leaf: Played = {
+const leaf: ReplayedLeaf = {
   u,
   v,
   width: 0.14,

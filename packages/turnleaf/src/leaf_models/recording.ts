@@ -18,7 +18,7 @@ const looks = 400;
 const [begun, done] = [0.1, 0.9];
 
 /** The leaf on which a recording is played. */
-export interface Played {
+export interface ReplayedLeaf {
   /** u of its columns and v of its rows, rising from 0 to 1. */
   readonly u: ArrayLike<number>;
   readonly v: ArrayLike<number>;
@@ -54,16 +54,16 @@ export class Recording {
   constructor(turn: RecordedTurn, name: string) {
     this.model = turn.model;
     this.#frame = new Float32Array(3 * turn.columns * turn.rows);
-    const share = (of: RecordedTurn, time: number): number => {
+    const fraction = (of: RecordedTurn, time: number): number => {
       of.sample(time, this.#frame);
       return fractionTurned(this.#frame, of.columns, of.rows);
     };
-    const isToRight = share(turn, 0) > share(turn, turn.duration);
+    const isToRight = fraction(turn, 0) > fraction(turn, turn.duration);
     this.#turn = isToRight ? turn.mirrored() : turn;
     let next = 0;
     for (let look = 0; look <= looks; look++) {
       const time = (look / looks) * turn.duration;
-      const now = share(this.#turn, time);
+      const now = fraction(this.#turn, time);
       if (look === 0 && now > begun) break;
       for (; next <= looks * Math.min(now, 1); next++) this.#times[next] = time;
     }
@@ -80,9 +80,9 @@ export class Recording {
    * when a fraction of its turn is done. A leaf of another ratio is stretched
    * along the spine.
    */
-  write(leaf: Played, share: number, out: Float32Array): void {
+  write(leaf: ReplayedLeaf, fraction: number, out: Float32Array): void {
     const { columns, rows, width, height } = this.#turn;
-    this.#turn.sample(this.#timeAt(share), this.#frame);
+    this.#turn.sample(this.#timeAt(fraction), this.#frame);
     this.#mixFor(leaf);
     const rowLength = 3 * this.#across.length;
     const wide = new Float32Array(rows * rowLength);
@@ -112,14 +112,14 @@ export class Recording {
     }
   }
 
-  #timeAt(share: number): number {
-    const at = Math.min(Math.max(share, 0), 1) * looks;
+  #timeAt(fraction: number): number {
+    const at = Math.min(Math.max(fraction, 0), 1) * looks;
     const low = Math.min(Math.floor(at), looks - 1);
     const [before, after] = [this.#times[low], this.#times[low + 1]];
     return before + (at - low) * (after - before);
   }
 
-  #mixFor({ u, v }: Played): void {
+  #mixFor({ u, v }: ReplayedLeaf): void {
     if (u === this.#u && v === this.#v) return;
     [this.#u, this.#v] = [u, v];
     this.#across = Array.from(u, (place) => mixAt(this.#turn.u, place));

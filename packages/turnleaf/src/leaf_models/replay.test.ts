@@ -13,11 +13,11 @@ const rows = 5;
 const [width, height] = [0.14, 0.21];
 
 /** Returns a book with one leaf in flight: a board at an angle, a fraction of the turn. */
-function bookAt(share: number, from: "left" | "right") {
+function bookAt(fraction: number, from: "left" | "right") {
   const points = new Float32Array(3 * columns.length * rows);
   for (let row = 0; row < rows; row++) {
     for (const [column, u] of columns.entries()) {
-      const [x, z] = [Math.cos(share * Math.PI), Math.sin(share * Math.PI)];
+      const [x, z] = [Math.cos(fraction * Math.PI), Math.sin(fraction * Math.PI)];
       points.set(
         [width * u * x, (height * row) / 4, width * u * z],
         3 * (row * columns.length + column),
@@ -41,12 +41,12 @@ test.for(["right", "left"] as const)(
     const bytes = Uint8Array.from(atob(shell), (c) => c.charCodeAt(0));
     const recording = new Recording(decodeTurn(bytes), "it");
     const v = Array.from({ length: rows }, (_, row) => row / 4);
-    for (const share of [0.2, 0.5, 0.7]) {
-      const { book, points } = bookAt(share, from);
+    for (const fraction of [0.2, 0.5, 0.7]) {
+      const { book, points } = bookAt(fraction, from);
       const wanted = new Float32Array(points.length);
       const isMirrored = from === "left";
       const leaf = { u: columns, v, width, height, isMirrored, isUpsideDown: false };
-      recording.write(leaf, isMirrored ? 1 - share : share, wanted);
+      recording.write(leaf, isMirrored ? 1 - fraction : fraction, wanted);
       const board = points.slice();
       model.show(book);
       expect(Math.max(...points.map((x, i) => Math.abs(x - wanted[i])))).toBeLessThan(1e-4);

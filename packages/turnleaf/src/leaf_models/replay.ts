@@ -5,29 +5,29 @@ import { TurnError } from "../key_frames/file.ts";
 import type { RecordedTurn } from "../key_frames/recorded_turn.ts";
 import { TurnCache } from "../key_frames/turn_cache.ts";
 import { nameOfUrl } from "../sources/book_text.ts";
-import { loaded } from "../sources/loaded.ts";
+import { loadPart } from "../sources/load_part.ts";
 import { BookError } from "../sources/page_source.ts";
 import type { BookPose } from "../stage/book_pose.ts";
 import {
   FlightModels,
   type LeafModel,
-  type LiftedLeaf,
   type ModelledBook,
+  type PickedUpLeaf,
   type Sheet,
 } from "./leaf_model.ts";
 import { fractionTurned, lying } from "./lying_sheet.ts";
-import { type Played, Recording } from "./recording.ts";
+import { Recording, type ReplayedLeaf } from "./recording.ts";
 
 /** Turns that pages give: all books of a document use the same ones. */
 const turns = new TurnCache();
 
 /** A file in base64. */
-type Inlined = { readonly default: string };
+type InlinedFile = { readonly default: string };
 
 /** The recordings that come with the viewer, by model. */
 const own = {
-  sheet: (): Promise<Inlined> => import("./turns/sheet_turn.tlkf"),
-  shell: (): Promise<Inlined> => import("./turns/shell_turn.tlkf"),
+  sheet: (): Promise<InlinedFile> => import("./turns/sheet_turn.tlkf"),
+  shell: (): Promise<InlinedFile> => import("./turns/shell_turn.tlkf"),
 };
 
 /**
@@ -38,7 +38,7 @@ const own = {
  */
 export class ReplayModel implements LeafModel {
   readonly #recording: Recording;
-  readonly #worn = new FlightModels<LiftedLeaf>((taken) => taken);
+  readonly #flights = new FlightModels<PickedUpLeaf>((taken) => taken);
   #columns = new Float32Array();
   #rows: readonly number[] = [];
   #points = new Float32Array();
@@ -49,7 +49,7 @@ export class ReplayModel implements LeafModel {
 
   /** Opens the turn by the fore-edge that comes with the viewer. */
   static async ofOwn(model: keyof typeof own): Promise<ReplayModel> {
-    const { default: base64 } = await loaded(own[model]());
+    const { default: base64 } = await loadPart(own[model]());
     const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
     return new ReplayModel(new Recording(decodeTurn(bytes), model));
   }
@@ -69,12 +69,12 @@ export class ReplayModel implements LeafModel {
   show(book: ModelledBook): void {
     const { width, height } = book.shape;
     const { columns } = book.engine;
-    this.#worn.show(book, ({ from, v, count }, points) => {
+    this.#flights.show(book, ({ from, v, count }, points) => {
       const rows = count / columns.length;
       this.#drawnAt(columns, rows);
       const isMirrored = from === "left";
       const turned = fractionTurned(points, columns.length, rows);
-      const leaf: Played = {
+      const leaf: ReplayedLeaf = {
         u: this.#columns,
         v: this.#rows,
         width,
@@ -90,7 +90,7 @@ export class ReplayModel implements LeafModel {
   }
 
   get sheets(): readonly Sheet[] {
-    return this.#worn.sheets;
+    return this.#flights.sheets;
   }
 
   pose(pose: BookPose): BookPose {
@@ -98,7 +98,7 @@ export class ReplayModel implements LeafModel {
   }
 
   close(): void {
-    this.#worn.clear();
+    this.#flights.clear();
   }
 
   /**

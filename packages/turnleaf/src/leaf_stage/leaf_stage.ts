@@ -9,8 +9,8 @@
 
 import type { Texture } from "three";
 import type { Ray, Vec3 } from "../engine/shapes.ts";
-import { pickSurface } from "../hand/pick.ts";
-import { handAt } from "../hand/reach.ts";
+import { pickSurface } from "../picking/pick.ts";
+import { handAt } from "../picking/reach.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import { LeafScene } from "../webgl/leaf_scene.ts";
 

@@ -46,12 +46,12 @@ export function unfold(
   const isRight = place.x < 0;
   pen.clearRect(isRight ? 0 : foldAt * page.width, 0, (1 - foldAt) * page.width, page.height);
   const flap = document.createElement("canvas");
-  const share = place.width - foldAt;
-  flap.width = Math.max(Math.round(share * page.width), 1);
+  const fraction = place.width - foldAt;
+  flap.width = Math.max(Math.round(fraction * page.width), 1);
   flap.height = page.height;
   const flapPen = flap.getContext("2d") as CanvasRenderingContext2D;
   flapPen.imageSmoothingQuality = "high";
-  flapPen.translate((isRight ? share - (1 - foldAt) : -foldAt) * page.width, 0);
+  flapPen.translate((isRight ? fraction - (1 - foldAt) : -foldAt) * page.width, 0);
   drawOn(flapPen, picture, place, page.width, page.height);
   const back = document.createElement("canvas");
   [back.width, back.height] = [flap.width, flap.height];

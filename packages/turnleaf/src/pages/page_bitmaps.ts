@@ -1,6 +1,6 @@
 /** The bitmaps shown on leaves: the pool's own, fitted to the leaf, or stand-ins. */
 
-import { loaded } from "../sources/loaded.ts";
+import { loadPart } from "../sources/load_part.ts";
 import type { PageBox, PagePicture, PageSize, PageSource } from "../sources/page_source.ts";
 import { foldAt, isFoldOut, type PrintedOn, placeOnLeaf, wholeLeaf } from "./page_place.ts";
 import { closePicture, PagePool, type PagePoolOptions, type PoolSource } from "./page_pool.ts";
@@ -39,7 +39,7 @@ interface PagesWanted {
 }
 
 /** An open fold-out: the bitmaps of its parts, and the part of its leaf that all of it covers. */
-export interface Unfolded {
+export interface OpenFoldOut {
   readonly page: PagePicture;
   readonly flap: PagePicture;
   readonly back: PagePicture;
@@ -50,7 +50,7 @@ export interface Unfolded {
 const mostAcross = 4096;
 
 /** Loads what pages of other sizes than the leaf's need. */
-const fitting = () => loaded(import("./fit.ts"));
+const fitting = () => loadPart(import("./fit.ts"));
 
 /** A book's pages as bitmaps of its leaf's proportions. */
 export class PageBitmaps {
@@ -65,7 +65,7 @@ export class PageBitmaps {
   /** What each page is printed on, and the part of its leaf that each page drawn so far covers. */
   #printedOn: (page: number) => PrintedOn = () => "left";
   readonly #places = new Map<number, PageBox>();
-  #unfolded: { number: number; parts: Unfolded } | null = null;
+  #unfolded: { number: number; parts: OpenFoldOut } | null = null;
 
   /** @param leaf size of the book's leaves, in the source's unit */
   constructor(source: PageSource, leaf: PageSize, options: PageBitmapsOptions) {
@@ -152,7 +152,7 @@ export class PageBitmaps {
    * folded in. Resolves to null for a page that is not a fold-out. Rejects as
    * drawing does.
    */
-  async unfold(page: number, width: number, signal: AbortSignal): Promise<Unfolded | null> {
+  async unfold(page: number, width: number, signal: AbortSignal): Promise<OpenFoldOut | null> {
     const place = this.placeOfDrawn(page);
     if (!isFoldOut(place)) return null;
     const { unfold } = await fitting();

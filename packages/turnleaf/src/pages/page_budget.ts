@@ -10,7 +10,7 @@ export interface WantedPage {
 }
 
 /** A bitmap that the pool holds. */
-export interface Held {
+export interface HeldPage {
   readonly picture: PagePicture;
   /** The requested width; a source may draw narrower than that. */
   readonly asked: number;
@@ -40,7 +40,7 @@ export function pictureBytes(picture: PagePicture): number {
  */
 export function dropOrder(
   wanted: readonly WantedPage[],
-  held: ReadonlyMap<number, Held>,
+  held: ReadonlyMap<number, HeldPage>,
 ): readonly number[] {
   const rank = (index: number): number => {
     const place = wanted.findIndex((page) => page.index === index);
@@ -61,7 +61,7 @@ export function dropOrder(
  */
 export function withinBudget(
   wanted: readonly WantedPage[],
-  held: ReadonlyMap<number, Held>,
+  held: ReadonlyMap<number, HeldPage>,
   bounds: Bounds,
   ratios: ReadonlyMap<number, number>,
 ): Set<number> {

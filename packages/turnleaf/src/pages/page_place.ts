@@ -60,7 +60,7 @@ export function placeOnLeaf(
 ): PageBox {
   const aspect = size.width / size.height / (leaf.width / leaf.height);
   if (on === "board") return placeOnBoard(aspect);
-  const [width, height] = sharesOf(size, leaf, aspect, isTrue, on === "left" || on === "right");
+  const [width, height] = fractionsOf(size, leaf, aspect, isTrue, on === "left" || on === "right");
   if (width === 1 && height === 1) return wholeLeaf;
   return {
     x: on === "left" ? 0 : on === "right" ? 1 - width : (1 - width) / 2,
@@ -71,7 +71,7 @@ export function placeOnLeaf(
 }
 
 /** Returns a page's width and height as fractions of its leaf's. */
-function sharesOf(
+function fractionsOf(
   size: PageSize,
   leaf: PageSize,
   aspect: number,

@@ -3,7 +3,7 @@ import type { BookError, PagePicture, PageSource } from "../sources/page_source.
 import {
   type Bounds,
   dropOrder,
-  type Held,
+  type HeldPage,
   pictureBytes,
   type WantedPage,
   withinBudget,
@@ -40,7 +40,7 @@ export interface PagePoolOptions {
 }
 
 /** Width of a rough bitmap as a fraction of the wanted width. */
-const roughShare = 1 / 3;
+const roughFraction = 1 / 3;
 /** A sharp bitmap that takes no longer than this, in milliseconds, needs no rough one before it. */
 const quick = 40;
 
@@ -67,7 +67,7 @@ interface Job {
 export class PagePool {
   readonly #source: PoolSource;
   readonly #options: PagePoolOptions;
-  readonly #held = new Map<number, Held>();
+  readonly #held = new Map<number, HeldPage>();
   readonly #failed = new Map<number, BookError>();
   readonly #jobs = new Map<number, Job>();
   /** Height over width of every page drawn so far. */
@@ -260,7 +260,7 @@ export class PagePool {
   }
 
   #job({ index, width }: WantedPage, rough: boolean): Job {
-    const asked = rough ? Math.ceil(width * roughShare) : width;
+    const asked = rough ? Math.ceil(width * roughFraction) : width;
     const later = this.#options.later ?? timer;
     const cancelTimer = later(() => this.#markSlow(job), slowTime);
     const job = {

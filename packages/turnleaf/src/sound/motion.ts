@@ -21,13 +21,13 @@ export interface Motion {
 }
 
 /** The state kept of a leaf: for each place its normal, its height and its vertical speed. */
-type Kept = Float32Array;
+type LeafSamples = Float32Array;
 const each = 5;
 
 /** Follows a book from frame to frame. */
 export class MotionMeter {
   /** By where a leaf lies in the engine's memory. */
-  #leaves = new Map<Float32Array, Kept>();
+  #leaves = new Map<Float32Array, LeafSamples>();
   #boards: number[] = [];
   #swing: number[] = [];
 
@@ -38,7 +38,7 @@ export class MotionMeter {
   measure(pose: BookPose, seconds: number): Motion {
     if (!(seconds > 0)) return { bending: 0, impact: 0 };
     let [bending, impact] = [0, 0];
-    const leaves = new Map<Float32Array, Kept>();
+    const leaves = new Map<Float32Array, LeafSamples>();
     for (const leaf of pose.leaves) {
       const before = this.#leaves.get(leaf.positions);
       const now = sample(leaf, before, seconds);
@@ -61,7 +61,7 @@ export class MotionMeter {
   }
 }
 
-function sample(leaf: Surface, before: Kept | undefined, seconds: number): Kept {
+function sample(leaf: Surface, before: LeafSamples | undefined, seconds: number): LeafSamples {
   const kept = new Float32Array(each * places * places);
   for (let j = 0; j < places; j++) {
     const row = Math.round((j * (leaf.rows - 1)) / (places - 1));
@@ -81,7 +81,7 @@ function sample(leaf: Surface, before: Kept | undefined, seconds: number): Kept 
  * Returns the mean change of the angles between neighbouring places of a row,
  * radians: 0 for a leaf that turns stiffly.
  */
-function bendingBetween(before: Kept, now: Kept): number {
+function bendingBetween(before: LeafSamples, now: LeafSamples): number {
   let sum = 0;
   for (let at = 0; at + each < now.length; at += each) {
     if ((at / each + 1) % places === 0) continue;
@@ -91,7 +91,7 @@ function bendingBetween(before: Kept, now: Kept): number {
   return sum / (places * (places - 1));
 }
 
-function angle(kept: Kept, at: number): number {
+function angle(kept: LeafSamples, at: number): number {
   const next = at + each;
   const across = Math.hypot(
     kept[at] - kept[next],
@@ -102,7 +102,7 @@ function angle(kept: Kept, at: number): number {
 }
 
 /** Returns the mean speed that sinking places lost. */
-function impactBetween(before: Kept, now: Kept): number {
+function impactBetween(before: LeafSamples, now: LeafSamples): number {
   let sum = 0;
   for (let at = 4; at < now.length; at += each) {
     if (before[at] < -leastFall) sum += Math.max(now[at] - before[at], 0);

@@ -13,10 +13,10 @@ const rate = 22_050;
  */
 async function loudness(motion: Motion, stock: Stock = "book"): Promise<[number, number]> {
   const context = new OfflineAudioContext(1, 3 * rate, rate);
-  const rustle = new PaperSound(context);
-  rustle.stock = stock;
-  for (let time = 0; time < 1; time += 1 / 60) rustle.move(motion, time);
-  rustle.rest(1, () => {});
+  const sound = new PaperSound(context);
+  sound.stock = stock;
+  for (let time = 0; time < 1; time += 1 / 60) sound.move(motion, time);
+  sound.rest(1, () => {});
   const samples = (await context.startRendering()).getChannelData(0);
   const of = (from: number, to: number): number => {
     const part = samples.subarray(from * rate, to * rate);

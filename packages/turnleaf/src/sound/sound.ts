@@ -13,7 +13,7 @@ import { PaperSound } from "./paper_sound.ts";
 export class Sound {
   readonly #meter = new MotionMeter();
   #context: AudioContext | null = null;
-  #rustle: PaperSound | null = null;
+  #paperSound: PaperSound | null = null;
   #closed = false;
 
   /**
@@ -27,7 +27,7 @@ export class Sound {
     if (this.#closed || (moving && seconds === 0)) return;
     const motion = this.#meter.measure(pose, seconds);
     if (!moving) {
-      this.#rustle?.rest(this.#context?.currentTime ?? 0, () => {
+      this.#paperSound?.rest(this.#context?.currentTime ?? 0, () => {
         this.#context?.suspend().catch(() => {});
       });
       return;
@@ -35,12 +35,12 @@ export class Sound {
     if (this.#context === null) {
       if (navigator.userActivation?.hasBeenActive === false) return;
       this.#context = new AudioContext({ latencyHint: "interactive" });
-      this.#rustle = new PaperSound(this.#context);
+      this.#paperSound = new PaperSound(this.#context);
     }
     if (this.#context.state === "suspended") void this.#context.resume().catch(() => {});
-    if (this.#rustle) {
-      this.#rustle.stock = stock;
-      this.#rustle.move(motion, this.#context.currentTime);
+    if (this.#paperSound) {
+      this.#paperSound.stock = stock;
+      this.#paperSound.move(motion, this.#context.currentTime);
     }
   }
 
@@ -48,6 +48,6 @@ export class Sound {
   close(): void {
     this.#closed = true;
     this.#context?.close().catch(() => {});
-    this.#context = this.#rustle = null;
+    this.#context = this.#paperSound = null;
   }
 }

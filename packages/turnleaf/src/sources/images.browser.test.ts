@@ -21,10 +21,10 @@ async function image(width: number, height: number, type = "image/png"): Promise
 const address = async (width: number, height: number): Promise<string> =>
   URL.createObjectURL(await image(width, height));
 
-/** Responds to every fetch with `answer`. */
-function serve(answer: (url: string, init?: RequestInit) => Response | Promise<Response>): void {
+/** Responds to every fetch with `respond`. */
+function serve(respond: (url: string, init?: RequestInit) => Response | Promise<Response>): void {
   vi.spyOn(globalThis, "fetch").mockImplementation(async (input, init) =>
-    answer(String(input), init),
+    respond(String(input), init),
   );
 }
 
@@ -98,9 +98,9 @@ describe("a book of images", () => {
     const png = await image(10, 10);
     serve((url) => {
       if (url.endsWith(".png")) return new Response(png);
-      const answer = new Response('{"title": "Far", "pages": ["1.png"]}');
-      Object.defineProperty(answer, "url", { value: "https://b.example/deep/book.json" });
-      return answer;
+      const respond = new Response('{"title": "Far", "pages": ["1.png"]}');
+      Object.defineProperty(respond, "url", { value: "https://b.example/deep/book.json" });
+      return respond;
     });
     const source = await openSource("https://a.example/book");
     await source.draw(0, 5, never);
@@ -307,8 +307,8 @@ describe("an SVG", () => {
 });
 
 describe("what cannot be read is told in one sentence", () => {
-  const fails = (answer: () => Response, address = "https://a.example/a%20book.json") => {
-    serve(answer);
+  const fails = (respond: () => Response, address = "https://a.example/a%20book.json") => {
+    serve(respond);
     return messageOf(openSource(address));
   };
 

@@ -2,7 +2,7 @@ import { nameOfUrl } from "./book_text.ts";
 import { fetchChecked, readBounded } from "./fetch_bytes.ts";
 import { kindOfFile, sizeFromHeader, typedImage } from "./image_header.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
-import { loaded } from "./loaded.ts";
+import { loadPart } from "./load_part.ts";
 import type { ImageBook, ImagePage } from "./manifest.ts";
 import {
   BookError,
@@ -147,7 +147,7 @@ export class ImageSource implements PageSource {
     try {
       if (part === null) return await createImageBitmap(image, options);
       if (isSvg(image)) {
-        const { drawSvg } = await loaded(import("./svg.ts"));
+        const { drawSvg } = await loadPart(import("./svg.ts"));
         return await drawSvg(image, part, pixels);
       }
       return await createImageBitmap(image, part.x, part.y, part.width, part.height, options);
@@ -233,7 +233,7 @@ const isSvg = (image: Blob): boolean => image.type === "image/svg+xml";
 /** Returns an image's size in pixels, upright by its EXIF data. Rejects if it is not an image. */
 async function measure(image: Blob): Promise<PageSize> {
   if (isSvg(image)) {
-    const { sizeOfSvg } = await loaded(import("./svg.ts"));
+    const { sizeOfSvg } = await loadPart(import("./svg.ts"));
     return await sizeOfSvg(image);
   }
   return (await sizeFromHeader(image)) ?? (await measureByDecoding(image));

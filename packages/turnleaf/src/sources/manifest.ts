@@ -1,5 +1,5 @@
 import { cleanLanguage, cleanText } from "./book_text.ts";
-import { type Bytes, blobOf } from "./given.ts";
+import { type Bytes, blobOf } from "./input_values.ts";
 import { limits } from "./limits.ts";
 import { fault, isRecord, isSide, textOf } from "./manifest_checks.ts";
 import {

@@ -1,8 +1,8 @@
 import { cleanText, nameOfUrl } from "./book_text.ts";
 import { brokeOff, emptyFile, fetchChecked, readBounded, readStart } from "./fetch_bytes.ts";
-import { type Bytes, blobOf, filesOf, wrongKind } from "./given.ts";
+import { type Bytes, blobOf, filesOf, wrongKind } from "./input_values.ts";
 import { limits } from "./limits.ts";
-import { loaded } from "./loaded.ts";
+import { loadPart } from "./load_part.ts";
 import { type ImageBook, type Manifest, type ManifestPage, parseManifest } from "./manifest.ts";
 import { PageList } from "./page_list.ts";
 import { BookError, type PageSource } from "./page_source.ts";
@@ -122,12 +122,12 @@ async function openPdfFrom(
   length: number | undefined,
   options: OpenOptions,
 ): Promise<PageSource> {
-  const { openPdf } = await loaded(import("./pdf.ts"));
+  const { openPdf } = await loadPart(import("./pdf.ts"));
   return await openPdf({ name, from, ...(length === undefined ? {} : { length }) }, options);
 }
 
 async function openImages(book: ImageBook): Promise<PageSource> {
-  const { ImageSource } = await loaded(import("./images.ts"));
+  const { ImageSource } = await loadPart(import("./images.ts"));
   return new ImageSource(book);
 }
 

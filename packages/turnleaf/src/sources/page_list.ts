@@ -20,7 +20,7 @@ interface Entry {
 }
 
 /** Returns where a page (from 0) lies after a change; null if it was removed. */
-export type Moved = (index: number) => number | null;
+export type NewIndex = (index: number) => number | null;
 
 /** Maximum of pages in a list: far more than a book has, few enough to keep in memory. */
 const mostPages = 100_000;
@@ -143,7 +143,7 @@ export class PageList implements PageSource {
    * @throws BookError if there are no such pages, or if none or too many would
    * be left; nothing has changed then
    */
-  splice(at: number, count: number, source: PageSource | null): Moved {
+  splice(at: number, count: number, source: PageSource | null): NewIndex {
     const before = this.#entries;
     const added = source ? entriesOf(source) : [];
     const left = before.length - count + added.length;

@@ -142,9 +142,9 @@ function follow(
   const length = end + space * gaps.length;
   if (!(length > 0)) return null;
   let passed = 0;
-  const shares = places.map((place, k) => {
+  const fractions = places.map((place, k) => {
     while (gaps[passed] <= k) passed++;
     return Math.min(Math.max((place + space * passed) / length, 0), 1);
   });
-  return { places: shares, next: at };
+  return { places: fractions, next: at };
 }

@@ -1,5 +1,5 @@
 import { unpack } from "../packed.ts";
-import { loaded } from "./loaded.ts";
+import { loadPart } from "./load_part.ts";
 import { trustedScript } from "./trusted_script.ts";
 
 /** The library, loaded once, when the first PDF is opened. */
@@ -20,7 +20,7 @@ export function loadPdfLibrary(): Promise<PdfLibrary> {
 
 async function start(): Promise<PdfLibrary> {
   completePromise();
-  return await loaded(import("pdfjs-dist/legacy/build/pdf.mjs"));
+  return await loadPart(import("pdfjs-dist/legacy/build/pdf.mjs"));
 }
 
 /** Restores what old versions of zone.js remove and pdf.js's own polyfills rely on. */
@@ -43,7 +43,7 @@ function completePromise(): void {
  * (`worker-src` without `blob:`) gives their address instead.
  */
 export function blobWorker(): Promise<string> {
-  worker ??= loaded(import("packed:pdfjs-dist/legacy/build/pdf.worker.min.mjs")).then(scriptUrl);
+  worker ??= loadPart(import("packed:pdfjs-dist/legacy/build/pdf.worker.min.mjs")).then(scriptUrl);
   return forgetIfRejected(worker, () => {
     worker = undefined;
   });
@@ -58,7 +58,7 @@ export function blobWorker(): Promise<string> {
  */
 export async function rendererAddress(address?: string): Promise<string> {
   if (address) return `${address}#renderer`;
-  renderer ??= loaded(import("packed:pdfjs-dist/legacy/build/pdf.renderer.min.mjs")).then(
+  renderer ??= loadPart(import("packed:pdfjs-dist/legacy/build/pdf.renderer.min.mjs")).then(
     scriptUrl,
   );
   return await forgetIfRejected(renderer, () => {

@@ -16,7 +16,7 @@ export interface BookShape {
   /** How far its boards extend beyond the pages at head, foot and fore-edge; 0 without boards. */
   readonly rim: number;
   /** Whether the spine lies across the screen and the right side below it. */
-  readonly rolled: boolean;
+  readonly quarterTurned: boolean;
   /** The side whose pages alone are read, 1 right or -1 left; 0 if both are. */
   readonly alone: 1 | 0 | -1;
   /** CSS colour of the boards and the spine. */

@@ -50,7 +50,7 @@ export interface BookStage {
    * Called when the context was lost and was not restored in time: this stage
    * shows nothing any more.
    */
-  onGone: (() => void) | null;
+  onContextLost: (() => void) | null;
   /** Whether fold-outs can lie open. */
   readonly unfolds: boolean;
   /** Whether the graphics context is currently lost, so that nothing is visible. */

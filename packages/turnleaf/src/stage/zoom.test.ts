@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
 import { type Framing, sightOf } from "../webgl/camera.ts";
 import type { BookShape } from "./book_pose.ts";
-import { type CanvasFraction, overheadAt, Zooming, zoomBetween } from "./zoom.ts";
+import { type CanvasFraction, overheadAt, ZoomState, zoomBetween } from "./zoom.ts";
 
 const shape: BookShape = {
   width: 0.13,
@@ -12,7 +12,7 @@ const shape: BookShape = {
   rim: 0.0032,
   cloth: "#6a2a26",
   kind: "typeset",
-  rolled: false,
+  quarterTurned: false,
   alone: 0,
 };
 
@@ -27,7 +27,7 @@ function zoomingOver(framing: Partial<Framing> = {}, aspect = 1.6) {
     ...framing,
   };
   const sightAt = (level: number) => sightOf(shape, whole, aspect, 0.0032, level);
-  const zooming = new Zooming(sightAt);
+  const zooming = new ZoomState(sightAt);
   /** Returns where a point is on the canvas. */
   const seen = (x: number, y: number): CanvasFraction => {
     const { level } = zooming.zoom;
@@ -129,8 +129,8 @@ test("on the way between two zooms, what both show in one place stays there", ()
   const from = zooming.zoom;
   const [x, y] = pointAt(at);
   const to = zooming.zoomed(6, at, at);
-  for (const share of [0, 0.3, 0.7, 1]) {
-    zooming.show(zoomBetween(from, to, share));
+  for (const fraction of [0, 0.3, 0.7, 1]) {
+    zooming.show(zoomBetween(from, to, fraction));
     const [px, py] = pointAt(at);
     expect(px).toBeCloseTo(x, 6);
     expect(py).toBeCloseTo(y, 6);

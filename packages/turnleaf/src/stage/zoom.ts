@@ -48,10 +48,10 @@ export function overheadAt(level: number): number {
 }
 
 /** Interpolates between two zooms, 0 to 1: a point that both show in one place stays there. */
-export function zoomBetween(from: Zoom, to: Zoom, share: number): Zoom {
-  const level = from.level * (to.level / from.level) ** share;
+export function zoomBetween(from: Zoom, to: Zoom, fraction: number): Zoom {
+  const level = from.level * (to.level / from.level) ** fraction;
   const isPan = Math.abs(to.level / from.level - 1) < 1e-6;
-  const way = isPan ? share : (1 / level - 1 / from.level) / (1 / to.level - 1 / from.level);
+  const way = isPan ? fraction : (1 / level - 1 / from.level) / (1 / to.level - 1 / from.level);
   return { level, x: from.x + (to.x - from.x) * way, y: from.y + (to.y - from.y) * way };
 }
 
@@ -59,7 +59,7 @@ export function zoomBetween(from: Zoom, to: Zoom, share: number): Zoom {
  * Clamps a zoom to the book as the book moves: nothing beyond the book is shown
  * while it fills the canvas.
  */
-export class Zooming {
+export class ZoomState {
   readonly #sightAt: (level: number) => Sight;
   #zoom: Zoom = { level: 1, x: 0, y: 0 };
 

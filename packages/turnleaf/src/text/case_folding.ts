@@ -16,7 +16,7 @@ const unspaced =
 const letter = /[\p{L}\p{M}]/u;
 
 /** Folded text, and where in the page's runs each of its characters is. */
-export interface Folded {
+export interface FoldedText {
   readonly text: string;
   /** Index of the run, and the character's place in it, for each character of `text`. */
   readonly runs: readonly number[];
@@ -42,7 +42,7 @@ function foldCharacter(character: string): string {
 }
 
 /** Returns the text of a page's runs, folded into one line. */
-export function foldRuns(runs: readonly Pick<TextRun, "text" | "end">[]): Folded {
+export function foldRuns(runs: readonly Pick<TextRun, "text" | "end">[]): FoldedText {
   let text = "";
   const runsAt: number[] = [];
   const placesAt: number[] = [];

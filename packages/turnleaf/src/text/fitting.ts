@@ -25,7 +25,7 @@ export function widthOf(text: string): number {
  * Returns the fraction of a run's line before its character `at`: from its
  * source, or measured in the layer's font.
  */
-export function shareBefore(
+export function fractionBefore(
   { text, places }: Pick<TextRun, "text" | "places">,
   at: number,
 ): number {

@@ -20,7 +20,7 @@ type Control = HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement;
  * Maximum and minimum size of letters in a field, as a fraction of its height
  * and in CSS pixels.
  */
-const letters = { share: 0.62, least: 6, most: 40 };
+const letters = { fraction: 0.62, least: 6, most: 40 };
 
 /**
  * Returns a page's fields as elements, with their values from `values`.
@@ -49,7 +49,7 @@ export function makeFields(
     const lay = (project: Project): void => {
       layOver(element, placeIn(field, project));
       const height = field.multiline ? lineHeight : Number.parseFloat(element.style.height) || 0;
-      const size = Math.min(Math.max(letters.share * height, letters.least), letters.most);
+      const size = Math.min(Math.max(letters.fraction * height, letters.least), letters.most);
       element.style.fontSize = `${size}px`;
     };
     return { element, lay, refresh };

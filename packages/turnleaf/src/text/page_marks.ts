@@ -1,7 +1,7 @@
 /** Marks hits of a search on an open page. */
 
 import type { TextRun } from "../sources/page_source.ts";
-import { shareBefore } from "./fitting.ts";
+import { fractionBefore } from "./fitting.ts";
 import { isFlat, layOver, type Project, placeIn } from "./run_place.ts";
 import { findIn, type SearchHit, type Stretch } from "./searching.ts";
 
@@ -41,7 +41,7 @@ function layStretch(
 ): HTMLElement[] {
   const box = runs[run];
   const place = placeIn(box, project);
-  const along = (at: number): number => shareBefore(box, at);
+  const along = (at: number): number => fractionBefore(box, at);
   // Along a vertical line, fractions run along the box's height.
   const part: typeof place = box.vertical ? (u, v) => place(v, u) : place;
   const margin = (beyond * Math.min(box.width, box.height)) / Math.max(box.width, box.height);

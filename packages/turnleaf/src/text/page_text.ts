@@ -1,7 +1,7 @@
 /** One open page's text as elements: transparent, selectable, each piece exactly over its ink. */
 
 import type { TextRun } from "../sources/page_source.ts";
-import { fontSize, shareBefore, widthOf } from "./fitting.ts";
+import { fontSize, fractionBefore, widthOf } from "./fitting.ts";
 import { isFlat, matrixOf, type Project, placeIn } from "./run_place.ts";
 
 /** A piece of a run that is laid out as one: from one character to another. */
@@ -59,7 +59,7 @@ function piecesOf(run: TextRun, place: ReturnType<typeof placeIn>): Piece[] {
   const split = (from: number, to: number): Piece[] => {
     const text = run.text.slice(from, to);
     const printed = from + (text.trimEnd().length || text.length);
-    const [start, end] = [shareBefore(run, from), shareBefore(run, printed)];
+    const [start, end] = [fractionBefore(run, from), fractionBefore(run, printed)];
     const cut = middleOf(text);
     const isRight = (): boolean => offPrint(run, from, printed) * length < mostOff;
     if (cut === 0 || (isFlat(place, start, end) && isRight()))
@@ -76,7 +76,7 @@ function piecesOf(run: TextRun, place: ReturnType<typeof placeIn>): Piece[] {
 function offPrint(run: TextRun, from: number, to: number): number {
   const { text, places } = run;
   if (places === undefined) return 0;
-  const [start, end] = [shareBefore(run, from), shareBefore(run, to)];
+  const [start, end] = [fractionBefore(run, from), fractionBefore(run, to)];
   const scale = (end - start) / widthOf(text.slice(from, to));
   let most = 0;
   for (let at = text.indexOf(" ", from) + 1; at > 0 && at < to; at = text.indexOf(" ", at) + 1) {

@@ -47,21 +47,21 @@ export interface BindingLayout {
  */
 export function layOutBinding(
   book: Bindable,
-  wish: BindingOptions,
+  options: BindingOptions,
   width: number,
   height: number,
   before: Layout | null = null,
 ): BindingLayout {
   const { pageCount, direction, kind } = book.source;
-  const { cover, offset, cloth } = wish;
-  const edge = edgeFor(wish.binding, direction);
-  const isRolled = edge === "top" || edge === "bottom";
-  const layout = layoutFor(wish.layout, book.aspect, isRolled, width, height, before);
-  const hardPages = pagesNamed(wish.hardPages, pageCount);
+  const { cover, offset, cloth } = options;
+  const edge = edgeFor(options.binding, direction);
+  const isQuarterTurned = edge === "top" || edge === "bottom";
+  const layout = layoutFor(options.layout, book.aspect, isQuarterTurned, width, height, before);
+  const hardPages = pagesNamed(options.hardPages, pageCount);
   const binding = bind(pageCount, cover, { edge, layout, offset, hardPages });
-  const { rolled, reversed } = binding;
+  const { quarterTurned, reversed } = binding;
   // The engine's book is as wide as its pages are from the spine outward.
-  const aspect = rolled ? 1 / book.aspect : book.aspect;
+  const aspect = quarterTurned ? 1 / book.aspect : book.aspect;
   const leaves = paperLeaves(binding);
   // Thicker than the paper would be, so that progress through the book is visible, but bounded.
   const bulk = leaves + binding.hardLeaves.size * (paperPerBoard - 1);
@@ -75,7 +75,7 @@ export function layOutBinding(
     rim: binding.hardCover ? caseSizes.rim : 0,
     cloth,
     kind,
-    rolled,
+    quarterTurned,
     alone: layout === "spread" ? 0 : reversed ? -1 : 1,
   };
   return { binding, shape };
@@ -140,8 +140,8 @@ export class BoundBook {
    * brings the previous page back.
    */
   pulled(hold: DragHit, x: number, y: number): DragHit {
-    const { alone, rolled } = this.shape;
-    const isOutward = (rolled ? y : x) * alone > 0;
+    const { alone, quarterTurned } = this.shape;
+    const isOutward = (quarterTurned ? y : x) * alone > 0;
     if (!isOutward || typeof hold.on !== "number") return hold;
     return { ...hold, on: alone === 1 ? Side.left : Side.right, u: 1 };
   }

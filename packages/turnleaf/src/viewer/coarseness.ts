@@ -15,7 +15,7 @@ export interface OpenPage {
 }
 
 /** What draws and shows sharper parts of pages. */
-export interface SharpnessTools {
+export interface SharpnessParts {
   readonly source: PageSource;
   readonly stage: BookStage;
   /** A leaf's width over its height. */

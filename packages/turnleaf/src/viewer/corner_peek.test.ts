@@ -40,7 +40,7 @@ test.each(stocks)(
         turning.step(2);
         engine.update();
         peek.step(1 / 60);
-        still = turning.inHand && stillness.check([engine.surface(0)]);
+        still = turning.isHeld && stillness.check([engine.surface(0)]);
       }
       // Stiff paper is still within a second. Limp paper loses no more to its
       // bending than real paper does, and swings on a little; the thinnest

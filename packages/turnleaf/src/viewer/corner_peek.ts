@@ -7,7 +7,7 @@ import type { BookShape } from "../stage/book_pose.ts";
 import type { DragHit } from "./drag_state.ts";
 
 /** The grab that lifts a corner: the last one, which no pointer uses. */
-const hand: number = maxGrabs - 1;
+const grab: number = maxGrabs - 1;
 
 /**
  * How far the corner is lifted: fractions of the leaf's width toward the spine,
@@ -31,7 +31,7 @@ export class CornerPeek {
   #v = 0;
   #z = 0;
   /** The fraction of its way that the corner is lifted. */
-  #share = 0;
+  #fraction = 0;
 
   constructor(turning: Turning, binding: Binding, shape: Pick<BookShape, "width" | "height">) {
     this.#turning = turning;
@@ -57,7 +57,7 @@ export class CornerPeek {
 
   /** Whether a corner is held up. */
   get isHeld(): boolean {
-    return this.#turning.holds(hand);
+    return this.#turning.holds(grab);
   }
 
   /**
@@ -71,27 +71,27 @@ export class CornerPeek {
     const { spread } = this.#turning;
     if (isBoard(this.#binding, on === Side.right ? spread : spread - 1)) return false;
     this.#lifting = true;
-    const flight = this.#turning.lift(on);
+    const flight = this.#turning.pickUp(on);
     this.#lifting = false;
     if (flight === null) return false;
     [this.#flight, this.#side, this.#v, this.#z] = [flight, on, v < 0.5 ? 0 : 1, z];
-    this.#share = 0;
-    this.#turning.grab(flight, hand, 1, this.#v);
+    this.#fraction = 0;
+    this.#turning.grab(flight, grab, 1, this.#v);
     this.#pull();
     return true;
   }
 
   /** Advances the lift. */
   step(seconds: number): void {
-    if (!this.isHeld || this.#share === 1) return;
-    this.#share += (1 - this.#share) * (1 - Math.exp(-seconds / liftTime));
-    if (this.#share > 0.995) this.#share = 1;
+    if (!this.isHeld || this.#fraction === 1) return;
+    this.#fraction += (1 - this.#fraction) * (1 - Math.exp(-seconds / liftTime));
+    if (this.#fraction > 0.995) this.#fraction = 1;
     this.#pull();
   }
 
   /** Lets the corner fall. */
   end(): void {
-    this.#turning.release(hand);
+    this.#turning.release(grab);
   }
 
   /** Makes the peek a turn. Returns the flight, once, if it is the one whose corner was lifted. */
@@ -103,9 +103,9 @@ export class CornerPeek {
 
   #pull(): void {
     const { width, height } = this.#shape;
-    const way = this.#share * width;
+    const way = this.#fraction * width;
     const x = width - inward * way;
     const y = this.#v * height + (this.#v === 0 ? along : -along) * way;
-    this.#turning.hold(hand, this.#side === Side.right ? x : -x, y, this.#z + up * way);
+    this.#turning.hold(grab, this.#side === Side.right ? x : -x, y, this.#z + up * way);
   }
 }

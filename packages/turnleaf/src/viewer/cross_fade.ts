@@ -65,8 +65,8 @@ export class CrossFade {
     const [mix, before] = [this.#mix, this.#before];
     if (mix === null || before === null) return;
     this.#start ||= now;
-    const share = (now - this.#start) / fadeTime;
-    if (share >= 1) {
+    const fraction = (now - this.#start) / fadeTime;
+    if (fraction >= 1) {
       this.#clear();
       // What a listener requests belongs to the fade after this one.
       const promised = this.#takePromises();
@@ -77,11 +77,11 @@ export class CrossFade {
     [mix.width, mix.height] = [this.#canvas.width, this.#canvas.height];
     if (mix.width * mix.height === 0) return;
     const pen = penOf(mix);
-    pen.globalAlpha = 1 - share;
+    pen.globalAlpha = 1 - fraction;
     pen.drawImage(before, 0, 0, mix.width, mix.height);
     // Adds light, so that what is in both pictures does not fade on the way.
     pen.globalCompositeOperation = "lighter";
-    pen.globalAlpha = share;
+    pen.globalAlpha = fraction;
     pen.drawImage(this.#canvas, 0, 0);
   }
 

@@ -73,8 +73,8 @@ async function edgeWidth(): Promise<number> {
     const part = row.slice(from, until + 1);
     const [low, high] = [Math.min(...part), Math.max(...part)];
     const rising = part[0] < part[part.length - 1] ? part : part.toReversed();
-    const crossing = (share: number): number => {
-      const level = low + share * (high - low);
+    const crossing = (fraction: number): number => {
+      const level = low + fraction * (high - low);
       const at = rising.findIndex((value, i) => i > 0 && rising[i - 1] <= level && value > level);
       return at - (rising[at] - level) / (rising[at] - rising[at - 1]);
     };

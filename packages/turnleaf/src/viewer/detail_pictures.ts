@@ -8,17 +8,17 @@ import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import { closePicture } from "../pages/page_pool.ts";
 import type { PageBox, PagePicture, PageSource } from "../sources/page_source.ts";
 import type { BookStage } from "../stage/book_stage.ts";
-import { acrossAt, isCoarse, type OpenPage, type SharpnessTools } from "./coarseness.ts";
+import { acrossAt, isCoarse, type OpenPage, type SharpnessParts } from "./coarseness.ts";
 
 /** The part of a page in sight, as fractions of its leaf, and its apparent size. */
-interface Sighted {
+interface VisiblePart {
   readonly box: PageBox;
   /** Canvas pixels across the whole leaf. */
   readonly across: number;
 }
 
 /** A part of a page that is drawn or being drawn. */
-interface Detail extends Sighted {
+interface Detail extends VisiblePart {
   readonly page: number;
   /** Texels across the whole leaf. */
   readonly texels: number;
@@ -56,7 +56,7 @@ export class DetailPictures {
   readonly #shown = new Map<Face, Detail>();
   readonly #coming = new Map<Face, Detail>();
 
-  constructor({ source, stage, aspect, pictures, arrived }: SharpnessTools) {
+  constructor({ source, stage, aspect, pictures, arrived }: SharpnessParts) {
     this.#pictures = pictures;
     this.#source = source;
     this.#stage = stage;
@@ -105,7 +105,7 @@ export class DetailPictures {
     for (const face of [...this.#coming.keys()]) this.#abort(face);
   }
 
-  #want(face: Face, page: number, sighted: Sighted): void {
+  #want(face: Face, page: number, sighted: VisiblePart): void {
     for (const details of [this.#shown, this.#coming]) {
       const detail = details.get(face);
       if (detail && serves(detail, sighted)) return;
@@ -190,7 +190,7 @@ export class DetailPictures {
 }
 
 /** Returns whether a detail covers the part in sight at about its apparent size. */
-function serves(detail: Sighted, { box, across }: Sighted): boolean {
+function serves(detail: VisiblePart, { box, across }: VisiblePart): boolean {
   const slack = 1e-6;
   return (
     detail.box.x <= box.x + slack &&
@@ -203,12 +203,12 @@ function serves(detail: Sighted, { box, across }: Sighted): boolean {
 }
 
 /** Returns the part to draw for a part in sight: somewhat more of the page, within memory. */
-function reaching({ box, across }: Sighted, aspect: number): Pick<Detail, "box" | "texels"> {
+function reaching({ box, across }: VisiblePart, aspect: number): Pick<Detail, "box" | "texels"> {
   const texels = across * finer;
   const pixels = ({ width, height }: PageBox): number => texels ** 2 * width * (height / aspect);
   let best = box;
-  for (const share of [beyond, beyond / 2, 0]) {
-    const [dx, dy] = [share * box.width, share * box.height];
+  for (const fraction of [beyond, beyond / 2, 0]) {
+    const [dx, dy] = [fraction * box.width, fraction * box.height];
     best = boxOf(
       Math.max(box.x - dx, 0),
       Math.max(box.y - dy, 0),
@@ -258,6 +258,6 @@ function middleOf(box: PageBox): [number, number] {
   return [box.x + box.width / 2, box.y + box.height / 2];
 }
 
-function clamped(share: number): number {
-  return Math.min(Math.max(share, 0), 1);
+function clamped(fraction: number): number {
+  return Math.min(Math.max(fraction, 0), 1);
 }

@@ -4,8 +4,8 @@ import type { Flight, Turning } from "../book/turning.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
 import { Side } from "../engine/phases.ts";
 import type { Pile, Ray } from "../engine/shapes.ts";
-import { type Hit, pickPile, pickSurface } from "../hand/pick.ts";
-import { handAt } from "../hand/reach.ts";
+import { type Hit, pickPile, pickSurface } from "../picking/pick.ts";
+import { handAt } from "../picking/reach.ts";
 import type { BookStage } from "../stage/book_stage.ts";
 
 /** What a pointer can grab. */
@@ -48,7 +48,7 @@ const beyondSpine = 0.12;
 const nearSpine = 0.35;
 
 /** A pointer that holds something. */
-interface Hand {
+interface HeldPointer {
   /** Its position on the canvas, CSS pixels. */
   x: number;
   y: number;
@@ -62,7 +62,7 @@ interface Hand {
 export class DragState {
   readonly #book: DragContext;
   /** Each pointer that holds something. */
-  readonly #hands = new Map<number, Hand>();
+  readonly #pointers = new Map<number, HeldPointer>();
 
   constructor(book: DragContext) {
     this.#book = book;
@@ -86,26 +86,26 @@ export class DragState {
   }
 
   /** Grabs what `pick` found; the leaf then follows `drag`. */
-  grab(hold: DragHit, hand: number): boolean {
+  grab(hold: DragHit, grab: number): boolean {
     const { turning } = this.#book;
-    const flight = typeof hold.on === "number" ? turning.lift(hold.on) : hold.on;
+    const flight = typeof hold.on === "number" ? turning.pickUp(hold.on) : hold.on;
     if (flight === null) return false;
     const u = Math.min(Math.max(hold.u, nearestHeld), 1);
-    turning.grab(flight, hand, u, Math.min(Math.max(hold.v, 0), 1));
-    this.#hands.set(hand, { x: 0, y: 0, u, across: 0 });
+    turning.grab(flight, grab, u, Math.min(Math.max(hold.v, 0), 1));
+    this.#pointers.set(grab, { x: 0, y: 0, u, across: 0 });
     return true;
   }
 
   /** Moves a grab to a place on the canvas, CSS pixels. Returns whether it holds something. */
-  drag(hand: number, x: number, y: number): boolean {
-    const held = this.#hands.get(hand);
+  drag(grab: number, x: number, y: number): boolean {
+    const held = this.#pointers.get(grab);
     if (held === undefined) return false;
     const { stage, turning, width } = this.#book;
     [held.x, held.y] = [x, y];
     const ray = stage.rayAt(x, y);
     const place = handAt(ray, held.u * width, (at) => this.floor(at));
     held.across = place[0];
-    turning.hold(hand, ...place);
+    turning.hold(grab, ...place);
     return true;
   }
 
@@ -116,25 +116,25 @@ export class DragState {
    * stands alone, which a pointer on the screen can carry no farther than
    * upright. Returns 0 if the engine decides.
    */
-  carried(hand: number): 1 | 0 | -1 {
-    const held = this.#hands.get(hand);
+  carried(grab: number): 1 | 0 | -1 {
+    const held = this.#pointers.get(grab);
     if (held === undefined) return 0;
     const { alone, width } = this.#book;
-    const share = held.across / width;
-    if (alone) return share * alone < nearSpine ? alone : 0;
-    if (held.u >= farFromEdge || Math.abs(share) < beyondSpine) return 0;
-    return share < 0 ? 1 : -1;
+    const fraction = held.across / width;
+    if (alone) return fraction * alone < nearSpine ? alone : 0;
+    if (held.u >= farFromEdge || Math.abs(fraction) < beyondSpine) return 0;
+    return fraction < 0 ? 1 : -1;
   }
 
   /** Carries held leaves along when the camera has moved. */
   follow(): void {
-    for (const [hand, { x, y }] of this.#hands) this.drag(hand, x, y);
+    for (const [grab, { x, y }] of this.#pointers) this.drag(grab, x, y);
   }
 
   /** Releases a grab. */
-  release(hand: number): void {
-    this.#hands.delete(hand);
-    this.#book.turning.release(hand);
+  release(grab: number): void {
+    this.#pointers.delete(grab);
+    this.#book.turning.release(grab);
   }
 
   /** Returns the height of the pages under x, metres. */

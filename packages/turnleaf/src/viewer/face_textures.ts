@@ -38,16 +38,16 @@ export function spreadsBetween({ flights, spread }: Turning): [low: number, high
  * book is shown, in steps, so that a small change of size redraws nothing.
  */
 export function bitmapWidth(
-  { width, height, rolled, alone }: BookShape,
+  { width, height, quarterTurned, alone }: BookShape,
   stage: BookStage,
   viewing: CameraMotion,
 ): number {
-  const [u, v] = rolled
+  const [u, v] = quarterTurned
     ? [0.6 * width * (alone || 1), height]
     : [width * (alone || 1), 0.4 * height];
   // The pages of a turn are those of the rest after it.
   const onScreen = viewing.lookAtRest(() => {
-    const spine = stage.project(rolled ? [u, 0, 0] : [0, v, 0]);
+    const spine = stage.project(quarterTurned ? [u, 0, 0] : [0, v, 0]);
     const edge = stage.project([u, v, 0]);
     return Math.hypot(edge.x - spine.x, edge.y - spine.y) * stage.restingRatio;
   });

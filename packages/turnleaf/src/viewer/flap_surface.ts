@@ -16,7 +16,7 @@ export interface FlapPlace {
    * width of the flap, likewise.
    */
   readonly fold: number;
-  readonly share: number;
+  readonly fraction: number;
 }
 
 /** As fine as a leaf in flight, which is drawn in its place. */
@@ -36,7 +36,7 @@ const settling = 0.3;
  * @param version of the sheet
  */
 export function flapSurface(
-  { sign, open, fold, share }: FlapPlace,
+  { sign, open, fold, fraction }: FlapPlace,
   pile: Pile,
   width: number,
   height: number,
@@ -52,7 +52,7 @@ export function flapSurface(
   const [hingeX, hingeZ] = placeOn(pile, fold);
   const line = new Float32Array(2 * columns);
   for (let column = 0; column < columns; column++) {
-    const out = share * columnPlace(column, columns);
+    const out = fraction * columnPlace(column, columns);
     const x = hingeX + sign * width * out * Math.cos(angle);
     const z = hingeZ + clear + width * out * Math.sin(angle);
     const [pageX, pageZ] = placeOn(pile, Math.max(fold - out, 0));

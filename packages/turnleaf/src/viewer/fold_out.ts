@@ -1,9 +1,9 @@
 /** The open fold-out, or the one that opens or closes. There is at most one. */
 
 import type { Surface } from "../engine/shapes.ts";
-import type { PageBitmaps, Unfolded } from "../pages/page_bitmaps.ts";
+import type { OpenFoldOut, PageBitmaps } from "../pages/page_bitmaps.ts";
 import { foldAt } from "../pages/page_place.ts";
-import { loaded } from "../sources/loaded.ts";
+import { loadPart } from "../sources/load_part.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 
 /** Time in which a flap opens, seconds. */
@@ -25,7 +25,7 @@ export interface FoldOutHooks {
 interface Flap {
   readonly page: number;
   readonly sign: 1 | -1;
-  readonly parts: Unfolded;
+  readonly parts: OpenFoldOut;
   readonly flapSurface: typeof import("./flap_surface.ts").flapSurface;
   open: number;
   to: 0 | 1;
@@ -55,7 +55,7 @@ export class FoldOut {
    * The bitmaps on the flap, and the side of the book that it belongs to; null
    * if no flap is visible.
    */
-  get parts(): (Unfolded & { readonly sign: 1 | -1 }) | null {
+  get parts(): (OpenFoldOut & { readonly sign: 1 | -1 }) | null {
     return this.#flap && { ...this.#flap.parts, sign: this.#flap.sign };
   }
 
@@ -69,7 +69,7 @@ export class FoldOut {
     const drawing = new AbortController();
     this.#drawing = drawing;
     const width = this.#hooks.width();
-    const flap = await loaded(import("./flap_surface.ts")).catch(this.#hooks.failed);
+    const flap = await loadPart(import("./flap_surface.ts")).catch(this.#hooks.failed);
     if (!flap || drawing.signal.aborted) return false;
     const parts = await this.#pictures.unfold(page, width, drawing.signal).catch(() => null);
     if (drawing.signal.aborted || parts === null) {
@@ -110,7 +110,7 @@ export class FoldOut {
     if (flap === null || pile === null) return null;
     const { sign, open } = flap;
     if (this.#surface?.open !== open) {
-      const place = { sign, open, fold: foldAt, share: flap.parts.place.width - foldAt };
+      const place = { sign, open, fold: foldAt, fraction: flap.parts.place.width - foldAt };
       this.#surface = {
         open,
         surface: flap.flapSurface(place, pile, width, height, ++this.#version),

@@ -35,8 +35,8 @@ export class LeafControl {
 
   /** Returns what a pointer at a place on the canvas (CSS pixels) can grab, or null. */
   pick(x: number, y: number): DragHit | null {
-    const { drag: holding, peek } = this.#rebinder.bound;
-    const hold = holding.pick(x, y);
+    const { drag, peek } = this.#rebinder.bound;
+    const hold = drag.pick(x, y);
     // Beside a lifted corner a pointer grabs that leaf, not the one under it.
     return hold && peek.flight && hold.on === peek.side ? { ...hold, on: peek.flight } : hold;
   }
@@ -46,13 +46,13 @@ export class LeafControl {
    *
    * @param pull how far the pointer has moved since, CSS pixels
    */
-  grab(found: DragHit, hand: number, pull: Place = { x: 0, y: 0 }): boolean {
+  grab(found: DragHit, grab: number, pull: Place = { x: 0, y: 0 }): boolean {
     if (this.#closed) return false;
     const { bound } = this.#rebinder;
-    const { drag: holding, peek } = bound;
+    const { drag, peek } = bound;
     const hold = bound.pulled(found, pull.x, pull.y);
     const taken = typeof hold.on === "number" ? null : peek.take(hold.on);
-    const grabbed = holding.grab(hold, hand);
+    const grabbed = drag.grab(hold, grab);
     peek.end();
     if (taken) this.#events.started(taken);
     // A listener may have taken the book away.
@@ -60,17 +60,17 @@ export class LeafControl {
   }
 
   /** Moves a grab to a place on the canvas, CSS pixels. */
-  drag(hand: number, x: number, y: number): void {
-    if (!this.#closed && this.#rebinder.bound.drag.drag(hand, x, y)) this.#events.moved();
+  drag(grab: number, x: number, y: number): void {
+    if (!this.#closed && this.#rebinder.bound.drag.drag(grab, x, y)) this.#events.moved();
   }
 
   /** Releases a grab. */
-  release(hand: number): void {
+  release(grab: number): void {
     if (this.#closed) return;
-    const { drag: holding, turning } = this.#rebinder.bound;
-    const way = turning.holds(hand) ? holding.carried(hand) : 0;
+    const { drag, turning } = this.#rebinder.bound;
+    const way = turning.holds(grab) ? drag.carried(grab) : 0;
     if (way !== 0) void turning.press(way);
-    holding.release(hand);
+    drag.release(grab);
     this.#events.moved();
   }
 
@@ -81,9 +81,9 @@ export class LeafControl {
   peek(hold: DragHit | null): boolean {
     // An unfolded page keeps its corners.
     if (this.#closed || (hold !== null && this.#foldOut.parts !== null)) return false;
-    const { peek, drag: holding, turning } = this.#rebinder.bound;
+    const { peek, drag, turning } = this.#rebinder.bound;
     if (hold === null) peek.end();
-    const lifts = hold !== null && peek.begin(hold, holding.floor(hold.on === Side.right ? 1 : -1));
+    const lifts = hold !== null && peek.begin(hold, drag.floor(hold.on === Side.right ? 1 : -1));
     if (turning.moving) this.#events.moved();
     return lifts;
   }

@@ -5,7 +5,7 @@
 
 import type { LeafModel, ModelledBook } from "../leaf_models/leaf_model.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
-import { loaded } from "../sources/loaded.ts";
+import { loadPart } from "../sources/load_part.ts";
 import type { BookPose } from "../stage/book_pose.ts";
 
 /** Loads the models that a backend can show. */
@@ -45,7 +45,7 @@ export class ModelSwitch {
     let model: LeafModel | null = null;
     try {
       const load = choice.model !== "sheet" && this.#load;
-      const open = load && (await loaded(load())).openModel;
+      const open = load && (await loadPart(load())).openModel;
       if (open && !signal.aborted) model = await open(choice, signal);
     } catch (error) {
       if (!signal.aborted) this.#failed(error);

@@ -1,7 +1,7 @@
 /** Sharper parts arrive late, or not at all. */
 
 import { expect, test, vi } from "vitest";
-import type { OpenPage, SharpnessTools } from "./coarseness.ts";
+import type { OpenPage, SharpnessParts } from "./coarseness.ts";
 import { Sharpness } from "./sharpness.ts";
 
 vi.mock("./detail_pictures.ts", () => {
@@ -12,13 +12,13 @@ vi.mock("./detail_pictures.ts", () => {
 const stage = {
   restingRatio: 1,
   projectOn: (_: string, x: number, y: number) => ({ x: 1000 * x, y: 1500 * y }),
-} as unknown as SharpnessTools["stage"];
+} as unknown as SharpnessParts["stage"];
 
 test("nothing is loaded for pages that are sharp, and where it cannot be, that is told once", async () => {
   const told: unknown[] = [];
   let arrived = 0;
   const tools = { stage, arrived: () => arrived++, failed: (error: unknown) => told.push(error) };
-  const sharpness = new Sharpness(tools as unknown as SharpnessTools);
+  const sharpness = new Sharpness(tools as unknown as SharpnessParts);
   const seen = (width: number): OpenPage[] => [{ face: "left", page: 2, width }];
   for (const width of [0, 1200, Number.POSITIVE_INFINITY]) sharpness.look(seen(width), 800, 600);
   expect(sharpness.settled).toBe(true);

@@ -1,18 +1,18 @@
 /** Sharpens pages that are seen larger than their bitmaps: the code is loaded when one first is. */
 
 import type { Face } from "../book/faces.ts";
-import { loaded } from "../sources/loaded.ts";
-import { isCoarse, type OpenPage, type SharpnessTools } from "./coarseness.ts";
+import { loadPart } from "../sources/load_part.ts";
+import { isCoarse, type OpenPage, type SharpnessParts } from "./coarseness.ts";
 import type { DetailPictures } from "./detail_pictures.ts";
 
 /** The sharper parts of the open pages. */
 export class Sharpness {
-  readonly #tools: SharpnessTools;
+  readonly #tools: SharpnessParts;
   #details: DetailPictures | null = null;
   #isLoading = false;
   #isAsked = false;
 
-  constructor(tools: SharpnessTools) {
+  constructor(tools: SharpnessParts) {
     this.#tools = tools;
   }
 
@@ -53,7 +53,7 @@ export class Sharpness {
   #load(): void {
     this.#isAsked = this.#isLoading = true;
     const { arrived, failed } = this.#tools;
-    loaded(import("./detail_pictures.ts"))
+    loadPart(import("./detail_pictures.ts"))
       .then(({ DetailPictures }) => {
         this.#details = new DetailPictures(this.#tools);
       }, failed)

@@ -253,7 +253,7 @@ function turnAndCarry({ place }: Shown): string {
   });
   const { beyond, size } = watch;
   const said = (lengths: readonly number[]) => lengths.map((px) => px.toFixed(1)).join(", ");
-  const [least, most] = size.map((share) => share.toFixed(3));
+  const [least, most] = size.map((fraction) => fraction.toFixed(3));
   const report =
     `Size ${least} to ${most} of that at rest. What was taken and the pointer were apart at most ` +
     `${said(worst)} px, on a page of ${said([page])}. Beyond the place: left ${said([beyond.left])}, ` +

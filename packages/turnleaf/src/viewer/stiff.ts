@@ -42,12 +42,12 @@ export class Stiffening {
 
   /** Returns a leaf in flight, straightened by its stiffness. */
   leaf(surface: Surface, flight: Flight): Surface {
-    const share = this.#of(flight.low);
-    if (share === 0) return surface;
+    const fraction = this.#of(flight.low);
+    if (fraction === 0) return surface;
     let leaf = this.#leaves.get(surface);
     if (leaf === undefined) {
-      const thickness = share === 1 ? boardThickness : cardThickness;
-      leaf = { ...straightened(surface, share, this.#width), thickness };
+      const thickness = fraction === 1 ? boardThickness : cardThickness;
+      leaf = { ...straightened(surface, fraction, this.#width), thickness };
       this.#leaves.set(surface, leaf);
     }
     return leaf;
@@ -75,8 +75,8 @@ export class Stiffening {
         turned(leaves[leaves.length - 1]),
       );
     }
-    const straight = (pile: Pile, share: number, sign: 1 | -1): Pile =>
-      share === 0 ? pile : straightenedPile(pile, share, sign * this.#width);
+    const straight = (pile: Pile, fraction: number, sign: 1 | -1): Pile =>
+      fraction === 0 ? pile : straightenedPile(pile, fraction, sign * this.#width);
     return [straight(left, onLeft, -1), straight(right, onRight, 1)];
   }
 
@@ -94,13 +94,13 @@ function turned({ positions, columns, rows }: Surface): number {
   return Math.atan2(Math.max(positions[edge + 2], 0), positions[edge]) / Math.PI;
 }
 
-function mix(from: number, to: number, share: number): number {
-  const t = Math.min(Math.max((share - pressed[0]) / (pressed[1] - pressed[0]), 0), 1);
+function mix(from: number, to: number, fraction: number): number {
+  const t = Math.min(Math.max((fraction - pressed[0]) / (pressed[1] - pressed[0]), 0), 1);
   return from + (to - from) * t * t * (3 - 2 * t);
 }
 
 /** Mixes a leaf's own shape with the plane through its root and the middle of its fore-edge. */
-function straightened(surface: Surface, share: number, width: number): Surface {
+function straightened(surface: Surface, fraction: number, width: number): Surface {
   const { columns, rows } = surface;
   const positions = surface.positions.slice();
   const normals = surface.normals.slice();
@@ -120,8 +120,8 @@ function straightened(surface: Surface, share: number, width: number): Surface {
       const flat = [x0 + out * cos, foot + (height * row) / (rows - 1), z0 + out * sin];
       const normal = [-sin, 0, cos];
       for (let k = 0; k < 3; k++) {
-        positions[at + k] += (flat[k] - positions[at + k]) * share;
-        normals[at + k] += (normal[k] - normals[at + k]) * share;
+        positions[at + k] += (flat[k] - positions[at + k]) * fraction;
+        normals[at + k] += (normal[k] - normals[at + k]) * fraction;
       }
     }
   }
@@ -132,7 +132,7 @@ function straightened(surface: Surface, share: number, width: number): Surface {
  * Mixes a pile's own shape with straight leaves from the gutter to the height
  * of their fore-edges.
  */
-function straightenedPile(pile: Pile, share: number, reach: number): Pile {
+function straightenedPile(pile: Pile, fraction: number, reach: number): Pile {
   const { columns, layers } = pile;
   const curves = pile.curves.slice();
   for (let layer = 0; layer < layers; layer++) {
@@ -141,8 +141,8 @@ function straightenedPile(pile: Pile, share: number, reach: number): Pile {
     for (let column = 0; column < columns; column++) {
       const at = from + 2 * column;
       const u = columnPlace(column, columns);
-      curves[at] += (x0 + reach * u - curves[at]) * share;
-      curves[at + 1] += (z0 + (z1 - z0) * u - curves[at + 1]) * share;
+      curves[at] += (x0 + reach * u - curves[at]) * fraction;
+      curves[at + 1] += (z0 + (z1 - z0) * u - curves[at + 1]) * fraction;
     }
   }
   return { ...pile, curves };

@@ -34,7 +34,7 @@ export class Stillness {
   }
 
   /** Starts over: something changed. */
-  stir(): void {
+  reset(): void {
     this.#count = this.#passed = 0;
   }
 }

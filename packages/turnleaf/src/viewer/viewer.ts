@@ -83,7 +83,7 @@ export class Viewer {
     this.#window = canvas.ownerDocument.defaultView ?? window;
     this.#stage = stage;
     this.#stage.onRestored = () => this.invalidate();
-    this.#stage.onGone = () => options.onContextLost?.();
+    this.#stage.onContextLost = () => options.onContextLost?.();
     this.#crossFade = new CrossFade(canvas, (from) => options.onRest(from, this.turning.spread));
     this.#camera = new CameraMotion(stage);
     this.#bitmaps = new PageBitmaps(source, book.leaf, {
@@ -166,8 +166,8 @@ export class Viewer {
 
   /** Width over height of a place that two pages fill, with the headroom that their leaves need. */
   get placeRatio(): number {
-    const { width, height, rolled } = this.#bound.shape;
-    const pages = rolled ? height / (2 * width) : (2 * width) / height;
+    const { width, height, quarterTurned } = this.#bound.shape;
+    const pages = quarterTurned ? height / (2 * width) : (2 * width) / height;
     return fullness * pages;
   }
 
@@ -267,7 +267,7 @@ export class Viewer {
 
   /** Requests a frame, unless one is already requested. */
   invalidate(): void {
-    this.#stillness.stir();
+    this.#stillness.reset();
     this.#askForFrame();
   }
 
@@ -403,7 +403,7 @@ export class Viewer {
     // A leaf held still takes no more frames until its pointer moves.
     const still =
       turning &&
-      this.turning.inHand &&
+      this.turning.isHeld &&
       this.#stillness.check([...posed.leaves, ...this.#modelSwitch.sheets]);
     const moving = (turning && !still) || stepping;
     const resting = !moving && !this.#handled;
@@ -423,8 +423,8 @@ export class Viewer {
     else if (!turning) {
       this.#sharpness.look(this.#bound.faceTextures.open, this.#cssWidth, this.#cssHeight);
     }
-    const gone = stepping || this.#handled || this.#crossFade.isOn || (turning && !peek.flight);
-    this.#viewHistory.update(gone ? "" : `${this.turning.spread} ${this.#stage.viewKey}`);
+    const isMoving = stepping || this.#handled || this.#crossFade.isOn || (turning && !peek.flight);
+    this.#viewHistory.update(isMoving ? "" : `${this.turning.spread} ${this.#stage.viewKey}`);
   }
 
   #tellStart({ low, high, from }: Flight): void {

@@ -31,8 +31,8 @@ uniform vec2 way;
 uniform float amount;
 varying vec2 vPlace;
 void main() {
-  float gone = smoothstep(0.0, 1.0, dot(vPlace - from, way) / dot(way, way));
-  gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0 - amount * gone);
+  float faded = smoothstep(0.0, 1.0, dot(vPlace - from, way) / dot(way, way));
+  gl_FragColor = vec4(0.0, 0.0, 0.0, 1.0 - amount * faded);
 }
 `;
 
@@ -77,8 +77,8 @@ export class BeyondSpine {
     const amount = alone === 0 ? 0 : 1 - closed;
     this.mesh.visible = amount > 0;
     if (amount === 0) return;
-    const seen = (share: number): Vector3 =>
-      new Vector3(-alone * share * width, height / 2, thickness / 2).project(camera);
+    const seen = (fraction: number): Vector3 =>
+      new Vector3(-alone * fraction * width, height / 2, thickness / 2).project(camera);
     const [from, to] = [seen(fade.from), seen(fade.to)];
     this.#from.set(from.x, from.y);
     this.#way.set(to.x - from.x, to.y - from.y);

@@ -7,11 +7,11 @@ import type { CaseShape } from "./case_shape.ts";
 import type { LeafSection } from "./leaf_section.ts";
 import {
   compassToRadians,
-  keyShare,
+  keyFraction,
+  type LightFractions,
   leftEndUnder,
-  type Shares,
-  sharesBetween,
-  skyShare,
+  lightBetween,
+  skyFraction,
 } from "./light.ts";
 import type { Overhead } from "./page_mesh.ts";
 import { pageRows } from "./page_mesh.ts";
@@ -35,7 +35,7 @@ export class BoardMesh {
   readonly #front: boolean;
   readonly #width: number;
   readonly #height: number;
-  readonly #shares: Shares = { left: 0, right: 0, sky: 1, key: 1 };
+  readonly #light: LightFractions = { left: 0, right: 0, sky: 1, key: 1 };
 
   /** @param pageWidth,pageHeight metres */
   constructor(
@@ -119,10 +119,10 @@ export class BoardMesh {
       const x = hinge[0] + local * Math.cos(angle);
       const z = hinge[1] + local * Math.sin(angle);
       const piles = [left.obstacles, right.obstacles];
-      sharesBetween(x, z, normal, piles, lid, this.#shares);
+      lightBetween(x, z, normal, piles, lid, this.#light);
       // Points under the pile are dark; points beside it see past its edge.
       const covered = block.present && Math.abs(x) < edge;
-      const { sky: openSky, key: openKey } = this.#shares;
+      const { sky: openSky, key: openKey } = this.#light;
       for (let row = 0; row < rows; row++) {
         const point = row * innerColumns + i;
         const beyond = (row === 0 || row === rows - 1) && block.present;
@@ -149,15 +149,15 @@ export class BoardMesh {
   /** Returns the fractions of sky and key light under the leaf in one of its sections. */
   #under(over: Overhead, row: number, x: number, z: number, normal: number): [number, number] {
     const sign = this.#front ? -1 : 1;
-    const { left, right } = this.#shares;
-    const share = (section: LeafSection, of: (from: number, to: number) => number): number => {
+    const { left, right } = this.#light;
+    const fraction = (section: LeafSection, of: (from: number, to: number) => number): number => {
       const end = leftEndUnder(sign * x, z, section.row(row), section.counts[row]);
       const shut = sign * compassToRadians(end);
       return sign === 1 ? of(Math.max(left, shut), right) : of(left, Math.min(right, shut));
     };
-    const sky = share(over.sky, (from, to) => skyShare(from, to, normal));
+    const sky = fraction(over.sky, (from, to) => skyFraction(from, to, normal));
     let key = 0;
-    for (const section of over.keys) key += share(section, keyShare) / over.keys.length;
+    for (const section of over.keys) key += fraction(section, keyFraction) / over.keys.length;
     return [sky, key];
   }
 

@@ -11,7 +11,7 @@ const shape: BookShape = {
   rim: 0.0032,
   cloth: "#6a2a26",
   kind: "typeset",
-  rolled: false,
+  quarterTurned: false,
   alone: 0,
 };
 const rim = 0.0032;

@@ -101,19 +101,19 @@ export function frameBook(
   const seated = opened + (closedElevation - opened) * closed;
   const elevation = seated + (90 - seated) * overhead;
   const azimuth = closedAzimuth * (left - right) * (1 - overhead);
-  const axes = axesOf(elevation * radians, azimuth * radians, shape.rolled);
+  const axes = axesOf(elevation * radians, azimuth * radians, shape.quarterTurned);
   const open =
     alone === 0
       ? fitPoints(openPoints(shape, framing, rim), axes, aspect, openMargins)
       : fitPoints(alonePoints(shape, framing, alone), axes, aspect, aloneMargins);
   const fit: Fit = [...open];
-  for (const [share, sign] of [
+  for (const [fraction, sign] of [
     [right, 1],
     [left, -1],
   ]) {
-    if (share <= 0) continue;
+    if (fraction <= 0) continue;
     const shut = fitPoints(closedPoints(shape, framing, sign, rim), axes, aspect, closedMargins);
-    for (let k = 0; k < 3; k++) fit[k] += (shut[k] - open[k]) * share;
+    for (let k = 0; k < 3; k++) fit[k] += (shut[k] - open[k]) * fraction;
   }
   return viewOf(fit, axes);
 }
@@ -180,7 +180,7 @@ function sidesOf({ width, thickness, alone }: BookShape, framing: Framing, rim: 
 export function axesOf(
   elevation: number,
   azimuth: number,
-  rolled = false,
+  quarterTurned = false,
 ): Pick<View, "right" | "up" | "back"> {
   const [ce, se, ca, sa] = [
     Math.cos(elevation),
@@ -189,7 +189,7 @@ export function axesOf(
     Math.sin(azimuth),
   ];
   const turned = (x: number, y: number, z: number): [number, number, number] =>
-    rolled ? [-y, x, z] : [x, y, z];
+    quarterTurned ? [-y, x, z] : [x, y, z];
   return {
     right: turned(ca, sa, 0),
     up: turned(-sa * se, ca * se, ce),

@@ -29,7 +29,7 @@ export interface ContextEvents {
   /** It was restored: everything is to be drawn again. */
   restored(): void;
   /** It was not restored in time. */
-  gone(): void;
+  lostForGood(): void;
 }
 
 /** Waits for the restoration of a lost context. */
@@ -85,6 +85,6 @@ export class ContextWatch {
 
   #late(): void {
     if (document.hidden) this.#wait();
-    else this.#events.gone();
+    else this.#events.lostForGood();
   }
 }

@@ -8,7 +8,6 @@ import { type Face, isBoardFace } from "../book/faces.ts";
 import type { Surface, Vec3 } from "../engine/shapes.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import { caseSizes } from "../stage/case_sizes.ts";
-import { BlockMesh } from "./block_mesh.ts";
 import { BoardMesh } from "./board_mesh.ts";
 import type { Framing } from "./camera.ts";
 import { placeCase, restingCase } from "./case_shape.ts";
@@ -19,6 +18,7 @@ import { LeafMesh } from "./leaf_mesh.ts";
 import type { BookMaterials } from "./materials.ts";
 import { castOver, overheadOf } from "./overhead.ts";
 import { type Overhead, PageMesh, pageRows } from "./page_mesh.ts";
+import { PileMesh } from "./pile_mesh.ts";
 import { PileShape } from "./pile_shape.ts";
 import { HeadbandMesh, SpineMesh } from "./spine_mesh.ts";
 
@@ -32,7 +32,7 @@ const leastStep = 5e-6;
 interface DrawnSide {
   readonly pile: PileShape;
   readonly page: PageMesh;
-  readonly block: BlockMesh;
+  readonly block: PileMesh;
   readonly fold: EndpaperMesh;
   readonly over: Overhead;
 }
@@ -80,7 +80,7 @@ export class DrawnBook {
     const side = (sign: 1 | -1): DrawnSide => ({
       pile: new PileShape(sign),
       page: new PageMesh(materials.pages[sign === 1 ? "right" : "left"], height, pageRows),
-      block: new BlockMesh(materials.leafEdges, sign, height, thickness),
+      block: new PileMesh(materials.leafEdges, sign, height, thickness),
       fold: new EndpaperMesh(
         materials.endpapers[sign === -1 ? "frontInside" : "backInside"],
         sign,
@@ -152,7 +152,7 @@ export class DrawnBook {
    */
   placeOn(face: Face, pictureX: number, pictureY: number): Vec3 {
     // The inverse of `onPicture`.
-    const [x, y] = this.#shape.rolled ? [pictureY, 1 - pictureX] : [pictureX, pictureY];
+    const [x, y] = this.#shape.quarterTurned ? [pictureY, 1 - pictureX] : [pictureX, pictureY];
     if (isBoardFace(face)) {
       const board = face.startsWith("front") ? this.#front : this.#back;
       return board.placeOn(face.endsWith("Outside"), x, y);

@@ -6,14 +6,14 @@
 import { type BufferGeometry, Mesh } from "three";
 import { caseSizes } from "../stage/case_sizes.ts";
 import type { CaseShape } from "./case_shape.ts";
-import { type Shares, sharesBetween } from "./light.ts";
+import { type LightFractions, lightBetween } from "./light.ts";
 import type { PileShape } from "./pile_shape.ts";
 import { SolidGeometry } from "./solid_geometry.ts";
 import type { SolidMaterial } from "./solid_material.ts";
 
 const steps = 9;
 /** Width of the fold as a fraction of a page's. */
-const foldShare = 0.07;
+const foldFraction = 0.07;
 const noLid = [0, 0, 0] as const;
 
 /** The fold on one side. */
@@ -23,7 +23,7 @@ export class EndpaperMesh {
   readonly #height: number;
   readonly #solid = new SolidGeometry(2 * steps, 2 * (steps - 1));
   readonly #line = new Float32Array(2 * steps);
-  readonly #shares: Shares = { left: 0, right: 0, sky: 1, key: 1 };
+  readonly #light: LightFractions = { left: 0, right: 0, sky: 1, key: 1 };
 
   /** @param sign -1 on the left, by the front board; 1 on the right, by the back board */
   constructor(material: SolidMaterial, sign: 1 | -1, height: number) {
@@ -68,17 +68,17 @@ export class EndpaperMesh {
       const nz = (this.#sign * dx) / length;
       const x = this.#line[2 * i] + 0.00008 * nx;
       const z = this.#line[2 * i + 1] + 0.00008 * nz;
-      sharesBetween(x, z, Math.atan2(nx, nz), piles, noLid, this.#shares);
+      lightBetween(x, z, Math.atan2(nx, nz), piles, noLid, this.#light);
       for (const end of [0, 1]) {
         const point = end * steps + i;
         solid.place(point, x, end * this.#height, z);
         solid.face(point, nx, 0, nz);
         // The picture's last strip before the hinge, mirrored: patterns continue unbroken.
-        const beyond = (foldShare * (steps - 1 - i)) / (steps - 1);
+        const beyond = (foldFraction * (steps - 1 - i)) / (steps - 1);
         solid.uv[2 * point] = front ? 1 - beyond : beyond;
         solid.uv[2 * point + 1] = 1 - end;
-        solid.open[2 * point] = this.#shares.sky;
-        solid.open[2 * point + 1] = this.#shares.key;
+        solid.open[2 * point] = this.#light.sky;
+        solid.open[2 * point + 1] = this.#light.key;
       }
     }
     solid.touch("position", "normal", "uv", "open");

@@ -10,7 +10,7 @@ import type { PageBox } from "../sources/page_source.ts";
  * `printed(uv)`: the ink's colour at a place of the picture, from its upper
  * left corner, and its coverage: 0 where a picture is transparent.
  */
-export const printChunk: string = /* glsl */ `
+export const inkChunk: string = /* glsl */ `
 uniform sampler2D picture;
 uniform sampler2D detail;
 uniform vec4 detailBox;
@@ -32,7 +32,7 @@ vec4 printed(vec2 uv) {
 const nowhere = [2, 2, 1, 1];
 
 /** Returns the uniforms of ink that shows a picture and no detail. */
-export function printUniforms(picture: Texture): Record<string, IUniform> {
+export function inkUniforms(picture: Texture): Record<string, IUniform> {
   return {
     picture: { value: picture },
     detail: { value: picture },

@@ -108,10 +108,10 @@ export class LeafLight {
     let to = 0;
     for (let row = 0; row < rows.count; row++) {
       const below = stride * rows.first[row];
-      const s = rows.share[row];
+      const s = rows.fraction[row];
       for (let column = 0; column < columns.count; column++) {
         const a = below + 2 * columns.first[column];
-        const t = columns.share[column];
+        const t = columns.fraction[column];
         for (let end = a; end < a + 2; end++) {
           const low = found[end] + (found[end + 2] - found[end]) * t;
           const high = found[end + stride] + (found[end + stride + 2] - found[end + stride]) * t;
@@ -128,7 +128,7 @@ class Blend {
   readonly places: readonly number[];
   /** For each place, the sample before it, and its distance from there to the next. */
   readonly first: Uint16Array;
-  readonly share: Float32Array;
+  readonly fraction: Float32Array;
 
   constructor(count: number, step: number) {
     this.count = count;
@@ -137,12 +137,12 @@ class Blend {
     places.push(count - 1);
     this.places = places;
     this.first = new Uint16Array(count);
-    this.share = new Float32Array(count);
+    this.fraction = new Float32Array(count);
     for (let place = 0; place < count; place++) {
       const first = Math.min(Math.floor(place / step), places.length - 2);
       const [low, high] = [places[first], places[first + 1]];
       this.first[place] = first;
-      this.share[place] = (place - low) / (high - low);
+      this.fraction[place] = (place - low) / (high - low);
     }
   }
 }

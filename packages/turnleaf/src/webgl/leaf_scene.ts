@@ -69,7 +69,7 @@ export class LeafScene {
         this.#textures.drop();
       },
       restored: () => onRestored?.(),
-      gone: () => undefined,
+      lostForGood: () => undefined,
     });
     this.#shape = {
       width,
@@ -78,7 +78,7 @@ export class LeafScene {
       leaves: 3,
       cover: "none",
       rim: 0,
-      rolled: false,
+      quarterTurned: false,
       alone: 0,
       cloth: "#6a2a26",
       kind: "typeset",

@@ -4,10 +4,10 @@ import {
   compassToRadians,
   gapsOfRow,
   keyAngle,
-  keyShare,
+  keyFraction,
   leftEndUnder,
-  sharesBetween,
-  skyShare,
+  lightBetween,
+  skyFraction,
 } from "./light.ts";
 
 const none = new Float32Array(0);
@@ -56,8 +56,8 @@ test("compass numbers rise with the angle", () => {
 
 test("a flat page under an open sky receives exactly 1", () => {
   for (const [left, right] of gaps(flat, [])) {
-    expect(skyShare(left, right, 0)).toBe(1);
-    expect(keyShare(left, right)).toBe(1);
+    expect(skyFraction(left, right, 0)).toBe(1);
+    expect(keyFraction(left, right)).toBe(1);
   }
 });
 
@@ -65,7 +65,7 @@ test("a hump across the gutter takes sky from the page near it, and less farther
   const seen = gaps(flat, [
     [-0.01, 0.02],
     [-0.05, 0.012],
-  ]).map(([left, right]) => skyShare(left, right, 0));
+  ]).map(([left, right]) => skyFraction(left, right, 0));
   expect(seen[1]).toBeLessThan(0.96);
   for (let i = 1; i < seen.length; i++) expect(seen[i]).toBeGreaterThan(seen[i - 1]);
   expect(seen[12]).toBeGreaterThan(0.99);
@@ -74,19 +74,19 @@ test("a hump across the gutter takes sky from the page near it, and less farther
 test("the sky's share is the same on the left, mirrored", () => {
   for (let k = -8; k <= 8; k++) {
     const [left, right, normal] = [-1.2 + 0.05 * k, 0.9 + 0.03 * k, 0.04 * k];
-    expect(skyShare(left, right, normal)).toBeCloseTo(skyShare(-right, -left, -normal), 12);
+    expect(skyFraction(left, right, normal)).toBeCloseTo(skyFraction(-right, -left, -normal), 12);
   }
 });
 
 test("a leaf overhead shuts out sky and key; a leaf laid away does not", () => {
   const over = Float32Array.from([0, 0, 0.05, 0.08, 0.12, 0.09]);
   const end = compassToRadians(leftEndUnder(0.06, 0, over, over.length));
-  expect(skyShare(end, Math.PI / 2, 0)).toBeLessThan(0.3);
-  expect(keyShare(end, Math.PI / 2)).toBe(0);
+  expect(skyFraction(end, Math.PI / 2, 0)).toBeLessThan(0.3);
+  expect(keyFraction(end, Math.PI / 2)).toBe(0);
   const away = Float32Array.from([0, 0, -0.07, 0.001, -0.14, 0]);
   const open = compassToRadians(leftEndUnder(0.06, 0.01, away, away.length));
-  expect(skyShare(open, Math.PI / 2, 0)).toBe(1);
-  expect(keyShare(open, Math.PI / 2)).toBe(1);
+  expect(skyFraction(open, Math.PI / 2, 0)).toBe(1);
+  expect(keyFraction(open, Math.PI / 2)).toBe(1);
 });
 
 test("a leaf close over another shuts it, down to where both are bound", () => {
@@ -97,7 +97,7 @@ test("a leaf close over another shuts it, down to where both are bound", () => {
     const seen = gaps(lower, [], at(((degrees + 4) * Math.PI) / 180));
     for (const [k, [left, right]] of seen.slice(1, 11).entries()) {
       const normal = (-degrees * Math.PI) / 180;
-      expect(skyShare(left, right, normal), `${degrees} degrees, point ${k}`).toBeLessThan(0.12);
+      expect(skyFraction(left, right, normal), `${degrees} degrees, point ${k}`).toBeLessThan(0.12);
     }
   }
 });
@@ -110,21 +110,21 @@ test("only the points in use shut out light", () => {
 test("a leaf that faces the table sees no sky", () => {
   const turned = flat.map(([x, z]): [number, number] => [-x, z]);
   for (const [left, right] of gaps(turned, [[-0.1, 0]])) {
-    expect(skyShare(left, right, -Math.PI)).toBeCloseTo(0, 9);
-    expect(keyShare(left, right)).toBe(0);
+    expect(skyFraction(left, right, -Math.PI)).toBeCloseTo(0, 9);
+    expect(keyFraction(left, right)).toBe(0);
   }
 });
 
 test("the key light fades over a soft edge about its own angle", () => {
-  expect(keyShare(keyAngle, Math.PI / 2)).toBeCloseTo(0.5, 9);
-  expect(keyShare(-Math.PI / 2, keyAngle)).toBeCloseTo(0.5, 9);
+  expect(keyFraction(keyAngle, Math.PI / 2)).toBeCloseTo(0.5, 9);
+  expect(keyFraction(-Math.PI / 2, keyAngle)).toBeCloseTo(0.5, 9);
 });
 
 test("a board that stands over a face shuts it", () => {
   const out = { left: 0, right: 0, sky: 0, key: 0 };
-  sharesBetween(0.05, 0, 0, [none], [0, 0, 0], out);
+  lightBetween(0.05, 0, 0, [none], [0, 0, 0], out);
   expect([out.sky, out.key]).toEqual([1, 1]);
-  sharesBetween(0.05, 0, 0, [none], [0.14, 0.02, 1], out);
+  lightBetween(0.05, 0, 0, [none], [0.14, 0.02, 1], out);
   expect(out.sky).toBeLessThan(0.05);
   expect(out.key).toBe(0);
 });

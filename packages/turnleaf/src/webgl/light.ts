@@ -136,7 +136,7 @@ export function leftEndUnder(px: number, pz: number, points: Float32Array, count
 }
 
 /** The gap over a point, radians, and the fractions of sky and key light that come through it. */
-export interface Shares {
+export interface LightFractions {
   left: number;
   right: number;
   sky: number;
@@ -153,13 +153,13 @@ export interface Shares {
  * 1 where it rises from the left, -1 from the right; 0 for none
  * @param out the result
  */
-export function sharesBetween(
+export function lightBetween(
   x: number,
   z: number,
   normal: number,
   piles: readonly Float32Array[],
   lid: readonly [x: number, z: number, from: number],
-  out: Shares,
+  out: LightFractions,
 ): void {
   let left = Math.max(-Math.PI / 2, normal - Math.PI / 2);
   let right = Math.min(Math.PI / 2, normal + Math.PI / 2);
@@ -177,20 +177,20 @@ export function sharesBetween(
   }
   out.left = left;
   out.right = right;
-  out.sky = skyShare(left, right, normal);
-  out.key = keyShare(left, right);
+  out.sky = skyFraction(left, right, normal);
+  out.key = keyFraction(left, right);
 }
 
 /**
  * Returns the fraction of the sky seen through the gap between two angles,
  * radians, by a surface with the normal's angle.
  */
-export function skyShare(left: number, right: number, normal: number): number {
+export function skyFraction(left: number, right: number, normal: number): number {
   return Math.max(0, 0.5 * (edgeSine(right - normal) - edgeSine(left - normal)));
 }
 
 /** Returns the fraction of the key light that comes through the gap between two angles, radians. */
-export function keyShare(left: number, right: number): number {
+export function keyFraction(left: number, right: number): number {
   return (
     smooth((keyAngle - left + penumbra) / (2 * penumbra)) *
     smooth((right - keyAngle + penumbra) / (2 * penumbra))

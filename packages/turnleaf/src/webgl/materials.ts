@@ -44,8 +44,13 @@ export class BookMaterials {
     const [edges, weave, stripes] = [leafEdgeTexture(), clothTexture(), headbandTexture()];
     this.#grains = [edges, weave, stripes];
     for (const grain of this.#grains) grain.anisotropy = anisotropy;
-    const solid = (colour: string, look: Omit<SolidLook, "base" | "rolled">): SolidMaterial =>
-      this.#keep(new SolidMaterial({ base: new Color(colour), rolled: shape.rolled, ...look }));
+    const solid = (
+      colour: string,
+      look: Omit<SolidLook, "base" | "quarterTurned">,
+    ): SolidMaterial =>
+      this.#keep(
+        new SolidMaterial({ base: new Color(colour), quarterTurned: shape.quarterTurned, ...look }),
+      );
     const cloth = (): SolidMaterial =>
       solid(shape.cloth, { grain: weave, grainDepth: 1, paperiness: 0 });
     this.boards = {

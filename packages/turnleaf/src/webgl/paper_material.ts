@@ -2,7 +2,7 @@
 
 import { BackSide, FrontSide, ShaderMaterial, type Texture } from "three";
 import type { BookShape } from "../stage/book_pose.ts";
-import { printChunk, printUniforms } from "./ink.ts";
+import { inkChunk, inkUniforms } from "./ink.ts";
 import { gapChunk, lightChunk, pictureChunk } from "./shading.ts";
 
 /** Values passed from the vertex to the fragment shader. */
@@ -51,13 +51,13 @@ ${varyings}
 ${lightChunk}
 ${gapChunk}
 ${pictureChunk}
-${printChunk}
+${inkChunk}
 
 // What shines through a leaf from its other side, with that side's print in it.
 vec3 throughLeaf(vec3 normal, vec2 uv) {
   float away = max(0.0, (0.35 - dot(normal, KEY_DIRECTION)) / 1.35);
-  float key = away * keyShare(vGapBehind);
-  float sky = skyShare(vGapBehind, -normal);
+  float key = away * keyFraction(vGapBehind);
+  float sky = skyFraction(vGapBehind, -normal);
   vec3 light = 0.46 * key * vec3(1.05, 0.93, 0.76) + 0.09 * sky * vec3(1.0, 0.93, 0.80);
   vec3 print = texture2D(pictureBehind, onPicture(vec2(1.0 - uv.x, uv.y)), 2.2).rgb;
   return thin * light * mix(vec3(1.0), print, 0.75);
@@ -65,13 +65,13 @@ vec3 throughLeaf(vec3 normal, vec2 uv) {
 
 // A page on its pile has one end of its gap for each of three places on the key light.
 float keyHere() {
-  if (thin > 0.5) return keyShare(vGapKey.xy);
+  if (thin > 0.5) return keyFraction(vGapKey.xy);
   float other = vGapKey.w;
   vec3 ends = vGapKey.xyz;
   if (mirrored > 0.5) {
-    return (keyShare(vec2(other, ends.x)) + keyShare(vec2(other, ends.y)) + keyShare(vec2(other, ends.z))) / 3.0;
+    return (keyFraction(vec2(other, ends.x)) + keyFraction(vec2(other, ends.y)) + keyFraction(vec2(other, ends.z))) / 3.0;
   }
-  return (keyShare(vec2(ends.x, other)) + keyShare(vec2(ends.y, other)) + keyShare(vec2(ends.z, other))) / 3.0;
+  return (keyFraction(vec2(ends.x, other)) + keyFraction(vec2(ends.y, other)) + keyFraction(vec2(ends.z, other))) / 3.0;
 }
 
 const vec3 BARE = vec3(0.965, 0.913, 0.807);
@@ -92,7 +92,7 @@ vec3 besidePrint(vec4 print, vec2 uv) {
 
 // Of the sky that other leaves shut out as much comes through them as of the key light.
 vec3 skyHere(vec3 normal) {
-  float open = skyShare(vGapSky, normal);
+  float open = skyFraction(vGapSky, normal);
   float all = 0.5 + 0.5 * normal.z;
   return amongPaper(open) + thin * THROUGH * max(0.0, all - open);
 }
@@ -128,14 +128,14 @@ export interface PaperSide {
 
 /** A printed sheet's material, by its two pictures. */
 export class PaperMaterial extends ShaderMaterial {
-  constructor(side: PaperSide, { kind, width, height, rolled }: BookShape, paper: Texture) {
+  constructor(side: PaperSide, { kind, width, height, quarterTurned }: BookShape, paper: Texture) {
     super({
-      defines: rolled ? { ROLLED: "" } : {},
+      defines: quarterTurned ? { QUARTER_TURNED: "" } : {},
       vertexShader,
       fragmentShader,
       side: side.recto ? FrontSide : BackSide,
       uniforms: {
-        ...printUniforms(paper),
+        ...inkUniforms(paper),
         pictureBehind: { value: paper },
         beneath: { value: paper },
         lit: { value: side.recto || side.ownNormals ? 1 : -1 },

@@ -48,7 +48,7 @@ vec3 dithered(vec3 colour) {
  */
 export const pictureChunk: string = /* glsl */ `
 vec2 onPicture(vec2 uv) {
-#ifdef ROLLED
+#ifdef QUARTER_TURNED
   return vec2(1.0 - uv.y, uv.x);
 #else
   return uv;
@@ -64,12 +64,12 @@ float edgeSine(float angle, vec2 across) {
   return c >= 0.0 ? s : sign(s);
 }
 
-float skyShare(vec2 gap, vec3 normal) {
+float skyFraction(vec2 gap, vec3 normal) {
   vec2 across = normal.xz / max(length(normal.xz), 1e-4);
   return max(0.0, 0.5 * (edgeSine(gap.y, across) - edgeSine(gap.x, across)));
 }
 
-float keyShare(vec2 gap) {
+float keyFraction(vec2 gap) {
   return smoothstep(-${glslNumber(penumbra)}, ${glslNumber(penumbra)}, KEY_ANGLE - gap.x)
        * smoothstep(-${glslNumber(penumbra)}, ${glslNumber(penumbra)}, gap.y - KEY_ANGLE);
 }

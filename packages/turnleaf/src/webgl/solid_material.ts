@@ -1,7 +1,7 @@
 /** The material of everything that is not a sheet: leaf edges, cloth, boards, headbands. */
 
 import { type Color, DoubleSide, FrontSide, ShaderMaterial, type Texture } from "three";
-import { printChunk, printUniforms } from "./ink.ts";
+import { inkChunk, inkUniforms } from "./ink.ts";
 import { lightChunk, pictureChunk } from "./shading.ts";
 
 const vertexShader = /* glsl */ `
@@ -36,7 +36,7 @@ varying vec2 vOpen;
 varying vec3 vPlace;
 ${lightChunk}
 ${pictureChunk}
-${printChunk}
+${inkChunk}
 
 void main() {
   vec3 normal = normalize(gl_FrontFacing ? vNormal : -vNormal);
@@ -47,16 +47,16 @@ void main() {
   vec2 soft = fwidth(vUv) / (panel.zw - panel.xy) + 1e-5;
   vec2 within = smoothstep(-soft, soft, at) * smoothstep(-soft, soft, 1.0 - at);
   // A panel that covers the whole face goes round its bevel too.
-  float share = pictured * (panel.y <= 0.0 ? 1.0 : within.x * within.y);
+  float fraction = pictured * (panel.y <= 0.0 ? 1.0 : within.x * within.y);
   vec4 print = printed(onPicture(at));
-  share *= print.a;
-  colour = mix(colour, print.rgb, share);
+  fraction *= print.a;
+  colour = mix(colour, print.rgb, fraction);
 
   vec3 sky = vec3(vOpen.x * (0.5 + 0.5 * normal.z));
-  sky = mix(sky, amongPaper(sky.x), max(paperiness, share));
+  sky = mix(sky, amongPaper(sky.x), max(paperiness, fraction));
   vec3 light = arriving(normal, sky, vOpen.y);
   // The light falls off away from the lamp, and cloth, unlike a picture, shows it.
-  light *= 1.0 - 0.09 * (1.0 - share) * (1.0 - paperiness) * smoothstep(-0.2, 0.3, dot(vPlace.xy, vec2(0.75, -0.66)));
+  light *= 1.0 - 0.09 * (1.0 - fraction) * (1.0 - paperiness) * smoothstep(-0.2, 0.3, dot(vPlace.xy, vec2(0.75, -0.66)));
   gl_FragColor = vec4(colour * min(light, vec3(1.03)), 1.0);
   #include <colorspace_fragment>
   gl_FragColor.rgb = dithered(gl_FragColor.rgb);
@@ -74,7 +74,7 @@ export interface SolidLook {
   /** If true, it is visible from both sides. */
   readonly twoSided?: boolean;
   /** Whether the book lies with its spine across the screen, and pictures with it. */
-  readonly rolled: boolean;
+  readonly quarterTurned: boolean;
 }
 
 /** A solid surface's material, with a picture on a panel of it if there is one. */
@@ -86,14 +86,14 @@ export class SolidMaterial extends ShaderMaterial {
     super({
       vertexShader,
       fragmentShader,
-      defines: look.rolled ? { ROLLED: "" } : {},
+      defines: look.quarterTurned ? { QUARTER_TURNED: "" } : {},
       side: look.twoSided ? DoubleSide : FrontSide,
       uniforms: {
         base: { value: look.base },
         grain: { value: look.grain },
         grainDepth: { value: look.grainDepth },
         paperiness: { value: look.paperiness },
-        ...printUniforms(look.grain),
+        ...inkUniforms(look.grain),
         pictured: { value: 0 },
         panel: { value: [0, 0, 1, 1] },
       },

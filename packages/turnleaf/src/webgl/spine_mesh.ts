@@ -84,7 +84,7 @@ export class SpineMesh {
     const { backHinge: a, c, d, frontHinge: b } = shape;
     const span = Math.hypot(d[0] - c[0], d[1] - c[1]);
     // A corner is rounded over a fraction of the spine, and all of its hinge.
-    const share = span > 0 ? Math.min(0.35, 0.007 / span) : 0;
+    const fraction = span > 0 ? Math.min(0.35, 0.007 / span) : 0;
     const mid = (t: number, k: 0 | 1): number => c[k] + (d[k] - c[k]) * t;
     const bent = Math.abs(Math.sin(0.5 * Math.PI * (shape.closedLeft - shape.closedRight)));
     const bulge = bent * Math.min(0.0035, 0.22 * this.#thickness);
@@ -95,7 +95,7 @@ export class SpineMesh {
         const back = i <= hinge;
         const t = back ? i / hinge : (steps - 1 - i) / hinge;
         const [start, corner] = back ? [a, c] : [b, d];
-        const inward = back ? share : 1 - share;
+        const inward = back ? fraction : 1 - fraction;
         const end: Place = [mid(inward, 0), mid(inward, 1)];
         // Begins within the board, so that no gap shows.
         const reach = 1.25;
@@ -112,12 +112,12 @@ export class SpineMesh {
         groove = Math.sin(Math.PI * Math.min(1, Math.max(0, (t - 0.1) / 0.7))) ** 2;
         out = 0.0024 - 0.0016 * groove;
       } else {
-        const t = share + ((i - hinge) / (steps - 1 - 2 * hinge)) * (1 - 2 * share);
+        const t = fraction + ((i - hinge) / (steps - 1 - 2 * hinge)) * (1 - 2 * fraction);
         x = mid(t, 0);
         z = mid(t, 1);
         dx = d[0] - c[0];
         dz = d[1] - c[1];
-        const along = (t - share) / (1 - 2 * share || 1);
+        const along = (t - fraction) / (1 - 2 * fraction || 1);
         out = 0.0024 + bulge * 4 * along * (1 - along);
       }
       const length = Math.hypot(dx, dz);

@@ -13,7 +13,7 @@ const shape: BookShape = {
   rim: 0,
   cloth: "#6a2a26",
   kind: "scan",
-  rolled: false,
+  quarterTurned: false,
   alone: 0,
 };
 

@@ -20,7 +20,7 @@ import type {
   PageFace,
   Place,
 } from "../stage/book_stage.ts";
-import { overheadAt, type Zoom, Zooming } from "../stage/zoom.ts";
+import { overheadAt, type Zoom, ZoomState } from "../stage/zoom.ts";
 import { BeyondSpine } from "./beyond_spine.ts";
 import { fieldOfView, frameBook, sightOf } from "./camera.ts";
 import { ContextWatch, openContext } from "./context.ts";
@@ -33,15 +33,15 @@ import { PictureTextures } from "./textures.ts";
 const mostPixels = 16e6;
 
 /** A face of the book, or a side of a leaf in flight. */
-type Printed = Face | `${LeafSide} ${number}` | `${"behind" | "beneath"} ${PageFace}`;
+type BitmapTarget = Face | `${LeafSide} ${number}` | `${"behind" | "beneath"} ${PageFace}`;
 
 /** Shows a texture on a face; `none` says that it stands for no picture. */
-type Show = (texture: Texture, none: boolean) => void;
+type ShowTexture = (texture: Texture, none: boolean) => void;
 
 /** One book on one canvas, drawn by three.js. */
 export class WebGLStage implements BookStage {
   onRestored: (() => void) | null = null;
-  onGone: (() => void) | null = null;
+  onContextLost: (() => void) | null = null;
   readonly #canvas: HTMLCanvasElement;
   #shape: BookShape;
   readonly #renderer: WebGLRenderer;
@@ -57,11 +57,11 @@ export class WebGLStage implements BookStage {
    * keeps a compiled program while a material uses it, and the new materials use the same.
    */
   readonly #replaced: { dispose(): void }[] = [];
-  readonly #faces = new Map<Printed, { shown: PagePicture | null; show: Show }>();
+  readonly #faces = new Map<BitmapTarget, { shown: PagePicture | null; show: ShowTexture }>();
   #width = 1;
   #height = 1;
   #ratio = 1;
-  readonly #zooming = new Zooming((level) =>
+  readonly #zooming = new ZoomState((level) =>
     sightOf(this.#shape, this.#book.framing, this.#aspect, this.#shape.rim, level),
   );
 
@@ -82,7 +82,7 @@ export class WebGLStage implements BookStage {
         this.#pictures.drop();
       },
       restored: () => this.onRestored?.(),
-      gone: () => this.onGone?.(),
+      lostForGood: () => this.onContextLost?.(),
     });
   }
 
@@ -116,8 +116,8 @@ export class WebGLStage implements BookStage {
   }
 
   zoomed(level: number, from: Place, to: Place): Zoom {
-    const share = ({ x, y }: Place) => [x / this.#width, y / this.#height] as const;
-    return this.#zooming.zoomed(level, share(from), share(to));
+    const fraction = ({ x, y }: Place) => [x / this.#width, y / this.#height] as const;
+    return this.#zooming.zoomed(level, fraction(from), fraction(to));
   }
 
   setFace(face: Face, picture: PagePicture | null): void {
@@ -226,7 +226,7 @@ export class WebGLStage implements BookStage {
     this.#renderer.dispose();
   }
 
-  #print(face: Printed, picture: PagePicture | null, show: Show): void {
+  #print(face: BitmapTarget, picture: PagePicture | null, show: ShowTexture): void {
     if (this.#faces.get(face)?.shown === picture) return;
     this.#faces.set(face, { shown: picture, show });
     show(this.#pictures.of(picture), picture === null);

@@ -12,7 +12,7 @@ import { elementTexts, fill } from "../words/languages.ts";
 import { addStyle } from "./style.ts";
 
 /** What the text layer needs of the open book. */
-export interface Under {
+export interface TextTarget {
   readonly source: PageSource;
   readonly viewer: Viewer;
   /** In a shadow tree; read out only if there is no text. */
@@ -24,13 +24,13 @@ export interface Under {
 }
 
 /** The text of one open book. */
-export class TextOver {
+export class BookTextOverlay {
   readonly #source: PageSource;
   readonly #texts: PageTexts;
   readonly #layer: TextLayer;
 
   /** @param ended its abort removes the text */
-  constructor({ source, viewer, canvas, goTo, language }: Under, ended: AbortSignal) {
+  constructor({ source, viewer, canvas, goTo, language }: TextTarget, ended: AbortSignal) {
     this.#source = source;
     this.#texts = new PageTexts(source);
     const view: PageView = {

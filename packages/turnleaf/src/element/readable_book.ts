@@ -1,24 +1,24 @@
 /** The readable parts of the open book: its text, loaded a moment after it, and its contents. */
 
-import { loaded } from "../sources/loaded.ts";
+import { loadPart } from "../sources/load_part.ts";
 import type { OutlineEntry } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
-import type { TextOver, Under } from "./text_over.ts";
+import type { BookTextOverlay, TextTarget } from "./book_text_overlay.ts";
 
 /** The text and the contents of an open book. */
-export class Reading {
-  readonly #under: Under;
+export class ReadableBook {
+  readonly #under: TextTarget;
   readonly #ended = new AbortController();
   /** Rejects with a `BookError` if it cannot be loaded. */
-  readonly #text: Promise<TextOver>;
+  readonly #text: Promise<BookTextOverlay>;
 
   /** @param failed called once if there will be no text */
-  constructor(under: Under, failed: (error: unknown) => void) {
+  constructor(under: TextTarget, failed: (error: unknown) => void) {
     this.#under = under;
     const { signal } = this.#ended;
-    this.#text = loaded(import("./text_over.ts")).then(({ TextOver }) => {
+    this.#text = loadPart(import("./book_text_overlay.ts")).then(({ BookTextOverlay }) => {
       signal.throwIfAborted();
-      return new TextOver(under, signal);
+      return new BookTextOverlay(under, signal);
     });
     this.#text.catch((error: unknown) => signal.aborted || failed(error));
   }
@@ -54,7 +54,7 @@ export class Reading {
   }
 
   /** Calls `act` once the text is loaded. If it cannot be loaded, `failed` has reported that. */
-  #withText(act: (text: TextOver) => void): void {
+  #withText(act: (text: BookTextOverlay) => void): void {
     this.#text.then(
       (text) => this.#ended.signal.aborted || act(text),
       () => {},

@@ -2,7 +2,7 @@
 
 import type { PageSource } from "../sources/page_source.ts";
 import { pageOfHash, writeAddress } from "./address.ts";
-import { loadPlace, savePlace } from "./memory.ts";
+import { loadPlace, savePlace } from "./saved_places.ts";
 
 /** The element, as far as its place is kept. */
 interface PlacedBook extends HTMLElement {
@@ -16,7 +16,7 @@ interface PlacedBook extends HTMLElement {
 }
 
 /** Follows one element for as long as it is in a document. */
-export class Place {
+export class PlaceKeeper {
   readonly #book: PlacedBook;
   #ended: AbortController | null = null;
   /** Whether a book is open whose place is worth keeping. */

@@ -8,7 +8,7 @@ import { BookError } from "./page_source.ts";
  * file cannot be fetched, or its code fails in this browser; the error is its
  * `cause`.
  */
-export async function loaded<Part>(part: Promise<Part>): Promise<Part> {
+export async function loadPart<Part>(part: Promise<Part>): Promise<Part> {
   try {
     return await part;
   } catch (error) {

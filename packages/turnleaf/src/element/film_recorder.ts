@@ -29,7 +29,7 @@ const longestWait = 600;
 const handOver = 100;
 
 /** One film, from the next frame of the book until it is stopped. */
-export class Film {
+export class FilmRecorder {
   /** Resolves to the film. Rejects with a `BookError` if the browser fails to make it. */
   readonly done: Promise<Blob>;
   readonly #source: () => HTMLCanvasElement | undefined;

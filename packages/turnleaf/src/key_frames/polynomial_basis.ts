@@ -16,9 +16,9 @@ function polynomials(places: Float32Array): Float64Array {
     // Subtracted twice: once leaves a rounding error that grows with the degree.
     for (let time = 0; time < 2; time++) {
       for (let lower = 0; lower < k; lower++) {
-        let share = 0;
-        for (let i = 0; i < n; i++) share += next[i] * basis[lower * n + i];
-        for (let i = 0; i < n; i++) next[i] -= share * basis[lower * n + i];
+        let coefficient = 0;
+        for (let i = 0; i < n; i++) coefficient += next[i] * basis[lower * n + i];
+        for (let i = 0; i < n; i++) next[i] -= coefficient * basis[lower * n + i];
       }
     }
     let square = 0;
@@ -72,7 +72,7 @@ function multiply(
 }
 
 /** Converts frames of a size to coefficients, and back. */
-export class Waves {
+export class PolynomialBasis {
   readonly #columns: number;
   readonly #rows: number;
   readonly #alongU: Float64Array;
@@ -109,39 +109,39 @@ export class Waves {
    * Writes the values of the sums with some coefficients, into every third
    * place from `first` on.
    */
-  write(shares: Float64Array, values: Float32Array, first: number): void {
+  write(coefficients: Float64Array, values: Float32Array, first: number): void {
     const [columns, rows, half, sums] = [this.#columns, this.#rows, this.#half, this.#sums];
     // High degrees along v are mostly 0 throughout.
-    let degrees = shares.length;
-    while (degrees > 0 && shares[degrees - 1] === 0) degrees--;
+    let degrees = coefficients.length;
+    while (degrees > 0 && coefficients[degrees - 1] === 0) degrees--;
     degrees = Math.ceil(degrees / columns);
-    multiply(shares, columns, this.#alongU, degrees, columns, columns, half);
+    multiply(coefficients, columns, this.#alongU, degrees, columns, columns, half);
     multiply(this.#acrossV, rows, half, rows, degrees, columns, sums);
     for (let at = 0; at < sums.length; at++) values[first + 3 * at] = sums[at];
   }
 
   /** Returns the coefficients of values, every third from `axis` on. */
-  shares(values: Float32Array, axis: number): Float64Array {
+  coefficients(values: Float32Array, axis: number): Float64Array {
     const [columns, rows, half] = [this.#columns, this.#rows, this.#half];
     for (let row = 0; row < rows; row++) {
       for (let k = 0; k < columns; k++) {
-        let share = 0;
+        let coefficient = 0;
         for (let column = 0; column < columns; column++) {
           const value = values[3 * (row * columns + column) + axis];
-          share += value * this.#alongU[k * columns + column];
+          coefficient += value * this.#alongU[k * columns + column];
         }
-        half[row * columns + k] = share;
+        half[row * columns + k] = coefficient;
       }
     }
-    const shares = new Float64Array(columns * rows);
+    const coefficients = new Float64Array(columns * rows);
     for (let k = 0; k < rows; k++) {
       for (let row = 0; row < rows; row++) {
         const wave = this.#alongV[k * rows + row];
         for (let column = 0; column < columns; column++) {
-          shares[k * columns + column] += half[row * columns + column] * wave;
+          coefficients[k * columns + column] += half[row * columns + column] * wave;
         }
       }
     }
-    return shares;
+    return coefficients;
   }
 }

@@ -3,20 +3,20 @@
 import type { ControlledBook } from "./book.ts";
 import { iconButton } from "./buttons.ts";
 import { make } from "./make.ts";
-import type { View } from "./panel.ts";
-import { namePage, type Say } from "./say.ts";
+import type { PanelTab } from "./panel.ts";
+import { namePage, type Wording } from "./wording.ts";
 
 /** Bookmarked pages in the book's order, each with a button to go there and one to remove it. */
-export class Bookmarks implements View {
+export class BookmarksTab implements PanelTab {
   readonly element: HTMLElement = make("div", { class: "view" });
   readonly #book: ControlledBook;
-  readonly #say: Say;
+  readonly #wording: Wording;
   readonly #picked: () => void;
 
   /** @param picked called when the reader went to a page */
-  constructor(book: ControlledBook, say: Say, picked: () => void) {
+  constructor(book: ControlledBook, wording: Wording, picked: () => void) {
     this.#book = book;
-    this.#say = say;
+    this.#wording = wording;
     this.#picked = picked;
   }
 
@@ -27,7 +27,7 @@ export class Bookmarks implements View {
   hide(): void {}
 
   refresh(): void {
-    const { texts } = this.#say;
+    const { texts } = this.#wording;
     const { bookmarks, page } = this.#book;
     if (bookmarks.length === 0) {
       const add = make("button", { type: "button", class: "plain" }, texts.addBookmark);
@@ -40,7 +40,7 @@ export class Bookmarks implements View {
     }
     const list = make("ul", { class: "rows" });
     for (const marked of bookmarks) {
-      const name = namePage(this.#say, this.#book, marked);
+      const name = namePage(this.#wording, this.#book, marked);
       const there = make("button", { type: "button", class: "line" }, name);
       if (marked === page) there.setAttribute("aria-current", "true");
       there.addEventListener("click", () => {

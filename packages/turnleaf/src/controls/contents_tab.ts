@@ -3,27 +3,27 @@
 import type { OutlineEntry } from "../sources/page_source.ts";
 import type { ControlledBook } from "./book.ts";
 import { make } from "./make.ts";
-import type { View } from "./panel.ts";
-import type { Say } from "./say.ts";
+import type { PanelTab } from "./panel.ts";
+import type { Wording } from "./wording.ts";
 
 /** Maximum of lines shown, and of their depth. */
 const mostLines = 3000;
 const deepest = 8;
 
 /** The contents of the book. Loaded when first shown, and again for another book. */
-export class Contents implements View {
+export class ContentsTab implements PanelTab {
   readonly element: HTMLElement = make("div", { class: "view" });
   readonly #book: ControlledBook;
-  readonly #say: Say;
+  readonly #wording: Wording;
   readonly #picked: () => void;
   #lines: { readonly page: number; readonly button: HTMLButtonElement }[] = [];
   /** The request, pending or done; null before the first. */
   #asked: object | null = null;
 
   /** @param picked called when the reader went to an entry */
-  constructor(book: ControlledBook, say: Say, picked: () => void) {
+  constructor(book: ControlledBook, wording: Wording, picked: () => void) {
     this.#book = book;
-    this.#say = say;
+    this.#wording = wording;
     this.#picked = picked;
   }
 
@@ -37,7 +37,7 @@ export class Contents implements View {
   async #ask(): Promise<void> {
     const asked = {};
     this.#asked = asked;
-    const { wait, noContents } = this.#say.texts;
+    const { wait, noContents } = this.#wording.texts;
     this.#tell(wait);
     let sentence = noContents;
     let entries: readonly OutlineEntry[] = [];

@@ -6,7 +6,7 @@ import type { TurnleafBook } from "./element.ts";
  * Dispatches pointer and keyboard events to one book: places in CSS pixels from
  * the element's upper left corner.
  */
-export class Hands {
+export class TestPointer {
   readonly element: TurnleafBook;
   readonly canvas: HTMLCanvasElement;
   readonly stage: HTMLElement;
@@ -58,8 +58,8 @@ export class Hands {
     more: PointerEventInit = {},
   ): Promise<void> {
     for (let k = 1; k <= 6; k++) {
-      const share = k / 6;
-      const [x, y] = [0, 1].map((i) => from[i] + (to[i] - from[i]) * share);
+      const fraction = k / 6;
+      const [x, y] = [0, 1].map((i) => from[i] + (to[i] - from[i]) * fraction);
       this.point("pointermove", x, y, more);
       await new Promise((resolve) => setTimeout(resolve, 8));
     }

@@ -6,7 +6,7 @@ import { SolidGeometry } from "./solid_geometry.ts";
 import type { SolidMaterial } from "./solid_material.ts";
 
 /** The pile of one side. Its points at the uppermost layer are the resting page's own. */
-export class BlockMesh {
+export class PileMesh {
   readonly mesh: Mesh<BufferGeometry, SolidMaterial>;
   readonly #height: number;
   readonly #thickness: number;
@@ -79,8 +79,8 @@ export class BlockMesh {
   #band(pile: PileShape, layer: number): number {
     const { columns, layers } = pile;
     const height = (k: number): number => pile.curves[2 * (columns * k + columns - 1) + 1];
-    const share = (height(layer) - height(layers - 1)) / this.#thickness;
-    return this.#sign === 1 ? share : 1 - share;
+    const fraction = (height(layer) - height(layers - 1)) / this.#thickness;
+    return this.#sign === 1 ? fraction : 1 - fraction;
   }
 
   #allot(pile: PileShape): void {

@@ -1,6 +1,6 @@
 import { afterEach, expect, it, vi } from "vitest";
 import { cleanBookmarks } from "./clean_bookmarks.ts";
-import { loadPlace, savePlace } from "./memory.ts";
+import { loadPlace, savePlace } from "./saved_places.ts";
 
 afterEach(() => vi.unstubAllGlobals());
 

@@ -2,9 +2,9 @@
 
 import type { ControlledBook } from "./book.ts";
 import { make } from "./make.ts";
-import type { View } from "./panel.ts";
-import { namePage, type Say } from "./say.ts";
-import { ThumbnailPictures } from "./thumbnail_pictures.ts";
+import type { PanelTab } from "./panel.ts";
+import { ThumbnailCache } from "./thumbnail_cache.ts";
+import { namePage, type Wording } from "./wording.ts";
 
 /** A row of two pages, CSS pixels; the style sheet draws it so high. */
 const rowHeight = 192;
@@ -15,17 +15,17 @@ const spare = 2;
 /** A page in the list. */
 interface Cell {
   readonly button: HTMLButtonElement;
-  readonly gone: AbortController;
+  readonly removed: AbortController;
 }
 
 /** A list as long as the book, of which only the visible part exists. */
-export class Thumbnails implements View {
+export class ThumbnailsTab implements PanelTab {
   readonly element: HTMLElement = make("div", { class: "view thumbnails", tabindex: -1 });
   readonly #book: ControlledBook;
-  readonly #say: Say;
+  readonly #wording: Wording;
   readonly #picked: () => void;
   readonly #list: HTMLElement;
-  readonly #pictures: ThumbnailPictures;
+  readonly #pictures: ThumbnailCache;
   readonly #cells = new Map<number, Cell>();
   readonly #observer = new ResizeObserver(() => this.#fill());
   /** The page that has the keyboard focus. */
@@ -33,12 +33,12 @@ export class Thumbnails implements View {
   #isShown = false;
 
   /** @param picked called when the reader went to a page */
-  constructor(book: ControlledBook, say: Say, picked: () => void) {
+  constructor(book: ControlledBook, wording: Wording, picked: () => void) {
     this.#book = book;
-    this.#say = say;
+    this.#wording = wording;
     this.#picked = picked;
-    this.#pictures = new ThumbnailPictures(book);
-    this.#list = make("ol", { class: "sheet", "aria-label": say.texts.thumbnails });
+    this.#pictures = new ThumbnailCache(book);
+    this.#list = make("ol", { class: "sheet", "aria-label": wording.texts.thumbnails });
     this.element.append(this.#list);
     this.element.addEventListener("scroll", () => this.#fill(), { passive: true });
     this.#list.addEventListener("keydown", (event) => this.#key(event));
@@ -130,7 +130,7 @@ export class Thumbnails implements View {
     const picture = make("canvas", { class: "small", "aria-hidden": "true" });
     const button = make(
       "button",
-      { type: "button", "aria-label": namePage(this.#say, this.#book, page) },
+      { type: "button", "aria-label": namePage(this.#wording, this.#book, page) },
       picture,
       make("span", { "aria-hidden": "true" }, this.#book.label(page)),
     );
@@ -142,19 +142,19 @@ export class Thumbnails implements View {
     const item = make("li", { "aria-setsize": pageCount, "aria-posinset": page }, button);
     item.style.top = `${this.#rowOf(page) * rowHeight}px`;
     item.style.insetInlineStart = `${(((page - 1 + this.#book.offset) % perRow) * 100) / perRow}%`;
-    const cell = { button, gone: new AbortController() };
+    const cell = { button, removed: new AbortController() };
     this.#cells.set(page, cell);
     // In the book's order, for screen readers.
     const after = [...this.#cells.keys()].filter((other) => other > page).sort((a, b) => a - b)[0];
     const next = after === undefined ? null : this.#cells.get(after)?.button.parentElement;
     this.#list.insertBefore(item, next ?? null);
-    void this.#pictures.paint(page, picture, cell.gone.signal);
+    void this.#pictures.paint(page, picture, cell.removed.signal);
     return cell;
   }
 
   #remove(page: number): void {
     const cell = this.#cells.get(page);
-    cell?.gone.abort();
+    cell?.removed.abort();
     cell?.button.parentElement?.remove();
     this.#cells.delete(page);
   }

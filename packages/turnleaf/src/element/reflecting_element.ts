@@ -4,16 +4,16 @@ import type { Stock } from "../engine/shapes.ts";
 import type { TurnModelName } from "../leaf_models/model_choice.ts";
 import { stockOf, turnSecondsOf } from "./attributes.ts";
 import { bindingOptionsOf } from "./binding_options.ts";
-import type { Listened, TurnleafEventMap } from "./events.ts";
+import type { TurnleafEventMap, TypedEventElement } from "./events.ts";
 
 /** On a server there is no DOM: importing the package is safe there, using the element is not. */
-const Base = (globalThis.HTMLElement ?? class {}) as unknown as new () => Listened;
+const Base = (globalThis.HTMLElement ?? class {}) as unknown as new () => TypedEventElement;
 
 const themes = ["auto", "light", "dark", "paper"] as const;
 /** Colour theme; `auto` follows the system. */
 export type Theme = (typeof themes)[number];
 
-type Wish = ReturnType<typeof bindingOptionsOf>;
+type Options = ReturnType<typeof bindingOptionsOf>;
 
 /** An element whose attributes can be read and set as properties. */
 export class ReflectingElement extends Base {
@@ -152,11 +152,11 @@ export class ReflectingElement extends Base {
    * @attribute cover
    * @default hard
    */
-  get cover(): Wish["cover"] {
+  get cover(): Options["cover"] {
     return bindingOptionsOf(this).cover;
   }
 
-  set cover(cover: Wish["cover"]) {
+  set cover(cover: Options["cover"]) {
     this.setAttribute("cover", cover);
   }
 
@@ -180,11 +180,11 @@ export class ReflectingElement extends Base {
    * @attribute binding
    * @default auto
    */
-  get binding(): Wish["binding"] {
+  get binding(): Options["binding"] {
     return bindingOptionsOf(this).binding;
   }
 
-  set binding(edge: Wish["binding"]) {
+  set binding(edge: Options["binding"]) {
     this.setAttribute("binding", edge);
   }
 
@@ -194,11 +194,11 @@ export class ReflectingElement extends Base {
    * @attribute layout
    * @default auto
    */
-  get layout(): Wish["layout"] {
+  get layout(): Options["layout"] {
     return bindingOptionsOf(this).layout;
   }
 
-  set layout(layout: Wish["layout"]) {
+  set layout(layout: Options["layout"]) {
     this.setAttribute("layout", layout);
   }
 
@@ -207,11 +207,11 @@ export class ReflectingElement extends Base {
    * @attribute offset
    * @default 1
    */
-  get offset(): Wish["offset"] {
+  get offset(): Options["offset"] {
     return bindingOptionsOf(this).offset;
   }
 
-  set offset(offset: Wish["offset"]) {
+  set offset(offset: Options["offset"]) {
     this.setAttribute("offset", String(offset));
   }
 

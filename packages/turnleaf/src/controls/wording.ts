@@ -7,7 +7,7 @@ import { en } from "./texts_en.ts";
 import { zh } from "./texts_zh.ts";
 
 /** The texts of the controls, and how numbers are written. */
-export interface Say {
+export interface Wording {
   readonly texts: ControlTexts;
   /** A page by its label, such as "Page iv". */
   readonly pageNamed: string;
@@ -16,7 +16,7 @@ export interface Say {
 }
 
 /** Returns the controls' texts in a language, English if it is unknown. */
-export function speak(tag: string): Say {
+export function wordingFor(tag: string): Wording {
   return {
     texts: textsFor(tag, { en, zh }),
     pageNamed: elementTexts(tag).pageNamed,
@@ -27,7 +27,7 @@ export function speak(tag: string): Say {
 
 /** Returns a page (from 1) by its own name, such as "Page iv". */
 export const namePage = (
-  { pageNamed }: Say,
+  { pageNamed }: Wording,
   book: { label(page: number): string },
   page: number,
 ): string => fill(pageNamed, { label: book.label(page) });

@@ -14,7 +14,7 @@ const mostKept = 60;
  * Draws one page at a time, the last request first: the pages that the book
  * itself needs have priority.
  */
-export class ThumbnailPictures {
+export class ThumbnailCache {
   readonly #book: ControlledBook;
   /** By page, oldest first. */
   readonly #kept = new Map<number, HTMLCanvasElement>();

@@ -21,8 +21,8 @@ export function handAt(ray: Ray, reach: number, floor: (x: number) => number): V
   // iteration converges to well under a millimetre in a few rounds.
   let place = at(ray, 0);
   for (let round = 0; round < 8; round++) {
-    const share = Math.min(Math.abs(place[0]) / reach, 1);
-    const arch = archHeight * reach * Math.sqrt(1 - share * share);
+    const fraction = Math.min(Math.abs(place[0]) / reach, 1);
+    const arch = archHeight * reach * Math.sqrt(1 - fraction * fraction);
     place = at(ray, Math.max(arch, floor(place[0])));
   }
   return place;

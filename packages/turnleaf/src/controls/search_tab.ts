@@ -3,17 +3,17 @@
 import { fill } from "../words/languages.ts";
 import type { ControlledBook, FoundPlace } from "./book.ts";
 import { icon, make } from "./make.ts";
-import type { View } from "./panel.ts";
-import { namePage, type Say } from "./say.ts";
+import type { PanelTab } from "./panel.ts";
+import { namePage, type Wording } from "./wording.ts";
 
 /** Results listed at first, and with every press of the button for more. */
 const atOnce = 200;
 
 /** A search field, the number of hits, and the hits with their context. */
-export class Found<Hit extends FoundPlace> implements View {
+export class SearchTab<Hit extends FoundPlace> implements PanelTab {
   readonly element: HTMLElement = make("div", { class: "view found" });
   readonly #book: ControlledBook<Hit>;
-  readonly #say: Say;
+  readonly #wording: Wording;
   readonly #picked: () => void;
   readonly #field: HTMLInputElement;
   readonly #status: HTMLElement = make("p", { role: "status", class: "note" });
@@ -22,15 +22,15 @@ export class Found<Hit extends FoundPlace> implements View {
   #hits: readonly Hit[] = [];
 
   /** @param picked called when the reader went to a hit */
-  constructor(book: ControlledBook<Hit>, say: Say, picked: () => void) {
+  constructor(book: ControlledBook<Hit>, wording: Wording, picked: () => void) {
     this.#book = book;
-    this.#say = say;
+    this.#wording = wording;
     this.#picked = picked;
     this.#field = make("input", {
       type: "search",
       class: "query",
-      "aria-label": say.texts.searchHint,
-      placeholder: say.texts.searchHint,
+      "aria-label": wording.texts.searchHint,
+      placeholder: wording.texts.searchHint,
       autocomplete: "off",
       spellcheck: "false",
       maxlength: 200,
@@ -81,14 +81,14 @@ export class Found<Hit extends FoundPlace> implements View {
     if (query === "") return;
     const search = new AbortController();
     this.#search = search;
-    const { texts } = this.#say;
+    const { texts } = this.#wording;
     this.#status.textContent = texts.searching;
     try {
       const hits = await this.#book.search(query, { signal: search.signal });
       if (search.signal.aborted) return;
       this.#hits = hits;
       this.#status.textContent =
-        hits.length === 0 ? texts.nothingFound : this.#say.plural(texts.found, hits.length);
+        hits.length === 0 ? texts.nothingFound : this.#wording.plural(texts.found, hits.length);
       this.#list(0);
     } catch (error) {
       if (search.signal.aborted) return;
@@ -98,7 +98,7 @@ export class Found<Hit extends FoundPlace> implements View {
 
   /** Lists the hits from an index on. */
   #list(from: number): void {
-    const { texts, number } = this.#say;
+    const { texts, number } = this.#wording;
     for (const hit of this.#hits.slice(from, from + atOnce)) {
       this.#results.append(make("li", {}, this.#row(hit)));
     }
@@ -120,7 +120,7 @@ export class Found<Hit extends FoundPlace> implements View {
 
   #row(hit: Hit): HTMLElement {
     const words = make("span", { dir: "auto" }, hit.before, make("mark", {}, hit.text), hit.after);
-    const where = make("span", { class: "label" }, namePage(this.#say, this.#book, hit.page));
+    const where = make("span", { class: "label" }, namePage(this.#wording, this.#book, hit.page));
     const row = make("button", { type: "button", class: "line hit" }, where, words);
     row.addEventListener("click", () => {
       for (const other of this.#results.querySelectorAll("[aria-current]")) {

@@ -7,7 +7,7 @@ import type { ControlledBook, FoundPlace } from "./book.ts";
 import { addControls } from "./controls.ts";
 
 /** As the element, without a page to draw. */
-export class StandIn extends HTMLElement implements ControlledBook {
+export class FakeBook extends HTMLElement implements ControlledBook {
   page = 4;
   pageCount = 30;
   bookTitle = "A Book";
@@ -121,17 +121,17 @@ export class StandIn extends HTMLElement implements ControlledBook {
     this.dispatchEvent(new CustomEvent("playchange"));
   }
 }
-customElements.define("stand-in", StandIn);
+customElements.define("stand-in", FakeBook);
 
 /**
  * Adds a test double with controls to the document, `width` CSS pixels wide.
  * Returns it with a function that removes the controls.
  */
-export function standIn(
+export function addFakeBook(
   width = 780,
-  change: Partial<StandIn> = {},
-): { book: StandIn; root: ShadowRoot; remove: () => void } {
-  const book = new StandIn();
+  change: Partial<FakeBook> = {},
+): { book: FakeBook; root: ShadowRoot; remove: () => void } {
+  const book = new FakeBook();
   Object.assign(book, change);
   const root = book.attachShadow({ mode: "open", delegatesFocus: true });
   addStyle(root, style);
