@@ -68,6 +68,7 @@ check-js: build
 	npx biome ci .
 	npm run --silent types
 	node scripts/check_imports.mjs
+	node scripts/check_words.mjs
 	node scripts/reference.mjs --check
 	node scripts/check_links.mjs
 	node scripts/size.mjs

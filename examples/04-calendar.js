@@ -27,8 +27,8 @@ function picture(pen, month) {
     pen.beginPath();
     pen.moveTo(0, height);
     for (let x = 0; x <= width; x += 10) {
-      const wave = Math.sin(x / (150 - 25 * hill) + month + 2 * hill);
-      pen.lineTo(x, 350 + 70 * hill + 40 * wave);
+      const height = Math.sin(x / (150 - 25 * hill) + month + 2 * hill);
+      pen.lineTo(x, 350 + 70 * hill + 40 * height);
     }
     pen.lineTo(width, height);
     pen.fill();

@@ -53,7 +53,7 @@ const findSoftwareGl = () =>
   );
 
 /**
- * What the tests need and this machine lacks: what it is, and the packages that
+ * What the tests need and this machine does not have: what it is, and the packages that
  * have it, by their names in Debian and Ubuntu, in the order to try them.
  * WebKitGTK is for Linux alone, and only there does Firefox need a screen.
  * @param {string} [only] "chromium": nothing else is needed

@@ -1,6 +1,6 @@
 /**
  * What the browser itself writes on the console, for tests that run in it. A
- * page cannot hear what WebGL complains of; whoever drives the browser can.
+ * page cannot hear the warnings of WebGL; the driver of the browser can.
  */
 
 /** Complaints by the page they were written on. */

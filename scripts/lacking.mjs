@@ -1,4 +1,4 @@
-/** What the oldest supported browsers lack, by docs/browsers.md and MDN's browser-compat-data. */
+/** What the oldest supported browsers do not have, by docs/browsers.md and MDN's browser-compat-data. */
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import data from "@mdn/browser-compat-data" with { type: "json" };
@@ -11,7 +11,7 @@ export function oldestBrowsers() {
 }
 
 /**
- * The JavaScript built-ins and web interfaces that a browser lacks, such as "Float16Array" or
+ * The JavaScript built-ins and web interfaces that a browser does not have, such as "Float16Array" or
  * "Map.getOrInsert". A member may belong to the constructor or to its prototype.
  *
  * @param name "Chrome", "Edge", "Firefox" or "Safari"

@@ -132,7 +132,7 @@ function agreement() {
 ${rows.join("\n")}`;
 }
 
-/** Random hands on a book's leaves. */
+/** Random gestures on a book's leaves. */
 function gestures() {
   const found = lab(
     "gestures",

@@ -133,7 +133,7 @@ async function take(browser, reader, examples, name) {
   }
   if (drag) {
     const [x0, y0, x1, y1] = drag.map(
-      (share, i) => share * (i % 2 ? viewport.height : viewport.width),
+      (fraction, i) => fraction * (i % 2 ? viewport.height : viewport.width),
     );
     await page.mouse.move(x0, y0);
     await page.mouse.down();

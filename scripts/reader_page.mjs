@@ -4,7 +4,7 @@ import { join } from "node:path";
 
 const root = join(import.meta.dirname, "..");
 
-/** Serves the book that comes with the project, or what another command serves; answers its address. */
+/** Serves the book that comes with the project, or what another command serves. Returns its address. */
 export async function serve(...args) {
   const command = join(root, "packages/cli/dist/main.js");
   const book = join(root, "books/moby-dick.pdf");

@@ -65,10 +65,10 @@ async function photograph({ count, size, quality, leaf, elevation, distance }) {
     eye.projectionMatrix.copy(projection);
   };
 
-  // When each share of the turn is done first.
+  // When each fraction of the turn is done first.
   const grid = [49, 33];
   const sheet = await LooseLeaf.create({ model: "sheet", width, height, points: grid });
-  const share = ({ positions }) => {
+  const fraction = ({ positions }) => {
     let sum = 0;
     for (let row = 1; row <= grid[1]; row++) {
       const at = 3 * (row * grid[0] - 1);
@@ -100,7 +100,7 @@ async function photograph({ count, size, quality, leaf, elevation, distance }) {
     sheet.update();
     const surface = sheet.surface();
     const isLast = !sheet.playing && step > 900;
-    if (share(surface) >= photographs.length / (count - 1) - 1e-3 || isLast) {
+    if (fraction(surface) >= photographs.length / (count - 1) - 1e-3 || isLast) {
       stage.show(surface);
       const paper = drawn(recto, verso);
       const shaded = drawn(leftPage, rightPage);

@@ -14,7 +14,7 @@ const require = createRequire(import.meta.url);
  * browser without one, finds with nothing to configure. A folder (its id ends
  * in "/") becomes one file: a 4-byte little-endian length, a JSON table {name:
  * [offset, length]} of that length, and the files' bytes. Serves both tsdown
- * and vite, whose plugins share this shape. The licences of what is packed go
+ * and vite, as a plugin of either. The licences of what is packed go
  * into `licenses.txt` beside the built files.
  */
 export function packedFiles() {

@@ -34,7 +34,7 @@ const viewer = defineConfig({
   },
 });
 
-/** An entry of its own, built apart: it shares no file with the viewer, which has other machine code. */
+/** An entry of its own, built apart: it has no file in common with the viewer, which has other machine code. */
 const models = defineConfig({
   ...common,
   entry: { models: "src/models/models.ts" },
@@ -49,7 +49,7 @@ const keyFrames = defineConfig({
   clean: false,
 });
 
-/** Another: it draws one leaf, and shares with the viewer what draws paper. */
+/** Another: it draws one leaf, with the same code for paper as the viewer. */
 const leafStage = defineConfig({
   ...common,
   entry: { "leaf-stage": "src/leaf_stage/leaf_stage.ts" },

@@ -3,7 +3,7 @@ import { readFile } from "node:fs/promises";
 /**
  * Lets TypeScript import a recorded turn as text: `import turn from "./sheet.tlkf"`
  * yields its file in base64. It is packed as it is. Serves both tsdown and vite,
- * whose plugins share this shape.
+ * as a plugin of either.
  */
 export function turnInline() {
   return {

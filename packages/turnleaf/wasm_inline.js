@@ -3,10 +3,10 @@ import { gzipSync } from "node:zlib";
 
 /**
  * Lets TypeScript import a WASM as text: `import code from "./turnleaf.wasm"` yields gzip
- * in base64, which src/packed.ts unpacks. Inlined, so that whoever bundles the package
+ * in base64, which src/packed.ts unpacks. Inlined, so that a bundler
  * has no file to copy and no fetch to configure; compressed, as base64 of the bare file
  * is a quarter larger once a server compresses it. Serves both tsdown and vite, whose
- * plugins share this shape.
+ * plugin of either.
  */
 export function wasmInline() {
   return {

@@ -61,7 +61,8 @@ function agree(found, kind, told, used, exempt = []) {
       found.push(`The ${kind} ${name} has no comment that says what it is`);
   }
   for (const each of told) {
-    if (!used.has(each.name)) found.push(`The ${kind} ${each.name} is told of and not there`);
+    if (!used.has(each.name))
+      found.push(`The ${kind} ${each.name} is documented and does not exist`);
     if (!each.text && each.text !== undefined) found.push(`The ${kind} ${each.name} says nothing`);
   }
 }

@@ -55,7 +55,7 @@ export function readReference() {
     customProperties: tagged(files, "cssproperty").map(withValue),
     functions: items.filter((item) => item.flags & ts.SymbolFlags.Function).map(callable),
     types: types.filter((item) => item !== called("TurnleafBook")).map(type),
-    /** Whether a name in a type means something to whoever imports the package. */
+    /** Whether a name in a type is known to importers of the package. */
     isKnown: (name) => called(name) || isGlobal(checker, name, ours),
     /** What the sources use, whether or not a comment tells of it. */
     used: usedIn(files),

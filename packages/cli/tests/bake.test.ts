@@ -40,7 +40,7 @@ describe("glTF", () => {
     ["sheet", "corner", []],
     ["cone", "edge", ["front.png", "back.png"]],
   ])(
-    "of %s by its %s passes the validator and holds the turn within what is told",
+    "of %s by its %s passes the validator and holds the turn within the tolerance",
     async (model, gesture, pictures) => {
       const file = at(`${model}.glb`);
       const [front, back] = pictures.map(at);

@@ -86,7 +86,7 @@ describe("what can be read after all is served", () => {
 });
 
 describe("the command line", () => {
-  it("is told back where it is not understood, with status 2", async () => {
+  it("is quoted if it is not understood, with status 2", async () => {
     for (const args of [
       [],
       ["read"],
@@ -102,7 +102,7 @@ describe("the command line", () => {
     }
   });
 
-  it("answers --help and --version", async () => {
+  it("prints --help and --version", async () => {
     expect(await run("--help")).toMatchObject({ status: 0, stderr: "" });
     expect((await run("read", "-h")).stdout).toContain("turnleaf read FILE_OR_FOLDER");
     expect((await run("--version")).stdout).toMatch(/^\d+\.\d+\.\d+\n$/);

@@ -117,7 +117,7 @@ describe("a PDF", () => {
     expect((await get(address, { Host: `localhost:${served.port}` })).status).toBe(200);
   });
 
-  it("answers GET and HEAD alone", async () => {
+  it("responds only to GET and HEAD", async () => {
     for (const method of ["POST", "PUT", "DELETE", "OPTIONS", "PATCH"]) {
       const answer = await ask(served.port, address, { method });
       expect(answer.status, method).toBe(405);
@@ -167,7 +167,7 @@ describe("a PDF", () => {
     }
   });
 
-  it("survives whoever breaks off in the middle", async () => {
+  it("survives a client that breaks off in the middle", async () => {
     for (let i = 0; i < 5; i++) {
       const socket = connect(served.port, "127.0.0.1");
       socket.on("error", () => {});

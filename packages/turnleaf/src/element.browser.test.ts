@@ -168,7 +168,7 @@ test("the context of the graphics card is lost and comes back", async () => {
   expect(await element.next()).toBe(true);
 });
 
-test("whoever waits for a turn is told when the book goes away", async () => {
+test("a pending turn resolves when the book is closed", async () => {
   const element = book(scans(12), { duration: "400" });
   await happens(element, "load");
   const landed = [element.next(), element.goTo(9)];
@@ -307,7 +307,7 @@ test("who asked for less motion sees none, by key either", async () => {
   }
 });
 
-test("a leaf whose hand is lost falls", async () => {
+test("a leaf whose pointer is lost falls", async () => {
   const element = book(scans(12), { page: "4" });
   await happens(element, "load");
   await settled(element);

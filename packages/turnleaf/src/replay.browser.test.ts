@@ -71,13 +71,13 @@ test.for([
   },
 );
 
-test("an address that is none is told likewise", async () => {
+test("an address that is none is reported likewise", async () => {
   expect(await faults({ model: "replay", "model-src": "http://" })).toEqual([
     "The turn file http: cannot be played. Its address is none.",
   ]);
 });
 
-test("a model of no name that there is is told in one sentence that lists the names", async () => {
+test("an unknown model is reported in one sentence that lists the names", async () => {
   expect(await faults({ model: "origami" })).toEqual([
     'No way of turning a page is named "origami"; there are sheet, rigid, peel, cylinder, cone, mass-spring, shell, replay, photographs.',
   ]);

@@ -117,7 +117,7 @@ test("the spine lies at the inner edge of a page, whichever way the book is boun
   }
 });
 
-test("random books: the leaves on both sides are all there are, and hard pages share a leaf", () => {
+test("random books: the leaves on both sides are all there are, and hard pages are two to a leaf", () => {
   const seed = Math.floor(Math.random() * 2 ** 31);
   let state = seed;
   const random = (below: number): number => {

@@ -385,7 +385,7 @@ both("nothing is asked of the engine once a listener took the book away", async 
   }
 });
 
-both("a hand has no hold on what a key took from it, nor on what flies next", async () => {
+both("a grab does not hold a leaf that a key took from it, nor the next one", async () => {
   const { turning, flights, run } = await open(12, "hard");
   turning.lay(4);
   const flight = turning.pickUp(0) as Flight;
@@ -412,7 +412,7 @@ both("a hand has no hold on what a key took from it, nor on what flies next", as
   run();
 });
 
-both("a key during a hand's hold sends the leaf to the key's side", async () => {
+both("a key during a grab sends the leaf to the key's side", async () => {
   for (const [by, spread] of [
     [1, 4],
     [-1, 3],
@@ -457,7 +457,7 @@ both("a leaf or a board let go says where it falls", async () => {
   }
 });
 
-both("the second hand's leaf is held, and the first hand's falls to its side", async () => {
+both("the leaf of the second grab is held, and that of the first falls to its side", async () => {
   for (const [first, second] of [
     [0, 1],
     [1, 0],
@@ -488,7 +488,7 @@ both("the second hand's leaf is held, and the first hand's falls to its side", a
   }
 });
 
-both("a key after a second hand's grab turns that hand's leaf", async () => {
+both("a key after a second grab turns the leaf of that grab", async () => {
   const { turning, run } = await open(60, "none");
   turning.lay(10);
   const one = turning.pickUp(0) as Flight;
@@ -508,7 +508,7 @@ both("a key after a second hand's grab turns that hand's leaf", async () => {
   expect(turning.spread).toBe(9);
 });
 
-both("one leaf in two hands falls when the second lets go", async () => {
+both("a leaf held by two grabs falls at the release of the second", async () => {
   const { turning, run } = await open(60, "none");
   turning.lay(10);
   const flight = turning.pickUp(0) as Flight;

@@ -23,7 +23,7 @@ const failure = expect.objectContaining({
   message: expect.stringMatching(/^A part of the reader /),
 });
 
-test("a part that is there is loaded, and another is told of", async () => {
+test("a part that exists is loaded, and a missing one is reported", async () => {
   expect(await loadPart(Promise.resolve(7))).toBe(7);
   const failing = loadPart(Promise.reject(new TypeError("Failed to fetch")));
   await expect(failing).rejects.toThrow(new BookError(sentence));
@@ -40,7 +40,7 @@ test("a part whose code fails in this browser says what failed", async () => {
   expect((error as Error).cause).toBe(cause);
 });
 
-test("controls that cannot be loaded are told of once for each time they are asked for", async () => {
+test("controls that cannot be loaded are reported once per request", async () => {
   const told: unknown[] = [];
   const furnishing = new ControlsLoader((error) => told.push(error));
   const show = (shown: boolean): void =>
@@ -53,7 +53,7 @@ test("controls that cannot be loaded are told of once for each time they are ask
   await expect.poll(() => told.length).toBe(2);
 });
 
-test("a book whose text cannot be loaded is told of once, and cannot be searched", async () => {
+test("a book whose text cannot be loaded is reported once, and cannot be searched", async () => {
   const told: unknown[] = [];
   const reading = new ReadableBook({ source: {} } as TextTarget, (error) => told.push(error));
   reading.mark(null);

@@ -45,7 +45,7 @@ export async function printPages(source: PageSource, options: PrintOptions): Pro
       sheets.body.append(image);
       await image.decode().catch((cause) => {
         const sentence =
-          "The book cannot be printed; this page's Content-Security-Policy may lack blob: in img-src.";
+          "The book cannot be printed; this page's Content-Security-Policy may not allow blob: in img-src.";
         throw new BookError(sentence, { cause });
       });
       signal.throwIfAborted();

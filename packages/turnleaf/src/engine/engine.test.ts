@@ -135,7 +135,7 @@ test("the paper's usual figures are the engine's own", async () => {
   for (const [k, x] of inFigures.entries()) expect(x).toBeCloseTo(usual[k], 6);
 });
 
-test("each paper, binding and wind hangs in its own way, and what is none changes nothing", async () => {
+test("each paper, binding and wind hangs in its own way, and an invalid one changes nothing", async () => {
   const ways = [
     ...stocks.map((stock) => hang((book) => expect(book.setStock(stock)).toBe(true))),
     hang((book) => expect(book.setBinding("across", 0.02)).toBe(true)),

@@ -136,9 +136,9 @@ export class PolynomialBasis {
     const coefficients = new Float64Array(columns * rows);
     for (let k = 0; k < rows; k++) {
       for (let row = 0; row < rows; row++) {
-        const wave = this.#alongV[k * rows + row];
+        const alongV = this.#alongV[k * rows + row];
         for (let column = 0; column < columns; column++) {
-          coefficients[k * columns + column] += half[row * columns + column] * wave;
+          coefficients[k * columns + column] += half[row * columns + column] * alongV;
         }
       }
     }

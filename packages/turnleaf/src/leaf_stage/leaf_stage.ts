@@ -81,7 +81,7 @@ export class LeafStage {
   }
 
   /**
-   * The scene that is drawn. Objects added to it are drawn too; whoever adds an
+   * The scene that is drawn. Objects added to it are drawn too; the caller who adds an
    * object disposes of it.
    */
   get scene(): SceneOfThree {

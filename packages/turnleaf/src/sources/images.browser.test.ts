@@ -306,7 +306,7 @@ describe("an SVG", () => {
   });
 });
 
-describe("what cannot be read is told in one sentence", () => {
+describe("unreadable input fails in one sentence", () => {
   const fails = (respond: () => Response, address = "https://a.example/a%20book.json") => {
     serve(respond);
     return messageOf(openSource(address));

@@ -138,7 +138,7 @@ describe("what a manifest says of text, links and contents", () => {
   });
 });
 
-describe("a bad manifest is told in one sentence that names it and the place", () => {
+describe("a bad manifest fails in one sentence that names it and the place", () => {
   const cases: readonly (readonly [string, unknown, RegExp])[] = [
     ["null", null, /^book\.json is not a manifest; /],
     ["a text", "pages", /^book\.json is not a manifest; /],

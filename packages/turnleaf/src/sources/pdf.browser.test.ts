@@ -161,7 +161,7 @@ describe("a PDF", () => {
   });
 });
 
-describe("a PDF that cannot be read is told in one sentence", () => {
+describe("an unreadable PDF fails in one sentence", () => {
   it("protected by a password", async () => {
     const bytes = Uint8Array.from(atob(protectedPdf), (letter) => letter.charCodeAt(0));
     expect(await messageOf(open(bytes, "secret.pdf"))).toBe(

@@ -31,7 +31,7 @@ describe("letters of a line", () => {
     expect(places("abcd", 5, shown("ab cd"))).toEqual([0, 1, 3, 4]);
   });
 
-  it("share what is between strings among the gaps", () => {
+  it("divide the space between strings among the gaps", () => {
     expect(places("ab cd e", 9, shown("ab", "cd", "e"))).toEqual([0, 1, 2, 4, 5, 6, 8]);
   });
 

@@ -68,7 +68,7 @@ describe("texts of a book", () => {
     expect(cleanText("a\u0007\n  b\u202e")).toBe("a b");
     expect(cleanText(7)).toBe("");
   });
-  it("makes tags canonical and drops what is none", () => {
+  it("makes tags canonical and drops invalid ones", () => {
     expect(cleanLanguage("pt_br")).toBe("pt-BR");
     expect(cleanLanguage("not a language")).toBe("");
     expect(cleanLanguage(undefined)).toBe("");

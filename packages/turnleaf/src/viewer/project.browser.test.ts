@@ -76,7 +76,7 @@ test.each([
   },
 );
 
-test("listeners are told of another view and of leaving it, once, and not at all of the same", async () => {
+test("listeners are called once for another view and for leaving it, and not for the same", async () => {
   const { viewer } = await openedAt(6, "none");
   let told = 0;
   const stop = viewer.onViewChange(() => told++);
@@ -108,7 +108,7 @@ test("zoomed and panned, a page's place is seen where it is said, and what is po
     await settledViewer(viewer);
     expect(viewer.zoomLevel).toBe(level);
     const now = viewer.project(7, mark.x, mark.y);
-    // From the seated view to the view from above, the heights of the pages move them a little.
+    // From the reader's view to the view from above, the heights of the pages move them a little.
     expect(now?.x).toBeCloseTo(at.x, -1);
     expect(now?.y).toBeCloseTo(at.y, -1);
     expect(await seenAt(7, mark.x, mark.y)).toBeLessThan(60);

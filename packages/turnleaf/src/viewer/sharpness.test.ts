@@ -14,7 +14,7 @@ const stage = {
   projectOn: (_: string, x: number, y: number) => ({ x: 1000 * x, y: 1500 * y }),
 } as unknown as SharpnessParts["stage"];
 
-test("nothing is loaded for pages that are sharp, and where it cannot be, that is told once", async () => {
+test("nothing is loaded for pages that are sharp, and a failure is reported once", async () => {
   const told: unknown[] = [];
   let arrived = 0;
   const tools = { stage, arrived: () => arrived++, failed: (error: unknown) => told.push(error) };

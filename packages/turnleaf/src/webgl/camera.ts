@@ -98,8 +98,8 @@ export function frameBook(
   const closed = Math.min(1, right + left);
   const { alone } = shape;
   const opened = elevationOf(shape);
-  const seated = opened + (closedElevation - opened) * closed;
-  const elevation = seated + (90 - seated) * overhead;
+  const elevationOfReader = opened + (closedElevation - opened) * closed;
+  const elevation = elevationOfReader + (90 - elevationOfReader) * overhead;
   const azimuth = closedAzimuth * (left - right) * (1 - overhead);
   const axes = axesOf(elevation * radians, azimuth * radians, shape.quarterTurned);
   const open =

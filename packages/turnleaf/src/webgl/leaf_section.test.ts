@@ -40,7 +40,7 @@ test("the shadow of a raised leaf falls toward the foot, that of one at rest now
   expect(section.counts[24]).toBeGreaterThan(0);
 });
 
-test("the left side is told mirrored", () => {
+test("the left side is mirrored", () => {
   const section = new LeafSection(25, height);
   section.cut(flatLeaf(0.01), -1, 0, 0, 4);
   const xs = [...section.row(3).subarray(0, section.counts[3])].filter((_, k) => k % 2 === 0);

@@ -71,7 +71,7 @@ test("a hump across the gutter takes sky from the page near it, and less farther
   expect(seen[12]).toBeGreaterThan(0.99);
 });
 
-test("the sky's share is the same on the left, mirrored", () => {
+test("the fraction of the sky is the same on the left, mirrored", () => {
   for (let k = -8; k <= 8; k++) {
     const [left, right, normal] = [-1.2 + 0.05 * k, 0.9 + 0.03 * k, 0.04 * k];
     expect(skyFraction(left, right, normal)).toBeCloseTo(skyFraction(-right, -left, -normal), 12);

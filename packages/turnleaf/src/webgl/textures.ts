@@ -145,8 +145,9 @@ export function clothTexture(): Texture {
       const across = over ? u - i : v - j;
       const round = Math.sin(Math.PI * across);
       const thread = over ? warp[i] : weft[j];
-      const worn = 0.035 * (mottle(u / 16, v / 16) + mottle(u / 4, v / 4));
-      level[y * size + x] = worn + 0.2 * (round - 0.64) + 0.09 * thread + 0.1 * (random() - 0.5);
+      const unevenness = 0.035 * (mottle(u / 16, v / 16) + mottle(u / 4, v / 4));
+      level[y * size + x] =
+        unevenness + 0.2 * (round - 0.64) + 0.09 * thread + 0.1 * (random() - 0.5);
     }
   }
   return grainTexture(level, size, size);
