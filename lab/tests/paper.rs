@@ -223,11 +223,9 @@ fn gestures_of_every_kind_on_any_page_stay_finite_come_to_rest_and_out_of_each_o
             ("edge_strain_eased", 0.03),
             ("drawn_penetration_in_leaves_mm", 0.1),
             ("drawn_penetration_in_piles_mm", 0.1),
+            ("drawn_penetration_in_itself_mm", 0.1),
+            ("update_work_worst", 5e6),
         ] {
-            // Known: riffles in wind, drawn once a second, and of card (seeds 101, 102).
-            if kind == "riffle" && name == "drawn_penetration_in_leaves_mm" {
-                continue;
-            }
             let value = figure(&found, name);
             assert!(value <= most, "{kind}: {name} is {value}, beyond {most}");
         }
@@ -259,25 +257,23 @@ fn usual_gesture(seed: u64) -> Value {
 #[test]
 fn gestures_that_once_drew_leaves_through_each_other_do_not() {
     for seed in [
-        1452, 1524, 1590, 1730, 2575, 3150, 5791, 5981, 8384, 10202, 12488, 12558, 12917,
+        1452, 1524, 1590, 1730, 2575, 3150, 5791, 5981, 8384, 10202, 12488, 12558, 12917, 15400,
     ] {
-        is_drawn_clear(seed);
+        is_drawn_clear(&usual_gesture(seed));
+    }
+    // Drawn through itself.
+    for seed in [3, 7, 21, 40] {
+        is_drawn_clear(&usual_gesture(seed));
+    }
+    for seed in [5007, 5012, 5031, 5034, 5036, 5082] {
+        is_drawn_clear(&lab(&format!("gestures --count 1 --seed {seed}")));
     }
 }
 
-/// A leaf that swings as paper does comes here to where no picture is clear, not even the
-/// last, and is drawn 6.4 mm in another.
-#[test]
-#[ignore = "an open fault of drawing: what is drawn last has to stay clear of piles that grow"]
-fn a_gesture_whose_last_picture_is_clear_no_more_is_drawn_clear() {
-    is_drawn_clear(15400);
-}
-
-fn is_drawn_clear(seed: u64) {
-    let found = usual_gesture(seed);
-    for name in ["leaves", "piles"] {
-        let drawn = figure(&found, &format!("drawn_penetration_in_{name}_mm"));
-        assert!(drawn <= 0.1, "seed {seed}: {drawn} mm in {name}");
+fn is_drawn_clear(found: &Value) {
+    for name in ["leaves", "piles", "itself"] {
+        let drawn = figure(found, &format!("drawn_penetration_in_{name}_mm"));
+        assert!(drawn <= 0.1, "seed {}: {drawn} mm in {name}", found["seed"]);
     }
 }
 

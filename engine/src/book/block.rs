@@ -133,6 +133,12 @@ impl Pile {
         mix(&mut self.angles, &other.angles);
     }
 
+    /// Makes this pile the same as `other`, which has the same columns.
+    pub fn copy(&mut self, other: &Pile) {
+        self.curves.copy_from_slice(&other.curves);
+        self.angles.copy_from_slice(&other.angles);
+    }
+
     /// Turns a pile of one side into the same pile on the other.
     pub fn mirror(&mut self) {
         for point in self.curves.chunks_exact_mut(2) {

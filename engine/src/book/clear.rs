@@ -9,6 +9,7 @@
 //! leave nothing that can be seen.
 
 use super::mesh::{Facet, Mesh};
+use super::work::Work;
 use crate::surface::Surface;
 use crate::vector::{dot, sub};
 
@@ -36,6 +37,10 @@ const ROUNDS: usize = 4;
 /// Where a leaf bends by less than this, metres, what holds for its points holds for
 /// the edges between them.
 const BENT: f32 = 4e-5;
+
+/// Work of looking at a point or an edge, and at a facet next to one, nanoseconds.
+const PROBE: u32 = 40;
+const FACET: u32 = 20;
 
 /// Steps from a point to the other end of an edge, in columns and rows: along a
 /// row, along a column, along the diagonal of a cell as it is drawn.
@@ -84,29 +89,47 @@ fn bend(points: &[[f32; 3]], node: usize, [at, count]: [usize; 2], step: usize) 
     dot(off, off)
 }
 
-/// Moves what is drawn of a leaf off another. `side` is 1 where the leaf lies on
+/// Moves what is drawn of a leaf off another. Lengths are those of a page 0.14 m wide; its own
+/// is wider by `scale`. `side` is 1 where the leaf lies on
 /// the recto's side of the other; `own_close` and `other_close` say of a point of
 /// either, by its column and row, whether it may touch the other leaf.
 ///
 /// Leaves that no hand has crumpled are alike where they touch: their points are
-/// enough. Otherwise the work is `thorough`.
+/// enough. Otherwise the work is `thorough`, for as long as there is any left.
 pub fn clear(
     (own, own_bends): (&mut Surface, &[f32]),
     other: &Drawn<'_>,
-    side: f32,
+    [side, scale]: [f32; 2],
     thorough: bool,
     own_close: impl Fn(usize, usize) -> bool,
     other_close: impl Fn(usize, usize) -> bool,
+    work: &mut Work,
 ) {
-    let own_probes = probes(own, own_bends, [true, thorough], own_close);
-    let other_probes = probes(other.surface, other.bends, [false, thorough], other_close);
+    if work.is_spent() {
+        return;
+    }
+    let own_probes = probes(own, own_bends, [true, thorough], scale, own_close);
+    let other_probes = probes(
+        other.surface,
+        other.bends,
+        [false, thorough],
+        scale,
+        other_close,
+    );
     let rounds = if thorough { ROUNDS } else { 1 };
     for _ in 0..rounds {
         let mut moved = false;
         for (probes, by_facets) in [(&own_probes, false), (&other_probes, true)] {
-            moved |= lift((own, own_bends), other, side, probes, by_facets);
+            moved |= lift(
+                (own, own_bends),
+                other,
+                [side, scale],
+                probes,
+                by_facets,
+                work,
+            );
         }
-        if !moved {
+        if !moved || work.is_spent() {
             return;
         }
     }
@@ -119,13 +142,14 @@ fn probes(
     surface: &Surface,
     bends: &[f32],
     [all, thorough]: [bool; 2],
+    scale: f32,
     close: impl Fn(usize, usize) -> bool,
 ) -> Vec<[u16; 2]> {
     let (columns, rows) = (surface.columns, surface.rows);
     let mut found = Vec::new();
     for node in 0..columns * rows {
         let (column, row) = (node % columns, node / columns);
-        let edges = thorough && bends[node] > BENT;
+        let edges = thorough && bends[node] > BENT * scale;
         // The column at the spine is everyone's.
         if column == 0 || !(all || edges) || !close(column, row) {
             continue;
@@ -151,8 +175,9 @@ fn near(
     place: [f32; 3],
     probe: [u16; 2],
     ahead: &mut usize,
-    side: f32,
+    [side, scale]: [f32; 2],
     [own_bends, bends]: [&[f32]; 2],
+    work: &mut Work,
 ) -> Option<Facet> {
     // What is next to a point is as far along as what was next to the one before.
     let (at, count) = (usize::from(probe[0]), mesh.points.len());
@@ -160,17 +185,21 @@ fn near(
     let node = mesh.nearest_node(place, start);
     *ahead = (node + count - at) % count;
     let height = side * dot(sub(place, mesh.points[node]), mesh.normals[node]);
-    let clear = WELL_CLEAR + 2.0 * (own_bends[probe[0] as usize] + bends[node]);
-    (height < clear).then(|| mesh.facet_next_to(place, node, bends[node] > BENT))
+    let clear = WELL_CLEAR * scale + 2.0 * (own_bends[probe[0] as usize] + bends[node]);
+    (height < clear).then(|| {
+        let is_bent = bends[node] > BENT * scale;
+        work.spend(FACET * if is_bent { 8 } else { 2 });
+        mesh.facet_next_to(place, node, is_bent)
+    })
 }
 
 /// How far a place is from being clear of a facet, metres; None where it is, or
 /// where it was never next to it.
-fn lack(place: [f32; 3], facet: &Facet, side: f32) -> Option<f32> {
+fn lack(place: [f32; 3], facet: &Facet, [side, scale]: [f32; 2]) -> Option<f32> {
     let away = (place[0] * place[0] + place[2] * place[2]).sqrt();
-    let room = (away / ROOMY).min(1.0);
+    let room = (away / (ROOMY * scale)).min(1.0) * scale;
     let lack = SLIVER * room - side * facet.height;
-    (lack > SLACK * room && lack < DEEPEST && !facet.beyond).then_some(lack)
+    (lack > SLACK * room && lack < DEEPEST * scale && !facet.beyond).then_some(lack)
 }
 
 /// Lifts points and edges of a leaf off the facets of another, or where `by_facets` its
@@ -178,11 +207,13 @@ fn lack(place: [f32; 3], facet: &Facet, side: f32) -> Option<f32> {
 fn lift(
     (own, own_bends): (&mut Surface, &[f32]),
     other: &Drawn<'_>,
-    side: f32,
+    [side, scale]: [f32; 2],
     probes: &[[u16; 2]],
     by_facets: bool,
+    work: &mut Work,
 ) -> bool {
     let columns = own.columns;
+    work.spend(PROBE * probes.len() as u32);
     let (mut moved, mut ahead) = (false, 0);
     let facing = if by_facets { -side } else { side };
     for &probe in probes {
@@ -191,7 +222,8 @@ fn lift(
         let (mover, met) = (usize::from(by_facets), usize::from(!by_facets));
         let place = middle(meshes[mover].points, probe);
         let bends = [bends[mover], bends[met]];
-        let Some(facet) = near(&meshes[met], place, probe, &mut ahead, facing, bends) else {
+        let facing = [facing, scale];
+        let Some(facet) = near(&meshes[met], place, probe, &mut ahead, facing, bends, work) else {
             continue;
         };
         let Some(lack) = lack(place, &facet, facing) else {
@@ -278,10 +310,11 @@ mod tests {
         clear(
             (&mut upper, &own),
             &drawn,
-            1.0,
+            [1.0; 2],
             true,
             |_, _| true,
             |_, _| true,
+            &mut Work::new(u32::MAX),
         );
         let points = upper.positions.as_chunks::<3>().0;
         for row in 1..6 {

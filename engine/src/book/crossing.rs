@@ -5,6 +5,7 @@
 //! drawn (see [`draw`](super::draw)).
 
 use super::mesh::Mesh;
+use super::work::Work;
 use crate::vector::{cross, dot, sub};
 
 /// Cells along a side of a block that one box bounds, and points along it.
@@ -20,17 +21,35 @@ const SEAM: f32 = 1e-4;
 /// edge of it any more.
 const ROOT: usize = 4;
 
+/// Work of looking at two boxes, at two blocks whose boxes overlap, at their facets, and of
+/// finding a block's cone, nanoseconds.
+const BOXES: u32 = 2;
+const PLANES: u32 = 100;
+const FACETS: u32 = 1300;
+const CONE: u32 = 100;
+
 type Point = [f32; 3];
 
-/// A leaf, drawn or as paper, cut into blocks of cells; cut anew, it takes the same room.
+/// Blocks along a side of a group, which one box bounds.
+const GROUP: usize = 4;
+
+/// A leaf, drawn or as paper, cut into blocks of cells and these gathered in groups; cut
+/// anew, it takes the same room.
 #[derive(Clone, Debug, Default)]
-pub struct Blocks(Vec<Block>);
+pub struct Blocks {
+    blocks: Vec<Block>,
+    groups: Vec<(Bounds, core::ops::Range<usize>)>,
+    cones: Vec<Cone>,
+}
+
+/// Lowest and highest corner of a box.
+type Bounds = [Point; 2];
 
 #[derive(Clone, Debug)]
 struct Block {
-    /// Lowest and highest corner of its box.
-    low: Point,
-    high: Point,
+    bounds: Bounds,
+    /// Its column and its row among the blocks.
+    place: [usize; 2],
     /// x, y, z of its points, row by row; where the leaf has fewer the last again.
     points: [[f32; SIDE * SIDE]; 3],
     /// The middle one's normal, and how far along it the points reach.
@@ -38,40 +57,120 @@ struct Block {
     reach: [f32; 2],
 }
 
+/// The normals of a block's facets: an axis among them, and the square of the cosine of
+/// the widest angle from it; less than 0 where that is more than a right angle.
+#[derive(Clone, Copy, Debug)]
+struct Cone {
+    axis: Point,
+    square: f32,
+}
+
 impl Blocks {
     /// Cuts a leaf.
     pub fn cut(&mut self, leaf: Mesh<'_>) {
         let (columns, rows) = (leaf.columns, leaf.points.len() / leaf.columns);
-        self.0.clear();
-        for row in (0..rows - 1).step_by(BLOCK) {
-            for column in (0..columns - 1).step_by(BLOCK) {
-                let node = |k: usize| {
-                    let row = (row + k / SIDE).min(rows - 1);
-                    row * columns + (column + k % SIDE).min(columns - 1)
-                };
-                let points: [[f32; SIDE * SIDE]; 3] = core::array::from_fn(|axis| {
-                    core::array::from_fn(|k| leaf.points[node(k)][axis])
+        self.blocks.clear();
+        self.groups.clear();
+        let side = BLOCK * GROUP;
+        for row in (0..rows - 1).step_by(side) {
+            for column in (0..columns - 1).step_by(side) {
+                let from = self.blocks.len();
+                for r in (row..(row + side).min(rows - 1)).step_by(BLOCK) {
+                    for c in (column..(column + side).min(columns - 1)).step_by(BLOCK) {
+                        self.blocks.push(Block::of(leaf, c, r));
+                    }
+                }
+                let inside = &self.blocks[from..];
+                let first = inside[0].bounds;
+                let around = inside.iter().fold(first, |all, block| {
+                    [
+                        core::array::from_fn(|i| all[0][i].min(block.bounds[0][i])),
+                        core::array::from_fn(|i| all[1][i].max(block.bounds[1][i])),
+                    ]
                 });
-                let normal = leaf.normals[node(SIDE + 1)];
-                let [x, y, z] = points.each_ref().map(range);
-                self.0.push(Block {
-                    low: [x[0], y[0], z[0]],
-                    high: [x[1], y[1], z[1]],
-                    reach: range(&heights(&points, normal, 0.0)),
-                    points,
-                    normal,
-                });
+                self.groups.push((around, from..self.blocks.len()));
             }
         }
     }
 
     /// Whether two leaves go through each other by more than `touch`, metres: edges of
     /// which both ends are farther than that from the plane of a facet go through it.
-    pub fn cross(&self, other: &Blocks, touch: f32) -> bool {
-        self.0.iter().any(|own| {
-            let mut met = other.0.iter().filter(|block| own.meets(block, touch));
-            met.any(|block| own.pierces(block, touch) || block.pierces(own, touch))
+    pub fn cross(&self, other: &Blocks, touch: f32, work: &mut Work) -> bool {
+        work.spend(BOXES * (self.groups.len() * other.groups.len()) as u32);
+        self.groups.iter().any(|(around, inside)| {
+            let mut groups = other
+                .groups
+                .iter()
+                .filter(|group| overlap(around, &group.0));
+            groups.any(|(around, others)| {
+                work.spend(BOXES * inside.len() as u32);
+                let own = self.blocks[inside.clone()].iter();
+                let mut own = own.filter(|own| overlap(&own.bounds, around));
+                own.any(|own| {
+                    work.spend(BOXES * others.len() as u32);
+                    let mut others = other.blocks[others.clone()].iter();
+                    others.any(|other| own.crosses(other, touch, work))
+                })
+            })
         })
+    }
+
+    /// Whether a leaf goes through itself. Parts that are next to each other can do so only
+    /// where they are bent by more than a right angle.
+    pub fn cross_themselves(&mut self, touch: f32, work: &mut Work) -> bool {
+        self.cones.clear();
+        self.cones.extend(self.blocks.iter().map(Block::cone));
+        work.spend(CONE * self.blocks.len() as u32);
+        let middle = self.cones[self.cones.len() / 2].axis;
+        if self
+            .cones
+            .iter()
+            .all(|cone| cone.is_within_right_angle_of(middle))
+        {
+            return false;
+        }
+        let count = self.groups.len();
+        (0..count).any(|k| {
+            (k..count).any(|j| {
+                work.spend(BOXES);
+                overlap(&self.groups[k].0, &self.groups[j].0)
+                    && self.groups_cross([k, j], touch, work)
+            })
+        })
+    }
+
+    fn groups_cross(&self, [k, j]: [usize; 2], touch: f32, work: &mut Work) -> bool {
+        let (inside, others) = (&self.groups[k].1, &self.groups[j].1);
+        inside.clone().any(|a| {
+            let from = if k == j { a } else { others.start };
+            work.spend(BOXES * (others.end - from) as u32);
+            (from..others.end).any(|b| {
+                let (own, other) = (&self.blocks[a], &self.blocks[b]);
+                let apart = |i: usize| own.place[i].abs_diff(other.place[i]) > 1;
+                let is_even = || self.cones[a].is_along(&self.cones[b]);
+                (apart(0) || apart(1) || !is_even()) && own.crosses(other, touch, work)
+            })
+        })
+    }
+}
+
+fn overlap(a: &Bounds, b: &Bounds) -> bool {
+    (0..3).all(|axis| a[0][axis] <= b[1][axis] && b[0][axis] <= a[1][axis])
+}
+
+impl Cone {
+    /// Whether all its normals are within a right angle of a direction.
+    fn is_within_right_angle_of(&self, direction: Point) -> bool {
+        let along = dot(self.axis, direction);
+        self.square > 0.0 && along > 0.0 && along * along > 1.0 - self.square
+    }
+
+    /// Whether the normals of both are within a right angle of one direction.
+    fn is_along(&self, other: &Cone) -> bool {
+        // Half the angle between the axes, and the wider of both cones beside it.
+        let half = 0.5 * (1.0 + dot(self.axis, other.axis));
+        let square = self.square.min(other.square);
+        square > 0.0 && half > 1.0 - square
     }
 }
 
@@ -101,11 +200,61 @@ fn range(values: &[f32; SIDE * SIDE]) -> [f32; 2] {
 }
 
 impl Block {
-    /// Whether two blocks are near enough to each other to cross by more than `touch`.
-    fn meets(&self, other: &Block, touch: f32) -> bool {
-        (0..3).all(|axis| self.low[axis] <= other.high[axis] && other.low[axis] <= self.high[axis])
-            && !self.is_beside(other, touch)
-            && !other.is_beside(self, touch)
+    /// The block of a leaf from a column and a row on.
+    fn of(leaf: Mesh<'_>, column: usize, row: usize) -> Block {
+        let (columns, rows) = (leaf.columns, leaf.points.len() / leaf.columns);
+        let node = |k: usize| {
+            let row = (row + k / SIDE).min(rows - 1);
+            row * columns + (column + k % SIDE).min(columns - 1)
+        };
+        let points: [[f32; SIDE * SIDE]; 3] =
+            core::array::from_fn(|axis| core::array::from_fn(|k| leaf.points[node(k)][axis]));
+        let normal = leaf.normals[node(SIDE + 1)];
+        let [x, y, z] = points.each_ref().map(range);
+        Block {
+            bounds: [[x[0], y[0], z[0]], [x[1], y[1], z[1]]],
+            place: [column / BLOCK, row / BLOCK],
+            reach: range(&heights(&points, normal, 0.0)),
+            points,
+            normal,
+        }
+    }
+
+    /// The facets of a cell, of a number, by their corners. Each cell's diagonal runs, as it
+    /// is drawn, from its corner next to the spine and the foot.
+    fn facets(cell: usize) -> [[usize; 3]; 2] {
+        let here = cell / BLOCK * SIDE + cell % BLOCK;
+        let above = here + SIDE;
+        [[here, here + 1, above + 1], [here, above + 1, above]]
+    }
+
+    fn cone(&self) -> Cone {
+        let mut square = f32::MAX;
+        for corners in (0..BLOCK * BLOCK).flat_map(Block::facets) {
+            let [a, b, c] = corners.map(|k| self.point(k));
+            let normal = cross(sub(b, a), sub(c, a));
+            let (along, length) = (dot(normal, self.normal), dot(normal, normal));
+            // Where the leaf has fewer points a facet is none.
+            if length > 1e-20 {
+                let own = along * along.abs() / length;
+                square = if own < square { own } else { square };
+            }
+        }
+        let axis = self.normal;
+        Cone { axis, square }
+    }
+
+    /// Whether two blocks go through each other by more than `touch`.
+    fn crosses(&self, other: &Block, touch: f32, work: &mut Work) -> bool {
+        if !overlap(&self.bounds, &other.bounds) {
+            return false;
+        }
+        work.spend(PLANES);
+        if self.is_beside(other, touch) || other.is_beside(self, touch) {
+            return false;
+        }
+        work.spend(FACETS);
+        self.pierces(other, touch) || other.pierces(self, touch)
     }
 
     /// Whether all of another block is over this one, or under it, but for `touch` metres.
@@ -118,24 +267,18 @@ impl Block {
         [0, 1, 2].map(|axis| self.points[axis][k])
     }
 
-    /// Whether an edge of this block goes through a facet of another. Each cell's
-    /// diagonal runs, as it is drawn, from its corner next to the spine and the foot.
+    /// Whether an edge of this block goes through a facet of another.
     fn pierces(&self, other: &Block, touch: f32) -> bool {
-        let mut cells = (0..BLOCK * BLOCK).map(|k| k / BLOCK * SIDE + k % BLOCK);
-        cells.any(|here| {
-            let above = here + SIDE;
-            let mut facets = [[here, here + 1, above + 1], [here, above + 1, above]].into_iter();
-            facets.any(|corners| {
-                let facet = corners.map(|k| other.point(k));
-                self.is_by(&facet) && self.pierces_facet(facet, touch)
-            })
+        (0..BLOCK * BLOCK).flat_map(Block::facets).any(|corners| {
+            let facet = corners.map(|k| other.point(k));
+            self.is_by(&facet) && self.pierces_facet(facet, touch)
         })
     }
 
     /// Whether a facet reaches into the block's box.
     fn is_by(&self, [a, b, c]: &[Point; 3]) -> bool {
         (0..3).all(|i| {
-            let (low, high) = (self.low[i], self.high[i]);
+            let (low, high) = (self.bounds[0][i], self.bounds[1][i]);
             (a[i] >= low || b[i] >= low || c[i] >= low)
                 && (a[i] <= high || b[i] <= high || c[i] <= high)
         })
@@ -204,8 +347,9 @@ mod tests {
         let [mut a, mut b] = [Blocks::default(), Blocks::default()];
         a.cut(Mesh::of(left));
         b.cut(Mesh::of(right));
-        assert_eq!(a.cross(&b, 1e-6), b.cross(&a, 1e-6));
-        a.cross(&b, 1e-6)
+        let work = &mut Work::new(u32::MAX);
+        assert_eq!(a.cross(&b, 1e-6, work), b.cross(&a, 1e-6, work));
+        a.cross(&b, 1e-6, work)
     }
 
     #[test]
@@ -227,6 +371,28 @@ mod tests {
                 assert!(crosses(&dented, &level), "{column} {row}");
             }
         }
+    }
+
+    #[test]
+    fn a_leaf_rolled_up_is_clear_of_itself_until_it_goes_through_itself() {
+        // A spiral that comes round in 6 cells, and one of the same turn that shrinks
+        // to less than nothing along the spine.
+        let rolled = |growth: f32, lean: f32| {
+            let mut surface = Surface::new(17, 7);
+            for (node, point) in surface.positions.chunks_exact_mut(3).enumerate() {
+                let (u, v) = ((node % 17) as f32, (node / 17) as f32);
+                let (sin, cos) = libm::sincosf(u);
+                let radius = 0.01 + growth * u + lean * u * (v - 3.0);
+                point.copy_from_slice(&[radius * sin, 0.01 * v, radius * cos]);
+            }
+            surface.update_normals();
+            let mut blocks = Blocks::default();
+            blocks.cut(Mesh::of(&surface));
+            blocks.cross_themselves(1e-6, &mut Work::new(u32::MAX))
+        };
+        assert!(!rolled(1e-3, 0.0));
+        assert!(rolled(0.0, 1e-3));
+        assert!(!rolled(1e-3, 1e-4));
     }
 
     #[test]

@@ -1,14 +1,18 @@
-//! The leaves in flight as they are drawn: clear of each other and of the piles.
+//! The leaves in flight as they are drawn: clear of each other, of themselves and of the
+//! piles.
 //!
 //! Where leaves have come deep into each other, moving what is drawn out of the way
 //! is not enough: a crumpled leaf has folds in which no one knows any more on which
 //! side the other belongs. There the picture does not follow the paper through
 //! another leaf but goes only as far as it can, and catches up when the paper has come
-//! clear.
+//! clear. The picture drawn last, piles and all, is clear; so there is always one that is,
+//! also where the work that one picture may take is spent. Lengths are those of a page 0.14 m
+//! wide, and in proportion for others.
 
 use super::block::Pile;
 use super::flight::{Flight, Touch};
 use super::flights::MOST_FLIGHTS;
+use super::work::Work;
 use crate::grid::Side;
 
 /// How far over a pile what flies is drawn, metres, and over what flies under it: a leaf
@@ -27,32 +31,51 @@ const TOUCH: Touch = [1e-6, 5e-5];
 const GRAZING: Touch = [1e-6, 2e-5];
 const FEW: usize = 3;
 
-/// The same where no picture is clear, for the one that is nearly.
-const ALMOST: Touch = [5e-5; 2];
+/// Work that clearing may take in one picture, and the search for what is drawn through what,
+/// nanoseconds; what was begun is ended.
+const CLEARING: u32 = 2_000_000;
+const SEARCHING: u32 = 2_000_000;
 
-/// Draws flights, from the left to the right, between the piles (right and left).
-pub fn draw(order: &mut [Flight], piles: [&Pile; 2]) {
+/// Work of moving a flight a part of the way and of cutting it, nanoseconds.
+const MOVING: u32 = 40_000;
+const CUTTING: u32 = 10_000;
+
+/// Every flight, as a set of bits.
+const ALL: u16 = u16::MAX;
+
+/// Steps of the way from the last picture to the wanted one.
+const STEPS: u8 = 2;
+
+/// Draws flights, from the left to the right, between the piles (right and left), or between
+/// those that were drawn `last`. Returns whether these piles are to be drawn, and the work
+/// that clearing and searching took, nanoseconds.
+pub fn draw(order: &mut [Flight], piles: [&Pile; 2], last: [&Pile; 2]) -> (bool, u32) {
     let are_few = order.len() <= FEW;
     for flight in order.iter_mut() {
-        flight.draw(piles, are_few);
+        flight.draw(piles, last, are_few);
     }
-    let all = [true; MOST_FLIGHTS];
-    settle(order, &all, piles);
-    let mut met = [false; MOST_FLIGHTS];
+    let clearing = &mut Work::new(CLEARING);
+    settle(order, ALL, piles, clearing);
+    let mut searching = Work::new(SEARCHING);
+    let mut crossings = Crossings::default();
     // Most are clear by now, and only those that are not are worth more work.
     let touch = if are_few { GRAZING } else { TOUCH };
-    if find_crossings(order, &mut met, touch) {
-        for (flight, met) in order.iter_mut().zip(met) {
-            flight.draw_again(met);
+    let met = crossings.find(order, touch, &mut searching);
+    let mut is_followed = true;
+    if met != 0 || searching.is_spent() {
+        for (index, flight) in order.iter_mut().enumerate() {
+            flight.draw_again(met >> index & 1 == 1);
         }
-        settle(order, &all, piles);
-        spread(order);
-        lift_off(order, &all, piles);
-        hold_back(order, piles);
+        settle(order, ALL, piles, clearing);
+        spread(order, clearing);
+        lift_off(order, ALL, piles);
+        order.iter_mut().for_each(Flight::want);
+        is_followed = hold_back(order, [piles, last], clearing, &mut searching);
     }
     for flight in order {
         flight.show();
     }
+    (is_followed, clearing.done() + searching.done())
 }
 
 /// How many of the flights, from the left, are over the left pile.
@@ -61,41 +84,41 @@ pub fn on_left(order: &[Flight]) -> usize {
     order.iter().take_while(over).count()
 }
 
-/// Moves flights, of those `asked` about, off each other and out of the piles.
-fn settle(order: &mut [Flight], asked: &[bool], piles: [&Pile; 2]) {
-    clear(order, asked);
-    lift_off(order, asked, piles);
+/// Moves flights, of a set of them, off each other and out of the piles.
+fn settle(order: &mut [Flight], set: u16, piles: [&Pile; 2], work: &mut Work) {
+    clear(order, set, work);
+    lift_off(order, set, piles);
 }
 
-/// Moves each flight, of those `asked` about, off the one that it lies upon.
-fn clear(order: &mut [Flight], asked: &[bool]) {
+/// Moves each flight, of a set of them, off the one that it lies upon.
+fn clear(order: &mut [Flight], set: u16, work: &mut Work) {
     let (on_left, count) = (on_left(order), order.len());
     let on_right = (on_left..count).rev().map(|index| (index, Side::Right));
     // Last, the two that meet in the middle.
     let middle = (on_left, Side::Left);
     let on_left = (0..on_left).map(|index| (index, Side::Left));
     for (index, side) in on_left.chain(on_right).chain([middle]) {
-        if index < count && asked[index] {
-            move_off(order, index, side);
+        if index < count && set >> index & 1 == 1 {
+            move_off(order, index, side, work);
         }
     }
 }
 
 /// Moves flights off each other from the middle outward, where of the two that meet there
 /// one was pushed into the next.
-fn spread(order: &mut [Flight]) {
+fn spread(order: &mut [Flight], work: &mut Work) {
     let on_left = on_left(order);
     for index in on_left + 1..order.len() {
-        move_off(order, index, Side::Left);
+        move_off(order, index, Side::Left, work);
     }
     for index in (1..on_left).rev() {
-        move_off(order, index - 1, Side::Right);
+        move_off(order, index - 1, Side::Right, work);
     }
 }
 
 /// Moves a flight off its neighbour on a side, if there is one.
 #[inline(never)]
-fn move_off(order: &mut [Flight], index: usize, side: Side) {
+fn move_off(order: &mut [Flight], index: usize, side: Side, work: &mut Work) {
     let (left, rest) = order.split_at_mut(index);
     let Some((own, right)) = rest.split_first_mut() else {
         return;
@@ -105,78 +128,169 @@ fn move_off(order: &mut [Flight], index: usize, side: Side) {
         Side::Right => right.first(),
     };
     if let Some(neighbour) = neighbour {
-        own.clear_of(neighbour, side);
+        own.clear_of(neighbour, side, work);
     }
 }
 
-/// Lifts flights, of those `asked` about, out of the piles (right and left), each over
-/// those that fly between it and a pile.
-fn lift_off(order: &mut [Flight], asked: &[bool], piles: [&Pile; 2]) {
+/// Lifts flights, of a set of them, out of the piles (right and left), each over those that
+/// fly between it and a pile.
+fn lift_off(order: &mut [Flight], set: u16, piles: [&Pile; 2]) {
     let down = |flight: &&Flight| flight.leaf().is_down();
     let right = order.len() - order.iter().rev().take_while(down).count();
     let left = order.iter().take_while(down).count();
-    for (index, flight) in order.iter_mut().enumerate().filter(|(k, _)| asked[*k]) {
-        let ranks = [
-            right.saturating_sub(index),
-            (index + 1).saturating_sub(left),
-        ];
-        flight.lift_off(piles, ranks.map(|rank| OVER * rank as f32));
-    }
-}
-
-/// Draws flights that would go through each other only a part of the way from what was
-/// drawn of them last, which did not; and with them those that they then meet.
-fn hold_back(order: &mut [Flight], piles: [&Pile; 2]) {
-    let mut back = [false; MOST_FLIGHTS];
-    while find_crossings(order, &mut back, TOUCH) {
-        each(order, &back, &Flight::hold_back);
-        let is_clear = |order: &mut [Flight], touch: Touch, (part, cleared): (f32, bool)| {
-            draw_part(order, &back, part, cleared, piles);
-            (1..order.len())
-                .all(|right| back[right - 1..=right] != [true; 2] || !cross(order, right, touch))
-        };
-        // Over a pile that grew even the last picture may be clear no more.
-        let _ = [TOUCH, ALMOST].into_iter().any(|touch| {
-            let mut ways = [(0.5, true), (0.0, true), (0.0, false)].into_iter();
-            ways.any(|way| is_clear(order, touch, way))
-        });
-    }
-}
-
-/// Looks for neighbours that are drawn through each other, one of whom at least was not
-/// `met` before, and adds them to these. Answers whether there are any. `touch` is
-/// as in [`Flight::is_drawn_through`].
-fn find_crossings(order: &mut [Flight], met: &mut [bool], touch: Touch) -> bool {
-    let mut any = false;
-    for right in 1..order.len() {
-        if met[right - 1..=right] != [true; 2] && cross(order, right, touch) {
-            met[right - 1..=right].fill(true);
-            any = true;
+    for (index, flight) in order.iter_mut().enumerate() {
+        if set >> index & 1 == 1 {
+            let ranks = [
+                right.saturating_sub(index),
+                (index + 1).saturating_sub(left),
+            ];
+            flight.lift_off(piles, ranks.map(|rank| OVER * rank as f32));
         }
     }
-    any
 }
 
-/// Whether a flight is drawn through the one on its left; see [`find_crossings`].
-fn cross(order: &mut [Flight], right: usize, touch: Touch) -> bool {
-    let (left, right) = order.split_at_mut(right);
-    left.last_mut()
-        .is_some_and(|left| left.is_drawn_through(&mut right[0], touch))
-}
-
-/// Draws those that are held back a part of the way, moved clear of each other or not.
-fn draw_part(order: &mut [Flight], back: &[bool], part: f32, cleared: bool, piles: [&Pile; 2]) {
-    each(order, back, &|flight| flight.draw_part(part));
-    lift_off(order, back, piles);
-    // Half-way between two pictures leaves are nearer to each other than in either, and
-    // what lies on a pile that grew was lifted to one height.
-    if cleared {
-        settle(order, back, piles);
+/// Draws flights that would go through each other, or through themselves, only a part of the
+/// way from what was drawn of them last, which did not; and with them those that they then
+/// meet. Returns whether the piles, those of now and those drawn last, go on too: not where
+/// they would grow into what is drawn as it was.
+fn hold_back(
+    order: &mut [Flight],
+    [piles, last]: [[&Pile; 2]; 2],
+    clearing: &mut Work,
+    work: &mut Work,
+) -> bool {
+    let mut crossings = Crossings::default();
+    let mut piles_go_on = true;
+    loop {
+        let found = crossings.find(order, TOUCH, work);
+        if work.is_spent() {
+            for flight in order.iter_mut() {
+                flight.draw_part(0.0);
+            }
+            return false;
+        }
+        if found == 0 {
+            return piles_go_on;
+        }
+        let mut moved = 0;
+        for (index, flight) in order.iter_mut().enumerate() {
+            if found >> index & 1 == 0 {
+                continue;
+            }
+            let step = crossings.step_back(index);
+            work.spend(MOVING);
+            flight.draw_part(f32::from(step) / f32::from(STEPS));
+            if step == 0 {
+                piles_go_on &= flight.is_clear_of(piles);
+            } else {
+                moved |= 1 << index;
+            }
+        }
+        // Half-way between two pictures leaves are nearer to each other than in either.
+        lift_off(order, moved, piles);
+        settle(order, moved, piles, clearing);
+        if !piles_go_on {
+            // What goes on may go on into piles that do not.
+            for index in 0..order.len() {
+                if crossings.steps[index] > 0 && !order[index].is_clear_of(last) {
+                    lift_off(order, 1 << index, last);
+                    crossings.forget(index);
+                }
+            }
+        }
     }
 }
 
-/// Has each of the flights `asked` about do something.
-fn each(order: &mut [Flight], asked: &[bool], act: &dyn Fn(&mut Flight)) {
-    let asked = order.iter_mut().zip(asked).filter(|(_, asked)| **asked);
-    asked.for_each(|(flight, _)| act(flight));
+/// What is known of which flights are drawn through which, by their numbers from the left.
+struct Crossings {
+    /// How far each has come from the last picture to the wanted one, in [`STEPS`].
+    steps: [u8; MOST_FLIGHTS],
+    /// Flights that have been cut as they are drawn.
+    cut: u16,
+    /// For each flight those on its right, or itself, that it is clear of.
+    clear: [u16; MOST_FLIGHTS],
+}
+
+impl Default for Crossings {
+    fn default() -> Crossings {
+        Crossings {
+            steps: [STEPS; MOST_FLIGHTS],
+            cut: 0,
+            clear: [0; MOST_FLIGHTS],
+        }
+    }
+}
+
+impl Crossings {
+    /// Finds flights that are drawn through others or themselves, of those that may be: as
+    /// a set of bits. Of two that have not come equally far, it is the one that has come
+    /// farther. `touch` is as in [`Flight::is_drawn_through`].
+    fn find(&mut self, order: &mut [Flight], touch: Touch, work: &mut Work) -> u16 {
+        let mut found = 0;
+        for left in 0..order.len() {
+            let mut may_meet_round = false;
+            for right in left..order.len() {
+                let [step, other] = [left, right].map(|index| self.steps[index]);
+                // What is not next to each other meets only round what is crumpled.
+                may_meet_round |= order[right].may_be_crumpled();
+                let may_meet = match right - left {
+                    0 => order[left].may_be_folded(),
+                    1 => order[left].is_wary() || order[right].is_wary(),
+                    _ => may_meet_round,
+                };
+                // The last picture is clear.
+                let is_known = self.clear[left] >> right & 1 == 1 || step.max(other) == 0;
+                if is_known || !may_meet {
+                    continue;
+                }
+                if work.is_spent() {
+                    return found;
+                }
+                if self.is_through(order, [left, right], touch, work) {
+                    found |= u16::from(step >= other) << left | u16::from(other >= step) << right;
+                } else {
+                    self.clear[left] |= 1 << right;
+                }
+            }
+        }
+        found
+    }
+
+    fn is_through(
+        &mut self,
+        order: &mut [Flight],
+        [left, right]: [usize; 2],
+        touch: Touch,
+        work: &mut Work,
+    ) -> bool {
+        for index in [left, right] {
+            if self.cut >> index & 1 == 0 {
+                self.cut |= 1 << index;
+                work.spend(CUTTING);
+                order[index].cut_drawn();
+            }
+        }
+        let (before, after) = order.split_at_mut(right);
+        let last = &mut after[0];
+        match before.get(left) {
+            Some(first) => first.is_drawn_through(last, left + 1 == right, touch, work),
+            None => last.is_drawn_through_itself(work),
+        }
+    }
+
+    /// Takes a flight a step back toward the last picture; returns where it is then.
+    fn step_back(&mut self, index: usize) -> u8 {
+        self.forget(index);
+        self.steps[index] -= 1;
+        self.steps[index]
+    }
+
+    /// Says that a flight is drawn elsewhere.
+    fn forget(&mut self, index: usize) {
+        self.cut &= !(1 << index);
+        self.clear[index] = 0;
+        for clear in &mut self.clear {
+            *clear &= !(1 << index);
+        }
+    }
 }

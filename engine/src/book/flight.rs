@@ -3,20 +3,26 @@
 use super::block::Pile;
 use super::clear::{Drawn, clear, find_bends};
 use super::crossing::{Blocks, is_past};
+use super::gutter::Gutter;
 use super::leaf::{Leaf, NODES, Phase};
 use super::mesh::Mesh;
-use super::seat::{lift, lift_edges, seat};
+use super::seat::{is_clear, lift, lift_edges, seat};
+use super::work::Work;
 use crate::grid::Side;
 use crate::surface::Surface;
 use crate::vector::{dot, sub};
 
-/// By how much drawn leaves may go through each other and only touch, metres: where a hand
+/// By how much drawn leaves of a page 0.14 m wide may go through each other and only touch, metres: where a hand
 /// has crumpled one, and where they are smooth.
 pub type Touch = [f32; 2];
 
-/// How far what is drawn of a leaf may be on the wrong side of the next at the spine,
-/// metres.
+/// How far what is drawn of a leaf of such a page may be on the wrong side of the next at the
+/// spine, metres.
 const ASTRAY: f32 = 5e-5;
+
+/// Edges of a leaf of such a page of which an end is nearer than this to the plane of a facet
+/// of it, metres, do not go through it: those that end in it are.
+const ROUNDING: f32 = 1e-6;
 
 /// By how much facets between nodes may go through each other, metres, as arcs on either
 /// side of them do not.
@@ -45,10 +51,22 @@ pub struct Flight {
     /// drawn last.
     astray: bool,
     wary: bool,
+    /// Whether it has been drawn since the last tick.
+    is_drawn: bool,
     /// Whether it is kept clear of its neighbours thoroughly.
     careful: bool,
     /// Whether the surface holds what is to be drawn in the sheet's place.
     dressed: bool,
+    /// Whether it may have been bent back on itself: by a hand, by others, or as it is
+    /// drawn in the sheet's place.
+    may_be_folded: bool,
+    was_driven: bool,
+    /// Whether it was found to go through a neighbour since it was taken up: where its paper
+    /// did once, it may still.
+    has_met: bool,
+    /// Whether its paper went through itself after the last tick, and room to find out.
+    was_through: bool,
+    spare: Surface,
 }
 
 impl Flight {
@@ -69,8 +87,14 @@ impl Flight {
             held_back: false,
             astray: false,
             wary: false,
+            is_drawn: false,
             careful: false,
             dressed: false,
+            may_be_folded: false,
+            was_driven: false,
+            has_met: false,
+            was_through: false,
+            spare: Surface::new(u.len(), rows),
             cells: u.iter().map(cell).collect(),
         }
     }
@@ -82,6 +106,7 @@ impl Flight {
         self.shown.clear();
         (self.astray, self.wary) = (false, false);
         self.dressed = false;
+        (self.was_driven, self.was_through, self.has_met) = (false, false, false);
     }
 
     /// Its number.
@@ -123,19 +148,26 @@ impl Flight {
     }
 
     /// Draws the leaf as it is now, or as it is [dressed](Self::dress), between the piles
-    /// (right and left); `wary` says that it may be drawn through a neighbour.
-    pub fn draw(&mut self, [right, left]: [&Pile; 2], wary: bool) {
+    /// (right and left); `wary` says that it may be drawn through a neighbour. `last` are the
+    /// piles that were drawn last.
+    pub fn draw(&mut self, [right, left]: [&Pile; 2], last: [&Pile; 2], wary: bool) {
         let is_crumpled = core::mem::take(&mut self.held_back) || self.leaf.was_held();
-        self.wary |= is_crumpled || wary;
         // What else was written would be drawn as nothing, or as nothing but itself.
         let is_place = |x: &f32| x.abs() <= FARTHEST;
-        let is_dressed = core::mem::take(&mut self.dressed);
-        if !is_dressed || !self.surface.positions.iter().all(is_place) {
+        let is_dressed =
+            core::mem::take(&mut self.dressed) && self.surface.positions.iter().all(is_place);
+        self.wary |= is_crumpled || is_dressed || wary || self.has_met;
+        let is_bent = || self.leaf.seated().is_bent_back();
+        self.may_be_folded = is_dressed || ((is_crumpled || self.was_driven) && is_bent());
+        if !is_dressed {
             self.leaf.write_surface(&mut self.surface);
         }
         seat(&mut self.surface.positions, right, left);
         self.surface.update_normals();
         self.wanted.clone_from(&self.surface.positions);
+        if self.shown.is_empty() {
+            self.show_at_rest(last);
+        }
         if core::mem::take(&mut self.careful) {
             self.bends.fill(0.0);
         }
@@ -144,13 +176,33 @@ impl Flight {
         }
     }
 
+    /// Says that it was drawn last as the page upon one of the piles, which it was.
+    fn show_at_rest(&mut self, [right, left]: [&Pile; 2]) {
+        let pile = if self.leaf.share_turned() < 0.5 {
+            right
+        } else {
+            left
+        };
+        let columns = pile.columns();
+        self.shown.clone_from(&self.surface.positions);
+        let points = self.shown.as_chunks_mut::<3>().0;
+        for row in points.chunks_exact_mut(columns) {
+            let y = row[0][1];
+            let curve = pile.curves().as_chunks::<2>().0;
+            for (point, [x, z]) in row.iter_mut().zip(curve) {
+                *point = [*x, y, *z];
+            }
+        }
+    }
+
     /// Draws it once more as it was before others moved it, to be kept clear of them
-    /// thoroughly if it is wary or `met` one.
+    /// thoroughly if it `met` one or a hand has crumpled it.
     pub fn draw_again(&mut self, met: bool) {
         self.surface.positions.clone_from(&self.wanted);
         self.surface.update_normals();
+        self.has_met |= met;
         self.wary |= met;
-        if self.wary {
+        if met || self.is_crumpled() {
             self.take_care();
         }
     }
@@ -163,20 +215,22 @@ impl Flight {
     }
 
     /// Moves what is drawn of it off the neighbour on a side.
-    pub fn clear_of(&mut self, neighbour: &Flight, side: Side) {
+    pub fn clear_of(&mut self, neighbour: &Flight, side: Side, work: &mut Work) {
         // A leaf lies on the recto's side of the one on its right.
         let (slot, sign) = match side {
             Side::Left => (0, -1.0),
             Side::Right => (1, 1.0),
         };
         let grid = (&self.cells[..], self.surface.rows);
+        let scale = self.scale();
         clear(
             (&mut self.surface, &self.bends),
             &neighbour.drawn(),
-            sign,
+            [sign, scale],
             self.careful || neighbour.careful,
             probed(&self.leaf, &neighbour.leaf, slot, grid),
             probed(&neighbour.leaf, &self.leaf, 1 - slot, grid),
+            work,
         );
         self.surface.update_normals();
     }
@@ -190,29 +244,70 @@ impl Flight {
     }
 
     /// Lifts what others pushed into the piles (right and left) out of them, so far over
-    /// each, metres.
+    /// each, metres for a page 0.14 m wide.
     pub fn lift_off(&mut self, piles: [&Pile; 2], over: [f32; 2]) {
+        let scale = self.scale();
+        let over = over.map(|over| over * scale);
         lift(&mut self.surface.positions, piles, over);
-        if !self.leaf.is_down() {
+        if !matches!(self.phase(), Phase::Resting(_)) {
             lift_edges(&mut self.surface.positions, piles, over);
         }
     }
 
-    /// Whether what is drawn of it goes through what is drawn of the one on its right.
-    pub fn is_drawn_through(&mut self, right: &mut Flight, [crumpled, smooth]: Touch) -> bool {
-        if !self.wary && !right.wary {
-            return false;
-        }
-        let is_crumpled = |flight: &Flight| flight.held_back || flight.leaf.was_held();
-        let touch = if is_crumpled(self) || is_crumpled(right) {
+    /// Whether it may be drawn through another or through itself.
+    pub fn is_wary(&self) -> bool {
+        self.wary
+    }
+
+    /// Cuts what is drawn of it, to be looked at for [crossings](Self::is_drawn_through).
+    pub fn cut_drawn(&mut self) {
+        self.blocks.cut(Mesh::of(&self.surface));
+    }
+
+    /// Whether it may reach round others in flight.
+    pub fn may_be_crumpled(&self) -> bool {
+        self.is_crumpled() || self.may_be_folded
+    }
+
+    fn is_crumpled(&self) -> bool {
+        self.held_back || self.leaf.was_held()
+    }
+
+    /// Whether what is drawn of it goes through what is drawn of one on its right, or has
+    /// passed its neighbour there; both as they were when they were [cut](Self::cut_drawn)
+    /// last.
+    pub fn is_drawn_through(
+        &self,
+        right: &Flight,
+        is_neighbour: bool,
+        [crumpled, smooth]: Touch,
+        work: &mut Work,
+    ) -> bool {
+        let touch = if self.is_crumpled() || right.is_crumpled() {
             crumpled
         } else {
             smooth
         };
+        let scale = self.scale();
         let [own, other] = [&self.surface, &right.surface].map(Mesh::of);
-        self.blocks.cut(own);
-        right.blocks.cut(other);
-        is_past(own, other, ASTRAY) || self.blocks.cross(&right.blocks, touch)
+        (is_neighbour && is_past(own, other, ASTRAY * scale))
+            || self.blocks.cross(&right.blocks, touch * scale, work)
+    }
+
+    /// Whether it may be drawn through itself.
+    pub fn may_be_folded(&self) -> bool {
+        self.may_be_folded
+    }
+
+    /// Whether what is drawn of it goes through itself, as it was when it was
+    /// [cut](Self::cut_drawn) last.
+    pub fn is_drawn_through_itself(&mut self, work: &mut Work) -> bool {
+        self.blocks.cross_themselves(ROUNDING * self.scale(), work)
+    }
+
+    /// Whether what is drawn of it lies clear of the piles (right and left).
+    pub fn is_clear_of(&self, piles: [&Pile; 2]) -> bool {
+        is_clear(&self.surface.positions, piles)
     }
 
     /// Says that its paper may be asked about: see [`is_through`](Self::is_through).
@@ -224,23 +319,42 @@ impl Flight {
     /// when they were last [cut](Self::cut).
     pub fn is_through(&self, right: &Flight) -> bool {
         let [own, other] = [self, right].map(|flight| flight.leaf.seated().mesh());
-        is_past(own, other, DEEP) || self.blocks.cross(&right.blocks, DEEP)
+        let work = &mut Work::new(u32::MAX);
+        let deep = DEEP * self.scale();
+        is_past(own, other, deep) || self.blocks.cross(&right.blocks, deep, work)
     }
 
-    /// Begins to look for what can be drawn of it, short of what is wanted.
-    pub fn hold_back(&mut self) {
-        if self.held_back {
+    /// Takes back what a tick did to it where its paper would be drawn through itself after
+    /// it, and would not have been before. Leaves that no hand has crumpled are not looked at.
+    pub fn keep_from_itself(&mut self, gutter: &Gutter, deepest: f32) {
+        let was_through = core::mem::take(&mut self.was_through);
+        if !self.leaf.was_held() || !self.leaf.seated().is_bent_back() {
             return;
         }
-        (self.held_back, self.wary) = (true, true);
-        self.wanted.clone_from(&self.surface.positions);
-        if self.shown.is_empty() {
-            self.shown.clone_from(&self.surface.positions);
+        self.was_through = self.is_paper_through_itself();
+        if self.was_through && !was_through {
+            self.leaf.step_back(gutter, deepest);
+            self.was_through = self.is_paper_through_itself();
         }
+    }
+
+    fn is_paper_through_itself(&mut self) -> bool {
+        self.leaf.write_surface(&mut self.spare);
+        self.spare.update_normals();
+        self.blocks.cut(Mesh::of(&self.spare));
+        let touch = ROUNDING * self.scale();
+        let work = &mut Work::new(u32::MAX);
+        self.blocks.cross_themselves(touch, work)
+    }
+
+    /// Keeps what is drawn now as what is wanted.
+    pub fn want(&mut self) {
+        self.wanted.clone_from(&self.surface.positions);
     }
 
     /// Draws a part of the way from what was drawn last to what is wanted.
     pub fn draw_part(&mut self, part: f32) {
+        (self.held_back, self.wary) = (true, true);
         let ways = self.shown.iter().zip(&self.wanted);
         for (place, (from, to)) in self.surface.positions.iter_mut().zip(ways) {
             *place = from + part * (to - from);
@@ -265,7 +379,9 @@ impl Flight {
     /// drawn through one.
     pub fn set_astray(&mut self, astray: bool, wary: bool) {
         self.astray = astray;
+        self.wary &= !core::mem::take(&mut self.is_drawn);
         self.wary |= astray || wary;
+        self.was_driven |= wary;
     }
 
     /// Whether it may have come through a neighbour in the last tick.
@@ -275,9 +391,14 @@ impl Flight {
 
     /// Keeps what is drawn now, as the way to the next begins there.
     pub fn show(&mut self) {
-        self.wary = false;
+        self.is_drawn = true;
         self.shown.clone_from(&self.surface.positions);
         self.surface.touch();
+    }
+
+    /// How much wider its page is than the one for which lengths are given.
+    fn scale(&self) -> f32 {
+        self.leaf.seated().scale
     }
 
     /// Its leaf, to be held, played and stepped.

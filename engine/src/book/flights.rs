@@ -37,6 +37,8 @@ pub struct Flights {
     /// Flights that have joined a pile, and how many of them the limit on the time
     /// of a fall put down.
     landed: [u32; 2],
+    /// Work of keeping the leaves drawn last clear of each other, nanoseconds as counted.
+    work: u32,
 }
 
 /// What leaves in flight are made of and how they are drawn.
@@ -70,6 +72,7 @@ impl Flights {
             last_id: 0,
             tangled: false,
             landed: [0; 2],
+            work: 0,
         }
     }
 
@@ -165,9 +168,17 @@ impl Flights {
         }
     }
 
-    /// Draws every flight between the piles (right and left).
-    pub fn draw(&mut self, piles: [&Pile; 2]) {
-        draw(&mut self.order, piles);
+    /// Draws every flight between the piles (right and left), or between those that were
+    /// drawn `last`. Returns whether these piles are to be drawn.
+    pub fn draw(&mut self, piles: [&Pile; 2], last: [&Pile; 2]) -> bool {
+        let is_followed;
+        (is_followed, self.work) = draw(&mut self.order, piles, last);
+        is_followed
+    }
+
+    /// Work of keeping the leaves drawn last clear of each other, nanoseconds as counted.
+    pub fn work(&self) -> u32 {
+        self.work
     }
 
     /// The flights from the left to the right.

@@ -20,6 +20,7 @@ mod seat;
 mod seated;
 #[cfg(test)]
 mod tests;
+mod work;
 
 pub use block::{LAYERS, Pile, crowded_columns};
 pub use board::Board;
@@ -54,8 +55,9 @@ pub struct Book {
     knots: Knots,
     /// Each side's pile closed flat, right and left.
     closed: [Pile; 2],
-    /// The piles as they lie now, right and left.
+    /// The piles as they lie now, right and left, and as they are drawn.
     piles: [Pile; 2],
+    drawn: [Pile; 2],
     gutter: Gutter,
     flights: Flights,
     boards: [Board; 2],
@@ -77,6 +79,7 @@ impl Book {
             leaves,
             knots: Knots::new(width, thickness, &u),
             piles: closed.clone(),
+            drawn: closed.clone(),
             closed,
             gutter: Gutter::new(leaf::NODES[0], &u),
             boards: [Board::new(Side::Right), Board::new(Side::Right)],
@@ -178,7 +181,12 @@ impl Book {
     /// Brings the drawn surfaces and the piles up to date with leaves and boards.
     pub fn update(&mut self) {
         self.write_piles();
-        self.flights.draw([&self.piles[0], &self.piles[1]]);
+        let [now, last] = [&self.piles, &self.drawn].map(|piles| [&piles[0], &piles[1]]);
+        if self.flights.draw(now, last) {
+            for (drawn, pile) in self.drawn.iter_mut().zip(&self.piles) {
+                drawn.copy(pile);
+            }
+        }
     }
 
     fn write_piles(&mut self) {
@@ -293,6 +301,13 @@ impl Book {
         self.flights.order().get(index).map(|flight| flight.lag())
     }
 
+    /// Work of the last update to keep what is drawn clear of each other: counted by what was
+    /// looked at, in about nanoseconds of native code, the same on every machine. From
+    /// 4 million on only what was begun is ended, and what was drawn last is drawn again.
+    pub fn update_work(&self) -> u32 {
+        self.flights.work()
+    }
+
     /// The front board (0) or the back board (any other number).
     pub fn board_mut(&mut self, number: u32) -> &mut Board {
         &mut self.boards[number.min(1) as usize]
@@ -311,8 +326,8 @@ impl Book {
     /// The pages at rest on a side, as of the last update.
     pub fn pile(&self, side: Side) -> &Pile {
         match side {
-            Side::Right => &self.piles[0],
-            Side::Left => &self.piles[1],
+            Side::Right => &self.drawn[0],
+            Side::Left => &self.drawn[1],
         }
     }
 }

@@ -17,6 +17,9 @@
 
 use super::block::Pile;
 
+/// Depth in a pile that comes of rounding, metres.
+const ROUNDING: f32 = 1e-6;
+
 /// Seats the points of a leaf in place.
 ///
 /// `positions` are x, y, z in metres, row by row, each row from the spine to
@@ -75,6 +78,32 @@ pub fn lift_edges(positions: &mut [f32], piles: [&Pile; 2], over: [f32; 2]) {
             }
         }
     }
+}
+
+/// Whether no point and no edge of a leaf lies inside the piles (right and left); positions
+/// as in [`seat`].
+pub fn is_clear(positions: &[f32], piles: [&Pile; 2]) -> bool {
+    let over = [-ROUNDING; 2];
+    let highest = highest(piles, over);
+    let columns = piles[0].columns();
+    let points = positions.as_chunks::<3>().0;
+    let mut below = Below { piles, column: 0 };
+    (0..points.len()).all(|node| {
+        let (column, point) = (node % columns, points[node]);
+        // The column at the spine is everyone's.
+        if column == 0 {
+            return true;
+        }
+        let mut edges = [1, columns, columns + 1].into_iter();
+        (point[2] > highest || point[2] >= below.height(point[0], over))
+            && edges.all(|step| {
+                let at_rim =
+                    node + step >= points.len() || (column + 1 == columns && step != columns);
+                at_rim
+                    || point[2].min(points[node + step][2]) > highest
+                    || below.lack([point, points[node + step]], over) <= 0.0
+            })
+    })
 }
 
 /// What lies below one place after another: the piles (right and left), and the column

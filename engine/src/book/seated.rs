@@ -4,6 +4,13 @@ use super::mesh::{Mesh, update_normals};
 use super::seat::share_turned;
 use crate::vector::{dot, sub};
 
+/// Width of the page for which lengths of drawing are given, metres.
+const WIDTH: f32 = 0.14;
+
+/// Cosine of the angle between normals at nodes of a leaf that may go through itself between
+/// these; less than a right angle, as a fold between nodes is sharper.
+const BENT_BACK: f32 = 0.3;
+
 /// Farther than this from each other, metres, nothing meets within a tick.
 pub const FAR: f32 = 0.07;
 
@@ -27,6 +34,8 @@ pub struct Seated {
     pub nearest: [Vec<u16>; 2],
     /// Distance between columns and rows, metres.
     pub cell: [f32; 2],
+    /// How much wider the page is than the one for which lengths of drawing are given.
+    pub scale: f32,
     /// Deepest contact of the last meeting, metres.
     pub depth: f32,
     /// Distance of each node from the left and from the right neighbour, metres.
@@ -51,6 +60,7 @@ impl Seated {
             was_held: false,
             nearest: [same.clone(), same],
             cell,
+            scale: cell[0] * (columns - 1) as f32 / WIDTH,
             depth: 0.0,
             gaps: [vec![FAR; nodes], vec![FAR; nodes]],
             pile_gaps: vec![FAR; nodes],
@@ -170,6 +180,14 @@ impl Seated {
                 }
             }
         }
+    }
+
+    /// Whether normals of this leaf are apart by so much that it may go through itself
+    /// between its nodes.
+    pub fn is_bent_back(&self) -> bool {
+        let normals = &self.normals;
+        let middle = normals[normals.len() / 2 + self.columns / 2];
+        normals.iter().any(|n| dot(*n, middle) < BENT_BACK)
     }
 
     /// Whether nodes of this leaf come near enough to others of it to touch.

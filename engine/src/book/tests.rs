@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::random::{Random, for_seeds};
+use crate::vector::{cross, dot, sub};
 
 /// A book that lies open, its front board on the left.
 fn book() -> Book {
@@ -356,4 +357,184 @@ fn an_ordinary_drag_beside_others_is_drawn_where_the_paper_is() {
         worst = worst.max(lag);
     }
     assert!(behind == 0, "{behind} of {frames} frames, {worst} m");
+}
+
+/// Whether two drawn leaves, or one with itself, go through each other by more than what
+/// comes of rounding; every edge is held against every facet.
+fn is_drawn_through(left: &Surface, right: &Surface) -> bool {
+    let facets = |surface: &Surface| -> Vec<[usize; 3]> {
+        let columns = surface.columns;
+        let cells = (0..columns * (surface.rows - 1)).filter(|node| node % columns + 1 < columns);
+        cells
+            .flat_map(|node| {
+                let above = node + columns;
+                [[node, node + 1, above + 1], [node, above + 1, above]]
+            })
+            .collect()
+    };
+    let is_same = core::ptr::eq(left, right);
+    let through = |edges: &Surface, other: &Surface| {
+        let points = edges.positions.as_chunks::<3>().0;
+        let corners = other.positions.as_chunks::<3>().0;
+        let range = |points: [[f32; 3]; 3], i: usize| {
+            let all = points.map(|point| point[i]);
+            all.into_iter()
+                .fold([f32::MAX, f32::MIN], |[low, high], x| {
+                    [
+                        if x < low { x } else { low },
+                        if x > high { x } else { high },
+                    ]
+                })
+        };
+        let own = facets(edges);
+        let boxes: Vec<[[f32; 2]; 3]> = own
+            .iter()
+            .map(|own| [0, 1, 2].map(|i| range(own.map(|node| points[node]), i)))
+            .collect();
+        facets(other).iter().any(|facet| {
+            let [a, b, c] = facet.map(|node| corners[node]);
+            let normal = cross(sub(b, a), sub(c, a));
+            let touch = 2e-6 * dot(normal, normal).sqrt();
+            let around = [0, 1, 2].map(|i| range([a, b, c], i));
+            own.iter().zip(&boxes).any(|(own, bounds)| {
+                let apart = |i: usize| bounds[i][0] > around[i][1] || bounds[i][1] < around[i][0];
+                if (0..3).any(apart) {
+                    return false;
+                }
+                (0..3).any(|k| {
+                    let ends = [own[k], own[(k + 1) % 3]];
+                    let [p, q] = ends.map(|node| points[node]);
+                    let [h, g] = [p, q].map(|p| dot(sub(p, a), normal));
+                    if (is_same && ends.iter().any(|node| facet.contains(node)))
+                        || h.min(g) >= -touch
+                        || h.max(g) <= touch
+                    {
+                        return false;
+                    }
+                    let place = core::array::from_fn(|i| p[i] + h / (h - g) * (q[i] - p[i]));
+                    [[a, b], [b, c], [c, a]]
+                        .into_iter()
+                        .all(|[from, to]| dot(normal, cross(sub(to, from), sub(place, from))) > 0.0)
+                })
+            })
+        })
+    };
+    through(left, right) || (!is_same && through(right, left))
+}
+
+/// A drawn leaf of the book's with its points at places by u and v, 0 to 1, over a flat
+/// table.
+fn dress(book: &mut Book, index: usize, place: impl Fn(f32, f32) -> [f32; 3]) {
+    let u = book.columns().to_vec();
+    let rows = book.rows();
+    let points = book.dress(index).unwrap().as_chunks_mut::<3>().0;
+    for (node, point) in points.iter_mut().enumerate() {
+        let v = (node / u.len()) as f32 / (rows - 1) as f32;
+        *point = place(u[node % u.len()], v);
+    }
+}
+
+#[test]
+fn leaves_that_are_not_next_to_each_other_are_not_drawn_through_each_other() {
+    let mut book = book();
+    book.lay(20);
+    riffle(&mut book, 3, 0);
+    // The middle one shrinks to the spine; the outer two meet across it.
+    let upright = |lean: f32| {
+        move |u: f32, v: f32| {
+            let (sin, cos) = libm::sincosf(1.57 + lean * (v - 0.5));
+            [0.14 * u * cos, 0.21 * v, 0.14 * u * sin]
+        }
+    };
+    for frame in 0..6 {
+        let lean = 0.3 * frame as f32 - 0.9;
+        dress(&mut book, 0, upright(lean));
+        dress(&mut book, 1, |u, v| [0.0, 0.21 * v, 0.001 * u]);
+        dress(&mut book, 2, upright(-lean));
+        book.update();
+        for (left, right) in [(0, 1), (1, 2), (0, 2)] {
+            let [left, right] = [left, right].map(|index| book.surface(index).unwrap());
+            assert!(!is_drawn_through(left, right), "frame {frame}");
+        }
+    }
+}
+
+#[test]
+fn a_leaf_is_not_drawn_through_itself() {
+    let mut book = book();
+    book.lay(20);
+    riffle(&mut book, 1, 0);
+    for frame in 0..12 {
+        // It is rolled up the farther, the narrower toward the head, and through itself.
+        let turns = frame as f32;
+        dress(&mut book, 0, |u, v| {
+            let (sin, cos) = libm::sincosf(turns * u - 1.57);
+            let radius = 0.02 + 0.02 * u * (v - 0.5);
+            [radius * cos, 0.21 * v, 0.05 + radius * sin]
+        });
+        book.update();
+        let surface = book.surface(0).unwrap();
+        assert!(!is_drawn_through(surface, surface), "frame {frame}");
+    }
+    assert!(book.lag(0).unwrap() > 0.01);
+}
+
+/// Two fingers pull a leaf of paper over itself. Nine in ten pictures show it where it is.
+#[test]
+fn a_leaf_that_hands_crumple_stays_out_of_itself() {
+    for_seeds(|random| {
+        let mut book = book();
+        book.lay(20);
+        let id = book.lift(Side::Right, 20, 21).unwrap();
+        for hand in 0..2 {
+            book.grab(id, hand, random.between(0.4, 1.0), random.between(0.0, 1.0));
+        }
+        let mut behind = 0;
+        for frame in 0..60 {
+            for hand in 0..2 {
+                if frame % 12 == 6 * hand {
+                    let x = random.between(-0.3, 0.3);
+                    let place = [x, random.between(-0.2, 0.4), random.between(0.0, 0.2)];
+                    book.hold(id, hand, place);
+                }
+            }
+            book.step(2);
+            book.update();
+            let surface = book.surface(0).unwrap();
+            let is_looked_at = frame % 4 == 0;
+            assert!(
+                !(is_looked_at && is_drawn_through(surface, surface)),
+                "frame {frame}"
+            );
+            behind += usize::from(book.lag(0).unwrap() > 1e-3);
+        }
+        assert!(behind <= 6, "{behind} of 60 pictures are behind the paper");
+    });
+}
+
+/// Eleven leaves that hands tug at in turn, so that all are crumpled: the work of a picture
+/// has a bound, beyond which only what was begun is ended.
+#[test]
+fn a_picture_takes_bounded_work_whatever_hands_do() {
+    for seed in 0..3 {
+        println!("seed {seed}");
+        let random = &mut Random::new(seed);
+        let mut book = Book::new(0.14, 0.21, 100, 0.012).unwrap();
+        book.lay(40);
+        riffle(&mut book, 11, 6);
+        for frame in 0..24 {
+            if frame % 4 == 0 {
+                let id = book
+                    .flight_id(random.below(book.flights() + 1))
+                    .unwrap_or(0);
+                book.grab(id, 0, 1.0, random.between(0.0, 1.0));
+                let x = random.between(-0.2, 0.2);
+                book.hold(id, 0, [x, random.between(-0.1, 0.3), 0.05]);
+            }
+            book.step(2);
+            book.update();
+            let work = book.update_work();
+            assert!(work < 5_000_000, "{work} ns in frame {frame}");
+        }
+    }
 }

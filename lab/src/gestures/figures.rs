@@ -258,6 +258,7 @@ fn frames(played: &[&Played]) -> Value {
         "us_per_frame_by_leaves": by_leaves,
         "cpu_ms_per_frame_worst": most(played, |outcome| 1e3 * outcome.frame as f32),
         "cpu_ms_per_update_worst": most(played, |outcome| 1e3 * outcome.update as f32),
+        "update_work_worst": played.iter().map(|one| one.outcome.update_work).max(),
         "cpu_ms_per_tick_worst": most(played, |outcome| 1e3 * outcome.tick as f32),
     })
 }
@@ -288,6 +289,7 @@ pub fn worst_seeds(all: &[&Played], count: usize) -> Value {
         "drawn_in_itself": by(|outcome| outcome.drawn.itself),
         "drawn_in_piles": by(|outcome| outcome.drawn.pile),
         "drawn_in_leaves": by(|outcome| outcome.drawn.leaf),
+        "drawn_behind": by(|outcome| outcome.lags.iter().copied().fold(0.0, f32::max)),
         "solver": by(|outcome| outcome.depth),
         "seconds_to_rest": by(|outcome| outcome.rest),
         "not_finite": by(|outcome| f32::from(!outcome.finite)),

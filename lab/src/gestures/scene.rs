@@ -55,6 +55,8 @@ pub struct Outcome {
     /// Most seconds of CPU of an update, of a frame of at most a tenth of a second, and
     /// of a tick.
     pub update: f64,
+    /// Most work of an update, as it is counted.
+    pub update_work: u32,
     pub frame: f64,
     pub tick: f64,
     /// Most leaves in flight at once.
@@ -295,6 +297,7 @@ impl Scene {
         self.book.update();
         let update = start.elapsed().as_secs_f64();
         self.outcome.update = self.outcome.update.max(update);
+        self.outcome.update_work = self.outcome.update_work.max(self.book.update_work());
         seconds += update;
         if ticks == 2 && leaves > 0 {
             self.outcome.frames.push((leaves, seconds));

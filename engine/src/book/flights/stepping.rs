@@ -56,6 +56,9 @@ impl Flights {
             self.step_one(index, gutter, piles, [left, 1.0]);
         }
         self.relax(gutter, piles);
+        for flight in &mut self.order {
+            flight.keep_from_itself(gutter, DEEPEST);
+        }
         if self.order.iter().any(Flight::is_astray) {
             self.take_back(gutter);
         }
