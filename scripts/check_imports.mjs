@@ -1,10 +1,12 @@
 /**
  * Imports run one way. Each part names the parts it may import from; anything
- * else, and any cycle among the engine's modules, fails the check. Cycles
- * between TypeScript files are the linter's to find.
+ * else, and any cycle among the modules of a Rust crate (`super::` and re-exports
+ * included), fails the check. Cycles between TypeScript files, of types too, are
+ * the linter's to find.
  */
 import { readdirSync, readFileSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
+import { cyclesOf, modulesOf } from "./imports/rust.mjs";
 
 const root = join(import.meta.dirname, "..");
 
@@ -119,41 +121,42 @@ function checkViewer() {
   }
 }
 
-function checkEngine() {
-  const base = "engine/src";
-  const uses = new Map();
-  const lib = readFileSync(join(root, base, "lib.rs"), "utf8");
-  const forTests = new Set([...lib.matchAll(/#\[cfg\(test\)\]\s*mod (\w+);/g)].map((m) => m[1]));
-  for (const file of filesUnder(base, ".rs")) {
-    const module = file.split("/")[0].replace(/\.rs$/, "");
-    if (module === "lib" || forTests.has(module) || file.endsWith("/tests.rs")) continue;
-    const text = readFileSync(join(root, base, file), "utf8").split("#[cfg(test)]")[0];
-    // `use crate::{a, b}` is not the house's style; one module a line.
-    for (const [, target] of text.matchAll(/^\s*(?:pub )?use crate::(\w+)/gm)) {
-      if (target === module) continue;
-      uses.set(module, (uses.get(module) ?? new Set()).add(target));
-      const [from, to] = [engine.indexOf(module), engine.indexOf(target)];
-      if (to >= 0 && from < to) errors.push(`${base}/${file}: ${module} may not use ${target}`);
-    }
-    if (/\bstd::(fs|net|thread|time|env|process)\b/.test(text)) {
-      errors.push(`${base}/${file}: the engine knows no file, clock, thread or network`);
-    }
+/** Cycles among the viewer's parts as they are listed above. */
+function checkParts() {
+  const parts = new Map();
+  for (const [name, uses] of Object.entries(viewer)) parts.set(name, { uses: new Set(uses) });
+  for (const cycle of cyclesOf(parts)) {
+    errors.push(`scripts/check_imports.mjs: a cycle of parts: ${cycle.join(", ")}`);
   }
-  findCycle(uses);
 }
 
-function findCycle(uses) {
-  const done = new Set();
-  const visit = (module, path) => {
-    if (path.includes(module)) {
-      errors.push(`engine/src: a cycle of modules: ${[...path, module].join(" -> ")}`);
-      return;
+function checkRust() {
+  for (const crate of ["engine/src", "wasm/src", "lab/src"]) {
+    const modules = modulesOf(join(root, crate));
+    for (const cycle of cyclesOf(modules)) {
+      const uses = cycle.flatMap((from) =>
+        [...modules.get(from).uses]
+          .filter((to) => cycle.includes(to))
+          .map((to) => `\n  ${from || "(root)"} uses ${to || "(root)"}`),
+      );
+      errors.push(`${crate}: a cycle of modules:${uses.join("")}`);
     }
-    if (done.has(module)) return;
-    for (const next of uses.get(module) ?? []) visit(next, [...path, module]);
-    done.add(module);
-  };
-  for (const module of uses.keys()) visit(module, []);
+    if (crate === "engine/src") checkEngine(modules);
+  }
+}
+
+function checkEngine(modules) {
+  for (const [name, { file, uses }] of modules) {
+    const from = engine.indexOf(name.split("::")[0]);
+    for (const target of uses) {
+      const to = engine.indexOf(target.split("::")[0]);
+      if (to >= 0 && from < to) errors.push(`engine: ${name} may not use ${target}`);
+    }
+    const text = readFileSync(file, "utf8").split("#[cfg(test)]")[0];
+    if (/\bstd::(fs|net|thread|time|env|process)\b/.test(text)) {
+      errors.push(`${file}: the engine knows no file, clock, thread or network`);
+    }
+  }
 }
 
 function checkWalls() {
@@ -165,7 +168,8 @@ function checkWalls() {
 }
 
 checkViewer();
-checkEngine();
+checkParts();
+checkRust();
 checkWalls();
 for (const error of errors) console.error(error);
 if (errors.length > 0) process.exit(1);

@@ -20,13 +20,3 @@ pub fn lagrange_weights(nodes: usize, position: f32) -> Vec<f32> {
         })
         .collect()
 }
-
-/// `count` equally spaced samples, the first 0 and the last 1.
-///
-/// # Panics
-/// If `count` is below 2.
-pub fn uniform_samples(count: usize) -> Vec<f32> {
-    assert!(count >= 2);
-    let last = (count - 1) as f64;
-    (0..count).map(|i| (i as f64 / last) as f32).collect()
-}

@@ -4,8 +4,8 @@
 //!
 //! Where there are many nodes this is a fraction of the work of a full sum.
 
+use super::samples::check_samples;
 use super::spline::End;
-use super::tensor::check_samples;
 use crate::lanes::Four;
 
 /// For each sample the first of its four numbers, and their weights.

@@ -4,6 +4,7 @@
 mod chebyshev;
 mod lagrange;
 mod local;
+mod samples;
 mod spline;
 mod tensor;
 #[cfg(test)]
@@ -11,6 +12,7 @@ mod tests;
 
 #[cfg(feature = "interpolations")]
 pub use chebyshev::lobatto_nodes;
-pub use lagrange::{lagrange_weights, uniform_samples};
+pub use lagrange::lagrange_weights;
 pub(crate) use local::Local;
+pub use samples::uniform_samples;
 pub use tensor::Interpolation;

@@ -17,6 +17,7 @@ use super::chebyshev::lobatto_weights;
 use super::lagrange::lagrange_weights;
 #[cfg(feature = "interpolations")]
 use super::local::Local;
+use super::samples::check_samples;
 use super::spline::{End, spline_weights};
 use crate::lanes::Four;
 
@@ -223,17 +224,6 @@ impl Interpolation {
             }
         }
     }
-}
-
-/// Panics where samples are fewer than 2, do not rise, or leave 0..1.
-pub(super) fn check_samples(samples: &[f32]) {
-    assert!(samples.len() >= 2, "at least 2 samples a side");
-    assert!(
-        samples.windows(2).all(|pair| pair[0] < pair[1]),
-        "samples must rise"
-    );
-    let ends = [samples[0], samples[samples.len() - 1]];
-    assert!(ends[0] >= 0.0 && ends[1] <= 1.0, "samples must lie in 0..1");
 }
 
 impl AlongV {

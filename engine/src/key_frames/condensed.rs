@@ -24,7 +24,7 @@
 
 use super::bits::{BitReader, BitWriter};
 use super::choose::{choose, farthest};
-use super::format::{CHECKSUM, HEADER, Header, rising, sealed, unsealed, version};
+use super::header::{CHECKSUM, HEADER, Header, rising, sealed, unsealed, version};
 use super::waves::{Waves, order};
 use super::{KeyFrameError, KeyFrames};
 

@@ -1,6 +1,15 @@
 //! Which frames a blend reads at a time, and the weight of each.
 
-use super::Blend;
+/// How frames are blended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Blend {
+    /// In straight lines between two frames: the paper's.
+    Linear,
+    /// By cubic Hermite pieces through four frames, whose tangents are those of
+    /// the parabola through three: for even times the central differences of
+    /// Catmull and Rom (1974).
+    Hermite,
+}
 
 /// Frames that a blend reads, and the weight of each.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,6 +5,7 @@ mod bits;
 mod choose;
 mod condensed;
 mod format;
+mod header;
 mod mix;
 mod record;
 mod replay;
@@ -13,9 +14,10 @@ mod tests;
 mod waves;
 
 pub use condensed::Condensed;
-pub use format::{FORMAT_VERSION, KeyFrameError};
+pub use header::{FORMAT_VERSION, KeyFrameError};
+pub use mix::Blend;
 pub use record::Recorder;
-pub use replay::{Blend, Replay};
+pub use replay::Replay;
 
 use crate::models::mass_spring::Preset;
 use crate::surface::Surface;

@@ -1,21 +1,10 @@
 //! Repeating a recorded turn, itself a [`TurnModel`].
 
-use super::mix::{Mix, mix};
+use super::mix::{Blend, Mix, mix};
 use super::{FrameKind, KeyFrames};
 use crate::interpolate::{Interpolation, uniform_samples};
 use crate::surface::Surface;
 use crate::turn::TurnModel;
-
-/// How frames are blended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Blend {
-    /// In straight lines between two frames: the paper's.
-    Linear,
-    /// By cubic Hermite pieces through four frames, whose tangents are those of
-    /// the parabola through three: for even times the central differences of
-    /// Catmull and Rom (1974).
-    Hermite,
-}
 
 /// A recorded turn, played again.
 ///

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::Played;
+use super::played::Played;
 use super::scene::Outcome;
 use super::world::STOCKS;
 use crate::report;

@@ -5,6 +5,7 @@ mod facets;
 mod figures;
 mod hand;
 mod overlap;
+mod played;
 mod random;
 mod scene;
 mod world;
@@ -18,17 +19,9 @@ use serde_json::{Value, json};
 use crate::options;
 use crate::report::insert;
 use figures::{figures, tables, worst_seeds};
-use scene::Outcome;
+use played::Played;
 use turnleaf_engine::Stock;
 use world::{Choice, Kind, STOCKS, World};
-
-/// The outcome of a seed on a stock, by its place among [`STOCKS`].
-struct Played {
-    seed: u64,
-    stock: usize,
-    kind: Kind,
-    outcome: Outcome,
-}
 
 /// Runs the experiment.
 pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {

@@ -9,11 +9,14 @@ use turnleaf_engine::{LooseLeaf, Surface, TurnBy, TurnModel};
 
 use super::rows::{Source, Way};
 use super::shape::{self, Faults, POINTS};
-use super::strips::CORNER;
-use super::{AFTER, FRAME, TURN};
+
+use super::timing::{AFTER, FRAME, TURN};
 use crate::memory;
 use crate::simulate::median;
 use crate::specimen::LENGTH;
+
+/// The turn that is drawn, among the three.
+pub const CORNER: usize = 1;
 
 /// Frames of a turn and what is watched after it.
 pub const FRAMES: usize = ((TURN + AFTER) / FRAME + 0.5) as usize;

@@ -14,6 +14,7 @@ mod rows;
 mod shape;
 mod strips;
 mod table;
+mod timing;
 
 use std::path::{Path, PathBuf};
 
@@ -23,11 +24,7 @@ use turnleaf_engine::Stock;
 use crate::options;
 use crate::report;
 use rows::Source;
-
-/// Seconds of a turn, of what is watched after it, and of a frame.
-const TURN: f64 = 1.2;
-const AFTER: f64 = 0.6;
-const FRAME: f64 = 1.0 / 60.0;
+use timing::{AFTER, TURN};
 
 /// Nodes and step of the reference. Its two discretisations tell how fine that is.
 const NODES: [usize; 2] = [17, 23];

@@ -9,7 +9,7 @@ use std::time::Instant;
 
 use tiny_skia::Pixmap;
 
-use super::measure::{Seen, Tracks};
+use super::measure::{CORNER, Seen, Tracks};
 use super::shape;
 use super::strips;
 use crate::memory;
@@ -53,7 +53,7 @@ pub fn look(reference: &Tracks, again: usize) -> Seen {
         let frames = shares.iter().map(|share| shown[number(*share)]);
         seen.tracks
             .push(frames.map(|frame| track[frame].clone()).collect());
-        if turn == strips::CORNER {
+        if turn == CORNER {
             let moments = shown.iter().map(|frame| &track[*frame][..]);
             seen.misses = Some(super::measure::follow(moments));
         }

@@ -7,7 +7,7 @@ use turnleaf_engine::{
     PAPER_INTERVAL, Preset, Replay, Side, Stock, Synchronise, TurnBy, TurnModel, uniform_samples,
 };
 
-use super::{AFTER, FRAME, TURN};
+use super::timing::{AFTER, FRAME, TURN};
 use crate::specimen::{BREADTH, LENGTH};
 
 /// How far a sheet's key frames may lead from its turn, over the width.

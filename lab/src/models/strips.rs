@@ -5,10 +5,10 @@ use std::path::Path;
 use tiny_skia::{Pixmap, PixmapPaint, Transform};
 use turnleaf_engine::Surface;
 
-use super::FRAME;
-use super::measure::Seen;
+use super::measure::{CORNER, Seen};
 use super::rows::Way;
 use super::shape::POINTS;
+use super::timing::FRAME;
 use crate::picture::{Camera, Moment, paint};
 use crate::specimen::{BREADTH, LENGTH};
 
@@ -17,9 +17,6 @@ const FRAMES: [usize; 5] = [15, 27, 36, 45, 57];
 
 /// Width of one moment, pixels. It is drawn twice as large.
 const WIDTH: u32 = 230;
-
-/// The turn that is drawn, among the three.
-pub const CORNER: usize = 1;
 
 /// Name of the file of a way's strip.
 fn file(name: &str) -> String {

@@ -1,6 +1,6 @@
 //! Where the pictures are seen from.
 
-use super::Moment;
+use super::moment::Moment;
 
 /// A perspective camera, fitted to all moments of a turn.
 pub struct Camera {

@@ -5,9 +5,9 @@ use tiny_skia::{
     RadialGradient, SpreadMode, Stroke, Transform,
 };
 
-use super::Moment;
 use super::camera::{Camera, dot};
 use super::label;
+use super::moment::Moment;
 
 /// Direction to the light, of length 1.
 const LIGHT: [f32; 3] = [-0.42, -0.38, 0.824];

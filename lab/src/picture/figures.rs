@@ -12,7 +12,9 @@ use turnleaf_engine::{
     Gesture, Grip, Integrator, MassSpring, PAPER_INTERVAL, Settings, Synchronise, TurnModel,
 };
 
-use super::{Camera, Moment, draw, label, moment};
+use super::camera::Camera;
+use super::moment::Moment;
+use super::{draw, label};
 
 /// Duration of the turns.
 const SECONDS: f32 = 11.4;
@@ -73,7 +75,7 @@ fn leaf_at(synchronise: Synchronise, grip: Grip, part: f32) -> Result<MassSpring
 
 /// Figure 1: masses joined by springs, in the middle of a turn, without paper.
 fn masses_and_springs(size: u32) -> Result<Pixmap, String> {
-    let all = moment(&mut leaf_at(Synchronise::Columns, Grip::ForeEdge, 0.36)?);
+    let all = Moment::of(&mut leaf_at(Synchronise::Columns, Grip::ForeEdge, 0.36)?);
     let camera = Camera::around(std::slice::from_ref(&all), 1.0, size);
     let bare = Moment {
         mesh: (1, 1),
@@ -172,7 +174,7 @@ fn bowed(picture: &mut Pixmap, a: (f32, f32), b: (f32, f32), bow: f32, paint: &P
 
 /// Figure 3: bent paper lies as on a tube: straight lines along it stay straight.
 fn bent(size: u32) -> Result<Pixmap, String> {
-    let all = moment(&mut leaf_at(Synchronise::Columns, Grip::ForeEdge, 0.42)?);
+    let all = Moment::of(&mut leaf_at(Synchronise::Columns, Grip::ForeEdge, 0.42)?);
     let camera = Camera::around(std::slice::from_ref(&all), 1.0, size);
     let paper = Moment {
         grid: (0, 0),
@@ -215,7 +217,7 @@ fn dog_ear(size: u32) -> Result<Pixmap, String> {
     let [s, r] = [(corner - 4, 0), (corner, 4)];
     let [q, t] = [now(&leaf, b), now(&leaf, e)];
     let [sn, rn] = [now(&leaf, s), now(&leaf, r)];
-    let all = moment(&mut leaf);
+    let all = Moment::of(&mut leaf);
     let camera = Camera::around(std::slice::from_ref(&all), 1.0, size);
     let paper = Moment {
         grid: (0, 0),

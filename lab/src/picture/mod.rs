@@ -6,33 +6,19 @@ mod camera;
 mod draw;
 mod figures;
 mod label;
+mod moment;
 
 use std::path::PathBuf;
 
 use serde_json::json;
 use tiny_skia::{Pixmap, PixmapPaint, Transform};
-use turnleaf_engine::{MassSpring, Surface, TurnModel};
+use turnleaf_engine::TurnModel;
 
 use crate::options::{self, Scene};
 use crate::simulate;
 pub use camera::Camera;
 pub use draw::moment as paint;
-
-/// One moment of the turn, in units of the leaf's width.
-pub struct Moment {
-    /// Seconds since the start.
-    pub time: f32,
-    /// Columns and rows of masses, and their positions.
-    pub grid: (usize, usize),
-    /// x, y, z of each mass.
-    pub masses: Vec<[f32; 3]>,
-    /// Columns and rows of the mesh.
-    pub mesh: (usize, usize),
-    /// x, y, z of each point.
-    pub points: Vec<[f32; 3]>,
-    /// Unit normal of each point.
-    pub normals: Vec<[f32; 3]>,
-}
+pub use moment::Moment;
 
 /// Runs the experiment.
 pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
@@ -107,36 +93,9 @@ fn moments(scene: &Scene, count: usize) -> Result<Vec<Moment>, String> {
             leaf.step();
             steps += 1;
         }
-        moments.push(moment(&mut leaf));
+        moments.push(Moment::of(&mut leaf));
     }
     Ok(moments)
-}
-
-/// What is to be painted of a leaf as it is now.
-fn moment(leaf: &mut MassSpring) -> Moment {
-    let scale = 1.0 / leaf.settings().width;
-    let mut surface = Surface::new(2, 2);
-    leaf.write_surface(&mut surface);
-    surface.update_normals();
-    let (columns, rows) = leaf.grid_size();
-    let mut masses = vec![0.0; 3 * columns * rows];
-    let mut velocities = masses.clone();
-    leaf.read_nodes(&mut masses, &mut velocities);
-    let points = |flat: &[f32], scale: f32| {
-        let (points, _) = flat.as_chunks::<3>();
-        points
-            .iter()
-            .map(|point| point.map(|value| value * scale))
-            .collect()
-    };
-    Moment {
-        time: leaf.time(),
-        grid: (columns, rows),
-        masses: points(&masses, scale),
-        mesh: (surface.columns, surface.rows),
-        points: points(&surface.positions, scale),
-        normals: points(&surface.normals, 1.0),
-    }
 }
 
 /// All pictures on one, at half their size, three in a row.

@@ -4,7 +4,7 @@
 
 use turnleaf_engine::{MassSpring, Masses, Plate, Settings, TurnModel};
 
-use super::{Held, Piece, Specimen, swing_to_rest};
+use super::piece::{Held, Piece, Specimen, swing_to_rest};
 
 struct Springs {
     leaf: MassSpring,

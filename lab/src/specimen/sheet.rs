@@ -3,7 +3,8 @@
 
 use turnleaf_engine::{Air, Root, Sheet, Stock, TurnModel};
 
-use super::{Held, Piece, Settings, Specimen, swing_to_rest};
+use super::piece::{Held, Piece, Specimen, swing_to_rest};
+use super::settings::Settings;
 
 struct SheetPiece {
     sheet: Sheet,

@@ -3,7 +3,7 @@
 
 use turnleaf_engine::{Air, Edge, Rigidity, Scheme, Shell, ShellSettings, Stock, TurnModel};
 
-use super::{Held, Piece, Specimen};
+use super::piece::{Held, Piece, Specimen};
 
 /// Columns of nodes.
 const COLUMNS: usize = 65;

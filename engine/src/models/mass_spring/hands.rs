@@ -1,21 +1,9 @@
 //! What holds a leaf: the spine, a gesture, a hand.
 
+use super::held::Held;
 use super::{MassSpring, Settings};
 use crate::gesture::Gesture;
 use crate::synchronise::Synchroniser;
-
-/// A node held at a place that moves.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Held {
-    pub column: usize,
-    pub row: usize,
-    /// Where it was at the end of the last step.
-    pub from: [f32; 3],
-    /// Where it is held at the end of the next one.
-    pub to: [f32; 3],
-    /// Whether the gesture under way moves it.
-    pub by_gesture: bool,
-}
 
 /// How near to taut a hand may pull, as part of the distance at rest: taut
 /// would leave the springs no room for the sheet's own motion.

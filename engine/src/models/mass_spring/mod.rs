@@ -6,6 +6,7 @@
 mod air;
 mod forces;
 mod hands;
+mod held;
 mod integrate;
 mod nodes;
 mod plate;
@@ -28,7 +29,7 @@ use crate::synchronise::Synchroniser;
 use crate::turn::TurnModel;
 use air::Air;
 use forces::Forces;
-use hands::Held;
+use held::Held;
 use integrate::Motion;
 use plate::Bending;
 use springs::SpringSystem;

@@ -30,7 +30,7 @@ mod motion_tests;
 mod tests;
 
 pub use energy::Energies;
-pub use settings::{Discretisation, Edge, Scheme, ShellSettings, Table};
+pub use settings::{Discretisation, Edge, InvalidShell, Scheme, ShellSettings, Table};
 
 use crate::grab;
 use crate::interpolate::Interpolation;
@@ -46,21 +46,6 @@ use mesh::Mesh;
 use system::System;
 use triangles::TriangleBending;
 use vector::{Vector, advance, scale};
-
-/// Why settings make no shell, or a shell finds no equilibrium, in one sentence.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct InvalidShell(
-    /// The sentence.
-    pub String,
-);
-
-impl core::fmt::Display for InvalidShell {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(&self.0)
-    }
-}
-
-impl core::error::Error for InvalidShell {}
 
 /// A leaf of paper, solved to the end.
 #[derive(Debug)]

@@ -1,9 +1,23 @@
 //! What a shell is made of.
 
-use super::InvalidShell;
 use crate::air::Air;
 use crate::rigidity::Rigidity;
 use crate::stock::{GRAVITY, Grain, Stock};
+
+/// Why settings make no shell, or a shell finds no equilibrium, in one sentence.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct InvalidShell(
+    /// The sentence.
+    pub String,
+);
+
+impl core::fmt::Display for InvalidShell {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl core::error::Error for InvalidShell {}
 
 /// How an edge of a leaf is held.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,6 @@
 /** The models that can be compared, and the leaf for the settings of one. */
 
 import type { LeafOptions } from "turnleaf/models";
-import type { Settings } from "./settings.ts";
 
 /** Metres: an A5 page. */
 export const leafSize = { width: 0.148, height: 0.21 } as const;
@@ -59,8 +58,20 @@ const points = [25, 33] as const;
 /** Default columns and rows of the shell: its own grid takes minutes for a turn. */
 const shellNodes = [10, 14] as const;
 
-/** Returns the options of the leaf for a variant and the settings. */
-export function leafOptions(variant: Variant, settings: Settings): LeafOptions {
+/** What of the page's settings makes a leaf; units as in `Settings`. */
+export interface LeafFigures {
+  readonly grammage: number;
+  readonly caliper: number;
+  readonly stiffness: number;
+  readonly gravity: number;
+  readonly air: number;
+  readonly angle: number;
+  readonly nodes: number;
+  readonly steps: number;
+}
+
+/** Returns the options of the leaf that a variant and the settings make. */
+export function leafOptions(variant: Variant, settings: LeafFigures): LeafOptions {
   const { isSynchronised, isReplayed: _, ...own }: Own = variants[variant];
   const { nodes, steps, stiffness } = settings;
   const usual = own.model === "shell" ? shellNodes : undefined;
