@@ -27,6 +27,9 @@ export function modulesOf(folder) {
       .filter(Boolean);
     modules.set(path.join("::"), read(join(folder, name), path));
   }
+  for (const { path, forTests } of [...modules.values()]) {
+    for (const name of forTests) modules.delete([...path, name].join("::"));
+  }
   for (const module of modules.values()) {
     module.uses = new Set();
     for (const path of module.paths) {
@@ -67,7 +70,7 @@ function read(file, path) {
   for (const [path] of code.matchAll(/\b\w+(?:::\w+)+/g)) own.push(path.split("::"));
   const items = new Set([...text.matchAll(declaration)].map((m) => m[1]));
   for (const [, name] of text.matchAll(/macro_rules! (\w+)/g)) items.add(name);
-  return { name: path.join("::"), path, file, children, imports, items, paths: own };
+  return { name: path.join("::"), path, file, children, forTests, imports, items, paths: own };
 }
 
 /** Every path of a `use` tree, with the name under which it is known. */
