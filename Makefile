@@ -14,7 +14,7 @@ MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 RUST_SOURCES = $(shell find Cargo.toml Cargo.lock rust-toolchain.toml engine/Cargo.toml wasm/Cargo.toml engine/src wasm/src -type f)
 
-.PHONY: read build wasm test test-rust test-js check check-rust check-js size bench gestures soak fuzz playground examples pictures methods recordings photographs reference book clean tools-rust chromium browsers engines test-apps
+.PHONY: read build wasm test test-rust test-js check check-rust check-js check-licences size bench gestures soak fuzz playground examples pictures methods recordings photographs reference book clean tools-rust chromium browsers engines test-apps
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -57,7 +57,7 @@ test-js: build browsers
 	node --test wasm/tests/
 	npx vitest run
 
-check: check-rust check-js
+check: check-rust check-js check-licences
 
 check-rust: tools-rust
 	cargo fmt --all --check
@@ -76,6 +76,9 @@ check-js: build
 # What a page loads, by part and with limits.
 size: build
 	node scripts/size.mjs
+
+check-licences: $(MODULES) tools-rust
+	node scripts/check_licences.mjs
 
 # Measures, and writes docs/performance.md.
 bench: build chromium tools-rust

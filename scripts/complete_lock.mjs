@@ -3,10 +3,12 @@
  *
  * A registry mirror may hold the binaries of its own platform alone; npm then
  * writes a lock that `npm ci` refuses everywhere. For every optional dependency
- * without an entry this adds one with its exact version, its platform read off
- * its name and no integrity (npm records one where it can fetch the package).
+ * without an entry this adds one with its exact version and its platform, read off
+ * its name; and to every entry without an integrity, that which the registry
+ * states, if it has the package.
  * Run it after every change of dependencies: node scripts/complete_lock.mjs
  */
+import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
@@ -67,8 +69,29 @@ for (const [place, entry] of Object.entries(lock.packages)) {
     added++;
   }
 }
+
+/** The hash of a package's file as the registry states it; undefined where it has none of that version. */
+function integrityOf(name, version) {
+  try {
+    const given = ["view", `${name}@${version}`, "dist.integrity"];
+    const said = execFileSync("npm", given, {
+      encoding: "utf8",
+      stdio: ["ignore", "pipe", "ignore"],
+    });
+    return /^sha512-\S+$/.exec(said.trim())?.[0];
+  } catch {
+    return undefined;
+  }
+}
+
+let without = 0;
+for (const [place, entry] of Object.entries(lock.packages)) {
+  if (!place.startsWith("node_modules/") || entry.link || entry.integrity) continue;
+  entry.integrity = integrityOf(place.slice("node_modules/".length), entry.version);
+  if (entry.integrity === undefined) without++;
+}
 lock.packages = Object.fromEntries(
   Object.entries(lock.packages).sort(([a], [b]) => (a < b ? -1 : a > b ? 1 : 0)),
 );
 writeFileSync(file, `${JSON.stringify(lock, null, 2)}\n`);
-console.log(`${added} packages of other platforms added`);
+console.log(`${added} packages of other platforms added; ${without} have no integrity.`);

@@ -1,0 +1,85 @@
+/**
+ * The licence of every dependency, as its lock file or its manifest states it.
+ * Fails if one forbids what the project's MIT licence allows, or states none.
+ *
+ *   node scripts/check_licences.mjs           checks
+ *   node scripts/check_licences.mjs --list    prints each as well
+ */
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+
+const root = join(import.meta.dirname, "..");
+
+/** Licences that ask for no more than that their text comes along. */
+const permissive = new Set([
+  "MIT",
+  "MIT-0",
+  "ISC",
+  "0BSD",
+  "BSD-2-Clause",
+  "BSD-3-Clause",
+  "Apache-2.0",
+  "Zlib",
+  "CC0-1.0",
+  "Unlicense",
+  "Unicode-3.0",
+]);
+
+/**
+ * Licences of tools that build and test, of which nothing is shipped: MPL-2.0 asks
+ * for the source of its own files alone. OFL-1.1 is that of the book's type, which
+ * may be embedded.
+ */
+const forTools = new Set(["MPL-2.0", "OFL-1.1", ...permissive]);
+
+/** Packages whose code is in what is shipped, though the lock calls them development's. */
+const shipped = new Set(["pdfjs-dist", "image-size", "three"]);
+
+/** Packages that state their licence in their text alone, with what it says there. */
+const stated = { "png-js": "MIT" };
+
+/** Whether a licence expression is satisfied by a set: one choice of each "OR", all of each "AND". */
+function satisfies(expression, allowed) {
+  const all = expression.replaceAll(/[()]/g, "").split(/ AND /);
+  return all.every((part) => part.split(/ OR |\//).some((name) => allowed.has(name.trim())));
+}
+
+function npmPackages() {
+  const lock = JSON.parse(readFileSync(join(root, "package-lock.json"), "utf8"));
+  return Object.entries(lock.packages)
+    .filter(([place, entry]) => place.includes("node_modules/") && !entry.link)
+    .map(([place, entry]) => {
+      const name = place.slice(place.lastIndexOf("node_modules/") + "node_modules/".length);
+      return { name, version: entry.version, licence: entry.license ?? stated[name] };
+    });
+}
+
+function cargoPackages() {
+  const text = execFileSync("cargo", ["metadata", "--format-version", "1", "--locked"], {
+    cwd: root,
+    encoding: "utf8",
+    maxBuffer: 1 << 28,
+    stdio: ["ignore", "pipe", "ignore"],
+  });
+  return JSON.parse(text).packages.map(({ name, version, license }) => ({
+    name: `${name} (Rust)`,
+    version,
+    licence: license,
+  }));
+}
+
+const packages = [...npmPackages(), ...cargoPackages()];
+let failed = false;
+for (const { name, version, licence } of packages) {
+  const allowed = shipped.has(name) ? permissive : forTools;
+  if (process.argv.includes("--list")) console.log(`${name} ${version}: ${licence}`);
+  if (licence !== undefined && satisfies(licence, allowed)) continue;
+  failed = true;
+  console.error(`${name} ${version}: ${licence ?? "no licence stated"}`);
+}
+if (failed) {
+  console.error("These licences are not among those that the project accepts.");
+  process.exit(1);
+}
+console.log(`${packages.length} dependencies, each under a licence that the project accepts.`);
