@@ -19,7 +19,7 @@ async function start(): Promise<void> {
   book.setAttribute("src", config.src);
   book.addEventListener("load", () => {
     document.title = book.bookTitle || config.title;
-    book.focus({ preventScroll: true });
+    book.focus({ preventScroll: true, focusVisible: false });
   });
   document.getElementById("wait")?.remove();
   document.getElementById("desk")?.append(book);
