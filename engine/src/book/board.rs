@@ -1,6 +1,7 @@
 //! A cover board: a rigid plate on a hinge, which a hand swings open or shut.
 
-use super::leaf::{LONGEST, Phase, TICK};
+use super::limits::{LONGEST_TURN, TICK};
+use super::phase::Phase;
 use crate::grid::Side;
 
 /// Gravity's pull on a plate of a page's size lying level, 3 g / (2 width) at
@@ -86,7 +87,7 @@ impl Board {
         }
         let share = (rest_angle(side) - self.from).abs() / core::f32::consts::PI;
         let whole = if seconds.is_finite() { seconds } else { 1.0 };
-        self.seconds = (whole.clamp(0.05, LONGEST) * share).max(TICK);
+        self.seconds = (whole.clamp(0.05, LONGEST_TURN) * share).max(TICK);
         self.time = course * self.seconds;
         self.phase = Phase::Playing(side);
     }

@@ -11,7 +11,7 @@
 
 use super::block::Pile;
 use super::flight::{Flight, Touch};
-use super::flights::MOST_FLIGHTS;
+use super::limits::MOST_FLIGHTS;
 use super::work::Work;
 use crate::grid::Side;
 

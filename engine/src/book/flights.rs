@@ -12,11 +12,11 @@ mod stepping;
 use super::block::Pile;
 use super::draw::draw;
 use super::flight::Flight;
-use super::leaf::{Leaf, Paper, Phase};
+use super::leaf::Leaf;
+use super::limits::MOST_FLIGHTS;
+use super::paper::Paper;
+use super::phase::Phase;
 use crate::grid::Side;
-
-/// Leaves in flight at once, at most: what bounds a book's memory.
-pub const MOST_FLIGHTS: usize = 16;
 
 /// Length of a whole turn of a leaf that makes way for one let go, seconds.
 const WAY_SECONDS: f32 = 0.8;

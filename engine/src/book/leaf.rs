@@ -6,65 +6,25 @@
 //! near its corner, carries it over and lets go, so that whatever happens to
 //! the leaf meanwhile happens to paper.
 
+mod course;
 mod fall;
 mod play;
 #[cfg(test)]
 mod tests;
 
-use super::HANDS;
 use super::block::Pile;
 use super::gutter::Gutter;
+use super::limits::{MAX_GRABS, NODES, TICK};
 use super::meet::{Neighbour, Sheetlike, meet_itself, meet_others};
+use super::paper::Paper;
+use super::phase::Phase;
 use super::seat::share_turned;
 use super::seated::Seated;
-use crate::air::Air;
 use crate::grid::Side;
-use crate::models::sheet::{Root, Sheet, SheetSettings};
-use crate::rigidity::Rigidity;
-use crate::stock::{Grain, Stock};
+use crate::models::sheet::{Sheet, SheetSettings};
 use crate::surface::Surface;
 use crate::turn::TurnModel;
-use play::Course;
-pub use play::LONGEST;
-
-/// Length of a tick, by which leaves and boards are stepped, seconds: half a
-/// frame at 60 Hz.
-pub const TICK: f32 = 1.0 / 120.0;
-
-/// Nodes of a leaf across and along the spine. A page of them hangs within
-/// 0.2 % of the exact shape at Gamma 10, and ten leaves fit into a frame.
-pub const NODES: [usize; 2] = [10, 14];
-
-/// Leaves that fly at once in short steps, at most, so that they move as the shell does;
-/// where there are more each has one step in a tick, and ten fit into a frame.
-const FEW: usize = 3;
-
-/// Steps in a tick of one of a few leaves, and of one of stiff paper that is alone.
-const STEPS: u32 = 2;
-const STEPS_STIFF: u32 = 3;
-
-/// Angle, radians, by which the first mode of a leaf of stiff paper goes on in a tick: its
-/// corner snaps within a few steps.
-const STIFF: f64 = 0.12;
-
-/// Sweeps of a step after which the shear of one of a few leaves, and of one of many, yields
-/// to lengths: with twice as many three of card, and ten, cost half as much again and more.
-const SHEAR_SWEEPS_OF_FEW: usize = 20;
-const SHEAR_SWEEPS_OF_MANY: usize = 6;
-
-/// Stiffness in its plane of one of a few leaves, in units of a node's mass over the
-/// square of a step, and the greatest, N/m: a stiffer card snaps farther from where the
-/// shell does.
-const STIFFNESS: f64 = 2e4;
-const STIFFEST: f64 = 4.4e4;
-
-/// Stiffness in its plane of one of many leaves, N/m: with their longer steps stiffer
-/// ones crossed in a riffle of twelve, and were drawn as much as 0.13 m behind.
-const STIFFNESS_OF_MANY: f64 = 2000.0;
-
-/// Stiffness of the binding against turning, N: weak against the paper of a
-/// cell, so that the leaf leaves the gutter without a crease and turns freely.
-const BINDING: f64 = 0.02;
+use course::Course;
 
 /// How far a released leaf's swing is looked at to choose its side, seconds.
 const LOOK_AHEAD: f32 = 0.12;
@@ -80,107 +40,6 @@ const CLAMP_STAYS: f32 = 0.75;
 /// Farther than this from the spine no hand pulls, metres.
 const FARTHEST: f32 = 1e3;
 
-/// What a leaf or a board is doing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Phase {
-    /// It lies still on a side.
-    Resting(Side),
-    /// A hand holds it.
-    Held,
-    /// It falls to a side by itself.
-    Falling(Side),
-    /// It is turned to a side.
-    Playing(Side),
-}
-
-impl Phase {
-    /// The side where it rests or is bound for; None while a hand holds it.
-    pub fn side(self) -> Option<Side> {
-        match self {
-            Phase::Held => None,
-            Phase::Resting(side) | Phase::Falling(side) | Phase::Playing(side) => Some(side),
-        }
-    }
-}
-
-/// What the leaves of a book are made of, how they are bound, and what moves
-/// them beside hands.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Paper {
-    /// The stock of every leaf.
-    pub stock: Stock,
-    /// Which way it is bound.
-    pub grain: Grain,
-    /// Stiffness of the binding against a leaf that leaves the gutter in another
-    /// direction than its neighbours in the same leaf, N (moment per width and
-    /// radian), 0 to 1.
-    pub binding: f64,
-    /// Velocity of the air, m/s, each component within 20.
-    pub wind: [f64; 3],
-    /// Whether a leaf let go is helped over to its side. Without it, it goes
-    /// where its own motion and gravity take it.
-    pub assist: bool,
-}
-
-impl Default for Paper {
-    fn default() -> Paper {
-        Paper {
-            stock: Stock::BOOK,
-            grain: Grain::AlongSpine,
-            binding: BINDING,
-            wind: [0.0; 3],
-            assist: true,
-        }
-    }
-}
-
-impl Paper {
-    /// The settings of a leaf of it in a book, `width` x `height` metres, while `flying`
-    /// leaves are in the air.
-    pub fn sheet(&self, [width, height]: [f64; 2], flying: usize) -> SheetSettings {
-        let steps = self.steps(width, flying);
-        let sheet = SheetSettings::leaf(width, height, self.stock);
-        let (shear_sweeps, stiffest) = match flying {
-            _ if flying > FEW => (SHEAR_SWEEPS_OF_MANY, STIFFNESS_OF_MANY),
-            2.. => (SHEAR_SWEEPS_OF_FEW, STIFFEST),
-            _ => (sheet.shear_sweeps, STIFFEST),
-        };
-        let settings = SheetSettings {
-            columns: NODES[0],
-            rows: NODES[1],
-            time_step: f64::from(TICK) / f64::from(steps),
-            shear_sweeps,
-            grain: self.grain,
-            root: Root::Hinged(self.binding),
-            air: Air {
-                wind: self.wind,
-                ..Air::still(width)
-            },
-            ..sheet
-        };
-        settings.stiffened(STIFFNESS, stiffest)
-    }
-
-    /// Steps in a tick of a leaf of it, `width` metres wide, while so many are in the air.
-    fn steps(&self, width: f64, flying: usize) -> u32 {
-        let rate =
-            Rigidity::of(&self.stock, self.grain).first_frequency(self.stock.grammage, width);
-        match flying {
-            _ if flying > FEW => 1,
-            2.. => STEPS,
-            _ if rate * f64::from(TICK) > STIFF => STEPS_STIFF,
-            _ => STEPS,
-        }
-    }
-
-    /// Whether leaves can be made of it.
-    pub(super) fn is_sound(&self) -> bool {
-        self.stock.check().is_ok()
-            && (0.0..=1.0).contains(&self.binding)
-            && self.wind.iter().all(|w| (-20.0..=20.0).contains(w))
-    }
-}
-
 /// One leaf of paper between two piles.
 pub struct Leaf {
     sheet: Sheet,
@@ -192,8 +51,8 @@ pub struct Leaf {
     paper: Paper,
     phase: Phase,
     /// Where each hand that holds the leaf pulls, in book space, and what it holds.
-    hands: [Option<[f32; 3]>; HANDS],
-    hold_of: [[f32; 2]; HANDS],
+    hands: [Option<[f32; 3]>; MAX_GRABS],
+    hold_of: [[f32; 2]; MAX_GRABS],
     course: Option<Course>,
     /// Seconds of easing to rest so far, once it has landed.
     settling: Option<f32>,
@@ -244,8 +103,8 @@ impl Leaf {
             clamp_follows: 0.0,
             paper: *paper,
             phase: Phase::Resting(Side::Right),
-            hands: [None; HANDS],
-            hold_of: [[1.0; 2]; HANDS],
+            hands: [None; MAX_GRABS],
+            hold_of: [[1.0; 2]; MAX_GRABS],
             course: None,
             settling: None,
             haste: 1.0,
@@ -290,7 +149,7 @@ impl Leaf {
     pub fn lay(&mut self, side: Side) {
         self.sheet.lay_flat(side);
         self.sheet.loads_mut().fill(0.0);
-        self.hands = [None; HANDS];
+        self.hands = [None; MAX_GRABS];
         self.course = None;
         self.settling = None;
         (self.turned_over, self.put_down) = (false, false);
@@ -369,12 +228,12 @@ impl Leaf {
     /// The hand lets go. When no other is left the leaf falls to the side that
     /// its swing takes it.
     pub fn release(&mut self, hand: u32) {
-        if hand as usize >= HANDS || self.sheet.held_place(hand).is_none() {
+        if hand as usize >= MAX_GRABS || self.sheet.held_place(hand).is_none() {
             return;
         }
         self.sheet.release(hand);
         self.hands[hand as usize] = None;
-        let is_held = (0..HANDS as u32).any(|hand| self.sheet.held_place(hand).is_some());
+        let is_held = (0..MAX_GRABS as u32).any(|hand| self.sheet.held_place(hand).is_some());
         if !is_held && self.phase == Phase::Held {
             self.fall(self.side_ahead(), 1.0);
         }
@@ -504,7 +363,7 @@ impl Leaf {
     }
 
     fn step_held(&mut self) {
-        for hand in 0..HANDS as u32 {
+        for hand in 0..MAX_GRABS as u32 {
             if let Some(place) = self.hands[hand as usize] {
                 let place = self.guided(self.hold_of[hand as usize], place);
                 let place = self.over_table(hand, place);

@@ -14,8 +14,11 @@ mod flights;
 mod gutter;
 mod knots;
 mod leaf;
+mod limits;
 mod meet;
 mod mesh;
+mod paper;
+mod phase;
 mod seat;
 mod seated;
 #[cfg(test)]
@@ -24,8 +27,10 @@ mod work;
 
 pub use block::{LAYERS, Pile, crowded_columns};
 pub use board::Board;
-pub use flights::MOST_FLIGHTS;
-pub use leaf::{Leaf, Paper, Phase, TICK};
+pub use leaf::Leaf;
+pub use limits::{MAX_GRABS, MOST_FLIGHTS, TICK};
+pub use paper::Paper;
+pub use phase::Phase;
 pub use seat::seat;
 
 use crate::grid::Side;
@@ -40,9 +45,6 @@ const COLUMNS: usize = 49;
 
 /// Rows of the drawn leaf.
 const ROWS: usize = 25;
-
-/// Hands that a leaf tells apart, numbered from 0.
-pub const HANDS: usize = 4;
 
 /// A book that lies open: two piles of pages, the leaves in flight between
 /// them, and two cover boards.
@@ -81,7 +83,7 @@ impl Book {
             piles: closed.clone(),
             drawn: closed.clone(),
             closed,
-            gutter: Gutter::new(leaf::NODES[0], &u),
+            gutter: Gutter::new(limits::NODES[0], &u),
             boards: [Board::new(Side::Right), Board::new(Side::Right)],
             flights: Flights::new(
                 leaves,

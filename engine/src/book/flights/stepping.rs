@@ -2,13 +2,13 @@
 //! drove into each other is brought out of it, or taken back.
 
 use super::Flights;
-use super::MOST_FLIGHTS;
 use crate::book::block::Pile;
 use crate::book::draw::on_left;
 use crate::book::flight::Flight;
 use crate::book::gutter::Gutter;
-use crate::book::leaf::{Phase, TICK};
+use crate::book::limits::{MOST_FLIGHTS, TICK};
 use crate::book::meet::Neighbour;
+use crate::book::phase::Phase;
 use crate::grid::Side;
 
 /// How firmly a leaf meets one that is stepped after it: half of what overlaps

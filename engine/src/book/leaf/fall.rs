@@ -1,6 +1,8 @@
 //! A leaf let go: helped over, fallen, eased to rest.
 
-use super::{Leaf, NODES, Phase, TICK};
+use super::Leaf;
+use crate::book::limits::{MAX_GRABS, NODES, TICK};
+use crate::book::phase::Phase;
 use crate::grid::Side;
 
 /// Acceleration at the fore-edge by which a released leaf is helped over, m/s^2.
@@ -32,7 +34,7 @@ impl Leaf {
         for hand in 0..self.hands.len() as u32 {
             self.sheet.release(hand);
         }
-        self.hands = [None; super::HANDS];
+        self.hands = [None; MAX_GRABS];
         if self.phase != Phase::Falling(to) {
             self.settling = None;
             self.fallen = 0;

@@ -1,6 +1,9 @@
 //! A turn without a reader's hand: a hand of its own turns the leaf.
 
-use super::{Leaf, Phase, TICK};
+use super::Leaf;
+use super::course::Course;
+use crate::book::limits::{LONGEST_TURN, TICK};
+use crate::book::phase::Phase;
 use crate::grid::Side;
 
 /// Number of the hand that turns a leaf; readers' hands have lower ones.
@@ -24,21 +27,8 @@ const RISE: f32 = 0.05;
 /// Shortest turn, seconds.
 const SHORTEST: f32 = 0.2;
 
-/// Longest turn of a leaf or a board, seconds.
-pub const LONGEST: f32 = 600.0;
-
 /// Length of a turn after which a leaf falls without haste, seconds.
 const UNHURRIED: f32 = 0.8;
-
-/// The way of the hand that turns a leaf.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Course {
-    /// Where it is on its way from the right, 0, to the left, 1: the time of a
-    /// smooth start and stop.
-    time: f32,
-    /// Its change a second; negative to the right.
-    rate: f32,
-}
 
 impl Leaf {
     /// Takes the leaf to a side: from rest by a hand of its own, `seconds` (0.2 to
@@ -46,7 +36,7 @@ impl Leaf {
     /// need be; a leaf that is held or falls is let fall there.
     pub fn play(&mut self, to: Side, seconds: f32) {
         let seconds = if seconds.is_finite() {
-            seconds.clamp(SHORTEST, LONGEST)
+            seconds.clamp(SHORTEST, LONGEST_TURN)
         } else {
             UNHURRIED
         };

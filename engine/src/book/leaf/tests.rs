@@ -2,7 +2,9 @@
 
 use super::super::{Board, Book};
 use super::*;
+use crate::book::paper::FEW;
 use crate::random::for_seeds;
+use crate::stock::Stock;
 
 const WIDTH: f32 = 0.14;
 
