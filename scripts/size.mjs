@@ -21,7 +21,9 @@ import { gzipSync } from "node:zlib";
  * those that every book needs.
  */
 const parts = {
-  "shows and turns a book": { limit: 115 },
+  // 115 were meant. Keeping every leaf out of every other and of itself in what is drawn
+  // added 6 to the machine code; packing it tighter (zopfli) would win 3 and cost clarity.
+  "shows and turns a book": { limit: 120 },
   "the text over the pages, once they show": { files: ["book_text_overlay.js"], limit: 8 },
   "zoomed in, pages of other sizes, fold-outs, the place kept": {
     files: ["detail_pictures.js", "fit.js", "flap_surface.js", "place.js"],
