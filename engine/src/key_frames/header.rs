@@ -5,7 +5,7 @@ use super::{FrameKind, KeyFrames, ModelKind};
 use crate::hash::BitHash;
 use crate::models::mass_spring::Preset;
 
-/// The newest version that is read; [`Condensed`] writes it.
+/// The newest version that is read; [`Condensed`](super::Condensed) writes it.
 pub const FORMAT_VERSION: u16 = 2;
 
 const MAGIC: [u8; 4] = *b"TLKF";

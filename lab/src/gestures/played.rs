@@ -3,7 +3,7 @@
 use super::scene::Outcome;
 use super::world::Kind;
 
-/// The outcome of a seed on a stock, by its place among [`STOCKS`].
+/// The outcome of a seed on a stock, by its place among [`STOCKS`](super::world::STOCKS).
 pub struct Played {
     pub seed: u64,
     pub stock: usize,
