@@ -80,11 +80,12 @@ impl Faults {
         for row in 0..nodes.rows - 1 {
             for column in 0..nodes.columns - 1 {
                 let [a, b, c, d] = corners(nodes, column, row);
-                let (rising, falling) = (to(a, c), to(d, b));
-                let along: [f64; 3] = std::array::from_fn(|axis| rising[axis] + falling[axis]);
-                let up = to(falling, rising);
-                self.shear = self.shear.max((angle(along, up) - 90.0).abs());
-                let longest = length(rising).max(length(falling));
+                let longest = length(to(a, c)).max(length(to(d, b)));
+                let square = |from, to_| length(to(from, to_)).powi(2);
+                let along = 0.5 * (square(a, b) + square(d, c));
+                let up = 0.5 * (square(a, d) + square(b, c));
+                let sine = 0.5 * (longest.powi(2) - along - up) / (along * up).sqrt();
+                self.shear = self.shear.max(sine.clamp(0.0, 1.0).asin().to_degrees());
                 self.diagonal = self.diagonal.max(longest / rest - 1.0);
             }
         }

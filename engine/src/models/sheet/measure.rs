@@ -1,7 +1,7 @@
 //! What a sheet's nodes say of how far it is from paper.
 
 use super::Sheet;
-use crate::vector::{cross, dot, sub};
+use crate::vector::{dot, sub};
 
 impl Sheet {
     /// Largest strain, stretch or compression, of any edge between neighbours
@@ -23,19 +23,25 @@ impl Sheet {
         most
     }
 
-    /// Largest shear of any cell between four nodes, radians: how far the angle
-    /// between its two mean tangents, each half the sum of opposite edges, is from
-    /// a right angle.
+    /// Largest shear of any cell between four nodes, radians: by how much its longer
+    /// diagonal is longer than that of a rectangle of its sides, each the root mean
+    /// square of two opposite edges, as the angle of a parallelogram that has it.
     ///
-    /// On paper that does not shear, bent about a diagonal of square cells of side
-    /// `h` to a radius `r`, it is (h/r)^2 / 12: edges and diagonals are chords.
+    /// The shorter diagonal says nothing: paper that bends or folds about the other
+    /// one shortens it and shears nowhere. On such paper, bent about a diagonal of
+    /// square cells of side `h` to a radius `r`, this is (h/r)^2 / 48, as edges are
+    /// chords; folded flat along a diagonal it is 0.
     pub fn max_shear(&self) -> f32 {
+        let square = |a, b| {
+            let edge = sub(b, a);
+            dot(edge, edge)
+        };
         let shear = |[a, b, c, d]: [[f32; 3]; 4]| {
-            let (falling, rising) = (sub(b, c), sub(d, a));
-            let u: [f32; 3] = core::array::from_fn(|axis| rising[axis] + falling[axis]);
-            let v = sub(rising, falling);
-            let across = cross(u, v);
-            libm::atan2f(dot(u, v).abs(), dot(across, across).sqrt())
+            let along = 0.5 * (square(a, b) + square(c, d));
+            let up = 0.5 * (square(a, c) + square(b, d));
+            let longer = square(a, d).max(square(b, c));
+            let sine = 0.5 * (longer - along - up) / (along * up).sqrt();
+            libm::asinf(sine.clamp(0.0, 1.0))
         };
         self.cells().map(shear).fold(0.0, f32::max)
     }
@@ -152,9 +158,16 @@ mod tests {
             assert!(sheet.max_shear() < 1e-5 && sheet.max_diagonal_stretch() < 1e-5);
         }
         let sheet = rolled(core::f32::consts::FRAC_PI_4);
-        let chord = (0.01f32 / 0.03).powi(2) / 12.0;
+        let chord = (0.01f32 / 0.03).powi(2) / 48.0;
         let shear = sheet.max_shear();
         assert!((shear / chord - 1.0).abs() < 0.02, "{shear} for {chord}");
         assert!(sheet.max_diagonal_stretch() < 1e-5);
+    }
+
+    #[test]
+    fn a_sheet_folded_flat_along_a_diagonal_is_not_sheared() {
+        // Mirrored beyond the diagonal of its square cells.
+        let sheet = shaped(|u, v| if u > v { [v, u, 0.0] } else { [u, v, 0.0] });
+        assert!(sheet.max_shear() < 1e-3, "{}", sheet.max_shear());
     }
 }
