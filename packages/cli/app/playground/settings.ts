@@ -1,28 +1,12 @@
 /** The settings of the page, and the link that carries them. */
 
-import { ownNodes, type Variant, variantNames } from "./variants.ts";
+import { type LeafFigures, ownNodes, type Variant, variantNames } from "./variants.ts";
 
 /** A complete set of settings. */
-export interface Settings {
+export interface Settings extends LeafFigures {
   /** The model of the leaf on the left of the page, and of the one on the right. */
   readonly left: Variant;
   readonly right: Variant;
-  /** g/m². */
-  readonly grammage: number;
-  /** µm. */
-  readonly caliper: number;
-  /** Bending stiffness across the grain, mN m. */
-  readonly stiffness: number;
-  /** m/s². */
-  readonly gravity: number;
-  /** Density relative to real air. */
-  readonly air: number;
-  /** The dog-ear line's angle with the spine, degrees. */
-  readonly angle: number;
-  /** Columns of nodes; the minimum stands for each model's own number. */
-  readonly nodes: number;
-  /** Steps per second; 0 for each model's own. */
-  readonly steps: number;
   /** Length of a played turn, seconds. */
   readonly seconds: number;
   /** How fast time passes. */

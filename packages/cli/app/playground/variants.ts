@@ -58,15 +58,23 @@ const points = [25, 33] as const;
 /** Default columns and rows of the shell: its own grid takes minutes for a turn. */
 const shellNodes = [10, 14] as const;
 
-/** What of the page's settings makes a leaf; units as in `Settings`. */
+/** The settings of the page that make a leaf. */
 export interface LeafFigures {
+  /** g/m². */
   readonly grammage: number;
+  /** µm. */
   readonly caliper: number;
+  /** Bending stiffness across the grain, mN m. */
   readonly stiffness: number;
+  /** m/s². */
   readonly gravity: number;
+  /** Density relative to real air. */
   readonly air: number;
+  /** The dog-ear line's angle with the spine, degrees. */
   readonly angle: number;
+  /** Columns of nodes; the minimum stands for each model's own number. */
   readonly nodes: number;
+  /** Steps per second; 0 for each model's own. */
   readonly steps: number;
 }
 

@@ -27,9 +27,9 @@ export class LeafControl {
   readonly #events: LeafControlEvents;
   #closed = false;
 
-  constructor(binder: Pick<Rebinder, "bound">, folding: FoldOut, events: LeafControlEvents) {
-    this.#rebinder = binder;
-    this.#foldOut = folding;
+  constructor(rebinder: Pick<Rebinder, "bound">, foldOut: FoldOut, events: LeafControlEvents) {
+    this.#rebinder = rebinder;
+    this.#foldOut = foldOut;
     this.#events = events;
   }
 
