@@ -14,7 +14,7 @@ MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 RUST_SOURCES = $(shell find Cargo.toml Cargo.lock rust-toolchain.toml engine/Cargo.toml wasm/Cargo.toml engine/src wasm/src -type f)
 
-.PHONY: read build wasm test test-rust test-js check check-rust check-js check-licences size bench gestures soak fuzz playground examples pictures methods recordings photographs reference book clean tools-rust chromium browsers engines test-apps
+.PHONY: read build wasm test test-rust test-js check check-rust check-js check-licences size bench gestures soak fuzz playground examples pictures methods recordings photographs reference book clean tools-rust chromium browsers engines test-apps test-cluster test-publish
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -47,15 +47,14 @@ chromium: $(MODULES)
 browsers: $(MODULES)
 	@sh scripts/install_browsers.sh
 
-test: test-rust test-js
+test: tools-rust build browsers
+	node scripts/test.mjs
 
 test-rust: tools-rust
-	cargo test --release --workspace --quiet
+	node scripts/test.mjs rust
 
 test-js: build browsers
-	node scripts/build_wasm.mjs --verify
-	node --test wasm/tests/
-	npx vitest run
+	node scripts/test.mjs js
 
 check: check-rust check-js check-licences
 
@@ -71,6 +70,8 @@ check-js: build
 	node scripts/check_words.mjs
 	node scripts/reference.mjs --check
 	node scripts/check_links.mjs
+	node scripts/docs_tables.mjs --check
+	node scripts/parts_picture.mjs --check
 	node scripts/size.mjs
 
 # What a page loads, by part and with limits.
@@ -80,7 +81,8 @@ size: build
 check-licences: $(MODULES) tools-rust
 	node scripts/check_licences.mjs
 
-# Measures, and writes docs/performance.md.
+# Measures, and writes the tables of docs/performance.md. Every table of the docs is data in docs/data,
+# which scripts/docs_tables.mjs puts into the pages.
 bench: build chromium tools-rust
 	node scripts/performance.mjs
 
@@ -92,10 +94,20 @@ engines: build browsers
 test-apps: build chromium
 	node tests/apps/run.mjs
 
-# Random hands on the leaves of a book, 20,000 times: the table in docs/physics.md.
+# Books published by a Slurm array on this machine, which it sets up: the site is that of one run.
+test-cluster: build chromium
+	sh tests/cluster/run.sh
+
+# Books published in shards, and after a kill: BOOKS of them, where `make test` has four.
+BOOKS ?= 200
+test-publish: build chromium
+	TURNLEAF_BOOKS=$(BOOKS) npx vitest run --project node packages/cli/tests/publish.test.ts
+
+# Random pointers on the leaves of a book, 20,000 times: the tables in docs/physics.md.
 # Takes about half an hour on two cores.
 gestures: tools-rust
-	cargo run --release --quiet -p lab -- gestures --count 20000 --worst 5 --jobs $(JOBS) --into docs/physics.md
+	cargo run --release --quiet -p lab -- gestures --count 20000 --worst 5 --jobs $(JOBS) --into docs/data
+	node scripts/docs_tables.mjs
 
 # Ten thousand random operations on a book in Chromium, by SEED: no warning of WebGL, no blank page at
 # rest, no memory that grows. Writes the table in docs/performance.md. Takes about twenty minutes on two
@@ -103,7 +115,7 @@ gestures: tools-rust
 OPERATIONS ?= 10000
 SEED ?= $(shell date +%s | tail -c 7)
 soak: build chromium
-	node tests/soak/run.mjs --operations $(OPERATIONS) --seed $(SEED) --into docs/performance.md
+	node tests/soak/run.mjs --operations $(OPERATIONS) --seed $(SEED) --write
 
 # Every parser with what mutated files and texts say, FUZZ times as much of it as `make test` has, by SEED.
 FUZZ ?= 50
@@ -127,13 +139,15 @@ pictures: build chromium tools-rust
 	cargo run --release --quiet -p lab -- picture --preset book --gesture corner --out target/pictures
 	cp target/pictures/paper-2014-column.png target/pictures/book-corner.png docs/pictures/
 
-# Every way of turning a page measured: tables, plot and pictures of docs/methods.md.
-# Takes some ten minutes, nearly all of them the shell's.
+# Every way of turning a page measured: tables, plot and pictures of docs/methods.md, and the table of
+# sheet against shell in docs/physics.md. Takes some ten minutes, nearly all of them the shell's.
 methods: tools-rust
-	cargo run --release --quiet -p lab -- interpolation --into docs/methods.md
-	cargo run --release --quiet -p lab -- synchronisation --into docs/methods.md
+	cargo run --release --quiet -p lab -- interpolation --into docs/data
+	cargo run --release --quiet -p lab -- synchronisation --into docs/data
 	cargo run --release --quiet -p lab -- picture --figures --size 720 --out docs/methods
-	cargo run --release --quiet -p lab -- models --into docs/methods.md --plot docs/methods/cost-and-fidelity.svg --pictures docs/methods
+	cargo run --release --quiet -p lab -- models --into docs/data --plot docs/methods/cost-and-fidelity.svg --pictures docs/methods
+	cargo run --release --quiet -p lab -- agree --stock all --jobs $(JOBS) --into docs/data
+	node scripts/docs_tables.mjs
 
 # The turns that come with the viewer, recorded anew: model="replay" and model="shell".
 recordings: tools-rust

@@ -1,3 +1,4 @@
+import { join } from "node:path";
 import { playwright } from "@vitest/browser-playwright";
 import { defineConfig } from "vitest/config";
 import { packedFiles } from "./packages/turnleaf/packed_files.js";
@@ -34,13 +35,22 @@ export default defineConfig({
       {
         plugins: [wasmInline(), turnInline(), packedFiles()],
         optimizeDeps: { include: ["three", "pdfjs-dist/legacy/build/pdf.mjs", "axe-core"] },
+        // The examples import the package by its name.
+        resolve: {
+          alias: [
+            {
+              find: /^turnleaf$/,
+              replacement: join(import.meta.dirname, "packages/turnleaf/src/index.ts"),
+            },
+          ],
+        },
         test: {
           name: "chromium",
           include: ["packages/**/*.browser.test.ts"],
           exclude: ["**/node_modules/**", "**/dist/**"],
           testTimeout: 60_000,
           fileParallelism: false,
-          setupFiles: ["packages/turnleaf/src/setup_for_tests.ts"],
+          setupFiles: ["packages/turnleaf/src/for_tests/browser_setup.ts"],
           browser: {
             enabled: true,
             headless: true,

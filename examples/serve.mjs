@@ -37,7 +37,7 @@ function policyFor(html) {
   ].join("; ");
 }
 
-async function answer(request, response) {
+async function respond(request, response) {
   // An address such as /../secret is made plain by URL before it is looked at. Put
   // together, as //host would be another host, and // none.
   const address = `http://localhost${request.url}`;
@@ -63,7 +63,7 @@ async function answer(request, response) {
 /** Serves the examples to this machine alone; port 0 takes any that is free. */
 export async function serve(port = 0) {
   const server = createServer((request, response) => {
-    answer(request, response).catch(() => response.destroy());
+    respond(request, response).catch(() => response.destroy());
   });
   await new Promise((resolve, reject) => {
     server.once("error", reject);

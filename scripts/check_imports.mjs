@@ -38,7 +38,6 @@ const viewer = {
     "webgl_backend.ts",
   ],
   input: ["book", "engine", "stage", "viewer"],
-  "element.css.ts": [],
   text: ["pages", "sources"],
   sound: ["engine", "stage"],
   element: [
@@ -53,18 +52,8 @@ const viewer = {
     "text",
     "sound",
   ],
-  controls: ["element", "element.css.ts", "sources", "words"],
-  "element.ts": [
-    "book",
-    "controls",
-    "element",
-    "engine",
-    "sources",
-    "text",
-    "words",
-    "viewer",
-    "element.css.ts",
-  ],
+  controls: ["element", "sources", "words"],
+  "element.ts": ["book", "controls", "element", "engine", "sources", "text", "words", "viewer"],
   "index.ts": [
     "book",
     "element",
@@ -75,16 +64,27 @@ const viewer = {
     "leaf_models",
     "words",
   ],
-  "element_for_tests.ts": ["element.ts", "index.ts"],
-  "pointer_for_tests.ts": ["element.ts"],
-  "operations_for_tests.ts": ["element.ts", "pointer_for_tests.ts"],
-  "random_for_tests.ts": [],
-  "setup_for_tests.ts": [],
-  "viewer_for_tests.ts": ["open_viewer.ts", "sources", "viewer"],
+  // Helpers of tests.
+  for_tests: [
+    "controls",
+    "element",
+    "element.ts",
+    "index.ts",
+    "open_viewer.ts",
+    "sources",
+    "viewer",
+  ],
 };
 
 /** Packages that only these places of the viewer may import: heavy ones stay where they are used. */
-const packages = { three: /^(webgl|leaf_stage)\//, "pdfjs-dist": /^sources\/pdf/ };
+const packages = {
+  three: /^(webgl|leaf_stage)\//,
+  "pdfjs-dist": /^sources\/pdf/,
+  "foliate-js": /^sources\/epub\//,
+  "@zip.js/zip.js": /^sources\/archive\//,
+  dompurify: /^sources\/markup\//,
+  marked: /^sources\/text\//,
+};
 
 /** The engine's modules that nothing below them may use. */
 const engine = ["key_frames", "loose", "book", "trials"];

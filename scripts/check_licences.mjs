@@ -34,7 +34,15 @@ const permissive = new Set([
 const forTools = new Set(["MPL-2.0", "OFL-1.1", ...permissive]);
 
 /** Packages whose code is in what is shipped, though the lock calls them development's. */
-const shipped = new Set(["pdfjs-dist", "image-size", "three"]);
+const shipped = new Set([
+  "@zip.js/zip.js",
+  "dompurify",
+  "foliate-js",
+  "image-size",
+  "marked",
+  "pdfjs-dist",
+  "three",
+]);
 
 /** Packages that state their licence in their text alone, with what it says there. */
 const stated = { "png-js": "MIT" };

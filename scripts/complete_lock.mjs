@@ -2,7 +2,7 @@
  * Completes package-lock.json with the optional packages of other platforms.
  *
  * A registry mirror may hold the binaries of its own platform alone; npm then
- * writes a lock that `npm ci` refuses everywhere. For every optional dependency
+ * writes a lock that `npm ci` rejects everywhere. For every optional dependency
  * without an entry this adds one with its exact version and its platform, read off
  * its name; and to every entry without an integrity, that which the registry
  * states, if it has the package.

@@ -5,12 +5,12 @@
  *   node scripts/engines.mjs
  */
 import { spawnSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { cpus, tmpdir } from "node:os";
 import { join } from "node:path";
+import { includeTables, writeTable } from "./docs_tables.mjs";
 
 const root = join(import.meta.dirname, "..");
-const page = join(root, "docs/browsers.md");
 
 const folder = mkdtempSync(join(tmpdir(), "turnleaf-engines-"));
 const report = join(folder, "report.json");
@@ -38,25 +38,15 @@ for (const { ancestorTitles, title, duration, meta } of tests) {
 }
 const columns = [...engines.values()];
 const steps = Object.keys(columns[0].steps);
-const row = (...cells) => `| ${cells.join(" | ")} |`;
 const seconds = (milliseconds) => (milliseconds / 1000).toFixed(1);
 const sum = (times) => Object.values(times).reduce((all, time) => all + time, 0);
 
-const processors = cpus();
-const table = [
-  row("step, seconds", ...columns.map(({ name }) => name)),
-  row("---", ...columns.map(() => "---")),
-  row("version", ...columns.map(({ version }) => version)),
-  ...steps.map((step) => row(step, ...columns.map(({ steps }) => seconds(steps[step])))),
-  row("all", ...columns.map(({ steps }) => seconds(sum(steps)))),
-  "",
-  `Measured by \`make engines\` on ${processors.length} × ${processors[0].model.trim()}, without a graphics card.`,
-].join("\n");
-
-const text = readFileSync(page, "utf8");
-const section = /(?<=<!-- engines -->\n)[\s\S]*?(?=<!-- \/engines -->)/;
-if (!section.test(text)) throw new Error(`${page} has no place for the table.`);
-writeFileSync(
-  page,
-  text.replace(section, () => `${table}\n`),
-);
+const processors = `${cpus().length} × ${cpus()[0].model.trim()}`;
+writeTable("engines", [
+  ["step, seconds", ...columns.map(({ name }) => name)],
+  ["version", ...columns.map(({ version }) => version)],
+  ...steps.map((step) => [step, ...columns.map(({ steps }) => seconds(steps[step]))]),
+  ["all", ...columns.map(({ steps }) => seconds(sum(steps)))],
+  ["processors", ...columns.map(() => processors)],
+]);
+includeTables();

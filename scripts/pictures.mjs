@@ -121,10 +121,11 @@ async function take(browser, reader, examples, name) {
     }, turn);
   }
   if (riffle) {
-    // In pieces, so that the pages that come into sight are drawn in between.
-    for (let t = 0; t < riffle; t += 60) {
+    // One call every 75 ms, as a held key repeats, and time between for the pages that come into sight to be drawn.
+    for (let t = 0; t < riffle; t += 75) {
       await page.evaluate(() => {
-        window.clock.pass(59, () => document.querySelector("turnleaf-book").next());
+        document.querySelector("turnleaf-book").next();
+        window.clock.pass(75);
       });
       await page.waitForTimeout(2500);
     }

@@ -33,12 +33,11 @@ export function driveClock() {
     /** Whether the frame under way is the last one of its time, which is the one that is seen. */
     last: true,
     /** Lets a time pass, in frames of 60 Hz. */
-    pass(milliseconds, before) {
+    pass(milliseconds) {
       for (let t = 0; t < milliseconds; t += 1000 / 60) {
         now += 1000 / 60;
         clock.frames++;
         clock.last = t + 1000 / 60 >= milliseconds;
-        before?.();
         const calls = waiting;
         waiting = [];
         for (const { call } of calls) call(now);

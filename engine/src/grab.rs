@@ -55,16 +55,16 @@ pub(crate) fn pad<T: Real>(
                 column as f64 * cell[0] - middle[0],
                 row as f64 * cell[1] - middle[1],
             ];
-            let share = 1.0 - (apart[0] * apart[0] + apart[1] * apart[1]) / (radius * radius);
-            if share > 0.0 {
-                pressed.push((row * columns + column, share * share, apart));
+            let weight = 1.0 - (apart[0] * apart[0] + apart[1] * apart[1]) / (radius * radius);
+            if weight > 0.0 {
+                pressed.push((row * columns + column, weight * weight, apart));
             }
         }
     }
     let total: f64 = pressed.iter().map(|p| p.1).sum();
-    let of = |(node, share, apart): (usize, f64, [f64; 2])| Pressed {
+    let of = |(node, weight, apart): (usize, f64, [f64; 2])| Pressed {
         node,
-        weight: T::of(share / total),
+        weight: T::of(weight / total),
         apart: apart.map(T::of),
     };
     pressed.into_iter().map(of).collect()

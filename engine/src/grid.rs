@@ -110,7 +110,7 @@ impl Grid {
 
     /// Share of a cell's area that belongs to a node: 1 inside, 1/2 at an edge,
     /// 1/4 at a corner.
-    pub fn area_share(&self, column: usize, row: usize) -> f32 {
+    pub fn area_fraction(&self, column: usize, row: usize) -> f32 {
         let half = |i: usize, count: usize| if i == 0 || i + 1 == count { 0.5 } else { 1.0 };
         half(column, self.columns) * half(row, self.rows)
     }

@@ -17,7 +17,7 @@
 //! - [`Kinematic`] with its [`KinematicSettings`]: the swinging board, the peel, the
 //!   cylinder and the cone of earlier page turners
 //! - [`Stock`], its [`Rigidity`], and the [`Air`] around it: what the paper is
-//! - [`LooseLeaf`]: a leaf over a table, by any model, turned by the same hands
+//! - [`LooseLeaf`]: a leaf over a table, by any model, turned by the same grabs
 //! - [`Gesture`]: how a hand turns a leaf
 //! - [`Interpolation`]: from few nodes to many points
 //! - [`book`]: the bound book, in which a leaf is held, falls and is played

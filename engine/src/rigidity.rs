@@ -26,7 +26,7 @@ pub struct Rigidity {
 }
 
 impl Rigidity {
-    /// A stock's, bound with its grain as told. D12 and D66 follow from the
+    /// A stock's, bound with its grain in a direction. D12 and D66 follow from the
     /// geometric means of stiffness and Poisson ratio (Huber 1923), which is
     /// close for paper and exact for an isotropic sheet.
     pub fn of(stock: &Stock, grain: Grain) -> Rigidity {

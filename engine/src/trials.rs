@@ -150,7 +150,7 @@ impl Riffle {
     /// all are stepped and drawn.
     pub fn frame(&mut self) {
         if self.book.flights() < self.most
-            && let Some(id) = self.book.lift(Side::Right, self.next, self.next + 1)
+            && let Some(id) = self.book.pick_up(Side::Right, self.next, self.next + 1)
         {
             self.book.play(id, Side::Left, 0.6);
             self.next += 1;
@@ -170,7 +170,7 @@ impl Riffle {
 }
 
 /// Hash of all bits drawn in a second of a riffle of six leaves, the first of
-/// which is caught and pulled about by two hands.
+/// which is caught and pulled about by two grabs.
 ///
 /// None where there is no stock of that name.
 pub fn riffle_hash(stock: &str) -> Option<u64> {

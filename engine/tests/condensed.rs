@@ -116,22 +116,22 @@ fn crowded_columns_are_kept_as_they_lie() {
 }
 
 #[test]
-fn what_cannot_be_condensed_is_refused() {
+fn what_cannot_be_condensed_is_rejected() {
     let recording = recording(0.1);
     let even = uniform_samples(9);
-    let refused =
+    let rejected =
         |u: &[f32], tolerance: f32| Condensed::of(&recording, u, &even, tolerance).unwrap_err();
     let mut backward = even.clone();
     backward.swap(3, 4);
     assert!(matches!(
-        refused(&backward, 0.001),
+        rejected(&backward, 0.001),
         KeyFrameError::BadHeader {
             field: "place of columns",
             ..
         }
     ));
     assert!(matches!(
-        refused(&even, 1e-12),
+        rejected(&even, 1e-12),
         KeyFrameError::BadHeader {
             field: "tolerance",
             ..
@@ -140,7 +140,7 @@ fn what_cannot_be_condensed_is_refused() {
 }
 
 #[test]
-fn every_truncation_and_every_flipped_byte_is_refused() {
+fn every_truncation_and_every_flipped_byte_is_rejected() {
     let bytes = condensed(0.01).1.to_bytes();
     for length in 0..bytes.len() {
         assert!(Condensed::from_bytes(&bytes[..length]).is_err(), "{length}");
@@ -152,7 +152,7 @@ fn every_truncation_and_every_flipped_byte_is_refused() {
     }
 }
 
-/// Changes whose checksum fits: refused, or read as something that can be played.
+/// Changes whose checksum fits: rejected, or read as something that can be played.
 #[test]
 fn forged_files_never_panic_and_yield_finite_numbers() {
     let bytes = condensed(0.01).1.to_bytes();
@@ -167,7 +167,7 @@ fn forged_files_never_panic_and_yield_finite_numbers() {
     for _ in 0..3000 {
         let mut forged = bytes[..bytes.len() - 8].to_vec();
         for _ in 0..1 + random(3) {
-            // Most of them behind the header, which refuses nearly everything.
+            // Most of them behind the header, which rejects nearly everything.
             let first = if random(4) == 0 { 4 } else { 36 };
             let at = first + random(forged.len() - first);
             forged[at] = random(256) as u8;

@@ -1,4 +1,4 @@
-//! Key-frame files that ask for far more than they hold are refused before anything
+//! Key-frame files that state far more than they hold are rejected before anything
 //! is allocated, and what is read takes memory in proportion.
 
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -47,7 +47,7 @@ fn held_at_most<T>(work: impl FnOnce() -> T) -> (T, usize) {
     (result, (MOST.get() - before) as usize)
 }
 
-/// A sealed file of version 2 with these counts, whose shares are `packed`.
+/// A sealed file of version 2 with these counts, whose coefficients are `packed`.
 fn file(columns: u32, rows: u32, frames: u32, packed: &[u8]) -> Vec<u8> {
     let mut bytes = b"TLKF\x02\x00\x01\x00".to_vec();
     bytes.extend([2u32, 0].iter().flat_map(|word| word.to_le_bytes()));
@@ -87,7 +87,7 @@ fn a_million_frames_of_nothing_take_memory_in_proportion() {
 }
 
 #[test]
-fn more_frames_than_the_packed_bytes_hold_are_refused_before_anything_is_allocated() {
+fn more_frames_than_the_packed_bytes_hold_are_rejected_before_anything_is_allocated() {
     for (side, frames) in [(2, 1 << 20), (256, 64)] {
         let bytes = file(side, side, frames, &vec![0; 9 * frames as usize - 1]);
         let (read, held) = held_at_most(|| Condensed::from_bytes(&bytes));
@@ -101,7 +101,7 @@ fn more_frames_than_the_packed_bytes_hold_are_refused_before_anything_is_allocat
 }
 
 #[test]
-fn counts_beyond_the_bytes_are_refused_before_anything_is_allocated() {
+fn counts_beyond_the_bytes_are_rejected_before_anything_is_allocated() {
     let small = file(2, 2, 1, &[0; 9]);
     for version in [1u8, 2] {
         for at in [24, 28, 32, 44] {
@@ -146,14 +146,14 @@ fn fuzz() -> u64 {
 
 /// Set `TURNLEAF_SEED` to play one seed again.
 #[test]
-fn random_files_are_refused_in_one_sentence_or_hold_finite_numbers() {
+fn random_files_are_rejected_in_one_sentence_or_hold_finite_numbers() {
     let fixture = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures/corner.tlkf");
     let sound = std::fs::read(fixture).expect("a fixture");
     let seeds = match number_of("TURNLEAF_SEED") {
         Some(seed) => seed..=seed,
         None => 1u64..=5,
     };
-    let (mut read, mut refused) = (0, 0);
+    let (mut read, mut rejected) = (0, 0);
     for seed in seeds {
         println!("TURNLEAF_SEED={seed}");
         let mut random = Random(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
@@ -197,13 +197,13 @@ fn random_files_are_refused_in_one_sentence_or_hold_finite_numbers() {
                 Err(error) => {
                     let sentence = error.to_string();
                     assert!(sentence.ends_with('.') && !sentence.contains('\n'));
-                    refused += 1;
+                    rejected += 1;
                 }
             }
         }
     }
-    println!("{read} read, {refused} refused");
-    assert!(read > 0 && refused > 0);
+    println!("{read} read, {rejected} rejected");
+    assert!(read > 0 && rejected > 0);
 }
 
 /// Numbers by the generator of Numerical Recipes, which the viewer's tests have as well.

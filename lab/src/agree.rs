@@ -6,18 +6,20 @@
 //! the width of the page.
 
 use std::f64::consts::PI;
+use std::fmt::{self, Display, Formatter};
 use std::path::PathBuf;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use serde_json::{Value, json};
+use clap::Args;
+use serde::Serialize;
 use turnleaf_engine::{
     Contact, Edge, Grain, Root, Sheet, SheetSettings, Shell, ShellSettings, Stock, Table, TurnModel,
 };
 
-use crate::options;
-use crate::report;
+use crate::options::{self, between};
 use crate::specimen::{BREADTH, LENGTH, Settings};
+use crate::table;
 
 /// Length of the turn, s, and of what is watched after it.
 const TURN: f64 = 1.2;
@@ -32,113 +34,154 @@ const FINER: usize = 2;
 /// Steps of the shell between two such places, each 1/480 s long.
 const SHELL_STEPS: usize = 48;
 
-/// Where hands hold: at the foot corner, and in the middle of the fore-edge.
+/// Where the hand holds: at the foot corner, and in the middle of the fore-edge.
 const PLACES: [(&str, [f64; 2]); 2] = [("corner", [1.0, 0.0]), ("edge", [1.0, 0.5])];
 
+/// Options of the experiment.
+#[derive(Args)]
+pub struct Options {
+    /// The paper, or all in turn.
+    #[arg(long, default_value = "book", value_parser = options::stock_name_or_all())]
+    stock: options::StockOrAll,
+    /// What is held against the shell; there is no other.
+    #[arg(long, default_value = "sheet", value_parser = ["sheet"])]
+    model: String,
+    /// Of the sheet: a book's leaf, or one on its own.
+    #[arg(long, value_enum, default_value = "book")]
+    settings: Settings,
+    /// Turns computed at once.
+    #[arg(long, default_value_t = 1, value_parser = between(1usize, 64))]
+    jobs: usize,
+    /// Write the table into a folder, as agree_SETTINGS.json.
+    #[arg(long)]
+    into: Option<PathBuf>,
+}
+
+/// What was found of one stock, or of several.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub enum Agreement {
+    One(OfStock),
+    All { stocks: Vec<OfStock> },
+}
+
+/// Both turns of a stock.
+#[derive(Serialize)]
+pub struct OfStock {
+    stock: &'static str,
+    settings: Settings,
+    corner: Turn,
+    edge: Turn,
+}
+
+/// How far sheet and shell are apart in a turn, over the width.
+#[derive(Serialize)]
+struct Turn {
+    rms: f64,
+    worst: f64,
+    by_time: Vec<Moment>,
+    shear_degrees: f32,
+    diagonal_stretch: f32,
+    shell_steps_unsolved: u64,
+}
+
+#[derive(Serialize)]
+struct Moment {
+    time: f64,
+    rms: f64,
+    worst: f64,
+}
+
 /// Runs the experiment.
-pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let (mut names, mut settings, mut jobs) = (vec!["book"], Settings::default(), 1);
-    let mut into = None;
-    let json = options::read(parser, |option, parser| {
-        match option {
-            "stock" => {
-                let known = [&Stock::NAMES[..], &["all"]].concat();
-                let name = known[options::choice(parser, option, &known)?];
-                names = if name == "all" {
-                    Stock::NAMES.to_vec()
-                } else {
-                    vec![name]
-                };
-            }
-            // What is held against the shell.
-            "model" => drop(options::choice(parser, option, &["sheet"])?),
-            "settings" => settings = Settings::read(parser)?,
-            "jobs" => jobs = options::number(parser, option, 1, 64)?,
-            "into" => into = Some(PathBuf::from(options::text(parser, option)?)),
-            _ => return Ok(false),
-        }
-        Ok(true)
-    })?;
-    let figures = all(&names, settings, jobs)?;
-    if let Some(path) = into {
-        let name = format!("agree {}", settings.name());
-        report::insert(&path, &name, &table(&figures, true))?;
+pub fn run(options: &Options) -> Result<Agreement, String> {
+    let &Options { settings, jobs, .. } = options;
+    let names = options
+        .stock
+        .map_or(Stock::NAMES.to_vec(), |name| vec![name]);
+    let mut stocks = all(&names, settings, jobs)?;
+    if let Some(folder) = &options.into {
+        table(&stocks).write(folder, &format!("agree_{}", settings.name()))?;
     }
-    match &figures[..] {
-        [only] if json => report::print(true, only),
-        _ if json => report::print(true, &json!({ "stocks": figures })),
-        [only] => print_by_time(only),
-        _ => print!("{}", table(&figures, false)),
-    }
-    Ok(())
+    Ok(match options.stock {
+        Some(_) => Agreement::One(stocks.remove(0)),
+        None => Agreement::All { stocks },
+    })
 }
 
 /// The figures of each stock; so many turns are computed at once.
-fn all(names: &[&'static str], settings: Settings, jobs: usize) -> Result<Vec<Value>, String> {
-    let count = names.len() * PLACES.len();
-    let (next, found) = (AtomicUsize::new(0), Mutex::new(vec![Value::Null; count]));
+fn all(names: &[&'static str], settings: Settings, jobs: usize) -> Result<Vec<OfStock>, String> {
+    let turns: Vec<(&str, [f64; 2])> = { names.iter() }
+        .flat_map(|name| PLACES.map(|(_, place)| (*name, place)))
+        .collect();
+    let next = AtomicUsize::new(0);
+    let found = Mutex::new(Vec::new());
     let work = || -> Result<(), String> {
         loop {
             let index = next.fetch_add(1, Ordering::Relaxed);
-            let Some(name) = names.get(index / PLACES.len()) else {
+            let Some(&(name, place)) = turns.get(index) else {
                 return Ok(());
             };
-            let stock = Stock::named(name).expect("a preset");
-            let figures = turn(&stock, settings, PLACES[index % PLACES.len()].1)?;
-            found.lock().expect("no thread panics")[index] = figures;
+            let turn = turn(&options::stock(name), settings, place)?;
+            found.lock().expect("no thread panics").push((index, turn));
         }
     };
     std::thread::scope(|scope| {
-        let threads: Vec<_> = (0..jobs.min(count)).map(|_| scope.spawn(work)).collect();
+        let threads: Vec<_> = (0..jobs.min(turns.len()))
+            .map(|_| scope.spawn(work))
+            .collect();
         threads
             .into_iter()
             .try_for_each(|thread| thread.join().expect("no thread panics"))
     })?;
-    let found = found.into_inner().expect("no thread panics");
-    let stocks = names.iter().zip(found.chunks(PLACES.len()));
-    let of_stock = |(name, found): (&&str, &[Value])| {
-        let mut figures = json!({ "stock": name, "settings": settings.name() });
-        for ((by, _), found) in PLACES.iter().zip(found) {
-            figures[by] = found.clone();
-        }
-        figures
+    let mut found = found.into_inner().expect("no thread panics");
+    found.sort_by_key(|(index, _)| *index);
+    let mut turns = found.into_iter().map(|(_, turn)| turn);
+    let mut next = || turns.next().expect("two turns of each stock");
+    let of_stock = |stock: &&'static str| OfStock {
+        stock,
+        settings,
+        corner: next(),
+        edge: next(),
     };
-    Ok(stocks.map(of_stock).collect())
+    Ok(names.iter().map(of_stock).collect())
 }
 
-fn print_by_time(figures: &Value) {
-    for (by, _) in PLACES {
-        println!(
-            "Turn of {} paper by the {by}, settings of {}; distance of sheet and shell over the width.",
-            figures["stock"].as_str().unwrap_or_default(),
-            figures["settings"].as_str().unwrap_or_default(),
-        );
-        println!("{:>8}  {:>9}  {:>9}", "time, s", "RMS", "worst");
-        for row in figures[by]["by_time"].as_array().into_iter().flatten() {
-            println!(
-                "{:>8}  {:9.5}  {:9.5}",
-                row["time"],
-                row["rms"].as_f64().unwrap_or(f64::NAN),
-                row["worst"].as_f64().unwrap_or(f64::NAN)
-            );
+impl Display for Agreement {
+    fn fmt(&self, out: &mut Formatter) -> fmt::Result {
+        match self {
+            Agreement::One(stock) => stock.fmt(out),
+            Agreement::All { stocks } => table(stocks).fmt(out),
         }
-        println!(
-            "{:>8}  {:9.5}  {:9.5}",
-            "all",
-            figures[by]["rms"].as_f64().unwrap_or(f64::NAN),
-            figures[by]["worst"].as_f64().unwrap_or(f64::NAN)
-        );
-        println!(
-            "The sheet shears by {:.2} degrees at most, and its diagonals stretch by {:.2} %.\n",
-            figures[by]["shear_degrees"].as_f64().unwrap_or(f64::NAN),
-            100.0 * figures[by]["diagonal_stretch"].as_f64().unwrap_or(f64::NAN)
-        );
+    }
+}
+
+impl Display for OfStock {
+    fn fmt(&self, out: &mut Formatter) -> fmt::Result {
+        for ((by, _), turn) in PLACES.iter().zip([&self.corner, &self.edge]) {
+            let (stock, settings) = (self.stock, self.settings.name());
+            writeln!(
+                out,
+                "Turn of {stock} paper by the {by}, settings of {settings}; distance of sheet and shell over the width."
+            )?;
+            writeln!(out, "{:>8}  {:>9}  {:>9}", "time, s", "RMS", "worst")?;
+            for Moment { time, rms, worst } in &turn.by_time {
+                writeln!(out, "{time:>8}  {rms:9.5}  {worst:9.5}")?;
+            }
+            writeln!(out, "{:>8}  {:9.5}  {:9.5}", "all", turn.rms, turn.worst)?;
+            writeln!(
+                out,
+                "The sheet shears by {:.2} degrees at most, and its diagonals stretch by {:.2} %.\n",
+                turn.shear_degrees,
+                100.0 * turn.diagonal_stretch
+            )?;
+        }
+        Ok(())
     }
 }
 
 /// The worst of each stock's turns as a table.
-fn table(figures: &[Value], markdown: bool) -> String {
-    let headings = [
+fn table(stocks: &[OfStock]) -> table::Table {
+    let mut table = table::Table::new(&[
         "stock",
         "corner: RMS, %",
         "worst, %",
@@ -148,28 +191,22 @@ fn table(figures: &[Value], markdown: bool) -> String {
         "worst, %",
         "shear, °",
         "diagonals, %",
-    ];
-    let mut rows = vec![headings.map(String::from).to_vec()];
-    for stock in figures {
-        let mut row = vec![stock["stock"].as_str().unwrap_or_default().to_string()];
-        for (by, _) in PLACES {
-            for (name, scale) in [
-                ("rms", 100.0),
-                ("worst", 100.0),
-                ("shear_degrees", 1.0),
-                ("diagonal_stretch", 100.0),
-            ] {
-                let value = scale * stock[by][name].as_f64().unwrap_or(f64::NAN);
-                row.push(format!("{value:.2}"));
-            }
+    ]);
+    for stock in stocks {
+        let mut row = vec![stock.stock.to_string()];
+        for turn in [&stock.corner, &stock.edge] {
+            row.push(format!("{:.2}", 100.0 * turn.rms));
+            row.push(format!("{:.2}", 100.0 * turn.worst));
+            row.push(format!("{:.2}", turn.shear_degrees));
+            row.push(format!("{:.2}", 100.0 * turn.diagonal_stretch));
         }
-        rows.push(row);
+        table.push(row);
     }
-    report::table(&rows, markdown)
+    table
 }
 
 /// Turns both models by a place (u, v) and compares them.
-fn turn(stock: &Stock, settings: Settings, at: [f64; 2]) -> Result<Value, String> {
+fn turn(stock: &Stock, settings: Settings, at: [f64; 2]) -> Result<Turn, String> {
     let settings = SheetSettings {
         root: Root::Hinged(0.0),
         ..settings.sheet([LENGTH, BREADTH], *stock)
@@ -202,7 +239,7 @@ fn turn(stock: &Stock, settings: Settings, at: [f64; 2]) -> Result<Value, String
     sheet.grab(0, at[0] as f32, at[1] as f32);
     shell.grab(at[0], at[1]);
     let steps = (APART / step).round() as usize;
-    let mut samples = Vec::new();
+    let mut by_time: Vec<Moment> = Vec::new();
     let mut square = 0.0;
     let (mut shear, mut stretch) = (0.0f32, 0.0f32);
     for moment in 1..=((TURN + AFTER) / APART).round() as usize {
@@ -232,20 +269,23 @@ fn turn(stock: &Stock, settings: Settings, at: [f64; 2]) -> Result<Value, String
         square += mean;
         let worst = apart.iter().copied().fold(0.0, f64::max);
         let time = (moment as f64 * APART * 1e3).round() / 1e3;
-        samples.push(json!({ "time": time, "rms": mean.sqrt(), "worst": worst }));
+        by_time.push(Moment {
+            time,
+            rms: mean.sqrt(),
+            worst,
+        });
     }
-    let worst = samples
-        .iter()
-        .filter_map(|sample| sample["worst"].as_f64())
-        .fold(0.0, f64::max);
-    Ok(json!({
-        "rms": (square / samples.len() as f64).sqrt(),
-        "worst": worst,
-        "by_time": samples,
-        "shear_degrees": shear.to_degrees(),
-        "diagonal_stretch": stretch,
-        "shell_steps_unsolved": shell.unsolved_steps(),
-    }))
+    Ok(Turn {
+        rms: (square / by_time.len() as f64).sqrt(),
+        worst: by_time
+            .iter()
+            .map(|moment| moment.worst)
+            .fold(0.0, f64::max),
+        by_time,
+        shear_degrees: shear.to_degrees(),
+        diagonal_stretch: stretch,
+        shell_steps_unsolved: shell.unsolved_steps(),
+    })
 }
 
 /// Where the hand is when it has done a part of the turn, m: on a half circle

@@ -2,17 +2,18 @@
 //! stands falls over.
 //!
 //! Bisected between a weight at which it stands and one at which it does not. A
-//! model that can tell whether an equilibrium is stable is asked; any other is
+//! model that can tell whether an equilibrium is stable says so; any other is
 //! nudged, by much less than would strain a sheet that bends two ways at once,
 //! and either the nudge dies away or it grows.
 
-use serde_json::{Value, json};
+use clap::Args;
+use serde::Serialize;
 use turnleaf_engine::GRAVITY;
 
 use crate::exact::upright_gamma;
-use crate::options;
-use crate::report;
-use crate::specimen::{LENGTH, Model, Piece, Specimen};
+use crate::options::between;
+use crate::report::{Compared, Lines, error};
+use crate::specimen::{LENGTH, Model, ModelOptions, Piece, Specimen};
 
 /// Where the bisection stops, as part of the weight.
 const TOLERANCE: f64 = 2e-4;
@@ -24,47 +25,79 @@ const NUDGE: f64 = 1e-6;
 /// time, and how long for the second, s.
 const WATCHED: [f64; 3] = [0.2, 3.0, 3.0];
 
+/// Options of `lab upright`.
+#[derive(Args)]
+pub struct UprightOptions {
+    #[command(flatten)]
+    model: ModelOptions,
+    /// Nodes from the foot to the head [default: the model's own number]
+    #[arg(long, value_parser = between(6usize, 513))]
+    nodes: Option<usize>,
+}
+
+/// The weight at which a piece falls over, and how it was found.
+#[derive(Serialize)]
+pub struct Critical {
+    gamma_critical: f64,
+    measured_by: &'static str,
+    /// A plate's Poisson's ratio, and its height over its length.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    nu: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    aspect: Option<f64>,
+}
+
+/// The exact weight, where it is known.
+#[derive(Serialize)]
+pub struct Gamma {
+    gamma_critical: Option<f64>,
+}
+
 /// Runs `lab upright`.
-pub fn run_upright(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let mut columns = None;
-    let (model, json) = report::read(parser, |option, parser| {
-        if option != "nodes" {
-            return Ok(false);
-        }
-        columns = Some(options::number(parser, option, 6, 513)?);
-        Ok(true)
-    })?;
+pub fn run_upright(options: &UprightOptions) -> Result<Lines<Compared<Critical, Gamma>>, String> {
+    let model = options.model.model()?;
     let standing = |gamma: f64| Piece {
-        columns,
+        columns: options.nodes,
         gravity: [-GRAVITY, 0.0, 0.0],
         ..Piece::of_gamma(gamma)
     };
-    let (critical, how) = critical(model, standing)?;
+    let found = critical(model, standing)?;
     let exact = upright_gamma();
-    print(json, model, critical, how, Some(exact), json!({}));
-    Ok(())
+    let gamma = |gamma_critical| Gamma { gamma_critical };
+    Ok(Lines(Compared {
+        of: model.label(),
+        exact: gamma(Some(exact)),
+        error: gamma(Some(error(found.gamma_critical, exact))),
+        found,
+    }))
 }
 
 /// Columns of the shell as a plate in a vertical plane.
 const SHELL_COLUMNS: usize = 33;
 
+/// Options of `lab lateral-buckling`.
+#[derive(Args)]
+pub struct LateralOptions {
+    #[command(flatten)]
+    model: ModelOptions,
+    /// Poisson's ratio.
+    #[arg(long, value_parser = between(0.0, 0.49))]
+    nu: f64,
+    /// Height over length.
+    #[arg(long, value_parser = between(0.05, 4.0))]
+    aspect: f64,
+    /// Nodes from the clamp to the tip [default: the model's own number]
+    #[arg(long, value_parser = between(6usize, 513))]
+    nodes: Option<usize>,
+}
+
 /// Runs `lab lateral-buckling`.
-pub fn run_lateral(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let (mut nu, mut aspect, mut columns) = (None, None, None);
-    let (model, json) = report::read(parser, |option, parser| {
-        match option {
-            "nu" => nu = Some(options::number(parser, option, 0.0, 0.49)?),
-            "aspect" => aspect = Some(options::number(parser, option, 0.05, 4.0)?),
-            "nodes" => columns = Some(options::number(parser, option, 6, 513)?),
-            _ => return Ok(false),
-        }
-        Ok(true)
-    })?;
-    let nu = nu.ok_or("Lateral buckling needs --nu, Poisson's ratio.")?;
-    let aspect: f64 = aspect.ok_or("Lateral buckling needs --aspect, height over length.")?;
+pub fn run_lateral(options: &LateralOptions) -> Result<Lines<Compared<Critical, Gamma>>, String> {
+    let model = options.model.model()?;
+    let &LateralOptions { nu, aspect, .. } = options;
     // The shell's cells are square, so that a high plate is as finely cut as a narrow one.
     let square = model == Model::Shell;
-    let columns = columns.or(square.then_some(SHELL_COLUMNS));
+    let columns = options.nodes.or(square.then_some(SHELL_COLUMNS));
     let rows = columns.filter(|_| square).map(|columns| {
         let cells = (columns - 1) as f64 * aspect;
         (cells.round() as usize + 1).clamp(9, 49)
@@ -77,35 +110,23 @@ pub fn run_lateral(parser: &mut lexopt::Parser) -> Result<(), String> {
         gravity: [0.0, -GRAVITY, 0.0],
         ..Piece::of_gamma(gamma)
     };
-    let (critical, how) = critical(model, standing)?;
-    print(
-        json,
-        model,
-        critical,
-        how,
-        None,
-        json!({ "nu": nu, "aspect": aspect }),
-    );
-    Ok(())
-}
-
-fn print(json: bool, model: Model, critical: f64, how: &str, exact: Option<f64>, of_which: Value) {
-    let mut figures = json!({
-        "model": model.name(),
-        "settings": model.settings(),
-        "gamma_critical": critical,
-        "measured_by": how,
-        "exact": { "gamma_critical": exact },
-        "error": { "gamma_critical": exact.map(|exact| report::error(critical, exact)) },
-    });
-    for (name, value) in of_which.as_object().into_iter().flatten() {
-        figures[name] = value.clone();
-    }
-    report::print(json, &figures);
+    let unknown = || Gamma {
+        gamma_critical: None,
+    };
+    Ok(Lines(Compared {
+        of: model.label(),
+        found: Critical {
+            nu: Some(nu),
+            aspect: Some(aspect),
+            ..critical(model, standing)?
+        },
+        exact: unknown(),
+        error: unknown(),
+    }))
 }
 
 /// The critical weight of a piece, and how it was found.
-fn critical(model: Model, piece: impl Fn(f64) -> Piece) -> Result<(f64, &'static str), String> {
+fn critical(model: Model, piece: impl Fn(f64) -> Piece) -> Result<Critical, String> {
     let how = match model.make(&piece(1.0))?.is_stable() {
         Some(_) => "stability of the equilibrium",
         None => "growth of a nudge",
@@ -125,7 +146,12 @@ fn critical(model: Model, piece: impl Fn(f64) -> Piece) -> Result<(f64, &'static
             high = middle;
         }
     }
-    Ok((0.5 * (low + high), how))
+    Ok(Critical {
+        gamma_critical: 0.5 * (low + high),
+        measured_by: how,
+        nu: None,
+        aspect: None,
+    })
 }
 
 /// Whether a piece that was put up straight stays so.

@@ -1,12 +1,13 @@
 //! `lab cantilever` and `lab tip-load`: a strip clamped at one end hangs by its
 //! own weight, or by a load at its tip.
 
-use serde_json::json;
+use clap::Args;
+use serde::Serialize;
 
 use crate::exact::Elastica;
-use crate::options;
-use crate::report;
-use crate::specimen::{Held, Model, Piece, Specimen};
+use crate::options::between;
+use crate::report::{Compared, Lines, error};
+use crate::specimen::{Held, Model, ModelOptions, Piece, Specimen};
 
 /// A strip that has come to rest.
 pub struct Rested {
@@ -53,65 +54,120 @@ pub fn rested(
     Ok(Rested::of(&*specimen, piece.length))
 }
 
+/// Options of `lab cantilever`.
+#[derive(Args)]
+pub struct Options {
+    #[command(flatten)]
+    model: ModelOptions,
+    /// Gamma, weight x length^3 / stiffness.
+    #[arg(long, value_parser = between(1e-3, 1e4))]
+    gamma: f64,
+    /// Angle of the clamp, degrees upward from level.
+    #[arg(long, default_value_t = 0.0, allow_negative_numbers = true, value_parser = between(-180.0, 180.0))]
+    clamp_angle: f64,
+    /// Nodes from the clamp to the tip [default: the model's own number]
+    #[arg(long, value_parser = between(4usize, 513))]
+    nodes: Option<usize>,
+}
+
+/// What hangs, and where.
+#[derive(Serialize)]
+pub struct Hanging {
+    gamma: f64,
+    clamp_angle_deg: f64,
+    #[serde(flatten)]
+    tip: Tip,
+    max_edge_strain: f64,
+}
+
+/// Where the tip of a strip is.
+#[derive(Serialize)]
+pub struct Tip {
+    reach: f64,
+    drop: f64,
+    tip_angle_deg: f64,
+}
+
+/// How far it is from there, as parts of both ways and as a distance.
+#[derive(Serialize)]
+pub struct TipError {
+    reach: f64,
+    drop: f64,
+    tip: f64,
+}
+
 /// Runs `lab cantilever`.
-pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let (mut gamma, mut degrees, mut columns) = (None, 0.0, None);
-    let (model, json) = report::read(parser, |option, parser| {
-        match option {
-            "gamma" => gamma = Some(options::number(parser, option, 1e-3, 1e4)?),
-            "clamp-angle" => degrees = options::number(parser, option, -180.0, 180.0)?,
-            "nodes" => columns = Some(options::number(parser, option, 4, 513)?),
-            _ => return Ok(false),
-        }
-        Ok(true)
-    })?;
-    let gamma = gamma.ok_or("A cantilever needs --gamma, its weight over its stiffness.")?;
-    let angle = f64::to_radians(degrees);
-    let found = rested(model, gamma, angle, columns)?;
+pub fn run(options: &Options) -> Result<Lines<Compared<Hanging, Tip, TipError>>, String> {
+    let (model, gamma) = (options.model.model()?, options.gamma);
+    let clamp_angle = options.clamp_angle.to_radians();
+    let found = rested(model, gamma, clamp_angle, options.nodes)?;
     let exact = Elastica {
         gamma,
         load: 0.0,
-        clamp_angle: angle,
+        clamp_angle,
     }
     .hanging();
-    let figures = json!({
-        "model": model.name(),
-        "settings": model.settings(),
-        "gamma": gamma,
-        "clamp_angle_deg": degrees,
-        "reach": found.reach,
-        "drop": found.drop,
-        "tip_angle_deg": found.tip_angle,
-        "max_edge_strain": found.edge_strain,
-        "exact": {
-            "reach": exact.reach,
-            "drop": exact.drop,
-            "tip_angle_deg": exact.tip_angle.to_degrees(),
+    Ok(Lines(Compared {
+        of: model.label(),
+        found: Hanging {
+            gamma,
+            clamp_angle_deg: options.clamp_angle,
+            tip: Tip {
+                reach: found.reach,
+                drop: found.drop,
+                tip_angle_deg: found.tip_angle,
+            },
+            max_edge_strain: found.edge_strain,
         },
-        "error": {
-            "reach": report::error(found.reach, exact.reach),
-            "drop": report::error(found.drop, exact.drop),
-            "tip": (found.reach - exact.reach).hypot(found.drop - exact.drop),
+        exact: Tip {
+            reach: exact.reach,
+            drop: exact.drop,
+            tip_angle_deg: exact.tip_angle.to_degrees(),
         },
-    });
-    report::print(json, &figures);
-    Ok(())
+        error: TipError {
+            reach: error(found.reach, exact.reach),
+            drop: error(found.drop, exact.drop),
+            tip: (found.reach - exact.reach).hypot(found.drop - exact.drop),
+        },
+    }))
+}
+
+/// Options of `lab tip-load`.
+#[derive(Args)]
+pub struct TipLoadOptions {
+    #[command(flatten)]
+    model: ModelOptions,
+    /// The load, P L^2 / stiffness.
+    #[arg(long, value_parser = between(0.0, 1e3))]
+    load: f64,
+    /// Nodes from the clamp to the tip [default: the model's own number]
+    #[arg(long, value_parser = between(4usize, 513))]
+    nodes: Option<usize>,
+}
+
+/// What is loaded, and how far its tip has come.
+#[derive(Serialize)]
+pub struct Loaded {
+    load: f64,
+    #[serde(flatten)]
+    tip: Way,
+    max_edge_strain: f64,
+}
+
+/// How far a tip has come down, w, and in, u; and of an error the distance.
+#[derive(Serialize)]
+pub struct Way {
+    w: f64,
+    u: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tip: Option<f64>,
 }
 
 /// Runs `lab tip-load`.
-pub fn run_tip_load(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let (mut load, mut columns) = (None, None);
-    let (model, json) = report::read(parser, |option, parser| {
-        match option {
-            "load" => load = Some(options::number(parser, option, 0.0, 1e3)?),
-            "nodes" => columns = Some(options::number(parser, option, 4, 513)?),
-            _ => return Ok(false),
-        }
-        Ok(true)
-    })?;
-    let load: f64 = load.ok_or("A tip load needs --load, P L^2 over the stiffness.")?;
+pub fn run_tip_load(options: &TipLoadOptions) -> Result<Lines<Compared<Loaded, Way>>, String> {
+    let (model, load) = (options.model.model()?, options.load);
     let piece = Piece {
-        columns,
+        columns: options.nodes,
         ..Piece::weightless()
     };
     let mut specimen = model.make(&piece)?;
@@ -125,21 +181,18 @@ pub fn run_tip_load(parser: &mut lexopt::Parser) -> Result<(), String> {
         clamp_angle: 0.0,
     }
     .hanging();
+    let way = |w, u, tip| Way { w, u, tip };
     let (w, u) = (found.drop, 1.0 - found.reach);
-    let figures = json!({
-        "model": model.name(),
-        "settings": model.settings(),
-        "load": load,
-        "w": w,
-        "u": u,
-        "max_edge_strain": found.edge_strain,
-        "exact": { "w": exact.drop, "u": 1.0 - exact.reach },
-        "error": {
-            "w": report::error(w, exact.drop),
-            "u": report::error(u, 1.0 - exact.reach),
-            "tip": (w - exact.drop).hypot(u - 1.0 + exact.reach),
+    let (exact_w, exact_u) = (exact.drop, 1.0 - exact.reach);
+    let apart = (w - exact_w).hypot(u - exact_u);
+    Ok(Lines(Compared {
+        of: model.label(),
+        found: Loaded {
+            load,
+            tip: way(w, u, None),
+            max_edge_strain: found.edge_strain,
         },
-    });
-    report::print(json, &figures);
-    Ok(())
+        exact: way(exact_w, exact_u, None),
+        error: way(error(w, exact_w), error(u, exact_u), Some(apart)),
+    }))
 }

@@ -1,70 +1,54 @@
 //! `lab convergence`: how fast a model nears the exact cantilever with more
 //! nodes, and its own limit with shorter steps.
 
-use serde_json::{Value, json};
+use clap::Args;
+use serde::Serialize;
 
 use crate::cantilever::rested;
 use crate::exact::Elastica;
-use crate::report;
-use crate::specimen::{Model, Piece};
+use crate::report::Lines;
+use crate::specimen::{Label, Model, ModelOptions, Piece};
 
 /// Weight over stiffness of the strip.
 const GAMMA: f64 = 10.0;
 
-/// Runs the experiment.
-pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let (model, json) = report::read(parser, |_, _| Ok(false))?;
-    let (columns, errors) = by_nodes(model)?;
-    let cells: Vec<f64> = columns
-        .iter()
-        .map(|columns| 1.0 / (columns - 1) as f64)
-        .collect();
-    let (steps, changes) = by_step(model)?;
-    let figures = json!({
-        "model": model.name(),
-        "settings": model.settings(),
-        "gamma": GAMMA,
-        "nodes": columns,
-        "tip_error": errors,
-        "order": slope(&cells, &errors),
-        "time_steps": steps,
-        "tip_change_to_half_step": changes,
-        "order_in_time": slope(&steps, &changes),
-    });
-    if json {
-        report::print(true, &figures);
-        return Ok(());
-    }
-    println!(
-        "Cantilever of {}, Gamma {GAMMA}; error of the tip over the length.",
-        model.name()
-    );
-    table("nodes", &figures["nodes"], &figures["tip_error"]);
-    println!("order {:.3}\n", slope(&cells, &errors));
-    println!("Falling from level; change of the tip from a step to half of it.");
-    table(
-        "step, s",
-        &figures["time_steps"],
-        &figures["tip_change_to_half_step"],
-    );
-    println!("order {:.3}", slope(&steps, &changes));
-    Ok(())
+/// Options of the experiment.
+#[derive(Args)]
+pub struct Options {
+    #[command(flatten)]
+    model: ModelOptions,
 }
 
-fn table(name: &str, left: &Value, right: &Value) {
-    println!("{name:>12}");
-    for (left, right) in left
-        .as_array()
-        .into_iter()
-        .flatten()
-        .zip(right.as_array().into_iter().flatten())
-    {
-        println!(
-            "{:>12}  {:.3e}",
-            left.to_string(),
-            right.as_f64().unwrap_or(f64::NAN)
-        );
-    }
+/// How fast a model nears the exact strip.
+#[derive(Serialize)]
+pub struct Convergence {
+    #[serde(flatten)]
+    of: Label,
+    gamma: f64,
+    nodes: Vec<usize>,
+    tip_error: Vec<f64>,
+    order: f64,
+    time_steps: Vec<f64>,
+    tip_change_to_half_step: Vec<f64>,
+    order_in_time: f64,
+}
+
+/// Runs the experiment.
+pub fn run(options: &Options) -> Result<Lines<Convergence>, String> {
+    let model = options.model.model()?;
+    let (nodes, tip_error) = by_nodes(model)?;
+    let cells: Vec<f64> = nodes.iter().map(|nodes| 1.0 / (nodes - 1) as f64).collect();
+    let (time_steps, tip_change_to_half_step) = by_step(model)?;
+    Ok(Lines(Convergence {
+        of: model.label(),
+        gamma: GAMMA,
+        order: slope(&cells, &tip_error),
+        nodes,
+        tip_error,
+        order_in_time: slope(&time_steps, &tip_change_to_half_step),
+        time_steps,
+        tip_change_to_half_step,
+    }))
 }
 
 /// Numbers of nodes, and how far from the exact place the tip rests with each,

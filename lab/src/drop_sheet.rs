@@ -1,27 +1,37 @@
 //! `lab drop-sheet`: a free sheet let fall level in still air.
 
-use serde_json::json;
-use turnleaf_engine::{Air, GRAVITY, Stock};
+use clap::Args;
+use serde::Serialize;
+use turnleaf_engine::{Air, GRAVITY};
 
 use crate::options;
-use crate::report;
-use crate::specimen::{Held, LENGTH, Piece, Specimen};
+use crate::report::{Compared, Lines, error};
+use crate::specimen::{Held, LENGTH, ModelOptions, Piece, Specimen};
 
 /// Length of the fall, s.
 const FALL: f64 = 3.0;
 
+/// Options of the experiment.
+#[derive(Args)]
+pub struct Options {
+    #[command(flatten)]
+    model: ModelOptions,
+    /// The paper.
+    #[arg(long, value_parser = options::stock_name())]
+    stock: &'static str,
+}
+
+/// How fast a sheet falls, m/s.
+#[derive(Serialize)]
+pub struct Fall {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stock: Option<&'static str>,
+    terminal_speed: f64,
+}
+
 /// Runs the experiment.
-pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let mut stock = None;
-    let (model, json) = report::read(parser, |option, parser| {
-        if option != "stock" {
-            return Ok(false);
-        }
-        let name = Stock::NAMES[options::choice(parser, option, &Stock::NAMES)?];
-        stock = Stock::named(name).map(|stock| (name, stock));
-        Ok(true)
-    })?;
-    let (name, stock) = stock.ok_or("A sheet to drop needs --stock, its paper.")?;
+pub fn run(options: &Options) -> Result<Lines<Compared<Fall, Fall>>, String> {
+    let (model, stock) = (options.model.model()?, options::stock(options.stock));
     let piece = Piece {
         grammage: stock.grammage,
         stiffness: stock.stiffness_across,
@@ -33,16 +43,16 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     let mut specimen = model.make(&piece)?;
     let speed = steady_speed(&mut *specimen)?;
     let exact = Air::still(LENGTH).terminal_speed(stock.grammage);
-    let figures = json!({
-        "model": model.name(),
-        "settings": model.settings(),
-        "stock": name,
-        "terminal_speed": speed,
-        "exact": { "terminal_speed": exact },
-        "error": { "terminal_speed": report::error(speed, exact) },
-    });
-    report::print(json, &figures);
-    Ok(())
+    let fall = |stock, terminal_speed| Fall {
+        stock,
+        terminal_speed,
+    };
+    Ok(Lines(Compared {
+        of: model.label(),
+        found: fall(Some(options.stock), speed),
+        exact: fall(None, exact),
+        error: fall(None, error(speed, exact)),
+    }))
 }
 
 /// Speed of a falling piece when from one tenth of a second to the next it has

@@ -1,11 +1,12 @@
 //! `lab energy`: what a strip that swings undamped in a vacuum loses or gains.
 
-use serde_json::json;
+use clap::Args;
+use serde::Serialize;
 
 use crate::exact::vibration_roots;
-use crate::options;
-use crate::report;
-use crate::specimen::{Model, Piece, Specimen};
+use crate::options::between;
+use crate::report::Lines;
+use crate::specimen::{Label, Model, ModelOptions, Piece, Specimen};
 
 /// Weight over stiffness of the strip, which starts level.
 const GAMMA: f64 = 1.0;
@@ -13,16 +14,37 @@ const GAMMA: f64 = 1.0;
 /// Steps of a period for a model that takes any step.
 const FINE: f64 = 400.0;
 
+/// Options of the experiment.
+#[derive(Args)]
+pub struct Options {
+    #[command(flatten)]
+    model: ModelOptions,
+    /// Periods of the swing.
+    #[arg(long, default_value_t = 10, value_parser = between(2usize, 1000))]
+    periods: usize,
+}
+
+/// What a strip has gained of its energy.
+#[derive(Serialize)]
+pub struct Energy {
+    #[serde(flatten)]
+    of: Label,
+    gamma: f64,
+    periods: usize,
+    time_step: f64,
+    drift: f64,
+    measured_by: &'static str,
+    exact: Drift,
+}
+
+#[derive(Serialize)]
+struct Drift {
+    drift: f64,
+}
+
 /// Runs the experiment.
-pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let mut periods = 10;
-    let (model, json) = report::read(parser, |option, parser| {
-        if option != "periods" {
-            return Ok(false);
-        }
-        periods = options::number(parser, option, 2, 1000)?;
-        Ok(true)
-    })?;
+pub fn run(options: &Options) -> Result<Lines<Energy>, String> {
+    let (model, periods) = (options.model.model()?, options.periods);
     let mut piece = Piece {
         loss: Some(0.0),
         air: false,
@@ -47,18 +69,15 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
             "height of the swing, squared",
         ),
     };
-    let figures = json!({
-        "model": model.name(),
-        "settings": model.settings(),
-        "gamma": GAMMA,
-        "periods": periods,
-        "time_step": strip.time_step(),
-        "drift": drift,
-        "measured_by": how,
-        "exact": { "drift": 0.0 },
-    });
-    report::print(json, &figures);
-    Ok(())
+    Ok(Lines(Energy {
+        of: model.label(),
+        gamma: GAMMA,
+        periods,
+        time_step: strip.time_step(),
+        drift,
+        measured_by: how,
+        exact: Drift { drift: 0.0 },
+    }))
 }
 
 fn energy_at_rest(model: Model, piece: &Piece) -> Result<f64, String> {

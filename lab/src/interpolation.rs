@@ -6,17 +6,20 @@
 //! is stretched, so every strain of the drawn mesh is the interpolation's, but
 //! for that of straight edges over a curve, which is taken off.
 
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
+use std::fmt::{self, Display, Formatter};
 use std::hint::black_box;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use serde_json::{Value, json};
+use clap::Args;
+use serde::Serialize;
 use turnleaf_engine::{Cone, Interpolation, Surface, lobatto_nodes, uniform_samples};
 
-use crate::options;
 use crate::simulate::median;
 use crate::specimen::{BREADTH, LENGTH};
+use crate::table::Table;
 
 /// Numbers of nodes and of points: the paper's, and those of a page in a book.
 const GRIDS: [([usize; 2], [usize; 2]); 2] = [([6, 6], [26, 26]), ([12, 16], [49, 25])];
@@ -80,34 +83,63 @@ fn bend([x, y]: [f64; 2], through: f64) -> [f64; 3] {
     [radius * sin, y, radius * (1.0 - cos)]
 }
 
+/// Options of the experiment.
+#[derive(Args)]
+pub struct Options {
+    /// Write the tables into a folder, as interpolation_NODES.json.
+    #[arg(long)]
+    into: Option<PathBuf>,
+}
+
+/// All ways on all grids.
+#[derive(Serialize)]
+pub struct Comparison {
+    grids: Vec<Grid>,
+}
+
+#[derive(Serialize)]
+struct Grid {
+    nodes: [usize; 2],
+    points: [usize; 2],
+    ways: Vec<Found>,
+}
+
+/// What was found of a way.
+#[derive(Serialize)]
+struct Found {
+    name: &'static str,
+    differentiable: &'static str,
+    us_per_surface: f64,
+    overshoot: f64,
+    curvature_jump: f64,
+    shapes: BTreeMap<&'static str, Errors>,
+}
+
+#[derive(Serialize)]
+struct Errors {
+    position_error: f64,
+    strain_error: f64,
+}
+
 /// Runs the experiment.
-pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let (mut markdown, mut into) = (false, None);
-    let json = options::read(parser, |option, parser| {
-        match option {
-            "markdown" => markdown = true,
-            "into" => into = Some(PathBuf::from(options::text(parser, option)?)),
-            _ => return Ok(false),
+pub fn run(options: &Options) -> Result<Comparison, String> {
+    let grids = GRIDS.map(|(nodes, points)| Grid {
+        nodes,
+        points,
+        ways: { WAYS.iter() }
+            .map(|way| measure(way, nodes, points))
+            .collect(),
+    });
+    if let Some(folder) = &options.into {
+        for grid in &grids {
+            let [columns, rows] = grid.nodes;
+            let name = format!("interpolation_{columns}x{rows}");
+            grid.table().write(folder, &name)?;
         }
-        Ok(true)
-    })?;
-    let grids: Vec<Value> = GRIDS
-        .iter()
-        .map(|&(nodes, points)| {
-            let ways: Vec<Value> = WAYS.iter().map(|way| measure(way, nodes, points)).collect();
-            json!({ "nodes": nodes, "points": points, "ways": ways })
-        })
-        .collect();
-    let figures = json!({ "grids": grids });
-    if let Some(path) = into {
-        crate::report::insert(&path, "interpolation", &table(&figures, true))?;
     }
-    if json {
-        println!("{figures:#}");
-    } else {
-        print!("{}", table(&figures, markdown));
-    }
-    Ok(())
+    Ok(Comparison {
+        grids: grids.into(),
+    })
 }
 
 /// Places of the nodes along a side, 0 to 1.
@@ -126,13 +158,13 @@ fn sampled(shape: Shape, u: &[f32], v: &[f32]) -> Vec<f32> {
     v.iter().flat_map(row).map(|x| x as f32).collect()
 }
 
-fn measure(way: &Way, [columns, rows]: [usize; 2], [across, up]: [usize; 2]) -> Value {
+fn measure(way: &Way, [columns, rows]: [usize; 2], [across, up]: [usize; 2]) -> Found {
     let (at_u, at_v) = (nodes_of(way, columns), nodes_of(way, rows));
     let (u, v) = (uniform_samples(across), uniform_samples(up));
     let mut drawn = Surface::new(across, up);
     let mut exact = Surface::new(across, up);
     let mut interpolation = (way.make)(columns, rows, &u, &v);
-    let mut shapes = serde_json::Map::new();
+    let mut shapes = BTreeMap::new();
     for shape in SHAPES {
         interpolation.apply_interleaved(&sampled(shape, &at_u, &at_v), &mut drawn.positions);
         exact.positions = sampled(shape, &u, &v);
@@ -153,19 +185,21 @@ fn measure(way: &Way, [columns, rows]: [usize; 2], [across, up]: [usize; 2]) -> 
             };
             strain = strain.max((length(&drawn) - length(&exact)).abs() / rest);
         }
-        shapes.insert(
-            shape.0.into(),
-            json!({ "position_error": away, "strain_error": strain }),
-        );
+        let errors = Errors {
+            position_error: away,
+            strain_error: strain,
+        };
+        shapes.insert(shape.0, errors);
     }
-    json!({
-        "name": way.name,
-        "differentiable": way.continuity,
-        "us_per_surface": cost(&mut interpolation, &sampled(SHAPES[0], &at_u, &at_v), &mut drawn),
-        "overshoot": overshoot(way, columns, rows),
-        "curvature_jump": curvature_jump(way, columns, rows),
-        "shapes": shapes,
-    })
+    let bend = sampled(SHAPES[0], &at_u, &at_v);
+    Found {
+        name: way.name,
+        differentiable: way.continuity,
+        us_per_surface: cost(&mut interpolation, &bend, &mut drawn),
+        overshoot: overshoot(way, columns, rows),
+        curvature_jump: curvature_jump(way, columns, rows),
+        shapes,
+    }
 }
 
 /// Pairs of neighbouring points, and how far apart they rest.
@@ -259,41 +293,34 @@ const HEADINGS: [&str; 11] = [
     "differentiable",
 ];
 
-fn table(figures: &Value, markdown: bool) -> String {
-    let mut text = String::new();
-    for grid in figures["grids"].as_array().into_iter().flatten() {
-        let count = |of: &str, k: usize| grid[of][k].as_u64().unwrap_or(0);
-        text.push_str(&format!(
-            "From {} x {} nodes to {} x {} points\n\n",
-            count("nodes", 0),
-            count("nodes", 1),
-            count("points", 0),
-            count("points", 1)
-        ));
-        let mut rows = vec![HEADINGS.map(String::from).to_vec()];
-        for way in grid["ways"].as_array().into_iter().flatten() {
-            let part = |value: &Value| format!("{:.3}", 100.0 * value.as_f64().unwrap_or(f64::NAN));
-            let mut row = vec![
-                way["name"].as_str().unwrap_or_default().to_string(),
-                format!("{:.2}", way["us_per_surface"].as_f64().unwrap_or(f64::NAN)),
-            ];
-            for figure in ["strain_error", "position_error"] {
-                for (shape, _) in SHAPES {
-                    row.push(part(&way["shapes"][shape][figure]));
-                }
-            }
-            row.push(part(&way["overshoot"]));
-            row.push(part(&way["curvature_jump"]));
-            row.push(
-                way["differentiable"]
-                    .as_str()
-                    .unwrap_or_default()
-                    .to_string(),
-            );
-            rows.push(row);
+impl Grid {
+    fn table(&self) -> Table {
+        let mut table = Table::new(&HEADINGS);
+        let percent = |part: f64| format!("{:.3}", 100.0 * part);
+        for way in &self.ways {
+            let errors = || SHAPES.map(|(shape, _)| &way.shapes[shape]).into_iter();
+            let mut row = vec![way.name.into(), format!("{:.2}", way.us_per_surface)];
+            row.extend(errors().map(|errors| percent(errors.strain_error)));
+            row.extend(errors().map(|errors| percent(errors.position_error)));
+            row.extend([way.overshoot, way.curvature_jump].map(percent));
+            row.push(way.differentiable.into());
+            table.push(row);
         }
-        text.push_str(&crate::report::table(&rows, markdown));
-        text.push('\n');
+        table
     }
-    text
+}
+
+impl Display for Comparison {
+    fn fmt(&self, out: &mut Formatter) -> fmt::Result {
+        for grid in &self.grids {
+            let ([columns, rows], [across, up]) = (grid.nodes, grid.points);
+            writeln!(
+                out,
+                "From {columns} x {rows} nodes to {across} x {up} points\n"
+            )?;
+            grid.table().fmt(out)?;
+            writeln!(out)?;
+        }
+        Ok(())
+    }
 }

@@ -4,15 +4,17 @@
 //! longer, and condensed. Its replay is then compared with the recording, frame
 //! by frame, from the bytes of the file alone.
 
-use std::path::Path;
+use std::path::PathBuf;
 
-use serde_json::{Value, json};
+use clap::Args;
+use serde::Serialize;
 use turnleaf_engine::{
     Blend, Condensed, KeyFrames, LooseLeaf, LooseSettings, ModelKind, Replay, Side, Stock, TurnBy,
     TurnModel, uniform_samples,
 };
 
-use crate::options;
+use crate::options::{self, between};
+use crate::report::Lines;
 
 /// A page, metres.
 const PAGE: [f64; 2] = [0.14, 0.21];
@@ -20,75 +22,77 @@ const PAGE: [f64; 2] = [0.14, 0.21];
 /// Seconds between frames of the recording.
 const APART: f64 = 1.0 / 120.0;
 
-/// A turn to record.
-struct Turn {
+/// Options of the experiment.
+#[derive(Args)]
+pub struct Options {
+    /// The model.
+    #[arg(long, default_value = "sheet", value_parser = options::model_kind())]
     model: ModelKind,
-    by: TurnBy,
+    /// The gesture.
+    #[arg(long, default_value = "corner", value_parser = options::turn_by())]
+    gesture: TurnBy,
+    /// The paper.
+    #[arg(long, default_value = "book", value_parser = options::stock_name())]
+    stock: &'static str,
+    /// Duration of the gesture, s.
+    #[arg(long, default_value_t = 0.8, value_parser = between(0.1f32, 60.0))]
     seconds: f32,
+    /// Time recorded after it, s.
+    #[arg(long, default_value_t = 0.0, value_parser = between(0.0f32, 60.0))]
     settle: f32,
-    stock: Stock,
-    /// Columns of nodes; none for the model's own number.
+    /// Columns of nodes [default: the model's own number]
+    #[arg(long, value_parser = between(6usize, 65))]
     nodes: Option<usize>,
+    /// Largest error over the width.
+    #[arg(long, default_value_t = 0.001, value_parser = between(1e-5f32, 0.1))]
+    tolerance: f32,
+    /// Write the key frames into a file.
+    #[arg(long)]
+    out: Option<PathBuf>,
+}
+
+/// What the file is, and how far its replay is from the recording, over the width.
+#[derive(Serialize)]
+pub struct File {
+    model: &'static str,
+    gesture: &'static str,
+    seconds: Option<f32>,
+    points: [usize; 2],
+    recorded_frames: usize,
+    frames: usize,
+    bytes: usize,
+    bytes_of_floats: usize,
+    error: f64,
+    rms_error: f64,
+    stated_error: f32,
 }
 
 /// Runs the experiment.
-pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let mut turn = Turn {
-        model: ModelKind::Sheet,
-        by: TurnBy::Corner,
-        seconds: 0.8,
-        settle: 0.0,
-        stock: Stock::BOOK,
-        nodes: None,
-    };
-    let (mut tolerance, mut out) = (0.001, None);
-    let json = options::read(parser, |option, parser| {
-        match option {
-            "model" => turn.model = model(parser, option)?,
-            "gesture" => {
-                turn.by =
-                    TurnBy::ALL[options::choice(parser, option, &TurnBy::ALL.map(TurnBy::name))?];
-            }
-            "seconds" => turn.seconds = options::number(parser, option, 0.1, 60.0)?,
-            "settle" => turn.settle = options::number(parser, option, 0.0, 60.0)?,
-            "stock" => {
-                let name = Stock::NAMES[options::choice(parser, option, &Stock::NAMES)?];
-                turn.stock = Stock::named(name).expect("a preset");
-            }
-            "nodes" => turn.nodes = Some(options::number(parser, option, 6, 65)?),
-            "tolerance" => tolerance = options::number(parser, option, 1e-5, 0.1)?,
-            "out" => out = Some(options::text(parser, option)?),
-            _ => return Ok(false),
-        }
-        Ok(true)
-    })?;
-    let recording = turn.record()?;
+pub fn run(options: &Options) -> Result<Lines<File>, String> {
+    let recording = record(options)?;
     let [u, v] = [recording.columns, recording.rows].map(uniform_samples);
     let condensed =
-        Condensed::of(&recording, &u, &v, tolerance).map_err(|error| error.to_string())?;
+        Condensed::of(&recording, &u, &v, options.tolerance).map_err(|error| error.to_string())?;
     let bytes = condensed.to_bytes();
-    let figures = figures(&turn, &recording, &bytes)?;
-    if let Some(out) = out {
-        std::fs::write(Path::new(&out), &bytes).map_err(|error| format!("{out}: {error}."))?;
+    let read = Condensed::from_bytes(&bytes).map_err(|error| error.to_string())?;
+    let (worst, mean) = error(&recording, read.frames.clone(), Blend::Hermite);
+    if let Some(path) = &options.out {
+        std::fs::write(path, &bytes)
+            .map_err(|error| format!("{} cannot be written: {error}.", path.display()))?;
     }
-    crate::report::print(json, &figures);
-    Ok(())
-}
-
-/// The option's value as a model of loose leaves.
-pub fn model(parser: &mut lexopt::Parser, option: &str) -> Result<ModelKind, String> {
-    Ok(ModelKind::ALL[options::choice(parser, option, &ModelKind::ALL.map(ModelKind::name))?])
-}
-
-/// The same, or the paper's own leaf, which is none of them.
-pub fn model_or_paper(
-    parser: &mut lexopt::Parser,
-    option: &str,
-) -> Result<Option<ModelKind>, String> {
-    let mut names = vec!["paper"];
-    names.extend(ModelKind::ALL.map(ModelKind::name));
-    let chosen = options::choice(parser, option, &names)?;
-    Ok(chosen.checked_sub(1).map(|at| ModelKind::ALL[at]))
+    Ok(Lines(File {
+        model: options.model.name(),
+        gesture: options.gesture.name(),
+        seconds: recording.times.last().copied(),
+        points: [recording.columns, recording.rows],
+        recorded_frames: recording.len(),
+        frames: read.frames.len(),
+        bytes: bytes.len(),
+        bytes_of_floats: recording.to_bytes().len(),
+        error: worst,
+        rms_error: mean,
+        stated_error: read.error,
+    }))
 }
 
 /// A leaf of a model over a table; of masses and springs with paper's weight and
@@ -127,35 +131,15 @@ pub fn error(recording: &KeyFrames, frames: KeyFrames, blend: Blend) -> (f64, f6
     (worst / width, (square / points).sqrt() / width)
 }
 
-/// What the file is, and how far its replay is from the recording.
-fn figures(turn: &Turn, recording: &KeyFrames, bytes: &[u8]) -> Result<Value, String> {
-    let read = Condensed::from_bytes(bytes).map_err(|error| error.to_string())?;
-    let (worst, mean) = error(recording, read.frames.clone(), Blend::Hermite);
-    Ok(json!({
-        "model": turn.model.name(),
-        "gesture": turn.by.name(),
-        "seconds": recording.times.last(),
-        "points": [recording.columns, recording.rows],
-        "recorded_frames": recording.len(),
-        "frames": read.frames.len(),
-        "bytes": bytes.len(),
-        "bytes_of_floats": recording.to_bytes().len(),
-        "error": worst,
-        "rms_error": mean,
-        "stated_error": read.error,
-    }))
-}
-
-impl Turn {
-    fn record(&self) -> Result<KeyFrames, String> {
-        let mut leaf = leaf(self.model, self.stock, self.nodes)?;
-        leaf.play(self.by, Side::Right, self.seconds);
-        let apart = APART.max(f64::from(leaf.time_step()));
-        leaf.record(apart);
-        let frames = (f64::from(self.seconds + self.settle) / apart).round() as usize;
-        for _ in 0..frames {
-            leaf.advance(apart);
-        }
-        leaf.finish_record().ok_or("Nothing was recorded.".into())
+fn record(options: &Options) -> Result<KeyFrames, String> {
+    let stock = options::stock(options.stock);
+    let mut leaf = leaf(options.model, stock, options.nodes)?;
+    leaf.play(options.gesture, Side::Right, options.seconds);
+    let apart = APART.max(f64::from(leaf.time_step()));
+    leaf.record(apart);
+    let seconds = f64::from(options.seconds + options.settle);
+    for _ in 0..(seconds / apart).round() as usize {
+        leaf.advance(apart);
     }
+    leaf.finish_record().ok_or("Nothing was recorded.".into())
 }

@@ -20,133 +20,122 @@ mod report;
 mod simulate;
 mod specimen;
 mod synchronisation;
+mod table;
 mod table1;
 mod turn;
 mod vibration;
 
+use std::fmt::Display;
 use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+use serde::Serialize;
 
 #[global_allocator]
 static ALLOCATOR: memory::Counting = memory::Counting;
 
-const USAGE: &str = "\
-Experiments on the Turnleaf engine.
+/// Experiments on the Turnleaf engine.
+#[derive(Parser)]
+#[command(
+    name = "lab",
+    disable_help_subcommand = true,
+    arg_required_else_help = false
+)]
+struct Command {
+    #[command(subcommand)]
+    experiment: Experiment,
+    /// Print JSON.
+    #[arg(long, global = true)]
+    json: bool,
+    /// Print tables in Markdown.
+    #[arg(long, global = true)]
+    markdown: bool,
+}
 
-Usage: lab EXPERIMENT [options]
+/// In experiments on a piece of paper lengths are over its length, loads over its
+/// stiffness, and the exact value stands beside what was found.
+#[derive(Subcommand)]
+enum Experiment {
+    /// Times a turn without and with key frames, as Table 1 of the paper.
+    Table1(table1::Options),
+    /// Compares both readings of the paper's synchronisation, and none, on the same turns.
+    Synchronisation(synchronisation::Options),
+    /// Measures one turn: strains over all steps, cost of a step and of a surface.
+    Turn(turn::Options),
+    /// Draws a turn as a sequence of PNG pictures.
+    Picture(picture::Options),
+    /// Hangs a strip that is clamped at one end by its own weight.
+    Cantilever(cantilever::Options),
+    /// Hangs a weightless strip by a dead load at its tip.
+    TipLoad(cantilever::TipLoadOptions),
+    /// Bends a strip until both its ends are in one clamp.
+    PearLoop(pear_loop::Options),
+    /// Finds the first three roots of a strip clamped at one end, and the damping of the first.
+    Vibration(vibration::Options),
+    /// Finds the weight at which a strip falls over, clamped at the foot.
+    Upright(buckling::UprightOptions),
+    /// The same, clamped at one end of a plate in a vertical plane.
+    LateralBuckling(buckling::LateralOptions),
+    /// Measures the speed at which a sheet falls level in air, m/s.
+    DropSheet(drop_sheet::Options),
+    /// Measures what a strip loses as it swings undamped in a vacuum.
+    Energy(energy::Options),
+    /// Compares sheet and shell, turned by the same hand.
+    Agree(agree::Options),
+    /// Finds the orders by nodes and by step of a strip that hangs at Gamma 10.
+    Convergence(convergence::Options),
+    /// Compares every way of turning a page on the same three turns (some minutes).
+    Models(models::Options),
+    /// Compares ways from few nodes to many points: cost, and errors on shapes that are known.
+    Interpolation(interpolation::Options),
+    /// Plays random gestures on a book: strain, shear, penetration, frames, rest.
+    Gestures(gestures::Options),
+    /// Records and condenses a turn: bytes, frames, error over the width.
+    Keyframes(keyframes::Options),
+}
 
-  table1    time of a turn without and with key frames, as Table 1 of the paper
-              --runs N              rows of the table (10)
-              --frames masses|surface  what the key frames hold (masses)
-              --blend linear|hermite   how the replay blends them (linear)
-              --interpolate key-frame|frame  when a replay of masses interpolates (key-frame)
-              --model paper|sheet|...  the paper's, or a loose leaf of any model, whose
-                                    key frames hold the surface (paper)
-              --keys even|condensed    of a loose leaf: every 0.1 s, or within 0.1 % (even)
-              --seconds T              duration of the turn (11.4)
-              --sync preset|paper|off  synchronisation of the paper's leaf (preset)
-  synchronisation   both readings of the paper's synchronisation, and none, on
-            the same turns: strains, departures from the spine and the hand
-              --seconds T           duration of a turn (11.4)
-              --markdown            print a table in Markdown
-              --into FILE           put the table between its lines in a page of Markdown
-  turn      one turn: strains over all steps, cost of a step and of a surface
-  picture   a turn as a sequence of PNG pictures
-              --out DIR             folder for the pictures (pictures)
-              --frames N            number of pictures (6)
-              --size PIXELS         width of a picture (960)
-              --figures             counterparts of the paper's figures 1 to 5 instead
-  turn and picture take:
-              --model mass-spring   (the only one so far)
-              --preset paper-2014|book  (paper-2014)
-              --gesture column|corner|corner-alone   (column)
-              --seconds T           duration of the gesture (11.4; book: 0.8)
-              --settle T            time simulated after it (2; book: 1)
-              --integrator explicit-euler|semi-implicit-euler|runge-kutta-4
-              --sync preset|paper|off   synchronisation: the preset's reading, the paper's
-                                    word for word, or none (preset)
-              --no-interpolation    draw the masses themselves
+impl Command {
+    fn run(self) -> Result<(), String> {
+        match &self.experiment {
+            Experiment::Table1(options) => self.print(table1::run(options)?),
+            Experiment::Synchronisation(options) => self.print(synchronisation::run(options)?),
+            Experiment::Turn(options) => self.print(turn::run(options)?),
+            Experiment::Picture(options) => self.print(picture::run(options)?),
+            Experiment::Cantilever(options) => self.print(cantilever::run(options)?),
+            Experiment::TipLoad(options) => self.print(cantilever::run_tip_load(options)?),
+            Experiment::PearLoop(options) => self.print(pear_loop::run(options)?),
+            Experiment::Vibration(options) => self.print(vibration::run(options)?),
+            Experiment::Upright(options) => self.print(buckling::run_upright(options)?),
+            Experiment::LateralBuckling(options) => self.print(buckling::run_lateral(options)?),
+            Experiment::DropSheet(options) => self.print(drop_sheet::run(options)?),
+            Experiment::Energy(options) => self.print(energy::run(options)?),
+            Experiment::Agree(options) => self.print(agree::run(options)?),
+            Experiment::Convergence(options) => self.print(convergence::run(options)?),
+            Experiment::Models(options) => self.print(models::run(options)?),
+            Experiment::Interpolation(options) => self.print(interpolation::run(options)?),
+            Experiment::Gestures(options) => self.print(gestures::run(options)?),
+            Experiment::Keyframes(options) => self.print(keyframes::run(options)?),
+        }
+        Ok(())
+    }
 
-Experiments on a piece of paper; lengths are over its length, loads over its
-stiffness, and the exact answer stands beside what was found:
-
-  cantilever        clamped at one end it hangs by its own weight
-                      --gamma G       weight x length^3 / stiffness
-                      --clamp-angle DEG  upward from level (0)
-                      --nodes N       from the clamp to the tip
-  tip-load          the same, weightless, by a dead load P L^2 / stiffness
-                      --load P  --nodes N
-  pear-loop         its two ends in one clamp; --nodes N
-  vibration         first three roots, clamped at one end, and damping of the first
-                      --stock bible|book|office|coated|card  (book)
-                      --nodes N
-  upright           weight at which it falls over, clamped at the foot; --nodes N
-  lateral-buckling  the same, clamped at one end of a plate in a vertical plane
-                      --nu NU         Poisson's ratio
-                      --aspect B      height over length
-                      --nodes N
-  drop-sheet        speed at which it falls level in air, m/s
-                      --stock bible|book|office|coated|card
-  energy            what it loses as it swings undamped in a vacuum
-                      --periods N     (10)
-  agree             sheet against shell, turned by the same hand
-                      --stock bible|book|office|coated|card|all  (book)
-                      --jobs N        turns computed at once (1)
-                      --into FILE     put a table between its lines in a page of Markdown
-  convergence       orders by nodes and by step, hanging at Gamma 10
-  all take          --model sheet|shell|mass-spring  (sheet; agree: no other)
-                    --settings book|lab  of the sheet: a book's leaf, or one on its own (book)
-
-Every way of turning a page:
-
-  models            on the same three turns: cost, memory, distance from the shell,
-                    strain, area, angles, creases, spine, drags (some minutes)
-                      --stock bible|book|office|coated|card  (book)
-                      --nodes N       columns of nodes of the shell (17)
-                      --markdown      print a table in Markdown
-                      --plot FILE     write cost against fidelity as SVG
-                      --pictures DIR  write each at five moments as PNG
-                      --into FILE     put the table between its lines in a page of Markdown
-
-  interpolation     from few nodes to many points: cost of a surface, and errors on
-                    shapes that are known
-                      --markdown      print tables in Markdown
-                      --into FILE     put them between their lines in a page of Markdown
-
-Experiments on a book:
-
-  gestures          random hands on its leaves: strain, shear, penetration, frames, rest
-                      --count N       gestures (1000)
-                      --seed S        seed of the first; each has the next one (1)
-                      --stock bible|book|office|coated|card|custom|extreme|presets|all
-                                      each in turn; custom: figures as of paper, extreme: any
-                                      that a book takes (all)
-                      --kind hands|riffle|teleport|circle|pin|apart|mixed|all  what hands do (all)
-                      --page any|usual   usual: 140 x 210 mm, still air, the usual binding and
-                                      frames; any: all of them at random (any)
-                      --worst N       lists the seeds of the N worst (0)
-                      --jobs N        played at once (1); times of a frame are then longer
-                      --into FILE     put a table between its lines in a page of Markdown
-                      --model sheet   there is no other in a book
-
-Key frames to be handed out:
-
-  keyframes         a turn recorded and condensed: bytes, frames, error over the width
-                      --model mass-spring|sheet|shell|rigid|peel|cylinder|cone  (sheet)
-                      --gesture edge|corner|let-go  (corner)
-                      --stock bible|book|office|coated|card  (book)
-                      --seconds T     duration of the gesture (0.8)
-                      --settle T      time recorded after it (0)
-                      --nodes N       columns of the model's nodes (the model's own)
-                      --tolerance E   largest error over the width (0.001)
-                      --out FILE      writes the file
-
-All take      --json                print JSON
-";
-
-const NAMES: &str = "table1, synchronisation, turn, picture, cantilever, tip-load, pear-loop, vibration, upright, lateral-buckling, drop-sheet, energy, convergence, agree, models, interpolation, gestures and keyframes";
+    /// Prints what an experiment found.
+    fn print(&self, found: impl Serialize + Display) {
+        match serde_json::to_string_pretty(&found) {
+            Ok(text) if self.json => println!("{text}"),
+            _ if self.markdown => print!("{found:#}"),
+            _ => print!("{found}"),
+        }
+    }
+}
 
 fn main() -> ExitCode {
-    match run() {
+    let done = match Command::try_parse() {
+        Ok(command) => command.run(),
+        Err(error) if error.use_stderr() => Err(sentence(&error.to_string())),
+        Err(help) => help.exit(),
+    };
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(sentence) => {
             eprintln!("lab: {sentence}");
@@ -155,41 +144,10 @@ fn main() -> ExitCode {
     }
 }
 
-fn run() -> Result<(), String> {
-    let mut parser = lexopt::Parser::from_env();
-    let name = match parser.next().map_err(|error| error.to_string())? {
-        Some(lexopt::Arg::Value(name)) => name.to_string_lossy().into_owned(),
-        Some(lexopt::Arg::Long("help") | lexopt::Arg::Short('h')) => {
-            print!("{USAGE}");
-            return Ok(());
-        }
-        _ => {
-            return Err(format!(
-                "Name an experiment first: {NAMES}; --help lists all options."
-            ));
-        }
-    };
-    match name.as_str() {
-        "cantilever" => cantilever::run(&mut parser),
-        "tip-load" => cantilever::run_tip_load(&mut parser),
-        "pear-loop" => pear_loop::run(&mut parser),
-        "drop-sheet" => drop_sheet::run(&mut parser),
-        "upright" => buckling::run_upright(&mut parser),
-        "lateral-buckling" => buckling::run_lateral(&mut parser),
-        "vibration" => vibration::run(&mut parser),
-        "energy" => energy::run(&mut parser),
-        "convergence" => convergence::run(&mut parser),
-        "table1" => table1::run(&mut parser),
-        "synchronisation" => synchronisation::run(&mut parser),
-        "turn" => turn::run(&mut parser),
-        "picture" => picture::run(&mut parser),
-        "agree" => agree::run(&mut parser),
-        "models" => models::run(&mut parser),
-        "interpolation" => interpolation::run(&mut parser),
-        "gestures" => gestures::run(&mut parser),
-        "keyframes" => keyframes::run(&mut parser),
-        _ => Err(format!(
-            "There is no experiment \"{name}\"; there are {NAMES}."
-        )),
-    }
+/// What is wrong with a command line, in one sentence: the first paragraph of clap's
+/// message.
+fn sentence(message: &str) -> String {
+    let fault = message.split("\n\n").next().unwrap_or_default();
+    let words: Vec<&str> = fault.split_whitespace().skip(1).collect();
+    format!("{}; --help lists all options.", words.join(" "))
 }

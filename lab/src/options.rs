@@ -1,49 +1,139 @@
-//! Options that experiments share, each wrong value refused in one sentence.
+//! Options that experiments share, and how options with names or bounds are read.
 
+use std::fmt::Display;
 use std::str::FromStr;
 
-use lexopt::{Arg, Parser};
-use turnleaf_engine::{Gesture, Grip, Integrator, MassSpring, Preset, Settings, Synchronise};
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use turnleaf_engine::{
+    Gesture, Grip, Integrator, MassSpring, ModelKind, Preset, Settings, Stock, Synchronise, TurnBy,
+};
 
-/// Which turn to simulate.
+/// A parser of an option whose value is one of some names.
+fn one_of<T: Copy + Send + Sync>(
+    all: &'static [T],
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(all.iter().map(|one| name(*one))).map(move |given| {
+        let found = all.iter().find(|one| name(**one) == given);
+        *found.expect("the parser has checked the name")
+    })
+}
+
+/// The same, or none for another word.
+fn one_of_or<T: Copy + Send + Sync>(
+    all: &'static [T],
+    name: fn(T) -> &'static str,
+    other: &'static str,
+) -> impl TypedValueParser<Value = Option<T>> {
+    let names = all.iter().map(|one| name(*one)).chain([other]);
+    PossibleValuesParser::new(names)
+        .map(move |given| all.iter().copied().find(|one| name(*one) == given))
+}
+
+/// The name of a preset stock.
+pub fn stock_name() -> impl TypedValueParser<Value = &'static str> {
+    one_of(&Stock::NAMES, |name| name)
+}
+
+/// A stock's name; none for all of them. clap takes no `Option` itself for a value.
+pub type StockOrAll = Option<&'static str>;
+
+/// The name of a preset stock, or `all`.
+pub fn stock_name_or_all() -> impl TypedValueParser<Value = StockOrAll> {
+    one_of_or(&Stock::NAMES, |name| name, "all")
+}
+
+/// The stock of a preset's name.
+pub fn stock(name: &str) -> Stock {
+    Stock::named(name).expect("the parser has checked the name")
+}
+
+/// A model of loose leaves.
+pub fn model_kind() -> impl TypedValueParser<Value = ModelKind> {
+    one_of(&ModelKind::ALL, ModelKind::name)
+}
+
+/// A model of loose leaves; none for the paper's own leaf.
+pub type ModelOrPaper = Option<ModelKind>;
+
+/// A model of loose leaves, or `paper`.
+pub fn model_kind_or_paper() -> impl TypedValueParser<Value = ModelOrPaper> {
+    one_of_or(&ModelKind::ALL, ModelKind::name, "paper")
+}
+
+/// A gesture of a loose leaf.
+pub fn turn_by() -> impl TypedValueParser<Value = TurnBy> {
+    one_of(&TurnBy::ALL, TurnBy::name)
+}
+
+/// A number between bounds.
+pub fn between<T>(least: T, most: T) -> impl Fn(&str) -> Result<T, String> + Clone
+where
+    T: FromStr + PartialOrd + Display + Copy,
+{
+    move |text| match text.parse::<T>() {
+        Ok(number) if number >= least && number <= most => Ok(number),
+        _ => Err(format!("it is a number from {least} to {most}")),
+    }
+}
+
+/// Which turn of the mass-spring leaf to simulate.
+#[derive(Args)]
 pub struct Scene {
-    /// The named preset.
+    /// The leaf's model; there is no other.
+    #[arg(long, default_value = "mass-spring", value_parser = ["mass-spring"])]
+    model: String,
+    /// The leaf's constants: the paper's, or those of a page of a book.
+    #[arg(long, default_value = "paper-2014", value_parser = one_of(&[Preset::Paper2014, Preset::Book], Preset::name))]
     pub preset: Preset,
-    /// `column`, `corner` or `corner-alone`.
+    /// What is moved: the control column, the column with its foot first, or the foot corner alone.
+    #[arg(long, default_value = "column", value_parser = ["column", "corner", "corner-alone"])]
     pub gesture: String,
+    /// Duration of the gesture, s [default: 11.4, of a book 0.8]
+    #[arg(long, value_parser = between(0.05f32, 3600.0))]
     seconds: Option<f32>,
+    /// Time simulated after it, s [default: 2, of a book 1]
+    #[arg(long, value_parser = between(0.0f32, 3600.0))]
     settle: Option<f32>,
+    /// The integrator [default: the preset's]
+    #[arg(long, value_parser = one_of(&[Integrator::ExplicitEuler, Integrator::SemiImplicitEuler, Integrator::RungeKutta4], integrator_name))]
     integrator: Option<Integrator>,
-    sync: Sync,
+    #[command(flatten)]
+    sync: Synchronisation,
     /// Draw the masses themselves.
+    #[arg(long)]
     pub no_interpolation: bool,
 }
 
-/// Which reading of synchronisation a mass-spring leaf follows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Sync {
-    /// The preset's own.
-    #[default]
-    Preset,
-    /// The paper's, word for word.
-    Paper,
-    /// None.
-    Off,
+fn integrator_name(integrator: Integrator) -> &'static str {
+    match integrator {
+        Integrator::ExplicitEuler => "explicit-euler",
+        Integrator::SemiImplicitEuler => "semi-implicit-euler",
+        Integrator::RungeKutta4 => "runge-kutta-4",
+    }
 }
 
-impl Sync {
-    /// Reads the option's value.
-    pub fn read(parser: &mut Parser, option: &str) -> Result<Self, String> {
-        let all = [Self::Preset, Self::Paper, Self::Off];
-        Ok(all[choice(parser, option, &["preset", "paper", "off"])?])
+/// How a mass-spring leaf is synchronised.
+#[derive(Args)]
+pub struct Synchronisation {
+    /// Synchronisation: the preset's reading, the paper's word for word, or none.
+    #[arg(long, default_value = "preset", value_parser = ["preset", "paper", "off"])]
+    sync: String,
+}
+
+impl Synchronisation {
+    /// Whether it is the preset's own.
+    pub fn is_preset(&self) -> bool {
+        self.sync == "preset"
     }
 
     /// Puts it into the settings of a leaf.
-    pub fn set(self, settings: &mut Settings) {
-        match self {
-            Self::Preset => {}
-            Self::Paper => settings.synchronise = Synchronise::Literal,
-            Self::Off => settings.synchronise = Synchronise::Off,
+    pub fn set(&self, settings: &mut Settings) {
+        match &self.sync[..] {
+            "paper" => settings.synchronise = Synchronise::Literal,
+            "off" => settings.synchronise = Synchronise::Off,
+            _ => {}
         }
     }
 }
@@ -52,68 +142,17 @@ impl Sync {
 /// square metre.
 const PAGE: (f32, f32, f32) = (0.140, 0.210, 0.070);
 
-impl Default for Scene {
-    fn default() -> Self {
-        Self {
-            preset: Preset::Paper2014,
-            gesture: "column".into(),
-            seconds: None,
-            settle: None,
-            integrator: None,
-            sync: Sync::default(),
-            no_interpolation: false,
-        }
-    }
-}
-
 impl Scene {
-    /// Takes one option; says no when it is not one of a scene's.
-    pub fn take(&mut self, option: &str, parser: &mut Parser) -> Result<bool, String> {
-        match option {
-            "model" => {
-                choice(parser, option, &["mass-spring"])?;
-            }
-            "preset" => {
-                let presets = [Preset::Paper2014, Preset::Book];
-                self.preset = presets[choice(parser, option, &presets.map(Preset::name))?];
-            }
-            "gesture" => {
-                let names = ["column", "corner", "corner-alone"];
-                self.gesture = names[choice(parser, option, &names)?].into();
-            }
-            "seconds" => self.seconds = Some(seconds(parser, option, 0.05)?),
-            "settle" => self.settle = Some(seconds(parser, option, 0.0)?),
-            "integrator" => {
-                let kinds = [
-                    ("explicit-euler", Integrator::ExplicitEuler),
-                    ("semi-implicit-euler", Integrator::SemiImplicitEuler),
-                    ("runge-kutta-4", Integrator::RungeKutta4),
-                ];
-                self.integrator = Some(kinds[choice(parser, option, &kinds.map(|kind| kind.0))?].1);
-            }
-            "sync" => self.sync = Sync::read(parser, option)?,
-            "no-interpolation" => self.no_interpolation = true,
-            _ => return Ok(false),
-        }
-        Ok(true)
-    }
-
     /// Duration of the gesture.
     pub fn seconds(&self) -> f32 {
-        self.seconds.unwrap_or(if self.preset == Preset::Book {
-            0.8
-        } else {
-            11.4
-        })
+        let is_book = self.preset == Preset::Book;
+        self.seconds.unwrap_or(if is_book { 0.8 } else { 11.4 })
     }
 
     /// Time simulated after it.
     pub fn settle(&self) -> f32 {
-        self.settle.unwrap_or(if self.preset == Preset::Book {
-            1.0
-        } else {
-            2.0
-        })
+        let is_book = self.preset == Preset::Book;
+        self.settle.unwrap_or(if is_book { 1.0 } else { 2.0 })
     }
 
     /// The settings of the leaf.
@@ -142,83 +181,14 @@ impl Scene {
     /// The gesture.
     pub fn path(&self) -> Gesture {
         let settings = self.settings();
-        match self.gesture.as_str() {
+        let column = settings.column_gesture(self.seconds());
+        match &self.gesture[..] {
             "corner" => settings.corner_gesture(self.seconds()),
             "corner-alone" => Gesture {
                 grip: Grip::FootCorner,
-                ..settings.column_gesture(self.seconds())
+                ..column
             },
-            _ => settings.column_gesture(self.seconds()),
+            _ => column,
         }
     }
-}
-
-/// Reads all options by a function that says no to those it does not know;
-/// `--json` is everyone's. Returns whether JSON is wanted.
-pub fn read(
-    parser: &mut Parser,
-    mut take: impl FnMut(&str, &mut Parser) -> Result<bool, String>,
-) -> Result<bool, String> {
-    let mut json = false;
-    while let Some(argument) = parser.next().map_err(|error| error.to_string())? {
-        let name = match argument {
-            Arg::Long(name) => name.to_owned(),
-            Arg::Short(letter) => {
-                return Err(format!("There is no option -{letter}; --help lists all."));
-            }
-            Arg::Value(value) => {
-                return Err(format!(
-                    "\"{}\" is one argument too many.",
-                    value.to_string_lossy()
-                ));
-            }
-        };
-        if name == "json" {
-            json = true;
-        } else if !take(&name, parser)? {
-            return Err(format!(
-                "This experiment has no option --{name}; --help lists all."
-            ));
-        }
-    }
-    Ok(json)
-}
-
-/// The option's value as text.
-pub fn text(parser: &mut Parser, option: &str) -> Result<String, String> {
-    let value = parser
-        .value()
-        .map_err(|_| format!("--{option} needs a value."))?;
-    value
-        .into_string()
-        .map_err(|_| format!("The value of --{option} is not text."))
-}
-
-/// Position of the option's value among the names that it may have.
-pub fn choice(parser: &mut Parser, option: &str, names: &[&str]) -> Result<usize, String> {
-    let value = text(parser, option)?;
-    names
-        .iter()
-        .position(|name| *name == value)
-        .ok_or_else(|| format!("--{option} is {}, not \"{value}\".", names.join(" or ")))
-}
-
-/// The option's value as a number between bounds.
-pub fn number<T: FromStr + PartialOrd + std::fmt::Display>(
-    parser: &mut Parser,
-    option: &str,
-    least: T,
-    most: T,
-) -> Result<T, String> {
-    let value = text(parser, option)?;
-    match value.parse::<T>() {
-        Ok(number) if number >= least && number <= most => Ok(number),
-        _ => Err(format!(
-            "--{option} is a number from {least} to {most}, not \"{value}\"."
-        )),
-    }
-}
-
-fn seconds(parser: &mut Parser, option: &str, least: f32) -> Result<f32, String> {
-    number(parser, option, least, 3600.0)
 }

@@ -3,28 +3,47 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use serde_json::json;
+use clap::Args;
+use serde::Serialize;
 
 use crate::exact::pear_loop;
-use crate::options;
-use crate::report;
-use crate::specimen::{Held, Piece, Specimen};
+use crate::options::between;
+use crate::report::{Compared, Lines, error};
+use crate::specimen::{Held, ModelOptions, Piece, Specimen};
 
 /// Seconds in which the far end is bent back, and then brought to the other.
 const BENDING: f64 = 2.0;
 
+/// Options of the experiment.
+#[derive(Args)]
+pub struct Options {
+    #[command(flatten)]
+    model: ModelOptions,
+    /// Nodes from one end to the other [default: the model's own number]
+    #[arg(long, value_parser = between(6usize, 513))]
+    nodes: Option<usize>,
+}
+
+/// How large a loop is, over its length.
+#[derive(Serialize)]
+pub struct Size {
+    height: f64,
+    width: f64,
+}
+
+/// That, and its strain.
+#[derive(Serialize)]
+pub struct Loop {
+    #[serde(flatten)]
+    size: Size,
+    max_edge_strain: f64,
+}
+
 /// Runs the experiment.
-pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let mut columns = None;
-    let (model, json) = report::read(parser, |option, parser| {
-        if option != "nodes" {
-            return Ok(false);
-        }
-        columns = Some(options::number(parser, option, 6, 513)?);
-        Ok(true)
-    })?;
+pub fn run(options: &Options) -> Result<Lines<Compared<Loop, Size>>, String> {
+    let model = options.model.model()?;
     let piece = Piece {
-        columns,
+        columns: options.nodes,
         held: Held::TwoClamps(FRAC_PI_2),
         ..Piece::weightless()
     };
@@ -34,20 +53,21 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     let (height, width) = size(&*specimen);
     let (height, width) = (height / piece.length, width / piece.length);
     let exact = pear_loop();
-    let figures = json!({
-        "model": model.name(),
-        "settings": model.settings(),
-        "height": height,
-        "width": width,
-        "max_edge_strain": specimen.edge_strain(),
-        "exact": { "height": exact.height, "width": exact.width },
-        "error": {
-            "height": report::error(height, exact.height),
-            "width": report::error(width, exact.width),
+    Ok(Lines(Compared {
+        of: model.label(),
+        found: Loop {
+            size: Size { height, width },
+            max_edge_strain: specimen.edge_strain(),
         },
-    });
-    report::print(json, &figures);
-    Ok(())
+        error: Size {
+            height: error(height, exact.height),
+            width: error(width, exact.width),
+        },
+        exact: Size {
+            height: exact.height,
+            width: exact.width,
+        },
+    }))
 }
 
 /// Bends a strip that stands upright into ever more of a circle until its far

@@ -6,9 +6,9 @@ mod settings;
 mod sheet;
 mod shell;
 
-use lexopt::Parser;
+use clap::{Args, ValueEnum};
+use serde::Serialize;
 
-use crate::options;
 pub use piece::{BREADTH, Held, LENGTH, Piece, Specimen};
 pub use settings::Settings;
 
@@ -23,32 +23,53 @@ pub enum Model {
     MassSpring,
 }
 
+/// The options that name one.
+#[derive(Args)]
+pub struct ModelOptions {
+    /// The model.
+    #[arg(long, value_enum, default_value = "sheet")]
+    model: Name,
+    /// Of the sheet: a book's leaf, or one on its own [default: book]
+    #[arg(long, value_enum)]
+    settings: Option<Settings>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Name {
+    Sheet,
+    Shell,
+    MassSpring,
+}
+
+impl ModelOptions {
+    /// The model that they name.
+    pub fn model(&self) -> Result<Model, String> {
+        match (self.model, self.settings) {
+            (Name::Sheet, settings) => Ok(Model::Sheet(settings.unwrap_or_default())),
+            (_, Some(_)) => Err("--settings is for the sheet alone.".into()),
+            (Name::Shell, None) => Ok(Model::Shell),
+            (Name::MassSpring, None) => Ok(Model::MassSpring),
+        }
+    }
+}
+
+/// A model as reports name it.
+#[derive(Serialize)]
+pub struct Label {
+    model: &'static str,
+    /// The settings of a sheet; none of any other model.
+    settings: Option<Settings>,
+}
+
 impl Model {
-    /// Its name as in commands and reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Sheet(_) => "sheet",
-            Self::Shell => "shell",
-            Self::MassSpring => "mass-spring",
-        }
-    }
-
-    /// The model that the option `--model` names.
-    pub fn read(parser: &mut Parser) -> Result<Model, String> {
-        let all = [
-            Self::Sheet(Settings::default()),
-            Self::Shell,
-            Self::MassSpring,
-        ];
-        Ok(all[options::choice(parser, "model", &all.map(Self::name))?])
-    }
-
-    /// The settings of a sheet; None of any other model.
-    pub fn settings(self) -> Option<&'static str> {
-        match self {
-            Self::Sheet(settings) => Some(settings.name()),
-            _ => None,
-        }
+    /// As reports name it.
+    pub fn label(self) -> Label {
+        let (model, settings) = match self {
+            Self::Sheet(settings) => ("sheet", Some(settings)),
+            Self::Shell => ("shell", None),
+            Self::MassSpring => ("mass-spring", None),
+        };
+        Label { model, settings }
     }
 
     /// Numbers of columns by which it is refined.

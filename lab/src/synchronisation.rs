@@ -6,12 +6,15 @@
 //! end points. How far each strains the springs, and how far masses depart from the
 //! spine and from the hand that should hold them, is measured after every step.
 
+use std::fmt::{self, Display, Formatter};
 use std::path::PathBuf;
 
-use serde_json::{Value, json};
+use clap::Args;
+use serde::Serialize;
 use turnleaf_engine::{Gesture, Grip, MassSpring, Settings, StrainRange, Synchronise, TurnModel};
 
-use crate::{options, report};
+use crate::options::between;
+use crate::table::Table;
 
 /// Duration of a turn: about the paper's mean time without key frames. What follows
 /// it is watched for two seconds more.
@@ -31,9 +34,37 @@ const READINGS: [(&str, Synchronise); 4] = [
     ("paper's words", Synchronise::Literal),
 ];
 
+/// Options of the experiment.
+#[derive(Args)]
+pub struct Options {
+    /// Duration of a turn, s.
+    #[arg(long, default_value_t = SECONDS, value_parser = between(0.2f32, 600.0))]
+    seconds: f32,
+    /// Write the table into a folder, as synchronisation.json.
+    #[arg(long)]
+    into: Option<PathBuf>,
+}
+
+/// Every turn by every reading.
+#[derive(Serialize)]
+pub struct Readings {
+    seconds: f32,
+    rows: Vec<Row>,
+}
+
+#[derive(Serialize)]
+struct Row {
+    turn: &'static str,
+    reading: &'static str,
+    #[serde(flatten)]
+    outcome: Outcome,
+}
+
 /// What a turn looked like over all its steps; lengths over the leaf's width.
+#[derive(Serialize)]
 struct Outcome {
-    strain: StrainRange,
+    max_edge_strain: f32,
+    min_edge_strain: f32,
     /// The farthest that a mass of the spine was from it.
     from_spine: f32,
     /// The farthest that a held mass was from its hand.
@@ -43,17 +74,8 @@ struct Outcome {
 }
 
 /// Runs the experiment.
-pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let (mut seconds, mut markdown, mut into) = (SECONDS, false, None);
-    let json = options::read(parser, |option, parser| {
-        match option {
-            "seconds" => seconds = options::number(parser, option, 0.2, 600.0)?,
-            "markdown" => markdown = true,
-            "into" => into = Some(PathBuf::from(options::text(parser, option)?)),
-            _ => return Ok(false),
-        }
-        Ok(true)
-    })?;
+pub fn run(options: &Options) -> Result<Readings, String> {
+    let seconds = options.seconds;
     let settings = Settings::paper_2014();
     let turns = [
         ("whole column", settings.column_gesture(seconds)),
@@ -69,19 +91,19 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     let mut rows = Vec::new();
     for (turn, gesture) in turns {
         for (reading, synchronise) in READINGS {
-            rows.push((turn, reading, observe(synchronise, gesture)?));
+            let outcome = observe(synchronise, gesture)?;
+            rows.push(Row {
+                turn,
+                reading,
+                outcome,
+            });
         }
     }
-    if let Some(path) = into {
-        report::insert(&path, "synchronisation", &table(&rows, true))?;
+    let found = Readings { seconds, rows };
+    if let Some(folder) = &options.into {
+        found.table().write(folder, "synchronisation")?;
     }
-    if json {
-        let rows: Vec<Value> = rows.iter().map(figures).collect();
-        println!("{:#}", json!({ "seconds": seconds, "rows": rows }));
-    } else {
-        print!("{}", table(&rows, markdown));
-    }
-    Ok(())
+    Ok(found)
 }
 
 /// Turns a leaf and looks at every step.
@@ -98,8 +120,10 @@ fn observe(synchronise: Synchronise, gesture: Gesture) -> Result<Outcome, String
     let (mut leaf, mut classic) = (leaf(synchronise)?, leaf(Synchronise::Off)?);
     let (columns, rows) = leaf.grid_size();
     let (width, height) = (leaf.settings().width, leaf.settings().height);
+    let mut strain = StrainRange::default();
     let mut outcome = Outcome {
-        strain: StrainRange::default(),
+        max_edge_strain: 0.0,
+        min_edge_strain: 0.0,
         from_spine: 0.0,
         from_hand: 0.0,
         from_classic: 0.0,
@@ -112,7 +136,7 @@ fn observe(synchronise: Synchronise, gesture: Gesture) -> Result<Outcome, String
     for _ in 0..steps {
         leaf.step();
         classic.step();
-        outcome.strain = outcome.strain.union(leaf.strain());
+        strain = strain.union(leaf.strain());
         for row in 0..rows {
             let v = row as f32 / (rows - 1) as f32;
             let y = v * height;
@@ -135,44 +159,48 @@ fn observe(synchronise: Synchronise, gesture: Gesture) -> Result<Outcome, String
             }
         }
     }
-    Ok(outcome)
-}
-
-fn figures((turn, reading, outcome): &(&str, &str, Outcome)) -> Value {
-    json!({
-        "turn": turn,
-        "reading": reading,
-        "max_edge_strain": outcome.strain.max,
-        "min_edge_strain": outcome.strain.min,
-        "from_spine": outcome.from_spine,
-        "from_hand": outcome.from_hand,
-        "from_classic": outcome.from_classic,
+    Ok(Outcome {
+        max_edge_strain: strain.max,
+        min_edge_strain: strain.min,
+        ..outcome
     })
 }
 
-fn table(rows: &[(&str, &str, Outcome)], markdown: bool) -> String {
-    let headings = [
-        "turn, reading",
-        "stretch %",
-        "compression %",
-        "off the spine %",
-        "off the hand %",
-        "off the classic leaf %",
-    ];
-    let mut cells = vec![headings.map(String::from).to_vec()];
-    for (turn, reading, outcome) in rows {
-        let mut row = vec![format!("{turn}, {reading}")];
-        let figures = [
-            outcome.strain.max,
-            outcome.strain.min,
-            outcome.from_spine,
-            outcome.from_hand,
-            outcome.from_classic,
-        ];
-        row.extend(figures.map(percent));
-        cells.push(row);
+impl Readings {
+    fn table(&self) -> Table {
+        let mut table = Table::new(&[
+            "turn, reading",
+            "stretch %",
+            "compression %",
+            "off the spine %",
+            "off the hand %",
+            "off the classic leaf %",
+        ]);
+        for Row {
+            turn,
+            reading,
+            outcome,
+        } in &self.rows
+        {
+            let mut row = vec![format!("{turn}, {reading}")];
+            let figures = [
+                outcome.max_edge_strain,
+                outcome.min_edge_strain,
+                outcome.from_spine,
+                outcome.from_hand,
+                outcome.from_classic,
+            ];
+            row.extend(figures.map(percent));
+            table.push(row);
+        }
+        table
     }
-    report::table(&cells, markdown)
+}
+
+impl Display for Readings {
+    fn fmt(&self, out: &mut Formatter) -> fmt::Result {
+        self.table().fmt(out)
+    }
 }
 
 /// Per cent, to a tenth; 0 where rounding alone is left.

@@ -16,18 +16,20 @@
 //! in alternation, and states the median turn, which other work on
 //! the machine disturbs least.
 
+use std::fmt::{self, Display, Formatter};
 use std::hint::black_box;
 use std::time::Instant;
 
-use serde_json::json;
+use clap::{Args, ValueEnum};
+use serde::Serialize;
 use turnleaf_engine::{
     Blend, Condensed, FrameKind, KeyFrames, LooseLeaf, MassSpring, PAPER_INTERVAL, Recorder,
     Replay, Settings, Side, Stock, Surface, TurnBy, TurnModel, uniform_samples,
 };
 
-use crate::options::{self, Sync};
+use crate::keyframes;
+use crate::options::{self, Synchronisation, between};
 use crate::simulate::median;
-use crate::{keyframes, keyframes::error};
 
 /// The paper's own means, milliseconds, without key frames and with them.
 const PAPER_MEANS: [f64; 2] = [11395.0, 9678.0];
@@ -40,91 +42,170 @@ const FRAME: f64 = 1.0 / 60.0;
 /// How near condensed frames are to the turn, over the width.
 const TOLERANCE: f32 = 0.001;
 
+/// Options of the experiment.
+#[derive(Args)]
+pub struct Options {
+    /// Rows of the table.
+    #[arg(long, default_value_t = 10, value_parser = between(1usize, 1000))]
+    runs: usize,
+    /// What the key frames hold.
+    #[arg(long, default_value = "masses", value_parser = ["masses", "surface"])]
+    frames: String,
+    /// How the replay blends them.
+    #[arg(long, default_value = "linear", value_parser = ["linear", "hermite"])]
+    blend: String,
+    /// When a replay of masses interpolates.
+    #[arg(long, default_value = "key-frame", value_parser = ["key-frame", "frame"])]
+    interpolate: String,
+    /// The paper's leaf, or a loose one of any model, whose key frames hold the surface.
+    #[arg(long, default_value = "paper", value_parser = options::model_kind_or_paper())]
+    model: options::ModelOrPaper,
+    /// Key frames of a loose leaf: every 0.1 s, or within 0.1 % of the width.
+    #[arg(long, value_enum, default_value = "even")]
+    keys: Keys,
+    /// Duration of the turn, s.
+    #[arg(long, default_value_t = SECONDS, value_parser = between(0.2f32, 60.0))]
+    seconds: f32,
+    #[command(flatten)]
+    sync: Synchronisation,
+}
+
+#[derive(Clone, Copy, PartialEq, Serialize, ValueEnum)]
+#[serde(rename_all = "lowercase")]
+enum Keys {
+    Even,
+    Condensed,
+}
+
 /// What is measured.
 struct Plan {
     seconds: f32,
     kind: FrameKind,
     blend: Blend,
     each_frame: bool,
-    condensed: bool,
+    keys: Keys,
+}
+
+/// The table.
+#[derive(Serialize)]
+pub struct Report {
+    model: &'static str,
+    seconds: f32,
+    key_frames: usize,
+    keys: Keys,
+    replay_error: Option<f64>,
+    runs: Vec<Row>,
+    #[serde(rename = "mean_live_ms")]
+    live: f64,
+    #[serde(rename = "mean_replay_ms")]
+    replay: f64,
+    reduction_percent: f64,
+    speed_ratio: f64,
+    us_per_step: f64,
+    us_per_surface: f64,
+    us_per_replayed_frame: f64,
+    turns_per_run: usize,
+    frames_per_turn: usize,
+    frames: String,
+    blend: String,
+    interpolation: &'static str,
+    counted: &'static str,
+}
+
+/// Milliseconds of one turn, and what a replay saves of them.
+#[derive(Serialize)]
+struct Row {
+    live_ms: f64,
+    replay_ms: f64,
+    reduction_percent: f64,
+    speed_ratio: f64,
+}
+
+impl Row {
+    fn new(live_ms: f64, replay_ms: f64) -> Row {
+        Row {
+            live_ms,
+            replay_ms,
+            reduction_percent: 100.0 * (1.0 - replay_ms / live_ms),
+            speed_ratio: live_ms / replay_ms,
+        }
+    }
 }
 
 /// Runs the experiment.
-pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let (mut runs, mut model, mut sync) = (10, None, Sync::default());
-    let mut plan = Plan {
-        seconds: SECONDS,
-        kind: FrameKind::Masses,
-        blend: Blend::Linear,
-        each_frame: false,
-        condensed: false,
+pub fn run(options: &Options) -> Result<Report, String> {
+    let is_condensed = options.keys == Keys::Condensed;
+    let plan = Plan {
+        seconds: options.seconds,
+        kind: match (options.model, &options.frames[..]) {
+            (None, "masses") => FrameKind::Masses,
+            _ => FrameKind::Surface,
+        },
+        blend: match &options.blend[..] {
+            "linear" if !is_condensed => Blend::Linear,
+            _ => Blend::Hermite,
+        },
+        each_frame: options.interpolate == "frame",
+        keys: options.keys,
     };
-    let json = options::read(parser, |option, parser| {
-        match option {
-            "runs" => runs = options::number(parser, option, 1, 1000)?,
-            "frames" => {
-                let kinds = [FrameKind::Masses, FrameKind::Surface];
-                plan.kind = kinds[options::choice(parser, option, &["masses", "surface"])?];
-            }
-            "blend" => {
-                let blends = [Blend::Linear, Blend::Hermite];
-                plan.blend = blends[options::choice(parser, option, &["linear", "hermite"])?];
-            }
-            "interpolate" => {
-                plan.each_frame = options::choice(parser, option, &["key-frame", "frame"])? == 1;
-            }
-            "sync" => sync = Sync::read(parser, option)?,
-            "model" => model = keyframes::model_or_paper(parser, option)?,
-            "keys" => {
-                plan.condensed = options::choice(parser, option, &["even", "condensed"])? == 1;
-            }
-            "seconds" => plan.seconds = options::number(parser, option, 0.2, 60.0)?,
-            _ => return Ok(false),
-        }
-        Ok(true)
-    })?;
-    let mut leaf = match model {
-        None if plan.condensed => {
+    let mut leaf = match options.model {
+        None if is_condensed => {
             return Err("--keys condensed is for a loose leaf; name one with --model.".into());
         }
         None => {
             let mut settings = Settings::paper_2014();
-            sync.set(&mut settings);
+            options.sync.set(&mut settings);
             let leaf = MassSpring::new(settings).map_err(|error| error.to_string())?;
             Leaf::Paper(Box::new(leaf))
         }
-        Some(_) if sync != Sync::default() => {
+        Some(_) if !options.sync.is_preset() => {
             return Err("--sync is for the paper's leaf; leave --model out.".into());
         }
-        Some(model) => {
-            plan.kind = FrameKind::Surface;
-            Leaf::Loose(Box::new(keyframes::leaf(model, Stock::BOOK, None)?))
-        }
+        Some(model) => Leaf::Loose(Box::new(keyframes::leaf(model, Stock::BOOK, None)?)),
     };
-    if plan.condensed {
-        plan.blend = Blend::Hermite;
-    }
     let steps = (f64::from(plan.seconds) / FRAME).round() as usize;
     let frames = leaf.record(&plan, steps)?;
-    let near = leaf
+    let replay_error = leaf
         .recording(&plan, steps)
-        .map(|all| error(&all, frames.clone(), plan.blend).0);
+        .map(|all| keyframes::error(&all, frames.clone(), plan.blend).0);
     let mut replay = Replay::new(frames, plan.blend, FRAME as f32);
     replay.interpolate_each_frame(plan.each_frame);
     let mut surface = Surface::new(26, 26);
     measure(&mut leaf, &mut replay, &mut surface, &plan, steps);
-    let figures: Vec<Run> = (0..runs)
+    let runs: Vec<Run> = (0..options.runs)
         .map(|_| measure(&mut leaf, &mut replay, &mut surface, &plan, steps))
         .collect();
-    let name = model.map_or("paper", |model| model.name());
-    report(
-        &figures,
-        steps,
-        &plan,
-        (name, replay.frames().len(), near),
-        json,
-    );
-    Ok(())
+    let mean = |figure: fn(&Run) -> f64| runs.iter().map(figure).sum::<f64>() / runs.len() as f64;
+    let per_step =
+        |figure: fn(&Run) -> f64| median(runs.iter().map(figure).collect()) * 1e3 / steps as f64;
+    let means = Row::new(mean(|run| run.live), mean(|run| run.replay));
+    Ok(Report {
+        model: options.model.map_or("paper", |model| model.name()),
+        seconds: plan.seconds,
+        key_frames: replay.frames().len(),
+        keys: plan.keys,
+        replay_error,
+        live: means.live_ms,
+        replay: means.replay_ms,
+        reduction_percent: means.reduction_percent,
+        speed_ratio: means.speed_ratio,
+        us_per_step: per_step(|run| run.step),
+        us_per_surface: per_step(|run| run.surface),
+        us_per_replayed_frame: per_step(|run| run.replay),
+        runs: { runs.iter() }
+            .map(|run| Row::new(run.live, run.replay))
+            .collect(),
+        turns_per_run: TURNS,
+        frames_per_turn: steps,
+        frames: format!("{:?}", plan.kind).to_lowercase(),
+        blend: format!("{:?}", plan.blend).to_lowercase(),
+        interpolation: match (plan.kind, plan.each_frame) {
+            (FrameKind::Surface, _) => "no interpolation in the replay",
+            (FrameKind::Masses, true) => "the replay interpolates every drawn frame",
+            (FrameKind::Masses, false) => "the replay interpolates every key frame once",
+        },
+        counted: COUNTED,
+    })
 }
 
 /// The leaf that is turned.
@@ -162,7 +243,7 @@ impl Leaf {
 
     /// The key frames of a turn.
     fn record(&mut self, plan: &Plan, steps: usize) -> Result<KeyFrames, String> {
-        if plan.condensed {
+        if plan.keys == Keys::Condensed {
             let all = self.recording(plan, steps).ok_or("Nothing was recorded.")?;
             let [u, v] = [all.columns, all.rows].map(uniform_samples);
             let condensed = Condensed::of(&all, &u, &v, TOLERANCE);
@@ -261,102 +342,67 @@ fn milliseconds(work: impl FnOnce()) -> f64 {
     clock.elapsed().as_secs_f64() * 1e3
 }
 
-fn report(
-    runs: &[Run],
-    steps: usize,
-    plan: &Plan,
-    (model, key_frames, near): (&str, usize, Option<f64>),
-    json: bool,
-) {
-    let &Plan {
-        seconds,
-        kind,
-        blend,
-        each_frame,
-        condensed,
-    } = plan;
-    let mean = |figure: fn(&Run) -> f64| runs.iter().map(figure).sum::<f64>() / runs.len() as f64;
-    let (live, replay) = (mean(|run| run.live), mean(|run| run.replay));
-    let reduction = 100.0 * (1.0 - replay / live);
-    let per_step =
-        |figure: fn(&Run) -> f64| median(runs.iter().map(figure).collect()) * 1e3 / steps as f64;
-    let (us_per_step, us_per_surface) = (per_step(|run| run.step), per_step(|run| run.surface));
-    let each = match (kind, each_frame) {
-        (FrameKind::Surface, _) => "no interpolation in the replay",
-        (FrameKind::Masses, true) => "the replay interpolates every drawn frame",
-        (FrameKind::Masses, false) => "the replay interpolates every key frame once",
-    };
-    if json {
-        let rows: Vec<_> = runs
-            .iter()
-            .map(|run| json!({ "live_ms": run.live, "replay_ms": run.replay, "reduction_percent": 100.0 * (1.0 - run.replay / run.live), "speed_ratio": run.live / run.replay }))
-            .collect();
-        let report = json!({
-            "model": model,
-            "seconds": seconds,
-            "key_frames": key_frames,
-            "keys": if condensed { "condensed" } else { "even" },
-            "replay_error": near,
-            "runs": rows,
-            "mean_live_ms": live,
-            "mean_replay_ms": replay,
-            "reduction_percent": reduction,
-            "speed_ratio": live / replay,
-            "us_per_step": us_per_step,
-            "us_per_surface": us_per_surface,
-            "us_per_replayed_frame": per_step(|run| run.replay),
-            "turns_per_run": TURNS,
-            "frames_per_turn": steps,
-            "frames": format!("{kind:?}").to_lowercase(),
-            "blend": format!("{blend:?}").to_lowercase(),
-            "interpolation": each,
-            "counted": COUNTED,
-        });
-        println!("{report:#}");
-        return;
+impl Display for Report {
+    fn fmt(&self, out: &mut Formatter) -> fmt::Result {
+        let Report {
+            model,
+            seconds,
+            key_frames,
+            frames_per_turn,
+            frames,
+            blend,
+            interpolation,
+            ..
+        } = self;
+        writeln!(
+            out,
+            "One turn of {model}, {seconds} s, {frames_per_turn} drawn frames of 676 points; ms a turn, median of {TURNS} turns a run."
+        )?;
+        let apart = match self.keys {
+            Keys::Condensed => "where the motion needs them",
+            Keys::Even => "every 0.1 s",
+        };
+        writeln!(
+            out,
+            "{key_frames} key frames of the {frames}, {apart}, {blend} blend; {interpolation}."
+        )?;
+        if let Some(error) = self.replay_error {
+            let percent = 100.0 * error;
+            writeln!(
+                out,
+                "The replay is at most {percent:.3} % of the width from the turn."
+            )?;
+        }
+        writeln!(
+            out,
+            "{COUNTED}\n\n  run      live    replay   saved   ratio of speeds"
+        )?;
+        let mut row = |name: &dyn Display, row: &Row| {
+            writeln!(
+                out,
+                "{name:>5}  {:8.4}  {:8.4}  {:5.1} %  {:8.3}",
+                row.live_ms, row.replay_ms, row.reduction_percent, row.speed_ratio
+            )
+        };
+        for (index, run) in self.runs.iter().enumerate() {
+            row(&(index + 1), run)?;
+        }
+        row(&"mean", &Row::new(self.live, self.replay))?;
+        let [live, replay] = PAPER_MEANS;
+        let paper = Row::new(live, replay);
+        writeln!(
+            out,
+            "\nThe paper's: {live:.0} and {replay:.0} ms, {:.1} % saved, a ratio of {:.3}, whose part above 1 is its third row's {:.0} %.",
+            paper.reduction_percent,
+            paper.speed_ratio,
+            100.0 * (paper.speed_ratio - 1.0)
+        )?;
+        writeln!(
+            out,
+            "A step with synchronisation takes {:.2} us, a surface {:.2} us, a replayed frame {:.2} us.",
+            self.us_per_step, self.us_per_surface, self.us_per_replayed_frame
+        )
     }
-    println!(
-        "One turn of {model}, {seconds} s, {steps} drawn frames of 676 points; ms a turn, median of {TURNS} turns a run."
-    );
-    let apart = if condensed {
-        "where the motion asks for them"
-    } else {
-        "every 0.1 s"
-    };
-    println!(
-        "{key_frames} key frames of the {}, {apart}, {} blend; {each}.",
-        format!("{kind:?}").to_lowercase(),
-        format!("{blend:?}").to_lowercase()
-    );
-    if let Some(near) = near {
-        println!(
-            "The replay is at most {:.3} % of the width from the turn.",
-            100.0 * near
-        );
-    }
-    println!("{COUNTED}\n\n  run      live    replay   saved   ratio of speeds");
-    let row = |name: String, live: f64, replay: f64| {
-        println!(
-            "{name:>5}  {live:8.4}  {replay:8.4}  {:5.1} %  {:8.3}",
-            100.0 * (1.0 - replay / live),
-            live / replay
-        );
-    };
-    for (index, run) in runs.iter().enumerate() {
-        row((index + 1).to_string(), run.live, run.replay);
-    }
-    row("mean".into(), live, replay);
-    let [paper_live, paper_replay] = PAPER_MEANS;
-    println!(
-        "\nThe paper's: {paper_live:.0} and {paper_replay:.0} ms, {:.1} % saved, a ratio of {:.3}, whose part above 1 is its third row's {:.0} %.",
-        100.0 * (1.0 - paper_replay / paper_live),
-        paper_live / paper_replay,
-        100.0 * (paper_live / paper_replay - 1.0)
-    );
-    println!(
-        "A step with synchronisation takes {us_per_step:.2} us, a surface {us_per_surface:.2} us, a replayed frame {:.2} us.",
-        per_step(|run| run.replay)
-    );
 }
 
 const COUNTED: &str = "Counted: all computation from gesture or key frames to the 676 points. \

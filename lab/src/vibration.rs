@@ -1,20 +1,20 @@
 //! `lab vibration`: how a weightless strip clamped at one end vibrates, and how fast
 //! its first mode dies away.
 //!
-//! A model with vibrations of its own is asked for them. Any other is loaded
+//! A model with vibrations of its own says what they are. Any other is loaded
 //! with its own inertia in the shape of a mode and rests in a shape nearer to
 //! it: inverse iteration with the model as the solver, so what is measured is
 //! its stiffness, with its mass lumped at the nodes.
 
 use std::f64::consts::PI;
 
-use serde_json::json;
-use turnleaf_engine::Stock;
+use clap::Args;
+use serde::Serialize;
 
 use crate::exact::vibration_roots;
-use crate::options;
-use crate::report;
-use crate::specimen::{Piece, Specimen};
+use crate::options::{self, between};
+use crate::report::{Lines, error};
+use crate::specimen::{Label, ModelOptions, Piece, Specimen};
 
 /// How far the tip is bent, over the length.
 const BENT: f64 = 0.03;
@@ -25,20 +25,48 @@ const SWINGS: usize = 16;
 /// Rounds of inverse iteration for a mode.
 const ROUNDS: usize = 5;
 
+/// Options of the experiment.
+#[derive(Args)]
+pub struct Options {
+    #[command(flatten)]
+    model: ModelOptions,
+    /// The paper.
+    #[arg(long, default_value = "book", value_parser = options::stock_name())]
+    stock: &'static str,
+    /// Nodes from the clamp to the tip [default: the model's own number]
+    #[arg(long, value_parser = between(8usize, 513))]
+    nodes: Option<usize>,
+}
+
+/// How a strip vibrates.
+#[derive(Serialize)]
+pub struct Vibration {
+    #[serde(flatten)]
+    of: Label,
+    stock: &'static str,
+    damping: Option<f64>,
+    roots: Vec<f64>,
+    measured_by: &'static str,
+    exact: Exact,
+    error: Errors,
+}
+
+#[derive(Serialize)]
+struct Exact {
+    roots: [f64; 3],
+    damping: f64,
+}
+
+#[derive(Serialize)]
+struct Errors {
+    roots: Vec<f64>,
+}
+
 /// Runs the experiment.
-pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let (mut columns, mut name) = (None, "book");
-    let (model, json) = report::read(parser, |option, parser| {
-        match option {
-            "nodes" => columns = Some(options::number(parser, option, 8, 513)?),
-            "stock" => name = Stock::NAMES[options::choice(parser, option, &Stock::NAMES)?],
-            _ => return Ok(false),
-        }
-        Ok(true)
-    })?;
-    let stock = Stock::named(name).expect("a preset");
+pub fn run(options: &Options) -> Result<Lines<Vibration>, String> {
+    let (model, stock) = (options.model.model()?, options::stock(options.stock));
     let piece = Piece {
-        columns,
+        columns: options.nodes,
         grammage: stock.grammage,
         stiffness: stock.stiffness_across,
         loss: Some(stock.loss),
@@ -68,25 +96,25 @@ pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
     let errors: Vec<_> = roots
         .iter()
         .zip(exact)
-        .map(|(root, exact)| report::error(*root, exact))
+        .map(|(root, exact)| error(*root, exact))
         .collect();
     let still = Piece {
         air: false,
         ..piece.clone()
     };
     let swings = swings(&mut *model.make(&still)?, &still, rates[0]);
-    let figures = json!({
-        "model": model.name(),
-        "stock": name,
-        "damping": swings.as_deref().map(damping),
-        "settings": model.settings(),
-        "roots": roots,
-        "measured_by": how,
-        "exact": { "roots": exact, "damping": 0.5 * stock.loss },
-        "error": { "roots": errors },
-    });
-    report::print(json, &figures);
-    Ok(())
+    Ok(Lines(Vibration {
+        of: model.label(),
+        stock: options.stock,
+        damping: swings.as_deref().map(damping),
+        roots,
+        measured_by: how,
+        exact: Exact {
+            roots: exact,
+            damping: 0.5 * stock.loss,
+        },
+        error: Errors { roots: errors },
+    }))
 }
 
 /// Heights of the swings of a piece that starts in the shape of its first mode, of an
@@ -134,8 +162,8 @@ fn by_loads(specimen: &mut dyn Specimen, piece: &Piece) -> Result<Vec<f64>, Stri
     let columns = specimen.grid().0;
     let cell = piece.length / (columns - 1) as f64;
     let mass = |column: usize| {
-        let share = if column + 1 == columns { 0.5 } else { 1.0 };
-        share * piece.grammage * piece.breadth * cell
+        let part = if column + 1 == columns { 0.5 } else { 1.0 };
+        part * piece.grammage * piece.breadth * cell
     };
     let product = |a: &[f64], b: &[f64]| -> f64 {
         (0..columns)
@@ -146,11 +174,11 @@ fn by_loads(specimen: &mut dyn Specimen, piece: &Piece) -> Result<Vec<f64>, Stri
     let mut modes: Vec<Vec<f64>> = Vec::new();
     let mut rates = Vec::new();
     for mode in 0..3 {
-        let wave = (mode as f64 + 0.5) * PI;
-        let mut square = (wave * wave * slowest).powi(2);
+        let number = (mode as f64 + 0.5) * PI;
+        let mut square = (number * number * slowest).powi(2);
         let mut shape: Vec<f64> = (0..columns)
             .map(|column| column as f64 / (columns - 1) as f64)
-            .map(|u| u * u * (wave * u).cos())
+            .map(|u| u * u * (number * u).cos())
             .collect();
         for _ in 0..ROUNDS {
             for other in &modes {
@@ -168,9 +196,9 @@ fn by_loads(specimen: &mut dyn Specimen, piece: &Piece) -> Result<Vec<f64>, Stri
                 specimen.load_column(column, [0.0, 0.0, force])?;
             }
             specimen.rest()?;
-            let answer = mean_heights(specimen);
-            square *= product(&answer, &shape) / product(&answer, &answer);
-            shape = answer;
+            let bent = mean_heights(specimen);
+            square *= product(&bent, &shape) / product(&bent, &bent);
+            shape = bent;
         }
         modes.push(shape);
         rates.push(square.sqrt());

@@ -16,7 +16,7 @@ fn json(arguments: &[&str]) -> Value {
 }
 
 #[test]
-fn wrong_arguments_are_refused_in_one_sentence() {
+fn wrong_arguments_are_rejected_in_one_sentence() {
     let wrong: [&[&str]; 13] = [
         &[],
         &["table2"],

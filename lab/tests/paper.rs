@@ -1,5 +1,5 @@
 //! The experiments on a piece of paper, and how near each model must come to
-//! the exact answers.
+//! the exact solutions.
 
 use std::process::Command;
 
@@ -180,7 +180,7 @@ fn the_sheet_turns_as_the_shell_does() {
     }
 }
 
-/// What hands can do to paper: see docs/physics.md.
+/// What pointers can do to paper: see docs/physics.md.
 #[test]
 fn a_thousand_gestures_neither_stretch_paper_nor_push_it_through_paper() {
     let found = lab("gestures --count 1000 --seed 1 --kind hands --page usual --stock presets");
@@ -200,7 +200,7 @@ fn a_thousand_gestures_neither_stretch_paper_nor_push_it_through_paper() {
     }
 }
 
-/// Pages, papers, air, frames and hands of every kind; 20,000 are in docs/physics.md.
+/// Pages, papers, air, frames and pointers of every kind; 20,000 are in docs/physics.md.
 #[test]
 fn gestures_of_every_kind_on_any_page_stay_finite_come_to_rest_and_out_of_each_other() {
     let kinds = [
@@ -268,6 +268,26 @@ fn gestures_that_once_drew_leaves_through_each_other_do_not() {
     for seed in [5007, 5012, 5031, 5034, 5036, 5082] {
         is_drawn_clear(&lab(&format!("gestures --count 1 --seed {seed}")));
     }
+    for seed in [910155, 7300464, 7301398] {
+        is_drawn_clear(&lab(&format!("gestures --count 1 --seed {seed}")));
+    }
+    for seed in [31000160, 31000484, 31000488] {
+        is_drawn_clear(&preset_gesture(seed));
+    }
+}
+
+/// The gesture of a seed on any page of a stock that has a name.
+fn preset_gesture(seed: u64) -> Value {
+    lab(&format!("gestures --count 1 --seed {seed} --stock presets"))
+}
+
+/// Violent pointers on several leaves once sheared them by 14 to 29 degrees.
+#[test]
+fn leaves_are_sheared_little_however_many_fly() {
+    for seed in [31000072, 31000079, 31000240, 31000355] {
+        let shear = figure(&preset_gesture(seed), "shear_worst_degrees");
+        assert!(shear < 10.0, "seed {seed}: {shear} degrees");
+    }
 }
 
 fn is_drawn_clear(found: &Value) {
@@ -285,6 +305,17 @@ fn leaves_that_press_on_each_other_do_not_stand_still() {
         let found = usual_gesture(seed);
         let behind = figure(&found, "frames_behind_share");
         assert!(behind < 0.05, "seed {seed}: {behind} of the frames");
+    }
+}
+
+/// Stiffer than single precision bears, leaves were thrown about: edges grew to 1,400 times
+/// their length.
+#[test]
+fn the_stiffest_and_lightest_leaves_keep_their_lengths() {
+    for seed in [20000061, 20000065, 20000086, 20000131] {
+        let found = lab(&format!("gestures --count 1 --seed {seed} --stock extreme"));
+        let strain = figure(&found, "edge_strain_worst");
+        assert!(strain < 0.01, "seed {seed}: {strain}");
     }
 }
 

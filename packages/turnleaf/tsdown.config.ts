@@ -23,7 +23,10 @@ const viewer = defineConfig({
     { from: "src/engine/turnleaf.wasm", to: "dist" },
     { from: "../../node_modules/image-size/LICENSE", to: "dist", rename: "license-image-size.txt" },
   ],
-  deps: { neverBundle: ["three"], onlyBundle: ["pdfjs-dist", "image-size"] },
+  deps: {
+    neverBundle: ["three"],
+    onlyBundle: ["pdfjs-dist", "image-size", "@zip.js/zip.js", "dompurify", "foliate-js", "marked"],
+  },
   outputOptions: {
     codeSplitting: {
       // What every page loads is one file, which packs better than many. But for

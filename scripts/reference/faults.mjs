@@ -21,7 +21,8 @@ const common = [
 export function faultsOf(reference, wordings) {
   const { attributes, properties, methods, events, functions, types } = reference;
   const found = [];
-  const need = (told, what) => told || found.push(`${what} has no comment that says what it is`);
+  const need = (documented, what) =>
+    documented || found.push(`${what} has no comment that says what it is`);
   for (const each of [...attributes, ...properties]) need(each.text, `The property ${each.name}`);
   for (const each of attributes) {
     if (each.usual === undefined) found.push(`The attribute ${each.attribute} names no @default`);
@@ -54,13 +55,13 @@ export function faultsOf(reference, wordings) {
 }
 
 /** Whatever is used has a comment, and whatever has a comment is used. */
-function agree(found, kind, told, used, exempt = []) {
-  const names = told.map((each) => each.name);
+function agree(found, kind, documented, used, exempt = []) {
+  const names = documented.map((each) => each.name);
   for (const name of used) {
     if (!names.includes(name) && !exempt.includes(name))
       found.push(`The ${kind} ${name} has no comment that says what it is`);
   }
-  for (const each of told) {
+  for (const each of documented) {
     if (!used.has(each.name))
       found.push(`The ${kind} ${each.name} is documented and does not exist`);
     if (!each.text && each.text !== undefined) found.push(`The ${kind} ${each.name} says nothing`);

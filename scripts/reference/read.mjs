@@ -23,7 +23,7 @@ export function readReference() {
     ts.sys,
     join(source, ".."),
   );
-  const names = fileNames.filter((name) => !/\.test\.ts$|_for_tests\.ts$/.test(name));
+  const names = fileNames.filter((name) => !/\.test\.ts$|\/for_tests\//.test(name));
   const program = ts.createProgram(names, options);
   const checker = program.getTypeChecker();
   const files = program.getSourceFiles().filter((file) => isOurs(file.fileName));
@@ -61,7 +61,7 @@ export function readReference() {
     used: usedIn(files),
   };
 
-  function told(symbol) {
+  function documented(symbol) {
     const text = ts.displayPartsToString(symbol.getDocumentationComment(checker));
     return { name: symbol.name, text: oneLine(text) };
   }
@@ -76,7 +76,7 @@ export function readReference() {
     const isWritten = symbol.declarations.some(
       (at) => ts.isSetAccessor(at) || (ts.isPropertyDeclaration(at) && !isReadonly(at)),
     );
-    return { ...told(symbol), type: typeOf(symbol), isWritten };
+    return { ...documented(symbol), type: typeOf(symbol), isWritten };
   }
 
   function attribute(symbol) {
@@ -95,12 +95,12 @@ export function readReference() {
     const [signature] = checker.getTypeOfSymbol(symbol).getCallSignatures();
     const shown = checker.signatureToString(signature, undefined, whole);
     const parameters = signature.parameters.map((each) => ({
-      ...told(each),
-      text: told(each).text.replace(/^- /, ""),
+      ...documented(each),
+      text: documented(each).text.replace(/^- /, ""),
       type: typeOf(each),
     }));
     const returns = checker.typeToString(signature.getReturnType(), undefined, whole);
-    const { name, text } = told(symbol);
+    const { name, text } = documented(symbol);
     const errors = ts.getJSDocTags(at).filter((each) => each.tagName.text === "throws");
     const throws = errors.map((each) => oneLine(ts.getTextOfJSDocComment(each.comment) ?? ""));
     return { name, text, signature: `${name}${shown}`, parameters, returns, throws };
@@ -108,7 +108,7 @@ export function readReference() {
 
   function event(symbol) {
     const [detail] = checker.getTypeArguments(checker.getTypeOfSymbol(symbol));
-    return { ...told(symbol), type: checker.typeToString(detail, undefined, spelledOut) };
+    return { ...documented(symbol), type: checker.typeToString(detail, undefined, spelledOut) };
   }
 
   function type(symbol) {
@@ -116,7 +116,7 @@ export function readReference() {
     const isShape = symbol.flags & (ts.SymbolFlags.Interface | ts.SymbolFlags.Class);
     if (!isShape) {
       const means = checker.typeToString(declared, undefined, spelledOut);
-      return { ...told(symbol), means, members: [] };
+      return { ...documented(symbol), means, members: [] };
     }
     const shape = checker.getPropertiesOfType(declared).filter(ours);
     const each = shape.map((member) => ({
@@ -125,7 +125,7 @@ export function readReference() {
     }));
     const bases = checker.getBaseTypes(declared).map((base) => base.symbol.name);
     return {
-      ...told(symbol),
+      ...documented(symbol),
       members: each,
       isClass: !!(symbol.flags & ts.SymbolFlags.Class),
       bases,
@@ -194,7 +194,7 @@ function tagged(files, name) {
 
 /** A custom property with the value that it has where nobody sets it. */
 function withValue(property) {
-  const usual = ["element.css.ts", "controls/themes.css.ts"].map((file) => {
+  const usual = ["element/shadow_tree.ts", "controls/themes.css.ts"].map((file) => {
     const style = readFileSync(join(source, file), "utf8");
     return style.slice(style.indexOf("\n:host {"));
   });

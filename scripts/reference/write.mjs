@@ -61,13 +61,13 @@ export function writeReference(reference, wordings) {
 }
 
 function callable({ name, text, signature, parameters, throws }) {
-  const told = parameters.filter((each) => each.text);
+  const described = parameters.filter((each) => each.text);
   return [
     `### \`${name}\``,
     fenced(signature),
     text,
-    ...(told.length > 0
-      ? [told.map((each) => `- ${code(each.name)}: ${each.text}`).join("\n")]
+    ...(described.length > 0
+      ? [described.map((each) => `- ${code(each.name)}: ${each.text}`).join("\n")]
       : []),
     ...throws.map((each) => `Throws ${each}.`),
   ].join("\n\n");

@@ -10,7 +10,7 @@
  * well, where frameworks check more.
  */
 import { execFile, spawn } from "node:child_process";
-import { cp, mkdtemp, readdir, readFile, rm, writeFile } from "node:fs/promises";
+import { cp, mkdtemp, readdir, readFile, rm } from "node:fs/promises";
 import { createServer } from "node:net";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -18,6 +18,7 @@ import { promisify } from "node:util";
 import { chromium } from "playwright-core";
 import { preview } from "vite";
 import { chromiumArguments, findChromium } from "../../scripts/chromium.mjs";
+import { includeTables, readTable, writeTable } from "../../scripts/docs_tables.mjs";
 
 const root = join(import.meta.dirname, "../..");
 const environment = {
@@ -104,8 +105,8 @@ async function tryBook(browser, url) {
   const shows = (number) =>
     page.waitForFunction((number) => {
       const book = document.querySelector("turnleaf-book");
-      const told = document.querySelector("output")?.textContent;
-      return book?.page === number && book.settled && told === String(number);
+      const reported = document.querySelector("output")?.textContent;
+      return book?.page === number && book.settled && reported === String(number);
     }, number);
   try {
     await page.goto(url);
@@ -122,7 +123,7 @@ async function tryBook(browser, url) {
         page: book.page,
         pageCount: book.pageCount,
         settled: book.settled,
-        told: document.querySelector("output")?.textContent,
+        reported: document.querySelector("output")?.textContent,
         text: book.shadowRoot?.querySelector("[part=message]")?.textContent,
       }))
       .catch(() => null);
@@ -184,7 +185,7 @@ try {
     console.log(`${faults.length === 0 ? "passed" : "FAILED"}  ${name}: ${modes.join("; ")}`);
     for (const fault of faults) console.error(`  ${fault}`);
     hasFault ||= faults.length > 0;
-    if (faults.length === 0) await writeRow(name, [versions.join(", "), modes.join("; ")]);
+    if (faults.length === 0) writeRow(name, [versions.join(", "), modes.join("; ")]);
   }
 } finally {
   await browser.close();
@@ -193,18 +194,9 @@ try {
 if (hasFault) process.exitCode = 1;
 
 /** Puts an app's row into the table, in place of the one it had. */
-async function writeRow(name, cells) {
-  const file = join(root, "docs/browsers.md");
-  const section = /(?<=<!-- apps -->\n)[\s\S]*?(?=<!-- \/apps -->)/;
-  const text = await readFile(file, "utf8");
-  const [table] = section.exec(text) ?? [];
-  if (table === undefined) throw new Error(`${file} has no place for the table.`);
-  const start = `| ${name} |`;
-  const others = table.split("\n").filter((row) => row !== "" && !row.startsWith(start));
-  const rows = [...others.slice(2), `${start} ${cells.join(" | ")} |`].sort();
-  const lines = ["| app | packages | served |", "|---|---|---|", ...rows, ""];
-  await writeFile(
-    file,
-    text.replace(section, () => lines.join("\n")),
-  );
+function writeRow(name, cells) {
+  const [headings, ...rows] = readTable("apps");
+  const others = rows.filter(([app]) => app !== name);
+  writeTable("apps", [headings, ...[...others, [name, ...cells]].sort()]);
+  includeTables();
 }

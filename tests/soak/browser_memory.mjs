@@ -44,6 +44,27 @@ export function memoryByProcess(pid) {
   return kinds;
 }
 
+/**
+ * Megabytes of machine code that software GL (SwiftShader) has compiled, on Linux.
+ * It keeps its last 1,024 routines of each kind, and those of every new context are
+ * new ones to it: they grow until its caches are full. No graphics card has them.
+ */
+export function compiledBySoftwareGL(pid) {
+  const maps = family(pid).flatMap((one) => read(`/proc/${one}/smaps`).split(/^(?=[0-9a-f]+-)/m));
+  const own = maps.filter((map) => /^[^\n]*memfd:swiftshader_jit/.test(map));
+  return own.reduce((sum, map) => sum + Number(/^Pss:\s+(\d+)/m.exec(map)[1]) / 1024, 0);
+}
+
+/**
+ * Has a browser give back what it only keeps for reuse, as it does where the
+ * machine's memory is short.
+ *
+ * @param session a CDP session of the browser
+ */
+export async function releaseCaches(session) {
+  await session.send("Memory.simulatePressureNotification", { level: "critical" });
+}
+
 /** What the browser's own count of each process is made of, and that is not counted twice. */
 const holders = {
   Renderer: [

@@ -1,5 +1,5 @@
 //! Memory in blocks of powers of two: each size has a list of those that were
-//! freed, and what none has comes from the end of memory. A book asks for its
+//! freed, and what none has comes from the end of memory. A book allocates its
 //! leaves when it is made and for a few more while they fly, always of the same
 //! sizes, so this wastes less than half and is a tenth of the standard one.
 
@@ -88,8 +88,8 @@ impl State {
     }
 }
 
-// SAFETY: blocks never overlap, are at least as long as asked and aligned to
-// LEAST, and more is refused.
+// SAFETY: blocks never overlap, are at least as long as requested and aligned to
+// LEAST, and more is rejected.
 unsafe impl GlobalAlloc for Blocks {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         if layout.align() > LEAST {

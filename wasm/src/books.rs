@@ -61,6 +61,17 @@ fn change(book: &mut Book, how: impl FnOnce(&mut Paper)) -> bool {
     book.set_paper(&paper)
 }
 
+/// Makes all leaves of a book of one stock.
+fn set_stock(book: &mut Book, stock: Stock) -> bool {
+    book.clear_leaf_stocks();
+    change(book, |paper| paper.stock = stock)
+}
+
+/// The preset stock of a number.
+fn preset(number: usize) -> Option<Stock> {
+    Stock::NAMES.get(number).and_then(|name| Stock::named(name))
+}
+
 /// Declares exported functions on a book, each a call to the engine.
 macro_rules! book_functions {
     ($($(#[$doc:meta])* fn $name:ident($book:ident $(, $arg:ident: $type:ty)*) $(-> $result:ty)? $body:block)*) => {$(
@@ -77,16 +88,27 @@ macro_rules! book_functions {
 }
 
 book_functions! {
-    /// Makes the leaves of a preset stock, by its number; 0 where there is none.
+    /// Makes all leaves of a preset stock, by its number; 0 where there is none.
     fn tl_book_set_stock(book, number: usize) -> u32 {
-        let stock = Stock::NAMES.get(number).and_then(|name| Stock::named(name));
-        stock.is_some_and(|stock| change(book, |paper| paper.stock = stock)).into()
+        preset(number).is_some_and(|stock| set_stock(book, stock)).into()
     }
-    /// Makes the leaves of a stock in figures: kg/m^2 (0.001 to 5), m (1e-6 to 0.01), N m
+    /// Makes all leaves of a stock in figures: kg/m^2 (0.001 to 5), m (1e-6 to 0.01), N m
     /// (1e-8 to 10); 0 where one is beyond.
     fn tl_book_set_figures(book, grammage: f64, caliper: f64, along: f64, across: f64) -> u32 {
         let stock = Stock::new(grammage, caliper, along, across);
-        stock.is_ok_and(|stock| change(book, |paper| paper.stock = stock)).into()
+        stock.is_ok_and(|stock| set_stock(book, stock)).into()
+    }
+    /// Makes the leaves from `first` to before `end` (from 0) of a preset stock, by its number;
+    /// 0 where there are no such leaves or there is no such stock.
+    fn tl_book_set_leaf_stock(book, first: u32, end: u32, number: usize) -> u32 {
+        preset(number).is_some_and(|stock| book.set_leaf_stock(first..end, &stock)).into()
+    }
+    /// Makes such leaves of a stock in figures, as `tl_book_set_figures`.
+    fn tl_book_set_leaf_figures(
+        book, first: u32, end: u32, grammage: f64, caliper: f64, along: f64, across: f64
+    ) -> u32 {
+        let stock = Stock::new(grammage, caliper, along, across);
+        stock.is_ok_and(|stock| book.set_leaf_stock(first..end, &stock)).into()
     }
     /// Binds the leaves with their grain across the spine, or along it (0), and with a
     /// stiffness in N (0 to 1); 0 where it is beyond.
@@ -108,7 +130,7 @@ book_functions! {
     /// Takes up the uppermost leaves of a side; returns the flight's number, or 0 where
     /// `low` and `high` do not name these, or 16 flights are in the air.
     fn tl_book_lift(book, from: u32, low: u32, high: u32) -> u32 {
-        book.lift(side(from), low, high).unwrap_or(0)
+        book.pick_up(side(from), low, high).unwrap_or(0)
     }
     /// A hand (0 to 3) takes hold of a flight at (u, v), each 0 to 1 or the nearer of
     /// these. Nothing happens where one is not finite.
@@ -125,6 +147,10 @@ book_functions! {
     fn tl_book_play(book, id: u32, to: u32, seconds: f32) { book.play(id, side(to), seconds) }
     /// Steps all flights by whole ticks, at most a minute's (7200).
     fn tl_book_step(book, ticks: u32) { book.step(ticks.min(MOST_TICKS)) }
+    /// Ticks that a frame should have at the most, 4 to 12: fewer, the more leaves are in flight.
+    fn tl_book_most_ticks(book) -> u32 { book.most_ticks() }
+    /// Whether nothing moves until the next command: what is in the air is held and lies still.
+    fn tl_book_asleep(book) -> u32 { book.is_asleep().into() }
     /// What a flight is doing; 7 where there is none of that number.
     fn tl_book_phase(book, id: u32) -> u32 { book.phase(id).map_or(OVER, phase_number) }
     /// Leaves of the left pile.
@@ -150,7 +176,7 @@ book_functions! {
     /// that draws them in place of the sheet, unless one is not within 1 km. 0 where there
     /// is none.
     fn tl_book_dress(book, index: usize) -> *mut f32 {
-        book.dress(index).map_or(core::ptr::null_mut(), |points| points.as_mut_ptr())
+        book.override_surface(index).map_or(core::ptr::null_mut(), |points| points.as_mut_ptr())
     }
     /// Normals of a flight's surface, f32 x, y, z; 0 where there is none.
     fn tl_book_normals(book, index: usize) -> *const f32 {
@@ -158,6 +184,9 @@ book_functions! {
     }
     /// Version of a flight's surface; 0 where there is none.
     fn tl_book_version(book, index: usize) -> u32 { book.surface(index).map_or(0, |s| s.version) }
+    /// Thickness of the leaf of a flight, metres, by its index from the left; 0 where there is
+    /// none.
+    fn tl_book_caliper(book, index: usize) -> f32 { book.caliper(index).unwrap_or(0.0) }
     /// Curves of the pile on a side, f32 x, z.
     fn tl_book_pile(book, on: u32) -> *const f32 { book.pile(side(on)).curves().as_ptr() }
     /// A hand holds a board (0 the front, any other number the back) at an angle, radians,

@@ -6,7 +6,7 @@
 //!
 //! Every function takes every number. With a handle that was not returned, or that
 //! was freed, it does nothing and returns 0. A figure that is not finite or beyond
-//! what the function says is refused, which changes nothing, or counts as the
+//! what the function says is rejected, which changes nothing, or counts as the
 //! nearest that is not, as the function says. Whole numbers are unsigned: -1 is
 //! 4294967295.
 //!

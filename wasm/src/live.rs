@@ -1,5 +1,5 @@
 //! Handles of what is alive: the address of a boxed value, by which JavaScript
-//! knows it. A number that is no such address, or not any more, is refused.
+//! knows it. A number that is no such address, or not any more, is rejected.
 
 use std::sync::{Mutex, PoisonError};
 

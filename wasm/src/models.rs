@@ -6,7 +6,7 @@
 //! [`tl_leaf_error`] says why. The typed wrapper is the viewer's
 //! `models/models.ts`; its comments say what each does. Arrays that a function
 //! returns the address of stay there until the next [`tl_leaf_update`] that
-//! changes their length. Handles and numbers that are none are refused as those
+//! changes their length. Handles and numbers that are none are rejected as those
 //! of a book are.
 
 use turnleaf_engine::{

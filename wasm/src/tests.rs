@@ -114,8 +114,8 @@ unsafe fn any_call(random: &mut Random, book: *mut Book) {
     // SAFETY: handles of this thread.
     unsafe {
         let (id, index) = (r.whole(20), r.whole(4) as usize);
-        match r.below(22) {
-            0 => drop(tl_book_set_stock(book, r.whole(5) as usize)),
+        match r.below(25) {
+            0 => drop(tl_book_set_stock(book, r.whole(6) as usize)),
             1 => {
                 let grammage = r.float(0.02, 0.3);
                 let caliper = r.float(1e-5, 1e-3);
@@ -165,6 +165,23 @@ unsafe fn any_call(random: &mut Random, book: *mut Book) {
             }
             19 => tl_board_hold(book, r.whole(2), r.single(0.0, 3.2)),
             20 => tl_board_play(book, r.whole(2), r.whole(2), r.single(0.05, 2.0)),
+            21 => {
+                let (first, end) = (r.whole(40), r.whole(40));
+                tl_book_set_leaf_stock(book, first, end, r.whole(6) as usize);
+            }
+            22 => {
+                let (grammage, caliper) = (r.float(0.02, 2.0), r.float(1e-5, 2e-3));
+                let (along, across) = (r.float(1e-6, 1.0), r.float(1e-6, 1.0));
+                let (first, end) = (r.whole(40), r.whole(40));
+                tl_book_set_leaf_figures(book, first, end, grammage, caliper, along, across);
+            }
+            23 => {
+                assert!(tl_book_asleep(book) < 2);
+                assert_eq!(
+                    tl_book_caliper(book, index) == 0.0,
+                    index >= tl_book_flights(book)
+                );
+            }
             _ => {
                 tl_board_release(book, r.whole(2));
                 tl_board_step(book, r.whole(2), r.whole(200));
@@ -233,7 +250,7 @@ fn a_turn_of_any_length_ends() {
 }
 
 #[test]
-fn a_book_of_any_size_is_made_or_refused() {
+fn a_book_of_any_size_is_made_or_rejected() {
     for (width, is_book) in [
         (0.0, false),
         (1e-6, false),
@@ -410,7 +427,7 @@ fn a_leaf_is_advanced_by_a_bounded_number_of_steps() {
 }
 
 #[test]
-fn what_would_take_all_memory_or_time_is_refused() {
+fn what_would_take_all_memory_or_time_is_rejected() {
     use models::*;
     let usual = figures(&mut Random(1));
     let figures = |changes: &[(usize, f64)]| {
@@ -448,5 +465,41 @@ fn benches_take_any_number() {
     for seconds in [f32::INFINITY, f32::NAN, -1.0, 1e30] {
         assert_eq!(tl_turn_hash(0, 0, seconds, 0.0), 0);
         assert_eq!(tl_turn_hash(0, 0, 1.0, seconds), 0);
+    }
+}
+
+#[test]
+fn a_leaf_has_its_own_stock_until_all_have_one() {
+    let book = tl_book_new(0.14, 0.21, 40, 0.004);
+    // SAFETY: a handle of this thread.
+    unsafe {
+        let caliper = |leaf: u32| {
+            tl_book_lay(book, leaf);
+            tl_book_lift(book, 0, leaf, leaf + 1);
+            tl_book_caliper(book, 0)
+        };
+        assert_eq!(tl_book_set_leaf_stock(book, 3, 5, 5), 1);
+        assert_eq!([2, 3, 4, 5].map(caliper), [90e-6, 1.6e-3, 1.6e-3, 90e-6]);
+        assert_eq!(
+            tl_book_set_leaf_figures(book, 4, 6, 0.2, 2e-4, 1e-3, 1e-3),
+            1
+        );
+        assert_eq!([3, 4, 5].map(caliper), [1.6e-3, 2e-4, 2e-4]);
+        // No such leaves, no such stock, no figures of paper.
+        for (first, end, number) in [(3, 3, 0), (5, 3, 0), (39, 41, 0), (0, 1, 6), (0, 1, 99)] {
+            assert_eq!(tl_book_set_leaf_stock(book, first, end, number), 0);
+        }
+        assert_eq!(
+            tl_book_set_leaf_figures(book, 0, 1, f64::NAN, 2e-4, 1e-3, 1e-3),
+            0
+        );
+        // Other properties of the paper leave it; another stock of all leaves does not.
+        assert_eq!(tl_book_set_wind(book, 0.0, 1.0, 0.0), 1);
+        assert_eq!(caliper(3), 1.6e-3);
+        assert_eq!(tl_book_set_stock(book, 9), 0);
+        assert_eq!(caliper(3), 1.6e-3);
+        assert_eq!(tl_book_set_stock(book, 0), 1);
+        assert_eq!([3, 4].map(caliper), [40e-6; 2]);
+        tl_book_drop(book);
     }
 }

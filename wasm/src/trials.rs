@@ -1,6 +1,6 @@
 //! Exports for the WASM benchmarks and for the golden test: leaves in mid-turn, a
 //! hanging page, and hashes of whole turns. No book uses them. Handles and numbers
-//! that are none are refused as those of a book are; a count is at most a million.
+//! that are none are rejected as those of a book are; a count is at most a million.
 
 use turnleaf_engine::trials::{frame, hanging, mid_turn, settle, tip};
 use turnleaf_engine::{MassSpring, Settings, Sheet, Surface, TurnModel, turn_hash};

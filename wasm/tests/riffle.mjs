@@ -48,7 +48,7 @@ export class Riffle {
     this.#flights = this.#flights.filter((id) => engine.tl_book_phase(book, id) !== OVER);
   }
 
-  /** Two hands catch the fourth leaf in flight from the left and pull it about. */
+  /** Two grabs catch the fourth leaf in flight from the left and pull it about. */
   catchOne() {
     const [engine, book, id] = [this.#engine, this.#book, this.#flights[3]];
     if (id === undefined) return;

@@ -11,11 +11,11 @@ use crate::real::Real;
 type Tile<T> = [[<T as Real>::Four; GROUPS]; PANEL];
 
 impl<T: Real> Band<T> {
-    /// Replaces the matrix by its factors and answers how many pivots were not
+    /// Replaces the matrix by its factors. Returns how many pivots were not
     /// positive, beyond what rounding leaves of the diagonal entry. Such a pivot
-    /// is taken as infinite: its unknown is held, [`Band::solve`] answers zero
+    /// is taken as infinite: its unknown is held, [`Band::solve`] returns zero
     /// for it, and solves for the others as if it were not there. So the factors
-    /// stay finite, and an answer x to b has b·x > 0 unless it is zero.
+    /// stay finite, and a solution x for b has b·x > 0 unless it is zero.
     pub fn factorise(&mut self) -> usize {
         let firsts = (0..self.order).step_by(PANEL).rev();
         firsts.map(|first| self.factorise_panel(first)).sum()

@@ -1,6 +1,6 @@
 //! Whether two leaves go through each other.
 //!
-//! Asked where leaves have come deep into each other, of the leaves as they are
+//! Tested where leaves have come deep into each other, of the leaves as they are
 //! simulated (see [`Flights::step`](super::flights::Flights::step)) and as they are
 //! drawn (see [`draw`](super::draw)).
 
@@ -8,9 +8,9 @@ use super::mesh::Mesh;
 use super::work::Work;
 use crate::vector::{cross, dot, sub};
 
-/// Cells along a side of a block that one box bounds, and points along it.
-const BLOCK: usize = 3;
-const SIDE: usize = BLOCK + 1;
+/// Cells along a side of a tile that one box bounds, and points along it.
+const TILE: usize = 3;
+const SIDE: usize = TILE + 1;
 
 /// Part of a facet's size by which an edge may miss it and still goes through it:
 /// rounding leaves no gap between facets.
@@ -21,23 +21,29 @@ const SEAM: f32 = 1e-4;
 /// edge of it any more.
 const ROOT: usize = 4;
 
-/// Work of looking at two boxes, at two blocks whose boxes overlap, at their facets, and of
-/// finding a block's cone, nanoseconds.
+/// Work of looking at two boxes, at two tiles whose boxes overlap, at their facets, and of
+/// finding a tile's cone, nanoseconds.
 const BOXES: u32 = 2;
 const PLANES: u32 = 100;
 const FACETS: u32 = 1300;
 const CONE: u32 = 100;
 
 type Point = [f32; 3];
+type Node = [u8; 2];
 
-/// Blocks along a side of a group, which one box bounds.
+/// Cosine of the angle from one direction within which all normals of two tiles that are
+/// next to each other are, where these do not go through each other. A right angle would
+/// do if their outlines did not (Volino and Magnenat Thalmann 1994), but crumpled ones do.
+const EVEN: f32 = 0.5;
+
+/// Tiles along a side of a group, which one box bounds.
 const GROUP: usize = 4;
 
-/// A leaf, drawn or as paper, cut into blocks of cells and these gathered in groups; cut
+/// A leaf, drawn or as paper, cut into tiles of cells and these gathered in groups; cut
 /// anew, it takes the same room.
 #[derive(Clone, Debug, Default)]
-pub struct Blocks {
-    blocks: Vec<Block>,
+pub struct Tiles {
+    tiles: Vec<Tile>,
     groups: Vec<(Bounds, core::ops::Range<usize>)>,
     cones: Vec<Cone>,
 }
@@ -46,10 +52,12 @@ pub struct Blocks {
 type Bounds = [Point; 2];
 
 #[derive(Clone, Debug)]
-struct Block {
+struct Tile {
     bounds: Bounds,
-    /// Its column and its row among the blocks.
+    /// Its column and its row among the tiles.
     place: [usize; 2],
+    /// Column and row of its points.
+    nodes: [Node; SIDE * SIDE],
     /// x, y, z of its points, row by row; where the leaf has fewer the last again.
     points: [[f32; SIDE * SIDE]; 3],
     /// The middle one's normal, and how far along it the points reach.
@@ -57,7 +65,7 @@ struct Block {
     reach: [f32; 2],
 }
 
-/// The normals of a block's facets: an axis among them, and the square of the cosine of
+/// The normals of a tile's facets: an axis among them, and the square of the cosine of
 /// the widest angle from it; less than 0 where that is more than a right angle.
 #[derive(Clone, Copy, Debug)]
 struct Cone {
@@ -65,37 +73,37 @@ struct Cone {
     square: f32,
 }
 
-impl Blocks {
+impl Tiles {
     /// Cuts a leaf.
     pub fn cut(&mut self, leaf: Mesh<'_>) {
         let (columns, rows) = (leaf.columns, leaf.points.len() / leaf.columns);
-        self.blocks.clear();
+        self.tiles.clear();
         self.groups.clear();
-        let side = BLOCK * GROUP;
+        let side = TILE * GROUP;
         for row in (0..rows - 1).step_by(side) {
             for column in (0..columns - 1).step_by(side) {
-                let from = self.blocks.len();
-                for r in (row..(row + side).min(rows - 1)).step_by(BLOCK) {
-                    for c in (column..(column + side).min(columns - 1)).step_by(BLOCK) {
-                        self.blocks.push(Block::of(leaf, c, r));
+                let from = self.tiles.len();
+                for r in (row..(row + side).min(rows - 1)).step_by(TILE) {
+                    for c in (column..(column + side).min(columns - 1)).step_by(TILE) {
+                        self.tiles.push(Tile::of(leaf, c, r));
                     }
                 }
-                let inside = &self.blocks[from..];
+                let inside = &self.tiles[from..];
                 let first = inside[0].bounds;
-                let around = inside.iter().fold(first, |all, block| {
+                let around = inside.iter().fold(first, |all, tile| {
                     [
-                        core::array::from_fn(|i| all[0][i].min(block.bounds[0][i])),
-                        core::array::from_fn(|i| all[1][i].max(block.bounds[1][i])),
+                        core::array::from_fn(|i| all[0][i].min(tile.bounds[0][i])),
+                        core::array::from_fn(|i| all[1][i].max(tile.bounds[1][i])),
                     ]
                 });
-                self.groups.push((around, from..self.blocks.len()));
+                self.groups.push((around, from..self.tiles.len()));
             }
         }
     }
 
-    /// Whether two leaves go through each other by more than `touch`, metres: edges of
+    /// Whether two leaves go through each other by more than `tolerance`, metres: edges of
     /// which both ends are farther than that from the plane of a facet go through it.
-    pub fn cross(&self, other: &Blocks, touch: f32, work: &mut Work) -> bool {
+    pub fn cross(&self, other: &Tiles, tolerance: f32, work: &mut Work) -> bool {
         work.spend(BOXES * (self.groups.len() * other.groups.len()) as u32);
         self.groups.iter().any(|(around, inside)| {
             let mut groups = other
@@ -104,23 +112,23 @@ impl Blocks {
                 .filter(|group| overlap(around, &group.0));
             groups.any(|(around, others)| {
                 work.spend(BOXES * inside.len() as u32);
-                let own = self.blocks[inside.clone()].iter();
+                let own = self.tiles[inside.clone()].iter();
                 let mut own = own.filter(|own| overlap(&own.bounds, around));
                 own.any(|own| {
                     work.spend(BOXES * others.len() as u32);
-                    let mut others = other.blocks[others.clone()].iter();
-                    others.any(|other| own.crosses(other, touch, work))
+                    let mut others = other.tiles[others.clone()].iter();
+                    others.any(|other| own.crosses(other, tolerance, false, work))
                 })
             })
         })
     }
 
-    /// Whether a leaf goes through itself. Parts that are next to each other can do so only
-    /// where they are bent by more than a right angle.
-    pub fn cross_themselves(&mut self, touch: f32, work: &mut Work) -> bool {
+    /// Whether a leaf goes through itself, or comes nearer to it than `apart` metres where an
+    /// edge ends. Parts that are next to each other can do so only where they are bent.
+    pub fn cross_themselves(&mut self, apart: f32, work: &mut Work) -> bool {
         self.cones.clear();
-        self.cones.extend(self.blocks.iter().map(Block::cone));
-        work.spend(CONE * self.blocks.len() as u32);
+        self.cones.extend(self.tiles.iter().map(Tile::cone));
+        work.spend(CONE * self.tiles.len() as u32);
         let middle = self.cones[self.cones.len() / 2].axis;
         if self
             .cones
@@ -134,21 +142,21 @@ impl Blocks {
             (k..count).any(|j| {
                 work.spend(BOXES);
                 overlap(&self.groups[k].0, &self.groups[j].0)
-                    && self.groups_cross([k, j], touch, work)
+                    && self.groups_cross([k, j], -apart, work)
             })
         })
     }
 
-    fn groups_cross(&self, [k, j]: [usize; 2], touch: f32, work: &mut Work) -> bool {
+    fn groups_cross(&self, [k, j]: [usize; 2], tolerance: f32, work: &mut Work) -> bool {
         let (inside, others) = (&self.groups[k].1, &self.groups[j].1);
         inside.clone().any(|a| {
             let from = if k == j { a } else { others.start };
             work.spend(BOXES * (others.end - from) as u32);
             (from..others.end).any(|b| {
-                let (own, other) = (&self.blocks[a], &self.blocks[b]);
+                let (own, other) = (&self.tiles[a], &self.tiles[b]);
                 let apart = |i: usize| own.place[i].abs_diff(other.place[i]) > 1;
                 let is_even = || self.cones[a].is_along(&self.cones[b]);
-                (apart(0) || apart(1) || !is_even()) && own.crosses(other, touch, work)
+                (apart(0) || apart(1) || !is_even()) && own.crosses(other, tolerance, true, work)
             })
         })
     }
@@ -165,19 +173,20 @@ impl Cone {
         self.square > 0.0 && along > 0.0 && along * along > 1.0 - self.square
     }
 
-    /// Whether the normals of both are within a right angle of one direction.
+    /// Whether the normals of both are nearly along one direction.
     fn is_along(&self, other: &Cone) -> bool {
         // Half the angle between the axes, and the wider of both cones beside it.
         let half = 0.5 * (1.0 + dot(self.axis, other.axis));
         let square = self.square.min(other.square);
-        square > 0.0 && half > 1.0 - square
+        let sines = (1.0 - half).max(0.0) * (1.0 - square);
+        square > 0.0 && (half * square).sqrt() - sines.sqrt() > EVEN
     }
 }
 
-/// Whether all of a leaf's root has passed that of the one on its right, by `astray`
+/// Whether all of a leaf's root has passed that of the one on its right, by `tolerance`
 /// metres or more somewhere.
 #[inline(never)]
-pub fn is_past(left: Mesh<'_>, right: Mesh<'_>, astray: f32) -> bool {
+pub fn is_past(left: Mesh<'_>, right: Mesh<'_>, tolerance: f32) -> bool {
     let root = 1..=left.columns / ROOT;
     let nodes = (0..left.points.len()).filter(|node| root.contains(&(node % left.columns)));
     let ahead = nodes.map(|node| {
@@ -185,7 +194,7 @@ pub fn is_past(left: Mesh<'_>, right: Mesh<'_>, astray: f32) -> bool {
         dot(away, right.normals[node])
     });
     let [least, most] = ahead.fold([f32::MAX, f32::MIN], |[a, b], h| [a.min(h), b.max(h)]);
-    most < 0.0 && least < -astray
+    most < 0.0 && least < -tolerance
 }
 
 #[inline(never)]
@@ -199,9 +208,9 @@ fn range(values: &[f32; SIDE * SIDE]) -> [f32; 2] {
     range
 }
 
-impl Block {
-    /// The block of a leaf from a column and a row on.
-    fn of(leaf: Mesh<'_>, column: usize, row: usize) -> Block {
+impl Tile {
+    /// The tile of a leaf from a column and a row on.
+    fn of(leaf: Mesh<'_>, column: usize, row: usize) -> Tile {
         let (columns, rows) = (leaf.columns, leaf.points.len() / leaf.columns);
         let node = |k: usize| {
             let row = (row + k / SIDE).min(rows - 1);
@@ -211,26 +220,36 @@ impl Block {
             core::array::from_fn(|axis| core::array::from_fn(|k| leaf.points[node(k)][axis]));
         let normal = leaf.normals[node(SIDE + 1)];
         let [x, y, z] = points.each_ref().map(range);
-        Block {
+        Tile {
             bounds: [[x[0], y[0], z[0]], [x[1], y[1], z[1]]],
-            place: [column / BLOCK, row / BLOCK],
+            place: [column / TILE, row / TILE],
+            nodes: core::array::from_fn(|k| {
+                let node = node(k);
+                [(node % columns) as u8, (node / columns) as u8]
+            }),
             reach: range(&heights(&points, normal, 0.0)),
             points,
             normal,
         }
     }
 
-    /// The facets of a cell, of a number, by their corners. Each cell's diagonal runs, as it
-    /// is drawn, from its corner next to the spine and the foot.
-    fn facets(cell: usize) -> [[usize; 3]; 2] {
-        let here = cell / BLOCK * SIDE + cell % BLOCK;
-        let above = here + SIDE;
-        [[here, here + 1, above + 1], [here, above + 1, above]]
+    /// The facets by their corners, two a cell. Each cell's diagonal runs, as it is drawn,
+    /// from its corner next to the spine and the foot.
+    fn facets() -> impl Iterator<Item = [usize; 3]> {
+        (0..2 * TILE * TILE).map(|number| {
+            let cell = number / 2;
+            let here = cell / TILE * SIDE + cell % TILE;
+            let above = here + SIDE;
+            match number % 2 {
+                0 => [here, here + 1, above + 1],
+                _ => [here, above + 1, above],
+            }
+        })
     }
 
     fn cone(&self) -> Cone {
         let mut square = f32::MAX;
-        for corners in (0..BLOCK * BLOCK).flat_map(Block::facets) {
+        for corners in Tile::facets() {
             let [a, b, c] = corners.map(|k| self.point(k));
             let normal = cross(sub(b, a), sub(c, a));
             let (along, length) = (dot(normal, self.normal), dot(normal, normal));
@@ -244,38 +263,40 @@ impl Block {
         Cone { axis, square }
     }
 
-    /// Whether two blocks go through each other by more than `touch`.
-    fn crosses(&self, other: &Block, touch: f32, work: &mut Work) -> bool {
+    /// Whether two tiles go through each other by more than `tolerance`. Where both are `of_one`
+    /// leaf an edge does not go through facets that it ends at.
+    fn crosses(&self, other: &Tile, tolerance: f32, of_one: bool, work: &mut Work) -> bool {
         if !overlap(&self.bounds, &other.bounds) {
             return false;
         }
         work.spend(PLANES);
-        if self.is_beside(other, touch) || other.is_beside(self, touch) {
+        if self.is_beside(other, tolerance) || other.is_beside(self, tolerance) {
             return false;
         }
         work.spend(FACETS);
-        self.pierces(other, touch) || other.pierces(self, touch)
+        self.pierces(other, tolerance, of_one) || other.pierces(self, tolerance, of_one)
     }
 
-    /// Whether all of another block is over this one, or under it, but for `touch` metres.
-    fn is_beside(&self, other: &Block, touch: f32) -> bool {
+    /// Whether all of another tile is over this one, or under it, but for `tolerance` metres.
+    fn is_beside(&self, other: &Tile, tolerance: f32) -> bool {
         let [low, high] = range(&heights(&other.points, self.normal, 0.0));
-        low >= self.reach[1] - touch || high <= self.reach[0] + touch
+        low >= self.reach[1] - tolerance || high <= self.reach[0] + tolerance
     }
 
     fn point(&self, k: usize) -> Point {
         [0, 1, 2].map(|axis| self.points[axis][k])
     }
 
-    /// Whether an edge of this block goes through a facet of another.
-    fn pierces(&self, other: &Block, touch: f32) -> bool {
-        (0..BLOCK * BLOCK).flat_map(Block::facets).any(|corners| {
+    /// Whether an edge of this tile goes through a facet of another.
+    fn pierces(&self, other: &Tile, tolerance: f32, of_one: bool) -> bool {
+        Tile::facets().any(|corners| {
             let facet = corners.map(|k| other.point(k));
-            self.is_by(&facet) && self.pierces_facet(facet, touch)
+            let ends_at = |node: Node| of_one && corners.iter().any(|&k| other.nodes[k] == node);
+            self.is_by(&facet) && self.pierces_facet(facet, tolerance, ends_at)
         })
     }
 
-    /// Whether a facet reaches into the block's box.
+    /// Whether a facet reaches into the tile's box.
     fn is_by(&self, [a, b, c]: &[Point; 3]) -> bool {
         (0..3).all(|i| {
             let (low, high) = (self.bounds[0][i], self.bounds[1][i]);
@@ -284,28 +305,40 @@ impl Block {
         })
     }
 
-    fn pierces_facet(&self, facet: [Point; 3], touch: f32) -> bool {
+    fn pierces_facet(
+        &self,
+        facet: [Point; 3],
+        tolerance: f32,
+        ends_at: impl Fn(Node) -> bool,
+    ) -> bool {
         let [a, b, c] = facet;
         let normal = cross(sub(b, a), sub(c, a));
-        let touch = touch * dot(normal, normal).sqrt();
+        let tolerance = tolerance * dot(normal, normal).sqrt();
         let heights = heights(&self.points, normal, dot(normal, a));
         let [low, high] = range(&heights);
-        if low >= -touch || high <= touch {
+        if low >= -tolerance || high <= tolerance {
             return false;
         }
         (0..SIDE * SIDE).any(|k| {
-            let (right, up) = (k % SIDE < BLOCK, k / SIDE < BLOCK);
+            let (right, up) = (k % SIDE < TILE, k / SIDE < TILE);
             let ends = [(right, 1), (up, SIDE), (right && up, SIDE + 1)];
             ends.into_iter().any(|(is_edge, step)| {
                 if !is_edge {
                     return false;
                 }
                 let (h, g) = (heights[k], heights[k + step]);
-                if h.min(g) >= -touch || h.max(g) <= touch {
+                if h.min(g) >= -tolerance || h.max(g) <= tolerance {
+                    return false;
+                }
+                if ends_at(self.nodes[k]) || ends_at(self.nodes[k + step]) {
                     return false;
                 }
                 let (p, q) = (self.point(k), self.point(k + step));
-                let at = h / (h - g);
+                let at = if h == g {
+                    0.5
+                } else {
+                    (h / (h - g)).clamp(0.0, 1.0)
+                };
                 let place = core::array::from_fn(|i| p[i] + at * (q[i] - p[i]));
                 holds(facet, normal, place)
             })
@@ -344,7 +377,7 @@ mod tests {
     }
 
     fn crosses(left: &Surface, right: &Surface) -> bool {
-        let [mut a, mut b] = [Blocks::default(), Blocks::default()];
+        let [mut a, mut b] = [Tiles::default(), Tiles::default()];
         a.cut(Mesh::of(left));
         b.cut(Mesh::of(right));
         let work = &mut Work::new(u32::MAX);
@@ -386,9 +419,9 @@ mod tests {
                 point.copy_from_slice(&[radius * sin, 0.01 * v, radius * cos]);
             }
             surface.update_normals();
-            let mut blocks = Blocks::default();
-            blocks.cut(Mesh::of(&surface));
-            blocks.cross_themselves(1e-6, &mut Work::new(u32::MAX))
+            let mut tiles = Tiles::default();
+            tiles.cut(Mesh::of(&surface));
+            tiles.cross_themselves(1e-6, &mut Work::new(u32::MAX))
         };
         assert!(!rolled(1e-3, 0.0));
         assert!(rolled(0.0, 1e-3));

@@ -9,32 +9,20 @@
 //! also where the work that one picture may take is spent. Lengths are those of a page 0.14 m
 //! wide, and in proportion for others.
 
-use super::block::Pile;
-use super::flight::{Flight, Touch};
+use super::flight::{Flight, Tolerance};
 use super::limits::MOST_FLIGHTS;
+use super::pile::Pile;
+use super::tolerance::{GRAZING, OVER_PILE, ROUNDING, TOUCHING};
 use super::work::Work;
 use crate::grid::Side;
 
-/// How far over a pile what flies is drawn, metres, and over what flies under it: a leaf
-/// that is taken up from under others lies on the pile, where those that lie crumpled
-/// upon it were drawn.
-const OVER: f32 = 1e-4;
-
-/// Leaves that go through each other by less than this, metres, touch: crumpled ones, by
-/// what comes of rounding; and smooth ones, which no hand has crumpled. In a riffle these lie
-/// so closely that else one would always be held back.
-const TOUCH: Touch = [1e-6, 5e-5];
-
-/// The same where no more than a few fly, which have room: so much less is enough for them
-/// to be cleared thoroughly. Leaves at a small angle to each other are deeper in than their
-/// edges are past facets.
-const GRAZING: Touch = [1e-6, 2e-5];
+/// Where no more fly than this, there is room for them.
 const FEW: usize = 3;
 
-/// Work that clearing may take in one picture, and the search for what is drawn through what,
+/// Work that separating may take in one picture, and the search for what is drawn through what,
 /// nanoseconds; what was begun is ended.
-const CLEARING: u32 = 2_000_000;
-const SEARCHING: u32 = 2_000_000;
+const SEPARATING: u32 = 2_000_000;
+const SEARCHING: u32 = 1_500_000;
 
 /// Work of moving a flight a part of the way and of cutting it, nanoseconds.
 const MOVING: u32 = 40_000;
@@ -48,50 +36,50 @@ const STEPS: u8 = 2;
 
 /// Draws flights, from the left to the right, between the piles (right and left), or between
 /// those that were drawn `last`. Returns whether these piles are to be drawn, and the work
-/// that clearing and searching took, nanoseconds.
+/// that separating and searching took, nanoseconds.
 pub fn draw(order: &mut [Flight], piles: [&Pile; 2], last: [&Pile; 2]) -> (bool, u32) {
     let are_few = order.len() <= FEW;
     for flight in order.iter_mut() {
         flight.draw(piles, last, are_few);
     }
-    let clearing = &mut Work::new(CLEARING);
-    settle(order, ALL, piles, clearing);
+    let separating = &mut Work::new(SEPARATING);
+    resolve(order, ALL, piles, separating);
     let mut searching = Work::new(SEARCHING);
     let mut crossings = Crossings::default();
     // Most are clear by now, and only those that are not are worth more work.
-    let touch = if are_few { GRAZING } else { TOUCH };
-    let met = crossings.find(order, touch, &mut searching);
+    let tolerance = [ROUNDING, if are_few { GRAZING } else { TOUCHING }];
+    let met = crossings.find(order, tolerance, &mut searching);
     let mut is_followed = true;
     if met != 0 || searching.is_spent() {
         for (index, flight) in order.iter_mut().enumerate() {
             flight.draw_again(met >> index & 1 == 1);
         }
-        settle(order, ALL, piles, clearing);
-        spread(order, clearing);
-        lift_off(order, ALL, piles);
+        resolve(order, ALL, piles, separating);
+        separate_outward(order, separating);
+        push_off_piles(order, ALL, piles);
         order.iter_mut().for_each(Flight::want);
-        is_followed = hold_back(order, [piles, last], clearing, &mut searching);
+        is_followed = hold_back(order, [piles, last], separating, &mut searching);
     }
     for flight in order {
         flight.show();
     }
-    (is_followed, clearing.done() + searching.done())
+    (is_followed, separating.done() + searching.done())
 }
 
 /// How many of the flights, from the left, are over the left pile.
 pub fn on_left(order: &[Flight]) -> usize {
-    let over = |flight: &&Flight| flight.leaf().share_turned() > 0.5;
+    let over = |flight: &&Flight| flight.leaf().fraction_turned() > 0.5;
     order.iter().take_while(over).count()
 }
 
 /// Moves flights, of a set of them, off each other and out of the piles.
-fn settle(order: &mut [Flight], set: u16, piles: [&Pile; 2], work: &mut Work) {
-    clear(order, set, work);
-    lift_off(order, set, piles);
+fn resolve(order: &mut [Flight], set: u16, piles: [&Pile; 2], work: &mut Work) {
+    separate(order, set, work);
+    push_off_piles(order, set, piles);
 }
 
 /// Moves each flight, of a set of them, off the one that it lies upon.
-fn clear(order: &mut [Flight], set: u16, work: &mut Work) {
+fn separate(order: &mut [Flight], set: u16, work: &mut Work) {
     let (on_left, count) = (on_left(order), order.len());
     let on_right = (on_left..count).rev().map(|index| (index, Side::Right));
     // Last, the two that meet in the middle.
@@ -106,7 +94,7 @@ fn clear(order: &mut [Flight], set: u16, work: &mut Work) {
 
 /// Moves flights off each other from the middle outward, where of the two that meet there
 /// one was pushed into the next.
-fn spread(order: &mut [Flight], work: &mut Work) {
+fn separate_outward(order: &mut [Flight], work: &mut Work) {
     let on_left = on_left(order);
     for index in on_left + 1..order.len() {
         move_off(order, index, Side::Left, work);
@@ -128,13 +116,13 @@ fn move_off(order: &mut [Flight], index: usize, side: Side, work: &mut Work) {
         Side::Right => right.first(),
     };
     if let Some(neighbour) = neighbour {
-        own.clear_of(neighbour, side, work);
+        own.separate_from(neighbour, side, work);
     }
 }
 
-/// Lifts flights, of a set of them, out of the piles (right and left), each over those that
+/// Pushes flights, of a set of them, out of the piles (right and left), each over those that
 /// fly between it and a pile.
-fn lift_off(order: &mut [Flight], set: u16, piles: [&Pile; 2]) {
+fn push_off_piles(order: &mut [Flight], set: u16, piles: [&Pile; 2]) {
     let down = |flight: &&Flight| flight.leaf().is_down();
     let right = order.len() - order.iter().rev().take_while(down).count();
     let left = order.iter().take_while(down).count();
@@ -144,7 +132,7 @@ fn lift_off(order: &mut [Flight], set: u16, piles: [&Pile; 2]) {
                 right.saturating_sub(index),
                 (index + 1).saturating_sub(left),
             ];
-            flight.lift_off(piles, ranks.map(|rank| OVER * rank as f32));
+            flight.push_off_piles(piles, ranks.map(|rank| OVER_PILE * rank as f32));
         }
     }
 }
@@ -156,13 +144,13 @@ fn lift_off(order: &mut [Flight], set: u16, piles: [&Pile; 2]) {
 fn hold_back(
     order: &mut [Flight],
     [piles, last]: [[&Pile; 2]; 2],
-    clearing: &mut Work,
+    separating: &mut Work,
     work: &mut Work,
 ) -> bool {
     let mut crossings = Crossings::default();
     let mut piles_go_on = true;
     loop {
-        let found = crossings.find(order, TOUCH, work);
+        let found = crossings.find(order, [ROUNDING, TOUCHING], work);
         if work.is_spent() {
             for flight in order.iter_mut() {
                 flight.draw_part(0.0);
@@ -187,13 +175,13 @@ fn hold_back(
             }
         }
         // Half-way between two pictures leaves are nearer to each other than in either.
-        lift_off(order, moved, piles);
-        settle(order, moved, piles, clearing);
+        push_off_piles(order, moved, piles);
+        resolve(order, moved, piles, separating);
         if !piles_go_on {
             // What goes on may go on into piles that do not.
             for index in 0..order.len() {
                 if crossings.steps[index] > 0 && !order[index].is_clear_of(last) {
-                    lift_off(order, 1 << index, last);
+                    push_off_piles(order, 1 << index, last);
                     crossings.forget(index);
                 }
             }
@@ -224,8 +212,8 @@ impl Default for Crossings {
 impl Crossings {
     /// Finds flights that are drawn through others or themselves, of those that may be: as
     /// a set of bits. Of two that have not come equally far, it is the one that has come
-    /// farther. `touch` is as in [`Flight::is_drawn_through`].
-    fn find(&mut self, order: &mut [Flight], touch: Touch, work: &mut Work) -> u16 {
+    /// farther. `tolerance` is as in [`Flight::is_drawn_through`].
+    fn find(&mut self, order: &mut [Flight], tolerance: Tolerance, work: &mut Work) -> u16 {
         let mut found = 0;
         for left in 0..order.len() {
             let mut may_meet_round = false;
@@ -235,7 +223,7 @@ impl Crossings {
                 may_meet_round |= order[right].may_be_crumpled();
                 let may_meet = match right - left {
                     0 => order[left].may_be_folded(),
-                    1 => order[left].is_wary() || order[right].is_wary(),
+                    1 => order[left].needs_crossing_test() || order[right].needs_crossing_test(),
                     _ => may_meet_round,
                 };
                 // The last picture is clear.
@@ -246,7 +234,7 @@ impl Crossings {
                 if work.is_spent() {
                     return found;
                 }
-                if self.is_through(order, [left, right], touch, work) {
+                if self.is_through(order, [left, right], tolerance, work) {
                     found |= u16::from(step >= other) << left | u16::from(other >= step) << right;
                 } else {
                     self.clear[left] |= 1 << right;
@@ -260,7 +248,7 @@ impl Crossings {
         &mut self,
         order: &mut [Flight],
         [left, right]: [usize; 2],
-        touch: Touch,
+        tolerance: Tolerance,
         work: &mut Work,
     ) -> bool {
         for index in [left, right] {
@@ -273,7 +261,7 @@ impl Crossings {
         let (before, after) = order.split_at_mut(right);
         let last = &mut after[0];
         match before.get(left) {
-            Some(first) => first.is_drawn_through(last, left + 1 == right, touch, work),
+            Some(first) => first.is_drawn_through(last, left + 1 == right, tolerance, work),
             None => last.is_drawn_through_itself(work),
         }
     }

@@ -1,37 +1,23 @@
 //! One leaf in flight: its leaf of paper, and what is drawn of it.
 
-use super::block::Pile;
-use super::clear::{Drawn, clear, find_bends};
-use super::crossing::{Blocks, is_past};
+use super::bend_into_gutter::{bend_into_gutter, is_clear, push_edges_off, push_off};
+use super::crossing::{Tiles, is_past};
 use super::gutter::Gutter;
 use super::leaf::Leaf;
-use super::limits::NODES;
+use super::limits::{FARTHEST, NODES};
 use super::mesh::Mesh;
 use super::phase::Phase;
-use super::seat::{is_clear, lift, lift_edges, seat};
+use super::pile::Pile;
+use super::separate::{DrawnLeaf, find_bends, separate};
+use super::tolerance::{AT_FACET, DEEP, PAST_AT_SPINE};
 use super::work::Work;
 use crate::grid::Side;
 use crate::surface::Surface;
 use crate::vector::{dot, sub};
 
-/// By how much drawn leaves of a page 0.14 m wide may go through each other and only touch, metres: where a hand
+/// By how much drawn leaves of a page 0.14 m wide may go through each other and only touch, metres: where a grab
 /// has crumpled one, and where they are smooth.
-pub type Touch = [f32; 2];
-
-/// How far what is drawn of a leaf of such a page may be on the wrong side of the next at the
-/// spine, metres.
-const ASTRAY: f32 = 5e-5;
-
-/// Edges of a leaf of such a page of which an end is nearer than this to the plane of a facet
-/// of it, metres, do not go through it: those that end in it are.
-const ROUNDING: f32 = 1e-6;
-
-/// By how much facets between nodes may go through each other, metres, as arcs on either
-/// side of them do not.
-const DEEP: f32 = 1.5e-3;
-
-/// Farther than this from the spine nothing is drawn in a leaf's place, metres.
-const FARTHEST: f32 = 1e3;
+pub type Tolerance = [f32; 2];
 
 /// One leaf in flight; it may stand for several.
 pub struct Flight {
@@ -44,28 +30,30 @@ pub struct Flight {
     cells: Vec<usize>,
     /// How much the surface bends at each of its points, metres.
     bends: Vec<f32>,
-    blocks: Blocks,
+    tiles: Tiles,
     /// What was drawn of it last, and what is wanted to be drawn now.
     shown: Vec<f32>,
     wanted: Vec<f32>,
     held_back: bool,
     /// Whether it may have come through a neighbour in the last tick, and since it was
     /// drawn last.
-    astray: bool,
-    wary: bool,
+    may_have_tunnelled: bool,
+    needs_crossing_test: bool,
     /// Whether it has been drawn since the last tick.
-    is_drawn: bool,
+    was_drawn: bool,
     /// Whether it is kept clear of its neighbours thoroughly.
-    careful: bool,
+    full_precision: bool,
     /// Whether the surface holds what is to be drawn in the sheet's place.
-    dressed: bool,
-    /// Whether it may have been bent back on itself: by a hand, by others, or as it is
+    overridden: bool,
+    /// Whether it may have been bent back on itself: by a grab, by others, or as it is
     /// drawn in the sheet's place.
     may_be_folded: bool,
+    /// Whether it is then bent so far that it may reach round others.
+    is_bent_back: bool,
     was_driven: bool,
     /// Whether it was found to go through a neighbour since it was taken up: where its paper
     /// did once, it may still.
-    has_met: bool,
+    had_crossing: bool,
     /// Whether its paper went through itself after the last tick, and room to find out.
     was_through: bool,
     spare: Surface,
@@ -83,18 +71,19 @@ impl Flight {
             leaf,
             surface: Surface::new(u.len(), rows),
             bends: vec![0.0; u.len() * rows],
-            blocks: Blocks::default(),
+            tiles: Tiles::default(),
             shown: Vec::new(),
             wanted: Vec::new(),
             held_back: false,
-            astray: false,
-            wary: false,
-            is_drawn: false,
-            careful: false,
-            dressed: false,
+            may_have_tunnelled: false,
+            needs_crossing_test: false,
+            was_drawn: false,
+            full_precision: false,
+            overridden: false,
             may_be_folded: false,
+            is_bent_back: false,
             was_driven: false,
-            has_met: false,
+            had_crossing: false,
             was_through: false,
             spare: Surface::new(u.len(), rows),
             cells: u.iter().map(cell).collect(),
@@ -106,14 +95,19 @@ impl Flight {
         (self.id, self.low, self.high) = (id, low, high);
         self.leaf.lay(from);
         self.shown.clear();
-        (self.astray, self.wary) = (false, false);
-        self.dressed = false;
-        (self.was_driven, self.was_through, self.has_met) = (false, false, false);
+        (self.may_have_tunnelled, self.needs_crossing_test) = (false, false);
+        self.overridden = false;
+        (self.was_driven, self.was_through, self.had_crossing) = (false, false, false);
     }
 
     /// Its number.
     pub fn id(&self) -> u32 {
         self.id
+    }
+
+    /// Leaves on the left of the book while it lies on the right.
+    pub fn low(&self) -> u32 {
+        self.low
     }
 
     /// Leaves on the left of the book when it lies on the left.
@@ -131,11 +125,6 @@ impl Flight {
         self.leaf.phase()
     }
 
-    /// The leaves that it stands for, by how far it has turned.
-    pub fn leaves_turned(&self) -> f32 {
-        self.leaf.share_turned() * self.leaves() as f32
-    }
-
     /// What is drawn of it.
     pub fn surface(&self) -> &Surface {
         &self.surface
@@ -143,44 +132,47 @@ impl Flight {
 
     /// The leaf's points over a flat table as it is now, for another model to write over:
     /// what they hold then is drawn next in place of the leaf itself.
-    pub fn dress(&mut self) -> &mut [f32] {
+    pub fn override_surface(&mut self) -> &mut [f32] {
         self.leaf.write_surface(&mut self.surface);
-        self.dressed = true;
+        self.overridden = true;
         &mut self.surface.positions
     }
 
-    /// Draws the leaf as it is now, or as it is [dressed](Self::dress), between the piles
-    /// (right and left); `wary` says that it may be drawn through a neighbour. `last` are the
+    /// Draws the leaf as it is now, or as it is [overridden](Self::override_surface), between the piles
+    /// (right and left); `needs_crossing_test` says that it may be drawn through a neighbour. `last` are the
     /// piles that were drawn last.
-    pub fn draw(&mut self, [right, left]: [&Pile; 2], last: [&Pile; 2], wary: bool) {
+    pub fn draw(&mut self, [right, left]: [&Pile; 2], last: [&Pile; 2], needs_crossing_test: bool) {
         let is_crumpled = core::mem::take(&mut self.held_back) || self.leaf.was_held();
         // What else was written would be drawn as nothing, or as nothing but itself.
         let is_place = |x: &f32| x.abs() <= FARTHEST;
-        let is_dressed =
-            core::mem::take(&mut self.dressed) && self.surface.positions.iter().all(is_place);
-        self.wary |= is_crumpled || is_dressed || wary || self.has_met;
-        let is_bent = || self.leaf.seated().is_bent_back();
-        self.may_be_folded = is_dressed || ((is_crumpled || self.was_driven) && is_bent());
-        if !is_dressed {
+        let is_overridden =
+            core::mem::take(&mut self.overridden) && self.surface.positions.iter().all(is_place);
+        self.needs_crossing_test |=
+            is_crumpled || is_overridden || needs_crossing_test || self.had_crossing;
+        self.is_bent_back = is_overridden
+            || ((is_crumpled || self.was_driven) && self.leaf.in_book_space().is_bent_back());
+        self.may_be_folded = is_crumpled || self.is_bent_back;
+        if !is_overridden {
             self.leaf.write_surface(&mut self.surface);
         }
-        seat(&mut self.surface.positions, right, left);
+        let straightness = self.leaf.straightness();
+        bend_into_gutter(&mut self.surface.positions, right, left, straightness);
         self.surface.update_normals();
         self.wanted.clone_from(&self.surface.positions);
         if self.shown.is_empty() {
             self.show_at_rest(last);
         }
-        if core::mem::take(&mut self.careful) {
+        if core::mem::take(&mut self.full_precision) {
             self.bends.fill(0.0);
         }
         if is_crumpled {
-            self.take_care();
+            self.use_full_precision();
         }
     }
 
     /// Says that it was drawn last as the page upon one of the piles, which it was.
     fn show_at_rest(&mut self, [right, left]: [&Pile; 2]) {
-        let pile = if self.leaf.share_turned() < 0.5 {
+        let pile = if self.leaf.fraction_turned() < 0.5 {
             right
         } else {
             left
@@ -198,26 +190,26 @@ impl Flight {
     }
 
     /// Draws it once more as it was before others moved it, to be kept clear of them
-    /// thoroughly if it `met` one or a hand has crumpled it.
+    /// thoroughly if it `met` one or a grab has crumpled it.
     pub fn draw_again(&mut self, met: bool) {
         self.surface.positions.clone_from(&self.wanted);
         self.surface.update_normals();
-        self.has_met |= met;
-        self.wary |= met;
+        self.had_crossing |= met;
+        self.needs_crossing_test |= met;
         if met || self.is_crumpled() {
-            self.take_care();
+            self.use_full_precision();
         }
     }
 
     /// Has it kept clear of its neighbours thoroughly in this picture.
-    fn take_care(&mut self) {
-        if !core::mem::replace(&mut self.careful, true) {
+    fn use_full_precision(&mut self) {
+        if !core::mem::replace(&mut self.full_precision, true) {
             find_bends(&self.surface, &mut self.bends);
         }
     }
 
     /// Moves what is drawn of it off the neighbour on a side.
-    pub fn clear_of(&mut self, neighbour: &Flight, side: Side, work: &mut Work) {
+    pub fn separate_from(&mut self, neighbour: &Flight, side: Side, work: &mut Work) {
         // A leaf lies on the recto's side of the one on its right.
         let (slot, sign) = match side {
             Side::Left => (0, -1.0),
@@ -225,11 +217,11 @@ impl Flight {
         };
         let grid = (&self.cells[..], self.surface.rows);
         let scale = self.scale();
-        clear(
+        separate(
             (&mut self.surface, &self.bends),
             &neighbour.drawn(),
             [sign, scale],
-            self.careful || neighbour.careful,
+            self.full_precision || neighbour.full_precision,
             probed(&self.leaf, &neighbour.leaf, slot, grid),
             probed(&neighbour.leaf, &self.leaf, 1 - slot, grid),
             work,
@@ -238,37 +230,37 @@ impl Flight {
     }
 
     /// What is drawn of it.
-    fn drawn(&self) -> Drawn<'_> {
-        Drawn {
+    fn drawn(&self) -> DrawnLeaf<'_> {
+        DrawnLeaf {
             surface: &self.surface,
             bends: &self.bends,
         }
     }
 
-    /// Lifts what others pushed into the piles (right and left) out of them, so far over
+    /// Pushes what others moved into the piles (right and left) out of them, so far over
     /// each, metres for a page 0.14 m wide.
-    pub fn lift_off(&mut self, piles: [&Pile; 2], over: [f32; 2]) {
+    pub fn push_off_piles(&mut self, piles: [&Pile; 2], over: [f32; 2]) {
         let scale = self.scale();
         let over = over.map(|over| over * scale);
-        lift(&mut self.surface.positions, piles, over);
+        push_off(&mut self.surface.positions, piles, over);
         if !matches!(self.phase(), Phase::Resting(_)) {
-            lift_edges(&mut self.surface.positions, piles, over);
+            push_edges_off(&mut self.surface.positions, piles, over);
         }
     }
 
     /// Whether it may be drawn through another or through itself.
-    pub fn is_wary(&self) -> bool {
-        self.wary
+    pub fn needs_crossing_test(&self) -> bool {
+        self.needs_crossing_test
     }
 
     /// Cuts what is drawn of it, to be looked at for [crossings](Self::is_drawn_through).
     pub fn cut_drawn(&mut self) {
-        self.blocks.cut(Mesh::of(&self.surface));
+        self.tiles.cut(Mesh::of(&self.surface));
     }
 
     /// Whether it may reach round others in flight.
     pub fn may_be_crumpled(&self) -> bool {
-        self.is_crumpled() || self.may_be_folded
+        self.is_crumpled() || self.is_bent_back
     }
 
     fn is_crumpled(&self) -> bool {
@@ -282,18 +274,18 @@ impl Flight {
         &self,
         right: &Flight,
         is_neighbour: bool,
-        [crumpled, smooth]: Touch,
+        [crumpled, smooth]: Tolerance,
         work: &mut Work,
     ) -> bool {
-        let touch = if self.is_crumpled() || right.is_crumpled() {
+        let tolerance = if self.is_crumpled() || right.is_crumpled() {
             crumpled
         } else {
             smooth
         };
         let scale = self.scale();
         let [own, other] = [&self.surface, &right.surface].map(Mesh::of);
-        (is_neighbour && is_past(own, other, ASTRAY * scale))
-            || self.blocks.cross(&right.blocks, touch * scale, work)
+        (is_neighbour && is_past(own, other, PAST_AT_SPINE * scale))
+            || self.tiles.cross(&right.tiles, tolerance * scale, work)
     }
 
     /// Whether it may be drawn through itself.
@@ -304,7 +296,7 @@ impl Flight {
     /// Whether what is drawn of it goes through itself, as it was when it was
     /// [cut](Self::cut_drawn) last.
     pub fn is_drawn_through_itself(&mut self, work: &mut Work) -> bool {
-        self.blocks.cross_themselves(ROUNDING * self.scale(), work)
+        self.tiles.cross_themselves(AT_FACET * self.scale(), work)
     }
 
     /// Whether what is drawn of it lies clear of the piles (right and left).
@@ -312,25 +304,25 @@ impl Flight {
         is_clear(&self.surface.positions, piles)
     }
 
-    /// Says that its paper may be asked about: see [`is_through`](Self::is_through).
+    /// Says that its paper may be tested: see [`is_through`](Self::is_through).
     pub fn cut(&mut self) {
-        self.blocks.cut(self.leaf.seated().mesh());
+        self.tiles.cut(self.leaf.in_book_space().mesh());
     }
 
     /// Whether its paper goes through that of the one on its right, both as they were
     /// when they were last [cut](Self::cut).
     pub fn is_through(&self, right: &Flight) -> bool {
-        let [own, other] = [self, right].map(|flight| flight.leaf.seated().mesh());
+        let [own, other] = [self, right].map(|flight| flight.leaf.in_book_space().mesh());
         let work = &mut Work::new(u32::MAX);
         let deep = DEEP * self.scale();
-        is_past(own, other, deep) || self.blocks.cross(&right.blocks, deep, work)
+        is_past(own, other, deep) || self.tiles.cross(&right.tiles, deep, work)
     }
 
     /// Takes back what a tick did to it where its paper would be drawn through itself after
-    /// it, and would not have been before. Leaves that no hand has crumpled are not looked at.
+    /// it, and would not have been before. Leaves that no grab has crumpled are not looked at.
     pub fn keep_from_itself(&mut self, gutter: &Gutter, deepest: f32) {
         let was_through = core::mem::take(&mut self.was_through);
-        if !self.leaf.was_held() || !self.leaf.seated().is_bent_back() {
+        if !self.leaf.was_held() {
             return;
         }
         self.was_through = self.is_paper_through_itself();
@@ -343,10 +335,10 @@ impl Flight {
     fn is_paper_through_itself(&mut self) -> bool {
         self.leaf.write_surface(&mut self.spare);
         self.spare.update_normals();
-        self.blocks.cut(Mesh::of(&self.spare));
-        let touch = ROUNDING * self.scale();
+        self.tiles.cut(Mesh::of(&self.spare));
+        let tolerance = AT_FACET * self.scale();
         let work = &mut Work::new(u32::MAX);
-        self.blocks.cross_themselves(touch, work)
+        self.tiles.cross_themselves(tolerance, work)
     }
 
     /// Keeps what is drawn now as what is wanted.
@@ -356,7 +348,7 @@ impl Flight {
 
     /// Draws a part of the way from what was drawn last to what is wanted.
     pub fn draw_part(&mut self, part: f32) {
-        (self.held_back, self.wary) = (true, true);
+        (self.held_back, self.needs_crossing_test) = (true, true);
         let ways = self.shown.iter().zip(&self.wanted);
         for (place, (from, to)) in self.surface.positions.iter_mut().zip(ways) {
             *place = from + part * (to - from);
@@ -379,28 +371,28 @@ impl Flight {
 
     /// Says whether it may have come through a neighbour in a tick, and whether it may be
     /// drawn through one.
-    pub fn set_astray(&mut self, astray: bool, wary: bool) {
-        self.astray = astray;
-        self.wary &= !core::mem::take(&mut self.is_drawn);
-        self.wary |= astray || wary;
-        self.was_driven |= wary;
+    pub fn set_may_have_tunnelled(&mut self, may_have_tunnelled: bool, needs_crossing_test: bool) {
+        self.may_have_tunnelled = may_have_tunnelled;
+        self.needs_crossing_test &= !core::mem::take(&mut self.was_drawn);
+        self.needs_crossing_test |= may_have_tunnelled || needs_crossing_test;
+        self.was_driven |= needs_crossing_test;
     }
 
     /// Whether it may have come through a neighbour in the last tick.
-    pub fn is_astray(&self) -> bool {
-        self.astray
+    pub fn may_have_tunnelled(&self) -> bool {
+        self.may_have_tunnelled
     }
 
     /// Keeps what is drawn now, as the way to the next begins there.
     pub fn show(&mut self) {
-        self.is_drawn = true;
+        self.was_drawn = true;
         self.shown.clone_from(&self.surface.positions);
         self.surface.touch();
     }
 
     /// How much wider its page is than the one for which lengths are given.
     fn scale(&self) -> f32 {
-        self.leaf.seated().scale
+        self.leaf.in_book_space().scale
     }
 
     /// Its leaf, to be held, played and stepped.
@@ -426,6 +418,6 @@ fn probed<'a>(
     let both_down = leaf.is_down() && neighbour.is_down();
     move |column, row| {
         let row = row * (NODES[1] - 1) / rows;
-        both_down || leaf.seated().is_close(slot, cells[column], row)
+        both_down || leaf.in_book_space().is_close(slot, cells[column], row)
     }
 }

@@ -9,17 +9,23 @@
 
 mod stepping;
 
-use super::block::Pile;
 use super::draw::draw;
 use super::flight::Flight;
 use super::leaf::Leaf;
+use super::leaf_stocks::LeafStocks;
 use super::limits::MOST_FLIGHTS;
 use super::paper::Paper;
 use super::phase::Phase;
+use super::pile::Pile;
 use crate::grid::Side;
+use crate::stock::Stock;
 
 /// Length of a whole turn of a leaf that makes way for one let go, seconds.
 const WAY_SECONDS: f32 = 0.8;
+
+/// Parts of the half turn between which a pile takes its shape from the leaf that comes down
+/// on it, or from the one under that which leaves it.
+const PRESSED: [f32; 2] = [0.1, 0.45];
 
 /// The leaves in flight, and how many lie on either side of them.
 pub struct Flights {
@@ -33,7 +39,7 @@ pub struct Flights {
     pattern: Pattern,
     last_id: u32,
     /// Whether a leaf has come deep into another since all lay still.
-    tangled: bool,
+    had_deep_contact: bool,
     /// Flights that have joined a pile, and how many of them the limit on the time
     /// of a fall put down.
     landed: [u32; 2],
@@ -47,15 +53,35 @@ pub struct Pattern {
     /// Width and height of a leaf, metres.
     pub size: [f64; 2],
     pub paper: Paper,
+    /// The leaves of other stocks than the paper's.
+    pub stocks: LeafStocks,
     /// u of each drawn column, and how many rows are drawn.
     pub u: Vec<f32>,
     pub rows: usize,
 }
 
 impl Pattern {
-    fn make(&self) -> Flight {
-        let leaf = Leaf::new(self.size, &self.paper, &self.u, self.rows);
-        Flight::new(leaf, &self.u, self.rows)
+    fn make(&self, kind: (Stock, f32)) -> Flight {
+        Flight::new(self.make_leaf(kind), &self.u, self.rows)
+    }
+
+    fn make_leaf(&self, (stock, straightness): (Stock, f32)) -> Leaf {
+        let paper = Paper {
+            stock,
+            ..self.paper
+        };
+        Leaf::new(self.size, &paper, straightness, (&self.u, self.rows))
+    }
+
+    /// The stock of a leaf, and how straight it lies on a pile.
+    fn kind_of(&self, leaf: u32) -> (Stock, f32) {
+        let stock = self.stocks.of(leaf).unwrap_or(&self.paper.stock);
+        (*stock, self.stocks.straightness(leaf))
+    }
+
+    /// Thickness of leaves, in leaves of the book's own stock.
+    fn thickness(&self, leaves: core::ops::Range<u32>) -> f32 {
+        self.stocks.thickness(leaves, &self.paper.stock)
     }
 }
 
@@ -66,11 +92,11 @@ impl Flights {
             leaves,
             left: 0,
             order: Vec::with_capacity(MOST_FLIGHTS),
-            // What a first lift would else wait for.
-            spare: vec![pattern.make()],
+            // What the first pick-up would else wait for.
+            spare: vec![pattern.make((pattern.paper.stock, 0.0))],
             pattern,
             last_id: 0,
-            tangled: false,
+            had_deep_contact: false,
             landed: [0; 2],
             work: 0,
         }
@@ -92,18 +118,46 @@ impl Flights {
         self.left
     }
 
-    /// Leaves on the left if every leaf in flight counts by how far it has turned.
+    /// Part of the book's thickness on the left, 0 to 1, if every leaf in flight counts by
+    /// how far it has turned.
     pub fn turned(&self) -> f32 {
-        let flying = self.order.iter().map(Flight::leaves_turned);
-        self.left as f32 + flying.sum::<f32>()
+        let flying = self.order.iter().map(|flight| {
+            flight.leaf().fraction_turned() * self.pattern.thickness(flight.low()..flight.high())
+        });
+        let turned = self.pattern.thickness(0..self.left) + flying.sum::<f32>();
+        turned / self.pattern.thickness(0..self.leaves.max(1))
+    }
+
+    /// How straight the piles (right and left) lie under the leaves upon them, 0 to 1: see
+    /// [`LeafStocks::straightness`].
+    pub fn straightness(&self) -> [f32; 2] {
+        let of = |leaf: u32| self.pattern.stocks.straightness(leaf);
+        let under_left = |low: u32| low.checked_sub(1).map_or(0.0, of);
+        let (Some(first), Some(last)) = (self.order.first(), self.order.last()) else {
+            return [of(self.left), under_left(self.left)];
+        };
+        let gone = |away: f32| {
+            let t = ((away - PRESSED[0]) / (PRESSED[1] - PRESSED[0])).clamp(0.0, 1.0);
+            t * t * (3.0 - 2.0 * t)
+        };
+        // The straightest of those in flight, by how near they are to the pile.
+        let (mut right, mut left) = (0.0f32, 0.0f32);
+        for flight in &self.order {
+            let turned = flight.leaf().fraction_turned();
+            right = right.max(of(flight.low()) * (1.0 - gone(turned)));
+            left = left.max(of(flight.high() - 1) * (1.0 - gone(1.0 - turned)));
+        }
+        right += of(last.high()) * gone(last.leaf().fraction_turned());
+        left += under_left(first.low()) * gone(1.0 - first.leaf().fraction_turned());
+        [right.min(1.0), left.min(1.0)]
     }
 
     /// Takes up the uppermost leaves of side `from`: `low` leaves are on the left
-    /// of them, `high` with them. Answers the flight's number, never 0.
+    /// of them, `high` with them. Returns the flight's number, never 0.
     ///
     /// None where they are not the uppermost of that side, where there are none,
     /// or where [`MOST_FLIGHTS`] are in flight.
-    pub fn lift(&mut self, from: Side, low: u32, high: u32) -> Option<u32> {
+    pub fn pick_up(&mut self, from: Side, low: u32, high: u32) -> Option<u32> {
         let right_end = self.order.last().map_or(self.left, Flight::high);
         let is_uppermost = match from {
             Side::Right => low == right_end && high <= self.leaves,
@@ -113,8 +167,12 @@ impl Flights {
             return None;
         }
         // Not when it is drawn: steps must not know how often that is.
-        self.tangled &= !self.order.is_empty();
-        let mut flight = self.take_spare();
+        self.had_deep_contact &= !self.order.is_empty();
+        let uppermost = match from {
+            Side::Right => low,
+            Side::Left => high - 1,
+        };
+        let mut flight = self.take_spare(self.pattern.kind_of(uppermost));
         self.last_id = self.last_id.wrapping_add(1).max(1);
         flight.take_up(self.last_id, from, low, high);
         match from {
@@ -127,34 +185,34 @@ impl Flights {
         Some(self.last_id)
     }
 
-    /// A hand takes hold of a flight at (`u`, `v`). A reader holds one leaf at a
+    /// A grab takes hold of a flight at (`u`, `v`). A reader holds one leaf at a
     /// time, with as many fingers as there are: what was held before is let go,
     /// and all others in flight make way to the sides where they belong.
-    pub fn grab(&mut self, id: u32, hand: u32, u: f32, v: f32) {
+    pub fn grab(&mut self, id: u32, grab: u32, u: f32, v: f32) {
         let Some(index) = self.index(id) else {
             return;
         };
-        self.order[index].leaf_mut().grab(hand, u, v);
+        self.order[index].leaf_mut().grab(grab, u, v);
         if self.order[index].phase() == Phase::Held {
             self.send(0..index, Side::Left, WAY_SECONDS);
             self.send(index + 1..self.order.len(), Side::Right, WAY_SECONDS);
         }
     }
 
-    /// The hand lets go; the leaf falls to the side that its swing takes it, and
+    /// The grab lets go; the leaf falls to the side that its swing takes it, and
     /// those in its way go there too.
-    pub fn release(&mut self, id: u32, hand: u32) {
+    pub fn release(&mut self, id: u32, grab: u32) {
         let Some(index) = self.index(id) else {
             return;
         };
-        self.order[index].leaf_mut().release(hand);
+        self.order[index].leaf_mut().release(grab);
         if let Phase::Falling(side) = self.order[index].phase() {
             self.clear_way(index, side, WAY_SECONDS);
         }
     }
 
-    /// Takes a flight to a side, out of every hand, and those in its way with it.
-    /// While a hand holds another, it goes to its own side of that one.
+    /// Takes a flight to a side, out of every grab, and those in its way with it.
+    /// While a grab holds another, it goes to its own side of that one.
     pub fn play(&mut self, id: u32, to: Side, seconds: f32) {
         let held = |flight: &Flight| flight.phase() == Phase::Held;
         if let Some(index) = self.index(id) {
@@ -196,9 +254,9 @@ impl Flights {
         self.order.iter_mut().find(|flight| flight.id() == id)
     }
 
-    /// The points of the flight at `index`, from the left: see [`Flight::dress`].
-    pub fn dress(&mut self, index: usize) -> Option<&mut [f32]> {
-        self.order.get_mut(index).map(Flight::dress)
+    /// The points of the flight at `index`, from the left: see [`Flight::override_surface`].
+    pub fn override_surface(&mut self, index: usize) -> Option<&mut [f32]> {
+        self.order.get_mut(index).map(Flight::override_surface)
     }
 
     fn index(&self, id: u32) -> Option<usize> {
@@ -253,7 +311,17 @@ impl Flights {
         self.landed
     }
 
-    fn take_spare(&mut self) -> Flight {
-        self.spare.pop().unwrap_or_else(|| self.pattern.make())
+    /// A flight of such a leaf: one that was, or else any with its leaf made anew.
+    fn take_spare(&mut self, kind: (Stock, f32)) -> Flight {
+        let is_such = |flight: &Flight| flight.leaf().kind() == kind;
+        if let Some(index) = self.spare.iter().rposition(is_such) {
+            return self.spare.remove(index);
+        }
+        if self.order.len() + self.spare.len() < MOST_FLIGHTS {
+            return self.pattern.make(kind);
+        }
+        let mut flight = self.spare.remove(0);
+        *flight.leaf_mut() = self.pattern.make_leaf(kind);
+        flight
     }
 }

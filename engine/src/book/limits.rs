@@ -1,4 +1,4 @@
-//! What bounds a book: numbers of leaves, hands and nodes, and lengths of time.
+//! What bounds a book: numbers of leaves, grabs and nodes, and lengths of time.
 
 /// Length of a tick, by which leaves and boards are stepped, seconds: half a
 /// frame at 60 Hz.
@@ -11,8 +11,20 @@ pub const LONGEST_TURN: f32 = 600.0;
 /// 0.2 % of the exact shape at Gamma 10, and ten leaves fit into a frame.
 pub const NODES: [usize; 2] = [10, 14];
 
-/// Hands that a leaf tells apart, numbered from 0.
+/// Grabs that a leaf tells apart, numbered from 0.
 pub const MAX_GRABS: usize = 4;
 
 /// Leaves in flight at once, at most: what bounds a book's memory.
 pub const MOST_FLIGHTS: usize = 16;
+
+/// Farther than this from the spine, metres, no grab pulls and nothing is drawn.
+pub const FARTHEST: f32 = 1e3;
+
+/// Ticks of the longest frame, a tenth of a second: after a pause a movement goes on
+/// where it was.
+pub const MOST_TICKS: u32 = 12;
+
+/// Ticks of all leaves in flight in one frame, at most: 16 leaves keep their speed at 30
+/// frames a second, five at ten, and where frames come later leaves move slower instead
+/// of each frame taking longer than the one before.
+pub const MOST_LEAF_TICKS: u32 = 64;

@@ -1,6 +1,7 @@
 //! A leaf as others meet it: a grid of points with normals, and the nearest
 //! place on it.
 
+use super::tolerance::BEYOND_RIM;
 use crate::surface::Surface;
 use crate::vector::{cross, dot, sub, unit};
 
@@ -28,10 +29,6 @@ pub struct Near {
 
 /// How far beyond an edge, in cells, a point is still above the mesh.
 const OVERHANG: f32 = 1.0;
-
-/// What is farther than this from the rim, metres, lies beyond it and not over or under
-/// it.
-const BESIDE: f32 = 2e-4;
 
 /// Most steps of the walk to the nearest node. Contacts move by less than a
 /// cell from one tick to the next, so nearly all walks are of one step.
@@ -186,7 +183,7 @@ impl<'a> Mesh<'a> {
             parts,
             height,
             normal,
-            beyond: at_rim && square - height * height > BESIDE * BESIDE,
+            beyond: at_rim && square - height * height > BEYOND_RIM * BEYOND_RIM,
         };
         (facet, square)
     }

@@ -4,40 +4,45 @@
 //! Book space: metres; x across the spine to the right, y along the spine to
 //! the head, z up from the boards; the gutter lies at x = 0, z = 0.
 
-mod block;
+mod bend_into_gutter;
 mod board;
-mod clear;
+mod book_space_leaf;
+mod contacts;
 mod crossing;
 mod draw;
 mod flight;
 mod flights;
 mod gutter;
-mod knots;
 mod leaf;
+mod leaf_stocks;
 mod limits;
-mod meet;
 mod mesh;
 mod paper;
 mod phase;
-mod seat;
-mod seated;
+mod pile;
+mod pile_table;
+mod separate;
 #[cfg(test)]
 mod tests;
+mod tolerance;
 mod work;
 
-pub use block::{LAYERS, Pile, crowded_columns};
+pub use bend_into_gutter::bend_into_gutter;
 pub use board::Board;
 pub use leaf::Leaf;
 pub use limits::{MAX_GRABS, MOST_FLIGHTS, TICK};
+use limits::{MOST_LEAF_TICKS, MOST_TICKS};
 pub use paper::Paper;
 pub use phase::Phase;
-pub use seat::seat;
+pub use pile::{LAYERS, Pile, crowded_columns};
 
 use crate::grid::Side;
+use crate::stock::Stock;
 use crate::surface::Surface;
 use flights::{Flights, Pattern};
 use gutter::Gutter;
-use knots::Knots;
+use leaf_stocks::LeafStocks;
+use pile_table::PileTable;
 
 /// Columns of the drawn leaf and of every pile: enough for the sharp bend out
 /// of the gutter.
@@ -50,11 +55,11 @@ const ROWS: usize = 25;
 /// them, and two cover boards.
 ///
 /// Leaves of paper are numbered from 0 at the front. A flight is known by the
-/// number that [`lift`](Book::lift) answers; a command to one that is over, or
+/// number that [`pick_up`](Book::pick_up) returns; a command to one that is over, or
 /// by what is no number, changes nothing.
 pub struct Book {
     leaves: u32,
-    knots: Knots,
+    pile_table: PileTable,
     /// Each side's pile closed flat, right and left.
     closed: [Pile; 2],
     /// The piles as they lie now, right and left, and as they are drawn.
@@ -79,7 +84,7 @@ impl Book {
         let closed = [Side::Right, Side::Left].map(|side| Pile::closed(side, width, thickness, &u));
         let mut book = Book {
             leaves,
-            knots: Knots::new(width, thickness, &u),
+            pile_table: PileTable::new(width, thickness, &u),
             piles: closed.clone(),
             drawn: closed.clone(),
             closed,
@@ -90,6 +95,7 @@ impl Book {
                 Pattern {
                     size: [width, height],
                     paper: Paper::default(),
+                    stocks: LeafStocks::default(),
                     u,
                     rows: ROWS,
                 },
@@ -99,25 +105,57 @@ impl Book {
         Some(book)
     }
 
-    /// What the leaves are made of.
+    /// What the leaves are made of, but for those of a [stock of their own](Self::set_leaf_stock).
     pub fn paper(&self) -> &Paper {
         &self.flights.pattern().paper
     }
 
-    /// Makes every leaf of another paper; leaves in flight are laid down first.
-    /// Answers whether leaves can be made of it; where not, nothing changes.
+    /// Makes the leaves of another paper; those of a [stock of their
+    /// own](Self::set_leaf_stock) keep it. Leaves in flight are laid down first.
+    /// Returns whether leaves can be made of it; if not, nothing changes.
     pub fn set_paper(&mut self, paper: &Paper) -> bool {
         if !paper.is_sound() {
             return false;
         }
-        let pattern = Pattern {
-            paper: *paper,
-            ..self.flights.pattern().clone()
-        };
+        self.change(|pattern| {
+            pattern.paper = *paper;
+            pattern.stocks.bind(paper.grain, pattern.size[0]);
+        });
+        true
+    }
+
+    /// Makes some leaves of a stock of their own: a cover of card, boards, plates. Leaves in
+    /// flight are laid down first. Returns whether there are such leaves, they can be made of
+    /// it and the book has no more than 4096 runs of leaves of other stocks; if not, no
+    /// stock changes.
+    ///
+    /// Each leaf then moves as its stock does, and counts by its caliper in the thickness of
+    /// the piles. A pile lies straighter under a leaf that is too stiff for its shape. Leaves
+    /// that fly as one are of the stock of the one that lay uppermost.
+    pub fn set_leaf_stock(&mut self, leaves: core::ops::Range<u32>, stock: &Stock) -> bool {
+        if leaves.is_empty() || leaves.end > self.leaves || stock.check().is_err() {
+            return false;
+        }
+        let mut is_set = false;
+        self.change(|pattern| {
+            let grain = pattern.paper.grain;
+            is_set = pattern.stocks.set(leaves, *stock, grain, pattern.size[0]);
+        });
+        is_set
+    }
+
+    /// Makes every leaf of the book's own stock again. Leaves in flight are laid down first.
+    pub fn clear_leaf_stocks(&mut self) {
+        self.change(|pattern| pattern.stocks.clear());
+    }
+
+    /// Changes what leaves are made of.
+    fn change(&mut self, how: impl FnOnce(&mut Pattern)) {
+        let mut pattern = self.flights.pattern().clone();
+        how(&mut pattern);
         let read = self.flights.left();
         self.flights = Flights::new(self.leaves, pattern);
         self.lay(read);
-        true
     }
 
     /// Lays the book open with `read` leaves of paper on the left (at most those
@@ -129,41 +167,48 @@ impl Book {
 
     /// Takes up the uppermost leaf of side `from`, or several that fly as one.
     /// While it lies on the right, `low` leaves are on the left; once it lies on
-    /// the left, `high`. Answers the number of the flight, never 0.
+    /// the left, `high`. Returns the number of the flight, never 0.
     ///
     /// None where these are not the uppermost leaves of that side, or where
     /// [`MOST_FLIGHTS`] are in flight.
-    pub fn lift(&mut self, from: Side, low: u32, high: u32) -> Option<u32> {
-        let id = self.flights.lift(from, low, high)?;
+    pub fn pick_up(&mut self, from: Side, low: u32, high: u32) -> Option<u32> {
+        let id = self.flights.pick_up(from, low, high)?;
         self.update();
         Some(id)
     }
 
-    /// A hand (0 to 3) takes hold of a flight at (`u`, `v`). A reader holds one leaf
+    /// A grab (0 to 3) takes hold of a flight at (`u`, `v`). A reader holds one leaf
     /// at a time, with several fingers if need be: what was held before is let go,
     /// and the other leaves in flight make way to their sides of it.
-    pub fn grab(&mut self, id: u32, hand: u32, u: f32, v: f32) {
-        self.flights.grab(id, hand, u, v);
+    pub fn grab(&mut self, id: u32, grab: u32, u: f32, v: f32) {
+        self.flights.grab(id, grab, u, v);
     }
 
-    /// A hand that holds a flight pulls it to `place`, in book space, metres: within a
+    /// A grab that holds a flight pulls it to `place`, in book space, metres: within a
     /// kilometre, or to the nearest place that is. Nothing happens where it is not finite.
-    pub fn hold(&mut self, id: u32, hand: u32, place: [f32; 3]) {
+    pub fn hold(&mut self, id: u32, grab: u32, place: [f32; 3]) {
         if let Some(flight) = self.flights.get_mut(id) {
-            flight.leaf_mut().hold(hand, place);
+            flight.leaf_mut().hold(grab, place);
         }
     }
 
-    /// A hand lets go of a flight. Once no hand holds it, it falls to the side
+    /// A grab lets go of a flight. Once no grab holds it, it falls to the side
     /// that its swing takes it, and the leaves between it and that side with it.
-    pub fn release(&mut self, id: u32, hand: u32) {
-        self.flights.release(id, hand);
+    pub fn release(&mut self, id: u32, grab: u32) {
+        self.flights.release(id, grab);
     }
 
-    /// Takes a flight to a side, out of every hand: from rest by the recorded
+    /// Takes a flight to a side, out of every grab: from rest by the recorded
     /// turn, `seconds` long (0.2 to 600 or the nearer of these, 0.8 where not finite). The leaves between it and that side go there too.
     pub fn play(&mut self, id: u32, to: Side, seconds: f32) {
         self.flights.play(id, to, seconds);
+    }
+
+    /// Returns how many ticks a frame should have at the most, 4 to 12: fewer, the more
+    /// leaves are in flight, so that the work of a frame is bounded.
+    pub fn most_ticks(&self) -> u32 {
+        let leaves = self.flights.order().len().max(1);
+        (MOST_LEAF_TICKS / leaves as u32).min(MOST_TICKS)
     }
 
     /// Steps all flights by `ticks` of [`TICK`] seconds, tick by tick. A flight
@@ -174,7 +219,8 @@ impl Book {
                 return;
             }
             self.write_piles();
-            self.gutter.update(&self.piles[0], &self.piles[1]);
+            self.gutter
+                .update(self.piles[0].angles(), self.piles[1].angles());
             self.flights
                 .step(&self.gutter, [&self.piles[0], &self.piles[1]]);
         }
@@ -192,11 +238,18 @@ impl Book {
     }
 
     fn write_piles(&mut self) {
-        let turned = self.flights.turned() / self.leaves.max(1) as f32;
-        self.knots
+        let turned = self.flights.turned();
+        self.pile_table
             .write(Side::Right, 1.0 - turned, &mut self.piles[0]);
-        self.knots.write(Side::Left, turned, &mut self.piles[1]);
-        // The front board shuts the block on the right, the back board the left.
+        self.pile_table
+            .write(Side::Left, turned, &mut self.piles[1]);
+        let straightness = self.flights.straightness();
+        for (pile, straightness) in self.piles.iter_mut().zip(straightness) {
+            if straightness > 0.0 {
+                pile.straighten(straightness);
+            }
+        }
+        // The front board shuts the pile on the right, the back board the left.
         let shut = [
             closing(self.boards[0].angle()),
             closing(core::f32::consts::PI - self.boards[1].angle()),
@@ -232,6 +285,13 @@ impl Book {
             .map(|flight| flight.leaves())
     }
 
+    /// Whether the book sleeps: nothing moves in it until the next command. No leaf is in
+    /// flight or all are held and lie still, and so do the boards.
+    pub fn is_asleep(&self) -> bool {
+        let mut leaves = self.flights.order().iter().map(|flight| flight.leaf());
+        leaves.all(Leaf::is_asleep) && self.boards.iter().all(Board::is_still)
+    }
+
     /// What a flight is doing; None once it is over.
     pub fn phase(&self, id: u32) -> Option<Phase> {
         self.flights.get(id).map(|flight| flight.phase())
@@ -249,10 +309,16 @@ impl Book {
     /// The points of the flight at `index`, counted from the left: x, y, z in metres over
     /// a flat table, at the surface's columns and rows, as its sheet is now. What is
     /// written over them is what the next update seats between the piles and draws, in
-    /// place of the sheet: so another model shows a leaf that hands and contacts move
+    /// place of the sheet: so another model shows a leaf that grabs and contacts move
     /// as paper.
-    pub fn dress(&mut self, index: usize) -> Option<&mut [f32]> {
-        self.flights.dress(index)
+    pub fn override_surface(&mut self, index: usize) -> Option<&mut [f32]> {
+        self.flights.override_surface(index)
+    }
+
+    /// Thickness of the leaf of the flight at `index`, counted from the left, metres.
+    pub fn caliper(&self, index: usize) -> Option<f32> {
+        let flight = self.flights.order().get(index)?;
+        Some(flight.leaf().sheet().settings().stock.caliper as f32)
     }
 
     /// Largest strain, stretch or compression, of any edge between neighbouring
@@ -280,7 +346,7 @@ impl Book {
     /// metres, before the tick pushed it out; counted from the left.
     pub fn depth(&self, index: usize) -> Option<f32> {
         let flight = self.flights.order().get(index)?;
-        Some(flight.leaf().seated().depth)
+        Some(flight.leaf().in_book_space().depth)
     }
 
     /// Whether the flight at `index`, counted from the left, is being eased flat: its
@@ -334,7 +400,7 @@ impl Book {
     }
 }
 
-/// How far a board at `angle` above the block it shuts has pressed the pages
+/// How far a board at `angle` above the pile it shuts has pressed the pages
 /// flat: 0 from upright on, 1 when shut.
 fn closing(angle: f32) -> f32 {
     let t = (1.0 - angle / core::f32::consts::FRAC_PI_2).clamp(0.0, 1.0);

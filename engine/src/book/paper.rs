@@ -38,7 +38,7 @@ const STIFFNESS_OF_MANY: f64 = 2000.0;
 const BINDING: f64 = 0.02;
 
 /// What the leaves of a book are made of, how they are bound, and what moves
-/// them beside hands.
+/// them beside grabs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Paper {
     /// The stock of every leaf.
@@ -92,7 +92,9 @@ impl Paper {
             },
             ..sheet
         };
-        settings.stiffened(STIFFNESS, stiffest)
+        settings
+            .bearable(f64::from(TICK))
+            .stiffened(STIFFNESS, stiffest)
     }
 
     /// Steps in a tick of a leaf of it, `width` metres wide, while so many are in the air.

@@ -7,7 +7,7 @@ use crate::grid::Side;
 pub enum Phase {
     /// It lies still on a side.
     Resting(Side),
-    /// A hand holds it.
+    /// A grab holds it.
     Held,
     /// It falls to a side by itself.
     Falling(Side),
@@ -16,7 +16,7 @@ pub enum Phase {
 }
 
 impl Phase {
-    /// The side where it rests or is bound for; None while a hand holds it.
+    /// The side where it rests or is headed for; None while a grab holds it.
     pub fn side(self) -> Option<Side> {
         match self {
             Phase::Held => None,

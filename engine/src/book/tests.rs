@@ -22,7 +22,7 @@ fn is_finite(book: &Book) -> bool {
         .all(|curves| curves.iter().all(|x| x.is_finite()))
 }
 
-/// Steps until no leaf is in flight; answers the ticks it took.
+/// Steps until no leaf is in flight. Returns the ticks that took.
 fn rest(book: &mut Book) -> u32 {
     for tick in 0..4000 {
         if book.flights() == 0 {
@@ -38,7 +38,7 @@ fn riffle(book: &mut Book, count: u32, apart: u32) -> Vec<u32> {
     (0..count)
         .map(|_| {
             let low = book.read() + book.flights() as u32;
-            let id = book.lift(Side::Right, low, low + 1).unwrap();
+            let id = book.pick_up(Side::Right, low, low + 1).unwrap();
             book.play(id, Side::Left, 0.8);
             book.step(apart);
             id
@@ -68,7 +68,7 @@ fn more_leaves_read_than_there_are_is_all_of_them() {
 fn what_is_no_number_changes_nothing() {
     let mut book = book();
     book.lay(4);
-    let id = book.lift(Side::Right, 4, 5).unwrap();
+    let id = book.pick_up(Side::Right, 4, 5).unwrap();
     book.hold(id, 0, [0.1, 0.1, 0.1]);
     book.grab(id, 0, f32::NAN, 0.5);
     assert_eq!(book.phase(id), Some(Phase::Resting(Side::Right)));
@@ -99,7 +99,7 @@ fn what_is_no_number_changes_nothing() {
 }
 
 #[test]
-fn only_the_uppermost_leaves_of_a_side_are_lifted() {
+fn only_the_uppermost_leaves_of_a_side_are_picked_up() {
     let mut book = book();
     book.lay(10);
     for (side, low, high) in [
@@ -111,12 +111,12 @@ fn only_the_uppermost_leaves_of_a_side_are_lifted() {
         (Side::Left, 8, 9),
         (Side::Left, 10, 9),
     ] {
-        assert_eq!(book.lift(side, low, high), None, "{side:?} {low} {high}");
+        assert_eq!(book.pick_up(side, low, high), None, "{side:?} {low} {high}");
     }
-    assert!(book.lift(Side::Right, 10, 14).is_some());
-    assert!(book.lift(Side::Left, 9, 10).is_some());
-    assert_eq!(book.lift(Side::Right, 10, 11), None);
-    assert!(book.lift(Side::Right, 14, 15).is_some());
+    assert!(book.pick_up(Side::Right, 10, 14).is_some());
+    assert!(book.pick_up(Side::Left, 9, 10).is_some());
+    assert_eq!(book.pick_up(Side::Right, 10, 11), None);
+    assert!(book.pick_up(Side::Right, 14, 15).is_some());
     assert_eq!(book.flights(), 3);
 }
 
@@ -143,22 +143,35 @@ fn twelve_leaves_fly_at_once_and_land_in_their_order() {
 fn no_more_fly_than_memory_is_kept_for() {
     let mut book = book();
     for k in 0..MOST_FLIGHTS as u32 {
-        assert!(book.lift(Side::Right, k, k + 1).is_some());
+        assert!(book.pick_up(Side::Right, k, k + 1).is_some());
     }
     let next = MOST_FLIGHTS as u32;
-    assert_eq!(book.lift(Side::Right, next, next + 1), None);
+    assert_eq!(book.pick_up(Side::Right, next, next + 1), None);
     book.lay(0);
     assert_eq!(book.flights(), 0);
-    assert!(book.lift(Side::Right, 0, 1).is_some());
+    assert!(book.pick_up(Side::Right, 0, 1).is_some());
+}
+
+#[test]
+fn a_frame_has_fewer_ticks_the_more_leaves_fly() {
+    let mut book = book();
+    let mut most = vec![book.most_ticks()];
+    for leaf in 0..MOST_FLIGHTS as u32 {
+        book.pick_up(Side::Right, leaf, leaf + 1).unwrap();
+        most.push(book.most_ticks());
+        assert!(book.most_ticks() * book.flights() as u32 <= limits::MOST_LEAF_TICKS);
+    }
+    assert!(most.is_sorted_by(|a, b| a >= b), "{most:?}");
+    assert_eq!((most[0], *most.last().unwrap()), (limits::MOST_TICKS, 4));
 }
 
 #[test]
 fn leaves_from_both_sides_keep_their_order() {
     let mut book = book();
     book.lay(20);
-    let right = book.lift(Side::Right, 20, 21).unwrap();
-    let left = book.lift(Side::Left, 19, 20).unwrap();
-    let far = book.lift(Side::Left, 15, 19).unwrap();
+    let right = book.pick_up(Side::Right, 20, 21).unwrap();
+    let left = book.pick_up(Side::Left, 19, 20).unwrap();
+    let far = book.pick_up(Side::Left, 15, 19).unwrap();
     let order: Vec<_> = (0..3).map(|k| book.flight_id(k).unwrap()).collect();
     assert_eq!(order, [far, left, right]);
     book.play(right, Side::Left, 0.8);
@@ -198,7 +211,7 @@ fn leaves_over_one_that_a_hand_takes_make_way() {
     for _ in 0..400 {
         book.step(1);
     }
-    // The other one was bound for the left, over this one; it went back.
+    // The other one was headed for the left, over this one; it went back.
     assert_eq!(book.phase(ids[1]), None);
     assert_eq!((book.flights(), book.read()), (1, 5));
     book.play(ids[0], Side::Left, 0.8);
@@ -210,12 +223,12 @@ fn leaves_over_one_that_a_hand_takes_make_way() {
 fn one_leaf_is_in_hand_at_a_time_with_several_fingers() {
     let mut book = book();
     book.lay(5);
-    let right = book.lift(Side::Right, 5, 6).unwrap();
+    let right = book.pick_up(Side::Right, 5, 6).unwrap();
     book.grab(right, 0, 1.0, 0.5);
     book.hold(right, 0, [0.09, 0.1, 0.06]);
     book.step(60);
     assert_eq!(book.phase(right), Some(Phase::Held));
-    let left = book.lift(Side::Left, 4, 5).unwrap();
+    let left = book.pick_up(Side::Left, 4, 5).unwrap();
     book.grab(left, 1, 1.0, 0.5);
     book.grab(left, 2, 1.0, 0.0);
     assert_eq!(book.phase(right), Some(Phase::Falling(Side::Right)));
@@ -231,7 +244,7 @@ fn one_leaf_is_in_hand_at_a_time_with_several_fingers() {
     assert_eq!(book.phase(left), Some(Phase::Held));
     let corner = book.surface(0).unwrap().position(48, 0);
     assert!((corner[0] + 0.08).abs() < 0.01, "{corner:?}");
-    // A hand that holds nothing lets nothing go.
+    // A grab that holds nothing lets nothing go.
     book.release(left, 1);
     assert_eq!(book.phase(left), Some(Phase::Held));
     book.release(left, 2);
@@ -244,12 +257,14 @@ fn piles_change_steadily_while_many_leaves_fly() {
     let mut book = book();
     book.lay(8);
     let mut before = [Side::Right, Side::Left].map(|side| book.pile(side).curves().to_vec());
-    let mut lifted = 0;
+    let mut picked_up = 0;
     for tick in 0..700 {
-        if tick % 17 == 0 && lifted < 12 {
-            let id = book.lift(Side::Right, 8 + lifted, 9 + lifted).unwrap();
+        if tick % 17 == 0 && picked_up < 12 {
+            let id = book
+                .pick_up(Side::Right, 8 + picked_up, 9 + picked_up)
+                .unwrap();
             book.play(id, Side::Left, 0.8);
-            lifted += 1;
+            picked_up += 1;
         }
         book.step(1);
         book.update();
@@ -287,42 +302,55 @@ fn whatever_is_asked_all_come_to_rest() {
     for_seeds(|random| {
         let mut book = book();
         book.lay(20);
+        let mut most = 0;
         for round in 0..120 {
             ask_anything(&mut book, random);
             book.step(6);
             book.update();
             assert!(is_finite(&book), "round {round}");
+            most = most.max(book.flights());
         }
-        while let Some(id) = book.flight_id(0) {
-            book.play(id, Side::Left, 0.3);
-            book.step(400);
+        assert!(most > 1, "at most {most} in flight");
+        // Sent to the left, every leaf in flight lies there, and no other has moved.
+        let read = book.read() + book.flights() as u32;
+        for k in 0..book.flights() {
+            book.play(book.flight_id(k).unwrap(), Side::Left, 0.3);
         }
-        assert!(book.read() <= 40);
+        rest(&mut book);
+        assert_eq!(book.read(), read);
     });
 }
 
 fn ask_anything(book: &mut Book, random: &mut Random) {
     let flights = book.flights();
     let id = book.flight_id(random.below(flights + 1)).unwrap_or(0);
-    let hand = random.below(5) as u32;
+    let grab = random.below(5) as u32;
     let side = [Side::Right, Side::Left][random.below(2)];
-    let mut between = |low, high| random.between(low, high);
-    match between(0.0, 5.0) as u32 {
-        0 if side == Side::Right => {
-            let read = book.read() + flights as u32;
-            book.lift(side, read, read + 1);
-        }
+    match random.below(5) {
         0 => {
             let read = book.read();
-            book.lift(side, read.saturating_sub(1), read);
+            let low = match side {
+                Side::Right => read + flights as u32,
+                Side::Left => read.saturating_sub(1),
+            };
+            // One that is neither held nor sent falls back within a tick.
+            let Some(id) = book.pick_up(side, low, low + 1) else {
+                return;
+            };
+            if random.below(2) == 0 {
+                book.play(id, side.opposite(), random.between(0.1, 1.0));
+            } else {
+                book.grab(id, grab, random.between(0.0, 1.0), random.between(0.0, 1.0));
+            }
         }
-        1 => book.grab(id, hand, between(0.0, 1.0), between(0.0, 1.0)),
+        1 => book.grab(id, grab, random.between(0.0, 1.0), random.between(0.0, 1.0)),
         2 => {
+            let mut between = |low, high| random.between(low, high);
             let place = [between(-0.5, 0.5), between(-0.4, 0.6), between(-0.1, 0.5)];
-            book.hold(id, hand, place);
+            book.hold(id, grab, place);
         }
-        3 => book.release(id, hand),
-        _ => book.play(id, side, between(0.0, 1.0)),
+        3 => book.release(id, grab),
+        _ => book.play(id, side, random.between(0.0, 1.0)),
     }
 }
 
@@ -333,14 +361,14 @@ fn an_ordinary_drag_beside_others_is_drawn_where_the_paper_is() {
     let mut book = Book::new(0.14, 0.21, 100, 0.012).unwrap();
     book.lay(40);
     for k in 0..4 {
-        let id = book.lift(Side::Right, 40 + k, 41 + k).unwrap();
+        let id = book.pick_up(Side::Right, 40 + k, 41 + k).unwrap();
         book.play(id, Side::Left, 0.8);
         for _ in 0..6 {
             book.step(2);
             book.update();
         }
     }
-    let id = book.lift(Side::Right, 44, 45).unwrap();
+    let id = book.pick_up(Side::Right, 44, 45).unwrap();
     book.grab(id, 0, 1.0, 0.15);
     let (mut frames, mut behind, mut worst) = (0, 0, 0.0f32);
     for frame in 0..60 {
@@ -394,7 +422,7 @@ fn is_drawn_through(left: &Surface, right: &Surface) -> bool {
         facets(other).iter().any(|facet| {
             let [a, b, c] = facet.map(|node| corners[node]);
             let normal = cross(sub(b, a), sub(c, a));
-            let touch = 2e-6 * dot(normal, normal).sqrt();
+            let tolerance = 2e-6 * dot(normal, normal).sqrt();
             let around = [0, 1, 2].map(|i| range([a, b, c], i));
             own.iter().zip(&boxes).any(|(own, bounds)| {
                 let apart = |i: usize| bounds[i][0] > around[i][1] || bounds[i][1] < around[i][0];
@@ -406,8 +434,8 @@ fn is_drawn_through(left: &Surface, right: &Surface) -> bool {
                     let [p, q] = ends.map(|node| points[node]);
                     let [h, g] = [p, q].map(|p| dot(sub(p, a), normal));
                     if (is_same && ends.iter().any(|node| facet.contains(node)))
-                        || h.min(g) >= -touch
-                        || h.max(g) <= touch
+                        || h.min(g) >= -tolerance
+                        || h.max(g) <= tolerance
                     {
                         return false;
                     }
@@ -424,10 +452,10 @@ fn is_drawn_through(left: &Surface, right: &Surface) -> bool {
 
 /// A drawn leaf of the book's with its points at places by u and v, 0 to 1, over a flat
 /// table.
-fn dress(book: &mut Book, index: usize, place: impl Fn(f32, f32) -> [f32; 3]) {
+fn override_surface(book: &mut Book, index: usize, place: impl Fn(f32, f32) -> [f32; 3]) {
     let u = book.columns().to_vec();
     let rows = book.rows();
-    let points = book.dress(index).unwrap().as_chunks_mut::<3>().0;
+    let points = book.override_surface(index).unwrap().as_chunks_mut::<3>().0;
     for (node, point) in points.iter_mut().enumerate() {
         let v = (node / u.len()) as f32 / (rows - 1) as f32;
         *point = place(u[node % u.len()], v);
@@ -448,9 +476,9 @@ fn leaves_that_are_not_next_to_each_other_are_not_drawn_through_each_other() {
     };
     for frame in 0..6 {
         let lean = 0.3 * frame as f32 - 0.9;
-        dress(&mut book, 0, upright(lean));
-        dress(&mut book, 1, |u, v| [0.0, 0.21 * v, 0.001 * u]);
-        dress(&mut book, 2, upright(-lean));
+        override_surface(&mut book, 0, upright(lean));
+        override_surface(&mut book, 1, |u, v| [0.0, 0.21 * v, 0.001 * u]);
+        override_surface(&mut book, 2, upright(-lean));
         book.update();
         for (left, right) in [(0, 1), (1, 2), (0, 2)] {
             let [left, right] = [left, right].map(|index| book.surface(index).unwrap());
@@ -467,7 +495,7 @@ fn a_leaf_is_not_drawn_through_itself() {
     for frame in 0..12 {
         // It is rolled up the farther, the narrower toward the head, and through itself.
         let turns = frame as f32;
-        dress(&mut book, 0, |u, v| {
+        override_surface(&mut book, 0, |u, v| {
             let (sin, cos) = libm::sincosf(turns * u - 1.57);
             let radius = 0.02 + 0.02 * u * (v - 0.5);
             [radius * cos, 0.21 * v, 0.05 + radius * sin]
@@ -485,17 +513,17 @@ fn a_leaf_that_hands_crumple_stays_out_of_itself() {
     for_seeds(|random| {
         let mut book = book();
         book.lay(20);
-        let id = book.lift(Side::Right, 20, 21).unwrap();
-        for hand in 0..2 {
-            book.grab(id, hand, random.between(0.4, 1.0), random.between(0.0, 1.0));
+        let id = book.pick_up(Side::Right, 20, 21).unwrap();
+        for grab in 0..2 {
+            book.grab(id, grab, random.between(0.4, 1.0), random.between(0.0, 1.0));
         }
         let mut behind = 0;
         for frame in 0..60 {
-            for hand in 0..2 {
-                if frame % 12 == 6 * hand {
+            for grab in 0..2 {
+                if frame % 12 == 6 * grab {
                     let x = random.between(-0.3, 0.3);
                     let place = [x, random.between(-0.2, 0.4), random.between(0.0, 0.2)];
-                    book.hold(id, hand, place);
+                    book.hold(id, grab, place);
                 }
             }
             book.step(2);
@@ -512,7 +540,7 @@ fn a_leaf_that_hands_crumple_stays_out_of_itself() {
     });
 }
 
-/// Eleven leaves that hands tug at in turn, so that all are crumpled: the work of a picture
+/// Eleven leaves that grabs tug at in turn, so that all are crumpled: the work of a picture
 /// has a bound, beyond which only what was begun is ended.
 #[test]
 fn a_picture_takes_bounded_work_whatever_hands_do() {

@@ -43,12 +43,12 @@ pub(super) fn lobatto_weights(nodes: usize, position: f32) -> Vec<f32> {
             .map(|k| if k == at { 1.0 } else { 0.0 })
             .collect();
     }
-    let share = |k: usize| {
+    let weight = |k: usize| {
         let end = if k == 0 || k + 1 == nodes { 0.5 } else { 1.0 };
         let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
         sign * end / (t - places[k])
     };
-    let shares: Vec<f64> = (0..nodes).map(share).collect();
-    let sum: f64 = shares.iter().sum();
-    shares.iter().map(|share| (share / sum) as f32).collect()
+    let weights: Vec<f64> = (0..nodes).map(weight).collect();
+    let sum: f64 = weights.iter().sum();
+    weights.iter().map(|weight| (weight / sum) as f32).collect()
 }

@@ -125,13 +125,13 @@ fn the_ends_of_the_surface_are_the_outer_masses() {
 
 #[test]
 #[should_panic(expected = "samples must rise")]
-fn samples_that_fall_are_refused() {
+fn samples_that_fall_are_rejected() {
     Interpolation::lagrange(6, 6, &[0.0, 0.6, 0.5, 1.0], &[0.0, 1.0]);
 }
 
 #[test]
 #[should_panic(expected = "samples must lie in 0..1")]
-fn samples_beyond_the_leaf_are_refused() {
+fn samples_beyond_the_leaf_are_rejected() {
     Interpolation::lagrange(6, 6, &[0.0, 1.1], &[0.0, 1.0]);
 }
 

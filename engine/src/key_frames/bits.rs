@@ -11,7 +11,7 @@ const PARAMETER: u32 = 5;
 const ESCAPE: u32 = 24;
 const PLAIN: u32 = 32;
 
-/// The mean of the numbers before, in sixteenths, and the parameter it asks for.
+/// The mean of the numbers before, in sixteenths, and the parameter that follows.
 struct Mean(u32);
 
 impl Mean {

@@ -1,4 +1,4 @@
-//! Which frames of a recording are kept: few, and where the motion asks for them.
+//! Which frames of a recording are kept: few, and where the motion needs them.
 
 use super::mix::mix;
 use super::replay::blend;

@@ -1,5 +1,5 @@
-//! A recorded turn as it is handed out: few key frames, where the motion asks
-//! for them, rounded, and packed into few bytes.
+//! A recorded turn as it is handed out: few key frames, where the motion needs
+//! them, rounded, and packed into few bytes.
 //!
 //! Its file is version 2 of the key frames'. All numbers are little-endian.
 //!
@@ -8,16 +8,16 @@
 //! | 0..4 | `TLKF` |
 //! | 4..6 | u16 version: 2 |
 //! | 6..36 | as in version 1 |
-//! | 36..40 | f32 quantum: what every share is a whole multiple of |
+//! | 36..40 | f32 quantum: what every coefficient is a whole multiple of |
 //! | 40..44 | f32 error: how far a Hermite blend is at most from the recording, over the width |
-//! | 44..48 | u32 bytes of the packed shares |
+//! | 44..48 | u32 bytes of the packed coefficients |
 //! | then | f32 u of each column, f32 v of each row, rising from 0 to 1 |
 //! | then | f32 time of each frame |
-//! | then | the packed shares |
+//! | then | the packed coefficients |
 //! | last 8 | u64 FNV-1a of all bytes before |
 //!
-//! x, y and z of a frame are each a sum of polynomials (`waves.rs`), whose shares
-//! are packed frame by frame: two bits say whether they are kept as they are (0),
+//! x, y and z of a frame are each a sum of polynomials (`polynomial_basis.rs`),
+//! whose coefficients are packed frame by frame: two bits say whether they are kept as they are (0),
 //! less those of the frame before (1), or less those to which the two frames
 //! before lead in a straight line (2); then follow the multiples, the smoothest
 //! first, in Rice's code (`bits.rs`).
@@ -25,7 +25,8 @@
 use super::bits::{BitReader, BitWriter};
 use super::choose::{choose, farthest};
 use super::header::{CHECKSUM, HEADER, Header, rising, sealed, unsealed, version};
-use super::waves::{Waves, order};
+use super::polynomial_basis::{PolynomialBasis, order};
+
 use super::{KeyFrameError, KeyFrames};
 
 const VERSION: u16 = 2;
@@ -72,7 +73,7 @@ impl Condensed {
     ///
     /// # Errors
     /// Where there is nothing recorded, more than a file may hold, or what cannot
-    /// be told so finely.
+    /// be stated so finely.
     ///
     /// # Panics
     /// If `u` and `v` are not as many as columns and rows, or the tolerance is
@@ -83,27 +84,27 @@ impl Condensed {
         v: &[f32],
         tolerance: f32,
     ) -> Result<Self, KeyFrameError> {
-        let refuse = |field: &'static str, value: f64| KeyFrameError::BadHeader { field, value };
+        let reject = |field: &'static str, value: f64| KeyFrameError::BadHeader { field, value };
         assert!(u.len() == recording.columns && v.len() == recording.rows);
         assert!(tolerance > 0.0, "the tolerance is above 0");
         let all = recording.positions.len() / 3;
         if all == 0 || all as u64 > MOST_POINTS {
-            return Err(refuse("number of points", all as f64));
+            return Err(reject("number of points", all as f64));
         }
         let points = recording.columns * recording.rows;
-        let waves = waves(u, v)?;
+        let basis = basis(u, v)?;
         let tolerance = tolerance * recording.size[0];
-        let shares: Vec<Vec<f64>> = (0..3 * recording.len())
+        let coefficients: Vec<Vec<f64>> = (0..3 * recording.len())
             .map(|at| {
                 let values = recording.frame(at / 3).iter().skip(at % 3).step_by(3);
-                waves.shares(&values.map(|x| f64::from(*x)).collect::<Vec<_>>())
+                basis.coefficients(&values.map(|x| f64::from(*x)).collect::<Vec<_>>())
             })
             .collect();
         let mut quantum = 4.0 * tolerance;
         let (multiples, rounded) = loop {
-            let multiples = round(&shares, quantum);
-            let multiples = multiples.ok_or(refuse("tolerance", f64::from(tolerance)))?;
-            let rounded = positions(&waves, points, &multiples, quantum);
+            let multiples = round(&coefficients, quantum);
+            let multiples = multiples.ok_or(reject("tolerance", f64::from(tolerance)))?;
+            let rounded = positions(&basis, points, &multiples, quantum);
             if farthest(&rounded, &recording.positions) <= ROUNDING * tolerance {
                 break (multiples, rounded);
             }
@@ -151,10 +152,10 @@ impl Condensed {
     /// If they are anything but a whole and unchanged file of this version whose
     /// every number makes sense.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, KeyFrameError> {
-        let refuse = |field: &'static str, value: f64| KeyFrameError::BadHeader { field, value };
+        let reject = |field: &'static str, value: f64| KeyFrameError::BadHeader { field, value };
         let version = version(bytes)?;
         if version != VERSION {
-            return Err(refuse("version", f64::from(version)));
+            return Err(reject("version", f64::from(version)));
         }
         let header = Header::read(bytes, version, OWN_HEADER)?;
         for (field, count) in [
@@ -162,12 +163,12 @@ impl Condensed {
             ("number of rows", header.rows),
         ] {
             if count > MOST_ALONG {
-                return Err(refuse(field, f64::from(count)));
+                return Err(reject(field, f64::from(count)));
             }
         }
         let all = u64::from(header.columns * header.rows) * u64::from(header.frames);
         if all > MOST_POINTS {
-            return Err(refuse("number of points", all as f64));
+            return Err(reject("number of points", all as f64));
         }
         let [columns, rows, count] =
             [header.columns, header.rows, header.frames].map(|count| count as usize);
@@ -184,15 +185,15 @@ impl Condensed {
         let reals = |from: usize, count: usize| (from..from + count).map(real).collect();
         let (quantum, error) = (real(0), real(1));
         if !(quantum > 0.0 && quantum < 1e6) {
-            return Err(refuse("quantum", f64::from(quantum)));
+            return Err(reject("quantum", f64::from(quantum)));
         }
         if !(0.0..=1e6).contains(&error) {
-            return Err(refuse("error", f64::from(error)));
+            return Err(reject("error", f64::from(error)));
         }
         let (u, v): (Vec<f32>, Vec<f32>) = (reals(3, columns), reals(3 + columns, rows));
         let times: Vec<f32> = reals(3 + columns + rows, count);
         rising(&times)?;
-        let waves = waves(&u, &v)?;
+        let basis = basis(&u, &v)?;
         let multiples = unpack(&content[packed_at..], &times, &order(columns, rows))?;
         Ok(Self {
             frames: KeyFrames {
@@ -202,7 +203,7 @@ impl Condensed {
                 size: header.size,
                 columns,
                 rows,
-                positions: positions(&waves, points, &multiples, quantum),
+                positions: positions(&basis, points, &multiples, quantum),
                 times,
             },
             u,
@@ -234,8 +235,8 @@ impl Condensed {
     }
 }
 
-/// The waves over places, which rise from 0 to 1.
-fn waves(u: &[f32], v: &[f32]) -> Result<Waves, KeyFrameError> {
+/// The basis over places, which rise from 0 to 1.
+fn basis(u: &[f32], v: &[f32]) -> Result<PolynomialBasis, KeyFrameError> {
     for (field, places) in [("place of columns", u), ("place of rows", v)] {
         let rise = places.windows(2).all(|pair| pair[0] < pair[1]);
         if !(rise && places[0] == 0.0 && places[places.len() - 1] == 1.0) {
@@ -245,29 +246,31 @@ fn waves(u: &[f32], v: &[f32]) -> Result<Waves, KeyFrameError> {
             });
         }
     }
-    Waves::new(u, v).ok_or(KeyFrameError::BadHeader {
+    PolynomialBasis::new(u, v).ok_or(KeyFrameError::BadHeader {
         field: "distance of columns or rows",
         value: 0.0,
     })
 }
 
 /// The nearest multiples; None where one is too large.
-fn round(shares: &[Vec<f64>], quantum: f32) -> Option<Vec<i32>> {
-    let round = |share: &f64| {
-        let multiple = (share / f64::from(quantum)).round();
+fn round(coefficients: &[Vec<f64>], quantum: f32) -> Option<Vec<i32>> {
+    let round = |coefficient: &f64| {
+        let multiple = (coefficient / f64::from(quantum)).round();
         (multiple.abs() <= MOST).then_some(multiple as i32)
     };
-    shares.iter().flatten().map(round).collect()
+    coefficients.iter().flatten().map(round).collect()
 }
 
 /// Positions of all frames, of so many points each, from the multiples of their axes.
-fn positions(waves: &Waves, points: usize, multiples: &[i32], quantum: f32) -> Vec<f32> {
+fn positions(basis: &PolynomialBasis, points: usize, multiples: &[i32], quantum: f32) -> Vec<f32> {
     let mut positions = Vec::with_capacity(multiples.len());
     for axes in multiples.chunks_exact(3 * points) {
         let [x, y, z] = [0, 1, 2].map(|axis| {
-            let shares = axes[axis * points..(axis + 1) * points].iter();
-            let shares: Vec<f64> = shares.map(|m| f64::from(*m) * f64::from(quantum)).collect();
-            waves.values(&shares)
+            let coefficients = axes[axis * points..(axis + 1) * points].iter();
+            let coefficients: Vec<f64> = coefficients
+                .map(|m| f64::from(*m) * f64::from(quantum))
+                .collect();
+            basis.values(&coefficients)
         });
         for ((x, y), z) in x.iter().zip(&y).zip(&z) {
             positions.extend([*x as f32, *y as f32, *z as f32]);

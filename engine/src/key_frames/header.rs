@@ -186,22 +186,22 @@ impl Header {
         let word = |at: usize| [bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]];
         let number = |at: usize| u32::from_le_bytes(word(at));
         let real = |at: usize| f32::from_le_bytes(word(at));
-        let refuse = |field: &'static str, value: f64| KeyFrameError::BadHeader { field, value };
+        let reject = |field: &'static str, value: f64| KeyFrameError::BadHeader { field, value };
         if version == 0 {
-            return Err(refuse("version", 0.0));
+            return Err(reject("version", 0.0));
         }
         let kind = u16::from_le_bytes([bytes[6], bytes[7]]);
         let kind = match kind {
             0 => FrameKind::Masses,
             1 => FrameKind::Surface,
-            _ => return Err(refuse("kind of frame", f64::from(kind))),
+            _ => return Err(reject("kind of frame", f64::from(kind))),
         };
-        let model = ModelKind::from_id(number(8)).ok_or(refuse("model", f64::from(number(8))))?;
-        let preset = Preset::from_id(number(12)).ok_or(refuse("preset", f64::from(number(12))))?;
+        let model = ModelKind::from_id(number(8)).ok_or(reject("model", f64::from(number(8))))?;
+        let preset = Preset::from_id(number(12)).ok_or(reject("preset", f64::from(number(12))))?;
         let size = [real(16), real(20)];
         for (field, value) in ["width", "height"].into_iter().zip(size) {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(refuse(field, f64::from(value)));
+                return Err(reject(field, f64::from(value)));
             }
         }
         let counts = [
@@ -211,7 +211,7 @@ impl Header {
         ];
         for (field, count, least, most) in counts {
             if !(least..=most).contains(&count) {
-                return Err(refuse(field, f64::from(count)));
+                return Err(reject(field, f64::from(count)));
             }
         }
         let (columns, rows, frames) = (number(24), number(28), number(32));

@@ -7,11 +7,11 @@ mod condensed;
 mod format;
 mod header;
 mod mix;
+mod polynomial_basis;
 mod record;
 mod replay;
 #[cfg(test)]
 mod tests;
-mod waves;
 
 pub use condensed::Condensed;
 pub use header::{FORMAT_VERSION, KeyFrameError};

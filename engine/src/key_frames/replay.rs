@@ -39,7 +39,7 @@ struct Slot {
 
 impl Replay {
     /// Plays frames in steps of `time_step` seconds. Frames of masses are drawn
-    /// by 26 x 26 points until told otherwise.
+    /// by 26 x 26 points unless set otherwise.
     ///
     /// # Panics
     /// If there are no frames, or if the step is not above 0.

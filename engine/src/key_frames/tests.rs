@@ -1,4 +1,4 @@
-//! The file format refuses what is not whole; a replay is what was recorded.
+//! The file format rejects what is not whole; a replay is what was recorded.
 
 use super::*;
 use crate::models::mass_spring::{MassSpring, Settings};
@@ -64,7 +64,7 @@ fn bytes_and_back_are_the_same_bits() {
 }
 
 #[test]
-fn every_truncation_and_any_addition_is_refused() {
+fn every_truncation_and_any_addition_is_rejected() {
     let mut bytes = short_record().to_bytes();
     for length in 0..bytes.len() {
         assert!(KeyFrames::from_bytes(&bytes[..length]).is_err(), "{length}");
@@ -77,7 +77,7 @@ fn every_truncation_and_any_addition_is_refused() {
 }
 
 #[test]
-fn every_flipped_byte_is_refused() {
+fn every_flipped_byte_is_rejected() {
     let bytes = short_record().to_bytes();
     for at in 0..bytes.len() {
         let mut flipped = bytes.clone();
@@ -87,7 +87,7 @@ fn every_flipped_byte_is_refused() {
 }
 
 #[test]
-fn noise_is_refused_and_never_panics() {
+fn noise_is_rejected_and_never_panics() {
     for_seeds(|random| {
         let mut bytes: Vec<u8> = (0..random.below(200))
             .map(|_| random.below(256) as u8)
@@ -99,7 +99,7 @@ fn noise_is_refused_and_never_panics() {
 }
 
 #[test]
-fn each_refusal_names_its_reason() {
+fn each_rejection_names_its_reason() {
     let good = short_record();
     let bytes = good.to_bytes();
     let with = |at: usize, value: &[u8]| {
@@ -155,7 +155,7 @@ fn each_refusal_names_its_reason() {
 }
 
 #[test]
-fn refusals_are_one_sentence() {
+fn rejections_are_one_sentence() {
     let all = [
         KeyFrameError::NotKeyFrames,
         KeyFrameError::FutureVersion(3),

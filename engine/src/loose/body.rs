@@ -146,7 +146,7 @@ impl Body {
         }
     }
 
-    /// Begins a timed turn; answers whether the model carries it out by itself.
+    /// Begins a timed turn. Returns whether the model carries it out by itself.
     pub fn play(&mut self, gesture: Gesture) -> bool {
         match self {
             Self::Kinematic(leaf) => leaf.play(gesture),

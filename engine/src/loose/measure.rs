@@ -35,7 +35,7 @@ impl LooseLeaf {
         let mut energies = LeafEnergies::default();
         for node in 0..columns * rows {
             let (column, row) = (node % columns, node / columns);
-            let area = du * dv * f64::from(grid.area_share(column, row));
+            let area = du * dv * f64::from(grid.area_fraction(column, row));
             let mass = area * self.settings.stock.grammage;
             let speed: f64 = v[node].iter().map(|v| f64::from(*v).powi(2)).sum();
             energies.kinetic += 0.5 * mass * speed;

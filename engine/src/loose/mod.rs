@@ -1,5 +1,5 @@
 //! A leaf on its own over a table, moved by any of the models and turned by the
-//! same gestures and hands: what compares them, bakes them and plays with them.
+//! same gestures and grabs: what compares them, bakes them and plays with them.
 
 mod body;
 mod measure;
@@ -231,7 +231,7 @@ impl LooseLeaf {
         self.record = Some((frames, start, interval));
     }
 
-    /// Ends the record, and answers it; none where none was begun.
+    /// Ends the record. Returns it, or none where none was begun.
     pub fn finish_record(&mut self) -> Option<KeyFrames> {
         self.record.take().map(|(frames, ..)| frames)
     }

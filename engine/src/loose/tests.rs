@@ -1,4 +1,4 @@
-//! Every model, turned by the same hands.
+//! Every model, turned by the same grabs.
 
 use super::*;
 use crate::random::for_seeds;
@@ -145,7 +145,7 @@ fn a_flat_leaf_has_no_energy_and_no_strain() {
 }
 
 #[test]
-fn settings_that_make_no_leaf_are_refused_in_one_sentence() {
+fn settings_that_make_no_leaf_are_rejected_in_one_sentence() {
     for settings in all() {
         for bad in [
             LooseSettings {

@@ -16,7 +16,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use super::{bisect, runge_kutta};
 
 /// Steps over the length: many for a method of fourth order; the tests hold what
-/// follows to 1e-5 against answers found by other means.
+/// follows to 1e-5 against solutions found by other means.
 const STEPS: usize = 4000;
 
 /// A strip clamped at one end.

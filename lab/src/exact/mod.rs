@@ -1,4 +1,4 @@
-//! Exact answers of beam theory, to hold the models against. All lengths over
+//! Exact solutions of beam theory, to hold the models against. All lengths over
 //! the length of the strip, all loads over its stiffness.
 
 mod buckling;

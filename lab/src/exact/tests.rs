@@ -1,6 +1,6 @@
 use super::*;
 
-/// Rows of a table of exact answers, worked out by other means.
+/// Rows of a table of exact solutions, worked out by other means.
 fn rows(table: &str) -> Vec<Vec<f64>> {
     let path = format!(
         "{}/../engine/tests/anchors/{table}.csv",

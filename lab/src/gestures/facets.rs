@@ -58,7 +58,7 @@ impl Block {
         a.max(b) >= self.reach[0] && a.min(b) <= self.reach[1]
     }
 
-    /// Whether a block shares points with it.
+    /// Whether a tile has points in common with it.
     fn touches(&self, other: &Block) -> bool {
         let [c, d, r, s] = [&self.columns, &other.columns, &self.rows, &other.rows];
         c.start <= d.end && d.start <= c.end && r.start <= s.end && s.start <= r.end
@@ -304,7 +304,7 @@ impl<'a> Facets<'a> {
         }
         for (i, own) in self.blocks.iter().enumerate() {
             for (k, other) in self.blocks.iter().enumerate() {
-                // What shares points meets only where it is folded upon itself.
+                // What has points in common meets only where it is folded upon itself.
                 if !own.bounds.meets(&other.bounds)
                     || (own.touches(other) && normals[i].with(normals[k]).is_narrow())
                 {

@@ -1,100 +1,130 @@
-//! `lab gestures`: random hands on the leaves of a bound book, and what they do
+//! `lab gestures`: random pointers on the leaves of a bound book, and what they do
 //! to the paper: strain, penetration, time of a frame.
 
 mod facets;
 mod figures;
-mod hand;
 mod overlap;
 mod played;
+mod pointer;
 mod random;
 mod scene;
 mod world;
 
+use std::collections::BTreeMap;
+use std::fmt::{self, Display, Formatter};
 use std::path::PathBuf;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use serde_json::{Value, json};
+use clap::Args;
+use serde::Serialize;
 
-use crate::options;
-use crate::report::insert;
-use figures::{figures, tables, worst_seeds};
+use crate::options::between;
+use figures::{Figures, Worst};
 use played::Played;
-use turnleaf_engine::Stock;
-use world::{Choice, Kind, STOCKS, World};
+use world::{Choice, Description, Kind, STOCKS, World};
+
+/// Options of the experiment.
+#[derive(Args)]
+pub struct Options {
+    /// Number of gestures.
+    #[arg(long, default_value_t = 1000, value_parser = between(1u64, 10_000_000))]
+    count: u64,
+    /// Seed of the first; each has the next one.
+    #[arg(long, default_value_t = 1, value_parser = between(0u64, u64::MAX / 2))]
+    seed: u64,
+    /// Leaves' stocks in turn; custom: figures as of paper, extreme: any that a book takes.
+    #[arg(long, default_value = "all", value_parser = world::stocks())]
+    stock: world::Stocks,
+    /// What pointers do.
+    #[arg(long, default_value = "all", value_parser = world::kinds())]
+    kind: world::Kinds,
+    /// Usual: 140 x 210 mm, still air, the usual binding and frames; any: all of them at random.
+    #[arg(long, default_value = "any", value_parser = ["any", "usual"])]
+    page: String,
+    /// List the seeds of so many of the worst.
+    #[arg(long, default_value_t = 0, value_parser = between(0usize, 1000))]
+    worst: usize,
+    /// Gestures played at once; times of a frame are then longer.
+    #[arg(long, default_value_t = 1, value_parser = between(1usize, 256))]
+    jobs: usize,
+    /// Write the tables into a folder, as gestures_stocks.json and gestures_kinds.json.
+    #[arg(long)]
+    into: Option<PathBuf>,
+    /// The leaves' model; there is no other in a book.
+    #[arg(long, default_value = "sheet", value_parser = ["sheet"])]
+    model: String,
+}
+
+/// What gestures did: all, and by stock and kind.
+#[derive(Serialize)]
+pub struct Report {
+    seed: u64,
+    #[serde(flatten)]
+    all: Figures,
+    stocks: BTreeMap<&'static str, Figures>,
+    kinds: BTreeMap<&'static str, Figures>,
+    /// Of a single gesture, the book that it was played on.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    world: Option<Description>,
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    worst: BTreeMap<&'static str, Vec<Worst>>,
+}
 
 /// Runs the experiment.
-pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let (mut count, mut seed, mut worst, mut jobs) = (1000u64, 1u64, 0usize, 1usize);
-    let mut choice = Choice {
-        stocks: (0..STOCKS.len()).collect(),
-        kinds: Kind::ALL.to_vec(),
-        is_usual: false,
+pub fn run(options: &Options) -> Result<Report, String> {
+    let choice = Choice {
+        stocks: options.stock.clone(),
+        kinds: options.kind.clone(),
+        is_usual: options.page == "usual",
     };
-    let mut into = None;
-    let json = options::read(parser, |option, parser| {
-        match option {
-            "count" => count = options::number(parser, option, 1, 10_000_000)?,
-            "seed" => seed = options::number(parser, option, 0, u64::MAX / 2)?,
-            "worst" => worst = options::number(parser, option, 0, 1000)?,
-            // A book's leaves are sheets.
-            "model" => drop(options::choice(parser, option, &["sheet"])?),
-            "jobs" => jobs = options::number(parser, option, 1, 256)?,
-            "into" => into = Some(PathBuf::from(options::text(parser, option)?)),
-            "page" => choice.is_usual = options::choice(parser, option, &["any", "usual"])? == 1,
-            "kind" => {
-                let names = [&Kind::NAMES[..], &["all"]].concat();
-                let chosen = options::choice(parser, option, &names)?;
-                choice.kinds = Kind::ALL
-                    .get(chosen)
-                    .map_or(Kind::ALL.to_vec(), |&kind| vec![kind]);
-            }
-            "stock" => {
-                let names = [&STOCKS[..], &["all", "presets"]].concat();
-                let chosen = options::choice(parser, option, &names)?;
-                choice.stocks = match names[chosen] {
-                    "all" => (0..STOCKS.len()).collect(),
-                    "presets" => (0..Stock::NAMES.len()).collect(),
-                    _ => vec![chosen],
-                };
-            }
-            _ => return Ok(false),
-        }
-        Ok(true)
-    })?;
-    let played = play(seed, count, &choice, jobs);
+    let played = play(options.seed, options.count, &choice, options.jobs);
     let all: Vec<&Played> = played.iter().collect();
-    let mut report = figures(&all);
-    report["seed"] = json!(seed);
-    if let [one] = &all[..] {
-        report["world"] = World::new(one.seed, one.stock, &choice).describe();
-    }
     let part = |is: &dyn Fn(&Played) -> bool| {
         let of: Vec<&Played> = all.iter().copied().filter(|one| is(one)).collect();
-        figures(&of)
+        Figures::of(&of)
     };
-    for &stock in &choice.stocks {
-        report["stocks"][STOCKS[stock]] = part(&|one| one.stock == stock);
+    let by_stock = |&stock: &usize| (STOCKS[stock], part(&|one| one.stock == stock));
+    let by_kind = |&kind: &Kind| (kind.name(), part(&|one| one.kind == kind));
+    let report = Report {
+        seed: options.seed,
+        all: Figures::of(&all),
+        stocks: choice.stocks.iter().map(by_stock).collect(),
+        kinds: choice.kinds.iter().map(by_kind).collect(),
+        world: match all[..] {
+            [one] => Some(World::new(one.seed, one.stock, &choice).describe()),
+            _ => None,
+        },
+        worst: match options.worst {
+            0 => BTreeMap::new(),
+            count => figures::worst(&all, count),
+        },
+    };
+    if let Some(folder) = &options.into {
+        let table = |parts| figures::table(report.seed, &report.all, parts);
+        table(&report.stocks).write(folder, "gestures_stocks")?;
+        table(&report.kinds).write(folder, "gestures_kinds")?;
     }
-    for &kind in &choice.kinds {
-        report["kinds"][kind.name()] = part(&|one| one.kind == kind);
+    Ok(report)
+}
+
+impl Display for Report {
+    fn fmt(&self, out: &mut Formatter) -> fmt::Result {
+        figures::table(self.seed, &self.all, &self.stocks).fmt(out)?;
+        writeln!(out)?;
+        figures::table(self.seed, &self.all, &self.kinds).fmt(out)?;
+        for (name, worst) in &self.worst {
+            writeln!(out, "\nworst by {}", name.replace('_', " "))?;
+            for (seed, stock, kind, figure) in worst {
+                writeln!(out, "  {seed:>10}  {stock:8}  {kind:8}  {figure}")?;
+            }
+        }
+        Ok(())
     }
-    if worst > 0 {
-        report["worst"] = worst_seeds(&all, worst);
-    }
-    if let Some(path) = into {
-        insert(&path, "gestures", &tables(&report))?;
-    }
-    if json {
-        println!("{report:#}");
-    } else {
-        print_lines(&report);
-    }
-    Ok(())
 }
 
 /// Plays gestures, so many at once, each by its seed and so the same whatever plays
-/// beside it; answers them by their seeds.
+/// beside it. Returns them by their seeds.
 fn play(seed: u64, count: u64, choice: &Choice, jobs: usize) -> Vec<Played> {
     let next = AtomicU64::new(0);
     let played = Mutex::new(Vec::new());
@@ -123,21 +153,4 @@ fn play(seed: u64, count: u64, choice: &Choice, jobs: usize) -> Vec<Played> {
     let mut played = played.into_inner().expect("no gesture panics");
     played.sort_by_key(|one| one.seed);
     played
-}
-
-fn print_lines(report: &Value) {
-    println!("{} gestures from seed {}", report["count"], report["seed"]);
-    let object = report.as_object().expect("the report is an object");
-    for (name, value) in object.iter().filter(|(_, value)| !value.is_object()) {
-        if let Value::Array(rows) = value {
-            for row in rows {
-                println!("    {row}");
-            }
-        } else {
-            println!("  {name:32} {value}");
-        }
-    }
-    for (name, worst) in report["worst"].as_object().into_iter().flatten() {
-        println!("  worst {name:26} {worst}");
-    }
 }

@@ -1,15 +1,15 @@
-//! A random gesture: a book, hands on its leaves, what they do, and afterwards.
+//! A random gesture: a book, pointers on its leaves, what they do, and afterwards.
 
 use cpu_time::ThreadTime;
 use turnleaf_engine::book::{Book, Phase, TICK};
 use turnleaf_engine::{Side, Surface};
 
-use super::hand::{self, Hand, Style, any_style};
 use super::overlap::{Overlap, measure};
+use super::pointer::{self, Pointer, Style, any_style};
 use super::random::Random;
 use super::world::{Kind, Pace, USUAL, World};
 
-/// Ticks for which hands are at work, at most, and where frames are long.
+/// Ticks for which pointers are at work, at most, and where frames are long.
 const LONGEST: u32 = 130;
 const LONGEST_SLOW: u32 = 480;
 
@@ -22,7 +22,7 @@ const BEYOND: u32 = 20;
 /// Ticks in which all leaves come to rest once they are let go, at most.
 const MOST_TO_REST: u32 = 10 * 120;
 
-/// Ticks of the longest frame that a viewer makes, a tenth of a second.
+/// Ticks of the longest frame that a viewer makes, a tenth of a second: `MOST_TICKS` of the book's limits.
 const LONG_FRAME: u32 = 12;
 
 /// Where more leaves fly than this, every fourth picture is looked at.
@@ -35,13 +35,13 @@ pub struct Outcome {
     pub strain: f32,
     /// The same while one is.
     pub strain_eased: f32,
-    /// The same, of leaves that no hand has held for half a second and that are not
+    /// The same, of leaves that no pointer has held for half a second and that are not
     /// being eased flat.
     pub strain_after: f32,
     /// Largest shear of a cell, radians, and stretch of a diagonal, of any leaf.
     pub shear: f32,
     pub diagonal: f32,
-    /// The same of leaves that no hand has touched.
+    /// The same of leaves that no pointer has touched.
     pub shear_played: f32,
     pub diagonal_played: f32,
     /// Drawn penetration.
@@ -77,9 +77,9 @@ pub struct Outcome {
 /// What is known of a flight.
 struct Known {
     id: u32,
-    /// Ticks since a hand of any kind held it.
+    /// Ticks since anything held it.
     free: u32,
-    /// Whether a reader's hand has held it.
+    /// Whether a pointer has held it.
     was_held: bool,
 }
 
@@ -89,7 +89,7 @@ struct Scene {
     kind: Kind,
     /// Width and height of a page, metres.
     page: [f32; 2],
-    hands: Vec<Hand>,
+    pointers: Vec<Pointer>,
     known: Vec<Known>,
     pictures: u32,
     outcome: Outcome,
@@ -104,7 +104,7 @@ pub fn play(seed: u64, world: &World) -> Outcome {
         random,
         kind: world.kind,
         page: world.page.map(|side| side as f32),
-        hands: Vec::new(),
+        pointers: Vec::new(),
         known: Vec::new(),
         pictures: 0,
         outcome: Outcome {
@@ -136,8 +136,8 @@ pub fn play(seed: u64, world: &World) -> Outcome {
         scene.frame(now);
         ticks += now.max(1);
     }
-    for hand in std::mem::take(&mut scene.hands) {
-        scene.book.release(hand.flight, hand.number);
+    for pointer in std::mem::take(&mut scene.pointers) {
+        scene.book.release(pointer.flight, pointer.number);
     }
     let mut let_go = 0;
     for _ in 0..(HALF_A_SECOND + BEYOND) / 2 {
@@ -157,7 +157,7 @@ pub fn play(seed: u64, world: &World) -> Outcome {
 }
 
 impl Scene {
-    /// Begins something: a hand takes a leaf, or a turn is played.
+    /// Begins something: a pointer takes a leaf, or a turn is played.
     fn begin(&mut self) {
         let side = [Side::Right, Side::Left][self.random.below(2) as usize];
         if self.kind == Kind::Riffle {
@@ -165,12 +165,12 @@ impl Scene {
         }
         let known = self.random.below(self.book.flights() as u32 + 1) as usize;
         let known = self.book.flight_id(known);
-        let lifted = if self.random.once_in(2) || known.is_none() {
-            self.lift(side)
+        let picked = if self.random.once_in(2) || known.is_none() {
+            self.pick_up(side)
         } else {
             known
         };
-        let Some(flight) = lifted else { return };
+        let Some(flight) = picked else { return };
         let kind = match self.kind {
             Kind::Mixed => Kind::ALL[self.random.below(6) as usize],
             kind => kind,
@@ -182,12 +182,12 @@ impl Scene {
                 self.grab(flight, 4, |_| pulls);
             }
             (_, Kind::Apart) => {
-                let away = hand::away(&mut self.random);
+                let away = pointer::away(&mut self.random);
                 self.grab(flight, 4, |_| away);
                 self.grab(flight, 4, |_| opposite(away));
                 if self.random.once_in(3) {
-                    self.grab(flight, 4, hand::away);
-                    self.grab(flight, 4, hand::away);
+                    self.grab(flight, 4, pointer::away);
+                    self.grab(flight, 4, pointer::away);
                 }
             }
             (0, _) => self.play(flight),
@@ -195,7 +195,7 @@ impl Scene {
                 for _ in 0..if one_or_two == 1 { 2 } else { 1 } {
                     self.grab(flight, 2, |random| match kind {
                         Kind::Teleport => Style::Teleport,
-                        Kind::Circle => hand::circle(random),
+                        Kind::Circle => pointer::circle(random),
                         _ => [Style::Drag, Style::Throw, Style::Wild][random.below(3) as usize],
                     });
                 }
@@ -211,7 +211,7 @@ impl Scene {
             _ => (Side::Right, Side::Left),
         };
         for _ in 0..1 + self.random.below(3) {
-            if let Some(flight) = self.lift(from) {
+            if let Some(flight) = self.pick_up(from) {
                 let seconds = self.random.between(0.2, 1.5);
                 self.book.play(flight, to, seconds);
             }
@@ -225,15 +225,15 @@ impl Scene {
         }
     }
 
-    fn lift(&mut self, side: Side) -> Option<u32> {
+    fn pick_up(&mut self, side: Side) -> Option<u32> {
         let read = self.book.read();
         let many = if self.random.once_in(6) { 3 } else { 1 };
         match side {
             Side::Right => {
                 let low = read + self.in_flight();
-                self.book.lift(side, low, low + many)
+                self.book.pick_up(side, low, low + many)
             }
-            Side::Left => self.book.lift(side, read.checked_sub(many)?, read),
+            Side::Left => self.book.pick_up(side, read.checked_sub(many)?, read),
         }
     }
 
@@ -248,15 +248,15 @@ impl Scene {
         let side = [Side::Right, Side::Left][self.random.below(2) as usize];
         let seconds = [0.8, 0.5, 0.3, f32::NAN, self.random.between(0.1, 2.0)];
         let seconds = seconds[self.random.below(5) as usize];
-        self.hands.retain(|hand| hand.flight != flight);
+        self.pointers.retain(|pointer| pointer.flight != flight);
         self.book.play(flight, side, seconds);
     }
 
-    /// A hand takes hold somewhere, where at most so many are at work.
+    /// A pointer takes hold somewhere, where at most so many are at work.
     fn grab(&mut self, flight: u32, most: usize, style: impl FnOnce(&mut Random) -> Style) {
         let number = self.random.below(4);
-        let is_same = |hand: &Hand| (hand.flight, hand.number) == (flight, number);
-        if self.hands.len() >= most || self.hands.iter().any(is_same) {
+        let is_same = |pointer: &Pointer| (pointer.flight, pointer.number) == (flight, number);
+        if self.pointers.len() >= most || self.pointers.iter().any(is_same) {
             return;
         }
         let edge = self.random.once_in(2);
@@ -274,13 +274,23 @@ impl Scene {
         let style = style(&mut self.random);
         let ticks = 10 + self.random.below(LONGEST);
         let held = [u, v];
-        self.hands
-            .push(hand::hand((flight, number), style, held, self.page, ticks));
+        self.pointers.push(pointer::pointer(
+            (flight, number),
+            style,
+            held,
+            self.page,
+            ticks,
+        ));
     }
 
-    /// A frame of `ticks` and an update.
+    /// A frame of `ticks` and an update. Of a frame that a viewer would make it has no more
+    /// ticks than a viewer would.
     fn frame(&mut self, ticks: u32) {
-        for index in (0..self.hands.len()).rev() {
+        let ticks = match ticks {
+            0..=LONG_FRAME => ticks.min(self.book.most_ticks()),
+            _ => ticks,
+        };
+        for index in (0..self.pointers.len()).rev() {
             self.work(index, ticks);
         }
         let leaves = self.book.flights();
@@ -309,16 +319,16 @@ impl Scene {
         self.look_at_picture();
     }
 
-    /// A hand's work of a frame: it moves, or lets go.
+    /// A pointer's work of a frame: it moves, or lets go.
     fn work(&mut self, index: usize, ticks: u32) {
-        let hand = &mut self.hands[index];
-        if !hand.holds(ticks) {
-            self.book.release(hand.flight, hand.number);
-            self.hands.swap_remove(index);
+        let pointer = &mut self.pointers[index];
+        if !pointer.holds(ticks) {
+            self.book.release(pointer.flight, pointer.number);
+            self.pointers.swap_remove(index);
             return;
         }
-        if let Some(place) = hand.pull(&mut self.random, ticks, self.page) {
-            self.book.hold(hand.flight, hand.number, place);
+        if let Some(place) = pointer.pull(&mut self.random, ticks, self.page) {
+            self.book.hold(pointer.flight, pointer.number, place);
         }
     }
 

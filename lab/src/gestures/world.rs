@@ -1,7 +1,8 @@
 //! The book that a gesture is played on: its page, its paper, its air, and how its
 //! frames come.
 
-use serde_json::{Value, json};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use serde::Serialize;
 use turnleaf_engine::book::{Board, Book, Paper};
 use turnleaf_engine::{Grain, Side, Stock};
 
@@ -29,20 +30,20 @@ pub const STOCKS: [&str; 7] = [
     "extreme",
 ];
 
-/// What hands do.
+/// What pointers do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
-    /// One or two hands drag, throw and tear; turns are played between.
+    /// One or two pointers drag, throw and tear; turns are played between.
     Hands,
     /// Up to 16 leaves are let go one after another, and now and then one is caught.
     Riffle,
-    /// Hands that are elsewhere in every frame.
+    /// Pointers that are elsewhere in every frame.
     Teleport,
-    /// Hands that go round in circles.
+    /// Pointers that go round in circles.
     Circle,
-    /// A hand holds a place still while another pulls.
+    /// A pointer holds a place still while another pulls.
     Pin,
-    /// Hands pull one leaf apart.
+    /// Pointers pull one leaf apart.
     Apart,
     /// Any of these beside each other.
     Mixed,
@@ -86,7 +87,7 @@ pub enum Pace {
 
 /// Where a gesture takes place.
 pub struct World {
-    /// What its hands do.
+    /// What its pointers do.
     pub kind: Kind,
     /// Width and height of the page, metres.
     pub page: [f64; 2],
@@ -95,21 +96,62 @@ pub struct World {
     paper: Paper,
 }
 
+/// Stocks by their place among [`STOCKS`]. clap takes no `Vec` itself for a value.
+pub type Stocks = Vec<usize>;
+
+/// A parser of stocks: one, `presets` or `all`.
+pub fn stocks() -> impl TypedValueParser<Value = Stocks> {
+    let names = STOCKS.into_iter().chain(["presets", "all"]);
+    PossibleValuesParser::new(names).map(|name| match &name[..] {
+        "all" => (0..STOCKS.len()).collect(),
+        "presets" => (0..STOCKS.len() - 2).collect(),
+        name => { STOCKS.iter().position(|one| *one == name) }
+            .into_iter()
+            .collect(),
+    })
+}
+
+/// Kinds of gestures.
+pub type Kinds = Vec<Kind>;
+
+/// A parser of kinds: one or `all`.
+pub fn kinds() -> impl TypedValueParser<Value = Kinds> {
+    PossibleValuesParser::new(Kind::NAMES.into_iter().chain(["all"])).map(|name| {
+        let is_chosen = |kind: &Kind| name == "all" || name == kind.name();
+        Kind::ALL.into_iter().filter(is_chosen).collect()
+    })
+}
+
 /// Which gestures are played.
 #[derive(Clone, Debug)]
 pub struct Choice {
-    /// Stocks by their place among [`STOCKS`], in turn.
-    pub stocks: Vec<usize>,
+    /// Stocks, in turn.
+    pub stocks: Stocks,
     /// Kinds, at random; a riffle is rare.
-    pub kinds: Vec<Kind>,
+    pub kinds: Kinds,
     /// Whether pages, air, binding and frames are the usual ones.
     pub is_usual: bool,
+}
+
+/// A world in figures.
+#[derive(Serialize)]
+pub struct Description {
+    kind: &'static str,
+    page_mm: [f64; 2],
+    frames: String,
+    grammage: f64,
+    caliper: f64,
+    stiffness_along: f64,
+    stiffness_across: f64,
+    grain: String,
+    binding: f64,
+    wind: [f64; 3],
 }
 
 impl World {
     /// The world of a seed with leaves of a stock.
     pub fn new(seed: u64, stock: usize, choice: &Choice) -> World {
-        // Numbers of its own, so that the hands of a seed are the same in any world.
+        // Numbers of its own, so that the pointers of a seed are the same in any world.
         let mut random = Random::new(seed.wrapping_mul(0x2545_f491_4f6c_dd1d) ^ 0x9e6c_63d0);
         let kind = kind(
             &choice.kinds,
@@ -154,7 +196,7 @@ impl World {
     }
 
     /// What it is, for people.
-    pub fn describe(&self) -> Value {
+    pub fn describe(&self) -> Description {
         let Paper {
             stock,
             grain,
@@ -162,18 +204,18 @@ impl World {
             wind,
             ..
         } = self.paper;
-        json!({
-            "kind": self.kind.name(),
-            "page_mm": self.page.map(|side| 1e3 * side),
-            "frames": format!("{:?}", self.pace).to_lowercase(),
-            "grammage": stock.grammage,
-            "caliper": stock.caliper,
-            "stiffness_along": stock.stiffness_along,
-            "stiffness_across": stock.stiffness_across,
-            "grain": format!("{grain:?}"),
-            "binding": binding,
-            "wind": wind,
-        })
+        Description {
+            kind: self.kind.name(),
+            page_mm: self.page.map(|side| 1e3 * side),
+            frames: format!("{:?}", self.pace).to_lowercase(),
+            grammage: stock.grammage,
+            caliper: stock.caliper,
+            stiffness_along: stock.stiffness_along,
+            stiffness_across: stock.stiffness_across,
+            grain: format!("{grain:?}"),
+            binding,
+            wind,
+        }
     }
 
     /// Opens the book somewhere, also at its first and its last leaf.

@@ -1,10 +1,11 @@
-//! A way of turning a page, measured on the three turns and under wild hands.
+//! A way of turning a page, measured on the three turns and by drags.
 
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use std::hint::black_box;
 use std::time::Instant;
 
-use serde_json::{Value, json};
+use serde::Serialize;
 use turnleaf_engine::{LooseLeaf, Surface, TurnBy, TurnModel};
 
 use super::rows::{Source, Way};
@@ -128,11 +129,11 @@ fn drag(way: &Way) -> Result<Vec<f64>, String> {
 /// moments, that at which as much of the turn was done.
 pub fn follow<'a>(moments: impl Iterator<Item = &'a [[f64; 3]]>) -> Vec<f64> {
     let moments: Vec<_> = moments
-        .map(|places| (shape::share(places), places[POINTS - 1]))
+        .map(|places| (shape::progress(places), places[POINTS - 1]))
         .collect();
     let miss = |place: [f64; 3]| {
         let wanted = place[2].max(0.0).atan2(place[0]) / PI;
-        let off = |share: f64| (share - wanted).abs();
+        let off = |progress: f64| (progress - wanted).abs();
         let nearest = moments.iter().min_by(|a, b| off(a.0).total_cmp(&off(b.0)));
         let (_, corner) = nearest.expect("a turn has moments");
         let square = |axis: usize| (corner[axis] / LENGTH - place[axis]).powi(2);
@@ -142,100 +143,141 @@ pub fn follow<'a>(moments: impl Iterator<Item = &'a [[f64; 3]]>) -> Vec<f64> {
 }
 
 /// How far a track is from another, over the width.
-#[derive(Default)]
-struct Apart {
+#[derive(Serialize)]
+pub struct Apart {
+    pub rms: f64,
+    pub worst: f64,
+    /// The worst at whole tenths of a second, as `lab agree` looks.
+    pub worst_at_tenths: f64,
     rms_by_frame: Vec<f64>,
     worst_by_frame: Vec<f64>,
 }
 
 impl Apart {
     fn new(a: &[Vec<[f64; 3]>], b: &[Vec<[f64; 3]>]) -> Self {
-        let mut apart = Self::default();
+        let (mut rms_by_frame, mut worst_by_frame) = (Vec::new(), Vec::new());
         for (a, b) in a.iter().zip(b) {
             let (mut square, mut worst) = (0.0, 0.0f64);
             for distance in shape::distances(a, b) {
                 square += distance * distance;
                 worst = worst.max(distance);
             }
-            apart.rms_by_frame.push((square / a.len() as f64).sqrt());
-            apart.worst_by_frame.push(worst);
+            rms_by_frame.push((square / a.len() as f64).sqrt());
+            worst_by_frame.push(worst);
         }
-        apart
-    }
-
-    fn rms(&self) -> f64 {
-        let squares: f64 = self.rms_by_frame.iter().map(|rms| rms * rms).sum();
-        (squares / self.rms_by_frame.len() as f64).sqrt()
-    }
-
-    fn worst(&self) -> f64 {
-        self.worst_by_frame.iter().copied().fold(0.0, f64::max)
-    }
-
-    /// The worst at whole tenths of a second, as `lab agree` looks.
-    fn worst_at_tenths(&self) -> f64 {
+        let squares: f64 = rms_by_frame.iter().map(|rms| rms * rms).sum();
         let frames = (0.1 / FRAME).round() as usize;
-        let tenths = self.worst_by_frame.iter().skip(frames - 1).step_by(frames);
-        tenths.copied().fold(0.0, f64::max)
+        let tenths = worst_by_frame.iter().skip(frames - 1).step_by(frames);
+        Apart {
+            rms: (squares / rms_by_frame.len() as f64).sqrt(),
+            worst: worst_by_frame.iter().copied().fold(0.0, f64::max),
+            worst_at_tenths: tenths.copied().fold(0.0, f64::max),
+            rms_by_frame,
+            worst_by_frame,
+        }
     }
 }
 
-/// The figures of a way, beside the reference and, for a replay, the live leaf.
-pub fn figures(way: &Way, seen: &Seen, reference: &Tracks, live: Option<&Seen>) -> Value {
-    let (mut by_turn, mut square, mut worst) = (serde_json::Map::new(), 0.0, 0.0f64);
-    let mut at_tenths = 0.0f64;
-    for (k, by) in TurnBy::ALL.into_iter().enumerate() {
-        let apart = Apart::new(&seen.tracks[k], &reference[k]);
-        square += apart.rms().powi(2) / 3.0;
-        worst = worst.max(apart.worst());
-        if by != TurnBy::LetGo {
-            at_tenths = at_tenths.max(apart.worst_at_tenths());
+/// The figures of a way, beside the reference and, for a replay, the live leaf. Lengths
+/// are over the width, angles in degrees; what photographs have none of is none.
+#[derive(Serialize)]
+pub struct Figures {
+    pub name: &'static str,
+    pub reference: bool,
+    pub us_per_frame: f64,
+    pub bytes: usize,
+    pub rms: f64,
+    pub worst: f64,
+    /// The worst of the two carried turns at tenths of a second.
+    pub worst_as_agree: f64,
+    pub turns: BTreeMap<&'static str, Apart>,
+    #[serde(flatten)]
+    pub faults: FaultFigures,
+    pub drag_misses: Option<Vec<f64>>,
+    pub drag_miss: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub of_live: Option<OfLive>,
+}
+
+/// What is wrong with a drawn surface.
+#[derive(Default, Serialize)]
+pub struct FaultFigures {
+    pub stretch: Option<f32>,
+    pub compression: Option<f32>,
+    pub area_change: Option<f64>,
+    pub angle_defect_degrees: Option<f64>,
+    pub facet_angle_degrees: Option<f64>,
+    pub shear_degrees: Option<f64>,
+    pub diagonal_stretch: Option<f64>,
+    pub spine_off: Option<f64>,
+    pub keeps_spine: Option<bool>,
+}
+
+impl FaultFigures {
+    fn of(faults: &Faults) -> Self {
+        FaultFigures {
+            stretch: Some(faults.strain.max),
+            compression: Some(faults.strain.min),
+            area_change: Some(faults.area),
+            angle_defect_degrees: Some(faults.angle),
+            facet_angle_degrees: Some(faults.crease),
+            shear_degrees: Some(faults.shear),
+            diagonal_stretch: Some(faults.diagonal),
+            spine_off: Some(faults.spine),
+            keeps_spine: Some(faults.spine < 1e-4),
         }
-        by_turn.insert(
-            by.name().into(),
-            json!({
-                "rms": apart.rms(),
-                "worst": apart.worst(),
-                "worst_at_tenths": apart.worst_at_tenths(),
-                "rms_by_frame": apart.rms_by_frame,
-                "worst_by_frame": apart.worst_by_frame,
-            }),
-        );
     }
-    let cost = median(seen.times.clone());
-    let follows = seen.misses.as_ref().map(|misses| median(misses.clone()));
-    let mut figures = json!({
-        "name": way.name,
-        "reference": way.is_reference(),
-        "us_per_frame": cost,
-        "bytes": seen.bytes,
-        "rms": square.sqrt(),
-        "worst": worst,
-        "worst_as_agree": at_tenths,
-        "turns": by_turn,
-        "stretch": seen.faults.map(|faults| faults.strain.max),
-        "compression": seen.faults.map(|faults| faults.strain.min),
-        "area_change": seen.faults.map(|faults| faults.area),
-        "angle_defect_degrees": seen.faults.map(|faults| faults.angle),
-        "facet_angle_degrees": seen.faults.map(|faults| faults.crease),
-        "shear_degrees": seen.faults.map(|faults| faults.shear),
-        "diagonal_stretch": seen.faults.map(|faults| faults.diagonal),
-        "spine_off": seen.faults.map(|faults| faults.spine),
-        "keeps_spine": seen.faults.map(|faults| faults.spine < 1e-4),
-        "drag_misses": seen.misses,
-        "drag_miss": follows,
-    });
-    if let Some(live) = live {
-        let (mut rms, mut worst) = (0.0f64, 0.0f64);
-        for (a, b) in seen.tracks.iter().zip(&live.tracks) {
-            let apart = Apart::new(a, b);
-            (rms, worst) = (rms.max(apart.rms()), worst.max(apart.worst()));
+}
+
+/// A replay beside the live leaf that it repeats.
+#[derive(Serialize)]
+pub struct OfLive {
+    pub rms: f64,
+    pub worst: f64,
+    pub times_cheaper: f64,
+}
+
+impl OfLive {
+    fn new(seen: &Seen, live: &Seen) -> Self {
+        let pairs = seen.tracks.iter().zip(&live.tracks);
+        let apart: Vec<Apart> = pairs.map(|(a, b)| Apart::new(a, b)).collect();
+        OfLive {
+            rms: apart.iter().map(|turn| turn.rms).fold(0.0, f64::max),
+            worst: apart.iter().map(|turn| turn.worst).fold(0.0, f64::max),
+            times_cheaper: median(live.times.clone()) / median(seen.times.clone()),
         }
-        figures["of_live"] = json!({
-            "rms": rms,
-            "worst": worst,
-            "times_cheaper": median(live.times.clone()) / cost,
-        });
     }
-    figures
+}
+
+impl Figures {
+    /// Those of what was seen of a way.
+    pub fn new(way: &Way, seen: &Seen, reference: &Tracks, live: Option<&Seen>) -> Self {
+        let pairs = seen.tracks.iter().zip(reference);
+        let apart: Vec<Apart> = pairs.map(|(a, b)| Apart::new(a, b)).collect();
+        let carried = { TurnBy::ALL.iter().zip(&apart) }.filter(|(by, _)| **by != TurnBy::LetGo);
+        Figures {
+            name: way.name,
+            reference: way.is_reference(),
+            us_per_frame: median(seen.times.clone()),
+            bytes: seen.bytes,
+            rms: (apart.iter().map(|turn| turn.rms.powi(2) / 3.0).sum::<f64>()).sqrt(),
+            worst: apart.iter().map(|turn| turn.worst).fold(0.0, f64::max),
+            worst_as_agree: carried
+                .map(|(_, turn)| turn.worst_at_tenths)
+                .fold(0.0, f64::max),
+            faults: seen
+                .faults
+                .as_ref()
+                .map(FaultFigures::of)
+                .unwrap_or_default(),
+            drag_miss: seen.misses.clone().map(median),
+            drag_misses: seen.misses.clone(),
+            of_live: live.map(|live| OfLive::new(seen, live)),
+            turns: TurnBy::ALL
+                .map(TurnBy::name)
+                .into_iter()
+                .zip(apart)
+                .collect(),
+        }
+    }
 }

@@ -16,13 +16,14 @@ mod strips;
 mod table;
 mod timing;
 
+use std::fmt::{self, Display, Formatter};
 use std::path::{Path, PathBuf};
 
-use serde_json::{Value, json};
-use turnleaf_engine::Stock;
+use clap::Args;
+use serde::Serialize;
 
-use crate::options;
-use crate::report;
+use crate::options::{self, between};
+use measure::Figures;
 use rows::Source;
 use timing::{AFTER, TURN};
 
@@ -33,50 +34,75 @@ const STEP: f64 = 1.0 / 240.0;
 /// Turns for the clock beyond the first; the shell, which takes minutes, has none.
 const AGAIN: usize = 20;
 
+/// Options of the experiment.
+#[derive(Args)]
+pub struct Options {
+    /// The paper.
+    #[arg(long, default_value = "book", value_parser = options::stock_name())]
+    stock: &'static str,
+    /// Columns of nodes of the shell.
+    #[arg(long, default_value_t = NODES[0], value_parser = between(6usize, 65))]
+    nodes: usize,
+    /// Write cost against fidelity into a file, as SVG.
+    #[arg(long)]
+    plot: Option<PathBuf>,
+    /// Write each way at five moments into a folder, as PNG.
+    #[arg(long)]
+    pictures: Option<PathBuf>,
+    /// Write the tables into a folder, as models.json and replays.json.
+    #[arg(long)]
+    into: Option<PathBuf>,
+}
+
+/// All ways beside each other.
+#[derive(Serialize)]
+pub struct Comparison {
+    stock: &'static str,
+    turn_seconds: f64,
+    after_seconds: f64,
+    frames: usize,
+    points: usize,
+    reference_nodes: [usize; 2],
+    reference_step: f64,
+    sheet_key_frame_tolerance: f64,
+    photographs: usize,
+    ways: Vec<Figures>,
+}
+
 /// Runs the experiment.
-pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let (mut name, mut markdown, mut nodes) = ("book", false, NODES[0]);
-    let (mut plot, mut pictures, mut into) = (None, None, None);
-    let json = options::read(parser, |option, parser| {
-        match option {
-            "stock" => name = Stock::NAMES[options::choice(parser, option, &Stock::NAMES)?],
-            "markdown" => markdown = true,
-            "plot" => plot = Some(PathBuf::from(options::text(parser, option)?)),
-            "pictures" => pictures = Some(PathBuf::from(options::text(parser, option)?)),
-            "into" => into = Some(PathBuf::from(options::text(parser, option)?)),
-            "nodes" => nodes = options::number(parser, option, 6, 65)?,
-            _ => return Ok(false),
-        }
-        Ok(true)
-    })?;
-    let stock = Stock::named(name).expect("a preset");
+pub fn run(options: &Options) -> Result<Comparison, String> {
     // As wide as high, or nearly.
-    let rows = NODES[1] * nodes / NODES[0];
-    let figures = compare(stock, name, [nodes, rows.max(4)], pictures.as_deref())?;
-    if let Some(path) = plot {
-        std::fs::write(&path, plot::svg(&figures))
+    let rows = (NODES[1] * options.nodes / NODES[0]).max(4);
+    let found = compare(
+        options.stock,
+        [options.nodes, rows],
+        options.pictures.as_deref(),
+    )?;
+    if let Some(path) = &options.plot {
+        std::fs::write(path, plot::svg(&found.ways))
             .map_err(|error| format!("{} cannot be written: {error}.", path.display()))?;
     }
-    if let Some(path) = into {
-        report::insert(&path, "models", &table::of(&figures, true))?;
-        report::insert(&path, "replay", &table::replays(&figures))?;
+    if let Some(folder) = &options.into {
+        table::of(&found.ways).write(folder, "models")?;
+        table::replays(&found.ways).write(folder, "replays")?;
     }
-    if json {
-        println!("{figures:#}");
-    } else {
-        print!("{}", table::of(&figures, markdown));
-        print!("\n{}", table::replays(&figures));
+    Ok(found)
+}
+
+impl Display for Comparison {
+    fn fmt(&self, out: &mut Formatter) -> fmt::Result {
+        table::of(&self.ways).fmt(out)?;
+        writeln!(out)?;
+        table::replays(&self.ways).fmt(out)
     }
-    Ok(())
 }
 
 fn compare(
-    stock: Stock,
-    name: &str,
+    stock: &'static str,
     nodes: [usize; 2],
     pictures: Option<&Path>,
-) -> Result<Value, String> {
-    let ways = rows::all(stock, nodes, STEP);
+) -> Result<Comparison, String> {
+    let ways = rows::all(options::stock(stock), nodes, STEP);
     let mut seen: Vec<measure::Seen> = Vec::new();
     for way in &ways {
         if way.source == Source::Photographs {
@@ -112,27 +138,23 @@ fn compare(
             |other: &rows::Way| other.source == Source::Live && other.settings == way.settings;
         Some(&seen[place(&same)])
     };
-    let rows: Vec<Value> = ways
-        .iter()
-        .zip(&seen)
-        .map(|(way, seen)| {
-            // All three improvements together have no live leaf of their own.
-            let live = (way.name != "mass-spring, all three")
-                .then(|| live_of(way))
-                .flatten();
-            measure::figures(way, seen, reference, live)
-        })
-        .collect();
-    Ok(json!({
-        "stock": name,
-        "turn_seconds": TURN,
-        "after_seconds": AFTER,
-        "frames": measure::FRAMES,
-        "points": shape::POINTS,
-        "reference_nodes": nodes,
-        "reference_step": STEP,
-        "sheet_key_frame_tolerance": rows::SHEET_TOLERANCE,
-        "photographs": photographs::COUNT,
-        "ways": rows,
-    }))
+    let figures = |(way, seen): (&rows::Way, &measure::Seen)| {
+        // All three improvements together have no live leaf of their own.
+        let live = (way.name != "mass-spring, all three")
+            .then(|| live_of(way))
+            .flatten();
+        Figures::new(way, seen, reference, live)
+    };
+    Ok(Comparison {
+        stock,
+        turn_seconds: TURN,
+        after_seconds: AFTER,
+        frames: measure::FRAMES,
+        points: shape::POINTS,
+        reference_nodes: nodes,
+        reference_step: STEP,
+        sheet_key_frame_tolerance: rows::SHEET_TOLERANCE,
+        photographs: photographs::COUNT,
+        ways: ways.iter().zip(&seen).map(figures).collect(),
+    })
 }

@@ -1,7 +1,7 @@
 //! Photographs of the reference's turns: what they cost, and how far what they
 //! show is from the turn.
 //!
-//! Each shows the leaf when a share of its turn was first done, at even shares.
+//! Each shows the leaf when a fraction of its turn was first done, at even fractions.
 //! Shown is always the one nearest to what is done, as the viewer does it.
 
 use std::hint::black_box;
@@ -26,8 +26,8 @@ const WIDTH: u32 = 800;
 pub fn look(reference: &Tracks, again: usize) -> Seen {
     let mut seen = Seen::default();
     for (turn, track) in reference.iter().enumerate() {
-        let shares: Vec<f64> = track.iter().map(|places| shape::share(places)).collect();
-        let shown = photographed(&shares);
+        let fractions: Vec<f64> = track.iter().map(|places| shape::progress(places)).collect();
+        let shown = photographed(&fractions);
         let moments: Vec<Moment> = shown
             .iter()
             .map(|frame| strips::moment(track, *frame))
@@ -42,15 +42,15 @@ pub fn look(reference: &Tracks, again: usize) -> Seen {
             .collect();
         seen.bytes = seen.bytes.max(memory::held().saturating_sub(before));
         for _ in 0..=again {
-            for share in &shares {
+            for fraction in &fractions {
                 let clock = Instant::now();
-                let picture = &pictures[number(*share)];
+                let picture = &pictures[number(*fraction)];
                 canvas.data_mut().copy_from_slice(black_box(picture).data());
                 black_box(&mut canvas);
                 seen.times.push(clock.elapsed().as_secs_f64() * 1e6);
             }
         }
-        let frames = shares.iter().map(|share| shown[number(*share)]);
+        let frames = fractions.iter().map(|fraction| shown[number(*fraction)]);
         seen.tracks
             .push(frames.map(|frame| track[frame].clone()).collect());
         if turn == CORNER {
@@ -61,19 +61,19 @@ pub fn look(reference: &Tracks, again: usize) -> Seen {
     seen
 }
 
-/// The photograph of a share of the turn, from 0.
-fn number(share: f64) -> usize {
-    (share * (COUNT - 1) as f64).round() as usize
+/// The photograph of a fraction of the turn, from 0.
+fn number(fraction: f64) -> usize {
+    (fraction * (COUNT - 1) as f64).round() as usize
 }
 
 /// The frame in which each photograph is taken: the first in which so much is
 /// done, else the one in which most is.
-fn photographed(shares: &[f64]) -> Vec<usize> {
-    let most = (0..shares.len()).max_by(|a, b| shares[*a].total_cmp(&shares[*b]));
+fn photographed(fractions: &[f64]) -> Vec<usize> {
+    let most = (0..fractions.len()).max_by(|a, b| fractions[*a].total_cmp(&fractions[*b]));
     let most = most.expect("a turn has frames");
     let taken = |number: usize| {
         let wanted = number as f64 / (COUNT - 1) as f64;
-        shares.iter().position(|share| *share >= wanted)
+        fractions.iter().position(|fraction| *fraction >= wanted)
     };
     (0..COUNT)
         .map(|number| taken(number).unwrap_or(most))
@@ -84,9 +84,9 @@ fn photographed(shares: &[f64]) -> Vec<usize> {
 mod tests {
     use super::*;
 
-    /// A board at a share of its turn.
-    fn board(share: f64) -> Vec<[f64; 3]> {
-        let (sin, cos) = (std::f64::consts::PI * share).sin_cos();
+    /// A board at a fraction of its turn.
+    fn board(fraction: f64) -> Vec<[f64; 3]> {
+        let (sin, cos) = (std::f64::consts::PI * fraction).sin_cos();
         let places = (0..shape::POINTS * shape::POINTS).map(|k| {
             let (u, v) = (k % shape::POINTS, k / shape::POINTS);
             let [u, v] = [u, v].map(|at| at as f64 / (shape::POINTS - 1) as f64);

@@ -117,7 +117,7 @@ pub fn places(surface: &Surface) -> Vec<[f64; 3]> {
 
 /// How much of the turn is done, 0 on the right to 1 on the left: by the angle of
 /// the fore-edge about the spine, as the viewer looks.
-pub fn share(places: &[[f64; 3]]) -> f64 {
+pub fn progress(places: &[[f64; 3]]) -> f64 {
     let edge = places.iter().skip(POINTS - 1).step_by(POINTS);
     let angles = edge.map(|[x, _, z]| z.max(0.0).atan2(*x));
     angles.sum::<f64>() / (POINTS as f64 * std::f64::consts::PI)

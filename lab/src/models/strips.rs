@@ -9,7 +9,7 @@ use super::measure::{CORNER, Seen};
 use super::rows::Way;
 use super::shape::POINTS;
 use super::timing::FRAME;
-use crate::picture::{Camera, Moment, paint};
+use crate::picture::{Camera, Moment, paint, save};
 use crate::specimen::{BREADTH, LENGTH};
 
 /// Frames that are drawn: a fifth of a second after the start, and so on.
@@ -36,11 +36,7 @@ pub fn write(folder: &Path, ways: &[Way], seen: &[Seen]) -> Result<(), String> {
     // One camera for all: a leaf that flies apart leaves the picture.
     let camera = Camera::around(&moments[reference], page, 2 * WIDTH);
     for (way, moments) in ways.iter().zip(&moments) {
-        let strip = strip(moments, page, &camera);
-        let path = folder.join(file(way.name));
-        strip
-            .save_png(&path)
-            .map_err(|error| format!("{} cannot be written: {error}.", path.display()))?;
+        save(&strip(moments, page, &camera), folder, &file(way.name))?;
     }
     Ok(())
 }

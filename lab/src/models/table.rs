@@ -1,6 +1,7 @@
-//! The comparison as a table, for people or in Markdown.
+//! The comparison as tables.
 
-use serde_json::Value;
+use super::measure::Figures;
+use crate::table::Table;
 
 /// Headings of the columns.
 const HEADINGS: [&str; 17] = [
@@ -24,73 +25,66 @@ const HEADINGS: [&str; 17] = [
 ];
 
 /// The table of all ways.
-pub fn of(figures: &Value, markdown: bool) -> String {
-    let mut rows: Vec<Vec<String>> = vec![HEADINGS.map(String::from).to_vec()];
-    let ways = figures["ways"].as_array().into_iter().flatten();
-    rows.extend(ways.map(row));
-    crate::report::table(&rows, markdown)
+pub fn of(ways: &[Figures]) -> Table {
+    let mut table = Table::new(&HEADINGS);
+    ways.iter().for_each(|way| table.push(row(way)));
+    table
 }
 
-/// What replays are beside the live leaf that they repeat, a line each.
-pub fn replays(figures: &Value) -> String {
-    let mut text = String::new();
-    for way in figures["ways"].as_array().into_iter().flatten() {
-        let of_live = &way["of_live"];
-        if of_live.is_object() {
-            let percent = |value: &Value| figure(value.as_f64().map(|value| 100.0 * value));
-            text.push_str(&format!(
-                "- {}: {} times cheaper than the live leaf, and from it {} % RMS and {} % at worst.\n",
-                way["name"].as_str().unwrap_or_default(),
-                figure(of_live["times_cheaper"].as_f64()),
-                percent(&of_live["rms"]),
-                percent(&of_live["worst"])
-            ));
+/// What replays are beside the live leaf that they repeat.
+pub fn replays(ways: &[Figures]) -> Table {
+    let mut table = Table::new(&[
+        "replay",
+        "times cheaper than the live leaf",
+        "from it: RMS %",
+        "worst %",
+    ]);
+    for way in ways {
+        if let Some(of_live) = &way.of_live {
+            table.push(vec![
+                way.name.into(),
+                figure(Some(of_live.times_cheaper)),
+                percent(Some(of_live.rms)),
+                percent(Some(of_live.worst)),
+            ]);
         }
     }
-    text
+    table
 }
 
-fn row(way: &Value) -> Vec<String> {
-    let name = way["name"].as_str().unwrap_or_default().to_string();
-    let part = |value: &Value| figure(value.as_f64().map(|value| 100.0 * value));
-    let of_turn = |turn: &str| {
-        if way["reference"] == true {
-            return "0".to_string();
-        }
-        part(&way["turns"][turn]["worst"])
-    };
-    let spine = match way["keeps_spine"].as_bool() {
+fn row(way: &Figures) -> Vec<String> {
+    let faults = &way.faults;
+    // Of itself the reference is no distance away, but for rounding.
+    let away = |part: f64| percent(Some(if way.reference { 0.0 } else { part }));
+    let of_turn = |turn: &str| away(way.turns[turn].worst);
+    let spine = match faults.keeps_spine {
         Some(true) => "yes".to_string(),
-        Some(false) => format!("but for {} %", part(&way["spine_off"])),
+        Some(false) => format!("but for {} %", percent(faults.spine_off)),
         None => figure(None),
     };
     vec![
-        name,
-        figure(way["us_per_frame"].as_f64()),
-        figure(way["bytes"].as_f64().map(|bytes| bytes / 1e3)),
-        if way["reference"] == true {
-            "0".into()
-        } else {
-            part(&way["rms"])
-        },
+        way.name.into(),
+        figure(Some(way.us_per_frame)),
+        figure(Some(way.bytes as f64 / 1e3)),
+        away(way.rms),
         of_turn("edge"),
         of_turn("corner"),
         of_turn("let-go"),
-        if way["reference"] == true {
-            "0".into()
-        } else {
-            part(&way["worst_as_agree"])
-        },
-        part(&way["stretch"]),
-        part(&way["compression"]),
-        part(&way["area_change"]),
-        figure(way["angle_defect_degrees"].as_f64()),
-        figure(way["shear_degrees"].as_f64()),
-        part(&way["diagonal_stretch"]),
-        figure(way["facet_angle_degrees"].as_f64()),
+        away(way.worst_as_agree),
+        percent(faults.stretch.map(f64::from)),
+        percent(faults.compression.map(f64::from)),
+        percent(faults.area_change),
+        figure(faults.angle_defect_degrees),
+        figure(faults.shear_degrees),
+        percent(faults.diagonal_stretch),
+        figure(faults.facet_angle_degrees),
         spine,
-        part(&way["drag_miss"]),
+        percent(way.drag_miss),
     ]
+}
+
+fn percent(part: Option<f64>) -> String {
+    figure(part.map(|part| 100.0 * part))
 }
 
 /// Three digits of a figure, where there is one.

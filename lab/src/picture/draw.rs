@@ -1,5 +1,7 @@
 //! One moment of a turn as a picture, painted from far to near.
 
+use std::path::Path as FilePath;
+
 use tiny_skia::{
     Color, FillRule, GradientStop, LineCap, Paint, Path, PathBuilder, Pixmap, PixmapPaint, Point,
     RadialGradient, SpreadMode, Stroke, Transform,
@@ -16,6 +18,15 @@ const RECTO: [f32; 3] = [252.0, 247.0, 236.0];
 const VERSO: [f32; 3] = [231.0, 234.0, 240.0];
 /// How much nearer springs and masses count than the paper that they lie in.
 const LIFT: f32 = 0.06;
+
+/// Writes a picture into a folder; returns its path.
+pub fn save(picture: &Pixmap, folder: &FilePath, name: &str) -> Result<String, String> {
+    let path = folder.join(name).display().to_string();
+    match picture.save_png(&path) {
+        Ok(()) => Ok(path),
+        Err(error) => Err(format!("{path} cannot be written: {error}.")),
+    }
+}
 
 /// Background of a picture.
 pub fn paper() -> Color {

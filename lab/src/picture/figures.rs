@@ -6,7 +6,6 @@
 use std::f32::consts::FRAC_PI_4;
 use std::path::Path;
 
-use serde_json::json;
 use tiny_skia::{Paint, PathBuilder, Pixmap, PixmapPaint, Stroke, Transform};
 use turnleaf_engine::{
     Gesture, Grip, Integrator, MassSpring, PAPER_INTERVAL, Settings, Synchronise, TurnModel,
@@ -24,36 +23,28 @@ const INK: [f32; 3] = [64.0, 58.0, 52.0];
 const RED: [f32; 3] = [181.0, 72.0, 47.0];
 const BLUE: [f32; 3] = [44.0, 92.0, 140.0];
 
-/// Writes figure-1.png to figure-4.png and figure-5.svg into a folder.
-pub fn write(out: &Path, size: u32, json: bool) -> Result<(), String> {
-    let fail = |path: &Path, error: &dyn std::fmt::Display| {
-        format!("{} cannot be written: {error}.", path.display())
-    };
-    std::fs::create_dir_all(out)
-        .map_err(|error| format!("The folder {} cannot be made: {error}.", out.display()))?;
-    let mut files = Vec::new();
+/// Writes figure-1.png to figure-4.png and figure-5.svg into a folder; returns their
+/// paths.
+pub fn write(out: &Path, size: u32) -> Result<Vec<String>, String> {
     let pictures = [
         masses_and_springs(size)?,
         kinds_of_springs(size)?,
         bent(size)?,
         dog_ear(size)?,
     ];
+    let mut files = Vec::new();
     for (index, picture) in pictures.iter().enumerate() {
-        let path = out.join(format!("figure-{}.png", index + 1));
-        picture
-            .save_png(&path)
-            .map_err(|error| fail(&path, &error))?;
-        files.push(path.display().to_string());
+        files.push(draw::save(
+            picture,
+            out,
+            &format!("figure-{}.png", index + 1),
+        )?);
     }
-    let path = out.join("figure-5.svg");
-    std::fs::write(&path, flow()?).map_err(|error| fail(&path, &error))?;
-    files.push(path.display().to_string());
-    if json {
-        println!("{:#}", json!({ "files": files }));
-    } else {
-        files.iter().for_each(|file| println!("{file}"));
-    }
-    Ok(())
+    let path = out.join("figure-5.svg").display().to_string();
+    std::fs::write(&path, flow()?)
+        .map_err(|error| format!("{path} cannot be written: {error}."))?;
+    files.push(path);
+    Ok(files)
 }
 
 /// The paper's leaf after a part of a turn.

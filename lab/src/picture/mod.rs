@@ -8,71 +8,82 @@ mod figures;
 mod label;
 mod moment;
 
+use std::fmt::{self, Display, Formatter};
 use std::path::PathBuf;
 
-use serde_json::json;
+use clap::Args;
+use serde::Serialize;
 use tiny_skia::{Pixmap, PixmapPaint, Transform};
 use turnleaf_engine::TurnModel;
 
-use crate::options::{self, Scene};
+use crate::options::{Scene, between};
 use crate::simulate;
 pub use camera::Camera;
-pub use draw::moment as paint;
+pub use draw::{moment as paint, save};
 pub use moment::Moment;
 
-/// Runs the experiment.
-pub fn run(parser: &mut lexopt::Parser) -> Result<(), String> {
-    let mut scene = Scene::default();
-    let (mut out, mut frames, mut size) = (PathBuf::from("pictures"), 6usize, 960u32);
-    let mut of_paper = false;
-    let json = options::read(parser, |option, parser| {
-        match option {
-            "out" => out = options::text(parser, option)?.into(),
-            "frames" => frames = options::number(parser, option, 2, 600)?,
-            "size" => size = options::number(parser, option, 120, 4096)?,
-            "figures" => of_paper = true,
-            _ => return scene.take(option, parser),
-        }
-        Ok(true)
-    })?;
-    if of_paper {
-        return figures::write(&out, size, json);
+/// Options of the experiment.
+#[derive(Args)]
+pub struct Options {
+    #[command(flatten)]
+    scene: Scene,
+    /// Folder for the pictures.
+    #[arg(long, default_value = "pictures")]
+    out: PathBuf,
+    /// Number of pictures.
+    #[arg(long, default_value_t = 6, value_parser = between(2usize, 600))]
+    frames: usize,
+    /// Width of a picture, pixels.
+    #[arg(long, default_value_t = 960, value_parser = between(120u32, 4096))]
+    size: u32,
+    /// Draw counterparts of the paper's figures 1 to 5 instead.
+    #[arg(long)]
+    figures: bool,
+}
+
+/// The files that were written, and the times that pictures of a turn show.
+#[derive(Serialize)]
+pub struct Written {
+    files: Vec<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    times: Option<Vec<f32>>,
+}
+
+impl Display for Written {
+    fn fmt(&self, out: &mut Formatter) -> fmt::Result {
+        self.files
+            .iter()
+            .try_for_each(|file| writeln!(out, "{file}"))
     }
-    let moments = moments(&scene, frames)?;
-    let page = scene.settings().height / scene.settings().width;
-    let camera = Camera::around(&moments, page, size);
-    std::fs::create_dir_all(&out)
+}
+
+/// Runs the experiment.
+pub fn run(options: &Options) -> Result<Written, String> {
+    let Options { scene, out, .. } = options;
+    std::fs::create_dir_all(out)
         .map_err(|error| format!("The folder {} cannot be made: {error}.", out.display()))?;
+    if options.figures {
+        let files = figures::write(out, options.size)?;
+        return Ok(Written { files, times: None });
+    }
+    let moments = moments(scene, options.frames)?;
+    let page = scene.settings().height / scene.settings().width;
+    let camera = Camera::around(&moments, page, options.size);
     let pictures: Vec<Pixmap> = moments
         .iter()
         .map(|moment| draw::moment(moment, page, &camera))
         .collect();
     let stem = format!("{}-{}", scene.preset.name(), scene.gesture);
-    let mut written = Vec::new();
+    let mut files = Vec::new();
     for (index, picture) in pictures.iter().enumerate() {
-        written.push((format!("{stem}-{index:02}.png"), picture.clone()));
+        files.push(save(picture, out, &format!("{stem}-{index:02}.png"))?);
     }
-    written.push((format!("{stem}.png"), sheet(&pictures)));
-    for (name, picture) in &written {
-        let path = out.join(name);
-        picture
-            .save_png(&path)
-            .map_err(|error| format!("{} cannot be written: {error}.", path.display()))?;
-        if !json {
-            println!("{}", path.display());
-        }
-    }
-    if json {
-        let files: Vec<String> = written
-            .iter()
-            .map(|(name, _)| out.join(name).display().to_string())
-            .collect();
-        println!(
-            "{:#}",
-            json!({ "files": files, "times": moments.iter().map(|moment| moment.time).collect::<Vec<_>>() })
-        );
-    }
-    Ok(())
+    files.push(save(&sheet(&pictures), out, &format!("{stem}.png"))?);
+    let times = moments.iter().map(|moment| moment.time).collect();
+    Ok(Written {
+        files,
+        times: Some(times),
+    })
 }
 
 /// Moments evenly over the gesture; the last one after all has settled.

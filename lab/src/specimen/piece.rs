@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use turnleaf_engine::{GRAVITY, Stock};
 
-/// Length of a piece from its clamp unless told otherwise: the width of a page, m.
+/// Length of a piece from its clamp unless set otherwise: the width of a page, m.
 pub const LENGTH: f64 = 0.148;
 
 /// Its breadth along the clamp: the height of a page, m.
@@ -187,8 +187,8 @@ impl dyn Specimen + '_ {
         let rows = self.grid().1;
         for row in 0..rows {
             let ends = row == 0 || row + 1 == rows;
-            let share = if ends { 0.5 } else { 1.0 } / (rows - 1) as f64;
-            self.load(column, row, force.map(|f| f * share))?;
+            let part = if ends { 0.5 } else { 1.0 } / (rows - 1) as f64;
+            self.load(column, row, force.map(|f| f * part))?;
         }
         Ok(())
     }
@@ -232,9 +232,9 @@ pub fn swing_to_rest<S: Specimen>(
         }
         before = now;
         if seconds % SWINGING == SWINGING - 1 {
-            let share = 1.0 / ((SWINGING - 1 - SWINGING / 2) * second) as f64;
+            let part = 1.0 / ((SWINGING - 1 - SWINGING / 2) * second) as f64;
             for place in &mut middle {
-                *place = place.map(|x| x * share);
+                *place = place.map(|x| x * part);
             }
             stop(piece, &middle);
             middle.fill([0.0; 3]);

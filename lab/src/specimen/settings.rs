@@ -1,13 +1,13 @@
 //! The settings of a sheet under experiment.
 
-use lexopt::Parser;
+use clap::ValueEnum;
+use serde::Serialize;
 use turnleaf_engine::book::Paper;
 use turnleaf_engine::{SheetSettings, Stock};
 
-use crate::options;
-
 /// Which settings a sheet has.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, ValueEnum)]
+#[serde(rename_all = "lowercase")]
 pub enum Settings {
     /// Those of a leaf of a viewer's book, of which few are in the air.
     #[default]
@@ -17,19 +17,12 @@ pub enum Settings {
 }
 
 impl Settings {
-    const ALL: [Self; 2] = [Self::Book, Self::Lab];
-
     /// Its name as in commands and reports.
     pub fn name(self) -> &'static str {
         match self {
             Self::Book => "book",
             Self::Lab => "lab",
         }
-    }
-
-    /// The settings that the option `--settings` names.
-    pub fn read(parser: &mut Parser) -> Result<Settings, String> {
-        Ok(Self::ALL[options::choice(parser, "settings", &Self::ALL.map(Self::name))?])
     }
 
     /// A sheet of a stock, `size` metres, with its grain along the spine.

@@ -1,4 +1,4 @@
-//! The interactive sheet under experiment: at its own nodes and step unless told
+//! The interactive sheet under experiment: at its own nodes and step unless set
 //! otherwise, and brought to rest by nothing but its own steps.
 
 use turnleaf_engine::{Air, Root, Sheet, Stock, TurnModel};

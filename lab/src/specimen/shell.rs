@@ -1,4 +1,4 @@
-//! The offline shell under experiment: 65 columns of nodes unless told otherwise,
+//! The offline shell under experiment: 65 columns of nodes unless set otherwise,
 //! its equilibria solved for and not waited for.
 
 use turnleaf_engine::{Air, Edge, Rigidity, Scheme, Shell, ShellSettings, Stock, TurnModel};

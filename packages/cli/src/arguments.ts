@@ -3,12 +3,14 @@ import { type BakeCommand, bakeHelp, parseBake } from "./bake/bake_arguments.ts"
 import { type FilmCommand, filmHelp, parseFilm } from "./film/film_arguments.ts";
 import { usageProblem } from "./options.ts";
 import { UsageProblem } from "./problem.ts";
+import { type PublishCommand, parsePublish, publishHelp } from "./publish/publish_arguments.ts";
 
 /** A parsed command line. */
 export type Command =
   | { readonly name: "help"; readonly text: string }
   | FilmCommand
   | BakeCommand
+  | PublishCommand
   | { readonly name: "version" }
   | (ServeOptions & { readonly name: "playground" })
   | (ServeOptions & {
@@ -33,6 +35,9 @@ export const help = `Turnleaf shows a book whose pages turn as paper turns.
                                  GIF or numbered pictures (turnleaf film --help)
   turnleaf bake --out FILE       writes the turn of a leaf as glTF, OBJ, JSON or
                                  key frames (turnleaf bake --help)
+  turnleaf publish BOOK… --out FOLDER
+                                 makes a web site of books, with reader, text and
+                                 search (turnleaf publish --help)
   turnleaf playground            turns a page by two models side by side
 
   --port N     serve at this port of this machine (4173, or the next free one)
@@ -48,6 +53,7 @@ const commands = new Map<
 >([
   ["film", { help: filmHelp, parse: parseFilm }],
   ["bake", { help: bakeHelp, parse: parseBake }],
+  ["publish", { help: publishHelp, parse: parsePublish }],
 ]);
 
 /**

@@ -1,7 +1,7 @@
 import { realpath, stat } from "node:fs/promises";
 import { basename, resolve } from "node:path";
 import { imagePages, listFolder } from "./folder.ts";
-import { imageType, sniffLength } from "./image_types.ts";
+import { imageType, sniffLength, textType } from "./image_types.ts";
 import { inspectPdf } from "./inspect_pdf.ts";
 import { fileProblem, Problem, printable } from "./problem.ts";
 import { openRegular, tooLarge } from "./regular_file.ts";
@@ -21,9 +21,13 @@ export interface ServedBook {
   readonly files: ReadonlyMap<string, ServedFile>;
 }
 
-/** Maximum of bytes of a PDF and of an image: the bounds of the viewer. */
+/** Maximum of bytes of a PDF, an image, an archive and text: the bounds of the viewer. */
 const mostPdfBytes = 2_000_000_000;
 const mostImageBytes = 100_000_000;
+const mostArchiveBytes = 1_000_000_000;
+const mostTextBytes = 16_000_000;
+
+const isArchive = (type: string): boolean => type === "application/zip";
 
 /**
  * Opens the named file or folder and checks it, so that errors are reported
@@ -55,13 +59,18 @@ async function openFile(file: string, given: string): Promise<ServedBook> {
     if (size > mostPdfBytes) throw tooLarge(given, mostPdfBytes);
     return await openPdf(file, given);
   }
-  const type = imageType(start);
+  // What is in an archive is the reader's to find out.
+  const type = start.startsWith("PK\x03\x04")
+    ? "application/zip"
+    : (imageType(start) ?? textType(start, name));
   if (!type) {
     throw new Problem(
-      `${printable(given)} is of an unknown format; a PDF, an image (PNG, JPEG, WebP, AVIF, GIF) or a folder of images can be read.`,
+      `${printable(given)} is of an unknown format; a PDF, an EPUB, a comic (CBZ), Markdown, text, an image (PNG, JPEG, WebP, AVIF, GIF) or a folder of images can be read.`,
     );
   }
-  if (size > mostImageBytes) throw tooLarge(given, mostImageBytes);
+  const isText = type.startsWith("text/");
+  const most = isText ? mostTextBytes : isArchive(type) ? mostArchiveBytes : mostImageBytes;
+  if (size > most) throw tooLarge(given, most);
   const src = address(name);
   return { title: printable(name), src, files: new Map([[src, { type, path: file }]]) };
 }

@@ -20,6 +20,23 @@ export function imageType(start: string): string | undefined {
   return marks.find(([, offset, mark]) => start.startsWith(mark, offset))?.[0];
 }
 
+/**
+ * Returns the media type of text in UTF-8 by its first bytes (latin-1);
+ * undefined for other files and web pages.
+ */
+export function textType(start: string, name: string): string | undefined {
+  // biome-ignore lint/suspicious/noControlCharactersInRegex: text has none of them
+  if (/[\x00-\x08\x0e-\x1f\x7f]/.test(start) || /^\s*[<{[]/.test(start)) return undefined;
+  try {
+    // The last character may be cut off.
+    const stream = start.length >= sniffLength;
+    new TextDecoder("utf-8", { fatal: true }).decode(Buffer.from(start, "latin1"), { stream });
+  } catch {
+    return undefined;
+  }
+  return /\.(md|markdown)$/i.test(name) ? "text/markdown" : "text/plain";
+}
+
 const byEnding: ReadonlyMap<string, string> = new Map([
   [".png", "image/png"],
   [".jpg", "image/jpeg"],

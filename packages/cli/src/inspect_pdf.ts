@@ -25,9 +25,8 @@ export async function inspectPdf(file: string, given: string): Promise<{ readonl
   const name = printable(given);
   switch (found.fault) {
     case "password":
-      throw new Problem(
-        `${name} is protected by a password; remove the password and open it again.`,
-      );
+      // The reader asks for it.
+      return { title: "" };
     case "damaged":
       throw new Problem(`${name} is damaged or no PDF; repair the file or get it again.`);
     case "unreadable":

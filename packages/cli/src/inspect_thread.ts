@@ -56,7 +56,7 @@ async function inspect(file: string): Promise<PdfFinding | null> {
   }
 }
 
-const answer = await inspect(workerData as string).catch(
+const result = await inspect(workerData as string).catch(
   (): PdfFinding => ({ fault: "unreadable" }),
 );
-parentPort?.postMessage(answer);
+parentPort?.postMessage(result);

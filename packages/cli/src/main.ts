@@ -16,6 +16,9 @@ async function main(): Promise<void> {
   } else if (command.name === "bake") {
     const { bake } = await import("./bake/bake.ts");
     await bake(command, interrupted());
+  } else if (command.name === "publish") {
+    const { publish } = await import("./publish/publish.ts");
+    await publish(command, interrupted());
   } else if (command.name === "playground") await playground(command);
   else await read(command.path, command);
 }

@@ -3,8 +3,16 @@
 import { parseArgs } from "node:util";
 import { UsageProblem } from "./problem.ts";
 
+/** A command line, parsed. */
+export interface ParsedOptions {
+  readonly values: Readonly<Record<string, string | undefined>>;
+  /** The flags that are set. */
+  readonly flags: ReadonlySet<string>;
+  readonly positionals: readonly string[];
+}
+
 /**
- * Parses options that take a value, each at most once, and the arguments
+ * Parses options that take a value, each at most once, flags, and the arguments
  * between them.
  *
  * @throws UsageProblem
@@ -12,11 +20,20 @@ import { UsageProblem } from "./problem.ts";
 export function parseOptions(
   args: readonly string[],
   names: readonly string[],
-): { values: Readonly<Record<string, string | undefined>>; positionals: readonly string[] } {
-  const options = Object.fromEntries(names.map((name) => [name, { type: "string" as const }]));
+  flags: readonly string[] = [],
+): ParsedOptions {
+  const options = Object.fromEntries([
+    ...names.map((name) => [name, { type: "string" as const }]),
+    ...flags.map((name) => [name, { type: "boolean" as const }]),
+  ]);
   try {
     const { values, positionals } = parseArgs({ args: [...args], allowPositionals: true, options });
-    return { values: values as Record<string, string | undefined>, positionals };
+    const found = values as Record<string, string | boolean | undefined>;
+    return {
+      values: found as Record<string, string | undefined>,
+      flags: new Set(flags.filter((name) => found[name] === true)),
+      positionals,
+    };
   } catch (error) {
     throw usageProblem(error);
   }

@@ -11,14 +11,15 @@ const usualPort = 4173;
 const portsTried = 50;
 
 const headers: Readonly<Record<string, string>> = {
-  // See docs/policy.md: blob: is used by pdf.js's workers and printed pages, data: by SVG pages.
+  // See docs/policy.md: blob: is used by pdf.js's workers and printed pages, data: by SVG pages
+  // and EPUBs.
   "Content-Security-Policy": [
     "default-src 'none'",
     "script-src 'self' 'wasm-unsafe-eval'",
     "worker-src 'self' blob:",
     "style-src 'self'",
     "img-src 'self' blob: data:",
-    "font-src 'self'",
+    "font-src 'self' data:",
     "connect-src 'self'",
     "base-uri 'none'",
     "form-action 'none'",
@@ -56,7 +57,7 @@ export async function serve(
   const actual = (server.address() as AddressInfo).port;
   const hosts = new Set([`${loopback}:${actual}`, `localhost:${actual}`]);
   server.on("request", (request, response) => {
-    answer(files, hosts, request, response).catch(() => response.destroy());
+    respond(files, hosts, request, response).catch(() => response.destroy());
   });
   return {
     url: `http://${loopback}:${actual}/`,
@@ -68,7 +69,7 @@ export async function serve(
   };
 }
 
-async function answer(
+async function respond(
   files: ReadonlyMap<string, ServedFile>,
   hosts: ReadonlySet<string>,
   request: IncomingMessage,
@@ -77,21 +78,21 @@ async function answer(
   for (const [name, value] of Object.entries(headers)) response.setHeader(name, value);
   // Another name that resolves here (DNS rebinding) would let a web page read the book.
   if (!hosts.has(request.headers.host?.toLowerCase() ?? "")) {
-    refuse(response, 403, "This address is not served.");
+    sendError(response, 403, "This address is not served.");
     return;
   }
   if (request.method !== "GET" && request.method !== "HEAD") {
     response.setHeader("Allow", "GET, HEAD");
-    refuse(response, 405, "Only GET and HEAD are answered.");
+    sendError(response, 405, "Only GET and HEAD are supported.");
     return;
   }
   // Looked up as it is, never joined to a path: only keys exist.
   const file = files.get(request.url?.split("?", 1)[0] ?? "");
   if (file) await sendFile(file, request, response);
-  else refuse(response, 404, "There is nothing here.");
+  else sendError(response, 404, "There is nothing here.");
 }
 
-function refuse(response: ServerResponse, status: number, sentence: string): void {
+function sendError(response: ServerResponse, status: number, sentence: string): void {
   // The body of a rejected request is not read.
   response.setHeader("Connection", "close");
   response.writeHead(status, { "Content-Type": "text/plain" }).end(`${sentence}\n`);

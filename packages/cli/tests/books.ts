@@ -95,6 +95,51 @@ export function pdf(pages = 2, title = "A Small Book", padding = 0): Buffer {
   return Buffer.from(`${text}${table}${trailer}\nstartxref\n${text.length}\n%%EOF\n`, "latin1");
 }
 
+/** Returns a PDF with lines of text on each page. Parentheses and backslashes are the PDF's own. */
+export function textPdf({
+  title,
+  author = "",
+  pages,
+}: {
+  title: string;
+  author?: string;
+  pages: readonly string[][];
+}): Buffer {
+  const font =
+    "<< /Type /Font /Subtype /Type1 /BaseFont /Times-Roman /Encoding /WinAnsiEncoding >>";
+  const resources = `<< /Font << /F 4 0 R >> >>`;
+  const kids = pages.map((_, k) => `${5 + 2 * k} 0 R`).join(" ");
+  const objects = [
+    "<< /Type /Catalog /Pages 2 0 R >>",
+    `<< /Type /Pages /Count ${pages.length} /Kids [${kids}] >>`,
+    `<< /Title (${title}) /Author (${author}) >>`,
+    font,
+    ...pages.flatMap((lines, k) => {
+      const shown = lines.map((line) => `(${line}) Tj T*`).join(" ");
+      const content = `BT /F 14 Tf 18 TL 30 340 Td ${shown} ET`;
+      return [
+        `<< /Type /Page /Parent 2 0 R /MediaBox [0 0 280 400] /Contents ${6 + 2 * k} 0 R /Resources ${resources} >>`,
+        `<< /Length ${content.length} >>\nstream\n${content}\nendstream`,
+      ];
+    }),
+  ];
+  return pdfOf(objects);
+}
+
+/** Returns a PDF of objects: the first is its catalogue, the third its information. */
+export function pdfOf(objects: readonly string[]): Buffer {
+  let text = "%PDF-1.7\n";
+  const entries = objects.map((object, k) => {
+    const offset = text.length;
+    text += `${k + 1} 0 obj\n${object}\nendobj\n`;
+    return `${String(offset).padStart(10, "0")} 00000 n \n`;
+  });
+  const size = objects.length + 1;
+  const table = `xref\n0 ${size}\n0000000000 65535 f \n${entries.join("")}`;
+  const trailer = `trailer\n<< /Size ${size} /Root 1 0 R /Info 3 0 R >>`;
+  return Buffer.from(`${text}${table}${trailer}\nstartxref\n${text.length}\n%%EOF\n`, "latin1");
+}
+
 /** A page protected by `qpdf --encrypt secret owner 256`. */
 export const protectedPdf: Buffer = Buffer.from(
   "JVBERi0xLjcKJb/3ov4KMSAwIG9iago8PCAvRXh0ZW5zaW9ucyA8PCAvQURCRSA8PCAvQmFzZVZlcnNpb24gLzEuNyAvRXh0ZW5zaW9uTGV2ZWwgOCA+PiA+PiAvUGFnZXMgMyAwIFIgL1R5cGUgL0NhdGFsb2cgPj4KZW5kb2JqCjIgMCBvYmoKPDwgPj4KZW5kb2JqCjMgMCBvYmoKPDwgL0NvdW50IDEgL0tpZHMgWyA0IDAgUiBdIC9UeXBlIC9QYWdlcyA+PgplbmRvYmoKNCAwIG9iago8PCAvQ29udGVudHMgNSAwIFIgL01lZGlhQm94IFsgMCAwIDIwMCAzMDAgXSAvUGFyZW50IDMgMCBSIC9SZXNvdXJjZXMgPDwgPj4gL1R5cGUgL1BhZ2UgPj4KZW5kb2JqCjUgMCBvYmoKPDwgL0xlbmd0aCA0OCAvRmlsdGVyIC9GbGF0ZURlY29kZSA+PgpzdHJlYW0KKFv5PCLCJv8uFjT7O6YONKVZjn3taf1Z4mLaGQvYGsE2NdXfOxyeJUNUeLpTDoCyZW5kc3RyZWFtCmVuZG9iago2IDAgb2JqCjw8IC9DRiA8PCAvU3RkQ0YgPDwgL0F1dGhFdmVudCAvRG9jT3BlbiAvQ0ZNIC9BRVNWMyAvTGVuZ3RoIDMyID4+ID4+IC9GaWx0ZXIgL1N0YW5kYXJkIC9MZW5ndGggMjU2IC9PIDw0ZWJkNTA3NzE2YmQxMDZkNTRlNzkyYTNmNmY1ZGFmYTc1YzlmMDY1ZDUxOGRmMWEwNzZmNzA4MTNhZjIwYmNlYWM2MTYwNDUwYzkzZDhhMjdlNzg3ZWYxYWRjN2E4MjQ+IC9PRSA8N2RmN2Y1MmIyNDU0OTBhY2QyNWRlYmJlYjNhY2NjZDQ5OTk2OTQzZDFmNmM4Y2FiZGE3NjljODgyNDI3ZGI4OT4gL1AgLTQgL1Blcm1zIDxlMTNhY2QzZGExN2NlY2QxMDY3ZWNmZjU4NDc2OTQ4ND4gL1IgNiAvU3RtRiAvU3RkQ0YgL1N0ckYgL1N0ZENGIC9VIDwwZDZiMmIwMTFhZGFhNTBkNjVkYmEzOTEyYTY5ZDA4MGQyODNhNThiMmJjOWRhZGNhZGJiNjM2YzM5ZTRmYmUzOWFjNzBhN2FjYjQwNTA3YWE2Y2ZjMDZkZTIwYmFhOTI+IC9VRSA8YTlkODE4YzBmYmEwNWFmZjcwNjg1NzY1YTlmYTQxNzUwMzE3MDAxNjFiYjVjNzMzMTIyMDc1OWQ2ZWQ4NDQwNj4gL1YgNSA+PgplbmRvYmoKeHJlZgowIDcKMDAwMDAwMDAwMCA2NTUzNSBmIAowMDAwMDAwMDE1IDAwMDAwIG4gCjAwMDAwMDAxMzAgMDAwMDAgbiAKMDAwMDAwMDE1MSAwMDAwMCBuIAowMDAwMDAwMjEwIDAwMDAwIG4gCjAwMDAwMDAzMTYgMDAwMDAgbiAKMDAwMDAwMDQzNCAwMDAwMCBuIAp0cmFpbGVyIDw8IC9JbmZvIDIgMCBSIC9Sb290IDEgMCBSIC9TaXplIDcgL0lEIFs8OTVkMDIyMTBiNzc4OTZmNzk2MzBiNTgzM2I0YTBlZjk+PDk1ZDAyMjEwYjc3ODk2Zjc5NjMwYjU4MzNiNGEwZWY5Pl0gL0VuY3J5cHQgNiAwIFIgPj4Kc3RhcnR4cmVmCjk4MQolJUVPRgo=",

@@ -87,7 +87,7 @@ export async function startServing(...args: string[]): Promise<Started> {
 }
 
 /** A response of the server, with its headers in lower case. */
-export interface Answer {
+export interface Reply {
   readonly status: number;
   readonly headers: NodeJS.Dict<string | string[]>;
   readonly body: Buffer;
@@ -98,7 +98,7 @@ export function ask(
   port: number,
   path: string,
   options: { method?: string; headers?: Record<string, string> } = {},
-): Promise<Answer> {
+): Promise<Reply> {
   return new Promise((resolve, reject) => {
     const headers = { Host: `127.0.0.1:${port}`, ...options.headers };
     const sent = request(

@@ -44,8 +44,8 @@ async function open(name: string, { width = 400, height = 280 } = {}) {
     const text = message.text();
     if (message.type() === "error" || isWebglComplaint(text)) complaints.push(text);
   });
-  const answer = await page.goto(`${site.url}${name}.html`);
-  const policy = answer?.headers()["content-security-policy"] ?? "";
+  const response = await page.goto(`${site.url}${name}.html`);
+  const policy = response?.headers()["content-security-policy"] ?? "";
   expect(policy).toContain("default-src 'none'; script-src 'self' 'wasm-unsafe-eval' 'sha256-");
   expect(policy).not.toContain("unsafe-inline");
   await expect.poll(() => ask((book) => book.pageCount), patience).toBeGreaterThan(0);
@@ -220,4 +220,12 @@ it("12: the open book turns its pages in every way that is chosen", async () => 
     await expect.poll(() => ask((book) => book.turning), patience).toBe(false);
     from += 2;
   }
+});
+
+it("13: pages of a source of one's own are drawn, found and turned", async () => {
+  await open("13-source", { width: 760 });
+  expect(await ask((book) => book.pageCount)).toBe(100);
+  const hits = await ask((book) => book.search("polygon of 57 sides"));
+  expect(hits).toMatchObject([{ page: 55 }]);
+  expect(await ask((book) => book.goTo(55))).toBe(true);
 });

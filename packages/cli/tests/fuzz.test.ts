@@ -1,6 +1,6 @@
-/** Whatever a command line, a header, a link or a note says, it is refused or stays within its bounds. */
+/** Whatever a command line, a header, a link or a note says, it is rejected or stays within its bounds. */
 import { expect } from "vitest";
-import { clue, fuzzed, wildPieces } from "../../turnleaf/src/random_for_tests.ts";
+import { clue, fuzzed, wildPieces } from "../../turnleaf/src/for_tests/random_numbers.ts";
 import { BadLink, bounds, firstSettings, readLink, writeLink } from "../app/playground/settings.ts";
 import { parseCommand } from "../src/arguments.ts";
 import { parseRange } from "../src/byte_range.ts";
@@ -28,34 +28,38 @@ const numbers: Readonly<Record<string, readonly [least: number, most: number]>> 
   tolerance: [0.00001, 0.1],
 };
 
-fuzzed("a mutated command line is refused in one sentence or within its bounds", 5000, (random) => {
-  const words = random.among(lines).split(" ");
-  for (let k = random.below(4); k > 0; k--) {
-    const at = random.below(words.length);
-    const how = random.below(4);
-    if (how === 0) words.splice(at, 1);
-    else if (how === 1) words.splice(at, 0, random.among(words.concat(wildPieces)));
-    else words[at] = random.mutate(words[at] ?? "", wildPieces);
-    if (words.length === 0) break;
-  }
-  try {
-    const command = parseCommand(words);
-    for (const [name, value] of Object.entries(command)) {
-      const bound = numbers[name];
-      if (bound === undefined || value === null || value === undefined) continue;
-      expect(value >= bound[0] && value <= bound[1], `${name}, ${clue(words)}`).toBe(true);
+fuzzed(
+  "a mutated command line is rejected in one sentence or within its bounds",
+  5000,
+  (random) => {
+    const words = random.among(lines).split(" ");
+    for (let k = random.below(4); k > 0; k--) {
+      const at = random.below(words.length);
+      const how = random.below(4);
+      if (how === 0) words.splice(at, 1);
+      else if (how === 1) words.splice(at, 0, random.among(words.concat(wildPieces)));
+      else words[at] = random.mutate(words[at] ?? "", wildPieces);
+      if (words.length === 0) break;
     }
-    if (command.name === "bake") {
-      expect(
-        command.points.every((count) => count >= 2 && count <= 200),
-        clue(words),
-      ).toBe(true);
+    try {
+      const command = parseCommand(words);
+      for (const [name, value] of Object.entries(command)) {
+        const bound = numbers[name];
+        if (bound === undefined || value === null || value === undefined) continue;
+        expect(value >= bound[0] && value <= bound[1], `${name}, ${clue(words)}`).toBe(true);
+      }
+      if (command.name === "bake") {
+        expect(
+          command.points.every((count) => count >= 2 && count <= 200),
+          clue(words),
+        ).toBe(true);
+      }
+    } catch (error) {
+      expect(error, clue(words)).toBeInstanceOf(UsageProblem);
+      expect((error as Error).message, clue(words)).toMatch(/^[^\n]+$/);
     }
-  } catch (error) {
-    expect(error, clue(words)).toBeInstanceOf(UsageProblem);
-    expect((error as Error).message, clue(words)).toMatch(/^[^\n]+$/);
-  }
-});
+  },
+);
 
 fuzzed("a mutated Range header asks for bytes of the file alone", 5000, (random) => {
   const header = random.mutate(random.among(["bytes=0-99", "bytes=-5", "bytes=7-"]), wildPieces);
@@ -66,27 +70,33 @@ fuzzed("a mutated Range header asks for bytes of the file alone", 5000, (random)
   expect(start >= 0 && start <= end && end < size, clue([header, size])).toBe(true);
 });
 
-fuzzed("a mutated link of the playground is refused whole or within its bounds", 5000, (random) => {
-  const sound = writeLink({
-    ...firstSettings,
-    right: "shell",
-    grammage: 200,
-    nodes: 9,
-    pace: 0.25,
-  });
-  const link = random.mutate(sound, wildPieces);
-  try {
-    const settings = readLink(link);
-    for (const [name, bound] of Object.entries(bounds)) {
-      const value = settings[name as keyof typeof settings];
-      if (bound.kind === "range") {
-        expect(Number(value) >= bound.least && Number(value) <= bound.most, clue(link)).toBe(true);
-      } else if (bound.kind !== "switch") expect(bound.of, clue(link)).toContain(value);
+fuzzed(
+  "a mutated link of the playground is rejected whole or within its bounds",
+  5000,
+  (random) => {
+    const sound = writeLink({
+      ...firstSettings,
+      right: "shell",
+      grammage: 200,
+      nodes: 9,
+      pace: 0.25,
+    });
+    const link = random.mutate(sound, wildPieces);
+    try {
+      const settings = readLink(link);
+      for (const [name, bound] of Object.entries(bounds)) {
+        const value = settings[name as keyof typeof settings];
+        if (bound.kind === "range") {
+          expect(Number(value) >= bound.least && Number(value) <= bound.most, clue(link)).toBe(
+            true,
+          );
+        } else if (bound.kind !== "switch") expect(bound.of, clue(link)).toContain(value);
+      }
+    } catch (error) {
+      expect(error, clue(link)).toBeInstanceOf(BadLink);
     }
-  } catch (error) {
-    expect(error, clue(link)).toBeInstanceOf(BadLink);
-  }
-});
+  },
+);
 
 const request = { request: "x", fps: 30, width: 2, height: 2 };
 const note = JSON.stringify({ ...request, parts: [30, 42, 17], whole: false });

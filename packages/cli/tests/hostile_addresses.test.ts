@@ -62,7 +62,7 @@ describe("the server of the examples", () => {
   });
   afterAll(() => site.stop());
 
-  it("refuses what is no address of its own, and goes on", async () => {
+  it("rejects what is no address of its own, and goes on", async () => {
     for (const address of addresses) {
       expect([null, 302, 400, 404], address).toContain(await statusOf(port, address));
     }
@@ -75,7 +75,7 @@ describe("the server of the examples", () => {
 });
 
 describe("the server of the command", () => {
-  it("refuses what is not a key of its files, and goes on", async () => {
+  it("rejects what is not a key of its files, and goes on", async () => {
     const page = { type: "text/html", text: "<!doctype html>" };
     const serving = await serve(new Map([["/", page]]), 0);
     const port = Number(new URL(serving.url).port);

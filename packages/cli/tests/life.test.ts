@@ -39,10 +39,10 @@ function images(count: number): (path: string) => Buffer | string | null {
 }
 
 async function open(
-  answer: (path: string) => Buffer | string | null,
+  respond: (path: string) => Buffer | string | null,
   options: { policy?: string; flat?: boolean; calm?: boolean } = {},
 ) {
-  site = await serveViewer(answer, options.policy);
+  site = await serveViewer(respond, options.policy);
   const page = await browser.newPage({
     viewport: { width: 400, height: 300 },
     reducedMotion: options.calm ? "reduce" : "no-preference",
@@ -99,7 +99,7 @@ async function settled(page: Page): Promise<void> {
 const pagesAsked = (asked: readonly string[]): number =>
   asked.filter((path) => path.startsWith("/pages/")).length;
 
-test("a page that refuses WebAssembly shows a book on the flat, and no error", async () => {
+test("a page without WebAssembly shows a book on the flat, and no error", async () => {
   const policy =
     "default-src 'none'; script-src 'self' 'nonce-map'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'";
   const { page, complaints, asked } = await open(images(12), { policy });
@@ -123,8 +123,8 @@ describe.each([
   test("ten of them leave nothing behind", { timeout: 120_000 }, async () => {
     const file = pdf(9);
     const pages = images(12);
-    const answer = (path: string) => (path === "/book.pdf" ? file : pages(path));
-    const { page, session, complaints } = await open(answer, { flat, calm: true });
+    const respond = (path: string) => (path === "/book.pdf" ? file : pages(path));
+    const { page, session, complaints } = await open(respond, { flat, calm: true });
     const comeAndGo = (times: number) =>
       page.evaluate(
         async ([times, src]) => {

@@ -39,6 +39,8 @@ async function open(link = "", { width = 700, height = 480 } = {}): Promise<void
   page.on("console", (message) => {
     if (["error", "warning"].includes(message.type())) complaints.push(message.text());
   });
+  // As the machine's, until a test stops it.
+  await page.clock.install();
   await page.addInitScript(() => {
     const { requestAnimationFrame } = window;
     window.requestAnimationFrame = (call) => {
@@ -46,8 +48,8 @@ async function open(link = "", { width = 700, height = 480 } = {}): Promise<void
       return requestAnimationFrame(call);
     };
   });
-  const answer = await page.goto(`${served.url}${link && `#${link}`}`);
-  expect(answer?.headers()["content-security-policy"]).toContain("style-src 'self'");
+  const response = await page.goto(`${served.url}${link && `#${link}`}`);
+  expect(response?.headers()["content-security-policy"]).toContain("style-src 'self'");
   await isStill();
   // Written once both leaves are drawn.
   await expect.poll(() => words("energy").count(), patience).toBe(2);
@@ -70,6 +72,17 @@ const areBothUp = (): boolean =>
 
 /** Waits until both stand up; checks every frame, so that no moment is missed. */
 const comeUp = () => page.waitForFunction(areBothUp, null, patience);
+
+/** Stops the page's clock: from then on time passes only in `runUntil`. */
+const stopClock = async () => page.clock.pauseAt(await page.evaluate(() => Date.now() + 1000));
+
+/** Lets the stopped clock run, frame by frame, until a condition holds. */
+async function runUntil(condition: () => Promise<boolean>): Promise<void> {
+  for (let frame = 0; !(await condition()); frame++) {
+    expect(frame, "frames until it holds").toBeLessThan(1200);
+    await page.clock.runFor(16);
+  }
+}
 
 const press = (name: string) => page.getByRole("button", { name, exact: true }).click();
 
@@ -121,10 +134,11 @@ it("takes the corner by keys, and lets it go", async () => {
 });
 
 it("plays each turn, pauses it, and goes on step by step", async () => {
-  await open("left=cylinder&right=cone&seconds=4");
+  await open(cheap);
+  await stopClock();
   for (const name of ["Turn by edge", "Turn by corner", "Let go half-way"]) {
     await press(name);
-    await comeUp();
+    await runUntil(() => page.evaluate(areBothUp));
     await press("Pause");
     const before = await words("energy").allTextContents();
     expect(await status()).toBe("Paused.");
@@ -132,7 +146,7 @@ it("plays each turn, pauses it, and goes on step by step", async () => {
     expect(await status()).toBe("Paused.");
     expect(await words("energy").allTextContents()).not.toEqual(before);
     await press("Go on");
-    await isStill();
+    await runUntil(async () => (await status()) === atRest);
   }
 });
 

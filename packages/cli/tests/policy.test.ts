@@ -4,6 +4,7 @@ import { type Browser, chromium } from "playwright-core";
 import type { TurnleafBook } from "turnleaf";
 import { afterAll, afterEach, beforeAll, describe, expect, test } from "vitest";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { tinyEpub } from "../../turnleaf/src/sources/epub/tiny_epub.ts";
 import { jpeg2000, tinyPdf } from "../../turnleaf/src/sources/tiny_pdf.ts";
 import { pdf, png } from "./books.ts";
 import { serveViewer, type ViewerSite } from "./viewer_page.ts";
@@ -35,6 +36,13 @@ const enough = {
 const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 30"><rect width="20" height="30" fill="#00f"/></svg>`;
 const files: Record<string, Buffer | string> = {
   "/book.pdf": pdf(4),
+  "/book.epub": Buffer.from(
+    tinyEpub({
+      chapters: ['<p style="color: red">One</p><img src="1.png" alt=""/>', "<p>Two</p>"],
+      css: "body { background: #ff0 } p { background: url(1.png) }",
+      files: { "1.png": png(60, 90) },
+    }),
+  ),
   "/jpeg2000.pdf": Buffer.from(tinyPdf(jpeg2000)),
   "/book.json": JSON.stringify({ pages: ["1.png", "2.png"] }),
   "/svg.json": JSON.stringify({ pages: ["1.svg", "2.png"] }),
@@ -47,7 +55,9 @@ const files: Record<string, Buffer | string> = {
 };
 
 /** Opens a page under a policy. Returns it with its console messages. */
-async function visit(changes: Partial<Record<keyof typeof enough | "img-src", string>> = {}) {
+async function visit(
+  changes: Partial<Record<keyof typeof enough | "img-src" | "font-src", string>> = {},
+) {
   const policy = Object.entries({ ...enough, ...changes }).map((entry) => entry.join(" "));
   site = await serveViewer((path) => files[path] ?? null, policy.join("; "));
   const page = await browser.newPage({ viewport: { width: 400, height: 300 } });
@@ -102,12 +112,31 @@ const draw = (page: Awaited<ReturnType<typeof visit>>["page"], number: number) =
   );
 
 describe.each(["/book.pdf", "/book.json", "file:/book.pdf"])("%s", (src) => {
-  test("opens in space under the policy that is enough, and nothing is refused", async () => {
+  test("opens in space under the policy that is enough, and nothing is blocked", async () => {
     const { page, said, asked } = await visit();
     expect(await open(page, src)).toBe("");
     expect(asked.some((path) => path.includes("webgl_backend"))).toBe(true);
     expect(said).toEqual([]);
   });
+});
+
+test("img-src data: an EPUB is drawn with its style and pictures, and nothing is blocked", async () => {
+  const { page, said } = await visit({ "img-src": "data:", "font-src": "data:" });
+  expect(await open(page, "/book.epub")).toBe("");
+  const colours = await page.evaluate(async () => {
+    const book = document.querySelector("turnleaf-book") as TurnleafBook;
+    const pen = new OffscreenCanvas(60, 90).getContext("2d") as OffscreenCanvasRenderingContext2D;
+    pen.drawImage(await book.drawPage(1, 60), 0, 0);
+    return [...pen.getImageData(2, 2, 1, 1).data.slice(0, 3)];
+  });
+  expect(colours).toEqual([255, 255, 0]);
+  expect(said).toEqual([]);
+});
+
+test("img-src without data: the pages of an EPUB say so", async () => {
+  const { page } = await visit();
+  expect(await open(page, "/book.epub")).toBe("");
+  expect(await draw(page, 1)).toContain("allow data: in img-src");
 });
 
 test("script-src without 'wasm-unsafe-eval': books lie flat, which is said once", async () => {
@@ -188,7 +217,7 @@ test("connect-src without the book's site: the sentence names the directive", as
   );
 });
 
-test("connect-src without blob: an address of a blob is refused, the blob itself is not", async () => {
+test("connect-src without blob: an address of a blob is blocked, the blob itself is not", async () => {
   const { page } = await visit();
   expect(await open(page, "blob:/book.pdf")).toContain("lacks blob: in connect-src");
   expect(await open(page, "file:/book.json")).toBe("");
@@ -203,11 +232,11 @@ test("connect-src with blob: an address of a blob opens", async () => {
 test.each([
   ["/data.json", "connect-src", "'self' data:"],
   ["/svg.json", "img-src", "data:"],
-] as const)("%s wants %s %s, else its page alone is refused", async (src, directive, allowed) => {
-  const refusing = await visit();
-  expect(await open(refusing.page, src)).toBe("");
-  expect(await draw(refusing.page, 1)).toContain(directive);
-  expect(await draw(refusing.page, 2)).toBe("");
+] as const)("%s needs %s %s, else its page alone is blocked", async (src, directive, allowed) => {
+  const blocking = await visit();
+  expect(await open(blocking.page, src)).toBe("");
+  expect(await draw(blocking.page, 1)).toContain(directive);
+  expect(await draw(blocking.page, 2)).toBe("");
   await site?.stop();
   const { page, said } = await visit({ [directive]: allowed });
   expect(await open(page, src)).toBe("");

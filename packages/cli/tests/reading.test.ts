@@ -43,10 +43,15 @@ interface Counts {
 }
 
 /** Opens a served book in a fresh tab and waits until its pages are sharp. */
-async function open(served: Started, hash: string): Promise<{ page: Page; errors: string[] }> {
+async function open(
+  served: Started,
+  hash: string,
+  prepare: (page: Page) => Promise<void> = async () => {},
+): Promise<{ page: Page; errors: string[] }> {
   const page = await browser.newPage({ viewport });
   const errors: string[] = [];
   page.on("pageerror", (error) => errors.push(error.message));
+  await prepare(page);
   await page.addInitScript(() => {
     const counts = { frames: 0, timers: 0 };
     Object.assign(globalThis, { counts });
@@ -201,7 +206,9 @@ test("the default book opens, is dragged over, and rests", { timeout: 180_000 },
   expect(errors).toEqual([]);
 });
 
-test("keys, clicks and commands turn pages and land where told", { timeout: 180_000 }, async () => {
+test("keys, clicks and commands turn pages and land at their pages", {
+  timeout: 180_000,
+}, async () => {
   const served = await serve(book);
   const { page, errors } = await open(served, "#page=30");
   await page.keyboard.press("ArrowRight");
@@ -242,22 +249,28 @@ test("keys, clicks and commands turn pages and land where told", { timeout: 180_
   expect(errors).toEqual([]);
 });
 
-test("a running turn is caught and taken back", { timeout: 120_000 }, async () => {
+test("a running turn is caught and taken back", { timeout: 180_000 }, async () => {
   const served = await serve(book);
-  const { page, errors } = await open(served, "#page=40");
+  const { page, errors } = await open(served, "#page=40", (page) => page.clock.install());
+  await page.clock.pauseAt(await page.evaluate(() => Date.now() + 1000));
+  /** Lets a tenth of a second pass in each of some frames. */
+  const pass = async (frames: number) => {
+    for (let k = 0; k < frames; k++) await page.clock.fastForward(100);
+  };
   await page.evaluate(() => {
     const element = document.querySelector("turnleaf-book");
     element?.setAttribute("duration", "6000");
     void element?.next();
   });
-  await page.waitForTimeout(2200);
+  await pass(22);
   // The leaf stands somewhere over the right page: press where it is, and pull it back.
   await page.mouse.move(viewport.width * 0.66, viewport.height * 0.55);
   await page.mouse.down();
   const x = viewport.width * 0.8;
   await page.mouse.move(x, viewport.height * 0.7, { steps: 8 });
-  await page.waitForTimeout(600);
+  await pass(6);
   await page.mouse.up();
+  await page.clock.resume();
   await settle(page);
   expect(await shownPage(page)).toBe(40);
   expect(errors).toEqual([]);

@@ -5,7 +5,7 @@ import { type AddressInfo, connect } from "node:net";
 import { join } from "node:path";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { jpegHead, pdf, png } from "./books.ts";
-import { type Answer, ask, folderOf, run, type Started, start } from "./command.ts";
+import { ask, folderOf, type Reply, run, type Started, start } from "./command.ts";
 
 const book = pdf(3, "A Small Book", 300_000);
 
@@ -13,7 +13,7 @@ describe("a PDF", () => {
   let folder: ReturnType<typeof folderOf>;
   let served: Started;
   const address = "/book/my%20book.pdf";
-  const get = (path: string, headers: Record<string, string> = {}): Promise<Answer> =>
+  const get = (path: string, headers: Record<string, string> = {}): Promise<Reply> =>
     ask(served.port, path, { headers });
 
   beforeAll(async () => {
@@ -45,21 +45,21 @@ describe("a PDF", () => {
   });
 
   it("is sent whole, byte by byte", async () => {
-    const answer = await get(address);
-    expect(answer.status).toBe(200);
-    expect(answer.headers).toMatchObject({
+    const reply = await get(address);
+    expect(reply.status).toBe(200);
+    expect(reply.headers).toMatchObject({
       "content-type": "application/pdf",
       "content-length": String(book.length),
       "accept-ranges": "bytes",
     });
-    expect(answer.body.equals(book)).toBe(true);
+    expect(reply.body.equals(book)).toBe(true);
   });
 
   it("tells its length to HEAD and sends nothing", async () => {
-    const answer = await ask(served.port, address, { method: "HEAD" });
-    expect(answer.status).toBe(200);
-    expect(answer.headers["content-length"]).toBe(String(book.length));
-    expect(answer.body.length).toBe(0);
+    const reply = await ask(served.port, address, { method: "HEAD" });
+    expect(reply.status).toBe(200);
+    expect(reply.headers["content-length"]).toBe(String(book.length));
+    expect(reply.body.length).toBe(0);
   });
 
   it.each([
@@ -70,19 +70,19 @@ describe("a PDF", () => {
     ["bytes=-99999999", 0, book.length - 1],
     [`bytes=10-${book.length + 5}`, 10, book.length - 1],
   ])("is sent in part: %s", async (range, from, to) => {
-    const answer = await get(address, { Range: range });
-    expect(answer.status).toBe(206);
-    expect(answer.headers["content-range"]).toBe(`bytes ${from}-${to}/${book.length}`);
-    expect(answer.headers["content-length"]).toBe(String(to - from + 1));
-    expect(answer.body.equals(book.subarray(from, to + 1))).toBe(true);
+    const reply = await get(address, { Range: range });
+    expect(reply.status).toBe(206);
+    expect(reply.headers["content-range"]).toBe(`bytes ${from}-${to}/${book.length}`);
+    expect(reply.headers["content-length"]).toBe(String(to - from + 1));
+    expect(reply.body.equals(book.subarray(from, to + 1))).toBe(true);
   });
 
   it.each([`bytes=${book.length}-`, "bytes=99999999-999999999", "bytes=-0"])(
     "has nothing at %s",
     async (range) => {
-      const answer = await get(address, { Range: range });
-      expect(answer.status).toBe(416);
-      expect(answer.headers["content-range"]).toBe(`bytes */${book.length}`);
+      const reply = await get(address, { Range: range });
+      expect(reply.status).toBe(416);
+      expect(reply.headers["content-range"]).toBe(`bytes */${book.length}`);
     },
   );
 
@@ -119,9 +119,9 @@ describe("a PDF", () => {
 
   it("responds only to GET and HEAD", async () => {
     for (const method of ["POST", "PUT", "DELETE", "OPTIONS", "PATCH"]) {
-      const answer = await ask(served.port, address, { method });
-      expect(answer.status, method).toBe(405);
-      expect(answer.headers.allow).toBe("GET, HEAD");
+      const reply = await ask(served.port, address, { method });
+      expect(reply.status, method).toBe(405);
+      expect(reply.headers.allow).toBe("GET, HEAD");
     }
   });
 
@@ -147,13 +147,13 @@ describe("a PDF", () => {
     "http://127.0.0.1/config.json",
     "*",
   ])("gives nothing else away: %s", async (path) => {
-    const answer = await rawGet(served.port, path);
-    expect(answer).toMatch(/^HTTP\/1\.1 (404|400) /);
-    expect(answer).not.toContain("not for you");
-    expect(answer).not.toContain("root:");
+    const reply = await rawGet(served.port, path);
+    expect(reply).toMatch(/^HTTP\/1\.1 (404|400) /);
+    expect(reply).not.toContain("not for you");
+    expect(reply).not.toContain("root:");
   });
 
-  it("sends every answer with the same strict headers", async () => {
+  it("sends every response with the same strict headers", async () => {
     for (const path of ["/", "/config.json", address, "/nothing"]) {
       const { headers } = await get(path);
       expect(headers["x-content-type-options"]).toBe("nosniff");
@@ -187,12 +187,12 @@ describe("a PDF", () => {
     );
     if (free) probe.close();
     const socket = connect(served.port, "127.0.0.2");
-    const refused = await new Promise((resolve) => {
+    const rejected = await new Promise((resolve) => {
       socket.once("connect", () => resolve(false));
       socket.once("error", () => resolve(true));
     });
     socket.destroy();
-    expect(refused).toBe(true);
+    expect(rejected).toBe(true);
   });
 });
 
@@ -219,9 +219,9 @@ describe("a folder", () => {
     });
     const served = await start(folder.path, "--port", "0");
     const config = JSON.parse((await ask(served.port, "/config.json")).body.toString());
-    const answer = await ask(served.port, config.src);
-    expect(answer.headers["content-type"]).toBe("application/json");
-    const manifest = JSON.parse(answer.body.toString());
+    const reply = await ask(served.port, config.src);
+    expect(reply.headers["content-type"]).toBe("application/json");
+    const manifest = JSON.parse(reply.body.toString());
     expect(manifest.pages).toEqual([
       { src: "/pages/1/page%201.jpg", width: 40, height: 60 },
       { src: "/pages/2/page%209.PNG", width: 10, height: 20 },

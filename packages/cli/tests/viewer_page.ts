@@ -25,11 +25,11 @@ export interface ViewerSite {
 /**
  * Serves the viewer.
  *
- * @param answer what is at an address besides; null for nothing
+ * @param respond what is at an address besides; null for nothing
  * @param policy the page's Content-Security-Policy
  */
 export async function serveViewer(
-  answer: (path: string) => Buffer | string | null,
+  respond: (path: string) => Buffer | string | null,
   policy?: string,
 ): Promise<ViewerSite> {
   const asked: string[] = [];
@@ -40,7 +40,7 @@ export async function serveViewer(
     try {
       const own: Record<string, string> = { "/": html, "/page.css": css, "/favicon.ico": "" };
       const folder = file?.[1] === "three" ? three : dist;
-      const body = file ? readFileSync(folder + file[2]) : (own[path] ?? answer(path));
+      const body = file ? readFileSync(folder + file[2]) : (own[path] ?? respond(path));
       const type = path === "/" ? "html" : path.endsWith(".css") ? "css" : "javascript";
       response.writeHead(body === null ? 404 : 200, {
         "Content-Type": file || path in own ? `text/${type}` : "application/octet-stream",

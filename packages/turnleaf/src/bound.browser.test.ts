@@ -5,13 +5,13 @@
 
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
-import { book, happens, keepWhatIsDrawn, settled } from "./element_for_tests.ts";
+import { book, happens, keepWhatIsDrawn, settled } from "./for_tests/element_books.ts";
 
 keepWhatIsDrawn();
 
 afterEach(() => document.body.replaceChildren());
 
-/** A colour for each page, told apart by its hue. */
+/** A colour for each page, distinguished by its hue. */
 const hueOf = (page: number): number => (page * 47) % 360;
 
 function plain(page: number, width = 80, height = 120): { src: string } {

@@ -3,7 +3,7 @@
 import { afterEach, expect, test } from "vitest";
 import type { TurnDetail } from "./element/events.ts";
 import type { TurnleafBook } from "./element.ts";
-import { book, happens, scan, scans, settled } from "./element_for_tests.ts";
+import { book, happens, scan, scans, settled } from "./for_tests/element_books.ts";
 import { DrawnBook } from "./webgl/drawn_book.ts";
 
 const pose = DrawnBook.prototype.pose;
@@ -45,8 +45,8 @@ test("a page number kept in step with the book stops no jump, and changes once a
   expect(element.page).toBe(10);
   expect(await element.goTo(40)).toBe(true);
   expect(await element.goTo(1)).toBe(true);
-  const told = changes.map(({ from, to, direction }) => `${from} ${to} ${direction}`);
-  expect(told).toEqual(["1 10 forward", "10 40 forward", "40 1 backward"]);
+  const reports = changes.map(({ from, to, direction }) => `${from} ${to} ${direction}`);
+  expect(reports).toEqual(["1 10 forward", "10 40 forward", "40 1 backward"]);
   // Sent elsewhere halfway, and back.
   const far = element.goTo(30);
   await expect.poll(() => element.page, { interval: 10 }).toBeGreaterThan(1);

@@ -3,7 +3,7 @@
 import { afterEach, expect, test } from "vitest";
 import type { TurnDetail } from "./element/events.ts";
 import type { TurnleafBook } from "./element.ts";
-import { book, happens, scan, scans, settled } from "./element_for_tests.ts";
+import { book, happens, scan, scans, settled } from "./for_tests/element_books.ts";
 
 const message = (element: TurnleafBook) =>
   element.shadowRoot?.querySelector<HTMLElement>("[part=message]");
@@ -88,8 +88,7 @@ test("nothing runs at rest, and nothing after removal", async () => {
     await new Promise((resolve) => setTimeout(resolve, 600));
     expect(frames).toBe(0);
     void element.next();
-    await new Promise((resolve) => setTimeout(resolve, 150));
-    expect(frames).toBeGreaterThan(0);
+    await expect.poll(() => frames).toBeGreaterThan(0);
     element.remove();
     frames = 0;
     await new Promise((resolve) => setTimeout(resolve, 600));

@@ -3,26 +3,24 @@
 import type { Paper } from "./book/paper.ts";
 import { directionOf, forward, leftPage, pageOf, rightPage, spreadOf } from "./book/spreads.ts";
 import { ControlsLoader } from "./controls/controls_loader.ts";
-import { Announcements, openPages } from "./element/announcements.ts";
 import {
   type AttributeEffects,
   adopt,
   attributes,
+  bindingOptionsOf,
   paperOf,
   turnSecondsOf,
 } from "./element/attributes.ts";
-import { bindingOptionsOf } from "./element/binding_options.ts";
 import { BookLifecycle, type OpenBook, pdfWorkerOf } from "./element/book_lifecycle.ts";
 import { PageChanges } from "./element/page_changes.ts";
-import { pageNumber } from "./element/page_number.ts";
+import { pageNumber, RequestedPage } from "./element/page_numbers.ts";
 import { ReaderElement } from "./element/reader_element.ts";
-import { RequestedPage } from "./element/requested_page.ts";
+import { openPages, ShadowTree } from "./element/shadow_tree.ts";
 import { SoundAndHaptics } from "./element/sound_and_haptics.ts";
-import { addStyle } from "./element/style.ts";
-import { style } from "./element.css.ts";
+import { typographyOf } from "./element/typography.ts";
 import { nameAndMessage } from "./sources/failures.ts";
 import type { BookInput } from "./sources/open.ts";
-import { BookError, type PageSource } from "./sources/page_source.ts";
+import { BookError, type NewIndex, type PageSource } from "./sources/page_source.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
 import { elementTexts, fill, languageOf } from "./words/languages.ts";
 
@@ -32,28 +30,24 @@ const zoomSeconds = 0.25;
 /**
  * The element's class: opens the book and turns it. Its attributes are
  * described with their properties.
- *
- * @csspart stage The area in which the book lies: the element without its
- * controls.
  */
 export class TurnleafBook extends ReaderElement {
   /** Attributes whose changes are observed. */
   static readonly observedAttributes: readonly string[] = Object.keys(attributes);
 
-  /** Holds the book's stage and the controls around it. */
-  readonly #frame = document.createElement("div");
-  /** Gives the element its size if the page gives it none. */
-  readonly #sizer = document.createElement("div");
-  /** The area in which the book lies: the element without its controls. */
-  readonly #stage = document.createElement("div");
-  readonly #life = new BookLifecycle(this, this.#stage, {
+  readonly #tree = new ShadowTree();
+  readonly #life = new BookLifecycle(this, this.#tree.stage, {
     prepare: () => this.#keepPlace(),
     options: (source) => this.#options(source),
     turn: (by) => void this.press(by),
     calm: () => this.#calm,
     goTo: (page) => void this.goTo(page),
+    password: () => this.password,
+    askPassword: async (isWrong) =>
+      this.controls ? await this.#controls.askPassword(this, isWrong) : null,
     leaving: () => this.#leave(),
     opened: (book) => this.#opened(book),
+    changing: (change) => void this.#followSource(change),
     missingPart: (error) => this.#reportMissingPart(error),
     failed: (error) => this.#fail(error),
   });
@@ -64,7 +58,6 @@ export class TurnleafBook extends ReaderElement {
     () => this.#leaves.stock ?? "book",
     (error) => this.#reportMissingPart(error),
   );
-  #words: Announcements | null = null;
   #input: BookInput | null = null;
   #paper: Paper | null = null;
   readonly #asked = new RequestedPage();
@@ -90,6 +83,12 @@ export class TurnleafBook extends ReaderElement {
     this.#forget();
     this.#reopen();
   }
+
+  /**
+   * The password of a protected PDF, read when the book opens. Without it the
+   * controls ask the reader; without controls such a file is an `error`.
+   */
+  password = "";
 
   /**
    * The paper in figures, the stiffness of the binding, and the wind; it
@@ -201,7 +200,7 @@ export class TurnleafBook extends ReaderElement {
     const viewer = this.#viewer;
     if (viewer === undefined) return this.#asked.ask(asked);
     const spread = spreadOf(viewer.binding, asked);
-    if (this.#motion === "turn") return viewer.leafControl.goTo(spread);
+    if (this.#motion === "turn") return viewer.commands.goTo(spread);
     return viewer.change(spread, this.#motion === "fade");
   }
 
@@ -210,12 +209,12 @@ export class TurnleafBook extends ReaderElement {
    * click on it does. Resolves, once it is unfolded, to whether it is.
    */
   unfold(page: number): Promise<boolean> {
-    return this.#viewer?.leafControl.unfold(page) ?? Promise.resolve(false);
+    return this.#viewer?.commands.unfold(page) ?? Promise.resolve(false);
   }
 
   /** Folds in the unfolded page, as any turn does first. Resolves once it is folded in. */
   foldIn(): Promise<void> {
-    return this.#viewer?.leafControl.foldIn() ?? Promise.resolve();
+    return this.#viewer?.commands.foldIn() ?? Promise.resolve();
   }
 
   /**
@@ -257,7 +256,7 @@ export class TurnleafBook extends ReaderElement {
    * upper left corner, stays where it is. The default is the middle.
    */
   zoomTo(level: number, at?: { x: number; y: number }): void {
-    const { clientWidth, clientHeight, offsetLeft, offsetTop } = this.#stage;
+    const { clientWidth, clientHeight, offsetLeft, offsetTop } = this.#tree.stage;
     const place = at
       ? { x: at.x - offsetLeft, y: at.y - offsetTop }
       : { x: clientWidth / 2, y: clientHeight / 2 };
@@ -266,13 +265,13 @@ export class TurnleafBook extends ReaderElement {
 
   /** Focuses the book, also from one of its controls: keys then turn its pages. */
   override focus(options?: FocusOptions): void {
-    this.#frame.focus(options);
+    this.#tree.frame.focus(options);
   }
 
   /** @internal */
   connectedCallback(): void {
     adopt(this);
-    this.#build();
+    this.#tree.attach(this);
     this.#connected = true;
     this.connectReader();
     this.#updateControls();
@@ -309,6 +308,7 @@ export class TurnleafBook extends ReaderElement {
     },
     changePaper: () => this.#viewer?.setPaper(this.#leaves),
     changeModel: () => void this.#viewer?.setModel(this),
+    typeset: () => void this.#typeset(),
     changePace: () => {
       if (this.#viewer) this.#viewer.turning.seconds = turnSecondsOf(this);
     },
@@ -354,7 +354,7 @@ export class TurnleafBook extends ReaderElement {
 
   #updateControls(): void {
     const shown = this.#connected && this.controls;
-    this.#controls.set(shown, this, this.#frame, this.#stage);
+    this.#controls.set(shown, this, this.#tree.frame, this.#tree.stage);
   }
 
   get #leaves(): Paper {
@@ -377,33 +377,14 @@ export class TurnleafBook extends ReaderElement {
   #turn(by: 1 | -1, isReaders: boolean): Promise<boolean> {
     const viewer = this.#viewer;
     if (viewer === undefined) return Promise.resolve(false);
-    const { leafControl: steering } = viewer;
+    const { commands } = viewer;
     const way = (by * forward(viewer.binding)) as 1 | -1;
-    if (this.#motion === "turn") return isReaders ? steering.press(way) : steering.turn(way);
+    if (this.#motion === "turn") return isReaders ? commands.press(way) : commands.turn(way);
     // A corner that only lifts is not a turn to go on from.
-    steering.peek(null);
+    commands.peek(null);
     const spread = viewer.turning.turned(way);
     if (spread === null) return Promise.resolve(false);
     return viewer.change(spread, this.#motion === "fade", way);
-  }
-
-  #build(): void {
-    if (this.shadowRoot === null) {
-      // A child of the shadow tree takes the focus for the book: the element's
-      // own attributes belong to the page.
-      const root = this.attachShadow({ mode: "open", delegatesFocus: true });
-      this.attachInternals().role = "group";
-      this.#stage.setAttribute("part", "stage");
-      this.#frame.className = "frame";
-      this.#frame.tabIndex = 0;
-      this.#frame.setAttribute("role", "group");
-      this.#frame.append(this.#stage);
-      this.#sizer.className = "room";
-      root.append(this.#sizer, this.#frame);
-      this.#words = new Announcements(this.#stage);
-    }
-    const root = this.shadowRoot as ShadowRoot;
-    if (root.adoptedStyleSheets.length === 0) addStyle(root, style);
   }
 
   #reopen(): void {
@@ -412,7 +393,7 @@ export class TurnleafBook extends ReaderElement {
     this.#soundAndHaptics.close();
     const input = this.#input ?? this.src;
     const { missing, opening } = elementTexts(languageOf(this));
-    this.#words?.say(input === "" ? missing : opening);
+    this.#tree.say(input === "" ? missing : opening);
     if (input === "") this.#life.close();
     else this.#life.open(input);
   }
@@ -420,6 +401,7 @@ export class TurnleafBook extends ReaderElement {
   #options(source: PageSource): ViewerOptions {
     return {
       ...bindingOptionsOf(this),
+      shifts: this.shifts,
       paper: () => this.#leaves,
       page: () => this.#firstPage(source),
       turnSeconds: () => turnSecondsOf(this),
@@ -428,7 +410,7 @@ export class TurnleafBook extends ReaderElement {
       onRest: (from, to) => this.#rested(from, to),
       slowText: (label) => fill(elementTexts(languageOf(this)).slowPage ?? "", { label }),
       onFailure: (page, message, isOpen) => {
-        if (isOpen) this.#words?.announce(message);
+        if (isOpen) this.#tree.announce(message);
         this.emit("pageerror", { page, message });
       },
       onLayout: () => this.#laidOut(),
@@ -450,8 +432,8 @@ export class TurnleafBook extends ReaderElement {
     if (this.#left && !isElsewhere) viewer.view = this.#left.view;
     this.#left = null;
     this.#reported = null;
-    this.#words?.say("");
-    this.#sizer.style.setProperty("--ratio", String(viewer.placeRatio));
+    this.#tree.say("");
+    this.#tree.fit(viewer.placeRatio);
     this.#describe();
     this.emit("load", { pageCount: source.pageCount, title: source.title });
   }
@@ -479,21 +461,45 @@ export class TurnleafBook extends ReaderElement {
     const book = () => this.#life.book;
     const worker = pdfWorkerOf(this);
     const moved = await this.#pageChanges.change(book, at, count, input, worker);
-    if (moved && this.#life.book) {
-      // If other pages replace one, its bookmark moves to them.
-      this.moveBookmarks((index) => moved(index) ?? (input ? index : null));
-      this.#describe();
-      this.emit("pageschange", { pageCount: this.pageCount });
-    }
+    // If other pages replace one, its bookmark moves to them.
+    if (moved) this.#pagesChanged((index) => moved(index) ?? (input ? index : null));
     return moved !== null;
   }
 
-  #laidOut(): void {
-    const binding = this.#viewer?.binding;
-    if (binding === undefined) return;
-    this.#sizer.style.setProperty("--ratio", String(this.#viewer?.placeRatio));
+  /** Makes a change of the pages that their source asks for, once the book is at rest. */
+  async #followSource(change: () => NewIndex): Promise<void> {
+    const book = this.#life.book;
+    let moved: NewIndex | null = null;
+    await book?.viewer.changePages(() => {
+      moved = change();
+      return moved;
+    });
+    book?.reading.changed();
+    if (moved) this.#pagesChanged(moved);
+  }
+
+  async #typeset(): Promise<void> {
+    try {
+      await this.source?.typeset?.(typographyOf(this));
+    } catch (error) {
+      this.#reportMissingPart(error);
+    }
+  }
+
+  #pagesChanged(moved: NewIndex): void {
+    if (this.#life.book === null) return;
+    this.movePages(moved);
     this.#describe();
-    this.emit("layoutchange", { layout: binding.layout, binding: binding.edge });
+    this.emit("pageschange", { pageCount: this.pageCount });
+  }
+
+  #laidOut(): void {
+    const viewer = this.#viewer;
+    if (viewer === undefined) return;
+    this.#tree.fit(viewer.placeRatio);
+    this.#describe();
+    const { layout, edge } = viewer.binding;
+    this.emit("layoutchange", { layout, binding: edge });
   }
 
   /** Announces the open pages to screen readers. */
@@ -502,15 +508,15 @@ export class TurnleafBook extends ReaderElement {
     if (book === null) return;
     const text = openPages(book.source, book.viewer, languageOf(this));
     book.canvas.setAttribute("aria-label", `${book.source.title}. ${text}`);
-    this.#frame.setAttribute("aria-label", book.source.title);
-    this.#words?.announce(text);
+    this.#tree.frame.setAttribute("aria-label", book.source.title);
+    this.#tree.announce(text);
   }
 
   #fail(error: unknown): void {
     const { notOpened } = elementTexts(languageOf(this));
     const message =
       error instanceof BookError ? error.message : `${notOpened} (${nameAndMessage(error)})`;
-    this.#words?.say(message, "alert");
+    this.#tree.say(message, "alert");
     this.#asked.failed();
     this.emit("error", { message });
   }

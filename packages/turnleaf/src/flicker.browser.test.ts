@@ -2,7 +2,7 @@
 
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
-import { book, happens, settled } from "./element_for_tests.ts";
+import { book, happens, settled } from "./for_tests/element_books.ts";
 
 const request = globalThis.requestAnimationFrame;
 

@@ -1,12 +1,11 @@
-/** Whatever a text, an attribute or a file from outside says, its parser refuses it or stays within its bounds. */
+/** Whatever a text, an attribute or a file from outside says, its parser rejects it or stays within its bounds. */
 import { afterEach, describe, expect, vi } from "vitest";
 import { pagesNamed } from "./book/layout.ts";
-import { pageOfHash } from "./element/address.ts";
 import { turnSecondsOf } from "./element/attributes.ts";
-import { pageNumber } from "./element/page_number.ts";
-import { loadPlace, savePlace } from "./element/saved_places.ts";
+import { pageNumber } from "./element/page_numbers.ts";
+import { loadPlace, pageOfHash, savePlace } from "./element/place_keeper.ts";
+import { clue, fuzzed, wildPieces } from "./for_tests/random_numbers.ts";
 import { photographRow } from "./leaf_models/photograph_row.ts";
-import { clue, fuzzed, wildPieces } from "./random_for_tests.ts";
 import { sizeFromHeader, typedImage } from "./sources/image_header.ts";
 import { limits } from "./sources/limits.ts";
 import { parseManifest } from "./sources/manifest.ts";
@@ -34,7 +33,7 @@ describe("a mutated manifest", () => {
       },
     ],
   });
-  fuzzed("is refused in one sentence or within its bounds", 3000, (random) => {
+  fuzzed("is rejected in one sentence or within its bounds", 3000, (random) => {
     const text = random.mutate(sound, wildPieces);
     let value: unknown;
     try {
@@ -80,8 +79,13 @@ describe("mutated places in the browser's storage", () => {
         expect(kept.bookmarks.length).toBeLessThanOrEqual(500);
         expect(kept.bookmarks.every((page) => Number.isInteger(page) && page >= 1)).toBe(true);
       }
-      savePlace("a", { page: 5, zoom: 2, bookmarks: [1] });
-      expect(loadPlace("a"), clue(before)).toEqual({ page: 5, zoom: 2, bookmarks: [1] });
+      savePlace("a", { page: 5, zoom: 2, bookmarks: [1], shifts: [3] });
+      expect(loadPlace("a"), clue(before)).toEqual({
+        page: 5,
+        zoom: 2,
+        bookmarks: [1],
+        shifts: [3],
+      });
     },
   );
 });
@@ -114,7 +118,7 @@ describe("mutated attributes and addresses", () => {
     expect(page === null || isPage, clue(hash)).toBe(true);
   });
 
-  fuzzed("model-src names 2 to 120 photographs or is refused in one sentence", 5000, (random) => {
+  fuzzed("model-src names 2 to 120 photographs or is rejected in one sentence", 5000, (random) => {
     const address = random.mutate("turn-{01-24}.webp#ratio=2:3", wildPieces);
     try {
       const { addresses, ratio } = photographRow(address, "https://library.example/");

@@ -4,7 +4,12 @@ import type { Edge, Layout, TurnDetail, TurnleafBook } from "./index.ts";
 test("the package's public list, importable where there is no DOM", async () => {
   expect(globalThis.document).toBeUndefined();
   const turnleaf = await import("./index.ts");
-  expect(Object.keys(turnleaf).sort()).toEqual(["BookError", "TurnleafBook", "addLanguage"]);
+  expect(Object.keys(turnleaf).sort()).toEqual([
+    "BookError",
+    "TurnleafBook",
+    "addLanguage",
+    "openSource",
+  ]);
 });
 
 /** Checked by the compiler and never run: there is no DOM here. */

@@ -19,8 +19,23 @@ export type { TurnModelName } from "./leaf_models/model_choice.ts";
 export type { Bytes } from "./sources/input_values.ts";
 export type { Manifest, ManifestImage, ManifestPage } from "./sources/manifest.ts";
 export type { ManifestLink, ManifestOutline, ManifestText } from "./sources/manifest_text.ts";
-export type { BookInput } from "./sources/open.ts";
-export { BookError, type OutlineEntry, type PagePicture } from "./sources/page_source.ts";
+export type { BookInput, OpenOptions } from "./sources/open.ts";
+export { openSource } from "./sources/open_source.ts";
+export {
+  type BookDetail,
+  BookError,
+  type LinkTarget,
+  type NewIndex,
+  type OutlineEntry,
+  type PageBox,
+  type PageField,
+  type PageLink,
+  type PagePicture,
+  type PageSize,
+  type PageSource,
+  type TextRun,
+  type Typography,
+} from "./sources/page_source.ts";
 export type { SearchHit } from "./text/searching.ts";
 export { addLanguage } from "./words/languages.ts";
 export type { ControlTexts, ElementTexts, Plural, Texts } from "./words/texts.ts";

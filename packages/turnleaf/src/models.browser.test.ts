@@ -1,8 +1,8 @@
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
-import { book, happens, scans, settled } from "./element_for_tests.ts";
+import { book, happens, scans, settled } from "./for_tests/element_books.ts";
+import { TestPointer } from "./for_tests/test_pointer.ts";
 import { type TurnModelName, turnModels } from "./leaf_models/model_choice.ts";
-import { TestPointer } from "./pointer_for_tests.ts";
 
 afterEach(() => document.body.replaceChildren());
 

@@ -6,8 +6,8 @@
 import { expect, test } from "vitest";
 import { commands } from "vitest/browser";
 import pdf from "../../../books/moby-dick.pdf?url";
-import { keepWhatIsDrawn } from "./element_for_tests.ts";
-import { RandomOperations } from "./operations_for_tests.ts";
+import { keepWhatIsDrawn } from "./for_tests/element_books.ts";
+import { RandomOperations } from "./for_tests/random_operations.ts";
 import "./index.ts";
 
 keepWhatIsDrawn();

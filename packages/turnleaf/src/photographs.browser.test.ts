@@ -7,11 +7,11 @@ import type { Group } from "three";
 import { afterEach, expect, test, vi } from "vitest";
 import type { Turning } from "./book/turning.ts";
 import type { TurnleafBook } from "./element.ts";
-import { book, happens, keepWhatIsDrawn, scans, settled } from "./element_for_tests.ts";
 import type { BookEngine } from "./engine/book_engine.ts";
+import { book, happens, keepWhatIsDrawn, scans, settled } from "./for_tests/element_books.ts";
+import { TestPointer } from "./for_tests/test_pointer.ts";
 import type { ModelledBook } from "./leaf_models/leaf_model.ts";
 import { PhotographsModel } from "./leaf_models/photographs.ts";
-import { TestPointer } from "./pointer_for_tests.ts";
 import type { BookPose, BookShape } from "./stage/book_pose.ts";
 import type { PhotographQuad } from "./webgl/photographs_mesh.ts";
 
@@ -85,7 +85,7 @@ const ways = [
 ] as const;
 
 test.for(ways)(
-  "bound at the $binding, they follow a hand over and back",
+  "bound at the $binding, they follow a pointer over and back",
   async ({ binding, start, clear, order }) => {
     serve(photograph);
     const element = await opened({ binding });

@@ -1,6 +1,6 @@
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "./element.ts";
-import { book, happens, scans } from "./element_for_tests.ts";
+import { book, happens, scans } from "./for_tests/element_books.ts";
 import { TurnRecorder } from "./key_frames/key_frames.ts";
 
 afterEach(() => {

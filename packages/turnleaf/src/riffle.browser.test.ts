@@ -1,14 +1,21 @@
-/** Many leaves in flight, through the element in real Chromium. */
+/** Many leaves in flight, through the element in real Chromium, under the test's own clock. */
 
-import { afterEach, expect, test } from "vitest";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { TurnDetail } from "./element/events.ts";
 import type { TurnleafBook } from "./element.ts";
-import { book, happens, scans, settled } from "./element_for_tests.ts";
+import { book, happens, scans, settled } from "./for_tests/element_books.ts";
+import { TestClock } from "./for_tests/test_clock.ts";
 import { DrawnBook } from "./webgl/drawn_book.ts";
 
 const pose = DrawnBook.prototype.pose;
 
+beforeEach(() => {
+  // Leaves are counted, not pixels.
+  vi.spyOn(WebGL2RenderingContext.prototype, "drawElements").mockImplementation(() => undefined);
+});
+
 afterEach(() => {
+  vi.restoreAllMocks();
   DrawnBook.prototype.pose = pose;
   document.body.replaceChildren();
 });
@@ -36,63 +43,67 @@ function watchChanges(element: TurnleafBook): TurnDetail[] {
 const press = (element: TurnleafBook, key: string) =>
   element.dispatchEvent(new KeyboardEvent("keydown", { key, repeat: true }));
 
-const pause = (milliseconds: number) => new Promise((resolve) => setTimeout(resolve, milliseconds));
-
-test("a held arrow key riffles: ten leaves fly at once, and it stops soon after", async () => {
-  const element = book(scans(120), { cover: "none", duration: "1200" });
+/** Opens a book, and stops its clock once it rests. */
+async function opened(count: number, attributes: Record<string, string>) {
+  const element = book(scans(count), attributes);
   await happens(element, "load");
   await settled(element);
+  const clock = new TestClock();
+  return { element, clock, rest: () => clock.until(() => element.settled) };
+}
+
+test("a held arrow key riffles: ten leaves fly at once, and it stops soon after", async () => {
+  const { element, clock, rest } = await opened(120, { cover: "none", duration: "1200" });
   const flights = watchFlights();
   let begun = 0;
   element.addEventListener("turnstart", () => begun++);
   const changes = watchChanges(element);
   for (let k = 0; k < 120 && flights.most < 10; k++) {
     press(element, "ArrowRight");
-    await pause(33);
+    clock.frames(2);
   }
   expect(flights.most).toBeGreaterThanOrEqual(10);
   const before = begun;
-  await settled(element);
+  await rest();
   expect(begun - before).toBeLessThanOrEqual(4);
   expect(element.page).toBe(2 * begun);
   expect(changes).toEqual([{ from: 1, to: 2 * begun, direction: "forward" }]);
 });
 
 test("the other arrow key takes back what flies", async () => {
-  const element = book(scans(120), { cover: "none", duration: "1200", page: "40" });
-  await happens(element, "load");
-  await settled(element);
+  const { element, clock, rest } = await opened(120, {
+    cover: "none",
+    duration: "1200",
+    page: "40",
+  });
   for (let k = 0; k < 10; k++) {
     press(element, "ArrowRight");
-    await pause(100);
+    clock.frames(6);
   }
   for (let k = 0; k < 30; k++) {
     press(element, "ArrowLeft");
-    await pause(60);
+    clock.frames(4);
   }
-  await settled(element);
+  await rest();
   expect(element.page).toBeLessThan(40);
   expect(element.page % 2).toBe(0);
 });
 
-test("a far jump lands where told, with many leaves and one change of page", async () => {
-  const element = book(scans(160), { cover: "none", duration: "400" });
-  await happens(element, "load");
-  await settled(element);
+test("a far jump lands at its page, with many leaves and one change of page", async () => {
+  const { element, rest } = await opened(160, { cover: "none", duration: "400" });
   const flights = watchFlights();
   const changes = watchChanges(element);
-  expect(await element.goTo(141)).toBe(true);
+  const turned = element.goTo(141);
+  await rest();
+  expect(await turned).toBe(true);
   expect(element.page).toBe(140);
   expect(changes).toEqual([{ from: 1, to: 140, direction: "forward" }]);
   expect(flights.most).toBeGreaterThan(2);
   expect(flights.most).toBeLessThanOrEqual(12);
-  await settled(element);
 });
 
-test("a second hand takes up another leaf, and the first hand's falls", async () => {
-  const element = book(scans(40), { page: "20" });
-  await happens(element, "load");
-  await settled(element);
+test("a second pointer picks up another leaf, and the first one's falls", async () => {
+  const { element, clock, rest } = await opened(40, { page: "20" });
   const flights = watchFlights();
   const canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
   canvas.setPointerCapture = () => {};
@@ -122,16 +133,17 @@ test("a second hand takes up another leaf, and the first hand's falls", async ()
   point("pointermove", 1, rightEdge - 30);
   point("pointerdown", 2, leftEdge);
   point("pointermove", 2, leftEdge + 30);
-  await expect.poll(() => flights.most, { timeout: 20_000 }).toBe(2);
+  clock.frames(2);
+  expect(flights.most).toBe(2);
   // The finger that lost its leaf moves further and is released; the other holds.
   point("pointermove", 1, rightEdge - 60);
-  await expect.poll(() => flights.now, { timeout: 20_000 }).toBe(1);
+  await clock.until(() => flights.now === 1);
   point("pointerup", 1, rightEdge - 60);
-  await pause(200);
+  clock.frames(12);
   expect(flights.now).toBe(1);
   point("pointermove", 2, leftEdge + 6);
-  await pause(300);
+  clock.frames(18);
   point("pointerup", 2, leftEdge + 6);
-  await settled(element);
+  await rest();
   expect(element.page).toBe(20);
 });

@@ -4,7 +4,7 @@
  */
 
 import { afterEach, expect, test } from "vitest";
-import { book, happens, scans, settled } from "./element_for_tests.ts";
+import { book, happens, scans, settled } from "./for_tests/element_books.ts";
 
 afterEach(() => document.body.replaceChildren());
 

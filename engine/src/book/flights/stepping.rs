@@ -2,31 +2,22 @@
 //! drove into each other is brought out of it, or taken back.
 
 use super::Flights;
-use crate::book::block::Pile;
+use crate::book::contacts::Neighbour;
 use crate::book::draw::on_left;
 use crate::book::flight::Flight;
 use crate::book::gutter::Gutter;
 use crate::book::limits::{MOST_FLIGHTS, TICK};
-use crate::book::meet::Neighbour;
 use crate::book::phase::Phase;
+use crate::book::pile::Pile;
+use crate::book::tolerance::{DEEP, DEEPEST, NEEDS_TEST, TUNNELLED};
 use crate::grid::Side;
 
 /// How firmly a leaf meets one that is stepped after it: half of what overlaps
 /// is pushed out in a tick.
 const YIELDING: f32 = 0.01;
 
-/// Depth after a tick, metres, from which a leaf is brought out of what it met,
-/// and how often at most.
-const DEEP: f32 = 1.5e-3;
+/// How often a leaf is brought out of what it met in a tick, at most.
 const MOST_ROUNDS: usize = 6;
-
-/// Depth to which a tick may lead, metres.
-const DEEPEST: f32 = 2.5e-3;
-
-/// Depth in a tick, metres, from which a leaf may have come through another, and from
-/// which it may be drawn through it.
-const ASTRAY: f32 = 2e-4;
-const WARY: f32 = 1.5e-4;
 
 /// Part of the half turn by which a leaf is well ahead of another.
 const AHEAD: f32 = 0.2;
@@ -39,7 +30,8 @@ impl Flights {
         let flying = self.order.len();
         for flight in &mut self.order {
             flight.leaf_mut().set_flying(flying);
-            flight.leaf_mut().seat(gutter);
+            flight.leaf_mut().bend_over(piles);
+            flight.leaf_mut().bend_into_gutter(gutter);
         }
         self.make_room();
         for flight in &mut self.order {
@@ -59,13 +51,13 @@ impl Flights {
         for flight in &mut self.order {
             flight.keep_from_itself(gutter, DEEPEST);
         }
-        if self.order.iter().any(Flight::is_astray) {
+        if self.order.iter().any(Flight::may_have_tunnelled) {
             self.take_back(gutter);
         }
         self.join_piles();
     }
 
-    /// Keeps hands from pulling what they hold through the leaves beside it: they
+    /// Keeps grabs from pulling what they hold through the leaves beside it: they
     /// follow these as they make way.
     fn make_room(&mut self) {
         for index in 0..self.order.len() {
@@ -73,8 +65,10 @@ impl Flights {
             if own.phase() != Phase::Held {
                 continue;
             }
-            let least = right.map_or(0.0, |flight| flight.leaf().seated().reach(1.0));
-            let most = left.map_or(1.0, |flight| 1.0 - flight.leaf().seated().reach(-1.0));
+            let least = right.map_or(0.0, |flight| flight.leaf().in_book_space().reach(1.0));
+            let most = left.map_or(1.0, |flight| {
+                1.0 - flight.leaf().in_book_space().reach(-1.0)
+            });
             let middle = 0.5 * (least + most);
             let room = if least < most {
                 [least, most]
@@ -96,13 +90,13 @@ impl Flights {
         }
         let left = left.map(|flight| neighbour_of(flight, firm[0]));
         let right = right.map(|flight| neighbour_of(flight, firm[1]));
-        leaf.meet(piles, [left, right], true);
+        leaf.detect_contacts(piles, [left, right], true);
         leaf.step(supported, has_way);
-        leaf.seat(gutter);
+        leaf.bend_into_gutter(gutter);
     }
 
     /// Brings out of each other, of the piles and of neighbours, what a tick drove
-    /// in: contact is told to the sheet as planes, and what moved fast is
+    /// in: contact is given to the sheet as planes, and what moved fast is
     /// elsewhere than they said; and a leaf between two others yields to both.
     fn relax(&mut self, gutter: &Gutter, piles: [&Pile; 2]) {
         let count = self.order.len();
@@ -118,16 +112,16 @@ impl Flights {
         }
         for index in 0..count {
             let flight = &mut self.order[index];
-            let depth = flight.leaf().seated().depth;
-            self.tangled |= depth > ASTRAY;
-            let is_held = self.tangled && flight.leaf().was_held();
-            flight.set_astray(depth > ASTRAY || is_held, depth > WARY);
+            let depth = flight.leaf().in_book_space().depth;
+            self.had_deep_contact |= depth > TUNNELLED;
+            let is_held = self.had_deep_contact && flight.leaf().was_held();
+            flight.set_may_have_tunnelled(depth > TUNNELLED || is_held, depth > NEEDS_TEST);
             self.look_again(index, piles);
             self.order[index].leaf_mut().give_way(DEEP);
         }
     }
 
-    /// Brings one flight out of what it overlaps; answers whether there was none.
+    /// Brings one flight out of what it overlaps. Returns whether there was none.
     /// At first nothing is looked for where nothing can be.
     fn relax_one(
         &mut self,
@@ -141,17 +135,17 @@ impl Flights {
         if matches!(leaf.phase(), Phase::Resting(_)) {
             return true;
         }
-        let seated = neighbours.map(|flight| flight.map(|flight| flight.leaf().seated()));
-        if is_first && leaf.seated().is_clear(seated, DEEP, TICK) {
+        let in_book = neighbours.map(|flight| flight.map(|flight| flight.leaf().in_book_space()));
+        if is_first && leaf.in_book_space().is_clear(in_book, DEEP, TICK) {
             return true;
         }
         let [left, right] = neighbours.map(|flight| Some(neighbour_of(flight?, 1.0)));
-        leaf.meet(piles, [left, right], false);
-        if leaf.seated().depth < DEEP {
+        leaf.detect_contacts(piles, [left, right], false);
+        if leaf.in_book_space().depth < DEEP {
             return true;
         }
         leaf.push_out();
-        leaf.seat(gutter);
+        leaf.bend_into_gutter(gutter);
         false
     }
 
@@ -172,8 +166,8 @@ impl Flights {
         let through = |order: &[Flight], back: &[bool]| {
             let mut pairs = order.windows(2).zip(back.windows(2));
             pairs.position(|(pair, back)| {
-                let is_asked = pair.iter().any(Flight::is_astray) || back.contains(&true);
-                is_asked && back != [true; 2] && pair[0].is_through(&pair[1])
+                let is_tested = pair.iter().any(Flight::may_have_tunnelled) || back.contains(&true);
+                is_tested && back != [true; 2] && pair[0].is_through(&pair[1])
             })
         };
         while let Some(index) = through(&self.order, &back) {
@@ -191,9 +185,9 @@ impl Flights {
     fn look_again(&mut self, index: usize, piles: [&Pile; 2]) {
         let (own, neighbours) = self.among(index);
         let leaf = own.leaf_mut();
-        if leaf.seated().depth > DEEP {
+        if leaf.in_book_space().depth > DEEP {
             let [left, right] = neighbours.map(|flight| Some(neighbour_of(flight?, 1.0)));
-            leaf.meet(piles, [left, right], false);
+            leaf.detect_contacts(piles, [left, right], false);
         }
     }
 
@@ -209,7 +203,7 @@ impl Flights {
         under.is_none_or(|under| under.leaf().is_down() && under.phase().side() == Some(side))
     }
 
-    /// Whether the flight next to flight `index`, where that is bound for, is well ahead
+    /// Whether the flight next to flight `index`, where that is headed for, is well ahead
     /// of it.
     fn has_way(&self, index: usize) -> bool {
         let Some(side) = self.order[index].phase().side() else {
@@ -219,9 +213,9 @@ impl Flights {
             Side::Right => self.order.get(index + 1),
             Side::Left => index.checked_sub(1).and_then(|ahead| self.order.get(ahead)),
         };
-        let share = |flight: &Flight| flight.leaf().share_turned();
-        let own = share(&self.order[index]);
-        ahead.is_none_or(|ahead| (share(ahead) - own).abs() > AHEAD)
+        let fraction = |flight: &Flight| flight.leaf().fraction_turned();
+        let own = fraction(&self.order[index]);
+        ahead.is_none_or(|ahead| (fraction(ahead) - own).abs() > AHEAD)
     }
 
     /// Wakes leaves that rest upon others that move.
@@ -245,7 +239,7 @@ impl Flights {
 
 fn neighbour_of(flight: &Flight, firmness: f32) -> Neighbour<'_> {
     Neighbour {
-        leaf: flight.leaf().seated(),
+        leaf: flight.leaf().in_book_space(),
         firmness,
     }
 }

@@ -31,10 +31,10 @@ impl Leaf {
     /// Lets the leaf fall to a side.
     pub(super) fn fall(&mut self, to: Side, haste: f32) {
         self.drop_course();
-        for hand in 0..self.hands.len() as u32 {
-            self.sheet.release(hand);
+        for grab in 0..self.pulls.len() as u32 {
+            self.sheet.release(grab);
         }
-        self.hands = [None; MAX_GRABS];
+        self.pulls = [None; MAX_GRABS];
         if self.phase != Phase::Falling(to) {
             self.settling = None;
             self.fallen = 0;
@@ -77,26 +77,26 @@ impl Leaf {
         }
     }
 
-    /// Whether it lies on the other side than it is bound for, and no hand of its own has
+    /// Whether it lies on the other side than it is headed for, and no grab of its own has
     /// tried to turn it over yet.
     fn lies_across_from(&self, side: Side) -> bool {
         let to_go = match side {
-            Side::Left => 1.0 - self.share,
-            Side::Right => self.share,
+            Side::Left => 1.0 - self.turned,
+            Side::Right => self.turned,
         };
         self.paper.assist
             && !self.turned_over
             && self.fallen >= LYING_TICKS
             && to_go > LYING_TO_GO
-            && self.share_rate.abs() < LYING_RATE
+            && self.turn_rate.abs() < LYING_RATE
     }
 
     /// Pushes the leaf round the spine toward a side, most at the fore-edge and
     /// less the farther it has come, where its weight does the rest.
     fn help_over(&mut self, side: Side) {
         let (to_go, sign) = match side {
-            Side::Left => (1.0 - self.share, 1.0),
-            Side::Right => (self.share, -1.0),
+            Side::Left => (1.0 - self.turned, 1.0),
+            Side::Right => (self.turned, -1.0),
         };
         let strength = ((to_go - 0.1) / 0.3).clamp(0.0, 1.0) * ASSIST * self.haste;
         let strength = if self.paper.assist {

@@ -1,4 +1,4 @@
-//! A turn without a reader's hand: a hand of its own turns the leaf.
+//! A turn without a reader's hand: a grab of its own turns the leaf.
 
 use super::Leaf;
 use super::course::Course;
@@ -6,20 +6,20 @@ use crate::book::limits::{LONGEST_TURN, TICK};
 use crate::book::phase::Phase;
 use crate::grid::Side;
 
-/// Number of the hand that turns a leaf; readers' hands have lower ones.
+/// Number of the grab that turns a leaf; readers' grabs have lower ones.
 const TURNER: u32 = 1000;
 
 /// Where on the leaf it holds: at the fore-edge, a little above the foot.
 const PLACE: [f32; 2] = [1.0, 0.14];
 
-/// Part of a turn's duration that the hand leads the leaf; the rest of it the
+/// Part of a turn's duration that the grab leads the leaf; the rest of it the
 /// leaf falls.
 const LED: f32 = 0.85;
 
-/// Part of its way at which the hand lets go.
+/// Part of its way at which the grab lets go.
 const LET_GO: f32 = 0.8;
 
-/// How far the hand is drawn in toward the spine half-way, as part of the
+/// How far the grab is drawn in toward the spine half-way, as part of the
 /// width, so that the leaf bows up; and how far toward the head, of the height.
 const PULL: f32 = 0.16;
 const RISE: f32 = 0.05;
@@ -31,7 +31,7 @@ const SHORTEST: f32 = 0.2;
 const UNHURRIED: f32 = 0.8;
 
 impl Leaf {
-    /// Takes the leaf to a side: from rest by a hand of its own, `seconds` (0.2 to
+    /// Takes the leaf to a side: from rest by a grab of its own, `seconds` (0.2 to
     /// 600, 0.8 where they are not finite) long; a turn that it is in goes on at that pace, backward if
     /// need be; a leaf that is held or falls is let fall there.
     pub fn play(&mut self, to: Side, seconds: f32) {
@@ -60,12 +60,12 @@ impl Leaf {
         }
     }
 
-    /// Has a hand of its own turn the leaf to a side from where it is.
+    /// Has a grab of its own turn the leaf to a side from where it is.
     pub(super) fn turn(&mut self, to: Side, haste: f32) {
         let rate = haste / (LED * UNHURRIED);
         let rate = if to == Side::Left { rate } else { -rate };
-        // Where a hand is at this share of its way: of a smoothstep, near enough.
-        let time = self.share.clamp(0.0, 1.0);
+        // Where a grab is at this fraction of its way: of a smoothstep, near enough.
+        let time = self.turned.clamp(0.0, 1.0);
         self.drop_course();
         self.sheet.grab(TURNER, PLACE[0], PLACE[1]);
         self.course = Some(Course { time, rate });

@@ -20,7 +20,7 @@ fn leaf(book: &Book) -> &Leaf {
     book.flights.order()[0].leaf()
 }
 
-/// Steps until nothing flies; `each` sees the book after every tick. Answers
+/// Steps until nothing flies; `each` sees the book after every tick. Returns
 /// the ticks it took.
 fn rest(book: &mut Book, mut each: impl FnMut(&Book)) -> u32 {
     for tick in 0..2000 {
@@ -39,7 +39,7 @@ fn worst(book: &Book) -> (f32, f32) {
     leaves.fold((0.0, 0.0), |(strain, depth), leaf| {
         (
             f32::max(strain, leaf.sheet().max_edge_strain()),
-            f32::max(depth, leaf.seated().depth),
+            f32::max(depth, leaf.in_book_space().depth),
         )
     })
 }
@@ -58,7 +58,7 @@ fn a_played_turn_lands_on_the_other_side_soon_after_its_time() {
         } else {
             (39, 39)
         };
-        let id = book.lift(from, low, low + 1).unwrap();
+        let id = book.pick_up(from, low, low + 1).unwrap();
         book.play(id, from.opposite(), seconds);
         let ticks = rest(&mut book, |book| {
             let (strain, depth) = worst(book);
@@ -109,7 +109,7 @@ fn a_played_turn_hardly_shears_its_paper() {
             };
             for leaf in 0..leaves {
                 let low = if from == Side::Right { 40 + leaf } else { 39 };
-                let id = book.lift(from, low, low + 1).unwrap();
+                let id = book.pick_up(from, low, low + 1).unwrap();
                 book.play(id, from.opposite(), seconds);
                 for _ in 0..16 {
                     book.step(1);
@@ -136,14 +136,14 @@ fn a_played_turn_hardly_shears_its_paper() {
 #[test]
 fn leaves_do_not_jerk_as_others_join_them() {
     let mut book = book();
-    let first = book.lift(Side::Right, 40, 41).unwrap();
+    let first = book.pick_up(Side::Right, 40, 41).unwrap();
     book.play(first, Side::Left, 2.0);
     let mut before: Option<(Vec<f32>, Vec<f32>)> = None;
     let (mut fine, mut coarse) = (0, 0);
     for tick in 0..200 {
         if [20, 40, 60].contains(&tick) {
             let low = 40 + tick / 20;
-            let id = book.lift(Side::Right, low, low + 1).unwrap();
+            let id = book.pick_up(Side::Right, low, low + 1).unwrap();
             book.play(id, Side::Left, if tick == 60 { 0.8 } else { 2.0 });
         }
         book.step(1);
@@ -172,7 +172,7 @@ fn leaves_do_not_jerk_as_others_join_them() {
 #[test]
 fn a_played_turn_never_jumps() {
     let mut book = book();
-    let id = book.lift(Side::Right, 40, 41).unwrap();
+    let id = book.pick_up(Side::Right, 40, 41).unwrap();
     book.play(id, Side::Left, 0.8);
     book.update();
     let mut before = book.surface(0).unwrap().positions.clone();
@@ -192,7 +192,7 @@ fn a_played_turn_never_jumps() {
 #[test]
 fn a_turn_can_be_reversed_on_its_way() {
     let mut book = book();
-    let id = book.lift(Side::Right, 40, 41).unwrap();
+    let id = book.pick_up(Side::Right, 40, 41).unwrap();
     book.play(id, Side::Left, 0.8);
     book.step(40);
     assert_eq!(book.phase(id), Some(Phase::Playing(Side::Left)));
@@ -204,50 +204,50 @@ fn a_turn_can_be_reversed_on_its_way() {
 #[test]
 fn a_hand_catches_a_leaf_in_mid_turn_and_it_goes_on_from_there() {
     let mut book = book();
-    let id = book.lift(Side::Right, 40, 41).unwrap();
+    let id = book.pick_up(Side::Right, 40, 41).unwrap();
     book.play(id, Side::Left, 0.8);
     book.step(40);
-    let before = leaf(&book).seated().points[NODES[0] - 1];
+    let before = leaf(&book).in_book_space().points[NODES[0] - 1];
     book.grab(id, 0, 1.0, 0.0);
     assert_eq!(book.phase(id), Some(Phase::Held));
     book.step(1);
-    let now = leaf(&book).seated().points[NODES[0] - 1];
+    let now = leaf(&book).in_book_space().points[NODES[0] - 1];
     let moved = [0, 1, 2].map(|axis| (now[axis] - before[axis]).abs());
     assert!(moved.iter().all(|d| *d < 3.0 * TICK), "{moved:?}");
 }
 
 #[test]
 fn a_held_place_goes_where_the_hand_is() {
-    for (u, v, hand) in [
+    for (u, v, grab) in [
         (1.0, 0.0, [0.05, 0.03, 0.08]),
         (1.0, 0.5, [-0.06, 0.1, 0.07]),
         (0.6, 0.3, [0.02, 0.06, 0.06]),
     ] {
         let mut book = book();
-        let id = book.lift(Side::Right, 40, 41).unwrap();
+        let id = book.pick_up(Side::Right, 40, 41).unwrap();
         book.grab(id, 0, u, v);
-        book.hold(id, 0, hand);
+        book.hold(id, 0, grab);
         book.step(240);
-        let nodes = &leaf(&book).seated().points;
+        let nodes = &leaf(&book).in_book_space().points;
         let column = (u * (NODES[0] - 1) as f32 + 0.5) as usize;
         let row = (v * (NODES[1] - 1) as f32 + 0.5) as usize;
         let at = nodes[row * NODES[0] + column];
-        let away = [0, 1, 2].map(|axis| at[axis] - hand[axis]);
+        let away = [0, 1, 2].map(|axis| at[axis] - grab[axis]);
         let away = away.iter().map(|d| d * d).sum::<f32>().sqrt();
-        assert!(away < 0.012, "{away} m from the hand at {u}, {v}");
+        assert!(away < 0.012, "{away} m from the grab at {u}, {v}");
     }
 }
 
 #[test]
 fn two_hands_hold_one_leaf() {
     let mut book = book();
-    let id = book.lift(Side::Right, 40, 41).unwrap();
+    let id = book.pick_up(Side::Right, 40, 41).unwrap();
     book.grab(id, 0, 1.0, 0.0);
     book.grab(id, 1, 1.0, 1.0);
     book.hold(id, 0, [0.02, 0.02, 0.11]);
     book.hold(id, 1, [0.11, 0.19, 0.05]);
     book.step(240);
-    let nodes = &leaf(&book).seated().points;
+    let nodes = &leaf(&book).in_book_space().points;
     let (foot, head) = (nodes[NODES[0] - 1], nodes[NODES[0] * NODES[1] - 1]);
     assert!(foot[0] < 0.05 && head[0] > 0.09, "{foot:?} {head:?}");
     book.release(id, 0);
@@ -260,7 +260,7 @@ fn two_hands_hold_one_leaf() {
 fn a_leaf_thrown_over_the_middle_goes_on_and_one_let_go_falls_back() {
     for (to, read) in [([-0.07, 0.1, 0.09], 41), ([0.1, 0.1, 0.05], 40)] {
         let mut book = book();
-        let id = book.lift(Side::Right, 40, 41).unwrap();
+        let id = book.pick_up(Side::Right, 40, 41).unwrap();
         book.grab(id, 0, 1.0, 0.5);
         for k in 1..=30 {
             let t = k as f32 / 30.0;
@@ -282,7 +282,7 @@ fn without_assist_gravity_decides() {
     for (x, read) in [(-0.05, 41), (0.05, 40)] {
         let mut book = book();
         book.set_paper(&paper);
-        let id = book.lift(Side::Right, 40, 41).unwrap();
+        let id = book.pick_up(Side::Right, 40, 41).unwrap();
         book.grab(id, 0, 1.0, 0.5);
         book.hold(id, 0, [x, 0.1, 0.12]);
         book.step(240);
@@ -296,7 +296,7 @@ fn without_assist_gravity_decides() {
 fn leaves_of_a_riffle_do_not_pass_through_each_other() {
     let mut book = book();
     for k in 0..12 {
-        let id = book.lift(Side::Right, 40 + k, 41 + k).unwrap();
+        let id = book.pick_up(Side::Right, 40 + k, 41 + k).unwrap();
         book.play(id, Side::Left, 0.5);
         for _ in 0..5 {
             book.step(1);
@@ -316,7 +316,7 @@ fn leaves_of_a_riffle_do_not_pass_through_each_other() {
 fn no_hand_presses_a_leaf_into_its_pile() {
     for place in [[0.1, 0.1, -0.2], [-0.1, 0.1, -0.1], [0.02, 0.05, 0.0]] {
         let mut book = book();
-        let id = book.lift(Side::Right, 40, 41).unwrap();
+        let id = book.pick_up(Side::Right, 40, 41).unwrap();
         book.grab(id, 0, 1.0, 0.5);
         for _ in 0..120 {
             book.hold(id, 0, place);
@@ -330,8 +330,8 @@ fn no_hand_presses_a_leaf_into_its_pile() {
 #[test]
 fn a_leaf_pulled_up_under_another_makes_it_go_over_to_the_other_side() {
     let mut book = book();
-    let upper = book.lift(Side::Left, 39, 40).unwrap();
-    let lower = book.lift(Side::Left, 38, 39).unwrap();
+    let upper = book.pick_up(Side::Left, 39, 40).unwrap();
+    let lower = book.pick_up(Side::Left, 38, 39).unwrap();
     book.grab(lower, 0, 1.0, 0.5);
     for _ in 0..180 {
         book.hold(lower, 0, [-0.06, 0.1, 0.1]);
@@ -346,7 +346,7 @@ fn a_leaf_pulled_up_under_another_makes_it_go_over_to_the_other_side() {
 #[test]
 fn a_leaf_caught_as_it_settles_is_no_longer_down() {
     let mut book = book();
-    let id = book.lift(Side::Right, 40, 41).unwrap();
+    let id = book.pick_up(Side::Right, 40, 41).unwrap();
     book.play(id, Side::Left, 0.5);
     while !leaf(&book).is_down() || book.phase(id) == Some(Phase::Resting(Side::Right)) {
         book.step(1);
@@ -359,7 +359,7 @@ fn a_leaf_caught_as_it_settles_is_no_longer_down() {
 fn no_hand_tears_a_leaf() {
     for_seeds(|random| {
         let mut book = book();
-        let id = book.lift(Side::Right, 40, 41).unwrap();
+        let id = book.pick_up(Side::Right, 40, 41).unwrap();
         book.grab(id, 0, random.between(0.2, 1.0), random.between(0.0, 1.0));
         let mut most = 0.0f32;
         for _ in 0..12 {
@@ -399,12 +399,12 @@ fn a_stiffer_stock_bows_less_and_wind_carries_a_leaf_over() {
             stock,
             ..Paper::default()
         }));
-        let id = book.lift(Side::Right, 40, 41).unwrap();
+        let id = book.pick_up(Side::Right, 40, 41).unwrap();
         book.grab(id, 0, 1.0, 0.5);
         book.hold(id, 0, [0.06, 0.1, 0.08]);
         book.step(360);
-        // Height of the middle of the leaf over the chord from spine to hand.
-        let nodes = &leaf(&book).seated().points;
+        // Height of the middle of the leaf over the chord from spine to grab.
+        let nodes = &leaf(&book).in_book_space().points;
         nodes[7 * NODES[0] + 5][2]
     };
     assert!(lean(Stock::CARD) > lean(Stock::BIBLE) + 0.005);
@@ -416,7 +416,7 @@ fn a_stiffer_stock_bows_less_and_wind_carries_a_leaf_over() {
         ..Paper::default()
     };
     assert!(book.set_paper(&paper));
-    let id = book.lift(Side::Right, 40, 41).unwrap();
+    let id = book.pick_up(Side::Right, 40, 41).unwrap();
     book.grab(id, 0, 1.0, 0.5);
     book.hold(id, 0, [0.06, 0.1, 0.12]);
     book.step(120);
@@ -439,9 +439,9 @@ fn a_leaf_that_is_sent_back_while_it_lands_is_turned_and_not_put_down() {
             stock: Stock::named(stock).unwrap(),
             ..Paper::default()
         });
-        let id = book.lift(Side::Right, 40, 41).unwrap();
+        let id = book.pick_up(Side::Right, 40, 41).unwrap();
         book.play(id, Side::Left, 0.8);
-        while book.phase(id) != Some(Phase::Falling(Side::Left)) || leaf(&book).share < 0.98 {
+        while book.phase(id) != Some(Phase::Falling(Side::Left)) || leaf(&book).turned < 0.98 {
             book.step(1);
         }
         book.play(id, Side::Right, 0.8);
@@ -461,5 +461,43 @@ fn a_leaf_that_is_sent_back_while_it_lands_is_turned_and_not_put_down() {
         // It is lifted over the spine, and not drawn through it.
         assert!(highest > 0.09, "{stock}: {highest} m high");
         assert!(ticks < 240, "{stock}: {ticks} ticks");
+    }
+}
+
+/// A held leaf sleeps once it lies still, and wakes when a grab moves.
+#[test]
+fn a_leaf_held_still_sleeps_until_a_hand_moves() {
+    for stock in Stock::NAMES {
+        for place in [[0.1, 0.0, 0.06], [-0.08, 0.05, 0.1]] {
+            let mut book = book();
+            book.set_paper(&Paper {
+                stock: Stock::named(stock).unwrap(),
+                ..Paper::default()
+            });
+            assert!(book.is_asleep());
+            let id = book.pick_up(Side::Right, 40, 41).unwrap();
+            book.grab(id, 0, 1.0, 0.1);
+            book.hold(id, 0, place);
+            let mut ticks = 0;
+            while !book.is_asleep() {
+                book.step(1);
+                ticks += 1;
+                assert!(ticks < 600, "{stock} never sleeps");
+            }
+            // The same place again is no motion; another is, as a command is.
+            let asleep = book.surface(0).unwrap().positions.clone();
+            book.hold(id, 0, place);
+            assert!(book.is_asleep());
+            book.step(60);
+            book.update();
+            let apart = asleep.iter().zip(&book.surface(0).unwrap().positions);
+            assert!(apart.count() > 0);
+            book.hold(id, 0, place.map(|x| x + 0.01));
+            assert!(!book.is_asleep());
+            book.release(id, 0);
+            assert!(!book.is_asleep());
+            rest(&mut book, |_| {});
+            assert!(book.is_asleep());
+        }
     }
 }

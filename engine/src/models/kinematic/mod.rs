@@ -307,7 +307,7 @@ impl TurnModel for Kinematic {
     fn write_surface(&mut self, surface: &mut Surface) {
         surface.resize(self.x.len(), self.y.len());
         let points = surface.positions.as_chunks_mut::<3>().0;
-        // Which shape it is, is asked once and not at every point.
+        // Which shape it is, is decided once and not at every point.
         match self.pose {
             Pose::Rigid(pose) => self.draw(points, |at| pose.place(at)),
             Pose::Peel(pose) => self.draw(points, |at| pose.place(at)),

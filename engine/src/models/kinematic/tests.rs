@@ -290,7 +290,7 @@ fn wild_hands_leave_every_leaf_whole() {
 }
 
 #[test]
-fn settings_that_make_no_leaf_are_refused_in_one_sentence() {
+fn settings_that_make_no_leaf_are_rejected_in_one_sentence() {
     let good = KinematicSettings::leaf(Shape::Cone, 0.1, 0.2, Stock::BOOK);
     for bad in [
         KinematicSettings {

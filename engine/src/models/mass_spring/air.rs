@@ -25,7 +25,7 @@ impl Air {
         for row in 0..grid.rows {
             for column in 0..grid.columns {
                 let lane = grid.lane(column, row);
-                let area = cell * grid.area_share(column, row);
+                let area = cell * grid.area_fraction(column, row);
                 coefficient[lane] = settings.air_drag * area * inverse_mass[lane];
             }
         }

@@ -84,13 +84,13 @@ impl Motion {
             (1.0 / 3.0, 1.0),
             (1.0 / 6.0, 0.0),
         ];
-        for (share, ahead) in stages {
+        for (weight, ahead) in stages {
             forces.compute(&stage.position, &stage.velocity, &mut self.force);
             for axis in 0..3 {
-                add_scaled(&mut stage.slope_x[axis], share, &stage.velocity[axis]);
+                add_scaled(&mut stage.slope_x[axis], weight, &stage.velocity[axis]);
                 accelerate(
                     &mut stage.slope_v[axis],
-                    share,
+                    weight,
                     &self.force[axis],
                     inverse_mass,
                 );

@@ -5,7 +5,7 @@
 
 mod air;
 mod forces;
-mod hands;
+mod grabs;
 mod held;
 mod integrate;
 mod nodes;
@@ -72,7 +72,7 @@ pub struct MassSpring {
 
 impl MassSpring {
     /// A leaf at rest on its side. It is drawn by 26 x 26 points, as in the
-    /// paper, until told otherwise.
+    /// paper, unless set otherwise.
     ///
     /// # Errors
     /// If the settings make no leaf; the error says which and why.
@@ -275,7 +275,7 @@ fn masses(settings: &Settings, grid: &Grid) -> (Vec<f32>, Vec<f32>) {
                     air,
                     gravity,
                 } => {
-                    let area = grid.du() * grid.dv() * grid.area_share(column, row);
+                    let area = grid.du() * grid.dv() * grid.area_fraction(column, row);
                     (1.0 / ((grammage + air) * area), grammage * area * gravity)
                 }
             };

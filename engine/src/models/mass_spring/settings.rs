@@ -267,7 +267,7 @@ impl Settings {
                 passes: 40,
             },
         };
-        // The fastest bending wave is damped to half of critical at most.
+        // The fastest bending mode is damped to half of critical at most.
         settings.plate.loss = settings.plate.loss.min(0.5 / settings.fastest_bending());
         settings
     }
@@ -291,7 +291,7 @@ impl Settings {
     }
 
     /// Substeps that bending needs: the explicit integrators are stable up to 2
-    /// radians of the fastest wave a substep, less with its damping.
+    /// radians of the fastest mode a substep, less with its damping.
     pub(super) fn stable_substeps(&self) -> usize {
         libm::ceilf(self.time_step * self.fastest_bending() / 1.0) as usize
     }
@@ -342,10 +342,10 @@ impl core::error::Error for InvalidSettings {}
 impl Settings {
     /// Whether the settings make a leaf.
     pub(crate) fn check(&self) -> Result<(), InvalidSettings> {
-        let refuse = |sentence: String| Err(InvalidSettings(sentence));
+        let reject = |sentence: String| Err(InvalidSettings(sentence));
         for (what, count) in [("columns", self.columns), ("rows", self.rows)] {
             if !(3..=16).contains(&count) {
-                return refuse(format!("A leaf has 3 to 16 {what} of nodes, not {count}."));
+                return reject(format!("A leaf has 3 to 16 {what} of nodes, not {count}."));
             }
         }
         let (first, second) = match self.masses {
@@ -363,7 +363,7 @@ impl Settings {
             ("time step", self.time_step),
         ] {
             if !(value > 0.0 && value.is_finite()) {
-                return refuse(format!(
+                return reject(format!(
                     "A leaf's {what} is above 0 and finite, not {value}."
                 ));
             }
@@ -384,14 +384,14 @@ impl Settings {
         ];
         for (what, value) in others {
             if !(value >= 0.0 && value.is_finite()) {
-                return refuse(format!(
+                return reject(format!(
                     "A leaf's {what} is 0 or above and finite, not {value}."
                 ));
             }
         }
         for substeps in [self.substeps, self.stable_substeps()] {
             if !(0..=1000).contains(&substeps) || self.substeps == 0 {
-                return refuse(format!("A step has 1 to 1000 substeps, not {substeps}."));
+                return reject(format!("A step has 1 to 1000 substeps, not {substeps}."));
             }
         }
         Ok(())

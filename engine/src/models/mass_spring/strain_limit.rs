@@ -14,7 +14,7 @@ use crate::grid::Grid;
 /// disturb still ends within it.
 const MARGIN: f32 = 0.8;
 
-/// Strain before the first round up to which hands do not give way.
+/// Strain before the first round up to which grabs do not give way.
 const FIRM: f32 = 0.02;
 
 /// Room for one chain of nodes.
@@ -52,7 +52,7 @@ impl Limiter {
 
     /// Projects the nodes, each moved by its weight. Weights are `firm`, 0 for
     /// every node that is fixed or held; where much is to be projected they are
-    /// `yielding`, and hands give way rather than crumple the sheet.
+    /// `yielding`, and grabs give way rather than crumple the sheet.
     pub fn apply(
         &mut self,
         grid: &Grid,
@@ -75,7 +75,7 @@ impl Limiter {
                 for _ in 0..passes {
                     self.sweep(grid, springs, weight, limit * MARGIN, position);
                     if floor {
-                        lift(&mut position[2][..grid.lanes()], weight);
+                        put_on_table(&mut position[2][..grid.lanes()], weight);
                     }
                     let range = springs.strain(position);
                     if range.max <= limit && range.min >= -limit {
@@ -142,16 +142,16 @@ fn project(
         return;
     };
     if total > 0.0 && length > 0.0 {
-        let share = (length - wanted) / (length * total);
+        let part = (length - wanted) / (length * total);
         for axis in 0..3 {
-            position[axis][a] += weight.0 * share * d[axis];
-            position[axis][b] -= weight.1 * share * d[axis];
+            position[axis][a] += weight.0 * part * d[axis];
+            position[axis][b] -= weight.1 * part * d[axis];
         }
     }
 }
 
 /// Puts free nodes below the table onto it.
-fn lift(height: &mut [f32], inverse_mass: &[f32]) {
+fn put_on_table(height: &mut [f32], inverse_mass: &[f32]) {
     for (z, &weight) in height.iter_mut().zip(inverse_mass) {
         if *z < 0.0 && weight > 0.0 {
             *z = 0.0;

@@ -218,8 +218,8 @@ fn wild_hands_neither_tear_nor_explode_a_page() {
                 let wanted = leaf.within_reach(column, row, target);
                 let d = [0, 1, 2].map(|axis| wanted[axis] - place[axis]);
                 let distance = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt().max(1e-9);
-                let share = (2.5 * leaf.time_step() / distance).min(1.0);
-                place = [0, 1, 2].map(|axis| place[axis] + share * d[axis]);
+                let part = (2.5 * leaf.time_step() / distance).min(1.0);
+                place = [0, 1, 2].map(|axis| place[axis] + part * d[axis]);
                 leaf.hold(column, row, place);
                 leaf.step();
                 assert!(leaf.is_finite());
@@ -500,8 +500,8 @@ fn laid_flat_again_a_turn_repeats_its_bits() {
 }
 
 #[test]
-fn settings_that_make_no_leaf_are_refused_in_one_sentence() {
-    let refused: [fn(&mut Settings); 8] = [
+fn settings_that_make_no_leaf_are_rejected_in_one_sentence() {
+    let rejected: [fn(&mut Settings); 8] = [
         |s| s.columns = 2,
         |s| s.rows = 17,
         |s| s.width = 0.0,
@@ -516,7 +516,7 @@ fn settings_that_make_no_leaf_are_refused_in_one_sentence() {
             }
         },
     ];
-    for (index, change) in refused.iter().enumerate() {
+    for (index, change) in rejected.iter().enumerate() {
         let mut settings = Settings::paper_2014();
         change(&mut settings);
         let sentence = MassSpring::new(settings)

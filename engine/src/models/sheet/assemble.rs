@@ -53,8 +53,8 @@ impl Sheet {
             .subtract_forces(&self.lagging, &self.lagging_tangents, forces);
         self.membrane.add_to(&self.positions, &mut self.system);
         self.add_inertia_and_air();
-        for hand in &mut self.hands {
-            hand.add_to(&mut self.system, &self.positions);
+        for grab in &mut self.grabs {
+            grab.add_to(&mut self.system, &self.positions);
         }
         self.add_bounds();
     }

@@ -278,13 +278,13 @@ fn add_node(sum: &mut Sum, settings: &SheetSettings, d: &Rigidity, column: usize
             sum.add(&a, &a, sum.along_u[node]);
             sum.add(&b, &b, d.d22 * area);
             // Without its hinge's curvature a node has no part in Poisson's effect.
-            let share = if column == 0 {
+            let part = if column == 0 {
                 weight / GREGORY[0]
             } else {
                 1.0
             };
-            sum.add(&a, &b, d.d12 * share * area);
-            sum.add(&b, &a, d.d12 * share * area);
+            sum.add(&a, &b, d.d12 * part * area);
+            sum.add(&b, &a, d.d12 * part * area);
         }
         // A free edge curls as it likes across itself.
         (Some(a), None) => {

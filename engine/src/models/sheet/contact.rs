@@ -1,7 +1,7 @@
 //! What a sheet must not pass through, as half-spaces.
 //!
-//! The sheet knows nothing of blocks, boards or other leaves: whoever puts it
-//! into a book says for each node which planes bound it now. Contact is a stiff
+//! The sheet knows nothing of piles, boards or other leaves: the book that holds
+//! it says for each node which planes bound it now. Contact is a stiff
 //! spring inside the implicit solve, which settles a landing leaf without the
 //! strain that moving nodes out afterwards would cost.
 

@@ -10,7 +10,7 @@
 mod assemble;
 mod bending;
 mod contact;
-mod hand;
+mod grabs;
 mod measure;
 mod membrane;
 mod settings;
@@ -24,7 +24,7 @@ pub use settings::{InvalidSheet, Root, SheetSettings};
 
 use crate::vector::dot;
 use bending::Bending;
-use hand::Hand;
+use grabs::Grab;
 use membrane::Membrane;
 use sweep::Sweep;
 use system::System;
@@ -37,7 +37,7 @@ use crate::synchronise::{Synchronise, Synchroniser};
 use crate::turn::TurnModel;
 use settings::CAN_SYNCHRONISE;
 
-/// Greatest speed of a node, m/s: nothing that a hand does to paper is faster.
+/// Greatest speed of a node, m/s: nothing that a grab does to paper is faster.
 const FASTEST: f32 = 12.0;
 
 /// Stiffness that holds a pinned node, N/m.
@@ -77,7 +77,7 @@ pub struct Sheet {
     lagging_tangents: Vec<f32>,
     contacts: Vec<[Contact; CONTACTS]>,
     pins: Vec<Option<[f32; 3]>>,
-    hands: Vec<Hand>,
+    grabs: Vec<Grab>,
     interpolation: Local,
     synchroniser: Option<(Grid, Synchroniser)>,
     time: f64,
@@ -129,7 +129,7 @@ impl Sheet {
             lagging_tangents: vec![0.0; 3 * rows],
             contacts: vec![[Contact::default(); CONTACTS]; nodes],
             pins: vec![None; nodes],
-            hands: Vec::new(),
+            grabs: Vec::new(),
             interpolation: Local::b_spline((columns, rows), &samples.0, &samples.1),
             synchroniser: None,
             time: 0.0,
@@ -190,10 +190,10 @@ impl Sheet {
         self.prepare();
     }
 
-    /// Advances by a step, the first of `count` in which its hands shall go the way
+    /// Advances by a step, the first of `count` in which its grabs shall go the way
     /// to where they pull.
     pub(crate) fn step_of(&mut self, count: u32) {
-        hand::follow(&mut self.hands, &self.settings, self.h, count);
+        grabs::follow(&mut self.grabs, &self.settings, self.h, count);
         self.advance();
     }
 
@@ -211,7 +211,7 @@ impl Sheet {
             x[2] = 0.0;
         }
         self.velocities.fill(0.0);
-        self.hands.clear();
+        self.grabs.clear();
         let angle = match side {
             Side::Right => 0.0,
             Side::Left => core::f32::consts::PI,
@@ -306,34 +306,34 @@ impl Sheet {
         }
     }
 
-    /// A hand takes hold at (`u`, `v`); one of the same number lets go of what
+    /// A grab takes hold at (`u`, `v`); one of the same number lets go of what
     /// it held.
-    pub fn grab(&mut self, hand: u32, u: f32, v: f32) {
-        self.release(hand);
+    pub fn grab(&mut self, grab: u32, u: f32, v: f32) {
+        self.release(grab);
         if u.is_finite() && v.is_finite() {
-            let hand = Hand::new(hand, u, v, &self.settings, &self.positions);
-            self.hands.push(hand);
+            let grab = Grab::new(grab, u, v, &self.settings, &self.positions);
+            self.grabs.push(grab);
         }
     }
 
-    /// A hand pulls what it holds to a place, metres. Nothing happens where it
+    /// A grab pulls what it holds to a place, metres. Nothing happens where it
     /// holds nothing or the place is no number.
-    pub fn pull(&mut self, hand: u32, to: [f32; 3]) {
-        if let Some(hand) = self.hands.iter_mut().find(|known| known.id == hand) {
-            hand.pull(to);
+    pub fn pull(&mut self, grab: u32, to: [f32; 3]) {
+        if let Some(grab) = self.grabs.iter_mut().find(|known| known.id == grab) {
+            grab.pull(to);
         }
     }
 
-    /// A hand lets go.
-    pub fn release(&mut self, hand: u32) {
-        self.hands.retain(|known| known.id != hand);
+    /// A grab lets go.
+    pub fn release(&mut self, grab: u32) {
+        self.grabs.retain(|known| known.id != grab);
     }
 
-    /// Where the place that a hand holds is now, metres; None where it holds
+    /// Where the place that a grab holds is now, metres; None where it holds
     /// nothing.
-    pub fn held_place(&self, hand: u32) -> Option<[f32; 3]> {
-        let hand = self.hands.iter().find(|known| known.id == hand)?;
-        Some(hand.held_place(&self.positions))
+    pub fn held_place(&self, grab: u32) -> Option<[f32; 3]> {
+        let grab = self.grabs.iter().find(|known| known.id == grab)?;
+        Some(grab.held_place(&self.positions))
     }
 
     /// Draws at the values `u` and `v` (each rising and within 0 to 1).
@@ -366,10 +366,10 @@ impl Sheet {
         }
     }
 
-    /// Hands give way to what they could not draw the sheet through.
+    /// Grabs give way to what they could not draw the sheet through.
     pub(crate) fn give_way(&mut self) {
-        for hand in &mut self.hands {
-            hand.give_way(&self.positions);
+        for grab in &mut self.grabs {
+            grab.give_way(&self.positions);
         }
     }
 

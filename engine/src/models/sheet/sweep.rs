@@ -10,7 +10,7 @@
 //! they take out of stretch into shear. It is an inequality, cell by cell, as to make
 //! lengths and right angles exact at once would lock the sheet.
 //!
-//! What a hand's pull or a throw drove through a firm contact within the step is
+//! What a grab's pull or a throw drove through a firm contact within the step is
 //! brought back between the sweeps, so that the paper around it follows.
 
 use super::contact::{CONTACTS, Contact};
@@ -25,6 +25,12 @@ const TOLERANCE: f32 = 2e-4;
 const MOST_SHEAR: f32 = 3e-3;
 const MORE_SHEAR: f32 = 1e-3;
 
+/// Shear of a cell, radians, that sweeps go on to take back when less of it yields to
+/// lengths, and how many do. What violent grabs and gusts leave a leaf that has few
+/// [`shear_sweeps`](SheetSettings::shear_sweeps) was 27 degrees.
+const GROSS_SHEAR: f32 = 0.1;
+const GROSS_SWEEPS: usize = 60;
+
 /// Depth in a firm contact that is left to its spring, metres; what is deeper is
 /// brought back to it.
 const LEFT: f32 = 3e-4;
@@ -33,7 +39,7 @@ const LEFT: f32 = 3e-4;
 /// sweeps' reach.
 const BEYOND: f32 = 5e-3;
 
-/// Sweeps after which contacts yield to lengths: between two hands there may be
+/// Sweeps after which contacts yield to lengths: between two grabs there may be
 /// no place for a leaf, but tear it shall not.
 const YIELD: usize = 10;
 
@@ -41,7 +47,7 @@ const YIELD: usize = 10;
 const STRIDE: f32 = 4e-3;
 
 /// Fewest and most sweeps of a step. Nearly all steps need few; one in which a
-/// wild hand crumples a light leaf needs many, and with fewer it would keep some
+/// wild grab crumples a light leaf needs many, and with fewer it would keep some
 /// stretch.
 const FEWEST: usize = 2;
 const MOST: usize = 160;
@@ -111,7 +117,12 @@ impl Sweep {
             } else {
                 0.0
             };
-            if round < self.shear_sweeps && self.limit_shear(positions) > MORE_SHEAR {
+            let allowed = match round {
+                _ if round < self.shear_sweeps => Some(MOST_SHEAR),
+                _ if round < GROSS_SWEEPS => Some(GROSS_SHEAR),
+                _ => None,
+            };
+            if allowed.is_some_and(|allowed| self.limit_shear(positions, allowed) > MORE_SHEAR) {
                 off = off.max(1.0);
             }
             for column in self.first..columns {
@@ -139,7 +150,7 @@ impl Sweep {
         }
     }
 
-    /// Brings back what is deep in a firm contact; answers by how much at most,
+    /// Brings back what is deep in a firm contact. Returns by how much at most,
     /// as a part of a cell.
     fn bring_back(&self, positions: &mut [f32]) -> f32 {
         let x = positions.as_chunks_mut::<3>().0;
@@ -162,11 +173,11 @@ impl Sweep {
         }
     }
 
-    /// Takes back the shear of cells that have too much of it, one after another;
-    /// returns by how much they had at most, in radians while it is small. The shear
+    /// Takes back the shear of cells that have more of it than is `allowed`, one after
+    /// another; returns by how much more they had at most, in radians while it is small. The shear
     /// is the product of a cell's mean tangents, the difference of the squares of its
     /// diagonals over four times its area.
-    fn limit_shear(&self, positions: &mut [f32]) -> f32 {
+    fn limit_shear(&self, positions: &mut [f32], allowed: f32) -> f32 {
         let x = positions.as_chunks_mut::<3>().0;
         let slope = 0.5 / (self.cell[0] * self.cell[1]);
         let mut most = 0.0f32;
@@ -179,7 +190,7 @@ impl Sweep {
             let falling = sub(x[foot + 1], x[head]);
             let [long, short] = [dot(rising, rising), dot(falling, falling)];
             let shear = 0.5 * slope * (long - short);
-            let excess = shear.abs() - MOST_SHEAR;
+            let excess = shear.abs() - allowed;
             if excess <= 0.0 {
                 continue;
             }
@@ -201,7 +212,7 @@ impl Sweep {
     }
 
     /// Restores one chain of `count` nodes from node `start`, each `step` nodes
-    /// on; answers the greatest strain found.
+    /// on. Returns the greatest strain found.
     fn chain(
         &mut self,
         positions: &mut [f32],

@@ -98,7 +98,7 @@ impl System {
         }
     }
 
-    /// Solves for the displacements and adds them to `positions`; answers
+    /// Solves for the displacements and adds them to `positions`; returns
     /// whether all is finite, and changes nothing where it is not.
     pub fn solve(&mut self, positions: &mut [f32]) -> bool {
         let (row, skip) = (3 * self.columns, 3 * self.first);

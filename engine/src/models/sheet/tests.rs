@@ -166,8 +166,8 @@ fn any_stock_at_any_size_stays_finite_under_any_hand() {
         sheet.grab(0, random.between(0.0, 1.0), random.between(0.0, 1.0));
         sheet.grab(1, random.between(0.0, 1.0), random.between(0.0, 1.0));
         for _ in 0..10 {
-            for hand in 0..2 {
-                sheet.pull(hand, [(); 3].map(|()| random.between(-1.0, 1.0)));
+            for grab in 0..2 {
+                sheet.pull(grab, [(); 3].map(|()| random.between(-1.0, 1.0)));
             }
             for _ in 0..8 {
                 sheet.step();
@@ -203,7 +203,7 @@ fn synchronised_columns_stay_parallel() {
 }
 
 #[test]
-fn what_makes_no_sheet_is_refused_in_a_sentence() {
+fn what_makes_no_sheet_is_rejected_in_a_sentence() {
     let good = SheetSettings::leaf(PAGE[0], PAGE[1], Stock::BOOK);
     let mut bad = [(); 5].map(|()| good.clone());
     bad[0].columns = 3;

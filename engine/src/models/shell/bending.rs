@@ -1,4 +1,4 @@
-//! What a discretisation of bending has to answer.
+//! What a discretisation of bending has to compute.
 
 use super::clamp::Clamps;
 use super::system::System;

@@ -34,7 +34,7 @@ impl Clamp {
 
     /// Part of the turn between clamp and leaf that bends the leaf's half cell of
     /// stiffness `half_cell`, N; the hinge takes the rest.
-    fn share(&self, half_cell: f64) -> f64 {
+    fn fraction(&self, half_cell: f64) -> f64 {
         1.0 / (1.0 + half_cell / self.hinge)
     }
 }
@@ -101,11 +101,11 @@ impl Clamps {
         for column in [0, mesh.columns - 1] {
             if let Some(clamp) = self.at(column, mesh) {
                 let Rigidity { d11, d22, d12, d66 } = plates[column];
-                let share = clamp.share(2.0 * d11 / mesh.du);
+                let fraction = clamp.fraction(2.0 * d11 / mesh.du);
                 plates[column] = Rigidity {
-                    d11: share * d11,
-                    d12: share * d12,
-                    d22: d22 - (1.0 - share) * d12 * d12 / d11,
+                    d11: fraction * d11,
+                    d12: fraction * d12,
+                    d22: d22 - (1.0 - fraction) * d12 * d12 / d11,
                     d66,
                 };
             }

@@ -23,7 +23,7 @@ const ROUNDING: f64 = 1e-12;
 const SHORTEST: f64 = 1e-10;
 
 /// Moves `x` to a minimum of the potential, until no node moves further than
-/// `tolerance` in a step; answers whether that took at most `most` steps.
+/// `tolerance` in a step. Returns whether that took at most `most` steps.
 pub(super) fn minimise(
     potential: &impl Potential,
     x: &mut Vec<Vector>,

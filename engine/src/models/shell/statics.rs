@@ -60,7 +60,7 @@ impl Shell {
         ))
     }
 
-    /// One search at a softness in stretch; answers whether it ended.
+    /// One search at a softness in stretch. Returns whether it ended.
     fn relax(&mut self, softness: f64, tolerance: f64) -> bool {
         if let Some(hand) = &mut self.forces.hand {
             hand.follow(&self.mesh, &self.x);
@@ -149,8 +149,8 @@ impl Shell {
         let bent = |(node, (column, row)): (usize, (usize, usize))| {
             let u = column as f64 / (self.mesh.columns - 1) as f64;
             let v = row as f64 / (self.mesh.rows - 1) as f64;
-            let wave = libm::cos(core::f64::consts::PI * mode as f64 * u);
-            scale(u * (wave + 0.3 * v), normals[node])
+            let ripple = libm::cos(core::f64::consts::PI * mode as f64 * u);
+            scale(u * (ripple + 0.3 * v), normals[node])
         };
         let mut guess: Vec<Vector> = self.mesh.places().enumerate().map(bent).collect();
         for (shape, held) in guess.iter_mut().zip(&self.system.held) {

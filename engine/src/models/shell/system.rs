@@ -91,7 +91,7 @@ impl System {
         }
     }
 
-    /// Factorises the Hessian; answers whether it is positive definite.
+    /// Factorises the Hessian. Returns whether it is positive definite.
     pub fn factorise(&mut self) -> bool {
         self.matrix.factorise() == 0
     }
@@ -104,16 +104,16 @@ impl System {
         (self.by_node(&step), slope)
     }
 
-    /// What the factorised Hessian answers to a force on each node.
+    /// The solution of the factorised Hessian for a force on each node.
     pub fn solve(&self, forces: &[Vector]) -> Vec<Vector> {
-        let mut answer = vec![0.0; self.gradient.len()];
+        let mut solution = vec![0.0; self.gradient.len()];
         for ((&first, force), held) in self.first.iter().zip(forces).zip(&self.held) {
             if !held {
-                answer[first..first + 3].copy_from_slice(force);
+                solution[first..first + 3].copy_from_slice(force);
             }
         }
-        self.matrix.solve(&mut answer);
-        self.by_node(&answer)
+        self.matrix.solve(&mut solution);
+        self.by_node(&solution)
     }
 
     #[cfg(test)]

@@ -51,7 +51,7 @@ test("it turns as fast as it is asked to, and then lies", async () => {
   expect(replay.measure().kinetic).toBeLessThan(1e-3);
 });
 
-test("it follows a hand by how far over that is, and falls to the nearer side", async () => {
+test("it follows a pointer by how far over that is, and falls to the nearer side", async () => {
   const replay = await ReplayLeaf.create(options);
   replay.grab();
   for (const fraction of [0.7, 0.3, 0.6]) {

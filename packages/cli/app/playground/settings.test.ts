@@ -33,7 +33,7 @@ test("every value that a slider can have comes back as it was", () => {
   }
 });
 
-test("a link with anything that is no setting within its bounds is refused whole", () => {
+test("a link with anything that is no setting within its bounds is ignored whole", () => {
   const faultOf = (link: string) => {
     try {
       readLink(link);

@@ -59,7 +59,7 @@ export const bakeHelp = `turnleaf bake --out FILE writes the turn of a leaf for 
   --model NAME       ${models.join(", ")} (sheet)
   --gesture NAME     corner, edge or let-go (corner)
   --stock NAME       bible, book, office, coated or card (book)
-  --seconds S        how long the hand takes; then the leaf comes to rest (0.8)
+  --seconds S        how long the turn takes; then the leaf comes to rest (0.8)
   --size WxH         of the leaf, millimetres (148x210)
   --points CxR       columns and rows of points, 2 to 200 (26x26)
   --tolerance E      how far .glb and .tlkf may be from the turn, over the width

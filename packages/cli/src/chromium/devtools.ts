@@ -75,12 +75,18 @@ export class ChromiumPage {
   /**
    * Starts a browser with one empty page of a size in pixels.
    *
+   * @param moreFlags of its command line, besides those that every browser gets
    * @throws Problem if it does not start
    */
-  static async start(program: string, width: number, height: number): Promise<ChromiumPage> {
+  static async start(
+    program: string,
+    width: number,
+    height: number,
+    moreFlags: readonly string[] = [],
+  ): Promise<ChromiumPage> {
     const profile = await mkdtemp(join(tmpdir(), "turnleaf-chromium-"));
     const root = process.getuid?.() === 0 ? rootFlags : [];
-    const child = spawn(program, [...flags, ...root, `--user-data-dir=${profile}`], {
+    const child = spawn(program, [...flags, ...moreFlags, ...root, `--user-data-dir=${profile}`], {
       stdio: ["ignore", "ignore", "pipe", "pipe", "pipe"],
       // This command handles Ctrl+C in the terminal: it ends the browser itself.
       detached: process.platform !== "win32",
@@ -102,6 +108,11 @@ export class ChromiumPage {
     }
   }
 
+  /** Whether the browser has ended. */
+  get isGone(): boolean {
+    return this.#gone !== null;
+  }
+
   /** Goes to an address; resolves before it is loaded. */
   async goTo(url: string): Promise<void> {
     await this.#ask("Page.navigate", { url });
@@ -114,8 +125,8 @@ export class ChromiumPage {
    */
   async evaluate<T>(expression: string): Promise<T> {
     const options = { expression, awaitPromise: true, returnByValue: true };
-    const answer = await this.#ask("Runtime.evaluate", options);
-    const { exceptionDetails, result } = answer as {
+    const reply = await this.#ask("Runtime.evaluate", options);
+    const { exceptionDetails, result } = reply as {
       exceptionDetails?: { text: string; exception?: { description?: string } };
       result: { value: T };
     };
@@ -171,7 +182,8 @@ export class ChromiumPage {
     const waiting = id === undefined ? undefined : this.#waiting.get(id);
     if (id === undefined || !waiting) return;
     this.#waiting.delete(id);
-    if (error) waiting.reject(new Problem(`Chromium refused: ${printable(error.message)}`));
+    if (error)
+      waiting.reject(new Problem(`Chromium reported an error: ${printable(error.message)}`));
     else waiting.resolve(result ?? {});
   }
 

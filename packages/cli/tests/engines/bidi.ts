@@ -8,7 +8,7 @@ export interface BidiSession {
   disconnect(): void;
 }
 
-interface Answer {
+interface Reply {
   readonly id: number;
   readonly result?: Record<string, unknown>;
   readonly error?: string;
@@ -22,14 +22,14 @@ export async function connectBidi(url: string): Promise<BidiSession> {
     socket.once("open", resolve);
     socket.once("error", reject);
   });
-  const waiting = new Map<number, (answer: Answer) => void>();
+  const waiting = new Map<number, (reply: Reply) => void>();
   socket.on("message", (data) => {
-    const answer = JSON.parse(String(data)) as Answer;
-    waiting.get(answer.id)?.(answer);
-    waiting.delete(answer.id);
+    const reply = JSON.parse(String(data)) as Reply;
+    waiting.get(reply.id)?.(reply);
+    waiting.delete(reply.id);
   });
   socket.on("close", () => {
-    for (const [id, answer] of waiting) answer({ id, error: "the browser has gone" });
+    for (const [id, reply] of waiting) reply({ id, error: "the browser has gone" });
     waiting.clear();
   });
   let count = 0;

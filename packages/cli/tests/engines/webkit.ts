@@ -26,7 +26,7 @@ export async function startWebKit(): Promise<DrivenBrowser> {
     if (!response.ok) throw new Error(`${path}: ${value.error} ${value.message}`);
     return value;
   };
-  await answersAt(`http://127.0.0.1:${port}/status`);
+  await respondsAt(`http://127.0.0.1:${port}/status`);
   const made = await send("POST", "/session", {
     capabilities: {
       alwaysMatch: {
@@ -76,7 +76,7 @@ export async function startWebKit(): Promise<DrivenBrowser> {
 }
 
 /** Resolves once a starting server responds at an address. */
-async function answersAt(url: string): Promise<void> {
+async function respondsAt(url: string): Promise<void> {
   for (let round = 0; round < 300; round++) {
     const response = await fetch(url).catch(() => null);
     if (response?.ok) return;

@@ -4,7 +4,8 @@
  */
 
 import { expect, test } from "vitest";
-import { edgeFor, layoutFor, pagesNamed } from "./layout.ts";
+import { fuzz, Random, seed } from "../for_tests/random_numbers.ts";
+import { edgeFor, layoutFor, pagesNamed, placePages } from "./layout.ts";
 import {
   type Binding,
   type BindOptions,
@@ -14,10 +15,12 @@ import {
   type Edge,
   forward,
   leafCount,
+  leftPage,
   pageOf,
   pagesAt,
   paperLeaves,
   paperOnLeft,
+  rightPage,
   spineOf,
   spreadOf,
   waypoints,
@@ -152,9 +155,100 @@ test("random books: the leaves on both sides are all there are, and hard pages a
 });
 
 test("the edge follows the direction unless one is asked for", () => {
-  expect(edgeFor("auto", "ltr")).toBe("left");
-  expect(edgeFor("auto", "rtl")).toBe("right");
-  expect(edgeFor("top", "rtl")).toBe("top");
+  expect(edgeFor("auto", { direction: "ltr" })).toBe("left");
+  expect(edgeFor("auto", { direction: "rtl" })).toBe("right");
+  expect(edgeFor("top", { direction: "rtl" })).toBe("top");
+  expect(edgeFor("auto", { direction: "ltr", edge: "bottom" })).toBe("bottom");
+});
+
+/** Returns the pages of every spread, in the order of reading; 0 for a bare side. */
+function spreadsOf(
+  pages: number,
+  options: Parameters<typeof placePages>[1],
+  edge: Edge,
+  want = {},
+) {
+  const places = placePages(pages, options, (index) => Reflect.get(want, index + 1));
+  const book = bind(pages, "none", { edge, ...places });
+  const spreads = Array.from({ length: book.leaves + 1 }, (_, s) => {
+    const sides = [leftPage(book, s) ?? 0, rightPage(book, s) ?? 0];
+    return (book.reversed ? sides.reverse() : sides).join(" ");
+  });
+  return book.reversed ? spreads.reverse() : spreads;
+}
+
+test.each<Edge>(["left", "right", "top", "bottom"])("%s: a shift leaves a side bare", (edge) => {
+  const plain = { offset: 1, shifts: [] } as const;
+  expect(spreadsOf(5, plain, edge)).toEqual(["0 1", "2 3", "4 5", "0 0"]);
+  const shifted = spreadsOf(6, { offset: 1, shifts: [3, 4] }, edge);
+  expect(shifted).toEqual(["0 1", "2 0", "3 0", "4 5", "6 0"]);
+  expect(spreadsOf(3, { offset: 1, shifts: [1] }, edge)).toEqual(["0 0", "1 2", "3 0"]);
+  expect(spreadsOf(3, { offset: 0, shifts: [1] }, edge)).toEqual(["0 1", "2 3", "0 0"]);
+});
+
+test.each<Edge>(["left", "right"])("%s: pages lie where the book wants them", (edge) => {
+  const plain = { offset: 1, shifts: [] } as const;
+  const wide = { 3: "first", 4: "second" };
+  expect(spreadsOf(5, plain, edge, wide)).toEqual(["0 1", "2 0", "3 4", "5 0"]);
+  // Where it lies right already nothing is left bare, and a shift there is undone.
+  expect(spreadsOf(5, { offset: 1, shifts: [2] }, edge, wide)).toEqual([
+    "0 1",
+    "0 2",
+    "3 4",
+    "5 0",
+  ]);
+  expect(spreadsOf(4, { offset: 1, shifts: [3] }, edge, wide)).toEqual([
+    "0 1",
+    "2 0",
+    "3 4",
+    "0 0",
+  ]);
+  expect(spreadsOf(3, plain, edge, { 1: "first" })).toEqual(["0 0", "1 2", "3 0"]);
+  // An inserted leaf changes the places of no other page.
+  expect(spreadsOf(6, plain, edge, { 3: "alone" })).toEqual(["0 1", "2 3", "0 4", "5 6", "0 0"]);
+  expect(spreadsOf(6, plain, edge, { 4: "alone" })).toEqual(["0 1", "2 3", "4 0", "5 6", "0 0"]);
+  expect(spreadsOf(5, plain, edge, { 3: "alone", 4: "first", 5: "second" })).toEqual([
+    "0 1",
+    "2 3",
+    "4 5",
+    "0 0",
+  ]);
+});
+
+test("whatever a book wants, every page is on one face and pages keep their order", () => {
+  const numbers = new Random();
+  const random = (below: number): number => numbers.below(below);
+  for (let count = 0; count < 300 * fuzz; count++) {
+    const pages = 1 + random(40);
+    const want = Array.from(
+      { length: pages },
+      () => (["first", "second", "alone"] as const)[random(9)],
+    );
+    const shifts = Array.from({ length: random(6) }, () => random(pages + 2));
+    const options = { offset: random(2) as 0 | 1, shifts };
+    const edge = (["left", "right"] as const)[random(2)];
+    const cover = (["hard", "none"] as const)[random(2)];
+    const places = placePages(pages, options, (index) => want[index]);
+    const book = bind(pages, cover, { edge, ...places });
+    const how = `seed ${seed}: ${JSON.stringify({ pages, want, options, edge, cover })}`;
+    const read: number[] = [];
+    for (let s = 0; s <= book.leaves; s++) {
+      const at = book.reversed ? book.leaves - s : s;
+      const open = pagesAt(book, at);
+      for (const page of open) {
+        read.push(page);
+        expect(spreadOf(book, page), how).toBe(at);
+        expect(pagesAt(book, spreadOf(book, page)), how).toContain(page);
+        const place = want[page - 1];
+        if (open.length === 2 && (place === "first" || place === "second")) {
+          expect(open.indexOf(page) === 0, how).toBe(place === "first");
+        }
+      }
+      if (!book.hardCover && at > book.first && at < book.last)
+        expect(open.length, how).toBeGreaterThan(0);
+    }
+    expect(read, how).toEqual(Array.from({ length: pages }, (_, index) => index + 1));
+  }
 });
 
 test("a page stands alone where it is much larger so, and does not flicker between", () => {

@@ -1,5 +1,6 @@
 /** Maps pages to the faces of the drawn book. */
 
+import { type Between, outermost } from "./leaf_order.ts";
 import { type Binding, leafCount, leftPage, rightPage } from "./spreads.ts";
 
 /** The faces of the drawn book that carry a page, except those of leaves in flight. */
@@ -20,21 +21,13 @@ export function isBoardFace(face: Face): boolean {
   return face.startsWith("front") || face.startsWith("back");
 }
 
-/** The range of spreads that a leaf, or a sheaf that flies as one, lies between. */
-export interface Between {
-  /** The spread visible when it lies on the right, and on the left. */
-  readonly low: number;
-  readonly high: number;
-}
-
 /**
  * Returns the page (from 1) on each face while the leaves in flight are between
  * the spreads `low` and `high`. At rest the two are equal.
  */
 export function facesBetween(
   binding: Binding,
-  low: number,
-  high: number,
+  { low, high }: Between,
 ): Record<Face, number | null> {
   const last = leafCount(binding);
   const board = binding.hardCover;
@@ -96,10 +89,10 @@ export function pagesWanted(
   to: number,
 ): PagesWanted {
   const last = leafCount(binding);
-  const low = flights[0]?.low ?? spread;
-  const high = flights.at(-1)?.high ?? spread;
+  const outside = outermost(flights, spread);
+  const { low, high } = outside;
   const faces = [rightPage(binding, high), leftPage(binding, low)];
-  const boards = facesBetween(binding, low, high);
+  const boards = facesBetween(binding, outside);
   if (low === 0) faces.push(boards.frontInside);
   if (high === last) faces.push(boards.backInside);
   const lyingOpen = existing(faces);

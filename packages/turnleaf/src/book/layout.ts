@@ -10,11 +10,59 @@ export interface LayoutOptions {
   readonly offset: 0 | 1;
   /** Page numbers and ranges from 1, such as "1-2,9". */
   readonly hardPages: string;
+  /** Pages (from 1) from which on the pages lie one face farther. */
+  readonly shifts: readonly number[];
+  /** Stocks and their pages (from 1), such as "card 1-2, coated 17-24". */
+  readonly stocks: string;
 }
 
-/** Returns the edge at which a book is bound for a reading direction. */
-export function edgeFor(requested: LayoutOptions["binding"], direction: "ltr" | "rtl"): Edge {
-  return requested === "auto" ? (direction === "rtl" ? "right" : "left") : requested;
+/** Returns the edge at which a book is bound: the requested one, or the book's own. */
+export function edgeFor(
+  requested: LayoutOptions["binding"],
+  { edge, direction }: { readonly edge?: Edge; readonly direction: "ltr" | "rtl" },
+): Edge {
+  if (requested !== "auto") return requested;
+  return edge ?? (direction === "rtl" ? "right" : "left");
+}
+
+/** The place of a page in its spread, as `PageSource.inSpread` returns it. */
+type PlaceInSpread = "first" | "second" | "alone" | undefined;
+
+/**
+ * Returns the faces to leave bare so that every page lies where the book wants
+ * it, and the offset so that page 1 does.
+ *
+ * @param shifts pages (from 1) before which a face is left bare, unless the
+ * book wants the page elsewhere
+ * @param inSpread returns what the book wants for page `index` (from 0)
+ */
+export function placePages(
+  pageCount: number,
+  { offset, shifts }: Pick<LayoutOptions, "offset" | "shifts">,
+  inSpread?: (index: number) => PlaceInSpread,
+): { offset: 0 | 1; bareBefore: number[] } {
+  const shifted = new Set(shifts);
+  const bareBefore: number[] = [];
+  let start = offset;
+  let face = 0;
+  let before: PlaceInSpread;
+  for (let page = 1; page <= pageCount; page++) {
+    const place = inSpread?.(page - 1);
+    if (page === 1) face = 1 - offset;
+    const isFirst = face % 2 === 1;
+    const isOff =
+      place === "first" || place === "second"
+        ? isFirst !== (place === "first")
+        : shifted.has(page) !== (before === "alone");
+    if (isOff) {
+      if (page === 1) start = offset === 1 ? 0 : 1;
+      else bareBefore.push(page);
+      face += 1;
+    }
+    face += 1;
+    before = place;
+  }
+  return { offset: start, bareBefore };
 }
 
 /**

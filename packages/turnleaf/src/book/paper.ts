@@ -2,6 +2,7 @@
 
 import type { BookEngine } from "../engine/book_engine.ts";
 import { type Stock, type StockFigures, stocks, type Vec3 } from "../engine/shapes.ts";
+import type { StockRun } from "./leaf_stocks.ts";
 
 /** The paper of a book. Missing or invalid values fall back to their defaults. */
 export interface Paper {
@@ -34,11 +35,15 @@ export function isStock(word: unknown): word is Stock {
   return (stocks as readonly unknown[]).includes(word);
 }
 
-/** Sets the paper of an engine's book. Leaves in flight are laid down. */
-export function applyPaper(paper: Paper, engine: BookEngine): void {
+/**
+ * Sets the paper of an engine's book, and the stocks of the leaves that have one
+ * of their own. Leaves in flight are laid down.
+ */
+export function applyPaper(paper: Paper, engine: BookEngine, runs: readonly StockRun[] = []): void {
   const { stock = "book", grain = "along", binding = usualBinding, wind = [0, 0, 0] } = paper;
   if (!engine.setStock(stock)) engine.setStock("book");
   if (!engine.setBinding(grain, binding)) engine.setBinding(grain, usualBinding);
   if (!engine.setWind(wind)) engine.setWind([0, 0, 0]);
   engine.setAssist(paper.assist ?? true);
+  for (const { first, end, stock } of runs) engine.setLeafStock(first, end, stock);
 }

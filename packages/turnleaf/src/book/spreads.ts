@@ -29,6 +29,11 @@ export interface BindOptions {
   readonly offset?: 0 | 1;
   /** Pages (from 1) on leaves of board. */
   readonly hardPages?: Iterable<number>;
+  /**
+   * Pages (from 2, in order) before which a face is left bare; a page named
+   * twice has two before it. It has no effect if each leaf has one page.
+   */
+  readonly bareBefore?: readonly number[];
 }
 
 /** A book's leaves and covers, and where its pages are on them. */
@@ -60,6 +65,9 @@ export interface Binding {
   /** The face of page 1 in the order of reading, and how many faces on each next page is. */
   readonly lead: number;
   readonly step: 1 | 2;
+  /** Pages with a bare face before them, and those faces in the order of reading. */
+  readonly bareBefore: readonly number[];
+  readonly bareFaces: readonly number[];
 }
 
 /** Minimum of leaves with which two boards still hold paper between them. */
@@ -73,7 +81,8 @@ export function bind(pageCount: number, cover: CoverKind, options: BindOptions =
   // If no page is left for the boards they are bare, and page 1 has the back of its leaf to itself.
   const bareBoards = shifted && cover === "hard";
   const lead = bareBoards ? 3 : shifted ? 1 : 0;
-  const faces = lead + step * (pageCount - 1) + 1;
+  const bareBefore = step === 1 ? (options.bareBefore ?? []) : [];
+  const faces = lead + step * (pageCount - 1) + bareBefore.length + 1;
   const leaves = Math.ceil(faces / 2) + (bareBoards ? 1 : 0);
   const hardCover = cover === "hard" && leaves >= leavesForBoards;
   const reversed = edge === "right" || edge === "bottom";
@@ -94,6 +103,8 @@ export function bind(pageCount: number, cover: CoverKind, options: BindOptions =
     hardLeaves: new Set<number>(),
     lead,
     step,
+    bareBefore,
+    bareFaces: bareBefore.map((page, index) => lead + page - 1 + index),
   } as const;
   for (const page of hardPages) {
     if (page >= 1 && page <= pageCount) binding.hardLeaves.add(faceOfPage(binding, page) >> 1);
@@ -185,16 +196,35 @@ export function spineOf(binding: Binding, page: number): Edge | "board" {
   return isRecto ? "left" : "right";
 }
 
+/** Returns the leaf (from 0, boards included) of a page of this book. */
+export function leafOf(binding: Binding, page: number): number {
+  return faceOfPage(binding, page) >> 1;
+}
+
 /** Returns the face of a page of this book. */
-function faceOfPage(binding: Pick<Binding, "lead" | "step" | "reversed" | "leaves">, page: number) {
-  const read = binding.lead + binding.step * (page - 1);
+function faceOfPage(binding: Binding, page: number): number {
+  const bare = countUpTo(binding.bareBefore, page);
+  const read = binding.lead + binding.step * (page - 1) + bare;
   return binding.reversed ? 2 * binding.leaves - 1 - read : read;
 }
 
 function pageOnFace(binding: Binding, face: number): number | null {
   const read = binding.reversed ? 2 * leafCount(binding) - 1 - face : face;
-  const page = (read - binding.lead) / binding.step + 1;
+  const bare = countUpTo(binding.bareFaces, read);
+  if (binding.bareFaces[bare - 1] === read) return null;
+  const page = (read - bare - binding.lead) / binding.step + 1;
   return Number.isInteger(page) && page >= 1 && page <= binding.pageCount ? page : null;
+}
+
+/** Returns how many numbers of an ascending list are at most `most`. */
+function countUpTo(list: readonly number[], most: number): number {
+  let [low, high] = [0, list.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((list[middle] as number) <= most) low = middle + 1;
+    else high = middle;
+  }
+  return low;
 }
 
 /** Maximum of leaves that a jump turns one by one. */

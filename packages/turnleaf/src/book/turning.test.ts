@@ -108,7 +108,7 @@ both(
   },
 );
 
-both("of a reader's turns three wait, and more are refused at once", async () => {
+both("of a reader's turns three wait, and more are rejected at once", async () => {
   const { turning, run } = await open(60, "none");
   const press = (): Promise<boolean> => turning.press(1);
   const first = Array.from({ length: 30 }, press);
@@ -157,7 +157,7 @@ both("turns asked for one after another while others fly all count", async () =>
   expect(await Promise.all(promised)).toEqual(kept);
 });
 
-both("a turn beyond the book's end is refused at once, however many there are", async () => {
+both("a turn beyond the book's end is rejected at once, however many there are", async () => {
   const { turning, run } = await open(12, "hard");
   const promised = Array.from({ length: 9 }, () => turning.turn(1));
   expect(await Promise.all(promised.slice(6))).toEqual([false, false, false]);
@@ -291,7 +291,7 @@ both("a held key the other way first takes back what flies, then turns on", asyn
   expect(destination).toBeLessThan(20);
 });
 
-both("a far jump takes few leaves and little time, and lands where told", async () => {
+both("a far jump takes few leaves and little time, and lands at its page", async () => {
   const { engine, turning, flights } = await open(1000, "none");
   for (const spread of [437, 12, 13, 400]) {
     flights.length = 0;
@@ -333,17 +333,17 @@ both("a jump back while leaves fly takes those back that need not have flown", a
 });
 
 both("every leaf tells of its landing, and the book of its rest", async () => {
-  const told: string[] = [];
+  const reports: string[] = [];
   const { turning, run, pass } = await open(60, "none", {
-    landed: ({ low, to }) => told.push(`${low} ${to === 1 ? "left" : "right"}`),
-    rested: (from, to) => told.push(`${from} to ${to}`),
+    landed: ({ low, to }) => reports.push(`${low} ${to === 1 ? "left" : "right"}`),
+    rested: (from, to) => reports.push(`${from} to ${to}`),
   });
   turning.lay(4);
   void turning.goTo(8);
   pass(0.3);
   void turning.turn(-1);
   run();
-  expect(told.sort()).toEqual(["4 left", "4 to 7", "5 left", "6 left", "7 right"]);
+  expect(reports.sort()).toEqual(["4 left", "4 to 7", "5 left", "6 left", "7 right"]);
   expect(turning.spread).toBe(7);
 });
 

@@ -6,16 +6,14 @@
 
 import type { BookEngine } from "../engine/book_engine.ts";
 import { Cover, isResting, Phase, Side, sideOf } from "../engine/phases.ts";
+import { type Between, landingOrder, outermost, uppermost, withPickedUp } from "./leaf_order.ts";
 import { type Binding, isBoard, leafCount, paperOnLeft, waypoints } from "./spreads.ts";
 
 /** A leaf or a board between two spreads. */
-export interface Flight {
+export interface Flight extends Between {
   readonly part: "leaf" | Cover;
   /** The engine's number of the flight; 0 for a board. */
   readonly id: number;
-  /** The spread visible when it lies on the right, and on the left. */
-  readonly low: number;
-  readonly high: number;
   /** The spread where it was picked up. */
   readonly from: number;
   /** The side it was last sent to. */
@@ -101,6 +99,11 @@ export class Turning {
   /** What is in flight: leaves from the left to the right, or one board. */
   get flights(): readonly Flight[] {
     return this.#flights;
+  }
+
+  /** The spreads left and right of everything in flight. */
+  get outermost(): Between {
+    return outermost(this.#flights, this.#spread);
   }
 
   /** The spread where the book last rested. */
@@ -194,17 +197,19 @@ export class Turning {
     return this.#next(by);
   }
 
+  /** Returns whether a leaf or board lies on a side, besides everything in flight. */
+  hasLeaf(side: Side): boolean {
+    const { low, high } = uppermost(side, this.#flights, this.#spread);
+    return low >= this.#binding.first && high <= this.#binding.last;
+  }
+
   /**
    * Picks up the leaf or board on top of `side`. Returns null if there is none
    * or it has to wait.
    */
   pickUp(side: Side): Flight | null {
-    const [low, high] =
-      side === Side.right
-        ? [this.#rightEnd, this.#rightEnd + 1]
-        : [this.#leftEnd - 1, this.#leftEnd];
-    const { first, last } = this.#binding;
-    if (low < first || high > last || !this.#mayFly(low)) return null;
+    const { low, high } = uppermost(side, this.#flights, this.#spread);
+    if (!this.hasLeaf(side) || !this.#mayFly(low)) return null;
     this.#plan = [];
     return this.#take(side, low, high);
   }
@@ -273,16 +278,7 @@ export class Turning {
   /** The spread where the book will lie when everything in flight has landed. */
   get #landing(): number {
     const back = this.#flights.find(({ to }) => to === Side.right);
-    return back?.low ?? this.#rightEnd;
-  }
-
-  /** The spreads left and right of everything in flight. */
-  get #leftEnd(): number {
-    return this.#flights[0]?.low ?? this.#spread;
-  }
-
-  get #rightEnd(): number {
-    return this.#flights.at(-1)?.high ?? this.#spread;
+    return back?.low ?? this.outermost.high;
   }
 
   get #apart(): number {
@@ -381,8 +377,7 @@ export class Turning {
     }
     const [from, to] = side === Side.right ? [low, Side.left] : [high, Side.right];
     const flight: Flight = { part, id, low, high, from, to };
-    if (side === Side.right) this.#flights.push(flight);
-    else this.#flights.unshift(flight);
+    this.#flights = withPickedUp(side, this.#flights, flight);
     this.#sincePickUp = 0;
     this.#hasLeft = true;
     this.#events.started(flight);
@@ -432,12 +427,10 @@ export class Turning {
     this.#land(landed);
   }
 
-  /** Reports what has come to rest, on either side from the pile outward. */
+  /** Reports what has come to rest. */
   #land(landed: readonly Flight[]): void {
-    const left = landed.filter(({ to }) => to === Side.left);
-    const right = landed.filter(({ to }) => to === Side.right).reverse();
     const era = this.#era;
-    for (const flight of [...left, ...right]) {
+    for (const flight of landingOrder(landed)) {
       const to = flight.to === Side.left ? flight.high : flight.low;
       if (to !== flight.from) this.#spread = to;
       for (const [grab, held] of this.#held) if (held === flight) this.#held.delete(grab);

@@ -2,7 +2,7 @@
 
 import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
 import type { TurnDetail } from "../element/events.ts";
-import { book, happens, scans, settled } from "../element_for_tests.ts";
+import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 
 const real = HTMLCanvasElement.prototype.getContext;
 
@@ -103,7 +103,7 @@ test("a leaf is peeled from a corner, an edge or the foot, and falls to the side
     expect(element.page).toBe(before);
     // While it is held it lies on neither side.
     await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
-    expect(element.settled).toBe(false);
+    expect(element.turning).toBe(true);
     // A pointer that rests before it releases throws nothing.
     await new Promise((resolve) => setTimeout(resolve, 150));
     point(element, "pointerup", toX, toY);

@@ -3,6 +3,7 @@
  * and their uppermost pages.
  */
 
+import { pileHeight } from "../engine/shapes.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import type { FaceDetail } from "../stage/book_stage.ts";
@@ -201,7 +202,7 @@ function drawCloth(pen: CanvasRenderingContext2D, box: Box, unit: number): void 
 /** Returns the thickness of the leaves that lie on a side, metres. */
 export function thicknessOf(pose: BookPose, side: "left" | "right"): number {
   const pile = pose[side];
-  return pile ? pile.curves[2 * pile.columns - 1] : 0;
+  return pile ? pileHeight(pile) : 0;
 }
 
 /** Fills a box with rounded corners. */

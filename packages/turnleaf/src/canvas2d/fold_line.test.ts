@@ -41,7 +41,7 @@ test("wherever it is pulled, a leaf stays at its spine", () => {
   }
 });
 
-test("what is within reach is held where the hand is, and what is held lies under it", () => {
+test("a point within reach is held where the pointer is, and lies under it", () => {
   const rest: Point = [width, 0];
   for (const place of [
     [0.1, 0.03],

@@ -13,7 +13,7 @@ const shortestWay = 0.15;
 const lookAhead = 0.15;
 
 /** Time in seconds over which a leaf's speed is measured. */
-const speedTime = 0.05;
+export const speedTime = 0.05;
 
 /** Height of a played leaf's corner on its path, as a fraction of the page's height. */
 const archFraction = 0.2;
@@ -57,7 +57,9 @@ export class Peel {
   /** Whether nothing has moved it since it was picked up. */
   #isFresh = true;
   #speed = 0;
-  #lastX: number;
+  /** Where the held point was at the last step, and for how many seconds it has stayed there. */
+  #last: Point;
+  #stillFor = 0;
 
   constructor(id: number, side: Side, low: number, high: number, size: PageSize) {
     this.id = id;
@@ -67,7 +69,7 @@ export class Peel {
     this.#size = size;
     // The lower corner, until a grab moves it elsewhere.
     this.#rest = this.#held = [this.#sign * size.width, 0];
-    this.#lastX = this.#rest[0];
+    this.#last = this.#rest;
   }
 
   /** Where the held point rests, and where it is. */
@@ -92,12 +94,22 @@ export class Peel {
     return way.to === Side.left ? Phase.playingLeft : Phase.playingRight;
   }
 
+  /** Whether it is held and has lain still for as long as its speed is measured. */
+  get isAsleep(): boolean {
+    return this.#way === null && !this.#hasMoved && this.#stillFor >= speedTime;
+  }
+
+  /** Whether the held point has moved since the last step. */
+  get #hasMoved(): boolean {
+    return this.#held[0] !== this.#last[0] || this.#held[1] !== this.#last[1];
+  }
+
   /** Grabs the leaf at (u, v). */
   grab(grab: number, u: number, v: number): void {
     if (this.#isFresh) {
       const { width, height } = this.#size;
       this.#rest = this.#held = [this.#sign * u * width, v * height];
-      this.#lastX = this.#rest[0];
+      this.#last = this.#rest;
       this.#grabs.set(grab, [0, 0]);
     } else if (!this.#grabs.has(grab)) this.#grabs.set(grab, null);
     this.#isFresh = false;
@@ -153,9 +165,10 @@ export class Peel {
       this.#held = this.#on(way);
     }
     if (seconds <= 0) return;
-    const now = (this.#held[0] - this.#lastX) / seconds;
+    this.#stillFor = this.#hasMoved ? 0 : this.#stillFor + seconds;
+    const now = (this.#held[0] - this.#last[0]) / seconds;
     this.#speed += (now - this.#speed) * (1 - Math.exp(-seconds / speedTime));
-    this.#lastX = this.#held[0];
+    this.#last = this.#held;
   }
 
   #on({ from, to, seconds, arch, isFall, time }: PeelPath): Point {

@@ -4,6 +4,7 @@
  * waiting turns, promises and events are those of any book.
  */
 
+import { inWay, nextTo, outermost, withPickedUp } from "../book/leaf_order.ts";
 import type { BookEngine, BookSize } from "../engine/book_engine.ts";
 import { areFinite, clamp, isGrab, turnSeconds, whole, wholeTicks } from "../engine/numbers.ts";
 import { type Cover, Phase, Side } from "../engine/phases.ts";
@@ -40,6 +41,7 @@ export interface PeeledSurface extends Surface {
 /** One bound book of flat leaves. */
 export class PeeledBook implements BookEngine {
   readonly tick: number = 1 / 120;
+  readonly mostTicks: number = Number.POSITIVE_INFINITY;
   readonly columns: Float32Array = Float32Array.from(
     { length: columns },
     (_, k) => k / (columns - 1),
@@ -69,6 +71,10 @@ export class PeeledBook implements BookEngine {
     return true;
   }
 
+  setLeafStock(): boolean {
+    return true;
+  }
+
   setBinding(): boolean {
     return true;
   }
@@ -90,18 +96,12 @@ export class PeeledBook implements BookEngine {
   }
 
   pickUp(side: Side, low: number, high: number): number {
-    const [first, last] = [this.#peels[0], this.#peels.at(-1)];
-    const isNext =
-      side === Side.right
-        ? low === (last?.high ?? this.#read)
-        : high === (first?.low ?? this.#read);
+    const outside = outermost(this.#peels, this.#read);
+    const isNext = side === Side.right ? low === outside.high : high === outside.low;
     if (!isNext || high <= low || this.#peels.length >= mostPeels) return 0;
     const peel = new Peel(++this.#count, side, low, high, this.#size);
-    if (side === Side.right) this.#peels.push(peel);
-    else {
-      this.#peels.unshift(peel);
-      this.#read = low;
-    }
+    this.#peels = withPickedUp(side, this.#peels, peel);
+    if (side === Side.left) this.#read = low;
     return peel.id;
   }
 
@@ -132,13 +132,18 @@ export class PeeledBook implements BookEngine {
     const seconds = wholeTicks(ticks, this.tick) * this.tick;
     for (const peel of this.#peels) peel.step(seconds);
     // A leaf joins its pile once nothing flies between the two.
-    const arrived = (peel: Peel | undefined, side: Side): peel is Peel =>
-      peel?.goal === side && peel.isThere;
-    for (let first = this.#peels[0]; arrived(first, Side.left); first = this.#peels[0]) {
-      this.#read = first.high;
-      this.#peels.shift();
+    for (const side of [Side.left, Side.right]) {
+      for (;;) {
+        const peel = nextTo(side, this.#peels);
+        if (peel?.goal !== side || !peel.isThere) break;
+        if (side === Side.left) this.#read = peel.high;
+        this.#peels = this.#peels.filter((other) => other !== peel);
+      }
     }
-    while (arrived(this.#peels.at(-1), Side.right)) this.#peels.pop();
+  }
+
+  get isAsleep(): boolean {
+    return [...this.#peels, ...this.#boards].every(({ isAsleep }) => isAsleep);
   }
 
   phase(id: number): Phase {
@@ -178,8 +183,8 @@ export class PeeledBook implements BookEngine {
 
   pile(side: Side): Pile {
     const { width, leaves, thickness } = this.#size;
-    const last = this.#peels.at(-1)?.high ?? this.#read;
-    const lying = side === Side.left ? this.#read : leaves - last;
+    const { high } = outermost(this.#peels, this.#read);
+    const lying = side === Side.left ? this.#read : leaves - high;
     const [sign, z] = [side === Side.left ? -1 : 1, (thickness * lying) / Math.max(leaves, 1)];
     const curve = (reach: number, z: number) =>
       [...this.columns].flatMap((u) => [sign * u * reach, z]);
@@ -225,9 +230,7 @@ export class PeeledBook implements BookEngine {
    * that it lies under.
    */
   #takeAlong(peel: Peel, side: Side, seconds: number | null): void {
-    const at = this.#peels.indexOf(peel);
-    const inWay = side === Side.right ? this.#peels.slice(at + 1) : this.#peels.slice(0, at);
-    for (const other of inWay) {
+    for (const other of inWay(side, this.#peels, peel)) {
       if (other.goal !== side) other.send(side, seconds ?? 0.5, seconds === null);
     }
   }

@@ -1,6 +1,7 @@
 /** A cover board that swings about the spine: held, falling, or played. */
 
-import { Phase, Side } from "../engine/phases.ts";
+import { isResting, Phase, Side } from "../engine/phases.ts";
+import { speedTime } from "./peel.ts";
 
 /** Time in seconds in which a released board would swing from side to side. */
 const fallSeconds = 0.6;
@@ -10,6 +11,13 @@ export class Swing {
   angle = 0;
   #way: { from: number; to: Side; seconds: number; time: number; isFall: boolean } | null = null;
   #isHeld = false;
+  /** For how many seconds it has been held at its angle. */
+  #stillFor = 0;
+
+  /** Whether it rests, or has been held still for as long as a leaf's speed is measured. */
+  get isAsleep(): boolean {
+    return this.#isHeld ? this.#stillFor >= speedTime : isResting(this.phase);
+  }
 
   get phase(): Phase {
     if (this.#isHeld) return Phase.held;
@@ -28,9 +36,11 @@ export class Swing {
 
   /** Holds it at an angle. */
   hold(angle: number): void {
+    const to = Math.min(Math.max(angle, 0), Math.PI);
+    if (!this.#isHeld || to !== this.angle) this.#stillFor = 0;
     this.#way = null;
     this.#isHeld = true;
-    this.angle = Math.min(Math.max(angle, 0), Math.PI);
+    this.angle = to;
   }
 
   /** Releases it: it falls to the nearer side. */
@@ -54,6 +64,7 @@ export class Swing {
 
   /** Advances by a time in seconds. */
   step(seconds: number): void {
+    this.#stillFor += seconds;
     const way = this.#way;
     if (way === null) return;
     way.time += seconds;

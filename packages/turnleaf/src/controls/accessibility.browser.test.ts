@@ -2,7 +2,7 @@
 
 import axe from "axe-core";
 import { afterEach, expect, test } from "vitest";
-import { addFakeBook } from "./fake_book_for_tests.ts";
+import { addFakeBook } from "../for_tests/fake_book.ts";
 
 afterEach(() => document.body.replaceChildren());
 

@@ -5,7 +5,7 @@ import type { Icon } from "./make.ts";
 import type { Wording } from "./wording.ts";
 
 /** The tabs of the side panel. */
-export const tabs = ["contents", "thumbnails", "search", "bookmarks"] as const;
+export const tabs = ["contents", "thumbnails", "search", "bookmarks", "type"] as const;
 export type Tab = (typeof tabs)[number];
 
 /** An action of the reader. */
@@ -26,6 +26,7 @@ export type ActionName =
   | "zoomIn"
   | "zoomOut"
   | "layout"
+  | "shift"
   | "bookmark"
   | "fullscreen"
   | "play"
@@ -75,6 +76,14 @@ export function actionsOf(
       icon: () => (book.shownLayout === "single" ? "spread" : "single"),
       label: () => (book.shownLayout === "single" ? texts.spread : texts.single),
       run: () => book.setAttribute("layout", book.shownLayout === "single" ? "spread" : "single"),
+    },
+    shift: {
+      icon: () => "shift",
+      label: () => texts.shift,
+      key: "o",
+      run: () => book.toggleShift(),
+      pressed: () => book.shifts.includes(book.page),
+      hidden: () => book.shownLayout === "single",
     },
     bookmark: {
       icon: () => "bookmark",

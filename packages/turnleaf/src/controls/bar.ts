@@ -65,6 +65,8 @@ export class Bar {
     this.#title.textContent = this.#book.bookTitle;
     for (const refresh of this.#refreshers) refresh();
     this.menu.refresh();
+    const type = this.#tabButtons.get("type");
+    if (type) type.hidden = !this.#book.canTypeset;
     const all = [...this.element.querySelectorAll<HTMLElement>(".group button")];
     if (all.every(({ tabIndex }) => tabIndex === 0)) for (const button of all) button.tabIndex = -1;
     // The button that Tab reaches must be a visible one.

@@ -4,7 +4,7 @@
  */
 
 import type { PrintOptions } from "../element/printing.ts";
-import type { OutlineEntry, PagePicture } from "../sources/page_source.ts";
+import type { BookDetail, OutlineEntry, PagePicture } from "../sources/page_source.ts";
 
 /** A place where something was found, as far as a list shows it. */
 export interface FoundPlace {
@@ -27,9 +27,14 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   readonly shownLayout: "spread" | "single";
   readonly zoom: number;
   readonly bookmarks: readonly number[];
+  readonly shifts: readonly number[];
   readonly playing: boolean;
+  /** Whether its text can be set in another size, typeface and so on. */
+  readonly canTypeset: boolean;
   /** What the book's owner and its source permit. */
   readonly allows: { readonly print: boolean; readonly download: boolean };
+  /** What the book's owner wants to be shown of it. */
+  readonly details: readonly BookDetail[];
   label(page: number): string;
   /**
    * Turns one leaf forward (1) or back (-1) for the reader: what a held key
@@ -45,6 +50,7 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   outline(): Promise<readonly OutlineEntry[]>;
   drawPage(page: number, width: number, signal?: AbortSignal): Promise<PagePicture>;
   toggleBookmark(page?: number): void;
+  toggleShift(page?: number): void;
   print(options?: PrintOptions): Promise<boolean>;
   download(): Promise<boolean>;
   toggleFullscreen(): Promise<boolean>;

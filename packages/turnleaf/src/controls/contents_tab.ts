@@ -1,6 +1,6 @@
 /** The tab of the book's table of contents. */
 
-import type { OutlineEntry } from "../sources/page_source.ts";
+import type { BookDetail, OutlineEntry } from "../sources/page_source.ts";
 import type { ControlledBook } from "./book.ts";
 import { make } from "./make.ts";
 import type { PanelTab } from "./panel.ts";
@@ -48,12 +48,14 @@ export class ContentsTab implements PanelTab {
     }
     // Another book may be open by now.
     if (this.#asked !== asked) return;
+    const { details } = this.#book;
     if (entries.length === 0) {
       this.#tell(sentence);
+      this.element.append(...detailList(details));
       return;
     }
     const hadFocus = this.element === activeIn(this.element);
-    this.element.replaceChildren(this.#list(entries, 1));
+    this.element.replaceChildren(this.#list(entries, 1), ...detailList(details));
     this.refresh();
     if (hadFocus) this.focus();
   }
@@ -136,6 +138,19 @@ export class ContentsTab implements PanelTab {
     this.#lines.push({ page, button });
     return button;
   }
+}
+
+/** Returns what the book's owner wants to be shown of it, as a list; nothing if there is nothing. */
+function detailList(details: readonly BookDetail[]): HTMLElement[] {
+  if (details.length === 0) return [];
+  const list = make("ul", { class: "details" });
+  for (const { label, value, href } of details) {
+    const isWeb = href && /^https?:/i.test(href);
+    const link = { href: href ?? "", target: "_blank", rel: "noopener noreferrer" };
+    const text = isWeb ? make("a", link, value) : value;
+    list.append(make("li", { dir: "auto" }, ...(label ? [make("b", {}, label), " "] : []), text));
+  }
+  return [list];
 }
 
 /** Returns the focused element in the shadow tree of an element. */

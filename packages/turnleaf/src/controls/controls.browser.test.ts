@@ -5,8 +5,9 @@
 
 import { afterEach, expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
+import { addFakeBook } from "../for_tests/fake_book.ts";
 import { addLanguage } from "../words/languages.ts";
-import { addFakeBook } from "./fake_book_for_tests.ts";
+import { askPassword } from "./password_dialog.ts";
 import { en } from "./texts_en.ts";
 
 afterEach(() => document.body.replaceChildren());
@@ -115,11 +116,28 @@ test("the panel takes the focus and gives it back", async () => {
   ]);
 });
 
+test("what the book's owner wants to be shown stands under the contents", async () => {
+  const rights = "https://creativecommons.org/licenses/by/4.0/";
+  const { root } = addFakeBook(780, {
+    details: [
+      { label: "Rights", value: "CC BY", href: rights },
+      { label: "", value: "A trap", href: "javascript:alert(1)" },
+    ],
+  });
+  named(root, "Contents").click();
+  const lines = () => [...root.querySelectorAll<HTMLElement>(".details li")];
+  await expect
+    .poll(() => lines().map((line) => line.textContent))
+    .toEqual(["Rights CC BY", "A trap"]);
+  const links = [...root.querySelectorAll<HTMLAnchorElement>(".details a")];
+  expect(links.map(({ href, rel }) => [href, rel])).toEqual([[rights, "noopener noreferrer"]]);
+});
+
 test("on a narrow element the panel goes when something is picked", async () => {
   const { book, root } = addFakeBook(390);
   named(root, "Contents").click();
   await expect.poll(() => root.querySelectorAll(".contents .line").length).toBe(5);
-  const tabs = [...root.querySelectorAll<HTMLElement>("[role=tab]")];
+  const tabs = [...root.querySelectorAll<HTMLElement>("[role=tab]:not([hidden])")];
   expect(tabs.every((tab) => tab.offsetHeight >= 44)).toBe(true);
   tabs[0]?.focus();
   await userEvent.keyboard("{ArrowRight}{ArrowRight}");
@@ -187,7 +205,7 @@ test("the page field finds labels and numbers, and says what is not there", asyn
 test("keys turn, zoom and search; those of a field and of the browser are left alone", async () => {
   const { book, root } = addFakeBook();
   book.focus();
-  await userEvent.keyboard(" {Shift>} {/Shift}{End}{Home}+-0fb");
+  await userEvent.keyboard(" {Shift>} {/Shift}{End}{Home}+-0fbo");
   expect(book.asked).toEqual([
     "next",
     "previous",
@@ -198,7 +216,7 @@ test("keys turn, zoom and search; those of a field and of the browser are left a
     "zoom 1",
     "fullscreen",
   ]);
-  expect(book.bookmarks).toEqual([1]);
+  expect([book.bookmarks, book.shifts]).toEqual([[1], [1]]);
   book.asked.length = 0;
   const find = new KeyboardEvent("keydown", { key: "f", ctrlKey: true, cancelable: true });
   book.dispatchEvent(find);
@@ -285,7 +303,7 @@ test("the menu works by key and chooses a theme", async () => {
   more.focus();
   await userEvent.keyboard("{Enter}");
   expect(active(root)).toBe("Start the slide-show");
-  await userEvent.keyboard("{ArrowDown}{ArrowDown}{ArrowDown}");
+  await userEvent.keyboard("{ArrowDown}{ArrowDown}{ArrowDown}{ArrowDown}");
   expect(active(root)).toBe("Download");
   await userEvent.keyboard("{Enter}");
   expect(book.asked).toEqual(["download"]);
@@ -325,6 +343,20 @@ test("the print dialog asks for pages and closes when they are printed", async (
   expect(book.asked).toEqual(["print"]);
 });
 
+test("the password dialog returns what is typed, or null, and says that one was wrong", async () => {
+  const { book, root } = addFakeBook();
+  const dialog = () => root.querySelector<HTMLDialogElement>("dialog");
+  const given = askPassword(book, false);
+  expect(dialog()?.textContent).toContain("protected by a password");
+  await userEvent.keyboard("secret{Enter}");
+  expect(await given).toBe("secret");
+  expect(dialog()).toBeNull();
+  const none = askPassword(book, true);
+  expect(dialog()?.textContent).toContain("not its password");
+  await userEvent.keyboard("{Escape}");
+  expect(await none).toBeNull();
+});
+
 test("it speaks Chinese, and what it is taught", async () => {
   const { book, root } = addFakeBook();
   book.lang = "zh-CN";
@@ -356,7 +388,7 @@ test("it speaks Chinese, and what it is taught", async () => {
   await expect.poll(() => root.querySelector("[role=toolbar]")?.ariaLabel).toBe("Reader");
 });
 
-test("taken away, nothing is left, and no key is answered", async () => {
+test("removed, nothing is left, and no key does anything", async () => {
   const { book, root, remove } = addFakeBook();
   named(root, "Thumbnails").click();
   remove();

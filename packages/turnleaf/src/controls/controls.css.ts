@@ -47,6 +47,9 @@ export const style: string = /* css */ `
 .view { position: absolute; inset: 0; overflow: auto; overscroll-behavior: contain; padding: 6px; box-sizing: border-box; scrollbar-width: thin; scrollbar-color: var(--turnleaf-track) transparent; }
 .note { margin: 0; padding: 8px 10px; color: var(--turnleaf-muted); }
 .contents, .rows { list-style: none; margin: 0; padding: 0; }
+.details { list-style: none; margin: 8px 0 0; padding: 8px 10px; border-top: 1px solid var(--turnleaf-line); overflow-wrap: anywhere; }
+.details li { margin-block: 4px; }
+.details a { color: inherit; }
 .contents .contents { padding-inline-start: 14px; }
 .line { box-sizing: border-box; width: 100%; min-height: 44px; display: flex; justify-content: space-between; align-items: baseline; gap: 12px; padding: 11px 10px !important; border-radius: 8px; text-align: start; text-decoration: none; color: inherit; overflow-wrap: anywhere; }
 .line .label { color: var(--turnleaf-muted); font-variant-numeric: tabular-nums; flex: none; }
@@ -57,6 +60,8 @@ export const style: string = /* css */ `
 .hit { display: block; }
 .hit .label { display: block; font-size: 0.86em; }
 .hit mark { background: var(--turnleaf-mark); color: #2b2116; border-radius: 2px; padding: 0 1px; }
+.choice { display: flex; align-items: center; justify-content: space-between; gap: 12px; min-height: 44px; padding-inline: 10px; }
+.choose { box-sizing: border-box; max-width: 60%; height: 36px; padding: 0 8px; border: 1px solid var(--turnleaf-line); border-radius: 7px; background: var(--turnleaf-field); color: inherit; font: inherit; }
 .found { display: flex; flex-direction: column; }
 .ask { display: flex; align-items: center; margin: 0; position: sticky; top: 0; z-index: 1; }
 .ask svg { position: absolute; inset-inline-start: 10px; width: 18px; color: var(--turnleaf-muted); pointer-events: none; }

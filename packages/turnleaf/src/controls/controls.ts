@@ -1,6 +1,6 @@
 /** The reader's controls around a book: toolbar, side panel, slider, keys. */
 
-import { addStyle } from "../element/style.ts";
+import { addStyle } from "../element/shadow_tree.ts";
 import { languageOf } from "../words/languages.ts";
 import { actionsOf, type Tab, zoomBy } from "./actions.ts";
 import { Bar } from "./bar.ts";
@@ -16,13 +16,34 @@ import { askPrint } from "./print_dialog.ts";
 import { SearchTab } from "./search_tab.ts";
 import { themes } from "./themes.css.ts";
 import { ThumbnailsTab } from "./thumbnails_tab.ts";
+import { TypeTab } from "./type_tab.ts";
 import { wordingFor } from "./wording.ts";
 
+export { askPassword } from "./password_dialog.ts";
+
 /** Attributes of the element that change what the controls show. */
-const watched = ["lang", "dir", "sound", "theme", "layout"];
+const watched = [
+  "lang",
+  "dir",
+  "sound",
+  "theme",
+  "layout",
+  "font",
+  "font-size",
+  "line-height",
+  "margins",
+  "page-colours",
+];
 
 /** The book's events that change what the controls show. */
-const heard = ["pagechange", "zoomchange", "layoutchange", "bookmarkchange", "playchange"];
+const heard = [
+  "pagechange",
+  "zoomchange",
+  "layoutchange",
+  "bookmarkchange",
+  "shiftchange",
+  "playchange",
+];
 
 /**
  * Width in CSS pixels below which the panel lies over the book and closes when
@@ -97,6 +118,7 @@ function build<Hit extends FoundPlace>(
     thumbnails: new ThumbnailsTab(book, wording, picked),
     search: new SearchTab(book, wording, picked),
     bookmarks: new BookmarksTab(book, wording, picked),
+    type: new TypeTab(book, wording),
   };
   const actions = actionsOf(book, wording, () => askPrint(book, wording, frame));
   const bar = new Bar(book, wording, actions, toggle);
@@ -111,6 +133,7 @@ function build<Hit extends FoundPlace>(
   const refresh = (): void => {
     bar.refresh();
     pages.refresh();
+    panel.allow("type", book.canTypeset);
     panel.refresh();
   };
   for (const name of heard) book.addEventListener(name, refresh, { signal });

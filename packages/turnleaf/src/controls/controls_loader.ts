@@ -34,6 +34,12 @@ export class ControlsLoader {
     }
   }
 
+  /** Asks the reader for the password of a protected file; null if they give none. */
+  async askPassword(book: HTMLElement, isWrong: boolean): Promise<string | null> {
+    const { askPassword } = await loadPart(import("./controls.ts"));
+    return await askPassword(book, isWrong);
+  }
+
   async #load<Hit extends FoundPlace>(
     book: ControlledBook<Hit>,
     frame: HTMLElement,

@@ -38,6 +38,7 @@ function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommand
     "0": () => commands.zoom(0),
     f: () => book.toggleFullscreen(),
     b: () => book.toggleBookmark(),
+    o: () => book.shownLayout === "spread" && book.toggleShift(),
     "/": () => commands.search(),
   };
   const onBook: Record<string, () => unknown> = {

@@ -1,4 +1,4 @@
-/** The side panel: tabs of contents, thumbnails, search and bookmarks. */
+/** The side panel: tabs of contents, thumbnails, search, bookmarks and type. */
 
 import { type Tab, tabs } from "./actions.ts";
 import { iconButton } from "./buttons.ts";
@@ -20,7 +20,7 @@ export interface PanelTab {
 
 /**
  * One tab at a time, beside the book; on a narrow element, over it.
- * @csspart panel The contents, thumbnails, search and bookmarks.
+ * @csspart panel The contents, thumbnails, search, bookmarks and type.
  */
 export class Panel {
   readonly element: HTMLElement;
@@ -62,7 +62,7 @@ export class Panel {
       row.append(button);
     }
     const buttons = [...this.#tabButtons.values()];
-    roving(row, () => buttons);
+    roving(row, () => buttons.filter(({ hidden }) => !hidden));
     const shut = iconButton("close", texts.close);
     shut.addEventListener("click", close);
     this.#body = make("div", { role: "tabpanel", id: "body", class: "body" });
@@ -105,6 +105,13 @@ export class Panel {
     this.#open = null;
     this.element.hidden = true;
     this.#changed(null);
+  }
+
+  /** Hides a tab that the open book has no use for, or shows it again. */
+  allow(tab: Tab, isAllowed: boolean): void {
+    const button = this.#tabButtons.get(tab);
+    if (button) button.hidden = !isAllowed;
+    if (this.#open === tab && !isAllowed) this.close();
   }
 
   /** Updates it from the book. */

@@ -10,7 +10,7 @@ import type { Wording } from "./wording.ts";
 /**
  * Opens the dialog in a shadow tree; it removes itself.
  *
- * @csspart dialog The dialog that asks which pages are to be printed.
+ * @csspart dialog The dialogs that ask which pages are to be printed, and for a password.
  */
 export function askPrint(book: ControlledBook, wording: Wording, host: Node): void {
   const { texts, number } = wording;

@@ -1,8 +1,42 @@
 /** The attributes of `<turnleaf-book>`: their meaning, and the effect of a change. */
 
+import type { LayoutOptions } from "../book/layout.ts";
+import { readStocks } from "../book/leaf_stocks.ts";
 import { isStock, type Paper } from "../book/paper.ts";
 import type { Stock } from "../engine/shapes.ts";
-import { bindingAttributes } from "./binding_options.ts";
+import { typographyAttributes } from "./typography.ts";
+
+/** The attributes of the binding. */
+export const bindingAttributes: readonly string[] = [
+  "cover",
+  "cloth",
+  "binding",
+  "layout",
+  "offset",
+  "hard-pages",
+  "stocks",
+];
+
+const covers = ["hard", "soft", "none"] as const;
+const bindings = ["auto", "left", "right", "top", "bottom"] as const;
+const layouts = ["auto", "spread", "single"] as const;
+
+/** Returns the options in an element's attributes; an invalid value counts as missing. */
+export function bindingOptionsOf(
+  element: Element,
+): Omit<LayoutOptions, "shifts"> & { cloth: string } {
+  const word = <W extends string>(name: string, words: readonly W[]): W =>
+    words.find((known) => known === element.getAttribute(name)) ?? words[0];
+  return {
+    cover: word("cover", covers),
+    cloth: element.getAttribute("cloth") ?? "#6a2a26",
+    binding: word("binding", bindings),
+    layout: word("layout", layouts),
+    offset: element.getAttribute("offset") === "0" ? 0 : 1,
+    hardPages: element.getAttribute("hard-pages") ?? "",
+    stocks: element.getAttribute("stocks") ?? "",
+  };
+}
 
 /** The possible effects of a change of an attribute. */
 export interface AttributeEffects {
@@ -16,6 +50,8 @@ export interface AttributeEffects {
   changePaper(): void;
   /** The leaves turn in another way. */
   changeModel(): void;
+  /** Flowing text is set in another way. */
+  typeset(): void;
   /** Turns take another time. */
   changePace(): void;
   /** The place is kept from now on, or no longer. */
@@ -35,6 +71,14 @@ export const attributes: Readonly<
   ...Object.fromEntries(
     bindingAttributes.map((name) => [name, (to: AttributeEffects) => to.rebind()]),
   ),
+  ...Object.fromEntries(
+    typographyAttributes.map((name) => [name, (to: AttributeEffects) => to.typeset()]),
+  ),
+  stocks: (effects, value) => {
+    for (const error of readStocks(value ?? "").errors)
+      console.warn(`turnleaf-book: stocks: ${error}`);
+    effects.rebind();
+  },
   duration: (effects) => effects.changePace(),
   stock: (effects) => effects.changePaper(),
   assist: (effects) => effects.changePaper(),

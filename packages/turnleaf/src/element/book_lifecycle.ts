@@ -1,22 +1,19 @@
-/** The life of the book in an element: opened, fitted to the element's size, closed. */
+/**
+ * The life of the book in an element: opened, fitted to the element's size,
+ * read, closed.
+ */
 
 import { Input } from "../input/input.ts";
 import { openViewer } from "../open_viewer.ts";
 import { loadPart } from "../sources/load_part.ts";
 import type { BookInput } from "../sources/open.ts";
 import type { PageList } from "../sources/page_list.ts";
-import type { PageSource } from "../sources/page_source.ts";
+import type { NewIndex, OutlineEntry, PageSource } from "../sources/page_source.ts";
+import type { SearchHit } from "../text/searching.ts";
 import type { Viewer, ViewerOptions } from "../viewer/viewer.ts";
 import { languageOf } from "../words/languages.ts";
-import { ReadableBook } from "./readable_book.ts";
-
-/** An open book: the source of its pages, its viewer, and its canvas. */
-export interface OpenBook {
-  readonly source: PageList;
-  readonly viewer: Viewer;
-  readonly canvas: HTMLCanvasElement;
-  readonly reading: ReadableBook;
-}
+import type { BookTextOverlay, TextTarget } from "./book_text_overlay.ts";
+import { typographyOf } from "./typography.ts";
 
 /** The callbacks between an element and the life of its book. */
 export interface LifecycleHooks {
@@ -27,13 +24,19 @@ export interface LifecycleHooks {
   /** Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers. */
   readonly turn: (by: 1 | -1) => void;
   /** Turns to a page (from 1). */
-  goTo(page: number): void;
+  readonly goTo: (page: number) => void;
   /** The open book is about to close, to be opened again where it lies. */
   leaving(): void;
+  /** The password of a protected file; "" if none is known. */
+  readonly password: () => string;
+  /** Asks the reader for the password of a protected file; null if there is none. */
+  readonly askPassword: (isWrong: boolean) => Promise<string | null>;
   /** Returns whether the reader prefers reduced motion. */
   readonly calm: () => boolean;
   /** A book lies open. */
   opened(book: OpenBook): void;
+  /** The open book's source is about to change its pages, by calling `change`. */
+  changing(change: () => NewIndex): void;
   /** An optional part of the viewer could not be loaded. */
   readonly missingPart: (error: unknown) => void;
   /** It could not be opened. */
@@ -56,7 +59,7 @@ export class BookLifecycle {
   readonly #element: HTMLElement;
   readonly #stage: HTMLElement;
   readonly #hooks: LifecycleHooks;
-  #book: (OpenBook & { readonly ended: AbortController; readonly input: Input }) | null = null;
+  #book: OpenBook | null = null;
   #opening: AbortController | null = null;
   #canvas: HTMLCanvasElement | null = null;
 
@@ -103,13 +106,7 @@ export class BookLifecycle {
   #end(): void {
     this.#opening?.abort();
     this.#opening = null;
-    const book = this.#book;
-    if (book) {
-      book.ended.abort();
-      book.input.destroy();
-      book.reading.destroy();
-      book.viewer.destroy();
-    }
+    this.#book?.destroy();
     this.#book = null;
     this.#canvas?.remove();
     this.#canvas = null;
@@ -119,7 +116,13 @@ export class BookLifecycle {
     // An element that shows no book yet does not need the code that reads one.
     const opening = loadPart(import("../sources/open.ts"));
     const [{ openList }] = await Promise.all([opening, this.#hooks.prepare()]);
-    const source = await openList(input, { signal, pdfWorker: pdfWorkerOf(this.#element) });
+    const source = await openList(input, {
+      signal,
+      pdfWorker: pdfWorkerOf(this.#element),
+      typography: typographyOf(this.#element),
+      password: this.#hooks.password(),
+      askPassword: this.#hooks.askPassword,
+    });
     await this.#show(source, false, signal);
   }
 
@@ -151,20 +154,15 @@ export class BookLifecycle {
       if (signal.aborted) viewer.destroy();
       signal.throwIfAborted();
       const canvas = this.#canvas as HTMLCanvasElement;
-      const { turn, calm } = this.#hooks;
-      const input = new Input(canvas, this.#stage, this.#element, { viewer, turn, calm });
-      const goTo = (page: number): void => this.#hooks.goTo(page);
-      const language = (): string => languageOf(this.#element);
-      const under = { source, viewer, canvas, goTo, language };
-      const reading = new ReadableBook(under, this.#hooks.missingPart);
-      const ended = new AbortController();
-      this.#book = { source, viewer, canvas, reading, input, ended };
-      this.#follow(viewer, ended.signal);
+      this.#book = new OpenBook(this.#element, this.#stage, canvas, source, viewer, this.#hooks);
+      // Only now: the element asks for this book when its first layout is reported.
+      this.#book.fit();
     } catch (error) {
       source.close();
       throw error;
     }
     this.#hooks.opened(this.#book);
+    source.watchPages((change) => this.#book?.source === source && this.#hooks.changing(change));
   }
 
   /**
@@ -183,18 +181,58 @@ export class BookLifecycle {
     this.#canvas = canvas;
     return canvas;
   }
+}
 
-  /** Keeps a book as large as its stage, at the screen's pixel ratio. */
-  #follow(viewer: Viewer, signal: AbortSignal): void {
+/** A book that lies open in an element, with all that acts on it. */
+export class OpenBook {
+  readonly source: PageList;
+  readonly viewer: Viewer;
+  readonly canvas: HTMLCanvasElement;
+  readonly reading: ReadableBook;
+  readonly #element: HTMLElement;
+  readonly #stage: HTMLElement;
+  readonly #input: Input;
+  readonly #ended = new AbortController();
+
+  constructor(
+    element: HTMLElement,
+    stage: HTMLElement,
+    canvas: HTMLCanvasElement,
+    source: PageList,
+    viewer: Viewer,
+    { turn, calm, goTo, missingPart }: LifecycleHooks,
+  ) {
+    this.source = source;
+    this.viewer = viewer;
+    this.canvas = canvas;
+    this.#input = new Input(canvas, stage, element, { viewer, turn, calm });
+    const language = (): string => languageOf(element);
+    this.reading = new ReadableBook({ source, viewer, canvas, goTo, language }, missingPart);
+    this.#element = element;
+    this.#stage = stage;
+  }
+
+  /** Frees everything but the source of the pages. */
+  destroy(): void {
+    this.#ended.abort();
+    this.#input.destroy();
+    this.reading.destroy();
+    this.viewer.destroy();
+  }
+
+  /** Makes the book as large as its stage, at the screen's pixel ratio, and keeps it so. */
+  fit(): void {
+    const { signal } = this.#ended;
+    const stage = this.#stage;
+    const view = this.#element.ownerDocument.defaultView ?? window;
     const resize = (): void => {
-      const { clientWidth, clientHeight } = this.#stage;
+      const { clientWidth, clientHeight } = stage;
       if (clientWidth > 0 && clientHeight > 0) {
-        viewer.resize(clientWidth, clientHeight, view.devicePixelRatio);
+        this.viewer.resize(clientWidth, clientHeight, view.devicePixelRatio);
       }
     };
-    const view = this.#element.ownerDocument.defaultView ?? window;
     const observer = new view.ResizeObserver(resize);
-    observer.observe(this.#stage);
+    observer.observe(stage);
     signal.addEventListener("abort", () => observer.disconnect(), { once: true });
     watchRatio(view, resize, signal);
     resize();
@@ -209,4 +247,61 @@ function watchRatio(view: Window, changed: () => void, signal: AbortSignal): voi
     watchRatio(view, changed, signal);
   };
   media.addEventListener("change", again, { once: true, signal });
+}
+
+/** The text and the contents of an open book. */
+export class ReadableBook {
+  readonly #under: TextTarget;
+  readonly #ended = new AbortController();
+  /** Rejects with a `BookError` if it cannot be loaded. */
+  readonly #text: Promise<BookTextOverlay>;
+
+  /** @param failed called once if there will be no text */
+  constructor(under: TextTarget, failed: (error: unknown) => void) {
+    this.#under = under;
+    const { signal } = this.#ended;
+    this.#text = loadPart(import("./book_text_overlay.ts")).then(({ BookTextOverlay }) => {
+      signal.throwIfAborted();
+      return new BookTextOverlay(under, signal);
+    });
+    this.#text.catch((error: unknown) => signal.aborted || failed(error));
+  }
+
+  /** As the element's own. */
+  async search(query: string, signal?: AbortSignal): Promise<readonly SearchHit[]> {
+    const ended = this.#ended.signal;
+    const either = signal ? AbortSignal.any([signal, ended]) : ended;
+    return (await this.#text).search(query, either);
+  }
+
+  /**
+   * Marks a hit and every other place of its query when they become visible;
+   * null removes the marks.
+   */
+  mark(hit: SearchHit | null): void {
+    this.#withText((text) => text.mark(hit));
+  }
+
+  /** Reads the pages again after a change of the book. */
+  changed(): void {
+    this.#withText((text) => text.changed());
+  }
+
+  /** As the element's own. */
+  async outline(): Promise<readonly OutlineEntry[]> {
+    return (await this.#under.source.outline?.(this.#ended.signal)) ?? [];
+  }
+
+  /** Removes the text and ends every search. */
+  destroy(): void {
+    this.#ended.abort();
+  }
+
+  /** Calls `act` once the text is loaded. If it cannot be loaded, `failed` has reported that. */
+  #withText(act: (text: BookTextOverlay) => void): void {
+    this.#text.then(
+      (text) => this.#ended.signal.aborted || act(text),
+      () => {},
+    );
+  }
 }

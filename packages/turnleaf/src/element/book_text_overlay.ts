@@ -9,7 +9,7 @@ import { textStyle } from "../text/text.css.ts";
 import { TextLayer } from "../text/text_layer.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 import { elementTexts, fill } from "../words/languages.ts";
-import { addStyle } from "./style.ts";
+import { addStyle } from "./shadow_tree.ts";
 
 /** What the text layer needs of the open book. */
 export interface TextTarget {

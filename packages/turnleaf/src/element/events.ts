@@ -28,12 +28,14 @@ export interface TurnleafEventMap {
    * one rather than two.
    */
   layoutchange: CustomEvent<{ layout: Layout; binding: Edge }>;
-  /** Pages were inserted, removed or replaced. */
+  /** Pages were inserted, removed or replaced, or set anew in another number. */
   pageschange: CustomEvent<{ pageCount: number }>;
   /** The zoom level has changed; `zoom` as the property is. */
   zoomchange: CustomEvent<{ zoom: number }>;
   /** The bookmarks have changed. */
   bookmarkchange: CustomEvent<{ bookmarks: readonly number[] }>;
+  /** The pages at which the offset is shifted have changed. */
+  shiftchange: CustomEvent<{ shifts: readonly number[] }>;
   /** The slide-show starts or stops. */
   playchange: CustomEvent<{ playing: boolean }>;
   /**

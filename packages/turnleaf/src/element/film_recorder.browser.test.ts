@@ -1,6 +1,7 @@
 import { afterEach, expect, it, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
-import { book, happens, scans, settled } from "../element_for_tests.ts";
+import { book, happens, scans, settled } from "../for_tests/element_books.ts";
+import { TestClock } from "../for_tests/test_clock.ts";
 
 afterEach(() => {
   vi.restoreAllMocks();
@@ -76,6 +77,20 @@ it("ends by itself after its seconds, and when the element goes; what lies still
   await element.next();
   element.remove();
   expect((await gone).size).toBeGreaterThan(500);
+}, 60_000);
+
+it("counts its seconds from its first picture, however late that is drawn", async () => {
+  const element = await open();
+  const clock = new TestClock();
+  let isOver = false;
+  const film = element.record({ seconds: 0.1 }).finally(() => {
+    isOver = true;
+  });
+  await expect.poll(() => element.recording).toBe(true);
+  await new Promise((resolve) => setTimeout(resolve, 300));
+  expect(isOver).toBe(false);
+  await clock.until(() => isOver);
+  expect((await film).size).toBeGreaterThan(500);
 }, 60_000);
 
 it("says in one sentence what cannot be recorded", async () => {

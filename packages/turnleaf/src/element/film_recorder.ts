@@ -5,8 +5,8 @@ import { BookError } from "../sources/page_source.ts";
 /** How a film is recorded. */
 export interface RecordOptions {
   /**
-   * Seconds after which it ends by itself, 0.1 to 600. The default is to go on
-   * until `stopRecording()`.
+   * Seconds after its first picture at which it ends by itself, 0.1 to 600. The
+   * default is to go on until `stopRecording()`.
    */
   readonly seconds?: number;
 }
@@ -35,7 +35,8 @@ export class FilmRecorder {
   readonly #source: () => HTMLCanvasElement | undefined;
   readonly #type: string;
   readonly #canvas = document.createElement("canvas");
-  readonly #timer: number | undefined;
+  readonly #seconds: number | undefined;
+  #timer: number | undefined;
   #ended!: { resolve: (film: Blob) => void; reject: (error: Error) => void };
   /** Null until the book is first drawn. */
   #recorder: MediaRecorder | null = null;
@@ -66,10 +67,7 @@ export class FilmRecorder {
     this.done = new Promise((resolve, reject) => {
       this.#ended = { resolve, reject };
     });
-    if (seconds !== undefined) {
-      const length = Math.min(Math.max(seconds, 0.1), 600) || 0.1;
-      this.#timer = window.setTimeout(() => this.stop(), 1000 * length);
-    }
+    this.#seconds = seconds;
   }
 
   /** Call it when the book is about to be drawn: the film takes what is then on its canvas. */
@@ -112,6 +110,10 @@ export class FilmRecorder {
       this.#ended.reject(new BookError("The film could not be recorded."));
     };
     recorder.start(handOver);
+    if (this.#seconds !== undefined) {
+      const length = Math.min(Math.max(this.#seconds, 0.1), 600) || 0.1;
+      this.#timer = window.setTimeout(() => this.stop(), 1000 * length);
+    }
     // A resting book is filmed too, frame by frame: a film lasts as long as it was recorded.
     const go = (): void => {
       this.#canvas.getContext("2d")?.drawImage(this.#canvas, 0, 0);

@@ -5,8 +5,8 @@ import type { ControlledBook } from "../controls/book.ts";
 import { ControlsLoader } from "../controls/controls_loader.ts";
 import { loadPart } from "../sources/load_part.ts";
 import { BookError } from "../sources/page_source.ts";
+import { ReadableBook } from "./book_lifecycle.ts";
 import type { TextTarget } from "./book_text_overlay.ts";
-import { ReadableBook } from "./readable_book.ts";
 
 vi.mock("../controls/controls.ts", () => {
   throw new TypeError("Failed to fetch");
@@ -41,33 +41,33 @@ test("a part whose code fails in this browser says what failed", async () => {
 });
 
 test("controls that cannot be loaded are reported once per request", async () => {
-  const told: unknown[] = [];
-  const furnishing = new ControlsLoader((error) => told.push(error));
+  const reports: unknown[] = [];
+  const loader = new ControlsLoader((error) => reports.push(error));
   const show = (shown: boolean): void =>
-    furnishing.set(shown, {} as ControlledBook, {} as HTMLElement, {} as HTMLElement);
+    loader.set(shown, {} as ControlledBook, {} as HTMLElement, {} as HTMLElement);
   show(true);
-  await expect.poll(() => told).toEqual([failure]);
+  await expect.poll(() => reports).toEqual([failure]);
   show(true);
   show(false);
   show(true);
-  await expect.poll(() => told.length).toBe(2);
+  await expect.poll(() => reports.length).toBe(2);
 });
 
 test("a book whose text cannot be loaded is reported once, and cannot be searched", async () => {
-  const told: unknown[] = [];
-  const reading = new ReadableBook({ source: {} } as TextTarget, (error) => told.push(error));
+  const reports: unknown[] = [];
+  const reading = new ReadableBook({ source: {} } as TextTarget, (error) => reports.push(error));
   reading.mark(null);
   reading.changed();
   await expect(reading.search("leaf")).rejects.toEqual(failure);
-  expect(told).toEqual([failure]);
+  expect(reports).toEqual([failure]);
   expect(await reading.outline()).toEqual([]);
 });
 
 test("a book that is closed before its text came tells nothing", async () => {
-  const told: unknown[] = [];
-  const reading = new ReadableBook({ source: {} } as TextTarget, (error) => told.push(error));
+  const reports: unknown[] = [];
+  const reading = new ReadableBook({ source: {} } as TextTarget, (error) => reports.push(error));
   const search = reading.search("leaf");
   reading.destroy();
   await expect(search).rejects.toThrow();
-  expect(told).toEqual([]);
+  expect(reports).toEqual([]);
 });

@@ -2,8 +2,7 @@
 
 import { loadPart } from "../sources/load_part.ts";
 import type { BookInput } from "../sources/open.ts";
-import type { NewIndex } from "../sources/page_list.ts";
-import type { PageSource } from "../sources/page_source.ts";
+import type { NewIndex, PageSource } from "../sources/page_source.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
 
 /** How many pages of an addition are drawn before it is inserted, and how wide, pixels. */

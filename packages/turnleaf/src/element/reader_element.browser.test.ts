@@ -4,7 +4,7 @@
  */
 
 import { afterEach, beforeEach, expect, test } from "vitest";
-import { book, happens, scans, settled } from "../element_for_tests.ts";
+import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 
 beforeEach(() => {
   localStorage.clear();
@@ -45,6 +45,38 @@ test("page, zoom and bookmarks outlive the element, for the same book alone", as
   expect([other.page, other.bookmarks.length]).toEqual([1, 0]);
 });
 
+test("the offset is shifted in the middle of a book, back again, and remembered", async () => {
+  const first = book(scans(12), { ...small, remember: "", page: "6", layout: "spread" });
+  await happens(first, "load");
+  expect(first.spread).toEqual({ left: 6, right: 7 });
+  first.toggleShift();
+  await expect.poll(() => first.spread).toEqual({ left: null, right: 6 });
+  await first.next();
+  expect(first.spread).toEqual({ left: 7, right: 8 });
+  first.toggleShift(6);
+  await expect.poll(() => first.spread).toEqual({ left: 6, right: 7 });
+  first.shifts = [6, 6, 0];
+  expect(first.shifts).toEqual([6]);
+  first.remove();
+
+  const again = book(scans(12), { ...small, remember: "", layout: "spread" });
+  await happens(again, "load");
+  await expect.poll(() => again.shifts).toEqual([6]);
+  await again.goTo(7);
+  await expect.poll(() => again.spread).toEqual({ left: 7, right: 8 });
+  // It stays with its page, and where one page is shown it has no effect.
+  await again.insertPages(1, scans(1));
+  expect(again.shifts).toEqual([7]);
+  again.layout = "single";
+  await expect.poll(() => again.shownLayout).toBe("single");
+  await again.goTo(6);
+  await again.next();
+  expect(again.page).toBe(7);
+  again.pages = scans(10);
+  await happens(again, "load");
+  expect(again.shifts).toEqual([]);
+});
+
 test("the address says the page, and the page follows the address", async () => {
   history.replaceState(null, "", "#chapter&page=7");
   const element = book(scans(12), { ...small, address: "" });
@@ -73,20 +105,20 @@ test("the address says the page, and the page follows the address", async () => 
 test("a slide-show turns page after page until the last, and leaves no timer", async () => {
   const element = book(scans(6), small);
   await happens(element, "load");
-  const told: boolean[] = [];
+  const reports: boolean[] = [];
   element.addEventListener("playchange", (event) => {
-    told.push((event as CustomEvent<{ playing: boolean }>).detail.playing);
+    reports.push((event as CustomEvent<{ playing: boolean }>).detail.playing);
   });
   element.play(1);
   element.play(1);
   expect(element.playing).toBe(true);
   await expect.poll(() => element.playing, { timeout: 30_000 }).toBe(false);
   expect(element.page).toBe(6);
-  expect(told).toEqual([true, false]);
+  expect(reports).toEqual([true, false]);
   await element.goTo(1);
   element.play(3600);
   element.remove();
-  expect(told).toEqual([true, false, true, false]);
+  expect(reports).toEqual([true, false, true, false]);
 });
 
 test("printing draws a sheet a page in a frame of its own, and takes it away", async () => {

@@ -5,15 +5,17 @@
 
 import { loadPart } from "../sources/load_part.ts";
 import {
+  type BookDetail,
   BookError,
+  type NewIndex,
   type OutlineEntry,
   type PagePicture,
   type PageSource,
 } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
-import { cleanBookmarks } from "./clean_bookmarks.ts";
 import type { FilmRecorder, RecordOptions } from "./film_recorder.ts";
+import { cleanPages } from "./page_numbers.ts";
 import type { PlaceKeeper } from "./place_keeper.ts";
 import type { PrintOptions } from "./printing.ts";
 import { ReflectingElement } from "./reflecting_element.ts";
@@ -41,7 +43,13 @@ export abstract class ReaderElement extends ReflectingElement {
     this.emit("playchange", { playing: this.#show.playing }),
   );
   #bookmarks: readonly number[] = [];
+  #shifts: readonly number[] = [];
   #film: FilmRecorder | null = null;
+
+  /** Whether the open book's text can be set in another size, typeface and so on. */
+  get canTypeset(): boolean {
+    return this.source?.typeset !== undefined;
+  }
 
   /** Number of pages; 0 until the book is open. */
   get pageCount(): number {
@@ -51,6 +59,11 @@ export abstract class ReaderElement extends ReflectingElement {
   /** The book's title; empty until it is open. */
   get bookTitle(): string {
     return this.source?.title ?? "";
+  }
+
+  /** What the book's owner wants to be shown of it, such as its licence; the controls show it. */
+  get details(): readonly BookDetail[] {
+    return this.source?.details ?? [];
   }
 
   /** Returns the label of a page (from 1), such as "iv" or "23". */
@@ -96,28 +109,54 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   set bookmarks(pages: readonly number[]) {
-    this.#bookmarks = cleanBookmarks(pages);
+    this.#bookmarks = cleanPages(pages);
     this.emit("bookmarkchange", { bookmarks: this.#bookmarks });
   }
 
   /**
-   * Moves bookmarks with their pages: `moved` returns where one (from 0) lies
-   * now, or null.
+   * The pages, from 1, at which the offset is shifted: in a spread the side
+   * before each is left blank, so that from there on other pages face each
+   * other. At most 500. Where a book says itself on which side a page lies, as
+   * for a picture across a spread, a shift there has no effect. As bookmarks,
+   * they are of the open book, and `remember` keeps them.
+   */
+  get shifts(): readonly number[] {
+    return this.#shifts;
+  }
+
+  set shifts(pages: readonly number[]) {
+    const shifts = cleanPages(pages);
+    if (shifts.join() === this.#shifts.join()) return;
+    this.#shifts = shifts;
+    this.book?.viewer.rebind({ shifts });
+    this.emit("shiftchange", { shifts });
+  }
+
+  /** Shifts the offset at a page (from 1), by default the first visible one, or undoes that. */
+  toggleShift(page: number = this.page): void {
+    this.shifts = toggled(this.#shifts, page);
+  }
+
+  /**
+   * Moves bookmarks and shifts with their pages.
    *
    * @internal
    */
-  protected moveBookmarks(moved: (index: number) => number | null): void {
-    const pages = this.#bookmarks.flatMap((page) => {
-      const index = moved(page - 1);
-      return index === null ? [] : [index + 1];
-    });
-    if (pages.join() !== this.#bookmarks.join()) this.bookmarks = pages;
+  protected movePages(moved: NewIndex): void {
+    const place = moved.placeOf ?? moved;
+    const follow = (pages: readonly number[]): number[] =>
+      pages.flatMap((page) => {
+        const index = place(page - 1);
+        return index === null ? [] : [index + 1];
+      });
+    const bookmarks = follow(this.#bookmarks);
+    if (bookmarks.join() !== this.#bookmarks.join()) this.bookmarks = bookmarks;
+    this.shifts = follow(this.#shifts);
   }
 
   /** Bookmarks a page (from 1), by default the first visible one, or removes its bookmark. */
   toggleBookmark(page: number = this.page): void {
-    const others = this.#bookmarks.filter((other) => other !== page);
-    this.bookmarks = others.length < this.#bookmarks.length ? others : [...others, page];
+    this.bookmarks = toggled(this.#bookmarks, page);
   }
 
   /** Whether a leaf or a board is moving or held. */
@@ -320,6 +359,7 @@ export abstract class ReaderElement extends ReflectingElement {
     this.pause();
     this.#place?.closed();
     this.#bookmarks = [];
+    this.#shifts = [];
   }
 
   /**
@@ -331,4 +371,10 @@ export abstract class ReaderElement extends ReflectingElement {
   protected keptPage(source: PageSource | undefined, left: number | null): number | null {
     return this.#place ? this.#place.opening(source, left) : left;
   }
+}
+
+/** Returns the pages without one that is among them, or with it. */
+function toggled(pages: readonly number[], page: number): readonly number[] {
+  const others = pages.filter((other) => other !== page);
+  return others.length < pages.length ? others : [...others, page];
 }

@@ -2,9 +2,10 @@
 
 import type { Stock } from "../engine/shapes.ts";
 import type { TurnModelName } from "../leaf_models/model_choice.ts";
-import { stockOf, turnSecondsOf } from "./attributes.ts";
-import { bindingOptionsOf } from "./binding_options.ts";
+import type { Typography } from "../sources/page_source.ts";
+import { bindingOptionsOf, stockOf, turnSecondsOf } from "./attributes.ts";
 import type { TurnleafEventMap, TypedEventElement } from "./events.ts";
+import { typographyOf } from "./typography.ts";
 
 /** On a server there is no DOM: importing the package is safe there, using the element is not. */
 const Base = (globalThis.HTMLElement ?? class {}) as unknown as new () => TypedEventElement;
@@ -18,7 +19,7 @@ type Options = ReturnType<typeof bindingOptionsOf>;
 /** An element whose attributes can be read and set as properties. */
 export class ReflectingElement extends Base {
   /**
-   * Address of a PDF, an image or a manifest of images.
+   * Address of a PDF, an EPUB, an image or a manifest of images.
    * @attribute src
    * @default ""
    */
@@ -161,6 +162,79 @@ export class ReflectingElement extends Base {
   }
 
   /**
+   * The typeface of flowing text, as of an EPUB: `serif`, `sans-serif`, or the
+   * book's own.
+   *
+   * @attribute font
+   * @default ""
+   */
+  get font(): Typography["font"] {
+    return typographyOf(this).font;
+  }
+
+  set font(font: Typography["font"]) {
+    this.setAttribute("font", font);
+  }
+
+  /**
+   * The size of everything in flowing text, as a factor of the book's own: 0.5 to 3.
+   *
+   * @attribute font-size
+   * @default 1
+   */
+  get fontSize(): number {
+    return typographyOf(this).size;
+  }
+
+  set fontSize(factor: number) {
+    this.setAttribute("font-size", String(factor));
+  }
+
+  /**
+   * The distance of lines in flowing text, as a factor of the type's size: 1 to
+   * 3; 0 for the book's own.
+   *
+   * @attribute line-height
+   * @default 0
+   */
+  get lineHeight(): number {
+    return typographyOf(this).lineHeight;
+  }
+
+  set lineHeight(factor: number) {
+    this.setAttribute("line-height", String(factor));
+  }
+
+  /**
+   * The width of the margins around flowing text, as a factor of the usual ones: 0 to 2.
+   *
+   * @attribute margins
+   * @default 1
+   */
+  get margins(): number {
+    return typographyOf(this).margins;
+  }
+
+  set margins(factor: number) {
+    this.setAttribute("margins", String(factor));
+  }
+
+  /**
+   * The colours of paper and ink of flowing text: `sepia`, `night`, or the
+   * book's own.
+   *
+   * @attribute page-colours
+   * @default ""
+   */
+  get pageColours(): Typography["colours"] {
+    return typographyOf(this).colours;
+  }
+
+  set pageColours(colours: Typography["colours"]) {
+    this.setAttribute("page-colours", colours);
+  }
+
+  /**
    * CSS colour of the boards.
    *
    * @attribute cloth
@@ -226,6 +300,24 @@ export class ReflectingElement extends Base {
 
   set hardPages(pages: string) {
     this.setAttribute("hard-pages", pages);
+  }
+
+  /**
+   * Stocks of leaves, each with its pages (from 1) and ranges of them, such as
+   * "card 1-2, coated 17-24, 30": bible, book, office, coated, card or board. A
+   * number alone is of the stock before it. A leaf whose two pages are of
+   * different stocks is of the one named last. All others are of `stock`, but for
+   * those of `hard-pages`, which are board, and a soft cover's, which are card.
+   *
+   * @attribute stocks
+   * @default ""
+   */
+  get stocks(): string {
+    return bindingOptionsOf(this).stocks;
+  }
+
+  set stocks(list: string) {
+    this.setAttribute("stocks", list);
   }
 
   /**

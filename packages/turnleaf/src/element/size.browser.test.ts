@@ -3,7 +3,7 @@
 import { afterEach, expect, test, vi } from "vitest";
 import "../index.ts";
 import type { TurnleafBook } from "../element.ts";
-import { happens, scan } from "../element_for_tests.ts";
+import { happens, scan } from "../for_tests/element_books.ts";
 
 vi.setConfig({ testTimeout: 120_000 });
 

@@ -6,7 +6,7 @@
  */
 
 import type { Cover, Phase, Side } from "./phases.ts";
-import type { Pile, Stock, StockFigures, Surface, Vec3 } from "./shapes.ts";
+import type { LeafStockName, Pile, Stock, StockFigures, Surface, Vec3 } from "./shapes.ts";
 
 /** The size of a book as an engine sees it. */
 export interface BookSize {
@@ -47,11 +47,18 @@ export interface BookEngine {
   destroy(): void;
 
   /**
-   * Sets the stock of the leaves: a preset, or one in figures. This and the
-   * next three lay down the leaves in flight. Returns whether the stock is
+   * Sets the stock of all leaves: a preset, or one in figures. This and the
+   * next four lay down the leaves in flight. Returns whether the stock is
    * valid; if not, nothing changes.
    */
   setStock(stock: Stock | StockFigures): boolean;
+  /**
+   * Sets the stock of the leaves of paper from `first` to before `end`, counted from 0
+   * at the front. Each then moves as that stock does and counts by its thickness in
+   * the piles. Returns whether there are such leaves and the stock is valid; if
+   * not, nothing changes.
+   */
+  setLeafStock(first: number, end: number, stock: LeafStockName | StockFigures): boolean;
   /**
    * Sets the direction of the grain and the stiffness of the binding against
    * turning in the gutter, N (0 to 1). Returns whether they are valid.
@@ -83,6 +90,16 @@ export interface BookEngine {
   play(id: number, side: Side, seconds: number): void;
   /** Steps all flights by whole ticks. */
   step(ticks: number): void;
+  /**
+   * Whether nothing moves until the next command: whatever is in flight, or a
+   * board, is held and lies still.
+   */
+  readonly isAsleep: boolean;
+  /**
+   * Maximum of ticks that a frame should step: fewer, the more leaves fly, so that leaves
+   * slow down where frames come late and a frame's work stays bounded.
+   */
+  readonly mostTicks: number;
   /** Returns what a flight is doing. */
   phase(id: number): Phase;
 

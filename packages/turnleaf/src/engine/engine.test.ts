@@ -70,7 +70,7 @@ test("twelve leaves fly at once, each with its own surface", async () => {
   book.destroy();
 });
 
-test("a held leaf follows the hand; let go it falls", async () => {
+test("a held leaf follows the grab; released, it falls", async () => {
   const book = await open();
   const id = book.pickUp(Side.right, 0, 1);
   book.grab(id, 0, 1, 0);
@@ -100,7 +100,7 @@ test("boards swing and lie down", async () => {
   book.destroy();
 });
 
-test("sizes that are no book's are refused", async () => {
+test("sizes that no book has are rejected", async () => {
   for (const bad of [
     { ...size, width: 0 },
     { ...size, height: Number.NaN },
@@ -144,14 +144,14 @@ test("each paper, binding and wind hangs in its own way, and an invalid one chan
   const seen = new Set((await Promise.all(ways)).map((positions) => positions.join()));
   expect(seen.size).toBe(ways.length);
   const usual = await hang(() => {});
-  const refused = await hang((book) => {
+  const rejected = await hang((book) => {
     expect(book.setStock("vellum" as never)).toBe(false);
     expect(book.setStock({} as never)).toBe(false);
     expect(book.setBinding("along", -1)).toBe(false);
     expect(book.setWind([Number.NaN, 0, 0])).toBe(false);
     applyPaper({ stock: "vellum" as never, binding: 7, wind: [1e9, 0, 0] }, book);
   });
-  expect(refused).toEqual(usual);
+  expect(rejected).toEqual(usual);
 });
 
 test("both piles are as thick as the leaves that lie on them", async () => {

@@ -200,7 +200,7 @@ test("no book is made of sizes that are none", async () => {
     for (const value of nasty.filter((value) => !(value >= 0 && value < 2) || key === "leaves")) {
       if (value === 0) continue;
       await expect(WasmBook.create({ ...size, [key]: value }), `${key} ${value}`).rejects.toThrow(
-        "The engine refused a book of this size.",
+        "The engine does not accept a book of this size.",
       );
     }
   }

@@ -34,11 +34,22 @@ export interface Pile {
   readonly curves: Float32Array;
 }
 
-/** The preset stocks, from the lightest to the heaviest; the engine counts them in this order. */
+/** Returns the height of a pile's uppermost page at its fore-edge, metres: the pile's thickness. */
+export function pileHeight({ curves, columns }: Pile): number {
+  return curves[2 * columns - 1];
+}
+
+/** The preset stocks of paper, from the lightest to the heaviest; the engine counts them in this order. */
 export const stocks = ["bible", "book", "office", "coated", "card"] as const;
 
 /** A preset stock: 30, 70, 80, 170 or 250 g/m². */
 export type Stock = (typeof stocks)[number];
+
+/** The stocks that leaves may have of their own: those of paper, and grey board of 1.6 mm. */
+export const leafStockNames = ["bible", "book", "office", "coated", "card", "board"] as const;
+
+/** A stock that leaves may have of their own. */
+export type LeafStockName = (typeof leafStockNames)[number];
 
 /** A stock in figures, in the units of the paper trade. */
 export interface StockFigures {

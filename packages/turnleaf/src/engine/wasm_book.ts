@@ -8,6 +8,8 @@ import { engineCode } from "./machine_code.ts";
 import { areFinite, clamp, isGrab, turnSeconds, whole, wholeTicks } from "./numbers.ts";
 import type { Cover, Phase, Side } from "./phases.ts";
 import {
+  type LeafStockName,
+  leafStockNames,
   type Pile,
   type Stock,
   type StockFigures,
@@ -29,6 +31,16 @@ interface Exports {
     along: number,
     across: number,
   ): number;
+  tl_book_set_leaf_stock(book: number, first: number, end: number, stock: number): number;
+  tl_book_set_leaf_figures(
+    book: number,
+    first: number,
+    end: number,
+    grammage: number,
+    caliper: number,
+    along: number,
+    across: number,
+  ): number;
   tl_book_set_binding(book: number, acrossSpine: number, stiffness: number): number;
   tl_book_set_wind(book: number, x: number, y: number, z: number): number;
   tl_book_set_assist(book: number, on: number): void;
@@ -39,6 +51,8 @@ interface Exports {
   tl_book_release(book: number, id: number, grab: number): void;
   tl_book_play(book: number, id: number, side: Side, seconds: number): void;
   tl_book_step(book: number, ticks: number): void;
+  tl_book_asleep(book: number): number;
+  tl_book_most_ticks(book: number): number;
   tl_book_phase(book: number, id: number): Phase;
   tl_book_read(book: number): number;
   tl_book_flights(book: number): number;
@@ -50,6 +64,7 @@ interface Exports {
   tl_book_positions(book: number, index: number): number;
   tl_book_dress(book: number, index: number): number;
   tl_book_normals(book: number, index: number): number;
+  tl_book_caliper(book: number, index: number): number;
   tl_book_version(book: number, index: number): number;
   tl_book_pile(book: number, side: Side): number;
   tl_board_hold(book: number, cover: Cover, angle: number): void;
@@ -68,6 +83,9 @@ const mostIds = 2 ** 32 - 1;
 const mostFlights = 16;
 const mostLeaves = 1e6;
 const farthest = 1000;
+
+/** Thickness from which a leaf's edges are visible, metres: card's, not paper's. */
+const visibleThickness = 0.0002;
 
 /**
  * One bound book in the engine, with several leaves of paper in flight. A
@@ -93,7 +111,7 @@ export class WasmBook implements BookEngine {
     this.#leaves = whole(leaves, mostLeaves);
     const isBook = this.#leaves === leaves && areFinite([width, height, thickness]);
     this.#book = isBook ? wasm.tl_book_new(width, height, leaves, thickness) : 0;
-    if (this.#book === 0) throw new Error("The engine refused a book of this size.");
+    if (this.#book === 0) throw new Error("The engine does not accept a book of this size.");
   }
 
   /** Makes a book with the compiled code, by default that in the package. Rejects if WebAssembly is unavailable. */
@@ -118,15 +136,21 @@ export class WasmBook implements BookEngine {
       const number = stocks.indexOf(stock);
       return number >= 0 && this.#changed(this.#wasm.tl_book_set_stock(this.#book, number));
     }
-    const { grammage, caliper, stiffnessAlong, stiffnessAcross } = stock;
-    const figures = [
-      grammage * 1e-3,
-      caliper * 1e-6,
-      stiffnessAlong * 1e-3,
-      stiffnessAcross * 1e-3,
-    ] as const;
+    const figures = inUnits(stock);
     if (!areFinite(figures)) return false;
     return this.#changed(this.#wasm.tl_book_set_figures(this.#book, ...figures));
+  }
+
+  setLeafStock(first: number, end: number, stock: LeafStockName | StockFigures): boolean {
+    if (!isRange(first, end, this.#leaves)) return false;
+    const [wasm, book] = [this.#wasm, this.#book];
+    if (typeof stock === "string") {
+      const number = leafStockNames.indexOf(stock);
+      return number >= 0 && this.#changed(wasm.tl_book_set_leaf_stock(book, first, end, number));
+    }
+    const figures = inUnits(stock);
+    if (!areFinite(figures)) return false;
+    return this.#changed(wasm.tl_book_set_leaf_figures(book, first, end, ...figures));
   }
 
   setBinding(grain: "along" | "across", stiffness: number): boolean {
@@ -185,6 +209,14 @@ export class WasmBook implements BookEngine {
     this.#wasm.tl_book_step(this.#book, wholeTicks(ticks, this.tick));
   }
 
+  get mostTicks(): number {
+    return this.#wasm.tl_book_most_ticks(this.#book);
+  }
+
+  get isAsleep(): boolean {
+    return this.#wasm.tl_book_asleep(this.#book) !== 0;
+  }
+
   phase(id: number): Phase {
     return this.#wasm.tl_book_phase(this.#book, whole(id, mostIds));
   }
@@ -212,15 +244,17 @@ export class WasmBook implements BookEngine {
     const number = whole(index, mostFlights);
     const at = wasm.tl_book_positions(this.#book, number);
     const version = wasm.tl_book_version(this.#book, number);
+    const caliper = wasm.tl_book_caliper(this.#book, number);
+    const thickness = caliper < visibleThickness ? 0 : caliper;
     let surface = this.#surfaces.get(at);
     if (surface === undefined || surface.positions.buffer !== wasm.memory.buffer) {
       const columns = wasm.tl_book_columns(this.#book);
       const rows = wasm.tl_book_rows(this.#book);
       const view = (at: number) => new Float32Array(wasm.memory.buffer, at, 3 * columns * rows);
       const normals = view(wasm.tl_book_normals(this.#book, number));
-      surface = { columns, rows, positions: view(at), normals, version };
-    } else if (surface.version !== version) {
-      surface = { ...surface, version };
+      surface = { columns, rows, positions: view(at), normals, version, thickness };
+    } else if (surface.version !== version || surface.thickness !== thickness) {
+      surface = { ...surface, version, thickness };
     }
     this.#surfaces.set(at, surface);
     return surface;
@@ -270,4 +304,14 @@ export class WasmBook implements BookEngine {
   boardAngle(cover: Cover): number {
     return this.#wasm.tl_board_angle(this.#book, cover);
   }
+}
+
+/** Returns the figures of a stock in the engine's units: kg/m^2, m, N m. */
+function inUnits({ grammage, caliper, stiffnessAlong, stiffnessAcross }: StockFigures) {
+  return [grammage * 1e-3, caliper * 1e-6, stiffnessAlong * 1e-3, stiffnessAcross * 1e-3] as const;
+}
+
+/** Returns whether there are leaves from `first` to before `end` among so many. */
+function isRange(first: number, end: number, leaves: number): boolean {
+  return [first, end].every(Number.isInteger) && first >= 0 && first < end && end <= leaves;
 }

@@ -1,16 +1,18 @@
 /** Pointers and keys on the element in real Chromium: drag, flick, hover, pinch, wheel, keys. */
 
-import { afterEach, expect, test } from "vitest";
+import { afterEach, expect, test, vi } from "vitest";
 import type { TurnDetail } from "../element/events.ts";
 import type { TurnleafBook } from "../element.ts";
-import { book, happens, scans, settled } from "../element_for_tests.ts";
-import { TestPointer } from "../pointer_for_tests.ts";
+import { book, happens, scans, settled } from "../for_tests/element_books.ts";
+import { TestClock } from "../for_tests/test_clock.ts";
+import { TestPointer } from "../for_tests/test_pointer.ts";
 import { DrawnBook } from "../webgl/drawn_book.ts";
 
 const pose = DrawnBook.prototype.pose;
 const request = globalThis.requestAnimationFrame;
 
 afterEach(() => {
+  vi.restoreAllMocks();
   DrawnBook.prototype.pose = pose;
   globalThis.requestAnimationFrame = request;
   document.body.replaceChildren();
@@ -51,13 +53,13 @@ function count(element: TurnleafBook, name: string): { times: number } {
   return seen;
 }
 
-const calls = (times: number) =>
-  Promise.all(Array.from({ length: times }, () => new Promise((done) => setTimeout(done, 60))));
+/** Waits for what should not come. */
+const wait = () => new Promise((done) => setTimeout(done, 60));
 
 test("a drag in the middle of a page turns it, a click there does not", async () => {
   const { element, pointer } = await opened();
   pointer.click(200, 110);
-  await calls(1);
+  await wait();
   expect(element.settled).toBe(true);
   pointer.point("pointerdown", 205, 110);
   await pointer.move([205, 110], [60, 100]);
@@ -171,12 +173,12 @@ test("a corner lifts under a mouse, holds still without a frame, and lies down",
   const heights = flights.positions[0].filter((_, k) => k % 3 === 2);
   expect(Math.max(...heights)).toBeGreaterThan(heights[heights.length - 1] + 0.006);
   const frames = watchFrames();
-  await calls(1);
+  await wait();
   expect(frames.count).toBe(0);
   expect(started.times).toBe(0);
   // On the same corner nothing starts again.
   pointer.point("pointermove", corner[0] - 2, corner[1] - 2);
-  await calls(1);
+  await wait();
   expect(frames.count).toBe(0);
   pointer.point("pointermove", 200, 60);
   await settled(element);
@@ -210,7 +212,7 @@ test("a corner lifts under a mouse, holds still without a frame, and lies down",
   expect(started.times).toBe(3);
   await settled(element);
   frames.count = 0;
-  await calls(1);
+  await wait();
   expect(frames.count).toBe(0);
   expect(flights.positions.length).toBe(1);
   await pointer.move([corner[0] - 60, corner[1] - 20], [40, 120]);
@@ -322,7 +324,7 @@ test("the wheel zooms with Ctrl, pans while zoomed, turns where nothing else scr
   for (let k = 0; k < 6; k++) expect(pointer.roll(30, 2)).toBe(false);
   await settled(element);
   expect(element.page).toBe(8);
-  await calls(4);
+  pointer.wait(1000);
 
   // Down, the page scrolls if it can.
   const tall = document.createElement("div");
@@ -336,7 +338,7 @@ test("the wheel zooms with Ctrl, pans while zoomed, turns where nothing else scr
   try {
     expect(pointer.roll(0, 120)).toBe(false);
     expect((await happens<TurnDetail>(element, "pagechange")).to).toBe(10);
-    await calls(4);
+    pointer.wait(1000);
     expect(pointer.roll(0, -120)).toBe(false);
     expect((await happens<TurnDetail>(element, "pagechange")).to).toBe(8);
   } finally {
@@ -344,20 +346,21 @@ test("the wheel zooms with Ctrl, pans while zoomed, turns where nothing else scr
   }
 });
 
-test("a slider drawn over the block redirects the leaves, and the book lands where it was told last", async () => {
+test("a slider drawn over the block redirects the leaves, and the book lands at the last request", async () => {
   const element = book(scans(60), { cover: "none", duration: "200" });
   await happens(element, "load");
   await settled(element);
   const flights = watchFlights();
+  const clock = new TestClock();
   let most = 0;
-  const told: Promise<boolean>[] = [];
+  const landed: Promise<boolean>[] = [];
   for (const page of [4, 10, 16, 24, 34, 44, 50, 46, 38, 30, 26, 22]) {
-    told.push(element.goTo(page));
-    await calls(1);
+    landed.push(element.goTo(page));
+    clock.frames(4);
     most = Math.max(most, flights.positions.length);
   }
-  expect((await Promise.all(told)).at(-1)).toBe(true);
-  await settled(element);
+  await clock.until(() => element.settled);
+  expect((await Promise.all(landed)).at(-1)).toBe(true);
   expect(element.page).toBe(22);
   expect(most).toBeGreaterThan(1);
 });

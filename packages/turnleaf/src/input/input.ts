@@ -1,9 +1,10 @@
 /** Converts pointer events to commands to the book, and passes on wheel and keys. */
 
+import { sideBefore } from "../book/leaf_order.ts";
 import { forward } from "../book/spreads.ts";
-import { maxGrabs, Side } from "../engine/phases.ts";
+import { Side } from "../engine/phases.ts";
 import type { Place } from "../stage/book_stage.ts";
-import type { DragHit } from "../viewer/drag_state.ts";
+import { type Drag, type DragHit, maxDrags } from "../viewer/drag.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 import { Flick } from "./flick.ts";
 import { Keys } from "./held_keys.ts";
@@ -43,14 +44,15 @@ const tapZoomTime = 0.28;
 
 /** A pointer that is down. */
 interface Press extends Place {
-  /** The number of its grab. */
-  readonly grab: number;
-  readonly hold: DragHit | null;
+  /** What lay under it when it went down. */
+  readonly hit: DragHit | null;
   readonly kind: string;
   readonly time: number;
   readonly flick: Flick;
-  /** Its current effect: none yet, moving a leaf, or moving the view. */
-  does: "wait" | "drag" | "pan";
+  /** The leaf that it moves, once it does. */
+  drag: Drag | null;
+  /** Whether it moves the view. */
+  pans: boolean;
   /** Its position. */
   at: Place;
 }
@@ -136,29 +138,19 @@ export class Input {
     if (this.#presses.has(event.pointerId) || event.button !== 0 || isElsewhere(event)) return;
     const at = this.#place(event);
     if (this.#beginPinch(event, at)) return;
-    const grab = this.#freeGrab();
-    if (grab === null || this.#pinch) return;
+    if (this.#presses.size >= maxDrags || this.#pinch) return;
     const isZoomed = this.#viewer.zoomLevel > 1;
-    const hold = isZoomed ? null : this.#viewer.leafControl.pick(at.x, at.y);
-    if (hold === null && !isZoomed) return;
-    const flick = new Flick();
-    flick.move(at, event.timeStamp);
-    const press: Press = {
-      ...at,
-      at,
-      grab: grab,
-      hold,
-      kind,
-      flick,
-      time: event.timeStamp,
-      does: "wait",
-    };
+    const { drags } = this.#viewer;
+    const hit = isZoomed ? null : drags.pick(at.x, at.y);
+    if (hit === null && !isZoomed) return;
     // A leaf in flight is caught at once, where it is.
-    if (hold && this.#isFlying(hold) && this.#viewer.leafControl.grab(hold, grab))
-      press.does = "drag";
-    this.#presses.set(event.pointerId, press);
+    const drag = hit && drags.isFlying(hit) ? drags.grab(hit) : null;
+    const flick = new Flick();
+    const time = event.timeStamp;
+    flick.move(at, time);
+    this.#presses.set(event.pointerId, { ...at, at, hit, kind, flick, time, drag, pans: false });
     this.#canvas.setPointerCapture(event.pointerId);
-    if (press.does === "drag") this.#viewer.leafControl.drag(grab, at.x, at.y);
+    drag?.move(at.x, at.y);
   }
 
   #move(event: PointerEvent): void {
@@ -168,9 +160,9 @@ export class Input {
     if (press === undefined) this.#hover(event, at);
     else {
       press.flick.move(at, event.timeStamp);
-      if (press.does === "wait") this.#begin(press, at);
-      if (press.does === "drag") this.#viewer.leafControl.drag(press.grab, at.x, at.y);
-      if (press.does === "pan") this.#viewer.zoom(this.#viewer.zoomLevel, press.at, at, 0);
+      if (press.drag === null && !press.pans) this.#begin(press, at);
+      press.drag?.move(at.x, at.y);
+      if (press.pans) this.#viewer.zoom(this.#viewer.zoomLevel, press.at, at, 0);
       press.at = at;
     }
   }
@@ -181,8 +173,8 @@ export class Input {
     const isMouse = press.kind === "mouse";
     if (Math.hypot(x, y) <= (isMouse ? dragStart.mouse : dragStart.other)) return;
     this.#taps.forget();
-    if (press.hold === null) {
-      press.does = "pan";
+    if (press.hit === null) {
+      press.pans = true;
       this.#viewer.handled = true;
     } else {
       // Along the page's own scroll direction a finger scrolls it: the browser will say so.
@@ -192,7 +184,7 @@ export class Input {
         Math.abs(quarterTurned ? x : y) > Math.abs(quarterTurned ? y : x)
       )
         return;
-      if (this.#viewer.leafControl.grab(press.hold, press.grab, { x, y })) press.does = "drag";
+      press.drag = this.#viewer.drags.grab(press.hit, { x, y });
       this.#isPeeking = false;
     }
     this.#canvas.style.cursor = "grabbing";
@@ -205,8 +197,8 @@ export class Input {
     this.#presses.delete(event.pointerId);
     this.#canvas.style.cursor = "";
     const isDone = event.type === "pointerup";
-    if (press.does === "drag") this.#release(press, isDone ? event.timeStamp : null);
-    else if (press.does === "pan") this.#letGlide(press, isDone ? event.timeStamp : null);
+    if (press.drag) this.#release(press, press.drag, isDone ? event.timeStamp : null);
+    else if (press.pans) this.#letGlide(press, isDone ? event.timeStamp : null);
     else if (isDone) this.#tap(press, event);
   }
 
@@ -214,11 +206,11 @@ export class Input {
    * Releases a press: a leaf falls where it is released; a flick turns it over,
    * or one of the other side.
    */
-  #release({ hold, grab, flick, time }: Press, now: number | null): void {
+  #release({ hit, flick, time }: Press, drag: Drag, now: number | null): void {
     const way = now !== null && now - time <= flickTime ? this.#flicked(flick.velocity(now)) : 0;
-    const isOwn = hold === null || sideOf(hold) === (way === 1 ? Side.right : Side.left);
+    const isOwn = hit === null || sideOf(hit) === (way === 1 ? Side.right : Side.left);
     if (way !== 0 && isOwn) this.#target.turn((way * forward(this.#viewer.binding)) as 1 | -1);
-    this.#viewer.leafControl.release(grab);
+    drag.release();
     if (way !== 0 && !isOwn) this.#target.turn((way * forward(this.#viewer.binding)) as 1 | -1);
   }
 
@@ -241,28 +233,28 @@ export class Input {
     this.#viewer.handled = false;
   }
 
-  #tap({ hold, at }: Press, event: PointerEvent): void {
-    const inside = hold === null || !turnsByClick(hold);
+  #tap({ hit, at }: Press, event: PointerEvent): void {
+    const inside = hit === null || !turnsByClick(hit);
     if (inside && this.#taps.tap(event)) {
       const { level, from, to } = pageZoom(this.#viewer, at, this.#canvas.clientWidth);
       this.#viewer.zoom(level, from, to, this.#target.calm() ? 0 : tapZoomTime);
       return;
     }
-    if (inside) this.#viewer.leafControl.tap(at.x, at.y);
-    if (hold === null || inside || this.#isFlying(hold)) return;
-    const isRight = sideOf(hold) === Side.right;
+    if (inside) this.#viewer.commands.tap(at.x, at.y);
+    if (hit === null || inside || this.#viewer.drags.isFlying(hit)) return;
+    const isRight = sideOf(hit) === Side.right;
     const way = forward(this.#viewer.binding);
     this.#target.turn(isRight ? way : (-way as 1 | -1));
   }
 
   /**
    * Starts a zoom with a second finger, unless the first already turns a leaf:
-   * then it is another grab.
+   * then it is another drag.
    */
   #beginPinch(event: PointerEvent, at: Place): boolean {
     if (event.pointerType !== "touch" || this.#pinch) return false;
     const other = [...this.#presses].find(
-      ([, press]) => press.kind === "touch" && press.does !== "drag",
+      ([, press]) => press.kind === "touch" && press.drag === null,
     );
     if (other === undefined) return false;
     const [id, press] = other;
@@ -279,12 +271,11 @@ export class Input {
     if (left === null) return false;
     this.#pinch = null;
     const [id, at] = left;
-    const flick = new Flick();
-    const grab = this.#freeGrab() ?? 0;
-    const press = { ...at, at, grab, hold: null, kind: "touch", flick, time: event.timeStamp };
     // The remaining finger continues to pan.
-    if (this.#viewer.zoomLevel > 1) this.#presses.set(id, { ...press, does: "pan" });
-    else this.#viewer.handled = false;
+    if (this.#viewer.zoomLevel > 1) {
+      const press = { ...at, at, hit: null, drag: null, pans: true, kind: "touch" };
+      this.#presses.set(id, { ...press, flick: new Flick(), time: event.timeStamp });
+    } else this.#viewer.handled = false;
     return true;
   }
 
@@ -297,34 +288,19 @@ export class Input {
   #hover(event: PointerEvent, at: Place): void {
     if (event.pointerType === "touch" || event.buttons !== 0 || this.#presses.size > 0) return;
     const isZoomed = this.#viewer.zoomLevel > 1;
-    const hold =
-      isZoomed || event.target !== this.#canvas ? null : this.#viewer.leafControl.pick(at.x, at.y);
-    this.#canvas.style.cursor = hold !== null || isZoomed ? "grab" : "";
-    this.#peek(hold);
+    const hit =
+      isZoomed || event.target !== this.#canvas ? null : this.#viewer.drags.pick(at.x, at.y);
+    this.#canvas.style.cursor = hit !== null || isZoomed ? "grab" : "";
+    this.#peek(hit);
   }
 
   /** Lifts the corner at a place, or lets it fall. */
-  #peek(hold: DragHit | null): void {
+  #peek(hit: DragHit | null): void {
     const zone = this.#isPeeking ? stayZone : liftZone;
-    const isCorner = hold !== null && hold.u > 1 - zone.u && Math.abs(hold.v - 0.5) > 0.5 - zone.v;
+    const isCorner = hit !== null && hit.u > 1 - zone.u && Math.abs(hit.v - 0.5) > 0.5 - zone.v;
     const lifts = isCorner && !this.#target.calm();
     if (lifts === this.#isPeeking) return;
-    this.#isPeeking = this.#viewer.leafControl.peek(lifts ? hold : null);
-  }
-
-  /** Returns the number of a free grab, or null. The last belongs to a lifted corner. */
-  #freeGrab(): number | null {
-    const taken = new Set([...this.#presses.values()].map(({ grab }) => grab));
-    for (let grab = 0; grab < maxGrabs - 1; grab++) if (!taken.has(grab)) return grab;
-    return null;
-  }
-
-  /**
-   * Returns whether it is a place on a leaf in flight, rather than on a resting
-   * page or a corner that only lifts.
-   */
-  #isFlying(hold: DragHit): boolean {
-    return typeof hold.on !== "number" && !this.#viewer.leafControl.isPeeked(hold);
+    this.#isPeeking = this.#viewer.commands.peek(lifts ? hit : null);
   }
 
   /** Returns where a pointer is on the canvas, CSS pixels. */
@@ -336,8 +312,7 @@ export class Input {
 
 /** Returns the side where a leaf was grabbed. */
 function sideOf({ on }: DragHit): Side {
-  if (typeof on === "number") return on;
-  return on.from === on.low ? Side.right : Side.left;
+  return typeof on === "number" ? on : sideBefore(on);
 }
 
 /** Returns whether a click there turns the leaf: at an edge or a corner. */

@@ -166,7 +166,7 @@ function unpack(
       }
       basis.write(coefficients, positions, 3 * length * frame + axis);
     }
-    if (!reader.isAtEnd) throw new RangeError("There is more than was told.");
+    if (!reader.isAtEnd) throw new RangeError("There is more than the header says.");
   } catch (error) {
     throw error instanceof RangeError ? badFrame() : error;
   }

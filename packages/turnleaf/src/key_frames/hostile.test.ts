@@ -4,7 +4,7 @@
  */
 import { afterEach, describe, expect, it, vi } from "vitest";
 import cornerFile from "../../../../engine/tests/fixtures/corner.tlkf?inline";
-import { fuzz, Random, seed } from "../random_for_tests.ts";
+import { fuzz, Random, seed } from "../for_tests/random_numbers.ts";
 import { BitWriter } from "./bits.ts";
 import { checksum, packedHeader } from "./file.ts";
 import { decodeTurn, TurnError } from "./key_frames.ts";
@@ -71,7 +71,7 @@ describe("counts that a file cannot fill", () => {
     expect(made.bytes).toBeLessThan(1.2 * 12 * 4 * frames);
   });
 
-  it("more frames than the packed bytes can hold are refused before anything is allocated", () => {
+  it("more frames than the packed bytes can hold are rejected before anything is allocated", () => {
     for (const [columns, frames] of [
       [2, 2 ** 20],
       [256, 64],
@@ -84,7 +84,7 @@ describe("counts that a file cannot fill", () => {
     }
   });
 
-  it("more points than a turn has, or bytes than are there, are refused likewise", () => {
+  it("more points than a turn has, or bytes than are there, are rejected likewise", () => {
     const small = turnFile(2, 2, 1, new Uint8Array(9));
     const rejected: [number, number, string][] = [
       [24, 257, "The header of this recorded turn cannot be."],
@@ -144,7 +144,7 @@ describe("random files", () => {
     return bytes;
   }
 
-  it(`are refused in one sentence, or played in finite numbers (seed ${seed})`, {
+  it(`are rejected in one sentence, or played in finite numbers (seed ${seed})`, {
     timeout: 60_000 * fuzz,
   }, () => {
     const numbers = new Random();

@@ -119,7 +119,7 @@ describe("playing", () => {
     expect(times.every((time, i) => i === 0 || time > (times[i - 1] ?? 0))).toBe(true);
   });
 
-  it("refuses in one sentence", () => {
+  it("rejects in one sentence", () => {
     expect(() => corner.scaled(0.2, 0.2)).toThrow(
       "This turn is of a leaf of 0.140 x 0.210 m; a leaf of another ratio needs another recording.",
     );
@@ -181,7 +181,7 @@ describe("recording", () => {
     }
   });
 
-  it("refuses what is no turn", () => {
+  it("rejects what is no turn", () => {
     const leaf = { width: 0.1, height: 0.2, u: [0, 1], v: [0, 0.5, 1] };
     expect(() => new TurnRecorder({ ...leaf, u: [0, 0.7, 0.6, 1] })).toThrow("rise from 0 to 1");
     expect(() => new TurnRecorder({ ...leaf, width: 0 })).toThrow("above 0");
@@ -215,7 +215,7 @@ describe("what is no recorded turn", () => {
     }
   });
 
-  it("is forged: refused in one sentence, or played in finite numbers", () => {
+  it("is forged: rejected in one sentence, or played in finite numbers", () => {
     let state = 7;
     const random = (below: number): number => {
       state = (Math.imul(state, 1664525) + 1013904223) >>> 0;

@@ -1,10 +1,10 @@
-/** Mutated files are read or refused here as the engine reads or refuses them. */
+/** Mutated files are read or rejected here as the engine reads or rejects them. */
 import { expect, it } from "vitest";
 import corner from "../../../../engine/tests/fixtures/corner.tlkf?inline";
 import cornerWhole from "../../../../engine/tests/fixtures/corner-whole.tlkf?inline";
 import usual from "../../../../engine/tests/fixtures/mutated.verdicts?raw";
 import inScript from "../../../../engine/tests/fixtures/recorded-in-script.tlkf?inline";
-import { fuzz, Random, seed } from "../random_for_tests.ts";
+import { fuzz, Random, seed } from "../for_tests/random_numbers.ts";
 import { checksum, checksumLength } from "./file.ts";
 import { decodeTurn, TurnError } from "./key_frames.ts";
 

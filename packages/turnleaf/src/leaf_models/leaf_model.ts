@@ -1,7 +1,9 @@
 /** Models that draw leaves in flight in place of the engine's sheets. */
 
+import { sideBefore } from "../book/leaf_order.ts";
 import type { Turning } from "../book/turning.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
+import { Side } from "../engine/phases.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 
 /** A book whose leaves are turned. */
@@ -13,11 +15,6 @@ export interface ModelledBook {
   readonly peek: { readonly flight: object | null };
 }
 
-/** A leaf as paper: x, y, z of its points over a flat table. */
-export interface Sheet {
-  readonly positions: Float32Array;
-}
-
 /** A model of a book's leaves in flight: it follows their sheets, and is drawn in place of them. */
 export interface LeafModel {
   /** Advances by `seconds`, and writes where each leaf is for the engine's next update. */
@@ -27,8 +24,11 @@ export interface LeafModel {
    * that are not sheets.
    */
   finish?(book: ModelledBook): void;
-  /** The sheets of the leaves in flight as they last were. */
-  readonly sheets: readonly Sheet[];
+  /**
+   * Whether it draws nothing else while the engine sleeps; false while leaves with a motion
+   * of their own have not come to rest. The default is true.
+   */
+  readonly isAsleep?: boolean;
   /** Returns what is drawn of a book, if the model changes it. */
   pose?(pose: BookPose): BookPose;
   /** Frees its resources. */
@@ -57,7 +57,6 @@ export class FlightModels<Kept> {
   readonly #make: (taken: PickedUpLeaf) => Kept;
   readonly #free: (kept: Kept) => void;
   readonly #kept = new Map<object, Kept>();
-  #sheets: Sheet[] = [];
 
   /**
    * @param make creates the state of a leaf that is picked up
@@ -69,11 +68,6 @@ export class FlightModels<Kept> {
     this.#free = free;
   }
 
-  /** The sheets of the leaves in flight as they last were. */
-  get sheets(): readonly Sheet[] {
-    return this.#sheets;
-  }
-
   /** Writes every leaf in flight; `points` are as of `BookEngine.overrideSurface`. */
   show({ engine, turning }: ModelledBook, write: (kept: Kept, points: Float32Array) => void): void {
     const { flights } = turning;
@@ -82,20 +76,23 @@ export class FlightModels<Kept> {
       this.#kept.delete(flight);
       this.#free(kept);
     }
-    this.#sheets = [];
     for (const [index, flight] of flights.entries()) {
       const points = flight.part === "leaf" ? engine.overrideSurface(index) : null;
       if (points === null) continue;
-      this.#sheets.push({ positions: points.slice() });
       let kept = this.#kept.get(flight);
       if (kept === undefined) {
         const [u, v] = flight.grip ?? turner;
-        const from = flight.from === flight.low ? "right" : "left";
+        const from = sideBefore(flight) === Side.right ? "right" : "left";
         kept = this.#make({ from, u, v, count: points.length / 3 });
         this.#kept.set(flight, kept);
       }
       write(kept, points);
     }
+  }
+
+  /** Returns whether the state of every leaf passes a test. */
+  every(test: (kept: Kept) => boolean): boolean {
+    return [...this.#kept.values()].every(test);
   }
 
   /** Returns the state of a leaf; undefined if the model does not draw it. */

@@ -4,7 +4,7 @@
  */
 
 import type { Vec3 } from "../engine/shapes.ts";
-import { type LeafOptions, LooseLeaf } from "../models/models.ts";
+import { type LeafNodes, type LeafOptions, LooseLeaf } from "../models/models.ts";
 import type { BookPose } from "../stage/book_pose.ts";
 import { crease } from "./crease.ts";
 import {
@@ -12,13 +12,15 @@ import {
   type LeafModel,
   type ModelledBook,
   type PickedUpLeaf,
-  type Sheet,
 } from "./leaf_model.ts";
 import { lying, placeOn } from "./lying_sheet.ts";
 
 /** The models that are fast enough for that. */
 export const looseModels = ["rigid", "peel", "cylinder", "cone", "mass-spring"] as const;
 export type LooseModelName = (typeof looseModels)[number];
+
+/** Speed at which a leaf counts as at rest, m/s: a pixel, about 0.3 mm, a second, as in the engine. */
+const slow = 3e-4;
 
 /** A loose leaf, and the point of it that is pulled. */
 interface PulledLeaf extends PickedUpLeaf {
@@ -85,8 +87,8 @@ export class LooseModel implements LeafModel {
     });
   }
 
-  get sheets(): readonly Sheet[] {
-    return this.#flights.sheets;
+  get isAsleep(): boolean {
+    return this.#flights.every(({ leaf }) => speedOf(leaf.nodes()) < slow);
   }
 
   pose(pose: BookPose): BookPose {
@@ -127,4 +129,9 @@ export class LooseModel implements LeafModel {
     this.#flights.clear();
     for (const leaf of this.#spare.splice(0)) leaf.destroy();
   }
+}
+
+/** Returns the speed of a leaf's nodes, m/s: the root of the mean square. */
+function speedOf({ columns, rows, velocities }: LeafNodes): number {
+  return Math.sqrt(velocities.reduce((sum, v) => sum + v * v, 0) / (columns * rows));
 }

@@ -43,6 +43,6 @@ test.for([
   ["{1-2}.png#ratio=100:1", "as in #ratio=2:3."],
   ["{1-2}.png#ratio=1:NaN", "as in #ratio=2:3."],
   ["http://{1-2}:x/", "is no address of photographs."],
-])("%s is refused in one sentence", ([address, sentence]) => {
+])("%s is rejected in one sentence", ([address, sentence]) => {
   expect(() => photographRow(address, base)).toThrow(sentence);
 });

@@ -1,5 +1,6 @@
 /** Photographs of a real turn in place of the leaf, as the British Library turned pages. */
 
+import { pileHeight } from "../engine/shapes.ts";
 import { ImageSource } from "../sources/images.ts";
 import { BookError } from "../sources/page_source.ts";
 import type { BookPose } from "../stage/book_pose.ts";
@@ -9,7 +10,6 @@ import {
   type LeafModel,
   type ModelledBook,
   type PickedUpLeaf,
-  type Sheet,
 } from "./leaf_model.ts";
 import { fractionTurned } from "./lying_sheet.ts";
 import { photographRow } from "./photograph_row.ts";
@@ -68,16 +68,12 @@ export class PhotographsModel implements LeafModel {
   }
 
   pose(pose: BookPose): BookPose {
-    const foreEdge = (pile: BookPose["left"]): number => pile?.curves[2 * pile.columns - 1] ?? 0;
+    const foreEdge = (pile: BookPose["left"]): number => (pile ? pileHeight(pile) : 0);
     const { width, height } = this.#size;
     const [left, right] = [foreEdge(pose.left), foreEdge(pose.right)];
     this.#mesh.show(this.#seen, { width, height, left, right });
     const leaves = this.#seen.length > 0 ? [] : pose.leaves;
     return { ...pose, leaves, above: this.#mesh.group };
-  }
-
-  get sheets(): readonly Sheet[] {
-    return this.#flights.sheets;
   }
 
   close(): void {

@@ -96,7 +96,7 @@ test("a recording from the left to the right turns leaves from the right to the 
   expect(fractionTurned(points, u.length, v.length)).toBeCloseTo(0.25, 2);
 });
 
-test("a recording of a part of a turn is refused in one sentence", () => {
+test("a recording of a part of a turn is rejected in one sentence", () => {
   for (const [from, to] of [
     [0, 0.7],
     [0.3, 1],

@@ -13,7 +13,6 @@ import {
   type LeafModel,
   type ModelledBook,
   type PickedUpLeaf,
-  type Sheet,
 } from "./leaf_model.ts";
 import { fractionTurned, lying } from "./lying_sheet.ts";
 import { Recording, type ReplayedLeaf } from "./recording.ts";
@@ -87,10 +86,6 @@ export class ReplayModel implements LeafModel {
       const part = 1 - lying(points, columns.length, rows, width);
       for (let i = 0; i < points.length; i++) points[i] += part * (this.#points[i] - points[i]);
     });
-  }
-
-  get sheets(): readonly Sheet[] {
-    return this.#flights.sheets;
   }
 
   pose(pose: BookPose): BookPose {

@@ -1,4 +1,5 @@
 import { expect, test } from "vitest";
+import source from "../../../../engine/src/stock.rs?raw";
 import { type LeafTurn, LooseLeaf, leafStocks, type Model, models, springsOf } from "./models.ts";
 
 const quick = (model: Model) =>
@@ -29,7 +30,7 @@ test("every model turns a leaf over from either side", async () => {
   }
 });
 
-test("a hand leads a leaf, and what it lets go of falls", async () => {
+test("a grab leads a leaf, and a released leaf falls", async () => {
   for (const model of ["sheet", "peel", "cylinder", "cone", "rigid"] as const) {
     const leaf = await LooseLeaf.create({ model, points: [9, 7] });
     leaf.grab(1, 0);
@@ -72,7 +73,7 @@ test("a record is a file of key frames", async () => {
   leaf.destroy();
 });
 
-test("what makes no leaf is refused in one sentence", async () => {
+test("what makes no leaf is rejected in one sentence", async () => {
   await expect(LooseLeaf.create({ model: "cone", width: 0 })).rejects.toThrow(/lies between/);
   await expect(LooseLeaf.create({ model: "none" as Model })).rejects.toThrow("no model number 0");
   const stock = { ...leafStocks.book, grammage: -1 };
@@ -87,4 +88,16 @@ test("what makes no leaf is refused in one sentence", async () => {
 
 test("the paper's grid has its 158 springs", () => {
   expect(springsOf(6, 6).length).toBe(158);
+});
+
+test("a named stock has the engine's figures", () => {
+  const ratio = Number(/const GRAIN_RATIO: f64 = ([\d.]+);/.exec(source)?.[1]);
+  const presets = [...source.matchAll(/pub const (\w+): Stock = typical\(([^)]+)\);/g)];
+  const figures = new Map(presets.map(([, name, list]) => [name, list?.split(",").map(Number)]));
+  for (const [name, stock] of Object.entries(leafStocks)) {
+    const [grammage, caliper, across = Number.NaN, friction] =
+      figures.get(name.toUpperCase()) ?? [];
+    const [stiffnessAcross, stiffnessAlong] = [across, ratio * across];
+    expect(stock, name).toEqual({ grammage, caliper, stiffnessAcross, stiffnessAlong, friction });
+  }
 });

@@ -73,7 +73,7 @@ test("a leaf in flight is met from above and from below", () => {
   expect(pickSurface(down(0.09, 0.1), surface, u)).toBeNull();
 });
 
-test("the hand arches over the spine and comes down at its reach", () => {
+test("the held point arches over the spine and comes down at its reach", () => {
   const flat = () => 0;
   expect(handAt(down(0, 0.1), width, flat)[2]).toBeCloseTo(0.62 * width, 6);
   expect(handAt(down(width, 0.1), width, flat)[2]).toBeCloseTo(0, 6);

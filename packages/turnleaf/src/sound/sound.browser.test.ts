@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
-import { book, happens, scans } from "../element_for_tests.ts";
 import type { Stock } from "../engine/shapes.ts";
+import { book, happens, scans } from "../for_tests/element_books.ts";
 import type { Motion } from "./motion.ts";
 import { PaperSound } from "./paper_sound.ts";
 

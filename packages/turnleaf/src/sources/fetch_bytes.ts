@@ -30,9 +30,9 @@ export function httpError(status: number, name: string): string {
     return `${name} was not found; check the address and open it again.`;
   }
   if (status === 401 || status === 403) {
-    return `${name} may not be read (the server answered ${status}); ask for access, or open a copy of it.`;
+    return `${name} may not be read (the server responded ${status}); ask for access, or open a copy of it.`;
   }
-  return `${name} could not be fetched (the server answered ${status}); try again later.`;
+  return `${name} could not be fetched (the server responded ${status}); try again later.`;
 }
 
 /** Returns the error for an empty file. */

@@ -28,7 +28,7 @@ const startOf = async (file: Blob): Promise<Uint8Array> =>
 
 /** Returns the kind of a file, from its first bytes. */
 export async function kindOfFile(file: Blob): Promise<Kind> {
-  return sniff(await startOf(file));
+  return sniff({ start: await startOf(file), type: file.type });
 }
 
 /**

@@ -1,3 +1,4 @@
+import { zipSync } from "fflate";
 import { afterEach, describe, expect, it, vi } from "vitest";
 import { limits } from "./limits.ts";
 import { messageOf } from "./message_of.ts";
@@ -317,14 +318,14 @@ describe("unreadable input fails in one sentence", () => {
       "a book.json was not found; check the address and open it again.",
     );
   });
-  it("refused", async () => {
+  it("rejected", async () => {
     expect(await fails(() => new Response("", { status: 403 }))).toMatch(
       /^a book\.json may not be/,
     );
   });
   it("a server in trouble", async () => {
     expect(await fails(() => new Response("", { status: 503 }))).toMatch(
-      /answered 503\); try again/,
+      /responded 503\); try again/,
     );
   });
   it("unreachable", async () => {
@@ -343,12 +344,13 @@ describe("unreadable input fails in one sentence", () => {
     expect(await fails(() => new Response("<!doctype html>"))).toMatch(
       /is a web page, not a book; PDF/,
     );
-    expect(await fails(() => new Response("PK\x03\x04"))).toMatch(
-      /is an archive, .* unpack it first/,
+    expect(await fails(() => new Response("PK\x03\x04"))).toMatch(/^a book\.json is damaged \(/);
+    const other = zipSync({ "notes.doc": new Uint8Array(9) }) as Uint8Array<ArrayBuffer>;
+    expect(await fails(() => new Response(other))).toMatch(
+      /is an archive with no book in it; open another/,
     );
-    expect(await fails(() => new Response("Ishmael"))).toMatch(
-      /is of an unknown format; PDF, images/,
-    );
+    expect(await fails(() => new Response("Rar!"))).toMatch(/is an archive; unpack it first; PDF/);
+    expect(await fails(() => new Response("\x00\x01"))).toMatch(/is of an unknown format; PDF,/);
   });
   it("JSON that is none", async () => {
     expect(await fails(() => new Response("{oops"))).toMatch(/^a book\.json is no valid JSON; /);
@@ -375,7 +377,7 @@ describe("unreadable input fails in one sentence", () => {
       return new Response(new ReadableStream({ pull }));
     };
     expect(await fails(endless('{"pages": ['))).toBe(
-      "a book.json is larger than 7 MB; make it smaller and open it again.",
+      "a book.json is larger than 30 MB; make it smaller and open it again.",
     );
     const { imageBytes } = limits;
     const bounds = limits as { imageBytes: number };

@@ -3,7 +3,7 @@ import { fetchChecked, readBounded } from "./fetch_bytes.ts";
 import { kindOfFile, sizeFromHeader, typedImage } from "./image_header.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
-import type { ImageBook, ImagePage } from "./manifest.ts";
+import type { ImageBook, ImagePage, StoredImage } from "./manifest.ts";
 import {
   BookError,
   type OutlineEntry,
@@ -30,13 +30,13 @@ export class ImageSource implements PageSource {
   readonly direction: "ltr" | "rtl";
   readonly kind: "typeset" | "scan";
   readonly pageCount: number;
-  /** A single image is a file; several are not. */
+  /** The archive of the images, or a single image. */
   readonly file?: () => Promise<Blob>;
   readonly #book: ImageBook;
   readonly #sizes: (PageSize | undefined)[];
   readonly #measured = new Set<number>();
-  readonly #images = new Map<number, Blob>();
-  readonly #fetching = new SharedTasks<number, Blob>();
+  readonly #images = new Map<ImagePage["src"], Blob>();
+  readonly #fetching = new SharedTasks<ImagePage["src"], Blob>();
   #closed = false;
 
   constructor(book: ImageBook) {
@@ -47,7 +47,9 @@ export class ImageSource implements PageSource {
     this.pageCount = book.pages.length;
     this.#book = book;
     this.#sizes = book.pages.map((page) => page.size);
-    if (this.pageCount === 1) this.file = () => this.#image(0);
+    const { file } = book;
+    if (file) this.file = () => Promise.resolve(file);
+    else if (this.pageCount === 1) this.file = () => this.#image(0);
   }
 
   async size(index: number, signal?: AbortSignal): Promise<PageSize> {
@@ -60,6 +62,10 @@ export class ImageSource implements PageSource {
     return this.#book.pages[index]?.label ?? String(index + 1);
   }
 
+  inSpread(index: number): ImagePage["inSpread"] {
+    return this.#book.pages[index]?.inSpread;
+  }
+
   async draw(
     index: number,
     width: number,
@@ -69,10 +75,12 @@ export class ImageSource implements PageSource {
     const image = await this.#image(index, signal);
     const size = await this.#measure(index, image);
     signal.throwIfAborted();
-    const part = scaleBox(region, size);
+    const own = this.#book.pages[index]?.part ?? wholePage;
+    const from = { x: own.x / own.width + region.x, y: own.y / own.height + region.y };
+    const part = scaleBox({ ...region, ...from }, size);
     // Vector images are sharp at any size, bitmaps at their own.
     const pixels = fitPixels(part, isSvg(image) ? width : Math.min(width, part.width));
-    const whole = region === wholePage && !isSvg(image);
+    const whole = region === wholePage && own === wholePage && !isSvg(image);
     const picture = await this.#decode(index, image, whole ? null : part, pixels);
     if (!signal.aborted && !this.#closed) return picture;
     picture.close();
@@ -100,6 +108,7 @@ export class ImageSource implements PageSource {
     this.#closed = true;
     this.#images.clear();
     this.#fetching.abortAll();
+    this.#book.close?.();
   }
 
   /**
@@ -118,15 +127,17 @@ export class ImageSource implements PageSource {
   async #measure(index: number, image: Blob): Promise<PageSize> {
     const known = this.#sizes[index];
     if (known && this.#measured.has(index)) return known;
-    const size = await measure(image).catch(async () => {
+    const pixels = await measure(image).catch(async () => {
       throw (await isPdf(image)) ? this.#misplacedPdf(index) : this.#undecodable(index, image);
     });
-    if (!isPageSize(size)) throw this.#undecodable(index, image);
-    if (!isSvg(image) && size.width * size.height > limits.imagePixels) {
+    if (!isPageSize(pixels)) throw this.#undecodable(index, image);
+    if (!isSvg(image) && pixels.width * pixels.height > limits.imagePixels) {
       throw new BookError(
-        `${this.#place(index)} has ${size.width} x ${size.height} pixels, more than can be shown; make it smaller.`,
+        `${this.#place(index)} has ${pixels.width} x ${pixels.height} pixels, more than can be shown; make it smaller.`,
       );
     }
+    const { width, height } = this.#book.pages[index]?.part ?? wholePage;
+    const size = { width: pixels.width * width, height: pixels.height * height };
     this.#measured.add(index);
     this.#sizes[index] = size;
     return size;
@@ -162,29 +173,31 @@ export class ImageSource implements PageSource {
     if (this.#closed || !page) {
       throw new BookError(`${this.#book.name} has no page ${index + 1} any more; open it again.`);
     }
+    const { src } = page;
     const image =
-      this.#images.get(index) ??
-      (page.src instanceof Blob
-        ? await this.#read(index, page.src)
-        : await this.#fetching.run(index, (own) => this.#fetch(index, page, own), signal));
-    this.#keep(index, image);
+      this.#images.get(src) ??
+      (src instanceof Blob
+        ? await this.#read(index, src)
+        : await this.#fetching.run(src, (own) => this.#fetch(index, src, own), signal));
+    this.#keep(src, image);
     return image;
   }
 
   /** Moves the image to the end of those kept and drops the oldest. */
-  #keep(index: number, image: Blob): void {
+  #keep(src: ImagePage["src"], image: Blob): void {
     if (this.#closed) return;
-    this.#images.delete(index);
-    this.#images.set(index, image);
+    this.#images.delete(src);
+    this.#images.set(src, image);
     for (const oldest of this.#images.keys()) {
       if (this.#images.size <= keptImages) break;
       this.#images.delete(oldest);
     }
   }
 
-  async #fetch(index: number, page: ImagePage, signal: AbortSignal): Promise<Blob> {
+  async #fetch(index: number, src: string | StoredImage, signal: AbortSignal): Promise<Blob> {
+    if (typeof src !== "string") return await typedImage(await src.read());
     const place = this.#place(index);
-    const response = await fetchChecked(page.src as string, place, { signal });
+    const response = await fetchChecked(src, place, { signal });
     const bytes = await readBounded(response, limits.imageBytes, place, signal);
     if (bytes.length === 0) throw new BookError(`${place} is empty; get the file again.`);
     return await typedImage(
@@ -216,11 +229,17 @@ export class ImageSource implements PageSource {
   /** "Page 3 of atlas.json (003.jpg)". */
   #place(index: number): string {
     const src = this.#book.pages[index]?.src;
-    const file = typeof src === "string" ? nameOfUrl(src) : "this book";
+    const file = nameOf(src);
     if (this.pageCount === 1 && file === this.#book.name) return file;
     const suffix = file === "this book" ? "" : ` (${file})`;
     return `Page ${index + 1} of ${this.#book.name}${suffix}`;
   }
+}
+
+/** Returns the name of an image's file in sentences. */
+function nameOf(src: ImagePage["src"] | undefined): string {
+  if (typeof src === "string") return nameOfUrl(src);
+  return src === undefined || src instanceof Blob ? "this book" : src.name;
 }
 
 function scaleBox({ x, y, width, height }: PageBox, by: PageSize): PageBox {

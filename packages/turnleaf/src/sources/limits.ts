@@ -16,7 +16,16 @@ export const limits = {
   /** Bytes of a PDF; more does not fit in one array in every browser. */
   pdfBytes: 2_000_000_000,
   /** Bytes of a manifest. */
-  manifestBytes: 8_000_000,
+  manifestBytes: 32_000_000,
+  /** Bytes of an archive, its files, and bytes of one of them unpacked. */
+  archiveBytes: 1_000_000_000,
+  archiveEntries: 40_000,
+  archivedBytes: 100_000_000,
+  /** Bytes of a chapter or a style sheet, unpacked. */
+  markupBytes: 16_000_000,
+  /** Elements of a chapter, and bytes of the pictures and fonts in it. */
+  elements: 200_000,
+  chapterBytes: 200_000_000,
   pages: 20_000,
   /** Longest side a source may claim for a page, in its own unit. */
   pageSide: 200_000,

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { clue, fuzzed, type Random } from "../random_for_tests.ts";
+import { clue, fuzzed, type Random } from "../for_tests/random_numbers.ts";
 import { limits } from "./limits.ts";
 import { parseManifest } from "./manifest.ts";
 import { BookError } from "./page_source.ts";
@@ -132,7 +132,7 @@ describe("what a manifest says of text, links and contents", () => {
     ["contents too deep", { outline: deep(9), pages: ["1"] }, /contents deeper than 8; /],
     ["contents without a title", { outline: [{ page: 1 }], pages: ["1"] }, /without a title/],
   ];
-  it.each(faults)("is refused where it is %s", (_, value, sentence) => {
+  it.each(faults)("is rejected where it is %s", (_, value, sentence) => {
     expect(() => parse(value)).toThrow(BookError);
     expect(() => parse(value)).toThrow(sentence);
   });

@@ -10,13 +10,25 @@ import {
   parseOutline,
   parseText,
 } from "./manifest_text.ts";
-import type { OutlineEntry, PageLink, PageSize, TextRun } from "./page_source.ts";
+import type { OutlineEntry, PageBox, PageLink, PageSize, TextRun } from "./page_source.ts";
+
+/** An image that is read when it is needed, as from an archive. */
+export interface StoredImage {
+  /** Its file's name in sentences. */
+  readonly name: string;
+  /** Returns its bytes. Rejects with a `BookError`. */
+  read(): Promise<Blob>;
+}
 
 /** One page of a book of images. */
 export interface ImagePage {
-  /** Absolute URL, or the image's own bytes. */
-  readonly src: string | Blob;
-  /** Pixels, if they are known before the image is fetched. */
+  /** Absolute URL, the image's own bytes, or how to read them. */
+  readonly src: string | Blob | StoredImage;
+  /** The part of the image that is this page, in fractions of it. The default is all of it. */
+  readonly part?: PageBox;
+  /** Where it has to lie in a spread, as `PageSource.inSpread` returns it. */
+  readonly inSpread?: "first" | "second" | "alone";
+  /** Pixels of the page, if they are known before the image is fetched. */
   readonly size?: PageSize;
   readonly label?: string;
   /** What the image shows, in words. */
@@ -36,6 +48,10 @@ export interface ImageBook {
   readonly kind: "typeset" | "scan";
   readonly pages: readonly ImagePage[];
   readonly outline?: readonly OutlineEntry[];
+  /** The file that they are all in. */
+  readonly file?: Blob;
+  /** Frees what the images are read from. */
+  close?(): void;
 }
 
 /**

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { PageList } from "./page_list.ts";
-import { BookError, type PageSource } from "./page_source.ts";
+import { BookError, type NewIndex, type PageSource, placeOf } from "./page_source.ts";
 
 /**
  * Returns a source whose pages are labelled by where they come from, and which
@@ -51,7 +51,7 @@ test("pages are put in, taken out and replaced, and others keep theirs", async (
   expect([list.title, list.direction, list.kind]).toEqual(["a", "rtl", "typeset"]);
 });
 
-test("pages that there are not are refused, and nothing changes", async () => {
+test("pages that are not there are rejected, and nothing changes", async () => {
   const list = new PageList(source("a", 2));
   for (const [at, count] of [
     [3, 0],
@@ -113,4 +113,39 @@ test("a book keeps a page", async () => {
   const list = new PageList(source("a", 2));
   expect(() => list.splice(0, 2, null)).toThrow(BookError);
   expect(await pages(list)).toEqual(["a1", "a2"]);
+});
+
+test("a source that sets its pages anew keeps the places of its pages and of others", async () => {
+  const growing = { ...source("a", 4) };
+  let announce: ((change: () => NewIndex) => void) | undefined;
+  growing.watchPages = (listener) => {
+    announce = listener;
+  };
+  const list = new PageList(growing);
+  list.splice(2, 0, source("b", 1));
+  list.splice(1, 1, null);
+  expect(await pages(list)).toEqual(["a1", "b1", "a3", "a4"]);
+  const moves: NewIndex[] = [];
+  list.watchPages((change) => moves.push(change()));
+  // Each page becomes two, and the first stays what it was.
+  announce?.(() => {
+    Object.assign(growing, { pageCount: 8 });
+    return Object.assign((index: number) => (index < 2 ? 2 * index : null), {
+      placeOf: (index: number) => 2 * index,
+    });
+  });
+  // What was taken out, a2, stays out.
+  expect(await pages(list)).toEqual(["a1", "b1", "a2", "a4", "a5", "a6", "a7", "a8"]);
+  const [moved] = moves;
+  expect([0, 1, 2, 3].map((index) => moved?.(index))).toEqual([0, 1, null, null]);
+  expect([0, 1, 2, 3].map((index) => moved?.placeOf?.(index))).toEqual([0, 1, 4, 6]);
+});
+
+test.each([
+  ["a page's own", 3, 4],
+  ["the one after the page before it", 2, 2],
+  ["the first, if none is before it", 0, 0],
+])("the place of a page after a change is %s", (_, index, place) => {
+  const moved = (k: number): number | null => [null, 1, null, 4][k] ?? null;
+  expect(placeOf(moved, index)).toBe(place);
 });

@@ -3,6 +3,7 @@
 import {
   BookError,
   type LinkTarget,
+  type NewIndex,
   type OutlineEntry,
   type PageBox,
   type PageField,
@@ -10,6 +11,7 @@ import {
   type PagePicture,
   type PageSize,
   type PageSource,
+  placeOf,
   type TextRun,
 } from "./page_source.ts";
 
@@ -18,9 +20,6 @@ interface Entry {
   readonly source: PageSource;
   readonly index: number;
 }
-
-/** Returns where a page (from 0) lies after a change; null if it was removed. */
-export type NewIndex = (index: number) => number | null;
 
 /** Maximum of pages in a list: far more than a book has, few enough to keep in memory. */
 const mostPages = 100_000;
@@ -33,10 +32,16 @@ const mostPages = 100_000;
 export class PageList implements PageSource {
   readonly #first: PageSource;
   #entries: Entry[];
+  #listener: ((change: () => NewIndex) => void) | null = null;
 
   constructor(source: PageSource) {
     this.#first = source;
     this.#entries = entriesOf(source);
+  }
+
+  watchPages(listener: (change: () => NewIndex) => void): void {
+    this.#listener = listener;
+    for (const source of new Set(this.#entries.map((entry) => entry.source))) this.#watch(source);
   }
 
   get title(): string {
@@ -63,8 +68,26 @@ export class PageList implements PageSource {
     return this.#first.openingPage;
   }
 
+  get edge(): PageSource["edge"] {
+    return this.#first.edge;
+  }
+
+  get layout(): PageSource["layout"] {
+    return this.#first.layout;
+  }
+
+  get details(): PageSource["details"] {
+    return this.#first.details;
+  }
+
   get allows(): PageSource["allows"] {
     return this.#first.allows;
+  }
+
+  /** Sets the first source's text anew, if it can be. */
+  get typeset(): PageSource["typeset"] {
+    const first = this.#first;
+    return first.typeset?.bind(first);
   }
 
   /** The first source's file, while the book has no other pages. */
@@ -85,6 +108,11 @@ export class PageList implements PageSource {
     const label = entry?.source.label(entry.index);
     // Pages that are merely numbered are renumbered.
     return label === undefined || label === String(entry.index + 1) ? String(index + 1) : label;
+  }
+
+  inSpread(index: number): ReturnType<NonNullable<PageSource["inSpread"]>> {
+    const entry = this.#entries[index];
+    return entry?.source.inSpread?.(entry.index);
   }
 
   draw(index: number, width: number, signal: AbortSignal, region?: PageBox): Promise<PagePicture> {
@@ -153,6 +181,7 @@ export class PageList implements PageSource {
     if (left === 0) throw new BookError("A book needs a page; leave one of them.");
     if (left > mostPages) throw new BookError(`A book has ${mostPages} pages at most; add fewer.`);
     this.#entries = [...before.slice(0, at), ...added, ...before.slice(at + count)];
+    if (source) this.#watch(source);
     const inUse = new Set(this.#entries.map((entry) => entry.source)).add(this.#first);
     for (const used of new Set(before.map((entry) => entry.source))) {
       if (!inUse.has(used)) used.close();
@@ -161,6 +190,47 @@ export class PageList implements PageSource {
       if (index < at) return index;
       return index < at + count ? null : index - count + added.length;
     };
+  }
+
+  #watch(source: PageSource): void {
+    if (this.#listener === null) return;
+    source.watchPages?.((change) => this.#listener?.(() => this.#renumber(source, change)));
+  }
+
+  /**
+   * Follows a source that has changed its pages. Pages of other sources stay
+   * after the page that they followed; pages that were removed stay away.
+   */
+  #renumber(source: PageSource, change: () => NewIndex): NewIndex {
+    const before = this.#entries;
+    const count = source.pageCount;
+    const moved = change();
+    const placeIn = (own: number): number => Math.min(placeOf(moved, own), source.pageCount - 1);
+    const left = new Set(before.flatMap((entry) => (entry.source === source ? entry.index : [])));
+    const removed = new Set<number | null>();
+    for (let own = 0; own < count; own++) if (!left.has(own)) removed.add(moved(own));
+    const after: Entry[] = [];
+    const newIndices: number[] = [];
+    let next = 0;
+    const addUntil = (end: number): void => {
+      for (; next < end; next++) if (!removed.has(next)) after.push({ source, index: next });
+    };
+    const last = before.findLastIndex((entry) => entry.source === source);
+    before.forEach((entry, k) => {
+      if (entry.source !== source) newIndices[k] = after.push(entry) - 1;
+      else addUntil(k === last ? source.pageCount : placeIn(entry.index) + 1);
+    });
+    this.#entries = after;
+    const find = (own: number | null): number =>
+      after.findIndex((entry) => entry.source === source && entry.index === own);
+    const follow = (k: number, own: (index: number) => number | null): number | null => {
+      const entry = before[k];
+      const index = entry?.source === source ? find(own(entry.index)) : newIndices[k];
+      return index === undefined || index < 0 ? null : index;
+    };
+    return Object.assign((k: number) => follow(k, moved), {
+      placeOf: (k: number) => follow(k, placeIn) ?? 0,
+    });
   }
 
   async #of<T>(index: number, ask: (source: PageSource, own: number) => Promise<T>): Promise<T> {

@@ -6,7 +6,9 @@
 
 /** A page's size in the source's own unit (points of a PDF, pixels of a scan). */
 export interface PageSize {
+  /** How wide it is. */
   readonly width: number;
+  /** How high it is. */
   readonly height: number;
 }
 
@@ -29,6 +31,7 @@ export interface PageBox {
  * rotation.
  */
 export interface TextRun extends PageBox {
+  /** Its characters. */
   readonly text: string;
   /** Radians, clockwise as seen: 0 runs to the right, pi / 2 down the page. */
   readonly angle: number;
@@ -50,11 +53,13 @@ export type LinkTarget = { readonly page: number } | { readonly href: string };
 export interface PageLink extends PageBox {
   /** Its title, may be empty. */
   readonly title: string;
+  /** Where it leads. */
   readonly to: LinkTarget;
 }
 
 /** A field of a form on a page; its box as that of a `TextRun`, never turned. */
 export interface PageField extends PageBox {
+  /** What is filled in: text, a box to tick, one of several buttons, a choice from a list. */
   readonly kind: "text" | "check" | "radio" | "choice";
   /**
    * Identifies the field in its book; buttons of one radio group have the same
@@ -69,7 +74,9 @@ export interface PageField extends PageBox {
   readonly on: string;
   /** The options of a choice; empty for others. */
   readonly options: readonly { readonly value: string; readonly label: string }[];
+  /** Whether its text may have several lines. */
   readonly multiline: boolean;
+  /** Whether the reader cannot change it. */
   readonly readonly: boolean;
   /** Maximum of characters of a text; 0 for no limit. */
   readonly maxLength: number;
@@ -87,8 +94,56 @@ export interface OutlineEntry {
   readonly children: readonly OutlineEntry[];
 }
 
+/**
+ * Returns where a page (from 0) lies after a change of the pages; null if that
+ * page, as it was drawn, is no longer there.
+ */
+export interface NewIndex {
+  (index: number): number | null;
+  /**
+   * Returns the page that now has what stood on a page (from 0): a reader who
+   * was at the one is at the other. The default is where that page lies, or the
+   * one after the page before it.
+   */
+  readonly placeOf?: (index: number) => number;
+}
+
+/** Returns the page (from 0) that has the place of page `index` after a change. */
+export function placeOf(moved: NewIndex, index: number): number {
+  if (moved.placeOf) return moved.placeOf(index);
+  for (let before = index; before >= 0; before--) {
+    const now = moved(before);
+    if (now !== null) return before === index ? now : now + 1;
+  }
+  return 0;
+}
+
+/** A line about a book that its owner wants to be shown, such as its licence. */
+export interface BookDetail {
+  /** What it is, such as "Rights"; may be empty. */
+  readonly label: string;
+  /** Its text. */
+  readonly value: string;
+  /** An address of the web with more about it. */
+  readonly href?: string;
+}
+
 /** A drawn page, ready to become a texture. `close` frees a bitmap's memory at once. */
 export type PagePicture = ImageBitmap | HTMLCanvasElement;
+
+/** How the reader wants flowing text set. */
+export interface Typography {
+  /** The typeface of text; "" for the book's own. */
+  readonly font: "" | "serif" | "sans-serif";
+  /** The size of everything, as a factor of the book's own: 0.5 to 3. */
+  readonly size: number;
+  /** The distance of lines as a factor of the type's size, 1 to 3; 0 for the book's own. */
+  readonly lineHeight: number;
+  /** The width of the margins, as a factor of the usual ones: 0 to 2. */
+  readonly margins: number;
+  /** The colours of paper and ink; "" for the book's own. */
+  readonly colours: "" | "sepia" | "night";
+}
 
 /** A book's pages, drawn one by one on request. */
 export interface PageSource {
@@ -98,15 +153,29 @@ export interface PageSource {
   readonly language: string;
   /** Reading direction, which decides the edge at which the book is bound. */
   readonly direction: "ltr" | "rtl";
+  /** At least 1. It changes only within a call of a function given to `watchPages`' listener. */
   readonly pageCount: number;
   /** The page (from 1) at which the book should open, if it says so. */
   readonly openingPage?: number;
+  /** The edge at which the book is bound. The default is decided by `direction`. */
+  readonly edge?: "left" | "right" | "top" | "bottom";
+  /** Two pages or one, if the book says so. The default is decided by the available space. */
+  readonly layout?: "spread" | "single";
+  /** What the book's owner wants to be shown of it: rights, a required statement. */
+  readonly details?: readonly BookDetail[];
   /** Typeset pages keep paper shading to their own white; scans must not be brightened. */
   readonly kind: "typeset" | "scan";
   /** Size of page `index` (from 0). Rejects with a `BookError`. */
   size(index: number, signal?: AbortSignal): Promise<PageSize>;
   /** Returns the page's label, such as "iv" or "23"; its number from 1 if the source has none. */
   label(index: number): string;
+  /**
+   * Returns where in a spread page `index` (from 0) has to lie, in the order of
+   * reading: on its first or second side, or on a leaf of its own. A side
+   * before it is left blank if necessary. The default is the side after the
+   * page before. A picture across a spread is two pages, "first" and "second".
+   */
+  inSpread?(index: number): "first" | "second" | "alone" | undefined;
   /**
    * Draws page `index` (from 0) so that it is `width` device pixels wide (never
    * beyond the source's own limits on memory). Rejects with a `BookError`, or
@@ -147,6 +216,20 @@ export interface PageSource {
    * single file. Rejects as `draw` does.
    */
   file?(): Promise<Blob>;
+  /**
+   * Sets the book's text anew; the change of its pages is reported to
+   * `watchPages`' listener. Absent if its pages are as they are. Rejects with a
+   * `BookError`.
+   */
+  typeset?(typography: Typography): Promise<void>;
+  /**
+   * Sets the listener for changes of the pages: text that is set in another
+   * size, a length that was estimated. The source keeps its old pages until the
+   * viewer, once the book lies still, calls `change`, which makes the change and
+   * returns where pages lie now. A change that is due already is reported at
+   * once.
+   */
+  watchPages?(listener: (change: () => NewIndex) => void): void;
   /** Frees workers, files and memory. Drawing afterwards rejects. */
   close(): void;
 }

@@ -104,7 +104,7 @@ describe("a PDF", () => {
     await expect(files.fetch({ kind: "wasmUrl", filename: "../x" })).rejects.toThrow();
   });
 
-  it("gives up drawing when told to, and draws again afterwards", async () => {
+  it("stops drawing when aborted, and draws again afterwards", async () => {
     const source = await openTiny({ pages: [red, red] });
     const controller = new AbortController();
     const drawing = source.draw(0, 300, controller.signal);
@@ -158,6 +158,41 @@ describe("a PDF", () => {
     });
     await source.draw(0, 20, never);
     expect("ran" in globalThis).toBe(false);
+  });
+});
+
+describe("a PDF that is protected by a password", () => {
+  const bytes = () => Uint8Array.from(atob(protectedPdf), (letter) => letter.charCodeAt(0));
+
+  it("opens with it", async () => {
+    const source = await openSource(bytes(), { password: "secret" });
+    expect(await source.size(0)).toEqual({ width: 200, height: 300 });
+    source.close();
+  });
+
+  it("asks until it is given, and says whether one was wrong", async () => {
+    const passwords = ["guess", "secret"];
+    const asked: boolean[] = [];
+    const askPassword = async (isWrong: boolean) => {
+      asked.push(isWrong);
+      return passwords.shift() ?? null;
+    };
+    (await openSource(bytes(), { askPassword })).close();
+    expect(asked).toEqual([false, true]);
+  });
+
+  it("fails in a sentence if none is given, and ends if nobody waits any more", async () => {
+    const none = openSource(bytes(), { password: "guess", askPassword: async () => null });
+    expect(await messageOf(none)).toContain("is protected by a password");
+    const controller = new AbortController();
+    const opening = openSource(bytes(), {
+      signal: controller.signal,
+      askPassword: () => {
+        controller.abort(new Error("another book"));
+        return new Promise(() => {});
+      },
+    });
+    await expect(opening).rejects.toThrow("another book");
   });
 });
 
@@ -247,13 +282,13 @@ describe("an unreadable PDF fails in one sentence", () => {
       },
     ],
     ["later", (worker: Worker) => setTimeout(() => worker.dispatchEvent(new Event("error")))],
-  ])("in a browser that refuses its worker %s", async (_, refuse) => {
+  ])("in a browser that fails to start its worker %s", async (_, fail) => {
     vi.stubGlobal(
       "Worker",
       class extends EventTarget {
         constructor() {
           super();
-          refuse(this as unknown as Worker);
+          fail(this as unknown as Worker);
         }
         postMessage() {}
         terminate() {}

@@ -1,9 +1,10 @@
 import type { PDFDocumentLoadingTask, PDFDocumentProxy, PDFPageProxy } from "pdfjs-dist";
-import { cleanLanguage, cleanText } from "./book_text.ts";
+import { cleanAddress, cleanLanguage, cleanText } from "./book_text.ts";
 import { nameAndMessage, unknownFailure } from "./failures.ts";
 import { brokeOff, httpError } from "./fetch_bytes.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import {
+  type BookDetail,
   BookError,
   type OutlineEntry,
   type PageBox,
@@ -36,6 +37,15 @@ const permission = { print: 0x04, copy: 0x10 } as const;
 export interface PdfOptions {
   /** Absolute address of this package's pdf-worker.js, for pages whose security policy forbids blob workers. */
   readonly pdfWorker?: string | undefined;
+  /** The password of a protected file. */
+  readonly password?: string | undefined;
+  /**
+   * Returns the password of a protected file, or null to give up.
+   *
+   * @param isWrong whether one was given that is not the file's
+   */
+  readonly askPassword?: (isWrong: boolean) => Promise<string | null>;
+  /** Aborts the opening. */
   readonly signal?: AbortSignal;
 }
 
@@ -43,6 +53,8 @@ export interface PdfOptions {
 const piece = 1 << 16;
 /** Milliseconds that a worker has to end by itself before it is terminated. */
 const closingTime = 2000;
+/** Authors of a book that are shown. */
+const mostAuthors = 50;
 /** Pages whose parsed content is kept, so that drawing them sharper is quick. */
 const keptPages = 6;
 
@@ -80,7 +92,17 @@ export async function openPdf(input: PdfInput, options: PdfOptions = {}): Promis
       useWorkerFetch: false,
       enableXfa: false,
       verbosity: pdfjs.VerbosityLevel.ERRORS,
+      ...(options.password ? { password: options.password } : {}),
     });
+    const { askPassword } = options;
+    if (askPassword) {
+      task.onPassword = (respond: (password: string | Error) => void, reason: number) => {
+        const isWrong = reason === pdfjs.PasswordResponses.INCORRECT_PASSWORD;
+        askPassword(isWrong)
+          .then((password) => respond(password ?? new Error("No password is given.")))
+          .catch(respond);
+      };
+    }
     const opening = thread.orFailed(
       Promise.race([describe(task, input), grownTooLarge(task, input)]),
     );
@@ -115,6 +137,7 @@ interface Description {
   readonly title: string;
   readonly language: string;
   readonly direction: "ltr" | "rtl";
+  readonly details: readonly BookDetail[];
   readonly labels: readonly string[] | null;
   readonly openingPage: number;
   readonly allows: { readonly print: boolean; readonly copy: boolean };
@@ -129,6 +152,29 @@ interface Description {
 async function openingPageOf(document: PDFDocumentProxy, targets: PdfTargets): Promise<number> {
   const action = await document.getOpenAction();
   return (await targets.page(action?.get("dest"))) ?? 1;
+}
+
+/** Returns who wrote a PDF and by which rights it may be used, as far as it says so. */
+function detailsOf(
+  metadata: { get(name: string): unknown } | null | undefined,
+  info: Record<string, unknown>,
+): readonly BookDetail[] {
+  const listOf = (value: unknown): readonly unknown[] => (Array.isArray(value) ? value : [value]);
+  const texts = (value: unknown): string[] =>
+    listOf(value)
+      .slice(0, mostAuthors)
+      .map((one) => cleanText(one))
+      .filter((text) => text !== "");
+  const creators = texts(metadata?.get("dc:creator"));
+  const authors = creators.length > 0 ? creators : texts(info.Author);
+  const href = cleanAddress(metadata?.get("xmprights:webstatement"));
+  const rights = texts(metadata?.get("dc:rights"))[0] ?? href;
+  return [
+    ...authors.map((value) => ({ label: "Author", value })),
+    ...(rights === ""
+      ? []
+      : [{ label: "Rights", value: rights, ...(href === "" ? {} : { href }) }]),
+  ];
 }
 
 async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<Description> {
@@ -154,6 +200,7 @@ async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<
     document,
     title: cleanText(metadata?.metadata?.get("dc:title")) || cleanText(info.Title) || input.name,
     language: cleanLanguage(info.Language),
+    details: detailsOf(metadata?.metadata, info),
     direction: preferences?.get("Direction") === "R2L" ? "rtl" : "ltr",
     labels,
     openingPage,
@@ -168,6 +215,7 @@ async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<
 
 class PdfSource implements PageSource {
   readonly title: string;
+  readonly details: readonly BookDetail[];
   readonly language: string;
   readonly direction: "ltr" | "rtl";
   readonly pageCount: number;
@@ -188,6 +236,7 @@ class PdfSource implements PageSource {
   constructor(thread: PdfThread, description: Description, stop: () => void) {
     this.title = description.title;
     this.language = description.language;
+    this.details = description.details;
     this.direction = description.direction;
     this.pageCount = description.document.numPages;
     this.openingPage = description.openingPage;

@@ -104,7 +104,7 @@ describe("the text of a PDF's page", () => {
       expect(text.length).toBeLessThanOrEqual(limits.runLength);
   });
 
-  it("is given up when told to, and read again afterwards", async () => {
+  it("is stopped when aborted, and read again afterwards", async () => {
     const source = await open({ pages: [say("Call", "1 0 0 1 20 250")], resources: fonts });
     const controller = new AbortController();
     const reading = source.text!(0, controller.signal);

@@ -1,5 +1,13 @@
 /** The kind of a file, as far as its first bytes show. */
-export type Kind = "pdf" | "json" | "image" | "html" | "archive" | "unknown";
+export type Kind = "pdf" | "json" | "image" | "html" | "zip" | "archive" | "text" | "unknown";
+
+/** What is known of a file before it is read whole. */
+export interface FileStart {
+  /** Its first `sniffLength` bytes, fewer if it has fewer. */
+  readonly start: Uint8Array;
+  /** The media type that its server or its owner gives; "" if none. */
+  readonly type: string;
+}
 
 /** A PDF's mark, and the maximum of bytes that may precede it. */
 const pdfMark = "%PDF-";
@@ -18,23 +26,42 @@ const images: readonly (readonly [type: string, offset: number, mark: string])[]
   ["image/avif", 4, "ftypavis"],
 ];
 
-const archives = ["PK\x03\x04", "Rar!", "7z\xbc\xaf"];
+const zip = "PK\x03\x04";
+const archives = ["Rar!", "7z\xbc\xaf"];
 
 /**
- * Returns the format by the first bytes, whatever the file's name and the
- * server say. A PDF may have up to 1024 bytes of other data before its mark.
- *
- * @param start the first `sniffLength` bytes, fewer if the file has fewer
+ * Returns the format by the first bytes, whatever the file's name. The media
+ * type counts only where bytes do not tell. A PDF may have up to 1024 bytes of
+ * other data before its mark.
  */
-export function sniff(start: Uint8Array): Kind {
+export function sniff({ start, type }: FileStart): Kind {
   const text = latin1(start.subarray(0, sniffLength));
   if (imageType(start) !== null) return "image";
   if (text.includes(pdfMark)) return "pdf";
+  if (text.startsWith(zip)) return "zip";
   if (archives.some((mark) => text.startsWith(mark))) return "archive";
   const words = wordsOf(text);
   if (words.startsWith("{") || words.startsWith("[")) return "json";
   if (/^<(!doctype html|html|\?xml|!--|head|body)/i.test(words)) return "html";
-  return "unknown";
+  return isText(start, type) ? "text" : "unknown";
+}
+
+/**
+ * Returns whether bytes are text: UTF-8, UTF-16 by its mark, or, where the
+ * media type says text, in any encoding; none with control characters.
+ */
+function isText(start: Uint8Array, type: string): boolean {
+  if (start.length === 0) return false;
+  if (/^(\xff\xfe|\xfe\xff)/.test(latin1(start.subarray(0, 2)))) return true;
+  if (start.some((byte) => byte < 9 || (byte > 13 && byte < 32) || byte === 127)) return false;
+  try {
+    // The last character may be cut off.
+    const stream = start.length >= sniffLength;
+    new TextDecoder("utf-8", { fatal: true }).decode(start, { stream });
+    return true;
+  } catch {
+    return type.startsWith("text/");
+  }
 }
 
 /** Returns the MIME type of an image by its first bytes; null if they are not an image's. */

@@ -24,17 +24,28 @@ describe("sniff", () => {
     ["json", "\xef\xbb\xbf[]"],
     ["html", "<!doctype html><title>"],
     ["html", "  <html>"],
-    ["archive", "PK\x03\x04"],
-    ["unknown", "Call me Ishmael."],
+    ["zip", "PK\x03\x04"],
+    ["archive", "Rar!\x1a\x07"],
+    ["text", "Call me Ishmael."],
+    ["text", "# Moby-Dick"],
+    ["text", "Caf\xc3\xa9 ".repeat(200)],
+    ["unknown", "Caf\xe9"],
+    ["unknown", "a\0b"],
     ["image", '<svg xmlns="http://www.w3.org/2000/svg">'],
     ["image", '\xef\xbb\xbf<?xml version="1.0"?>\n<!-- by hand -->\n<svg:svg>'],
     ["html", "<!-- a page --><html><svg></svg>"],
     ["html", "<?xml version='1.0'?><rss>"],
-    ["unknown", `${"x".repeat(1025)}%PDF-1.4`],
+    ["text", `${"x".repeat(1025)}%PDF-1.4`],
     ["unknown", ""],
   ])("tells %s by its first bytes", (kind, text) => {
-    expect(sniff(bytes(text))).toBe(kind);
+    expect(sniff({ start: bytes(text), type: "" })).toBe(kind);
   });
+});
+
+it("takes text of other encodings where the media type says that it is text", () => {
+  expect(sniff({ start: bytes("Caf\xe9"), type: "text/plain" })).toBe("text");
+  expect(sniff({ start: bytes("%PDF-1.4"), type: "text/plain" })).toBe("pdf");
+  expect(sniff({ start: bytes("a\0b"), type: "text/plain" })).toBe("unknown");
 });
 
 describe("fitPixels", () => {

@@ -94,7 +94,7 @@ describe("a search", () => {
     expect(broken.before).toMatch(/^… .*having $/);
   });
 
-  it("ends when told to, and at its bounds", async () => {
+  it("ends when aborted, and at its bounds", async () => {
     const { source, asked } = sourceOf(Array.from({ length: 90 }, () => lines("a ".repeat(60))));
     const texts = new PageTexts(source);
     const controller = new AbortController();

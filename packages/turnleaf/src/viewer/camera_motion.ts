@@ -1,4 +1,4 @@
-/** Moves the camera: zoom and pan. */
+/** Moves the camera, zoom and pan, and reports the views at which it comes to rest. */
 
 import type { BookStage, Place } from "../stage/book_stage.ts";
 import { type Zoom, zoomBetween } from "../stage/zoom.ts";
@@ -71,5 +71,30 @@ export class CameraMotion {
     this.#stage.zoom = zoomBetween(glide.from, glide.to, 1 - (1 - t) ** 3);
     if (t === 1) this.#glide = null;
     return t < 1;
+  }
+}
+
+/** Listeners to the view of one book. */
+export class ViewHistory {
+  readonly #listeners = new Set<(rests: boolean) => void>();
+  /** The view that was last reported. */
+  #last = "";
+
+  /** Adds a listener, called with whether the book rests. Returns a function that removes it. */
+  add(listener: (rests: boolean) => void): () => void {
+    this.#listeners.add(listener);
+    return () => this.#listeners.delete(listener);
+  }
+
+  /** Reports a view, once for each; "" stands for none, while the book moves. */
+  update(view: string): void {
+    if (view === this.#last) return;
+    this.#last = view;
+    for (const listener of this.#listeners) listener(view !== "");
+  }
+
+  /** Reports the next view, whatever it is. */
+  forget(): void {
+    this.#last = "";
   }
 }

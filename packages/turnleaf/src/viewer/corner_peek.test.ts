@@ -5,7 +5,6 @@ import { Side } from "../engine/phases.ts";
 import { stocks } from "../engine/shapes.ts";
 import { WasmBook } from "../engine/wasm_book.ts";
 import { CornerPeek } from "./corner_peek.ts";
-import { Stillness } from "./stillness.ts";
 
 const [width, height] = [0.14, 0.21];
 
@@ -21,7 +20,7 @@ async function openBook(stock: (typeof stocks)[number]) {
     rested: nothing,
   });
   turning.lay(50);
-  const peek = new CornerPeek(turning, binding, { width, height });
+  const peek = new CornerPeek(turning, binding, { width, height }, nothing);
   return { engine, turning, peek };
 }
 
@@ -31,16 +30,15 @@ test.each(stocks)(
     for (const side of [Side.right, Side.left]) {
       const { engine, turning, peek } = await openBook(stock);
       const top = engine.pile(side).curves[2 * engine.pile(side).columns - 1];
-      expect(peek.begin({ on: side, u: 0.95, v: 0.04, distance: 1 }, top)).toBe(true);
+      expect(peek.begin(side, 0.04, top)).toBe(true);
       // There is no second peek at the same time.
-      expect(peek.begin({ on: side, u: 0.95, v: 0.96, distance: 1 }, top)).toBe(false);
-      const stillness = new Stillness();
+      expect(peek.begin(side, 0.96, top)).toBe(false);
       let frames = 0;
       for (let still = false; !still && frames < 1200; frames++) {
         turning.step(2);
         engine.update();
         peek.step(1 / 60);
-        still = turning.isHeld && stillness.check([engine.surface(0)]);
+        still = turning.isHeld && engine.isAsleep;
       }
       // Stiff paper is still within a second. Limp paper loses no more to its
       // bending than real paper does, and swings on a little; the thinnest

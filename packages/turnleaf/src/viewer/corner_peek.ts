@@ -1,10 +1,10 @@
 /** Lifts a corner a little under a hovering pointer, to show that it can be grabbed. */
 
+import { uppermost } from "../book/leaf_order.ts";
 import { type Binding, isBoard } from "../book/spreads.ts";
 import type { Flight, Turning } from "../book/turning.ts";
 import { maxGrabs, Side } from "../engine/phases.ts";
 import type { BookShape } from "../stage/book_pose.ts";
-import type { DragHit } from "./drag_state.ts";
 
 /** The grab that lifts a corner: the last one, which no pointer uses. */
 const grab: number = maxGrabs - 1;
@@ -25,6 +25,7 @@ export class CornerPeek {
   readonly #turning: Turning;
   readonly #binding: Binding;
   readonly #shape: Pick<BookShape, "width" | "height">;
+  readonly #started: (flight: Flight) => void;
   #flight: Flight | null = null;
   #lifting = false;
   #side: Side = Side.right;
@@ -33,10 +34,17 @@ export class CornerPeek {
   /** The fraction of its way that the corner is lifted. */
   #fraction = 0;
 
-  constructor(turning: Turning, binding: Binding, shape: Pick<BookShape, "width" | "height">) {
+  /** @param started called when a leaf whose corner was only lifted is turned from then on */
+  constructor(
+    turning: Turning,
+    binding: Binding,
+    shape: Pick<BookShape, "width" | "height">,
+    started: (flight: Flight) => void,
+  ) {
     this.#turning = turning;
     this.#binding = binding;
     this.#shape = shape;
+    this.#started = started;
   }
 
   /** Whether the flight that begins belongs to a corner, not to a turn. */
@@ -61,20 +69,22 @@ export class CornerPeek {
   }
 
   /**
-   * Lifts the corner of a resting leaf nearest to a place on it, unless
-   * something is in flight. Returns whether it does.
+   * Lifts the corner of the uppermost leaf on a side, unless something is in
+   * flight. Returns whether it does.
+   *
+   * @param v of a place nearest to that corner
    *
    * @param z of that corner as it lies, metres
    */
-  begin({ on, v }: DragHit, z: number): boolean {
-    if (typeof on !== "number" || this.#turning.moving) return false;
+  begin(side: Side, v: number, z: number): boolean {
+    if (this.#turning.moving) return false;
     const { spread } = this.#turning;
-    if (isBoard(this.#binding, on === Side.right ? spread : spread - 1)) return false;
+    if (isBoard(this.#binding, uppermost(side, [], spread).low)) return false;
     this.#lifting = true;
-    const flight = this.#turning.pickUp(on);
+    const flight = this.#turning.pickUp(side);
     this.#lifting = false;
     if (flight === null) return false;
-    [this.#flight, this.#side, this.#v, this.#z] = [flight, on, v < 0.5 ? 0 : 1, z];
+    [this.#flight, this.#side, this.#v, this.#z] = [flight, side, v < 0.5 ? 0 : 1, z];
     this.#fraction = 0;
     this.#turning.grab(flight, grab, 1, this.#v);
     this.#pull();
@@ -94,11 +104,11 @@ export class CornerPeek {
     this.#turning.release(grab);
   }
 
-  /** Makes the peek a turn. Returns the flight, once, if it is the one whose corner was lifted. */
-  take(flight: Flight): Flight | null {
-    if (flight !== this.flight) return null;
+  /** Makes the peek a turn if it is of this flight. */
+  becomeTurn(flight: Flight): void {
+    if (flight !== this.flight) return;
     this.#flight = null;
-    return flight;
+    this.#started(flight);
   }
 
   #pull(): void {

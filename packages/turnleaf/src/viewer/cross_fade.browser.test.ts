@@ -3,10 +3,11 @@
  * on the 2D canvas.
  */
 
-import { afterEach, beforeEach, describe, expect, test } from "vitest";
+import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import type { TurnDetail } from "../element/events.ts";
 import type { TurnleafBook } from "../element.ts";
-import { book, happens, settled } from "../element_for_tests.ts";
+import { book, happens, settled } from "../for_tests/element_books.ts";
+import { TestClock } from "../for_tests/test_clock.ts";
 
 const realMedia = globalThis.matchMedia;
 const realContext = HTMLCanvasElement.prototype.getContext;
@@ -45,6 +46,7 @@ beforeEach(() => {
 });
 
 afterEach(() => {
+  vi.restoreAllMocks();
   globalThis.matchMedia = realMedia;
   HTMLCanvasElement.prototype.getContext = realContext;
   document.body.replaceChildren();
@@ -73,25 +75,26 @@ describe.each([
       });
     }
     const mixed: { red: number; blue: number }[] = [];
+    const clock = new TestClock();
     const turned = element.next().then((landed) => heard.push(`landed ${landed}`));
     expect(heard).toEqual(["turnstart 2 4 forward"]);
     expect(element.page).toBe(4);
     while (canvases(element).length > 1) {
-      await new Promise(requestAnimationFrame);
+      clock.frames(1);
       const colours = seen(element);
       if (colours) mixed.push(colours);
     }
     await turned;
     expect(heard).toEqual(["turnstart 2 4 forward", "pagechange 2 4 forward", "landed true"]);
     // It starts at the old picture and grows into the new one.
-    expect(mixed.length).toBeGreaterThan(0);
+    expect(mixed.length).toBeGreaterThan(10);
     expect(mixed[0].red).toBeGreaterThan(150);
     for (const [k, { red, blue }] of mixed.entries()) {
       if (k === 0) continue;
       expect(red).toBeLessThanOrEqual(mixed[k - 1].red + 3);
       expect(blue).toBeGreaterThanOrEqual(mixed[k - 1].blue - 3);
     }
-    await settled(element);
+    await clock.until(() => element.settled);
     expect(canvases(element).map(({ style }) => style.opacity)).toEqual([""]);
   });
 

@@ -1,8 +1,8 @@
 /** How sharp pages are, measured on the canvas in real Chromium. */
 
 import { afterEach, expect, test } from "vitest";
+import { brightness, height, opened, settledViewer, width } from "../for_tests/viewer_books.ts";
 import type { PageBox, PageSource } from "../sources/page_source.ts";
-import { brightness, height, opened, settledViewer, width } from "../viewer_for_tests.ts";
 
 /** Bars on each page, alternately black and white from edge to edge. */
 const bars = 48;

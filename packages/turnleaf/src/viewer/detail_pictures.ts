@@ -8,7 +8,21 @@ import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import { closePicture } from "../pages/page_pool.ts";
 import type { PageBox, PagePicture, PageSource } from "../sources/page_source.ts";
 import type { BookStage } from "../stage/book_stage.ts";
-import { acrossAt, isCoarse, type OpenPage, type SharpnessParts } from "./coarseness.ts";
+import { acrossAt, isCoarse, type OpenPage } from "./face_textures.ts";
+
+/** What draws and shows sharper parts of pages. */
+export interface SharpnessParts {
+  readonly source: PageSource;
+  readonly stage: BookStage;
+  /** A leaf's width over its height. */
+  readonly aspect: number;
+  /** Gives the place of a page on its leaf. */
+  readonly pictures: Pick<PageBitmaps, "placeOf">;
+  /** Called when something has arrived and a frame should be drawn. */
+  readonly arrived: () => void;
+  /** Called if the code that draws sharper parts cannot be loaded: pages keep their bitmaps. */
+  readonly failed: (error: unknown) => void;
+}
 
 /** The part of a page in sight, as fractions of its leaf, and its apparent size. */
 interface VisiblePart {

@@ -1,6 +1,7 @@
 /**
- * Shows the best bitmap of its page on every face of the drawn book, and
- * requests the pages wanted next.
+ * Shows the best bitmap of its page on every face of the drawn book, requests
+ * the pages wanted next, and finds those that are seen larger than their
+ * bitmaps.
  */
 
 import {
@@ -19,7 +20,6 @@ import { isTrimmed } from "../pages/page_place.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import type { BookStage } from "../stage/book_stage.ts";
 import type { CameraMotion } from "./camera_motion.ts";
-import type { OpenPage } from "./coarseness.ts";
 import type { FoldOut } from "./fold_out.ts";
 
 /**
@@ -27,11 +27,6 @@ import type { FoldOut } from "./fold_out.ts";
  * many pass by too fast to be read.
  */
 const mostSharpFlights = 2;
-
-/** Returns the spreads left and right of everything in flight. */
-export function spreadsBetween({ flights, spread }: Turning): [low: number, high: number] {
-  return [flights[0]?.low ?? spread, flights.at(-1)?.high ?? spread];
-}
 
 /**
  * Returns the width in device pixels at which a page looks sharp when the whole
@@ -52,6 +47,15 @@ export function bitmapWidth(
     return Math.hypot(edge.x - spine.x, edge.y - spine.y) * stage.restingRatio;
   });
   return Math.min(Math.ceil((onScreen * 1.2) / 256) * 256, 2048);
+}
+
+/** A page that lies open, and the face that shows it. */
+export interface OpenPage {
+  readonly face: Face;
+  /** From 1. */
+  readonly page: number;
+  /** Width of its bitmap in device pixels; infinite if the source has no sharper one. */
+  readonly width: number;
 }
 
 /** Brings a book's bitmaps onto its stage. */
@@ -77,7 +81,7 @@ export class FaceTextures {
 
   /** The page on each face. */
   get pages(): Record<Face, number | null> {
-    return facesBetween(this.#binding, ...spreadsBetween(this.#turning));
+    return facesBetween(this.#binding, this.#turning.outermost);
   }
 
   /** The pages that lie open if nothing is in flight. */
@@ -98,7 +102,7 @@ export class FaceTextures {
       this.#stage.setLeaf(0, "recto", front);
       this.#stage.setLeaf(0, "verso", back);
     }
-    const [low, high] = spreadsBetween(this.#turning);
+    const { low, high } = this.#turning.outermost;
     this.#showUnder("left", pages.left, rightPage(this.#binding, low - 1), low - 1);
     this.#showUnder("right", pages.right, leftPage(this.#binding, high + 1), high + 1);
     for (const [index, flight] of this.#turning.flights.entries()) {
@@ -133,4 +137,18 @@ export class FaceTextures {
     // A book with an odd number of pages ends in a bare verso.
     return page === null ? this.#pictures.bare : this.#pictures.get(page);
   }
+}
+
+/** Returns the canvas pixels across a whole leaf at the size it has at a point of a face. */
+export function acrossAt(stage: BookStage, face: Face, x: number, y: number): number {
+  const [from, to] = [x - 0.01, x + 0.01].map((x) => stage.projectOn(face, x, y));
+  return (Math.hypot(to.x - from.x, to.y - from.y) / 0.02) * stage.restingRatio;
+}
+
+/**
+ * Returns whether a page is seen larger than its bitmap. Before the bitmap
+ * arrives, the page's place on its leaf is unknown.
+ */
+export function isCoarse(stage: BookStage, { face, width }: OpenPage): boolean {
+  return width > 0 && acrossAt(stage, face, 0.5, 0.5) > width;
 }

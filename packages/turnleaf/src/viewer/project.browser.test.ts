@@ -1,8 +1,8 @@
 /** Where pages are visible, measured on the canvas in real Chromium. */
 
 import { afterEach, expect, test } from "vitest";
+import { brightness, opened, settledViewer } from "../for_tests/viewer_books.ts";
 import { openSource } from "../sources/open.ts";
-import { brightness, opened, settledViewer } from "../viewer_for_tests.ts";
 
 /** Returns a page with a black square about a place of it, in fractions of the page. */
 function marked(x: number, y: number): { src: string } {
@@ -78,25 +78,25 @@ test.each([
 
 test("listeners are called once for another view and for leaving it, and not for the same", async () => {
   const { viewer } = await openedAt(6, "none");
-  let told = 0;
-  const stop = viewer.onViewChange(() => told++);
+  let calls = 0;
+  const stop = viewer.onViewChange(() => calls++);
   viewer.invalidate();
   await expect.poll(() => viewer.settled, { timeout: 20_000 }).toBe(true);
-  expect(told).toBe(0);
+  expect(calls).toBe(0);
   viewer.resize(360, 300, 1);
-  await expect.poll(() => told, { timeout: 20_000 }).toBe(1);
+  await expect.poll(() => calls, { timeout: 20_000 }).toBe(1);
   expect(viewer.project(6, 0, 0)).not.toBeNull();
   const turned = viewer.turning.turn(1);
   viewer.invalidate();
   expect(viewer.project(6, 0, 0)).toBeNull();
-  await expect.poll(() => told, { timeout: 20_000 }).toBeGreaterThan(1);
+  await expect.poll(() => calls, { timeout: 20_000 }).toBeGreaterThan(1);
   await turned;
-  await expect.poll(() => told, { timeout: 20_000 }).toBe(3);
+  await expect.poll(() => calls, { timeout: 20_000 }).toBe(3);
   expect(viewer.project(8, 0, 0)).not.toBeNull();
   stop();
   viewer.resize(400, 300, 1);
   await expect.poll(() => viewer.settled, { timeout: 20_000 }).toBe(true);
-  expect(told).toBe(3);
+  expect(calls).toBe(3);
 });
 
 test("zoomed and panned, a page's place is seen where it is said, and what is pointed at stays there", async () => {
@@ -124,7 +124,7 @@ test("zoomed and panned, a page's place is seen where it is said, and what is po
   expect((after?.y ?? 0) - (before?.y ?? 0)).toBeCloseTo(10, 0);
   expect(await seenAt(7, mark.x, mark.y)).toBeLessThan(60);
   // A pointer grabs the page where it is seen.
-  const hold = viewer.leafControl.pick(...spotOf(viewer.project(7, 0.9, 0.5)));
+  const hold = viewer.drags.pick(...spotOf(viewer.project(7, 0.9, 0.5)));
   expect(hold?.u).toBeCloseTo(0.9, 1);
   expect(hold?.v).toBeCloseTo(0.5, 1);
   viewer.zoom(1, at, at, 0);

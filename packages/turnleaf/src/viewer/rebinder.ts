@@ -2,14 +2,15 @@
 
 import { applyPaper, type Paper } from "../book/paper.ts";
 import { pageOf, pagesAt, spineOf, spreadOf } from "../book/spreads.ts";
-import type { TurningEvents } from "../book/turning.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
+import { type NewIndex, placeOf } from "../sources/page_source.ts";
 import type { BookStage } from "../stage/book_stage.ts";
 import {
   type Bindable,
   type BindingLayout,
   type BindingOptions,
+  type BookEvents,
   BoundBook,
   layOutBinding,
 } from "./bound_book.ts";
@@ -21,8 +22,8 @@ export interface RebinderParts {
   readonly stage: BookStage;
   readonly pictures: PageBitmaps;
   readonly options: ViewerOptions;
-  /** Receives the turns of the bound book. */
-  readonly events: TurningEvents;
+  /** Receives the events of the bound book. */
+  readonly events: BookEvents;
 }
 
 /** The book as it is bound now, and all changes that wait for its rest. */
@@ -64,7 +65,7 @@ export class Rebinder {
   }
 
   /** Queues a change of the pages, as `Viewer.changePages` describes. */
-  change(change: () => (index: number) => number | null): Promise<boolean> {
+  change(change: () => NewIndex): Promise<boolean> {
     if (this.#closed) return Promise.resolve(false);
     return new Promise((resolve, reject) => {
       this.#changes.push(() => {
@@ -72,7 +73,7 @@ export class Rebinder {
         try {
           const moved = change();
           this.#parts.pictures.renumber(moved);
-          this.#place = this.#placeAfter(moved);
+          this.#place = placeOf(moved, this.#place - 1) + 1;
           this.#mustBind = true;
           resolve(true);
         } catch (error) {
@@ -143,7 +144,7 @@ export class Rebinder {
     const bound = new BoundBook(plan, engine, stage, pictures, events);
     pictures.bind((page) => spineOf(plan.binding, page));
     bound.turning.seconds = options.turnSeconds();
-    applyPaper(options.paper(), engine);
+    applyPaper(options.paper(), engine, plan.stocks);
     this.#nextPaper = null;
     bound.turning.lay(spreadOf(plan.binding, this.#place));
     return bound;
@@ -151,19 +152,7 @@ export class Rebinder {
 
   #changePaper(): void {
     if (this.#nextPaper === null || this.#bound.turning.flights.length > 0) return;
-    applyPaper(this.#nextPaper, this.#bound.engine);
+    applyPaper(this.#nextPaper, this.#bound.engine, this.#bound.stocks);
     this.#nextPaper = null;
-  }
-
-  /**
-   * Returns the place after pages have moved: at its own page, otherwise after
-   * the one before it.
-   */
-  #placeAfter(moved: (index: number) => number | null): number {
-    for (let index = this.#place - 1; index >= 0; index--) {
-      const now = moved(index);
-      if (now !== null) return now + (index === this.#place - 1 ? 1 : 2);
-    }
-    return 1;
   }
 }

@@ -1,7 +1,8 @@
 /** Sharper parts arrive late, or not at all. */
 
 import { expect, test, vi } from "vitest";
-import type { OpenPage, SharpnessParts } from "./coarseness.ts";
+import type { SharpnessParts } from "./detail_pictures.ts";
+import type { OpenPage } from "./face_textures.ts";
 import { Sharpness } from "./sharpness.ts";
 
 vi.mock("./detail_pictures.ts", () => {
@@ -15,9 +16,13 @@ const stage = {
 } as unknown as SharpnessParts["stage"];
 
 test("nothing is loaded for pages that are sharp, and a failure is reported once", async () => {
-  const told: unknown[] = [];
+  const reports: unknown[] = [];
   let arrived = 0;
-  const tools = { stage, arrived: () => arrived++, failed: (error: unknown) => told.push(error) };
+  const tools = {
+    stage,
+    arrived: () => arrived++,
+    failed: (error: unknown) => reports.push(error),
+  };
   const sharpness = new Sharpness(tools as unknown as SharpnessParts);
   const seen = (width: number): OpenPage[] => [{ face: "left", page: 2, width }];
   for (const width of [0, 1200, Number.POSITIVE_INFINITY]) sharpness.look(seen(width), 800, 600);
@@ -28,6 +33,6 @@ test("nothing is loaded for pages that are sharp, and a failure is reported once
   expect(arrived).toBe(1);
   sharpness.look(seen(500), 800, 600);
   expect(sharpness.settled).toBe(true);
-  expect(told).toHaveLength(1);
-  expect(String(told[0])).toMatch("A part of the reader failed");
+  expect(reports).toHaveLength(1);
+  expect(String(reports[0])).toMatch("A part of the reader failed");
 });

@@ -2,8 +2,8 @@
 
 import type { Face } from "../book/faces.ts";
 import { loadPart } from "../sources/load_part.ts";
-import { isCoarse, type OpenPage, type SharpnessParts } from "./coarseness.ts";
-import type { DetailPictures } from "./detail_pictures.ts";
+import type { DetailPictures, SharpnessParts } from "./detail_pictures.ts";
+import { isCoarse, type OpenPage } from "./face_textures.ts";
 
 /** The sharper parts of the open pages. */
 export class Sharpness {

@@ -8,10 +8,10 @@ import { canvas2dBackend } from "../canvas2d_backend.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
 import { engineCode } from "../engine/machine_code.ts";
 import type { Surface } from "../engine/shapes.ts";
+import { settledViewer } from "../for_tests/viewer_books.ts";
 import { openSource } from "../sources/open.ts";
 import type { BookPose } from "../stage/book_pose.ts";
 import type { BookStage, Place } from "../stage/book_stage.ts";
-import { settledViewer } from "../viewer_for_tests.ts";
 import { webglBackend } from "../webgl_backend.ts";
 import { Viewer, type ViewerOptions } from "./viewer.ts";
 
@@ -200,22 +200,22 @@ function carry(u: number, v: number, look: () => void): number {
   const side = viewer.binding.reversed ? -1 : 1;
   const from = stage.project([side * u * width, v * height, 0]);
   const to = stage.project([-0.9 * side * u * width, v * height, 0]);
-  const hold = viewer.leafControl.pick(from.x, from.y);
+  const hold = viewer.drags.pick(from.x, from.y);
   if (hold === null) throw new Error(`No leaf at ${u}, ${v}.`);
-  viewer.leafControl.grab(hold, 0, { x: to.x - from.x, y: to.y - from.y });
+  const drag = viewer.drags.grab(hold, { x: to.x - from.x, y: to.y - from.y });
   let worst = 0;
   for (let k = 0; k <= 60; k++) {
     const at = {
       x: from.x + ((to.x - from.x) * k) / 60,
       y: from.y + ((to.y - from.y) * k) / 60,
     };
-    viewer.leafControl.drag(0, at.x, at.y);
+    drag?.move(at.x, at.y);
     pass(1, look);
     if (k % 6 !== 0) continue;
     pass(20, look);
     worst = Math.max(worst, apart(seenOn(pose.leaves[0], hold.u, hold.v), at));
   }
-  viewer.leafControl.release(0);
+  drag?.release();
   pass(150, look);
   return worst;
 }

@@ -8,32 +8,32 @@
 import { faceOf } from "../book/faces.ts";
 import type { Paper } from "../book/paper.ts";
 import { type Binding, clampSpread, pagesAt } from "../book/spreads.ts";
-import type { Flight, Turning, TurningEvents } from "../book/turning.ts";
+import type { Turning } from "../book/turning.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
+import { ModelSwitch } from "../leaf_models/model_switch.ts";
 import { leafSize } from "../pages/leaf_size.ts";
 import { PageBitmaps } from "../pages/page_bitmaps.ts";
-import type { PageBox, PageSize, PageSource } from "../sources/page_source.ts";
+import type { NewIndex, PageBox, PageSize, PageSource } from "../sources/page_source.ts";
 import type { BookStage, Place } from "../stage/book_stage.ts";
 import type { Zoom } from "../stage/zoom.ts";
 import {
   type Bindable,
   type BindingLayout,
   type BindingOptions,
+  type BookEvents,
   type BoundBook,
   layOutBinding,
 } from "./bound_book.ts";
-import { CameraMotion } from "./camera_motion.ts";
+import { CameraMotion, ViewHistory } from "./camera_motion.ts";
 import { CrossFade } from "./cross_fade.ts";
+import type { Drags } from "./drag.ts";
 import { bitmapWidth } from "./face_textures.ts";
 import { FoldOut } from "./fold_out.ts";
-import { FrameQuality } from "./frame_quality.ts";
-import { LeafControl } from "./leaf_control.ts";
-import { ModelSwitch } from "./model_switch.ts";
+import { FrameQuality } from "./frame_timing.ts";
+import { LeafCommands } from "./leaf_commands.ts";
 import { Rebinder } from "./rebinder.ts";
 import { Sharpness } from "./sharpness.ts";
-import { Stillness } from "./stillness.ts";
-import { ViewHistory } from "./view_history.ts";
 import { type Backend, defaultBinding, type ViewerOptions } from "./viewer_options.ts";
 
 export type { Zoom } from "../stage/zoom.ts";
@@ -47,8 +47,8 @@ const fullness = 0.9;
 
 /** One book on one canvas. */
 export class Viewer {
-  /** The reader's control of its leaves. */
-  readonly leafControl: LeafControl;
+  /** Turns its leaves and unfolds its pages. */
+  readonly commands: LeafCommands;
   readonly #options: ViewerOptions;
   readonly #stage: BookStage;
   readonly #camera: CameraMotion;
@@ -58,7 +58,6 @@ export class Viewer {
   readonly #foldOut: FoldOut;
   readonly #modelSwitch: ModelSwitch;
   readonly #viewHistory = new ViewHistory();
-  readonly #stillness = new Stillness();
   readonly #frameQuality = new FrameQuality();
   readonly #rebinder: Rebinder;
   /** The window that shows the canvas: another window's frames stop when that one is hidden. */
@@ -106,16 +105,16 @@ export class Viewer {
       unfolds: stage.unfolds,
       width: () => this.#pictureWidth,
       changed: () => this.#show(),
-      failed,
     });
     this.#modelSwitch = new ModelSwitch(backend.models, failed);
     if (options.model) void this.setModel(options.model());
-    const events: TurningEvents = {
-      started: (flight) => {
+    const events: BookEvents = {
+      started: () => {
         this.#foldOut.close();
         this.#show();
-        if (!this.#bound.peek.isLifting) this.#tellStart(flight);
       },
+      turnStarted: ({ low, high, from }) => options.onStart(low, high, from === low),
+      moved: arrived,
       landed: () => this.#show(),
       rested: (from, to) => {
         this.#rebinder.rested();
@@ -124,10 +123,7 @@ export class Viewer {
     };
     const tools = { book, stage, pictures: this.#bitmaps, options, events };
     this.#rebinder = new Rebinder(tools, plan, engine);
-    this.leafControl = new LeafControl(this.#rebinder, this.#foldOut, {
-      started: (flight) => this.#tellStart(flight),
-      moved: arrived,
-    });
+    this.commands = new LeafCommands(this.#rebinder, this.#foldOut, arrived);
   }
 
   /**
@@ -176,6 +172,11 @@ export class Viewer {
     return this.#bound.turning;
   }
 
+  /** The drags of pointers on it; replaced with every binding. */
+  get drags(): Drags {
+    return this.#bound.drags;
+  }
+
   /**
    * Changes options of the binding, as soon as the book is at rest, and keeps
    * the visible page in sight. Options left out stay as they were.
@@ -192,10 +193,9 @@ export class Viewer {
    * Resolves to whether the change was made: false if the book was closed
    * before. Rejects with what `change` throws.
    *
-   * @param change changes the source and returns a function from the old index
-   * of a page (from 0) to the new one, null if it was removed
+   * @param change changes the source and returns where its pages lie now
    */
-  changePages(change: () => (index: number) => number | null): Promise<boolean> {
+  changePages(change: () => NewIndex): Promise<boolean> {
     const changed = this.#rebinder.change(change);
     this.#bindSoon();
     return changed;
@@ -247,7 +247,7 @@ export class Viewer {
 
   /** Changes the paper: at once, or as soon as no leaf is in flight. */
   setPaper(paper: Paper): void {
-    this.leafControl.peek(null);
+    this.commands.peek(null);
     this.#rebinder.setPaper(paper);
   }
 
@@ -267,7 +267,6 @@ export class Viewer {
 
   /** Requests a frame, unless one is already requested. */
   invalidate(): void {
-    this.#stillness.reset();
     this.#askForFrame();
   }
 
@@ -362,7 +361,7 @@ export class Viewer {
     this.#window.cancelAnimationFrame(this.#frame);
     this.#frame = 0;
     this.#crossFade.close();
-    this.leafControl.close();
+    this.commands.close();
     this.#foldOut.close();
     this.#modelSwitch.close();
     this.#rebinder.close();
@@ -380,9 +379,9 @@ export class Viewer {
     this.#frame = 0;
     const {
       ticks,
-      engine: { tick },
+      engine: { tick, mostTicks },
     } = this.#bound;
-    const passed = ticks.count(now);
+    const passed = Math.min(ticks.count(now), mostTicks);
     const seconds = passed * tick;
     // Without a turn nothing in the engine has moved since the book was laid open.
     const turned = this.turning.moving;
@@ -399,12 +398,10 @@ export class Viewer {
     const posed = this.#bound.pose();
     const flap = this.#foldOut.surface(posed, this.#bound.shape);
     const pose = { ...this.#modelSwitch.pose(posed), flap };
-    if (stepping) this.#bound.drag.follow();
+    if (stepping) this.#bound.drags.follow();
     // A leaf held still takes no more frames until its pointer moves.
     const still =
-      turning &&
-      this.turning.isHeld &&
-      this.#stillness.check([...posed.leaves, ...this.#modelSwitch.sheets]);
+      turning && this.turning.isHeld && this.#bound.engine.isAsleep && this.#modelSwitch.isAsleep;
     const moving = (turning && !still) || stepping;
     const resting = !moving && !this.#handled;
     // While fingers move the view, the next frame comes with their next event.
@@ -427,17 +424,13 @@ export class Viewer {
     this.#viewHistory.update(isMoving ? "" : `${this.turning.spread} ${this.#stage.viewKey}`);
   }
 
-  #tellStart({ low, high, from }: Flight): void {
-    this.#options.onStart(low, high, from === low);
-  }
-
   get #bound(): BoundBook {
     return this.#rebinder.bound;
   }
 
   /** Applies waiting changes as soon as the book is at rest. */
   #bindSoon(): void {
-    this.leafControl.peek(null);
+    this.commands.peek(null);
     if (!this.turning.moving) this.#bindAnew();
   }
 

@@ -3,10 +3,10 @@
 import type { Paper } from "../book/paper.ts";
 import type { BookEngine, BookSize } from "../engine/book_engine.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
+import type { LoadModels } from "../leaf_models/model_switch.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import type { BookStage } from "../stage/book_stage.ts";
 import type { BindingOptions } from "./bound_book.ts";
-import type { LoadModels } from "./model_switch.ts";
 
 /** What moves a book's leaves and what draws them; the two of a backend belong together. */
 export interface Backend {
@@ -63,4 +63,6 @@ export const defaultBinding: BindingOptions = {
   layout: "auto",
   offset: 1,
   hardPages: "",
+  shifts: [],
+  stocks: "",
 };

@@ -1,10 +1,32 @@
 /** The graphics context is lost: for a while, or for good. */
 
-import { afterEach, expect, test } from "vitest";
+import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
-import { book, happens, scans, settled } from "../element_for_tests.ts";
+import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 
-afterEach(() => document.body.replaceChildren());
+afterEach(() => {
+  vi.useRealTimers();
+  document.body.replaceChildren();
+});
+
+/**
+ * Loses a canvas's context, and lets a minute of timers pass, in which it does
+ * not come back.
+ *
+ * @param meanwhile called after the loss, before that minute
+ */
+async function loseForGood(
+  canvas: HTMLCanvasElement,
+  meanwhile: () => void | Promise<void>,
+): Promise<void> {
+  const lost = new Promise((done) => canvas.addEventListener("webglcontextlost", done));
+  vi.useFakeTimers({ toFake: ["setTimeout", "clearTimeout"] });
+  card(canvas)?.loseContext();
+  await lost;
+  await meanwhile();
+  vi.advanceTimersByTime(60_000);
+  vi.useRealTimers();
+}
 
 const canvasOf = (element: TurnleafBook) =>
   element.shadowRoot?.querySelector("[part=canvas]") as HTMLCanvasElement;
@@ -120,9 +142,8 @@ test("a book whose card does not come back goes on on the flat, at the same page
   const before = canvasOf(element);
   const waiting = element.goTo(1);
   const again = happens(element, "load");
-  card(before)?.loseContext();
+  await loseForGood(before, async () => expect(await waiting).toBe(true));
   await again;
-  expect(await waiting).toBe(true);
   await settled(element);
   const canvas = canvasOf(element);
   expect(canvas).not.toBe(before);
@@ -141,13 +162,14 @@ test("a book taken away while its card is lost waits for nothing", async () => {
   const element = book(scans(6));
   await happens(element, "load");
   await settled(element);
-  const canvas = canvasOf(element);
-  const lost = new Promise((done) => canvas.addEventListener("webglcontextlost", done));
-  card(canvas)?.loseContext();
-  await lost;
   let loads = 0;
   element.addEventListener("load", () => loads++);
-  element.remove();
-  await new Promise((resolve) => setTimeout(resolve, 4500));
+  let waiting = 0;
+  await loseForGood(canvasOf(element), () => {
+    waiting = vi.getTimerCount();
+    element.remove();
+    expect(vi.getTimerCount()).toBe(0);
+  });
+  expect(waiting).toBeGreaterThan(0);
   expect(loads).toBe(0);
 });

@@ -5,6 +5,8 @@
 
 import { Group, Object3D } from "three";
 import { type Face, isBoardFace } from "../book/faces.ts";
+import { nextTo } from "../book/leaf_order.ts";
+import { Side } from "../engine/phases.ts";
 import type { Surface, Vec3 } from "../engine/shapes.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import { caseSizes } from "../stage/case_sizes.ts";
@@ -255,8 +257,8 @@ export class DrawnBook {
     this.#placeLeaves(sheets);
     if (this.#isDim) return;
     // The outermost leaf on a side is nearest to its page.
-    castOver(left.over, left.pile, leaves[0]);
-    castOver(right.over, right.pile, leaves.at(-1));
+    castOver(left.over, left.pile, nextTo(Side.left, leaves));
+    castOver(right.over, right.pile, nextTo(Side.right, leaves));
     if (left.pile.present) {
       if (pilesMoved) left.page.open(left.pile, right.pile.mirrored);
       left.page.light(left.pile, left.over);

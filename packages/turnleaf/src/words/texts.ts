@@ -49,6 +49,8 @@ export interface ControlTexts {
   readonly zoomOut: string;
   readonly spread: string;
   readonly single: string;
+  /** Other pages face each other from here on. */
+  readonly shift: string;
   readonly addBookmark: string;
   readonly removeBookmark: string;
   readonly fullscreen: string;
@@ -63,6 +65,21 @@ export interface ControlTexts {
   readonly themeLight: string;
   readonly themeDark: string;
   readonly themePaper: string;
+  readonly type: string;
+  readonly typeSize: string;
+  readonly typeface: string;
+  readonly lineHeight: string;
+  readonly margins: string;
+  readonly paper: string;
+  /** The choice of what the book itself says. */
+  readonly asInBook: string;
+  readonly serif: string;
+  readonly sansSerif: string;
+  readonly narrow: string;
+  readonly usual: string;
+  readonly wide: string;
+  readonly sepia: string;
+  readonly night: string;
   readonly noContents: string;
   readonly noBookmarks: string;
   readonly searchHint: string;
@@ -74,6 +91,11 @@ export interface ControlTexts {
   readonly cancel: string;
   /** Maximum of pages that are printed at once. */
   readonly mostPrinted: Plural;
+  readonly password: string;
+  readonly passwordNeeded: string;
+  readonly wrongPassword: string;
+  /** Opens a protected file. */
+  readonly open: string;
   readonly drawing: string;
   readonly wait: string;
 }

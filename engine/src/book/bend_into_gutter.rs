@@ -1,0 +1,268 @@
+//! Bends a simulated leaf into the gutter of the book.
+//!
+//! The models simulate a leaf over a flat table with a straight root. In a book
+//! the leaf's root leaves a gutter between two curved piles. Each row of the
+//! leaf is therefore bent further: where its tangent points at an angle phi in
+//! the plane across the spine, it is turned by
+//!
+//! ```text
+//! delta = (1 - w) theta_right(s) - w theta_left(s),   w = phi / pi
+//! ```
+//!
+//! and the row is summed up anew from the gutter. At rest on either side the
+//! leaf so lies exactly on that side's pile; in between its root stays between
+//! the two piles, so it cannot cut the opposite hump; and every segment keeps
+//! its length, so bending adds no strain along a row. What would still lie
+//! inside a pile is pushed onto it.
+
+use super::pile::Pile;
+use super::tolerance::ROUNDING;
+
+/// Seats the points of a leaf in place.
+///
+/// `positions` are x, y, z in metres, row by row, each row from the spine to
+/// the fore-edge; a row has as many points as the piles have columns. The
+/// piles' uppermost curves are the places where the leaf rests. One of some `straightness`
+/// (0 to 1) is bent less than by a pile that is not as straight.
+pub fn bend_into_gutter(positions: &mut [f32], right: &Pile, left: &Pile, straightness: f32) {
+    let columns = right.columns();
+    debug_assert_eq!(columns, left.columns());
+    let angles = [right, left].map(|pile| pile.angles_for(straightness));
+    for row in positions.chunks_exact_mut(3 * columns) {
+        bend_row(row, &angles[0], &angles[1]);
+    }
+    push_off(positions, [right, left], [0.0; 2]);
+}
+
+/// Pushes what of a leaf lies inside the piles (right and left) to so many metres `over`
+/// each; positions as in [`bend_into_gutter`].
+pub fn push_off(positions: &mut [f32], piles: [&Pile; 2], over: [f32; 2]) {
+    let highest = highest(piles, over);
+    for row in positions.chunks_exact_mut(3 * piles[0].columns()) {
+        let mut below = Below { piles, column: 0 };
+        for point in row.chunks_exact_mut(3).skip(1) {
+            if point[2] < highest {
+                let height = below.height(point[0], over);
+                if point[2] < height {
+                    point[2] = height;
+                }
+            }
+        }
+    }
+}
+
+/// Pushes edges that come lower between their ends than [`push_off`] lets those, at both
+/// ends: over a ridge two points may lie clear of the pile and what is drawn between
+/// them not.
+pub fn push_edges_off(positions: &mut [f32], piles: [&Pile; 2], over: [f32; 2]) {
+    let highest = highest(piles, over);
+    let columns = piles[0].columns();
+    let points = positions.as_chunks_mut::<3>().0;
+    let mut below = Below { piles, column: 0 };
+    for node in 0..points.len() - 1 {
+        let column = node % columns;
+        // Along a row, along a column, along the diagonal of a cell as it is drawn.
+        for step in [1, columns, columns + 1] {
+            let at_rim = node + step >= points.len() || (column + 1 == columns && step != columns);
+            if column == 0 || at_rim {
+                continue;
+            }
+            let (a, b) = (points[node], points[node + step]);
+            if a[2] > highest && b[2] > highest {
+                continue;
+            }
+            let most = below.missing([a, b], over);
+            if most > 0.0 {
+                points[node][2] += most;
+                points[node + step][2] += most;
+            }
+        }
+    }
+}
+
+/// Whether no point and no edge of a leaf lies inside the piles (right and left); positions
+/// as in [`bend_into_gutter`].
+pub fn is_clear(positions: &[f32], piles: [&Pile; 2]) -> bool {
+    let over = [-ROUNDING; 2];
+    let highest = highest(piles, over);
+    let columns = piles[0].columns();
+    let points = positions.as_chunks::<3>().0;
+    let mut below = Below { piles, column: 0 };
+    (0..points.len()).all(|node| {
+        let (column, point) = (node % columns, points[node]);
+        // The column at the spine is everyone's.
+        if column == 0 {
+            return true;
+        }
+        let mut edges = [1, columns, columns + 1].into_iter();
+        (point[2] > highest || point[2] >= below.height(point[0], over))
+            && edges.all(|step| {
+                let at_rim =
+                    node + step >= points.len() || (column + 1 == columns && step != columns);
+                at_rim
+                    || point[2].min(points[node + step][2]) > highest
+                    || below.missing([point, points[node + step]], over) <= 0.0
+            })
+    })
+}
+
+/// What lies below one place after another: the piles (right and left), and the column
+/// before the last place.
+struct Below<'a> {
+    piles: [&'a Pile; 2],
+    column: usize,
+}
+
+impl Below<'_> {
+    /// The side of `x`, and the column of the pile before it.
+    fn find(&mut self, x: f32) -> (usize, usize) {
+        let side = usize::from(x < 0.0);
+        self.column = self.piles[side].column_before(x.abs(), self.column);
+        (side, self.column)
+    }
+
+    /// How high a leaf is pushed up at `x`, metres.
+    fn height(&mut self, x: f32, over: [f32; 2]) -> f32 {
+        let (side, column) = self.find(x);
+        self.piles[side].height_and_slope(x.abs(), column).0 + over[side]
+    }
+
+    /// By how much an edge, the ends of which are not, is too low somewhere, metres.
+    fn missing(&mut self, [a, b]: [[f32; 3]; 2], over: [f32; 2]) -> f32 {
+        let ends = [self.find(b[0]), self.find(a[0])];
+        // A pile is straight between its columns: the edge is lowest over one of these.
+        let mut most = 0.0;
+        for side in 0..2 {
+            let on_side = ends.map(|(own, column)| if own == side { column + 1 } else { 0 });
+            for column in on_side[0].min(on_side[1])..on_side[0].max(on_side[1]) {
+                let [x, height] = self.piles[side].place(column);
+                let x = if side == 0 { x } else { -x };
+                let z = a[2] + (x - a[0]) / (b[0] - a[0]) * (b[2] - a[2]);
+                let missing = height + over[side] - z;
+                most = if missing > most { missing } else { most };
+            }
+        }
+        most
+    }
+}
+
+/// No leaf is pushed higher than this, metres.
+fn highest(piles: [&Pile; 2], over: [f32; 2]) -> f32 {
+    let highest = |side: usize| piles[side].highest() + over[side];
+    highest(0).max(highest(1))
+}
+
+fn bend_row(row: &mut [f32], right: &[f32], left: &[f32]) {
+    let (mut x0, mut z0) = (row[0], row[2]);
+    let (mut x, mut z) = (0.0, 0.0);
+    row[0] = x;
+    row[2] = z;
+    for (k, point) in row.chunks_exact_mut(3).skip(1).enumerate() {
+        let (dx, dz) = (point[0] - x0, point[2] - z0);
+        (x0, z0) = (point[0], point[2]);
+        let w = fraction_turned(dx, dz);
+        let (sin, cos) = libm::sincosf((1.0 - w) * right[k] - w * left[k]);
+        x += dx * cos - dz * sin;
+        z += dx * sin + dz * cos;
+        point[0] = x;
+        point[2] = z;
+    }
+}
+
+/// The angle of (dx, dz) from the right-hand side, as a fraction of a half turn:
+/// 0 right, 0.5 up, 1 left; downward directions mirror the upward ones.
+///
+/// acos by Abramowitz and Stegun 4.4.45, absolute error below 7e-5 rad, exact
+/// at both ends.
+pub fn fraction_turned(dx: f32, dz: f32) -> f32 {
+    let length = (dx * dx + dz * dz).sqrt();
+    if length < 1e-12 {
+        return 0.5;
+    }
+    let c = (dx / length).clamp(-1.0, 1.0);
+    let a = c.abs();
+    let series = 1.570_728_8 + a * (-0.212_114_4 + a * (0.074_261 - a * 0.018_729_3));
+    let fraction = (1.0 - a).sqrt() * series * core::f32::consts::FRAC_1_PI;
+    if c >= 0.0 { fraction } else { 1.0 - fraction }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::pile::crowded_columns;
+    use super::*;
+    use crate::grid::Side;
+
+    const WIDTH: f32 = 0.14;
+
+    fn piles(right: f64, left: f64) -> (Pile, Pile, Vec<f32>) {
+        let u = crowded_columns(49);
+        (
+            Pile::new(Side::Right, WIDTH as f64, right, &u),
+            Pile::new(Side::Left, WIDTH as f64, left, &u),
+            u,
+        )
+    }
+
+    /// A straight row of a leaf turned by `angle`.
+    fn straight(u: &[f32], angle: f32) -> Vec<f32> {
+        let (sin, cos) = libm::sincosf(angle);
+        u.iter()
+            .flat_map(|u| [u * WIDTH * cos, 0.0, u * WIDTH * sin])
+            .collect()
+    }
+
+    #[test]
+    fn the_fraction_is_the_angle() {
+        for i in 0..=180 {
+            let angle = i as f32 * core::f32::consts::PI / 180.0;
+            let (sin, cos) = libm::sincosf(angle);
+            assert!((fraction_turned(cos, sin) - i as f32 / 180.0).abs() < 3e-5);
+        }
+    }
+
+    #[test]
+    fn a_leaf_at_rest_lies_on_its_pile() {
+        let (right, left, u) = piles(0.012, 0.005);
+        for (angle, pile) in [(0.0, &right), (core::f32::consts::PI, &left)] {
+            let mut row = straight(&u, angle);
+            bend_into_gutter(&mut row, &right, &left, 0.0);
+            for (p, q) in row.chunks_exact(3).zip(pile.curves().chunks_exact(2)) {
+                let distance = (p[0] - q[0]).hypot(p[2] - q[1]);
+                assert!(distance < 2e-4, "{distance} m at angle {angle}");
+            }
+        }
+    }
+
+    #[test]
+    fn rows_keep_their_length_and_stay_out_of_the_piles() {
+        let (right, left, u) = piles(0.008, 0.014);
+        for i in 1..36 {
+            let mut row = straight(&u, i as f32 * core::f32::consts::PI / 36.0);
+            bend_into_gutter(&mut row, &right, &left, 0.0);
+            let length: f32 = row
+                .windows(6)
+                .step_by(3)
+                .map(|w| (w[3] - w[0]).hypot(w[5] - w[2]))
+                .sum();
+            if (4..32).contains(&i) {
+                assert!((length / WIDTH - 1.0).abs() < 2e-3, "{length} at {i}");
+            }
+            for p in row.chunks_exact(3) {
+                let pile = if p[0] >= 0.0 { &right } else { &left };
+                assert!(p[2] >= pile.height(p[0].abs()) - 1e-6);
+            }
+        }
+    }
+
+    #[test]
+    fn the_root_turns_steadily_between_the_piles() {
+        let (right, left, u) = piles(0.01, 0.01);
+        let mut before = f32::MAX;
+        for i in 0..=36 {
+            let mut row = straight(&u, i as f32 * core::f32::consts::PI / 36.0);
+            bend_row(&mut row, right.angles(), left.angles());
+            assert!(row[3] <= before, "the root went back at step {i}");
+            before = row[3];
+        }
+    }
+}

@@ -1,0 +1,98 @@
+import { afterEach, expect, it, vi } from "vitest";
+import { cleanPages } from "./page_numbers.ts";
+import { hashWithPage, loadPlace, pageOfHash, savePlace } from "./place_keeper.ts";
+
+afterEach(() => vi.unstubAllGlobals());
+
+/** Returns a storage that holds `text`. */
+function storage(text: string | null = null): { text: string | null } {
+  const held = { text };
+  vi.stubGlobal("localStorage", {
+    getItem: () => held.text,
+    setItem: (_key: string, value: string) => {
+      held.text = value;
+    },
+  });
+  return held;
+}
+
+it("keeps a book's place and gives it back", () => {
+  storage();
+  expect(loadPlace("a")).toBe(null);
+  savePlace("a", { page: 7, zoom: 1.5, bookmarks: [2, 9], shifts: [4] });
+  savePlace("b", { page: 3, zoom: 1, bookmarks: [], shifts: [] });
+  expect(loadPlace("a")).toEqual({ page: 7, zoom: 1.5, bookmarks: [2, 9], shifts: [4] });
+  savePlace("a", { page: 8, zoom: 1, bookmarks: [], shifts: [] });
+  expect(loadPlace("a")).toEqual({ page: 8, zoom: 1, bookmarks: [], shifts: [] });
+  expect(loadPlace("b")?.page).toBe(3);
+});
+
+it("keeps a hundred books, the last read", () => {
+  const held = storage();
+  for (let i = 1; i <= 150; i++) savePlace(`${i}`, { page: i, zoom: 1, bookmarks: [], shifts: [] });
+  expect(loadPlace("50")).toBe(null);
+  expect(loadPlace("51")?.page).toBe(51);
+  expect(JSON.parse(held.text ?? "").length).toBe(100);
+});
+
+it("takes nothing from a storage that somebody else wrote", () => {
+  const texts = [
+    "",
+    "{",
+    "null",
+    "{}",
+    '"turnleaf"',
+    "[[]]",
+    '[["a"]]',
+    '[[1,2,3,4],null,"a",{"0":"a"}]',
+    `[["a",1,1,[]]${" ".repeat(500_000)}]`,
+  ];
+  for (const text of texts) {
+    storage(text);
+    expect(loadPlace("a")).toBe(null);
+  }
+  const rows: [string, number, number, number[]][] = [
+    ['["a","7",99,["x",2,2,1,0,-1,1.5,1e9]]', 1, 1, [1, 2]],
+    ['["a",1e300,null,{}]', 1, 1, []],
+    ['["a",5,0.5,null]', 5, 1, []],
+  ];
+  for (const [row, page, zoom, bookmarks] of rows) {
+    storage(`[${row}]`);
+    expect(loadPlace("a")).toEqual({ page, zoom, bookmarks, shifts: [] });
+  }
+});
+
+it("lives without a storage, and with one that is full", () => {
+  const kept = { page: 1, zoom: 1, bookmarks: [], shifts: [] };
+  expect(() => savePlace("a", kept)).not.toThrow();
+  expect(loadPlace("a")).toBe(null);
+  vi.stubGlobal("localStorage", {
+    getItem: () => null,
+    setItem: () => {
+      throw new Error("full");
+    },
+  });
+  expect(() => savePlace("a", kept)).not.toThrow();
+});
+
+it("bounds the bookmarks", () => {
+  const many = Array.from({ length: 20_000 }, (_, i) => 20_000 - i);
+  const kept = cleanPages(many);
+  expect(kept.length).toBe(500);
+  expect(cleanPages("1,2")).toEqual([]);
+});
+
+it("reads the page from a fragment, wherever it stands in it", () => {
+  const pages = ["#page=12", "#a=1&page=3&b", "#page=0", "#page=", "", "#page=1e3", "#mypage=4"];
+  expect(pages.map(pageOfHash)).toEqual([12, 3, null, null, null, null, null]);
+  expect(pageOfHash("#page=12345678")).toBe(null);
+});
+
+it("writes the page and leaves all else of the fragment as it is", () => {
+  expect(hashWithPage("", 5)).toBe("#page=5");
+  expect(hashWithPage("#", 5)).toBe("#page=5");
+  expect(hashWithPage("#page=4", 5)).toBe("#page=5");
+  expect(hashWithPage("#a=%20&page=4&b", 5)).toBe("#a=%20&page=5&b");
+  expect(hashWithPage("#chapter-2", 5)).toBe("#chapter-2&page=5");
+  expect(hashWithPage("#mypage=4", 5)).toBe("#mypage=4&page=5");
+});

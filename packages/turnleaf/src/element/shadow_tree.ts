@@ -1,0 +1,148 @@
+/** The shadow tree of `<turnleaf-book>`: its parts, its messages, its style. */
+
+import { pagesAt } from "../book/spreads.ts";
+import type { PageSource } from "../sources/page_source.ts";
+import type { Viewer } from "../viewer/viewer.ts";
+import { elementTexts, fill, list, number } from "../words/languages.ts";
+
+/**
+ * The parts of one element's shadow tree.
+ *
+ * @csspart stage The area in which the book lies: the element without its
+ * controls.
+ * @csspart message The sheet that explains why a book is not shown, or that it
+ * is loading.
+ */
+export class ShadowTree {
+  /** Holds the stage and the controls around it; takes the focus for the book. */
+  readonly frame: HTMLElement = document.createElement("div");
+  /** The area in which the book lies: the element without its controls. */
+  readonly stage: HTMLElement = document.createElement("div");
+  /** Gives the element its size if the page gives it none. */
+  readonly #sizer = document.createElement("div");
+  readonly #message = document.createElement("div");
+  readonly #live = document.createElement("div");
+
+  constructor() {
+    this.frame.className = "frame";
+    this.frame.tabIndex = 0;
+    this.frame.setAttribute("role", "group");
+    this.stage.setAttribute("part", "stage");
+    this.#sizer.className = "room";
+    this.#message.setAttribute("part", "message");
+    this.#message.setAttribute("role", "status");
+    this.#live.className = "live";
+    this.#live.setAttribute("aria-live", "polite");
+    this.stage.append(this.#message, this.#live);
+    this.frame.append(this.stage);
+  }
+
+  /** Attaches it to its element, and its style again if another document has dropped that. */
+  attach(element: HTMLElement): void {
+    let root = element.shadowRoot;
+    if (root === null) {
+      // The frame takes the focus: the element's own attributes belong to the page.
+      root = element.attachShadow({ mode: "open", delegatesFocus: true });
+      element.attachInternals().role = "group";
+      root.append(this.#sizer, this.frame);
+    }
+    if (root.adoptedStyleSheets.length === 0) addStyle(root, style);
+  }
+
+  /** Sizes the element for a place of some width over height. */
+  fit(ratio: number): void {
+    this.#sizer.style.setProperty("--ratio", String(ratio));
+  }
+
+  /** Shows a sentence where the page would be; an empty one removes it. */
+  say(sentence: string, role: "status" | "alert" = "status"): void {
+    this.#message.setAttribute("role", role);
+    this.#message.textContent = sentence;
+    this.#message.hidden = sentence === "";
+  }
+
+  /** Announces a text to screen readers. */
+  announce(text: string): void {
+    this.#live.textContent = text;
+  }
+}
+
+/** Returns which pages lie open, such as "Pages iv and v of 112", in a language. */
+export function openPages(source: PageSource, viewer: Viewer, tag: string): string {
+  const { spread } = viewer.turning;
+  const seen = pagesAt(viewer.binding, spread).map((page) => source.label(page - 1));
+  const { back, pageOpen, pagesOpen } = elementTexts(tag);
+  const text = [back, pageOpen][seen.length] ?? pagesOpen;
+  return fill(text, { pages: list(tag, seen), n: number(tag, source.pageCount) });
+}
+
+/**
+ * Adds a style sheet to a shadow tree: not a `<style>` element, which pages
+ * with a strict security policy forbid. A constructed sheet belongs to one
+ * document for good, and a tree that moves to another loses its sheets, so each
+ * is made in the window in which the tree is now.
+ *
+ * @returns a function that removes it
+ */
+export function addStyle(root: ShadowRoot, css: string): () => void {
+  const view = root.ownerDocument.defaultView;
+  // A document without a window shows nothing.
+  if (view === null) return () => undefined;
+  const sheet = new view.CSSStyleSheet();
+  sheet.replaceSync(css);
+  root.adoptedStyleSheets = [...root.adoptedStyleSheets, sheet];
+  return () => {
+    root.adoptedStyleSheets = root.adoptedStyleSheets.filter((other) => other !== sheet);
+  };
+}
+
+/** The desk in the dark theme: by the attribute, or by the system. */
+const dark = (selector: string): string => /* css */ `${selector} {
+  --turnleaf-desk: radial-gradient(ellipse at 50% 38%, #35302b, #191715 95%);
+  --turnleaf-accent: #eba58d; --turnleaf-dim: brightness(0.86); color-scheme: dark;
+}`;
+
+/**
+ * The element's own style; outside it the page decides. The controls bring
+ * their own.
+ *
+ * @cssproperty --turnleaf-desk Background of the book, if the element has
+ * controls or a theme.
+ * @cssproperty --turnleaf-accent Selected items, and the focus outline.
+ * @cssproperty --turnleaf-dim A filter over the book and its thumbnails.
+ */
+export const style: string = /* css */ `
+:host {
+  display: block; position: relative; overflow: hidden; min-height: 12rem;
+  --turnleaf-desk: radial-gradient(ellipse at 50% 38%, #efece6, #cfc9be 95%);
+  --turnleaf-accent: #8a3324; --turnleaf-dim: none; color-scheme: light;
+}
+:host([theme="paper"]) {
+  --turnleaf-desk: radial-gradient(ellipse at 50% 38%, #dcd5c9, #aba294 90%);
+  --turnleaf-accent: #7f2f20;
+}
+${dark(':host([theme="dark"])')}
+@media (prefers-color-scheme: dark) { ${dark(':host(:not([theme="light"], [theme="paper"]))')} }
+:host(:is([controls], [theme])) { background: var(--turnleaf-desk); }
+.frame:focus { outline: none; }
+.frame:focus-visible { outline: 2px solid var(--turnleaf-accent); outline-offset: -2px; }
+:host([hidden]) { display: none; }
+.frame { position: absolute; inset: 0; container: turnleaf / inline-size; }
+.room {
+  width: 20rem; padding-top: min(100% / var(--ratio, 1.2), 90vh); visibility: hidden; pointer-events: none;
+}
+:host([controls]) .room { padding-bottom: 100px; }
+[part="stage"] { position: absolute; inset: 0; overflow: hidden; color-scheme: light; }
+:host([controls]) [part="stage"] { inset-block: 48px 52px; }
+[part="canvas"] { position: absolute; inset: 0; width: 100%; height: 100%; display: block; }
+:host(:is([controls], [theme])) [part="canvas"] { filter: var(--turnleaf-dim); }
+[part="message"] {
+  position: absolute; inset: 0; margin: auto; width: min(20rem, 70%); aspect-ratio: 2 / 3; max-height: 84%;
+  display: grid; place-content: center; box-sizing: border-box; padding: 2rem; text-align: center;
+  background: #fbf5e8; color: #211d1a; font: italic 1.05rem/1.5 Georgia, serif; text-wrap: balance;
+  border-radius: 1px 3px 3px 1px; box-shadow: 0 0.1rem 0.4rem rgb(40 30 20 / 0.25), 0 1rem 3rem rgb(40 30 20 / 0.2);
+}
+[part="message"][role="status"] { color: rgb(33 29 26 / 0.7); }
+[part="message"][hidden] { display: none; }
+.live { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
+`;

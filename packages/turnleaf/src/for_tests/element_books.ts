@@ -1,0 +1,68 @@
+/** Elements of small books, for tests in a browser. */
+
+import { afterAll, beforeAll, expect } from "vitest";
+import "../index.ts";
+import type { TurnleafBook } from "../element.ts";
+
+/** Returns a scan of a page: its number in black on paper. */
+export function scan(number: number, width = 90, height = 120): string {
+  const canvas = document.createElement("canvas");
+  canvas.width = width;
+  canvas.height = height;
+  const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
+  pen.fillStyle = "#f4ead2";
+  pen.fillRect(0, 0, width, height);
+  pen.fillStyle = "#000";
+  pen.font = "40px serif";
+  pen.fillText(String(number), 20, 70);
+  return canvas.toDataURL("image/png");
+}
+
+/** Returns some scans. */
+export const scans = (count: number): { src: string }[] =>
+  Array.from({ length: count }, (_, i) => ({ src: scan(i + 1) }));
+
+/** Adds an element to the document that shows them. */
+export function book(
+  pages: TurnleafBook["pages"],
+  attributes: Record<string, string> = {},
+): TurnleafBook {
+  const element = document.createElement("turnleaf-book");
+  element.style.cssText = "width: 300px; height: 220px";
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  element.pages = pages;
+  document.body.append(element);
+  return element;
+}
+
+/** Resolves to the next event of a name. */
+export const happens = <T>(element: TurnleafBook, name: string): Promise<T> =>
+  new Promise((resolve) =>
+    element.addEventListener(name, (event) => resolve((event as CustomEvent<T>).detail), {
+      once: true,
+    }),
+  );
+
+/** Waits until nothing moves. */
+export const settled = (element: TurnleafBook): Promise<void> =>
+  expect.poll(() => element.settled, { timeout: 20_000, interval: 50 }).toBe(true);
+
+/**
+ * Makes what a WebGL canvas shows readable at any time, not only within its
+ * frame, for the tests of a file.
+ */
+export function keepWhatIsDrawn(): void {
+  const { getContext } = HTMLCanvasElement.prototype;
+  beforeAll(() => {
+    HTMLCanvasElement.prototype.getContext = function (
+      this: HTMLCanvasElement,
+      kind: string,
+      how?: object,
+    ) {
+      return getContext.call(this, kind, { ...how, preserveDrawingBuffer: true });
+    } as typeof getContext;
+  });
+  afterAll(() => {
+    HTMLCanvasElement.prototype.getContext = getContext;
+  });
+}

@@ -1,0 +1,159 @@
+/** A test double of a book, which records what it was asked to do, under the controls. */
+
+import type { ControlledBook, FoundPlace } from "../controls/book.ts";
+import { addControls } from "../controls/controls.ts";
+import { addStyle, style } from "../element/shadow_tree.ts";
+import type { BookDetail, OutlineEntry } from "../sources/page_source.ts";
+
+/** As the element, without a page to draw. */
+export class FakeBook extends HTMLElement implements ControlledBook {
+  page = 4;
+  pageCount = 30;
+  bookTitle = "A Book";
+  direction: "ltr" | "rtl" = "ltr";
+  spread = { left: 4, right: 5 };
+  offset: 0 | 1 = 1;
+  shownLayout: "spread" | "single" = "spread";
+  zoom = 1;
+  bookmarks: readonly number[] = [];
+  shifts: readonly number[] = [];
+  playing = false;
+  canTypeset = false;
+  allows = { print: true, download: true };
+  details: readonly BookDetail[] = [];
+  hits: readonly FoundPlace[] = [];
+  /** The calls, in order. */
+  readonly asked: string[] = [];
+  /** Pages drawn at once: now, and the maximum. */
+  drawing = 0;
+  mostDrawing = 0;
+  drawn = 0;
+
+  label(page: number): string {
+    return page <= 6 ? (["i", "ii", "iii", "iv", "v", "vi"][page - 1] ?? "") : String(page - 6);
+  }
+
+  async #turn(name: string, page: number): Promise<boolean> {
+    this.asked.push(name);
+    this.page = Math.min(Math.max(page, 1), this.pageCount);
+    this.dispatchEvent(new CustomEvent("pagechange"));
+    return true;
+  }
+
+  press = (by: 1 | -1): Promise<boolean> =>
+    this.#turn(by === 1 ? "next" : "previous", this.page + 2 * by);
+  first = (): Promise<boolean> => this.#turn("first", 1);
+  last = (): Promise<boolean> => this.#turn("last", this.pageCount);
+  goTo = (page: number): Promise<boolean> => this.#turn(`goTo ${page}`, page);
+
+  zoomTo(level: number): void {
+    this.asked.push(`zoom ${level}`);
+    this.zoom = level;
+    this.dispatchEvent(new CustomEvent("zoomchange"));
+  }
+
+  async search(query: string): Promise<readonly FoundPlace[]> {
+    this.asked.push(`search ${query}`);
+    return this.hits;
+  }
+
+  async showHit(hit: FoundPlace | null): Promise<boolean> {
+    this.asked.push(`hit ${hit?.page ?? "none"}`);
+    return true;
+  }
+
+  async outline(): Promise<readonly OutlineEntry[]> {
+    return [
+      { title: "Loomings", page: 2, children: [] },
+      {
+        title: "The Carpet-Bag",
+        page: 7,
+        children: [{ title: "The Inn", page: 9, children: [] }],
+      },
+      { title: "Elsewhere", page: null, href: "https://example.org/", children: [] },
+      { title: "A trap", page: null, href: "javascript:alert(1)", children: [] },
+    ];
+  }
+
+  async drawPage(_page: number, width: number, signal?: AbortSignal): Promise<HTMLCanvasElement> {
+    this.mostDrawing = Math.max(++this.drawing, this.mostDrawing);
+    await new Promise((resolve) => setTimeout(resolve));
+    this.drawing--;
+    signal?.throwIfAborted();
+    this.drawn++;
+    const canvas = document.createElement("canvas");
+    canvas.width = width;
+    canvas.height = Math.round(width * 1.4);
+    return canvas;
+  }
+
+  toggleBookmark(page: number = this.page): void {
+    const others = this.bookmarks.filter((other) => other !== page);
+    this.bookmarks =
+      others.length < this.bookmarks.length ? others : [...others, page].sort((a, b) => a - b);
+    this.dispatchEvent(new CustomEvent("bookmarkchange"));
+  }
+
+  toggleShift(page: number = this.page): void {
+    this.shifts = this.shifts.includes(page) ? [] : [page];
+    this.dispatchEvent(new CustomEvent("shiftchange"));
+  }
+
+  async print(): Promise<boolean> {
+    this.asked.push("print");
+    return true;
+  }
+
+  async download(): Promise<boolean> {
+    this.asked.push("download");
+    return true;
+  }
+
+  override focus(options?: FocusOptions): void {
+    this.shadowRoot?.querySelector<HTMLElement>(".frame")?.focus(options);
+  }
+
+  async toggleFullscreen(): Promise<boolean> {
+    this.asked.push("fullscreen");
+    return true;
+  }
+
+  play(): void {
+    this.playing = true;
+    this.dispatchEvent(new CustomEvent("playchange"));
+  }
+
+  pause(): void {
+    this.playing = false;
+    this.dispatchEvent(new CustomEvent("playchange"));
+  }
+}
+customElements.define("stand-in", FakeBook);
+
+/**
+ * Adds a test double with controls to the document, `width` CSS pixels wide.
+ * Returns it with a function that removes the controls.
+ */
+export function addFakeBook(
+  width = 780,
+  change: Partial<FakeBook> = {},
+): { book: FakeBook; root: ShadowRoot; remove: () => void } {
+  const book = new FakeBook();
+  Object.assign(book, change);
+  const root = book.attachShadow({ mode: "open", delegatesFocus: true });
+  addStyle(root, style);
+  const frame = document.createElement("div");
+  frame.className = "frame";
+  frame.tabIndex = 0;
+  frame.setAttribute("role", "group");
+  const stage = document.createElement("div");
+  stage.setAttribute("part", "stage");
+  frame.append(stage);
+  root.append(frame);
+  book.attachInternals().role = "group";
+  book.setAttribute("aria-label", "A Book");
+  book.setAttribute("controls", "");
+  book.style.cssText = `width: ${width}px; height: 560px`;
+  document.body.append(book);
+  return { book, root, remove: addControls(book, frame, stage) };
+}

@@ -1,0 +1,511 @@
+/**
+ * Random operations on a book, the same for the same seed, and checks at rest
+ * that every page in sight shows what it should.
+ */
+
+import type { TurnleafBook } from "../element.ts";
+import { TestPointer } from "./test_pointer.ts";
+
+/** What a page should show: one hue in degrees, or the print of a PDF's page. */
+type Content = number | "print";
+
+export interface OperationsOptions {
+  readonly seed: number;
+  /** Address of a PDF with text on most of its pages. */
+  readonly pdf: string;
+  /** Returns what is seen of an element, one pixel for each CSS pixel. */
+  readonly picture: (element: TurnleafBook) => Promise<ImageData>;
+}
+
+/** Operations by their names, all as likely as each other. */
+type Group = Readonly<Record<string, () => unknown>>;
+
+/** What the checks have seen so far. */
+export interface Checked {
+  /** Rests at which something was checked. */
+  rests: number;
+  hues: number;
+  prints: number;
+}
+
+/** Small, as drawing is in software. CSS pixels. */
+const [width, height] = [120, 90];
+const size = `width: ${width}px; height: ${height}px; min-height: 0`;
+
+/** Steps of hue, and how many of them lie between pages that follow each other: no two in sight are alike. */
+const hueCount = 36;
+const hueStep = 7;
+
+/** Least part of the element that a page of one hue takes at rest. */
+const leastHue = 0.02;
+
+/**
+ * Least mean difference of brightness, of 255, between a pixel within a text and the one below it: a tenth of
+ * what the book's pages have, which is 10 to 25.
+ */
+const leastPrint = 1.5;
+
+/** A page of fewer lines is a picture's or nearly empty, and one whose lines are shorter is too small to tell, CSS pixels. */
+const leastLines = 8;
+const leastPrintWidth = 30;
+
+/** Longest that anything asked of a book may take, milliseconds. */
+const patience = 30_000;
+
+const wait = (milliseconds: number): Promise<void> =>
+  new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+/** Numbers from 0 to 1, the same for the same seed. */
+export function randomNumbers(seed: number): () => number {
+  let state = seed;
+  return () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
+}
+
+/** One book after another in an element, and what is done to them. */
+export class RandomOperations {
+  readonly checked: Checked = { rests: 0, hues: 0, prints: 0 };
+  /** Names of the last operations. */
+  readonly recent: string[] = [];
+  /** Errors that the element has reported. */
+  readonly errors: string[] = [];
+  readonly #options: OperationsOptions;
+  readonly #random: () => number;
+  readonly #pictures = new Map<string, string>();
+  readonly #operations: readonly Group[];
+  #element = document.createElement("turnleaf-book");
+  #pages: Content[] = [];
+  /** What the open book's input holds: the book opens with it again. */
+  #given: readonly Content[] = [];
+  #pdfPages = 0;
+  #madeHues = 0;
+
+  constructor(options: OperationsOptions) {
+    this.#options = options;
+    this.#random = randomNumbers(options.seed);
+    this.#operations = this.#all();
+  }
+
+  /** Opens the PDF in a new element, as at first: measurements are to be of the same book. */
+  async start(): Promise<void> {
+    this.end();
+    this.#make();
+    this.#element.src = this.#options.pdf;
+    await this.#loaded();
+    this.#pdfPages = this.#element.pageCount;
+    this.#given = this.#prints();
+    this.#pages = [...this.#given];
+    await this.#until(
+      () => this.#element.ready,
+      () => "the first book is never ready",
+    );
+  }
+
+  /** Takes the element away. */
+  end(): void {
+    this.#element.remove();
+  }
+
+  /** Does something to the book. Rejects where it takes longer than anything may. */
+  async next(): Promise<void> {
+    const group = this.#among(this.#operations);
+    const name = this.#among(Object.keys(group));
+    this.recent.push(name);
+    if (this.recent.length > 8) this.recent.shift();
+    await this.#inTime(name, group[name]());
+    if (this.#random() < 0.3) await wait(40 * this.#random());
+  }
+
+  /** Brings the book to rest. Returns a sentence for each page in sight that does not show what it should. */
+  async check(): Promise<string[]> {
+    const element = this.#element;
+    // As large as it can be: a few pixels of a page say nothing.
+    element.controls = false;
+    element.style.cssText = size;
+    element.pause();
+    // No corner is lifted where no pointer is.
+    this.#pointer()?.stage.dispatchEvent(new PointerEvent("pointerleave"));
+    await this.#until(
+      () => element.pageCount === this.#pages.length,
+      () => `${element.pageCount} pages in place of ${this.#pages.length}`,
+    );
+    let at = "";
+    // What was asked for before may set out once more.
+    while (at !== JSON.stringify(element.spread)) {
+      at = JSON.stringify(element.spread);
+      // To set it draws the book anew, which would mend what is blank.
+      if (element.zoom !== 1) element.zoom = 1;
+      await this.#until(
+        () => element.settled && !element.turning,
+        () => "the book does not come to rest",
+      );
+      await wait(5);
+    }
+    const { left, right } = element.spread;
+    const open = [left, right].filter((page) => page !== null);
+    const texts = await this.#texts(open);
+    const picture = await this.#options.picture(element);
+    const counts = hues(picture);
+    this.checked.rests++;
+    return open.flatMap((page) => {
+      const content = this.#pages[page - 1];
+      const where = `page ${page} of ${this.#pages.length}`;
+      if (content !== "print") {
+        this.checked.hues++;
+        const part = partOf(counts, content);
+        return part > leastHue ? [] : [`${where} shows ${part} of its hue ${content}`];
+      }
+      const box = texts.get(page);
+      if (box === undefined) return [];
+      this.checked.prints++;
+      const contrast = contrastIn(picture, box);
+      return contrast > leastPrint ? [] : [`${where} shows ${contrast} of its print`];
+    });
+  }
+
+  /** Draws the book as it stands. */
+  redraw(): void {
+    this.#element.zoomTo(this.#element.zoom);
+  }
+
+  /** The element as it stands, for the report of a failure. */
+  get state(): string {
+    return `${this.#element.outerHTML} after ${this.recent.join(", ")}`;
+  }
+
+  /** All operations in groups, each group as often as it is to be drawn. */
+  #all(): readonly Group[] {
+    const element = () => this.#element;
+    const attribute = (name: string, values: readonly string[]) => () =>
+      element().setAttribute(name, this.#among(values));
+    const turns: Group = {
+      goTo: () => void element().goTo(this.#whole(1, this.#pages.length)),
+      next: () => void element().next(),
+      previous: () => void element().previous(),
+      riffle: () => {
+        for (let k = this.#whole(2, 20); k > 0; k--) void element().next();
+      },
+      key: () => this.#pointer()?.key(this.#among(["ArrowLeft", "ArrowRight", "Home", "End", "+"])),
+      drag: () => this.#drag("mouse"),
+      touch: () => this.#drag("touch"),
+      pinch: () => this.#pinch(),
+      wheel: () => this.#pointer()?.roll(0, this.#whole(-200, 200), { ctrlKey: true }),
+      hover: () =>
+        this.#pointer()?.point("pointermove", this.#whole(0, width), this.#whole(0, height)),
+    };
+    const places: Group = {
+      zoom: () => element().zoomTo(this.#among([1, 2.5, 6])),
+      pan: () => element().zoomTo(3, { x: this.#whole(0, width), y: this.#whole(0, height) }),
+      nothing: async () => {
+        element().style.width = element().style.height = this.#among(["0px", "1px", "3px"]);
+        await wait(30 * this.#random());
+        element().style.cssText = size;
+      },
+      narrow: () => {
+        element().style.width = this.#among(["50px", "80px", "120px"]);
+      },
+      hide: async () => {
+        element().style.display = "none";
+        await wait(30 * this.#random());
+        element().style.display = "";
+      },
+    };
+    const modes: Group = {
+      cover: attribute("cover", ["hard", "soft", "none"]),
+      binding: attribute("binding", ["left", "right", "top", "bottom"]),
+      layout: attribute("layout", ["spread", "single", "auto"]),
+      offset: attribute("offset", ["0", "1"]),
+      hardPages: attribute("hard-pages", ["", "3-4", "1-8", "9"]),
+      duration: attribute("duration", ["0", "60", "120"]),
+      stock: attribute("stock", ["bible", "book", "card"]),
+      model: attribute("model", ["sheet", "rigid", "peel", "cylinder", "cone", "replay", "shell"]),
+      theme: attribute("theme", ["light", "dark", "paper"]),
+      controls: () => element().toggleAttribute("controls"),
+      slides: () => (this.#random() < 0.5 ? element().play(1) : element().pause()),
+    };
+    const pages: Group = {
+      insert: () => this.#change(this.#whole(1, this.#pages.length + 1), 0, this.#whole(1, 3)),
+      remove: async () => {
+        if (this.#pages.length > 20)
+          await this.#change(this.#whole(1, this.#pages.length - 3), 2, 0);
+      },
+      replace: () => this.#change(this.#whole(1, this.#pages.length), 1, 1),
+      draw: async () => {
+        if (element().pageCount === 0) return;
+        const page = await element()
+          .drawPage(1, this.#whole(20, 200))
+          .catch(() => null);
+        if (page && "close" in page) page.close();
+      },
+      search: () => this.#search(),
+    };
+    const books: Group = {
+      images: () => this.#other(this.#hues(4, 60), (made) => this.#images(made)),
+      manifest: () => this.#other(this.#hues(4, 60), (made) => this.#manifest(made)),
+      pdf: () => this.#other(this.#prints(), () => this.#options.pdf),
+      away: async () => {
+        const loaded = this.#loaded();
+        element().remove();
+        if (this.#random() < 0.5) await wait(20 * this.#random());
+        document.body.append(element());
+        await loaded;
+        this.#pages = [...this.#given];
+      },
+      anew: async () => {
+        element().destroy();
+        this.#make();
+        await books.images();
+      },
+      loseContext: () => this.#loseContext(),
+    };
+    const all: [Group, number][] = [
+      [turns, 10],
+      [places, 5],
+      [modes, 5],
+      [pages, 3],
+      [books, 1],
+    ];
+    return all.flatMap(([group, times]) => Array<Group>(times).fill(group));
+  }
+
+  #make(): void {
+    const element = document.createElement("turnleaf-book");
+    element.style.cssText = size;
+    element.setAttribute("duration", "60");
+    element.setAttribute("cloth", "#222222");
+    for (const name of ["error", "pageerror"] as const) {
+      element.addEventListener(name, (event) => {
+        const { message } = (event as CustomEvent<{ message: string }>).detail;
+        this.errors.push(`${message} (${this.state})`);
+      });
+    }
+    this.#element = element;
+    document.body.append(element);
+  }
+
+  /** Shows another book; most times waits until it is open. */
+  async #other(pages: readonly Content[], input: (pages: readonly Content[]) => BookInput) {
+    this.#given = pages;
+    this.#pages = [...pages];
+    const loaded = this.#loaded();
+    const book = input(pages);
+    if (typeof book === "string") {
+      this.#element.pages = null;
+      // An address that is there already opens nothing.
+      this.#element.src = "";
+      this.#element.src = book;
+    } else this.#element.pages = book;
+    if (this.#random() < 0.8) await loaded;
+  }
+
+  async #change(at: number, count: number, added: number): Promise<void> {
+    const hues = Array.from({ length: added }, () => this.#hue());
+    const element = this.#element;
+    const isDone =
+      added === 0
+        ? await element.removePages(at, count)
+        : count === 0
+          ? await element.insertPages(at, this.#images(hues))
+          : await element.replacePage(at, this.#images(hues));
+    if (isDone) this.#pages.splice(at - 1, count, ...hues);
+  }
+
+  async #search(): Promise<void> {
+    const hits = await this.#element
+      .search(this.#among(["whale", "sea", "hue", "zzz"]), { signal: AbortSignal.timeout(50) })
+      .catch(() => []);
+    await this.#element.showHit(hits.length > 0 ? this.#among(hits) : null);
+    if (this.#random() < 0.5) await this.#element.showHit(null);
+  }
+
+  async #drag(pointerType: string): Promise<void> {
+    const pointer = this.#pointer();
+    if (pointer === null) return;
+    const place = (): [number, number] => [this.#whole(5, width - 5), this.#whole(5, height - 5)];
+    const [from, to] = [place(), place()];
+    const more = { pointerType, pointerId: 7 };
+    pointer.point("pointerdown", ...from, more);
+    await pointer.move(from, to, more);
+    if (this.#random() < 0.2) await pointer.move(to, from, more);
+    pointer.point(this.#random() < 0.8 ? "pointerup" : "pointercancel", ...to, more);
+  }
+
+  async #pinch(): Promise<void> {
+    const pointer = this.#pointer();
+    if (pointer === null) return;
+    const fingers = [1, 2].map((pointerId) => ({ pointerId, pointerType: "touch" }));
+    const place = (finger: number, off: number): [number, number] => [
+      width / 2 + (finger ? off : -off),
+      height / 2,
+    ];
+    const [from, to] = [width / 8, this.#whole(5, width / 3)];
+    for (const [k, finger] of fingers.entries())
+      pointer.point("pointerdown", ...place(k, from), finger);
+    await Promise.all(
+      fingers.map((finger, k) => pointer.move(place(k, from), place(k, to), finger)),
+    );
+    for (const [k, finger] of fingers.entries())
+      pointer.point("pointerup", ...place(k, to), finger);
+  }
+
+  /** Takes the graphics card away, and most times gives it back before the book is shown without one. */
+  async #loseContext(): Promise<void> {
+    const canvas = this.#element.shadowRoot?.querySelector("canvas");
+    // The book on the flat has no such context; to ask for one there does nothing.
+    const context = canvas?.getContext("webgl2")?.getExtension("WEBGL_lose_context");
+    if (!context) return;
+    context.loseContext();
+    await wait(30 * this.#random());
+    if (this.#random() < 0.95) context.restoreContext();
+    else await wait(4500);
+  }
+
+  #pointer(): TestPointer | null {
+    return this.#element.shadowRoot?.querySelector("canvas")
+      ? new TestPointer(this.#element)
+      : null;
+  }
+
+  /** Waits until the book in the element is open. */
+  #loaded(): Promise<void> {
+    const element = this.#element;
+    return new Promise((resolve) =>
+      element.addEventListener("load", () => resolve(), { once: true }),
+    );
+  }
+
+  /** The places of the texts of the PDF's pages among those that lie open, from the element's upper left corner. */
+  async #texts(open: readonly number[]): Promise<Map<number, DOMRect>> {
+    const boxes = new Map<number, DOMRect>();
+    const home = this.#element.getBoundingClientRect();
+    for (const page of open) {
+      if (this.#pages[page - 1] !== "print") continue;
+      const spans = () => {
+        const label = this.#element.label(page);
+        const groups = this.#element.shadowRoot?.querySelectorAll(".text > [role=group]") ?? [];
+        const group = [...groups].find(({ ariaLabel }) => ariaLabel?.split(" ").includes(label));
+        return [...(group?.querySelectorAll<HTMLElement>(".print > span:not([hidden])") ?? [])];
+      };
+      // A page of few lines has no more later either.
+      for (let k = 0; k < 20 && spans().length < leastLines; k++) await wait(20);
+      const seen = spans().map((span) => span.getBoundingClientRect());
+      if (seen.length < leastLines) continue;
+      const [left, top] = [
+        Math.min(...seen.map((s) => s.left)),
+        Math.min(...seen.map((s) => s.top)),
+      ];
+      const right = Math.max(...seen.map((s) => s.right));
+      const bottom = Math.max(...seen.map((s) => s.bottom));
+      if (right - left < leastPrintWidth) continue;
+      boxes.set(page, new DOMRect(left - home.left, top - home.top, right - left, bottom - top));
+    }
+    return boxes;
+  }
+
+  async #inTime(name: string, work: unknown): Promise<void> {
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    const late = new Promise((_, reject) => {
+      timer = setTimeout(() => reject(new Error(`${name} never ends: ${this.state}`)), patience);
+    });
+    await Promise.race([work, late]).finally(() => clearTimeout(timer));
+  }
+
+  async #until(isSo: () => boolean, sentence: () => string): Promise<void> {
+    const start = performance.now();
+    while (!isSo()) {
+      if (performance.now() - start > patience) throw new Error(`${sentence()}: ${this.state}`);
+      await wait(5);
+    }
+  }
+
+  #whole(least: number, most: number): number {
+    return least + Math.floor(this.#random() * (most - least + 1));
+  }
+
+  #among<T>(values: readonly T[]): T {
+    return values[Math.floor(this.#random() * values.length)];
+  }
+
+  #prints(): Content[] {
+    return Array.from({ length: this.#pdfPages }, () => "print");
+  }
+
+  #hues(least: number, most: number): Content[] {
+    return Array.from({ length: this.#whole(least, most) }, () => this.#hue());
+  }
+
+  #hue(): number {
+    return (360 / hueCount) * ((this.#madeHues++ * hueStep) % hueCount);
+  }
+
+  #images(hues: readonly Content[]): { src: string }[] {
+    return hues.map((hue) => ({ src: this.#image(Number(hue), Number(hue) % 50 === 30) }));
+  }
+
+  /** A manifest, as a file, of images with a text. */
+  #manifest(hues: readonly Content[]): Blob {
+    const place = { x: 10, y: 10, width: 60, height: 12 };
+    const pages = this.#images(hues).map((page) => ({
+      ...page,
+      text: [{ ...place, text: "hue" }],
+    }));
+    return new Blob([JSON.stringify({ title: "Hues", pages })], { type: "application/json" });
+  }
+
+  /** A page of one hue; those of other proportions are fitted to their leaves. */
+  #image(hue: number, isWide: boolean): string {
+    const key = `${hue} ${isWide}`;
+    const known = this.#pictures.get(key);
+    if (known) return known;
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = isWide ? [120, 120] : [90, 120];
+    const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
+    pen.fillStyle = `hsl(${hue} 100% 50%)`;
+    pen.fillRect(0, 0, canvas.width, canvas.height);
+    const address = canvas.toDataURL("image/png");
+    canvas.width = canvas.height = 0;
+    this.#pictures.set(key, address);
+    return address;
+  }
+}
+
+type BookInput = NonNullable<TurnleafBook["pages"]> | string;
+
+/** Part of a picture by hue, in steps of 10 degrees, of the pixels that have one. */
+function hues({ data, width, height }: ImageData): number[] {
+  const counts = Array.from({ length: 36 }, () => 0);
+  for (let k = 0; k < data.length; k += 4) {
+    const [r, g, b] = data.subarray(k, k + 3);
+    const [most, least] = [Math.max(r, g, b), Math.min(r, g, b)];
+    if (most < 60 || (most - least) / most < 0.7) continue;
+    const sixth =
+      most === r
+        ? (g - b) / (most - least)
+        : most === g
+          ? 2 + (b - r) / (most - least)
+          : 4 + (r - g) / (most - least);
+    counts[Math.floor((60 * sixth + 360 + 5) / 10) % 36] += 1 / (width * height);
+  }
+  return counts;
+}
+
+/** The part of a picture that has about a hue. */
+function partOf(counts: readonly number[], hue: number): number {
+  const middle = Math.floor((hue + 5) / 10);
+  return [-1, 0, 1].reduce((sum, by) => sum + counts[(middle + by + 36) % 36], 0);
+}
+
+/** Mean difference of brightness, of 255, between a pixel in a box and the one below it. */
+function contrastIn({ data, width, height }: ImageData, box: DOMRect): number {
+  const bright = (x: number, y: number): number => data[4 * (y * width + x) + 1];
+  let [sum, count] = [0, 0];
+  for (let y = Math.max(Math.ceil(box.top), 0); y < Math.min(box.bottom, height - 1) - 1; y++) {
+    for (let x = Math.max(Math.ceil(box.left), 0); x < Math.min(box.right, width) - 1; x++) {
+      sum += Math.abs(bright(x, y) - bright(x, y + 1));
+      count++;
+    }
+  }
+  return sum / Math.max(count, 1);
+}

@@ -1,0 +1,66 @@
+/** Viewers of small books, for tests in a browser. */
+
+import { expect } from "vitest";
+import { openViewer } from "../open_viewer.ts";
+import type { PageSource } from "../sources/page_source.ts";
+import type { Viewer, ViewerOptions } from "../viewer/viewer.ts";
+
+/** Size of their canvases, CSS pixels. */
+export const width = 400;
+export const height = 300;
+
+/** Opens a book on a canvas in the document. Resolves once it rests. */
+export async function opened(
+  source: PageSource,
+  options: Partial<ViewerOptions>,
+): Promise<{ canvas: HTMLCanvasElement; viewer: Viewer }> {
+  const canvas = document.createElement("canvas");
+  canvas.style.cssText = `width: ${width}px; height: ${height}px; background: white`;
+  document.body.append(canvas);
+  const nothing = () => {};
+  const viewer = await openViewer(
+    () => canvas,
+    source,
+    {
+      cover: "none",
+      cloth: "#6a2a26",
+      paper: () => ({}),
+      page: () => 1,
+      turnSeconds: () => 0.1,
+      onStart: nothing,
+      onRest: nothing,
+      onZoom: nothing,
+      onFailure: nothing,
+      ...options,
+    },
+    new AbortController().signal,
+  );
+  viewer.resize(width, height, 1);
+  await settledViewer(viewer);
+  return { canvas, viewer };
+}
+
+/** Waits until nothing moves and all is sharp. */
+export const settledViewer = (viewer: Viewer): Promise<void> =>
+  expect.poll(() => viewer.settled, { timeout: 30_000, interval: 50 }).toBe(true);
+
+/**
+ * Returns the brightness of the canvas's own pixels in a row, from a place in
+ * CSS pixels to the right, 0 to 255.
+ */
+export async function brightness(
+  { canvas, viewer }: { canvas: HTMLCanvasElement; viewer: Viewer },
+  place: { x: number; y: number },
+  count: number,
+): Promise<number[]> {
+  const copy = document.createElement("canvas");
+  [copy.width, copy.height] = [count, 1];
+  const pen = copy.getContext("2d") as CanvasRenderingContext2D;
+  // Within a frame: afterwards a WebGL canvas may be empty.
+  viewer.invalidate();
+  await new Promise((resolve) => requestAnimationFrame(resolve));
+  const scale = canvas.width / width;
+  pen.drawImage(canvas, -Math.round(place.x * scale), -Math.round(place.y * scale));
+  const { data } = pen.getImageData(0, 0, count, 1);
+  return Array.from({ length: count }, (_, k) => data[4 * k]);
+}

@@ -1,0 +1,21 @@
+/** Files in an archive, such as a ZIP: named, read one by one, and bounded. */
+
+/** An open archive. */
+export interface Archive {
+  /** The names of its files, as paths from its root, in the archive's order. */
+  readonly names: readonly string[];
+  /** Returns the length in bytes that a file claims; 0 if there is none of this name. */
+  size(name: string): number;
+  /**
+   * Returns a file's bytes. Rejects with a `BookError` if there is none of this
+   * name, it is damaged or encrypted, or has more than `most` bytes.
+   */
+  read(name: string, most?: number): Promise<Uint8Array<ArrayBuffer>>;
+  /**
+   * Returns the first bytes of a file, at least `length` if it has so many.
+   * Rejects as `read` does.
+   */
+  readStart(name: string, length: number): Promise<Uint8Array<ArrayBuffer>>;
+  /** Frees memory. Reading afterwards rejects. */
+  close(): void;
+}

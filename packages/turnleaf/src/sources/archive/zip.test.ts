@@ -1,0 +1,66 @@
+import { strToU8, zipSync } from "fflate";
+import { expect, test } from "vitest";
+import { limits } from "../limits.ts";
+import { messageOf } from "../message_of.ts";
+import { openZip } from "./zip.ts";
+
+const text = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
+const zip = (files: Record<string, string>): Blob =>
+  new Blob([
+    zipSync(
+      Object.fromEntries(Object.entries(files).map(([name, all]) => [name, strToU8(all)])),
+    ) as Uint8Array<ArrayBuffer>,
+  ]);
+
+test("a ZIP's files are listed and read", async () => {
+  const archive = await openZip(zip({ mimetype: "a/b", "OEBPS/é.xhtml": "<p>" }), "book.epub");
+  expect(archive.names).toEqual(["mimetype", "OEBPS/é.xhtml"]);
+  expect(archive.size("OEBPS/é.xhtml")).toBe(3);
+  expect(text(await archive.read("OEBPS/é.xhtml"))).toBe("<p>");
+  expect(await messageOf(archive.read("b"))).toBe("book.epub has no file b; get it again.");
+});
+
+test("names that lead out of the archive are left out", async () => {
+  const names = ["../a", "/etc/passwd", "c:/b", "x/../../y", "..\\z", "./good", "a//b"];
+  const archive = await openZip(zip(Object.fromEntries(names.map((name) => [name, "1"]))), "b");
+  expect(archive.names).toEqual(["good", "a/b"]);
+});
+
+test("a file that unpacks to more than its bound is rejected, whatever it claims", async () => {
+  const bytes = zipSync({ bomb: new Uint8Array(3_000_000) });
+  const archive = await openZip(new Blob([bytes as Uint8Array<ArrayBuffer>]), "bomb.zip");
+  expect(await messageOf(archive.read("bomb", 1 << 20))).toBe(
+    "bomb in bomb.zip is larger than 1 MB when unpacked; make it smaller.",
+  );
+  // The directory says 1,000 bytes.
+  const view = new DataView(bytes.buffer, bytes.byteOffset);
+  for (let at = 0; at + 4 < bytes.length; at++) {
+    if (view.getUint32(at, true) === 3_000_000) view.setUint32(at, 1000, true);
+  }
+  const lying = await openZip(new Blob([bytes as Uint8Array<ArrayBuffer>]), "bomb.zip");
+  expect(lying.size("bomb")).toBe(1000);
+  await messageOf(lying.read("bomb", 1 << 20));
+});
+
+test("too many files are rejected", async () => {
+  const names = Array.from({ length: limits.archiveEntries + 1 }, (_, k) => [String(k), ""]);
+  expect(await messageOf(openZip(zip(Object.fromEntries(names)), "many.zip"))).toBe(
+    `many.zip has more than ${limits.archiveEntries} files; split it and open a part.`,
+  );
+});
+
+test("a ZIP cut off anywhere, or with any byte changed, fails in a sentence or is read", async () => {
+  const whole = new Uint8Array(await zip({ a: "hello ".repeat(100), b: "x" }).arrayBuffer());
+  const tries = [
+    ...Array.from({ length: whole.length }, (_, end) => whole.slice(0, end)),
+    ...Array.from(whole, (byte, at) => whole.with(at, byte ^ 0xff)),
+  ];
+  for (const bytes of tries) {
+    try {
+      const archive = await openZip(new Blob([bytes as Uint8Array<ArrayBuffer>]), "cut.zip");
+      for (const name of archive.names) await archive.read(name, 1 << 20);
+    } catch (error) {
+      expect((error as Error).name).toBe("BookError");
+    }
+  }
+});

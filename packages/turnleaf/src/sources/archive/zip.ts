@@ -1,0 +1,110 @@
+import {
+  BlobReader,
+  configure,
+  type FileEntry,
+  ZipReader,
+} from "@zip.js/zip.js/lib/zip-core-native.js";
+import { unknownFailure } from "../failures.ts";
+import { limits } from "../limits.ts";
+import { BookError } from "../page_source.ts";
+import type { Archive } from "./archive.ts";
+
+// Workers would have to be allowed by the page's policy; the browser inflates in the background.
+configure({ useWebWorkers: false });
+
+/**
+ * Opens a ZIP, of which only the directory is read. Rejects with a `BookError`
+ * if it is damaged or has too many files.
+ *
+ * @param name the file's name in sentences
+ */
+export async function openZip(file: Blob, name: string): Promise<Archive> {
+  const reader = new ZipReader(new BlobReader(file), { strictness: "tolerant" });
+  const entries = new Map<string, FileEntry>();
+  try {
+    let count = 0;
+    for await (const entry of reader.getEntriesGenerator()) {
+      count += 1;
+      if (count > limits.archiveEntries) {
+        const most = limits.archiveEntries;
+        throw new BookError(`${name} has more than ${most} files; split it and open a part.`);
+      }
+      const path = entry.directory ? null : cleanPath(entry.filename);
+      if (path !== null && !entries.has(path)) entries.set(path, entry as FileEntry);
+    }
+  } catch (error) {
+    throw damaged(name, error);
+  }
+  return new ZipArchive(name, entries);
+}
+
+class ZipArchive implements Archive {
+  readonly names: readonly string[];
+  readonly #name: string;
+  #entries: ReadonlyMap<string, FileEntry>;
+
+  constructor(name: string, entries: ReadonlyMap<string, FileEntry>) {
+    this.#name = name;
+    this.#entries = entries;
+    this.names = [...entries.keys()];
+  }
+
+  size(name: string): number {
+    return this.#entries.get(name)?.uncompressedSize ?? 0;
+  }
+
+  async read(name: string, most: number = limits.archivedBytes): Promise<Uint8Array<ArrayBuffer>> {
+    return await this.#unpack(name, most, Number.POSITIVE_INFINITY);
+  }
+
+  async readStart(name: string, length: number): Promise<Uint8Array<ArrayBuffer>> {
+    return await this.#unpack(name, limits.archivedBytes, length);
+  }
+
+  /** @param enough number of bytes after which the rest is not unpacked */
+  async #unpack(name: string, most: number, enough: number): Promise<Uint8Array<ArrayBuffer>> {
+    const entry = this.#entries.get(name);
+    if (!entry) throw new BookError(`${this.#name} has no file ${name}; get it again.`);
+    if (entry.encrypted) {
+      throw new BookError(`${this.#name} is protected by a password; unpack it first.`);
+    }
+    const tooLarge = new BookError(
+      `${name} in ${this.#name} is larger than ${Math.floor(most / (1 << 20))} MB when unpacked; make it smaller.`,
+    );
+    if (entry.uncompressedSize > most) throw tooLarge;
+    // What the directory claims may be wrong: bytes are counted as they come.
+    const parts: Uint8Array<ArrayBuffer>[] = [];
+    let length = 0;
+    const counted = new WritableStream<Uint8Array<ArrayBuffer>>({
+      write(part) {
+        length += part.length;
+        if (length > most) throw tooLarge;
+        parts.push(part);
+        if (length >= enough) stopped.abort();
+      },
+    });
+    const stopped = new AbortController();
+    try {
+      await entry.getData(counted, { signal: stopped.signal });
+    } catch (error) {
+      if (!stopped.signal.aborted)
+        throw length > most ? tooLarge : damaged(`${name} in ${this.#name}`, error);
+    }
+    return new Uint8Array(await new Blob(parts).arrayBuffer());
+  }
+
+  close(): void {
+    this.#entries = new Map();
+  }
+}
+
+/** Returns a file's path from the archive's root; null if it leads out of it. */
+function cleanPath(path: string): string | null {
+  const steps = path.replaceAll("\\", "/").split("/");
+  const isInside = !steps.includes("..") && !/^([a-z]:|$)/i.test(steps[0] ?? "");
+  return isInside ? steps.filter((step) => step !== "." && step !== "").join("/") : null;
+}
+
+function damaged(what: string, error: unknown): BookError {
+  return unknownFailure(`${what} is damaged`, error, "repair it or get it again");
+}

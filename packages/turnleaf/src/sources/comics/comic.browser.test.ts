@@ -1,0 +1,124 @@
+import { strToU8, type Zippable, zipSync } from "fflate";
+import { expect, test } from "vitest";
+import { messageOf } from "../message_of.ts";
+import { openSource } from "../open.ts";
+import type { PageSource } from "../page_source.ts";
+
+const never = new AbortController().signal;
+
+/** Returns an image whose left half is red and whose right half is blue. */
+async function scan(width: number, height: number, type = "image/png"): Promise<Uint8Array> {
+  const canvas = new OffscreenCanvas(width, height);
+  const pen = canvas.getContext("2d")!;
+  pen.fillStyle = "#f00";
+  pen.fillRect(0, 0, width / 2, height);
+  pen.fillStyle = "#00f";
+  pen.fillRect(width / 2, 0, width / 2, height);
+  return new Uint8Array(await (await canvas.convertToBlob({ type })).arrayBuffer());
+}
+
+async function comic(files: Record<string, Uint8Array | string>): Promise<PageSource> {
+  const entries = Object.entries(files).map(([name, file]) => [
+    name,
+    typeof file === "string" ? strToU8(file) : file,
+  ]);
+  const bytes = zipSync(Object.fromEntries(entries) as Zippable) as Uint8Array<ArrayBuffer>;
+  return await openSource(new File([bytes], "Hero 1.cbz"));
+}
+
+async function colour(source: PageSource, index: number): Promise<string> {
+  const picture = await source.draw(index, 10, never);
+  const pen = new OffscreenCanvas(1, 1).getContext("2d")!;
+  pen.drawImage(picture, 0, 0, 1, 1);
+  const [red, , blue] = pen.getImageData(0, 0, 1, 1).data;
+  return red > 200 ? "red" : blue > 200 ? "blue" : "both";
+}
+
+const places = (source: PageSource) =>
+  Array.from({ length: source.pageCount }, (_, index) => source.inSpread?.(index));
+
+test("a ZIP of images is a book in their natural order, titled by its file", async () => {
+  const [page, small] = [await scan(40, 60), await scan(20, 30, "image/jpeg")];
+  const source = await comic({ "10.png": page, "9.jpg": small, "Thumbs.db": "x" });
+  expect(source.pageCount).toBe(2);
+  expect(source.title).toBe("Hero 1");
+  expect(await source.size(0)).toEqual({ width: 20, height: 30 });
+  expect((await source.draw(1, 400, never)).width).toBe(40);
+  expect((await source.file!()).size).toBeGreaterThan(100);
+});
+
+test("a wide scan is two pages that face each other, each half of it", async () => {
+  const [page, wide] = [await scan(40, 60), await scan(82, 60)];
+  const source = await comic({ "1.png": page, "2.png": wide, "3.png": page, "4.png": wide });
+  // The last scan is the cover.
+  expect(places(source)).toEqual([undefined, "first", "second", undefined, undefined]);
+  expect(await source.size(1)).toEqual({ width: 41, height: 60 });
+  expect([await colour(source, 1), await colour(source, 2)]).toEqual(["red", "blue"]);
+  expect(await colour(source, 0)).toBe("both");
+  const part = await source.draw(2, 100, never, { x: 0.5, y: 0, width: 0.5, height: 1 });
+  expect([part.width, part.height]).toEqual([20, 60]);
+});
+
+test("ComicInfo.xml gives title, language, direction, double and deleted pages, bookmarks", async () => {
+  const [page, wide] = [await scan(40, 60), await scan(60, 60)];
+  const source = await comic({
+    "1.png": page,
+    "2.png": wide,
+    "3.png": page,
+    "4.png": page,
+    "ComicInfo.xml": `\ufeff<?xml version="1.0"?><ComicInfo xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance">
+      <Title>Dawn &amp; dusk</Title><Series>Hero</Series><Number>1</Number>
+      <LanguageISO>ja</LanguageISO><Manga>YesAndRightToLeft</Manga>
+      <Pages><Page Image="0" Type="FrontCover" Bookmark="Cover"/><Page Image="1" DoublePage="true" Bookmark="One"/>
+      <Page Image="2" Type="Deleted"/><Page Image="3"/><Page Image="x"/><Page Image="99" Bookmark="None"/></Pages></ComicInfo>`,
+  });
+  expect(source.title).toBe("Hero 1: Dawn & dusk");
+  expect([source.language, source.direction, source.pageCount]).toEqual(["ja", "rtl", 4]);
+  expect(places(source)).toEqual([undefined, "first", "second", undefined]);
+  // Read from right to left, the right half comes first.
+  expect([await colour(source, 1), await colour(source, 2)]).toEqual(["blue", "red"]);
+  const lines = await source.outline!(never);
+  expect(lines.map(({ title, page }) => [title, page])).toEqual([
+    ["Cover", 1],
+    ["One", 2],
+  ]);
+});
+
+test.each([
+  [
+    "entities",
+    `<!DOCTYPE c [<!ENTITY a "ha"><!ENTITY b "&a;&a;">]><ComicInfo><Title>&b;</Title></ComicInfo>`,
+  ],
+  ["no XML", "<ComicInfo><Title>"],
+  ["another format", "<html/>"],
+])("a ComicInfo.xml of %s says nothing", async (_, xml) => {
+  const source = await comic({ "1.png": await scan(4, 6), "ComicInfo.xml": xml });
+  expect([source.title, source.pageCount]).toEqual(["Hero 1", 1]);
+});
+
+test("an archive without images, and an EPUB, are rejected in a sentence", async () => {
+  expect(await messageOf(comic({ "a.txt": "a" }))).toBe(
+    "Hero 1.cbz is an archive with no book in it; open another.",
+  );
+});
+
+test("a page that is cut off or claims 50,000 x 50,000 pixels fails alone", async () => {
+  const page = await scan(40, 60);
+  const huge = page.slice();
+  new DataView(huge.buffer).setUint32(16, 50_000);
+  new DataView(huge.buffer).setUint32(20, 50_000);
+  const source = await comic({ "1.png": page, "2.png": page.slice(0, 60), "3.png": huge });
+  expect((await source.draw(0, 10, never)).width).toBe(10);
+  expect(await messageOf(source.draw(1, 10, never))).toBe(
+    "Page 2 of Hero 1.cbz (2.png) is damaged or no image; PNG, JPEG, WebP, AVIF, GIF and SVG can be shown.",
+  );
+  expect(await messageOf(source.draw(2, 10, never))).toBe(
+    "Page 3 of Hero 1.cbz (3.png) has 50000 x 50000 pixels, more than can be shown; make it smaller.",
+  );
+});
+
+test("an image that unpacks to more than its bound fails alone", async () => {
+  const source = await comic({ "1.png": await scan(4, 6), "2.png": new Uint8Array(101_000_000) });
+  expect((await source.draw(0, 4, never)).width).toBe(4);
+  expect(await messageOf(source.draw(1, 4, never))).toContain("when unpacked; make it smaller.");
+});

@@ -1,0 +1,174 @@
+/** Comics: archives of images, in the natural order of their names. */
+
+import type { Archive } from "../archive/archive.ts";
+import { cleanText } from "../book_text.ts";
+import { sizeFromHeader, typedImage } from "../image_header.ts";
+import { ImageSource } from "../images.ts";
+import { limits } from "../limits.ts";
+import type { ImagePage, StoredImage } from "../manifest.ts";
+import { BookError, type OutlineEntry, type PageSize, type PageSource } from "../page_source.ts";
+import { type ComicInfo, noInfo, parseComicInfo } from "./comic_info.ts";
+
+const imageName = /\.(jpe?g|jpe|jfif|png|gif|webp|avif|svg)$/i;
+/** What systems leave in archives beside their pages. */
+const junk = /^(\.|__MACOSX$)/i;
+
+/** Bytes of an image in which its size is searched for, and images that are searched at a time. */
+const headerLength = 1 << 16;
+const atOnce = 8;
+
+/** Bytes of a ComicInfo.xml: some 100 for each page. */
+const infoBytes = 4_000_000;
+
+/**
+ * A scan is of both pages of a spread if its proportions, width over height,
+ * are those of about two of the book's usual pages.
+ */
+const [leastDouble, mostDouble] = [1.6, 2.5];
+
+/**
+ * Returns the book that an archive of images is. It closes the archive. Rejects
+ * with a `BookError` if there are no images in it.
+ *
+ * @param file the archive as it came
+ * @param name the archive's name in sentences
+ */
+export async function openComic(archive: Archive, file: Blob, name: string): Promise<PageSource> {
+  try {
+    const files = imagesIn(archive.names);
+    if (files.length === 0) {
+      throw new BookError(`${name} is an archive with no book in it; open another.`);
+    }
+    if (files.length > limits.pages) {
+      throw new BookError(
+        `${name} has ${files.length} images; split it into books of at most ${limits.pages}.`,
+      );
+    }
+    const info = await readInfo(archive);
+    const scans = await measureAll(archive, files, info);
+    const pages = scans.flatMap((scan) => pagesOf(scan, info.direction, usualRatio(scans)));
+    if (pages.length === 0) throw new BookError(`${name} marks all its pages as deleted.`);
+    return new ImageSource({
+      name,
+      title: info.title || name.replace(/\.cb[rz7]$/i, "") || name,
+      language: info.language,
+      direction: info.direction,
+      kind: "scan",
+      pages: pages.map(({ page }) => page),
+      outline: pages.flatMap(({ bookmark }, index) => lineOf(bookmark, index)),
+      file,
+      close: () => archive.close(),
+    });
+  } catch (error) {
+    archive.close();
+    throw error;
+  }
+}
+
+/** Returns the images among names, in the natural order of their paths. */
+export function imagesIn(names: readonly string[]): string[] {
+  const { compare } = new Intl.Collator("en", { numeric: true });
+  const paths = names
+    .filter((name) => imageName.test(name) && !name.split("/").some((step) => junk.test(step)))
+    .map((name) => ({ name, steps: name.split("/") }));
+  paths.sort((a, b) => {
+    const other = a.steps.findIndex((step, index) => step !== b.steps[index]);
+    const order = compare(a.steps[other] ?? "", b.steps[other] ?? "");
+    return order || (a.name < b.name ? -1 : 1);
+  });
+  return paths.map(({ name }) => name);
+}
+
+/** Returns what the archive's ComicInfo.xml says; nothing if it has none that can be read. */
+async function readInfo(archive: Archive): Promise<ComicInfo> {
+  const name = archive.names.find((path) => /^([^/]+\/)?ComicInfo\.xml$/i.test(path));
+  if (name === undefined) return noInfo;
+  try {
+    return parseComicInfo(new TextDecoder().decode(await archive.read(name, infoBytes)));
+  } catch {
+    // It is about the pages; without it they are still there.
+    return noInfo;
+  }
+}
+
+/** An image of the archive. */
+interface Scan {
+  readonly image: StoredImage;
+  /** Null if its header does not say. */
+  readonly size: PageSize | null;
+  /** Whether ComicInfo.xml says that it is of two pages. */
+  readonly double: boolean;
+  readonly bookmark: string;
+  /** Whether it is the first or the last, which are covers. */
+  readonly isCover: boolean;
+}
+
+async function measureAll(
+  archive: Archive,
+  files: readonly string[],
+  info: ComicInfo,
+): Promise<Scan[]> {
+  const scans: Scan[] = [];
+  const waiting = files.keys();
+  const work = async (): Promise<void> => {
+    for (const index of waiting) {
+      const path = files[index] as string;
+      const page = info.pages.get(index);
+      if (page?.deleted) continue;
+      const image: StoredImage = {
+        name: cleanText(path, 80),
+        read: async () => new Blob([await archive.read(path, limits.imageBytes)]),
+      };
+      scans[index] = {
+        image,
+        size: await sizeOf(archive, path),
+        double: page?.double ?? false,
+        bookmark: page?.bookmark ?? "",
+        isCover: index === 0 || index === files.length - 1,
+      };
+    }
+  };
+  await Promise.all(Array.from({ length: atOnce }, work));
+  return scans.filter((scan) => scan !== undefined);
+}
+
+/** Returns an image's size by its header; null if that does not say, or is damaged. */
+async function sizeOf(archive: Archive, path: string): Promise<PageSize | null> {
+  try {
+    const start = await typedImage(new Blob([await archive.readStart(path, headerLength)]));
+    const size = await sizeFromHeader(start);
+    return size && size.width > 0 && size.height > 0 ? size : null;
+  } catch {
+    return null;
+  }
+}
+
+/** Returns the median of the scans' proportions, width over height. */
+function usualRatio(scans: readonly Scan[]): number {
+  const ratios = scans.flatMap(({ size }) => (size ? [size.width / size.height] : []));
+  return ratios.sort((a, b) => a - b)[(ratios.length - 1) >> 1] ?? 1;
+}
+
+interface Page {
+  readonly page: ImagePage;
+  readonly bookmark: string;
+}
+
+/** Returns a scan as a page, or as two that face each other if it is of a spread. */
+function pagesOf(scan: Scan, direction: "ltr" | "rtl", usual: number): Page[] {
+  const { image: src, size, bookmark } = scan;
+  const ratio = size ? size.width / size.height / usual : 1;
+  const isDouble = (scan.double && ratio > 1) || (ratio > leastDouble && ratio < mostDouble);
+  if (!isDouble || scan.isCover) return [{ page: { src, ...(size ? { size } : {}) }, bookmark }];
+  const half = size ? { size: { width: size.width / 2, height: size.height } } : {};
+  const [first, second] = direction === "rtl" ? [0.5, 0] : [0, 0.5];
+  const part = (x: number) => ({ x, y: 0, width: 0.5, height: 1 });
+  return [
+    { page: { src, ...half, part: part(first), inSpread: "first" }, bookmark },
+    { page: { src, ...half, part: part(second), inSpread: "second" }, bookmark: "" },
+  ];
+}
+
+function lineOf(title: string, index: number): OutlineEntry[] {
+  return title === "" ? [] : [{ title, page: index + 1, children: [] }];
+}

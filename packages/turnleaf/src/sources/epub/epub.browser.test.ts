@@ -1,0 +1,393 @@
+import { afterEach, describe, expect, test, vi } from "vitest";
+import { expectConformance } from "../../for_tests/source_conformance.ts";
+import { openSource } from "../open.ts";
+import type { NewIndex, PageSource, Typography } from "../page_source.ts";
+import { ownTypography } from "../typeset/typography.ts";
+import { prose, type TinyEpub, tinyEpub } from "./tiny_epub.ts";
+
+const never = new AbortController().signal;
+const opened: PageSource[] = [];
+
+afterEach(() => {
+  for (const source of opened.splice(0)) source.close();
+  expect(document.querySelectorAll("iframe").length).toBe(0);
+});
+
+async function open(epub: TinyEpub): Promise<PageSource> {
+  const source = await openSource(tinyEpub(epub));
+  opened.push(source);
+  return source;
+}
+
+/** Returns a source all of whose pages are known. */
+async function laidOut(epub: TinyEpub): Promise<PageSource> {
+  const source = await open(epub);
+  await new Promise<NewIndex>((resolve) => source.watchPages?.((change) => resolve(change())));
+  return source;
+}
+
+const textOf = async (source: PageSource, index: number): Promise<string> =>
+  ((await source.text?.(index, never)) ?? [])
+    .map(({ text, end }) => text + (end ? "\n" : ""))
+    .join("");
+
+describe("an EPUB", () => {
+  test("fulfils the contract of a source", async () => {
+    const chapters = [
+      prose(20),
+      '<h1>Two</h1><p>See <a href="c1.xhtml#p19">there</a> and <a href="https://example.org">the web</a>.</p>',
+    ];
+    await expectConformance(() => openSource(tinyEpub({ chapters })));
+  });
+
+  test("has its title, language and contents", async () => {
+    const source = await laidOut({
+      chapters: [prose(12), prose(1)],
+      toc: '<li><a href="c1.xhtml">One</a><ol><li><a href="c1.xhtml#p11">Late</a></li></ol></li><li><a href="c2.xhtml">Two</a></li>',
+    });
+    expect([source.title, source.language, source.direction]).toEqual([
+      "A small book",
+      "en-GB",
+      "ltr",
+    ]);
+    const [one, two] = (await source.outline?.(never)) ?? [];
+    expect([one?.title, one?.page, two?.title]).toEqual(["One", 1, "Two"]);
+    expect(await textOf(source, (one?.children[0]?.page ?? 0) - 1)).toContain("word11x0");
+    expect(await textOf(source, (two?.page ?? 0) - 1)).toContain("word0x0");
+    expect((two?.page ?? 0) - 1).toBe(source.pageCount - 1);
+  });
+
+  test("has every word on a page, once and in order", async () => {
+    const source = await laidOut({ chapters: [prose(40), prose(2)] });
+    let words: string[] = [];
+    for (let index = 0; index < source.pageCount; index++) {
+      words = [...words, ...(await textOf(source, index)).split(/\s+/)];
+    }
+    const expected = [40, 2].flatMap((count) =>
+      Array.from({ length: count }, (_, p) =>
+        Array.from({ length: 60 }, (_, w) => `word${p}x${w}`),
+      ).flat(),
+    );
+    expect(words.filter((word) => word !== "").map((word) => word.replace(".", ""))).toEqual(
+      expected,
+    );
+  });
+});
+
+/** Returns the colour of a place of a page, fractions of its size, as "r,g,b". */
+async function colourAt(source: PageSource, index: number, x: number, y: number): Promise<string> {
+  const picture = (await source.draw(index, 200, never)) as ImageBitmap;
+  const pen = new OffscreenCanvas(picture.width, picture.height).getContext("2d")!;
+  pen.drawImage(picture, 0, 0);
+  const [left, top] = [Math.floor(x * picture.width), Math.floor(y * picture.height)];
+  return [...pen.getImageData(left, top, 1, 1).data.slice(0, 3)].join(",");
+}
+
+async function png(colour: string, width = 40, height = 60): Promise<Uint8Array> {
+  const canvas = new OffscreenCanvas(width, height);
+  const pen = canvas.getContext("2d")!;
+  pen.fillStyle = colour;
+  pen.fillRect(0, 0, width, height);
+  return new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer());
+}
+
+describe("its pages", () => {
+  test("show pictures, colours and the style of the book", async () => {
+    const source = await laidOut({
+      chapters: [
+        '<div class="a"></div><img src="red.png" alt="A red square"/>',
+        '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="100%" viewBox="0 0 10 10"><image width="10" height="10" xlink:href="red.png"/></svg>',
+        '<p style="background: url(red.png); height: 300px"></p>',
+      ],
+      css: ":root { background: #ff0 } .a { height: 200px; background: #00f } img { display: block; width: 200px; height: 200px }",
+      files: { "red.png": await png("#f00") },
+    });
+    expect(source.pageCount).toBe(3);
+    const places = [
+      [0.02, 0.02],
+      [0.2, 0.2],
+      [0.2, 0.4],
+      [0.8, 0.5],
+    ] as const;
+    const found = await Promise.all(places.map(([x, y]) => colourAt(source, 0, x, y)));
+    expect(found).toEqual(["255,255,0", "0,0,255", "255,0,0", "255,255,0"]);
+    expect(await source.alt?.(0, never)).toBe("A red square");
+    expect(await colourAt(source, 1, 0.5, 0.3)).toBe("255,0,0");
+    expect(await colourAt(source, 2, 0.5, 0.3)).toBe("255,0,0");
+  });
+
+  test("show each picture on its own page, and none that is on another", async () => {
+    const big = await png("#0a0", 400, 600);
+    const source = await laidOut({
+      chapters: ['<img src="a.png" alt=""/><p>Between.</p><img src="b.png" alt=""/>'],
+      css: "img { display: block; width: 380px; height: 560px }",
+      files: { "a.png": big, "b.png": await png("#00a", 400, 600) },
+    });
+    expect(source.pageCount).toBe(2);
+    expect(await colourAt(source, 0, 0.5, 0.5)).toBe("0,170,0");
+    expect(await colourAt(source, 1, 0.5, 0.5)).toBe("0,0,170");
+  });
+
+  test("hold a picture larger than themselves", async () => {
+    const source = await laidOut({
+      chapters: ['<img src="a.png" alt=""/>'],
+      files: { "a.png": await png("#0a0", 3000, 3000) },
+    });
+    expect(source.pageCount).toBe(1);
+    expect(await colourAt(source, 0, 0.5, 0.3)).toBe("0,170,0");
+    expect(await colourAt(source, 0, 0.97, 0.3)).toBe("255,255,255");
+  });
+
+  test("are cut where the text is, in every direction of writing", async () => {
+    const scripts: readonly [css: string, body: string, spine: string][] = [
+      [
+        "html { writing-mode: vertical-rl }",
+        `<p>${"吾輩は猫である。".repeat(300)}</p>`,
+        'page-progression-direction="rtl"',
+      ],
+      [
+        "body { direction: rtl }",
+        `<p>${"שלום עולם ".repeat(800)}</p>`,
+        'page-progression-direction="rtl"',
+      ],
+      ["body { writing-mode: vertical-lr }", `<p>${"word ".repeat(1500)}</p>`, ""],
+    ];
+    for (const [css, body, spine] of scripts) {
+      const source = await laidOut({ chapters: [body], css, spine });
+      expect(source.direction).toBe(spine === "" ? "ltr" : "rtl");
+      expect(source.pageCount).toBeGreaterThan(2);
+      let letters = 0;
+      const { width, height } = await source.size(0);
+      for (let index = 0; index < source.pageCount; index++) {
+        const runs = (await source.text?.(index, never)) ?? [];
+        letters += runs
+          .map(({ text }) => text)
+          .join("")
+          .replaceAll(" ", "").length;
+        for (const { x, y, width: across, height: down } of runs) {
+          expect(x >= 0 && y >= 0 && x + across <= width + 1 && y + down <= height + 1).toBe(true);
+        }
+      }
+      expect(letters).toBe(body.replaceAll(" ", "").length - "<p></p>".length);
+    }
+  });
+
+  test("hold a table, floats and a block that does not break", async () => {
+    const rows = "<tr><td>left</td><td>right</td></tr>".repeat(100);
+    const source = await laidOut({
+      chapters: [
+        `<table>${rows}</table><div style="float: left; width: 50%">${prose(3)}</div>${prose(5)}`,
+      ],
+    });
+    let text = "";
+    for (let index = 0; index < source.pageCount; index++) text += await textOf(source, index);
+    expect(text.split("left").length - 1).toBe(100);
+    expect(text).toContain("word4x59");
+  });
+});
+
+test("a page is drawn in the fonts of the book, and carries those alone that it needs", async () => {
+  const folder = "/node_modules/@expo-google-fonts/eb-garamond/";
+  const load = async (name: string): Promise<Uint8Array> =>
+    new Uint8Array(await (await fetch(folder + name)).arrayBuffer());
+  const files = {
+    "a.ttf": await load("400Regular/EBGaramond_400Regular.ttf"),
+    "b.ttf": await load("800ExtraBold/EBGaramond_800ExtraBold.ttf"),
+  };
+  const css = (family: string): string =>
+    `@font-face { font-family: A; src: url(a.ttf) } @font-face { font-family: B; src: url(b.ttf) } p { font-family: ${family}, monospace }`;
+  const widths: number[] = [];
+  const addresses = vi.spyOn(HTMLImageElement.prototype, "src", "set");
+  for (const family of ["A", "B", "C"]) {
+    const source = await laidOut({
+      chapters: ["<p>Call me Ishmael.</p>"],
+      css: css(family),
+      files,
+    });
+    await source.draw(0, 50, never);
+    widths.push(Math.round((await source.text?.(0, never))?.[0]?.width ?? 0));
+  }
+  expect(new Set(widths).size).toBe(3);
+  const lengths = addresses.mock.calls.map(([address]) => String(address).length);
+  const one = (4 / 3) * Math.min(...Object.values(files).map(({ length }) => length));
+  expect(lengths.map((length) => Math.floor(length / one))).toEqual([1, 1, 0]);
+  vi.restoreAllMocks();
+});
+
+describe("its files", () => {
+  test("are those that its manifest lists, and no others", async () => {
+    const red = await png("#f00");
+    const source = await laidOut({
+      chapters: ['<img src="red.png" alt="" style="width: 300px; height: 300px"/>'],
+      raw: { "OEBPS/red.png": red },
+    });
+    expect(await colourAt(source, 0, 0.3, 0.2)).not.toBe("255,0,0");
+  });
+
+  test("of another kind are read in their fallback, and the first of several alike is linked", async () => {
+    const source = await laidOut({
+      chapters: ['<p><a href="c2.xhtml">there</a></p>', "<p>Two.</p>"],
+      raw: { "OEBPS/a.xyz": "?", "OEBPS/b.xyz": "?" },
+      items:
+        '<item id="a" href="a.xyz" media-type="x/y" fallback="b"/><item id="b" href="b.xyz" media-type="x/y" fallback="c1"/><item id="bad" href="b.xyz" media-type="x/y" fallback="bad"/>',
+      itemrefs: '<itemref idref="a"/><itemref idref="bad"/>',
+    });
+    expect(source.pageCount).toBe(3);
+    expect((await source.links?.(0, never))?.map(({ to }) => to)).toEqual([{ page: 2 }]);
+    expect(await textOf(source, 2)).toBe("Two.\n");
+  });
+});
+
+describe("links", () => {
+  test("lead to pages of the book and to the web, and nowhere else", async () => {
+    const source = await laidOut({
+      chapters: [
+        '<p><a href="c2.xhtml#p9">in</a> <a href="https://example.org/">out</a> <a href="javascript:alert(1)">run</a> <a href="missing.xhtml">no</a> <a href="file:///etc/passwd">no</a> <a href="data:text/html,x">no</a> <a id="x" href="#x">here</a></p>',
+        prose(10),
+      ],
+    });
+    const links = (await source.links?.(0, never)) ?? [];
+    expect(links.map(({ to }) => to)).toEqual([
+      { page: source.pageCount },
+      { href: "https://example.org/" },
+      { page: 1 },
+    ]);
+    expect(await textOf(source, source.pageCount - 1)).toContain("word9x0");
+  });
+});
+
+describe("pages of fixed layout", () => {
+  const fixed = (body: string, width = 600, height = 800): string =>
+    `<html xmlns="http://www.w3.org/1999/xhtml"><head><title>t</title><meta name="viewport" content="width=${width}, height=${height}"/><style>body { margin: 0 } p { position: absolute; left: 300px; top: 400px; width: 100px; height: 100px; background: #0f0 }</style></head><body>${body}</body></html>`;
+  const metadata = '<meta property="rendition:layout">pre-paginated</meta>';
+
+  test("have the sizes that they name, and what stands where", async () => {
+    const source = await laidOut({
+      chapters: [fixed("<p>A</p>"), fixed("", 1000, 500)],
+      metadata,
+    });
+    expect(source.pageCount).toBe(2);
+    expect(source.typeset).toBeUndefined();
+    expect(await source.size(0)).toEqual({ width: 600, height: 800 });
+    expect(await source.size(1)).toEqual({ width: 1000, height: 500 });
+    expect(await colourAt(source, 0, 0.6, 0.6)).toBe("0,255,0");
+    expect(await colourAt(source, 0, 0.4, 0.6)).toBe("255,255,255");
+    const [run] = (await source.text?.(0, never)) ?? [];
+    expect(run?.x).toBeCloseTo(300, 0);
+  });
+
+  test.each([
+    ["ltr", { 0: "page-spread-right", 1: "page-spread-right", 2: "page-spread-left" }, [1, 3, 4]],
+    ["ltr", { 0: "rendition:page-spread-left" }, [2, 3, 4]],
+    ["rtl", { 0: "page-spread-left", 1: "page-spread-left" }, [1, 3, 4]],
+  ])("lie on the side of a spread that they name, read %s: %j", async (way, properties, pages) => {
+    const source = await laidOut({
+      chapters: [fixed("<p>one</p>"), fixed("<p>two</p>"), fixed("<p>three</p>")],
+      metadata,
+      properties,
+      spine: `page-progression-direction="${way}"`,
+    });
+    const found: number[] = [];
+    for (let index = 0; index < source.pageCount; index++) {
+      if ((await textOf(source, index)) !== "") found.push(index + 1);
+    }
+    expect(found).toEqual(pages);
+  });
+
+  test("may stand among flowing text", async () => {
+    const source = await laidOut({
+      chapters: [fixed("<p>A</p>"), prose(10)],
+      properties: { 0: "rendition:layout-pre-paginated" },
+    });
+    expect(await source.size(0)).toEqual({ width: 600, height: 800 });
+    expect(await source.size(1)).toEqual({ width: 488, height: 748 });
+  });
+});
+
+describe("text that is set anew", () => {
+  /** Returns what a change of the typography does to the pages. */
+  const change = async (source: PageSource, typography: Partial<Typography>): Promise<NewIndex> => {
+    const changed = new Promise<NewIndex>((resolve) => {
+      source.watchPages?.((apply) => resolve(apply()));
+    });
+    await source.typeset?.({ ...ownTypography, ...typography });
+    return await changed;
+  };
+
+  test("has another number of pages, and each place is on the page that has its words", async () => {
+    const source = await laidOut({ chapters: [prose(30), prose(10)] });
+    const before = source.pageCount;
+    const height = (await source.text?.(0, never))?.[0]?.height ?? 0;
+    const first = await Promise.all(
+      Array.from(
+        { length: before },
+        async (_, index) => (await textOf(source, index)).split(" ")[1],
+      ),
+    );
+    const larger = await change(source, { size: 1.5 });
+    await source.draw(source.pageCount - 1, 50, never);
+    for (let index = 0; index < 3; index++) {
+      const now = larger.placeOf?.(index) ?? -1;
+      expect(larger(index)).toBeNull();
+      expect(await textOf(source, now)).toContain(first[index]);
+    }
+    expect(source.pageCount).toBeGreaterThan(1.5 * before);
+    // The paper stays as large as it was, the type on it is larger.
+    expect(await source.size(0)).toEqual({ width: 488, height: 748 });
+    expect((await source.text?.(0, never))?.[0]?.height).toBeCloseTo(1.5 * height, 0);
+  });
+
+  test("keeps the places in chapters that are set later", async () => {
+    const source = await laidOut({ chapters: [prose(20), prose(20), prose(20)] });
+    // The last words of the first chapter, while only the third is in sight.
+    let page = 0;
+    while (!(await textOf(source, page)).includes("word19x59")) page++;
+    const [start] = (await textOf(source, page)).split(/\s/);
+    for (const index of [4, 3, 2, 1]) await source.draw(source.pageCount - index, 50, never);
+    const changes: NewIndex[] = [];
+    const settled = new Promise<void>((resolve) => {
+      source.watchPages?.((apply) => {
+        changes.push(apply());
+        if (changes.length > 1) resolve();
+      });
+    });
+    await source.typeset?.({ ...ownTypography, size: 1.7 });
+    await settled;
+    for (const change of changes) page = change.placeOf?.(page) ?? -1;
+    expect(await textOf(source, page)).toContain(start);
+  });
+
+  test("comes back to the page where the reader was", async () => {
+    const source = await laidOut({ chapters: [prose(30)] });
+    let page = 3;
+    for (const size of [1.3, 0.8, 2, 0.6, 1])
+      page = (await change(source, { size })).placeOf?.(page) ?? -1;
+    expect(page).toBe(3);
+  });
+
+  test("has the typeface, lines, margins and colours that are chosen", async () => {
+    const source = await laidOut({ chapters: [prose(2)], css: "p { color: #f00; margin: 0 }" });
+    const before = (await source.text?.(0, never)) ?? [];
+    await change(source, { font: "sans-serif", lineHeight: 2, margins: 2, colours: "night" });
+    const after = (await source.text?.(0, never)) ?? [];
+    expect((after[1]?.y ?? 0) - (after[0]?.y ?? 0)).toBe(32);
+    expect(after[0]?.x).toBeCloseTo(2 * (before[0]?.x ?? 0), -1);
+    expect(await colourAt(source, 0, 0.01, 0.01)).toBe("28,27,26");
+  });
+
+  test("is that of the last choice, however many are made at once", async () => {
+    const source = await laidOut({ chapters: [prose(10)] });
+    const before = (await source.text?.(0, never))?.[0]?.height ?? 0;
+    const changed = new Promise<void>((resolve) => {
+      source.watchPages?.((apply) => {
+        apply();
+        resolve();
+      });
+    });
+    const all = [0.5, 2, 0.7, 3].map((size) => source.typeset?.({ ...ownTypography, size }));
+    await Promise.all(all);
+    await changed;
+    const height = (await source.text?.(0, never))?.[0]?.height ?? 0;
+    expect(height / before).toBeCloseTo(3, 1);
+  });
+});

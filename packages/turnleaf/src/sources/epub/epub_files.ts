@@ -1,0 +1,159 @@
+import type { Archive } from "../archive/archive.ts";
+import { sizeFromHeader } from "../image_header.ts";
+import { limits } from "../limits.ts";
+import { cleanCss } from "../markup/clean_css.ts";
+import type { MarkupFiles } from "../markup/clean_markup.ts";
+import { imageType, sniffLength } from "../sniff.ts";
+
+/** Characters of pictures, fonts and style sheets that are kept between chapters. */
+const keptLength = 48_000_000;
+
+/** Style sheets that may import each other. */
+const importDepth = 4;
+
+const importRule =
+  /@import\s+(?:url\(\s*)?(?:"([^"]*)"|'([^']*)'|([^"'()\s;]+))\s*\)?([^;{}]*)(?:;|$)/gi;
+
+/** First bytes of fonts, and their types. */
+const fonts: readonly (readonly [mark: string, type: string])[] = [
+  ["wOFF", "font/woff"],
+  ["wOF2", "font/woff2"],
+  ["OTTO", "font/otf"],
+  ["\0\x01\0\0", "font/ttf"],
+  ["true", "font/ttf"],
+];
+
+/** The files of an EPUB, by their paths in the archive. */
+export class EpubFiles {
+  readonly #archive: Archive;
+  readonly #names: ReadonlySet<string>;
+  /** Undoes what obfuscates a font. */
+  readonly #decode: (path: string, bytes: Uint8Array<ArrayBuffer>) => Promise<void>;
+  readonly #isListed: (path: string) => boolean;
+  #kept = new Map<string, Promise<string | null>>();
+  #keptLength = 0;
+
+  constructor(
+    archive: Archive,
+    decode: (path: string, bytes: Uint8Array<ArrayBuffer>) => Promise<void>,
+    isListed: (path: string) => boolean = () => true,
+  ) {
+    this.#isListed = isListed;
+    this.#archive = archive;
+    this.#names = new Set(archive.names);
+    this.#decode = decode;
+  }
+
+  /** Returns a file's text. Rejects with a `BookError`. */
+  async text(path: string): Promise<string> {
+    const bytes = await this.#archive.read(path, limits.markupBytes);
+    const encoding =
+      bytes[0] === 0xfe && bytes[1] === 0xff
+        ? "utf-16be"
+        : bytes[0] === 0xff && bytes[1] === 0xfe
+          ? "utf-16le"
+          : declaredEncoding(bytes);
+    return new TextDecoder(encoding).decode(bytes);
+  }
+
+  /** Returns the files that one file names, by addresses relative to it. */
+  about(path: string): MarkupFiles {
+    let left: number = limits.chapterBytes;
+    return {
+      data: async (address) => {
+        const target = this.resolve(address, path);
+        if (/^data:(image|font)\//i.test(address)) return address;
+        if (target === null || left < 0) return null;
+        left -= this.#archive.size(target);
+        return left < 0 ? null : await this.#data(target);
+      },
+      style: async (address) => {
+        const target = this.resolve(address, path);
+        return target === null ? "" : ((await this.#style(target, importDepth)) ?? "");
+      },
+    };
+  }
+
+  /** Returns the path of an address in a file; null if the book lists no such file. */
+  resolve(address: string, from: string): string | null {
+    if (/^[a-z][a-z\d+.-]*:/i.test(address) || address.startsWith("//")) return null;
+    try {
+      const base = new URL(from.split("/").map(encodeURIComponent).join("/"), "https://x.invalid/");
+      const path = decodeURIComponent(new URL(address, base).pathname.slice(1));
+      return this.#names.has(path) && this.#isListed(path) ? path : null;
+    } catch {
+      return null;
+    }
+  }
+
+  #data(path: string): Promise<string | null> {
+    return this.#keep(path, () => this.#readData(path).catch(() => null));
+  }
+
+  async #readData(path: string): Promise<string | null> {
+    const bytes = await this.#archive.read(path, limits.imageBytes);
+    await this.#decode(path, bytes);
+    const start = bytes.subarray(0, sniffLength);
+    const image = imageType(start);
+    if (image !== null) {
+      const size = await sizeFromHeader(new Blob([bytes], { type: image }));
+      if (size && size.width * size.height > limits.imagePixels) return null;
+      return await dataUrl(bytes, image);
+    }
+    const head = String.fromCharCode(...start.subarray(0, 4));
+    const font = fonts.find(([mark]) => head === mark);
+    return font ? await dataUrl(bytes, font[1]) : null;
+  }
+
+  #style(path: string, depth: number): Promise<string | null> {
+    return this.#keep(`${path} ${depth}`, async () => {
+      if (depth === 0) return "";
+      const css = (await this.text(path).catch(() => "")).replaceAll("-epub-", "");
+      const imported: string[] = [];
+      for (const [, double, single, bare] of css.matchAll(importRule)) {
+        const target = this.resolve(double ?? single ?? bare ?? "", path);
+        if (target !== null) imported.push((await this.#style(target, depth - 1)) ?? "");
+      }
+      const files = this.about(path);
+      return [...imported, await cleanCss(css, (address) => files.data(address))].join("\n");
+    });
+  }
+
+  /** Returns what `read` returned before, or now; keeps a bounded part. */
+  #keep(key: string, read: () => Promise<string | null>): Promise<string | null> {
+    const kept = this.#kept.get(key);
+    if (kept) return kept;
+    const reading = read();
+    this.#kept.set(key, reading);
+    reading.then((text) => {
+      this.#keptLength += text?.length ?? 0;
+      if (this.#keptLength <= keptLength) return;
+      this.#kept = new Map();
+      this.#keptLength = 0;
+    });
+    return reading;
+  }
+}
+
+/** Returns the encoding in an XML declaration or a style sheet's; UTF-8 if there is none. */
+function declaredEncoding(bytes: Uint8Array): string {
+  const head = String.fromCharCode(...bytes.subarray(0, 200));
+  const name = /^(?:\xef\xbb\xbf)?\s*(?:<\?xml[^>]*encoding\s*=\s*["']|@charset ")([\w-]+)/.exec(
+    head,
+  )?.[1];
+  try {
+    return name ? new TextDecoder(name).encoding : "utf-8";
+  } catch {
+    return "utf-8";
+  }
+}
+
+/** Returns bytes as an address. */
+function dataUrl(bytes: Uint8Array<ArrayBuffer>, type: string): Promise<string> {
+  return new Promise((resolve, reject) => {
+    const reader = new FileReader();
+    reader.onload = () => resolve(reader.result as string);
+    reader.onerror = () => reject(reader.error);
+    reader.readAsDataURL(new Blob([bytes], { type }));
+  });
+}

@@ -1,0 +1,198 @@
+import { afterEach, expect, test, vi } from "vitest";
+import { limits } from "../limits.ts";
+import { messageOf } from "../message_of.ts";
+import { openSource } from "../open.ts";
+import type { PageSource } from "../page_source.ts";
+import { prose, type TinyEpub, tinyEpub } from "./tiny_epub.ts";
+
+const never = new AbortController().signal;
+const web = "https://elsewhere.invalid";
+
+afterEach(() => {
+  vi.restoreAllMocks();
+  Reflect.deleteProperty(window, "ran");
+});
+
+/** Opens a book, draws its pages and reads them. Returns their text. */
+async function readAll(epub: TinyEpub | Uint8Array<ArrayBuffer>): Promise<string> {
+  const source: PageSource = await openSource(epub instanceof Uint8Array ? epub : tinyEpub(epub));
+  let text = "";
+  try {
+    for (let index = 0; index < Math.min(source.pageCount, 4); index++) {
+      const picture = await source.draw(index, 100, never);
+      if ("close" in picture) picture.close();
+      text += ((await source.text?.(index, never)) ?? []).map((run) => run.text).join(" ");
+      await source.links?.(index, never);
+    }
+    await source.outline?.(never);
+  } finally {
+    source.close();
+  }
+  return text;
+}
+
+/** Returns the addresses that the page and its frames have requested since. */
+function requests(): () => string[] {
+  const before = performance.getEntriesByType("resource").length;
+  return () =>
+    performance
+      .getEntriesByType("resource")
+      .slice(before)
+      .map(({ name }) => name)
+      .filter((name) => name.includes("elsewhere"));
+}
+
+test.each([
+  ["a script", "<script>parent.ran = 1; ran = 1</script>"],
+  [
+    "an event",
+    '<img src="x" onerror="parent.ran = 1" alt=""/><svg xmlns="http://www.w3.org/2000/svg" onload="parent.ran = 1"/>',
+  ],
+  ["a frame", '<iframe srcdoc="&lt;script>parent.parent.ran = 1&lt;/script>"></iframe>'],
+  [
+    "an address",
+    '<a href="javascript:parent.ran=1" id="a">x</a><form action="javascript:parent.ran=1"><input type="image" src="x"/></form>',
+  ],
+  [
+    "a drawing",
+    '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"><script>parent.ran = 1</script><animate onbegin="parent.ran=1" attributeName="x" dur="1s"/><use xlink:href="data:image/svg+xml,&lt;svg id=&quot;a&quot; xmlns=&quot;http://www.w3.org/2000/svg&quot;>&lt;script>parent.ran=1&lt;/script>&lt;/svg>#a"/></svg>',
+  ],
+  [
+    "an object",
+    '<object data="evil.svg" type="image/svg+xml"></object><embed src="evil.svg"/><img src="evil.svg" alt=""/>',
+  ],
+  [
+    "a mutation",
+    '<math xmlns="http://www.w3.org/1998/Math/MathML"><mtext><table xmlns="http://www.w3.org/1999/xhtml"><mglyph><style><!--</style><img title="--&gt;&lt;img src=1 onerror=parent.ran=1>" alt=""/></mglyph></table></mtext></math>',
+  ],
+])("a chapter with %s runs nothing", async (_, markup) => {
+  const evil =
+    '<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><script>parent.ran = 1; top.ran = 1</script></svg>';
+  const text = await readAll({
+    chapters: [`<p>Before.</p>${markup}<p>After.</p>`],
+    files: { "evil.svg": evil },
+  });
+  expect(text).toContain("Before.");
+  expect(text).toContain("After.");
+  await new Promise((resolve) => setTimeout(resolve, 50));
+  expect("ran" in window).toBe(false);
+});
+
+test("a book fetches nothing, whatever it names", async () => {
+  const fetched = requests();
+  const fetching = vi.spyOn(globalThis, "fetch");
+  const names = [
+    `<img src="${web}/a.png" srcset="${web}/b.png 2x" alt=""/>`,
+    `<picture><source srcset="${web}/c.png"/><img src="//elsewhere.invalid/d.png" alt=""/></picture>`,
+    `<video poster="${web}/e.png" src="${web}/f.mp4"></video><audio src="${web}/g.mp3" autoplay=""/>`,
+    `<link rel="stylesheet" href="${web}/h.css"/><link rel="preload" as="image" href="${web}/i.png"/>`,
+    `<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"><image xlink:href="${web}/j.png" width="9" height="9"/><use href="${web}/k.svg#a"/><filter><feImage href="${web}/l.png"/></filter></svg>`,
+    `<p style="background: url(${web}/m.png); list-style-image: image-set('${web}/n.png' 1x); --x: url(${web}/o.png); border-image: var(--x)">p</p>`,
+    `<object data="${web}/p.svg"></object><embed src="${web}/q.svg"/><iframe src="${web}/r"></iframe>`,
+    `<base href="${web}/"/><meta http-equiv="refresh" content="0; url=${web}/s"/><table background="${web}/t.png"><tr><td>.</td></tr></table>`,
+  ];
+  const css = [
+    `@import "${web}/1.css"; @import url(${web}/2.css);`,
+    `@font-face { font-family: x; src: url(${web}/3.woff2), local("x") } body { font-family: x }`,
+    `p { background: u\\72l("${web}/4.png"); cursor: url(${web}/5.png), auto; --y: u\\72l(${web}/6.png); background: var(--y) }`,
+    `p::before { content: url(${web}/7.png); mask: url(${web}/8.svg#a); filter: url(${web}/9.svg#a) }`,
+    `@media screen { p { background: -webkit-image-set(url(${web}/10.png) 1x) } }`,
+    `@supports (color: red) { p { shape-outside: url(${web}/11.png) } } @page { background: url(${web}/12.png) }`,
+  ].join("\n");
+  const text = await readAll({ chapters: [`<p>Before.</p>${names.join("")}`], css });
+  expect(text).toContain("Before.");
+  await new Promise((resolve) => setTimeout(resolve, 100));
+  expect(fetched()).toEqual([]);
+  expect(fetching.mock.calls.filter(([to]) => String(to).includes("elsewhere"))).toEqual([]);
+});
+
+test("names that lead out of the archive find nothing", async () => {
+  const chapters = ['<img src="../../../../etc/passwd" alt="none"/><p>Here.</p>'];
+  expect(
+    await readAll({ chapters, css: '@import "../../x.css";', raw: { "../up.png": "x" } }),
+  ).toContain("Here.");
+});
+
+const bomb = (levels: number): string => {
+  const entities = Array.from({ length: levels }, (_, k) =>
+    k === 0 ? '<!ENTITY e0 "lol">' : `<!ENTITY e${k} "${`&e${k - 1};`.repeat(10)}">`,
+  );
+  return `<!DOCTYPE html [${entities.join("")}]>`;
+};
+
+test("entities that multiply are not expanded", async () => {
+  const chapter = `<?xml version="1.0"?>${bomb(10)}<html xmlns="http://www.w3.org/1999/xhtml"><body><p>&e9;</p></body></html>`;
+  // As a chapter: it is read as a web page, in which the entities mean nothing.
+  expect((await readAll({ chapters: [chapter] })).length).toBeLessThan(10_000);
+  const container = `<?xml version="1.0"?>${bomb(10)}<container>&e9;</container>`;
+  expect(
+    await messageOf(readAll({ chapters: ["x"], raw: { "META-INF/container.xml": container } })),
+  ).toContain("is damaged or no EPUB");
+});
+
+test("a picture of too many pixels is left out, the text is not", async () => {
+  // A PNG's header that claims 50,000 by 50,000 pixels.
+  const header = [0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0, 0, 13, 0x49, 0x48, 0x44, 0x52];
+  const size = [0, 0, 0xc3, 0x50, 0, 0, 0xc3, 0x50, 8, 6, 0, 0, 0, 0, 0, 0, 0];
+  const files = { "big.png": Uint8Array.from([...header, ...size]) };
+  expect(await readAll({ chapters: ['<img src="big.png" alt=""/><p>Here.</p>'], files })).toContain(
+    "Here.",
+  );
+});
+
+test("a chapter of too many elements says so on its page, and the rest is read", async () => {
+  const source = await openSource(
+    tinyEpub({ chapters: ["<p>One.</p>", "<i/>".repeat(limits.elements + 1)] }),
+  );
+  await source.draw(0, 50, never);
+  expect(await messageOf(source.draw(source.pageCount - 1, 50, never))).toBe(
+    `A chapter of this book has more than ${limits.elements} elements; split it.`,
+  );
+  source.close();
+});
+
+test("a first chapter that cannot be read leaves the rest readable", async () => {
+  const source = await openSource(
+    tinyEpub({ chapters: ["<i/>".repeat(limits.elements + 1), "<p>Two.</p>"] }),
+  );
+  await messageOf(source.draw(0, 50, never));
+  const last = source.pageCount - 1;
+  expect((await source.text?.(last, never))?.map(({ text }) => text)).toEqual(["Two."]);
+  source.close();
+});
+
+test("what is encrypted is rejected in one sentence", async () => {
+  const encryption =
+    '<encryption xmlns="urn:oasis:names:tc:opendocument:xmlns:container" xmlns:enc="http://www.w3.org/2001/04/xmlenc#"><enc:EncryptedData><enc:EncryptionMethod Algorithm="http://www.w3.org/2001/04/xmlenc#aes128-cbc"/><enc:CipherData><enc:CipherReference URI="OEBPS/c1.xhtml"/></enc:CipherData></enc:EncryptedData></encryption>';
+  expect(
+    await messageOf(readAll({ chapters: ["x"], raw: { "META-INF/encryption.xml": encryption } })),
+  ).toBe("this book is protected against copying (DRM); open it in its shop's reader.");
+});
+
+test.each([
+  ["no container", { "META-INF/container.xml": "" }],
+  ["no package", { "OEBPS/package.opf": "" }],
+  [
+    "a package without a spine",
+    {
+      "OEBPS/package.opf":
+        '<package xmlns="http://www.idpf.org/2007/opf"><metadata/><manifest/></package>',
+    },
+  ],
+  ["a package of another kind", { "OEBPS/package.opf": "<html/>" }],
+])("an EPUB with %s fails in one sentence", async (_, raw) => {
+  expect(await messageOf(readAll({ chapters: ["x"], raw }))).toMatch(
+    /^this book (is damaged or no EPUB|has no chapters).*\.$/,
+  );
+});
+
+test("an EPUB cut off or with bytes changed fails in a sentence or is read", async () => {
+  const whole = tinyEpub({ chapters: [prose(3)], css: "p { color: red }" });
+  const tries = [0.2, 0.5, 0.9, 0.99].map((part) => whole.slice(0, part * whole.length));
+  for (let at = 40; at < whole.length; at += Math.floor(whole.length / 25)) {
+    tries.push(whole.with(at, (whole[at] as number) ^ 0x55) as Uint8Array<ArrayBuffer>);
+  }
+  for (const bytes of tries) {
+    await readAll(bytes).catch((error: Error) => expect(error.name).toBe("BookError"));
+  }
+});

@@ -1,0 +1,124 @@
+/**
+ * The formats of books, and which code reads each: it is imported when such a
+ * book is opened. A new format is a row here, and a mark in `sniff` if its
+ * first bytes show it.
+ */
+
+import type { Archive } from "./archive/archive.ts";
+import { type BookFile, bytesOf, type WholeFile } from "./book_file.ts";
+import { limits } from "./limits.ts";
+import { loadPart } from "./load_part.ts";
+import { type ImageBook, parseManifest } from "./manifest.ts";
+import { isRecord } from "./manifest_checks.ts";
+import { BookError, type PageSource, type Typography } from "./page_source.ts";
+import type { PdfOptions } from "./pdf.ts";
+import { type Kind, sniff } from "./sniff.ts";
+
+/** The settings that a format may need. */
+export interface FormatOptions extends PdfOptions {
+  /** How flowing text is set at first; the default is as the book has it. */
+  readonly typography?: Typography;
+  /** Base of relative addresses in a file that has no address itself. */
+  readonly base: string;
+}
+
+/** Opens a file of one format. Rejects with a `BookError`, or with the signal's reason. */
+type Open = (file: BookFile, options: FormatOptions) => Promise<PageSource>;
+
+const formats: Readonly<Partial<Record<Kind, Open>>> = {
+  pdf: async ({ name, from, length }, options) => {
+    const { openPdf } = await loadPart(import("./pdf.ts"));
+    return await openPdf({ name, from, ...(length === undefined ? {} : { length }) }, options);
+  },
+  image: ({ name, from }) => openImages(imageAlone(from, name)),
+  json: async (file, options) => {
+    const whole = await file.whole(limits.manifestBytes, options.signal);
+    const value = await parseJson(whole, file.name);
+    const base = whole.url || options.base;
+    if (isIiif(value)) {
+      const { openIiif } = await loadPart(import("./iiif/iiif_source.ts"));
+      return openIiif(value, base, file.name);
+    }
+    return await openImages(parseManifest(value, base, file.name));
+  },
+  text: async (file, { signal, typography }) => {
+    const { blob } = await file.whole(limits.markupBytes, signal);
+    const { openText } = await loadPart(import("./text/text_book.ts"));
+    return await openText(blob, file.name, file.type, typography);
+  },
+  zip: async (file, options) => {
+    const { blob } = await file.whole(limits.archiveBytes, options.signal);
+    const { openZip } = await loadPart(import("./archive/zip.ts"));
+    const archive = await openZip(blob, file.name);
+    const open = archived.find(({ isIn }) => isIn(archive.names))?.open ?? openComic;
+    return await open(archive, blob, file.name, options.typography);
+  },
+};
+
+/** Returns the book that a file in an archive is; the book then closes the archive. */
+type OpenArchive = (
+  archive: Archive,
+  file: Blob,
+  name: string,
+  typography?: Typography,
+) => Promise<PageSource>;
+
+const openComic: OpenArchive = async (archive, file, name) => {
+  const comic = await loadPart(import("./comics/comic.ts"));
+  return await comic.openComic(archive, file, name);
+};
+
+/** Formats that are archives of files, but for archives of images. */
+const archived: readonly {
+  isIn(names: readonly string[]): boolean;
+  readonly open: OpenArchive;
+}[] = [
+  {
+    isIn: (names) => names.includes("META-INF/container.xml"),
+    open: async (archive, file, name, typography) => {
+      const { openEpub } = await loadPart(import("./epub/epub.ts"));
+      return await openEpub(archive, file, name, typography);
+    },
+  },
+];
+
+/** Opens a file by the format that its first bytes show, whatever its name. */
+export async function openFile(file: BookFile, options: FormatOptions): Promise<PageSource> {
+  const kind = sniff(file);
+  const open = formats[kind];
+  if (open) return await open(file, options);
+  throw new BookError(`${file.name} ${reasons[kind] ?? "is of an unknown format"}; ${readable}`);
+}
+
+/** Opens a book of images. */
+export async function openImages(book: ImageBook): Promise<PageSource> {
+  const { ImageSource } = await loadPart(import("./images.ts"));
+  return new ImageSource(book);
+}
+
+const readable =
+  "PDF, EPUB, comics (CBZ and other ZIPs of images), Markdown, text, images (PNG, JPEG, WebP, AVIF, GIF, SVG), IIIF manifests and JSON manifests of images can be read.";
+
+const reasons: Readonly<Partial<Record<Kind, string>>> = {
+  html: "is a web page, not a book",
+  archive: "is an archive; unpack it first",
+};
+
+function imageAlone(src: string | Blob, name: string): ImageBook {
+  return { name, title: name, language: "", direction: "ltr", kind: "scan", pages: [{ src }] };
+}
+
+/** Returns whether JSON is of IIIF, by the context that it names. */
+function isIiif(value: unknown): value is Record<string, unknown> {
+  const contexts = isRecord(value) ? [value["@context"]].flat() : [];
+  return contexts.some((one) => typeof one === "string" && one.includes("iiif.io/api/"));
+}
+
+async function parseJson({ blob }: WholeFile, name: string): Promise<unknown> {
+  const bytes = await bytesOf(blob, name);
+  try {
+    return JSON.parse(new TextDecoder().decode(bytes));
+  } catch {
+    throw new BookError(`${name} is no valid JSON; correct it and open it again.`);
+  }
+}

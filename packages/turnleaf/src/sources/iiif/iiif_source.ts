@@ -1,0 +1,324 @@
+/** Books by IIIF: pages whose images a server sends in the size that is wanted. */
+
+import { fetchChecked, readBounded } from "../fetch_bytes.ts";
+import { sizeFromHeader, typedImage } from "../image_header.ts";
+import { fitPixels, limits, wholePage } from "../limits.ts";
+import {
+  type BookDetail,
+  BookError,
+  type OutlineEntry,
+  type PageBox,
+  type PagePicture,
+  type PageSize,
+  type PageSource,
+  type TextRun,
+} from "../page_source.ts";
+import { SharedTasks } from "../shared_tasks.ts";
+import { textOn } from "./annotations.ts";
+import { type ImageInfo, parseInfo, partsFor, sharpestWidth } from "./image_service.ts";
+import {
+  type CanvasPage,
+  type PaintedImage,
+  type PresentedBook,
+  parsePresentation,
+} from "./presentation.ts";
+import { addressOf, type Value } from "./values.ts";
+
+/** Images kept as they came, and requests of one page under way at a time. */
+const keptImages = 40;
+const atOnce = 6;
+
+/**
+ * Returns the book that a manifest of IIIF describes. Throws a `BookError` if
+ * there is none in it.
+ *
+ * @param base the manifest's absolute address
+ * @param name its name in sentences
+ */
+export function openIiif(value: Value, base: string, name: string): PageSource {
+  const languages = globalThis.navigator?.languages ?? [];
+  return new IiifSource(parsePresentation(value, base, name, languages));
+}
+
+class IiifSource implements PageSource {
+  readonly title: string;
+  readonly language = "";
+  readonly direction: "ltr" | "rtl";
+  readonly edge?: "top" | "bottom";
+  readonly layout?: "single";
+  readonly openingPage?: number;
+  readonly details: readonly BookDetail[];
+  readonly kind = "scan";
+  readonly pageCount: number;
+  readonly #book: PresentedBook;
+  readonly #infos = new Map<string, ImageInfo>();
+  readonly #images = new Map<string, Blob>();
+  readonly #fetching = new SharedTasks<string, Blob>();
+  #closed = false;
+
+  constructor(book: PresentedBook) {
+    const { title, direction, edge, layout, openingPage, details, pages } = book;
+    Object.assign(this, { edge, layout, openingPage });
+    this.title = title;
+    this.direction = direction;
+    this.details = details;
+    this.pageCount = pages.length;
+    this.#book = book;
+  }
+
+  async size(index: number): Promise<PageSize> {
+    const { width, height } = this.#page(index).part;
+    return { width, height };
+  }
+
+  label(index: number): string {
+    return this.#book.pages[index]?.label ?? String(index + 1);
+  }
+
+  inSpread(index: number): CanvasPage["inSpread"] {
+    return this.#book.pages[index]?.inSpread;
+  }
+
+  async draw(
+    index: number,
+    width: number,
+    signal: AbortSignal,
+    region: PageBox = wholePage,
+  ): Promise<PagePicture> {
+    signal.throwIfAborted();
+    const page = this.#page(index);
+    const { part } = page;
+    const box = {
+      x: part.x + region.x * part.width,
+      y: part.y + region.y * part.height,
+      width: region.width * part.width,
+      height: region.height * part.height,
+    };
+    const images = await Promise.all(
+      page.images.map((image) => this.#measured(index, image, signal)),
+    );
+    const sharpest = Math.max(...images.map(({ density }) => density * box.width), 1);
+    const pixels = fitPixels(box, images.length > 0 ? Math.min(width, sharpest) : width);
+    const canvas = new OffscreenCanvas(pixels.width, pixels.height);
+    const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
+    pen.fillStyle = "#fff";
+    pen.fillRect(0, 0, pixels.width, pixels.height);
+    pen.imageSmoothingQuality = "high";
+    for (const image of images) await this.#paint(pen, index, image, box, signal);
+    this.#check(index, signal);
+    return canvas.transferToImageBitmap();
+  }
+
+  async text(index: number, signal: AbortSignal): Promise<readonly TextRun[]> {
+    signal.throwIfAborted();
+    const page = this.#page(index);
+    const lists = await Promise.all(
+      page.annotations.map((list) => this.#annotations(index, list, signal)),
+    );
+    return textOn(page, lists);
+  }
+
+  async outline(): Promise<readonly OutlineEntry[]> {
+    return this.#book.outline;
+  }
+
+  close(): void {
+    this.#closed = true;
+    this.#images.clear();
+    this.#infos.clear();
+    this.#fetching.abortAll();
+  }
+
+  #page(index: number): CanvasPage {
+    const page = this.#book.pages[index];
+    if (this.#closed || !page) {
+      throw new BookError(`${this.#book.name} has no page ${index + 1} any more; open it again.`);
+    }
+    return page;
+  }
+
+  #check(index: number, signal: AbortSignal): void {
+    signal.throwIfAborted();
+    this.#page(index);
+  }
+
+  #place(index: number): string {
+    return `Page ${index + 1} of ${this.#book.name}`;
+  }
+
+  /** Returns an image with its size, and how many of its pixels there are for a unit of the canvas. */
+  async #measured(index: number, image: PaintedImage, signal: AbortSignal): Promise<MeasuredImage> {
+    const info = image.service ? await this.#info(index, image, signal) : null;
+    if (info) {
+      const crop = within(image.crop, info);
+      const density = ((sharpestWidth(info) / info.width) * crop.width) / image.on.width;
+      return { ...image, info, crop, density };
+    }
+    const blob = await this.#image(index, image.src, signal);
+    const size = await this.#pixels(index, blob);
+    const crop = within(image.crop, size);
+    return { ...image, info: null, crop, density: crop.width / image.on.width };
+  }
+
+  /** Returns what a service says of its image; null if the image is shown without it. */
+  async #info(index: number, image: PaintedImage, signal: AbortSignal): Promise<ImageInfo | null> {
+    const { service } = image;
+    const known = this.#infos.get(service);
+    if (known) return known;
+    try {
+      const blob = await this.#fetch(index, `${service}/info.json`, limits.manifestBytes, signal);
+      const info = parseInfo(JSON.parse(await blob.text()), service);
+      if (info) this.#infos.set(service, info);
+      if (info || image.src) return info;
+    } catch (error) {
+      signal.throwIfAborted();
+      if (!image.src) throw error;
+      return null;
+    }
+    throw new BookError(`${this.#place(index)} is described by no image; try again later.`);
+  }
+
+  async #paint(
+    pen: OffscreenCanvasRenderingContext2D,
+    index: number,
+    image: MeasuredImage,
+    box: PageBox,
+    signal: AbortSignal,
+  ): Promise<void> {
+    const { info, crop, on } = image;
+    const scale = pen.canvas.width / box.width;
+    // Pixels of the image for a unit of the canvas.
+    const [across, down] = [crop.width / on.width, crop.height / on.height];
+    const seen = overlap(box, on);
+    if (seen === null) return;
+    const wanted = {
+      x: crop.x + (seen.x - on.x) * across,
+      y: crop.y + (seen.y - on.y) * down,
+      width: seen.width * across,
+      height: seen.height * down,
+    };
+    const all = { x: 0, y: 0, width: info?.width ?? 0, height: info?.height ?? 0 };
+    const parts = info ? partsFor(info, wanted, scale / across) : [{ url: image.src, box: all }];
+    pen.save();
+    pen.beginPath();
+    pen.rect(...inPixels(seen, box, pen.canvas));
+    pen.clip();
+    const waiting = parts.values();
+    const work = async (): Promise<void> => {
+      for (const part of waiting) {
+        const blob = await this.#image(index, part.url, signal);
+        await this.#pixels(index, blob);
+        const bitmap = await createImageBitmap(blob).catch(() => {
+          throw new BookError(`${this.#place(index)} is damaged or no image; try again later.`);
+        });
+        const from = info ? part.box : { x: 0, y: 0, width: bitmap.width, height: bitmap.height };
+        const to = {
+          x: on.x + (from.x - crop.x) / across,
+          y: on.y + (from.y - crop.y) / down,
+          width: from.width / across,
+          height: from.height / down,
+        };
+        pen.drawImage(bitmap, ...inPixels(to, box, pen.canvas));
+        bitmap.close();
+      }
+    };
+    await Promise.all(Array.from({ length: atOnce }, work));
+    pen.restore();
+  }
+
+  /** Returns an image's size in pixels. Rejects if it has too many to be decoded. */
+  async #pixels(index: number, image: Blob): Promise<PageSize> {
+    const size = await sizeFromHeader(image);
+    const { width, height } = size ?? (await this.#decodedSize(index, image));
+    if (width * height <= limits.imagePixels) return { width, height };
+    throw new BookError(
+      `${this.#place(index)} has ${width} x ${height} pixels, more than can be shown; try another copy of the book.`,
+    );
+  }
+
+  async #decodedSize(index: number, image: Blob): Promise<PageSize> {
+    try {
+      const bitmap = await createImageBitmap(image);
+      const { width, height } = bitmap;
+      bitmap.close();
+      return { width, height };
+    } catch {
+      throw new BookError(`${this.#place(index)} is damaged or no image; try again later.`);
+    }
+  }
+
+  async #image(index: number, url: string, signal: AbortSignal): Promise<Blob> {
+    const kept = this.#images.get(url);
+    this.#images.delete(url);
+    const image =
+      kept ?? (await typedImage(await this.#fetch(index, url, limits.imageBytes, signal)));
+    this.#check(index, signal);
+    this.#images.set(url, image);
+    for (const oldest of this.#images.keys()) {
+      if (this.#images.size <= keptImages) break;
+      this.#images.delete(oldest);
+    }
+    return image;
+  }
+
+  #fetch(index: number, url: string, most: number, signal: AbortSignal): Promise<Blob> {
+    return this.#fetching.run(
+      url,
+      async (own) => {
+        const place = this.#place(index);
+        const response = await fetchChecked(url, place, { signal: own });
+        return new Blob([await readBounded(response, most, place, own)]);
+      },
+      signal,
+    );
+  }
+
+  /** Returns a page of annotations, fetched if need be; nothing if it cannot be had. */
+  async #annotations(index: number, list: Value, signal: AbortSignal): Promise<Value> {
+    if (list.items ?? list.resources) return list;
+    const url = addressOf(list, this.#book.base);
+    if (url === "") return {};
+    try {
+      const blob = await this.#fetch(index, url, limits.manifestBytes, signal);
+      return Object(JSON.parse(await blob.text()));
+    } catch {
+      // The page is shown without it.
+      signal.throwIfAborted();
+      return {};
+    }
+  }
+}
+
+interface MeasuredImage extends PaintedImage {
+  readonly info: ImageInfo | null;
+  readonly crop: PageBox;
+  readonly density: number;
+}
+
+/** Returns the part of an image that is shown, which lies within it. */
+function within(crop: PageBox | null, { width, height }: PageSize): PageBox {
+  const all = { x: 0, y: 0, width, height };
+  return (crop && overlap(crop, all)) ?? all;
+}
+
+function overlap(a: PageBox, b: PageBox): PageBox | null {
+  const [x, y] = [Math.max(a.x, b.x), Math.max(a.y, b.y)];
+  const width = Math.min(a.x + a.width, b.x + b.width) - x;
+  const height = Math.min(a.y + a.height, b.y + b.height) - y;
+  return width > 0 && height > 0 ? { x, y, width, height } : null;
+}
+
+/**
+ * Returns a part of a box in pixels of the picture of the box: x, y, width,
+ * height. Edges are whole pixels, so that no seam shows between tiles.
+ */
+function inPixels(
+  part: PageBox,
+  box: PageBox,
+  picture: PageSize,
+): [number, number, number, number] {
+  const across = (x: number): number => Math.round(((x - box.x) / box.width) * picture.width);
+  const down = (y: number): number => Math.round(((y - box.y) / box.height) * picture.height);
+  const [x, y] = [across(part.x), down(part.y)];
+  return [x, y, across(part.x + part.width) - x, down(part.y + part.height) - y];
+}

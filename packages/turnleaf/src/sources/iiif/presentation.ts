@@ -1,0 +1,319 @@
+/** IIIF's Presentation API 2 and 3: a manifest as a book. */
+
+import { cleanText } from "../book_text.ts";
+import { limits } from "../limits.ts";
+import { isRecord } from "../manifest_checks.ts";
+import {
+  type BookDetail,
+  BookError,
+  type OutlineEntry,
+  type PageBox,
+  type PageSize,
+} from "../page_source.ts";
+import { serviceOf } from "./image_service.ts";
+import {
+  addressOf,
+  behaviorsOf,
+  boxIn,
+  idOf,
+  lengthOf,
+  objectsIn,
+  stringsIn,
+  textIn,
+  typeOf,
+  type Value,
+} from "./values.ts";
+
+/** An image on a canvas. */
+export interface PaintedImage {
+  /** Its own address; "" if it has only a service. */
+  readonly src: string;
+  /** The address of its Image API; "" if it has none. */
+  readonly service: string;
+  /** The part of the image that is shown, in its pixels; null for all of it. */
+  readonly crop: PageBox | null;
+  /** Where it is on the canvas. */
+  readonly on: PageBox;
+}
+
+/** A page: a canvas, or a half of one that shows two facing pages. */
+export interface CanvasPage {
+  readonly canvas: PageSize;
+  /** The part of the canvas that is this page, in its unit. */
+  readonly part: PageBox;
+  readonly label: string;
+  readonly inSpread?: "first" | "second" | "alone";
+  readonly images: readonly PaintedImage[];
+  /** Pages of annotations, here or by their address. */
+  readonly annotations: readonly Value[];
+}
+
+/** A manifest, checked. */
+export interface PresentedBook {
+  readonly name: string;
+  readonly title: string;
+  readonly direction: "ltr" | "rtl";
+  readonly edge?: "top" | "bottom";
+  readonly layout?: "single";
+  readonly openingPage?: number;
+  readonly details: readonly BookDetail[];
+  readonly outline: readonly OutlineEntry[];
+  readonly pages: readonly CanvasPage[];
+  /** Its absolute address, the base of relative ones in it. */
+  readonly base: string;
+}
+
+/** Maximum of images on a canvas, of pages of annotations, and of lines about the book. */
+const mostImages = 50;
+const mostLists = 5;
+const mostDetails = 40;
+
+/** Size of a canvas that has none. */
+const usualSize: PageSize = { width: 1000, height: 1414 };
+
+/** How a manifest is read. */
+interface Reading {
+  readonly base: string;
+  readonly languages: readonly string[];
+}
+
+/**
+ * Checks a manifest, or the information about a single image. What cannot be
+ * understood in it is left out. Throws a `BookError` if it has no pages.
+ *
+ * @param name the manifest's name in sentences
+ * @param languages of the reader, the best first
+ */
+export function parsePresentation(
+  value: Value,
+  base: string,
+  name: string,
+  languages: readonly string[],
+): PresentedBook {
+  const reading = { base, languages };
+  const type = typeOf(value);
+  if (type === "Collection") throw ofCollection(value, name, reading);
+  const manifest =
+    lengthOf(value.width) > 0 && type !== "Manifest" ? imageAlone(value, base) : value;
+  const [sequence = {}] = objectsIn(manifest.sequences, 1);
+  const listed = manifest.items ?? sequence.canvases;
+  const count = Array.isArray(listed) ? listed.length : 0;
+  if (count > limits.pages) {
+    throw new BookError(
+      `${name} lists ${count} canvases; split it into books of at most ${limits.pages}.`,
+    );
+  }
+  const canvases = objectsIn(listed ?? []);
+  if (canvases.length === 0) throw new BookError(`${name} lists no pages; open another book.`);
+  const [way = ""] = [
+    ...stringsIn(manifest.viewingDirection),
+    ...stringsIn(sequence.viewingDirection),
+  ];
+  const isReversed = way === "right-to-left";
+  const pagesOf = canvases.map((canvas, index) => readCanvas(canvas, index, isReversed, reading));
+  const pages = pagesOf.flat();
+  // By a canvas's address, the number of its first page.
+  const numbers = new Map<string, number>();
+  let number = 1;
+  for (const [index, canvas] of canvases.entries()) {
+    numbers.set(idOf(canvas), number);
+    number += pagesOf[index]?.length ?? 0;
+  }
+  const behaviors = [...behaviorsOf(manifest), ...behaviorsOf(sequence)];
+  const isSingle = behaviors.some((one) => /^(individuals|continuous|unordered)$/.test(one));
+  const openingPage = numbers.get(
+    canvasOf(manifest.start ?? sequence.startCanvas ?? manifest.startCanvas),
+  );
+  return {
+    name,
+    title: textIn(manifest.label, languages) || name,
+    direction: isReversed ? "rtl" : "ltr",
+    ...(way === "top-to-bottom" ? { edge: "top" as const } : {}),
+    ...(way === "bottom-to-top" ? { edge: "bottom" as const } : {}),
+    ...(isSingle ? { layout: "single" as const } : {}),
+    ...(openingPage === undefined ? {} : { openingPage }),
+    details: readDetails(manifest, reading),
+    outline: readRanges(manifest.structures, numbers, languages),
+    pages: pages.slice(0, limits.pages),
+    base,
+  };
+}
+
+/** Returns the manifest of one image. */
+function imageAlone(info: Value, base: string): Value {
+  const id = idOf(info) || base.replace(/\/info\.json$/, "");
+  const { width, height } = info;
+  const body = { id: `${id}/full/max/0/default.jpg`, service: [{ id, type: "ImageService3" }] };
+  return { items: [{ id, width, height, items: [{ items: [{ body }] }] }] };
+}
+
+function ofCollection(value: Value, name: string, { base, languages }: Reading): BookError {
+  const members = [value.items, value.manifests, value.members, value.collections];
+  const listed = members.flatMap((list) => objectsIn(list ?? [], 10));
+  const names = listed.slice(0, 3).map((one) => {
+    return `${textIn(one.label, languages) || "a book"} (${cleanText(addressOf(one, base), 200)})`;
+  });
+  const some = names.length > 0 ? `, such as ${names.join(", ")}` : "";
+  return new BookError(`${name} is a collection of books; open one of them${some}.`);
+}
+
+/** Returns the canvas that is meant: itself, or the one that a part of is meant. */
+function canvasOf(value: unknown): string {
+  const source = isRecord(value) && "source" in value ? value.source : value;
+  return idOf(source).split("#", 1)[0] ?? "";
+}
+
+function readCanvas(
+  canvas: Value,
+  index: number,
+  isReversed: boolean,
+  reading: Reading,
+): CanvasPage[] {
+  const images = [
+    ...objectsIn(canvas.items ?? [], mostImages).flatMap((page) =>
+      objectsIn(page.items ?? [], mostImages),
+    ),
+    ...objectsIn(canvas.images ?? [], mostImages),
+  ].slice(0, mostImages);
+  const [first] = images.map(resourceOf);
+  const size = sizeOf(canvas) ?? (first && sizeOf(first)) ?? usualSize;
+  const page = {
+    canvas: size,
+    part: { x: 0, y: 0, ...size },
+    label:
+      cleanText(textIn(canvas.label, reading.languages), limits.labelLength) || String(index + 1),
+    images: images.flatMap((image) => readImage(image, size, reading)),
+    annotations: [
+      ...objectsIn(canvas.annotations ?? [], mostLists),
+      ...objectsIn(canvas.otherContent ?? [], mostLists),
+    ],
+  };
+  const behaviors = behaviorsOf(canvas);
+  if (behaviors.includes("non-paged")) return [{ ...page, inSpread: "alone" }];
+  if (!behaviors.includes("facing-pages")) return [page];
+  const half = { ...page.part, width: size.width / 2 };
+  const left = { ...page, part: half };
+  const right = { ...page, part: { ...half, x: size.width / 2 } };
+  const [one, two] = isReversed ? [right, left] : [left, right];
+  return [
+    { ...one, inSpread: "first" },
+    { ...two, inSpread: "second" },
+  ];
+}
+
+function sizeOf(value: Value): PageSize | null {
+  const [width, height] = [lengthOf(value.width), lengthOf(value.height)];
+  return width > 0 && height > 0 ? { width, height } : null;
+}
+
+/** Returns what an annotation paints: of a choice, the first. */
+function resourceOf(annotation: Value): Value {
+  const [body = {}] = objectsIn(annotation.body ?? annotation.resource ?? [], 1);
+  const [chosen = {}] =
+    typeOf(body) === "Choice" ? objectsIn(body.default ?? body.items, 1) : [body];
+  return chosen;
+}
+
+function readImage(annotation: Value, size: PageSize, { base }: Reading): PaintedImage[] {
+  const resource = resourceOf(annotation);
+  const [source = {}] = objectsIn(resource.source ?? resource.full ?? resource, 1);
+  const [selector] = objectsIn(resource.selector ?? [], 1);
+  const service = addressOf(serviceOf(source) || serviceOf(resource), base);
+  const src = addressOf(source, base);
+  if (
+    typeOf(source) !== "Image" &&
+    service === "" &&
+    !/\.(jpe?g|png|gif|webp|avif|svg)$/i.test(src)
+  ) {
+    return [];
+  }
+  const region = selector ? `xywh=${stringsIn(selector.region)[0] ?? ""}` : src;
+  return [
+    {
+      src,
+      service: service.replace(/\/$/, ""),
+      crop: boxIn(region, limits.pageSide, limits.pageSide),
+      on: targetBox(annotation.target ?? annotation.on, size) ?? { x: 0, y: 0, ...size },
+    },
+  ];
+}
+
+/** Returns the box on a canvas that an annotation is about; null for all of it. */
+export function targetBox(target: unknown, { width, height }: PageSize): PageBox | null {
+  const [object] = objectsIn(target, 1);
+  if (!object) return boxIn(stringsIn(target)[0] ?? "", width, height);
+  const selectors = objectsIn(object.selector ?? [], 5).flatMap((one) => [
+    one,
+    ...objectsIn(one.default ?? [], 1),
+  ]);
+  for (const selector of selectors) {
+    const box = boxIn(stringsIn(selector.value)[0] ?? "", width, height);
+    if (box) return box;
+  }
+  return boxIn(idOf(object) || idOf(object.source ?? object.full), width, height);
+}
+
+function readDetails(manifest: Value, { base, languages }: Reading): BookDetail[] {
+  const details: BookDetail[] = [];
+  const add = (label: unknown, value: unknown, href = ""): void => {
+    const text =
+      typeof value === "string" && href === value ? cleanText(value) : textIn(value, languages);
+    if (text === "" || details.length >= mostDetails) return;
+    details.push({ label: textIn(label, languages), value: text, ...(href ? { href } : {}) });
+  };
+  for (const { label, value } of objectsIn(manifest.requiredStatement ?? [], 1)) add(label, value);
+  add("", manifest.attribution);
+  for (const rights of [manifest.rights, manifest.license].flatMap(stringsIn)) {
+    const href = addressOf(rights, base);
+    if (href) add("Rights", href, href);
+  }
+  for (const provider of objectsIn(manifest.provider ?? [], 5)) {
+    const [page] = objectsIn(provider.homepage ?? [], 1);
+    add("", provider.label, page ? addressOf(page, base) : "");
+  }
+  for (const { label, value } of objectsIn(manifest.metadata ?? [], mostDetails)) add(label, value);
+  return details;
+}
+
+/** Returns the contents that ranges are; a range within itself is left out. */
+function readRanges(
+  structures: unknown,
+  numbers: ReadonlyMap<string, number>,
+  languages: readonly string[],
+): OutlineEntry[] {
+  const listed = objectsIn(structures ?? [], limits.outlineEntries);
+  const byId = new Map(listed.map((range) => [idOf(range), range]));
+  const within = (range: Value): unknown[] =>
+    [range.items, range.members, range.ranges, range.canvases].flatMap((list) =>
+      Array.isArray(list) ? list.slice(0, limits.outlineEntries) : [],
+    );
+  const inner = new Set(listed.flatMap(within).map(idOf));
+  const roots = listed.filter((range) => !inner.has(idOf(range)));
+  let left: number = limits.outlineEntries;
+  const seen = new Set<Value>();
+  const read = (range: Value, depth: number): OutlineEntry[] => {
+    const isHidden = behaviorsOf(range).some((one) => one === "sequence" || one === "no-nav");
+    if (isHidden || seen.has(range) || left <= 0 || depth > limits.outlineDepth) return [];
+    seen.add(range);
+    left -= 1;
+    const children: OutlineEntry[] = [];
+    let page: number | null = null;
+    for (const item of within(range)) {
+      const child =
+        byId.get(idOf(item)) ?? (isRecord(item) && typeOf(item) === "Range" ? item : null);
+      const inside = child ? read(child, depth + 1) : [];
+      children.push(...inside);
+      page ??= child ? firstPage(inside) : (numbers.get(canvasOf(item)) ?? null);
+    }
+    const title = textIn(range.label, languages);
+    return title === "" ? children : [{ title, page, children }];
+  };
+  const lines = roots.flatMap((range) => read(range, 1));
+  // One that holds all others is the contents' own title.
+  const [only] = lines;
+  return lines.length === 1 && only && only.children.length > 0 ? [...only.children] : lines;
+}
+
+function firstPage(entries: readonly OutlineEntry[]): number | null {
+  return entries.find((entry) => entry.page !== null)?.page ?? null;
+}

@@ -1,0 +1,89 @@
+/** Style sheets of books: what could fetch anything is taken out or put in as data. */
+
+/** Functions that name something to load, in any of their spellings. */
+const loading = /(url|src|image|image-set|-webkit-image-set|cross-fade|-webkit-cross-fade)\s*\(/i;
+
+/** An address as the browser writes it, in double quotes. */
+const address = /url\("((?:[^"\\]|\\.)*)"\)/g;
+
+/** Returns the data of an address of a style sheet, null if there are none. */
+export type ResolveCss = (address: string) => Promise<string | null>;
+
+/**
+ * Returns a style sheet as the browser understands it, its addresses replaced
+ * by data. What cannot be replaced is left out, and so are imports: these are
+ * resolved before.
+ */
+export async function cleanCss(css: string, resolve: ResolveCss): Promise<string> {
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(css);
+  return await cleanRules(sheet.cssRules, resolve);
+}
+
+/** Returns the declarations of a style attribute, cleaned alike. */
+export async function cleanDeclarations(
+  style: CSSStyleDeclaration,
+  resolve: ResolveCss,
+): Promise<string> {
+  const kept: string[] = [];
+  for (const name of style) {
+    const value = await cleanValue(style.getPropertyValue(name), resolve);
+    const priority = style.getPropertyPriority(name) === "" ? "" : " !important";
+    if (value !== null) kept.push(`${name}: ${value}${priority};`);
+  }
+  return kept.join(" ");
+}
+
+async function cleanRules(rules: CSSRuleList, resolve: ResolveCss): Promise<string> {
+  const kept: string[] = [];
+  for (const rule of rules) kept.push(await cleanRule(rule, resolve));
+  return kept.filter((rule) => rule !== "").join("\n");
+}
+
+async function cleanRule(rule: CSSRule, resolve: ResolveCss): Promise<string> {
+  if (rule instanceof CSSStyleRule) {
+    const selector = rule.selectorText.replace(/:root\b/g, "html");
+    const nested = await cleanRules(rule.cssRules ?? [], resolve);
+    return `${selector} { ${await cleanDeclarations(rule.style, resolve)} ${nested} }`;
+  }
+  if (rule instanceof CSSFontFaceRule) {
+    const text = await cleanDeclarations(rule.style, resolve);
+    return text.includes("src:") ? `@font-face { ${text} }` : "";
+  }
+  if (rule instanceof CSSMediaRule) {
+    return `@media ${rule.conditionText} { ${await cleanRules(rule.cssRules, resolve)} }`;
+  }
+  if (rule instanceof CSSSupportsRule) {
+    return `@supports ${rule.conditionText} { ${await cleanRules(rule.cssRules, resolve)} }`;
+  }
+  if (rule instanceof CSSNamespaceRule || rule instanceof CSSCounterStyleRule) {
+    return loading.test(rule.cssText) && !(rule instanceof CSSNamespaceRule) ? "" : rule.cssText;
+  }
+  return "";
+}
+
+/** Returns a value with data in place of addresses; null if it would load anything else. */
+async function cleanValue(value: string, resolve: ResolveCss): Promise<string | null> {
+  const bare = value.replace(/"(?:[^"\\]|\\.)*"/g, '""').replace(/'(?:[^'\\]|\\.)*'/g, "''");
+  // The browser has resolved escapes, but for those in custom properties: they could hide anything.
+  if (bare.includes("\\")) return null;
+  if (!loading.test(bare)) return value;
+  if (loading.test(bare.replaceAll('url("")', ""))) return null;
+  const parts: string[] = [];
+  let from = 0;
+  for (const match of value.matchAll(address)) {
+    const data = await resolve(withoutEscapes(match[1] ?? ""));
+    parts.push(value.slice(from, match.index), `url("${data ?? "data:,"}")`);
+    from = match.index + match[0].length;
+  }
+  return parts.join("") + value.slice(from);
+}
+
+function withoutEscapes(text: string): string {
+  return text
+    .replace(/\\([0-9a-f]{1,6})\s?/gi, (_, digits) => {
+      const code = Number.parseInt(digits, 16);
+      return code > 0 && code < 0x110000 ? String.fromCodePoint(code) : "";
+    })
+    .replace(/\\(.)/g, "$1");
+}

@@ -1,0 +1,161 @@
+/** Chapters of strangers, made harmless: what the markup of a page may be, and nothing else. */
+
+import createPurify from "dompurify";
+import { limits } from "../limits.ts";
+import { BookError } from "../page_source.ts";
+import { trustPolicy } from "../trusted_script.ts";
+import { type FlowContent, styleAttribute } from "../typeset/flow_book.ts";
+import { cleanCss, cleanDeclarations } from "./clean_css.ts";
+
+/** The files that a chapter names. */
+export interface MarkupFiles {
+  /** Returns a picture or a font as `data:`; null if there is none. */
+  data(address: string): Promise<string | null>;
+  /** Returns a style sheet, already clean; empty if there is none. */
+  style(address: string): Promise<string>;
+}
+
+const xhtml = "http://www.w3.org/1999/xhtml";
+const svg = "http://www.w3.org/2000/svg";
+const namespaces = [xhtml, svg, "http://www.w3.org/1998/Math/MathML"];
+const xlink = "http://www.w3.org/1999/xlink";
+
+/** What is shown in no page. */
+const unshown =
+  "script, style, link, meta, base, iframe, frame, embed, audio, track, source, template";
+
+const purify = createPurify(globalThis.window);
+purify.addHook("uponSanitizeAttribute", (element, attribute) => {
+  const isAddress = /^(src|href|xlink:href)$/.test(attribute.attrName);
+  // Only links lead out of a chapter.
+  if (!isAddress || element.localName === "a") return;
+  attribute.keepAttr = /^(#|data:)/.test(attribute.attrValue);
+});
+
+/**
+ * Returns a chapter as clean content. It is parsed already, and changed here.
+ * Rejects with a `BookError` if it is too large.
+ *
+ * @param name the chapter's name in sentences
+ */
+export async function cleanMarkup(
+  document: Document,
+  files: MarkupFiles,
+  name: string,
+): Promise<FlowContent> {
+  if (document.getElementsByTagName("*").length > limits.elements) {
+    throw new BookError(`${name} has more than ${limits.elements} elements; split it.`);
+  }
+  const root = inHtml(document);
+  const css = await stylesOf(document, files);
+  for (const one of root.querySelectorAll("*|switch")) one.querySelector("*|case")?.remove();
+  for (const video of root.querySelectorAll("video")) stillOf(video);
+  for (const object of root.querySelectorAll("object")) await pictureOf(object, files);
+  for (const element of root.querySelectorAll(unshown)) element.remove();
+  await inlinePictures(root, files);
+  for (const element of [root, ...root.querySelectorAll("*")]) {
+    const language = element.getAttribute("xml:lang");
+    if (language !== null && !element.hasAttribute("lang")) element.setAttribute("lang", language);
+    element.removeAttribute("style");
+    if (element.hasAttribute(styleAttribute)) await cleanStyle(element, files);
+  }
+  purify.sanitize(root, {
+    IN_PLACE: true,
+    WHOLE_DOCUMENT: true,
+    ADD_TAGS: ["use", "foreignobject", "html", "body", "head"],
+    ADD_ATTR: ["epub:type", "role", "xml:lang", "xlink:href"],
+    HTML_INTEGRATION_POINTS: { "annotation-xml": true, foreignobject: true },
+    FORBID_TAGS: ["style", "title"],
+    SANITIZE_DOM: false,
+    ...(trustPolicy() ? { TRUSTED_TYPES_POLICY: trustPolicy() as never } : {}),
+  });
+  return { root, css };
+}
+
+/** Returns the root as an `<html>` with a `<body>`, its elements without prefixes. */
+function inHtml(document: Document): Element {
+  let root = document.documentElement;
+  for (const element of [...document.getElementsByTagName("*")]) {
+    if (element.prefix === null || !namespaces.includes(element.namespaceURI ?? "")) continue;
+    const plain = document.createElementNS(element.namespaceURI, element.localName);
+    for (const { namespaceURI, name, value } of element.attributes) {
+      if (!name.startsWith("xmlns")) plain.setAttributeNS(namespaceURI, name, value);
+    }
+    plain.append(...element.childNodes);
+    element.replaceWith(plain);
+    if (element === root) root = plain as HTMLElement;
+  }
+  if (root.localName !== "html") {
+    const html = document.createElementNS(xhtml, "html");
+    const body = document.createElementNS(xhtml, "body");
+    root.replaceWith(html);
+    body.append(root);
+    html.append(body);
+    root = html as HTMLElement;
+  }
+  root.querySelector(":scope > head > title")?.remove();
+  return root;
+}
+
+/** Returns a document's style sheets in order, cleaned. */
+async function stylesOf(document: Document, files: MarkupFiles): Promise<string> {
+  const sheets: string[] = [];
+  for (const node of document.childNodes) {
+    if (!(node instanceof ProcessingInstruction) || node.target !== "xml-stylesheet") continue;
+    const href = /href\s*=\s*["']([^"']+)/.exec(node.data)?.[1];
+    if (href) sheets.push(await files.style(href));
+  }
+  for (const element of document.querySelectorAll("style, link[rel][href]")) {
+    if (element.localName === "style") {
+      sheets.push(await cleanCss(element.textContent ?? "", (to) => files.data(to)));
+      continue;
+    }
+    const relations = element.getAttribute("rel")?.toLowerCase().split(/\s+/) ?? [];
+    if (!relations.includes("stylesheet") || relations.includes("alternate")) continue;
+    const sheet = await files.style(element.getAttribute("href") ?? "");
+    const media = element.getAttribute("media");
+    sheets.push(media ? `@media ${media.replace(/[{};]/g, "")} { ${sheet} }` : sheet);
+  }
+  return sheets.join("\n");
+}
+
+/** Puts a video's poster in its place. */
+function stillOf(video: Element): void {
+  const poster = video.getAttribute("poster");
+  const image = video.ownerDocument.createElementNS(xhtml, "img");
+  image.setAttribute("src", poster ?? "");
+  if (poster) video.replaceWith(image);
+  else video.replaceWith(...video.querySelectorAll(":scope > :not(source, track)"));
+}
+
+/** Puts an embedded object's picture in its place, or what stands there without it. */
+async function pictureOf(object: Element, files: MarkupFiles): Promise<void> {
+  const data = await files.data(object.getAttribute("data") ?? "");
+  if (data?.startsWith("data:image/")) {
+    const image = object.ownerDocument.createElementNS(xhtml, "img");
+    image.setAttribute("src", data);
+    object.replaceWith(image);
+  } else object.replaceWith(...object.childNodes);
+}
+
+async function inlinePictures(root: Element, files: MarkupFiles): Promise<void> {
+  for (const image of root.querySelectorAll("img, image, input[src]")) {
+    const linked = image.getAttributeNS(xlink, "href");
+    const given = image.getAttribute("src") ?? image.getAttribute("href") ?? linked ?? "";
+    for (const name of ["src", "srcset", "sizes", "href", "loading"]) image.removeAttribute(name);
+    image.removeAttributeNS(xlink, "href");
+    const data = await files.data(given);
+    if (data !== null) image.setAttribute(image.localName === "image" ? "href" : "src", data);
+  }
+}
+
+/** Cleans a style attribute: the browser parses it in a style sheet of its own. */
+async function cleanStyle(element: Element, files: MarkupFiles): Promise<void> {
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(`x { ${(element.getAttribute(styleAttribute) ?? "").replace(/[{}]/g, "")} }`);
+  const [rule] = sheet.cssRules;
+  const style = rule instanceof CSSStyleRule ? rule.style : null;
+  const clean = style ? await cleanDeclarations(style, (to) => files.data(to)) : "";
+  if (clean === "") element.removeAttribute(styleAttribute);
+  else element.setAttribute(styleAttribute, clean);
+}

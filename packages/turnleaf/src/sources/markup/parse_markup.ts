@@ -1,0 +1,26 @@
+import { trustedMarkup } from "../trusted_script.ts";
+import { styleAttribute } from "../typeset/flow_book.ts";
+
+/** Kinds of markup that the browser parses. */
+export type MarkupType =
+  | "application/xhtml+xml"
+  | "image/svg+xml"
+  | "application/xml"
+  | "text/html";
+
+/** An element's own style, in a tag. */
+const ownStyle = /(<[a-z][^<>]*?\s)style(?=\s*=)/gi;
+
+/**
+ * Returns markup as a document in which nothing runs and nothing is loaded. The
+ * elements' own styles are in `styleAttribute`.
+ */
+export function parseMarkup(text: string, type: MarkupType): Document {
+  const markup = text.replace(ownStyle, `$1${styleAttribute}`);
+  return new DOMParser().parseFromString(trustedMarkup(markup), type);
+}
+
+/** Returns whether XML could not be parsed: it then holds the browser's explanation. */
+export function isBroken(document: Document): boolean {
+  return document.getElementsByTagName("parsererror").length > 0;
+}

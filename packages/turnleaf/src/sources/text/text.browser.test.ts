@@ -1,0 +1,96 @@
+import { expect, test } from "vitest";
+import { expectConformance } from "../../for_tests/source_conformance.ts";
+import { openSource } from "../open.ts";
+import type { PageSource } from "../page_source.ts";
+
+const never = new AbortController().signal;
+const paragraph = (k: number): string => `Paragraph ${k}. ${"Call me Ishmael. ".repeat(20)}`;
+const plain = Array.from({ length: 30 }, (_, k) => paragraph(k)).join("\n\n");
+
+/** Opens a file all of whose pages are known. */
+async function open(text: BlobPart, name: string, type = ""): Promise<PageSource> {
+  const source = await openSource(new File([text], name, { type }));
+  await new Promise<void>((resolve) =>
+    source.watchPages?.((change) => {
+      change();
+      resolve();
+    }),
+  );
+  return source;
+}
+
+async function textOf(source: PageSource): Promise<string> {
+  let text = "";
+  for (let index = 0; index < source.pageCount; index++) {
+    text += ((await source.text?.(index, never)) ?? [])
+      .map((run) => run.text + (run.end ? "\n" : ""))
+      .join("");
+  }
+  return text;
+}
+
+test.each([
+  ["text", "a.txt", plain],
+  ["Markdown", "a.md", `# One\n\n${plain}\n\n# Two\n\n[there](#one)`],
+])("%s fulfils the contract of a source", async (_, name, text) => {
+  await expectConformance(() => openSource(new File([text], name)));
+});
+
+test("text is set in paragraphs, lines joined unless they are indented", async () => {
+  const source = await open(
+    "One\ntwo.\n\n    a verse\n    of two\n\nThree <b> & four.",
+    "poem.txt",
+  );
+  expect(source.title).toBe("poem.txt");
+  const lines = (await textOf(source)).split("\n").map((line) => line.trim());
+  expect(lines).toEqual(["One two.", "a verse", "of two", "Three <b> & four.", ""]);
+  source.close();
+});
+
+test.each([
+  ["UTF-8", new TextEncoder().encode("Café")],
+  ["UTF-16", Uint8Array.of(0xff, 0xfe, 67, 0, 97, 0, 102, 0, 0xe9, 0)],
+  ["Latin-1", Uint8Array.of(67, 97, 102, 0xe9)],
+])("text in %s is read", async (_, bytes) => {
+  const source = await open(bytes, "a.txt", "text/plain");
+  expect((await textOf(source)).trim()).toBe("Café");
+  source.close();
+});
+
+test("text of a million characters is read whole, in parts", async () => {
+  const source = await open(plain.repeat(90).slice(0, 1_000_000), "long.txt");
+  expect(source.pageCount).toBeGreaterThan(300);
+  source.close();
+});
+
+test("Markdown has headings, contents, lists, tables, code and links", async () => {
+  const text =
+    "---\ntitle: x\n---\n# The *Book*\n\nIntro with `code` and [two](#part-two).\n\n# Part Two\n\n## Inner & more\n\n- one\n- two\n\n| a | b |\n|---|---|\n| c | d |\n\n```\nlet x;\n```\n";
+  const source = await open(text, "book", "text/markdown");
+  expect(source.title).toBe("The Book");
+  expect(await source.outline?.(never)).toEqual([
+    { title: "The Book", page: 1, children: [] },
+    { title: "Part Two", page: 2, children: [{ title: "Inner & more", page: 2, children: [] }] },
+  ]);
+  const [link] = (await source.links?.(0, never)) ?? [];
+  expect(link?.to).toEqual({ page: 2 });
+  const all = await textOf(source);
+  for (const word of ["The Book", "Intro with code", "one", "d", "let x;"])
+    expect(all).toContain(word);
+  expect(all).not.toContain("title: x");
+  source.close();
+});
+
+test("Markdown runs no script, fetches nothing, and its HTML is cleaned", async () => {
+  const source = await open(
+    '# A\n\n<script>parent.ran = 1</script><img src="x" onerror="parent.ran = 1">\n\n![x](https://elsewhere.invalid/a.png)\n\n[run](javascript:parent.ran=1)\n\nHere.',
+    "a.md",
+  );
+  await source.draw(0, 100, never);
+  expect(await textOf(source)).toContain("Here.");
+  expect(await source.links?.(0, never)).toEqual([]);
+  const asked = performance.getEntriesByType("resource").map(({ name }) => name);
+  expect(asked.filter((name) => name.includes("elsewhere"))).toEqual([]);
+  expect("ran" in window).toBe(false);
+  source.close();
+});

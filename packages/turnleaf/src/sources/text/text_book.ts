@@ -1,0 +1,201 @@
+/** Plain text and Markdown as books: set as an EPUB's chapters are. */
+
+import { marked, type Token, type Tokens } from "marked";
+import { bytesOf } from "../book_file.ts";
+import { cleanText } from "../book_text.ts";
+import { limits } from "../limits.ts";
+import { cleanMarkup } from "../markup/clean_markup.ts";
+import { parseMarkup } from "../markup/parse_markup.ts";
+import type { PageSource, Typography } from "../page_source.ts";
+import type { FlowBook, FlowContent, FlowOutline, FlowSection } from "../typeset/flow_book.ts";
+import { FlowSource } from "../typeset/flow_source.ts";
+
+/** A chapter as markup, and the headings in it. */
+interface Chapter {
+  readonly html: string;
+  readonly headings: readonly Heading[];
+}
+
+interface Heading {
+  readonly title: string;
+  readonly id: string;
+  readonly depth: number;
+}
+
+/** Characters of plain text after which the next paragraph begins another chapter. */
+const longestPart = 60_000;
+
+const style = `
+p { margin: 0; text-indent: 1.4em; text-align: justify; }
+p:first-child, h1 + p, h2 + p, h3 + p, hr + p, pre + p, ul + p, ol + p, .lines { text-indent: 0; }
+.lines { white-space: pre-wrap; text-align: start; margin: 0.7em 0; }
+pre, code { font-family: monospace; font-size: 0.85em; }
+blockquote { margin: 0.7em 1.4em; }
+td, th { padding: 0 0.5em; text-align: start; vertical-align: top; }
+img { display: block; margin: 0.7em auto; }
+`;
+
+/** Opens plain text or Markdown. Rejects with a `BookError`. */
+export async function openText(
+  file: Blob,
+  name: string,
+  type: string,
+  typography?: Typography,
+): Promise<PageSource> {
+  const text = decode(await bytesOf(file, name)).replace(/\r\n?/g, "\n");
+  // Both are text: a name may tell them apart where the media type does not.
+  const isMarkdown = /markdown/.test(type) || /\.(md|markdown)$/i.test(name);
+  const chapters = isMarkdown ? markdownChapters(text) : plainChapters(text);
+  return await FlowSource.open(bookOf(chapters, file, name), typography);
+}
+
+function bookOf(chapters: readonly Chapter[], file: Blob, name: string): FlowBook {
+  const places = new Map<string, number>();
+  chapters.forEach(({ headings }, section) => {
+    for (const { id } of headings) if (!places.has(id)) places.set(id, section);
+  });
+  const [first] = chapters[0]?.headings ?? [];
+  return {
+    name,
+    title: (first?.depth === 1 && first.title) || name,
+    language: "",
+    direction: "ltr",
+    sections: chapters.map((chapter) => sectionOf(chapter, name)),
+    outline: outlineOf(chapters),
+    resolve: (_section, href) => {
+      const id = decodeURIComponent(/^#(.+)/.exec(href)?.[1] ?? "");
+      const section = places.get(id);
+      return section === undefined ? null : { section, id };
+    },
+    file: async () => file,
+    close: () => {},
+  };
+}
+
+function sectionOf({ html, headings }: Chapter, name: string): FlowSection {
+  const load = async (): Promise<FlowContent> => {
+    const document = parseMarkup(`<html><body>${html}</body></html>`, "text/html");
+    document.querySelectorAll("h1, h2, h3").forEach((heading, k) => {
+      heading.id = headings[k]?.id ?? "";
+    });
+    const data = async (address: string): Promise<string | null> =>
+      /^data:image\//i.test(address) ? address : null;
+    const content = await cleanMarkup(document, { data, style: async () => "" }, name);
+    return { root: content.root, css: `${style}${content.css}` };
+  };
+  return { length: html.length, isFixed: false, load };
+}
+
+/** Splits plain text where paragraphs end; lines that are indented stay as they are. */
+function plainChapters(text: string): Chapter[] {
+  // Without blank lines each line is a paragraph.
+  const blocks = /\n[ \t]*\n/.test(text) ? text.split(/\n(?:[ \t]*\n)+/) : text.split("\n");
+  const chapters: Chapter[] = [];
+  let html: string[] = [];
+  let length = 0;
+  const end = (): void => {
+    if (html.length > 0) chapters.push({ html: html.join("\n"), headings: [] });
+    [html, length] = [[], 0];
+  };
+  for (const block of blocks) {
+    if (block.includes("\f") || length > longestPart) end();
+    const words = block.replaceAll("\f", "");
+    if (words.trim() === "") continue;
+    const isSet = /^(?: {2,}|\t)\S/m.test(words);
+    const escaped = escapeText(isSet ? words : words.trim().replace(/\s*\n\s*/g, " "));
+    html.push(isSet ? `<p class="lines">${escaped}</p>` : `<p>${escaped}</p>`);
+    length += words.length;
+  }
+  end();
+  return chapters.length > 0
+    ? chapters.slice(0, limits.pages)
+    : [{ html: "<p></p>", headings: [] }];
+}
+
+/** Splits Markdown into chapters: at the highest headings of which there are several. */
+function markdownChapters(text: string): Chapter[] {
+  const tokens = marked.lexer(text.replace(/^---\n[\s\S]*?\n---\n/, ""), { gfm: true });
+  const depths = [1, 2].filter((depth) => tokens.filter(isHeading(depth)).length > 1);
+  const [depth = 0] = depths;
+  const parts: Token[][] = [[]];
+  for (const token of tokens) {
+    const isLong = (parts.at(-1)?.length ?? 0) > 0;
+    if (isHeading(depth)(token) && isLong) parts.push([]);
+    parts.at(-1)?.push(token);
+  }
+  const used = new Map<string, number>();
+  return parts.slice(0, limits.pages).map((part) => ({
+    html: marked.parser(part),
+    headings: headingsIn(part).map((heading) => {
+      const title = cleanText(textOf(heading)) || "–";
+      return { title, depth: heading.depth, id: slugOf(title, used) };
+    }),
+  }));
+}
+
+const isHeading =
+  (depth: number) =>
+  (token: Token): boolean =>
+    token.type === "heading" && token.depth === depth;
+
+/** Returns headings in the order in which they stand, within quotations and lists too. */
+function headingsIn(tokens: readonly Token[]): Tokens.Heading[] {
+  return tokens.flatMap((token) => {
+    if (token.type === "heading") return token.depth <= 3 ? [token as Tokens.Heading] : [];
+    if (token.type === "list") return headingsIn((token as Tokens.List).items);
+    const inner = token.type === "blockquote" || token.type === "list_item";
+    return inner ? headingsIn((token as Tokens.Blockquote).tokens) : [];
+  });
+}
+
+function textOf(heading: Tokens.Heading): string {
+  const html = marked.parser([{ ...heading, type: "paragraph" } as Token]);
+  return parseMarkup(html, "text/html").body.textContent ?? "";
+}
+
+/** Returns a heading's id as links name it: words in lower case with hyphens between them. */
+function slugOf(title: string, used: Map<string, number>): string {
+  const slug = title
+    .toLowerCase()
+    .replace(/[^\p{Letter}\p{Number}\s_-]/gu, "")
+    .trim()
+    .replace(/\s/g, "-");
+  const count = used.get(slug) ?? 0;
+  used.set(slug, count + 1);
+  return count === 0 ? slug : `${slug}-${count}`;
+}
+
+function outlineOf(chapters: readonly Chapter[]): FlowOutline[] {
+  const root: Line = { depth: 0, children: [] };
+  const path: Line[] = [root];
+  chapters.forEach(({ headings }, section) => {
+    for (const { title, id, depth } of headings) {
+      while ((path.at(-1)?.depth ?? 0) >= depth) path.pop();
+      const line = { title, target: { section, id }, depth, children: [] };
+      path.at(-1)?.children.push(line);
+      path.push(line);
+    }
+  });
+  return root.children;
+}
+
+/** A line of the contents while they are made. */
+interface Line {
+  readonly depth: number;
+  readonly children: (Line & FlowOutline)[];
+}
+
+function escapeText(text: string): string {
+  return text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+}
+
+/** Returns text as UTF-8, as UTF-16 by its mark, or in the usual encoding of old files. */
+function decode(bytes: Uint8Array): string {
+  if (bytes[0] === 0xff && bytes[1] === 0xfe) return new TextDecoder("utf-16le").decode(bytes);
+  if (bytes[0] === 0xfe && bytes[1] === 0xff) return new TextDecoder("utf-16be").decode(bytes);
+  try {
+    return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+  } catch {
+    return new TextDecoder("windows-1252").decode(bytes);
+  }
+}

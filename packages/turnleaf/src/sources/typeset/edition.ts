@@ -1,0 +1,118 @@
+import { unknownFailure } from "../failures.ts";
+import type { Typography } from "../page_source.ts";
+import { SharedTasks } from "../shared_tasks.ts";
+import type { FlowBook } from "./flow_book.ts";
+import { LaidSection, type SectionMap } from "./laid_section.ts";
+
+/** Frames kept, so that neighbouring pages are drawn without laying out again. */
+const keptFrames = 4;
+
+/** Bytes a page, before any section has been laid out. */
+const usualBytes = 3000;
+
+/** A book set in one typography: its sections are laid out one by one, when they are needed. */
+export class Edition {
+  readonly typography: Typography;
+  readonly #book: FlowBook;
+  readonly #maps = new Map<number, SectionMap>();
+  /** Sections in their frames, the last used one last. */
+  #frames = new Map<number, LaidSection>();
+  readonly #laying = new SharedTasks<number, LaidSection>();
+  /** One section is laid out at a time. */
+  #last: Promise<unknown> = Promise.resolve();
+  #isClosed = false;
+
+  constructor(book: FlowBook, typography: Typography) {
+    this.#book = book;
+    this.typography = typography;
+  }
+
+  /** Whether every section has been laid out once. */
+  get isComplete(): boolean {
+    return this.#maps.size === this.#book.sections.length;
+  }
+
+  /** Returns what is known of a section; undefined before it has been laid out. */
+  mapOf(section: number): SectionMap | undefined {
+    return this.#maps.get(section);
+  }
+
+  /** Returns each section's number of pages, known or estimated. */
+  counts(): number[] {
+    let [bytes, pages] = [0, 0];
+    const { sections } = this.#book;
+    for (const [section, map] of this.#maps) {
+      if (sections[section]?.isFixed) continue;
+      bytes += sections[section]?.length ?? 0;
+      pages += map.pageCount;
+    }
+    const perPage = pages > 0 && bytes > 0 ? bytes / pages : usualBytes;
+    return sections.map(({ length, isFixed }, section) => {
+      const known = this.#maps.get(section)?.pageCount;
+      return known ?? (isFixed ? 1 : Math.max(1, Math.round(length / perPage)));
+    });
+  }
+
+  /** Returns a section in its frame. Rejects with a `BookError`, or with the signal's reason. */
+  async lay(section: number, signal?: AbortSignal): Promise<LaidSection> {
+    const laid =
+      this.#frames.get(section) ??
+      (await this.#laying.run(section, (own) => this.#layNext(section, own), signal));
+    // It was used last.
+    if (this.#frames.delete(section)) this.#frames.set(section, laid);
+    return laid;
+  }
+
+  /** Lays a section out only to know its pages; its frame is the first to go. */
+  async measure(section: number): Promise<void> {
+    if (this.#maps.has(section)) return;
+    await this.#laying.run(section, (own) => this.#layNext(section, own));
+  }
+
+  close(): void {
+    this.#isClosed = true;
+    this.#laying.abortAll();
+    for (const laid of this.#frames.values()) laid.close();
+    this.#frames.clear();
+  }
+
+  #layNext(section: number, signal: AbortSignal): Promise<LaidSection> {
+    const laying = this.#last.then(() => this.#layNow(section, signal));
+    this.#last = laying.catch(() => {});
+    return laying;
+  }
+
+  async #layNow(section: number, signal: AbortSignal): Promise<LaidSection> {
+    signal.throwIfAborted();
+    const content = await this.#book.sections[section]?.load();
+    signal.throwIfAborted();
+    if (!content) throw new Error(`There is no section ${section}.`);
+    try {
+      const laid = await LaidSection.lay(content, this.typography);
+      if (this.#isClosed) {
+        laid.close();
+        throw new DOMException("The book is closed.", "AbortError");
+      }
+      this.#maps.set(section, laid.map);
+      this.#keep(section, laid);
+      return laid;
+    } catch (error) {
+      signal.throwIfAborted();
+      const what = `Part ${section + 1} of ${this.#book.name} cannot be laid out`;
+      throw unknownFailure(what, error, "get the file again");
+    }
+  }
+
+  /** Keeps a frame as the first to go, until it is used. */
+  #keep(section: number, laid: LaidSection): void {
+    this.#frames.delete(section);
+    this.#frames = new Map([[section, laid], ...this.#frames]);
+    for (const [oldest, old] of this.#frames) {
+      if (this.#frames.size <= keptFrames) break;
+      // The new one is about to be used.
+      if (oldest === section) continue;
+      this.#frames.delete(oldest);
+      old.close();
+    }
+  }
+}

@@ -1,0 +1,64 @@
+/**
+ * Books of flowing text, whatever their format: sections of clean markup in
+ * order, which `FlowSource` sets into pages.
+ */
+
+import type { PageSize } from "../page_source.ts";
+
+/** A part of a book that begins on a page of its own: a chapter, or a page of fixed layout. */
+export interface FlowSection {
+  /** Its length in bytes, from which its pages are estimated before it is laid out. */
+  readonly length: number;
+  /** Whether it is one page whose layout is fixed. */
+  readonly isFixed: boolean;
+  /** The side of a spread on which it has to begin, if any. */
+  readonly side?: "left" | "right";
+  /** Returns what is in it. Rejects with a `BookError`. */
+  load(): Promise<FlowContent>;
+}
+
+/**
+ * The attribute that has an element's own style, in place of `style`: a page's
+ * policy may forbid that in markup, and is reported to do so.
+ */
+export const styleAttribute = "data-turnleaf-style";
+
+/** Markup without scripts, and without any address but `data:`, fragments and those of links. */
+export interface FlowContent {
+  /** An `<html>` element with a `<body>`, in a document of its own. */
+  readonly root: Element;
+  /** Its style sheets in order. */
+  readonly css: string;
+  /** The page's size in CSS pixels, if its layout is fixed. */
+  readonly size?: PageSize;
+}
+
+/** A place in a book: an element, or a section's beginning. */
+export interface FlowTarget {
+  readonly section: number;
+  /** The element's id; "" for the beginning. */
+  readonly id: string;
+}
+
+/** A line of the contents. */
+export interface FlowOutline {
+  readonly title: string;
+  readonly target: FlowTarget | null;
+  readonly children: readonly FlowOutline[];
+}
+
+/** A book of flowing text. */
+export interface FlowBook {
+  /** Its name in sentences. */
+  readonly name: string;
+  readonly title: string;
+  readonly language: string;
+  readonly direction: "ltr" | "rtl";
+  readonly sections: readonly FlowSection[];
+  readonly outline: readonly FlowOutline[];
+  /** Returns where a link in a section leads within the book; null if it leads nowhere in it. */
+  resolve(section: number, href: string): FlowTarget | null;
+  /** Returns the book's own file. */
+  file(): Promise<Blob>;
+  close(): void;
+}

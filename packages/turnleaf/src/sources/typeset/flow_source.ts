@@ -1,0 +1,314 @@
+import { cleanAddress, cleanText } from "../book_text.ts";
+import { limits, wholePage } from "../limits.ts";
+import {
+  BookError,
+  type NewIndex,
+  type OutlineEntry,
+  type PageBox,
+  type PageLink,
+  type PagePicture,
+  type PageSize,
+  type PageSource,
+  type TextRun,
+  type Typography,
+} from "../page_source.ts";
+import { drawMarkup } from "./draw_markup.ts";
+import { Edition } from "./edition.ts";
+import type { FlowBook, FlowOutline, FlowTarget } from "./flow_book.ts";
+import type { LaidSection } from "./laid_section.ts";
+import { PageNumbers } from "./page_numbers.ts";
+import { ownTypography, paperback, paperOf } from "./typography.ts";
+
+/** A place in the text: a section, and characters before it there. */
+interface Place {
+  readonly section: number;
+  readonly offset: number;
+}
+
+/** Sections about the reader's place: those of two open pages, and one beside them. */
+const nearSections = 3;
+
+/** Sections that the links of one page may have laid out, to find where they lead. */
+const mostTargets = 4;
+
+/**
+ * A book of flowing text, set into pages. Sections are laid out when they are
+ * needed, and one after another while nothing else is asked for; until then
+ * their pages are estimated.
+ */
+export class FlowSource implements PageSource {
+  readonly title: string;
+  readonly language: string;
+  readonly direction: "ltr" | "rtl";
+  readonly kind = "typeset";
+  /** Sets the book in another typography; absent if all its pages are of fixed layout. */
+  readonly typeset?: (typography: Typography) => Promise<void>;
+  readonly #book: FlowBook;
+  #edition: Edition;
+  /** Another edition, whose pages are to replace these. */
+  #next: Edition | null = null;
+  #numbers: PageNumbers;
+  /** The places of readers on pages that are not those where these begin. */
+  #places = new Map<number, Place>();
+  #listener: ((change: () => NewIndex) => void) | null = null;
+  #isDue = false;
+  /** The sections that were drawn last, the last one first. */
+  #recent: readonly number[] = [0];
+  #isClosed = false;
+
+  /** Returns a book's pages. Rejects with a `BookError` if its only section cannot be laid out. */
+  static async open(book: FlowBook, typography: Typography = ownTypography): Promise<FlowSource> {
+    const edition = new Edition(book, typography);
+    try {
+      await edition.lay(0);
+    } catch (error) {
+      // A first section among others says so on its page.
+      if (book.sections.length === 1) {
+        edition.close();
+        book.close();
+        throw error;
+      }
+    }
+    return new FlowSource(book, edition);
+  }
+
+  private constructor(book: FlowBook, edition: Edition) {
+    this.title = book.title;
+    this.language = book.language;
+    this.direction = book.direction;
+    this.#book = book;
+    this.#edition = edition;
+    this.#numbers = this.#numbersOf(edition);
+    if (book.sections.some(({ isFixed }) => !isFixed)) {
+      this.typeset = (typography) => this.#typeset(typography);
+    }
+    this.#layRest(edition);
+  }
+
+  get pageCount(): number {
+    return this.#numbers.pageCount;
+  }
+
+  async size(index: number, signal?: AbortSignal): Promise<PageSize> {
+    const { section } = this.#at(index);
+    const { isFixed } = this.#book.sections[section] ?? {};
+    if (isFixed) await this.#edition.lay(section, signal);
+    return this.#edition.mapOf(section)?.size ?? paperback;
+  }
+
+  label(index: number): string {
+    return String(index + 1);
+  }
+
+  async draw(
+    index: number,
+    width: number,
+    signal: AbortSignal,
+    region: PageBox = wholePage,
+  ): Promise<PagePicture> {
+    signal.throwIfAborted();
+    const { section, page } = this.#at(index);
+    const others = this.#recent.filter((other) => other !== section);
+    this.#recent = [section, ...others].slice(0, nearSections);
+    const laid = await this.#lay(section, signal);
+    const size = laid.layoutSize;
+    const isBlank = page < 0 || page >= laid.map.pageCount;
+    const svg = isBlank ? blank(size, paperOf(this.#edition.typography)) : laid.svg(page);
+    const picture = await drawMarkup(svg, size, region, width).catch((error: unknown) => {
+      const sentence = `Page ${index + 1} of ${this.#book.name} cannot be drawn: update the browser, or allow data: in img-src of this page's Content-Security-Policy.`;
+      throw new BookError(sentence, { cause: error });
+    });
+    if (!signal.aborted && !this.#isClosed) return picture;
+    picture.close();
+    signal.throwIfAborted();
+    throw this.#closed();
+  }
+
+  async text(index: number, signal: AbortSignal, exact = false): Promise<readonly TextRun[]> {
+    const { section, page } = this.#at(index);
+    const laid = await this.#lay(section, signal);
+    return page < 0 ? [] : laid.runs(page, exact);
+  }
+
+  async alt(index: number, signal: AbortSignal): Promise<string> {
+    const { section, page } = this.#at(index);
+    const laid = await this.#lay(section, signal);
+    return page < 0 ? "" : laid.alt(page);
+  }
+
+  async links(index: number, signal: AbortSignal): Promise<readonly PageLink[]> {
+    const { section, page } = this.#at(index);
+    const found = page < 0 ? [] : (await this.#lay(section, signal)).links(page);
+    const links: PageLink[] = [];
+    let laid = 0;
+    for (const { href, ...link } of found) {
+      const address = cleanAddress(href);
+      if (address !== "") links.push({ ...link, to: { href: address } });
+      const target = address === "" ? this.#book.resolve(section, href) : null;
+      if (target === null) continue;
+      const isUnknown = this.#edition.mapOf(target.section) === undefined;
+      if (isUnknown && target.id !== "" && laid < mostTargets) {
+        laid += 1;
+        await this.#edition.lay(target.section, signal).catch(() => signal.throwIfAborted());
+      }
+      links.push({ ...link, to: { page: this.#pageOf(target) } });
+    }
+    return links;
+  }
+
+  async outline(): Promise<readonly OutlineEntry[]> {
+    let left: number = limits.outlineEntries;
+    const entries = (lines: readonly FlowOutline[], depth: number): OutlineEntry[] => {
+      if (depth > limits.outlineDepth) return [];
+      return lines.slice(0, left).map(({ title, target, children }) => {
+        left -= 1;
+        const page = target && this.#pageOf(target);
+        return { title: cleanText(title), page, children: entries(children, depth + 1) };
+      });
+    };
+    return entries(this.#book.outline, 1);
+  }
+
+  file(): Promise<Blob> {
+    return this.#book.file();
+  }
+
+  watchPages(listener: (change: () => NewIndex) => void): void {
+    this.#listener = listener;
+    if (this.#isDue) this.#announce();
+  }
+
+  close(): void {
+    if (this.#isClosed) return;
+    this.#isClosed = true;
+    this.#edition.close();
+    this.#next?.close();
+    this.#book.close();
+  }
+
+  /** Returns which page a page is. */
+  #at(index: number): { readonly section: number; readonly page: number } {
+    if (this.#isClosed) throw this.#closed();
+    if (!(index >= 0 && index < this.pageCount)) {
+      throw new BookError(`${this.#book.name} has no page ${index + 1}; turn to another.`);
+    }
+    return this.#numbers.at(index);
+  }
+
+  #closed(): BookError {
+    return new BookError(`${this.#book.name} is closed; open it again.`);
+  }
+
+  async #lay(section: number, signal: AbortSignal): Promise<LaidSection> {
+    const edition = this.#edition;
+    try {
+      const laid = await edition.lay(section, signal);
+      // Its pages were estimated.
+      if (laid.map.pageCount !== this.#numbers.countOf(section)) this.#announce();
+      return laid;
+    } catch (error) {
+      signal.throwIfAborted();
+      throw this.#isClosed ? this.#closed() : error;
+    }
+  }
+
+  async #typeset(typography: Typography): Promise<void> {
+    const next = new Edition(this.#book, typography);
+    this.#next?.close();
+    this.#next = next;
+    try {
+      // Where the reader is first.
+      for (const section of this.#recent) await next.lay(section);
+    } catch (error) {
+      if (this.#next !== next || this.#isClosed) return;
+      // A section that cannot be laid out says so on its page.
+      if (!(error instanceof BookError)) throw error;
+    }
+    if (this.#next === next) this.#announce();
+  }
+
+  /** Lays out every section once, so that all pages are known; then changes to them. */
+  async #layRest(edition: Edition): Promise<void> {
+    const isCurrent = (): boolean => !this.#isClosed && edition === (this.#next ?? this.#edition);
+    for (let section = 0; section < this.#book.sections.length; section++) {
+      // Other work goes first.
+      await new Promise((resolve) => setTimeout(resolve));
+      if (!isCurrent()) return;
+      // A section that cannot be laid out says so on its page.
+      await edition.measure(section).catch(() => {});
+    }
+    if (isCurrent()) this.#announce();
+  }
+
+  #announce(): void {
+    if (this.#isClosed) return;
+    this.#isDue = this.#listener === null;
+    this.#listener?.(() => this.#change());
+  }
+
+  /** Counts the pages anew: of another edition, or by what is known of this one. */
+  #change(): NewIndex {
+    const [before, numbers, places] = [this.#edition, this.#numbers, this.#places];
+    const next = this.#next;
+    if (next) {
+      this.#edition = next;
+      this.#next = null;
+      before.close();
+      this.#layRest(next);
+    }
+    const after = this.#edition;
+    const now = this.#numbersOf(after);
+    this.#numbers = now;
+    const placeOn = (index: number): Place => {
+      const { section, page } = numbers.at(index);
+      const offset = before.mapOf(section)?.starts[Math.max(page, 0)] ?? 0;
+      return places.get(index) ?? { section, offset };
+    };
+    const placeOf = (index: number): number => {
+      const { section, offset } = placeOn(index);
+      const starts = after.mapOf(section)?.starts;
+      if (starts && (places.has(index) || before.mapOf(section))) {
+        const { page } = numbers.at(index);
+        const isSame = after === before && !places.has(index);
+        return now.indexOf(section, isSame ? page : pageAt(starts, offset));
+      }
+      // Of a section that was never laid out a fraction is all that is known.
+      const fraction = Math.max(numbers.at(index).page, 0) / numbers.countOf(section);
+      return now.indexOf(section, Math.floor(fraction * now.countOf(section)));
+    };
+    this.#places = new Map();
+    for (let index = 0; index < numbers.pageCount; index++) {
+      const place = placeOn(index);
+      const to = placeOf(index);
+      const isKnown = places.has(index) || before.mapOf(place.section) !== undefined;
+      if (isKnown && !this.#places.has(to)) this.#places.set(to, place);
+    }
+    const sameIndex = (index: number): number | null => {
+      const { section, page } = numbers.at(index);
+      const isSame = after === before && page >= 0 && page < now.countOf(section);
+      return isSame ? now.indexOf(section, page) : null;
+    };
+    return Object.assign(sameIndex, { placeOf });
+  }
+
+  #numbersOf(edition: Edition): PageNumbers {
+    return new PageNumbers(this.#book.sections, edition.counts(), this.direction);
+  }
+
+  /** Returns the page (from 1) of a place; of its section, while no more is known. */
+  #pageOf({ section, id }: FlowTarget): number {
+    const page = this.#edition.mapOf(section)?.ids.get(id) ?? 0;
+    return this.#numbers.indexOf(section, page) + 1;
+  }
+}
+
+function pageAt(starts: readonly number[], offset: number): number {
+  return Math.max(
+    starts.findLastIndex((start) => start <= offset),
+    0,
+  );
+}
+
+function blank({ width, height }: PageSize, paper: string): string {
+  return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}"><rect width="${width}" height="${height}" fill="${paper}"/></svg>`;
+}

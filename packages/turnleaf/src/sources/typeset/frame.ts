@@ -1,0 +1,54 @@
+/** Frames in which text is laid out, out of sight: no script runs in them and nothing is fetched. */
+
+import { trustedMarkup } from "../trusted_script.ts";
+
+/** Even if an address were left in the markup, it would not be fetched. */
+const policy = "default-src 'none'; img-src data:; font-src data:; style-src 'unsafe-inline'";
+
+/** A frame's document, whose root is an empty `<div>`. */
+export interface LayoutFrame {
+  readonly element: HTMLIFrameElement;
+  readonly document: Document;
+  readonly root: HTMLElement;
+}
+
+/** Returns a new frame of a size in CSS pixels. */
+export async function openFrame(width: number, height: number): Promise<LayoutFrame> {
+  const element = document.createElement("iframe");
+  element.setAttribute("sandbox", "allow-same-origin");
+  element.ariaHidden = "true";
+  element.inert = true;
+  element.tabIndex = -1;
+  // The page's own style must not reach it.
+  element.style.cssText =
+    "all: initial !important; position: fixed !important; left: -100000px !important; top: 0 !important; border: 0 !important; visibility: hidden !important";
+  element.style.setProperty("width", `${width}px`, "important");
+  element.style.setProperty("height", `${height}px`, "important");
+  const loaded = new Promise((resolve) => {
+    element.addEventListener("load", resolve, { once: true });
+  });
+  element.srcdoc = trustedMarkup(
+    `<!doctype html><meta http-equiv="Content-Security-Policy" content="${policy}">`,
+  );
+  document.body.append(element);
+  await loaded;
+  const frame = element.contentDocument;
+  if (frame === null) {
+    element.remove();
+    throw new Error("The browser allows no frame without scripts.");
+  }
+  // The book's own <html> is laid out as it is drawn: within another element.
+  const root = frame.createElement("div");
+  frame.documentElement.replaceWith(root);
+  return { element, document: frame, root };
+}
+
+/** Applies style sheets to a frame, whatever the page's policy says of inline styles. */
+export function adoptStyles(frame: LayoutFrame, sheets: readonly string[]): void {
+  const view = frame.document.defaultView as Window & typeof globalThis;
+  frame.document.adoptedStyleSheets = sheets.map((css) => {
+    const sheet = new view.CSSStyleSheet();
+    sheet.replaceSync(css);
+    return sheet;
+  });
+}

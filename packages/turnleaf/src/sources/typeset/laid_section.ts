@@ -1,0 +1,252 @@
+import { cleanText } from "../book_text.ts";
+import { isPageSize, limits } from "../limits.ts";
+import type { PageBox, PageSize, TextRun, Typography } from "../page_source.ts";
+import { type FlowContent, styleAttribute } from "./flow_book.ts";
+import { adoptStyles, type LayoutFrame, openFrame } from "./frame.ts";
+import { Markup } from "./markup.ts";
+import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
+import {
+  baseStyle,
+  columnStyle,
+  fixedStyle,
+  measuresOf,
+  paperback,
+  paperOf,
+  readerStyle,
+} from "./typography.ts";
+
+/** The root's type size, from which the book's own is reckoned. */
+const rootSize = 16;
+
+/** A link as the book writes it, and its box on its page. */
+export interface LaidLink extends PageBox {
+  readonly href: string;
+  readonly title: string;
+}
+
+/** What is kept of a section once its frame is gone. */
+export interface SectionMap {
+  readonly pageCount: number;
+  /** The characters before each page. */
+  readonly starts: readonly number[];
+  /** The page (from 0) of each element that has an id. */
+  readonly ids: ReadonlyMap<string, number>;
+  readonly size: PageSize;
+}
+
+/** A section set into pages, in a frame of its own. */
+export class LaidSection {
+  readonly map: SectionMap;
+  readonly #frame: LayoutFrame;
+  readonly #flow: PageFlow;
+  readonly #text: TextMap;
+  readonly #markup: Markup;
+  /** The page's own unit over the frame's CSS pixels. */
+  readonly #scale: number;
+
+  private constructor(frame: LayoutFrame, flow: PageFlow, map: SectionMap, parts: LaidParts) {
+    this.#frame = frame;
+    this.#flow = flow;
+    this.map = map;
+    this.#text = parts.text;
+    this.#markup = parts.markup;
+    this.#scale = map.size.width / parts.markup.size.width;
+  }
+
+  /** Lays a section out. Rejects with any error of the browser. */
+  static async lay(content: FlowContent, typography: Typography): Promise<LaidSection> {
+    const size = content.size ?? measuresOf(typography);
+    const frame = await openFrame(size.width, size.height);
+    try {
+      return await layIn(frame, content, typography, (...parts) => new LaidSection(...parts));
+    } catch (error) {
+      frame.element.remove();
+      throw error;
+    }
+  }
+
+  /** The size of `svg()`. */
+  get layoutSize(): PageSize {
+    return this.#markup.size;
+  }
+
+  /** Returns a page as an SVG. */
+  svg(page: number): string {
+    const { stepX, stepY } = this.#flow;
+    return this.#markup.svg(page, -page * stepX, -page * stepY);
+  }
+
+  /** Returns the text of a page. */
+  runs(page: number, exact: boolean): TextRun[] {
+    return this.#text.runs(page, exact).map((run) => ({ ...run, ...this.#scaled(run) }));
+  }
+
+  /** Returns the links on a page. */
+  links(page: number): LaidLink[] {
+    const links: LaidLink[] = [];
+    for (const link of this.#frame.root.querySelectorAll("a[href]")) {
+      const href = link.getAttribute("href") ?? "";
+      const title = cleanText(link.getAttribute("title") ?? link.textContent, limits.labelLength);
+      for (const rect of link.getClientRects()) {
+        if (rect.width === 0 || rect.height === 0) continue;
+        if (pageOfRect(this.#flow, rect) !== page) continue;
+        if (links.length >= limits.annotations) return links;
+        links.push({ ...this.#onPage(rect, page), href, title });
+      }
+    }
+    return links;
+  }
+
+  /** Returns what the pictures on a page show, in words. */
+  alt(page: number): string {
+    const said = [...this.#frame.root.querySelectorAll("img[alt], svg > title")]
+      .filter((element) => {
+        const [rect] = (element.closest("svg") ?? element).getClientRects();
+        return rect !== undefined && pageOfRect(this.#flow, rect) === page;
+      })
+      .map((element) => element.getAttribute("alt") ?? element.textContent);
+    return cleanText(said.join(" "), limits.altLength);
+  }
+
+  close(): void {
+    this.#frame.element.remove();
+  }
+
+  #onPage(rect: DOMRect, page: number): PageBox {
+    const { stepX, stepY } = this.#flow;
+    const { width, height } = rect;
+    return this.#scaled({ x: rect.left - page * stepX, y: rect.top - page * stepY, width, height });
+  }
+
+  #scaled({ x, y, width, height }: PageBox): PageBox {
+    const scale = this.#scale;
+    return { x: x * scale, y: y * scale, width: width * scale, height: height * scale };
+  }
+}
+
+interface LaidParts {
+  readonly text: TextMap;
+  readonly markup: Markup;
+}
+
+async function layIn<T>(
+  frame: LayoutFrame,
+  content: FlowContent,
+  typography: Typography,
+  done: (frame: LayoutFrame, flow: PageFlow, map: SectionMap, parts: LaidParts) => T,
+): Promise<T> {
+  const page = measuresOf(typography);
+  const size = content.size ?? { width: page.width, height: page.height };
+  const html = frame.document.importNode(content.root, true) as HTMLElement;
+  applyInlineStyles(html);
+  const sheet = frame.document.createElement("div");
+  sheet.style.cssText = `position: absolute; left: 0; top: 0; width: ${size.width}px; height: ${size.height}px; font-size: ${rootSize}px`;
+  sheet.append(html);
+  frame.root.append(sheet);
+  const body = html.querySelector("body") ?? html;
+  const view = frame.document.defaultView as Window;
+  const reader = readerStyle(typography);
+  const own = [baseStyle, content.css];
+  let flow: PageFlow = { stepX: 0, stepY: 0, isVertical: false };
+  adoptStyles(frame, [...own, reader]);
+  const { writingMode, direction } = view.getComputedStyle(body);
+  const isVertical = !writingMode.startsWith("horizontal");
+  if (content.size) own.push(fixedStyle(content.size));
+  else {
+    flow = isVertical
+      ? { stepX: 0, stepY: page.height, isVertical }
+      : { stepX: direction === "rtl" ? -page.width : page.width, stepY: 0, isVertical };
+    html.style.setProperty("writing-mode", writingMode, "important");
+    own.push(reader, columnStyle(page, isVertical, direction));
+  }
+  // What the book calls the root's size is that of its own <html>.
+  const rem = view.getComputedStyle(html).fontSize;
+  html.style.setProperty("font-size", rem, "important");
+  frame.root.style.fontSize = rem;
+  adoptStyles(frame, own);
+  await loadedIn(frame, html);
+  const pageCount = content.size ? 1 : countPages(html, flow, page);
+  const paper = content.size ? "#fff" : paperOf(typography);
+  const map: SectionMap = {
+    pageCount,
+    ...mapOf(html, flow, pageCount),
+    size: content.size ?? paperback,
+  };
+  const text = new TextMap(body, flow, pageCount);
+  const markup = new Markup(html, {
+    css: withUsedFonts(own.join("\n"), frame.document),
+    size,
+    rem,
+    paper,
+    flow,
+  });
+  return done(frame, flow, { ...map, starts: text.starts }, { text, markup });
+}
+
+/** Gives elements their own styles. */
+function applyInlineStyles(html: HTMLElement): void {
+  for (const element of [html, ...html.querySelectorAll<HTMLElement>(`[${styleAttribute}]`)]) {
+    element.style.cssText = element.getAttribute(styleAttribute) ?? "";
+    element.removeAttribute(styleAttribute);
+  }
+}
+
+/** Waits until the pictures and fonts of a section are there, or have failed. */
+async function loadedIn({ document }: LayoutFrame, html: HTMLElement): Promise<void> {
+  // Laid out once, it is known which fonts are used.
+  html.getBoundingClientRect();
+  const images = [...html.querySelectorAll("img")].map((image) => image.decode().catch(() => {}));
+  await Promise.all([document.fonts.ready, ...images]);
+}
+
+/** A rule of a font, as `cleanCss` writes it. */
+const fontRule = /@font-face \{ [^}]*\}/g;
+
+/** Returns style sheets without the fonts that nothing in a frame is set in. */
+function withUsedFonts(css: string, { fonts }: Document): string {
+  // The faces of rules are in the order of these.
+  const faces = [...fonts];
+  if (css.match(fontRule)?.length !== faces.length) return css;
+  let next = 0;
+  return css.replace(fontRule, (rule) => (faces[next++]?.status === "unloaded" ? "" : rule));
+}
+
+/** Counts the pages of a section from how far its columns reach. */
+function countPages(html: HTMLElement, flow: PageFlow, page: PageSize): number {
+  const sheet = html.parentElement as HTMLElement;
+  // Columns in the direction of the text count as overflow.
+  sheet.style.overflow = "hidden";
+  sheet.style.direction = flow.stepX < 0 ? "rtl" : "ltr";
+  const [length, step] = flow.isVertical
+    ? [sheet.scrollHeight, page.height]
+    : [sheet.scrollWidth, page.width];
+  sheet.style.overflow = "visible";
+  const body = html.querySelector("body") ?? html;
+  // One rectangle a column, where the browser tells them.
+  const columns = [...body.getClientRects()].filter((rect) => rect.width > 0 && rect.height > 0);
+  const last = columns.at(-1);
+  const reached =
+    columns.length > 1 && last ? pageOfRect(flow, last) + 1 : Math.ceil((length - 1) / step);
+  return Math.min(Math.max(reached, 1), limits.pages);
+}
+
+function mapOf(
+  html: HTMLElement,
+  flow: PageFlow,
+  pageCount: number,
+): { ids: Map<string, number>; starts: number[] } {
+  const ids = new Map<string, number>();
+  for (const element of html.querySelectorAll("[id], a[name]")) {
+    const [rect] = element.getClientRects();
+    const id = element.id || (element.getAttribute("name") ?? "");
+    if (ids.size >= limits.elements || ids.has(id)) continue;
+    const page = rect ? pageOfRect(flow, rect) : 0;
+    ids.set(id, Math.min(Math.max(page, 0), pageCount - 1));
+  }
+  return { ids, starts: [] };
+}
+
+/** Returns whether a page's size is usable for a page of fixed layout. */
+export function isUsableSize(size: PageSize): boolean {
+  return isPageSize(size) && size.width >= 1 && size.height >= 1;
+}

@@ -1,0 +1,211 @@
+/** Where the text of a laid out section lies: on which page, and in which lines. */
+
+import { cleanRun } from "../book_text.ts";
+import { limits } from "../limits.ts";
+import type { PageBox, TextRun } from "../page_source.ts";
+
+/** How a section's pages lie beside each other in its frame. */
+export interface PageFlow {
+  /** The distance from page to page: CSS pixels. */
+  readonly stepX: number;
+  readonly stepY: number;
+  readonly isVertical: boolean;
+}
+
+/** A piece of text on some pages. */
+interface Piece {
+  readonly node: Text;
+  /** Characters of the section before it. */
+  readonly offset: number;
+  readonly first: number;
+  readonly last: number;
+}
+
+/** Returns the page on which a rectangle of a frame lies, from 0 if there is but one. */
+export function pageOfRect({ stepX, stepY }: PageFlow, rect: DOMRect): number {
+  if (stepY !== 0) return Math.floor((rect.top + Math.min(rect.height, stepY / 2) / 2) / stepY);
+  if (stepX === 0) return 0;
+  const step = Math.abs(stepX);
+  const middle = rect.left + Math.min(rect.width, step / 2) / 2;
+  return stepX > 0
+    ? Math.floor(middle / step)
+    : -Math.floor((rect.right - Math.min(rect.width, step / 2) / 2) / step);
+}
+
+/** The text of one section. */
+export class TextMap {
+  /** The number of characters before each page; that of the next one for a page without text. */
+  readonly starts: readonly number[];
+  readonly #flow: PageFlow;
+  readonly #pieces: readonly Piece[];
+  readonly #range: Range;
+
+  /** @param body its element, laid out */
+  constructor(body: Element, flow: PageFlow, pageCount: number) {
+    this.#flow = flow;
+    this.#range = body.ownerDocument.createRange();
+    const starts: (number | undefined)[] = Array.from({ length: pageCount });
+    const pieces: Piece[] = [];
+    let offset = 0;
+    for (const node of textNodes(body)) {
+      const piece = this.#pieceOf(node, offset, pageCount);
+      if (piece) {
+        pieces.push(piece);
+        for (let page = piece.first; page <= piece.last; page++) {
+          const within = page === piece.first ? 0 : this.#firstOn(piece, page);
+          starts[page] ??= offset + within;
+        }
+      }
+      offset += node.length;
+    }
+    for (let page = pageCount - 1, next = offset; page >= 0; page--) {
+      next = Math.min(starts[page] ?? next, next);
+      starts[page] = next;
+    }
+    this.starts = starts as number[];
+    this.#pieces = pieces;
+  }
+
+  /** Returns the page that shows a character of the section. */
+  pageAt(offset: number): number {
+    return Math.max(
+      this.starts.findLastIndex((start) => start <= offset),
+      0,
+    );
+  }
+
+  /** Returns a page's text in lines; with the places of letters if `exact`. */
+  runs(page: number, exact: boolean): TextRun[] {
+    const runs: Line[] = [];
+    let letters = 0;
+    for (const piece of this.#pieces) {
+      if (piece.first > page || piece.last < page) continue;
+      for (const line of this.#linesOf(piece, page)) {
+        letters += line.text.length;
+        if (runs.length >= limits.runs || letters > limits.textLength) break;
+        runs.push(line);
+      }
+    }
+    return runs.map((line, k) => this.#runOf(line, runs[k + 1], exact));
+  }
+
+  #pieceOf(node: Text, offset: number, pageCount: number): Piece | null {
+    this.#range.selectNodeContents(node);
+    let [first, last] = [Number.POSITIVE_INFINITY, -1];
+    for (const rect of this.#range.getClientRects()) {
+      if (rect.width === 0 || rect.height === 0) continue;
+      const page = Math.min(Math.max(pageOfRect(this.#flow, rect), 0), pageCount - 1);
+      first = Math.min(first, page);
+      last = Math.max(last, page);
+    }
+    return last < 0 ? null : { node, offset, first, last };
+  }
+
+  /** Returns the first character of a piece that is on a page or after it. */
+  #firstOn({ node }: Piece, page: number): number {
+    let [low, high] = [0, node.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      const rect = this.#rectFrom(node, middle);
+      if (rect === null || pageOfRect(this.#flow, rect) >= page) high = middle;
+      else low = middle + 1;
+    }
+    return low;
+  }
+
+  /** Returns the place of the first character from `at` on that has one. */
+  #rectFrom(node: Text, at: number): DOMRect | null {
+    for (let k = at; k < node.length; k++) {
+      const rect = this.#rectOf(node, k, k + 1);
+      if (rect) return rect;
+    }
+    return null;
+  }
+
+  #rectOf(node: Text, from: number, to: number): DOMRect | null {
+    this.#range.setStart(node, from);
+    this.#range.setEnd(node, to);
+    const rects = this.#range.getClientRects();
+    for (const rect of rects) if (rect.width > 0 && rect.height > 0) return rect;
+    return null;
+  }
+
+  /** Splits a piece's part on a page where a line ends. */
+  #linesOf(piece: Piece, page: number): Line[] {
+    const { node } = piece;
+    const { isVertical } = this.#flow;
+    const lines: Line[] = [];
+    const from = page === piece.first ? 0 : this.#firstOn(piece, page);
+    const text = node.data;
+    let line: Line | null = null;
+    for (let k = from; k < text.length; ) {
+      const next = k + (/[\ud800-\udbff]/.test(text[k] as string) ? 2 : 1);
+      const rect = this.#rectOf(node, k, next);
+      if (rect !== null) {
+        const on = pageOfRect(this.#flow, rect);
+        if (on > page) break;
+        const letters = cleanRun(text.slice(k, next));
+        if (on === page && letters !== "") {
+          const box = this.#onPage(rect, page);
+          if (line === null || !continues(line, box, isVertical)) {
+            line = { text: "", box, boxes: [] };
+            lines.push(line);
+          }
+          line.text += letters;
+          for (let unit = 0; unit < letters.length; unit++) line.boxes.push(box);
+          line.box = union(line.box, box);
+        }
+      }
+      k = next;
+    }
+    return lines;
+  }
+
+  #onPage(rect: DOMRect, page: number): PageBox {
+    const { stepX, stepY } = this.#flow;
+    const { width, height } = rect;
+    return { x: rect.left - page * stepX, y: rect.top - page * stepY, width, height };
+  }
+
+  #runOf({ text, box, boxes }: Line, next: Line | undefined, exact: boolean): TextRun {
+    const { isVertical } = this.#flow;
+    const end = next === undefined || !continues({ box }, next.box, isVertical);
+    const run = { text, ...box, angle: 0, end, ...(isVertical ? { vertical: true } : {}) };
+    if (!exact || isVertical || box.width === 0) return run;
+    const places = boxes.map(({ x }) => (x - box.x) / box.width);
+    // Places are those of letters that run to the right.
+    const isRising = places.every((place, k) => k === 0 || place >= (places[k - 1] as number));
+    return isRising ? { ...run, places } : run;
+  }
+}
+
+/** Letters on one line. */
+interface Line {
+  text: string;
+  box: PageBox;
+  readonly boxes: PageBox[];
+}
+
+/** Returns whether a box stands on the line of another: more than half beside it. */
+function continues({ box }: { box: PageBox }, next: PageBox, isVertical: boolean): boolean {
+  const [from, length, nextFrom, nextLength] = isVertical
+    ? [box.x, box.width, next.x, next.width]
+    : [box.y, box.height, next.y, next.height];
+  const shared = Math.min(from + length, nextFrom + nextLength) - Math.max(from, nextFrom);
+  return shared > Math.min(length, nextLength) / 2;
+}
+
+function union(a: PageBox, b: PageBox): PageBox {
+  const [x, y] = [Math.min(a.x, b.x), Math.min(a.y, b.y)];
+  const right = Math.max(a.x + a.width, b.x + b.width);
+  const below = Math.max(a.y + a.height, b.y + b.height);
+  return { x, y, width: right - x, height: below - y };
+}
+
+/** Returns the text nodes that are read: readings of ruby stand beside what they read. */
+function* textNodes(body: Element): Generator<Text> {
+  const walker = body.ownerDocument.createTreeWalker(body, NodeFilter.SHOW_TEXT);
+  for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
+    if (!node.parentElement?.closest("rt, rp")) yield node as Text;
+  }
+}

@@ -1,0 +1,119 @@
+/** How flowing text is set: the style sheets that follow from what the reader chooses. */
+
+import type { PageSize, Typography } from "../page_source.ts";
+
+/** Typography as the book has it. */
+export const ownTypography: Typography = {
+  font: "",
+  size: 1,
+  lineHeight: 0,
+  margins: 1,
+  colours: "",
+};
+
+/** A page of flowing text, whatever the size of its type, in CSS pixels: a paperback of 129 by 198 mm (B format). */
+export const paperback: PageSize = { width: 488, height: 748 };
+
+/** Usual margins as fractions of the page's width: 14 mm at the sides, 16 at head and foot. */
+const usualMargin = { sides: 14 / 129, ends: 16 / 129 };
+
+/** Ink and paper. */
+const colours = {
+  "": { ink: "#000", paper: "#fff" },
+  sepia: { ink: "#3b2d1f", paper: "#f4ecd8" },
+  night: { ink: "#c9c5bd", paper: "#1c1b1a" },
+} as const;
+
+/** A page's measures in CSS pixels. */
+export interface PageMeasures extends PageSize {
+  /** Margins at the left and right, and at the head and foot. */
+  readonly sides: number;
+  readonly ends: number;
+}
+
+/**
+ * Returns a page's measures. Larger type is a smaller page that is shown as
+ * large: so everything in it grows alike, whatever units the book uses.
+ */
+export function measuresOf({ size, margins }: Typography): PageMeasures {
+  const width = Math.round(paperback.width / size);
+  const height = Math.round((width * paperback.height) / paperback.width);
+  const scaled = (part: number): number => Math.round(part * margins * width);
+  return { width, height, sides: scaled(usualMargin.sides), ends: scaled(usualMargin.ends) };
+}
+
+/** Returns the paper's colour. */
+export function paperOf(typography: Typography): string {
+  return colours[typography.colours].paper;
+}
+
+/** The style sheet beneath the book's own. */
+export const baseStyle = `
+html { font: 16px/1.45 Georgia, "Liberation Serif", "Times New Roman", serif; color: #000; }
+p { widows: 2; orphans: 2; }
+h1, h2, h3, h4, h5, h6 { break-after: avoid; break-inside: avoid; }
+figure, tr { break-inside: avoid; }
+pre { white-space: pre-wrap; }
+a { color: inherit; }
+`;
+
+const textElements =
+  "html, body, div, section, article, p, li, dd, dt, blockquote, td, th, span, em, i, strong, b, a, small";
+
+/** Returns the style sheet above the book's own. */
+export function readerStyle(typography: Typography): string {
+  const { font, lineHeight } = typography;
+  const { ink } = colours[typography.colours];
+  const rules = [];
+  if (font !== "") rules.push(`${textElements} { font-family: ${font} !important; }`);
+  if (lineHeight > 0) {
+    rules.push(
+      `html, body, div, section, article, p, li, dd, dt, blockquote { line-height: ${lineHeight} !important; }`,
+    );
+  }
+  if (typography.colours !== "") {
+    rules.push(
+      `${textElements}, h1, h2, h3, h4, h5, h6 { color: ${ink} !important; background: none !important; }`,
+    );
+  }
+  return rules.join("\n");
+}
+
+/** Returns the style sheet that sets a section into pages as columns. */
+export function columnStyle(page: PageMeasures, isVertical: boolean, direction: string): string {
+  const across = page.width - 2 * page.sides;
+  const down = page.height - 2 * page.ends;
+  const [column, gap] = isVertical ? [down, 2 * page.ends] : [across, 2 * page.sides];
+  return `
+html {
+  display: block !important; position: absolute !important; box-sizing: content-box !important;
+  left: ${page.sides}px !important; top: ${page.ends}px !important;
+  width: ${across}px !important; height: ${down}px !important;
+  min-width: 0 !important; min-height: 0 !important; max-width: none !important; max-height: none !important;
+  margin: 0 !important; padding: 0 !important; border: 0 !important; overflow: visible !important;
+  direction: ${direction}; column-width: ${column}px !important; column-count: auto !important; column-gap: ${gap}px !important;
+  column-fill: auto !important; column-rule: none !important; transform: none !important;
+}
+body {
+  width: auto !important; height: auto !important; max-width: none !important; max-height: none !important;
+  min-width: 0 !important; min-height: 0 !important; position: static !important; float: none !important;
+  margin: 0 !important; padding: 0 !important; overflow: visible !important; columns: auto !important;
+}
+img, svg, video, canvas, image, object {
+  max-width: ${across}px !important; max-height: ${down}px !important; box-sizing: border-box !important; break-inside: avoid;
+}
+img, video { object-fit: contain; }
+* { text-rendering: geometricPrecision !important; overflow-wrap: break-word; animation: none !important; transition: none !important; }
+`;
+}
+
+/** Returns the style sheet of a page of fixed layout. */
+export function fixedStyle({ width, height }: PageSize): string {
+  return `
+html {
+  display: block !important; position: absolute !important; left: 0 !important; top: 0 !important;
+  width: ${width}px; height: ${height}px; overflow: hidden !important;
+}
+* { text-rendering: geometricPrecision !important; animation: none !important; transition: none !important; }
+`;
+}

@@ -1,0 +1,136 @@
+/** Ticks and quality from frame to frame, whatever times the browser reports. */
+
+import { expect, test } from "vitest";
+import { FrameQuality, TickCounter } from "./frame_timing.ts";
+
+const tick = 1 / 120;
+
+test("a frame that came earlier than the last is no time, and time goes on from it", () => {
+  const ticks = new TickCounter(tick);
+  expect(ticks.count(1000)).toBe(0);
+  expect(ticks.count(1050)).toBe(6);
+  expect(ticks.count(1040)).toBe(0);
+  expect(ticks.count(1090)).toBe(6);
+  // The clock was set back by far.
+  expect(ticks.count(5)).toBe(0);
+  expect(ticks.count(55)).toBe(6);
+});
+
+test("a time that is no number is passed over", () => {
+  const ticks = new TickCounter(tick);
+  for (const now of [Number.NaN, Number.POSITIVE_INFINITY, 1000, Number.NaN]) {
+    expect(ticks.count(now)).toBe(0);
+  }
+  expect(ticks.count(1050)).toBe(6);
+  expect(ticks.count(Number.NEGATIVE_INFINITY)).toBe(0);
+  expect(ticks.count(1100)).toBe(6);
+});
+
+test("a movement may begin at time 0, and the next owes nothing to it", () => {
+  const ticks = new TickCounter(tick);
+  expect([ticks.count(0), ticks.count(50)]).toEqual([0, 6]);
+  ticks.stop();
+  expect([ticks.count(1000), ticks.count(1050)]).toEqual([0, 6]);
+});
+
+test("of any times the ticks are whole, and no more than a long frame has", () => {
+  const seed = 20260713;
+  let state = seed;
+  const random = (): number => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
+  const odd = [Number.NaN, Number.POSITIVE_INFINITY, -1e308, 1e308, -0, 5e-324];
+  const ticks = new TickCounter(tick);
+  for (let k = 0; k < 20_000; k++) {
+    const now = random() < 0.1 ? odd[Math.floor(random() * odd.length)] : 1e6 * (random() - 0.5);
+    const passed = ticks.count(now);
+    expect(Number.isInteger(passed) && passed >= 0 && passed <= 13, `seed ${seed}, ${k}`).toBe(
+      true,
+    );
+  }
+});
+
+/**
+ * Runs a movement of some frames, each as long after the previous one as `cost`
+ * says. Returns the fractions of pixels.
+ */
+function move(
+  governor: FrameQuality,
+  frames: number,
+  cost: (quality: { pixels: number; roughly: boolean }) => number,
+  start = 1000,
+): number[] {
+  const seen: number[] = [];
+  let now = start;
+  for (let k = 0; k < frames; k++) {
+    governor.frame(now);
+    seen.push(governor.quality.pixels);
+    now += cost(governor.quality);
+  }
+  governor.rest();
+  return seen;
+}
+
+const best = { pixels: 1, roughly: false };
+
+test("frames in time are drawn as well as can be, whatever the screen's rate", () => {
+  for (const rate of [60, 90, 120, 144]) {
+    const governor = new FrameQuality();
+    move(governor, 600, () => 1000 / rate);
+    expect(governor.quality).toEqual(best);
+  }
+});
+
+test("single late frames, pauses and the time between movements count for nothing", () => {
+  const governor = new FrameQuality();
+  let frame = 0;
+  move(governor, 600, () => (++frame % 4 === 0 ? 60 : 16));
+  for (let k = 0; k < 30; k++) move(governor, 5, () => 16, 1000 + 5000 * k);
+  move(governor, 40, () => 400);
+  expect(governor.quality).toEqual(best);
+});
+
+test("late frames lower it until they come in time, and no further", () => {
+  const governor = new FrameQuality();
+  // A graphics card limited by pixels: 40 ms at full, 22 ms at three quarters.
+  const slow = ({ pixels }: { pixels: number }) => Math.max(40 * pixels ** 2, 16.7);
+  const seen = move(governor, 80, slow);
+  expect(seen[0]).toBe(1);
+  expect(governor.quality.pixels).toBeLessThan(1);
+  expect(slow(governor.quality)).toBeLessThan(23);
+  expect(Math.min(...seen)).toBeGreaterThanOrEqual(0.55);
+});
+
+test("shadows go first: where they were too much, no pixel is lost", () => {
+  const governor = new FrameQuality();
+  const seen = move(governor, 60, ({ roughly }) => (roughly ? 16 : 30));
+  expect(Math.min(...seen)).toBe(1);
+  expect(governor.quality).toEqual({ pixels: 1, roughly: true });
+});
+
+test("it comes back by itself when there is time again", () => {
+  const governor = new FrameQuality();
+  move(governor, 60, ({ pixels }) => 45 * pixels ** 2);
+  expect(governor.quality.pixels).toBeLessThan(1);
+  move(governor, 400, () => 16);
+  expect(governor.quality).toEqual(best);
+});
+
+test("it does not go up and down all the time: tries in vain become rare", () => {
+  const governor = new FrameQuality();
+  const seen = move(governor, 6000, ({ pixels }) => (pixels > 0.7 ? 30 : 16));
+  const changes = seen.filter((pixels, k) => k > 0 && pixels !== seen[k - 1]).length;
+  const late = seen.slice(600).filter((pixels) => pixels > 0.7).length;
+  expect(changes).toBeLessThan(40);
+  expect(late / seen.length).toBeLessThan(0.05);
+});
+
+test("where nothing helps, as on a screen that is held to 30 frames, nothing is given up", () => {
+  const governor = new FrameQuality();
+  move(governor, 400, () => 33.3);
+  expect(governor.quality).toEqual(best);
+  // It still waits longer.
+  move(governor, 60, ({ pixels }) => 33.3 + 60 * (pixels - 0.5));
+  expect(governor.quality.pixels).toBeLessThan(1);
+});

@@ -1,0 +1,154 @@
+/**
+ * What the times of the screen's frames mean: how many ticks the engine steps,
+ * and how well the next frame is drawn. They are the viewer's only clock.
+ */
+
+/** Maximum time of one frame, in seconds; after a pause the turn goes on where it was. */
+const longestFrame = 0.1;
+
+/** Counts the whole ticks from frame to frame while something moves. */
+export class TickCounter {
+  readonly #tick: number;
+  #lastTime: number | null = null;
+  #remainder = 0;
+
+  /** @param tick length of a tick in seconds */
+  constructor(tick: number) {
+    this.#tick = tick;
+  }
+
+  /**
+   * Returns the whole ticks since the last frame, 0 or more: none in the first
+   * frame of a movement, nor for a frame whose time is not a number or not
+   * later than the last one's.
+   *
+   * @param now time of the animation frame in milliseconds
+   */
+  count(now: number): number {
+    if (!Number.isFinite(now)) return 0;
+    const since = this.#lastTime === null ? 0 : (now - this.#lastTime) / 1000;
+    const seconds = Math.min(Math.max(since, 0), longestFrame);
+    this.#lastTime = now;
+    this.#remainder += seconds / this.#tick;
+    const ticks = Math.floor(this.#remainder);
+    this.#remainder -= ticks;
+    return ticks;
+  }
+
+  /** Ends the movement: the next frame is the first of another. */
+  stop(): void {
+    this.#lastTime = null;
+    this.#remainder = 0;
+  }
+}
+
+/** The settings with which a frame of a movement is drawn. */
+export interface Quality {
+  /** Fraction of the screen's pixel ratio. */
+  readonly pixels: number;
+  /** If true, shadows between leaves are computed only in every other frame. */
+  readonly roughly: boolean;
+}
+
+/** From the best to the lowest. */
+const steps: readonly Quality[] = [
+  { pixels: 1, roughly: false },
+  { pixels: 1, roughly: true },
+  { pixels: 0.75, roughly: true },
+  { pixels: 0.55, roughly: true },
+];
+
+/** Frames judged together, by their median, so that a single late one counts for nothing. */
+const judged = 12;
+
+/** Time between two frames, in milliseconds, above which they are late: fewer than 45 a second. */
+const dueAtFirst = 22;
+
+/** A longer interval means that the page was hidden, milliseconds. */
+const absent = 250;
+
+/** Minimum fraction of their time that frames must gain by a step down for it to be kept. */
+const leastGain = 0.1;
+
+/**
+ * Judgements in time before a step up is tried. Each failed trial adds as many,
+ * up to the maximum.
+ */
+const patience = 5;
+const mostPatience = 8;
+
+/** Chooses the quality of moving frames. */
+export class FrameQuality {
+  #step = 0;
+  #intervals: number[] = [];
+  #last = 0;
+  #due = dueAtFirst;
+  #inTime = 0;
+  #wait = 1;
+  /**
+   * Time between frames before the last step down, until that one is judged;
+   * and whether a step up is on trial.
+   */
+  #before = 0;
+  #isTrial = false;
+
+  /** The quality for the next frame of a movement. */
+  get quality(): Quality {
+    return steps[this.#step];
+  }
+
+  /** A frame of a movement, at a time in milliseconds. */
+  frame(now: number): void {
+    const interval = now - this.#last;
+    const isFirst = this.#last === 0;
+    this.#last = now;
+    if (isFirst || interval > absent) return;
+    this.#intervals.push(interval);
+    if (this.#intervals.length < judged) return;
+    const sorted = this.#intervals.sort((a, b) => a - b);
+    this.#intervals = [];
+    this.#judge(sorted[judged >> 1]);
+  }
+
+  /** Ends the movement: the time until the next one belongs to no frame. */
+  rest(): void {
+    this.#last = 0;
+  }
+
+  #judge(middle: number): void {
+    if (middle > this.#due) this.#worsen(middle);
+    else this.#improve();
+  }
+
+  #worsen(middle: number): void {
+    this.#inTime = 0;
+    if (this.#isTrial) this.#wait = Math.min(2 * this.#wait, mostPatience);
+    this.#isTrial = false;
+    if (this.#before > 0 && middle > (1 - leastGain) * this.#before) {
+      const isLast = this.#step === steps.length - 1;
+      if (!isLast) this.#step++;
+      else {
+        // No setting here is what takes the time: the screen itself, or the page around, is slow.
+        this.#step = 0;
+        this.#due = 1.3 * middle;
+        this.#before = 0;
+      }
+      return;
+    }
+    this.#before = middle;
+    this.#step = Math.min(this.#step + 1, steps.length - 1);
+  }
+
+  #improve(): void {
+    this.#before = 0;
+    this.#inTime++;
+    if (this.#isTrial && this.#inTime >= patience) {
+      this.#isTrial = false;
+      this.#wait = 1;
+    }
+    if (this.#step === 0 || this.#inTime < patience * this.#wait) return;
+    this.#step--;
+    this.#inTime = 0;
+    this.#isTrial = true;
+  }
+}

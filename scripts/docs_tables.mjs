@@ -1,0 +1,60 @@
+/**
+ * The tables of the docs. What measures writes a table into docs/data, a row a line;
+ * pages include it between the lines `<!-- table NAME -->` and `<!-- /table -->`.
+ *
+ *   node scripts/docs_tables.mjs            writes the tables into the pages
+ *   node scripts/docs_tables.mjs --check    fails if a page differs from its data
+ */
+import { readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+
+const docs = join(import.meta.dirname, "../docs");
+const data = join(docs, "data");
+
+/** Rows of cells, the first of them headings. */
+export function readTable(name) {
+  return JSON.parse(readFileSync(join(data, `${name}.json`), "utf8"));
+}
+
+/** Writes the rows of a table as data. */
+export function writeTable(name, rows) {
+  const lines = rows.map((row) => `  ${JSON.stringify(row.map(String))}`);
+  writeFileSync(join(data, `${name}.json`), `[\n${lines.join(",\n")}\n]\n`);
+}
+
+/** A table in Markdown: columns of numbers are aligned to the right. */
+export function markdown([headings, ...rows]) {
+  const isNumber = (cell) => /^[+-]?\d/.test(cell);
+  const rule = headings.map((_, column) => {
+    const numbers = rows.filter((row) => isNumber(row[column])).length;
+    return column > 0 && 2 * numbers > rows.length ? "---:" : "---";
+  });
+  return [headings, rule, ...rows].map((cells) => `| ${cells.join(" | ")} |\n`).join("");
+}
+
+/** Puts the tables into the pages, or with `isCheck` lists what differs. */
+export function includeTables(isCheck = false) {
+  const unused = new Set(readdirSync(data).map((file) => file.replace(/\.json$/, "")));
+  const faults = [];
+  for (const page of readdirSync(docs).filter((name) => name.endsWith(".md"))) {
+    const path = join(docs, page);
+    const text = readFileSync(path, "utf8");
+    const section = /(<!-- table (\w+) -->\n)[\s\S]*?(<!-- \/table -->)/g;
+    const written = text.replace(section, (_, open, name, close) => {
+      unused.delete(name);
+      return `${open}${markdown(readTable(name))}${close}`;
+    });
+    if (written === text) continue;
+    if (isCheck)
+      faults.push(`docs/${page} differs from docs/data: run node scripts/docs_tables.mjs`);
+    else writeFileSync(path, written);
+  }
+  for (const name of unused) faults.push(`No page includes docs/data/${name}.json`);
+  return faults;
+}
+
+if (process.argv[1] === import.meta.filename) {
+  const faults = includeTables(process.argv.includes("--check"));
+  for (const fault of faults) console.error(fault);
+  if (faults.length > 0) process.exit(1);
+}
