@@ -72,7 +72,7 @@ function transpile(path) {
 /** Type and body of what is at an address: the page, the built viewer, the book, and what plays with them. */
 function fileAt(address) {
   if (address === "/") return ["text/html", html];
-  const [, folder, name] = /^\/(\w+)\/([\w.-]+)$/.exec(address) ?? [];
+  const [, folder, name] = /^\/(\w+)\/((?:\w+\/)?[\w.-]+)$/.exec(address) ?? [];
   const path = join(folders[folder], name);
   if (name.endsWith(".ts")) return ["text/javascript", transpile(path)];
   const type = name.endsWith(".pdf") ? "application/pdf" : "text/javascript";
