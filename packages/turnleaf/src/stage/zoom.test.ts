@@ -101,6 +101,13 @@ test("a pan moves what is seen with the finger, and ends at the book's edge", ()
   }
 });
 
+test("the way between two zooms ends exactly at the second", () => {
+  const to = { level: 1, x: 0, y: 0.1 };
+  for (let level = 1.01; level < 8; level *= 1.03) {
+    expect(zoomBetween({ level, x: 0.03, y: 0 }, to, 1)).toEqual(to);
+  }
+});
+
 test("where the book does not fill the canvas it stands in its middle", () => {
   const { zooming, seen } = zoomingOver({}, 0.5);
   zooming.show({ level: 1.7, x: 0, y: 5 });

@@ -49,6 +49,8 @@ export function overheadAt(level: number): number {
 
 /** Interpolates between two zooms, 0 to 1: a point that both show in one place stays there. */
 export function zoomBetween(from: Zoom, to: Zoom, fraction: number): Zoom {
+  // Exactly there, without the rounding of the way: level 1 is the whole book.
+  if (fraction === 1) return to;
   const level = from.level * (to.level / from.level) ** fraction;
   const isPan = Math.abs(to.level / from.level - 1) < 1e-6;
   const way = isPan ? fraction : (1 / level - 1 / from.level) / (1 / to.level - 1 / from.level);
