@@ -119,10 +119,11 @@ soak: build chromium
 
 # Every parser with what mutated files and texts say, FUZZ times as much of it as `make test` has, by SEED.
 FUZZ ?= 50
-fuzz: $(MODULES) tools-rust
+fuzz: $(MODULES) tools-rust chromium
 	mkdir -p target
 	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts cargo test --release --quiet -p turnleaf-engine --test hostile_key_frames
 	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts npx vitest run --project node fuzz.test manifest.test hostile.test verdicts.test
+	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) npx vitest run --project chromium fuzz.browser.test
 
 # Two models that turn the same page side by side.
 playground: build

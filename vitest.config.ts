@@ -6,9 +6,13 @@ import { turnInline } from "./packages/turnleaf/turn_inline.js";
 import { wasmInline } from "./packages/turnleaf/wasm_inline.js";
 import { chromiumArguments, findChromium } from "./scripts/chromium.mjs";
 import { consoleCommands } from "./scripts/console_watch.mjs";
+import { requestCommands } from "./scripts/request_watch.mjs";
 
 /** The list of steps that Chromium, Firefox and WebKitGTK go through with the built package. */
 const engines = "packages/cli/tests/engines/*.test.ts";
+
+/** What the random tests read, for those that run in a browser. */
+const { TURNLEAF_SEED = "1", TURNLEAF_FUZZ = "1" } = process.env;
 
 /** `*.test.ts` runs in Node; `*.browser.test.ts` runs in the real Chromium of this machine. */
 export default defineConfig({
@@ -50,12 +54,13 @@ export default defineConfig({
           exclude: ["**/node_modules/**", "**/dist/**"],
           testTimeout: 60_000,
           fileParallelism: false,
+          env: { TURNLEAF_SEED, TURNLEAF_FUZZ },
           setupFiles: ["packages/turnleaf/src/for_tests/browser_setup.ts"],
           browser: {
             enabled: true,
             headless: true,
             screenshotFailures: false,
-            commands: consoleCommands,
+            commands: { ...consoleCommands, ...requestCommands },
             provider: playwright({
               launchOptions: { executablePath: findChromium(), args: chromiumArguments },
             }),

@@ -6,6 +6,7 @@ import { commands } from "vitest/browser";
 declare module "vitest/browser" {
   interface BrowserCommands {
     webglComplaints(): Promise<string[]>;
+    requestsElsewhere(): Promise<string[]>;
   }
 }
 

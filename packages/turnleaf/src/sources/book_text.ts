@@ -42,6 +42,15 @@ export function cleanAddress(address: unknown): string {
   }
 }
 
+/** Returns a part of an address with its escapes decoded; as it is if they are none. */
+export function decodeEscapes(part: string): string {
+  try {
+    return decodeURIComponent(part);
+  } catch {
+    return part;
+  }
+}
+
 /** Returns a BCP 47 tag in its canonical form; empty if `tag` is none. */
 export function cleanLanguage(tag: unknown): string {
   const text = cleanText(tag, 60).replaceAll("_", "-");

@@ -16,6 +16,12 @@ import { imageType, type Kind, sniff, sniffLength } from "./sniff.ts";
  */
 const headerLength = 1 << 20;
 
+/** Bytes in which the sizes of an AVIF and its parts are searched for. */
+const avifLength = 1 << 16;
+
+/** Bytes of a JPEG in which its size is searched for at last: previews and profiles may come before. */
+const longestHeader = 1 << 24;
+
 const readers: Readonly<Record<string, typeof JPG>> = {
   "image/png": PNG,
   "image/jpeg": JPG,
@@ -47,12 +53,37 @@ export async function typedImage(image: Blob): Promise<Blob> {
 export async function sizeFromHeader(image: Blob): Promise<PageSize | null> {
   const reader = readers[image.type];
   if (!reader) return null;
-  try {
-    const start = new Uint8Array(await image.slice(0, headerLength).arrayBuffer());
-    const { width, height, orientation = 1 } = reader.calculate(start);
-    // From 5 on the image is turned by a quarter.
-    return orientation >= 5 ? { width: height, height: width } : { width, height };
-  } catch {
-    return null;
+  const lengths = image.type === "image/jpeg" ? [headerLength, longestHeader] : [headerLength];
+  for (const length of lengths) {
+    try {
+      const start = new Uint8Array(await image.slice(0, length).arrayBuffer());
+      const { width, height, orientation = 1 } = reader.calculate(start);
+      // From 5 on the image is turned by a quarter.
+      return orientation >= 5 ? { width: height, height: width } : { width, height };
+    } catch {
+      // There may be more of it.
+      if (image.size <= length) return null;
+    }
   }
+  return null;
+}
+
+/**
+ * Returns the size that a typed image claims before it is decoded: its own, or
+ * of an AVIF that of its largest part, which may lie turned. Null if its
+ * header is not understood.
+ */
+export async function claimedSize(image: Blob): Promise<PageSize | null> {
+  if (image.type !== "image/avif") return await sizeFromHeader(image);
+  const start = new DataView(await image.slice(0, avifLength).arrayBuffer());
+  let largest: PageSize | null = null;
+  // Each picture in it, the whole and the tiles of a grid, has a box "ispe" (ISO/IEC 23008-12, 6.5.3).
+  for (let at = 0; at + 16 <= start.byteLength; at++) {
+    if (start.getUint32(at) !== 0x69737065) continue;
+    const [width, height] = [start.getUint32(at + 8), start.getUint32(at + 12)];
+    if (largest === null || width * height > largest.width * largest.height) {
+      largest = { width, height };
+    }
+  }
+  return largest;
 }

@@ -1,5 +1,6 @@
 import { zipSync } from "fflate";
 import { afterEach, describe, expect, it, vi } from "vitest";
+import { hugeImages } from "../for_tests/huge_images.ts";
 import { limits } from "./limits.ts";
 import { messageOf } from "./message_of.ts";
 import { openSource } from "./open.ts";
@@ -392,18 +393,34 @@ describe("unreadable input fails in one sentence", () => {
       bounds.imageBytes = imageBytes;
     }
   });
-  it("an image of more pixels than can be shown, by its header alone", async () => {
-    const head = new DataView(new ArrayBuffer(33));
-    head.setBigUint64(0, 0x89504e470d0a1a0an);
-    head.setUint32(8, 13);
-    head.setUint32(12, 0x49484452);
-    head.setUint32(16, 20_000);
-    head.setUint32(20, 20_000);
-    head.setUint32(24, 0x08020000);
-    const source = await openSource([new File([head], "huge.png")]);
-    expect(await messageOf(source.draw(0, 9, never))).toMatch(
-      /has 20000 x 20000 pixels, more than can be shown; make it smaller\.$/,
+  it.each(Object.entries(hugeImages))(
+    "an image of more pixels than can be shown, by its header alone: %s",
+    async (format, bytes) => {
+      const decode = vi.spyOn(globalThis, "createImageBitmap");
+      const source = await openSource([new File([bytes], `huge.${format}`)]);
+      expect(await messageOf(source.draw(0, 9, never))).toMatch(
+        /has 50000 x 50000 pixels, more than can be shown; make it smaller\.$/,
+      );
+      expect(decode).not.toHaveBeenCalled();
+    },
+  );
+  it("a JPEG whose size comes after megabytes of other data, by its header too", async () => {
+    const jpeg = hugeImages.jpeg as Uint8Array<ArrayBuffer>;
+    const other = new Uint8Array(65_535 + 2);
+    other.set([0xff, 0xee, 0xff, 0xff]);
+    const parts = [jpeg.slice(0, 20), ...Array.from({ length: 20 }, () => other), jpeg.slice(20)];
+    const source = await openSource([new File(parts, "late.jpg")]);
+    expect(await messageOf(source.draw(0, 9, never))).toContain("has 50000 x 50000 pixels");
+  });
+  it("an SVG whose entities multiply, on its page alone", async () => {
+    const entities = Array.from({ length: 9 }, (_, k) =>
+      k === 0 ? '<!ENTITY e0 "lol">' : `<!ENTITY e${k} "${`&e${k - 1};`.repeat(10)}">`,
     );
+    const bomb = `<!DOCTYPE svg [${entities.join("")}]><svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><text>&e8;</text></svg>`;
+    const sound = '<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"/>';
+    const source = await openSource([new File([bomb], "1.svg"), new File([sound], "2.svg")]);
+    expect(await messageOf(source.draw(0, 9, never))).toMatch(/^Page 1 of .* is damaged.*\.$/);
+    expect((await source.draw(1, 9, never)).width).toBe(9);
   });
   it("a page that is not there", async () => {
     serve(() => new Response("", { status: 404 }));

@@ -1,6 +1,6 @@
 import { nameOfUrl } from "./book_text.ts";
 import { fetchChecked, readBounded } from "./fetch_bytes.ts";
-import { kindOfFile, sizeFromHeader, typedImage } from "./image_header.ts";
+import { claimedSize, kindOfFile, sizeFromHeader, typedImage } from "./image_header.ts";
 import { fitPixels, isPageSize, limits, wholePage } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
 import type { ImageBook, ImagePage, StoredImage } from "./manifest.ts";
@@ -255,7 +255,11 @@ async function measure(image: Blob): Promise<PageSize> {
     const { sizeOfSvg } = await loadPart(import("./svg.ts"));
     return await sizeOfSvg(image);
   }
-  return (await sizeFromHeader(image)) ?? (await measureByDecoding(image));
+  const size = await sizeFromHeader(image);
+  if (size) return size;
+  const claimed = await claimedSize(image);
+  const isTooLarge = claimed && claimed.width * claimed.height > limits.imagePixels;
+  return isTooLarge ? claimed : await measureByDecoding(image);
 }
 
 async function measureByDecoding(image: Blob): Promise<PageSize> {

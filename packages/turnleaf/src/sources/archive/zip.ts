@@ -72,6 +72,7 @@ class ZipArchive implements Archive {
       `${name} in ${this.#name} is larger than ${Math.floor(most / (1 << 20))} MB when unpacked; make it smaller.`,
     );
     if (entry.uncompressedSize > most) throw tooLarge;
+    const longer = new Error("It is longer than the archive says.");
     // What the directory claims may be wrong: bytes are counted as they come.
     const parts: Uint8Array<ArrayBuffer>[] = [];
     let length = 0;
@@ -79,6 +80,8 @@ class ZipArchive implements Archive {
       write(part) {
         length += part.length;
         if (length > most) throw tooLarge;
+        // What files claim can be added up before they are read.
+        if (length > entry.uncompressedSize) throw longer;
         parts.push(part);
         if (length >= enough) stopped.abort();
       },

@@ -102,6 +102,15 @@ test("an archive without images, and an EPUB, are rejected in a sentence", async
   );
 });
 
+test("an archive within an archive is not opened", async () => {
+  const inner = zipSync({ "1.png": await scan(4, 6) });
+  expect(await messageOf(comic({ "inner.zip": inner, "inner.cbz": inner }))).toBe(
+    "Hero 1.cbz is an archive with no book in it; open another.",
+  );
+  const source = await comic({ "1.png": await scan(4, 6), "inner.cbz": inner });
+  expect(source.pageCount).toBe(1);
+});
+
 test("a page that is cut off or claims 50,000 x 50,000 pixels fails alone", async () => {
   const page = await scan(40, 60);
   const huge = page.slice();

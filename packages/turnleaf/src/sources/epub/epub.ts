@@ -2,7 +2,7 @@
 
 import { EPUB, type ManifestItem, type TocItem } from "foliate-js/epub.js";
 import type { Archive } from "../archive/archive.ts";
-import { cleanLanguage, cleanText } from "../book_text.ts";
+import { cleanLanguage, cleanText, decodeEscapes } from "../book_text.ts";
 import { unknownFailure } from "../failures.ts";
 import { isPageSize, limits } from "../limits.ts";
 import { cleanMarkup } from "../markup/clean_markup.ts";
@@ -18,6 +18,7 @@ import type {
 import { FlowSource } from "../typeset/flow_source.ts";
 import { EpubFiles } from "./epub_files.ts";
 import { fontDecoder } from "./obfuscated_fonts.ts";
+import { checkPackage } from "./package_document.ts";
 
 /** Types of chapters. */
 const readableTypes =
@@ -45,24 +46,30 @@ export async function openEpub(
 }
 
 async function readEpub(archive: Archive, file: Blob, name: string): Promise<FlowBook> {
+  const names = new Set(archive.names);
   const plain = new EpubFiles(archive, async () => {});
   const epub = new EPUB({
-    loadText: async (path) => (archive.names.includes(path) ? await plain.text(path) : null),
+    loadText: async (path) => (names.has(path) ? await plain.text(path) : null),
     loadBlob: async (path) => new Blob([await archive.read(path)]),
     getSize: (path) => archive.size(path),
   });
-  epub.parser = { parseFromString: (text, type) => parseMarkup(text, type as MarkupType) };
+  epub.parser = {
+    parseFromString: (text, type) => checkPackage(parseMarkup(text, type as MarkupType), name),
+  };
   await epub.init();
   const { resources, rendition, metadata, toc } = epub;
-  const protection = archive.names.includes("META-INF/encryption.xml")
+  // Of several of one name the first counts.
+  const items = new Map(resources.manifest.map((item) => [item.id, item] as const).reverse());
+  const fallbacks = new Map(
+    [...resources.opf.getElementsByTagNameNS("*", "item")]
+      .map((element) => [element.id, element.getAttribute("fallback")] as const)
+      .reverse(),
+  );
+  const protection = names.has("META-INF/encryption.xml")
     ? parseMarkup(await plain.text("META-INF/encryption.xml"), "application/xml")
     : null;
   const decoder = await fontDecoder(protection, epub);
-  if (
-    decoder.isProtected(
-      resources.spine.map(({ idref }) => resources.getItemByID(idref)?.href ?? ""),
-    )
-  ) {
+  if (decoder.isProtected(resources.spine.map(({ idref }) => items.get(idref)?.href ?? ""))) {
     throw new BookError(
       `${name} is protected against copying (DRM); open it in its shop's reader.`,
     );
@@ -74,8 +81,8 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   const chapters = resources.spine
     .slice(0, limits.pages)
     .flatMap(({ idref, linear, properties = [] }) => {
-      const item = readableItem(epub, idref);
-      if (!item || !archive.names.includes(item.href)) return [];
+      const item = readableItem(items, fallbacks, idref);
+      if (!item || !names.has(item.href)) return [];
       const has = (word: string): boolean =>
         properties.some((one) => one === word || one === `rendition:${word}`);
       const isFixed = has("layout-pre-paginated") || (isFixedBook && !has("layout-reflowable"));
@@ -101,7 +108,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     const [path = "", id = ""] = address.split("#", 2);
     const target = path === "" ? from : files.resolve(path, from);
     const section = indices.get(target ?? "");
-    return section === undefined ? null : { section, id: decodeId(id) };
+    return section === undefined ? null : { section, id: decodeEscapes(id) };
   };
   const outline = (items: readonly TocItem[] | null | undefined): FlowOutline[] =>
     (items ?? []).map(({ label, href, subitems }) => ({
@@ -124,13 +131,16 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
 }
 
 /** Returns an item of the manifest, or the first of its fallbacks that can be read. */
-function readableItem({ resources }: EPUB, id: string): ManifestItem | undefined {
+function readableItem(
+  items: ReadonlyMap<string, ManifestItem>,
+  fallbacks: ReadonlyMap<string, string | null>,
+  id: string,
+): ManifestItem | undefined {
   let next: string | null | undefined = id;
   for (let left = mostFallbacks; next && left > 0; left--) {
-    const item = resources.getItemByID(next);
+    const item = items.get(next);
     if (!item || readableTypes.test(item.mediaType)) return item;
-    const elements = resources.opf.getElementsByTagNameNS("*", "item");
-    next = [...elements].find((one) => one.id === item.id)?.getAttribute("fallback");
+    next = fallbacks.get(item.id);
   }
   return undefined;
 }
@@ -189,12 +199,4 @@ function textOf(title: unknown): string {
   if (typeof title === "string") return title;
   const first = typeof title === "object" && title !== null ? Object.values(title)[0] : "";
   return typeof first === "string" ? first : "";
-}
-
-function decodeId(id: string): string {
-  try {
-    return decodeURIComponent(id);
-  } catch {
-    return id;
-  }
 }

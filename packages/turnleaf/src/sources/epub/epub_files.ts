@@ -1,8 +1,9 @@
 import type { Archive } from "../archive/archive.ts";
-import { sizeFromHeader } from "../image_header.ts";
+import { claimedSize } from "../image_header.ts";
 import { limits } from "../limits.ts";
 import { cleanCss } from "../markup/clean_css.ts";
 import type { MarkupFiles } from "../markup/clean_markup.ts";
+import { checkedData } from "../markup/data_address.ts";
 import { imageType, sniffLength } from "../sniff.ts";
 
 /** Characters of pictures, fonts and style sheets that are kept between chapters. */
@@ -11,8 +12,9 @@ const keptLength = 48_000_000;
 /** Style sheets that may import each other. */
 const importDepth = 4;
 
+/** Media of an import have no "@": each is searched for only as far as the next one, in linear time. */
 const importRule =
-  /@import\s+(?:url\(\s*)?(?:"([^"]*)"|'([^']*)'|([^"'()\s;]+))\s*\)?([^;{}]*)(?:;|$)/gi;
+  /@import\s+(?:url\(\s*)?(?:"([^"]*)"|'([^']*)'|([^"'()\s;]+)(?=[\s;)]|$))[^;{}@]*(?:;|$)/gi;
 
 /** First bytes of fonts, and their types. */
 const fonts: readonly (readonly [mark: string, type: string])[] = [
@@ -62,7 +64,7 @@ export class EpubFiles {
     return {
       data: async (address) => {
         const target = this.resolve(address, path);
-        if (/^data:(image|font)\//i.test(address)) return address;
+        if (/^data:/i.test(address)) return await checkedData(address);
         if (target === null || left < 0) return null;
         left -= this.#archive.size(target);
         return left < 0 ? null : await this.#data(target);
@@ -96,7 +98,7 @@ export class EpubFiles {
     const start = bytes.subarray(0, sniffLength);
     const image = imageType(start);
     if (image !== null) {
-      const size = await sizeFromHeader(new Blob([bytes], { type: image }));
+      const size = await claimedSize(new Blob([bytes], { type: image }));
       if (size && size.width * size.height > limits.imagePixels) return null;
       return await dataUrl(bytes, image);
     }

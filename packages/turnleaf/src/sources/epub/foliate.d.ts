@@ -31,7 +31,6 @@ declare module "foliate-js/epub.js" {
       readonly opf: Document;
       readonly manifest: readonly ManifestItem[];
       readonly spine: readonly SpineItem[];
-      getItemByID(id: string): ManifestItem | undefined;
     };
     readonly toc?: readonly TocItem[] | null;
     readonly dir?: string | null;

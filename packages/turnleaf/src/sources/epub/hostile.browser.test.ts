@@ -1,4 +1,5 @@
 import { afterEach, expect, test, vi } from "vitest";
+import { hugeImages } from "../../for_tests/huge_images.ts";
 import { limits } from "../limits.ts";
 import { messageOf } from "../message_of.ts";
 import { openSource } from "../open.ts";
@@ -130,14 +131,70 @@ test("entities that multiply are not expanded", async () => {
   ).toContain("is damaged or no EPUB");
 });
 
-test("a picture of too many pixels is left out, the text is not", async () => {
-  // A PNG's header that claims 50,000 by 50,000 pixels.
-  const header = [0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0, 0, 13, 0x49, 0x48, 0x44, 0x52];
-  const size = [0, 0, 0xc3, 0x50, 0, 0, 0xc3, 0x50, 8, 6, 0, 0, 0, 0, 0, 0, 0];
-  const files = { "big.png": Uint8Array.from([...header, ...size]) };
-  expect(await readAll({ chapters: ['<img src="big.png" alt=""/><p>Here.</p>'], files })).toContain(
+test("a package whose entities multiply is rejected, contents that do are left out", async () => {
+  const list = `<?xml version="1.0"?>${bomb(10)}`;
+  const opf = { "OEBPS/package.opf": `${list}<package>&e9;</package>` };
+  expect(await messageOf(readAll({ chapters: ["x"], raw: opf }))).toContain(
+    "is damaged or no EPUB",
+  );
+  const nav = `${list}<html xmlns="http://www.w3.org/1999/xhtml"><body>&e9;</body></html>`;
+  expect(await readAll({ chapters: ["Here."], raw: { "OEBPS/nav.xhtml": nav } })).toContain(
     "Here.",
   );
+});
+
+test.each(Object.entries(hugeImages))(
+  "a picture of too many pixels is left out, the text is not: %s",
+  async (format, bytes) => {
+    const data = `data:image/${format};base64,${btoa(String.fromCharCode(...bytes))}`;
+    const files = { "big.png": bytes };
+    const css = `p { background: url("big.png") } p::before { content: url(${data}) }`;
+    const pictures = `<img src="big.png" alt=""/><img src="${data}" alt=""/>`;
+    const source = await openSource(
+      tinyEpub({ chapters: [`${pictures}<p>Here.</p>`], files, css }),
+    );
+    expect((await source.text?.(0, never))?.map(({ text }) => text)).toContain("Here.");
+    const frame = document.querySelector("iframe")?.contentDocument;
+    expect(frame?.querySelectorAll("img")).toHaveLength(2);
+    expect(frame?.querySelectorAll("img[src]")).toHaveLength(0);
+    const styles = frame?.adoptedStyleSheets.flatMap(({ cssRules }) => [...cssRules]) ?? [];
+    expect(styles.some(({ cssText }) => cssText.includes(data.slice(5)))).toBe(false);
+    source.close();
+  },
+);
+
+test("a style sheet of thousands of imports, none of which ends, is read", async () => {
+  for (const css of [`${"@import x ".repeat(200_000)}{`, `@import x${" ".repeat(1_000_000)}{`]) {
+    expect(await readAll({ chapters: ["Here."], css })).toContain("Here.");
+  }
+});
+
+test("a chapter of hundreds of pictures, each another, is read", async () => {
+  const picture = (k: number): string =>
+    `<img alt="" src="data:image/gif;base64,R0lGODlhAQABAAAAACH5BAEKAAEALAAAAAABAAEAAAICTAEAOw${String(k).padStart(1200, "A")}"/>`;
+  const pictures = Array.from({ length: 800 }, (_, k) => picture(k)).join("");
+  expect(await readAll({ chapters: [`<p>Here.</p>${pictures}`] })).toContain("Here.");
+});
+
+test("a package of too many elements is rejected, one of thousands of chapters is read", async () => {
+  const many = Array.from({ length: 60_000 }, () => "<meta/>").join("");
+  expect(await messageOf(readAll({ chapters: ["x"], metadata: many }))).toBe(
+    "this book has a list of more than 50000 elements; split it.",
+  );
+  // None of them can be read, nor the fallback of any.
+  const items = Array.from(
+    { length: 3000 },
+    (_, k) => `<item id="x${k}" href="x" media-type="x/x" fallback="x${k + 1}"/>`,
+  ).join("");
+  const itemrefs = Array.from({ length: 3000 }, (_, k) => `<itemref idref="x${k}"/>`).join("");
+  expect(await readAll({ chapters: ["Here."], items, itemrefs })).toContain("Here.");
+});
+
+test("lines of a package in which something is missing are left out", async () => {
+  const items = '<item id="a" media-type="text/css"/><item href="cover.png"/><item/>';
+  const itemrefs = '<itemref/><itemref idref="none"/>';
+  const metadata = '<guide><reference title="x"/></guide>';
+  expect(await readAll({ chapters: ["Here."], items, itemrefs, metadata })).toContain("Here.");
 });
 
 test("a chapter of too many elements says so on its page, and the rest is read", async () => {

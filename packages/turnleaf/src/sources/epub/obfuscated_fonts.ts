@@ -1,5 +1,7 @@
 /** Fonts that an EPUB obfuscates by its identifier, and what is encrypted otherwise. */
 
+import { decodeEscapes } from "../book_text.ts";
+
 /** What of a package is needed. */
 interface Identified {
   readonly metadata: { readonly identifier?: unknown };
@@ -26,7 +28,7 @@ export async function fontDecoder(
     const [method] = data.getElementsByTagNameNS("*", "EncryptionMethod");
     const [reference] = data.getElementsByTagNameNS("*", "CipherReference");
     const path = reference?.getAttribute("URI") ?? "";
-    methods.set(decodeURI(path), method?.getAttribute("Algorithm") ?? "");
+    methods.set(decodeEscapes(path), method?.getAttribute("Algorithm") ?? "");
   }
   const identifier = String(metadata.identifier ?? "").replace(/[ \t\r\n]/g, "");
   return {

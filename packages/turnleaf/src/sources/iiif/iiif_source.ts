@@ -1,7 +1,7 @@
 /** Books by IIIF: pages whose images a server sends in the size that is wanted. */
 
 import { fetchChecked, readBounded } from "../fetch_bytes.ts";
-import { sizeFromHeader, typedImage } from "../image_header.ts";
+import { claimedSize, sizeFromHeader, typedImage } from "../image_header.ts";
 import { fitPixels, limits, wholePage } from "../limits.ts";
 import {
   type BookDetail,
@@ -228,9 +228,14 @@ class IiifSource implements PageSource {
 
   /** Returns an image's size in pixels. Rejects if it has too many to be decoded. */
   async #pixels(index: number, image: Blob): Promise<PageSize> {
-    const size = await sizeFromHeader(image);
-    const { width, height } = size ?? (await this.#decodedSize(index, image));
-    if (width * height <= limits.imagePixels) return { width, height };
+    const isBounded = ({ width, height }: PageSize): boolean =>
+      width * height <= limits.imagePixels;
+    const claimed = await claimedSize(image);
+    const { width, height } =
+      claimed && !isBounded(claimed)
+        ? claimed
+        : ((await sizeFromHeader(image)) ?? (await this.#decodedSize(index, image)));
+    if (isBounded({ width, height })) return { width, height };
     throw new BookError(
       `${this.#place(index)} has ${width} x ${height} pixels, more than can be shown; try another copy of the book.`,
     );

@@ -94,3 +94,29 @@ test("Markdown runs no script, fetches nothing, and its HTML is cleaned", async 
   expect("ran" in window).toBe(false);
   source.close();
 });
+
+test.each([
+  ["quotations", ">".repeat(5000)],
+  ["lists on a line", "1. ".repeat(5000)],
+  ["lists", Array.from({ length: 150 }, (_, k) => `${" ".repeat(2 * k)}- a`).join("\n")],
+  ["unpaired marks", "*a **a ".repeat(10_000)],
+  ["brackets", "[".repeat(60_000)],
+])("Markdown of many %s is read", async (_, text) => {
+  const source = await openSource(new File([`# A\n\nHere.\n\n${text}`], "deep.md"));
+  expect((await source.text?.(0, never))?.map((run) => run.text).join("")).toContain("Here.");
+  source.close();
+});
+
+test("a paragraph of a million spaces, or of a million letters, is read", async () => {
+  for (const text of [`a${" ".repeat(1_000_000)}b`, "a".repeat(300_000)]) {
+    const source = await openSource(new File([text], "a.txt"));
+    expect((await source.text?.(0, never))?.[0]?.text).toMatch(/^a/);
+    source.close();
+  }
+});
+
+test("a link whose escapes are none leads nowhere", async () => {
+  const source = await openSource(new File(["# A\n\n[a](#%) [b](#%zz)"], "a.md"));
+  expect(await source.links?.(0, never)).toEqual([]);
+  source.close();
+});

@@ -1,14 +1,16 @@
 /** Plain text and Markdown as books: set as an EPUB's chapters are. */
 
-import { marked, type Token, type Tokens } from "marked";
+import type { Token, Tokens } from "marked";
 import { bytesOf } from "../book_file.ts";
-import { cleanText } from "../book_text.ts";
+import { cleanText, decodeEscapes } from "../book_text.ts";
 import { limits } from "../limits.ts";
 import { cleanMarkup } from "../markup/clean_markup.ts";
+import { checkedData } from "../markup/data_address.ts";
 import { parseMarkup } from "../markup/parse_markup.ts";
 import type { PageSource, Typography } from "../page_source.ts";
 import type { FlowBook, FlowContent, FlowOutline, FlowSection } from "../typeset/flow_book.ts";
 import { FlowSource } from "../typeset/flow_source.ts";
+import { htmlOf, readMarkdown } from "./markdown.ts";
 
 /** A chapter as markup, and the headings in it. */
 interface Chapter {
@@ -24,6 +26,9 @@ interface Heading {
 
 /** Characters of plain text after which the next paragraph begins another chapter. */
 const longestPart = 60_000;
+
+/** A piece of a longer paragraph, to its last space if there is one. */
+const piece = new RegExp(`[\\s\\S]{1,${longestPart}}(?=\\s|$)|[\\s\\S]{1,${longestPart}}`, "g");
 
 const style = `
 p { margin: 0; text-indent: 1.4em; text-align: justify; }
@@ -45,7 +50,7 @@ export async function openText(
   const text = decode(await bytesOf(file, name)).replace(/\r\n?/g, "\n");
   // Both are text: a name may tell them apart where the media type does not.
   const isMarkdown = /markdown/.test(type) || /\.(md|markdown)$/i.test(name);
-  const chapters = isMarkdown ? markdownChapters(text) : plainChapters(text);
+  const chapters = (isMarkdown ? markdownChapters(text) : null) ?? plainChapters(text);
   return await FlowSource.open(bookOf(chapters, file, name), typography);
 }
 
@@ -63,7 +68,7 @@ function bookOf(chapters: readonly Chapter[], file: Blob, name: string): FlowBoo
     sections: chapters.map((chapter) => sectionOf(chapter, name)),
     outline: outlineOf(chapters),
     resolve: (_section, href) => {
-      const id = decodeURIComponent(/^#(.+)/.exec(href)?.[1] ?? "");
+      const id = decodeEscapes(/^#(.+)/.exec(href)?.[1] ?? "");
       const section = places.get(id);
       return section === undefined ? null : { section, id };
     },
@@ -78,9 +83,8 @@ function sectionOf({ html, headings }: Chapter, name: string): FlowSection {
     document.querySelectorAll("h1, h2, h3").forEach((heading, k) => {
       heading.id = headings[k]?.id ?? "";
     });
-    const data = async (address: string): Promise<string | null> =>
-      /^data:image\//i.test(address) ? address : null;
-    const content = await cleanMarkup(document, { data, style: async () => "" }, name);
+    const files = { data: checkedData, style: async () => "" };
+    const content = await cleanMarkup(document, files, name);
     return { root: content.root, css: `${style}${content.css}` };
   };
   return { length: html.length, isFixed: false, load };
@@ -89,7 +93,10 @@ function sectionOf({ html, headings }: Chapter, name: string): FlowSection {
 /** Splits plain text where paragraphs end; lines that are indented stay as they are. */
 function plainChapters(text: string): Chapter[] {
   // Without blank lines each line is a paragraph.
-  const blocks = /\n[ \t]*\n/.test(text) ? text.split(/\n(?:[ \t]*\n)+/) : text.split("\n");
+  const paragraphs = /\n[ \t]*\n/.test(text) ? text.split(/\n(?:[ \t]*\n)+/) : text.split("\n");
+  const blocks = paragraphs.flatMap((one) =>
+    one.length > longestPart ? (one.match(piece) ?? []) : one,
+  );
   const chapters: Chapter[] = [];
   let html: string[] = [];
   let length = 0;
@@ -102,7 +109,7 @@ function plainChapters(text: string): Chapter[] {
     const words = block.replaceAll("\f", "");
     if (words.trim() === "") continue;
     const isSet = /^(?: {2,}|\t)\S/m.test(words);
-    const escaped = escapeText(isSet ? words : words.trim().replace(/\s*\n\s*/g, " "));
+    const escaped = escapeText(isSet ? words : linesOf(words).join(" "));
     html.push(isSet ? `<p class="lines">${escaped}</p>` : `<p>${escaped}</p>`);
     length += words.length;
   }
@@ -112,9 +119,21 @@ function plainChapters(text: string): Chapter[] {
     : [{ html: "<p></p>", headings: [] }];
 }
 
-/** Splits Markdown into chapters: at the highest headings of which there are several. */
-function markdownChapters(text: string): Chapter[] {
-  const tokens = marked.lexer(text.replace(/^---\n[\s\S]*?\n---\n/, ""), { gfm: true });
+/**
+ * Splits Markdown into chapters: at the highest headings of which there are
+ * several. Returns null if its marks are nested too deeply to be read.
+ */
+function markdownChapters(text: string): Chapter[] | null {
+  try {
+    return chaptersIn(text);
+  } catch (error) {
+    if (error instanceof RangeError) return null;
+    throw error;
+  }
+}
+
+function chaptersIn(text: string): Chapter[] {
+  const tokens = readMarkdown(text.replace(/^---\n[\s\S]*?\n---\n/, ""));
   const depths = [1, 2].filter((depth) => tokens.filter(isHeading(depth)).length > 1);
   const [depth = 0] = depths;
   const parts: Token[][] = [[]];
@@ -125,7 +144,7 @@ function markdownChapters(text: string): Chapter[] {
   }
   const used = new Map<string, number>();
   return parts.slice(0, limits.pages).map((part) => ({
-    html: marked.parser(part),
+    html: htmlOf(part),
     headings: headingsIn(part).map((heading) => {
       const title = cleanText(textOf(heading)) || "–";
       return { title, depth: heading.depth, id: slugOf(title, used) };
@@ -149,7 +168,7 @@ function headingsIn(tokens: readonly Token[]): Tokens.Heading[] {
 }
 
 function textOf(heading: Tokens.Heading): string {
-  const html = marked.parser([{ ...heading, type: "paragraph" } as Token]);
+  const html = htmlOf([{ ...heading, type: "paragraph" } as Token]);
   return parseMarkup(html, "text/html").body.textContent ?? "";
 }
 
@@ -183,6 +202,14 @@ function outlineOf(chapters: readonly Chapter[]): FlowOutline[] {
 interface Line {
   readonly depth: number;
   readonly children: (Line & FlowOutline)[];
+}
+
+/** Returns the lines of a paragraph that are not blank, without the spaces about them. */
+function linesOf(words: string): string[] {
+  return words
+    .split("\n")
+    .map((line) => line.trim())
+    .filter((line) => line !== "");
 }
 
 function escapeText(text: string): string {

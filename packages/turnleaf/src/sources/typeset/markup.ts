@@ -8,6 +8,9 @@ const xhtml = "http://www.w3.org/1999/xhtml";
 /** Data shorter than this stays in every page's markup, characters. */
 const shortData = 1000;
 
+/** Data of a picture. */
+const pictureData = /(data:[^,"<&]{0,200};base64,[\w+/=]*)/;
+
 /** A picture of no colour. */
 const clear = "data:image/gif;base64,R0lGODlhAQABAAAAACH5BAEKAAEALAAAAAABAAEAAAICTAEAOw==";
 
@@ -41,15 +44,9 @@ export class Markup {
     this.#style = style;
     const view = html.ownerDocument.defaultView as Window;
     const pictures = picturesOf(html, style.flow, view);
-    let parts: (string | Picture)[] = [new XMLSerializer().serializeToString(html)];
-    for (const picture of pictures) {
-      parts = parts.flatMap((part) =>
-        typeof part !== "string"
-          ? [part]
-          : part.split(picture.data).flatMap((text, k) => (k === 0 ? [text] : [picture, text])),
-      );
-    }
-    this.#parts = parts;
+    const markup = new XMLSerializer().serializeToString(html);
+    // Gone through once, however many pictures there are.
+    this.#parts = markup.split(pictureData).map((part) => pictures.get(part) ?? part);
     this.#css = style.css.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
     this.#paper = paperOf(html, view) ?? style.paper;
   }
@@ -72,17 +69,22 @@ export class Markup {
 }
 
 /** Returns a section's pictures with much data, and keeps their sizes without them. */
-function picturesOf(html: Element, flow: PageFlow, view: Window): Picture[] {
+function picturesOf(html: Element, flow: PageFlow, view: Window): Map<string, Picture> {
   const pages = new Map<string, (readonly [first: number, last: number])[]>();
   const step = flow.isVertical ? flow.stepY : Math.abs(flow.stepX);
-  for (const image of html.querySelectorAll<HTMLElement>("img, image")) {
+  const large = [...html.querySelectorAll<HTMLElement>("img, image")].flatMap((image) => {
     const data = image.getAttribute("src") ?? image.getAttribute("href") ?? "";
-    if (data.length < shortData || !/^data:[^,"<&]*;base64,[\w+/=]*$/.test(data)) continue;
-    if (image.localName === "img") {
-      const { width, height } = view.getComputedStyle(image);
-      image.style.setProperty("width", width, "important");
-      image.style.setProperty("height", height, "important");
-    }
+    if (data.length < shortData || pictureData.exec(data)?.[0] !== data) return [];
+    const { width, height } = view.getComputedStyle(image);
+    return [{ image, data, width, height }];
+  });
+  // All are measured before any is changed: each change would have all laid out anew.
+  for (const { image, width, height } of large) {
+    if (image.localName !== "img") continue;
+    image.style.setProperty("width", width, "important");
+    image.style.setProperty("height", height, "important");
+  }
+  for (const { image, data } of large) {
     const ranges = pages.get(data) ?? [];
     pages.set(data, ranges);
     for (const rect of (image.closest("svg") ?? image).getClientRects()) {
@@ -92,10 +94,12 @@ function picturesOf(html: Element, flow: PageFlow, view: Window): Picture[] {
       ranges.push([on - 1, on + Math.ceil(length / Math.max(step, 1))]);
     }
   }
-  return [...pages].map(([data, ranges]) => ({
-    data,
-    isOn: (page) => ranges.some(([first, last]) => page >= first && page <= last),
-  }));
+  return new Map(
+    [...pages].map(([data, ranges]) => [
+      data,
+      { data, isOn: (page) => ranges.some(([first, last]) => page >= first && page <= last) },
+    ]),
+  );
 }
 
 /** Returns the colour behind a section, which is that of the whole page; null if it has none. */
