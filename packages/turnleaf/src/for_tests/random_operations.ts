@@ -52,6 +52,16 @@ const leastPrintWidth = 30;
 /** Longest that anything asked of a book may take, milliseconds. */
 const patience = 30_000;
 
+/** Resolves once the element's own observer has reported its size, too: it was made earlier. */
+const observed = (element: Element): Promise<void> =>
+  new Promise((resolve) => {
+    const observer = new ResizeObserver(() => {
+      observer.disconnect();
+      resolve();
+    });
+    observer.observe(element);
+  });
+
 const wait = (milliseconds: number): Promise<void> =>
   new Promise((resolve) => setTimeout(resolve, milliseconds));
 
@@ -124,6 +134,7 @@ export class RandomOperations {
     // As large as it can be: a few pixels of a page say nothing.
     element.controls = false;
     element.style.cssText = size;
+    await observed(element);
     element.pause();
     // No corner is lifted where no pointer is.
     this.#pointer()?.stage.dispatchEvent(new PointerEvent("pointerleave"));
