@@ -14,8 +14,8 @@
 //!   [`Surface`], which every one yields
 //! - [`MassSpring`] with its [`Settings`]: the paper's model and its improvements
 //! - [`Shell`] with its [`ShellSettings`]: the offline reference
-//! - [`Kinematic`] with its [`KinematicSettings`]: the swinging board, the peel, the
-//!   cylinder and the cone of earlier page turners
+//! - [`Kinematic`] with its [`KinematicSettings`]: the [`shapes`] of
+//!   earlier page turners
 //! - [`Stock`], its [`Rigidity`], and the [`Air`] around it: what the paper is
 //! - [`LooseLeaf`]: a leaf over a table, by any model, turned by the same grabs
 //! - [`Gesture`]: how a hand turns a leaf
@@ -56,13 +56,12 @@ pub use hash::BitHash;
 pub use interpolate::lobatto_nodes;
 pub use interpolate::{Interpolation, lagrange_weights, uniform_samples};
 pub use key_frames::{
-    Blend, Condensed, FORMAT_VERSION, FrameKind, KeyFrameError, KeyFrames, ModelKind,
-    PAPER_INTERVAL, Recorder, Replay,
+    Blend, Condensed, FORMAT_VERSION, FrameKind, KeyFrameError, KeyFrames, PAPER_INTERVAL,
+    Recorder, Replay,
 };
 pub use loose::{InvalidLoose, LeafEnergies, LooseLeaf, LooseSettings, TurnBy};
-pub use models::kinematic::{
-    Cone, Cylinder, InvalidKinematic, Kinematic, KinematicSettings, Peel, Pose, Rigid, Shape,
-};
+pub use models::ModelKind;
+pub use models::kinematic::{InvalidKinematic, Kinematic, KinematicSettings, Pose, Shape, shapes};
 pub use models::mass_spring::{
     Integrator, InvalidSettings, MassSpring, Masses, Plate, Preset, Settings, Springs, StrainLimit,
 };

@@ -4,8 +4,8 @@
 use crate::book::{Board, Book};
 use crate::grid::Side;
 use crate::hash::BitHash;
-use crate::key_frames::ModelKind;
 use crate::loose::{LooseLeaf, LooseSettings, TurnBy};
+use crate::models::ModelKind;
 use crate::models::sheet::{Sheet, SheetSettings};
 use crate::stock::{GRAVITY, Stock};
 use crate::surface::Surface;

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 
 use turnleaf_engine::{
     BitHash, Blend, Condensed, FrameKind, Gesture, KeyFrameError, KeyFrames, MassSpring, ModelKind,
-    Replay, Settings, Side, Surface, TurnModel, uniform_samples,
+    Replay, Settings, Shape, Side, Surface, TurnModel, uniform_samples,
 };
 
 const PAGE: [f32; 2] = [0.14, 0.21];
@@ -188,7 +188,7 @@ fn forged_files_never_panic_and_yield_finite_numbers() {
 fn what_a_script_recorded_is_read() {
     let bytes = fs::read(fixture("recorded-in-script.tlkf")).unwrap();
     let read = Condensed::from_bytes(&bytes).unwrap();
-    assert_eq!(read.frames.model, ModelKind::Cone);
+    assert_eq!(read.frames.model, ModelKind::Kinematic(Shape::Cone));
     assert_eq!((read.u.len(), read.v.len()), (26, 26));
     assert!(bytes.len() < 20_000 && read.error <= 0.001);
     let replay = Replay::new(read.frames, Blend::Hermite, 1.0);

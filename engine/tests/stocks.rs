@@ -1,7 +1,9 @@
 //! A book of four stocks at once: each leaf is what it would be in a book of that stock alone.
 
 use turnleaf_engine::book::{Board, Book, Paper};
-use turnleaf_engine::{LooseLeaf, LooseSettings, ModelKind, Side, Stock, Surface, TurnModel};
+use turnleaf_engine::{
+    LooseLeaf, LooseSettings, ModelKind, Shape, Side, Stock, Surface, TurnModel,
+};
 
 const PAGE: [f64; 2] = [0.14, 0.21];
 const TICK: f64 = 1.0 / 120.0;
@@ -147,7 +149,7 @@ fn a_leaf_droops_and_falls_as_its_stock_does_alone_in_a_book_and_in_the_lab() {
         );
         droops.push(found.droop);
         if stock == Stock::BOARD {
-            let rigid = look_loose(ModelKind::Rigid, stock);
+            let rigid = look_loose(ModelKind::Kinematic(Shape::Rigid), stock);
             assert!(found.fall.abs_diff(rigid.fall) <= 1, "{found:?} {rigid:?}");
         }
     }

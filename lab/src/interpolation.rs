@@ -15,7 +15,8 @@ use std::time::Instant;
 
 use clap::Args;
 use serde::Serialize;
-use turnleaf_engine::{Cone, Interpolation, Surface, lobatto_nodes, uniform_samples};
+use turnleaf_engine::shapes::Cone;
+use turnleaf_engine::{Interpolation, Surface, lobatto_nodes, uniform_samples};
 
 use crate::simulate::median;
 use crate::specimen::{BREADTH, LENGTH};

@@ -107,14 +107,13 @@ pub extern "C" fn tl_leaf_figures() -> *mut [f64; FIGURES] {
     ROOMS.keep([0.0; FIGURES])
 }
 
-/// Makes a leaf, flat and still, of the figures in the room, which is freed: kind
-/// (1 mass-spring, 2 sheet, 3 shell, 4 rigid, 5 peel, 6 cylinder, 7 cone), width,
-/// height, grammage, caliper, stiffness along and across, side (0 right),
-/// gravity, air (1 the real one), columns and rows of nodes (0 the model's own),
-/// time step (0 the model's own), columns and rows of points, preset of springs
-/// (0 the paper's), lines kept parallel (0 none, 1 columns, 2 at the angle that
-/// follows), interpolation of springs, triangles of a shell, friction. 0 where these
-/// make no leaf, or there is no such room.
+/// Makes a leaf, flat and still, of the figures in the room, which is freed: number
+/// of its [`ModelKind`], width, height, grammage, caliper, stiffness along and
+/// across, side (0 right), gravity, air (1 the real one), columns and rows of nodes
+/// (0 the model's own), time step (0 the model's own), columns and rows of points,
+/// preset of springs (0 the paper's), lines kept parallel (0 none, 1 columns, 2 at
+/// the angle that follows), interpolation of springs, triangles of a shell,
+/// friction. 0 where these make no leaf, or there is no such room.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tl_leaf_new(figures: *mut [f64; FIGURES]) -> *mut Loose {
     // SAFETY: from one thread by the crate's contract, so that no other call uses it.

@@ -6,7 +6,7 @@
 //! | 0..4 | `TLKF` |
 //! | 4..6 | u16 version: 1 |
 //! | 6..8 | u16 kind of frame: 0 masses, 1 surface |
-//! | 8..12 | u32 model: 1 mass-spring, 2 sheet, 3 shell, 4 rigid, 5 peel, 6 cylinder, 7 cone |
+//! | 8..12 | u32 model: [`ModelKind::id`](crate::ModelKind::id) |
 //! | 12..16 | u32 preset: 0 custom, 1 paper-2014, 2 book |
 //! | 16..24 | f32 width, f32 height of the leaf |
 //! | 24..36 | u32 columns, u32 rows, u32 number of frames |

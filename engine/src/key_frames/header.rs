@@ -1,8 +1,9 @@
 //! What the files of key frames of either version have in common: the first
 //! bytes, the checksum at the end, and what can be wrong with them.
 
-use super::{FrameKind, KeyFrames, ModelKind};
+use super::{FrameKind, KeyFrames};
 use crate::hash::BitHash;
+use crate::models::ModelKind;
 use crate::models::mass_spring::Preset;
 
 /// The newest version that is read; [`Condensed`](super::Condensed) writes it.

@@ -19,6 +19,7 @@ pub use mix::Blend;
 pub use record::Recorder;
 pub use replay::Replay;
 
+use crate::models::ModelKind;
 use crate::models::mass_spring::Preset;
 use crate::surface::Surface;
 
@@ -33,62 +34,6 @@ pub enum FrameKind {
     Masses,
     /// The drawn surface: more to keep, nothing to interpolate.
     Surface,
-}
-
-/// The model that was recorded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ModelKind {
-    /// [`MassSpring`](crate::MassSpring).
-    MassSpring,
-    /// [`Sheet`](crate::Sheet).
-    Sheet,
-    /// [`Shell`](crate::Shell).
-    Shell,
-    /// A swinging board.
-    Rigid,
-    /// A 2D peel.
-    Peel,
-    /// A rolled cylinder.
-    Cylinder,
-    /// A cone (Hong, Card and Chen 2006).
-    Cone,
-}
-
-impl ModelKind {
-    /// Every model, each at the place before its number in files.
-    pub const ALL: [Self; 7] = [
-        Self::MassSpring,
-        Self::Sheet,
-        Self::Shell,
-        Self::Rigid,
-        Self::Peel,
-        Self::Cylinder,
-        Self::Cone,
-    ];
-
-    /// Its name as in commands and reports.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::MassSpring => "mass-spring",
-            Self::Sheet => "sheet",
-            Self::Shell => "shell",
-            Self::Rigid => "rigid",
-            Self::Peel => "peel",
-            Self::Cylinder => "cylinder",
-            Self::Cone => "cone",
-        }
-    }
-
-    /// Its number in key-frame files, from 1.
-    pub const fn id(self) -> u32 {
-        self as u32 + 1
-    }
-
-    /// The model with a number, if there is one.
-    pub fn from_id(id: u32) -> Option<Self> {
-        let index = usize::try_from(id).ok()?.checked_sub(1)?;
-        Self::ALL.get(index).copied()
-    }
 }
 
 /// A recorded turn.

@@ -1,6 +1,7 @@
 //! Recording a turn.
 
-use super::{FrameKind, KeyFrames, ModelKind};
+use super::{FrameKind, KeyFrames};
+use crate::models::ModelKind;
 use crate::models::mass_spring::MassSpring;
 use crate::surface::Surface;
 use crate::turn::TurnModel;

@@ -309,16 +309,10 @@ fn a_replay_that_is_caught_goes_on_live() {
 }
 
 #[test]
-fn every_model_has_a_number_and_a_name_of_its_own() {
-    for (index, model) in ModelKind::ALL.into_iter().enumerate() {
-        assert_eq!(model.id() as usize, index + 1);
-        assert_eq!(ModelKind::from_id(model.id()), Some(model));
-        let named = |other: &ModelKind| other.name() == model.name();
-        assert_eq!(ModelKind::ALL.iter().filter(|m| named(m)).count(), 1);
+fn a_file_says_its_model() {
+    for model in ModelKind::ALL {
         let mut frames = short_record();
         frames.model = model;
         assert_eq!(KeyFrames::from_bytes(&frames.to_bytes()).unwrap(), frames);
     }
-    assert_eq!(ModelKind::from_id(0), None);
-    assert_eq!(ModelKind::from_id(8), None);
 }

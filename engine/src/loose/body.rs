@@ -6,8 +6,8 @@ use crate::air::Air;
 use crate::gesture::{Gesture, Grip};
 use crate::grid::Side;
 use crate::interpolate::uniform_samples;
-use crate::key_frames::ModelKind;
-use crate::models::kinematic::{Kinematic, KinematicSettings, Shape};
+use crate::models::ModelKind;
+use crate::models::kinematic::{Kinematic, KinematicSettings};
 use crate::models::sheet::{Contact, Root, Sheet, SheetSettings};
 use crate::models::shell::{Edge, Shell, ShellSettings, Table};
 use crate::stock::Grain;
@@ -31,10 +31,7 @@ impl Body {
             .samples
             .map(|count| uniform_samples(count.clamp(2, 1024)));
         let shape = match settings.kind {
-            ModelKind::Rigid => Shape::Rigid,
-            ModelKind::Peel => Shape::Peel,
-            ModelKind::Cylinder => Shape::Cylinder,
-            ModelKind::Cone => Shape::Cone,
+            ModelKind::Kinematic(shape) => shape,
             ModelKind::MassSpring => return Ok(Self::Springs(Box::new(Springs::new(settings)?))),
             ModelKind::Sheet => {
                 let mut own = SheetSettings {

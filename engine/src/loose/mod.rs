@@ -13,7 +13,8 @@ pub use settings::{InvalidLoose, LooseSettings};
 
 use crate::gesture::{Gesture, Grip};
 use crate::grid::Side;
-use crate::key_frames::{FrameKind, KeyFrames, ModelKind};
+use crate::key_frames::{FrameKind, KeyFrames};
+use crate::models::ModelKind;
 use crate::models::mass_spring::Preset;
 use crate::surface::Surface;
 use crate::turn::TurnModel;

@@ -1,7 +1,7 @@
 //! What a loose leaf is, whichever model moves it.
 
 use crate::grid::Side;
-use crate::key_frames::ModelKind;
+use crate::models::ModelKind;
 use crate::models::kinematic::InvalidKinematic;
 use crate::models::mass_spring::{InvalidSettings, Preset};
 use crate::models::sheet::InvalidSheet;

@@ -1,6 +1,9 @@
-//! The ways of turning a page, one folder a model.
+//! The ways of turning a page: one folder a model, and the list of all.
 
+mod kind;
 pub mod kinematic;
 pub mod mass_spring;
 pub mod sheet;
 pub mod shell;
+
+pub use kind::ModelKind;

@@ -1,7 +1,7 @@
 //! A random gesture: a book, pointers on its leaves, what they do, and afterwards.
 
 use cpu_time::ThreadTime;
-use turnleaf_engine::book::{Book, Phase, TICK};
+use turnleaf_engine::book::{Book, MOST_TICKS, Phase, TICK};
 use turnleaf_engine::{Side, Surface};
 
 use super::overlap::{Overlap, measure};
@@ -21,9 +21,6 @@ const BEYOND: u32 = 20;
 
 /// Ticks in which all leaves come to rest once they are let go, at most.
 const MOST_TO_REST: u32 = 10 * 120;
-
-/// Ticks of the longest frame that a viewer makes, a tenth of a second: `MOST_TICKS` of the book's limits.
-const LONG_FRAME: u32 = 12;
 
 /// Where more leaves fly than this, every fourth picture is looked at.
 const FEW: usize = 6;
@@ -287,7 +284,7 @@ impl Scene {
     /// ticks than a viewer would.
     fn frame(&mut self, ticks: u32) {
         let ticks = match ticks {
-            0..=LONG_FRAME => ticks.min(self.book.most_ticks()),
+            0..=MOST_TICKS => ticks.min(self.book.most_ticks()),
             _ => ticks,
         };
         for index in (0..self.pointers.len()).rev() {
@@ -312,7 +309,7 @@ impl Scene {
         if ticks == 2 && leaves > 0 {
             self.outcome.frames.push((leaves, seconds));
         }
-        if ticks <= LONG_FRAME {
+        if ticks <= MOST_TICKS {
             self.outcome.frame = self.outcome.frame.max(seconds);
         }
         self.outcome.leaves = self.outcome.leaves.max(leaves);

@@ -4,7 +4,8 @@ use std::f32::consts::FRAC_PI_4;
 
 use turnleaf_engine::{
     Blend, Condensed, Discretisation, FrameKind, KeyFrames, LooseLeaf, LooseSettings, ModelKind,
-    PAPER_INTERVAL, Preset, Replay, Side, Stock, Synchronise, TurnBy, TurnModel, uniform_samples,
+    PAPER_INTERVAL, Preset, Replay, Shape, Side, Stock, Synchronise, TurnBy, TurnModel,
+    uniform_samples,
 };
 
 use super::timing::{AFTER, FRAME, TURN};
@@ -78,11 +79,11 @@ pub fn all(stock: Stock, nodes: [usize; 2], step: f64) -> Vec<Way> {
         time_step: Some(1.0 / 180.0),
         ..leaf(ModelKind::Sheet)
     };
-    vec![
-        live("rigid", leaf(ModelKind::Rigid)),
-        live("peel", leaf(ModelKind::Peel)),
-        live("cylinder", leaf(ModelKind::Cylinder)),
-        live("cone", leaf(ModelKind::Cone)),
+    let kinematic = Shape::ALL.iter().map(|&shape| {
+        let settings = leaf(ModelKind::Kinematic(shape));
+        live(shape.name(), settings)
+    });
+    let others = [
         springs("mass-spring, classic", false, false),
         springs("mass-spring, synchronised", true, false),
         springs("mass-spring, interpolated", false, true),
@@ -109,7 +110,8 @@ pub fn all(stock: Stock, nodes: [usize; 2], step: f64) -> Vec<Way> {
             source: Source::Photographs,
             ..shell("", Discretisation::Grid)
         },
-    ]
+    ];
+    kinematic.chain(others).collect()
 }
 
 impl Way {

@@ -2,6 +2,7 @@ import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "./element.ts";
 import { book, happens, scans } from "./for_tests/element_books.ts";
 import { TurnRecorder } from "./key_frames/key_frames.ts";
+import { turnModels } from "./leaf_models/model_choice.ts";
 
 afterEach(() => {
   vi.restoreAllMocks();
@@ -79,6 +80,6 @@ test("an address that is none is reported likewise", async () => {
 
 test("an unknown model is reported in one sentence that lists the names", async () => {
   expect(await faults({ model: "origami" })).toEqual([
-    'No way of turning a page is named "origami"; there are sheet, rigid, peel, cylinder, cone, mass-spring, shell, replay, photographs.',
+    `No way of turning a page is named "origami"; there are ${turnModels.join(", ")}.`,
   ]);
 });

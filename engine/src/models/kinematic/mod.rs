@@ -6,24 +6,15 @@
 //! leads, comes as near to where it is led as the shape allows. Let go, the led
 //! place falls as a board of the leaf's weight would, and the leaf straightens.
 
-mod cone;
-mod cylinder;
 mod fall;
 mod lead;
-mod peel;
-mod pose;
-mod rigid;
-mod root;
 mod settings;
+pub mod shapes;
 #[cfg(test)]
 mod tests;
 
-pub use cone::Cone;
-pub use cylinder::Cylinder;
-pub use peel::Peel;
-pub use pose::Pose;
-pub use rigid::Rigid;
-pub use settings::{InvalidKinematic, KinematicSettings, Shape};
+pub use settings::{InvalidKinematic, KinematicSettings};
+pub use shapes::{Pose, Shape};
 
 use crate::gesture::{Gesture, Grip};
 use crate::grid::Side;
@@ -33,7 +24,6 @@ use crate::turn::TurnModel;
 use core::f64::consts::PI;
 use fall::Fall;
 use lead::Lead;
-use pose::pose;
 
 /// How conical a cone is when a timed turn leads a corner.
 const BY_CORNER: f64 = 0.3;
@@ -88,7 +78,7 @@ impl Kinematic {
     pub fn new(settings: KinematicSettings) -> Result<Self, InvalidKinematic> {
         settings.check()?;
         let lead = Lead::rest([settings.width, 0.0], 0.0);
-        let pose = pose(&settings, &lead);
+        let pose = pose_of(&settings, &lead);
         let (columns, rows) = (settings.columns, settings.rows);
         let mut leaf = Self {
             fall: Fall::new(&settings),
@@ -136,7 +126,7 @@ impl Kinematic {
         self.mirrored = side == Side::Left;
         self.lead = Lead::rest(self.lead.place, 0.0);
         (self.state, self.hand, self.rate) = (State::Resting, None, 0.0);
-        self.pose = pose(&self.settings, &self.lead);
+        self.pose = pose_of(&self.settings, &self.lead);
         self.before = self.pose;
     }
 
@@ -185,7 +175,7 @@ impl Kinematic {
             let side = self.resting().unwrap_or(Side::Right);
             self.mirrored = side == Side::Left;
             self.lead = Lead::rest(place, 0.0);
-            self.pose = pose(&self.settings, &self.lead);
+            self.pose = pose_of(&self.settings, &self.lead);
         }
         let (from, led) = (self.pose.place(place), self.lead.at());
         self.state = State::Held { from, led };
@@ -220,17 +210,6 @@ impl Kinematic {
 
     fn size(&self) -> [f64; 2] {
         [self.settings.width, self.settings.height]
-    }
-
-    /// Writes where a shape has all places.
-    fn draw(&self, points: &mut [[f32; 3]], place: impl Fn([f64; 2]) -> [f64; 3]) {
-        let mirror = if self.mirrored { -1.0 } else { 1.0 };
-        for (row, &y) in points.chunks_exact_mut(self.x.len()).zip(&self.y) {
-            for (point, &at) in row.iter_mut().zip(&self.x) {
-                let [x, y, z] = place([at, y]);
-                *point = [(mirror * x) as f32, y as f32, z as f32];
-            }
-        }
     }
 
     /// Where a place is drawn.
@@ -288,6 +267,11 @@ impl Kinematic {
     }
 }
 
+/// The pose of a leaf that is led.
+fn pose_of(settings: &KinematicSettings, lead: &Lead) -> Pose {
+    Pose::toward(settings.shape, [settings.width, settings.height], lead)
+}
+
 impl TurnModel for Kinematic {
     fn time_step(&self) -> f32 {
         self.settings.time_step as f32
@@ -301,19 +285,14 @@ impl TurnModel for Kinematic {
         self.steps += 1;
         self.advance();
         self.before = self.pose;
-        self.pose = pose(&self.settings, &self.lead);
+        self.pose = pose_of(&self.settings, &self.lead);
     }
 
     fn write_surface(&mut self, surface: &mut Surface) {
         surface.resize(self.x.len(), self.y.len());
         let points = surface.positions.as_chunks_mut::<3>().0;
-        // Which shape it is, is decided once and not at every point.
-        match self.pose {
-            Pose::Rigid(pose) => self.draw(points, |at| pose.place(at)),
-            Pose::Peel(pose) => self.draw(points, |at| pose.place(at)),
-            Pose::Cylinder(pose) => self.draw(points, |at| pose.place(at)),
-            Pose::Cone(pose) => self.draw(points, |at| pose.place(at)),
-        }
+        let mirror = if self.mirrored { -1.0 } else { 1.0 };
+        self.pose.write(&self.x, &self.y, mirror, points);
         surface.touch();
     }
 

@@ -1,21 +1,9 @@
 //! What a kinematic leaf is.
 
+use super::shapes::Shape;
 use crate::air::Air;
 use crate::grid::Side;
 use crate::stock::{GRAVITY, InvalidStock, Stock};
-
-/// The shape that a kinematic leaf takes on its way.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shape {
-    /// A board that swings: [`Rigid`](super::Rigid).
-    Rigid,
-    /// Folded flat along a line: [`Peel`](super::Peel).
-    Peel,
-    /// Rolled around a cylinder: [`Cylinder`](super::Cylinder).
-    Cylinder,
-    /// Bent around a cone: [`Cone`](super::Cone).
-    Cone,
-}
 
 /// Everything that makes a [`Kinematic`](super::Kinematic) leaf, in SI units.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,12 +1,12 @@
 //! What each shape promises: lengths kept, the spine kept, flat at both ends, the
 //! hand followed.
 
+use super::shapes::{Cone, Cylinder, Peel};
 use super::*;
 use crate::random::{Random, for_seeds};
 use crate::stock::Stock;
 
 const SIZE: [f64; 2] = [0.148, 0.21];
-const SHAPES: [Shape; 4] = [Shape::Rigid, Shape::Peel, Shape::Cylinder, Shape::Cone];
 
 fn leaf(shape: Shape) -> Kinematic {
     Kinematic::new(KinematicSettings::leaf(
@@ -160,7 +160,7 @@ fn a_cone_brings_the_corner_to_the_hand_over_the_page() {
 
 #[test]
 fn timed_turns_begin_and_end_flat_and_never_leave_the_spine_or_pierce_the_table() {
-    for shape in SHAPES {
+    for &shape in Shape::ALL {
         for from in [Side::Left, Side::Right] {
             for gesture in gestures(from) {
                 let mut leaf = leaf(shape);
@@ -196,7 +196,7 @@ fn timed_turns_begin_and_end_flat_and_never_leave_the_spine_or_pierce_the_table(
 
 #[test]
 fn a_turn_from_the_left_is_the_mirror_image_of_one_from_the_right() {
-    for shape in SHAPES {
+    for &shape in Shape::ALL {
         for (right, left) in gestures(Side::Right).into_iter().zip(gestures(Side::Left)) {
             let mut leaves = [leaf(shape), leaf(shape)];
             leaves[0].play(right);
@@ -220,7 +220,7 @@ fn a_turn_from_the_left_is_the_mirror_image_of_one_from_the_right() {
 
 #[test]
 fn a_leaf_let_go_comes_to_rest_on_the_side_its_swing_takes_it_to() {
-    for shape in SHAPES {
+    for &shape in Shape::ALL {
         for (until, side) in [(30, Side::Right), (48, Side::Left)] {
             let mut leaf = leaf(shape);
             leaf.play(gestures(Side::Right)[1]);
@@ -239,7 +239,7 @@ fn a_leaf_let_go_comes_to_rest_on_the_side_its_swing_takes_it_to() {
 
 #[test]
 fn a_new_hand_in_the_middle_of_a_turn_does_not_make_the_leaf_jump() {
-    for shape in SHAPES {
+    for &shape in Shape::ALL {
         let mut leaf = leaf(shape);
         leaf.play(gestures(Side::Right)[0]);
         (0..40).for_each(|_| leaf.step());
@@ -260,7 +260,7 @@ fn a_new_hand_in_the_middle_of_a_turn_does_not_make_the_leaf_jump() {
 #[test]
 fn wild_hands_leave_every_leaf_whole() {
     for_seeds(|random| {
-        for shape in SHAPES {
+        for &shape in Shape::ALL {
             let mut leaf = leaf(shape);
             for step in 0..300 {
                 match random.below(12) {

@@ -1,6 +1,6 @@
 /** The models that can be compared, and the leaf for the settings of one. */
 
-import type { LeafOptions } from "turnleaf/models";
+import { type LeafOptions, type Model, models } from "turnleaf/models";
 
 /** Metres: an A5 page. */
 export const leafSize = { width: 0.148, height: 0.21 } as const;
@@ -14,8 +14,8 @@ type Own = Pick<LeafOptions, "model" | "preset" | "interpolate" | "discretisatio
 
 const springs = { model: "mass-spring", preset: "book" } as const;
 
-/** The options of each, by its name in links. */
-export const variants = {
+/** The options of those that are not a model as it comes, or that have a place of their own in the list. */
+const chosen = {
   "paper-2014": {
     model: "mass-spring",
     preset: "paper-2014",
@@ -31,14 +31,19 @@ export const variants = {
   "sheet-synchronised": { model: "sheet", isSynchronised: true },
   shell: { model: "shell" },
   "shell-triangles": { model: "shell", discretisation: "triangles" },
-  rigid: { model: "rigid" },
-  peel: { model: "peel" },
-  cylinder: { model: "cylinder" },
-  cone: { model: "cone" },
 } as const satisfies Record<string, Own>;
 
-/** The name of one. */
-export type Variant = keyof typeof variants;
+/** The name of one in links. */
+export type Variant = keyof typeof chosen | Exclude<Model, "mass-spring">;
+
+/** Springs are there in five ways already. */
+const others = models.filter((model) => model !== "mass-spring");
+
+/** The options of each. */
+const variants = {
+  ...chosen,
+  ...Object.fromEntries(others.map((model) => [model, { model }])),
+} as Readonly<Record<Variant, Own>>;
 
 /** All of them, in the order in which they are offered. */
 export const variantNames = Object.keys(variants) as Variant[];
@@ -47,10 +52,7 @@ export const variantNames = Object.keys(variants) as Variant[];
 export const hasSprings = (variant: Variant): boolean => variants[variant].model === "mass-spring";
 
 /** Returns whether a variant replays a recording rather than a live leaf. */
-export const isReplayed = (variant: Variant): boolean => {
-  const own: Own = variants[variant];
-  return own.isReplayed ?? false;
-};
+export const isReplayed = (variant: Variant): boolean => variants[variant].isReplayed ?? false;
 
 /** The drawn points: enough to bend smoothly, and light is computed at every fourth column. */
 const points = [25, 33] as const;
@@ -80,7 +82,7 @@ export interface LeafFigures {
 
 /** Returns the options of the leaf that a variant and the settings make. */
 export function leafOptions(variant: Variant, settings: LeafFigures): LeafOptions {
-  const { isSynchronised, isReplayed: _, ...own }: Own = variants[variant];
+  const { isSynchronised, isReplayed: _, ...own } = variants[variant];
   const { nodes, steps, stiffness } = settings;
   const usual = own.model === "shell" ? shellNodes : undefined;
   return {

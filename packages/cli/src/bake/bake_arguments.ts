@@ -1,18 +1,10 @@
 import { extname } from "node:path";
+import { models } from "turnleaf/keyframes";
 import type { LeafStockName, Model } from "turnleaf/models";
 import { oneOf, parseNumber, parseOptions, parseSize } from "../options.ts";
 import { UsageProblem } from "../problem.ts";
 
-/** Every model and paper, the default first: listed here, so that reading a book loads no model. */
-const models = Object.keys({
-  sheet: 0,
-  "mass-spring": 0,
-  shell: 0,
-  rigid: 0,
-  peel: 0,
-  cylinder: 0,
-  cone: 0,
-} satisfies Record<Model, 0>) as Model[];
+/** Every paper, the default first: listed here, so that reading a book loads no model. */
 const stocks = Object.keys({
   book: 0,
   bible: 0,
@@ -98,7 +90,7 @@ export function parseBake(args: readonly string[]): BakeCommand {
   }
   return {
     name: "bake",
-    model: oneOf("model", values.model, models),
+    model: oneOf("model", values.model ?? "sheet", models),
     gesture: oneOf("gesture", values.gesture, gestures),
     stock: oneOf("stock", values.stock, stocks),
     out,

@@ -65,8 +65,9 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * The paper of the leaves: 30 (`bible`), 70 (`book`), 80, 170 or 250 g/m²
-   * (`card`). A change in mid-turn waits until the leaf has landed.
+   * The paper of the leaves: 30 (`bible`), 70 (`book`), 80 (`office`), 170
+   * (`coated`) or 250 g/m² (`card`). `stocks` gives single leaves another, and
+   * makes leaves of board. A change in mid-turn waits until the leaf has landed.
    *
    * @attribute stock
    * @default book
@@ -308,6 +309,8 @@ export class ReflectingElement extends Base {
    * number alone is of the stock before it. A leaf whose two pages are of
    * different stocks is of the one named last. All others are of `stock`, but for
    * those of `hard-pages`, which are board, and a soft cover's, which are card.
+   * Pages beyond the last count for nothing: "board 1-999" is a book of board. An
+   * open book is bound anew where it lies open.
    *
    * @attribute stocks
    * @default ""

@@ -1,3 +1,4 @@
+import { models } from "../model_names.ts";
 import { BitReader } from "./bits.ts";
 import {
   checksum,
@@ -12,7 +13,7 @@ import {
   TurnError,
 } from "./file.ts";
 import { PolynomialBasis } from "./polynomial_basis.ts";
-import { RecordedTurn, recordedModels, type TurnRecord } from "./recorded_turn.ts";
+import { RecordedTurn, type TurnRecord } from "./recorded_turn.ts";
 
 const newest = 2;
 /** Settings of the model that the header can name: its own, the paper's of 2014, a book's. */
@@ -43,7 +44,7 @@ export function decodeTurn(bytes: Uint8Array): RecordedTurn {
 
 /** Reads the header of either version. */
 function readHeader(view: DataView, most: number) {
-  const model = recordedModels[view.getUint32(8, true) - 1];
+  const model = models[view.getUint32(8, true) - 1];
   const [width, height] = [view.getFloat32(16, true), view.getFloat32(20, true)];
   const [columns, rows, frames] = [24, 28, 32].map((at) => view.getUint32(at, true));
   if (view.getUint16(6, true) !== 1) {

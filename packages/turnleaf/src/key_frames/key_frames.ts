@@ -4,6 +4,7 @@
  * in Node.
  */
 
+export { type Model, models } from "../model_names.ts";
 export { decodeTurn } from "./decode.ts";
 export { TurnError } from "./file.ts";
 export { RecordedTurn, writeNormals } from "./recorded_turn.ts";

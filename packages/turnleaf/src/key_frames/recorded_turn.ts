@@ -1,15 +1,5 @@
+import type { Model } from "../model_names.ts";
 import { blend, mixAt } from "./blend.ts";
-
-/** The models of recorded turns, by the numbers in files less 1. */
-export const recordedModels = [
-  "mass-spring",
-  "sheet",
-  "shell",
-  "rigid",
-  "peel",
-  "cylinder",
-  "cone",
-] as const;
 
 /** The contents of a recording. */
 export interface TurnRecord {
@@ -20,7 +10,7 @@ export interface TurnRecord {
   readonly width: number;
   readonly height: number;
   /** The model that was recorded. */
-  readonly model: (typeof recordedModels)[number];
+  readonly model: Model;
   /** Maximum distance of the replay from the original, over the width; NaN if unknown. */
   readonly error: number;
   /** Times of the key frames, seconds since the start. */

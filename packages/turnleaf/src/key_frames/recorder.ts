@@ -1,8 +1,9 @@
+import { models } from "../model_names.ts";
 import { BitWriter, costOf } from "./bits.ts";
 import { blend, mixAt } from "./blend.ts";
 import { checksum, expected, mostAlong, mostMultiple, mostPoints, packedHeader } from "./file.ts";
 import { PolynomialBasis } from "./polynomial_basis.ts";
-import { recordedModels, type TurnRecord } from "./recorded_turn.ts";
+import type { TurnRecord } from "./recorded_turn.ts";
 
 /** The leaf that is recorded. */
 export interface RecordedLeaf {
@@ -147,7 +148,7 @@ export class TurnRecorder {
     view.setUint32(0, 0x544c4b46);
     view.setUint16(4, 2, true);
     view.setUint16(6, 1, true);
-    view.setUint32(8, recordedModels.indexOf(model) + 1, true);
+    view.setUint32(8, models.indexOf(model) + 1, true);
     view.setFloat32(16, width, true);
     view.setFloat32(20, height, true);
     const counts = [this.#u.length, this.#v.length, times.length];

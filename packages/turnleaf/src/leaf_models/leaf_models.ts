@@ -26,6 +26,7 @@ export async function openModel(
     const { PhotographsModel } = await loadPart(import("./photographs.ts"));
     return await PhotographsModel.open(modelSrc, signal);
   }
+  // The shell is too slow to be simulated here.
   if (name === "replay" || name === "shell") {
     const { ReplayModel } = await loadPart(import("./replay.ts"));
     if (name === "replay" && modelSrc) return await ReplayModel.at(modelSrc);

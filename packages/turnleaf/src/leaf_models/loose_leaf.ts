@@ -4,6 +4,7 @@
  */
 
 import type { Vec3 } from "../engine/shapes.ts";
+import type { Model } from "../model_names.ts";
 import { type LeafNodes, type LeafOptions, LooseLeaf } from "../models/models.ts";
 import type { BookPose } from "../stage/book_pose.ts";
 import { crease } from "./crease.ts";
@@ -14,10 +15,6 @@ import {
   type PickedUpLeaf,
 } from "./leaf_model.ts";
 import { lying, placeOn } from "./lying_sheet.ts";
-
-/** The models that are fast enough for that. */
-export const looseModels = ["rigid", "peel", "cylinder", "cone", "mass-spring"] as const;
-export type LooseModelName = (typeof looseModels)[number];
 
 /** Speed at which a leaf counts as at rest, m/s: a pixel, about 0.3 mm, a second, as in the engine. */
 const slow = 3e-4;
@@ -57,7 +54,7 @@ export class LooseModel implements LeafModel {
   }
 
   /** Rejects if there is no WebAssembly. */
-  static async open(model: LooseModelName): Promise<LooseModel> {
+  static async open(model: Model): Promise<LooseModel> {
     const options = { model, preset: "book", interpolate: true } as const;
     return new LooseModel(await LooseLeaf.create(options));
   }

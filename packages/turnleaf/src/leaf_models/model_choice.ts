@@ -1,20 +1,12 @@
 /** The choice of a model of turning. */
 
-/** The models: the engine's own first. */
-export const turnModels = [
-  "sheet",
-  "rigid",
-  "peel",
-  "cylinder",
-  "cone",
-  "mass-spring",
-  "shell",
-  "replay",
-  "photographs",
-] as const;
+import { type Model, models } from "../model_names.ts";
 
-/** The name of a model of turning. */
-export type TurnModelName = (typeof turnModels)[number];
+/** The name of a model of turning: one of the engine's, or a turn that was recorded. */
+export type TurnModelName = Model | "replay" | "photographs";
+
+/** All of them. */
+export const turnModels: readonly TurnModelName[] = [...models, "replay", "photographs"];
 
 /** One of them, or the unknown name that was given in place of one. */
 export interface ModelChoice {

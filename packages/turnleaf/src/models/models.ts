@@ -9,22 +9,11 @@
  * spine to 1 at the fore-edge, v from 0 at the foot to 1 at the head.
  */
 
+import { type Model, models } from "../model_names.ts";
 import { unpack } from "../packed.ts";
 import code from "./models.wasm";
 
-/** The models, by the engine's numbers less 1. */
-export const models = [
-  "mass-spring",
-  "sheet",
-  "shell",
-  "rigid",
-  "peel",
-  "cylinder",
-  "cone",
-] as const;
-
-/** The name of a model. */
-export type Model = (typeof models)[number];
+export { type Model, models };
 
 /** A paper's figures: kg/m^2, m, and N m of stiffness along and across the grain. */
 export interface LeafStock {
@@ -80,8 +69,8 @@ export interface LeafOptions {
   /** Density of the air relative to real air: 0 is a vacuum. Default 1. */
   readonly air?: number;
   /**
-   * Columns and rows of nodes. Default the model's own; ignored by rigid, peel,
-   * cylinder and cone.
+   * Columns and rows of nodes. Default the model's own; ignored by those without
+   * nodes, which follow a rule.
    */
   readonly nodes?: readonly [columns: number, rows: number];
   /** Length of a step, seconds. Default the model's own. */

@@ -2,7 +2,7 @@
 //! between where a place of it rests and where a hand has drawn it, and what is
 //! beyond the line is its mirror image (Beaudouin-Lafon 2001).
 
-use super::lead::reach;
+use crate::models::kinematic::lead::reach;
 
 /// How far the folded part lies above the rest, as part of the width: so little
 /// that none sees it, and enough to draw the one over the other.
