@@ -7,8 +7,8 @@ export class UsageProblem extends Error {
   help: string | undefined;
 }
 
-// biome-ignore lint/suspicious/noControlCharactersInRegex: they are what is removed
-const unprintable = /[\u0000-\u001f\u007f-\u009f\u200e\u200f\u202a-\u202e\u2066-\u2069\ufeff]+/g;
+/** Control and direction-override characters, as in the viewer's `book_text.ts`. */
+export const unprintable: RegExp = /[\p{Cc}\u200e\u200f\u202a-\u202e\u2066-\u2069\ufeff]+/gu;
 
 /**
  * Returns a name from outside, such as a file's or a title, made safe for a

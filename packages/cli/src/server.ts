@@ -2,6 +2,7 @@ import { createServer, type IncomingMessage, type Server, type ServerResponse } 
 import type { AddressInfo } from "node:net";
 import type { ServedFile } from "./book.ts";
 import { Problem } from "./problem.ts";
+import { readerPolicy } from "./reader_policy.ts";
 import { sendFile } from "./send_file.ts";
 
 /** Only this machine. */
@@ -11,20 +12,9 @@ const usualPort = 4173;
 const portsTried = 50;
 
 const headers: Readonly<Record<string, string>> = {
-  // See docs/policy.md: blob: is used by pdf.js's workers and printed pages, data: by SVG pages
-  // and EPUBs.
-  "Content-Security-Policy": [
-    "default-src 'none'",
-    "script-src 'self' 'wasm-unsafe-eval'",
-    "worker-src 'self' blob:",
-    "style-src 'self'",
-    "img-src 'self' blob: data:",
-    "font-src 'self' data:",
-    "connect-src 'self'",
-    "base-uri 'none'",
-    "form-action 'none'",
-    "frame-ancestors 'none'",
-  ].join("; "),
+  "Content-Security-Policy": [...readerPolicy, "form-action 'none'", "frame-ancestors 'none'"].join(
+    "; ",
+  ),
   "X-Content-Type-Options": "nosniff",
   "Referrer-Policy": "no-referrer",
   "Cross-Origin-Resource-Policy": "same-origin",

@@ -4,8 +4,10 @@ import { request } from "node:http";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
+import { findChromium } from "../../../scripts/chromium.mjs";
 
-const main = fileURLToPath(new URL("../dist/main.js", import.meta.url));
+/** The built command. */
+export const main: string = fileURLToPath(new URL("../dist/main.js", import.meta.url));
 
 /** The result of a command that ended. */
 export interface Ended {
@@ -32,9 +34,9 @@ interface Running {
   readonly ended: Promise<Ended>;
 }
 
-function launch(args: readonly string[]): Running {
+function launch(args: readonly string[], environment: NodeJS.ProcessEnv = {}): Running {
   const child = spawn(process.execPath, [main, ...args], {
-    env: { ...process.env, CI: "1" },
+    env: { ...process.env, CI: "1", ...environment },
     stdio: ["ignore", "pipe", "pipe"],
   });
   const text = { stdout: "", stderr: "" };
@@ -57,6 +59,21 @@ export async function run(...args: string[]): Promise<Ended> {
   const result = await ended;
   clearTimeout(timer);
   return result;
+}
+
+/**
+ * Runs the built command, which draws in a Chromium, until it ends by itself.
+ *
+ * @param watch sees it as it begins
+ */
+export function runWithChromium(
+  args: readonly string[],
+  watch?: (child: ChildProcess) => void,
+  environment: NodeJS.ProcessEnv = {},
+): Promise<Ended> {
+  const { child, ended } = launch(args, { CHROMIUM: findChromium(), ...environment });
+  watch?.(child);
+  return ended;
 }
 
 /** Starts reading with the built command and waits until it serves. */

@@ -1,16 +1,13 @@
-import { type ChildProcess, execFileSync, spawn } from "node:child_process";
+import { type ChildProcess, execFileSync } from "node:child_process";
 import { existsSync, readdirSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
-import { fileURLToPath } from "node:url";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
-import { findChromium } from "../../../scripts/chromium.mjs";
 import { parseCommand } from "../src/arguments.ts";
 import { findProgram } from "../src/chromium/find_program.ts";
 import { Frames } from "../src/film/frames.ts";
 import { pdf } from "./books.ts";
-import { folderOf } from "./command.ts";
+import { type Ended, folderOf, main, runWithChromium } from "./command.ts";
 
-const main = fileURLToPath(new URL("../dist/main.js", import.meta.url));
 /** Small and few: rendering is in software here. */
 const small = ["--size", "96x64", "--fps", "8", "--seconds-per-turn", "0.5", "--pause", "0.25"];
 
@@ -23,26 +20,12 @@ beforeAll(() => {
 });
 afterAll(() => folder.remove());
 
-/** Runs the command; `watch` sees it while it runs. */
-function film(
+/** Films with the built command; `watch` sees it as it begins. */
+const film = (
   args: readonly string[],
   environment: NodeJS.ProcessEnv = {},
   watch?: (child: ChildProcess) => void,
-): Promise<{ status: number | null; stdout: string; stderr: string }> {
-  return new Promise((resolve) => {
-    const env = { ...process.env, CHROMIUM: findChromium(), ...environment };
-    const child = spawn(process.execPath, [main, "film", ...args], { env });
-    const text = { stdout: "", stderr: "" };
-    child.stdout.on("data", (data) => {
-      text.stdout += data;
-    });
-    child.stderr.on("data", (data) => {
-      text.stderr += data;
-    });
-    child.on("close", (status) => resolve({ status, ...text }));
-    watch?.(child);
-  });
-}
+): Promise<Ended> => runWithChromium(["film", ...args], watch, environment);
 
 function pictures(path: string): string[] {
   return readdirSync(path).filter((name) => name.endsWith(".png"));

@@ -1,7 +1,7 @@
 /** The books to publish, from the command line and a catalogue file, each with a name in the site. */
 
 import { basename, dirname, extname, resolve } from "node:path";
-import { Problem, printable } from "../problem.ts";
+import { Problem, printable, unprintable } from "../problem.ts";
 import { readRegular } from "../regular_file.ts";
 
 /** What the publisher says of a book; it goes before what the book's file says. */
@@ -135,9 +135,6 @@ function languageTag(text: string, fault: (what: string) => Problem): string {
     throw fault(`has a language that is no tag such as "en"`);
   }
 }
-
-// biome-ignore lint/suspicious/noControlCharactersInRegex: they are what is removed
-const unprintable = /[\u0000-\u001f\u007f-\u009f\u200e\u200f\u202a-\u202e\u2066-\u2069\ufeff]+/g;
 
 function oneLine(text: string): string {
   return text.replace(unprintable, " ").replace(/\s+/g, " ").trim();

@@ -1,5 +1,6 @@
 /** What every page of a site has in common. */
 
+import { readerPolicy } from "../reader_policy.ts";
 import { type Content, type Html, html } from "./html.ts";
 import type { PageAssets } from "./site_assets.ts";
 
@@ -10,22 +11,10 @@ export interface SiteOptions {
   readonly url: string | null;
 }
 
-/**
- * The strictest policy under which the reader works, so that it holds wherever
- * the site is served; docs/policy.md says what each part is for.
- */
 const policy = [
-  "default-src 'none'",
-  "script-src 'self' 'wasm-unsafe-eval'",
-  "worker-src 'self' blob:",
-  "style-src 'self'",
-  "img-src 'self' blob: data:",
-  // Of an EPUB's own fonts.
-  "font-src 'self' data:",
-  "connect-src 'self'",
+  ...readerPolicy,
   "manifest-src 'self'",
   "form-action 'self'",
-  "base-uri 'none'",
   "require-trusted-types-for 'script'",
   "trusted-types turnleaf turnleaf-site",
 ].join("; ");
