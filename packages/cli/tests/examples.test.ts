@@ -229,3 +229,21 @@ it("13: pages of a source of one's own are drawn, found and turned", async () =>
   expect(hits).toMatchObject([{ page: 55 }]);
   expect(await ask((book) => book.goTo(55))).toBe(true);
 });
+
+it("14: leaves of every stock turn over and back, also when they are bound anew", async () => {
+  await open("14-stocks", { width: 760 });
+  await turnFrom(25);
+  const select = page.getByRole("combobox", { name: "This book is" });
+  const lists = await select
+    .locator("option")
+    .evaluateAll((all) => all.map((o) => (o as HTMLOptionElement).value));
+  for (const stocks of [...lists.slice(1), ...lists]) {
+    await select.selectOption(stocks);
+    expect(await ask((book) => book.stocks)).toBe(stocks);
+    const from = await place();
+    expect(await ask((book) => book.next())).toBe(true);
+    await comesTo(from + 2);
+    expect(await ask((book) => book.previous())).toBe(true);
+    await comesTo(from);
+  }
+});
