@@ -29,8 +29,9 @@ export interface ServeOptions {
 export const help = `Turnleaf shows a book whose pages turn as paper turns.
 
   turnleaf FILE_OR_FOLDER        the same as turnleaf read
-  turnleaf read FILE_OR_FOLDER   reads a PDF, an image, or a folder of images
-                                 (PNG, JPEG, WebP, AVIF, GIF) in their order
+  turnleaf read FILE_OR_FOLDER   reads a PDF, an EPUB, a comic (CBZ), Markdown,
+                                 text, an image, or a folder of images (PNG,
+                                 JPEG, WebP, AVIF, GIF) in their order
   turnleaf film BOOK --out FILE  films a book as its pages turn, as MP4, WebM,
                                  GIF or numbered pictures (turnleaf film --help)
   turnleaf bake --out FILE       writes the turn of a leaf as glTF, OBJ, JSON or
