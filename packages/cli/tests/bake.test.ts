@@ -179,7 +179,7 @@ describe("what cannot be baked ends with one sentence", () => {
     [[], "Say where the turn goes: --out turn.glb, turn.obj, turn.json or turn.tlkf"],
     [["--out", "turn.fbx"], "Say where the turn goes"],
     [["book.pdf", "--out", "a.glb"], "A turn is baked from its options alone"],
-    [["--out", "a.glb", "--model", "paper"], "--model is sheet, mass-spring, shell, rigid"],
+    [["--out", "a.glb", "--model", "paper"], "--model is mass-spring, sheet, shell, rigid"],
     [
       ["--out", "a.glb", "--points", "1x9"],
       "--points is a size such as 1280x720, each side 2 to 200.",
