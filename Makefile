@@ -14,7 +14,7 @@ MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 RUST_SOURCES = $(shell find Cargo.toml Cargo.lock rust-toolchain.toml engine/Cargo.toml wasm/Cargo.toml engine/src wasm/src -type f)
 
-.PHONY: read build wasm test test-rust test-js check check-rust check-js check-licences size bench gestures soak fuzz playground examples pictures methods recordings photographs reference book clean tools-rust chromium browsers engines test-apps test-cluster test-publish
+.PHONY: read build wasm test test-rust test-js check check-rust check-js check-licences size bench gestures soak fuzz playground examples pictures methods recordings photographs reference book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -89,6 +89,13 @@ bench: build chromium tools-rust
 # The steps that three engines go through, with versions and times: a table in docs/browsers.md.
 engines: build browsers
 	node scripts/engines.mjs
+
+# Every manifest of IIIF's cookbook opened, by COOKBOOK, a clone of github.com/IIIF/cookbook-recipes:
+# a table in docs/sources.md. No network is needed: images are made in their sizes.
+COOKBOOK ?= target/cookbook-recipes
+test-iiif: build chromium
+	@test -d "$(COOKBOOK)" || git clone --quiet --depth 1 https://github.com/IIIF/cookbook-recipes "$(COOKBOOK)"
+	node scripts/iiif_cookbook.mjs "$(COOKBOOK)"
 
 # The packed package in small apps of seven frameworks, from the npm registry: a table in docs/browsers.md.
 test-apps: build chromium

@@ -206,6 +206,7 @@ test("labels, statement, rights and provider are in the reader's language", asyn
           homepage: [{ id: "https://library.example/" }],
         },
       ],
+      homepage: [{ id: "https://library.example/book", label: both("The book", "Le livre") }],
       metadata: [{ label: { none: ["Date"] }, value: { none: ["1600", "1601"] } }],
     }),
   );
@@ -218,6 +219,7 @@ test("labels, statement, rights and provider are in the reader's language", asyn
       href: "http://rightsstatements.org/vocab/NoC-US/1.0/",
     },
     { label: "", value: "Library", href: "https://library.example/" },
+    { label: "", value: "Le livre", href: "https://library.example/book" },
     { label: "Date", value: "1600; 1601" },
   ]);
 });
@@ -401,6 +403,15 @@ test("a collection fails in a sentence that names its books, also one within its
     `m.json is a collection of books; open one of them, such as Itself (${server}/m.json), a book (${server}/b.json).`,
   );
 });
+
+test.each(["AnnotationPage", "AnnotationCollection", "Annotation"])(
+  "a file of type %s is no book",
+  async (type) => {
+    expect(await messageOf(open({ ...manifest3([canvas3("a")]), type }))).toBe(
+      "m.json has notes about a book; open the manifest of the book.",
+    );
+  },
+);
 
 test("hostile manifests fail in a sentence or are opened within their bounds", async () => {
   const many = Array.from({ length: 100_000 }, (_, k) => ({ id: String(k) }));

@@ -93,6 +93,9 @@ export function parsePresentation(
   const reading = { base, languages };
   const type = typeOf(value);
   if (type === "Collection") throw ofCollection(value, name, reading);
+  if (/^Annotation/.test(type)) {
+    throw new BookError(`${name} has notes about a book; open the manifest of the book.`);
+  }
   const manifest =
     lengthOf(value.width) > 0 && type !== "Manifest" ? imageAlone(value, base) : value;
   const [sequence = {}] = objectsIn(manifest.sequences, 1);
@@ -270,6 +273,10 @@ function readDetails(manifest: Value, { base, languages }: Reading): BookDetail[
   for (const provider of objectsIn(manifest.provider ?? [], 5)) {
     const [page] = objectsIn(provider.homepage ?? [], 1);
     add("", provider.label, page ? addressOf(page, base) : "");
+  }
+  for (const page of objectsIn(manifest.homepage ?? [], 5)) {
+    const href = addressOf(page, base);
+    if (href) add("", page.label ?? href, href);
   }
   for (const { label, value } of objectsIn(manifest.metadata ?? [], mostDetails)) add(label, value);
   return details;
