@@ -38,6 +38,7 @@ export class TurnleafBook extends ReaderElement {
   readonly #tree = new ShadowTree();
   readonly #life = new BookLifecycle(this, this.#tree.stage, {
     prepare: () => this.#keepPlace(),
+    restore: (source) => this.restorePlace(source),
     options: (source) => this.#options(source),
     turn: (by) => void this.press(by),
     calm: () => this.#calm,

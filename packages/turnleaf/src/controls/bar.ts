@@ -62,6 +62,7 @@ export class Bar {
   }
 
   refresh(): void {
+    this.#title.dir = this.#book.titleDirection;
     this.#title.textContent = this.#book.bookTitle;
     for (const refresh of this.#refreshers) refresh();
     this.menu.refresh();

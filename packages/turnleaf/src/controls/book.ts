@@ -34,6 +34,7 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   /** What the book's owner and its source permit. */
   readonly allows: { readonly print: boolean; readonly download: boolean };
   /** What the book's owner wants to be shown of it. */
+  readonly titleDirection: "ltr" | "rtl" | "auto";
   readonly details: readonly BookDetail[];
   label(page: number): string;
   /**

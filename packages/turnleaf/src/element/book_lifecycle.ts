@@ -19,6 +19,8 @@ import { typographyOf } from "./typography.ts";
 export interface LifecycleHooks {
   /** Loads what is needed before a book opens. Never rejects. */
   prepare(): Promise<void>;
+  /** Finds where a book was left, once it is read. Never rejects. */
+  restore(source: PageSource): Promise<void>;
   /** How a book is shown. */
   options(source: PageSource): ViewerOptions;
   /** Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers. */
@@ -123,6 +125,7 @@ export class BookLifecycle {
       password: this.#hooks.password(),
       askPassword: this.#hooks.askPassword,
     });
+    await this.#hooks.restore(source);
     await this.#show(source, false, signal);
   }
 

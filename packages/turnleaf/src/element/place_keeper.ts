@@ -7,6 +7,7 @@
 
 import type { PageSource } from "../sources/page_source.ts";
 import { cleanPages, isPage } from "./page_numbers.ts";
+import { typographyAttributes, typographyOf } from "./typography.ts";
 
 /** The element, as far as its place is kept. */
 interface PlacedBook extends HTMLElement {
@@ -23,12 +24,18 @@ interface PlacedBook extends HTMLElement {
 /** Follows one element for as long as it is in a document. */
 export class PlaceKeeper {
   readonly #book: PlacedBook;
+  readonly #source: () => PageSource | undefined;
   #ended: AbortController | null = null;
   /** Whether a book is open whose place is worth keeping. */
   #isOpen = false;
 
-  constructor(book: PlacedBook) {
+  /** What was kept of the book that is about to open, its pages as they lie now. */
+  #restored: SavedPlace | null = null;
+
+  /** @param source returns the open book's pages */
+  constructor(book: PlacedBook, source: () => PageSource | undefined) {
     this.#book = book;
+    this.#source = source;
   }
 
   /** Starts listening: to the element, to the address, and to the page's unloading. */
@@ -60,6 +67,34 @@ export class PlaceKeeper {
   closed(): void {
     this.#keep();
     this.#isOpen = false;
+    this.#restored = null;
+  }
+
+  /**
+   * Sets flowing text as its reader had it, where the element does not say it
+   * otherwise, and finds the page where he was. Never rejects: a book opens at
+   * its beginning where that fails.
+   */
+  async restore(source: PageSource): Promise<void> {
+    this.#restored = null;
+    if (!source.findAnchors || !this.#book.hasAttribute("remember")) return;
+    const kept = loadPlace(this.#name(source));
+    if (kept?.text === undefined) return;
+    const { anchors, typography } = kept.text;
+    try {
+      let isChanged = false;
+      for (const [name, value] of Object.entries(typography)) {
+        if (this.#book.hasAttribute(name)) continue;
+        this.#book.setAttribute(name, value);
+        isChanged = true;
+      }
+      if (isChanged) await source.typeset?.(typographyOf(this.#book));
+      const [index, ...marks] = await source.findAnchors(anchors);
+      const bookmarks = cleanPages(marks.map((mark) => (mark ?? -1) + 1));
+      this.#restored = { ...kept, page: (index ?? 0) + 1, bookmarks };
+    } catch {
+      // What is wrong with the book is said when it is shown.
+    }
   }
 
   /** The page in the address; null if there is none, or the address is not used. */
@@ -75,15 +110,16 @@ export class PlaceKeeper {
    */
   opening(source: PageSource | undefined, left: number | null): number | null {
     const remembers = source !== undefined && this.#book.hasAttribute("remember");
-    const kept = remembers ? loadPlace(this.#name(source.title, source.pageCount)) : null;
+    const kept = remembers ? this.#loaded(source) : null;
     return this.#asked ?? left ?? kept?.page ?? null;
   }
 
   #opened(): void {
     const book = this.#book;
     this.#isOpen = true;
-    if (!book.hasAttribute("remember")) return;
-    const kept = loadPlace(this.#name(book.bookTitle, book.pageCount));
+    const source = this.#source();
+    if (!book.hasAttribute("remember") || !source) return;
+    const kept = this.#loaded(source);
     if (kept === null) return;
     if (kept.bookmarks.length > 0) book.bookmarks = kept.bookmarks;
     if (kept.shifts.length > 0) book.shifts = kept.shifts;
@@ -96,14 +132,28 @@ export class PlaceKeeper {
   }
 
   #keep(): void {
-    const { bookTitle, pageCount, page, zoom, bookmarks, shifts } = this.#book;
-    if (!this.#isOpen || !this.#book.hasAttribute("remember")) return;
-    savePlace(this.#name(bookTitle, pageCount), { page, zoom, bookmarks, shifts });
+    const { page, zoom, bookmarks, shifts } = this.#book;
+    const source = this.#source();
+    if (!this.#isOpen || !source || !this.#book.hasAttribute("remember")) return;
+    const anchors =
+      source.anchor && [page, ...bookmarks].map((one) => source.anchor?.(one - 1) ?? "");
+    const text = anchors ? { text: { anchors, typography: this.#typography() } } : {};
+    savePlace(this.#name(source), { page, zoom, bookmarks, shifts, ...text });
   }
 
-  /** Returns what identifies a book: its address, its title, its length. */
-  #name(title: string, pageCount: number): string {
-    return `${this.#book.src} ${pageCount} ${title}`;
+  /** Returns the attributes that say how text is set, and their values. */
+  #typography(): Record<string, string> {
+    const said = typographyAttributes.map((name) => [name, this.#book.getAttribute(name) ?? ""]);
+    return Object.fromEntries(said.filter(([, value]) => value !== ""));
+  }
+
+  #loaded(source: PageSource): SavedPlace | null {
+    return this.#restored ?? loadPlace(this.#name(source));
+  }
+
+  /** Returns what identifies a book: its address, its title, its length unless text flows in it. */
+  #name({ title, pageCount, anchor }: PageSource): string {
+    return `${this.#book.src} ${anchor ? "text" : pageCount} ${title}`;
   }
 }
 
@@ -117,31 +167,57 @@ export interface SavedPlace {
   readonly bookmarks: readonly number[];
   /** Likewise. */
   readonly shifts: readonly number[];
+  /** Of flowing text, whose pages change with its size. */
+  readonly text?: {
+    /** The anchor of the page, and those of the bookmarks. */
+    readonly anchors: readonly string[];
+    /** The attributes that say how it is set. */
+    readonly typography: Readonly<Record<string, string>>;
+  };
 }
 
 /** Everything is under one key, the last book read first. */
 const key = "turnleaf";
 const mostBooks = 100;
 const longestName = 300;
+/** The page's anchor and those of 500 bookmarks; characters of an attribute's value. */
+const mostAnchors = 501;
+const longestValue = 20;
 const longestStore = 400_000;
 
 /** Returns the state kept of the book of a name, or null. */
 export function loadPlace(name: string): SavedPlace | null {
   const found = read().find(([other]) => other === short(name));
   if (found === undefined) return null;
-  const [, page, zoom, bookmarks, shifts] = found;
+  const [, page, zoom, bookmarks, shifts, text] = found;
   return {
     page: isPage(page) ? page : 1,
     zoom: typeof zoom === "number" && zoom >= 1 && zoom <= 8 ? zoom : 1,
     bookmarks: cleanPages(bookmarks),
     shifts: cleanPages(shifts),
+    ...cleanText(text),
   };
 }
 
+/** Returns what is kept of flowing text, as far as it is what this code writes. */
+function cleanText(text: unknown): Pick<SavedPlace, "text"> {
+  if (!Array.isArray(text)) return {};
+  const [anchors, said] = text;
+  if (!Array.isArray(anchors) || !anchors.every((one) => typeof one === "string")) return {};
+  const typography: Record<string, string> = {};
+  for (const name of typographyAttributes) {
+    const value: unknown = said?.[name];
+    if (typeof value === "string") typography[name] = value.slice(0, longestValue);
+  }
+  return { text: { anchors: anchors.slice(0, mostAnchors), typography } };
+}
+
 /** Keeps a book; the one read longest ago is dropped. */
-export function savePlace(name: string, { page, zoom, bookmarks, shifts }: SavedPlace): void {
+export function savePlace(name: string, place: SavedPlace): void {
+  const { page, zoom, bookmarks, shifts, text } = place;
   const others = read().filter(([other]) => other !== short(name));
-  const all = [[short(name), page, Math.round(zoom * 100) / 100, bookmarks, shifts], ...others];
+  const row = [short(name), page, Math.round(zoom * 100) / 100, bookmarks, shifts];
+  const all = [text ? [...row, [text.anchors, text.typography]] : row, ...others];
   try {
     localStorage.setItem(key, JSON.stringify(all.slice(0, mostBooks)));
   } catch {
@@ -149,7 +225,7 @@ export function savePlace(name: string, { page, zoom, bookmarks, shifts }: Saved
   }
 }
 
-/** Returns rows of name, page, zoom, bookmarks, shifts (if any); only the name is checked. */
+/** Returns rows of name, page, zoom, bookmarks, shifts and text (if any); only the name is checked. */
 function read(): [string, ...unknown[]][] {
   try {
     const text = localStorage.getItem(key) ?? "";

@@ -61,6 +61,11 @@ export abstract class ReaderElement extends ReflectingElement {
     return this.source?.title ?? "";
   }
 
+  /** The direction in which the title is written; `auto` is that of its first letter. */
+  get titleDirection(): "ltr" | "rtl" | "auto" {
+    return this.source?.titleDirection ?? "auto";
+  }
+
   /** What the book's owner wants to be shown of it, such as its licence; the controls show it. */
   get details(): readonly BookDetail[] {
     return this.source?.details ?? [];
@@ -326,7 +331,7 @@ export abstract class ReaderElement extends ReflectingElement {
     const { PlaceKeeper } = await loadPart(import("./place_keeper.ts"));
     // Both attributes may have asked.
     if (this.#place) return;
-    this.#place = new PlaceKeeper(this);
+    this.#place = new PlaceKeeper(this, () => this.source);
     if (this.isConnected) this.#place.follow();
   }
 
@@ -360,6 +365,16 @@ export abstract class ReaderElement extends ReflectingElement {
     this.#place?.closed();
     this.#bookmarks = [];
     this.#shifts = [];
+  }
+
+  /**
+   * Sets a book's text as its reader had it, and finds where it was left: before
+   * it is shown. Never rejects.
+   *
+   * @internal
+   */
+  protected async restorePlace(source: PageSource): Promise<void> {
+    await this.#place?.restore(source);
   }
 
   /**

@@ -367,7 +367,8 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * Whether page, zoom and bookmarks are kept over a reload, in the browser's local storage.
+   * Whether page, zoom, bookmarks and the choices of type are kept over a
+   * reload, in the browser's local storage.
    * @attribute remember
    * @default off
    */

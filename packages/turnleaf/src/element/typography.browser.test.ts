@@ -61,3 +61,32 @@ test("the reader chooses in a tab, which other books do not have", async () => {
   await expect.poll(() => tab()?.hidden).toBe(true);
   element.remove();
 });
+
+test("a remembered book opens with the reader's type, at the text where he was", async () => {
+  const chapters = [prose(20), prose(30), prose(20)];
+  const open = async (): Promise<ReturnType<typeof book>> => {
+    const element = book(tinyEpub({ chapters }), { duration: "0", remember: "", layout: "single" });
+    await Promise.all([happens(element, "load"), happens(element, "pageschange")]);
+    return element;
+  };
+  const placesOf = async (element: ReturnType<typeof book>): Promise<number[]> =>
+    (await element.search("word15x0")).map(({ page }) => page);
+  localStorage.clear();
+  const first = await open();
+  const changed = happens(first, "pageschange");
+  first.fontSize = 1.6;
+  await changed;
+  await expect.poll(async () => (await placesOf(first)).length).toBe(3);
+  const [, there = 0, later = 0] = await placesOf(first);
+  await first.goTo(there);
+  first.toggleBookmark(later);
+  const { pageCount } = first;
+  first.remove();
+  const second = await open();
+  expect([second.fontSize, second.page]).toEqual([1.6, there]);
+  await expect.poll(() => second.pageCount).toBe(pageCount);
+  expect(second.page).toBe(there);
+  expect(second.bookmarks).toEqual([later]);
+  second.remove();
+  localStorage.clear();
+});

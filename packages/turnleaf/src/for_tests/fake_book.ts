@@ -20,6 +20,7 @@ export class FakeBook extends HTMLElement implements ControlledBook {
   playing = false;
   canTypeset = false;
   allows = { print: true, download: true };
+  readonly titleDirection = "auto" as const;
   details: readonly BookDetail[] = [];
   hits: readonly FoundPlace[] = [];
   /** The calls, in order. */

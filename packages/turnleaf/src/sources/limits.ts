@@ -40,6 +40,8 @@ export const limits = {
   textLength: 200_000,
   /** Characters of the description of a page's pictures. */
   altLength: 2000,
+  /** Characters of a note that is shown over a page. */
+  noteLength: 4000,
   /** Links or fields of a page. */
   annotations: 2000,
   /** Characters of a field's value, and the options of a choice. */

@@ -76,12 +76,38 @@ export class PageList implements PageSource {
     return this.#first.layout;
   }
 
+  get titleDirection(): PageSource["titleDirection"] {
+    return this.#first.titleDirection;
+  }
+
   get details(): PageSource["details"] {
     return this.#first.details;
   }
 
   get allows(): PageSource["allows"] {
     return this.#first.allows;
+  }
+
+  /** The first source's anchors; a page of another has that of the page before it. */
+  get anchor(): PageSource["anchor"] {
+    const first = this.#first;
+    if (!first.anchor) return undefined;
+    return (index) => {
+      const before = this.#entries.slice(0, index + 1).findLast(({ source }) => source === first);
+      return first.anchor?.(before?.index ?? 0) ?? "";
+    };
+  }
+
+  /** Finds anchors of the first source, before it is watched. */
+  get findAnchors(): PageSource["findAnchors"] {
+    const first = this.#first;
+    if (!first.findAnchors) return undefined;
+    return async (anchors) => {
+      const found = (await first.findAnchors?.(anchors)) ?? [];
+      // Its pages are counted anew.
+      if (this.#listener === null) this.#entries = entriesOf(first);
+      return found;
+    };
   }
 
   /** Sets the first source's text anew, if it can be. */

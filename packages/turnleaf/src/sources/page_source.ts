@@ -55,6 +55,8 @@ export interface PageLink extends PageBox {
   readonly title: string;
   /** Where it leads. */
   readonly to: LinkTarget;
+  /** The text of the note to which it leads, if it is one: shown over the page. */
+  readonly note?: string;
 }
 
 /** A field of a form on a page; its box as that of a `TextRun`, never turned. */
@@ -149,6 +151,8 @@ export interface Typography {
 export interface PageSource {
   /** The book's title, or the file's name if it has none. */
   readonly title: string;
+  /** The direction in which the title is written. The default, `auto`, is that of its first letter. */
+  readonly titleDirection?: "ltr" | "rtl" | "auto";
   /** BCP 47 language tag; empty if the source does not say. */
   readonly language: string;
   /** Reading direction, which decides the edge at which the book is bound. */
@@ -222,6 +226,18 @@ export interface PageSource {
    * `BookError`.
    */
   typeset?(typography: Typography): Promise<void>;
+  /**
+   * Returns an anchor of the text with which page `index` (from 0) begins: it
+   * finds that text again in whatever size it is set, also after the book has
+   * been opened anew. Absent if pages are as they are.
+   */
+  anchor?(index: number): string;
+  /**
+   * Resolves to the pages (from 0) on which anchors lie, null for one that is
+   * none of this book. The pages may be counted anew: call it before
+   * `watchPages`.
+   */
+  findAnchors?(anchors: readonly string[]): Promise<readonly (number | null)[]>;
   /**
    * Sets the listener for changes of the pages: text that is set in another
    * size, a length that was estimated. The source keeps its old pages until the

@@ -1,6 +1,7 @@
 /** The links of an open page as real ones, over their printed text. */
 
 import type { LinkTarget, PageLink, TextRun } from "../sources/page_source.ts";
+import { NotePopover } from "./note_popover.ts";
 import type { FieldPlace } from "./page_fields.ts";
 import { layOver, placeIn } from "./run_place.ts";
 
@@ -9,12 +10,14 @@ import { layOver, placeIn } from "./run_place.ts";
  *
  * @param nameOf returns the name of a link's target
  * @param goTo follows a link within the book
+ * @param popover shows the notes to which links lead
  */
 export function makeLinks(
   links: readonly PageLink[],
   runs: readonly TextRun[],
   nameOf: (to: LinkTarget) => string,
   goTo: (page: number) => void,
+  popover: NotePopover,
 ): FieldPlace[] {
   return links.map((link) => {
     const { to } = link;
@@ -23,9 +26,13 @@ export function makeLinks(
     a.setAttribute("aria-label", link.title || textUnder(link, runs) || nameOf(to));
     if ("page" in to) {
       a.href = `#page=${to.page}`;
+      const { note } = link;
+      const isShown = note !== undefined && NotePopover.isSupported;
+      if (isShown) a.setAttribute("aria-haspopup", "dialog");
       a.addEventListener("click", (event) => {
         event.preventDefault();
-        goTo(to.page);
+        if (isShown) popover.show(note, a, nameOf(to), () => goTo(to.page));
+        else goTo(to.page);
       });
     } else {
       a.href = to.href;

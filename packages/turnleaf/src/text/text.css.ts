@@ -23,6 +23,19 @@ export const textStyle: string = /* css */ `
 .print { mix-blend-mode: multiply; }
 .text span::selection { color: transparent; background: rgb(178 203 238 / 0.996); }
 .guard { position: absolute; inset: 0; pointer-events: auto; cursor: text; user-select: none; -webkit-user-select: none; }
+.note {
+  position: fixed; inset: auto; box-sizing: border-box; margin: 0; padding: 0.9em 1.1em 0.7em; pointer-events: auto;
+  width: max-content; max-width: min(26em, calc(100vw - 16px)); max-height: 50vh; overflow: auto;
+  font: 15px/1.5 var(--turnleaf-serif, Georgia, serif); color: var(--turnleaf-ink, #2b2622);
+  background: var(--turnleaf-surface, #fbfaf7); border: 1px solid var(--turnleaf-line, #ded8ce); border-radius: 6px;
+  box-shadow: 0 4px 20px rgb(0 0 0 / 0.22); user-select: text; -webkit-user-select: text;
+}
+.note:focus { outline: none; }
+.note p { margin: 0; overflow-wrap: break-word; }
+.note button {
+  display: block; margin: 0.6em 0 0 auto; padding: 0.2em 0; border: 0; background: none; cursor: pointer;
+  font: 13px var(--turnleaf-font, system-ui, sans-serif); color: var(--turnleaf-accent, #8a3324); text-decoration: underline;
+}
 .mark { background: rgb(255 214 90 / 0.55); mix-blend-mode: multiply; border-radius: 2px; }
 .mark.here { background: rgb(255 176 32 / 0.85); }
 `;

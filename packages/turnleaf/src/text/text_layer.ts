@@ -12,6 +12,7 @@ import type {
   PageSource,
   TextRun,
 } from "../sources/page_source.ts";
+import { NotePopover } from "./note_popover.ts";
 import { type FieldPlace, type FieldValues, makeFields } from "./page_fields.ts";
 import { makeLinks } from "./page_links.ts";
 import { layMarks, type ShownHit } from "./page_marks.ts";
@@ -56,6 +57,7 @@ export interface TextLayerOptions {
 /**
  * The layer of one book.
  *
+ * @csspart note A note of the book, shown over the page beside the link to it.
  * @csspart text The text over the resting pages, invisible until it is
  * selected.
  */
@@ -64,6 +66,7 @@ export class TextLayer {
   readonly element: HTMLElement = document.createElement("div");
   readonly #text: HTMLElement = document.createElement("div");
   readonly #marks: HTMLElement = document.createElement("div");
+  readonly #note = new NotePopover();
   readonly #view: PageView;
   readonly #options: TextLayerOptions;
   readonly #ended = new AbortController();
@@ -87,7 +90,7 @@ export class TextLayer {
     text.setAttribute("part", "text");
     if (source.language) text.lang = source.language;
     text.dir = source.direction;
-    element.append(this.#marks, text);
+    element.append(this.#marks, text, this.#note.element);
     const { signal } = this.#ended;
     if (source.allows?.copy === false) text.classList.add("uncopied");
     else keepSelection(text, signal);
@@ -122,7 +125,10 @@ export class TextLayer {
     const pages = this.#view.openPages;
     const isSeen = rests && pages.some((page) => this.#view.project(page, 0.5, 0.5) !== null);
     this.element.hidden = !isSeen;
-    if (!isSeen) return;
+    if (!isSeen) {
+      this.#note.hide();
+      return;
+    }
     if (pages.join() !== [...this.#groups.keys()].join()) this.#open(pages);
     this.#place();
   }
@@ -216,7 +222,7 @@ export class TextLayer {
     const { name, goTo, source } = this.#options;
     const nameOf = (to: LinkTarget): string => ("page" in to ? name(to.page) : to.href);
     const made = [
-      ...makeLinks(links, runs, nameOf, goTo),
+      ...makeLinks(links, runs, nameOf, goTo, this.#note),
       ...makeFields(fields, this.#values, (field, isDone) => {
         source.fill?.(page - 1, field, this.#values.get(field) ?? "");
         for (const { laid } of this.#groups.values())

@@ -116,6 +116,19 @@ describe("its pages", () => {
     expect(await colourAt(source, 2, 0.5, 0.3)).toBe("255,0,0");
   });
 
+  test("understand the prefixed properties of EPUB, and patterns of drawings", async () => {
+    const bars =
+      '<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100" style="fill: url(#blue)"><pattern id="blue" width="1" height="1"><rect width="100" height="100" fill="#00f"/></pattern><rect width="100" height="100"/></svg>';
+    const source = await laidOut({
+      chapters: [
+        `<html xmlns="http://www.w3.org/1999/xhtml"><head><title>t</title><style>body { margin: 0 } p { -epub-text-align-last: right; -epub-text-combine: horizontal }</style></head><body>${bars}<p>one</p><p style="-epub-text-transform: uppercase">two</p></body></html>`,
+      ],
+    });
+    expect(await colourAt(source, 0, 0.15, 0.12)).toBe("0,0,255");
+    const runs = (await source.text?.(0, never)) ?? [];
+    expect(runs.find(({ text }) => text === "one")?.x).toBeGreaterThan(300);
+  });
+
   test("show each picture on its own page, and none that is on another", async () => {
     const big = await png("#0a0", 400, 600);
     const source = await laidOut({
@@ -238,7 +251,89 @@ describe("its files", () => {
   });
 });
 
+describe("the package", () => {
+  test("names its authors in order, and the direction of its title", async () => {
+    const source = await open({
+      chapters: ["<p>One.</p>"],
+      metadata: "<dc:creator> Ann \n  Arbor </dc:creator><dc:creator>Bo</dc:creator>",
+    });
+    expect(source.details?.map(({ value }) => value)).toEqual(["Ann Arbor", "Bo"]);
+    expect(source.titleDirection).toBe("auto");
+    const raw = (title: string, dir: string): TinyEpub => ({
+      chapters: ["<p>One.</p>"],
+      raw: {
+        "OEBPS/package.opf": `<package xmlns="http://www.idpf.org/2007/opf" version="3.0" ${dir}><metadata xmlns:dc="http://purl.org/dc/elements/1.1/">${title}</metadata><manifest><item id="c" href="c1.xhtml" media-type="application/xhtml+xml"/></manifest><spine><itemref idref="c"/></spine></package>`,
+      },
+    });
+    const directions = [];
+    for (const [title, dir] of [
+      ['<dc:title dir="rtl">A</dc:title>', 'dir="ltr"'],
+      ["<dc:title>A</dc:title>", 'dir="rtl"'],
+      ['<dc:title dir="auto">A</dc:title>', 'dir="rtl"'],
+    ] as const) {
+      directions.push((await open(raw(title, dir))).titleDirection);
+    }
+    expect(directions).toEqual(["rtl", "rtl", "auto"]);
+  });
+
+  test("may ask for single pages, and asks for nothing otherwise", async () => {
+    const layouts = [];
+    for (const spread of ["none", "auto", "landscape", "both"]) {
+      const metadata = `<meta property="rendition:spread">${spread}</meta>`;
+      layouts.push((await open({ chapters: ["<p>One.</p>"], metadata })).layout);
+    }
+    expect(layouts).toEqual(["single", undefined, undefined, undefined]);
+  });
+
+  test("its flow is paginated, whatever it asks for", async () => {
+    for (const flow of ["paginated", "scrolled-doc", "scrolled-continuous"]) {
+      const metadata = `<meta property="rendition:flow">${flow}</meta>`;
+      const source = await laidOut({ chapters: [prose(20)], metadata });
+      expect(source.pageCount).toBeGreaterThan(3);
+      source.close();
+    }
+  });
+
+  test("replaces what needs scripts, and pictures of foreign types, by their fallbacks", async () => {
+    const chapters = ['<img src="a.psd"/>', "<p>Plain.</p>"];
+    const source = await laidOut({
+      chapters,
+      files: { "green.png": await png("#0f0") },
+      raw: {
+        "OEBPS/a.psd": "8BPS",
+        "OEBPS/s.xhtml": "<p>scripted</p>",
+        "OEBPS/x.xml": "<x>foreign</x>",
+      },
+      items:
+        '<item id="a" href="a.psd" media-type="image/psd" fallback="f1"/><item id="s" href="s.xhtml" media-type="application/xhtml+xml" properties="scripted" fallback="c1"/><item id="x" href="x.xml" media-type="application/xml" fallback="c1"/>',
+      itemrefs: '<itemref idref="s"/><itemref idref="x"/>',
+      css: "img { display: block; width: 200px; height: 300px }",
+    });
+    expect(await colourAt(source, 0, 0.2, 0.2)).toBe("0,255,0");
+    expect([await textOf(source, 2), await textOf(source, 3)]).toEqual(["Plain.\n", "Plain.\n"]);
+  });
+
+  test("pictures in the contents are named by what they show", async () => {
+    const toc = '<li><a href="c1.xhtml"><img src="a.png" alt="An abbey"/></a></li>';
+    const source = await open({ chapters: ["<p>One.</p>"], toc });
+    expect((await source.outline?.(never))?.[0]?.title).toBe("An abbey");
+  });
+});
+
 describe("links", () => {
+  test("to notes have their text, without the links back", async () => {
+    const note = (id: string, meaning: string): string =>
+      `<aside id="${id}" ${meaning}>The  ${id} note. <a role="doc-backlink" href="#r">back</a></aside>`;
+    const source = await laidOut({
+      chapters: [
+        `<p><a epub:type="noteref" href="#first">1</a> <a role="doc-noteref" href="c2.xhtml#second">2</a> <a href="#first">3</a> <a epub:type="noteref" href="#none">4</a></p>${note("first", 'epub:type="footnote"')}`,
+        `${note("second", 'role="doc-endnote"')}`,
+      ],
+    });
+    const notes = (await source.links?.(0, never))?.slice(0, 4).map(({ note }) => note);
+    expect(notes).toEqual(["The first note.", "The second note.", undefined, undefined]);
+  });
+
   test("lead to pages of the book and to the web, and nowhere else", async () => {
     const source = await laidOut({
       chapters: [

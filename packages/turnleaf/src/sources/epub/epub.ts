@@ -7,7 +7,13 @@ import { unknownFailure } from "../failures.ts";
 import { isPageSize, limits } from "../limits.ts";
 import { cleanMarkup } from "../markup/clean_markup.ts";
 import { isBroken, type MarkupType, parseMarkup } from "../markup/parse_markup.ts";
-import { BookError, type PageSize, type PageSource, type Typography } from "../page_source.ts";
+import {
+  type BookDetail,
+  BookError,
+  type PageSize,
+  type PageSource,
+  type Typography,
+} from "../page_source.ts";
 import type {
   FlowBook,
   FlowContent,
@@ -22,10 +28,22 @@ import { checkPackage } from "./package_document.ts";
 
 /** Types of chapters. */
 const readableTypes =
-  /^(application\/(xhtml\+xml|xml|x-dtbook\+xml)|text\/(html|x-oeb1-document)|image\/(svg\+xml|png|jpeg|gif|webp|avif))$/;
+  /^(application\/(xhtml\+xml|x-dtbook\+xml)|text\/(html|x-oeb1-document)|image\/(svg\+xml|png|jpeg|gif|webp|avif))$/;
+
+/** The type of XML of any kind, which is read as a web page where there is nothing better. */
+const anyXml = "application/xml";
+
+/** Languages that are written from right to left, where the package does not say how its pages go. */
+const rightToLeft = /^(ar|arc|ckb|dv|fa|he|ks|ps|sd|syr|ug|ur|yi)\b(?!-(Latn|Cyrl))/;
 
 /** Fallbacks of a chapter, each of another. */
 const mostFallbacks = 10;
+
+/** The namespace of titles and names in a package. */
+const dublinCore = "http://purl.org/dc/elements/1.1/";
+
+/** Names of authors that are shown. */
+const mostCreators = 20;
 
 /** The size of a page of fixed layout that does not say it. */
 const usualSize: PageSize = { width: 768, height: 1024 };
@@ -54,7 +72,8 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     getSize: (path) => archive.size(path),
   });
   epub.parser = {
-    parseFromString: (text, type) => checkPackage(parseMarkup(text, type as MarkupType), name),
+    parseFromString: (text, type) =>
+      withPicturesInWords(checkPackage(parseMarkup(text, type as MarkupType), name)),
   };
   await epub.init();
   const { resources, rendition, metadata, toc } = epub;
@@ -74,18 +93,30 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
       `${name} is protected against copying (DRM); open it in its shop's reader.`,
     );
   }
-  const listed = new Set(resources.manifest.map(({ href }) => href));
-  const files = new EpubFiles(archive, decoder.decode, (path) => listed.has(path));
+  const manifest = { items, fallbacks };
+  const byPath = new Map(resources.manifest.map((item) => [item.href, item]));
+  const files = new EpubFiles(archive, decoder.decode, {
+    isListed: (path) => byPath.has(path),
+    shownFor: (path) => {
+      const item = byPath.get(path);
+      return item ? pictureFor(manifest, item) : path;
+    },
+  });
   const isFixedBook = rendition.layout === "pre-paginated";
-  const direction = epub.dir === "rtl" ? "rtl" : "ltr";
+  const language = cleanLanguage([metadata.language].flat()[0]);
+  const isOpen = epub.dir !== "ltr" && epub.dir !== "rtl";
+  const direction = epub.dir === "rtl" || (isOpen && rightToLeft.test(language)) ? "rtl" : "ltr";
   const chapters = resources.spine
     .slice(0, limits.pages)
     .flatMap(({ idref, linear, properties = [] }) => {
-      const item = readableItem(items, fallbacks, idref);
-      if (!item || !names.has(item.href)) return [];
+      const found = withFallbacks(manifest, idref).filter(({ href }) => names.has(href));
+      const item = readableItem(found);
+      if (!item) return [];
       const has = (word: string): boolean =>
         properties.some((one) => one === word || one === `rendition:${word}`);
-      const isFixed = has("layout-pre-paginated") || (isFixedBook && !has("layout-reflowable"));
+      // The first of several counts.
+      const own = properties.find((one) => /^rendition:layout-/.test(one));
+      const isFixed = own ? own === "rendition:layout-pre-paginated" : isFixedBook;
       return [{ ...item, isFixed, isAside: linear === "no", side: sideOf(has) }];
     });
   // What is beside the way of reading comes last.
@@ -120,8 +151,12 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   return {
     name,
     title: cleanText(textOf(metadata.title)) || name,
-    language: cleanLanguage([metadata.language].flat()[0]),
+    titleDirection: titleDirectionOf(resources.opf),
+    language,
     direction,
+    // The other values leave the choice to the space there is, which is asked in any case.
+    ...(rendition.spread === "none" ? { layout: "single" } : {}),
+    details: creatorsOf(resources.opf),
     sections,
     outline: outline(toc),
     resolve: (section, href) => targetOf(href, ordered[section]?.href ?? ""),
@@ -130,19 +165,66 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   };
 }
 
-/** Returns an item of the manifest, or the first of its fallbacks that can be read. */
-function readableItem(
-  items: ReadonlyMap<string, ManifestItem>,
-  fallbacks: ReadonlyMap<string, string | null>,
-  id: string,
-): ManifestItem | undefined {
+/** A book's manifest by the ids of its items. */
+interface Manifest {
+  readonly items: ReadonlyMap<string, ManifestItem>;
+  /** The ids of fallbacks. */
+  readonly fallbacks: ReadonlyMap<string, string | null>;
+}
+
+/** Returns an item of the manifest and its fallbacks, in order. */
+function withFallbacks({ items, fallbacks }: Manifest, id: string): ManifestItem[] {
+  const found: ManifestItem[] = [];
   let next: string | null | undefined = id;
-  for (let left = mostFallbacks; next && left > 0; left--) {
+  while (next && found.length < mostFallbacks) {
     const item = items.get(next);
-    if (!item || readableTypes.test(item.mediaType)) return item;
+    if (!item) break;
+    found.push(item);
     next = fallbacks.get(item.id);
   }
-  return undefined;
+  return found;
+}
+
+/** Returns the first of an item of the spine and its fallbacks that can be read as it is meant. */
+function readableItem(items: readonly ManifestItem[]): ManifestItem | undefined {
+  const readable = items.filter(({ mediaType }) => readableTypes.test(mediaType));
+  const needsNoScript = ({ properties = [] }: ManifestItem): boolean =>
+    !properties.includes("scripted");
+  return (
+    readable.find(needsNoScript) ??
+    readable[0] ??
+    items.find(({ mediaType }) => mediaType === anyXml)
+  );
+}
+
+/** Returns the path of a picture, or of the first of its fallbacks that browsers show. */
+function pictureFor(manifest: Manifest, item: ManifestItem): string {
+  const isShown = /^image\/(svg\+xml|png|jpeg|gif|webp|avif)$/;
+  const shown = withFallbacks(manifest, item.id).find(({ mediaType }) => isShown.test(mediaType));
+  return shown?.href ?? item.href;
+}
+
+/** Replaces the pictures in lines of contents by what they show in words, and returns the document. */
+function withPicturesInWords(document: Document): Document {
+  for (const image of document.querySelectorAll("nav li img[alt]")) {
+    image.replaceWith(image.getAttribute("alt") ?? "");
+  }
+  return document;
+}
+
+/** Returns the direction of the first title: its own, or else the package's. */
+function titleDirectionOf(opf: Document): "ltr" | "rtl" | "auto" {
+  const [title] = opf.getElementsByTagNameNS(dublinCore, "title");
+  const named = title?.getAttribute("dir") ?? opf.documentElement.getAttribute("dir");
+  return named === "ltr" || named === "rtl" ? named : "auto";
+}
+
+/** Returns who made a book, in the package's order. */
+function creatorsOf(opf: Document): BookDetail[] {
+  return [...opf.getElementsByTagNameNS(dublinCore, "creator")]
+    .slice(0, mostCreators)
+    .map((element) => ({ label: "", value: cleanText(element.textContent) }))
+    .filter(({ value }) => value !== "");
 }
 
 async function loadChapter(

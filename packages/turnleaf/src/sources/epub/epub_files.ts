@@ -25,22 +25,29 @@ const fonts: readonly (readonly [mark: string, type: string])[] = [
   ["true", "font/ttf"],
 ];
 
+/** What a book's manifest says of its files, by their paths. */
+export interface ManifestOfFiles {
+  isListed(path: string): boolean;
+  /** Returns the file that is shown in place of another of a foreign type; the same for others. */
+  shownFor(path: string): string;
+}
+
 /** The files of an EPUB, by their paths in the archive. */
 export class EpubFiles {
   readonly #archive: Archive;
   readonly #names: ReadonlySet<string>;
   /** Undoes what obfuscates a font. */
   readonly #decode: (path: string, bytes: Uint8Array<ArrayBuffer>) => Promise<void>;
-  readonly #isListed: (path: string) => boolean;
+  readonly #manifest: ManifestOfFiles;
   #kept = new Map<string, Promise<string | null>>();
   #keptLength = 0;
 
   constructor(
     archive: Archive,
     decode: (path: string, bytes: Uint8Array<ArrayBuffer>) => Promise<void>,
-    isListed: (path: string) => boolean = () => true,
+    manifest: ManifestOfFiles = { isListed: () => true, shownFor: (path) => path },
   ) {
-    this.#isListed = isListed;
+    this.#manifest = manifest;
     this.#archive = archive;
     this.#names = new Set(archive.names);
     this.#decode = decode;
@@ -67,7 +74,7 @@ export class EpubFiles {
         if (/^data:/i.test(address)) return await checkedData(address);
         if (target === null || left < 0) return null;
         left -= this.#archive.size(target);
-        return left < 0 ? null : await this.#data(target);
+        return left < 0 ? null : await this.#data(this.#manifest.shownFor(target));
       },
       style: async (address) => {
         const target = this.resolve(address, path);
@@ -82,7 +89,7 @@ export class EpubFiles {
     try {
       const base = new URL(from.split("/").map(encodeURIComponent).join("/"), "https://x.invalid/");
       const path = decodeURIComponent(new URL(address, base).pathname.slice(1));
-      return this.#names.has(path) && this.#isListed(path) ? path : null;
+      return this.#names.has(path) && this.#manifest.isListed(path) ? path : null;
     } catch {
       return null;
     }
@@ -110,7 +117,7 @@ export class EpubFiles {
   #style(path: string, depth: number): Promise<string | null> {
     return this.#keep(`${path} ${depth}`, async () => {
       if (depth === 0) return "";
-      const css = (await this.text(path).catch(() => "")).replaceAll("-epub-", "");
+      const css = await this.text(path).catch(() => "");
       const imported: string[] = [];
       for (const [, double, single, bare] of css.matchAll(importRule)) {
         const target = this.resolve(double ?? single ?? bare ?? "", path);

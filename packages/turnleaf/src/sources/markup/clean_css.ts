@@ -1,5 +1,7 @@
 /** Style sheets of books: what could fetch anything is taken out or put in as data. */
 
+import { withoutPrefixes } from "./prefixed_css.ts";
+
 /** Functions that name something to load, in any of their spellings. */
 const loading = /(url|src|image|image-set|-webkit-image-set|cross-fade|-webkit-cross-fade)\s*\(/i;
 
@@ -16,7 +18,7 @@ export type ResolveCss = (address: string) => Promise<string | null>;
  */
 export async function cleanCss(css: string, resolve: ResolveCss): Promise<string> {
   const sheet = new CSSStyleSheet();
-  sheet.replaceSync(css);
+  sheet.replaceSync(withoutPrefixes(css));
   return await cleanRules(sheet.cssRules, resolve);
 }
 
@@ -72,7 +74,9 @@ async function cleanValue(value: string, resolve: ResolveCss): Promise<string | 
   const parts: string[] = [];
   let from = 0;
   for (const match of value.matchAll(address)) {
-    const data = await resolve(withoutEscapes(match[1] ?? ""));
+    const named = match[1] ?? "";
+    // What is in the same document, as a pattern of a drawing, is not loaded.
+    const data = named.startsWith("#") ? named : await resolve(withoutEscapes(named));
     parts.push(value.slice(from, match.index), `url("${data ?? "data:,"}")`);
     from = match.index + match[0].length;
   }

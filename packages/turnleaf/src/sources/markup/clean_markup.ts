@@ -6,6 +6,7 @@ import { BookError } from "../page_source.ts";
 import { trustPolicy } from "../trusted_script.ts";
 import { type FlowContent, styleAttribute } from "../typeset/flow_book.ts";
 import { cleanCss, cleanDeclarations } from "./clean_css.ts";
+import { withoutPrefixes } from "./prefixed_css.ts";
 
 /** The files that a chapter names. */
 export interface MarkupFiles {
@@ -152,7 +153,8 @@ async function inlinePictures(root: Element, files: MarkupFiles): Promise<void> 
 /** Cleans a style attribute: the browser parses it in a style sheet of its own. */
 async function cleanStyle(element: Element, files: MarkupFiles): Promise<void> {
   const sheet = new CSSStyleSheet();
-  sheet.replaceSync(`x { ${(element.getAttribute(styleAttribute) ?? "").replace(/[{}]/g, "")} }`);
+  const own = withoutPrefixes(element.getAttribute(styleAttribute) ?? "");
+  sheet.replaceSync(`x { ${own.replace(/[{}]/g, "")} }`);
   const [rule] = sheet.cssRules;
   const style = rule instanceof CSSStyleRule ? rule.style : null;
   const clean = style ? await cleanDeclarations(style, (to) => files.data(to)) : "";

@@ -3,7 +3,7 @@
  * order, which `FlowSource` sets into pages.
  */
 
-import type { PageSize } from "../page_source.ts";
+import type { BookDetail, PageSize } from "../page_source.ts";
 
 /** A part of a book that begins on a page of its own: a chapter, or a page of fixed layout. */
 export interface FlowSection {
@@ -52,8 +52,13 @@ export interface FlowBook {
   /** Its name in sentences. */
   readonly name: string;
   readonly title: string;
+  readonly titleDirection?: "ltr" | "rtl" | "auto";
   readonly language: string;
   readonly direction: "ltr" | "rtl";
+  /** Two pages or one, if the book says so. */
+  readonly layout?: "spread" | "single";
+  /** Who made it, and the like. */
+  readonly details?: readonly BookDetail[];
   readonly sections: readonly FlowSection[];
   readonly outline: readonly FlowOutline[];
   /** Returns where a link in a section leads within the book; null if it leads nowhere in it. */

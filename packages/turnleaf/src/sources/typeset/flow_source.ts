@@ -1,6 +1,7 @@
 import { cleanAddress, cleanText } from "../book_text.ts";
 import { limits, wholePage } from "../limits.ts";
 import {
+  type BookDetail,
   BookError,
   type NewIndex,
   type OutlineEntry,
@@ -38,9 +39,12 @@ const mostTargets = 4;
  */
 export class FlowSource implements PageSource {
   readonly title: string;
+  readonly titleDirection: "ltr" | "rtl" | "auto";
   readonly language: string;
   readonly direction: "ltr" | "rtl";
   readonly kind = "typeset";
+  readonly layout?: "spread" | "single";
+  readonly details: readonly BookDetail[];
   /** Sets the book in another typography; absent if all its pages are of fixed layout. */
   readonly typeset?: (typography: Typography) => Promise<void>;
   readonly #book: FlowBook;
@@ -74,8 +78,11 @@ export class FlowSource implements PageSource {
 
   private constructor(book: FlowBook, edition: Edition) {
     this.title = book.title;
+    this.titleDirection = book.titleDirection ?? "auto";
     this.language = book.language;
     this.direction = book.direction;
+    if (book.layout) this.layout = book.layout;
+    this.details = book.details ?? [];
     this.#book = book;
     this.#edition = edition;
     this.#numbers = this.#numbersOf(edition);
@@ -141,17 +148,22 @@ export class FlowSource implements PageSource {
     const found = page < 0 ? [] : (await this.#lay(section, signal)).links(page);
     const links: PageLink[] = [];
     let laid = 0;
-    for (const { href, ...link } of found) {
+    for (const { href, isNote, ...link } of found) {
       const address = cleanAddress(href);
       if (address !== "") links.push({ ...link, to: { href: address } });
       const target = address === "" ? this.#book.resolve(section, href) : null;
       if (target === null) continue;
-      const isUnknown = this.#edition.mapOf(target.section) === undefined;
+      const isUnknown = isNote || this.#edition.mapOf(target.section) === undefined;
+      let note = "";
       if (isUnknown && target.id !== "" && laid < mostTargets) {
-        laid += 1;
-        await this.#edition.lay(target.section, signal).catch(() => signal.throwIfAborted());
+        if (target.section !== section) laid += 1;
+        const there = await this.#edition
+          .lay(target.section, signal)
+          .catch(() => signal.throwIfAborted());
+        if (isNote) note = there?.note(target.id) ?? "";
       }
-      links.push({ ...link, to: { page: this.#pageOf(target) } });
+      const to = { page: this.#pageOf(target) };
+      links.push({ ...link, to, ...(note === "" ? {} : { note }) });
     }
     return links;
   }
@@ -171,6 +183,31 @@ export class FlowSource implements PageSource {
 
   file(): Promise<Blob> {
     return this.#book.file();
+  }
+
+  anchor(index: number): string {
+    const { section, page } = this.#at(index);
+    const starts = this.#edition.mapOf(section)?.starts;
+    const offset = this.#places.get(index)?.offset ?? starts?.[Math.max(page, 0)] ?? 0;
+    return `${section}:${offset}`;
+  }
+
+  async findAnchors(anchors: readonly string[]): Promise<readonly (number | null)[]> {
+    const edition = this.#next ?? this.#edition;
+    const places = anchors.map(placeAt);
+    for (const place of places) {
+      // A section that cannot be laid out says so on its page.
+      if (place && place.section < this.#book.sections.length) {
+        await edition.measure(place.section).catch(() => {});
+      }
+    }
+    if (this.#isClosed) throw this.#closed();
+    if (this.#listener === null) this.#change();
+    return places.map((place) => {
+      if (!place || place.section >= this.#book.sections.length) return null;
+      const starts = this.#edition.mapOf(place.section)?.starts ?? [];
+      return this.#numbers.indexOf(place.section, pageAt(starts, place.offset));
+    });
   }
 
   watchPages(listener: (change: () => NewIndex) => void): void {
@@ -300,6 +337,12 @@ export class FlowSource implements PageSource {
     const page = this.#edition.mapOf(section)?.ids.get(id) ?? 0;
     return this.#numbers.indexOf(section, page) + 1;
   }
+}
+
+/** Returns the place of an anchor; null if it is none. */
+function placeAt(anchor: string): Place | null {
+  const [, section, offset] = /^(\d{1,5}):(\d{1,9})$/.exec(anchor) ?? [];
+  return section && offset ? { section: Number(section), offset: Number(offset) } : null;
 }
 
 function pageAt(starts: readonly number[], offset: number): number {

@@ -4,6 +4,7 @@ import type { PageBox, PageSize, TextRun, Typography } from "../page_source.ts";
 import { type FlowContent, styleAttribute } from "./flow_book.ts";
 import { adoptStyles, type LayoutFrame, openFrame } from "./frame.ts";
 import { Markup } from "./markup.ts";
+import { isNoteLink, noteText } from "./notes.ts";
 import { type PageFlow, pageOfRect, TextMap } from "./text_map.ts";
 import {
   baseStyle,
@@ -22,6 +23,8 @@ const rootSize = 16;
 export interface LaidLink extends PageBox {
   readonly href: string;
   readonly title: string;
+  /** Whether it leads to a note. */
+  readonly isNote: boolean;
 }
 
 /** What is kept of a section once its frame is gone. */
@@ -91,10 +94,16 @@ export class LaidSection {
         if (rect.width === 0 || rect.height === 0) continue;
         if (pageOfRect(this.#flow, rect) !== page) continue;
         if (links.length >= limits.annotations) return links;
-        links.push({ ...this.#onPage(rect, page), href, title });
+        links.push({ ...this.#onPage(rect, page), href, title, isNote: isNoteLink(link) });
       }
     }
     return links;
+  }
+
+  /** Returns the text of the note that has an id; empty if there is none. */
+  note(id: string): string {
+    const target = id === "" ? null : this.#frame.root.querySelector(`[id="${CSS.escape(id)}"]`);
+    return target ? noteText(target) : "";
   }
 
   /** Returns what the pictures on a page show, in words. */

@@ -1,0 +1,19 @@
+/** The prefixed properties of EPUB 3's style sheets, as CSS names them today. */
+
+/** Names and values that are not the same without the prefix, by EPUB's own list of them. */
+const renamed: readonly (readonly [prefixed: RegExp, today: string])[] = [
+  [/-epub-text-combine\s*:\s*horizontal\b/gi, "text-combine-upright: all"],
+  [/-epub-text-combine(-horizontal)?(?=\s*:)/gi, "text-combine-upright"],
+  [/-epub-(text-orientation\s*:\s*)(sideways-right|rotate-right|rotate-normal)\b/gi, "$1sideways"],
+  [/-epub-(text-orientation\s*:\s*)vertical-right\b/gi, "$1mixed"],
+  [/-epub-(text-underline-position\s*:\s*)alphabetic\b/gi, "$1auto"],
+  [/-epub-fullwidth\b/gi, "full-width"],
+];
+
+/** Returns a style sheet, or declarations, in today's properties. */
+export function withoutPrefixes(css: string): string {
+  if (!/-epub-/i.test(css)) return css;
+  return renamed
+    .reduce((text, [prefixed, today]) => text.replace(prefixed, today), css)
+    .replace(/(^|[\s;{"])-epub-/gi, "$1");
+}

@@ -1,0 +1,38 @@
+import { expect, test } from "vitest";
+import { userEvent } from "vitest/browser";
+import { book, happens } from "../for_tests/element_books.ts";
+import { tinyEpub } from "../sources/epub/tiny_epub.ts";
+
+test("a link to a note shows it over the page, by the keyboard too, and Escape closes it", async () => {
+  const chapters = [
+    '<p>Text<a epub:type="noteref" href="c3.xhtml#n">1</a></p>',
+    "<p>Between.</p>",
+    '<aside id="n" epub:type="footnote">Said of it.</aside>',
+  ];
+  const element = book(tinyEpub({ chapters }), { duration: "0" });
+  // Once every chapter is set, the links are made anew.
+  await Promise.all([happens(element, "load"), happens(element, "pageschange")]);
+  const root = element.shadowRoot as ShadowRoot;
+  const link = (): HTMLAnchorElement | null => root.querySelector(".text a[aria-haspopup]");
+  await expect.poll(link, { timeout: 20_000 }).not.toBeNull();
+  const note = root.querySelector(".note") as HTMLElement;
+  const isOpen = (): boolean => note.matches(":popover-open");
+  link()?.focus();
+  await userEvent.keyboard("{Enter}");
+  await expect.poll(isOpen).toBe(true);
+  expect(note.querySelector("p")?.textContent).toBe("Said of it.");
+  expect(root.activeElement).toBe(note);
+  expect(element.page).toBe(1);
+  const box = note.getBoundingClientRect();
+  expect(box.left >= 0 && box.right <= innerWidth && box.bottom <= innerHeight).toBe(true);
+  await userEvent.keyboard("{Escape}");
+  await expect.poll(isOpen).toBe(false);
+  expect(root.activeElement).toBe(link());
+  // Its button turns to where it is printed.
+  link()?.click();
+  await expect.poll(isOpen).toBe(true);
+  note.querySelector("button")?.click();
+  expect(isOpen()).toBe(false);
+  await expect.poll(() => element.page, { timeout: 20_000 }).toBeGreaterThan(1);
+  element.remove();
+});

@@ -1,0 +1,68 @@
+/** A note shown over the book, in place of a turn to where it is printed. */
+
+/** Distance between the note and its link, and from the window's edges, CSS pixels. */
+const gap = 8;
+
+/** One note at a time. Escape and a click elsewhere close it; the focus returns to its link. */
+export class NotePopover {
+  readonly element: HTMLElement = document.createElement("div");
+  readonly #text: HTMLElement = document.createElement("p");
+  readonly #more: HTMLButtonElement = document.createElement("button");
+  #link: HTMLElement | null = null;
+  #follow: () => void = () => {};
+
+  constructor() {
+    const { element } = this;
+    element.className = "note";
+    element.setAttribute("part", "note");
+    element.setAttribute("popover", "auto");
+    element.setAttribute("role", "dialog");
+    element.tabIndex = -1;
+    this.#more.type = "button";
+    this.#more.addEventListener("click", () => {
+      this.hide();
+      this.#follow();
+    });
+    element.append(this.#text, this.#more);
+    element.addEventListener("keydown", (event) => {
+      // The keys of the book are not those of the note.
+      event.stopPropagation();
+      if (event.key !== "Escape") return;
+      this.hide();
+      this.#link?.focus();
+    });
+  }
+
+  /** Whether the browser can show it; a link to a note is followed as any other where it cannot. */
+  static get isSupported(): boolean {
+    return "showPopover" in HTMLElement.prototype;
+  }
+
+  /**
+   * Shows a note beside its link.
+   *
+   * @param more the name of the page where it is printed
+   * @param follow turns there
+   */
+  show(note: string, link: HTMLElement, more: string, follow: () => void): void {
+    const { element } = this;
+    this.#text.textContent = note;
+    this.#more.textContent = more;
+    this.#link = link;
+    this.#follow = follow;
+    element.setAttribute("aria-label", link.getAttribute("aria-label") ?? "");
+    element.showPopover();
+    const beside = link.getBoundingClientRect();
+    const { width, height } = element.getBoundingClientRect();
+    const middle = beside.left + beside.width / 2 - width / 2;
+    const left = Math.max(Math.min(middle, innerWidth - width - gap), gap);
+    const isBelow = beside.bottom + gap + height <= innerHeight;
+    const top = isBelow ? beside.bottom + gap : Math.max(beside.top - gap - height, gap);
+    Object.assign(element.style, { left: `${left}px`, top: `${top}px` });
+    element.focus({ preventScroll: true });
+  }
+
+  hide(): void {
+    if (this.element.matches(":popover-open")) this.element.hidePopover();
+  }
+}
