@@ -7,7 +7,7 @@ import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
 
 const root = join(import.meta.dirname, "..");
-const ignored = new Set([".git", "node_modules", "dist", "target"]);
+const ignored = new Set([".git", "node_modules", "dist", "target", "corpora"]);
 
 function pagesIn(folder) {
   return readdirSync(folder, { withFileTypes: true }).flatMap((entry) => {

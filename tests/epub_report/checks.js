@@ -1,0 +1,471 @@
+/**
+ * Runs in the browser: the checks of w3c/epub-tests, each as its book states the
+ * condition. A check returns whether it is met.
+ */
+
+/** Returns whether a colour is that of ink on a picture, rather than of paper. */
+const isInk = (red, green, blue) => Math.min(red, green, blue) < 140;
+const isPrinted = (...colour) => Math.min(...colour) < 235;
+const isRed = (red, green, blue) => red > 200 && green < 60 && blue < 60;
+
+/** The book opens and shows a text. */
+const shows =
+  (...wanted) =>
+  async (book) => {
+    if (book.error) return false;
+    const text = (await book.texts()).join(" ");
+    return wanted.every((words) => text.includes(words));
+  };
+
+/** The book opens; its pages are drawn. */
+const opens = async (book) => !book.error && (await book.picture(1)).fraction(isInk) > 0;
+
+/** The first page has a picture: more of it is coloured or grey than text alone would be. */
+const showsPicture = async (book) => {
+  const picture = await book.picture(1);
+  return picture.fraction(isPrinted) > 0.04;
+};
+
+/** The book cannot be opened, and one sentence says so. */
+const isRefused = (book) => book.error !== null;
+
+/** The pages hold these texts, in order, one a page. */
+const inOrder =
+  (...wanted) =>
+  async (book) => {
+    const texts = await book.texts();
+    return texts.length === wanted.length && wanted.every((words, k) => texts[k].includes(words));
+  };
+
+const pagesNumbered = (count) =>
+  inOrder(...Array.from({ length: count }, (_, k) => `Page ${k + 1}`));
+
+/** The width of a page of flowing text, in the unit of `size()`. */
+const flowingWidth = 488;
+
+/** Returns whether a text flows over several pages, from the one with some words on. */
+async function flowsFrom(book, words) {
+  const texts = await book.texts();
+  const first = texts.findIndex((text) => text.includes(words));
+  if (first < 0 || first + 1 >= texts.length) return false;
+  const [size, next] = [await book.size(first + 1), await book.size(first + 2)];
+  return size.width === flowingWidth && next.width === flowingWidth;
+}
+
+/** The side of a spread on which a page lies, in a window that shows two: "left" or "right". */
+async function sideOf(book, page) {
+  const element = await book.shown(900, 500, { layout: "auto", cover: "none" });
+  await element.goTo(page);
+  const { left, right } = element.spread;
+  return left === page ? "left" : right === page ? "right" : null;
+}
+
+/** The pages are in order, and each next one lies on a side of the one before. */
+const leadsTo = (side) => async (book) => {
+  const texts = await book.texts();
+  const isInOrder = ["first", "second", "third", "last"].every((word, k) =>
+    texts[k]?.includes(`appear ${word}`),
+  );
+  const element = await book.shown(900, 500, { cover: "none" });
+  await element.goTo(2);
+  const { left, right } = element.spread;
+  const pair = side === "right" ? [left, right] : [right, left];
+  return isInOrder && pair[0] === 2 && pair[1] === 3;
+};
+
+/** The first two pages look the same. */
+const looksAlike = async (book) => {
+  const [one, two] = [await book.picture(1), await book.picture(2)];
+  return one.differenceFrom(two) < 0.02;
+};
+
+/** Pages on which nothing is red. */
+const noneIsRed =
+  (...pages) =>
+  async (book) => {
+    for (const page of pages) {
+      if ((await book.picture(page)).fraction(isRed) > 0.001) return false;
+    }
+    return true;
+  };
+
+/** The labels of the contents, and that each leads to its page. */
+const contents =
+  (...wanted) =>
+  async (book) => {
+    const outline = await book.outline();
+    return (
+      JSON.stringify(outline.map(({ title, page }) => [title, page])) === JSON.stringify(wanted)
+    );
+  };
+
+/** The font that a book brings is that in which a text is set: without it, the page looks otherwise. */
+const isSetInItsFont = async (book, others) => {
+  const without = await others.without(/\.(otf|ttf|woff2?|odttf)$/);
+  const [with_, plain] = [await book.picture(1), await without.picture(1)];
+  without.close();
+  return with_.differenceFrom(plain) > 0.002;
+};
+
+const not =
+  (check) =>
+  async (...args) =>
+    !(await check(...args));
+
+/** Pages lie beside each other in a window that shows two. */
+const facesEachOther = (first) => async (book) =>
+  (await sideOf(book, first)) === "left" && (await sideOf(book, first + 1)) === "right";
+
+/** One page alone is shown where two would fit. */
+const showsOnePage = async (book) => {
+  const element = await book.shown(900, 500);
+  return element.shownLayout === "single";
+};
+
+/** The first link of the first page leads to a page. */
+const linkLeadsTo = (page) => async (book) => {
+  const [link] = await book.links(1);
+  return link?.to.page === page;
+};
+
+/** Returns the title and what else the controls show of a book. */
+async function shownDetails(book) {
+  const element = await book.shown(900, 500, { controls: "" });
+  return [element.bookTitle, ...element.details.map(({ value }) => value)];
+}
+
+/** Returns whether the first link of a page is to a note that is shown over the page. */
+async function footnoteOn(book, page) {
+  const [link] = await book.links(page);
+  return link?.note !== undefined;
+}
+
+/** One page of its own size for each picture of the spine. */
+const plates = (count) => async (book) => {
+  if (book.pageCount !== count) return false;
+  for (const page of [1, 2, count]) {
+    const picture = await book.picture(page);
+    if (picture.fraction((...colour) => Math.min(...colour) < 200) < 0.05) return false;
+  }
+  return true;
+};
+
+/** A grid of thin lines, drawn in the page's own pixels, and nothing red. */
+const grid = async (book) =>
+  (await book.picture(1, 900)).fraction(isPrinted) > 0.03 && (await noneIsRed(1)(book));
+
+const icbMulti = async (book) =>
+  (await grid(book)) && (await book.picture(2)).fraction(isRed) > 0.02;
+
+const svgIcbMulti = async (book) => {
+  const isGreen = (red, green, blue) => green > red + 30 && green > blue + 20;
+  const [second, third] = [await book.picture(2), await book.picture(3)];
+  return (
+    second.fraction(isGreen) === 0 && third.fraction(isGreen) > 0.01 && second.fraction(isRed) > 0.8
+  );
+};
+
+const starPattern = async (book) => {
+  const isGreen = (red, green, blue) => green > red + 20 && green > blue + 10;
+  const isSolid = (await book.picture(1)).fraction(isGreen);
+  return isSolid > 0.01 && isSolid < 0.15;
+};
+
+const reflowAfter = (words) => (book) => flowsFrom(book, words);
+
+const behavesAsGlobalBis = async (book) => {
+  const texts = await book.texts();
+  const fixed = texts.findIndex((text, k) => k > 0 && text.includes("pre-paginated, with a green"));
+  const page = fixed >= 0 ? fixed + 1 : -1;
+  if (page < 2 || page === texts.length) return false;
+  const picture = await book.picture(page);
+  return !isRed(...picture.at(0.05, 0.05)) && (await book.size(page)).width !== flowingWidth;
+};
+
+/** A page that is a picture, of its own size, between text that flows over several pages. */
+const fixedPictureBetween = async (book) => {
+  const texts = await book.texts();
+  const third = texts.findIndex((text) => text.includes("Third Section"));
+  const size = await book.size(third);
+  const around = [await book.size(1), await book.size(third + 2)];
+  return third > 2 && texts[third - 1] === "" && around.every(({ width }) => width !== size.width);
+};
+
+/** Checks by the identifiers of the tests. */
+export const checks = {
+  "cnt-css-fonts_ot": isSetInItsFont,
+  "cnt-css-fonts_tt": isSetInItsFont,
+  "cnt-css-fonts_woff": isSetInItsFont,
+  "cnt-css-fonts_woff2": isSetInItsFont,
+  "cnt-mathml-support": async (book) => {
+    const [x, two] = ["x", "2"].map((letter) => (run) => run.text.includes(letter));
+    const runs = await book.runs(1);
+    const after = runs.slice(runs.findIndex(({ end }) => end));
+    const base = after.findLast(x) ?? after.find(x);
+    const power = after.findLast(two);
+    return Boolean(base && power) && power.height < base.height && power.y < base.y;
+  },
+  "cnt-svg-css": starPattern,
+  "cnt-svg-css-inclusion": starPattern,
+  "cnt-svg-css-reference": async (book) => {
+    const isGreen = (red, green, blue) => green > red + 20 && green > blue + 10;
+    return (await book.picture(1)).fraction(isGreen) > 0.05;
+  },
+  "cnt-svg-embedded": showsPicture,
+  "cnt-svg-support": async (book) =>
+    (await shows("Test passes")(book)) && (await showsPicture(book)),
+  "css-epub-line-break": async (book) => {
+    const lines = [];
+    for (let page = 1; page <= book.pageCount; page++) {
+      let line = "";
+      for (const { text, end } of await book.runs(page)) {
+        line += text;
+        if (!end) continue;
+        // Those of Japanese alone are of the blocks that are to be broken.
+        if (/^[\u3000-\u9fff]{5,}$/.test(line.trim())) lines.push(line.trim());
+        line = "";
+      }
+    }
+    return lines.length >= 8 && lines.every((one) => !/[々ぁ]$/.test(one));
+  },
+  "cnt-xhtml-support": shows("Test passes if you see this."),
+  "lay-fxl-layout-default": reflowAfter("renders as a reflowable document"),
+  "lay-fxl-layout-pre-paginated": pagesNumbered(4),
+  "lay-fxl-layout-pre-paginated-spreads": async (book) =>
+    (await pagesNumbered(4)(book)) && (await facesEachOther(2)(book)),
+  "lay-fxl-orientation-default": pagesNumbered(4),
+  "lay-fxl-page-spread-combined": facesEachOther(2),
+  "lay-fxl-page-spread-left": async (book) => (await sideOf(book, 2)) === "left",
+  "lay-fxl-page-spread-right": async (book) => (await sideOf(book, 1)) === "right",
+  "lay-fxl-spread-auto": facesEachOther(2),
+  "lay-fxl-spread-default": facesEachOther(2),
+  "lay-fxl-spread-landscape": facesEachOther(2),
+  "lay-fxl-spread-none": showsOnePage,
+  "lay-fxl-svg-icb_multi": svgIcbMulti,
+  "lay-fxl-xhtml-icb": grid,
+  "lay-fxl-xhtml-icb_invalid_meta": async (book) => (await grid(book)) && (await looksAlike(book)),
+  "lay-fxl-xhtml-icb_multi": icbMulti,
+  "lay-fxl-xhtml-icb_multi_declarations": looksAlike,
+  "lay-fxl-xhtml-icb_repeated-in-meta": async (book) =>
+    (await grid(book)) && (await looksAlike(book)),
+  "lay-fxl-xhtml-icb_units": looksAlike,
+  "fxl-page-spread-break": async (book) => {
+    const texts = await book.texts();
+    const pageOf = (words) => texts.findIndex((text) => text.includes(words)) + 1;
+    return (
+      (await sideOf(book, pageOf("Page 2"))) === "right" &&
+      (await sideOf(book, pageOf("Page 3"))) === "left" &&
+      pageOf("Page 3") === pageOf("Page 2") + 1
+    );
+  },
+  "fxl-spine-overrides_behave-as-global": reflowAfter("This text is long"),
+  "fxl-spine-overrides_behave-as-global-bis": behavesAsGlobalBis,
+  "fxl-spine-overrides_duplicate": reflowAfter("This text is long"),
+  "lay-page-layout-both": reflowAfter("Page 2."),
+  "lay-page-layout-both-spread": async (book) => {
+    const texts = await book.texts();
+    const pageOf = (words) => texts.findIndex((text) => text.includes(words)) + 1;
+    return (
+      (await flowsFrom(book, "Page 2.")) &&
+      (await sideOf(book, pageOf("Page 2."))) === "left" &&
+      (await sideOf(book, pageOf("Page 5."))) === "left" &&
+      texts[pageOf("Page 3.") - 2] !== ""
+    );
+  },
+  "lay-pkg-flow-paginated": reflowAfter("Loomings"),
+  "lay-pp-embedded-images": plates(9),
+  "lay-pp-embedded-images-svg": plates(9),
+  "lay-pp-images-in-spine": plates(9),
+  "lay-pp-images-mixed": plates(9),
+  "lay-pp-layout-default": reflowAfter("renders as a reflowable document"),
+  "lay-pp-layout-pre-paginated": pagesNumbered(4),
+  "lay-pp-layout-pre-paginated-spreads": async (book) =>
+    (await pagesNumbered(4)(book)) && (await facesEachOther(2)(book)),
+  "lay-pp-page-spread-combined": facesEachOther(2),
+  "lay-pp-page-spread-left": async (book) => (await sideOf(book, 2)) === "left",
+  "lay-pp-page-spread-right": async (book) => (await sideOf(book, 1)) === "right",
+  "lay-pp-spine-overrides_behave-as-global": reflowAfter("This text is long"),
+  "lay-pp-spine-overrides_behave-as-global-bis": behavesAsGlobalBis,
+  "lay-pp-spine-overrides_image-only-pp": reflowAfter("This text is long"),
+  "lay-pp-spine-overrides_image-only-reflow": fixedPictureBetween,
+  "lay-pp-spine-overrides_image-spine-pp": reflowAfter("This text is long"),
+  "lay-pp-spine-overrides_image-spine-reflow": fixedPictureBetween,
+  "lay-pp-spread-none": showsOnePage,
+  "lay-pp-svg-icb_multi": svgIcbMulti,
+  "lay-pp-xhtml-icb": grid,
+  "lay-pp-xhtml-icb_invalid_meta": async (book) => (await grid(book)) && (await looksAlike(book)),
+  "lay-pp-xhtml-icb_multi": icbMulti,
+  "lay-pp-xhtml-icb_multi_declarations": looksAlike,
+  "lay-pp-xhtml-icb_repeated-in-meta": async (book) =>
+    (await grid(book)) && (await looksAlike(book)),
+  "lay-pp-xhtml-icb_units": looksAlike,
+  "lay-rendition-flow-pre-pag": async (book) => {
+    const texts = await book.texts();
+    const own = texts.flatMap((text, k) =>
+      text.includes("should appear in its own") ? [k + 1] : [],
+    );
+    return own.length === 2 && own[1] === own[0] + 1;
+  },
+  "lay-viewport-meta-prop": async (book) => {
+    const sizes = [];
+    for (const page of [1, 2, 3, 4]) sizes.push(JSON.stringify(await book.size(page)));
+    const element = await book.shown(900, 500);
+    for (const page of [1, 3, 4]) {
+      await element.goTo(page);
+      element.zoom = 2;
+      if (element.zoom !== 2) return false;
+      element.zoom = 1;
+    }
+    return new Set(sizes).size === 1;
+  },
+  "mol-ignore": shows("Call me Ishmael", "cooled by breezes"),
+  "nav-access": contents(["Test passes if you can see this link", 1]),
+  "nav-activation": async (book) => {
+    const element = await book.shown(900, 500, { layout: "single" });
+    const second = (await element.outline())[1];
+    await element.goTo(second.page);
+    return (await book.text(element.page)).includes("navigation link leads here");
+  },
+  "nav-non-text_img": contents(["Start page", 1], ["Description of the Abbey of Sénanque", 2]),
+  "nav-non-text_img_title": contents(
+    ["Start page", 1],
+    ["Description of the Abbey of Sénanque", 2],
+  ),
+  "nav-spine_in-spine": async (book) => {
+    const outline = await book.outline();
+    return outline.length === 2 && outline[0].page === 2 && outline[1].page === 3;
+  },
+  "nav-spine_in-spine-hidden-toc-css": async (book) =>
+    (await contents(["The first link", 2], ["The second link", 3])(book)) &&
+    !(await book.text(1)).includes("second link"),
+  "nav-spine_in-spine-hidden-toc-html": async (book) =>
+    (await contents(["The first link", 2], ["The second link", 3])(book)) &&
+    !(await book.text(1)).includes("second link"),
+  "nav-spine_in-spine-no-list-style": contents(
+    ["Test passes if you can see two links: the first link", 2],
+    ["the second link", 3],
+  ),
+  "nav-spine_not-in-spine": contents(
+    ["Test passes if you can see two links (first link)", 1],
+    ["Test passes if you can see two links (second link)", 2],
+  ),
+  "ocf-font_obfuscation": isSetInItsFont,
+  "ocf-font_obfuscation-bis": not(isSetInItsFont),
+  "ocf-metainf-inc": shows("can be accessed without any error"),
+  "ocf-metainf-manifest": async (book) =>
+    book.pageCount === 1 && (await book.outline()).length <= 1,
+  "ocf-package_arbitrary": shows("Test passes if you see this."),
+  "ocf-package_multiple": shows("Test passes if you see this."),
+  "ocf-url_link-leaking-relative": showsPicture,
+  "ocf-url_link-path-absolute": showsPicture,
+  "ocf-url_link-relative": showsPicture,
+  "ocf-url_manifest": shows("Test passes if this page opens."),
+  "ocf-url_relative": shows("Test passes if this page opens."),
+  "ocf-zip-comp": isRefused,
+  "ocf-zip-mult": isRefused,
+  "pkg-collections-unknown": opens,
+  "pkg-creator-order": async (book) => (await shownDetails(book))[1] === "Dave Cramer",
+  "pkg-dir_but_not_content": async (book) => {
+    const runs = await book.runs(1);
+    const left = Math.min(...runs.map(({ x }) => x));
+    return (
+      runs.some(({ text, x }) => text.includes("Test passes") && x === left) &&
+      runs.filter(({ text }) => /List entry/.test(text)).every(({ x }) => x < left + 80)
+    );
+  },
+  "pkg-dir-auto_root-rtl": titleRuns("ltr"),
+  "pkg-dir-auto_root-unset": titleRuns("ltr"),
+  "pkg-dir_rtl-root-ltr": titleRuns("rtl"),
+  "pkg-dir_rtl-root-unset": titleRuns("rtl"),
+  "pkg-dir_unset-root-rtl": titleRuns("rtl"),
+  "pkg-dir_unset-root-unset": titleRuns("ltr"),
+  "pkg-manifest-unknown": opens,
+  "pkg-manifest-unlisted-resource": noneIsRed(1),
+  "pkg-meta-unknown": opens,
+  "pkg-meta-whitespace": async (book) => {
+    const shown = await shownDetails(book);
+    return (
+      shown.includes("Dave Cramer") &&
+      shown.every((text) => text === text.trim() && !/\s\s/.test(text))
+    );
+  },
+  "pkg-spine-duplicate-item-hyperlink": linkLeadsTo(2),
+  "pkg-spine-duplicate-item-rendering": inOrder(
+    "three identical",
+    ...Array(3).fill("occurs three times"),
+  ),
+  "pkg-spine-duplicate-item-ui": async (book) => {
+    const element = await book.shown(900, 500, { layout: "single" });
+    element.toggleBookmark(2);
+    element.toggleBookmark(4);
+    return element.bookmarks.join() === "2,4";
+  },
+  "pkg-spine-nonlinear-activation": linkLeadsTo(2),
+  "pkg-spine-order": inOrder("appear first", "appear second", "appear third", "appear last"),
+  "pkg-spine-order-svg": async (book) => await pagesNumbered(4)(book),
+  "pkg-spine-progression-default": leadsTo("left"),
+  "pkg-spine-progression-pre-paginated": async (book) => {
+    const element = await book.shown(900, 500, { cover: "none" });
+    await element.goTo(2);
+    return element.spread.left === 2 && element.spread.right === 3;
+  },
+  "pkg-spine-progression_ltr": leadsTo("right"),
+  "pkg-spine-progression_rtl": leadsTo("left"),
+  "pkg-spine-unknown": opens,
+  "pkg-title-order": async (book) => (await shownDetails(book))[0] === "pkg-title-order",
+  "pkg-unique-id": async (book, others) => {
+    const other = await others.open(
+      others.name === "pkg-unique-id" ? "pkg-unique-id_duplicate" : "pkg-unique-id",
+    );
+    const [one, two] = [
+      (await book.shown(900, 500)).bookTitle,
+      (await other.shown(900, 500)).bookTitle,
+    ];
+    other.close();
+    return one !== two;
+  },
+  "pkg-version-backward": opens,
+  "pss-support": (book) => footnoteOn(book, 1),
+  "pss-support_ignore-title": async (book) =>
+    (await footnoteOn(book, 1)) && !(await footnoteOn(book, 2)),
+  "pub-cmt-avif": showsPicture,
+  "pub-cmt-gif": showsPicture,
+  "pub-cmt-jpeg": showsPicture,
+  "pub-cmt-jxl": showsPicture,
+  "pub-cmt-png": showsPicture,
+  "pub-cmt-svg": showsPicture,
+  "pub-cmt-webp": showsPicture,
+  "pub-data-urls_browsing-context": showsPicture,
+  "pub-data-urls_top-level-content": async (book) =>
+    book.pageCount === 2 &&
+    (await book.picture(1)).fraction((r, g, b) => r > 250 && g > 250 && b > 250) > 0.005,
+  "pub-file-urls": async (book, { foreign }) =>
+    (await opens(book)) && (await foreign()).length === 0,
+  "pub-foreign_image": async (book) =>
+    (await book.picture(1)).fraction((...colour) => Math.min(...colour) < 235) > 0.02,
+  "pub-foreign_json-spine": shows("Test passes"),
+  "pub-foreign_xml-spine": shows("Test passes"),
+  "pub-foreign_xml-suffix-spine": shows("Test passes"),
+  "pub-foreign_bad-fallback": isRefused,
+  "pub-xml-external-id": async (book) => !(await book.texts()).join(" ").includes("Test fails"),
+  "pub-xml-names": isRefused,
+  "pub-xml-non-validating_unclosed": isRefused,
+  "pub-xml-non-validating_comment": async (book) =>
+    !(await book.texts()).join(" ").includes("Test fails"),
+  "scr-storage-delete": shows("does not support scripting, hence this test succeeds"),
+  "scr-support-fallback": not(shows("the test fails")),
+  "sec-untrusted-consent_network": async (book, { foreign }) => {
+    for (let page = 1; page <= book.pageCount; page++) await book.picture(page);
+    return (await foreign()).length === 0;
+  },
+  "sec-untrusted-consent_scripting": shows("No script has been executed."),
+};
+
+/** The title, as the controls show it, is set in a direction. */
+function titleRuns(direction) {
+  return async (book) => {
+    const element = await book.shown(900, 500, { controls: "" });
+    const title = element.shadowRoot.querySelector("[part~=title]");
+    return getComputedStyle(title).direction === direction;
+  };
+}

@@ -1,0 +1,59 @@
+/** A browser's page with the built package, the checks and the test books: nothing else is there. */
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { chromium } from "playwright-core";
+import { chromiumArguments, findChromium } from "../../scripts/chromium.mjs";
+
+const root = join(import.meta.dirname, "../..");
+
+// Secure, as fonts are decoded only there; every request is answered here.
+const site = "https://turnleaf.test/";
+
+const html = `<!doctype html><title>Test books</title><link rel="icon" href="data:,">
+<style>body { margin: 0 }</style>
+<script type="importmap">{"imports":{"three":"/three/three.module.js"}}</script>`;
+
+/** Folders by the first part of an address. */
+const folders = {
+  turnleaf: "packages/turnleaf/dist",
+  three: "node_modules/three/build",
+  report: "tests/epub_report",
+};
+
+/**
+ * Opens the page.
+ *
+ * @param books returns a test's book by the test's name, without the files of a pattern
+ */
+export async function openPage(books) {
+  const browser = await chromium.launch({
+    executablePath: findChromium(),
+    args: chromiumArguments,
+  });
+  const page = await browser.newPage({ viewport: { width: 1000, height: 700 } });
+  /** Addresses that something in the page has asked for, besides its own. */
+  const foreign = [];
+  await page.route("**/*", (route) => {
+    const url = route.request().url();
+    if (url.startsWith("data:")) return route.continue();
+    if (!url.startsWith(site)) {
+      foreign.push(url);
+      return route.abort();
+    }
+    const { pathname, searchParams } = new URL(url);
+    const [folder = "", name = ""] = pathname.slice(1).split(/\/(.*)/);
+    if (folder === "") return route.fulfill({ contentType: "text/html", body: html });
+    if (folder === "books") {
+      const left = new RegExp(searchParams.get("without") ?? "^$");
+      return route.fulfill({ body: Buffer.from(books(name, left)) });
+    }
+    if (!(folder in folders)) return route.fulfill({ status: 404 });
+    const body = readFileSync(join(root, folders[folder], name));
+    return route.fulfill({
+      contentType: name.endsWith(".wasm") ? "application/wasm" : "text/javascript",
+      body,
+    });
+  });
+  await page.goto(site);
+  return { page, foreign, close: () => browser.close() };
+}

@@ -1,0 +1,88 @@
+/** What is known of tests that no program judges here: what does not apply, what is missing, what was seen. */
+
+const noScripts =
+  "needs scripts, which never run here; the book itself says that the test is then not relevant";
+const noAudio = "prerecorded sound is not played";
+const noScripting = "scripts never run";
+const noOverlays = "media overlays are not played";
+
+/** Tests that do not apply, by the words of the test itself. */
+export const notApplicable = {
+  "fxl-layout-duplication": "is about EPUBCheck",
+  "lay-pp-layout-duplication": "is about EPUBCheck",
+  "lay-reflow-align-x-center": "is for systems that support rendition:align-x-center",
+  "ocf-url_origin": noScripts,
+  "ocf-url_parse-leaking-relative": noScripts,
+  "ocf-url_parse-path-absolute": noScripts,
+  "pkg-linked-records": "is for systems that support linked records",
+  "scr-support_origin": noScripts,
+  "scr-support_origin_unique": noScripts,
+  "scr-support_scrolled-continuous": noScripts,
+  "scr-support_scrolled-doc": noScripts,
+};
+
+const named = (reason, ...tests) => Object.fromEntries(tests.map((test) => [test, reason]));
+
+/** Tests of what Turnleaf does not do. */
+export const missing = {
+  ...named(
+    noOverlays,
+    "mol-audio",
+    "mol-audio-exceeding-clipend",
+    "mol-audio-no-clipbegin",
+    "mol-audio-no-clipend",
+    "mol-css",
+    "mol-navigation",
+    "mol-support_xhtml",
+    "mol-support_xhtml-fxl",
+    "mol-support_xhtml-load",
+    "mol-support_xhtml-load-fxl",
+    "mol-support_xhtml-load-next",
+    "mol-support_xhtml-load-next-fxl",
+    "mol-timing-synchronization",
+    "mol-timing-synchronization_fxl",
+    "mol-timing-synchronization_multiple_audio",
+    "mol-timing-synchronization_multiple_audio-fxl",
+    "mol-timing-synchronization_svg",
+    "mol-timing-synchronization_svg-fxl",
+    "mol-tts_multi",
+    "mol-tts_single",
+  ),
+  ...named(noAudio, "pub-cmt-mp3", "pub-cmt-mp4", "pub-cmt-opus"),
+  ...named(
+    noScripting,
+    "scr-readingsystem-features",
+    "scr-readingsystem-support",
+    "scr-readingsystem-support_iframe",
+    "scr-readingsystem-support_iframe_svg",
+    "scr-readingsystem-support_svg",
+    "scr-support",
+    "scr-support_iframe",
+    "scr-support_svg",
+  ),
+  ...named(
+    "documents in frames are left out",
+    "scr-not-support_ccscript-modify-host",
+    "scr-not-support_ccscript-modify-size",
+  ),
+  ...named(
+    "books are turned, never scrolled",
+    "lay-pkg-flow-scrolled-continuous",
+    "lay-pkg-flow-scrolled-doc",
+    "lay-roll-embedded-images",
+    "lay-roll-embedded-images-svg",
+    "lay-roll-images-in-spine",
+    "lay-roll-images-mixed",
+  ),
+  ...named(
+    "links to the web open without a question",
+    "pub-external-links",
+    "pub-external-links_consent",
+  ),
+  "pkg-dir_creator-rtl": "a creator's name has the direction of its letters",
+  "lay-fxl-orientation-landscape":
+    "a page is shown as wide as it is, without a word about the device",
+  "lay-fxl-spread-both": "a narrow window shows one page",
+  "lay-fxl-xhtml-icb_device_sizes": "a page has no size of the device",
+  "fxl-page-spread-center": "page-spread-center is not honoured",
+};
