@@ -274,6 +274,13 @@ fn gestures_that_once_drew_leaves_through_each_other_do_not() {
     for seed in [31000160, 31000484, 31000488] {
         is_drawn_clear(&preset_gesture(seed));
     }
+    // Of books thicker than their pages are wide, whose piles once bent back over the spine.
+    for seed in [3837, 4417, 7300812] {
+        is_drawn_clear(&lab(&format!("gestures --count 1 --seed {seed}")));
+    }
+    for seed in [31000100, 31000241, 31000365] {
+        is_drawn_clear(&preset_gesture(seed));
+    }
 }
 
 /// The gesture of a seed on any page of a stock that has a name.

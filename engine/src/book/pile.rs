@@ -11,6 +11,9 @@
 //! The first term is the rise out of the gutter, over a length `a` in
 //! proportion to the pile's thickness; the second lets the page sink behind the
 //! hump, with `c` found so that the fore-edge lands at its height in the pile.
+//! In a pile about as thick as its pages are wide no fore-edge reaches its height:
+//! there theta is limited to the angle at which pages leave the gutter, so that a
+//! curve always has one height at each distance from it, as contact requires.
 //! The shape is a fit to photographs of open books, not a solution of
 //! elasticity. Pages deeper in the pile are bound farther from the gutter and
 //! rise less, so the pile fans out as leaves glued to a flat spine do.
@@ -321,7 +324,7 @@ impl PageCurve {
             page.sink = 0.5 * (low + high);
             let landed: f64 = steps
                 .iter()
-                .map(|step| libm::sincos(step.rise - page.sink * step.bell).0 * step.ds)
+                .map(|step| libm::sincos(page.bend(step.rise, step.bell)).0 * step.ds)
                 .sum();
             // More sink, lower fore-edge.
             if landed > height {
@@ -334,7 +337,12 @@ impl PageCurve {
     }
 
     fn angle(&self, s: f64) -> f64 {
-        self.rise(s) - self.sink * bell(s)
+        self.bend(self.rise(s), bell(s))
+    }
+
+    /// The tangent's angle where the page rises by `rise` and sinks by the `bell` there.
+    fn bend(&self, rise: f64, bell: f64) -> f64 {
+        (rise - self.sink * bell).min(STEEPEST)
     }
 
     fn rise(&self, s: f64) -> f64 {

@@ -39,15 +39,27 @@ fn fore_edges_land_at_their_heights() {
 #[test]
 fn pages_keep_their_length_and_never_stand_beyond_vertical() {
     let u = crowded_columns(49);
-    for thickness in [0.001, 0.01, 0.02] {
-        let pile = Pile::new(Side::Right, WIDTH, thickness, &u);
-        let top = layer(&pile, 0);
-        let length: f32 = top
-            .windows(2)
-            .map(|w| (w[1].0 - w[0].0).hypot(w[1].1 - w[0].1))
-            .sum();
-        assert!((length / WIDTH as f32 - 1.0).abs() < 5e-3, "{length}");
-        assert!(top.windows(2).all(|w| w[1].0 > w[0].0));
+    // The last two piles are thicker than their pages are wide.
+    for (width, thickness) in [
+        (WIDTH, 0.001),
+        (WIDTH, 0.01),
+        (WIDTH, 0.02),
+        (0.028, 0.03),
+        (0.02, 0.2),
+    ] {
+        let pile = Pile::new(Side::Right, width, thickness, &u);
+        for k in 0..LAYERS {
+            let page = layer(&pile, k);
+            let length: f32 = page
+                .windows(2)
+                .map(|w| (w[1].0 - w[0].0).hypot(w[1].1 - w[0].1))
+                .sum();
+            assert!((length / width as f32 - 1.0).abs() < 5e-3, "{length}");
+            assert!(
+                page.windows(2).all(|w| w[1].0 > w[0].0),
+                "thickness {thickness}, layer {k}: {page:?}"
+            );
+        }
     }
 }
 
