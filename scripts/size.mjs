@@ -57,6 +57,7 @@ const parts = {
     limit: 9,
     isApart: true,
   },
+  "pages that are elements": { files: ["live_pages.js"], limit: 3 },
   "sound, printing and films": {
     files: ["sound.js", "print_pages.js", "film_recorder.js"],
     limit: 6,

@@ -247,3 +247,16 @@ it("14: leaves of board and of paper turn over and back in one book, bound anew"
     await expect.poll(spread, patience).toEqual(before);
   }
 });
+
+it("15: pages of HTML are used where they lie, keep what is written, and lead to each other", async () => {
+  await open("15-html", { width: 640, height: 440 });
+  expect(await ask((book) => book.pageCount)).toBe(6);
+  await ask((book) => book.goTo(4));
+  await page.getByLabel("Your name").fill("Ishmael");
+  await page.getByRole("button", { name: "Order" }).click();
+  await expect.poll(() => page.locator("output").textContent(), patience).toMatch(/^Ishmael comes/);
+  await ask((book) => book.goTo(2));
+  await page.getByRole("link", { name: "Order a place" }).click();
+  await comesTo(4);
+  await expect.poll(() => page.getByLabel("Your name").inputValue(), patience).toBe("Ishmael");
+});

@@ -19,6 +19,8 @@ import { openPages, ShadowTree } from "./element/shadow_tree.ts";
 import { SoundAndHaptics } from "./element/sound_and_haptics.ts";
 import { typographyOf } from "./element/typography.ts";
 import { nameAndMessage } from "./sources/failures.ts";
+import { pagesIn } from "./sources/html/child_pages.ts";
+import { loadPart } from "./sources/load_part.ts";
 import type { BookInput } from "./sources/open.ts";
 import { BookError, type NewIndex, type PageSource } from "./sources/page_source.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
@@ -68,12 +70,18 @@ export class TurnleafBook extends ReaderElement {
   #reported: number | null = null;
   /** Whether the element is in a document. */
   #connected = false;
+  /** Opens a book of the element's children when the first of them comes. */
+  readonly #children = new MutationObserver(() => {
+    if (this.#life.isIdle && this.#childPages() !== "") this.#reopen();
+  });
 
   /**
    * The book's contents: images in order, a manifest, or a file as it was
    * chosen, dropped or fetched (a `File`, a `FileList`, a `Blob` of any type,
-   * an `ArrayBuffer`, a typed array). While it is set, `src` does nothing, as
-   * with a video's `srcObject`; null gives `src` its place back.
+   * an `ArrayBuffer`, a typed array), or elements of the web page, which become
+   * children of this one. While it is set, `src` does nothing, as with a video's
+   * `srcObject`; null gives `src` its place back. Without either, the element's
+   * own children are the pages.
    */
   get pages(): BookInput | null {
     return this.#input;
@@ -276,7 +284,15 @@ export class TurnleafBook extends ReaderElement {
     this.#connected = true;
     this.connectReader();
     this.#updateControls();
+    this.#children.observe(this, { childList: true });
     this.#reopen();
+    // Pages that are still being parsed would come one by one.
+    if (this.ownerDocument.readyState === "loading") {
+      const parsed = (): void => {
+        if (this.#life.isIdle) this.#reopen();
+      };
+      this.ownerDocument.addEventListener("DOMContentLoaded", parsed, { once: true });
+    }
   }
 
   /** @internal A move that keeps the state, by `moveBefore`, changes nothing. */
@@ -288,6 +304,7 @@ export class TurnleafBook extends ReaderElement {
     this.#asked.failed();
     this.disconnectReader();
     this.#connected = false;
+    this.#children.disconnect();
     this.#updateControls();
     this.#life.close();
   }
@@ -392,11 +409,21 @@ export class TurnleafBook extends ReaderElement {
     // The parser's attributes come one by one before the element is connected: one book, not four.
     if (!this.#connected) return;
     this.#soundAndHaptics.close();
-    const input = this.#input ?? this.src;
+    const input = this.#input ?? (this.src || this.#childPages());
     const { missing, opening } = elementTexts(languageOf(this));
     this.#tree.say(input === "" ? missing : opening);
     if (input === "") this.#life.close();
     else this.#life.open(input);
+  }
+
+  /** Returns the book that the element's children are; "" if there are none yet. */
+  #childPages(): BookInput {
+    if (this.src !== "" || this.#input !== null) return "";
+    if (this.ownerDocument.readyState === "loading" || pagesIn(this).length === 0) return "";
+    return async () => {
+      const { HtmlPages } = await loadPart(import("./sources/html/html_pages.ts"));
+      return new HtmlPages(pagesIn(this), this);
+    };
   }
 
   #options(source: PageSource): ViewerOptions {

@@ -11,8 +11,9 @@ import type { PageList } from "../sources/page_list.ts";
 import type { NewIndex, OutlineEntry, PageSource } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
 import type { Viewer, ViewerOptions } from "../viewer/viewer.ts";
-import { languageOf } from "../words/languages.ts";
+import { elementTexts, fill, languageOf } from "../words/languages.ts";
 import type { BookTextOverlay, TextTarget } from "./book_text_overlay.ts";
+import type { LivePages } from "./live_pages.ts";
 import { typographyOf } from "./typography.ts";
 
 /** The callbacks between an element and the life of its book. */
@@ -64,6 +65,7 @@ export class BookLifecycle {
   #book: OpenBook | null = null;
   #opening: AbortController | null = null;
   #canvas: HTMLCanvasElement | null = null;
+  #elements: BookElements | null = null;
 
   /**
    * @param element whose keys turn pages
@@ -81,6 +83,11 @@ export class BookLifecycle {
     return this.#book;
   }
 
+  /** Whether no book is open or opening. */
+  get isIdle(): boolean {
+    return this.#opening === null;
+  }
+
   /** Opens a book in place of the previous one. */
   open(input: BookInput): void {
     this.close();
@@ -91,6 +98,8 @@ export class BookLifecycle {
   close(): void {
     const source = this.#book?.source;
     this.#end();
+    this.#elements?.destroy();
+    this.#elements = null;
     source?.close();
   }
 
@@ -125,6 +134,10 @@ export class BookLifecycle {
       password: this.#hooks.password(),
       askPassword: this.#hooks.askPassword,
     });
+    // Another book may have been asked for since.
+    if (!signal.aborted) {
+      this.#elements = new BookElements(this.#element, this.#stage, source, this.#hooks.goTo);
+    }
     await this.#hooks.restore(source);
     await this.#show(source, false, signal);
   }
@@ -145,6 +158,9 @@ export class BookLifecycle {
     try {
       // Another book may be open by now, on the canvas that this one would remove.
       signal.throwIfAborted();
+      const elements = this.#elements as BookElements;
+      await elements.adopt(source);
+      signal.throwIfAborted();
       const options: ViewerOptions = {
         ...this.#hooks.options(source),
         onContextLost: () => this.#book && this.#flatten(this.#book),
@@ -157,7 +173,8 @@ export class BookLifecycle {
       if (signal.aborted) viewer.destroy();
       signal.throwIfAborted();
       const canvas = this.#canvas as HTMLCanvasElement;
-      this.#book = new OpenBook(this.#element, this.#stage, canvas, source, viewer, this.#hooks);
+      const parts = { canvas, source, viewer, elements };
+      this.#book = new OpenBook(this.#element, this.#stage, parts, this.#hooks);
       // Only now: the element asks for this book when its first layout is reported.
       this.#book.fit();
     } catch (error) {
@@ -165,7 +182,13 @@ export class BookLifecycle {
       throw error;
     }
     this.#hooks.opened(this.#book);
-    source.watchPages((change) => this.#book?.source === source && this.#hooks.changing(change));
+    source.watchPages((change) => {
+      const book = this.#book;
+      if (book?.source === source) this.#hooks.changing(() => book.elements.after(change));
+    });
+    source.watchDrawings((index) => {
+      if (this.#book?.source === source) this.#book.viewer.redraw(index + 1);
+    });
   }
 
   /**
@@ -186,12 +209,101 @@ export class BookLifecycle {
   }
 }
 
+/** Pages of a book that are elements: the code that lays them out is loaded when there is one. */
+export class BookElements {
+  readonly #element: HTMLElement;
+  readonly #stage: HTMLElement;
+  readonly #source: PageList;
+  readonly #goTo: (page: number) => void;
+  #live: LivePages | null = null;
+  #isEnded = false;
+  #viewer: Viewer | null = null;
+
+  constructor(
+    element: HTMLElement,
+    stage: HTMLElement,
+    source: PageList,
+    goTo: (page: number) => void,
+  ) {
+    this.#element = element;
+    this.#stage = stage;
+    this.#source = source;
+    this.#goTo = goTo;
+  }
+
+  /** Lays out the pages of a source that are elements: the book's own, or one to be added. */
+  async adopt(source: PageSource): Promise<void> {
+    if (!hasElements(source)) return;
+    const { LivePages } = await loadPart(import("./live_pages.ts"));
+    if (this.#isEnded) return;
+    this.#live ??= this.#lay(LivePages);
+    this.#live.adopt(source, source === this.#source);
+  }
+
+  /** Makes a change of the pages, and follows it. */
+  after(change: () => NewIndex): NewIndex {
+    const moved = change();
+    this.refresh();
+    return moved;
+  }
+
+  /** Lays out the elements that are pages now, and no others. */
+  refresh(): void {
+    this.#live?.adopt(this.#source);
+  }
+
+  /** Shows them over the pages of a viewer. */
+  follow(viewer: Viewer): void {
+    this.#viewer = viewer;
+    this.#live?.follow(viewer, this.#source);
+  }
+
+  /** Removes their places. */
+  destroy(): void {
+    this.#isEnded = true;
+    this.#live?.destroy();
+  }
+
+  #lay(Live: typeof LivePages): LivePages {
+    const source = this.#source;
+    const live = new Live(this.#element, this.#stage, {
+      name: (page) => {
+        const { pageNamed } = elementTexts(languageOf(this.#element));
+        return fill(pageNamed, { label: source.label(page - 1) });
+      },
+      pageOf: (element) => {
+        for (let index = 0; index < source.pageCount; index++) {
+          if (source.element(index) === element) return index + 1;
+        }
+        return 0;
+      },
+      goTo: this.#goTo,
+    });
+    if (this.#viewer) live.follow(this.#viewer, source);
+    return live;
+  }
+}
+
+function hasElements(source: PageSource): boolean {
+  for (let index = 0; index < source.pageCount; index++) if (source.element?.(index)) return true;
+  return false;
+}
+
+/** What an open book is made of. */
+interface OpenBookParts {
+  readonly canvas: HTMLCanvasElement;
+  readonly source: PageList;
+  readonly viewer: Viewer;
+  readonly elements: BookElements;
+}
+
 /** A book that lies open in an element, with all that acts on it. */
 export class OpenBook {
   readonly source: PageList;
   readonly viewer: Viewer;
   readonly canvas: HTMLCanvasElement;
   readonly reading: ReadableBook;
+  readonly elements: BookElements;
   readonly #element: HTMLElement;
   readonly #stage: HTMLElement;
   readonly #input: Input;
@@ -200,14 +312,14 @@ export class OpenBook {
   constructor(
     element: HTMLElement,
     stage: HTMLElement,
-    canvas: HTMLCanvasElement,
-    source: PageList,
-    viewer: Viewer,
+    { canvas, source, viewer, elements }: OpenBookParts,
     { turn, calm, goTo, missingPart }: LifecycleHooks,
   ) {
     this.source = source;
     this.viewer = viewer;
     this.canvas = canvas;
+    this.elements = elements;
+    elements.follow(viewer);
     this.#input = new Input(canvas, stage, element, { viewer, turn, calm });
     const language = (): string => languageOf(element);
     this.reading = new ReadableBook({ source, viewer, canvas, goTo, language }, missingPart);

@@ -51,14 +51,20 @@ async function apply(
   const added = input === null ? null : await openSource(input, { pdfWorker });
   let moved = null as NewIndex | null;
   try {
-    if (added !== null) await check(added);
+    if (added !== null) {
+      await book.elements.adopt(added);
+      await check(added);
+    }
     await book.viewer.changePages(() => {
-      moved = book.source.splice(at - 1, count, added);
+      moved = book.elements.after(() => book.source.splice(at - 1, count, added));
       return moved;
     });
   } finally {
     if (moved) book.reading.changed();
-    else added?.close();
+    else {
+      added?.close();
+      book.elements.refresh();
+    }
   }
   return moved;
 }

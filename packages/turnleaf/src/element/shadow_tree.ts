@@ -42,7 +42,12 @@ export class ShadowTree {
     let root = element.shadowRoot;
     if (root === null) {
       // The frame takes the focus: the element's own attributes belong to the page.
-      root = element.attachShadow({ mode: "open", delegatesFocus: true });
+      root = element.attachShadow({
+        mode: "open",
+        delegatesFocus: true,
+        // Pages that are elements need no attribute for it.
+        slotAssignment: "manual",
+      });
       element.attachInternals().role = "group";
       root.append(this.#sizer, this.frame);
     }

@@ -2,6 +2,7 @@
 
 import { turnOfKey } from "../book/layout.ts";
 import type { Place } from "../stage/book_stage.ts";
+import { keepsKeys } from "./own_pointers.ts";
 import type { InputTarget } from "./target.ts";
 
 /**
@@ -49,8 +50,9 @@ export class Keys {
   #isMeant(target: EventTarget | undefined): boolean {
     // The frame around the stage and the controls takes the focus for the book.
     if (target === this.#element || target === this.#stage.parentElement) return true;
-    const isField = target instanceof Element && target.matches("input, textarea, select");
-    return !isField && this.#stage.contains(target as Node);
+    if (keepsKeys(target)) return false;
+    // Elements that are pages are children of the element itself.
+    return this.#stage.contains(target as Node) || this.#element.contains(target as Node);
   }
 
   #zoom(key: string): boolean {

@@ -8,6 +8,7 @@ import { type Drag, type DragHit, maxDrags } from "../viewer/drag.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 import { Flick } from "./flick.ts";
 import { Keys } from "./held_keys.ts";
+import { keepsPointer } from "./own_pointers.ts";
 import { pageZoom } from "./page_zoom.ts";
 import { Pinch } from "./pinch.ts";
 import { Taps } from "./taps.ts";
@@ -56,13 +57,6 @@ interface Press extends Place {
   /** Its position. */
   at: Place;
 }
-
-/**
- * Elements of a page that handle pointers themselves: links and fields; and
- * text, for a mouse or pen that selects it.
- */
-const ownPointers = "a, button, input, select, textarea";
-const selected = "span, .guard";
 
 /** All pointer input on one book; `destroy` removes every listener. */
 export class Input {
@@ -135,7 +129,8 @@ export class Input {
 
   #down(event: PointerEvent): void {
     const kind = event.pointerType;
-    if (this.#presses.has(event.pointerId) || event.button !== 0 || isElsewhere(event)) return;
+    if (this.#presses.has(event.pointerId) || event.button !== 0) return;
+    if (keepsPointer(event, this.#stage)) return;
     const at = this.#place(event);
     if (this.#beginPinch(event, at)) return;
     if (this.#presses.size >= maxDrags || this.#pinch) return;
@@ -288,10 +283,17 @@ export class Input {
   #hover(event: PointerEvent, at: Place): void {
     if (event.pointerType === "touch" || event.buttons !== 0 || this.#presses.size > 0) return;
     const isZoomed = this.#viewer.zoomLevel > 1;
-    const hit =
-      isZoomed || event.target !== this.#canvas ? null : this.#viewer.drags.pick(at.x, at.y);
+    const isBook = event.target === this.#canvas || this.#isBarePage(event);
+    const hit = isZoomed || !isBook ? null : this.#viewer.drags.pick(at.x, at.y);
     this.#canvas.style.cursor = hit !== null || isZoomed ? "grab" : "";
     this.#peek(hit);
+  }
+
+  /** Returns whether a pointer is on a page that is an element, where nothing on it is pressed. */
+  #isBarePage(event: PointerEvent): boolean {
+    const { target } = event;
+    const isPage = target instanceof Element && !this.#stage.contains(target);
+    return isPage && !keepsPointer(event, this.#stage);
   }
 
   /** Lifts the corner at a place, or lets it fall. */
@@ -319,15 +321,4 @@ function sideOf({ on }: DragHit): Side {
 function turnsByClick({ u, v }: DragHit): boolean {
   if (u > 1 - edgeZone) return true;
   return u > 1 - cornerZone.u && Math.abs(v - 0.5) > 0.5 - cornerZone.v;
-}
-
-/**
- * Returns whether a press is for an element on the page: a link or field, or
- * text that it selects.
- */
-function isElsewhere(event: PointerEvent): boolean {
-  const { target } = event;
-  if (!(target instanceof Element)) return false;
-  if (target.closest(ownPointers)) return true;
-  return event.pointerType === "mouse" && target.closest(selected) !== null;
 }

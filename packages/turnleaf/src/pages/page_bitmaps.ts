@@ -4,7 +4,7 @@ import { loadPart } from "../sources/load_part.ts";
 import type { PageBox, PagePicture, PageSize, PageSource } from "../sources/page_source.ts";
 import { foldAt, isFoldOut, type PrintedOn, placeOnLeaf, wholeLeaf } from "./page_place.ts";
 import { closePicture, PagePool, type PagePoolOptions, type PoolSource } from "./page_pool.ts";
-import { barePage, failedPage, slowPage, waitingPage } from "./stand_in.ts";
+import { barePage, failedPage, slowPage, waitingPage, whitePage } from "./stand_in.ts";
 
 /** Callbacks for changes of bitmaps. */
 export interface PageBitmapsOptions {
@@ -224,6 +224,17 @@ export class PageBitmaps {
     const isFolded = isFoldOut(this.placeOfDrawn(page));
     if (isFolded || this.#pool.failed(page - 1)) return Number.POSITIVE_INFINITY;
     return this.#pool.sharpness(page - 1);
+  }
+
+  /**
+   * Returns the paper under a page (from 1) that is an element and lies over
+   * it; null for other pages, and for fold-outs, which are bitmaps at any time.
+   */
+  under(page: number): PagePicture | null {
+    const place = this.placeOfDrawn(page);
+    if (!this.#source.element?.(page - 1) || isFoldOut(place)) return null;
+    const { x, y, width, height } = place;
+    return this.#keep(`under ${x} ${y} ${width} ${height}`, () => whitePage(this.#aspect, place));
   }
 
   /** As `get`, but null for a page out of sight that is not drawn. */

@@ -3,6 +3,8 @@
  * page: the reader sees which page it is, or what went wrong.
  */
 
+import type { PageBox } from "../sources/page_source.ts";
+
 /** Paper, and ink fainter than the text of real pages. */
 const paper = "#fbf5e8";
 const ink = "#211d1a";
@@ -70,6 +72,16 @@ function sentencePage(sentence: string, aspect: number, colour: string): HTMLCan
 /** Returns blank paper: the back of a last page without one. */
 export function barePage(aspect: number): HTMLCanvasElement {
   return sheet(aspect, labelWidth).canvas;
+}
+
+/** Returns white paper on a part of a leaf, in fractions of it; the rest of the leaf is clear. */
+export function whitePage(aspect: number, part: PageBox): HTMLCanvasElement {
+  const { canvas, pen } = sheet(aspect, labelWidth);
+  const { width, height } = canvas;
+  pen.clearRect(0, 0, width, height);
+  pen.fillStyle = "#fff";
+  pen.fillRect(part.x * width, part.y * height, part.width * width, part.height * height);
+  return canvas;
 }
 
 /** Breaks text into lines at its spaces, as many words a line as `fits` allows. */

@@ -40,6 +40,17 @@ async function comic(names: readonly string[]): Promise<Blob> {
   ]);
 }
 
+/** Returns elements that are laid out in the document. */
+function elements(count: number): HTMLElement[] {
+  return Array.from({ length: count }, (_, index) => {
+    const page = document.createElement("section");
+    page.style.cssText = `width: ${200 + 20 * index}px; height: 300px; overflow: hidden`;
+    page.innerHTML = `<h2>Page ${index + 1}</h2><p>Call me Ishmael.</p>`;
+    document.body.append(page);
+    return page;
+  });
+}
+
 const svg = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 30 40"><circle r="9"/></svg>';
 
 const books: readonly [name: string, () => BookInput | Promise<BookInput>][] = [
@@ -49,6 +60,7 @@ const books: readonly [name: string, () => BookInput | Promise<BookInput>][] = [
   ["an SVG", () => new Blob([svg])],
   ["a manifest", withText],
   ["a comic", async () => comic(["1.png", "2.png", "3.png", "4.png"])],
+  ["elements", async () => elements(3)],
   ["the source of the examples", () => new PolygonBook(60)],
   ["a function that returns a source", () => async () => new PolygonBook(2)],
 ];

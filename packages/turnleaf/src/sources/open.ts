@@ -1,7 +1,8 @@
 import { fileAt, fileIn } from "./book_file.ts";
 import { cleanText, nameOfUrl } from "./book_text.ts";
 import { openFile, openImages } from "./formats.ts";
-import { type Bytes, blobOf, filesOf, wrongKind } from "./input_values.ts";
+import { type Bytes, blobOf, elementsOf, filesOf, wrongKind } from "./input_values.ts";
+import { loadPart } from "./load_part.ts";
 import { type Manifest, type ManifestPage, parseManifest } from "./manifest.ts";
 import { PageList } from "./page_list.ts";
 import { BookError, type PageSource, type Typography } from "./page_source.ts";
@@ -10,7 +11,7 @@ import type { PdfOptions } from "./pdf.ts";
 /**
  * What can be opened: an address, images in order, a manifest, a file that was
  * chosen, dropped or fetched, several chosen images, which are put in the
- * natural order of their names, or a source of pages. A source is closed with
+ * natural order of their names, elements of a web page, or a source of pages. A source is closed with
  * its book; one that may be opened again is given by a function that makes it.
  */
 export type BookInput =
@@ -19,6 +20,9 @@ export type BookInput =
   | Manifest
   | Bytes
   | FileList
+  | readonly HTMLElement[]
+  | HTMLCollection
+  | NodeListOf<HTMLElement>
   | PageSource
   | (() => PageSource | Promise<PageSource>);
 
@@ -42,6 +46,11 @@ export async function openSource(input: BookInput, options: OpenOptions = {}): P
   if (typeof input === "string") return await openAddress(input, options);
   const source = typeof input === "function" ? await input() : input;
   if (isSource(source)) return source;
+  const elements = elementsOf(input);
+  if (elements) {
+    const { HtmlPages } = await loadPart(import("./html/html_pages.ts"));
+    return new HtmlPages(elements);
+  }
   const blob = blobOf(input) ?? aloneOf(input);
   if (blob) return await openBlob(blob, options);
   const files = filesOf(input);

@@ -33,6 +33,7 @@ export class PageList implements PageSource {
   readonly #first: PageSource;
   #entries: Entry[];
   #listener: ((change: () => NewIndex) => void) | null = null;
+  #onDrawing: ((index: number) => void) | null = null;
 
   constructor(source: PageSource) {
     this.#first = source;
@@ -42,6 +43,17 @@ export class PageList implements PageSource {
   watchPages(listener: (change: () => NewIndex) => void): void {
     this.#listener = listener;
     for (const source of new Set(this.#entries.map((entry) => entry.source))) this.#watch(source);
+  }
+
+  watchDrawings(listener: (index: number) => void): void {
+    this.#onDrawing = listener;
+    const sources = new Set(this.#entries.map((entry) => entry.source));
+    for (const source of sources) this.#watchDrawings(source);
+  }
+
+  element(index: number): HTMLElement | null {
+    const entry = this.#entries[index];
+    return entry?.source.element?.(entry.index) ?? null;
   }
 
   get title(): string {
@@ -207,7 +219,10 @@ export class PageList implements PageSource {
     if (left === 0) throw new BookError("A book needs a page; leave one of them.");
     if (left > mostPages) throw new BookError(`A book has ${mostPages} pages at most; add fewer.`);
     this.#entries = [...before.slice(0, at), ...added, ...before.slice(at + count)];
-    if (source) this.#watch(source);
+    if (source) {
+      this.#watch(source);
+      this.#watchDrawings(source);
+    }
     const inUse = new Set(this.#entries.map((entry) => entry.source)).add(this.#first);
     for (const used of new Set(before.map((entry) => entry.source))) {
       if (!inUse.has(used)) used.close();
@@ -221,6 +236,14 @@ export class PageList implements PageSource {
   #watch(source: PageSource): void {
     if (this.#listener === null) return;
     source.watchPages?.((change) => this.#listener?.(() => this.#renumber(source, change)));
+  }
+
+  #watchDrawings(source: PageSource): void {
+    if (this.#onDrawing === null) return;
+    source.watchDrawings?.((own) => {
+      const page = this.#pageOf(source, own + 1);
+      if (page !== null) this.#onDrawing?.(page - 1);
+    });
   }
 
   /**

@@ -246,6 +246,17 @@ export interface PageSource {
    * once.
    */
   watchPages?(listener: (change: () => NewIndex) => void): void;
+  /**
+   * Returns the element that page `index` (from 0) is: it is laid over its page
+   * while no leaf is in flight, and `draw` draws it as it looks then. The
+   * default is none: a page is its drawing.
+   */
+  element?(index: number): HTMLElement | null;
+  /**
+   * Sets the listener for pages (from 0) that look otherwise than they were
+   * drawn, with all else as it was.
+   */
+  watchDrawings?(listener: (index: number) => void): void;
   /** Frees workers, files and memory. Drawing afterwards rejects. */
   close(): void;
 }

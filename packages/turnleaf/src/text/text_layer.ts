@@ -29,6 +29,8 @@ interface Content {
   readonly links: readonly PageLink[];
   readonly fields: readonly PageField[];
   readonly alt: string;
+  /** Whether the page is an element, which is read itself. */
+  readonly isElement: boolean;
 }
 
 /**
@@ -170,13 +172,19 @@ export class TextLayer {
   async #read(page: number, signal: AbortSignal): Promise<Content> {
     const { source } = this.#options;
     const index = page - 1;
+    const size = await source.size(index, signal);
+    if (source.element?.(index)) {
+      // It lies over its page itself: its text is known for marks alone.
+      const runs = (await source.text?.(index, signal)) ?? [];
+      return { page, runs, links: [], fields: [], alt: "", size, isElement: true };
+    }
     const [runs, links, fields, alt] = await Promise.all([
       source.text?.(index, signal, true).catch(() => []) ?? [],
       source.links?.(index, signal).catch(() => []) ?? [],
       source.fields?.(index, signal).catch(() => []) ?? [],
       source.alt?.(index, signal).catch(() => "") ?? "",
     ]);
-    return { page, runs, links, fields, alt, size: await source.size(index, signal) };
+    return { page, runs, links, fields, alt, size, isElement: false };
   }
 
   /** Lays the known contents of the open pages over them as they are seen now. */
@@ -202,7 +210,8 @@ export class TextLayer {
         place.y + (y / size.height) * place.height,
       );
     this.#marks.append(...layMarks(runs, this.#shown, page, project));
-    group.text.replaceChildren(...layText(runs, project));
+    if (content.isElement) group.element.removeAttribute("role");
+    else group.text.replaceChildren(...layText(runs, project));
     if (group.laid === null) {
       group.laid = this.#make(content);
       group.element.append(...group.laid.map(({ element }) => element));

@@ -93,10 +93,18 @@ export class FaceTextures {
     });
   }
 
-  /** Shows what is available on every face, and on the flap of an open fold-out. */
-  show(flap: FoldOut["parts"]): void {
+  /**
+   * Shows what is available on every face, and on the flap of an open fold-out.
+   *
+   * @param isStill whether pages that are elements lie over theirs
+   */
+  show(flap: FoldOut["parts"], isStill: boolean): void {
     const { pages } = this;
-    for (const face of faceNames) this.#stage.setFace(face, this.#pictureOf(face, pages[face]));
+    for (const face of faceNames) {
+      const page = pages[face];
+      const under = isStill && page !== null ? this.#pictures.under(page) : null;
+      this.#stage.setFace(face, under ?? this.#pictureOf(face, page));
+    }
     if (flap) {
       const [front, back] = flap.sign === 1 ? [flap.flap, flap.back] : [flap.back, flap.flap];
       this.#stage.setLeaf(0, "recto", front);

@@ -58,6 +58,7 @@ export class Viewer {
   readonly #foldOut: FoldOut;
   readonly #modelSwitch: ModelSwitch;
   readonly #viewHistory = new ViewHistory();
+  readonly #stillHistory = new ViewHistory();
   readonly #frameQuality = new FrameQuality();
   readonly #rebinder: Rebinder;
   /** The window that shows the canvas: another window's frames stop when that one is hidden. */
@@ -66,6 +67,8 @@ export class Viewer {
   #cssHeight = 0;
   #frame = 0;
   #handled = false;
+  /** Whether no leaf is in flight and no flap open, so that elements may lie over their pages. */
+  #isStill = false;
   #destroyed = false;
 
   private constructor(
@@ -235,6 +238,7 @@ export class Viewer {
     if (this.#destroyed) return Promise.resolve(false);
     if (to !== from || this.turning.moving) {
       if (fades) {
+        this.#setStill(false);
         this.#stage.draw({ resting: true });
         this.#crossFade.begin(from);
       }
@@ -339,6 +343,21 @@ export class Viewer {
     return this.#viewHistory.add(listener);
   }
 
+  /**
+   * Adds a listener, called after each frame that shows the open pages elsewhere
+   * while nothing but the camera moves, and after the first frame in which
+   * anything else does, with whether the pages lie still. Returns a function that
+   * removes it.
+   */
+  onStillChange(listener: (isStill: boolean) => void): () => void {
+    return this.#stillHistory.add(listener);
+  }
+
+  /** Returns whether page `page` (from 1) is an element that may lie over its place now. */
+  isElement(page: number): boolean {
+    return this.#isStill && this.#bitmaps.under(page) !== null;
+  }
+
   /** Whether every visible page is shown at its full sharpness. */
   get settled(): boolean {
     // Before the book has a size no page is requested, so none is missing.
@@ -407,6 +426,8 @@ export class Viewer {
     // While fingers move the view, the next frame comes with their next event.
     if (moving) this.#frameQuality.frame(now);
     else this.#frameQuality.rest();
+    const isFlat = this.#foldOut.parts === null && !folding;
+    this.#setStill(!turning && isFlat && !this.#crossFade.isOn);
     const { pixels, roughly } = this.#frameQuality.quality;
     this.#stage.pose(pose, roughly && !resting);
     this.#options.onMotion?.(posed, seconds, turning && !still);
@@ -414,14 +435,29 @@ export class Viewer {
     this.#bitmaps.paused = !resting;
     this.#crossFade.step(now, this.turning.spread);
     if (this.#destroyed) return;
+    if (this.#isStill) this.#stillHistory.update(this.#viewKey);
+    else if (!turning && isFlat && !this.#crossFade.isOn) this.#askForFrame();
     if (moving || this.#crossFade.isOn) this.#askForFrame();
     else ticks.stop();
     if (!resting) this.#sharpness.pause();
     else if (!turning) {
-      this.#sharpness.look(this.#bound.faceTextures.open, this.#cssWidth, this.#cssHeight);
+      const drawn = this.#bound.faceTextures.open.filter(({ page }) => !this.isElement(page));
+      this.#sharpness.look(drawn, this.#cssWidth, this.#cssHeight);
     }
     const isMoving = stepping || this.#handled || this.#crossFade.isOn || (turning && !peek.flight);
-    this.#viewHistory.update(isMoving ? "" : `${this.turning.spread} ${this.#stage.viewKey}`);
+    this.#viewHistory.update(isMoving ? "" : this.#viewKey);
+  }
+
+  get #viewKey(): string {
+    return `${this.turning.spread} ${this.#stage.viewKey}`;
+  }
+
+  /** Shows the bitmaps of pages that are elements, or the paper under these. */
+  #setStill(isStill: boolean): void {
+    if (isStill === this.#isStill) return;
+    this.#isStill = isStill;
+    if (!isStill) this.#stillHistory.update("");
+    this.#bound.faceTextures.show(this.#foldOut.parts, isStill);
   }
 
   get #bound(): BoundBook {
@@ -444,6 +480,7 @@ export class Viewer {
     const before = this.binding;
     this.#rebinder.bindAnew(this.#cssWidth, this.#cssHeight);
     this.#viewHistory.forget();
+    this.#stillHistory.forget();
     const { edge, layout } = this.binding;
     if (edge !== before.edge || layout !== before.layout) this.#options.onLayout?.();
     this.#show();
@@ -454,7 +491,7 @@ export class Viewer {
     if (this.#destroyed) return;
     const { faceTextures: picturing } = this.#bound;
     if (this.#cssWidth > 0) picturing.want(this.#pictureWidth);
-    picturing.show(this.#foldOut.parts);
+    picturing.show(this.#foldOut.parts, this.#isStill);
     this.#sharpness.keep(picturing.pages);
     this.invalidate();
   }

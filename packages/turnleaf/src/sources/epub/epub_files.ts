@@ -1,5 +1,6 @@
 import type { Archive } from "../archive/archive.ts";
 import { claimedSize } from "../image_header.ts";
+import { dataUrl } from "../data_url.ts";
 import { limits } from "../limits.ts";
 import { cleanCss } from "../markup/clean_css.ts";
 import type { MarkupFiles } from "../markup/clean_markup.ts";
@@ -155,14 +156,4 @@ function declaredEncoding(bytes: Uint8Array): string {
   } catch {
     return "utf-8";
   }
-}
-
-/** Returns bytes as an address. */
-function dataUrl(bytes: Uint8Array<ArrayBuffer>, type: string): Promise<string> {
-  return new Promise((resolve, reject) => {
-    const reader = new FileReader();
-    reader.onload = () => resolve(reader.result as string);
-    reader.onerror = () => reject(reader.error);
-    reader.readAsDataURL(new Blob([bytes], { type }));
-  });
 }

@@ -1,0 +1,228 @@
+/**
+ * Pages that are elements, over their places in the book: what lies there is
+ * the web page's own, so that forms, links and films work. While a leaf is in
+ * flight they are unseen, and the book shows their pictures.
+ */
+
+import { pagesAt } from "../book/spreads.ts";
+import type { PageSource } from "../sources/page_source.ts";
+import type { Point } from "../text/page_view.ts";
+import type { Viewer } from "../viewer/viewer.ts";
+import { addStyle } from "./shadow_tree.ts";
+
+/** Where the place of a page is measured, in fractions: it bends near the spine, where little stands. */
+const [near, far] = [0.1, 0.9];
+
+/** What a page's name and links need of the book around it. */
+export interface LivePagesHooks {
+  /** Returns a page's name for screen readers, such as "Page 4". */
+  readonly name: (page: number) => string;
+  /** Returns the number of the page that an element is; 0 if it is none. */
+  readonly pageOf: (element: HTMLElement) => number;
+  /** Turns to a page (from 1). */
+  readonly goTo: (page: number) => void;
+}
+
+/** The elements of one book. */
+export class LivePages {
+  readonly #host: HTMLElement;
+  readonly #layer: HTMLElement = document.createElement("div");
+  readonly #hooks: LivePagesHooks;
+  /** The places of the elements, in the order of the pages. */
+  #boxes = new Map<HTMLElement, HTMLElement>();
+  /** Elements that came from elsewhere. */
+  readonly #guests = new Set<HTMLElement>();
+  /** Films and sounds that go on when their page is open again. */
+  readonly #paused = new Set<HTMLMediaElement>();
+  readonly #ended = new AbortController();
+
+  /**
+   * @param host whose children the elements are, or become
+   *
+   * @param stage contains the canvas
+   */
+  constructor(host: HTMLElement, stage: HTMLElement, hooks: LivePagesHooks) {
+    this.#host = host;
+    this.#hooks = hooks;
+    this.#layer.className = "elements";
+    const removeStyle = addStyle(stage.getRootNode() as ShadowRoot, style);
+    stage.append(this.#layer);
+    const { signal } = this.#ended;
+    signal.addEventListener("abort", removeStyle);
+    this.#layer.addEventListener("click", (event) => this.#click(event), { signal });
+  }
+
+  /**
+   * Lays out the pages of a source that are elements: at first unseen, and not
+   * to be focused.
+   *
+   * @param isWhole whether the book has no other pages
+   */
+  adopt(source: PageSource, isWhole = true): void {
+    const boxes = isWhole ? new Map<HTMLElement, HTMLElement>() : this.#boxes;
+    const before = this.#boxes;
+    for (let index = 0; index < source.pageCount; index++) {
+      const page = source.element?.(index);
+      if (page) boxes.set(page, before.get(page) ?? this.#boxOf(page));
+    }
+    this.#boxes = boxes;
+    for (const [page, box] of before) if (!boxes.has(page)) this.#remove(page, box);
+    // One that is moved loses its focus: only those out of order are.
+    let next = this.#layer.firstElementChild;
+    for (const box of boxes.values()) {
+      if (box === next) next = next.nextElementSibling;
+      else this.#layer.insertBefore(box, next);
+    }
+  }
+
+  /** Shows the elements of a viewer's open pages while they lie still. */
+  follow(viewer: Viewer, source: PageSource): void {
+    const { signal } = this.#ended;
+    const stop = viewer.onStillChange((isStill) => {
+      this.#layer.classList.toggle("seen", isStill);
+      if (isStill) this.#lay(viewer, source);
+    });
+    signal.addEventListener("abort", stop);
+  }
+
+  /** Removes the places of all pages; elements from elsewhere leave the host. */
+  destroy(): void {
+    this.#ended.abort();
+    for (const [page, box] of this.#boxes) this.#remove(page, box);
+    this.#layer.remove();
+  }
+
+  #boxOf(page: HTMLElement): HTMLElement {
+    if (page.parentNode !== this.#host) {
+      this.#guests.add(page);
+      this.#host.append(page);
+    }
+    const box = document.createElement("div");
+    box.setAttribute("role", "group");
+    box.inert = true;
+    const slot = document.createElement("slot");
+    slot.assign(page);
+    box.append(slot);
+    return box;
+  }
+
+  #remove(page: HTMLElement, box: HTMLElement): void {
+    box.remove();
+    if (this.#guests.delete(page) && page.parentNode === this.#host) page.remove();
+  }
+
+  /** Lays the elements of the open pages over their places; others cannot be used. */
+  #lay(viewer: Viewer, source: PageSource): void {
+    const open = new Set<HTMLElement>();
+    for (const page of pagesAt(viewer.binding, viewer.turning.spread)) {
+      const element = viewer.isElement(page) ? source.element?.(page - 1) : null;
+      const box = element && this.#boxes.get(element);
+      if (!element || !box) continue;
+      open.add(element);
+      box.setAttribute("aria-label", this.#hooks.name(page));
+      layPage(box, element, viewer, page);
+    }
+    for (const [page, box] of this.#boxes) {
+      const isOpen = open.has(page);
+      if (box.inert !== isOpen) continue;
+      box.inert = !isOpen;
+      this.#play(page, isOpen);
+    }
+  }
+
+  /** Pauses what plays on a page that is closed, and lets it go on when it is open again. */
+  #play(page: HTMLElement, isOpen: boolean): void {
+    for (const media of page.querySelectorAll<HTMLMediaElement>("audio, video")) {
+      if (!isOpen && !media.paused) {
+        media.pause();
+        this.#paused.add(media);
+      } else if (isOpen && this.#paused.delete(media)) {
+        // A browser may not allow it; the reader can still start it.
+        media.play().catch(() => {});
+      }
+    }
+  }
+
+  /** Follows a link to an element of another page. */
+  #click(event: MouseEvent): void {
+    const link = event.composedPath().find((node) => node instanceof HTMLAnchorElement);
+    if (!(link instanceof HTMLAnchorElement) || event.defaultPrevented) return;
+    const here = link.ownerDocument.URL.split("#")[0];
+    if (link.hash === "" || link.href.split("#")[0] !== here) return;
+    const target = link.ownerDocument.getElementById(decodeURIComponent(link.hash.slice(1)));
+    const page = [...this.#boxes.keys()].find((page) => target && page.contains(target));
+    const number = page ? this.#hooks.pageOf(page) : 0;
+    if (number === 0) return;
+    event.preventDefault();
+    this.#hooks.goTo(number);
+  }
+}
+
+/** Lays an element's box over its page by one CSS matrix, so that it ends where the page does at the spine. */
+function layPage(box: HTMLElement, element: HTMLElement, viewer: Viewer, page: number): void {
+  const [width, height] = [element.offsetWidth, element.offsetHeight];
+  const place = viewer.placeOf(page, { width, height });
+  const at = (u: number, v: number) =>
+    viewer.project(page, place.x + u * place.width, place.y + v * place.height);
+  const corners = [at(near, near), at(far, near), at(near, far), at(far, far)];
+  const [a, b, c, d] = corners;
+  if (!a || !b || !c || !d || !(width > 0 && height > 0)) return;
+  const seen = perspectiveOf([a, b, c, d]);
+  const span = far - near;
+  const [sx, sy, from] = [1 / (span * width), 1 / (span * height), -near / span];
+  // The same from CSS pixels of the element's own.
+  const row = ([x, y, one]: Row): Row => [x * sx, y * sy, (x + y) * from + one];
+  const [[xx, yx, x], [xy, yy, y], [wx, wy, w]] = seen.map(row) as [Row, Row, Row];
+  const parts = [xx, xy, 0, wx, yx, yy, 0, wy, 0, 0, w, 0, x, y, 0, w].map((part) => part / w);
+  box.style.transform = `matrix3d(${parts.map((part) => Number(part.toFixed(9))).join()})`;
+  if (viewer.binding.quarterTurned) return;
+  const middle = height / 2;
+  const [left, right] = [at(0, 0.5), at(1, 0.5)].map((end, k) => {
+    if (!end) return k * width;
+    return (yx * middle + x - end.x * (wy * middle + w)) / (end.x * wx - xx);
+  });
+  box.style.clipPath = `inset(0 ${(width - right).toFixed(2)}px 0 ${left.toFixed(2)}px)`;
+  // Where the page bends away from the spine its colour goes on.
+  box.style.outline = `${width}px solid ${getComputedStyle(element).backgroundColor}`;
+}
+
+/** A row of a matrix of projection. */
+type Row = readonly [x: number, y: number, one: number];
+
+/**
+ * Returns the projection of a square, from 0 to 1 each way, onto four places:
+ * its corners row by row (P. Heckbert, Fundamentals of Texture Mapping and Image
+ * Warping, 1989, section 2.2.3).
+ */
+function perspectiveOf([a, b, c, d]: readonly [Point, Point, Point, Point]): [Row, Row, Row] {
+  const [x1, x2, x3] = [b.x - d.x, c.x - d.x, a.x - b.x + d.x - c.x];
+  const [y1, y2, y3] = [b.y - d.y, c.y - d.y, a.y - b.y + d.y - c.y];
+  const area = x1 * y2 - x2 * y1;
+  const [g, h] = [(x3 * y2 - x2 * y3) / area, (x1 * y3 - x3 * y1) / area];
+  return [
+    [b.x - a.x + g * b.x, c.x - a.x + h * c.x, a.x],
+    [b.y - a.y + g * b.y, c.y - a.y + h * c.y, a.y],
+    [g, h, 1],
+  ];
+}
+
+/**
+ * The style of pages that are elements. They darken the paper as ink does, so
+ * that its shading shows through them as through a picture of theirs.
+ */
+const style: string = /* css */ `
+.elements {
+  position: absolute; inset: 0; overflow: clip; pointer-events: none; opacity: 0;
+  mix-blend-mode: multiply; isolation: isolate;
+}
+.elements.seen { opacity: 1; }
+.elements > div {
+  position: absolute; left: 0; top: 0; width: max-content; transform-origin: 0 0; opacity: 0;
+}
+.elements.seen > :not([inert]) { opacity: 1; pointer-events: auto; }
+::slotted(*) {
+  display: block; box-sizing: border-box; position: relative !important; inset: auto !important;
+  margin: 0 !important; float: none !important; overflow: hidden;
+}
+::slotted(:not(img, picture, canvas, video)) { width: 480px; height: 720px; background: #fff; }
+`;
