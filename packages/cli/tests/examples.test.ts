@@ -252,10 +252,12 @@ it("15: pages of HTML are used where they lie, keep what is written, and lead to
   await open("15-html", { width: 640, height: 440 });
   expect(await ask((book) => book.pageCount)).toBe(6);
   await ask((book) => book.goTo(4));
+  await expect.poll(() => ask((book) => book.settled), patience).toBe(true);
   await page.getByLabel("Your name").fill("Ishmael");
   await page.getByRole("button", { name: "Order" }).click();
   await expect.poll(() => page.locator("output").textContent(), patience).toMatch(/^Ishmael comes/);
   await ask((book) => book.goTo(2));
+  await expect.poll(() => ask((book) => book.settled), patience).toBe(true);
   await page.getByRole("link", { name: "Order a place" }).click();
   await comesTo(4);
   await expect.poll(() => page.getByLabel("Your name").inputValue(), patience).toBe("Ishmael");

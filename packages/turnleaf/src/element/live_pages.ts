@@ -4,7 +4,7 @@
  * flight they are unseen, and the book shows their pictures.
  */
 
-import { pagesAt } from "../book/spreads.ts";
+import { leftPage, pagesAt, rightPage } from "../book/spreads.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Point } from "../text/page_view.ts";
 import type { Viewer } from "../viewer/viewer.ts";
@@ -114,13 +114,14 @@ export class LivePages {
   /** Lays the elements of the open pages over their places; others cannot be used. */
   #lay(viewer: Viewer, source: PageSource): void {
     const open = new Set<HTMLElement>();
+    const spine = spineOf(viewer);
     for (const page of pagesAt(viewer.binding, viewer.turning.spread)) {
       const element = viewer.isElement(page) ? source.element?.(page - 1) : null;
       const box = element && this.#boxes.get(element);
       if (!element || !box) continue;
       open.add(element);
       box.setAttribute("aria-label", this.#hooks.name(page));
-      layPage(box, element, viewer, page);
+      layPage(box, element, viewer, page, spine);
     }
     for (const [page, box] of this.#boxes) {
       const isOpen = open.has(page);
@@ -159,7 +160,13 @@ export class LivePages {
 }
 
 /** Lays an element's box over its page by one CSS matrix, so that it ends where the page does at the spine. */
-function layPage(box: HTMLElement, element: HTMLElement, viewer: Viewer, page: number): void {
+function layPage(
+  box: HTMLElement,
+  element: HTMLElement,
+  viewer: Viewer,
+  page: number,
+  spine: { readonly page: number; readonly at: Point } | null,
+): void {
   const [width, height] = [element.offsetWidth, element.offsetHeight];
   const place = viewer.placeOf(page, { width, height });
   const at = (u: number, v: number) =>
@@ -177,13 +184,24 @@ function layPage(box: HTMLElement, element: HTMLElement, viewer: Viewer, page: n
   box.style.transform = `matrix3d(${parts.map((part) => Number(part.toFixed(9))).join()})`;
   if (viewer.binding.quarterTurned) return;
   const middle = height / 2;
-  const [left, right] = [at(0, 0.5), at(1, 0.5)].map((end, k) => {
+  const isAtSpine = (k: number): boolean => spine !== null && (k === 1) === (page === spine.page);
+  const ends = [at(0, 0.5), at(1, 0.5)].map((end, k) => (isAtSpine(k) ? spine?.at : end));
+  const [left, right] = ends.map((end, k) => {
     if (!end) return k * width;
     return (yx * middle + x - end.x * (wy * middle + w)) / (end.x * wx - xx);
   });
   box.style.clipPath = `inset(0 ${(width - right).toFixed(2)}px 0 ${left.toFixed(2)}px)`;
-  // Where the page bends away from the spine its colour goes on.
+  // Its colour goes on to the spine.
   box.style.outline = `${width}px solid ${getComputedStyle(element).backgroundColor}`;
+}
+
+/** Returns the middle of the spine between two open pages, and the page on its left; null for one page. */
+function spineOf(viewer: Viewer): { readonly page: number; readonly at: Point } | null {
+  const { binding, turning } = viewer;
+  const [left, right] = [leftPage(binding, turning.spread), rightPage(binding, turning.spread)];
+  if (left === null || right === null) return null;
+  const [a, b] = [viewer.project(left, 1, 0.5), viewer.project(right, 0, 0.5)];
+  return a && b && { page: left, at: { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 } };
 }
 
 /** A row of a matrix of projection. */
