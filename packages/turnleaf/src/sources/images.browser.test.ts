@@ -213,7 +213,7 @@ describe("a book is given", () => {
     [new Map(), "a Map"],
   ])("as nothing else: %s", async (value, kind) => {
     expect(await messageOf(openSource(value as never))).toBe(
-      `A book is not made of ${kind}; give an address, a File or FileList, an ArrayBuffer, a list of images or a manifest.`,
+      `A book is not made of ${kind}; give an address, a File or FileList, an ArrayBuffer, a list of images or of elements, or a manifest.`,
     );
   });
 
