@@ -1,6 +1,6 @@
 import type { Archive } from "../archive/archive.ts";
-import { claimedSize } from "../image_header.ts";
 import { dataUrl } from "../data_url.ts";
+import { claimedSize } from "../image_header.ts";
 import { limits } from "../limits.ts";
 import { cleanCss } from "../markup/clean_css.ts";
 import type { MarkupFiles } from "../markup/clean_markup.ts";
