@@ -87,8 +87,19 @@ test("single late frames, pauses and the time between movements count for nothin
   let frame = 0;
   move(governor, 600, () => (++frame % 4 === 0 ? 60 : 16));
   for (let k = 0; k < 30; k++) move(governor, 5, () => 16, 1000 + 5000 * k);
-  move(governor, 40, () => 400);
+  // The page was hidden for long, again and again.
+  move(governor, 600, () => (++frame % 20 === 0 ? 4000 : 16));
   expect(governor.quality).toEqual(best);
+});
+
+test("on a machine that draws a few frames a second it is lowest after four of the first turn", () => {
+  const governor = new FrameQuality();
+  const seen = move(governor, 12, ({ pixels }) => 700 * pixels ** 2);
+  expect(seen.slice(0, 5)).toEqual([1, 1, 1, 0.55, 0.55]);
+  // It stays so for the next turns.
+  expect(new Set(move(governor, 12, ({ pixels }) => 700 * pixels ** 2, 50_000))).toEqual(
+    new Set([0.55]),
+  );
 });
 
 test("late frames lower it until they come in time, and no further", () => {

@@ -58,14 +58,16 @@ const steps: readonly Quality[] = [
   { pixels: 0.55, roughly: true },
 ];
 
-/** Frames judged together, by their median, so that a single late one counts for nothing. */
-const judged = 12;
-
 /** Time between two frames, in milliseconds, above which they are late: fewer than 45 a second. */
 const dueAtFirst = 22;
 
-/** A longer interval means that the page was hidden, milliseconds. */
-const absent = 250;
+/**
+ * Frames are judged together, by their median, once they have taken the time of
+ * twelve that are just in time, in milliseconds; there are at least three, so
+ * that a single late one, as after the page was hidden, counts for nothing.
+ */
+const judgedTime = 12 * dueAtFirst;
+const leastJudged = 3;
 
 /** Minimum fraction of their time that frames must gain by a step down for it to be kept. */
 const leastGain = 0.1;
@@ -81,6 +83,8 @@ const mostPatience = 8;
 export class FrameQuality {
   #step = 0;
   #intervals: number[] = [];
+  /** Their sum, milliseconds. */
+  #time = 0;
   #last = 0;
   #due = dueAtFirst;
   #inTime = 0;
@@ -102,12 +106,14 @@ export class FrameQuality {
     const interval = now - this.#last;
     const isFirst = this.#last === 0;
     this.#last = now;
-    if (isFirst || interval > absent) return;
-    this.#intervals.push(interval);
-    if (this.#intervals.length < judged) return;
+    if (isFirst) return;
+    this.#time += interval;
+    const count = this.#intervals.push(interval);
+    if (count < leastJudged || this.#time < judgedTime) return;
     const sorted = this.#intervals.sort((a, b) => a - b);
     this.#intervals = [];
-    this.#judge(sorted[judged >> 1]);
+    this.#time = 0;
+    this.#judge(sorted[count >> 1]);
   }
 
   /** Ends the movement: the time until the next one belongs to no frame. */
@@ -124,9 +130,9 @@ export class FrameQuality {
     this.#inTime = 0;
     if (this.#isTrial) this.#wait = Math.min(2 * this.#wait, mostPatience);
     this.#isTrial = false;
+    const last = steps.length - 1;
     if (this.#before > 0 && middle > (1 - leastGain) * this.#before) {
-      const isLast = this.#step === steps.length - 1;
-      if (!isLast) this.#step++;
+      if (this.#step < last) this.#step++;
       else {
         // No setting here is what takes the time: the screen itself, or the page around, is slow.
         this.#step = 0;
@@ -135,8 +141,11 @@ export class FrameQuality {
       }
       return;
     }
-    this.#before = middle;
-    this.#step = Math.min(this.#step + 1, steps.length - 1);
+    // The lowest has gained what there was to gain.
+    this.#before = this.#step < last ? middle : 0;
+    // A frame costs about as much as it has pixels: where even the fewest are too many, all at once.
+    const isFarLate = middle * steps[last].pixels ** 2 > this.#due;
+    this.#step = isFarLate ? last : Math.min(this.#step + 1, last);
   }
 
   #improve(): void {
