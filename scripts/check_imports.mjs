@@ -80,6 +80,7 @@ const viewer = {
     "element",
     "element.ts",
     "index.ts",
+    "leaf_models",
     "open_viewer.ts",
     "sources",
     "viewer",

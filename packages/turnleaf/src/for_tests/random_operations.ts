@@ -4,6 +4,7 @@
  */
 
 import type { TurnleafBook } from "../element.ts";
+import { turnModels } from "../leaf_models/model_choice.ts";
 import { TestPointer } from "./test_pointer.ts";
 
 /** What a page should show: one hue in degrees, or the print of a PDF's page. */
@@ -231,7 +232,11 @@ export class RandomOperations {
       hardPages: attribute("hard-pages", ["", "3-4", "1-8", "9"]),
       duration: attribute("duration", ["0", "60", "120"]),
       stock: attribute("stock", ["bible", "book", "card"]),
-      model: attribute("model", ["sheet", "rigid", "peel", "cylinder", "cone", "replay", "shell"]),
+      stocks: attribute("stocks", ["", "card 1-2, coated 5-8", "board 3-6", "board 1-100"]),
+      model: attribute(
+        "model",
+        turnModels.filter((model) => model !== "photographs"),
+      ),
       theme: attribute("theme", ["light", "dark", "paper"]),
       controls: () => element().toggleAttribute("controls"),
       slides: () => (this.#random() < 0.5 ? element().play(1) : element().pause()),
