@@ -126,6 +126,36 @@ describe("a PDF", () => {
     expect(await messageOf(source.draw(0, 50, never))).toBe("book.pdf is closed; open it again.");
   });
 
+  it("draws a page once more where the worker drops the drawing", async () => {
+    const source = await openTiny({ pages: [red] });
+    const { postMessage } = Worker.prototype;
+    let drops = 1;
+    vi.spyOn(Worker.prototype, "postMessage").mockImplementation(function (
+      this: Worker,
+      message: { action?: string; data?: { renderTaskId: string } },
+      ...more: unknown[]
+    ) {
+      const post = (what: unknown): void => Reflect.apply(postMessage, this, [what, ...more]);
+      if (message.action === "ExecuteOperatorList" && drops-- > 0) {
+        const { renderTaskId } = message.data!;
+        post({
+          ...message,
+          action: "CleanupRenderTask",
+          callbackId: undefined,
+          data: { renderTaskId },
+        });
+      }
+      post(message);
+    });
+    expect(colourAt(await source.draw(0, 20, never), 0.5, 0.5)).toBe("255,0,0");
+    expect(drops).toBeLessThan(0);
+    // What never succeeds ends nevertheless.
+    drops = 2;
+    expect(await messageOf(source.draw(0, 30, never))).toMatch(
+      /^Page 1 of book\.pdf cannot be drawn/,
+    );
+  });
+
   it("leaves no worker behind", async () => {
     const started: Worker[] = [];
     const ended = new Set<Worker>();

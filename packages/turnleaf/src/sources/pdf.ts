@@ -265,6 +265,26 @@ class PdfSource implements PageSource {
     region: PageBox = wholePage,
   ): Promise<PagePicture> {
     const page = await this.#page(index, signal);
+    for (let isFirst = true; ; isFirst = false) {
+      try {
+        const bitmap = await this.#render(page, index, width, region, signal);
+        this.#keep(index, page);
+        return bitmap;
+      } catch (error) {
+        // pdf.js's worker may drop a drawing while it frees what other drawings of the page used.
+        if (!isFirst || signal.aborted) throw this.#failureOf(error, index, signal);
+      }
+    }
+  }
+
+  /** Draws a part of a page once. Rejects with the error of pdf.js. */
+  async #render(
+    page: PDFPageProxy,
+    index: number,
+    width: number,
+    region: PageBox,
+    signal: AbortSignal,
+  ): Promise<ImageBitmap> {
     const size = this.#sizeOf(page, index);
     const part = { width: size.width * region.width, height: size.height * region.height };
     const pixels = fitPixels(part, width);
@@ -282,12 +302,11 @@ class PdfSource implements PageSource {
     signal.addEventListener("abort", cancel, { once: true });
     try {
       await this.#thread.orFailed(task.promise);
-      this.#keep(index, page);
       signal.throwIfAborted();
       return canvas.transferToImageBitmap();
     } catch (error) {
       cancel();
-      throw this.#failureOf(error, index, signal);
+      throw error;
     } finally {
       signal.removeEventListener("abort", cancel);
       canvas.width = canvas.height = 0;
