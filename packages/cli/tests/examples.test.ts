@@ -230,7 +230,10 @@ it("13: pages of a source of one's own are drawn, found and turned", async () =>
   expect(await ask((book) => book.goTo(55))).toBe(true);
 });
 
-it("14: leaves of board and of paper turn over and back in one book, bound anew", async () => {
+// The book is bound anew three times, and four leaves turn, all drawn in software.
+it("14: leaves of board and of paper turn over and back in one book, bound anew", {
+  timeout: 240_000,
+}, async () => {
   await open("14-stocks", { width: 760 });
   await turnFrom(25);
   await ask((book) => {
@@ -248,7 +251,9 @@ it("14: leaves of board and of paper turn over and back in one book, bound anew"
   }
 });
 
-it("15: pages of HTML are used where they lie, keep what is written, and lead to each other", async () => {
+it("15: pages of HTML are used where they lie, keep what is written, and lead to each other", {
+  timeout: 240_000,
+}, async () => {
   await open("15-html", { width: 640, height: 440 });
   expect(await ask((book) => book.pageCount)).toBe(6);
   await ask((book) => book.goTo(4));
