@@ -83,8 +83,6 @@ const mostPatience = 8;
 export class FrameQuality {
   #step = 0;
   #intervals: number[] = [];
-  /** Their sum, milliseconds. */
-  #time = 0;
   #last = 0;
   #due = dueAtFirst;
   #inTime = 0;
@@ -107,12 +105,11 @@ export class FrameQuality {
     const isFirst = this.#last === 0;
     this.#last = now;
     if (isFirst) return;
-    this.#time += interval;
     const count = this.#intervals.push(interval);
-    if (count < leastJudged || this.#time < judgedTime) return;
+    const time = this.#intervals.reduce((sum, one) => sum + one);
+    if (count < leastJudged || time < judgedTime) return;
     const sorted = this.#intervals.sort((a, b) => a - b);
     this.#intervals = [];
-    this.#time = 0;
     this.#judge(sorted[count >> 1]);
   }
 
