@@ -100,6 +100,7 @@ test.each(["0", "800"])("a field keeps its value over a turn of %s ms", async (d
 test("a button is pressed and a link to an element leads to its page", async () => {
   let pressed = 0;
   const pages = sections("<p>1</p>", "<button>Press</button> <a href='#deep'>Deep</a>", ...plain);
+  pages[1].insertAdjacentHTML("beforeend", "<a id='odd' href='#%'>Of no element</a>");
   pages[5].innerHTML = "<h3 id='deep'>Deep</h3>";
   const element = await bookOf(pages);
   await goTo(element, 2);
@@ -107,6 +108,13 @@ test("a button is pressed and a link to an element leads to its page", async () 
   button.addEventListener("click", () => pressed++);
   await userEvent.click(button);
   expect(pressed).toBe(1);
+  expect(element.page).toBe(2);
+  const failures: unknown[] = [];
+  const onFailure = (event: ErrorEvent) => failures.push(event.error);
+  window.addEventListener("error", onFailure);
+  await userEvent.click(pages[1].querySelector("#odd") as HTMLElement);
+  window.removeEventListener("error", onFailure);
+  expect(failures).toEqual([]);
   expect(element.page).toBe(2);
   await userEvent.click(pages[1].querySelector("a") as HTMLElement);
   await expect.poll(() => element.page, { timeout: 20_000 }).toBe(6);

@@ -5,6 +5,7 @@
  */
 
 import { leftPage, pagesAt, rightPage } from "../book/spreads.ts";
+import { decodeEscapes } from "../sources/book_text.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Point } from "../text/page_view.ts";
 import type { Viewer } from "../viewer/viewer.ts";
@@ -150,7 +151,7 @@ export class LivePages {
     if (!(link instanceof HTMLAnchorElement) || event.defaultPrevented) return;
     const here = link.ownerDocument.URL.split("#")[0];
     if (link.hash === "" || link.href.split("#")[0] !== here) return;
-    const target = link.ownerDocument.getElementById(decodeURIComponent(link.hash.slice(1)));
+    const target = link.ownerDocument.getElementById(decodeEscapes(link.hash.slice(1)));
     const page = [...this.#boxes.keys()].find((page) => target && page.contains(target));
     const number = page ? this.#hooks.pageOf(page) : 0;
     if (number === 0) return;

@@ -69,13 +69,5 @@ export function nameOfUrl(url: string): string {
   if (/^(blob|data):/i.test(url)) return "this book";
   const path = url.split(/[?#]/, 1)[0] ?? "";
   const last = path.replace(/\/+$/, "").split("/").pop() ?? "";
-  return cleanText(decode(last), 80) || "this book";
-}
-
-function decode(text: string): string {
-  try {
-    return decodeURIComponent(text);
-  } catch {
-    return text;
-  }
+  return cleanText(decodeEscapes(last), 80) || "this book";
 }
