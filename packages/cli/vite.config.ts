@@ -2,7 +2,7 @@ import { fileURLToPath } from "node:url";
 import { defineConfig } from "vite";
 
 /**
- * The reader app, the filming page, the playground and what `turnleaf publish`
+ * The reader app and its shelf, the filming page, the playground and what `turnleaf publish`
  * draws and writes with, built beside the command that serves them.
  */
 export default defineConfig({
@@ -19,7 +19,7 @@ export default defineConfig({
     assetsInlineLimit: 0,
     rolldownOptions: {
       input: [
-        ...["index.html", "film.html", "playground.html", "publish/draw.html"],
+        ...["index.html", "shelf.html", "film.html", "playground.html", "publish/draw.html"],
         ...["book", "search", "shelf", "service_worker"].map((name) => `publish/${name}.ts`),
       ].map((name) => fileURLToPath(new URL(`./app/${name}`, import.meta.url))),
     },

@@ -1,16 +1,20 @@
-/** The reader that `turnleaf read` serves: one book in the whole window. */
+/** The reader that `turnleaf read` serves: one book in the whole window, of a shelf with a way back. */
 
 import "turnleaf";
 
-/** The command's configuration of the book. */
+/** The command's configuration. */
 interface Config {
-  readonly src: string;
-  readonly title: string;
+  /** Several are a shelf; the page's address says which is read, counted from 1. */
+  readonly books: readonly { readonly src: string; readonly title: string }[];
 }
 
 async function start(): Promise<void> {
-  const config: Config = await (await fetch("./config.json")).json();
+  const { books }: Config = await (await fetch("./config.json")).json();
+  const number = Number(new URLSearchParams(location.search).get("book") ?? 1);
+  const config = books[number - 1];
+  if (!config) throw new Error("There is no such book.");
   document.title = config.title;
+  document.getElementById("shelf")?.toggleAttribute("hidden", books.length === 1);
   const book = document.createElement("turnleaf-book");
   // The document is English, the reader may not be.
   book.lang = navigator.language;

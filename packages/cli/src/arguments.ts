@@ -13,10 +13,14 @@ export type Command =
   | PublishCommand
   | { readonly name: "version" }
   | (ServeOptions & { readonly name: "playground" })
-  | (ServeOptions & {
-      readonly name: "read";
-      readonly path: string;
-    });
+  | ReadCommand;
+
+/** Books to be read. */
+export interface ReadCommand extends ServeOptions {
+  readonly name: "read";
+  /** Files, folders and addresses; at least one. */
+  readonly books: readonly string[];
+}
 
 /** The options of serving. */
 export interface ServeOptions {
@@ -28,10 +32,12 @@ export interface ServeOptions {
 
 export const help = `Turnleaf shows a book whose pages turn as paper turns.
 
-  turnleaf FILE_OR_FOLDER        the same as turnleaf read
-  turnleaf read FILE_OR_FOLDER   reads a PDF, an EPUB, a comic (CBZ), Markdown,
-                                 text, an image, or a folder of images (PNG,
-                                 JPEG, WebP, AVIF, GIF) in their order
+  turnleaf BOOK…                 the same as turnleaf read
+  turnleaf read BOOK…            reads a PDF, an EPUB, a comic (CBZ), Markdown,
+                                 text, an image (PNG, JPEG, WebP, AVIF, GIF), a
+                                 folder of images in their order, or what is at
+                                 an address (https://…), a IIIF manifest too;
+                                 several books, or a folder of them, as a shelf
   turnleaf film BOOK --out FILE  films a book as its pages turn, as MP4, WebM,
                                  GIF or numbered pictures (turnleaf film --help)
   turnleaf bake --out FILE       writes the turn of a leaf as glTF, OBJ, JSON or
@@ -85,12 +91,12 @@ export function parseCommand(args: readonly string[]): Command {
     return { name: "playground", ...serving };
   }
   // A book called "read" is opened by: turnleaf read read
-  const paths = positionals[0] === "read" ? positionals.slice(1) : positionals;
-  const [path] = paths;
-  if (path === undefined || path === "")
-    throw new UsageProblem("Name a PDF or a folder of images.");
-  if (paths.length > 1) throw new UsageProblem("Name one book; quote a name that has spaces.");
-  return { name: "read", path, ...serving };
+  const books = positionals[0] === "read" ? positionals.slice(1) : positionals;
+  if (books.length === 0) {
+    throw new UsageProblem("Name a book: a file, a folder of images, or an address.");
+  }
+  if (books.includes("")) throw new UsageProblem("A book's name is empty.");
+  return { name: "read", books, ...serving };
 }
 
 function parse(args: readonly string[]): ReturnType<typeof parseOptions> {

@@ -1,7 +1,7 @@
 import { realpath, stat } from "node:fs/promises";
 import { basename, resolve } from "node:path";
-import { imagePages, listFolder } from "./folder.ts";
-import { imageType, sniffLength, textType } from "./image_types.ts";
+import { bookType, rejectionOf, sniffLength } from "./file_types.ts";
+import { booksIn, imagePages, listFolder } from "./folder.ts";
 import { inspectPdf } from "./inspect_pdf.ts";
 import { fileProblem, Problem, printable } from "./problem.ts";
 import { openRegular, tooLarge } from "./regular_file.ts";
@@ -27,52 +27,80 @@ const mostImageBytes = 100_000_000;
 const mostArchiveBytes = 1_000_000_000;
 const mostTextBytes = 16_000_000;
 
-const isArchive = (type: string): boolean => type === "application/zip";
+/** What can be read, for sentences. */
+export const readable =
+  "a PDF, an EPUB, a comic (CBZ), Markdown, text, an image (PNG, JPEG, WebP, AVIF, GIF) or a folder of images";
 
 /**
  * Opens the named file or folder and checks it, so that errors are reported
  * before anything is served.
  *
  * @param warn receives a sentence about something that is left out
+ * @param given how the user named it
  * @throws Problem
  */
 export async function openBook(
   path: string,
   warn: (sentence: string) => void,
+  given = path,
 ): Promise<ServedBook> {
-  const real = await realpath(path).catch((error: unknown) => {
-    throw fileProblem(path, error);
-  });
-  const stats = await stat(real).catch((error: unknown) => {
-    throw fileProblem(path, error);
-  });
-  if (stats.isFile()) return await openFile(real, path);
-  if (stats.isDirectory()) return await openFolder(real, path, warn);
-  throw new Problem(`${printable(path)} is neither a file nor a folder; name a book.`);
+  const { real, isFolder } = await findBook(path, given);
+  return isFolder ? await openFolder(real, given, warn) : await openFile(real, given);
+}
+
+/**
+ * Returns the books that a name stands for: those of a folder that has several,
+ * its images being one more; the name itself otherwise.
+ *
+ * @param warn receives a sentence about something that is left out
+ * @throws Problem
+ */
+export async function booksAt(
+  path: string,
+  warn: (sentence: string) => void,
+): Promise<readonly string[]> {
+  const { real, isFolder } = await findBook(path, path);
+  if (!isFolder) return [path];
+  const warnings: string[] = [];
+  const content = await listFolder(real, path, (sentence) => warnings.push(sentence));
+  const books = booksIn(content);
+  // One book, or images: `openBook` warns.
+  if (books.length < 2) return [path];
+  for (const sentence of warnings) warn(sentence);
+  return content.image.length > 0 ? [...books, path] : books;
+}
+
+/** Finds a file or folder, without links. */
+async function findBook(path: string, given: string): Promise<{ real: string; isFolder: boolean }> {
+  try {
+    const real = await realpath(path);
+    const stats = await stat(real);
+    if (stats.isFile() || stats.isDirectory()) return { real, isFolder: stats.isDirectory() };
+  } catch (error) {
+    throw fileProblem(given, error);
+  }
+  throw new Problem(`${printable(given)} is neither a file nor a folder; name a book.`);
 }
 
 async function openFile(file: string, given: string): Promise<ServedBook> {
   const name = basename(file);
   const { start, size } = await readStart(file, given);
   if (start.length === 0) throw new Problem(`${printable(given)} is empty; get the file again.`);
-  if (start.includes("%PDF-")) {
-    if (size > mostPdfBytes) throw tooLarge(given, mostPdfBytes);
-    return await openPdf(file, given);
-  }
-  // What is in an archive is the reader's to find out.
-  const type = start.startsWith("PK\x03\x04")
-    ? "application/zip"
-    : (imageType(start) ?? textType(start, name));
+  const type = bookType(start, name);
   if (!type) {
-    throw new Problem(
-      `${printable(given)} is of an unknown format; a PDF, an EPUB, a comic (CBZ), Markdown, text, an image (PNG, JPEG, WebP, AVIF, GIF) or a folder of images can be read.`,
-    );
+    throw new Problem(`${printable(given)} ${rejectionOf(start)}; ${readable} can be read.`);
   }
-  const isText = type.startsWith("text/");
-  const most = isText ? mostTextBytes : isArchive(type) ? mostArchiveBytes : mostImageBytes;
+  const most = mostBytes(type);
   if (size > most) throw tooLarge(given, most);
+  if (type === "application/pdf") return await openPdf(file, given);
   const src = address(name);
   return { title: printable(name), src, files: new Map([[src, { type, path: file }]]) };
+}
+
+function mostBytes(type: string): number {
+  if (type === "application/pdf") return mostPdfBytes;
+  if (type === "application/zip") return mostArchiveBytes;
+  return type.startsWith("text/") ? mostTextBytes : mostImageBytes;
 }
 
 async function openPdf(file: string, given: string): Promise<ServedBook> {
@@ -90,24 +118,28 @@ async function openFolder(
   given: string,
   warn: (sentence: string) => void,
 ): Promise<ServedBook> {
-  const { pdfs, images } = await listFolder(folder, given, warn);
-  const [pdf] = pdfs;
-  if (pdf && pdfs.length === 1) return await openFile(pdf, pdf);
-  if (images.length === 0) {
+  const content = await listFolder(folder, given, warn);
+  const books = booksIn(content);
+  const [book] = books;
+  if (book && books.length === 1) return await openFile(book, book);
+  if (content.image.length === 0) {
     const name = printable(given);
-    throw pdfs.length > 1
-      ? new Problem(`${name} holds ${pdfs.length} PDFs and no images; name the one to read.`)
+    throw books.length > 1
+      ? new Problem(
+          `${name} holds ${books.length} books and no images; name the one that you mean.`,
+        )
       : new Problem(
-          `${name} holds no pages; put images (PNG, JPEG, WebP, AVIF, GIF) or one PDF into it.`,
+          `${name} holds no pages; put images (PNG, JPEG, WebP, AVIF, GIF) or books into it.`,
         );
   }
   const name = basename(resolve(folder)) || "book";
   const files = new Map<string, ServedFile>();
-  const pages = await imagePages(images);
+  const pages = await imagePages(content.image);
   const listed = pages.map(({ file, type, size }, index) => {
-    const src = `/pages/${index + 1}/${encodeName(basename(file))}`;
-    files.set(src, { type, path: file });
-    return { src, ...size };
+    const page = `pages/${index + 1}/${encodeName(basename(file))}`;
+    files.set(`/${page}`, { type, path: file });
+    // Relative to the manifest's own address.
+    return { src: `../${page}`, ...size };
   });
   const src = address(name);
   const manifest = JSON.stringify({ title: name, pages: listed });

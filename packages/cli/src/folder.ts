@@ -1,7 +1,7 @@
 import { readdir, realpath, stat } from "node:fs/promises";
 import { join, sep } from "node:path";
 import { imageSizeFromFile } from "image-size/fromFile";
-import { imageTypeOfName } from "./image_types.ts";
+import { imageTypeOfName, kindOfName, type NamedKind } from "./file_types.ts";
 import { fileProblem, Problem, printable } from "./problem.ts";
 
 /** Pages beyond this are not read. */
@@ -9,15 +9,12 @@ const mostPages = 20_000;
 /** Files whose headers are read at the same time. */
 const atOnce = 16;
 
-/** The books of a folder: absolute paths without links, in the order of their names. */
-export interface FolderContent {
-  readonly pdfs: readonly string[];
-  readonly images: readonly string[];
-}
+/** The files of a folder by their kind: absolute paths without links, in the order of their names. */
+export type FolderContent = Readonly<Record<NamedKind, readonly string[]>>;
 
 /**
- * Lists the PDFs and images directly in `folder`; hidden files, and links out
- * of the folder, are left out.
+ * Lists the books, images and texts directly in `folder`; hidden files, and
+ * links out of the folder, are left out.
  *
  * @param given how the user named the folder
  * @throws Problem
@@ -31,20 +28,24 @@ export async function listFolder(
     throw fileProblem(given, error);
   });
   const order = new Intl.Collator("en", { numeric: true }).compare;
-  const pdfs: string[] = [];
-  const images: string[] = [];
+  const content: Record<NamedKind, string[]> = { book: [], image: [], text: [] };
   for (const name of names.sort((a, b) => order(a, b) || (a < b ? -1 : 1))) {
-    if (name.startsWith(".")) continue;
-    const list = imageTypeOfName(name) ? images : /\.pdf$/i.test(name) ? pdfs : null;
-    const file = list && (await insideFile(folder, name, warn));
-    if (file) list.push(file);
+    const kind = name.startsWith(".") ? null : kindOfName(name);
+    const file = kind && (await insideFile(folder, name, warn));
+    if (file) content[kind].push(file);
   }
-  if (images.length > mostPages) {
+  const images = content.image.length;
+  if (images > mostPages) {
     throw new Problem(
-      `${printable(given)} holds ${images.length} images; split it into folders of at most ${mostPages}.`,
+      `${printable(given)} holds ${images} images; split it into folders of at most ${mostPages}.`,
     );
   }
-  return { pdfs, images };
+  return content;
+}
+
+/** Returns the files of a folder that are books each; its images, if any, are one more. */
+export function booksIn({ book, image, text }: FolderContent): readonly string[] {
+  return book.length + image.length > 0 ? book : text;
 }
 
 /** Returns the file without links; null if it is none or lies outside of the folder. */

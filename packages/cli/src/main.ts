@@ -4,7 +4,7 @@ import { help, parseCommand } from "./arguments.ts";
 import { interrupted } from "./interrupted.ts";
 import { playground } from "./playground.ts";
 import { Problem, UsageProblem } from "./problem.ts";
-import { read } from "./read.ts";
+import { read } from "./read/read.ts";
 
 async function main(): Promise<void> {
   const command = parseCommand(process.argv.slice(2));
@@ -19,8 +19,8 @@ async function main(): Promise<void> {
   } else if (command.name === "publish") {
     const { publish } = await import("./publish/publish.ts");
     await publish(command, interrupted());
-  } else if (command.name === "playground") await playground(command);
-  else await read(command.path, command);
+  } else if (command.name === "playground") await playground(command, interrupted());
+  else await read(command, interrupted());
 }
 
 try {

@@ -3,13 +3,20 @@
  * page is served; docs/policy.md says what each is for. `blob:` is used by pdf.js's
  * workers and printed pages, `data:` by SVG pages and by EPUBs and their fonts.
  */
-export const readerPolicy: readonly string[] = [
-  "default-src 'none'",
-  "script-src 'self' 'wasm-unsafe-eval'",
-  "worker-src 'self' blob:",
-  "style-src 'self'",
-  "img-src 'self' blob: data:",
-  "font-src 'self' data:",
-  "connect-src 'self'",
-  "base-uri 'none'",
-];
+export const readerPolicy: readonly string[] = policyFor("'self'");
+
+/** As `readerPolicy`, for a book whose images are on other sites: a IIIF manifest. */
+export const onlinePolicy: readonly string[] = policyFor("'self' https: http:");
+
+function policyFor(sites: string): string[] {
+  return [
+    "default-src 'none'",
+    "script-src 'self' 'wasm-unsafe-eval'",
+    "worker-src 'self' blob:",
+    "style-src 'self'",
+    "img-src 'self' blob: data:",
+    "font-src 'self' data:",
+    `connect-src ${sites}`,
+    "base-uri 'none'",
+  ];
+}

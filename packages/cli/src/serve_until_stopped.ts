@@ -1,32 +1,33 @@
+import { once } from "node:events";
 import type { ServeOptions } from "./arguments.ts";
 import type { ServedFile } from "./book.ts";
 import { openBrowser } from "./browser.ts";
 import { serve } from "./server.ts";
 
+/** What is served, and how it is announced. */
+export interface ServedSite {
+  readonly files: ReadonlyMap<string, ServedFile>;
+  /** Directives of the pages' Content-Security-Policy; the default is the reader's. */
+  readonly policy?: readonly string[];
+  /** Returns the line that says what is served at an address. */
+  announce(url: string): string;
+}
+
 /**
- * Serves files, prints the address, and opens the browser, until the command is
- * stopped.
+ * Serves files, prints the address, and opens the browser, until `signal`
+ * aborts.
  *
- * @param announce returns the line that says what is served at an address
  * @throws Problem if nothing can be served
  */
 export async function serveUntilStopped(
-  files: ReadonlyMap<string, ServedFile>,
+  { files, policy, announce }: ServedSite,
   { port, opens }: ServeOptions,
-  announce: (url: string) => string,
+  signal: AbortSignal,
 ): Promise<void> {
-  const serving = await serve(files, port);
-  const ending = stopped();
+  const serving = await serve(files, port, policy);
   console.log(announce(serving.url));
   console.log("Press Ctrl+C to stop.");
   if (opens) openBrowser(serving.url);
-  await ending;
+  if (!signal.aborted) await once(signal, "abort");
   await serving.close();
-}
-
-/** Resolves when the user or the system asks the command to end. */
-function stopped(): Promise<void> {
-  return new Promise((resolve) => {
-    for (const signal of ["SIGINT", "SIGTERM", "SIGHUP"] as const) process.once(signal, resolve);
-  });
 }

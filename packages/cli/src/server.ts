@@ -12,9 +12,6 @@ const usualPort = 4173;
 const portsTried = 50;
 
 const headers: Readonly<Record<string, string>> = {
-  "Content-Security-Policy": [...readerPolicy, "form-action 'none'", "frame-ancestors 'none'"].join(
-    "; ",
-  ),
   "X-Content-Type-Options": "nosniff",
   "Referrer-Policy": "no-referrer",
   "Cross-Origin-Resource-Policy": "same-origin",
@@ -34,12 +31,20 @@ export interface Serving {
  * Serves `files`, each at the exact path that is its key, to this machine only.
  *
  * @param port undefined for the default one or the next that is free; 0 for any
+ * @param policy directives of the pages' Content-Security-Policy
  * @throws Problem if the port is not available
  */
 export async function serve(
   files: ReadonlyMap<string, ServedFile>,
   port: number | undefined,
+  policy: readonly string[] = readerPolicy,
 ): Promise<Serving> {
+  const all = {
+    ...headers,
+    "Content-Security-Policy": [...policy, "form-action 'none'", "frame-ancestors 'none'"].join(
+      "; ",
+    ),
+  };
   const server = createServer({ maxHeaderSize: 16_384, requestTimeout: 30_000 });
   server.headersTimeout = 10_000;
   server.maxConnections = 256;
@@ -47,6 +52,7 @@ export async function serve(
   const actual = (server.address() as AddressInfo).port;
   const hosts = new Set([`${loopback}:${actual}`, `localhost:${actual}`]);
   server.on("request", (request, response) => {
+    for (const [name, value] of Object.entries(all)) response.setHeader(name, value);
     respond(files, hosts, request, response).catch(() => response.destroy());
   });
   return {
@@ -65,7 +71,6 @@ async function respond(
   request: IncomingMessage,
   response: ServerResponse,
 ): Promise<void> {
-  for (const [name, value] of Object.entries(headers)) response.setHeader(name, value);
   // Another name that resolves here (DNS rebinding) would let a web page read the book.
   if (!hosts.has(request.headers.host?.toLowerCase() ?? "")) {
     sendError(response, 403, "This address is not served.");

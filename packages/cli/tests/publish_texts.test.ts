@@ -1,7 +1,7 @@
 /** The parts of `turnleaf publish` that work on texts alone. */
 
 import { describe, expect, it } from "vitest";
-import { escapeText, html } from "../src/publish/html.ts";
+import { escapeText, html } from "../src/html.ts";
 import { parseLicence, rightsAddress } from "../src/publish/licence.ts";
 import { linesOf, paragraphsOf } from "../src/publish/page_text.ts";
 import { searchWords } from "../src/publish/search_words.ts";

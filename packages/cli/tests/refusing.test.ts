@@ -19,10 +19,10 @@ beforeAll(() => {
     "half.pdf": whole.subarray(0, 200),
     "page.pdf": "<!doctype html><title>Not found</title>",
     "novel.epub": "Rar!\x1a\x07",
-    "two/a.pdf": whole,
-    "two/b.pdf": whole,
     "bad/only.pdf": "",
-    "text/notes.txt": "x",
+    "other/notes.docx": "x",
+    "page.svg": '<?xml version="1.0"?><!-- x --><svg xmlns="http://www.w3.org/2000/svg"/>',
+    "list.json": '{"pages":[]}',
     "evil\u001b[31m.txt": "\0",
     "one.png": png(3, 4),
   });
@@ -37,11 +37,18 @@ describe("what cannot be read ends with one sentence and status 1", () => {
     ["empty.pdf", /^\S+empty\.pdf is empty; get the file again\.\n$/],
     ["torn.pdf", /^\S+torn\.pdf is damaged or no PDF; repair the file or get it again\.\n$/],
     ["half.pdf", /^\S+half\.pdf is damaged or no PDF; repair the file or get it again\.\n$/],
-    ["page.pdf", /^\S+page\.pdf is of an unknown format; a PDF, an EPUB, .* can be read\.\n$/],
-    ["novel.epub", /^\S+novel\.epub is of an unknown format; a PDF, an EPUB, .* can be read\.\n$/],
-    ["none", /^\S+none holds no pages; put images \(PNG, .*\) or one PDF into it\.\n$/],
-    ["text", /^\S+text holds no pages; put images \(PNG, .*\) or one PDF into it\.\n$/],
-    ["two", /^\S+two holds 2 PDFs and no images; name the one to read\.\n$/],
+    ["page.pdf", /^\S+page\.pdf is a web page, not a book; a PDF, an EPUB, .* can be read\.\n$/],
+    ["page.svg", /^\S+page\.svg is an SVG, which may hold scripts; a PDF, .* can be read\.\n$/],
+    [
+      "list.json",
+      /^\S+list\.json is JSON \(a IIIF manifest is opened by its address\); a PDF, .*\n$/,
+    ],
+    [
+      "novel.epub",
+      /^\S+novel\.epub is an archive that has to be unpacked first; .* can be read\.\n$/,
+    ],
+    ["none", /^\S+none holds no pages; put images \(PNG, .*\) or books into it\.\n$/],
+    ["other", /^\S+other holds no pages; put images \(PNG, .*\) or books into it\.\n$/],
     ["bad", /^\S+only\.pdf is empty; get the file again\.\n$/],
     ["evil\u001b[31m.txt", /^\S+evil \[31m\.txt is of an unknown format; /],
   ])("%s", async (name, sentence) => {
@@ -85,7 +92,7 @@ describe("the command line", () => {
     for (const args of [
       [],
       ["read"],
-      ["a", "b"],
+      ["a", ""],
       ["--nope"],
       ["a", "--port", "x"],
       ["a", "--port"],
@@ -99,21 +106,21 @@ describe("the command line", () => {
 
   it("prints --help and --version", async () => {
     expect(await run("--help")).toMatchObject({ status: 0, stderr: "" });
-    expect((await run("read", "-h")).stdout).toContain("turnleaf read FILE_OR_FOLDER");
+    expect((await run("read", "-h")).stdout).toContain("turnleaf read BOOK…");
     expect((await run("--version")).stdout).toMatch(/^\d+\.\d+\.\d+\n$/);
   });
 
   it("takes a book with and without the word read", () => {
-    const expected = { name: "read", path: "b.pdf", port: undefined, opens: true };
+    const expected = { name: "read", books: ["b.pdf"], port: undefined, opens: true };
     expect(parseCommand(["b.pdf"])).toEqual(expected);
     expect(parseCommand(["read", "b.pdf"])).toEqual(expected);
-    expect(parseCommand(["read", "read"])).toEqual({ ...expected, path: "read" });
+    expect(parseCommand(["read", "read"])).toEqual({ ...expected, books: ["read"] });
     expect(parseCommand(["b.pdf", "--no-open", "--port", "80"])).toEqual({
       ...expected,
       port: 80,
       opens: false,
     });
-    expect(parseCommand(["--", "--odd.pdf"])).toEqual({ ...expected, path: "--odd.pdf" });
+    expect(parseCommand(["--", "--odd.pdf"])).toEqual({ ...expected, books: ["--odd.pdf"] });
     for (const port of ["65536", "-1", "1.5", "", "0x50", "1e3"]) {
       expect(() => parseCommand(["b.pdf", `--port=${port}`])).toThrow("--port takes a number");
     }

@@ -39,7 +39,7 @@ describe("a PDF", () => {
     expect(page.headers["content-type"]).toBe("text/html; charset=utf-8");
     expect(page.body.toString()).toContain("<title>Turnleaf</title>");
     const config = JSON.parse((await get("/config.json")).body.toString());
-    expect(config).toEqual({ src: address, title: "A Small Book" });
+    expect(config).toEqual({ books: [{ src: address, title: "A Small Book" }] });
     const script = /src="\.?(\/assets\/[^"]+\.js)"/.exec(page.body.toString())?.[1] ?? "";
     expect((await get(script)).headers["content-type"]).toContain("text/javascript");
   });
@@ -219,14 +219,14 @@ describe("a folder", () => {
     });
     const served = await start(folder.path, "--port", "0");
     const config = JSON.parse((await ask(served.port, "/config.json")).body.toString());
-    const reply = await ask(served.port, config.src);
+    const reply = await ask(served.port, config.books[0].src);
     expect(reply.headers["content-type"]).toBe("application/json");
     const manifest = JSON.parse(reply.body.toString());
     expect(manifest.pages).toEqual([
-      { src: "/pages/1/page%201.jpg", width: 40, height: 60 },
-      { src: "/pages/2/page%209.PNG", width: 10, height: 20 },
-      { src: "/pages/3/page%2010.png", width: 30, height: 40 },
-      { src: "/pages/4/torn.webp" },
+      { src: "../pages/1/page%201.jpg", width: 40, height: 60 },
+      { src: "../pages/2/page%209.PNG", width: 10, height: 20 },
+      { src: "../pages/3/page%2010.png", width: 30, height: 40 },
+      { src: "../pages/4/torn.webp" },
     ]);
     const image = await ask(served.port, "/pages/3/page%2010.png");
     expect(image.headers["content-type"]).toBe("image/png");
@@ -236,7 +236,7 @@ describe("a folder", () => {
   });
 
   it("with one PDF opens that", async () => {
-    const folder = folderOf({ "book.pdf": pdf(), "notes.txt": "x" });
+    const folder = folderOf({ "book.pdf": pdf(), "notes.txt": "x", "cover.png": png(3, 4) });
     const served = await start(folder.path, "--port", "0");
     expect(served.stdout).toContain("Turnleaf is reading A Small Book at ");
     await served.stop();
@@ -251,7 +251,7 @@ describe("a folder", () => {
     symlinkSync(join(folder.path, "4.png"), join(folder.path, "4.png"));
     const served = await start(folder.path, "--port", "0");
     const config = JSON.parse((await ask(served.port, "/config.json")).body.toString());
-    const manifest = JSON.parse((await ask(served.port, config.src)).body.toString());
+    const manifest = JSON.parse((await ask(served.port, config.books[0].src)).body.toString());
     expect(manifest.pages.length).toBe(3);
     expect(served.stderr()).toContain(
       "2.png is a link that leads out of the folder; it is left out.",

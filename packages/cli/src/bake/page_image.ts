@@ -1,4 +1,4 @@
-import { imageType } from "../image_types.ts";
+import { imageType } from "../file_types.ts";
 import { Problem, printable } from "../problem.ts";
 import { readRegular } from "../regular_file.ts";
 

@@ -1,6 +1,6 @@
 /** The HTML of one book: its own page, and the text of its pages. */
 
-import { type Content, type Html, html } from "./html.ts";
+import { type Content, type Html, html } from "../html.ts";
 import { parseLicence } from "./licence.ts";
 import { languageName, pageShell, type SiteOptions } from "./page_shell.ts";
 import { paragraphsOf } from "./page_text.ts";

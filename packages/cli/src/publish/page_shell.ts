@@ -1,7 +1,7 @@
 /** What every page of a site has in common. */
 
+import { type Content, type Html, html } from "../html.ts";
 import { readerPolicy } from "../reader_policy.ts";
-import { type Content, type Html, html } from "./html.ts";
 import type { PageAssets } from "./site_assets.ts";
 
 /** What the publisher says of the whole site. */

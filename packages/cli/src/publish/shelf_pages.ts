@@ -1,7 +1,8 @@
 /** The pages of a site that are not of one book: shelf and search. */
 
+import { type Content, type Html, html } from "../html.ts";
+import { shelfCard } from "../shelf_card.ts";
 import { bookAddress } from "./book_pages.ts";
-import { type Content, type Html, html } from "./html.ts";
 import { parseLicence } from "./licence.ts";
 import { languageName, pageShell, type SiteOptions } from "./page_shell.ts";
 import type { BookRecord } from "./record.ts";
@@ -85,15 +86,11 @@ function card(up: string, { id, record: { details, drawn } }: ShelvedBook): Html
     `${pageCount} ${pageCount === 1 ? "page" : "pages"}`,
     ...(licence === null ? [] : [licence]),
   ];
-  return html`<li><a href="${folder}"><span class="cover">${cover ? html`<img src="${folder}${cover.src}?v=${drawn.slice(0, 8)}" width="${cover.width}" height="${cover.height}" alt="" loading="lazy" decoding="async">` : html`<span class="blank"></span>`}</span>
-<span class="title" lang="${language}">${title}</span></a>
-${
-  details.authors
-    ? html`<span class="author">${details.authors.join(", ")}</span>
-`
-    : null
-}<span class="facts">${facts.join(" · ")}</span></li>
-`;
+  return shelfCard({
+    ...{ href: folder, title, language, facts },
+    authors: details.authors ?? [],
+    cover: cover && { ...cover, src: `${folder}${cover.src}?v=${drawn.slice(0, 8)}` },
+  });
 }
 
 function pager(up: string, shelf: number, count: number): Content {

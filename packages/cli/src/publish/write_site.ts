@@ -2,9 +2,9 @@
 
 import { mkdir, readdir, readFile, rename, rm, writeFile } from "node:fs/promises";
 import { dirname, join } from "node:path";
+import { escapeText } from "../html.ts";
 import { bookAddress } from "./book_pages.ts";
 import { makeFolder } from "./draw_book.ts";
-import { escapeText } from "./html.ts";
 import type { SiteOptions } from "./page_shell.ts";
 import { readRecord } from "./record.ts";
 import { searchWords } from "./search_words.ts";

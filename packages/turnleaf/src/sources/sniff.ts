@@ -41,8 +41,12 @@ export function sniff({ start, type }: FileStart): Kind {
   if (text.startsWith(zip)) return "zip";
   if (archives.some((mark) => text.startsWith(mark))) return "archive";
   const words = wordsOf(text);
-  if (words.startsWith("{") || words.startsWith("[")) return "json";
-  if (/^<(!doctype html|html|\?xml|!--|head|body)/i.test(words)) return "html";
+  // Markdown may begin as the others do.
+  if (type !== "text/markdown") {
+    // A manifest that is an array has strings or objects: [text] is a link of Markdown.
+    if (/^(\{|\[\s*["{\]])/.test(words)) return "json";
+    if (/^<(!doctype html|html|\?xml|!--|head|body)/i.test(words)) return "html";
+  }
   return isText(start, type) ? "text" : "unknown";
 }
 

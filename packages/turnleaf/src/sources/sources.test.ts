@@ -28,6 +28,10 @@ describe("sniff", () => {
     ["archive", "Rar!\x1a\x07"],
     ["text", "Call me Ishmael."],
     ["text", "# Moby-Dick"],
+    ["text", "[Turnleaf](https://example.org) turns pages."],
+    ["text", "[[Page]] [x] [1]: one"],
+    ["json", '[ "a.png", "b.png"]'],
+    ["json", '[{"src":"a.png"}]'],
     ["text", "Caf\xc3\xa9 ".repeat(200)],
     ["unknown", "Caf\xe9"],
     ["unknown", "a\0b"],
@@ -46,7 +50,15 @@ it("takes text of other encodings where the media type says that it is text", ()
   expect(sniff({ start: bytes("Caf\xe9"), type: "text/plain" })).toBe("text");
   expect(sniff({ start: bytes("%PDF-1.4"), type: "text/plain" })).toBe("pdf");
   expect(sniff({ start: bytes("a\0b"), type: "text/plain" })).toBe("unknown");
+  expect(sniff({ start: bytes('{"pages":[]}'), type: "text/plain" })).toBe("json");
 });
+
+it.each(['["quoted"](#a)', "{% include a %}", "<!-- by hand -->\n# A", "<html>"])(
+  "takes %s for Markdown where the media type says so",
+  (text) => {
+    expect(sniff({ start: bytes(text), type: "text/markdown" })).toBe("text");
+  },
+);
 
 describe("fitPixels", () => {
   it("keeps proportions at the width that is asked for", () => {

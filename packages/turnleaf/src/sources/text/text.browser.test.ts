@@ -81,6 +81,13 @@ test("Markdown has headings, contents, lists, tables, code and links", async () 
   source.close();
 });
 
+test("Markdown that begins with a link is Markdown, and no JSON", async () => {
+  const source = await open("[Read this](https://example.org) first.\n\n# A", "a.md");
+  expect(await textOf(source)).toContain("Read this first.");
+  expect((await source.links?.(0, never))?.length).toBe(1);
+  source.close();
+});
+
 test("Markdown runs no script, fetches nothing, and its HTML is cleaned", async () => {
   const source = await open(
     '# A\n\n<script>parent.ran = 1</script><img src="x" onerror="parent.ran = 1">\n\n![x](https://elsewhere.invalid/a.png)\n\n[run](javascript:parent.ran=1)\n\nHere.',

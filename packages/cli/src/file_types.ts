@@ -1,0 +1,116 @@
+/**
+ * Number of first bytes of a file that determine its format: a PDF's mark has
+ * up to 1024 others before it.
+ */
+export const sniffLength = 1029;
+
+const marks: readonly (readonly [string, number, string])[] = [
+  ["image/png", 0, "\x89PNG\r\n\x1a\n"],
+  ["image/jpeg", 0, "\xff\xd8\xff"],
+  ["image/gif", 0, "GIF8"],
+  ["image/webp", 8, "WEBP"],
+  ["image/avif", 4, "ftypavi"],
+];
+
+/** A manifest that is an array has strings or objects: [text] is a link of Markdown. */
+const json = /^(\{|\[\s*["{\]])/;
+
+/** What is no book, and why. */
+const rejected: readonly (readonly [RegExp, string])[] = [
+  [
+    /^(\s|<\?xml[^>]*>|<!--[\s\S]*?-->)*<(!doctype svg|svg[\s>])/i,
+    "is an SVG, which may hold scripts",
+  ],
+  [/^<(!doctype html|html|\?xml|!--|head|body)/i, "is a web page, not a book"],
+  [json, "is JSON (a IIIF manifest is opened by its address)"],
+  [/^(Rar!|7z\xbc\xaf)/, "is an archive that has to be unpacked first"],
+];
+
+/**
+ * Returns the media type of an image by its first bytes (latin-1); undefined
+ * for any other file.
+ */
+export function imageType(start: string): string | undefined {
+  return marks.find(([, offset, mark]) => start.startsWith(mark, offset))?.[0];
+}
+
+/**
+ * Returns the media type of a book by its first bytes (latin-1), of text by its
+ * name too; undefined if it cannot be served. What an archive holds is the
+ * viewer's to find out.
+ */
+export function bookType(start: string, name: string): string | undefined {
+  if (start.includes("%PDF-")) return "application/pdf";
+  if (start.startsWith("PK\x03\x04")) return "application/zip";
+  const image = imageType(start);
+  if (image !== undefined) return image;
+  if (!isText(start, name)) return undefined;
+  // Markdown may begin as a web page or JSON does.
+  if (isMarkdownName(name)) return "text/markdown";
+  return rejected.some(([mark]) => mark.test(wordsOf(start))) ? undefined : "text/plain";
+}
+
+/** Returns whether a file is JSON, by its first bytes (latin-1). */
+export function isJson(start: string): boolean {
+  return json.test(wordsOf(start));
+}
+
+/** Returns why a file is not served, by its first bytes (latin-1), as the end of a sentence. */
+export function rejectionOf(start: string): string {
+  const found = rejected.find(([mark]) => mark.test(wordsOf(start)));
+  return found?.[1] ?? "is of an unknown format";
+}
+
+/**
+ * Returns whether bytes, as latin-1, are text: UTF-8, UTF-16 by its mark, or,
+ * where the name says text, in any encoding; none with control characters.
+ */
+function isText(start: string, name: string): boolean {
+  if (/^(\xff\xfe|\xfe\xff)/.test(start)) return true;
+  // biome-ignore lint/suspicious/noControlCharactersInRegex: text has none of them
+  if (/[\x00-\x08\x0e-\x1f\x7f]/.test(start)) return false;
+  try {
+    // The last character may be cut off.
+    const stream = start.length >= sniffLength;
+    new TextDecoder("utf-8", { fatal: true }).decode(Buffer.from(start, "latin1"), { stream });
+    return true;
+  } catch {
+    return kindOfName(name) === "text";
+  }
+}
+
+/** Returns the text without the mark of its byte order and without spaces before it. */
+function wordsOf(start: string): string {
+  return start.replace(/^\xef\xbb\xbf/, "").trimStart();
+}
+
+function isMarkdownName(name: string): boolean {
+  return /\.(md|markdown)$/i.test(name);
+}
+
+/** What a file in a folder is by its name. */
+export type NamedKind = "book" | "image" | "text";
+
+const images: ReadonlyMap<string, string> = new Map([
+  [".png", "image/png"],
+  [".jpg", "image/jpeg"],
+  [".jpeg", "image/jpeg"],
+  [".gif", "image/gif"],
+  [".webp", "image/webp"],
+  [".avif", "image/avif"],
+]);
+
+/** Returns what a file of a folder may be by its name's suffix; null for what is no book. */
+export function kindOfName(name: string): NamedKind | null {
+  if (/\.(pdf|epub|cbz)$/i.test(name)) return "book";
+  if (imageTypeOfName(name)) return "image";
+  return /\.(md|markdown|txt)$/i.test(name) ? "text" : null;
+}
+
+/**
+ * Returns the media type of an image by the suffix of its name. SVG is not
+ * included: it can hold scripts.
+ */
+export function imageTypeOfName(name: string): string | undefined {
+  return images.get(/\.[a-z]+$/i.exec(name)?.[0].toLowerCase() ?? "");
+}
