@@ -14,7 +14,7 @@ MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 RUST_SOURCES = $(shell find Cargo.toml Cargo.lock rust-toolchain.toml engine/Cargo.toml wasm/Cargo.toml engine/src wasm/src -type f)
 
-.PHONY: read build wasm test test-rust test-js check check-rust check-js check-licences size bench gestures soak fuzz playground examples pictures methods recordings photographs reference book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-epub
+.PHONY: read build wasm test test-rust test-js check check-rust check-js check-licences size bench gestures soak fuzz playground examples pictures methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-epub
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -175,6 +175,10 @@ recordings: tools-rust
 # The photographs of a turn that examples/12-models.html shows, drawn anew.
 photographs: build chromium
 	node examples/pictures/turn.mjs
+
+# The project's web site, of the docs and the examples, for any server of files: target/site.
+site: build
+	node scripts/site.mjs
 
 # docs/reference.md, from the comments in the sources.
 reference: $(MODULES)

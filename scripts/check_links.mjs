@@ -5,6 +5,7 @@
  */
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
+import { anchorOf } from "./headings.mjs";
 
 const root = join(import.meta.dirname, "..");
 const ignored = new Set([".git", "node_modules", "dist", "target", "corpora"]);
@@ -67,10 +68,5 @@ function untested(page) {
 
 function headingsOf(file) {
   const text = readFileSync(file, "utf8");
-  return [...text.matchAll(/^#+ (.*)$/gm)].map(([, words]) =>
-    words
-      .toLowerCase()
-      .replace(/[^\p{L}\p{N}\s_-]/gu, "")
-      .replace(/\s/g, "-"),
-  );
+  return [...text.matchAll(/^#+ (.*)$/gm)].map(([, words]) => anchorOf(words));
 }
