@@ -142,7 +142,7 @@ function unread(text) {
   const has = (pattern) => pattern.test(text);
   return [
     has(/"type":\s*"(Video|Sound)"/) ? "sound and video" : "",
-    has(/"rotation":/) ? "rotation" : "",
+    has(/"rotation":\s*"?(?!(0|90|180|270)\b)/) ? "rotation by other angles" : "",
     has(/"behavior":\s*\[\s*"sequence"/) ? "another order of pages" : "",
     has(/"type":\s*"Choice"/) ? "the other images of a choice" : "",
     has(/"motivation":\s*\[?\s*"(commenting|tagging|linking|identifying|assessing|describing)"/)

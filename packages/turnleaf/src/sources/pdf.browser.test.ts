@@ -95,6 +95,41 @@ describe("a PDF", () => {
     expect(colourAt(await source.draw(0, 100, never), 0.5, 0.5)).toBe("200,30,30");
   });
 
+  it("draws the layers that the file shows, and not those that it hides", async () => {
+    const source = await openTiny({
+      pages: [
+        "/OC /Shown BDC 1 0 0 rg 0 0 200 300 re f EMC /OC /Hidden BDC 0 0 1 rg 0 0 200 300 re f EMC",
+      ],
+      resources: "/Properties << /Shown 10 0 R /Hidden 11 0 R >>",
+      objects: ["<< /Type /OCG /Name (Shown) >>", "<< /Type /OCG /Name (Hidden) >>"],
+      catalog: "/OCProperties << /OCGs [10 0 R 11 0 R] /D << /OFF [11 0 R] >> >>",
+    });
+    expect(colourAt(await source.draw(0, 20, never), 0.5, 0.5)).toBe("255,0,0");
+  });
+
+  it("with files attached is opened, and a portfolio is rejected by the names in it", async () => {
+    const file = (name: string): string =>
+      `<< /Type /Filespec /F (${name}) /UF (${name}) /EF << /F 11 0 R >> >>`;
+    const names = ["a.pdf", "b\\012.pdf", "c.txt", "d.pdf"];
+    const tree = names.map((name, k) => `(${k}) ${file(name)}`).join(" ");
+    const pdf = {
+      pages: [red],
+      catalog: "/Names << /EmbeddedFiles 10 0 R >>",
+      objects: [
+        `<< /Names [${tree}] >>`,
+        "<< /Type /EmbeddedFile /Length 4 >>\nstream\n%PDF\nendstream",
+      ],
+    };
+    expect((await openTiny(pdf)).pageCount).toBe(1);
+    const portfolio = openTiny({ ...pdf, catalog: `${pdf.catalog} /Collection << /View /D >>` });
+    expect(await messageOf(portfolio)).toBe(
+      "book.pdf is a portfolio, which holds a.pdf, b .pdf, c.txt and others; save them by a program that shows portfolios, and open one.",
+    );
+    // Without files in it its own pages are all that there is.
+    const empty = { pages: [red], catalog: "/Collection << /View /D >>" };
+    expect((await openTiny(empty)).pageCount).toBe(1);
+  });
+
   it("finds the character maps and decoders that files refer to", async () => {
     const files = new PackedDataFactory();
     const map = await files.fetch({ kind: "cMapUrl", filename: "UniJIS-UTF16-H.bcmap" });

@@ -19,6 +19,7 @@ import { altOfPage } from "./pdf_alt.ts";
 import { linksOfPage, PdfForm } from "./pdf_annotations.ts";
 import { type PdfInput, place } from "./pdf_bytes.ts";
 import { lettersOfPage } from "./pdf_letters.ts";
+import { rejectPortfolio } from "./pdf_portfolio.ts";
 import {
   loadPdfLibrary,
   PackedDataFactory,
@@ -195,6 +196,7 @@ async function describe(task: PDFDocumentLoadingTask, input: PdfInput): Promise<
     document.getPermissions().catch(() => null),
   ]);
   const info = (metadata?.info ?? {}) as Record<string, unknown>;
+  await rejectPortfolio(document, info, input.name);
   return {
     name: input.name,
     document,

@@ -362,6 +362,48 @@ test("a canvas holds several images, a choice, a part of an image, or none", asy
   expect(await colours(source, 3)).toEqual(["white", "white", "white", "white"]);
 });
 
+test.each([
+  ["90", 1500, 1000, ["blue", "red", "yellow", "green"]],
+  ["180", 1000, 1500, ["yellow", "blue", "green", "red"]],
+  ["270", 1500, 1000, ["green", "yellow", "red", "blue"]],
+  ["45", 1000, 1500, whole],
+])(
+  "an image turned by %s degrees is drawn so, whole and zoomed",
+  async (rotation, width, height, seen) => {
+    const { body } = canvas3("a").items[0]!.items[0]!;
+    const selector = { type: "ImageApiSelector", rotation };
+    const turned = { type: "SpecificResource", source: body, selector };
+    const canvas = { type: "Canvas", id: `${server}/x`, width, height };
+    const { source } = await open(
+      manifest3([{ ...canvas, items: [{ items: [{ body: turned }] }] }]),
+    );
+    expect(await colours(source, 0)).toEqual(seen);
+    // A quarter of the page is of one colour, with tiles too.
+    const corner = { x: 0.5, y: 0, width: 0.5, height: 0.5 };
+    expect(new Set(await colours(source, 0, 900, corner))).toEqual(new Set([seen[1]]));
+    expect(await colours(source, 0, 900)).toEqual(seen);
+  },
+);
+
+test("an image turned beside another stays where it is", async () => {
+  const { body } = canvas3("a").items[0]!.items[0]!;
+  const selector = { type: "ImageApiSelector", rotation: "90" };
+  const turned = { type: "SpecificResource", source: body, selector };
+  const canvas = { type: "Canvas", id: `${server}/x`, width: 2000, height: 3000 };
+  const { source } = await open(
+    manifest3([
+      {
+        ...canvas,
+        items: [{ items: [{ body: turned, target: `${server}/x#xywh=0,2000,1500,1000` }] }],
+      },
+    ]),
+  );
+  const there = { x: 0, y: 2 / 3, width: 0.75, height: 1 / 3 };
+  expect(await colours(source, 0, 400, there)).toEqual(["blue", "red", "yellow", "green"]);
+  const above = { x: 0, y: 0, width: 1, height: 0.6 };
+  expect(await colours(source, 0, 400, above)).toEqual(["white", "white", "white", "white"]);
+});
+
 test("an image without a service, and one whose service is gone, are shown", async () => {
   const plain = canvas3("a", {}, { service: undefined });
   const files = { "b/info.json": { error: "none" } };

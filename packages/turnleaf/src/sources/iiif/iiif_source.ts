@@ -151,13 +151,13 @@ class IiifSource implements PageSource {
     const info = image.service ? await this.#info(index, image, signal) : null;
     if (info) {
       const crop = within(image.crop, info);
-      const density = ((sharpestWidth(info) / info.width) * crop.width) / image.on.width;
+      const density = ((sharpestWidth(info) / info.width) * crop.width) / upright(image).width;
       return { ...image, info, crop, density };
     }
     const blob = await this.#image(index, image.src, signal);
     const size = await this.#pixels(index, blob);
     const crop = within(image.crop, size);
-    return { ...image, info: null, crop, density: crop.width / image.on.width };
+    return { ...image, info: null, crop, density: crop.width / upright(image).width };
   }
 
   /** Returns what a service says of its image; null if the image is shown without it. */
@@ -182,11 +182,15 @@ class IiifSource implements PageSource {
     pen: OffscreenCanvasRenderingContext2D,
     index: number,
     image: MeasuredImage,
-    box: PageBox,
+    page: PageBox,
     signal: AbortSignal,
   ): Promise<void> {
-    const { info, crop, on } = image;
-    const scale = pen.canvas.width / box.width;
+    const { info, crop, turns } = image;
+    // As seen before the image is turned: it is drawn upright by a turned pen.
+    const [on, box] = [upright(image), turnedBack(page, image)];
+    const { width, height } = pen.canvas;
+    const picture = turns % 2 === 1 ? { width: height, height: width } : { width, height };
+    const scale = picture.width / box.width;
     // Pixels of the image for a unit of the canvas.
     const [across, down] = [crop.width / on.width, crop.height / on.height];
     const seen = overlap(box, on);
@@ -200,8 +204,9 @@ class IiifSource implements PageSource {
     const all = { x: 0, y: 0, width: info?.width ?? 0, height: info?.height ?? 0 };
     const parts = info ? partsFor(info, wanted, scale / across) : [{ url: image.src, box: all }];
     pen.save();
+    pen.transform(...turningOf(turns, pen.canvas));
     pen.beginPath();
-    pen.rect(...inPixels(seen, box, pen.canvas));
+    pen.rect(...inPixels(seen, box, picture));
     pen.clip();
     const waiting = parts.values();
     const work = async (): Promise<void> => {
@@ -218,7 +223,7 @@ class IiifSource implements PageSource {
           width: from.width / across,
           height: from.height / down,
         };
-        pen.drawImage(bitmap, ...inPixels(to, box, pen.canvas));
+        pen.drawImage(bitmap, ...inPixels(to, box, picture));
         bitmap.close();
       }
     };
@@ -304,6 +309,31 @@ interface MeasuredImage extends PaintedImage {
 function within(crop: PageBox | null, { width, height }: PageSize): PageBox {
   const all = { x: 0, y: 0, width, height };
   return (crop && overlap(crop, all)) ?? all;
+}
+
+/** Returns where an image is on its canvas before it is turned about its middle. */
+function upright(image: PaintedImage): PageBox {
+  return turnedBack(image.on, image);
+}
+
+/** Returns a box of the canvas as it lies for an image that is not turned yet. */
+function turnedBack({ x, y, width, height }: PageBox, { on, turns }: PaintedImage): PageBox {
+  const [middleX, middleY] = [on.x + on.width / 2, on.y + on.height / 2];
+  let box: PageBox = { x: x - middleX, y: y - middleY, width, height };
+  for (let turn = 0; turn < turns; turn++) {
+    box = { x: box.y, y: -box.x - box.width, width: box.height, height: box.width };
+  }
+  return { ...box, x: middleX + box.x, y: middleY + box.y };
+}
+
+/** Returns the transformation that turns a picture by quarters, clockwise, onto a canvas. */
+function turningOf(
+  turns: PaintedImage["turns"],
+  { width, height }: PageSize,
+): [number, number, number, number, number, number] {
+  if (turns === 1) return [0, 1, -1, 0, width, 0];
+  if (turns === 2) return [-1, 0, 0, -1, width, height];
+  return turns === 3 ? [0, -1, 1, 0, 0, height] : [1, 0, 0, 1, 0, 0];
 }
 
 function overlap(a: PageBox, b: PageBox): PageBox | null {

@@ -32,6 +32,8 @@ export interface PaintedImage {
   readonly service: string;
   /** The part of the image that is shown, in its pixels; null for all of it. */
   readonly crop: PageBox | null;
+  /** By how many quarters it is turned clockwise, after it was cut. */
+  readonly turns: 0 | 1 | 2 | 3;
   /** Where it is on the canvas. */
   readonly on: PageBox;
 }
@@ -236,9 +238,16 @@ function readImage(annotation: Value, size: PageSize, { base }: Reading): Painte
       src,
       service: service.replace(/\/$/, ""),
       crop: boxIn(region, limits.pageSide, limits.pageSide),
+      turns: turnsOf(selector?.rotation),
       on: targetBox(annotation.target ?? annotation.on, size) ?? { x: 0, y: 0, ...size },
     },
   ];
+}
+
+/** Returns the quarters of a rotation in degrees; 0 for other angles and mirrored images. */
+function turnsOf(rotation: unknown): PaintedImage["turns"] {
+  const quarters = ["0", "90", "180", "270"].indexOf(String(rotation));
+  return quarters === 1 || quarters === 2 || quarters === 3 ? quarters : 0;
 }
 
 /** Returns the box on a canvas that an annotation is about; null for all of it. */
