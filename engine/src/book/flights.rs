@@ -43,7 +43,9 @@ pub struct Flights {
     /// Flights that have joined a pile, and how many of them the limit on the time
     /// of a fall put down.
     landed: [u32; 2],
-    /// Work of keeping the leaves drawn last clear of each other, nanoseconds as counted.
+    /// Work of the last tick, and of keeping the leaves drawn last clear of each other,
+    /// nanoseconds as counted.
+    tick_work: u32,
     work: u32,
 }
 
@@ -98,6 +100,7 @@ impl Flights {
             last_id: 0,
             had_deep_contact: false,
             landed: [0; 2],
+            tick_work: 0,
             work: 0,
         }
     }
@@ -232,6 +235,11 @@ impl Flights {
         let is_followed;
         (is_followed, self.work) = draw(&mut self.order, piles, last);
         is_followed
+    }
+
+    /// Work of the last tick, nanoseconds as counted.
+    pub fn tick_work(&self) -> u32 {
+        self.tick_work
     }
 
     /// Work of keeping the leaves drawn last clear of each other, nanoseconds as counted.

@@ -35,6 +35,9 @@ const LOOK_AHEAD: f32 = 0.12;
 /// it is the root of it.
 const CLAMP_STAYS: f32 = 0.75;
 
+/// Work of a search for contacts, nanoseconds of native code.
+const SEARCH: u32 = 40_000;
+
 /// One leaf of paper between two piles.
 pub struct Leaf {
     sheet: Sheet,
@@ -81,6 +84,8 @@ pub struct Leaf {
     /// Its nodes before a tick.
     kept: Vec<f32>,
     kept_depth: f32,
+    /// Searches for contacts since its work was last taken.
+    searches: u32,
 }
 
 impl Leaf {
@@ -132,6 +137,7 @@ impl Leaf {
             landed: flat.clone(),
             kept: flat.clone(),
             kept_depth: 0.0,
+            searches: 0,
             flat,
         };
         leaf.set_steps(paper.steps(width, 1));
@@ -252,6 +258,7 @@ impl Leaf {
         neighbours: [Option<Neighbour<'_>>; 2],
         itself: bool,
     ) {
+        self.searches += 1;
         let friction = self.sheet.settings().stock.friction as f32;
         let (flat, contacts) = self.sheet.contact_state();
         let mut sheet = ContactView {
@@ -263,6 +270,13 @@ impl Leaf {
         if itself {
             detect_self_contacts(&mut self.in_book, &mut sheet);
         }
+    }
+
+    /// Returns the work since it was last asked, in about nanoseconds of native code, as it
+    /// is counted by the sheet, and by searches for contacts.
+    pub fn take_work(&mut self) -> u32 {
+        let searches = SEARCH * core::mem::take(&mut self.searches);
+        self.sheet.take_work().saturating_add(searches)
     }
 
     /// Brings what a tick drove deep into piles or firm neighbours back out.

@@ -24,7 +24,6 @@ pub const FARTHEST: f32 = 1e3;
 /// where it was.
 pub const MOST_TICKS: u32 = 12;
 
-/// Ticks of all leaves in flight in one frame, at most: 16 leaves keep their speed at 30
-/// frames a second, five at ten, and where frames come later leaves move slower instead
-/// of each frame taking longer than the one before.
-pub const MOST_LEAF_TICKS: u32 = 64;
+/// Work of a frame's ticks, at most, nanoseconds as counted: four times what a picture may
+/// take. The two and a tick more stay below 25 ms.
+pub const MOST_STEPPING: u32 = 16_000_000;

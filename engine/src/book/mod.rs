@@ -30,7 +30,7 @@ mod work;
 pub use bend_into_gutter::bend_into_gutter;
 pub use board::Board;
 pub use leaf::Leaf;
-use limits::MOST_LEAF_TICKS;
+use limits::MOST_STEPPING;
 pub use limits::{MAX_GRABS, MOST_FLIGHTS, MOST_TICKS, TICK};
 pub use paper::Paper;
 pub use phase::Phase;
@@ -204,11 +204,17 @@ impl Book {
         self.flights.play(id, to, seconds);
     }
 
-    /// Returns how many ticks a frame should have at the most, 4 to 12: fewer, the more
-    /// leaves are in flight, so that the work of a frame is bounded.
+    /// Returns how many ticks a frame should have at the most, 1 to 12: fewer, the more work
+    /// the last tick was, so that the work of a frame is bounded. Where frames come later,
+    /// leaves then move slower instead of each frame taking longer than the one before.
     pub fn most_ticks(&self) -> u32 {
-        let leaves = self.flights.order().len().max(1);
-        (MOST_LEAF_TICKS / leaves as u32).min(MOST_TICKS)
+        (MOST_STEPPING / self.tick_work().max(1)).clamp(1, MOST_TICKS)
+    }
+
+    /// Work of the last tick: counted by steps, sweeps and searches for contacts, in about
+    /// nanoseconds of native code, the same on every machine.
+    pub fn tick_work(&self) -> u32 {
+        self.flights.tick_work()
     }
 
     /// Steps all flights by `ticks` of [`TICK`] seconds, tick by tick. A flight

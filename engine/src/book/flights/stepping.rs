@@ -6,6 +6,7 @@ use crate::book::contacts::Neighbour;
 use crate::book::draw::on_left;
 use crate::book::flight::Flight;
 use crate::book::gutter::Gutter;
+use crate::book::leaf::Leaf;
 use crate::book::limits::{MOST_FLIGHTS, TICK};
 use crate::book::phase::Phase;
 use crate::book::pile::Pile;
@@ -54,6 +55,8 @@ impl Flights {
         if self.order.iter().any(Flight::may_have_tunnelled) {
             self.take_back(gutter);
         }
+        let leaves = self.order.iter_mut().map(|flight| flight.leaf_mut());
+        self.tick_work = leaves.map(Leaf::take_work).fold(0, u32::saturating_add);
         self.join_piles();
     }
 

@@ -43,6 +43,10 @@ const FASTEST: f32 = 12.0;
 /// Stiffness that holds a pinned node, N/m.
 const PIN: f32 = 2e4;
 
+/// Work of a step and of a sweep for each node, nanoseconds of native code.
+const STEP: u32 = 450;
+const SWEEP: u32 = 40;
+
 /// A leaf of paper.
 #[derive(Clone, Debug)]
 pub struct Sheet {
@@ -81,6 +85,8 @@ pub struct Sheet {
     interpolation: Local,
     synchroniser: Option<(Grid, Synchroniser)>,
     time: f64,
+    /// Work since it was last taken.
+    work: u32,
 }
 
 impl Sheet {
@@ -133,6 +139,7 @@ impl Sheet {
             interpolation: Local::b_spline((columns, rows), &samples.0, &samples.1),
             synchroniser: None,
             time: 0.0,
+            work: 0,
             settings,
         };
         sheet.prepare();
@@ -349,7 +356,7 @@ impl Sheet {
     /// anew where the step led. It stops what moved in, and throws nothing out.
     pub(crate) fn push_out(&mut self) {
         self.before.copy_from_slice(&self.positions);
-        self.sweep.run(&mut self.positions, &self.contacts);
+        self.sweep_edges();
         let x = self.positions.as_chunks::<3>().0;
         let before = self.before.as_chunks::<3>().0;
         let v = self.velocities.as_chunks_mut::<3>().0;
@@ -377,8 +384,9 @@ impl Sheet {
         self.update_normals();
         self.assemble();
         self.before.copy_from_slice(&self.positions);
+        self.spend(STEP);
         if self.system.solve(&mut self.positions) {
-            self.sweep.run(&mut self.positions, &self.contacts);
+            self.sweep_edges();
             self.synchronise();
         }
         let inverse = 1.0 / self.h;
@@ -394,6 +402,22 @@ impl Sheet {
         }
         self.last_tangents.copy_from_slice(&self.tangents);
         self.time += f64::from(self.h);
+    }
+
+    fn sweep_edges(&mut self) {
+        let sweeps = self.sweep.run(&mut self.positions, &self.contacts);
+        self.spend(sweeps * SWEEP);
+    }
+
+    fn spend(&mut self, of_node: u32) {
+        let nodes = self.mass.len() as u32;
+        self.work = self.work.saturating_add(of_node.saturating_mul(nodes));
+    }
+
+    /// Returns the work since it was last asked, in about nanoseconds of native code: counted
+    /// by steps and sweeps, the same on every machine.
+    pub(crate) fn take_work(&mut self) -> u32 {
+        core::mem::take(&mut self.work)
     }
 
     fn synchronise(&mut self) {

@@ -107,8 +107,9 @@ impl Sweep {
         };
     }
 
-    /// Sweeps until every edge has its length, or as often as there is time for.
-    pub fn run(&mut self, positions: &mut [f32], contacts: &[[Contact; CONTACTS]]) {
+    /// Sweeps until every edge has its length, or as often as there is time for. Returns
+    /// how often.
+    pub fn run(&mut self, positions: &mut [f32], contacts: &[[Contact; CONTACTS]]) -> u32 {
         let (columns, rows) = (self.columns, self.rows);
         self.find_firm(positions, contacts);
         for round in 0..MOST {
@@ -132,9 +133,10 @@ impl Sweep {
                 off = off.max(self.chain(positions, row * columns, 1, columns, self.cell[0]));
             }
             if off < TOLERANCE && round + 1 >= FEWEST {
-                break;
+                return round as u32 + 1;
             }
         }
+        MOST as u32
     }
 
     fn find_firm(&mut self, positions: &[f32], contacts: &[[Contact; CONTACTS]]) {
