@@ -20,7 +20,7 @@ const TOO_DEEP: f32 = 0.1;
 type Figure = fn(&Figures) -> f64;
 
 /// Rows of the table: what, the figure, by how much it is multiplied, its decimals.
-const ROWS: [(&str, Figure, f64, usize); 25] = [
+const ROWS: [(&str, Figure, f64, usize); 26] = [
     ("gestures", |f| f.count as f64, 1.0, 0),
     (
         "edge strain, median, %",
@@ -119,6 +119,12 @@ const ROWS: [(&str, Figure, f64, usize); 25] = [
         "CPU of a frame, worst, ms",
         |f| f.cpu_ms_per_frame_worst.into(),
         1.0,
+        0,
+    ),
+    (
+        "the same counted by what is done, worst, ms",
+        |f| f.work_per_frame_worst as f64,
+        1e-6,
         0,
     ),
     (
@@ -223,6 +229,7 @@ pub struct Figures {
     cpu_ms_per_frame_worst: f32,
     cpu_ms_per_update_worst: f32,
     update_work_worst: usize,
+    work_per_frame_worst: usize,
     cpu_ms_per_tick_worst: f32,
 }
 
@@ -313,6 +320,7 @@ impl Figures {
             cpu_ms_per_frame_worst: most(|outcome| 1e3 * outcome.frame as f32),
             cpu_ms_per_update_worst: most(|outcome| 1e3 * outcome.update as f32),
             update_work_worst: highest(|outcome| outcome.update_work as usize),
+            work_per_frame_worst: highest(|outcome| outcome.frame_work as usize),
             cpu_ms_per_tick_worst: most(|outcome| 1e3 * outcome.tick as f32),
         }
     }

@@ -54,6 +54,8 @@ pub struct Outcome {
     pub update: f64,
     /// Most work of an update, as it is counted.
     pub update_work: u32,
+    /// Most work of a frame's ticks and update, as it is counted.
+    pub frame_work: u32,
     pub frame: f64,
     pub tick: f64,
     /// Most leaves in flight at once.
@@ -291,13 +293,14 @@ impl Scene {
             self.work(index, ticks);
         }
         let leaves = self.book.flights();
-        let mut seconds = 0.0;
+        let (mut seconds, mut work) = (0.0, 0);
         for _ in 0..ticks {
             let start = ThreadTime::now();
             self.book.step(1);
             let tick = start.elapsed().as_secs_f64();
             self.outcome.tick = self.outcome.tick.max(tick);
             seconds += tick;
+            work += self.book.tick_work();
             self.look();
         }
         let start = ThreadTime::now();
@@ -311,6 +314,8 @@ impl Scene {
         }
         if ticks <= MOST_TICKS {
             self.outcome.frame = self.outcome.frame.max(seconds);
+            let work = work + self.book.update_work();
+            self.outcome.frame_work = self.outcome.frame_work.max(work);
         }
         self.outcome.leaves = self.outcome.leaves.max(leaves);
         self.look_at_picture();

@@ -96,7 +96,7 @@ export interface BookEngine {
    */
   readonly isAsleep: boolean;
   /**
-   * Maximum of ticks that a frame should step: fewer, the more leaves fly, so that leaves
+   * Maximum of ticks that a frame should step: fewer, the more work they are, so that leaves
    * slow down where frames come late and a frame's work stays bounded.
    */
   readonly mostTicks: number;
