@@ -1,6 +1,7 @@
 /** The reader that `turnleaf read` serves: one book in the whole window, of a shelf with a way back. */
 
 import "turnleaf";
+import { LocalBooks } from "./local_books.ts";
 
 /** The command's configuration. */
 interface Config {
@@ -26,6 +27,8 @@ async function start(): Promise<void> {
     book.focus({ preventScroll: true, focusVisible: false });
   });
   document.getElementById("wait")?.remove();
+  const notice = document.getElementById("notice");
+  if (notice) new LocalBooks(book, notice);
   document.getElementById("desk")?.append(book);
 }
 

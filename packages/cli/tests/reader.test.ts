@@ -2,7 +2,7 @@ import { rmSync } from "node:fs";
 import { join } from "node:path";
 import { type Browser, chromium, type Page } from "playwright-core";
 import type { TurnleafBook } from "turnleaf";
-import { afterAll, beforeAll, expect, it } from "vitest";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
 import { isWebglComplaint } from "../../../scripts/console_watch.mjs";
 import { pdf, png } from "./books.ts";
@@ -104,7 +104,7 @@ it("takes its controls away in full screen, and brings them when the pointer mov
   await expect
     .poll(() => page.evaluate(() => document.fullscreenElement === null), { timeout: 15_000 })
     .toBe(true);
-  expect(await bars()).toBe("visible");
+  await expect.poll(bars, { timeout: 15_000 }).toBe("visible");
 });
 
 it("shows a book of scans, and one sentence where a page would be if it is gone", async () => {
@@ -114,6 +114,66 @@ it("shows a book of scans, and one sentence where a page would be if it is gone"
   rmSync(join(folder.path, "scans"), { recursive: true });
   await scans.stop();
   expect(complaints).toEqual([]);
+});
+
+describe("a book of the reader's own machine", () => {
+  const notice = () => page.locator("#notice");
+  /** Drops files on the window, as their bytes in base64 by their names. */
+  const drop = (files: Record<string, Buffer | string>): Promise<void> =>
+    page.evaluate(
+      (files) => {
+        const dataTransfer = new DataTransfer();
+        for (const [name, bytes] of files) {
+          const data = Uint8Array.from(atob(bytes), (letter) => letter.charCodeAt(0));
+          dataTransfer.items.add(new File([data], name));
+        }
+        document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true }));
+      },
+      Object.entries(files).map(([name, bytes]) => [
+        name,
+        Buffer.from(bytes).toString("base64"),
+      ]) as [string, string][],
+    );
+
+  it("that cannot be read says so in a sentence, and the one that is shown stays", async () => {
+    await open(served.url);
+    await drop({ "torn.pdf": "%PDF-1.7 and nothing" });
+    await notice().getByText("torn.pdf is damaged").waitFor();
+    expect(await book(({ pageCount, bookTitle }) => [pageCount, bookTitle])).toEqual([
+      9,
+      "A Small Book",
+    ]);
+    await page.keyboard.press("Escape");
+    expect(await notice().isHidden()).toBe(true);
+  });
+
+  it("that takes long is announced, and given up by a button", async () => {
+    await page.evaluate(() => {
+      const folder = {
+        ...{ name: "scans", isDirectory: true, isFile: false },
+        createReader: () => ({ readEntries() {} }),
+      };
+      const items = [{ webkitGetAsEntry: () => folder }];
+      const dataTransfer = { types: ["Files"], files: [], items };
+      dispatchEvent(Object.assign(new Event("drop"), { dataTransfer }));
+    });
+    await page.getByRole("button", { name: "Cancel" }).click();
+    expect(await notice().isHidden()).toBe(true);
+    expect(await book(({ pageCount }) => pageCount)).toBe(9);
+  });
+
+  it("is shown in place of the other: dropped, or picked by a key", async () => {
+    await drop({ "10.png": png(30, 40), "9.png": png(40, 30) });
+    await expect.poll(() => book(({ pageCount }) => pageCount), { timeout: 15_000 }).toBe(2);
+    await expect.poll(() => book(({ settled }) => settled), { timeout: 30_000 }).toBe(true);
+    const chooser = page.waitForEvent("filechooser", { timeout: 60_000 });
+    await page.keyboard.press("Control+o");
+    await (await chooser).setFiles({ name: "a.pdf", mimeType: "", buffer: pdf(3, "Picked") });
+    await expect.poll(() => page.title(), { timeout: 15_000 }).toBe("Picked");
+    expect(await book(({ pageCount }) => pageCount)).toBe(3);
+    expect(await notice().isHidden()).toBe(true);
+    expect(complaints).toEqual([]);
+  });
 });
 
 it("says in the browser when the book is gone", async () => {

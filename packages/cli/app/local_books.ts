@@ -1,0 +1,111 @@
+/**
+ * Books of the reader's own machine: dropped on the window, or picked (Ctrl or
+ * Cmd and O). One is opened beside the book that is shown, and takes its place
+ * only once it can be read.
+ */
+
+import { openSource, type TurnleafBook } from "turnleaf";
+import { droppedFiles } from "./dropped_files.ts";
+
+/** Milliseconds after which an opening that takes longer is announced. */
+const noticed = 300;
+
+/** Follows drops and the key until the page is left. */
+export class LocalBooks {
+  readonly #book: TurnleafBook;
+  readonly #notice: HTMLElement;
+  readonly #text: HTMLElement;
+  readonly #button: HTMLButtonElement;
+  #opening: AbortController | null = null;
+
+  /**
+   * @param book in which they are shown
+   * @param notice an element with a text and a button, hidden until there is something to say
+   */
+  constructor(book: TurnleafBook, notice: HTMLElement) {
+    this.#book = book;
+    this.#notice = notice;
+    this.#text = notice.querySelector("span") as HTMLElement;
+    this.#button = notice.querySelector("button") as HTMLButtonElement;
+    this.#button.addEventListener("click", () => this.#end());
+    window.addEventListener("dragover", (event) => {
+      if (event.dataTransfer?.types.includes("Files")) event.preventDefault();
+    });
+    window.addEventListener("drop", (event) => {
+      if (!event.dataTransfer?.types.includes("Files")) return;
+      event.preventDefault();
+      // Its files can be asked for during the event alone.
+      void this.#open(droppedFiles(event.dataTransfer));
+    });
+    window.addEventListener("keydown", (event) => {
+      if (event.key === "Escape" && !notice.hidden) this.#end();
+      const isPlain = !event.shiftKey && !event.altKey;
+      if (event.key.toLowerCase() !== "o" || !(event.ctrlKey || event.metaKey) || !isPlain) return;
+      event.preventDefault();
+      this.#pick();
+    });
+  }
+
+  #pick(): void {
+    const input = document.createElement("input");
+    input.type = "file";
+    input.multiple = true;
+    input.addEventListener(
+      "change",
+      () => void this.#open(Promise.resolve([...(input.files ?? [])])),
+    );
+    input.click();
+  }
+
+  /** Ends an opening, and takes the notice away. */
+  #end(): void {
+    this.#opening?.abort();
+    this.#opening = null;
+    this.#notice.hidden = true;
+  }
+
+  async #open(chosen: Promise<readonly File[]>): Promise<void> {
+    this.#end();
+    const opening = new AbortController();
+    this.#opening = opening;
+    const { signal } = opening;
+    const announce = (): void => {
+      if (!signal.aborted) this.#say("Opening …", "Cancel");
+    };
+    const timer = setTimeout(announce, noticed);
+    try {
+      const files = await chosen;
+      signal.throwIfAborted();
+      if (files.length === 0) throw new Error("There is no book in it; choose another.");
+      const source = await openSource(inputOf(files), { signal, askPassword });
+      if (signal.aborted) return source.close();
+      this.#notice.hidden = true;
+      // The place in the address is that of the book before.
+      history.replaceState(null, "", location.pathname + location.search);
+      this.#book.pages = source;
+    } catch (error) {
+      if (!signal.aborted) this.#say(error instanceof Error ? error.message : `${error}`, "Close");
+    } finally {
+      clearTimeout(timer);
+    }
+  }
+
+  #say(text: string, button: string): void {
+    this.#text.textContent = text;
+    this.#button.textContent = button;
+    this.#notice.hidden = false;
+  }
+}
+
+/** Returns one file, or several as a list, which puts images into their natural order. */
+function inputOf(files: readonly File[]): File | FileList {
+  const [first] = files;
+  if (first && files.length === 1) return first;
+  const list = new DataTransfer();
+  for (const file of files) list.items.add(file);
+  return list.files;
+}
+
+async function askPassword(isWrong: boolean): Promise<string | null> {
+  return prompt(isWrong ? "The password was wrong. Try again:" : "The file's password:");
+}
