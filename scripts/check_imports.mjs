@@ -50,6 +50,7 @@ const viewer = {
   input: ["book", "engine", "stage", "viewer"],
   text: ["pages", "sources"],
   sound: ["engine", "stage"],
+  read_aloud: ["sources"],
   element: [
     "book",
     "engine",
@@ -61,6 +62,7 @@ const viewer = {
     "input",
     "text",
     "sound",
+    "read_aloud",
   ],
   controls: ["element", "sources", "words"],
   "element.ts": ["book", "controls", "element", "engine", "sources", "text", "words", "viewer"],

@@ -58,6 +58,9 @@ const parts = {
     isApart: true,
   },
   "pages that are elements": { files: ["live_pages.js"], limit: 3 },
+  "pages inserted and removed": { files: ["page_changes.js"], limit: 2 },
+  // A book without recordings loads none of it.
+  "read aloud": { files: ["reading.js"], limit: 4, isApart: true },
   "sound, printing and films": {
     files: ["sound.js", "print_pages.js", "film_recorder.js"],
     limit: 6,

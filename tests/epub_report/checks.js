@@ -3,6 +3,8 @@
  * condition. A check returns whether it is met.
  */
 
+import { heard, heardBoth, heardOnPages, judged, readAloud, spoken } from "./reading_aloud.js";
+
 /** Returns whether a colour is that of ink on a picture, rather than of paper. */
 const isInk = (red, green, blue) => Math.min(red, green, blue) < 140;
 const isPrinted = (...colour) => Math.min(...colour) < 235;
@@ -191,6 +193,36 @@ const fixedPictureBetween = async (book) => {
   return third > 2 && texts[third - 1] === "" && around.every(({ width }) => width !== size.width);
 };
 
+/** What is read stands on green, as the book styles it, and the rest of the page is grey. */
+const marksWhatIsRead = async (book) => {
+  const isGreen = (red, green, blue) => Math.hypot(red - 13, green - 146, blue - 95) < 12;
+  let isMarked = false;
+  let isGreyBeside = false;
+  const stretches = await readAloud(book, async (element) => {
+    if (element.page !== 2 || (isMarked && isGreyBeside)) return;
+    const picture = book.pictureOf(await element.drawPage(2, 500));
+    isMarked ||= picture.fraction(isGreen) > 0.005;
+    // The darkest of the ink: grey on white is never darker.
+    const isBlack = (...colour) => Math.max(...colour) < 90;
+    isGreyBeside ||= picture.fraction(isGreen) > 0.005 && picture.fraction(isBlack) < 0.0005;
+  });
+  return judged(stretches, stretches?.length === 1) && isMarked && isGreyBeside;
+};
+
+/** While one chapter is read, the reader turns to another by the contents, which is read from its start. */
+const followsNavigation = async (book) => {
+  let hasTurned = false;
+  const stretches = await readAloud(book, async (element) => {
+    if (hasTurned || !element.readingAloud) return;
+    hasTurned = true;
+    const chapter = (await element.outline()).find(({ title }) => title.includes("2"));
+    await element.goTo(chapter.page);
+  });
+  const [first, last] = [stretches?.[0], stretches?.at(-1)];
+  const isOther = last?.recording !== first?.recording && last?.from < 0.5 && last?.to > 6;
+  return judged(stretches, hasTurned && isOther);
+};
+
 /** Checks by the identifiers of the tests. */
 export const checks = {
   "cnt-css-fonts_ot": isSetInItsFont,
@@ -318,6 +350,27 @@ export const checks = {
     }
     return new Set(sizes).size === 1;
   },
+  "mol-audio": heard(29.268, 44.783),
+  "mol-audio-exceeding-clipend": heardBoth(29.268, null, 0, 18.5),
+  "mol-audio-no-clipbegin": heard(0, 87.85),
+  // To the end of the recording, 88.05 s.
+  "mol-audio-no-clipend": heard(29.268, 88.05),
+  "mol-css": marksWhatIsRead,
+  "mol-navigation": followsNavigation,
+  "mol-support_xhtml": heard(29.268, 182),
+  "mol-support_xhtml-fxl": heard(29.268, 182),
+  "mol-support_xhtml-load": heardOnPages(29.268, 182, 2, 3),
+  "mol-support_xhtml-load-fxl": heardOnPages(29.268, 182, 2, 3),
+  "mol-support_xhtml-load-next": heardOnPages(29.268, 182, 2, 3),
+  "mol-support_xhtml-load-next-fxl": heardOnPages(29.268, 182, 2, 3),
+  "mol-timing-synchronization": heard(29.268, 182),
+  "mol-timing-synchronization_fxl": heardOnPages(29.268, 87.85, 2, 3, 4),
+  "mol-timing-synchronization_multiple_audio": heardBoth(29.268, 87.85, 0, 18.5),
+  "mol-timing-synchronization_multiple_audio-fxl": heardBoth(29.268, 87.85, 0, 18.5),
+  "mol-timing-synchronization_svg": heard(29.268, 87.85),
+  "mol-timing-synchronization_svg-fxl": heard(29.268, 87.85),
+  "mol-tts_multi": spoken("Call me Ishmael.", "high time to get to sea", "ocean with me."),
+  "mol-tts_single": spoken("Call me Ishmael.", "high time to get to sea", "ocean with me."),
   "mol-ignore": shows("Call me Ishmael", "cooled by breezes"),
   "nav-access": contents(["Test passes if you can see this link", 1]),
   "nav-activation": async (book) => {
@@ -375,6 +428,7 @@ export const checks = {
   },
   "pkg-dir-auto_root-rtl": titleRuns("ltr"),
   "pkg-dir-auto_root-unset": titleRuns("ltr"),
+  "pkg-dir_creator-rtl": creatorRuns("rtl"),
   "pkg-dir_rtl-root-ltr": titleRuns("rtl"),
   "pkg-dir_rtl-root-unset": titleRuns("rtl"),
   "pkg-dir_unset-root-rtl": titleRuns("rtl"),
@@ -460,6 +514,20 @@ export const checks = {
   },
   "sec-untrusted-consent_scripting": shows("No script has been executed."),
 };
+
+/** The creator's name, as the controls show it, is set in a direction. */
+function creatorRuns(direction) {
+  return async (book) => {
+    const element = await book.shown(900, 500, { controls: "" });
+    const find = (selector) => element.shadowRoot.querySelector(selector);
+    find('[part~="toolbar"] [aria-label="Contents"]').click();
+    for (let k = 0; k < 100 && !find(".details li"); k++) {
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    }
+    const creator = find(".details li");
+    return creator.offsetParent !== null && getComputedStyle(creator).direction === direction;
+  };
+}
 
 /** The title, as the controls show it, is set in a direction. */
 function titleRuns(direction) {

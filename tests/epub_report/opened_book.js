@@ -108,7 +108,11 @@ export class OpenedBook {
 
   /** Returns a page's picture. */
   async picture(page, width) {
-    const bitmap = await this.bitmap(page, width);
+    return this.pictureOf(await this.bitmap(page, width));
+  }
+
+  /** Returns a bitmap's picture, and closes the bitmap. */
+  pictureOf(bitmap) {
     const pen = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
     pen.drawImage(bitmap, 0, 0);
     bitmap.close();

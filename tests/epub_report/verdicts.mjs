@@ -4,7 +4,6 @@ const noScripts =
   "needs scripts, which never run here; the book itself says that the test is then not relevant";
 const noAudio = "prerecorded sound is not played";
 const noScripting = "scripts never run";
-const noOverlays = "media overlays are not played";
 
 /** Tests that do not apply, by the words of the test itself. */
 export const notApplicable = {
@@ -25,29 +24,6 @@ const named = (reason, ...tests) => Object.fromEntries(tests.map((test) => [test
 
 /** Tests of what Turnleaf does not do. */
 export const missing = {
-  ...named(
-    noOverlays,
-    "mol-audio",
-    "mol-audio-exceeding-clipend",
-    "mol-audio-no-clipbegin",
-    "mol-audio-no-clipend",
-    "mol-css",
-    "mol-navigation",
-    "mol-support_xhtml",
-    "mol-support_xhtml-fxl",
-    "mol-support_xhtml-load",
-    "mol-support_xhtml-load-fxl",
-    "mol-support_xhtml-load-next",
-    "mol-support_xhtml-load-next-fxl",
-    "mol-timing-synchronization",
-    "mol-timing-synchronization_fxl",
-    "mol-timing-synchronization_multiple_audio",
-    "mol-timing-synchronization_multiple_audio-fxl",
-    "mol-timing-synchronization_svg",
-    "mol-timing-synchronization_svg-fxl",
-    "mol-tts_multi",
-    "mol-tts_single",
-  ),
   ...named(noAudio, "pub-cmt-mp3", "pub-cmt-mp4", "pub-cmt-opus"),
   ...named(
     noScripting,
@@ -79,7 +55,6 @@ export const missing = {
     "pub-external-links",
     "pub-external-links_consent",
   ),
-  "pkg-dir_creator-rtl": "a creator's name has the direction of its letters",
   "lay-fxl-orientation-landscape":
     "a page is shown as wide as it is, without a word about the device",
   "lay-fxl-spread-both": "a narrow window shows one page",

@@ -1,7 +1,8 @@
 /**
  * Directives of the Content-Security-Policy under which the reader works, wherever its
  * page is served; docs/policy.md says what each is for. `blob:` is used by pdf.js's
- * workers and printed pages, `data:` by SVG pages and by EPUBs and their fonts.
+ * workers, printed pages and recordings in EPUBs, `data:` by SVG pages and by EPUBs and
+ * their fonts.
  */
 export const readerPolicy: readonly string[] = policyFor("'self'");
 
@@ -16,6 +17,7 @@ function policyFor(sites: string): string[] {
     "style-src 'self'",
     "img-src 'self' blob: data:",
     "font-src 'self' data:",
+    "media-src blob:",
     `connect-src ${sites}`,
     "base-uri 'none'",
   ];

@@ -33,6 +33,25 @@ const enough = {
   "trusted-types": "turnleaf",
 };
 
+/** A recording of a quarter of a second of silence, as WAV. */
+function silence(): Buffer {
+  const [rate, length] = [8000, 2000];
+  const bytes = Buffer.alloc(44 + length, 128);
+  bytes.write("RIFF", 0);
+  bytes.writeUInt32LE(36 + length, 4);
+  bytes.write("WAVEfmt ", 8);
+  bytes.writeUInt32LE(16, 16);
+  bytes.writeUInt16LE(1, 20);
+  bytes.writeUInt16LE(1, 22);
+  bytes.writeUInt32LE(rate, 24);
+  bytes.writeUInt32LE(rate, 28);
+  bytes.writeUInt16LE(1, 32);
+  bytes.writeUInt16LE(8, 34);
+  bytes.write("data", 36);
+  bytes.writeUInt32LE(length, 40);
+  return bytes;
+}
+
 const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 30"><rect width="20" height="30" fill="#00f"/></svg>`;
 const files: Record<string, Buffer | string> = {
   "/book.pdf": pdf(4),
@@ -41,6 +60,21 @@ const files: Record<string, Buffer | string> = {
       chapters: ['<p style="color: red">One</p><img src="1.png" alt=""/>', "<p>Two</p>"],
       css: "body { background: #ff0 } p { background: url(1.png) }",
       files: { "1.png": png(60, 90) },
+    }),
+  ),
+  "/aloud.epub": Buffer.from(
+    tinyEpub({
+      chapters: ["<p>One</p>"],
+      items:
+        '<item id="o" href="o.smil" media-type="application/smil+xml"/><item id="v" href="v.wav" media-type="audio/wav"/><item id="m" href="m.xhtml" media-type="application/xhtml+xml" media-overlay="o"/>',
+      itemrefs: '<itemref idref="m"/>',
+      raw: {
+        "OEBPS/o.smil":
+          '<smil xmlns="http://www.w3.org/ns/SMIL"><body><par><text src="m.xhtml#a"/><audio src="v.wav"/></par></body></smil>',
+        "OEBPS/v.wav": silence(),
+        "OEBPS/m.xhtml":
+          '<html xmlns="http://www.w3.org/1999/xhtml"><body><p id="a">Aloud</p></body></html>',
+      },
     }),
   ),
   "/jpeg2000.pdf": Buffer.from(tinyPdf(jpeg2000)),
@@ -56,7 +90,7 @@ const files: Record<string, Buffer | string> = {
 
 /** Opens a page under a policy. Returns it with its console messages. */
 async function visit(
-  changes: Partial<Record<keyof typeof enough | "img-src" | "font-src", string>> = {},
+  changes: Partial<Record<keyof typeof enough | "img-src" | "font-src" | "media-src", string>> = {},
 ) {
   const policy = Object.entries({ ...enough, ...changes }).map((entry) => entry.join(" "));
   site = await serveViewer((path) => files[path] ?? null, policy.join("; "));
@@ -131,6 +165,32 @@ test("img-src data: an EPUB is drawn with its style and pictures, and nothing is
   });
   expect(colours).toEqual([255, 255, 0]);
   expect(said).toEqual([]);
+});
+
+/** Reads the open book aloud to its end. Resolves to "" or to why it cannot be read. */
+const readAloud = (page: Awaited<ReturnType<typeof visit>>["page"]) =>
+  page.evaluate(async () => {
+    const book = document.querySelector("turnleaf-book") as TurnleafBook;
+    let sentence = "";
+    book.addEventListener("error", ({ detail }) => {
+      sentence = detail.message;
+    });
+    await book.goTo(1);
+    await book.readAloud();
+    return sentence;
+  });
+
+test("media-src blob: an EPUB is read aloud, and nothing is blocked", async () => {
+  const { page, said } = await visit({ "img-src": "data:", "media-src": "blob:" });
+  expect(await open(page, "/aloud.epub")).toBe("");
+  expect(await readAloud(page)).toBe("");
+  expect(said).toEqual([]);
+});
+
+test("media-src without blob: reading aloud says so", async () => {
+  const { page } = await visit({ "img-src": "data:" });
+  expect(await open(page, "/aloud.epub")).toBe("");
+  expect(await readAloud(page)).toContain("allow blob: in media-src");
 });
 
 test("img-src without data: the pages of an EPUB say so", async () => {

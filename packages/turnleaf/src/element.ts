@@ -12,7 +12,7 @@ import {
   turnSecondsOf,
 } from "./element/attributes.ts";
 import { BookLifecycle, type OpenBook, pdfWorkerOf } from "./element/book_lifecycle.ts";
-import { PageChanges } from "./element/page_changes.ts";
+import type { PageChanges } from "./element/page_changes.ts";
 import { pageNumber, RequestedPage } from "./element/page_numbers.ts";
 import { ReaderElement } from "./element/reader_element.ts";
 import { openPages, ShadowTree } from "./element/shadow_tree.ts";
@@ -54,7 +54,8 @@ export class TurnleafBook extends ReaderElement {
     missingPart: (error) => this.#reportMissingPart(error),
     failed: (error) => this.#fail(error),
   });
-  readonly #pageChanges = new PageChanges();
+  /** Changes the book's pages, once they are to be changed. */
+  #pageChanges: Promise<PageChanges> | null = null;
   readonly #controls = new ControlsLoader((error) => this.#reportMissingPart(error));
   readonly #soundAndHaptics = new SoundAndHaptics(
     this,
@@ -488,7 +489,11 @@ export class TurnleafBook extends ReaderElement {
   async #changePages(at: number, count: number, input: BookInput | null): Promise<boolean> {
     const book = () => this.#life.book;
     const worker = pdfWorkerOf(this);
-    const moved = await this.#pageChanges.change(book, at, count, input, worker);
+    this.#pageChanges ??= loadPart(import("./element/page_changes.ts")).then(
+      ({ PageChanges }) => new PageChanges(),
+    );
+    const changes = await this.#pageChanges;
+    const moved = await changes.change(book, at, count, input, worker);
     // If other pages replace one, its bookmark moves to them.
     if (moved) this.#pagesChanged((index) => moved(index) ?? (input ? index : null));
     return moved !== null;

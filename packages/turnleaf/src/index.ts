@@ -25,6 +25,8 @@ export {
   type BookDetail,
   BookError,
   type LinkTarget,
+  type NarratedClip,
+  type Narration,
   type NewIndex,
   type OutlineEntry,
   type PageBox,

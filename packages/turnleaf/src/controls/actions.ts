@@ -30,6 +30,7 @@ export type ActionName =
   | "bookmark"
   | "fullscreen"
   | "play"
+  | "readAloud"
   | "sound"
   | "print"
   | "download";
@@ -103,6 +104,12 @@ export function actionsOf(
       icon: () => (book.playing ? "pause" : "play"),
       label: () => (book.playing ? texts.pause : texts.play),
       run: () => (book.playing ? book.pause() : book.play()),
+    },
+    readAloud: {
+      icon: () => (book.readingAloud ? "pause" : "readAloud"),
+      label: () => (book.readingAloud ? texts.stopReadingAloud : texts.readAloud),
+      run: () => (book.readingAloud ? book.stopReadingAloud() : void book.readAloud()),
+      hidden: () => !book.canReadAloud,
     },
     sound: {
       icon: () => "sound",

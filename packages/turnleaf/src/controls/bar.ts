@@ -9,7 +9,14 @@ import type { Wording } from "./wording.ts";
 
 /** Tabs that have a button if there is little space, and actions that have one if there is much. */
 const narrowTabs: readonly Tab[] = ["contents", "search"];
-const inBar: readonly ActionName[] = ["zoomOut", "zoomIn", "layout", "bookmark", "fullscreen"];
+const inBar: readonly ActionName[] = [
+  "readAloud",
+  "zoomOut",
+  "zoomIn",
+  "layout",
+  "bookmark",
+  "fullscreen",
+];
 
 /**
  * Buttons in a row, one of them in the order of tabs; arrows go from one to the next.
@@ -43,7 +50,7 @@ export class Bar {
     const end = make("div", { class: "group end" });
     for (const name of inBar) {
       const { button, refresh } = actionButton(actions[name]);
-      if (name !== "bookmark") button.classList.add("wide");
+      if (name !== "bookmark" && name !== "readAloud") button.classList.add("wide");
       this.#refreshers.push(refresh);
       end.append(button);
     }

@@ -29,6 +29,9 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   readonly bookmarks: readonly number[];
   readonly shifts: readonly number[];
   readonly playing: boolean;
+  /** Whether it has something to be read aloud, and whether it is. */
+  readonly canReadAloud: boolean;
+  readonly readingAloud: boolean;
   /** Whether its text can be set in another size, typeface and so on. */
   readonly canTypeset: boolean;
   /** What the book's owner and its source permit. */
@@ -57,4 +60,6 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   toggleFullscreen(): Promise<boolean>;
   play(secondsPerPage?: number): void;
   pause(): void;
+  readAloud(): Promise<void>;
+  stopReadingAloud(): void;
 }

@@ -144,11 +144,13 @@ export class ContentsTab implements PanelTab {
 function detailList(details: readonly BookDetail[]): HTMLElement[] {
   if (details.length === 0) return [];
   const list = make("ul", { class: "details" });
-  for (const { label, value, href } of details) {
+  for (const { label, value, href, direction = "auto" } of details) {
     const isWeb = href && /^https?:/i.test(href);
     const link = { href: href ?? "", target: "_blank", rel: "noopener noreferrer" };
     const text = isWeb ? make("a", link, value) : value;
-    list.append(make("li", { dir: "auto" }, ...(label ? [make("b", {}, label), " "] : []), text));
+    list.append(
+      make("li", { dir: direction }, ...(label ? [make("b", {}, label), " "] : []), text),
+    );
   }
   return [list];
 }

@@ -43,6 +43,7 @@ const heard = [
   "bookmarkchange",
   "shiftchange",
   "playchange",
+  "readaloudchange",
 ];
 
 /**

@@ -30,6 +30,8 @@ export const en: ControlTexts = {
   download: "Download",
   play: "Start the slide-show",
   pause: "Stop the slide-show",
+  readAloud: "Read aloud",
+  stopReadingAloud: "Stop reading aloud",
   sound: "Sound of paper",
   theme: "Theme",
   themeAuto: "Auto",

@@ -30,6 +30,8 @@ export const zh: ControlTexts = {
   download: "下载",
   play: "开始自动翻页",
   pause: "停止自动翻页",
+  readAloud: "朗读",
+  stopReadingAloud: "停止朗读",
   sound: "翻页声",
   theme: "主题",
   themeAuto: "自动",

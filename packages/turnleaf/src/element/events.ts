@@ -38,14 +38,16 @@ export interface TurnleafEventMap {
   shiftchange: CustomEvent<{ shifts: readonly number[] }>;
   /** The slide-show starts or stops. */
   playchange: CustomEvent<{ playing: boolean }>;
+  /** Reading aloud starts or ends. */
+  readaloudchange: CustomEvent<{ reading: boolean }>;
   /**
    * A page (from 1) could not be drawn; the sentence, which stands in its
    * place, gives the reason. The other pages are shown.
    */
   pageerror: CustomEvent<{ page: number; message: string }>;
   /**
-   * The book could not be opened, or an optional part of the viewer could not
-   * be loaded; the sentence says which.
+   * The book could not be opened or read aloud, or an optional part of the
+   * viewer could not be loaded; the sentence says which.
    */
   error: CustomEvent<{ message: string }>;
 }

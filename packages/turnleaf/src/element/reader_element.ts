@@ -3,6 +3,7 @@
  * printing, keeping the place.
  */
 
+import type { Reading } from "../read_aloud/reading.ts";
 import { loadPart } from "../sources/load_part.ts";
 import {
   type BookDetail,
@@ -30,6 +31,7 @@ export abstract class ReaderElement extends ReflectingElement {
   abstract zoom: number;
   abstract goTo(page: number): Promise<boolean>;
   abstract next(): Promise<boolean>;
+  abstract readonly spread: { left: number | null; right: number | null };
   /**
    * The open book.
    *
@@ -45,6 +47,7 @@ export abstract class ReaderElement extends ReflectingElement {
   #bookmarks: readonly number[] = [];
   #shifts: readonly number[] = [];
   #film: FilmRecorder | null = null;
+  #reading: Reading | null = null;
 
   /** Whether the open book's text can be set in another size, typeface and so on. */
   get canTypeset(): boolean {
@@ -194,6 +197,47 @@ export abstract class ReaderElement extends ReflectingElement {
   /** Stops the slide-show. */
   pause(): void {
     this.#show.pause();
+  }
+
+  /** Whether the open book can be read aloud: an EPUB with media overlays. */
+  get canReadAloud(): boolean {
+    return this.source?.narration !== undefined;
+  }
+
+  /** Whether the book is being read aloud. */
+  get readingAloud(): boolean {
+    return this.#reading !== null;
+  }
+
+  /**
+   * Reads the book aloud from the open pages on: its recording is played, what
+   * is read is marked, and the pages turn with it; a reader who turns to
+   * another page is followed. Text without a recording is spoken by the
+   * browser. Call it when the reader presses something: browsers play no sound
+   * before. Resolves once the end is read, or `stopReadingAloud()` is called;
+   * at once if it is being read, or nothing can be. What cannot be read is an
+   * `error`. Rejects with a `BookError` if the code that reads cannot be loaded.
+   */
+  async readAloud(): Promise<void> {
+    const { Reading } = await loadPart(import("../read_aloud/reading.ts"));
+    const { source } = this;
+    if (!source?.narration || this.#reading) return;
+    const reading = new Reading(this, source.narration, source.language);
+    this.#reading = reading;
+    this.emit("readaloudchange", { reading: true });
+    try {
+      await reading.run();
+    } catch (error) {
+      if (error instanceof Error) this.emit("error", { message: error.message });
+    } finally {
+      this.#reading = null;
+      this.emit("readaloudchange", { reading: false });
+    }
+  }
+
+  /** Stops reading aloud. */
+  stopReadingAloud(): void {
+    this.#reading?.stop();
   }
 
   /** Turns to the first page. Resolves as `goTo` does. */
@@ -352,6 +396,7 @@ export abstract class ReaderElement extends ReflectingElement {
   protected disconnectReader(): void {
     this.pause();
     this.stopRecording();
+    this.stopReadingAloud();
     this.#place?.leave();
   }
 
@@ -362,6 +407,7 @@ export abstract class ReaderElement extends ReflectingElement {
    */
   protected forgetBook(): void {
     this.pause();
+    this.stopReadingAloud();
     this.#place?.closed();
     this.#bookmarks = [];
     this.#shifts = [];

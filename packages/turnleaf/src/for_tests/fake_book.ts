@@ -18,6 +18,8 @@ export class FakeBook extends HTMLElement implements ControlledBook {
   bookmarks: readonly number[] = [];
   shifts: readonly number[] = [];
   playing = false;
+  canReadAloud = false;
+  readingAloud = false;
   canTypeset = false;
   allows = { print: true, download: true };
   readonly titleDirection = "auto" as const;
@@ -46,6 +48,18 @@ export class FakeBook extends HTMLElement implements ControlledBook {
   first = (): Promise<boolean> => this.#turn("first", 1);
   last = (): Promise<boolean> => this.#turn("last", this.pageCount);
   goTo = (page: number): Promise<boolean> => this.#turn(`goTo ${page}`, page);
+
+  async readAloud(): Promise<void> {
+    this.asked.push("readAloud");
+    this.readingAloud = true;
+    this.dispatchEvent(new CustomEvent("readaloudchange"));
+  }
+
+  stopReadingAloud(): void {
+    this.asked.push("stopReadingAloud");
+    this.readingAloud = false;
+    this.dispatchEvent(new CustomEvent("readaloudchange"));
+  }
 
   zoomTo(level: number): void {
     this.asked.push(`zoom ${level}`);

@@ -26,6 +26,9 @@ export const limits = {
   /** Elements of a chapter, and bytes of the pictures and fonts in it. */
   elements: 200_000,
   chapterBytes: 200_000_000,
+  /** Passages of a book that are read aloud, and characters of one. */
+  clips: 200_000,
+  passageLength: 20_000,
   pages: 20_000,
   /** Longest side a source may claim for a page, in its own unit. */
   pageSide: 200_000,

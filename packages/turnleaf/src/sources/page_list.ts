@@ -3,6 +3,7 @@
 import {
   BookError,
   type LinkTarget,
+  type Narration,
   type NewIndex,
   type OutlineEntry,
   type PageBox,
@@ -135,6 +136,29 @@ export class PageList implements PageSource {
       this.#entries.length === first.pageCount &&
       this.#entries.every(({ source, index }, k) => source === first && index === k);
     return isWhole ? first.file?.bind(first) : undefined;
+  }
+
+  /** What is read aloud of the first source, on its pages that are left. */
+  get narration(): Narration | undefined {
+    const first = this.#first;
+    const { narration } = first;
+    if (narration === undefined) return undefined;
+    return {
+      clipFrom: async (index, signal) => {
+        const next = this.#entries.slice(index).find(({ source }) => source === first);
+        return next ? await narration.clipFrom(next.index, signal) : null;
+      },
+      clip: async (number, signal) => {
+        const clip = await narration.clip(number, signal);
+        if (clip === null) return null;
+        const pages = clip.pages.flatMap(({ page, from }) => {
+          const here = this.#pageOf(first, page + 1);
+          return here === null ? [] : [{ page: here - 1, from }];
+        });
+        return { ...clip, pages };
+      },
+      mark: (number) => narration.mark(number),
+    };
   }
 
   size(index: number, signal?: AbortSignal): Promise<PageSize> {

@@ -126,6 +126,8 @@ export interface BookDetail {
   readonly label: string;
   /** Its text. */
   readonly value: string;
+  /** The direction in which it is written. The default is that of its first letter. */
+  readonly direction?: "ltr" | "rtl";
   /** An address of the web with more about it. */
   readonly href?: string;
 }
@@ -145,6 +147,41 @@ export interface Typography {
   readonly margins: number;
   /** The colours of paper and ink; "" for the book's own. */
   readonly colours: "" | "sepia" | "night";
+}
+
+/** A passage that is read aloud: some text of a book, and the part of a recording that is its sound. */
+export interface NarratedClip {
+  /** The pages (from 0) on which the text stands, in order. */
+  readonly pages: readonly {
+    readonly page: number;
+    /** The fraction of the text that stands before that page: 0 for the first. */
+    readonly from: number;
+  }[];
+  /** The text, which is spoken where there is no recording. */
+  readonly text: string;
+  /** The recording, the same object for each of its clips; null if there is none. */
+  readonly recording: Blob | null;
+  /** Where in the recording the clip begins, seconds. */
+  readonly begin: number;
+  /** Where it ends, seconds: infinite, or beyond the recording's end, for all that is left. */
+  readonly end: number;
+}
+
+/** What is read aloud of a book: clips in order, numbered from 0. */
+export interface Narration {
+  /**
+   * Resolves to the number of the first clip that is read on page `index` (from
+   * 0) or after it; null if there is none. Rejects as `draw` does.
+   */
+  clipFrom(index: number, signal: AbortSignal): Promise<number | null>;
+  /** Resolves to a clip; null after the last. Rejects as `draw` does. */
+  clip(number: number, signal: AbortSignal): Promise<NarratedClip | null>;
+  /**
+   * Marks the text of a clip on its pages as the one that is read now, in place
+   * of the one before; null removes the mark. Pages that look otherwise are
+   * reported to `watchDrawings`' listener.
+   */
+  mark(number: number | null): void;
 }
 
 /** A book's pages, drawn one by one on request. */
@@ -257,6 +294,8 @@ export interface PageSource {
    * drawn, with all else as it was.
    */
   watchDrawings?(listener: (index: number) => void): void;
+  /** What is read aloud of the book; absent if nothing is. */
+  readonly narration?: Narration;
   /** Frees workers, files and memory. Drawing afterwards rejects. */
   close(): void;
 }

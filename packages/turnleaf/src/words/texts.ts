@@ -59,6 +59,8 @@ export interface ControlTexts {
   readonly download: string;
   readonly play: string;
   readonly pause: string;
+  readonly readAloud: string;
+  readonly stopReadingAloud: string;
   readonly sound: string;
   readonly theme: string;
   readonly themeAuto: string;

@@ -252,12 +252,15 @@ describe("its files", () => {
 });
 
 describe("the package", () => {
-  test("names its authors in order, and the direction of its title", async () => {
+  test("names its authors in order, and the directions of them and of its title", async () => {
     const source = await open({
       chapters: ["<p>One.</p>"],
-      metadata: "<dc:creator> Ann \n  Arbor </dc:creator><dc:creator>Bo</dc:creator>",
+      metadata: '<dc:creator> Ann \n  Arbor </dc:creator><dc:creator dir="rtl">Bo</dc:creator>',
     });
-    expect(source.details?.map(({ value }) => value)).toEqual(["Ann Arbor", "Bo"]);
+    expect(source.details?.map(({ value, direction }) => [value, direction])).toEqual([
+      ["Ann Arbor", undefined],
+      ["Bo", "rtl"],
+    ]);
     expect(source.titleDirection).toBe("auto");
     const raw = (title: string, dir: string): TinyEpub => ({
       chapters: ["<p>One.</p>"],

@@ -5,6 +5,7 @@ import type { Archive } from "../archive/archive.ts";
 import { cleanLanguage, cleanText, decodeEscapes } from "../book_text.ts";
 import { unknownFailure } from "../failures.ts";
 import { isPageSize, limits } from "../limits.ts";
+import { loadPart } from "../load_part.ts";
 import { cleanMarkup } from "../markup/clean_markup.ts";
 import { isBroken, type MarkupType, parseMarkup } from "../markup/parse_markup.ts";
 import {
@@ -17,6 +18,7 @@ import {
 import type {
   FlowBook,
   FlowContent,
+  FlowNarration,
   FlowOutline,
   FlowSection,
   FlowTarget,
@@ -141,6 +143,30 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     const section = indices.get(target ?? "");
     return section === undefined ? null : { section, id: decodeEscapes(id) };
   };
+  const overlays = ordered.flatMap(({ mediaOverlay }) => {
+    const path = mediaOverlay ? items.get(mediaOverlay)?.href : undefined;
+    return path !== undefined && names.has(path) ? [path] : [];
+  });
+  const narration = (): FlowNarration => ({
+    ...overlayClassesOf(resources.opf),
+    clips: async () => {
+      const { clipsOf } = await loadPart(import("./media_overlays.ts"));
+      const book = {
+        name,
+        text: (path: string) => files.text(path),
+        resolve: (address: string, from: string) => files.resolve(address, from),
+        target: targetOf,
+      };
+      return await clipsOf(book, overlays);
+    },
+    recording: async (path) => {
+      const type = byPath.get(path)?.mediaType ?? "";
+      if (!/^audio\//.test(type)) {
+        throw new BookError(`${path} in ${name} is no recording; get the book again.`);
+      }
+      return new Blob([await archive.read(path)], { type });
+    },
+  });
   const outline = (items: readonly TocItem[] | null | undefined): FlowOutline[] =>
     (items ?? []).map(({ label, href, subitems }) => ({
       title: cleanText(label) || "–",
@@ -151,7 +177,9 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   return {
     name,
     title: cleanText(textOf(metadata.title)) || name,
-    titleDirection: titleDirectionOf(resources.opf),
+    titleDirection:
+      directionOf(resources.opf.getElementsByTagNameNS(dublinCore, "title")[0], resources.opf) ??
+      "auto",
     language,
     direction,
     // The other values leave the choice to the space there is, which is asked in any case.
@@ -159,6 +187,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     details: creatorsOf(resources.opf),
     sections,
     outline: outline(toc),
+    ...(overlays.length > 0 ? { narration: narration() } : {}),
     resolve: (section, href) => targetOf(href, ordered[section]?.href ?? ""),
     file: async () => new Blob([file], { type: "application/epub+zip" }),
     close: () => archive.close(),
@@ -212,18 +241,31 @@ function withPicturesInWords(document: Document): Document {
   return document;
 }
 
-/** Returns the direction of the first title: its own, or else the package's. */
-function titleDirectionOf(opf: Document): "ltr" | "rtl" | "auto" {
-  const [title] = opf.getElementsByTagNameNS(dublinCore, "title");
-  const named = title?.getAttribute("dir") ?? opf.documentElement.getAttribute("dir");
-  return named === "ltr" || named === "rtl" ? named : "auto";
+/** Returns the direction of an element of the metadata: its own, or else the package's. */
+function directionOf(element: Element | undefined, opf: Document): "ltr" | "rtl" | undefined {
+  const named = element?.getAttribute("dir") ?? opf.documentElement.getAttribute("dir");
+  return named === "ltr" || named === "rtl" ? named : undefined;
+}
+
+/** Returns the classes of what is read aloud, by which a book styles it. */
+function overlayClassesOf(opf: Document): Pick<FlowNarration, "activeClass" | "playbackClass"> {
+  const named = (property: string): string => {
+    const metas = [...opf.getElementsByTagNameNS("*", "meta")];
+    const meta = metas.find((one) => one.getAttribute("property") === `media:${property}`);
+    return /^\s*(\S{1,100})\s*$/.exec(meta?.textContent ?? "")?.[1] ?? "";
+  };
+  return { activeClass: named("active-class"), playbackClass: named("playback-active-class") };
 }
 
 /** Returns who made a book, in the package's order. */
 function creatorsOf(opf: Document): BookDetail[] {
   return [...opf.getElementsByTagNameNS(dublinCore, "creator")]
     .slice(0, mostCreators)
-    .map((element) => ({ label: "", value: cleanText(element.textContent) }))
+    .map((element) => {
+      const direction = directionOf(element, opf);
+      const value = cleanText(element.textContent);
+      return { label: "", value, ...(direction ? { direction } : {}) };
+    })
     .filter(({ value }) => value !== "");
 }
 

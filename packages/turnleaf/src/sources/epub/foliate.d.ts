@@ -6,6 +6,8 @@ declare module "foliate-js/epub.js" {
     readonly href: string;
     readonly mediaType: string;
     readonly properties?: readonly string[];
+    /** The id of its media overlay. */
+    readonly mediaOverlay?: string | null;
   }
   export interface SpineItem {
     readonly idref: string;

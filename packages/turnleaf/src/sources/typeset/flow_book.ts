@@ -47,6 +47,28 @@ export interface FlowOutline {
   readonly children: readonly FlowOutline[];
 }
 
+/** A passage that is read aloud: the text of an element, and a part of a recording. */
+export interface FlowClip {
+  readonly target: FlowTarget;
+  /** The recording's path; null if there is none. */
+  readonly recording: string | null;
+  /** Seconds in the recording; `end` is infinite for all that is left of it. */
+  readonly begin: number;
+  readonly end: number;
+}
+
+/** What is read aloud of a book. */
+export interface FlowNarration {
+  /** The class of the element that is read; "" if the book names none. */
+  readonly activeClass: string;
+  /** The class of the root of a section that is being read; "" if the book names none. */
+  readonly playbackClass: string;
+  /** Resolves to the clips in the order in which they are read. Rejects with a `BookError`. */
+  clips(): Promise<readonly FlowClip[]>;
+  /** Resolves to a recording. Rejects with a `BookError`. */
+  recording(path: string): Promise<Blob>;
+}
+
 /** A book of flowing text. */
 export interface FlowBook {
   /** Its name in sentences. */
@@ -61,6 +83,8 @@ export interface FlowBook {
   readonly details?: readonly BookDetail[];
   readonly sections: readonly FlowSection[];
   readonly outline: readonly FlowOutline[];
+  /** What is read aloud of it, if anything is. */
+  readonly narration?: FlowNarration;
   /** Returns where a link in a section leads within the book; null if it leads nowhere in it. */
   resolve(section: number, href: string): FlowTarget | null;
   /** Returns the book's own file. */

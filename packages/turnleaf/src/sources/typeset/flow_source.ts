@@ -17,6 +17,7 @@ import { drawMarkup } from "./draw_markup.ts";
 import { Edition } from "./edition.ts";
 import type { FlowBook, FlowOutline, FlowTarget } from "./flow_book.ts";
 import type { LaidSection } from "./laid_section.ts";
+import { Narrator } from "./narrator.ts";
 import { PageNumbers } from "./page_numbers.ts";
 import { ownTypography, paperback, paperOf } from "./typography.ts";
 
@@ -47,6 +48,7 @@ export class FlowSource implements PageSource {
   readonly details: readonly BookDetail[];
   /** Sets the book in another typography; absent if all its pages are of fixed layout. */
   readonly typeset?: (typography: Typography) => Promise<void>;
+  readonly narration?: Narrator;
   readonly #book: FlowBook;
   #edition: Edition;
   /** Another edition, whose pages are to replace these. */
@@ -56,6 +58,7 @@ export class FlowSource implements PageSource {
   #places = new Map<number, Place>();
   #listener: ((change: () => NewIndex) => void) | null = null;
   #isDue = false;
+  #onDrawing: ((index: number) => void) | null = null;
   /** The sections that were drawn last, the last one first. */
   #recent: readonly number[] = [0];
   #isClosed = false;
@@ -89,6 +92,14 @@ export class FlowSource implements PageSource {
     if (book.sections.some(({ isFixed }) => !isFixed)) {
       this.typeset = (typography) => this.#typeset(typography);
     }
+    if (book.narration) {
+      this.narration = new Narrator(book.narration, {
+        at: (index) => this.#at(index),
+        indexOf: (section, page) => this.#numbers.indexOf(section, page),
+        lay: (section, signal) => this.#lay(section, signal),
+        redraw: (section, pages) => this.#redraw(section, pages),
+      });
+    }
     this.#layRest(edition);
   }
 
@@ -118,6 +129,7 @@ export class FlowSource implements PageSource {
     const others = this.#recent.filter((other) => other !== section);
     this.#recent = [section, ...others].slice(0, nearSections);
     const laid = await this.#lay(section, signal);
+    laid.mark(this.narration?.markIn(section) ?? null);
     const size = laid.layoutSize;
     const isBlank = page < 0 || page >= laid.map.pageCount;
     const svg = isBlank ? blank(size, paperOf(this.#edition.typography)) : laid.svg(page);
@@ -215,6 +227,10 @@ export class FlowSource implements PageSource {
     if (this.#isDue) this.#announce();
   }
 
+  watchDrawings(listener: (index: number) => void): void {
+    this.#onDrawing = listener;
+  }
+
   close(): void {
     if (this.#isClosed) return;
     this.#isClosed = true;
@@ -246,6 +262,14 @@ export class FlowSource implements PageSource {
     } catch (error) {
       signal.throwIfAborted();
       throw this.#isClosed ? this.#closed() : error;
+    }
+  }
+
+  /** Reports that pages of a section look otherwise; all of them if `pages` is null. */
+  #redraw(section: number, pages: readonly number[] | null): void {
+    const count = this.#numbers.countOf(section);
+    for (const page of pages ?? Array.from({ length: count }, (_, k) => k)) {
+      this.#onDrawing?.(this.#numbers.indexOf(section, page));
     }
   }
 
@@ -296,6 +320,7 @@ export class FlowSource implements PageSource {
     const after = this.#edition;
     const now = this.#numbersOf(after);
     this.#numbers = now;
+    this.narration?.forgetPages();
     const placeOn = (index: number): Place => {
       const { section, page } = numbers.at(index);
       const offset = before.mapOf(section)?.starts[Math.max(page, 0)] ?? 0;

@@ -19,12 +19,32 @@ import {
 /** The root's type size, from which the book's own is reckoned. */
 const rootSize = 16;
 
+/** The class of what is read aloud, where the book names none, and its style. */
+const spokenClass = "turnleaf-read-aloud";
+const spokenStyle = `.${spokenClass} { background-color: #ffe27a; color: #000; }`;
+
 /** A link as the book writes it, and its box on its page. */
 export interface LaidLink extends PageBox {
   readonly href: string;
   readonly title: string;
   /** Whether it leads to a note. */
   readonly isNote: boolean;
+}
+
+/** What is read aloud in a section now. */
+export interface SpokenMark {
+  /** The id of the element that is read. */
+  readonly id: string;
+  /** Its class, and that of the section's root; "" for none. */
+  readonly activeClass: string;
+  readonly playbackClass: string;
+}
+
+/** The text of an element of a section. */
+export interface Passage {
+  readonly text: string;
+  /** The pages (from 0) on which it stands, and the fraction of it before each. */
+  readonly pages: readonly { readonly page: number; readonly from: number }[];
 }
 
 /** What is kept of a section once its frame is gone. */
@@ -43,7 +63,11 @@ export class LaidSection {
   readonly #frame: LayoutFrame;
   readonly #flow: PageFlow;
   readonly #text: TextMap;
-  readonly #markup: Markup;
+  /** The section as it is drawn, with what is read aloud marked in it. */
+  #markup: Markup;
+  readonly #redrawn: () => Markup;
+  readonly #html: HTMLElement;
+  #spoken: SpokenMark | null = null;
   /** The page's own unit over the frame's CSS pixels. */
   readonly #scale: number;
 
@@ -52,8 +76,10 @@ export class LaidSection {
     this.#flow = flow;
     this.map = map;
     this.#text = parts.text;
-    this.#markup = parts.markup;
-    this.#scale = map.size.width / parts.markup.size.width;
+    this.#redrawn = parts.markup;
+    this.#markup = parts.markup();
+    this.#html = parts.html;
+    this.#scale = map.size.width / this.#markup.size.width;
   }
 
   /** Lays a section out. Rejects with any error of the browser. */
@@ -102,8 +128,44 @@ export class LaidSection {
 
   /** Returns the text of the note that has an id; empty if there is none. */
   note(id: string): string {
-    const target = id === "" ? null : this.#frame.root.querySelector(`[id="${CSS.escape(id)}"]`);
+    const target = id === "" ? null : this.#element(id);
     return target ? noteText(target) : "";
+  }
+
+  /** Returns the text of the element that has an id, and the pages on which it stands; null if there is none. */
+  passage(id: string): Passage | null {
+    const element = this.#element(id);
+    if (element === null) return null;
+    const text = cleanText(element.textContent, limits.passageLength);
+    const { offset, length } = this.#text.extentOf(element);
+    if (length === 0) return { text, pages: [{ page: this.map.ids.get(id) ?? 0, from: 0 }] };
+    const first = this.#text.pageAt(offset);
+    const count = this.#text.pageAt(offset + length - 1) - first + 1;
+    const pages = Array.from({ length: count }, (_, k) => {
+      const before = (this.map.starts[first + k] ?? offset) - offset;
+      return { page: first + k, from: Math.max(before / length, 0) };
+    });
+    return { text, pages };
+  }
+
+  /** Marks what is read aloud, in what is drawn from now on; null removes the mark. */
+  mark(spoken: SpokenMark | null): void {
+    if (spoken?.id === this.#spoken?.id) return;
+    for (const [mark, isOn] of [
+      [this.#spoken, false],
+      [spoken, true],
+    ] as const) {
+      if (mark === null) continue;
+      if (mark.playbackClass !== "") this.#html.classList.toggle(mark.playbackClass, isOn);
+      this.#element(mark.id)?.classList.toggle(mark.activeClass || spokenClass, isOn);
+    }
+    this.#spoken = spoken;
+    this.#markup = this.#redrawn();
+  }
+
+  #element(id: string): Element | null {
+    // Without an id it is all of the section.
+    return id === "" ? this.#html : this.#html.querySelector(`[id="${CSS.escape(id)}"]`);
   }
 
   /** Returns what the pictures on a page show, in words. */
@@ -135,7 +197,9 @@ export class LaidSection {
 
 interface LaidParts {
   readonly text: TextMap;
-  readonly markup: Markup;
+  /** Returns the section as it is now. */
+  readonly markup: () => Markup;
+  readonly html: HTMLElement;
 }
 
 async function layIn<T>(
@@ -182,14 +246,9 @@ async function layIn<T>(
     size: content.size ?? paperback,
   };
   const text = new TextMap(body, flow, pageCount);
-  const markup = new Markup(html, {
-    css: withUsedFonts(own.join("\n"), frame.document),
-    size,
-    rem,
-    paper,
-    flow,
-  });
-  return done(frame, flow, { ...map, starts: text.starts }, { text, markup });
+  const css = withUsedFonts([spokenStyle, ...own].join("\n"), frame.document);
+  const markup = (): Markup => new Markup(html, { css, size, rem, paper, flow });
+  return done(frame, flow, { ...map, starts: text.starts }, { text, markup, html });
 }
 
 /** Gives elements their own styles. */

@@ -74,6 +74,14 @@ export class TextMap {
     );
   }
 
+  /** Returns the characters of the section before an element, and those within it. */
+  extentOf(element: Element): { readonly offset: number; readonly length: number } {
+    const within = this.#pieces.filter(({ node }) => element.contains(node));
+    const [first, last] = [within[0], within.at(-1)];
+    if (!first || !last) return { offset: 0, length: 0 };
+    return { offset: first.offset, length: last.offset + last.node.length - first.offset };
+  }
+
   /** Returns a page's text in lines; with the places of letters if `exact`. */
   runs(page: number, exact: boolean): TextRun[] {
     const runs: Line[] = [];

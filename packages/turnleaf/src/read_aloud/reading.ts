@@ -1,0 +1,149 @@
+/** Reads a book aloud: its recordings or its text, with what is read marked, and turns the pages as it goes. */
+
+import type { NarratedClip, Narration } from "../sources/page_source.ts";
+import { RecordingPlayer } from "./recording_player.ts";
+import { speak } from "./speech.ts";
+
+/** Clips of one recording that follow each other this closely are heard without a break, seconds. */
+const joined = 0.05;
+
+/** The part of the element that is read aloud. */
+export interface BookReadAloud extends EventTarget {
+  readonly page: number;
+  readonly bookTitle: string;
+  /** The open pages. */
+  readonly spread: { readonly left: number | null; readonly right: number | null };
+  goTo(page: number): Promise<boolean>;
+}
+
+/** One reading of an open book. */
+export class Reading {
+  readonly #book: BookReadAloud;
+  readonly #narration: Narration;
+  readonly #language: string;
+  readonly #player: RecordingPlayer;
+  readonly #ended = new AbortController();
+  /** The clip that is heard, and its number. */
+  #clip: NarratedClip | null = null;
+  #number: number | null = null;
+  /** Aborts when the reader leaves that clip. */
+  #left = new AbortController();
+  /** The page that a turn under way leads to. */
+  #turningTo: number | null = null;
+
+  /** @param language BCP 47 tag of the text; "" if unknown */
+  constructor(book: BookReadAloud, narration: Narration, language: string) {
+    this.#book = book;
+    this.#narration = narration;
+    this.#language = language;
+    this.#player = new RecordingPlayer(book.bookTitle, () => this.stop());
+  }
+
+  /**
+   * Reads from the first open page on. Resolves at the end of the book, or when
+   * `stop` is called. Rejects with a `BookError` if something cannot be read.
+   */
+  async run(): Promise<void> {
+    const { signal } = this.#ended;
+    this.#book.addEventListener("pagechange", () => this.#follow(), { signal });
+    this.#book.addEventListener("pageschange", () => void this.#placeAnew(), { signal });
+    const narration = this.#narration;
+    try {
+      let number = await this.#firstClip();
+      let next = number === null ? null : narration.clip(number, signal);
+      while (number !== null) {
+        const clip = await next;
+        if (!clip) break;
+        this.#left = new AbortController();
+        [this.#clip, this.#number] = [clip, number];
+        narration.mark(number);
+        next = narration.clip(number + 1, signal);
+        await this.#hear(clip, next);
+        signal.throwIfAborted();
+        const isLeft = this.#left.signal.aborted;
+        number = isLeft ? await this.#firstClip() : number + 1;
+        if (isLeft && number !== null) next = narration.clip(number, signal);
+      }
+    } catch (error) {
+      if (!signal.aborted) throw error;
+    } finally {
+      this.stop();
+      this.#player.close();
+      narration.mark(null);
+    }
+  }
+
+  /** Ends the reading. */
+  stop(): void {
+    this.#ended.abort();
+    this.#left.abort();
+    this.#player.pause();
+  }
+
+  #firstClip(): Promise<number | null> {
+    return this.#narration.clipFrom(this.#book.page - 1, this.#ended.signal);
+  }
+
+  /** Leaves the clip where the reader has turned away from it. */
+  #follow(): void {
+    if (this.#clip?.pages.some(({ page }) => this.#isOpen(page))) return;
+    this.#player.pause();
+    this.#left.abort();
+  }
+
+  /** Finds where the clip stands once the pages are others. */
+  async #placeAnew(): Promise<void> {
+    const number = this.#number;
+    if (number === null) return;
+    const clip = await this.#narration.clip(number, this.#ended.signal).catch(() => null);
+    if (clip === null || number !== this.#number || this.#ended.signal.aborted) return;
+    this.#clip = clip;
+    this.#narration.mark(number);
+  }
+
+  /** Resolves when a clip has been heard, or is left. Rejects with a `BookError`. */
+  async #hear(clip: NarratedClip, next: Promise<NarratedClip | null>): Promise<void> {
+    const left = this.#left.signal;
+    const { recording } = clip;
+    const heard = (fraction: number): void => this.#show(fraction);
+    heard(0);
+    let following: NarratedClip | null = null;
+    // A failure is that of the next clip, once it is its turn.
+    const known = next.then(
+      (found) => {
+        following = found;
+      },
+      () => {},
+    );
+    if (recording === null) {
+      this.#player.pause();
+      await speak(clip.text, this.#language, left, heard);
+      return;
+    }
+    await this.#player.play({ ...clip, recording }, left, heard);
+    if (!follows(following, clip)) this.#player.pause();
+    await known;
+  }
+
+  /** Turns to the page on which the text stands once some fraction of the clip has been heard. */
+  #show(fraction: number): void {
+    const pages = this.#clip?.pages ?? [];
+    const page = (pages.findLast(({ from }) => from <= fraction) ?? pages[0])?.page;
+    if (page === undefined || page === this.#turningTo || this.#isOpen(page)) return;
+    this.#turningTo = page;
+    void this.#book.goTo(page + 1).finally(() => {
+      if (this.#turningTo === page) this.#turningTo = null;
+    });
+  }
+
+  /** @param page from 0 */
+  #isOpen(page: number): boolean {
+    const { left, right } = this.#book.spread;
+    return page + 1 === left || page + 1 === right;
+  }
+}
+
+/** Returns whether a clip goes on where another ends. */
+function follows(next: NarratedClip | null, clip: NarratedClip): boolean {
+  return next?.recording === clip.recording && Math.abs(next.begin - clip.end) <= joined;
+}
