@@ -1,48 +1,79 @@
 /** Runs in the browser: books read aloud as their readers would have them, and what is then to be heard and seen. */
 
-/** How much faster than it was recorded a recording is heard. */
-const speed = 8;
-
-/** Milliseconds between two looks at what is heard. */
-const lookEvery = 10;
+/** How much faster than it was recorded a recording is heard, where it is long. */
+const fast = 16;
 
 /** Milliseconds after which a book that is still read is too slow. */
 const patience = 100_000;
 
-/** What is heard of recordings, in stretches without a break. */
+/** Returns the members of the browser's players by which a sound begins, ends and jumps. */
+function playersMembers() {
+  const { play, pause, load } = HTMLMediaElement.prototype;
+  const time = Object.getOwnPropertyDescriptor(HTMLMediaElement.prototype, "currentTime");
+  return { play, pause, load, time };
+}
+
+/** Takes down what is heard of recordings, in stretches without a break: seconds, and when they end. */
 class Listener {
   stretches = [];
   #players = new Set();
-  #timer = 0;
-  #play = HTMLMediaElement.prototype.play;
+  /** The stretch that is heard now. */
+  #open = null;
+  #members = playersMembers();
 
-  constructor() {
-    const listener = this;
-    HTMLMediaElement.prototype.play = function () {
-      listener.#players.add(this);
-      this.playbackRate = speed;
-      return listener.#play.call(this);
-    };
-    this.#timer = setInterval(() => this.#look(), lookEvery);
+  /** @param speed how much faster recordings are heard */
+  constructor(speed) {
+    const { play, pause, load, time } = this.#members;
+    const begins = (player) => this.#begins(player);
+    const ends = (player) => this.#ends(player);
+    Object.assign(HTMLMediaElement.prototype, {
+      play() {
+        this.playbackRate = speed;
+        begins(this);
+        return play.call(this);
+      },
+      pause() {
+        ends(this);
+        pause.call(this);
+      },
+      load() {
+        ends(this);
+        load.call(this);
+      },
+    });
+    Object.defineProperty(HTMLMediaElement.prototype, "currentTime", {
+      configurable: true,
+      get: time.get,
+      set(seconds) {
+        const isHeard = !this.paused;
+        ends(this);
+        time.set.call(this, seconds);
+        if (isHeard) begins(this);
+      },
+    });
   }
 
-  #look() {
-    const now = performance.now();
-    for (const player of this.#players) {
-      if (player.paused || player.readyState < 3) continue;
-      const { currentTime: time, currentSrc: recording } = player;
-      const last = this.stretches.at(-1);
-      const passed = last ? (speed * (now - last.ended)) / 1000 : 0;
-      const goesOn =
-        last?.recording === recording && time >= last.to && time - last.to < passed + 0.5;
-      if (goesOn) Object.assign(last, { to: time, ended: now });
-      else this.stretches.push({ recording, from: time, to: time, began: now, ended: now });
-    }
+  #begins(player) {
+    if (this.#open) return;
+    const from = player.currentTime;
+    this.#open = { recording: player.src, from, to: from, began: performance.now() };
+    if (this.#players.has(player)) return;
+    this.#players.add(player);
+    player.addEventListener("ended", () => this.#ends(player));
+  }
+
+  #ends(player) {
+    if (!this.#open) return;
+    const stretch = { ...this.#open, to: player.currentTime, ended: performance.now() };
+    this.#open = null;
+    // A player that was stopped before it began was not heard.
+    if (stretch.to > stretch.from) this.stretches.push(stretch);
   }
 
   end() {
-    clearInterval(this.#timer);
-    HTMLMediaElement.prototype.play = this.#play;
+    const { time, ...others } = this.#members;
+    Object.assign(HTMLMediaElement.prototype, others);
+    Object.defineProperty(HTMLMediaElement.prototype, "currentTime", time);
   }
 }
 
@@ -58,14 +89,15 @@ function buttonOf(element) {
  * there is no such button.
  *
  * @param during called again and again meanwhile, with the element
+ * @param speed how much faster than it was recorded it is heard
  */
-export async function readAloud(book, during = () => {}) {
+export async function readAloud(book, during = () => {}, speed = fast) {
   const element = await book.shown(900, 500, { controls: "", layout: "single" });
   // The controls are a part that is loaded by itself.
-  for (let k = 0; k < 100 && buttonOf(element) === null; k++) await pause(50);
+  for (let k = 0; k < 100 && buttonOf(element) === null; k++) await wait(50);
   const button = buttonOf(element);
   if (button === null) return null;
-  const listener = new Listener();
+  const listener = new Listener(speed);
   try {
     const isOver = new Promise((resolve, reject) => {
       element.addEventListener("readaloudchange", ({ detail }) => detail.reading || resolve());
@@ -75,7 +107,7 @@ export async function readAloud(book, during = () => {}) {
     button.click();
     let isReading = true;
     const watching = (async () => {
-      for (; isReading; await pause(50)) await during(element);
+      for (; isReading; await wait(50)) await during(element);
     })();
     await isOver.finally(() => {
       isReading = false;
@@ -87,17 +119,18 @@ export async function readAloud(book, during = () => {}) {
   }
 }
 
-const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+const wait = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 
-/** How exactly a stretch is known, seconds: one look, and the one before. */
-const exactly = (4 * speed * lookEvery) / 1000;
+/** Milliseconds by which a busy machine may be late. */
+const late = 150;
 
-/** Returns whether what was heard is from one second of a recording to another, as exactly as it is known. */
-export function isStretch(stretch, from, to) {
+/** Returns whether what was heard is from one second of a recording to another. */
+function isStretch(stretch, from, to, speed = fast) {
   return (
     stretch !== undefined &&
-    Math.abs(stretch.from - from) < exactly + 0.1 &&
-    Math.abs(stretch.to - to) < exactly + 0.1
+    Math.abs(stretch.from - from) < 0.05 &&
+    stretch.to > to - 0.1 &&
+    stretch.to < to + (speed * late) / 1000
   );
 }
 
@@ -113,10 +146,12 @@ export function judged(stretches, isRight) {
 }
 
 /** The book is read aloud from one second of its recording to another, and nothing else is heard. */
-export const heard = (from, to) => async (book) => {
-  const stretches = await readAloud(book);
-  return judged(stretches, stretches?.length === 1 && isStretch(stretches[0], from, to));
-};
+export const heard =
+  (from, to, speed = fast) =>
+  async (book) => {
+    const stretches = await readAloud(book, () => {}, speed);
+    return judged(stretches, stretches?.length === 1 && isStretch(stretches[0], from, to, speed));
+  };
 
 /** The same, and its pages, from the second one on, are turned to one after another as they are read. */
 export const heardOnPages =

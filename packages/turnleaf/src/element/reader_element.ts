@@ -222,17 +222,10 @@ export abstract class ReaderElement extends ReflectingElement {
     const { Reading } = await loadPart(import("../read_aloud/reading.ts"));
     const { source } = this;
     if (!source?.narration || this.#reading) return;
-    const reading = new Reading(this, source.narration, source.language);
-    this.#reading = reading;
-    this.emit("readaloudchange", { reading: true });
-    try {
-      await reading.run();
-    } catch (error) {
-      if (error instanceof Error) this.emit("error", { message: error.message });
-    } finally {
+    this.#reading = new Reading(this, source.narration, source.language);
+    await this.#reading.run(() => {
       this.#reading = null;
-      this.emit("readaloudchange", { reading: false });
-    }
+    });
   }
 
   /** Stops reading aloud. */

@@ -1,5 +1,6 @@
 /** Reads a book aloud: its recordings or its text, with what is read marked, and turns the pages as it goes. */
 
+import { unknownFailure } from "../sources/failures.ts";
 import type { NarratedClip, Narration } from "../sources/page_source.ts";
 import { RecordingPlayer } from "./recording_player.ts";
 import { speak } from "./speech.ts";
@@ -14,6 +15,12 @@ export interface BookReadAloud extends EventTarget {
   /** The open pages. */
   readonly spread: { readonly left: number | null; readonly right: number | null };
   goTo(page: number): Promise<boolean>;
+}
+
+/** The details of the events that a reading dispatches on its element. */
+interface Details {
+  readonly readaloudchange: { readonly reading: boolean };
+  readonly error: { readonly message: string };
 }
 
 /** One reading of an open book. */
@@ -40,10 +47,34 @@ export class Reading {
   }
 
   /**
-   * Reads from the first open page on. Resolves at the end of the book, or when
-   * `stop` is called. Rejects with a `BookError` if something cannot be read.
+   * Reads from the first open page on. Resolves at the end of the book, when
+   * `stop` is called, or when something cannot be read: that is an `error` of
+   * the element.
+   *
+   * @param ended called at the end, before it is reported
    */
-  async run(): Promise<void> {
+  async run(ended: () => void): Promise<void> {
+    this.#report("readaloudchange", { reading: true });
+    try {
+      await this.#read();
+    } catch (error) {
+      const what = `${this.#book.bookTitle} cannot be read aloud`;
+      const { message } = unknownFailure(what, error, "update the browser, or get the book again");
+      this.#report("error", { message });
+    }
+    ended();
+    this.#report("readaloudchange", { reading: false });
+  }
+
+  /** Ends the reading. */
+  stop(): void {
+    this.#ended.abort();
+    this.#left.abort();
+    this.#player.pause();
+  }
+
+  /** Resolves when the reading has ended. Rejects with a `BookError` if something cannot be read. */
+  async #read(): Promise<void> {
     const { signal } = this.#ended;
     this.#book.addEventListener("pagechange", () => this.#follow(), { signal });
     this.#book.addEventListener("pageschange", () => void this.#placeAnew(), { signal });
@@ -51,6 +82,7 @@ export class Reading {
     try {
       let number = await this.#firstClip();
       let next = number === null ? null : narration.clip(number, signal);
+      let goesOn = false;
       while (number !== null) {
         const clip = await next;
         if (!clip) break;
@@ -58,9 +90,10 @@ export class Reading {
         [this.#clip, this.#number] = [clip, number];
         narration.mark(number);
         next = narration.clip(number + 1, signal);
-        await this.#hear(clip, next);
+        const isFollowed = await this.#hear(clip, goesOn, next);
         signal.throwIfAborted();
         const isLeft = this.#left.signal.aborted;
+        goesOn = isFollowed && !isLeft;
         number = isLeft ? await this.#firstClip() : number + 1;
         if (isLeft && number !== null) next = narration.clip(number, signal);
       }
@@ -73,11 +106,8 @@ export class Reading {
     }
   }
 
-  /** Ends the reading. */
-  stop(): void {
-    this.#ended.abort();
-    this.#left.abort();
-    this.#player.pause();
+  #report<K extends "readaloudchange" | "error">(name: K, detail: Details[K]): void {
+    this.#book.dispatchEvent(new CustomEvent(name, { detail }));
   }
 
   #firstClip(): Promise<number | null> {
@@ -101,28 +131,38 @@ export class Reading {
     this.#narration.mark(number);
   }
 
-  /** Resolves when a clip has been heard, or is left. Rejects with a `BookError`. */
-  async #hear(clip: NarratedClip, next: Promise<NarratedClip | null>): Promise<void> {
+  /**
+   * Resolves when a clip has been heard, or is left, to whether the sound goes
+   * on as the next one. Rejects with a `BookError`.
+   *
+   * @param goesOn whether the sound goes on as this one
+   */
+  async #hear(
+    clip: NarratedClip,
+    goesOn: boolean,
+    next: Promise<NarratedClip | null>,
+  ): Promise<boolean> {
     const left = this.#left.signal;
     const { recording } = clip;
     const heard = (fraction: number): void => this.#show(fraction);
     heard(0);
     let following: NarratedClip | null = null;
-    // A failure is that of the next clip, once it is its turn.
-    const known = next.then(
+    next.then(
       (found) => {
         following = found;
       },
+      // A failure is reported once it is the next one's turn.
       () => {},
     );
     if (recording === null) {
       this.#player.pause();
       await speak(clip.text, this.#language, left, heard);
-      return;
+      return false;
     }
-    await this.#player.play({ ...clip, recording }, left, heard);
-    if (!follows(following, clip)) this.#player.pause();
-    await known;
+    await this.#player.play({ ...clip, recording }, goesOn, left, heard);
+    const isFollowed = follows(following, clip);
+    if (!isFollowed) this.#player.pause();
+    return isFollowed;
   }
 
   /** Turns to the page on which the text stands once some fraction of the clip has been heard. */

@@ -3,8 +3,6 @@
 import { nameAndMessage } from "../sources/failures.ts";
 import { BookError, type NarratedClip } from "../sources/page_source.ts";
 
-/** A clip that begins this close to where the recording stands needs no jump, seconds. */
-const joined = 0.05;
 /** A clip with this little left is over, seconds: less than a timer can wait. */
 const over = 0.004;
 /** With less than this left a timer waits for the end, seconds: the player's own event comes four times a second. */
@@ -36,19 +34,19 @@ export class RecordingPlayer {
    * aborts; the sound goes on until `pause` or the next clip. Rejects with a
    * `BookError` if it cannot be played.
    *
+   * @param goesOn whether it goes on where the last one ended: the sound, which
+   * may be a little further by now, is not taken back
    * @param heard called with the fraction that has been heard, now and then
    */
   async play(
     clip: NarratedClip & { readonly recording: Blob },
+    goesOn: boolean,
     signal: AbortSignal,
     heard: (fraction: number) => void,
   ): Promise<void> {
     const sound = this.#sound;
-    const isOther = clip.recording !== this.#recording;
-    if (isOther) this.#load(clip.recording);
-    if (isOther || Math.abs(sound.currentTime - clip.begin) > joined) {
-      sound.currentTime = clip.begin;
-    }
+    if (clip.recording !== this.#recording) this.#load(clip.recording);
+    if (!goesOn) sound.currentTime = clip.begin;
     try {
       this.#isHeard = true;
       if (sound.paused) await sound.play();
