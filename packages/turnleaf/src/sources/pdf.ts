@@ -21,6 +21,7 @@ import { type PdfInput, place } from "./pdf_bytes.ts";
 import { lettersOfPage } from "./pdf_letters.ts";
 import { rejectPortfolio } from "./pdf_portfolio.ts";
 import {
+  blobWorker,
   loadPdfLibrary,
   PackedDataFactory,
   type PdfLibrary,
@@ -121,6 +122,10 @@ export async function openPdf(input: PdfInput, options: PdfOptions = {}): Promis
  */
 async function startThread(name: string, { pdfWorker, signal }: PdfOptions): Promise<PdfThread> {
   try {
+    // All that is needed is loaded at the same time; what fails is reported where it is used.
+    for (const part of [pdfWorker ?? blobWorker(), rendererAddress(pdfWorker)]) {
+      Promise.resolve(part).catch(() => {});
+    }
     const pdfjs = await loadPdfLibrary();
     signal?.throwIfAborted();
     return await PdfThread.start(pdfjs, pdfWorker);

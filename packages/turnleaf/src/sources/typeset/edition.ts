@@ -3,6 +3,7 @@ import type { Typography } from "../page_source.ts";
 import { SharedTasks } from "../shared_tasks.ts";
 import type { FlowBook } from "./flow_book.ts";
 import { LaidSection, type SectionMap } from "./laid_section.ts";
+import type { SectionContents } from "./section_contents.ts";
 
 /** Frames kept, so that neighbouring pages are drawn without laying out again. */
 const keptFrames = 4;
@@ -14,6 +15,7 @@ const usualBytes = 3000;
 export class Edition {
   readonly typography: Typography;
   readonly #book: FlowBook;
+  readonly #contents: SectionContents;
   readonly #maps = new Map<number, SectionMap>();
   /** Sections in their frames, the last used one last. */
   #frames = new Map<number, LaidSection>();
@@ -22,8 +24,10 @@ export class Edition {
   #last: Promise<unknown> = Promise.resolve();
   #isClosed = false;
 
-  constructor(book: FlowBook, typography: Typography) {
+  /** @param contents of the book's sections, for all its editions */
+  constructor(book: FlowBook, contents: SectionContents, typography: Typography) {
     this.#book = book;
+    this.#contents = contents;
     this.typography = typography;
   }
 
@@ -57,7 +61,7 @@ export class Edition {
   async lay(section: number, signal?: AbortSignal): Promise<LaidSection> {
     const laid =
       this.#frames.get(section) ??
-      (await this.#laying.run(section, (own) => this.#layNext(section, own), signal));
+      (await this.#laying.run(section, (own) => this.#layNext(section, true, own), signal));
     // It was used last.
     if (this.#frames.delete(section)) this.#frames.set(section, laid);
     return laid;
@@ -66,7 +70,7 @@ export class Edition {
   /** Lays a section out only to know its pages; its frame is the first to go. */
   async measure(section: number): Promise<void> {
     if (this.#maps.has(section)) return;
-    await this.#laying.run(section, (own) => this.#layNext(section, own));
+    await this.#laying.run(section, (own) => this.#layNext(section, false, own));
   }
 
   close(): void {
@@ -76,17 +80,17 @@ export class Edition {
     this.#frames.clear();
   }
 
-  #layNext(section: number, signal: AbortSignal): Promise<LaidSection> {
-    const laying = this.#last.then(() => this.#layNow(section, signal));
+  /** @param isShown whether its pages are asked for, and not merely their number */
+  #layNext(section: number, isShown: boolean, signal: AbortSignal): Promise<LaidSection> {
+    const laying = this.#last.then(() => this.#layNow(section, isShown, signal));
     this.#last = laying.catch(() => {});
     return laying;
   }
 
-  async #layNow(section: number, signal: AbortSignal): Promise<LaidSection> {
+  async #layNow(section: number, isShown: boolean, signal: AbortSignal): Promise<LaidSection> {
     signal.throwIfAborted();
-    const content = await this.#book.sections[section]?.load();
+    const content = await this.#contents.load(section, isShown);
     signal.throwIfAborted();
-    if (!content) throw new Error(`There is no section ${section}.`);
     try {
       const laid = await LaidSection.lay(content, this.typography);
       if (this.#isClosed) {

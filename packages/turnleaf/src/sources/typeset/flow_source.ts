@@ -16,9 +16,11 @@ import {
 import { drawMarkup } from "./draw_markup.ts";
 import { Edition } from "./edition.ts";
 import type { FlowBook, FlowOutline, FlowTarget } from "./flow_book.ts";
+import { idle } from "./idle.ts";
 import type { LaidSection } from "./laid_section.ts";
 import { Narrator } from "./narrator.ts";
 import { PageNumbers } from "./page_numbers.ts";
+import { SectionContents } from "./section_contents.ts";
 import { ownTypography, paperback, paperOf } from "./typography.ts";
 
 /** A place in the text: a section, and characters before it there. */
@@ -29,6 +31,9 @@ interface Place {
 
 /** Sections about the reader's place: those of two open pages, and one beside them. */
 const nearSections = 3;
+
+/** Milliseconds after which a section is laid out for its number of pages, even where there is no rest. */
+const longestWait = 300;
 
 /** Sections that the links of one page may have laid out, to find where they lead. */
 const mostTargets = 4;
@@ -50,6 +55,7 @@ export class FlowSource implements PageSource {
   readonly typeset?: (typography: Typography) => Promise<void>;
   readonly narration?: Narrator;
   readonly #book: FlowBook;
+  readonly #contents: SectionContents;
   #edition: Edition;
   /** Another edition, whose pages are to replace these. */
   #next: Edition | null = null;
@@ -65,7 +71,8 @@ export class FlowSource implements PageSource {
 
   /** Returns a book's pages. Rejects with a `BookError` if its only section cannot be laid out. */
   static async open(book: FlowBook, typography: Typography = ownTypography): Promise<FlowSource> {
-    const edition = new Edition(book, typography);
+    const contents = new SectionContents(book);
+    const edition = new Edition(book, contents, typography);
     try {
       await edition.lay(0);
     } catch (error) {
@@ -76,10 +83,10 @@ export class FlowSource implements PageSource {
         throw error;
       }
     }
-    return new FlowSource(book, edition);
+    return new FlowSource(book, contents, edition);
   }
 
-  private constructor(book: FlowBook, edition: Edition) {
+  private constructor(book: FlowBook, contents: SectionContents, edition: Edition) {
     this.title = book.title;
     this.titleDirection = book.titleDirection ?? "auto";
     this.language = book.language;
@@ -87,6 +94,7 @@ export class FlowSource implements PageSource {
     if (book.layout) this.layout = book.layout;
     this.details = book.details ?? [];
     this.#book = book;
+    this.#contents = contents;
     this.#edition = edition;
     this.#numbers = this.#numbersOf(edition);
     if (book.sections.some(({ isFixed }) => !isFixed)) {
@@ -129,6 +137,7 @@ export class FlowSource implements PageSource {
     const others = this.#recent.filter((other) => other !== section);
     this.#recent = [section, ...others].slice(0, nearSections);
     const laid = await this.#lay(section, signal);
+    if (this.#isClosed) throw this.#closed();
     laid.mark(this.narration?.markIn(section) ?? null);
     const size = laid.layoutSize;
     const isBlank = page < 0 || page >= laid.map.pageCount;
@@ -274,7 +283,7 @@ export class FlowSource implements PageSource {
   }
 
   async #typeset(typography: Typography): Promise<void> {
-    const next = new Edition(this.#book, typography);
+    const next = new Edition(this.#book, this.#contents, typography);
     this.#next?.close();
     this.#next = next;
     try {
@@ -292,8 +301,8 @@ export class FlowSource implements PageSource {
   async #layRest(edition: Edition): Promise<void> {
     const isCurrent = (): boolean => !this.#isClosed && edition === (this.#next ?? this.#edition);
     for (let section = 0; section < this.#book.sections.length; section++) {
-      // Other work goes first.
-      await new Promise((resolve) => setTimeout(resolve));
+      // What the reader sees goes first.
+      await idle(longestWait);
       if (!isCurrent()) return;
       // A section that cannot be laid out says so on its page.
       await edition.measure(section).catch(() => {});

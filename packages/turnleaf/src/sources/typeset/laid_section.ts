@@ -60,12 +60,14 @@ export interface SectionMap {
 /** A section set into pages, in a frame of its own. */
 export class LaidSection {
   readonly map: SectionMap;
+  /** The size of `svg()`. */
+  readonly layoutSize: PageSize;
   readonly #frame: LayoutFrame;
   readonly #flow: PageFlow;
   readonly #text: TextMap;
-  /** The section as it is drawn, with what is read aloud marked in it. */
-  #markup: Markup;
-  readonly #redrawn: () => Markup;
+  readonly #makeMarkup: () => Markup;
+  /** The section as it is drawn, with what is read aloud marked in it; made when it is first drawn. */
+  #markup: Markup | null = null;
   readonly #html: HTMLElement;
   #spoken: SpokenMark | null = null;
   /** The page's own unit over the frame's CSS pixels. */
@@ -76,10 +78,10 @@ export class LaidSection {
     this.#flow = flow;
     this.map = map;
     this.#text = parts.text;
-    this.#redrawn = parts.markup;
-    this.#markup = parts.markup();
+    this.#makeMarkup = parts.markup;
+    this.layoutSize = parts.layoutSize;
     this.#html = parts.html;
-    this.#scale = map.size.width / this.#markup.size.width;
+    this.#scale = map.size.width / this.layoutSize.width;
   }
 
   /** Lays a section out. Rejects with any error of the browser. */
@@ -94,14 +96,10 @@ export class LaidSection {
     }
   }
 
-  /** The size of `svg()`. */
-  get layoutSize(): PageSize {
-    return this.#markup.size;
-  }
-
   /** Returns a page as an SVG. */
   svg(page: number): string {
     const { stepX, stepY } = this.#flow;
+    this.#markup ??= this.#makeMarkup();
     return this.#markup.svg(page, -page * stepX, -page * stepY);
   }
 
@@ -160,7 +158,7 @@ export class LaidSection {
       this.#element(mark.id)?.classList.toggle(mark.activeClass || spokenClass, isOn);
     }
     this.#spoken = spoken;
-    this.#markup = this.#redrawn();
+    this.#markup = null;
   }
 
   #element(id: string): Element | null {
@@ -200,6 +198,7 @@ interface LaidParts {
   /** Returns the section as it is now. */
   readonly markup: () => Markup;
   readonly html: HTMLElement;
+  readonly layoutSize: PageSize;
 }
 
 async function layIn<T>(
@@ -248,7 +247,17 @@ async function layIn<T>(
   const text = new TextMap(body, flow, pageCount);
   const css = withUsedFonts([spokenStyle, ...own].join("\n"), frame.document);
   const markup = (): Markup => new Markup(html, { css, size, rem, paper, flow });
-  return done(frame, flow, { ...map, starts: text.starts }, { text, markup, html });
+  return done(
+    frame,
+    flow,
+    { ...map, starts: text.starts },
+    {
+      text,
+      markup,
+      html,
+      layoutSize: size,
+    },
+  );
 }
 
 /** Gives elements their own styles. */

@@ -51,11 +51,6 @@ export class Markup {
     this.#paper = paperOf(html, view) ?? style.paper;
   }
 
-  /** A page's size in CSS pixels. */
-  get size(): PageSize {
-    return this.#style.size;
-  }
-
   /** Returns a page as an SVG, its section moved by some CSS pixels. */
   svg(page: number, x: number, y: number): string {
     const { size, rem } = this.#style;
