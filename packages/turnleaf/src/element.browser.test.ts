@@ -167,6 +167,41 @@ test("the context of the graphics card is lost and comes back", async () => {
   expect(await element.next()).toBe(true);
 });
 
+test("the next book is drawn on the canvas of the one before, and a lost one is replaced", async () => {
+  const canvasOf = (element: TurnleafBook) =>
+    element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
+  const isLost = (canvas: HTMLCanvasElement) => canvas.getContext("webgl2")?.isContextLost();
+  const another = async (element: TurnleafBook, pages: TurnleafBook["pages"]) => {
+    const loaded = happens(element, "load");
+    element.pages = pages;
+    await loaded;
+    await settled(element);
+  };
+  const element = book(scans(12), { duration: "80" });
+  await happens(element, "load");
+  await settled(element);
+  const canvas = canvasOf(element);
+  await another(element, scans(4));
+  expect(canvasOf(element)).toBe(canvas);
+  expect(await element.next()).toBe(true);
+  // Two at once: the first one asked for is given up while it opens.
+  element.pages = scans(6);
+  await another(element, scans(8));
+  expect(element.pageCount).toBe(8);
+  expect(isLost(canvasOf(element))).toBe(false);
+
+  const before = canvasOf(element);
+  const failed = happens(element, "error");
+  element.pages = [{ src: "none.png" }];
+  await failed;
+  expect([isLost(before), before.isConnected]).toEqual([true, false]);
+
+  await another(element, scans(6));
+  const last = canvasOf(element);
+  element.remove();
+  expect([isLost(last), last.isConnected]).toEqual([true, false]);
+});
+
 test("a pending turn resolves when the book is closed", async () => {
   const element = book(scans(12), { duration: "400" });
   await happens(element, "load");

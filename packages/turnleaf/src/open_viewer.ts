@@ -10,8 +10,8 @@ import { giveUpContext, openContext } from "./webgl/context.ts";
  * 2D canvas, and then neither three.js nor the engine is loaded. Rejects with a
  * `BookError` if no page's size can be read.
  *
- * @param freshCanvas returns a canvas that nothing was drawn on, in place of
- * the previous one
+ * @param freshCanvas returns a canvas in place of the previous one: at first one that nothing
+ * was drawn on, or that of a book whose viewer was destroyed and left it; then a new one
  * @param how `isFlat`: whether to use the 2D canvas in any case; `engineSrc`: absolute
  * address of the engine's file, "" for the engine in the package
  */
@@ -23,6 +23,8 @@ export async function openViewer(
   { isFlat = false, engineSrc = "" }: { isFlat?: boolean; engineSrc?: string } = {},
 ): Promise<Viewer> {
   let canvas = freshCanvas();
+  // That of the book before, lost meanwhile.
+  if (!isFlat && openContext(canvas)?.isContextLost()) canvas = freshCanvas();
   const mayRun = mayRunCode();
   if (!mayRun) warnOnce();
   if (!isFlat && mayRun && openContext(canvas)) {
@@ -56,6 +58,8 @@ function loadEngine(engineSrc: string): Promise<WebAssembly.Module> {
   code.catch(() => {});
   return code;
 }
+
+export { giveUpContext };
 
 let hasWarned = false;
 

@@ -186,10 +186,12 @@ export class Canvas2DStage implements BookStage {
     return [...Object.values(this.#layout), this.#width, this.#height].join();
   }
 
-  destroy(): void {
+  destroy(): boolean {
     this.#shown.clear();
     // Frees the pixels at once.
     this.#canvas.width = this.#canvas.height = 0;
+    // The next book may be one that the graphics card draws.
+    return false;
   }
 
   #aim(zoom: Zoom = this.#zooming.zoom): void {

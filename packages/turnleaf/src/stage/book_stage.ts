@@ -111,6 +111,11 @@ export interface BookStage {
    */
   projectOn(face: Face, x: number, y: number): Place;
 
-  /** Frees all resources. The canvas cannot be drawn on again. */
-  destroy(): void;
+  /**
+   * Frees all resources, and what is on the canvas.
+   *
+   * @param keepCanvas whether another stage will draw on the canvas
+   * @returns whether another can; if not, the canvas cannot be drawn on again
+   */
+  destroy(keepCanvas?: boolean): boolean;
 }

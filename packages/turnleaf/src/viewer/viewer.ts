@@ -373,9 +373,15 @@ export class Viewer {
     return this.settled && this.#bitmaps.ready && this.#modelSwitch.ready;
   }
 
-  /** Stops everything and frees the memory of the graphics card and the engine. */
-  destroy(): void {
-    if (this.#destroyed) return;
+  /**
+   * Stops everything and frees the memory of the graphics card and the engine.
+   *
+   * @param keepCanvas whether another viewer will draw on its canvas; without it the
+   * canvas's context is released too
+   * @returns whether another can
+   */
+  destroy(keepCanvas = false): boolean {
+    if (this.#destroyed) return false;
     this.#destroyed = true;
     this.#window.cancelAnimationFrame(this.#frame);
     this.#frame = 0;
@@ -386,7 +392,7 @@ export class Viewer {
     this.#rebinder.close();
     this.#sharpness.close();
     this.#bitmaps.close();
-    this.#stage.destroy();
+    return this.#stage.destroy(keepCanvas);
   }
 
   #askForFrame(): void {

@@ -213,17 +213,23 @@ export class WebGLStage implements BookStage {
     ].join();
   }
 
-  destroy(): void {
+  destroy(keepCanvas = false): boolean {
     this.#context.destroy();
+    const isKept = keepCanvas && !this.isLost;
     // Frees all of the GPU's memory at once; the rest releases what three.js keeps.
-    if (!this.isLost) this.#renderer.forceContextLoss();
+    if (!isKept && !this.isLost) this.#renderer.forceContextLoss();
     for (const replaced of this.#replaced.splice(0)) replaced.dispose();
     this.#book.dispose();
     this.#beyond.dispose();
     this.#materials.dispose();
     this.#pictures.dispose();
     this.#scene.clear();
-    this.#renderer.dispose();
+    if (isKept) {
+      // Nothing is seen of the book, and its pixels are freed.
+      this.#renderer.setDrawingBufferSize(1, 1, 1);
+      spares.set(this.#canvas, this.#renderer);
+    } else this.#renderer.dispose();
+    return isKept;
   }
 
   #print(face: BitmapTarget, picture: PagePicture | null, show: ShowTexture): void {
@@ -260,7 +266,15 @@ export class WebGLStage implements BookStage {
   }
 }
 
+/** Renderers of the canvases that another stage will draw on. */
+const spares = new WeakMap<HTMLCanvasElement, WebGLRenderer>();
+
 function openRenderer(canvas: HTMLCanvasElement): WebGLRenderer {
+  const spare = spares.get(canvas);
+  if (spare) {
+    spares.delete(canvas);
+    return spare;
+  }
   const context = openContext(canvas);
   if (!context) throw new Error("The graphics card has no context to give.");
   const renderer = new WebGLRenderer({ canvas, context, alpha: true, antialias: true });
