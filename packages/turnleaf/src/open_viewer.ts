@@ -23,11 +23,12 @@ export async function openViewer(
   { isFlat = false, engineSrc = "" }: { isFlat?: boolean; engineSrc?: string } = {},
 ): Promise<Viewer> {
   let canvas = freshCanvas();
-  // That of the book before, lost meanwhile.
-  if (!isFlat && openContext(canvas)?.isContextLost()) canvas = freshCanvas();
   const mayRun = mayRunCode();
   if (!mayRun) warnOnce();
-  if (!isFlat && mayRun && openContext(canvas)) {
+  const isWebGL = !isFlat && mayRun;
+  // That of the book before, lost meanwhile.
+  if (isWebGL && openContext(canvas)?.isContextLost()) canvas = freshCanvas();
+  if (isWebGL && openContext(canvas)) {
     try {
       // Both are loaded at the same time.
       const [code, { webglBackend }] = [loadEngine(engineSrc), await import("./webgl_backend.ts")];
