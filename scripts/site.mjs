@@ -13,5 +13,5 @@ try {
   );
 } catch (error) {
   console.error(error.message);
-  process.exit(1);
+  process.exitCode = 1;
 }

@@ -17,9 +17,9 @@ beforeAll(async () => {
   server = createServer((request, response) => {
     try {
       const { pathname } = new URL(request.url, "http://localhost");
-      const body = readFileSync(join(out, pathname === "/" ? "index.html" : pathname));
-      const type = types[extname(pathname)] ?? (pathname === "/" ? "text/html" : "");
-      response.writeHead(200, { "Content-Type": type || "application/octet-stream" }).end(body);
+      const file = pathname === "/" ? "/index.html" : pathname;
+      const type = types[extname(file)] ?? "application/octet-stream";
+      response.writeHead(200, { "Content-Type": type }).end(readFileSync(join(out, file)));
     } catch {
       response.writeHead(404).end();
     }

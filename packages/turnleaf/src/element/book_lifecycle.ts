@@ -203,8 +203,8 @@ export class BookLifecycle {
   }
 
   /**
-   * The canvas of the book before, whose context is as good as new and costs nothing: every
-   * context that is given up leaves some 40 kB in the process that draws (Chromium 156).
+   * The canvas of the book before, whose context is as good as new and costs nothing: a
+   * context that is given up leaves memory in the process that draws (in Chromium).
    * One whose context was released cannot be used again, and another takes its place.
    *
    * @csspart canvas The picture of the book.
