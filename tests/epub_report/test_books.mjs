@@ -3,6 +3,7 @@ import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { join, relative } from "node:path";
 import { zipSync } from "fflate";
 import { corpora } from "../../scripts/corpora.mjs";
+import { silentRecording } from "../silent_recording.mjs";
 
 /** The folder of the tests. */
 export const folder = join(corpora["epub-tests"].folder, "tests");
@@ -24,25 +25,6 @@ const recording = "EPUB/audio/mobydick.mp4";
 /** Seconds of silence that stand in for it, which ends after 182 s. */
 const silence = 200;
 
-/** Returns silence as a recording: a WAV of 8,000 samples of a byte a second. */
-function silentRecording() {
-  const rate = 8000;
-  const header = Buffer.alloc(44);
-  header.write("RIFF", 0);
-  header.writeUInt32LE(36 + rate * silence, 4);
-  header.write("WAVEfmt ", 8);
-  header.writeUInt32LE(16, 16);
-  header.writeUInt16LE(1, 20);
-  header.writeUInt16LE(1, 22);
-  header.writeUInt32LE(rate, 24);
-  header.writeUInt32LE(rate, 28);
-  header.writeUInt16LE(1, 32);
-  header.writeUInt16LE(8, 34);
-  header.write("data", 36);
-  header.writeUInt32LE(rate * silence, 40);
-  return Buffer.concat([header, Buffer.alloc(rate * silence, 128)]);
-}
-
 /** Returns whether a test's recording is not here, so that silence is heard in its place. */
 export function stoodInFor(test) {
   const manifest = join(folder, test, "EPUB/package.opf");
@@ -62,7 +44,7 @@ export function filesOf(test) {
     .sort();
   const ordered = ["mimetype", ...paths.filter((path) => path !== "mimetype")];
   const files = Object.fromEntries(ordered.map((path) => [path, readFileSync(join(root, path))]));
-  if (stoodInFor(test)) files[recording] = silentRecording();
+  if (stoodInFor(test)) files[recording] = silentRecording(silence);
   return files;
 }
 

@@ -282,3 +282,61 @@ impl Crossings {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::book::leaf::Leaf;
+    use crate::book::limits::NODES;
+    use crate::book::paper::Paper;
+
+    const WIDTH: f32 = 0.14;
+
+    /// A flight that lies on a side and is drawn level at a height, metres.
+    fn level(side: Side, height: f32) -> Flight {
+        let columns = 4 * NODES[0] - 3;
+        let u: Vec<f32> = (0..columns)
+            .map(|column| column as f32 / (columns - 1) as f32)
+            .collect();
+        let leaf = Leaf::new([f64::from(WIDTH), 0.21], &Paper::default(), 0.0, (&u, 27));
+        let mut flight = Flight::new(leaf, &u, 27);
+        flight.take_up(0, side, 0, 1);
+        for point in flight.override_surface().as_chunks_mut::<3>().0 {
+            point[2] = height;
+        }
+        flight.want();
+        flight.draw_again(false);
+        flight
+    }
+
+    /// Least and greatest height of what is drawn of a flight on its outer half, metres.
+    fn heights(flight: &Flight) -> [f32; 2] {
+        let points = flight.surface().positions.as_chunks::<3>().0.iter();
+        let outer = points.filter(|point| point[0].abs() > 0.5 * WIDTH);
+        outer.fold([f32::MAX, f32::MIN], |[low, high], point| {
+            [low.min(point[2]), high.max(point[2])]
+        })
+    }
+
+    /// On either side each leaf is moved off the one under it, whichever of the two pairs of three
+    /// leaves overlaps; the lowest stays where it is.
+    #[test]
+    fn leaves_are_moved_off_the_one_that_they_lie_upon() {
+        let overlapping = [[1e-3, 0.8e-3, 5e-3], [1e-3, 3e-3, 2.8e-3]];
+        for (on_left, on_right) in [(0, 1), (1, 0), (0, 0), (1, 1)] {
+            let (left, right) = (overlapping[on_left], overlapping[on_right]);
+            let mut order: Vec<Flight> = left
+                .iter()
+                .map(|height| level(Side::Left, *height))
+                .chain(right.iter().rev().map(|height| level(Side::Right, *height)))
+                .collect();
+            separate(&mut order, ALL, &mut Work::new(u32::MAX));
+            for (piled, side) in [([0, 1, 2], "left"), ([5, 4, 3], "right")] {
+                let [low, middle, top] = piled.map(|index| heights(&order[index]));
+                assert_eq!(low, [1e-3; 2], "the lowest on the {side}");
+                assert!(middle[0] > low[1], "{middle:?} over {low:?} on the {side}");
+                assert!(top[0] > middle[1], "{top:?} over {middle:?} on the {side}");
+            }
+        }
+    }
+}

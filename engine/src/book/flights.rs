@@ -114,6 +114,7 @@ impl Flights {
     pub fn lay(&mut self, left: u32) {
         self.left = left.min(self.leaves);
         self.spare.append(&mut self.order);
+        self.tick_work = 0;
     }
 
     /// Leaves of the left pile.

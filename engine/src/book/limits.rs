@@ -25,5 +25,5 @@ pub const FARTHEST: f32 = 1e3;
 pub const MOST_TICKS: u32 = 12;
 
 /// Work of a frame's ticks, at most, nanoseconds as counted: four times what a picture may
-/// take. The two and a tick more stay below 25 ms.
+/// take. The two and a tick more are meant to stay below 25 ms.
 pub const MOST_STEPPING: u32 = 16_000_000;

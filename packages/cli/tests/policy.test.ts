@@ -4,6 +4,7 @@ import { type Browser, chromium } from "playwright-core";
 import type { TurnleafBook } from "turnleaf";
 import { afterAll, afterEach, beforeAll, describe, expect, test } from "vitest";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { silentRecording } from "../../../tests/silent_recording.mjs";
 import { tinyEpub } from "../../turnleaf/src/sources/epub/tiny_epub.ts";
 import { jpeg2000, tinyPdf } from "../../turnleaf/src/sources/tiny_pdf.ts";
 import { pdf, png } from "./books.ts";
@@ -33,25 +34,6 @@ const enough = {
   "trusted-types": "turnleaf",
 };
 
-/** A recording of a quarter of a second of silence, as WAV. */
-function silence(): Buffer {
-  const [rate, length] = [8000, 2000];
-  const bytes = Buffer.alloc(44 + length, 128);
-  bytes.write("RIFF", 0);
-  bytes.writeUInt32LE(36 + length, 4);
-  bytes.write("WAVEfmt ", 8);
-  bytes.writeUInt32LE(16, 16);
-  bytes.writeUInt16LE(1, 20);
-  bytes.writeUInt16LE(1, 22);
-  bytes.writeUInt32LE(rate, 24);
-  bytes.writeUInt32LE(rate, 28);
-  bytes.writeUInt16LE(1, 32);
-  bytes.writeUInt16LE(8, 34);
-  bytes.write("data", 36);
-  bytes.writeUInt32LE(length, 40);
-  return bytes;
-}
-
 const svg = `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 30"><rect width="20" height="30" fill="#00f"/></svg>`;
 const files: Record<string, Buffer | string> = {
   "/book.pdf": pdf(4),
@@ -71,7 +53,7 @@ const files: Record<string, Buffer | string> = {
       raw: {
         "OEBPS/o.smil":
           '<smil xmlns="http://www.w3.org/ns/SMIL"><body><par><text src="m.xhtml#a"/><audio src="v.wav"/></par></body></smil>',
-        "OEBPS/v.wav": silence(),
+        "OEBPS/v.wav": silentRecording(0.25),
         "OEBPS/m.xhtml":
           '<html xmlns="http://www.w3.org/1999/xhtml"><body><p id="a">Aloud</p></body></html>',
       },
