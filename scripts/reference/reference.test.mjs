@@ -32,8 +32,9 @@ test("an element without attributes is as the reference says", () => {
 
 test("a property says its attribute, and what it is set to comes back, as frameworks rely on", () => {
   for (const { name, attribute, choice, type } of reflected) {
-    // A number that every attribute of numbers accepts.
-    const values = { boolean: [true, false], number: [1.25], string: ["2-3"] }[type];
+    // A number that the attribute accepts: all but this one take more than 1.
+    const number = name === "shadows" ? 0.75 : 1.25;
+    const values = { boolean: [true, false], number: [number], string: ["2-3"] }[type];
     for (const value of values ?? choice.map((word) => (/^\d$/.test(word) ? Number(word) : word))) {
       const { element, has } = bare();
       // From the other value: a flag that is not there cannot be seen to go.

@@ -2,6 +2,7 @@
 
 import type { Paper } from "./book/paper.ts";
 import { directionOf, forward, leftPage, pageOf, rightPage, spreadOf } from "./book/spreads.ts";
+import type { BookState } from "./book/turning.ts";
 import { ControlsLoader } from "./controls/controls_loader.ts";
 import {
   type AttributeEffects,
@@ -28,6 +29,12 @@ import { elementTexts, fill, languageOf } from "./words/languages.ts";
 
 /** Duration of a zoom by command, seconds. */
 const zoomSeconds = 0.25;
+
+/** How pages change by a command. */
+export interface TurnOptions {
+  /** If false, they change at once, without motion. The default is true. */
+  readonly motion?: boolean;
+}
 
 /**
  * The element's class: opens the book and turns it. Its attributes are
@@ -69,6 +76,8 @@ export class TurnleafBook extends ReaderElement {
   #left: { readonly page: number; readonly view: Zoom } | null = null;
   /** The page of the last `pagechange`, until a page is requested. */
   #reported: number | null = null;
+  /** The state of the last `statechange`. */
+  #state: BookState = "resting";
   /** Whether the element is in a document. */
   #connected = false;
   /** Opens a book of the element's children when the first of them comes. */
@@ -161,6 +170,28 @@ export class TurnleafBook extends ReaderElement {
     return edge === "right" ? "rtl" : "ltr";
   }
 
+  /**
+   * What happens to the leaves: nothing (`resting`); a corner is lifted under a
+   * mouse, or falls back (`lifting`); a pointer holds a leaf (`dragged`); one
+   * turns or falls (`turning`), or pages cross-fade.
+   */
+  get state(): BookState {
+    return this.#viewer?.state ?? "resting";
+  }
+
+  /**
+   * Where the open book lies: the rectangle around its two pages, or the one
+   * that is shown alone, CSS pixels from the element's upper left corner. The
+   * same while the book is shut and while leaves turn; null while none is open.
+   */
+  get bookBounds(): DOMRect | null {
+    const viewer = this.#viewer;
+    if (viewer === undefined) return null;
+    const { from, to } = viewer.bounds;
+    const { offsetLeft, offsetTop } = this.#tree.stage;
+    return new DOMRect(from.x + offsetLeft, from.y + offsetTop, to.x - from.x, to.y - from.y);
+  }
+
   /** The current layout: the requested one, or the one that fits the space. */
   get shownLayout(): "spread" | "single" {
     return this.#viewer?.binding.layout ?? "spread";
@@ -195,13 +226,15 @@ export class TurnleafBook extends ReaderElement {
   }
 
   /**
-   * Turns to a page (from 1, clamped to the book). Resolves, once the book is
-   * at rest, to whether it lies there. Before a book is open, that book opens
+   * Turns to a page (from 1, clamped to the book), or changes to it at once.
+   * Resolves, once the book is at rest, to whether it lies there. Before a book is open, that book opens
    * there: resolves once it has, to false if it cannot be opened or the element
    * is removed from its document. Rejects with a `TypeError` if the page is not
    * a number.
+   *
+   * @param options whether the book turns there with motion
    */
-  goTo(page: number): Promise<boolean> {
+  goTo(page: number, options?: TurnOptions): Promise<boolean> {
     const asked = pageNumber(page);
     if (asked === null) {
       return Promise.reject(new TypeError(`goTo takes the number of a page; ${page} is none.`));
@@ -210,8 +243,11 @@ export class TurnleafBook extends ReaderElement {
     const viewer = this.#viewer;
     if (viewer === undefined) return this.#asked.ask(asked);
     const spread = spreadOf(viewer.binding, asked);
-    if (this.#motion === "turn") return viewer.commands.goTo(spread);
-    return viewer.change(spread, this.#motion === "fade");
+    const motion = options?.motion === false ? "none" : this.#motion;
+    if (motion === "turn") return viewer.commands.goTo(spread);
+    const changed = viewer.change(spread, motion === "fade");
+    this.#updateState();
+    return changed;
   }
 
   /**
@@ -308,6 +344,7 @@ export class TurnleafBook extends ReaderElement {
     this.#children.disconnect();
     this.#updateControls();
     this.#life.close();
+    this.#updateState();
   }
 
   /** @internal */
@@ -403,7 +440,17 @@ export class TurnleafBook extends ReaderElement {
     commands.peek(null);
     const spread = viewer.turning.turned(way);
     if (spread === null) return Promise.resolve(false);
-    return viewer.change(spread, this.#motion === "fade", way);
+    const changed = viewer.change(spread, this.#motion === "fade", way);
+    this.#updateState();
+    return changed;
+  }
+
+  /** Reports the state if it has changed. */
+  #updateState(): void {
+    const { state } = this;
+    if (state === this.#state) return;
+    this.#state = state;
+    this.emit("statechange", { state });
   }
 
   #reopen(): void {
@@ -415,6 +462,7 @@ export class TurnleafBook extends ReaderElement {
     this.#tree.say(input === "" ? missing : opening);
     if (input === "") this.#life.close();
     else this.#life.open(input);
+    this.#updateState();
   }
 
   /** Returns the book that the element's children are; "" if there are none yet. */
@@ -444,6 +492,7 @@ export class TurnleafBook extends ReaderElement {
       },
       onLayout: () => this.#laidOut(),
       onMotion: (...frame) => {
+        this.#updateState();
         this.#soundAndHaptics.follow(...frame);
         this.filmed();
       },

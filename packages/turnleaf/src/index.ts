@@ -9,11 +9,12 @@ import { TurnleafBook } from "./element.ts";
 
 export type { Paper } from "./book/paper.ts";
 export type { CoverKind, Edge, Layout } from "./book/spreads.ts";
+export type { BookState } from "./book/turning.ts";
 export type { TurnDetail, TurnleafEventMap } from "./element/events.ts";
 export type { RecordOptions } from "./element/film_recorder.ts";
 export type { PrintOptions } from "./element/printing.ts";
 export type { Theme } from "./element/reflecting_element.ts";
-export { TurnleafBook } from "./element.ts";
+export { TurnleafBook, type TurnOptions } from "./element.ts";
 export type { Stock, StockFigures, Vec3 } from "./engine/shapes.ts";
 export type { TurnModelName } from "./leaf_models/model_choice.ts";
 export type { Bytes } from "./sources/input_values.ts";

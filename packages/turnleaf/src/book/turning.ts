@@ -9,6 +9,9 @@ import { Cover, isResting, Phase, Side, sideOf } from "../engine/phases.ts";
 import { type Between, landingOrder, outermost, uppermost, withPickedUp } from "./leaf_order.ts";
 import { type Binding, isBoard, leafCount, paperOnLeft, waypoints } from "./spreads.ts";
 
+/** What happens to a book's leaves, as the element's `state` says it. */
+export type BookState = "resting" | "lifting" | "dragged" | "turning";
+
 /** A leaf or a board between two spreads. */
 export interface Flight extends Between {
   readonly part: "leaf" | Cover;
@@ -240,6 +243,11 @@ export class Turning {
   /** Returns whether a grab holds something. */
   holds(grab: number): boolean {
     return this.#held.has(grab);
+  }
+
+  /** Whether a pointer holds a leaf or a board. */
+  get hasHeld(): boolean {
+    return this.#held.size > 0;
   }
 
   /** Whether every moving leaf is held and no turn waits. */

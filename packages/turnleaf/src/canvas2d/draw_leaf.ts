@@ -35,7 +35,8 @@ export function drawFlat(brush: Brush, leaf: PeeledSurface, picture: PagePicture
     drawPage(brush, sign, picture);
     return;
   }
-  const { crease, reach, height, page } = folded;
+  const { crease, reach, page } = folded;
+  const height = folded.height * brush.shape.shadows;
   pen.save();
   trace(pen, partOf(page, crease, 1));
   pen.clip();
@@ -69,7 +70,7 @@ export function drawFolded(
   const { sign, crease, lifted, reach, height } = folded;
   const outline = lifted.map((point) => mirrored(crease, point));
   pen.save();
-  pen.shadowColor = `rgb(29 21 14 / ${0.42 * height})`;
+  pen.shadowColor = `rgb(29 21 14 / ${0.42 * height * shape.shadows})`;
   pen.shadowBlur = 0.13 * height * shape.width * unit;
   pen.shadowOffsetY = 0.025 * height * shape.width * unit;
   pen.fillStyle = paper;
@@ -94,7 +95,7 @@ export function drawFolded(
     drawPage(brush, sign === 1 ? -1 : 1, picture);
   }
   pen.restore();
-  across(brush, crease, -reach, roundness(height));
+  across(brush, crease, -reach, roundness(height * shape.shadows));
   pen.restore();
 }
 

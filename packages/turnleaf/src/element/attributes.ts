@@ -4,12 +4,14 @@ import type { LayoutOptions } from "../book/layout.ts";
 import { readStocks } from "../book/leaf_stocks.ts";
 import { isStock, type Paper } from "../book/paper.ts";
 import type { Stock } from "../engine/shapes.ts";
+import type { Gesture } from "../input/target.ts";
 import { typographyAttributes } from "./typography.ts";
 
 /** The attributes of the binding. */
 export const bindingAttributes: readonly string[] = [
   "cover",
   "cloth",
+  "shadows",
   "binding",
   "layout",
   "offset",
@@ -24,12 +26,13 @@ const layouts = ["auto", "spread", "single"] as const;
 /** Returns the options in an element's attributes; an invalid value counts as missing. */
 export function bindingOptionsOf(
   element: Element,
-): Omit<LayoutOptions, "shifts"> & { cloth: string } {
+): Omit<LayoutOptions, "shifts"> & { cloth: string; shadows: number } {
   const word = <W extends string>(name: string, words: readonly W[]): W =>
     words.find((known) => known === element.getAttribute(name)) ?? words[0];
   return {
     cover: word("cover", covers),
     cloth: element.getAttribute("cloth") ?? "#6a2a26",
+    shadows: numberIn(element, "shadows", 0, 1) ?? 1,
     binding: word("binding", bindings),
     layout: word("layout", layouts),
     offset: element.getAttribute("offset") === "0" ? 0 : 1,
@@ -107,8 +110,27 @@ export function paperOf(element: Element): Paper {
  * minute.
  */
 export function turnSecondsOf(element: Element): number {
-  const milliseconds = Number(element.getAttribute("duration")?.trim() || 800);
-  return milliseconds >= 0 && milliseconds <= 60_000 ? milliseconds / 1000 : 0.8;
+  return (numberIn(element, "duration", 0, 60_000) ?? 800) / 1000;
+}
+
+/**
+ * Returns whether a gesture of the reader's acts on the book, by `gestures`:
+ * all do if the attribute is missing or empty.
+ */
+export function allowsGesture(element: Element, gesture: Gesture): boolean {
+  const list = element.getAttribute("gestures")?.trim();
+  return !list || list.split(/\s+/).includes(gesture);
+}
+
+/** Returns the minimum length of a flick that turns, by `swipe-distance`, CSS pixels. */
+export function swipeDistanceOf(element: Element): number {
+  return numberIn(element, "swipe-distance", 0, Number.MAX_VALUE) ?? 0;
+}
+
+/** Returns an attribute's number; undefined if it is missing, empty, or not between the two. */
+function numberIn(element: Element, name: string, least: number, most: number): number | undefined {
+  const number = Number(element.getAttribute(name)?.trim() || Number.NaN);
+  return number >= least && number <= most ? number : undefined;
 }
 
 /**

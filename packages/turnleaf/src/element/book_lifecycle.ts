@@ -4,6 +4,7 @@
  */
 
 import { Input } from "../input/input.ts";
+import type { Gesture } from "../input/target.ts";
 import { giveUpContext, openViewer } from "../open_viewer.ts";
 import { loadPart } from "../sources/load_part.ts";
 import type { BookInput } from "../sources/open.ts";
@@ -12,6 +13,7 @@ import type { NewIndex, OutlineEntry, PageSource } from "../sources/page_source.
 import type { SearchHit } from "../text/searching.ts";
 import type { Viewer, ViewerOptions } from "../viewer/viewer.ts";
 import { elementTexts, fill, languageOf } from "../words/languages.ts";
+import { allowsGesture, swipeDistanceOf } from "./attributes.ts";
 import type { BookTextOverlay, TextTarget } from "./book_text_overlay.ts";
 import type { LivePages } from "./live_pages.ts";
 import { typographyOf } from "./typography.ts";
@@ -341,7 +343,9 @@ export class OpenBook {
     this.canvas = canvas;
     this.elements = elements;
     elements.follow(viewer);
-    this.#input = new Input(canvas, stage, element, { viewer, turn, calm });
+    const allows = (gesture: Gesture): boolean => allowsGesture(element, gesture);
+    const swipeDistance = (): number => swipeDistanceOf(element);
+    this.#input = new Input(canvas, stage, element, { viewer, turn, calm, allows, swipeDistance });
     const language = (): string => languageOf(element);
     this.reading = new ReadableBook({ source, viewer, canvas, goTo, language }, missingPart);
     this.#element = element;

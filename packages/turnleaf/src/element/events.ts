@@ -1,6 +1,7 @@
 /** The events of `<turnleaf-book>`. */
 
 import type { Edge, Layout } from "../book/spreads.ts";
+import type { BookState } from "../book/turning.ts";
 
 /** A turn from one page to another, in page numbers from 1. */
 export interface TurnDetail {
@@ -30,6 +31,8 @@ export interface TurnleafEventMap {
   layoutchange: CustomEvent<{ layout: Layout; binding: Edge }>;
   /** Pages were inserted, removed or replaced, or set anew in another number. */
   pageschange: CustomEvent<{ pageCount: number }>;
+  /** The book's `state` has changed. */
+  statechange: CustomEvent<{ state: BookState }>;
   /** The zoom level has changed; `zoom` as the property is. */
   zoomchange: CustomEvent<{ zoom: number }>;
   /** The bookmarks have changed. */

@@ -3,7 +3,7 @@
 import type { Stock } from "../engine/shapes.ts";
 import type { TurnModelName } from "../leaf_models/model_choice.ts";
 import type { Typography } from "../sources/page_source.ts";
-import { bindingOptionsOf, stockOf, turnSecondsOf } from "./attributes.ts";
+import { bindingOptionsOf, stockOf, swipeDistanceOf, turnSecondsOf } from "./attributes.ts";
 import type { TurnleafEventMap, TypedEventElement } from "./events.ts";
 import { typographyOf } from "./typography.ts";
 
@@ -247,6 +247,54 @@ export class ReflectingElement extends Base {
 
   set cloth(colour: string) {
     this.setAttribute("cloth", colour);
+  }
+
+  /**
+   * How strong the shadows are that leaves throw on pages and on each other: 0
+   * (none) to 1.
+   *
+   * @attribute shadows
+   * @default 1
+   */
+  get shadows(): number {
+    return bindingOptionsOf(this).shadows;
+  }
+
+  set shadows(strength: number) {
+    this.setAttribute("shadows", String(strength));
+  }
+
+  /**
+   * The gestures that act on the book, as a list: `drag` (a leaf is dragged or
+   * flicked), `click` (a click at an edge or a corner turns), `corner` (a corner
+   * lifts under a mouse), `wheel` (it turns), `zoom` (a pinch, a double tap, the
+   * wheel with Ctrl). Empty for all; `none` for none, so that
+   * only keys and commands turn pages.
+   *
+   * @attribute gestures
+   * @default ""
+   */
+  get gestures(): string {
+    return this.getAttribute("gestures") ?? "";
+  }
+
+  set gestures(list: string) {
+    this.setAttribute("gestures", list);
+  }
+
+  /**
+   * Minimum length of a flick that turns a leaf, CSS pixels. A shorter one only
+   * drags it.
+   *
+   * @attribute swipe-distance
+   * @default 0
+   */
+  get swipeDistance(): number {
+    return swipeDistanceOf(this);
+  }
+
+  set swipeDistance(pixels: number) {
+    this.setAttribute("swipe-distance", String(pixels));
   }
 
   /**

@@ -139,7 +139,8 @@ export class Input {
     const hit = isZoomed ? null : drags.pick(at.x, at.y);
     if (hit === null && !isZoomed) return;
     // A leaf in flight is caught at once, where it is.
-    const drag = hit && drags.isFlying(hit) ? drags.grab(hit) : null;
+    const catches = hit && drags.isFlying(hit) && this.#target.allows("drag");
+    const drag = catches ? drags.grab(hit) : null;
     const flick = new Flick();
     const time = event.timeStamp;
     flick.move(at, time);
@@ -155,7 +156,7 @@ export class Input {
     if (press === undefined) this.#hover(event, at);
     else {
       press.flick.move(at, event.timeStamp);
-      if (press.drag === null && !press.pans) this.#begin(press, at);
+      if (press.drag === null && !press.pans) this.#begin(press, at, event.pointerId);
       press.drag?.move(at.x, at.y);
       if (press.pans) this.#viewer.zoom(this.#viewer.zoomLevel, press.at, at, 0);
       press.at = at;
@@ -163,7 +164,7 @@ export class Input {
   }
 
   /** Makes a press that has moved a drag or a pan. */
-  #begin(press: Press, at: Place): void {
+  #begin(press: Press, at: Place, id: number): void {
     const [x, y] = [at.x - press.x, at.y - press.y];
     const isMouse = press.kind === "mouse";
     if (Math.hypot(x, y) <= (isMouse ? dragStart.mouse : dragStart.other)) return;
@@ -172,6 +173,11 @@ export class Input {
       press.pans = true;
       this.#viewer.handled = true;
     } else {
+      if (!this.#target.allows("drag")) {
+        // It is no click either.
+        this.#presses.delete(id);
+        return;
+      }
       // Along the page's own scroll direction a finger scrolls it: the browser will say so.
       const { quarterTurned } = this.#viewer.binding;
       if (
@@ -201,8 +207,10 @@ export class Input {
    * Releases a press: a leaf falls where it is released; a flick turns it over,
    * or one of the other side.
    */
-  #release({ hit, flick, time }: Press, drag: Drag, now: number | null): void {
-    const way = now !== null && now - time <= flickTime ? this.#flicked(flick.velocity(now)) : 0;
+  #release({ x, y, at, hit, flick, time }: Press, drag: Drag, now: number | null): void {
+    const isLong = Math.hypot(at.x - x, at.y - y) >= this.#target.swipeDistance();
+    const isFlick = isLong && now !== null && now - time <= flickTime;
+    const way = isFlick ? this.#flicked(flick.velocity(now)) : 0;
     const isOwn = hit === null || sideOf(hit) === (way === 1 ? Side.right : Side.left);
     if (way !== 0 && isOwn) this.#target.turn((way * forward(this.#viewer.binding)) as 1 | -1);
     drag.release();
@@ -229,8 +237,9 @@ export class Input {
   }
 
   #tap({ hit, at }: Press, event: PointerEvent): void {
-    const inside = hit === null || !turnsByClick(hit);
-    if (inside && this.#taps.tap(event)) {
+    const { allows } = this.#target;
+    const inside = hit === null || !allows("click") || !turnsByClick(hit);
+    if (inside && allows("zoom") && this.#taps.tap(event)) {
       const { level, from, to } = pageZoom(this.#viewer, at, this.#canvas.clientWidth);
       this.#viewer.zoom(level, from, to, this.#target.calm() ? 0 : tapZoomTime);
       return;
@@ -247,7 +256,7 @@ export class Input {
    * then it is another drag.
    */
   #beginPinch(event: PointerEvent, at: Place): boolean {
-    if (event.pointerType !== "touch" || this.#pinch) return false;
+    if (event.pointerType !== "touch" || this.#pinch || !this.#target.allows("zoom")) return false;
     const other = [...this.#presses].find(
       ([, press]) => press.kind === "touch" && press.drag === null,
     );
@@ -275,7 +284,8 @@ export class Input {
   }
 
   #touch(event: TouchEvent): void {
-    if (!event.cancelable || (event.touches.length < 2 && this.#viewer.zoomLevel <= 1)) return;
+    const isPinch = event.touches.length >= 2 && this.#target.allows("zoom");
+    if (!event.cancelable || !(isPinch || this.#viewer.zoomLevel > 1)) return;
     event.preventDefault();
   }
 
@@ -285,7 +295,8 @@ export class Input {
     const isZoomed = this.#viewer.zoomLevel > 1;
     const isBook = event.target === this.#canvas || this.#isBarePage(event);
     const hit = isZoomed || !isBook ? null : this.#viewer.drags.pick(at.x, at.y);
-    this.#canvas.style.cursor = hit !== null || isZoomed ? "grab" : "";
+    const isGrabbed = isZoomed || (hit !== null && this.#target.allows("drag"));
+    this.#canvas.style.cursor = isGrabbed ? "grab" : "";
     this.#peek(hit);
   }
 
@@ -300,7 +311,7 @@ export class Input {
   #peek(hit: DragHit | null): void {
     const zone = this.#isPeeking ? stayZone : liftZone;
     const isCorner = hit !== null && hit.u > 1 - zone.u && Math.abs(hit.v - 0.5) > 0.5 - zone.v;
-    const lifts = isCorner && !this.#target.calm();
+    const lifts = isCorner && this.#target.allows("corner") && !this.#target.calm();
     if (lifts === this.#isPeeking) return;
     this.#isPeeking = this.#viewer.commands.peek(lifts ? hit : null);
   }

@@ -2,6 +2,9 @@
 
 import type { Viewer } from "../viewer/viewer.ts";
 
+/** A kind of gesture by pointer or wheel that can be switched off. */
+export type Gesture = "drag" | "click" | "corner" | "wheel" | "zoom";
+
 /** An open book, and the callbacks of the element around it. */
 export interface InputTarget {
   readonly viewer: Viewer;
@@ -9,4 +12,8 @@ export interface InputTarget {
   readonly turn: (by: 1 | -1) => void;
   /** Returns whether the reader prefers reduced motion. */
   readonly calm: () => boolean;
+  /** Returns whether a gesture acts on the book. */
+  readonly allows: (gesture: Gesture) => boolean;
+  /** Returns the minimum length of a flick that turns, CSS pixels. */
+  readonly swipeDistance: () => number;
 }

@@ -49,16 +49,17 @@ export class Wheel {
   /** Handles an event at a place on the canvas. An event that it uses does not scroll the page. */
   roll(event: WheelEvent, at: Place): void {
     if (event.defaultPrevented) return;
-    const { viewer } = this.#target;
+    const { viewer, allows } = this.#target;
     const unit = event.deltaMode === 0 ? 1 : event.deltaMode === 1 ? line : 20 * line;
     const [x, y] = [event.deltaX * unit, event.deltaY * unit];
     const seconds = this.#target.calm() ? 0 : glide;
     if (event.ctrlKey || event.metaKey) {
+      if (!allows("zoom")) return;
       const step = Math.min(Math.max(y, -mostZoomStep), mostZoomStep);
       viewer.zoom(viewer.zoomLevel * Math.exp(-zoomRate * step), at, at, seconds);
     } else if (viewer.zoomLevel > 1) {
       viewer.zoom(viewer.zoomLevel, at, { x: at.x - x, y: at.y - y }, seconds);
-    } else if (!this.#turn(event, x, y)) return;
+    } else if (!allows("wheel") || !this.#turn(event, x, y)) return;
     event.preventDefault();
   }
 

@@ -21,6 +21,8 @@ export interface BookShape {
   readonly alone: 1 | 0 | -1;
   /** CSS colour of the boards and the spine. */
   readonly cloth: string;
+  /** Strength of the shadows of leaves on pages and on each other, 0 to 1. */
+  readonly shadows: number;
   /** Scans are never drawn brighter than they are. */
   readonly kind: "typeset" | "scan";
 }

@@ -21,9 +21,12 @@ import { TickCounter } from "./frame_timing.ts";
 /** Square root of a page area of 140 x 210 mm, in metres: every book has paper of this size. */
 const paperSize = Math.sqrt(0.14 * 0.21);
 
-/** How a book is to be bound, and the CSS colour of its cloth. */
+/** How a book is to be bound, and how it looks. */
 export interface BindingOptions extends LayoutOptions {
+  /** CSS colour of the boards. */
   readonly cloth: string;
+  /** Strength of the shadows of leaves on pages, 0 to 1. */
+  readonly shadows: number;
 }
 
 /** The properties of a book that no binding changes. */
@@ -60,7 +63,7 @@ export function layOutBinding(
 ): BindingLayout {
   const { source } = book;
   const { pageCount, kind } = source;
-  const { cover, cloth } = options;
+  const { cover, cloth, shadows } = options;
   const edge = edgeFor(options.binding, source);
   const isQuarterTurned = edge === "top" || edge === "bottom";
   const requested = options.layout === "auto" ? (source.layout ?? "auto") : options.layout;
@@ -81,6 +84,7 @@ export function layOutBinding(
     cover: binding.hardCover ? "hard" : "none",
     rim: binding.hardCover ? caseSizes.rim : 0,
     cloth,
+    shadows,
     kind,
     quarterTurned,
     alone: layout === "spread" ? 0 : reversed ? -1 : 1,

@@ -8,7 +8,7 @@
 import { faceOf } from "../book/faces.ts";
 import type { Paper } from "../book/paper.ts";
 import { type Binding, clampSpread, pagesAt } from "../book/spreads.ts";
-import type { Turning } from "../book/turning.ts";
+import type { BookState, Turning } from "../book/turning.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
 import { ModelSwitch } from "../leaf_models/model_switch.ts";
@@ -173,6 +173,28 @@ export class Viewer {
   /** Where the book lies open and how it gets elsewhere; replaced with every binding. */
   get turning(): Turning {
     return this.#bound.turning;
+  }
+
+  /** What happens to its leaves. */
+  get state(): BookState {
+    const { turning, peek } = this.#bound;
+    if (this.#crossFade.isOn) return "turning";
+    if (!turning.moving) return "resting";
+    if (peek.flight) return "lifting";
+    return turning.hasHeld ? "dragged" : "turning";
+  }
+
+  /**
+   * Where the open book lies, or would: the rectangle around the places of its
+   * two pages, or of the one that stands alone, CSS pixels on the canvas.
+   */
+  get bounds(): { readonly from: Place; readonly to: Place } {
+    const { width, height, alone } = this.#bound.shape;
+    const [left, right] = [alone === 1 ? 0 : -width, alone === -1 ? 0 : width];
+    const a = this.#stage.project([left, height, 0]);
+    const b = this.#stage.project([right, 0, 0]);
+    const [x, y] = [Math.min(a.x, b.x), Math.min(a.y, b.y)];
+    return { from: { x, y }, to: { x: Math.max(a.x, b.x), y: Math.max(a.y, b.y) } };
   }
 
   /** The drags of pointers on it; replaced with every binding. */

@@ -59,6 +59,7 @@ export interface ViewerOptions extends Partial<BindingOptions> {
 export const defaultBinding: BindingOptions = {
   cover: "hard",
   cloth: "#6a2a26",
+  shadows: 1,
   binding: "auto",
   layout: "auto",
   offset: 1,

@@ -10,6 +10,7 @@ const shape: BookShape = {
   cover: "hard",
   rim: 0.0032,
   cloth: "#6a2a26",
+  shadows: 1,
   kind: "typeset",
   quarterTurned: false,
   alone: 0,

@@ -81,6 +81,7 @@ export class LeafScene {
       quarterTurned: false,
       alone: 0,
       cloth: "#6a2a26",
+      shadows: 1,
       kind: "typeset",
     };
     this.#textures = new PictureTextures(this.#renderer);

@@ -46,6 +46,7 @@ uniform float mirrored;
 uniform float thin;
 uniform float ceiling;
 uniform float pool;
+uniform float shadows;
 uniform vec2 size;
 ${varyings}
 ${lightChunk}
@@ -103,7 +104,8 @@ void main() {
   vec4 print = printed(onPicture(uv));
   vec3 ink = print.rgb;
   if (print.a < 0.99) ink = besidePrint(print, uv);
-  vec3 light = arriving(normal, skyHere(normal), keyHere());
+  vec3 sky = mix(vec3(0.5 + 0.5 * normal.z), skyHere(normal), shadows);
+  vec3 light = arriving(normal, sky, mix(1.0, keyHere(), shadows));
   light = min(light + throughLeaf(normal, uv), vec3(ceiling));
   vec2 fromLight = (vPlace.xy - vec2(-0.35 * size.x, 0.65 * size.y)) / (1.5 * size);
   light *= 1.0 - pool * smoothstep(0.1, 1.0, length(fromLight));
@@ -128,7 +130,11 @@ export interface PaperSide {
 
 /** A printed sheet's material, by its two pictures. */
 export class PaperMaterial extends ShaderMaterial {
-  constructor(side: PaperSide, { kind, width, height, quarterTurned }: BookShape, paper: Texture) {
+  constructor(
+    side: PaperSide,
+    { kind, width, height, quarterTurned, shadows }: BookShape,
+    paper: Texture,
+  ) {
     super({
       defines: quarterTurned ? { QUARTER_TURNED: "" } : {},
       vertexShader,
@@ -145,6 +151,7 @@ export class PaperMaterial extends ShaderMaterial {
         thick: { value: 0 },
         ceiling: { value: kind === "scan" ? 1 : 1.03 },
         pool: { value: kind === "scan" ? 0 : 0.024 },
+        shadows: { value: shadows },
         size: { value: [width, height] },
       },
     });

@@ -12,6 +12,7 @@ const shape: BookShape = {
   cover: "none",
   rim: 0,
   cloth: "#6a2a26",
+  shadows: 1,
   kind: "scan",
   quarterTurned: false,
   alone: 0,

@@ -1,0 +1,104 @@
+/** Pages changed without motion, where the open book lies, and how strong its shadows are. */
+
+import { afterEach, expect, test } from "vitest";
+import type { BookState } from "../book/turning.ts";
+import type { TurnleafBook } from "../element.ts";
+import { book, happens, keepWhatIsDrawn, scans, settled } from "../for_tests/element_books.ts";
+import { TestPointer } from "../for_tests/test_pointer.ts";
+import type { TurnDetail } from "./events.ts";
+
+keepWhatIsDrawn();
+
+afterEach(() => document.body.replaceChildren());
+
+async function opened(attributes: Record<string, string> = {}): Promise<TurnleafBook> {
+  const element = book(scans(12), { page: "6", cover: "none", ...attributes });
+  await happens(element, "load");
+  await settled(element);
+  return element;
+}
+
+test("a page is gone to without motion, also from the middle of a turn", async () => {
+  const element = await opened();
+  const states: BookState[] = [];
+  const pages: TurnDetail[] = [];
+  element.addEventListener("statechange", ({ detail }) => states.push(detail.state));
+  element.addEventListener("pagechange", ({ detail }) => pages.push(detail));
+  expect(await element.goTo(10, { motion: false })).toBe(true);
+  expect(element.page).toBe(10);
+  await settled(element);
+  expect(states).toEqual([]);
+  const turned = element.previous();
+  await happens(element, "statechange");
+  expect(element.state).toBe("turning");
+  expect(await element.goTo(2, { motion: false })).toBe(true);
+  // The turn back that was under way has been overtaken: the book lies farther back.
+  expect(await turned).toBe(true);
+  await settled(element);
+  expect(states).toEqual(["turning", "resting"]);
+  expect(pages.map(({ to }) => to)).toEqual([10, 2]);
+});
+
+test("a book that is removed in the middle of a turn is at rest", async () => {
+  const element = await opened();
+  void element.next();
+  await happens(element, "statechange");
+  const resting = happens<{ state: BookState }>(element, "statechange");
+  element.remove();
+  expect((await resting).state).toBe("resting");
+  expect(element.bookBounds).toBeNull();
+});
+
+test.each([
+  { attributes: { layout: "spread" }, ratio: (2 * 90) / 120 },
+  { attributes: { layout: "single" }, ratio: 90 / 120 },
+  { attributes: { layout: "spread", binding: "top" }, ratio: 90 / (2 * 120) },
+])("the bounds of the open book, $attributes", async ({ attributes, ratio }) => {
+  const element = await opened(attributes as unknown as Record<string, string>);
+  const bounds = element.bookBounds as DOMRect;
+  expect(bounds.width / bounds.height).toBeCloseTo(ratio, 1);
+  // A page that stands alone lies a little toward its fore-edge.
+  expect(Math.abs((bounds.left + bounds.right) / 2 - 150)).toBeLessThan(12);
+  await element.goTo(1, { motion: false });
+  await settled(element);
+  expect(element.bookBounds).toEqual(bounds);
+  // A point just inside is the book's, one outside is not.
+  await element.goTo(6, { motion: false });
+  await settled(element);
+  const pointer = new TestPointer(element);
+  const cursorAt = (x: number, y: number): string => {
+    pointer.point("pointermove", x, y);
+    return pointer.canvas.style.cursor;
+  };
+  const middle = (bounds.left + bounds.right) / 2;
+  expect(cursorAt(middle + 10, bounds.bottom - 6)).toBe("grab");
+  expect(cursorAt(middle + 10, bounds.bottom + 8)).toBe("");
+});
+
+/** Returns the mean brightness of what a book shows, 0 to 255, while a leaf is held upright. */
+async function brightness(attributes: Record<string, string>): Promise<number> {
+  const element = await opened(attributes);
+  const pointer = new TestPointer(element);
+  pointer.point("pointerdown", 245, 110);
+  await pointer.move([245, 110], [170, 100]);
+  await settled(element);
+  const copy = document.createElement("canvas");
+  [copy.width, copy.height] = [300, 220];
+  const pen = copy.getContext("2d") as CanvasRenderingContext2D;
+  pen.drawImage(pointer.canvas, 0, 0, 300, 220);
+  const { data } = pen.getImageData(50, 50, 200, 120);
+  let sum = 0;
+  for (let at = 0; at < data.length; at += 4) sum += data[at];
+  element.remove();
+  return (4 * sum) / data.length;
+}
+
+test("shadows can be made weaker, and left out", async () => {
+  const [full, half, none] = [
+    await brightness({}),
+    await brightness({ shadows: "0.5" }),
+    await brightness({ shadows: "0" }),
+  ];
+  expect(half).toBeGreaterThan(full + 1);
+  expect(none).toBeGreaterThan(half + 1);
+});
