@@ -38,7 +38,14 @@ export default defineConfig({
       },
       {
         plugins: [wasmInline(), turnInline(), packedFiles()],
-        optimizeDeps: { include: ["three", "pdfjs-dist/legacy/build/pdf.mjs", "axe-core"] },
+        optimizeDeps: {
+          include: [
+            "three",
+            "pdfjs-dist/legacy/build/pdf.mjs",
+            "axe-core",
+            "page-flip/dist/js/page-flip.module.js",
+          ],
+        },
         // The examples import the package by its name.
         resolve: {
           alias: [

@@ -76,6 +76,9 @@ const viewer = {
     "leaf_models",
     "words",
   ],
+  // Other interfaces to the element.
+  page_flip: ["index.ts"],
+  react_pageflip: ["page_flip"],
   // Helpers of tests.
   for_tests: [
     "controls",

@@ -60,6 +60,34 @@ const leafStage = defineConfig({
   deps: { neverBundle: ["three"] },
 });
 
+/** Imports other entries by their public names, in place of copies of them. */
+const entriesByName = {
+  name: "turnleaf-entries-by-name",
+  resolveId(id: string, importer?: string) {
+    if (importer && id === "../index.ts") return { id: "turnleaf", external: true };
+    if (id === "../page_flip/index.ts") return { id: "turnleaf/page-flip", external: true };
+    return null;
+  },
+};
+
+/** Others: they show a book by the viewer, behind other interfaces. */
+const pageFlip = defineConfig({
+  ...common,
+  entry: { "page-flip": "src/page_flip/index.ts" },
+  clean: false,
+  plugins: [entriesByName],
+  deps: { neverBundle: ["turnleaf"] },
+});
+
+const reactPageFlip = defineConfig({
+  ...common,
+  entry: { "react-pageflip": "src/react_pageflip/index.ts" },
+  clean: false,
+  plugins: [entriesByName],
+  deps: { neverBundle: ["react", "react-dom", "turnleaf/page-flip"] },
+  banner: { js: '"use client";' },
+});
+
 /** One file, for sites that serve it themselves: pdf.js's workers as they come. */
 const pdfWorker = defineConfig({
   ...common,
@@ -71,4 +99,4 @@ const pdfWorker = defineConfig({
   outputOptions: { codeSplitting: false },
 });
 
-export default [viewer, models, keyFrames, leafStage, pdfWorker];
+export default [viewer, models, keyFrames, leafStage, pageFlip, reactPageFlip, pdfWorker];

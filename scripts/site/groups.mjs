@@ -13,6 +13,7 @@ export const groups = {
     Reference: "docs/reference.md",
     "What opens": "docs/sources.md",
     "Pages that are HTML": "docs/html-pages.md",
+    "From page-flip": "docs/page-flip.md",
     "Sources of your own": "docs/page-source.md",
     Publishing: "docs/publish.md",
     "The command": "packages/cli/README.md",

@@ -27,6 +27,32 @@ test.each([
   expect(types.match(/from "[^"]+"|import\("[^"]+"\)/g)).toBeNull();
 });
 
+test.each([
+  ["page-flip", ["turnleaf"]],
+  ["react-pageflip", ["react", "turnleaf/page-flip"]],
+])("the public types of %s need those of %j alone", (name, others) => {
+  const types = readFileSync(new URL(`../../turnleaf/dist/${name}.d.ts`, import.meta.url), "utf8");
+  const named = [...types.matchAll(/from "([^"]+)"/g)].map(([, other]) => other);
+  expect([...new Set(named)].sort()).toEqual(others);
+});
+
+test("the drop-ins are imported on a server too, with the list of what they offer", async () => {
+  const script = `for (const name of ["page-flip", "react-pageflip"])
+    console.log(Object.keys(await import("turnleaf/" + name)).sort().join());`;
+  const { stdout, stderr } = await promisify(execFile)(
+    process.execPath,
+    ["--input-type=module", "--eval", script],
+    { cwd: fileURLToPath(new URL("..", import.meta.url)) },
+  );
+  expect([stdout.trim(), stderr]).toEqual(["PageFlip\nHTMLFlipBook,default", ""]);
+});
+
+test("React frameworks see that react-pageflip is for browsers", () => {
+  expect(rootFile("packages/turnleaf/dist/react-pageflip.js").startsWith('"use client";')).toBe(
+    true,
+  );
+});
+
 const rootFile = (path: string): string =>
   readFileSync(new URL(`../../../${path}`, import.meta.url), "utf8");
 

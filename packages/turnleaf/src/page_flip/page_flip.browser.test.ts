@@ -1,0 +1,383 @@
+/**
+ * The drop-in beside page-flip 2.0.7 itself, in the same page: each does the same
+ * things with the same options, and what it says of itself is compared.
+ */
+
+import { PageFlip as Original } from "page-flip/dist/js/page-flip.module.js";
+import { afterEach, expect, test, vi } from "vitest";
+import { scan } from "../for_tests/element_books.ts";
+import { type FlipEvents, type FlipSetting, PageFlip } from "./index.ts";
+
+vi.setConfig({ testTimeout: 120_000 });
+
+afterEach(() => document.body.replaceChildren());
+
+/** The interface that both have. */
+type Book = PageFlip;
+type BookClass = new (host: HTMLElement, options: Partial<FlipSetting>) => Book;
+const classes: readonly [name: string, made: BookClass][] = [
+  ["page-flip", Original as unknown as BookClass],
+  ["turnleaf", PageFlip],
+];
+
+const events: readonly (keyof FlipEvents)[] = [
+  "flip",
+  "changeOrientation",
+  "changeState",
+  "init",
+  "update",
+];
+const patient = { timeout: 30_000 };
+const pageSize = { width: 100, height: 150 };
+
+/** Returns elements as pages; the first and the last say that they are boards. */
+function htmlPages(count: number): HTMLElement[] {
+  return Array.from({ length: count }, (_, k) => {
+    const page = document.createElement("div");
+    page.className = "page";
+    page.textContent = `Page ${k + 1}`;
+    if (k === 0 || k === count - 1) page.dataset.density = "hard";
+    return page;
+  });
+}
+
+/** Makes a host of some style, with a book in it. */
+function make(made: BookClass, options: Partial<FlipSetting> = {}, style = "width: 400px") {
+  const around = document.createElement("div");
+  around.style.cssText = style;
+  const host = document.createElement("div");
+  around.append(host);
+  document.body.append(around);
+  const book = new made(host, { ...pageSize, flippingTime: 200, ...options });
+  const log: [name: string, data: unknown][] = [];
+  for (const name of events) book.on(name, ({ data }) => log.push([name, data]));
+  return { around, host, book, log };
+}
+
+/** Makes a book of HTML pages, and waits until it is open. */
+async function opened(
+  made: BookClass,
+  options: Partial<FlipSetting> = {},
+  style?: string,
+  count = 7,
+) {
+  const shown = make(made, options, style);
+  const pages = htmlPages(count);
+  shown.book.loadFromHTML(pages);
+  await expect.poll(() => shown.log.some(([name]) => name === "init"), patient).toBe(true);
+  return { ...shown, pages };
+}
+
+/** Waits until the last state of a log is `read` again, after others. */
+const hasRead = (log: readonly [string, unknown][], from: number) =>
+  expect
+    .poll(() => {
+      const states = log.slice(from).filter(([name]) => name === "changeState");
+      return states.at(-1)?.[1];
+    }, patient)
+    .toBe("read");
+
+const state = (book: Book) => ({
+  count: book.getPageCount(),
+  index: book.getCurrentPageIndex(),
+  orientation: book.getOrientation(),
+  bounds: book.getBoundsRect(),
+  state: book.getState(),
+});
+
+/** Runs the same with both, and expects the same of both. */
+async function compare(run: (made: BookClass) => Promise<unknown>): Promise<unknown> {
+  const seen: unknown[] = [];
+  for (const [, made] of classes) {
+    seen.push(await run(made));
+    document.body.replaceChildren();
+  }
+  expect(seen[1]).toEqual(seen[0]);
+  return seen[1];
+}
+
+const sizes: readonly [Partial<FlipSetting>, string][] = [
+  [{}, "width: 400px"],
+  [{ showCover: true }, "width: 400px"],
+  [{ startPage: 3 }, "width: 400px"],
+  [{ startPage: 3, showCover: true }, "width: 400px"],
+  [{ startPage: 30 }, "width: 400px"],
+  // One page, where two have no room, and two all the same.
+  [{ startPage: 3 }, "width: 150px"],
+  [{ usePortrait: false }, "width: 150px"],
+  [{ autoSize: false }, "width: 400px; height: 300px"],
+  [{ size: "stretch", minWidth: 80, maxWidth: 160 }, "width: 500px"],
+  [{ size: "stretch", minWidth: 80, maxWidth: 160 }, "width: 260px"],
+  [{ size: "stretch", minWidth: 80, maxWidth: 160 }, "width: 140px"],
+  [{ size: "stretch", minHeight: 400 }, "width: 300px"],
+];
+
+test.each(sizes)("where it lies and what it shows with %j in %s", async (options, style) => {
+  const seen = await compare(async (made) => {
+    const { book, log, host } = await opened(made, options, style);
+    const init = log.find(([name]) => name === "init")?.[1];
+    const { width, height } = host.getBoundingClientRect();
+    return { ...state(book), init, width, height, settings: book.getSettings() };
+  });
+  expect(seen).toMatchObject({ count: 7, state: "read" });
+});
+
+test.each([{ width: 0 }, { height: -1 }, { size: "huge" as "fixed" }, { flippingTime: 0 }])(
+  "an option that is not valid is refused: %j",
+  (wrong) => {
+    const messages = classes.map(([, made]) => {
+      try {
+        return new made(document.createElement("div"), { ...pageSize, ...wrong });
+      } catch (error) {
+        return (error as Error).message;
+      }
+    });
+    expect(messages[0]).toMatch(/Invalid/);
+    expect(messages[1]).toBe(messages[0]);
+  },
+);
+
+test.each([
+  { options: {}, style: "width: 400px" },
+  { options: { showCover: true }, style: "width: 400px" },
+  { options: {}, style: "width: 150px" },
+])("turning at once, $options in $style", async ({ options, style }) => {
+  const seen = await compare(async (made) => {
+    const { book, log } = await opened(made, options, style);
+    log.length = 0;
+    const indexes: number[] = [];
+    const did = (turn: () => void): void => {
+      turn();
+      indexes.push(book.getCurrentPageIndex());
+    };
+    did(() => book.turnToPage(3));
+    did(() => book.turnToNextPage());
+    did(() => book.turnToPrevPage());
+    did(() => book.turnToPage(6));
+    did(() => book.turnToPage(99));
+    did(() => book.turnToPage(-1));
+    did(() => book.turnToPage(0));
+    did(() => book.turnToPrevPage());
+    return { indexes, log: [...log] };
+  });
+  expect((seen as { log: unknown[] }).log.length).toBeGreaterThan(4);
+});
+
+test("turning with motion, and what is said of it", async () => {
+  const seen = await compare(async (made) => {
+    const { book, log } = await opened(made, { showCover: true });
+    const turned = async (turn: () => void): Promise<unknown[]> => {
+      log.length = 0;
+      turn();
+      await hasRead(log, 0);
+      return [...log, book.getCurrentPageIndex(), book.getState()];
+    };
+    return [
+      await turned(() => book.flipNext()),
+      await turned(() => book.flipNext("bottom")),
+      await turned(() => book.flipPrev("top")),
+      await turned(() => book.flip(6)),
+      await turned(() => book.flip(0, "bottom")),
+    ];
+  });
+  expect((seen as unknown[])[0]).toEqual([
+    ["changeState", "flipping"],
+    ["flip", 1],
+    ["changeState", "read"],
+    1,
+    "read",
+  ]);
+});
+
+test("at the ends of the book nothing turns", async () => {
+  await compare(async (made) => {
+    const { book, log } = await opened(made);
+    log.length = 0;
+    book.flipPrev();
+    await new Promise((done) => setTimeout(done, 300));
+    return [...log, book.getCurrentPageIndex()];
+  });
+});
+
+test("other elements take the place of the pages, at the same index", async () => {
+  await compare(async (made) => {
+    const { book, log } = await opened(made, { startPage: 4 });
+    log.length = 0;
+    book.updateFromHtml(htmlPages(9));
+    await expect.poll(() => log.some(([name]) => name === "update"), patient).toBe(true);
+    return { log: [...log], ...state(book) };
+  });
+});
+
+test("images as pages, and others in their place", async () => {
+  await compare(async (made) => {
+    const { book, log } = make(made, { startPage: 2 });
+    const images = (count: number): string[] =>
+      Array.from({ length: count }, (_, k) => scan(k + 1, 100, 150));
+    book.loadFromImages(images(6));
+    await expect.poll(() => log.some(([name]) => name === "init"), patient).toBe(true);
+    const before = state(book);
+    log.length = 0;
+    book.updateFromImages(images(8));
+    await expect.poll(() => log.some(([name]) => name === "update"), patient).toBe(true);
+    return { before, after: state(book), log: [...log] };
+  });
+});
+
+test("a host that gets narrower shows one page", async () => {
+  await compare(async (made) => {
+    const { book, log, around } = await opened(made, { startPage: 3 });
+    log.length = 0;
+    around.style.width = "150px";
+    window.dispatchEvent(new Event("resize"));
+    await expect.poll(() => book.getOrientation(), patient).toBe("portrait");
+    await expect.poll(() => log.length > 0, patient).toBe(true);
+    return log.find(([name]) => name === "changeOrientation");
+  });
+});
+
+/** Presses, moves and releases a mouse at places in a book's host, for either implementation. */
+async function drag(host: HTMLElement, places: readonly [x: number, y: number][]) {
+  const box = host.getBoundingClientRect();
+  const canvas = host.querySelector("turnleaf-book")?.shadowRoot?.querySelector("canvas");
+  if (canvas) canvas.setPointerCapture = () => {};
+  const target = canvas ?? host.querySelector(".stf__block") ?? host;
+  const send = (kind: string, [x, y]: readonly [number, number]): void => {
+    const place = { clientX: box.left + x, clientY: box.top + y, bubbles: true, composed: true };
+    target.dispatchEvent(
+      new PointerEvent(`pointer${kind}`, { ...place, pointerId: 1, pointerType: "mouse" }),
+    );
+    target.dispatchEvent(new MouseEvent(`mouse${kind}`, place));
+  };
+  send("down", places[0]);
+  for (const place of places.slice(1)) {
+    send("move", place);
+    await new Promise((done) => setTimeout(done, 60));
+  }
+  // A leaf comes after the pointer: it is let go where it has arrived.
+  await new Promise((done) => setTimeout(done, 1500));
+  const last = places.at(-1) as [number, number];
+  send("up", last);
+  const place = { clientX: box.left + last[0], clientY: box.top + last[1] };
+  target.dispatchEvent(new MouseEvent("click", { ...place, bubbles: true, composed: true }));
+}
+
+test("a page is dragged over, and the states say so", async () => {
+  const seen = await compare(async (made) => {
+    const { book, log, host } = await opened(made, { startPage: 2 });
+    log.length = 0;
+    await drag(host, [
+      [160, 75],
+      [110, 75],
+      [60, 75],
+      [20, 75],
+    ]);
+    await hasRead(log, 0);
+    return { log: [...log], index: book.getCurrentPageIndex() };
+  });
+  expect(seen).toMatchObject({ index: 4 });
+});
+
+test.each([
+  { options: {}, at: [150, 75], index: 4 },
+  { options: {}, at: [50, 75], index: 0 },
+  { options: { disableFlipByClick: true }, at: [150, 75], index: 2 },
+  { options: { disableFlipByClick: true }, at: [195, 145], index: 4 },
+  { options: { useMouseEvents: false }, at: [195, 75], index: 2 },
+] as const)("a click at $at with $options", async ({ options, at, index }) => {
+  await compare(async (made) => {
+    const { book, host } = await opened(made, { startPage: 2, showPageCorners: false, ...options });
+    await drag(host, [[at[0], at[1]]]);
+    await expect.poll(() => book.getCurrentPageIndex(), patient).toBe(index);
+    await new Promise((done) => setTimeout(done, 300));
+    return book.getCurrentPageIndex();
+  });
+});
+
+test("the element has what the options say", async () => {
+  const { book } = make(PageFlip, {
+    flippingTime: 700,
+    drawShadow: true,
+    maxShadowOpacity: 0.4,
+    swipeDistance: 55,
+    showPageCorners: false,
+    mobileScrollSupport: false,
+    startZIndex: 7,
+  });
+  book.loadFromHTML(htmlPages(7));
+  const element = book.getBook();
+  expect(element?.duration).toBe(700);
+  expect(element?.shadows).toBe(0.4);
+  expect(element?.swipeDistance).toBe(55);
+  expect(element?.gestures).toBe("drag");
+  expect(element?.hardPages).toBe("1,7");
+  const host = element?.closest<HTMLElement>(".stf__parent");
+  expect(host?.style.touchAction).toBe("none");
+  expect(host?.querySelector<HTMLElement>(".stf__wrapper")?.style.zIndex).toBe("7");
+  const flat = make(PageFlip, { drawShadow: false, showCover: true });
+  flat.book.loadFromHTML(htmlPages(8));
+  expect(flat.book.getBook()?.shadows).toBe(0);
+  expect(flat.book.getBook()?.hardPages).toBe("1,8");
+});
+
+test("the open book fills page-flip's rectangle", async () => {
+  for (const style of ["width: 400px", "width: 150px"]) {
+    const { book, host } = await opened(PageFlip, {}, style);
+    const element = book.getBook() as NonNullable<ReturnType<typeof book.getBook>>;
+    await expect.poll(() => element.settled, patient).toBe(true);
+    const bounds = element.bookBounds as DOMRect;
+    const box = element.getBoundingClientRect();
+    const outside = host.getBoundingClientRect();
+    const { left, top, width, height, pageWidth } = book.getBoundsRect();
+    const isPortrait = book.getOrientation() === "portrait";
+    expect(box.left + bounds.left - outside.left).toBeCloseTo(
+      left + (isPortrait ? pageWidth : 0),
+      -0.5,
+    );
+    expect(box.top + bounds.top - outside.top).toBeCloseTo(top, -0.5);
+    expect(Math.abs(bounds.width - (isPortrait ? pageWidth : width))).toBeLessThan(2);
+    expect(Math.abs(bounds.height - height)).toBeLessThan(3);
+  }
+});
+
+// What page-flip does otherwise, and is a fault there.
+test("one listener of several is removed; the host outlives the book, and has its pages again", async () => {
+  const { book, log, host, pages } = await opened(PageFlip, {}, "width: 400px; color: red");
+  const flips: number[] = [];
+  const listener = ({ data }: { data: number }): void => void flips.push(data);
+  book.on("flip", listener);
+  log.length = 0;
+  book.turnToPage(2);
+  book.off("flip", listener);
+  book.turnToPage(4);
+  expect(flips).toEqual([2]);
+  expect(log).toEqual([
+    ["flip", 2],
+    ["flip", 4],
+  ]);
+  book.off("flip");
+  book.turnToPage(0);
+  expect(log.length).toBe(2);
+  book.destroy();
+  expect(host.isConnected).toBe(true);
+  expect([...host.children]).toEqual(pages);
+  expect(host.getAttribute("style")).toBeNull();
+  expect(pages[0].getAttribute("style")).toBeNull();
+  book.destroy();
+  // The same elements in another book.
+  const again = new PageFlip(host, pageSize);
+  const opens = new Promise((resolve) => again.on("init", resolve));
+  again.loadFromHTML(host.querySelectorAll<HTMLElement>(".page"));
+  await opens;
+  again.clear();
+  expect([...host.querySelectorAll(":scope > .page")]).toEqual(pages);
+  expect(again.getPageCount()).toBe(0);
+});
+
+test("commands that come before the book is open wait for it", async () => {
+  const { book, log } = make(PageFlip);
+  book.loadFromHTML(htmlPages(7));
+  book.flipNext();
+  await expect.poll(() => log.filter(([name]) => name === "flip").length, patient).toBe(2);
+  expect(book.getCurrentPageIndex()).toBe(2);
+});
