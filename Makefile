@@ -122,6 +122,7 @@ gestures: tools-rust
 OPERATIONS ?= 10000
 SEED ?= $(shell date +%s | tail -c 7)
 soak: build chromium
+	node tests/soak/run.mjs --operations $(OPERATIONS) --seed $(SEED) --undrawn --write
 	node tests/soak/run.mjs --operations $(OPERATIONS) --seed $(SEED) --write
 
 # Every parser with what mutated files and texts say, FUZZ times as much of it as `make test` has, by SEED.
