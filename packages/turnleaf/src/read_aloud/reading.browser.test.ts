@@ -30,7 +30,8 @@ class FakeAudio extends EventTarget {
   pause(): void {
     if (this.paused) return;
     this.paused = true;
-    this.dispatchEvent(new Event("pause"));
+    // As the browser's own, it reports the pause a task later.
+    setTimeout(() => this.dispatchEvent(new Event("pause")));
   }
 
   load(): void {
@@ -76,6 +77,8 @@ const clip = (page: number, begin: number, end: number, more = {}): NarratedClip
 /** A narration of clips, which records what was marked. */
 class FakeNarration implements Narration {
   readonly marked: (number | null)[] = [];
+  /** Resolves when a clip is known. */
+  delay: (number: number) => Promise<void> | undefined = () => undefined;
   readonly #clips: readonly NarratedClip[];
 
   constructor(clips: readonly NarratedClip[]) {
@@ -87,6 +90,7 @@ class FakeNarration implements Narration {
     return found < 0 ? null : found;
   }
   async clip(number: number): Promise<NarratedClip | null> {
+    await this.delay(number);
     return this.#clips[number] ?? null;
   }
   mark(number: number | null): void {
@@ -131,6 +135,41 @@ describe("reading aloud", () => {
     await done;
     expect(narration.marked).toEqual([0, 1, 2, null]);
     expect([sound.paused, sound.src]).toEqual([true, ""]);
+  });
+
+  test("goes on where the next clip is known only once the one before is over", async () => {
+    const { book, narration, done, isMarked, sound } = begin(
+      clip(1, 5, 10),
+      clip(2, 10, 12),
+      clip(3, 12, 14),
+    );
+    const known: Record<number, () => void> = {};
+    narration.delay = (number) => {
+      if (number === 0) return undefined;
+      return new Promise((resolve) => {
+        known[number] = resolve;
+      });
+    };
+    await isMarked(0);
+    await expect.poll(() => known[1]).toBeDefined();
+    sound.passTo(10);
+    await new Promise((resolve) => setTimeout(resolve));
+    known[1]?.();
+    await isMarked(1);
+    // Known a task later, it is heard without a break.
+    expect([sound.paused, sound.starts]).toEqual([false, [5]]);
+    sound.passTo(12);
+    await expect.poll(() => sound.paused).toBe(true);
+    known[2]?.();
+    await isMarked(2);
+    await expect.poll(() => sound.starts).toEqual([5, 12]);
+    // What was reported of the pause meanwhile ends nothing.
+    await new Promise((resolve) => setTimeout(resolve, 20));
+    expect(sound.paused).toBe(false);
+    known[3]?.();
+    sound.passTo(14);
+    await done;
+    expect(book.page).toBe(3);
   });
 
   test("turns the page within a clip, once what stands before has been heard", async () => {

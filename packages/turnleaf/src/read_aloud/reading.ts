@@ -8,6 +8,9 @@ import { speak } from "./speech.ts";
 /** Clips of one recording that follow each other this closely are heard without a break, seconds. */
 const joined = 0.05;
 
+/** Milliseconds for which the sound goes on over a clip's end while the next one is not known yet. */
+const longestOverrun = 50;
+
 /** The part of the element that is read aloud. */
 export interface BookReadAloud extends EventTarget {
   readonly page: number;
@@ -146,20 +149,13 @@ export class Reading {
     const { recording } = clip;
     const heard = (fraction: number): void => this.#show(fraction);
     heard(0);
-    let following: NarratedClip | null = null;
-    next.then(
-      (found) => {
-        following = found;
-      },
-      // A failure is reported once it is the next one's turn.
-      () => {},
-    );
     if (recording === null) {
       this.#player.pause();
       await speak(clip.text, this.#language, left, heard);
       return false;
     }
     await this.#player.play({ ...clip, recording }, goesOn, left, heard);
+    const following = left.aborted ? null : await soon(next);
     const isFollowed = follows(following, clip);
     if (!isFollowed) this.#player.pause();
     return isFollowed;
@@ -181,6 +177,14 @@ export class Reading {
     const { left, right } = this.#book.spread;
     return page + 1 === left || page + 1 === right;
   }
+}
+
+/** Resolves to the next clip; null if it is not known in time, or fails: that is reported at its turn. */
+function soon(next: Promise<NarratedClip | null>): Promise<NarratedClip | null> {
+  return Promise.race([
+    next.catch(() => null),
+    new Promise<null>((resolve) => setTimeout(resolve, longestOverrun, null)),
+  ]);
 }
 
 /** Returns whether a clip goes on where another ends. */

@@ -25,7 +25,8 @@ export class RecordingPlayer {
   constructor(name: string, stopped: () => void) {
     this.#name = name;
     this.#sound.addEventListener("pause", () => {
-      if (this.#isHeard && !this.#sound.ended) stopped();
+      // The event comes a task later: by then it may be heard again.
+      if (this.#isHeard && this.#sound.paused && !this.#sound.ended) stopped();
     });
   }
 
