@@ -47,6 +47,7 @@ async function judge({ name, id, hasCheck, patience }) {
     const found = await Promise.race([verdict, late]);
     // What passes needs no eye.
     const picture = book.error || found === true ? null : await contactSheet(book);
+    if (found === "n/a") return { passes: found, why: "", picture };
     if (typeof found === "string") return { passes: false, why: found, picture };
     return { passes: found, why: book.error ?? "", picture };
   } catch (error) {

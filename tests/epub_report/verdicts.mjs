@@ -37,11 +37,6 @@ export const missing = {
     "scr-support_svg",
   ),
   ...named(
-    "documents in frames are left out",
-    "scr-not-support_ccscript-modify-host",
-    "scr-not-support_ccscript-modify-size",
-  ),
-  ...named(
     "books are turned, never scrolled",
     "lay-pkg-flow-scrolled-continuous",
     "lay-pkg-flow-scrolled-doc",
@@ -57,7 +52,6 @@ export const missing = {
   ),
   "lay-fxl-orientation-landscape":
     "a page is shown as wide as it is, without a word about the device",
-  "lay-fxl-spread-both": "a narrow window shows one page",
   "lay-fxl-xhtml-icb_device_sizes": "a page has no size of the device",
   "fxl-page-spread-center": "page-spread-center is not honoured",
 };

@@ -279,13 +279,57 @@ describe("the package", () => {
     expect(directions).toEqual(["rtl", "rtl", "auto"]);
   });
 
-  test("may ask for single pages, and asks for nothing otherwise", async () => {
+  test("may ask for single pages, or of fixed layout for two, and ask for nothing otherwise", async () => {
     const layouts = [];
-    for (const spread of ["none", "auto", "landscape", "both"]) {
-      const metadata = `<meta property="rendition:spread">${spread}</meta>`;
-      layouts.push((await open({ chapters: ["<p>One.</p>"], metadata })).layout);
+    for (const layout of ["reflowable", "pre-paginated"]) {
+      for (const spread of ["none", "auto", "landscape", "both"]) {
+        const metadata = `<meta property="rendition:layout">${layout}</meta><meta property="rendition:spread">${spread}</meta>`;
+        layouts.push((await open({ chapters: ["<p>One.</p>"], metadata })).layout);
+      }
     }
-    expect(layouts).toEqual(["single", undefined, undefined, undefined]);
+    const [nothing, single] = [undefined, "single"];
+    expect(layouts).toEqual([
+      ...[single, nothing, nothing, nothing],
+      ...[single, nothing, nothing, "spread"],
+    ]);
+  });
+
+  test("say in which line a chapter is no XML, and show it as browsers show web pages", async () => {
+    const chapter = (body: string): string =>
+      `<html xmlns="http://www.w3.org/1999/xhtml">\n<body>\n${body}</body></html>`;
+    const source = await laidOut({
+      chapters: [chapter("<p>Unclosed"), chapter("<p::p>Colons</p::p>"), chapter("<p>Well</p>")],
+    });
+    const sentence = "This chapter is damaged in line 3; something in it may be missing.";
+    const texts = await Promise.all([0, 1, 2].map((index) => textOf(source, index)));
+    expect(texts.map((text) => text.trim().replaceAll(/\s+/g, " "))).toEqual([
+      `${sentence} Unclosed`,
+      `${sentence} Colons`,
+      "Well",
+    ]);
+  });
+
+  test("show what stands in a frame as a picture, in its own style, without frames in it", async () => {
+    const framed = (body: string): string =>
+      `<html xmlns="http://www.w3.org/1999/xhtml"><head><style>body { margin: 0; background: #0f0 }</style></head><body style="height: 100px">${body}<script>parent.ran = 1</script></body></html>`;
+    const frame = (src: string): string =>
+      `<iframe src="${src}" width="300" height="100" style="display: block; margin: 0"></iframe>`;
+    const source = await laidOut({
+      chapters: [
+        `${frame("f.xhtml")}<p>After.</p>`,
+        `${frame("https://elsewhere.invalid/f.xhtml")}${frame("f.css")}<p>Nothing.</p>`,
+      ],
+      files: {
+        "f.xhtml": framed(`<p style="color: #0f0">Framed.</p>${frame("g.xhtml")}`),
+        "g.xhtml": framed('<p style="background: #f00">Within.</p>'),
+        "f.css": "",
+      },
+    });
+    expect(await colourAt(source, 0, 0.3, 0.12)).toBe("0,255,0");
+    expect(await colourAt(source, 0, 0.3, 0.17)).toBe("0,255,0");
+    expect(await source.alt?.(0, never)).toContain("Framed.");
+    expect([await textOf(source, 0), await textOf(source, 1)]).toEqual(["After.\n", "Nothing.\n"]);
+    expect("ran" in globalThis).toBe(false);
   });
 
   test("its flow is paginated, whatever it asks for", async () => {

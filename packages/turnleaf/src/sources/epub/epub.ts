@@ -4,26 +4,19 @@ import { EPUB, type ManifestItem, type TocItem } from "foliate-js/epub.js";
 import type { Archive } from "../archive/archive.ts";
 import { cleanLanguage, cleanText, decodeEscapes } from "../book_text.ts";
 import { unknownFailure } from "../failures.ts";
-import { isPageSize, limits } from "../limits.ts";
+import { limits } from "../limits.ts";
 import { loadPart } from "../load_part.ts";
-import { cleanMarkup } from "../markup/clean_markup.ts";
-import { isBroken, type MarkupType, parseMarkup } from "../markup/parse_markup.ts";
-import {
-  type BookDetail,
-  BookError,
-  type PageSize,
-  type PageSource,
-  type Typography,
-} from "../page_source.ts";
+import { type MarkupType, parseMarkup } from "../markup/parse_markup.ts";
+import { type BookDetail, BookError, type PageSource, type Typography } from "../page_source.ts";
 import type {
   FlowBook,
-  FlowContent,
   FlowNarration,
   FlowOutline,
   FlowSection,
   FlowTarget,
 } from "../typeset/flow_book.ts";
 import { FlowSource } from "../typeset/flow_source.ts";
+import { loadChapter } from "./chapter.ts";
 import { EpubFiles } from "./epub_files.ts";
 import { fontDecoder } from "./obfuscated_fonts.ts";
 import { checkPackage } from "./package_document.ts";
@@ -46,9 +39,6 @@ const dublinCore = "http://purl.org/dc/elements/1.1/";
 
 /** Names of authors that are shown. */
 const mostCreators = 20;
-
-/** The size of a page of fixed layout that does not say it. */
-const usualSize: PageSize = { width: 768, height: 1024 };
 
 /** Opens an EPUB. Rejects with a `BookError`. */
 export async function openEpub(
@@ -99,6 +89,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   const byPath = new Map(resources.manifest.map((item) => [item.href, item]));
   const files = new EpubFiles(archive, decoder.decode, {
     isListed: (path) => byPath.has(path),
+    typeOf: (path) => byPath.get(path)?.mediaType ?? "",
     shownFor: (path) => {
       const item = byPath.get(path);
       return item ? pictureFor(manifest, item) : path;
@@ -128,8 +119,8 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   ];
   if (ordered.length === 0) throw new BookError(`${name} has no chapters; get it again.`);
   const sections = ordered.map((chapter): FlowSection => {
-    const { href, isFixed, side, mediaType } = chapter;
-    const load = (): Promise<FlowContent> => loadChapter(files, href, mediaType, isFixed, name);
+    const { href, isFixed, side } = chapter;
+    const load = () => loadChapter(files, chapter, name);
     return { length: archive.size(href), isFixed, load, ...(side ? { side } : {}) };
   });
   const indices = new Map<string, number>();
@@ -182,8 +173,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
       "auto",
     language,
     direction,
-    // The other values leave the choice to the space there is, which is asked in any case.
-    ...(rendition.spread === "none" ? { layout: "single" } : {}),
+    ...layoutOf(rendition.spread, isFixedBook),
     details: creatorsOf(resources.opf),
     sections,
     outline: outline(toc),
@@ -269,53 +259,19 @@ function creatorsOf(opf: Document): BookDetail[] {
     .filter(({ value }) => value !== "");
 }
 
-async function loadChapter(
-  files: EpubFiles,
-  path: string,
-  mediaType: string,
-  isFixed: boolean,
-  name: string,
-): Promise<FlowContent> {
-  const document = await parseChapter(files, path, mediaType);
-  const size = isFixed ? fixedSize(document) : undefined;
-  const content = await cleanMarkup(document, files.about(path), `A chapter of ${name}`);
-  return size ? { ...content, size } : content;
-}
-
-/** Parses a chapter; one that is no XML is read as browsers read web pages. */
-async function parseChapter(files: EpubFiles, path: string, mediaType: string): Promise<Document> {
-  if (/^image\/(?!svg)/.test(mediaType)) {
-    const picture = `<img src="${encodeURI(path.split("/").pop() ?? "")}" alt=""/>`;
-    return parseMarkup(`<html><body>${picture}</body></html>`, "text/html");
-  }
-  const text = await files.text(path);
-  const type = mediaType === "image/svg+xml" ? mediaType : "application/xhtml+xml";
-  const document = parseMarkup(text, type);
-  return isBroken(document) ? parseMarkup(text, "text/html") : document;
-}
-
-/** Returns the size of a page of fixed layout: by its viewport, or that of its drawing. */
-function fixedSize(document: Document): PageSize {
-  const viewport = document.querySelector('meta[name="viewport"]')?.getAttribute("content") ?? "";
-  const number = (key: string): number =>
-    Number.parseFloat(new RegExp(`\\b${key}\\s*=\\s*([\\d.]+)`).exec(viewport)?.[1] ?? "");
-  const named = { width: number("width"), height: number("height") };
-  if (isPageSize(named)) return named;
-  const svg = document.querySelector("svg");
-  const [, , width = 0, height = 0] = (svg?.getAttribute("viewBox") ?? "")
-    .split(/[\s,]+/)
-    .map(Number);
-  if (isPageSize({ width, height })) return { width, height };
-  const own = {
-    width: Number.parseFloat(svg?.getAttribute("width") ?? ""),
-    height: Number.parseFloat(svg?.getAttribute("height") ?? ""),
-  };
-  return isPageSize(own) ? own : usualSize;
-}
-
 function sideOf(has: (word: string) => boolean): "left" | "right" | undefined {
   if (has("page-spread-left")) return "left";
   return has("page-spread-right") ? "right" : undefined;
+}
+
+/**
+ * Returns the layout that a book asks for. In flowing text `both` leaves the
+ * choice to the space there is, as the other values do: two columns of it in a
+ * narrow window could not be read.
+ */
+function layoutOf(spread: unknown, isFixed: boolean): Pick<FlowBook, "layout"> {
+  if (spread === "none") return { layout: "single" };
+  return spread === "both" && isFixed ? { layout: "spread" } : {};
 }
 
 /** Returns a title's text: foliate-js gives it by languages if it has several. */

@@ -29,6 +29,8 @@ const fonts: readonly (readonly [mark: string, type: string])[] = [
 /** What a book's manifest says of its files, by their paths. */
 export interface ManifestOfFiles {
   isListed(path: string): boolean;
+  /** Returns a file's media type; "" if it is not listed. */
+  typeOf(path: string): string;
   /** Returns the file that is shown in place of another of a foreign type; the same for others. */
   shownFor(path: string): string;
 }
@@ -46,7 +48,11 @@ export class EpubFiles {
   constructor(
     archive: Archive,
     decode: (path: string, bytes: Uint8Array<ArrayBuffer>) => Promise<void>,
-    manifest: ManifestOfFiles = { isListed: () => true, shownFor: (path) => path },
+    manifest: ManifestOfFiles = {
+      isListed: () => true,
+      typeOf: () => "",
+      shownFor: (path) => path,
+    },
   ) {
     this.#manifest = manifest;
     this.#archive = archive;
@@ -94,6 +100,11 @@ export class EpubFiles {
     } catch {
       return null;
     }
+  }
+
+  /** Returns a file's media type as the manifest has it; "" if it is not listed. */
+  typeOf(path: string): string {
+    return this.#manifest.typeOf(path);
   }
 
   #data(path: string): Promise<string | null> {

@@ -5,7 +5,7 @@
  */
 
 import { limits } from "../limits.ts";
-import { isBroken, parseMarkup } from "../markup/parse_markup.ts";
+import { errorIn, parseMarkup } from "../markup/parse_markup.ts";
 import { BookError } from "../page_source.ts";
 import type { FlowClip, FlowTarget } from "../typeset/flow_book.ts";
 import { checkPackage } from "./package_document.ts";
@@ -38,7 +38,7 @@ export async function clipsOf(
   const clips: FlowClip[] = [];
   for (const path of new Set(paths)) {
     const document = parseMarkup(await book.text(path), "application/xml");
-    if (isBroken(document)) {
+    if (errorIn(document)) {
       throw new BookError(`${path} in ${book.name} is damaged; get the book again.`);
     }
     checkPackage(document, `${path} in ${book.name}`);

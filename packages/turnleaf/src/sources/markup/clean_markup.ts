@@ -6,6 +6,7 @@ import { BookError } from "../page_source.ts";
 import { trustPolicy } from "../trusted_script.ts";
 import { type FlowContent, styleAttribute } from "../typeset/flow_book.ts";
 import { cleanCss, cleanDeclarations } from "./clean_css.ts";
+import { framePicture, frameSize } from "./frame_picture.ts";
 import { withoutPrefixes } from "./prefixed_css.ts";
 
 /** The files that a chapter names. */
@@ -14,12 +15,17 @@ export interface MarkupFiles {
   data(address: string): Promise<string | null>;
   /** Returns a style sheet, already clean; empty if there is none. */
   style(address: string): Promise<string>;
+  /** Returns the document in a frame, already clean; null if there is none. */
+  framed?(address: string): Promise<FlowContent | null>;
 }
 
 const xhtml = "http://www.w3.org/1999/xhtml";
 const svg = "http://www.w3.org/2000/svg";
 const namespaces = [xhtml, svg, "http://www.w3.org/1998/Math/MathML"];
 const xlink = "http://www.w3.org/1999/xlink";
+
+/** Frames of a chapter that are drawn. */
+const mostFrames = 20;
 
 /** What is shown in no page. */
 const unshown =
@@ -52,6 +58,9 @@ export async function cleanMarkup(
   for (const one of root.querySelectorAll("*|switch")) one.querySelector("*|case")?.remove();
   for (const video of root.querySelectorAll("video")) stillOf(video);
   for (const object of root.querySelectorAll("object")) await pictureOf(object, files);
+  for (const frame of [...root.querySelectorAll("iframe")].slice(0, mostFrames)) {
+    await drawFrame(frame, files);
+  }
   for (const element of root.querySelectorAll(unshown)) element.remove();
   await inlinePictures(root, files);
   for (const element of [root, ...root.querySelectorAll("*")]) {
@@ -137,6 +146,25 @@ async function pictureOf(object: Element, files: MarkupFiles): Promise<void> {
     image.setAttribute("src", data);
     object.replaceWith(image);
   } else object.replaceWith(...object.childNodes);
+}
+
+/** Puts a picture of a frame in its place. */
+async function drawFrame(frame: Element, files: MarkupFiles): Promise<void> {
+  const content = await files.framed?.(frame.getAttribute("src") ?? "").catch(() => null);
+  if (!content) return;
+  const size = frameSize(frame);
+  const image = frame.ownerDocument.createElementNS(xhtml, "img");
+  for (const name of ["id", "class", styleAttribute]) {
+    if (frame.hasAttribute(name)) image.setAttribute(name, frame.getAttribute(name) ?? "");
+  }
+  image.setAttribute("width", String(size.width));
+  image.setAttribute("height", String(size.height));
+  image.setAttribute(
+    "alt",
+    content.root.textContent?.trim() || (frame.getAttribute("title") ?? ""),
+  );
+  image.setAttribute("src", await framePicture(content, size));
+  frame.replaceWith(image);
 }
 
 async function inlinePictures(root: Element, files: MarkupFiles): Promise<void> {

@@ -20,7 +20,10 @@ export function parseMarkup(text: string, type: MarkupType): Document {
   return new DOMParser().parseFromString(trustedMarkup(markup), type);
 }
 
-/** Returns whether XML could not be parsed: it then holds the browser's explanation. */
-export function isBroken(document: Document): boolean {
-  return document.getElementsByTagName("parsererror").length > 0;
+/** Returns where XML could not be parsed, which the browser then explains in it; null if it could be. */
+export function errorIn(document: Document): { readonly line: number | null } | null {
+  const [error] = document.getElementsByTagName("parsererror");
+  if (error === undefined) return null;
+  const line = /\bline(?: number)? (\d{1,9})/i.exec(error.textContent ?? "")?.[1];
+  return { line: line === undefined ? null : Number(line) };
 }

@@ -1,0 +1,104 @@
+/** One chapter of an EPUB: its file, read and cleaned. */
+
+import { isPageSize } from "../limits.ts";
+import { cleanMarkup } from "../markup/clean_markup.ts";
+import { errorIn, parseMarkup } from "../markup/parse_markup.ts";
+import type { PageSize } from "../page_source.ts";
+import { type FlowContent, styleAttribute } from "../typeset/flow_book.ts";
+import type { EpubFiles } from "./epub_files.ts";
+
+/** The size of a page of fixed layout that does not say it. */
+const usualSize: PageSize = { width: 768, height: 1024 };
+
+/** Types of what is shown in a frame of a chapter. */
+const framedTypes = /^(application\/xhtml\+xml|text\/html|image\/svg\+xml)$/;
+
+/** How the sentence about a damaged chapter is set; on a page of fixed layout it takes no place. */
+const noticeStyle =
+  "border: 1px solid; margin-bottom: 1em; padding: 0.4em 0.6em; font: italic 13px/1.3 sans-serif";
+const fixedNoticeStyle = "position: absolute; left: 0; top: 0; background: #fff; color: #000";
+
+/** A chapter as the spine names it. */
+export interface Chapter {
+  readonly href: string;
+  readonly mediaType: string;
+  readonly isFixed: boolean;
+}
+
+/**
+ * Returns what is in a chapter. Rejects with a `BookError`.
+ *
+ * @param name the book's name in sentences
+ */
+export async function loadChapter(
+  files: EpubFiles,
+  { href, mediaType, isFixed }: Chapter,
+  name: string,
+): Promise<FlowContent> {
+  const document = await parseChapter(files, href, mediaType, isFixed);
+  const size = isFixed ? fixedSize(document) : undefined;
+  const what = `A chapter of ${name}`;
+  const framed = async (address: string): Promise<FlowContent | null> => {
+    const path = files.resolve(address.split("#", 1)[0] ?? "", href);
+    const type = path === null ? "" : files.typeOf(path);
+    if (path === null || !framedTypes.test(type)) return null;
+    // Frames within it are left out.
+    return await cleanMarkup(await parseChapter(files, path, type, false), files.about(path), what);
+  };
+  const content = await cleanMarkup(document, { ...files.about(href), framed }, what);
+  return size ? { ...content, size } : content;
+}
+
+/** Parses a chapter; one that is no XML is read as browsers read web pages, and says so. */
+async function parseChapter(
+  files: EpubFiles,
+  path: string,
+  mediaType: string,
+  isFixed: boolean,
+): Promise<Document> {
+  if (/^image\/(?!svg)/.test(mediaType)) {
+    const picture = `<img src="${encodeURI(path.split("/").pop() ?? "")}" alt=""/>`;
+    return parseMarkup(`<html><body>${picture}</body></html>`, "text/html");
+  }
+  const text = await files.text(path);
+  const type = mediaType === "image/svg+xml" ? mediaType : "application/xhtml+xml";
+  const document = parseMarkup(text, type);
+  const error = errorIn(document);
+  if (error === null) return document;
+  const readable = parseMarkup(text, "text/html");
+  // Web pages need be no XML.
+  if (mediaType !== "text/html") readable.body.prepend(noticeOf(readable, error.line, isFixed));
+  return readable;
+}
+
+/** Returns a sentence about an error in a chapter, to be shown above it. */
+function noticeOf(document: Document, line: number | null, isFixed: boolean): Element {
+  const notice = document.createElement("aside");
+  const where = line === null ? "" : ` in line ${line}`;
+  notice.textContent = `This chapter is damaged${where}; something in it may be missing.`;
+  notice.lang = "en";
+  notice.dir = "ltr";
+  notice.setAttribute("role", "note");
+  const style = isFixed ? `${noticeStyle}; ${fixedNoticeStyle}` : noticeStyle;
+  notice.setAttribute(styleAttribute, style);
+  return notice;
+}
+
+/** Returns the size of a page of fixed layout: by its viewport, or that of its drawing. */
+function fixedSize(document: Document): PageSize {
+  const viewport = document.querySelector('meta[name="viewport"]')?.getAttribute("content") ?? "";
+  const number = (key: string): number =>
+    Number.parseFloat(new RegExp(`\\b${key}\\s*=\\s*([\\d.]+)`).exec(viewport)?.[1] ?? "");
+  const named = { width: number("width"), height: number("height") };
+  if (isPageSize(named)) return named;
+  const svg = document.querySelector("svg");
+  const [, , width = 0, height = 0] = (svg?.getAttribute("viewBox") ?? "")
+    .split(/[\s,]+/)
+    .map(Number);
+  if (isPageSize({ width, height })) return { width, height };
+  const own = {
+    width: Number.parseFloat(svg?.getAttribute("width") ?? ""),
+    height: Number.parseFloat(svg?.getAttribute("height") ?? ""),
+  };
+  return isPageSize(own) ? own : usualSize;
+}
