@@ -76,8 +76,10 @@ const viewer = {
     "leaf_models",
     "words",
   ],
+  "links.ts": ["index.ts"],
+  "standalone.ts": ["index.ts", "links.ts", "open_viewer.ts", "webgl_backend.ts"],
   // Other interfaces to the element.
-  page_flip: ["index.ts"],
+  page_flip: ["index.ts", "standalone.ts"],
   react_pageflip: ["page_flip"],
   // Helpers of tests.
   for_tests: [

@@ -1,8 +1,10 @@
+import { copyMark } from "./three_inside.js";
+
 /** Source maps of what is this package's own: no map of another's files, and no machine code written out in one. */
 
 /**
- * Drops the maps of files that come whole from other packages, which are a third of all that is built, and
- * what is in others' sources and in machine code from the maps that stay.
+ * Drops the maps of files that come whole from other packages, which are a third of all that is built, or are
+ * copies; and what is in others' sources and in machine code from the maps that stay.
  *
  * @returns {import("rolldown").Plugin}
  */
@@ -30,4 +32,6 @@ export function slimMaps() {
   };
 }
 
-const isOthers = (source) => source.includes("/node_modules/") || source.startsWith("\0");
+/** Of another package, or a copy of what has a map under its own name. */
+const isOthers = (source) =>
+  source.includes("/node_modules/") || source.startsWith("\0") || source.endsWith(copyMark);

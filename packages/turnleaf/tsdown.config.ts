@@ -1,6 +1,7 @@
 import { defineConfig } from "tsdown";
 import { packedFiles } from "./packed_files.js";
 import { slimMaps } from "./slim_maps.js";
+import { threeInside } from "./three_inside.js";
 import { turnInline } from "./turn_inline.js";
 import { wasmInline } from "./wasm_inline.js";
 
@@ -16,23 +17,47 @@ const common = {
 
 const viewer = defineConfig({
   ...common,
-  entry: ["src/index.ts"],
-  plugins: [wasmInline(), turnInline(), packedFiles(), slimMaps()],
+  entry: ["src/index.ts", "src/links.ts", "src/standalone.ts"],
+  // The types of standalone are those of index.
+  dts: { ...common.dts, entry: ["src/index.ts", "src/links.ts"] },
+  plugins: [
+    threeInside(/\/src\/standalone\.ts$/),
+    wasmInline(),
+    turnInline(),
+    packedFiles(),
+    slimMaps(),
+  ],
   copy: [
     // For pages that serve the engine themselves.
     { from: "src/engine/turnleaf.wasm", to: "dist" },
     { from: "../../node_modules/image-size/LICENSE", to: "dist", rename: "license-image-size.txt" },
+    { from: "../../node_modules/three/LICENSE", to: "dist", rename: "license-three.txt" },
   ],
   deps: {
-    neverBundle: ["three"],
-    onlyBundle: ["pdfjs-dist", "image-size", "@zip.js/zip.js", "dompurify", "foliate-js", "marked"],
+    // By threeInside, which leaves it out of all but standalone.
+    alwaysBundle: ["three"],
+    onlyBundle: [
+      "three",
+      "pdfjs-dist",
+      "image-size",
+      "@zip.js/zip.js",
+      "dompurify",
+      "foliate-js",
+      "marked",
+    ],
   },
   outputOptions: {
     codeSplitting: {
       // What every page loads is one file, which packs better than many. But for
-      // the definition of the element: a file with an effect has the one name
-      // that package.json says has one.
-      groups: [{ name: "viewer", tags: ["$initial"], test: /\/src\/(?!index\.)(?!.*\.d\.ts)/ }],
+      // the entries: a file with an effect has the one name that package.json
+      // says has one.
+      groups: [
+        {
+          name: "viewer",
+          tags: ["$initial"],
+          test: /\/src\/(?!(index|links|standalone)\.)(?!.*\.d\.ts)/,
+        },
+      ],
     },
   },
 });
@@ -66,6 +91,8 @@ const entriesByName = {
   resolveId(id: string, importer?: string) {
     if (importer && id === "../index.ts") return { id: "turnleaf", external: true };
     if (id === "../page_flip/index.ts") return { id: "turnleaf/page-flip", external: true };
+    // In a script tag, by the address of the script.
+    if (id === "../standalone.ts") return { id: "./standalone.js", external: true };
     return null;
   },
 };
@@ -77,6 +104,18 @@ const pageFlip = defineConfig({
   clean: false,
   plugins: [entriesByName],
   deps: { neverBundle: ["turnleaf"] },
+});
+
+/** The global of page-flip, for a script tag. Its map would be that of page-flip.js. */
+const pageFlipGlobal = defineConfig({
+  ...common,
+  sourcemap: false,
+  format: "iife",
+  entry: { "page-flip.browser": "src/page_flip/global.ts" },
+  clean: false,
+  dts: false,
+  plugins: [entriesByName],
+  outputOptions: { entryFileNames: "[name].js" },
 });
 
 const reactPageFlip = defineConfig({
@@ -99,4 +138,13 @@ const pdfWorker = defineConfig({
   outputOptions: { codeSplitting: false },
 });
 
-export default [viewer, models, keyFrames, leafStage, pageFlip, reactPageFlip, pdfWorker];
+export default [
+  viewer,
+  models,
+  keyFrames,
+  leafStage,
+  pageFlip,
+  pageFlipGlobal,
+  reactPageFlip,
+  pdfWorker,
+];

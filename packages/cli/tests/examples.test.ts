@@ -267,3 +267,14 @@ it("15: pages of HTML are used where they lie, keep what is written, and lead to
   await comesTo(4);
   await expect.poll(() => page.getByLabel("Your name").inputValue(), patience).toBe("Ishmael");
 });
+
+it("16: a link is a book, with the theme that it names", async () => {
+  await open("16-link", { width: 640, height: 440 });
+  expect(await ask((book) => [book.pageCount, book.theme, book.controls])).toEqual([
+    112,
+    "paper",
+    true,
+  ]);
+  expect(await page.locator("a").count()).toBe(0);
+  expect(await ask((book) => book.next())).toBe(true);
+});

@@ -21,6 +21,7 @@ test.each([
   ["models", "declare class"],
   ["keyframes", "declare"],
   ["leaf-stage", "declare class LeafStage"],
+  ["links", "declare function openLinks"],
 ])("the public types of %s need none of another package", (name, declared) => {
   const types = readFileSync(new URL(`../../turnleaf/dist/${name}.d.ts`, import.meta.url), "utf8");
   expect(types).toContain(declared);
@@ -36,15 +37,21 @@ test.each([
   expect([...new Set(named)].sort()).toEqual(others);
 });
 
-test("the drop-ins are imported on a server too, with the list of what they offer", async () => {
-  const script = `for (const name of ["page-flip", "react-pageflip"])
+test("the other entries are imported on a server too, with the list of what they offer", async () => {
+  const script = `for (const name of ["page-flip", "react-pageflip", "links", "standalone"])
     console.log(Object.keys(await import("turnleaf/" + name)).sort().join());`;
   const { stdout, stderr } = await promisify(execFile)(
     process.execPath,
     ["--input-type=module", "--eval", script],
     { cwd: fileURLToPath(new URL("..", import.meta.url)) },
   );
-  expect([stdout.trim(), stderr]).toEqual(["PageFlip\nHTMLFlipBook,default", ""]);
+  const offered = [
+    "PageFlip",
+    "HTMLFlipBook,default",
+    "openLinks",
+    "BookError,TurnleafBook,addLanguage,openSource",
+  ];
+  expect([stdout.trim(), stderr]).toEqual([offered.join("\n"), ""]);
 });
 
 test("React frameworks see that react-pageflip is for browsers", () => {

@@ -25,8 +25,8 @@ export interface ViewerSite {
 /**
  * Serves the viewer.
  *
- * @param respond what is at an address besides; null for nothing
- * @param policy the page's Content-Security-Policy
+ * @param respond what is at an address besides, as `/other.html`; null for nothing
+ * @param policy the Content-Security-Policy of HTML
  */
 export async function serveViewer(
   respond: (path: string) => Buffer | string | null,
@@ -41,10 +41,12 @@ export async function serveViewer(
       const own: Record<string, string> = { "/": html, "/page.css": css, "/favicon.ico": "" };
       const folder = file?.[1] === "three" ? three : dist;
       const body = file ? readFileSync(folder + file[2]) : (own[path] ?? respond(path));
-      const type = path === "/" ? "html" : path.endsWith(".css") ? "css" : "javascript";
+      const isHtml = path === "/" || path.endsWith(".html");
+      const type = isHtml ? "html" : path.endsWith(".css") ? "css" : "javascript";
+      const isText = file || isHtml || path in own || path.endsWith(".js");
       response.writeHead(body === null ? 404 : 200, {
-        "Content-Type": file || path in own ? `text/${type}` : "application/octet-stream",
-        ...(policy !== undefined && path === "/" && { "Content-Security-Policy": policy }),
+        "Content-Type": isText ? `text/${type}` : "application/octet-stream",
+        ...(policy !== undefined && isHtml && { "Content-Security-Policy": policy }),
       });
       response.end(body);
     } catch {

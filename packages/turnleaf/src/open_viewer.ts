@@ -5,6 +5,14 @@ import { BookError, type PageSource } from "./sources/page_source.ts";
 import { Viewer, type ViewerOptions } from "./viewer/viewer.ts";
 import { giveUpContext, openContext } from "./webgl/context.ts";
 
+/** Loads what draws in 3D. */
+let loadWebGL = (): Promise<typeof import("./webgl_backend.ts")> => import("./webgl_backend.ts");
+
+/** Replaces what draws in 3D by the same code of another file, with three.js inside. */
+export function drawWith(load: typeof loadWebGL): void {
+  loadWebGL = load;
+}
+
 /**
  * Opens a book: in 3D if WebGL 2 and WebAssembly are available; otherwise on a
  * 2D canvas, and then neither three.js nor the engine is loaded. Rejects with a
@@ -31,7 +39,7 @@ export async function openViewer(
   if (isWebGL && openContext(canvas)) {
     try {
       // Both are loaded at the same time.
-      const [code, { webglBackend }] = [loadEngine(engineSrc), await import("./webgl_backend.ts")];
+      const [code, { webglBackend }] = [loadEngine(engineSrc), await loadWebGL()];
       signal.throwIfAborted();
       return await Viewer.open(canvas, source, options, webglBackend(code), signal);
     } catch (error) {

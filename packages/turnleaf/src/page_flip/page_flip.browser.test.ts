@@ -123,7 +123,7 @@ test.each(sizes)("where it lies and what it shows with %j in %s", async (options
 });
 
 test.each([{ width: 0 }, { height: -1 }, { size: "huge" as "fixed" }, { flippingTime: 0 }])(
-  "an option that is not valid is refused: %j",
+  "an option that is not valid is rejected: %j",
   (wrong) => {
     const messages = classes.map(([, made]) => {
       try {

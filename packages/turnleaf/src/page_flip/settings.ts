@@ -1,4 +1,4 @@
-/** The options of page-flip: their defaults and which values are refused. */
+/** The options of page-flip: their defaults and which values are rejected. */
 
 /** The options of page-flip 2.0.7, by its names. Sizes are in CSS pixels. */
 export interface FlipSetting {

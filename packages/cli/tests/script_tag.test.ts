@@ -1,0 +1,197 @@
+/** The built files for a script tag, on pages without an import map, under a strict policy. */
+
+import { readFileSync } from "node:fs";
+import { type Browser, chromium, type Page } from "playwright-core";
+import type { TurnleafBook } from "turnleaf";
+import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
+import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { pdf, png } from "./books.ts";
+import { serveViewer, type ViewerSite } from "./viewer_page.ts";
+
+const patience = { timeout: 40_000 };
+
+let browser: Browser;
+let site: ViewerSite | undefined;
+
+beforeAll(async () => {
+  browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
+});
+afterAll(() => browser?.close());
+afterEach(async () => {
+  for (const context of browser.contexts()) await context.close();
+  await site?.stop();
+  site = undefined;
+});
+
+const policy =
+  "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src blob:; style-src 'self'; connect-src 'self'";
+
+/** Opens a page of a body and scripts. Returns it with its console messages. */
+async function visit(
+  body: string,
+  { head = "", script = "", javaScriptEnabled = true } = {},
+): Promise<{ page: Page; said: string[]; asked: string[] }> {
+  const files: Record<string, Buffer | string> = {
+    "/page.html": `<!doctype html><title>Page</title><link rel="stylesheet" href="/page.css">${head}<body>${body}</body>`,
+    "/page.js": script,
+    "/book.pdf": pdf(8, "Eight pages"),
+    "/not-a-book.pdf": Buffer.from([0, 1, 2, 3]),
+  };
+  site = await serveViewer(
+    (path) => files[path] ?? (path.endsWith(".png") ? png(60, 90) : null),
+    policy,
+  );
+  const context = await browser.newContext({
+    viewport: { width: 400, height: 300 },
+    javaScriptEnabled,
+  });
+  const page = await context.newPage();
+  const said: string[] = [];
+  page.on("pageerror", (error) => said.push(error.message));
+  page.on("console", (message) => {
+    if (/error|warning/.test(message.type())) said.push(message.text());
+  });
+  await page.goto(`${site.url}page.html`);
+  return { page, said, asked: site.asked };
+}
+
+const standalone = '<script type="module" src="/turnleaf/standalone.js"></script>';
+
+/** Evaluates a function on the page's book. */
+const ask = <T>(page: Page, look: (book: TurnleafBook) => T): Promise<Awaited<T>> =>
+  page.locator("turnleaf-book").evaluate(look as never) as never;
+
+const comesToRest = (page: Page) =>
+  expect.poll(() => ask(page, (book) => book.settled), patience).toBe(true);
+
+test("no file that standalone.js loads needs a name that an import map would give", () => {
+  const dist = new URL("../../turnleaf/dist/", import.meta.url);
+  const read = (name: string) => readFileSync(new URL(name, dist), "utf8");
+  const [drawing] = read("standalone.js").match(/webgl_backend-[\w-]+\.js/) ?? [];
+  const found = new Set<string>();
+  const follow = (name: string) => {
+    // standalone.js replaces that of the viewer.
+    if (found.has(name) || (name.startsWith("webgl_backend") && name !== drawing)) return;
+    found.add(name);
+    const targets = read(name).matchAll(/(?:\bfrom|\bimport\(?)\s*["'`]([\w@./-]+)["'`]/g);
+    for (const [, target] of targets) {
+      expect(target, name).toMatch(/^\.\/[\w.-]+\.js$/);
+      follow(target.slice(2));
+    }
+  };
+  follow("standalone.js");
+  const leadsTo = (part: string) => [...found].filter((name) => name.startsWith(part)).length;
+  const parts = ["three.module", "webgl_backend", "photographs", "replay", "pdf.worker"];
+  expect(parts.map(leadsTo)).toEqual([1, 1, 1, 1, 1]);
+});
+
+test("one script tag shows a PDF in 3D, which turns", async () => {
+  const { page, said, asked } = await visit(
+    `${standalone}<turnleaf-book src="book.pdf" page="2"></turnleaf-book>`,
+  );
+  await comesToRest(page);
+  expect(await ask(page, (book) => [book.bookTitle, book.pageCount])).toEqual(["Eight pages", 8]);
+  await page.locator("turnleaf-book").press("ArrowRight");
+  await expect.poll(() => ask(page, (book) => book.page), patience).toBe(4);
+  await comesToRest(page);
+  expect(asked.filter((path) => /three|webgl_backend/.test(path)).length).toBe(2);
+  expect(asked.filter((path) => path.includes("canvas2d_backend"))).toEqual([]);
+  expect(said).toEqual([]);
+});
+
+test("it is one element with index.js, which needs a map", async () => {
+  const index = '<script type="module" src="/turnleaf/index.js"></script>';
+  const { page, said } = await visit(
+    `<turnleaf-book src="book.pdf"></turnleaf-book>${standalone}${index}`,
+  );
+  await comesToRest(page);
+  expect(said).toEqual([]);
+});
+
+test("a leaf turned in photographs needs no map either", async () => {
+  const { page, said } = await visit(`${standalone}<turnleaf-book src="book.pdf"></turnleaf-book>`);
+  await comesToRest(page);
+  // What is there is no photograph: the code that reads one is there, and says so.
+  const error = await ask(page, (book) => {
+    const said = new Promise<string>((resolve) =>
+      book.addEventListener("error", ({ detail }) => resolve(detail.message)),
+    );
+    book.modelSrc = "/book.pdf";
+    book.model = "photographs";
+    void book.next();
+    return said;
+  });
+  expect(error).not.toContain("could not be loaded");
+  expect(said).toEqual([]);
+});
+
+test("a link with data-turnleaf becomes a book, with what it says of it", async () => {
+  const { page, said } = await visit(
+    `<p><a href="book.pdf" data-turnleaf data-turnleaf-page="3" data-turnleaf-swipe-distance="20"
+      data-turnleaf-onclick="alert(1)" data-turnleaf-engine-src="/evil.wasm"
+      data-turnleaf-style="color: red" data-turnleaf-id="x" data-turnleaf-src="/other.pdf"
+      data-turnleaf-pdf-worker="/evil.js">A book</a></p>
+    <p><a href="none.pdf">A link</a></p>`,
+    { head: standalone },
+  );
+  await expect.poll(() => ask(page, (book) => book.pageCount), patience).toBe(8);
+  expect(await ask(page, (book) => [book.page, book.controls])).toEqual([2, true]);
+  const attributes = await ask(page, (book) => [...book.attributes].map(({ name }) => name));
+  expect(attributes.sort()).toEqual(["controls", "page", "src", "swipe-distance"]);
+  expect(await page.locator("a").allTextContents()).toEqual(["A link"]);
+  expect(said).toEqual([]);
+});
+
+test("a link whose book does not open is a link again", async () => {
+  const { page } = await visit(
+    `<p>One: <a href="not-a-book.pdf" data-turnleaf data-turnleaf-controls="off">A book</a></p>`,
+    { head: standalone },
+  );
+  await page.locator("turnleaf-book").waitFor({ state: "detached" });
+  expect(await page.locator("p").textContent()).toBe("One: A book");
+  expect(await page.locator("a").getAttribute("href")).toBe("not-a-book.pdf");
+});
+
+test("a link stays where there is no JavaScript", async () => {
+  const { page } = await visit('<a href="book.pdf" data-turnleaf>A book</a>', {
+    head: standalone,
+    javaScriptEnabled: false,
+  });
+  expect(await page.locator("a").textContent()).toBe("A book");
+  expect(await page.locator("turnleaf-book").count()).toBe(0);
+});
+
+test("links that come later become books by openLinks", async () => {
+  const { page, said } = await visit(`<div></div>${standalone}`, {
+    head: '<script type="module" src="/page.js"></script>',
+    script: `import { openLinks } from "/turnleaf/links.js";
+      const div = document.querySelector("div");
+      div.innerHTML = '<a href="book.pdf" data-turnleaf data-turnleaf-controls="off">A book</a>';
+      openLinks(div);`,
+  });
+  await comesToRest(page);
+  expect(await ask(page, (book) => [book.pageCount, book.controls])).toEqual([8, false]);
+  expect(said).toEqual([]);
+});
+
+test("page-flip's global is there at once, for a plain script tag", async () => {
+  const { page, said } = await visit(
+    `<div id="book"><div class="my-page">One</div><div class="my-page">Two</div>
+      <div class="my-page">Three</div><div class="my-page">Four</div></div>
+    <script src="/turnleaf/page-flip.browser.js"></script><script src="/page.js"></script>`,
+    {
+      script: `const pageFlip = new St.PageFlip(document.getElementById("book"), { width: 60, height: 90, flippingTime: 200 });
+        pageFlip.loadFromHTML(document.querySelectorAll(".my-page"));
+        pageFlip.flipNext();
+        window.flipped = [];
+        pageFlip.on("flip", ({ data, object }) => window.flipped.push([data, object === pageFlip]));`,
+    },
+  );
+  await expect
+    .poll(() => page.evaluate(() => Reflect.get(window, "flipped")), patience)
+    .toEqual([[2, true]]);
+  await comesToRest(page);
+  expect(await ask(page, (book) => [book.pageCount, book.page])).toEqual([4, 3]);
+  // A picture of a page of HTML needs what this policy does not allow: it is shown when it is live.
+  expect(said.filter((text) => !/Content Security Policy/.test(text))).toEqual([]);
+});
