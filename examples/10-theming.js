@@ -9,6 +9,8 @@ addLanguage("de", {
   notOpened: "Das Buch ließ sich nicht öffnen; bitte die Seite neu laden.",
   pageNamed: "Seite {label}",
   slowPage: "Seite {label} wird noch gezeichnet; die anderen Seiten sind lesbar.",
+  leaving: "Dieser Link führt aus dem Buch hinaus, zu {address}",
+  leave: "Öffnen",
   toolbar: "Leser",
   pages: "Seiten",
   contents: "Inhalt",

@@ -131,6 +131,41 @@ const linkLeadsTo = (page) => async (book) => {
   return link?.to.page === page;
 };
 
+/**
+ * A link out of the book shows its address and asks; only then is it opened, in
+ * a window of its own.
+ */
+const asksBefore = (address) => async (book) => {
+  const element = await book.shown(900, 500);
+  const find = (selector) => element.shadowRoot.querySelector(selector);
+  for (let k = 0; k < 200 && !find(".text a"); k++) {
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+  const link = find(".text a");
+  const isLink = address.test(link.href);
+  const opened = [];
+  const { click } = HTMLAnchorElement.prototype;
+  // What the browser would open is taken down here.
+  HTMLAnchorElement.prototype.click = function () {
+    opened.push([this.href, this.target]);
+  };
+  try {
+    const isStopped = !link.dispatchEvent(
+      new MouseEvent("click", { bubbles: true, cancelable: true }),
+    );
+    const question = find("[part=note]");
+    const isAsked = question.matches(":popover-open") && question.textContent.includes(link.href);
+    const isEarly = opened.length > 0;
+    question.querySelector("button").click();
+    const [first] = opened;
+    return (
+      isLink && isStopped && isAsked && !isEarly && first[0] === link.href && first[1] === "_blank"
+    );
+  } finally {
+    HTMLAnchorElement.prototype.click = click;
+  }
+};
+
 /** Returns the title and what else the controls show of a book. */
 async function shownDetails(book) {
   const element = await book.shown(900, 500, { controls: "" });
@@ -547,6 +582,8 @@ export const checks = {
   "pub-foreign_xml-spine": shows("Test passes"),
   "pub-foreign_xml-suffix-spine": shows("Test passes"),
   "pub-foreign_bad-fallback": isRefused,
+  "pub-external-links": asksBefore(/^https:/),
+  "pub-external-links_consent": asksBefore(/^mailto:/),
   "pub-xml-external-id": async (book) => !(await book.texts()).join(" ").includes("Test fails"),
   "pub-xml-names": reportsError,
   "pub-xml-non-validating_unclosed": reportsError,

@@ -45,11 +45,6 @@ export const missing = {
     "lay-roll-images-in-spine",
     "lay-roll-images-mixed",
   ),
-  ...named(
-    "links to the web open without a question",
-    "pub-external-links",
-    "pub-external-links_consent",
-  ),
   "lay-fxl-orientation-landscape":
     "a page is shown as wide as it is, without a word about the device",
   "lay-fxl-xhtml-icb_device_sizes": "a page has no size of the device",

@@ -375,6 +375,8 @@ test("it speaks Chinese, and what it is taught", async () => {
     missing: "",
     pageNamed: "",
     slowPage: "",
+    leaving: "",
+    leave: "",
   });
   book.lang = "ar";
   book.dir = "rtl";

@@ -45,6 +45,14 @@ export class BookTextOverlay {
       source,
       name: (page) => fill(elementTexts(language()).pageNamed, { label: source.label(page - 1) }),
       goTo,
+      leaving: (address) => {
+        const texts = elementTexts(language());
+        // Languages may have been added before these texts were.
+        return {
+          question: fill(texts.leaving ?? "{address}", { address }),
+          follow: texts.leave ?? address,
+        };
+      },
       redraw: (page) => viewer.redraw(page),
       onText: (isText) => {
         canvas.ariaHidden = isText ? "true" : null;

@@ -57,6 +57,8 @@ export interface PageLink extends PageBox {
   readonly to: LinkTarget;
   /** The text of the note to which it leads, if it is one: shown over the page. */
   readonly note?: string;
+  /** Whether the reader is asked before it is followed out of the book. The default is false. */
+  readonly asks?: boolean;
 }
 
 /** A field of a form on a page; its box as that of a `TextRun`, never turned. */

@@ -1,4 +1,4 @@
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 import { userEvent } from "vitest/browser";
 import { book, happens } from "../for_tests/element_books.ts";
 import { tinyEpub } from "../sources/epub/tiny_epub.ts";
@@ -34,5 +34,36 @@ test("a link to a note shows it over the page, by the keyboard too, and Escape c
   note.querySelector("button")?.click();
   expect(isOpen()).toBe(false);
   await expect.poll(() => element.page, { timeout: 20_000 }).toBeGreaterThan(1);
+  element.remove();
+});
+
+test("a link out of an EPUB is followed only after its address was shown", async () => {
+  const chapters = [
+    '<p><a href="https://example.org/a?b">out</a> <a href="mailto:a@example.org">mail</a></p>',
+  ];
+  const element = book(tinyEpub({ chapters }), { duration: "0", lang: "en" });
+  const root = element.shadowRoot as ShadowRoot;
+  const links = (): HTMLAnchorElement[] => [...root.querySelectorAll<HTMLAnchorElement>(".text a")];
+  await expect.poll(() => links().length, { timeout: 20_000 }).toBe(2);
+  const followed: string[] = [];
+  const click = vi.spyOn(HTMLAnchorElement.prototype, "click").mockImplementation(function (
+    this: HTMLAnchorElement,
+  ) {
+    followed.push(`${this.href} ${this.target} ${this.rel}`);
+  });
+  const note = root.querySelector(".note") as HTMLElement;
+  for (const [k, address] of ["https://example.org/a?b", "mailto:a@example.org"].entries()) {
+    const event = new MouseEvent("click", { bubbles: true, cancelable: true });
+    expect(links()[k]?.dispatchEvent(event)).toBe(false);
+    expect(note.matches(":popover-open")).toBe(true);
+    expect(note.querySelector("p")?.textContent).toBe(
+      `This link leads out of the book, to ${address}`,
+    );
+    expect(followed.length).toBe(k);
+    note.querySelector("button")?.click();
+    expect(note.matches(":popover-open")).toBe(false);
+    expect(followed[k]).toBe(`${address} _blank noopener noreferrer`);
+  }
+  click.mockRestore();
   element.remove();
 });

@@ -1,4 +1,4 @@
-/** A note shown over the book, in place of a turn to where it is printed. */
+/** A note shown over the book, in place of a turn to where it is printed, or a question before a link is followed. */
 
 /** Distance between the note and its link, and from the window's edges, CSS pixels. */
 const gap = 8;
@@ -39,10 +39,10 @@ export class NotePopover {
   }
 
   /**
-   * Shows a note beside its link.
+   * Shows a note, or a question, beside its link.
    *
-   * @param more the name of the page where it is printed
-   * @param follow turns there
+   * @param more the name of the page where the note is printed, or a word for following the link
+   * @param follow turns there, or follows the link
    */
   show(note: string, link: HTMLElement, more: string, follow: () => void): void {
     const { element } = this;

@@ -5,18 +5,25 @@ import { NotePopover } from "./note_popover.ts";
 import type { FieldPlace } from "./page_fields.ts";
 import { layOver, placeIn } from "./run_place.ts";
 
+/** How links are followed. */
+export interface LinkActions {
+  /** Follows a link within the book. */
+  readonly goTo: (page: number) => void;
+  /** Returns what the reader is asked before a link out of the book is followed, and what follows it. */
+  readonly leaving: (address: string) => { readonly question: string; readonly follow: string };
+}
+
 /**
  * Returns a page's links as elements.
  *
  * @param nameOf returns the name of a link's target
- * @param goTo follows a link within the book
- * @param popover shows the notes to which links lead
+ * @param popover shows the notes to which links lead, and asks before one is followed out of the book
  */
 export function makeLinks(
   links: readonly PageLink[],
   runs: readonly TextRun[],
   nameOf: (to: LinkTarget) => string,
-  goTo: (page: number) => void,
+  { goTo, leaving }: LinkActions,
   popover: NotePopover,
 ): FieldPlace[] {
   return links.map((link) => {
@@ -38,6 +45,16 @@ export function makeLinks(
       a.href = to.href;
       a.target = "_blank";
       a.rel = "noopener noreferrer";
+      if (link.asks && NotePopover.isSupported) {
+        // Without listeners it is a link as any other.
+        const plain = a.cloneNode() as HTMLAnchorElement;
+        a.setAttribute("aria-haspopup", "dialog");
+        a.addEventListener("click", (event) => {
+          event.preventDefault();
+          const { question, follow } = leaving(to.href);
+          popover.show(question, a, follow, () => plain.click());
+        });
+      }
     }
     return { element: a, lay: (project) => layOver(a, placeIn(link, project)) };
   });

@@ -14,7 +14,7 @@ import type {
 } from "../sources/page_source.ts";
 import { NotePopover } from "./note_popover.ts";
 import { type FieldPlace, type FieldValues, makeFields } from "./page_fields.ts";
-import { makeLinks } from "./page_links.ts";
+import { type LinkActions, makeLinks } from "./page_links.ts";
 import { layMarks, type ShownHit } from "./page_marks.ts";
 import { layText } from "./page_text.ts";
 import type { PageView } from "./page_view.ts";
@@ -44,12 +44,10 @@ interface Group {
 }
 
 /** The options of the layer besides the view. */
-export interface TextLayerOptions {
+export interface TextLayerOptions extends LinkActions {
   readonly source: PageSource;
   /** Returns the name of a page's group: "Page iv". */
   readonly name: (page: number) => string;
-  /** Follows a link within the book. */
-  readonly goTo: (page: number) => void;
   /** Redraws a page after one of its fields has changed. */
   readonly redraw: (page: number) => void;
   /** Called with whether the visible pages have text. */
@@ -228,10 +226,10 @@ export class TextLayer {
 
   /** Creates links, fields and descriptions of pictures. */
   #make({ page, runs, links, fields, alt }: Content): readonly FieldPlace[] {
-    const { name, goTo, source } = this.#options;
+    const { name, goTo, leaving, source } = this.#options;
     const nameOf = (to: LinkTarget): string => ("page" in to ? name(to.page) : to.href);
     const made = [
-      ...makeLinks(links, runs, nameOf, goTo, this.#note),
+      ...makeLinks(links, runs, nameOf, { goTo, leaving }, this.#note),
       ...makeFields(fields, this.#values, (field, isDone) => {
         source.fill?.(page - 1, field, this.#values.get(field) ?? "");
         for (const { laid } of this.#groups.values())

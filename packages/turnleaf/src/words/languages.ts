@@ -26,6 +26,8 @@ const en: ElementTexts = {
   pageNamed: "Page {label}",
   slowPage:
     "Page {label} takes long to draw. It is still being drawn; the other pages can be read.",
+  leaving: "This link leads out of the book, to {address}",
+  leave: "Open it",
 };
 
 const zh: ElementTexts = {
@@ -37,6 +39,8 @@ const zh: ElementTexts = {
   notOpened: "无法打开此书，请重新加载页面。",
   pageNamed: "第 {label} 页",
   slowPage: "第 {label} 页仍在绘制中，请稍候。",
+  leaving: "此链接指向书外：{address}",
+  leave: "打开",
 };
 
 /** Returns the element's own texts in a language. */

@@ -23,6 +23,10 @@ export interface ElementTexts {
   readonly pageNamed: string;
   /** In place of a page, by its label, that takes long to draw. */
   readonly slowPage: string;
+  /** Before a link is followed out of the book: to `{address}`. */
+  readonly leaving: string;
+  /** Follows that link. */
+  readonly leave: string;
 }
 
 /** The texts of the controls. Words in braces are placeholders. */

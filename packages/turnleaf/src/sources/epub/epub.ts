@@ -177,6 +177,8 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     details: creatorsOf(resources.opf),
     sections,
     outline: outline(toc),
+    // A book may be by anybody, and was not found by following links.
+    asksToLeave: true,
     ...(overlays.length > 0 ? { narration: narration() } : {}),
     resolve: (section, href) => targetOf(href, ordered[section]?.href ?? ""),
     file: async () => new Blob([file], { type: "application/epub+zip" }),

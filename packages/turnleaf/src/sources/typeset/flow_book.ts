@@ -85,6 +85,8 @@ export interface FlowBook {
   readonly outline: readonly FlowOutline[];
   /** What is read aloud of it, if anything is. */
   readonly narration?: FlowNarration;
+  /** Whether the reader is asked before a link is followed out of the book. */
+  readonly asksToLeave?: boolean;
   /** Returns where a link in a section leads within the book; null if it leads nowhere in it. */
   resolve(section: number, href: string): FlowTarget | null;
   /** Returns the book's own file. */

@@ -171,7 +171,8 @@ export class FlowSource implements PageSource {
     let laid = 0;
     for (const { href, isNote, ...link } of found) {
       const address = cleanAddress(href);
-      if (address !== "") links.push({ ...link, to: { href: address } });
+      const asks = this.#book.asksToLeave ? { asks: true } : {};
+      if (address !== "") links.push({ ...link, to: { href: address }, ...asks });
       const target = address === "" ? this.#book.resolve(section, href) : null;
       if (target === null) continue;
       const isUnknown = isNote || this.#edition.mapOf(target.section) === undefined;
