@@ -67,7 +67,7 @@ pub use models::mass_spring::{
 };
 pub use models::sheet::{CONTACTS, Contact, InvalidSheet, Root, Sheet, SheetSettings};
 pub use models::shell::{
-    Discretisation, Edge, Energies, InvalidShell, Scheme, Shell, ShellSettings, Table,
+    Crease, Discretisation, Edge, Energies, InvalidShell, Scheme, Shell, ShellSettings, Table,
 };
 pub use rigidity::Rigidity;
 pub use stock::{GRAVITY, Grain, InvalidStock, Stock};

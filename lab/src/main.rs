@@ -5,6 +5,7 @@ mod agree;
 mod buckling;
 mod cantilever;
 mod convergence;
+mod crease;
 mod drop_sheet;
 mod energy;
 mod exact;
@@ -68,6 +69,8 @@ enum Experiment {
     Cantilever(cantilever::Options),
     /// Hangs a weightless strip by a dead load at its tip.
     TipLoad(cantilever::TipLoadOptions),
+    /// Hangs a strip with a crease by its own weight.
+    Crease(crease::Options),
     /// Bends a strip until both its ends are in one clamp.
     PearLoop(pear_loop::Options),
     /// Finds the first three roots of a strip clamped at one end, and the damping of the first.
@@ -103,6 +106,7 @@ impl Command {
             Experiment::Picture(options) => self.print(picture::run(options)?),
             Experiment::Cantilever(options) => self.print(cantilever::run(options)?),
             Experiment::TipLoad(options) => self.print(cantilever::run_tip_load(options)?),
+            Experiment::Crease(options) => self.print(crease::run(options)?),
             Experiment::PearLoop(options) => self.print(pear_loop::run(options)?),
             Experiment::Vibration(options) => self.print(vibration::run(options)?),
             Experiment::Upright(options) => self.print(buckling::run_upright(options)?),

@@ -69,6 +69,26 @@ fn a_shell_hangs_as_paper_does() {
     }
 }
 
+/// Rows that are in no table of exact solutions too.
+#[test]
+fn a_creased_shell_hangs_as_paper_does() {
+    for (gamma, at, rest, stiffness) in [
+        ("0.5", "0.4", "45", Some("2")),
+        ("8", "0.3", "-60", None),
+        ("25", "0.6", "90", Some("3")),
+        ("60", "0.7", "-30", Some("0.5")),
+    ] {
+        let stiffness = stiffness.map_or(String::new(), |k| format!(" --stiffness {k}"));
+        let line = format!("crease --gamma {gamma} --at {at} --rest {rest}{stiffness}");
+        assert_within(&line, &["error.reach", "error.drop"], 0.002);
+        assert_within(
+            &line,
+            &["error.tip_angle_deg", "error.crease_angle_deg"],
+            0.2,
+        );
+    }
+}
+
 #[test]
 fn a_loaded_tip_comes_down() {
     for (model, most) in [("sheet", 0.02), ("shell", 0.005)] {

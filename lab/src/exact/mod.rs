@@ -2,10 +2,12 @@
 //! the length of the strip, all loads over its stiffness.
 
 mod buckling;
+mod creased;
 mod elastica;
 mod pear;
 
 pub use buckling::upright_gamma;
+pub use creased::CreasedElastica;
 pub use elastica::Elastica;
 pub use pear::pear_loop;
 

@@ -17,4 +17,10 @@ pub(super) trait Bending: core::fmt::Debug + Send {
 
     /// Damps the change of curvature from that of `from`; 0 ends it.
     fn damp(&mut self, ratio: f64, from: &[Vector], clamps: &Clamps);
+
+    /// Angle of a crease, radians as [`super::Crease::rest`], the mean over its
+    /// length; None where the discretisation has no such crease.
+    fn crease_angle(&self, _crease: usize, _x: &[Vector], _clamps: &Clamps) -> Option<f64> {
+        None
+    }
 }

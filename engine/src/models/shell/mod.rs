@@ -8,6 +8,7 @@
 
 mod bending;
 mod clamp;
+mod crease;
 mod energy;
 mod forces;
 mod grid;
@@ -29,6 +30,7 @@ mod motion_tests;
 #[cfg(test)]
 mod tests;
 
+pub use crease::Crease;
 pub use energy::Energies;
 pub use settings::{Discretisation, Edge, InvalidShell, Scheme, ShellSettings, Table};
 
@@ -65,9 +67,9 @@ pub struct Shell {
 }
 
 impl Shell {
-    /// A flat leaf at rest: from the spine on the y axis it goes on straight in
-    /// the direction of its clamp there, or level. A clamped fore-edge starts
-    /// where it then lies.
+    /// A leaf at rest without weight: from the spine on the y axis it goes on
+    /// straight in the direction of its clamp there, or level, and is turned at
+    /// each crease by its rest angle. A clamped fore-edge starts where it then lies.
     ///
     /// # Errors
     /// Where the settings make no leaf, in a sentence.
@@ -83,13 +85,10 @@ impl Shell {
             spine: Clamp::of(settings.spine, -1.0),
             fore_edge: Clamp::of(settings.fore_edge, 1.0),
         };
-        let along = match settings.spine {
-            Edge::Free => direction(0.0),
-            Edge::Clamped { angle } | Edge::Hinged { angle, .. } => direction(angle),
-        };
+        let at_foot = folded_row(&settings, mesh.du);
         let flat = |(column, row): (usize, usize)| {
-            let foot = [0.0, row as f64 * mesh.dv, 0.0];
-            advance(foot, column as f64 * mesh.du, along)
+            let [x, _, z] = at_foot[column];
+            [x, row as f64 * mesh.dv, z]
         };
         let area = |(column, row): (usize, usize)| mesh.width_at(column) * mesh.height_at(row);
         let areas: Vec<f64> = mesh.places().map(area).collect();
@@ -246,6 +245,15 @@ impl Shell {
         self.interpolation = Some(Interpolation::spline(columns, rows, u, v));
     }
 
+    /// Angle of a crease by its place in [`ShellSettings::creases`], radians as
+    /// [`Crease::rest`], the mean over its length; None where there is none.
+    pub fn crease_angle(&self, crease: usize) -> Option<f64> {
+        let Forces {
+            bending, clamps, ..
+        } = &self.forces;
+        bending.crease_angle(crease, &self.x, clamps)
+    }
+
     /// Largest change of length of a grid edge along u or v, relative to it.
     pub fn max_edge_strain(&self) -> f64 {
         self.forces.membrane.max_edge_strain(&self.x)
@@ -309,6 +317,30 @@ fn bending(settings: &ShellSettings, mesh: &Mesh, clamps: &Clamps) -> Box<dyn Be
     let rigidity = &settings.rigidity;
     match settings.discretisation {
         Discretisation::Grid => Box::new(GridBending::new(mesh, rigidity, clamps)),
-        Discretisation::Triangles => Box::new(TriangleBending::new(mesh, rigidity, clamps)),
+        Discretisation::Triangles => Box::new(TriangleBending::new(
+            mesh,
+            rigidity,
+            clamps,
+            &settings.creases,
+        )),
     }
+}
+
+/// Places of the nodes at the foot, `du` apart, where nothing bends but creases.
+fn folded_row(settings: &ShellSettings, du: f64) -> Vec<Vector> {
+    let start = match settings.spine {
+        Edge::Free => 0.0,
+        Edge::Clamped { angle } | Edge::Hinged { angle, .. } => angle,
+    };
+    let (mut angle, mut corner, mut since) = (start, [0.0; 3], 0);
+    let mut row = Vec::with_capacity(settings.columns);
+    for column in 0..settings.columns {
+        let place = advance(corner, (column - since) as f64 * du, direction(angle));
+        row.push(place);
+        for crease in settings.creases.iter().filter(|c| c.column == column) {
+            (corner, since) = (place, column);
+            angle += crease.rest;
+        }
+    }
+    row
 }

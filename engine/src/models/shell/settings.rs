@@ -1,5 +1,8 @@
 //! What a shell is made of.
 
+use core::f64::consts::PI;
+
+use super::crease::Crease;
 use crate::air::Air;
 use crate::rigidity::Rigidity;
 use crate::stock::{GRAVITY, Grain, Stock};
@@ -100,6 +103,8 @@ pub struct ShellSettings {
     pub fore_edge: Edge,
     /// Whether there is a table.
     pub table: Option<Table>,
+    /// Its creases, each in a column of its own. They need [`Discretisation::Triangles`].
+    pub creases: Vec<Crease>,
     /// Length of a step, s.
     pub time_step: f64,
     /// How it moves on in time.
@@ -130,6 +135,7 @@ impl ShellSettings {
             spine: Edge::Clamped { angle: 0.0 },
             fore_edge: Edge::Free,
             table: None,
+            creases: Vec::new(),
             time_step: 1.0 / 240.0,
             scheme: Scheme::Bdf2,
             discretisation: Discretisation::Grid,
@@ -156,6 +162,7 @@ impl ShellSettings {
             spine: Edge::Clamped { angle: 0.0 },
             fore_edge: Edge::Free,
             table: None,
+            creases: Vec::new(),
             time_step: 1e-3,
             scheme: Scheme::Bdf2,
             discretisation: Discretisation::Grid,
@@ -220,10 +227,39 @@ impl ShellSettings {
                 )));
             }
         }
+        self.check_creases()?;
         if self.rigidity.d12 * self.rigidity.d12 >= 0.8 * self.rigidity.d11 * self.rigidity.d22 {
             return Err(InvalidShell(
                 "A shell's D12 squared is below 0.8 D11 D22.".to_owned(),
             ));
+        }
+        Ok(())
+    }
+
+    fn check_creases(&self) -> Result<(), InvalidShell> {
+        let inside = 1..self.columns - 1;
+        for (k, crease) in self.creases.iter().enumerate() {
+            let sentence = if self.discretisation == Discretisation::Grid {
+                "A shell has creases where it is of triangles.".to_owned()
+            } else if !inside.contains(&crease.column) {
+                format!(
+                    "A crease is in a column from 1 to {}, not {}.",
+                    inside.end - 1,
+                    crease.column
+                )
+            } else if self.creases[..k].iter().any(|c| c.column == crease.column) {
+                format!("Column {} has one crease, not two.", crease.column)
+            } else if crease.rest.is_nan() || crease.rest.abs() > PI {
+                format!(
+                    "A crease rests at -pi to pi radians, not at {}.",
+                    crease.rest
+                )
+            } else if crease.stiffness.is_nan() || crease.stiffness <= 0.0 {
+                format!("A crease's stiffness is above 0, not {}.", crease.stiffness)
+            } else {
+                continue;
+            };
+            return Err(InvalidShell(sentence));
         }
         Ok(())
     }

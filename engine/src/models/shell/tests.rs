@@ -23,7 +23,11 @@ fn tip(shell: &Shell) -> Vector {
 
 /// Rows of figures of an anchor file, without the heading.
 fn rows(csv: &str) -> Vec<Vec<f64>> {
-    let row = |line: &str| line.split(',').map(|f| f.parse().unwrap()).collect();
+    let number = |figure: &str| match figure {
+        "rigid" => f64::INFINITY,
+        _ => figure.parse().unwrap(),
+    };
+    let row = |line: &str| line.split(',').map(number).collect();
     csv.lines().skip(1).map(row).collect()
 }
 
@@ -125,6 +129,148 @@ fn a_strip_with_its_ends_together_makes_a_pear_loop() {
         assert!(strain < 1e-3, "{strain}");
         assert!((height / 0.424308 - 1.0).abs() < 0.005, "{height}");
         assert!((width / 0.204214 - 1.0).abs() < 0.005, "{width}");
+    }
+}
+
+/// A strip with one crease, folded to its rest angle.
+fn creased(columns: usize, gamma: f64, crease: Crease) -> Shell {
+    Shell::new(ShellSettings {
+        discretisation: Discretisation::Triangles,
+        creases: vec![crease],
+        ..ShellSettings::strip(columns, gamma)
+    })
+    .unwrap()
+}
+
+#[test]
+fn a_creased_strip_hangs_as_the_creased_elastica() {
+    let anchors = rows(include_str!("../../../tests/anchors/creased_elastica.csv"));
+    let (mut tips, mut tip_angles, mut crease_angles) = (0.0f64, 0.0f64, 0.0f64);
+    for anchor in &anchors {
+        let &[
+            gamma,
+            at,
+            rest,
+            stiffness,
+            reach,
+            drop,
+            tip_angle,
+            crease_angle,
+        ] = &anchor[..]
+        else {
+            panic!("{anchor:?}");
+        };
+        // Where the crease turns beyond half a turn as the weight grows, the strip
+        // would go through itself, and the mesh's angles start anew.
+        let lighter = |other: &&Vec<f64>| other[1..4] == anchor[1..4] && other[0] <= gamma;
+        if anchors
+            .iter()
+            .filter(lighter)
+            .any(|other| other[7].abs() > 180.0)
+        {
+            continue;
+        }
+        let d = ShellSettings::strip(65, gamma).rigidity.d11;
+        let crease = Crease {
+            column: (64.0 * at) as usize,
+            rest: rest.to_radians(),
+            stiffness: stiffness * d,
+        };
+        let mut shell = creased(65, gamma, crease);
+        // The equilibrium that grows out of the weightless one.
+        for part in 1..=20 {
+            shell.set_gravity([0.0, 0.0, -GRAVITY * f64::from(part) / 20.0]);
+            shell.settle(1e-9).unwrap();
+        }
+        let nodes = &shell.x[..65];
+        let [end, before, third] = [64, 63, 62].map(|column| nodes[column]);
+        let slope = [0, 2].map(|axis| 3.0 * end[axis] - 4.0 * before[axis] + third[axis]);
+        let turned = libm::atan2(slope[1], slope[0]).to_degrees() - tip_angle;
+        let off = (end[0] - reach).abs().max((end[2] + drop).abs());
+        let tip_off = (turned - 360.0 * libm::round(turned / 360.0)).abs();
+        let crease_off = (shell.crease_angle(0).unwrap().to_degrees() - crease_angle).abs();
+        assert!(off < 0.002, "{anchor:?}: tip {off}");
+        assert!(tip_off < 0.2, "{anchor:?}: tip {tip_off} degrees");
+        assert!(crease_off < 0.2, "{anchor:?}: crease {crease_off} degrees");
+        tips = tips.max(off);
+        tip_angles = tip_angles.max(tip_off);
+        crease_angles = crease_angles.max(crease_off);
+    }
+    println!("worst {tips:.1e}, {tip_angles:.3} and {crease_angles:.3} degrees");
+}
+
+#[test]
+fn a_crease_without_stiffness_beside_the_paper_takes_all_of_the_turn() {
+    let crease = Crease {
+        column: 16,
+        rest: 0.0,
+        stiffness: 1e-3,
+    };
+    let mut shell = creased(33, 0.1, crease);
+    shell.settle(1e-9).unwrap();
+    let turned = shell.crease_angle(0).unwrap().to_degrees();
+    assert!((turned + 90.0).abs() < 1.0, "{turned} degrees");
+}
+
+#[test]
+fn settings_of_a_crease_that_is_none_are_told_apart() {
+    let wrong = |crease: Crease, discretisation| {
+        let settings = ShellSettings {
+            discretisation,
+            creases: vec![crease],
+            ..ShellSettings::strip(33, 1.0)
+        };
+        Shell::new(settings).unwrap_err().to_string()
+    };
+    let crease = Crease {
+        column: 16,
+        rest: 1.0,
+        stiffness: 1.0,
+    };
+    let triangles = Discretisation::Triangles;
+    let sentences = [
+        wrong(crease, Discretisation::Grid),
+        wrong(
+            Crease {
+                column: 0,
+                ..crease
+            },
+            triangles,
+        ),
+        wrong(
+            Crease {
+                column: 32,
+                ..crease
+            },
+            triangles,
+        ),
+        wrong(
+            Crease {
+                rest: 4.0,
+                ..crease
+            },
+            triangles,
+        ),
+        wrong(
+            Crease {
+                rest: f64::NAN,
+                ..crease
+            },
+            triangles,
+        ),
+        wrong(
+            Crease {
+                stiffness: 0.0,
+                ..crease
+            },
+            triangles,
+        ),
+    ];
+    for sentence in sentences {
+        assert!(
+            sentence.contains("crease") && sentence.ends_with('.'),
+            "{sentence}"
+        );
     }
 }
 

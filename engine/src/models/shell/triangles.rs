@@ -11,11 +11,12 @@
 
 use super::bending::Bending;
 use super::clamp::{Clamps, GHOST};
+use super::crease::{Crease, Fold};
 use super::hinge::{Angle, angle, second_derivative};
 use super::mesh::Mesh;
 use super::system::System;
 use super::triangulation::{Diagonal, Hinge, across, leg_along_u, leg_along_v, shape_operator};
-use super::vector::{Block, Vector, advance, scale};
+use super::vector::{Block, Vector, advance, outer, scale};
 use crate::rigidity::Rigidity;
 
 /// A right triangle: its hinges over the leg along v, the leg along u and the
@@ -100,22 +101,28 @@ pub(super) struct TriangleBending {
     mesh: Mesh,
     hinges: Vec<Hinge>,
     triangles: Vec<Triangle>,
+    /// The hinges that lie on creases.
+    folds: Vec<Fold>,
     /// Ratio of damping to stiffness, and the angles from which damping pulls.
     damping: f64,
     damped: Vec<f64>,
 }
 
 impl TriangleBending {
-    pub fn new(mesh: &Mesh, rigidity: &Rigidity, clamps: &Clamps) -> Self {
+    pub fn new(mesh: &Mesh, rigidity: &Rigidity, clamps: &Clamps, creases: &[Crease]) -> Self {
         let mut bending = Self {
             mesh: *mesh,
             hinges: Vec::new(),
             triangles: Vec::new(),
+            folds: Vec::new(),
             damping: 0.0,
             damped: Vec::new(),
         };
         for diagonal in [Diagonal::Falling, Diagonal::Rising] {
             bending.triangulate(diagonal, rigidity, clamps);
+        }
+        for (crease, folded) in creases.iter().enumerate() {
+            bending.fold(crease, folded);
         }
         bending.damped = vec![0.0; bending.hinges.len()];
         bending
@@ -149,6 +156,26 @@ impl TriangleBending {
         }
     }
 
+    /// Makes folds of the hinges on a crease.
+    fn fold(&mut self, crease: usize, folded: &Crease) {
+        let (columns, length) = (self.mesh.columns, self.mesh.dv);
+        // Each edge is a hinge of both triangulations, with half of the crease.
+        let spring = 0.5 * length * folded.stiffness;
+        for (hinge, &[from, to, ..]) in self.hinges.iter().enumerate() {
+            if from % columns != folded.column || to != from + columns {
+                continue;
+            }
+            let of_triangle = |triangle: &Triangle| match triangle.hinges[0] {
+                Some(leg) if leg == hinge => triangle.stiffness[0][0],
+                _ => 0.0,
+            };
+            let paper = self.triangles.iter().map(of_triangle).sum();
+            // A hinge's angle is positive where the surface bulges upward.
+            self.folds
+                .push(Fold::new(hinge, crease, -folded.rest, paper, spring));
+        }
+    }
+
     fn add(&mut self, hinge: Option<Hinge>) -> Option<usize> {
         self.hinges.extend(hinge);
         hinge.map(|_| self.hinges.len() - 1)
@@ -159,9 +186,16 @@ impl TriangleBending {
         core::array::from_fn(|i| clamps.place(hinge[i], apex_edge[i], &self.mesh, x))
     }
 
+    /// What the paper bends at each hinge: all of its angle but on a crease.
     fn angles(&self, x: &[Vector], clamps: &Clamps) -> Vec<Angle> {
         let of = |hinge| angle(&self.vertices(hinge, x, clamps));
-        self.hinges.iter().map(of).collect()
+        let mut angles: Vec<Angle> = self.hinges.iter().map(of).collect();
+        for fold in &self.folds {
+            let angle = &mut angles[fold.hinge];
+            angle.value = fold.bent(angle.value);
+            angle.gradient = angle.gradient.map(|slope| scale(fold.slope(), slope));
+        }
+        angles
     }
 
     /// Angle of a hinge of a triangle and its change since the start of the step.
@@ -185,6 +219,10 @@ impl TriangleBending {
                 }
             }
         }
+        for fold in &self.folds {
+            let (bent, change) = self.bent(Some(fold.hinge), angles);
+            moments[fold.hinge] += fold.stiffness * (bent + self.damping * change);
+        }
         moments
     }
 }
@@ -202,6 +240,11 @@ impl Bending for TriangleBending {
                 }
             }
         }
+        for fold in &self.folds {
+            let (bent, change) = self.bent(Some(fold.hinge), &angles);
+            let squares = bent * bent + self.damping * change * change;
+            energy += 0.5 * fold.stiffness * squares;
+        }
         energy
     }
 
@@ -210,21 +253,39 @@ impl Bending for TriangleBending {
         for triangle in &self.triangles {
             triangle.add_to(&angles, 1.0 + self.damping, system);
         }
-        let moments = self.moments(&angles);
+        for fold in &self.folds {
+            let factor = (1.0 + self.damping) * fold.stiffness;
+            let (hinge, slopes) = (&self.hinges[fold.hinge], &angles[fold.hinge].gradient);
+            for (&a, &by_a) in hinge.iter().zip(slopes) {
+                for (&b, &by_b) in hinge.iter().zip(slopes) {
+                    if system.wants(a, b) {
+                        system.add_block(a, b, outer(factor, by_a, by_b));
+                    }
+                }
+            }
+        }
+        let mut moments = self.moments(&angles);
         for ((hinge, angle), &moment) in self.hinges.iter().zip(&angles).zip(&moments) {
             for (&node, &slope) in hinge.iter().zip(&angle.gradient) {
                 if node != GHOST {
                     system.add_gradient(node, scale(moment, slope));
                 }
             }
-            if exact {
-                second_derivative(&self.vertices(hinge, x, clamps), |i, j, block| {
-                    let (a, b) = (hinge[i], hinge[j]);
-                    if a != GHOST && b != GHOST && system.wants(a, b) {
-                        system.add_block(a, b, block.map(|row| scale(moment, row)));
-                    }
-                });
-            }
+        }
+        if !exact {
+            return;
+        }
+        // From here on by the hinges' own angles.
+        for fold in &self.folds {
+            moments[fold.hinge] *= fold.slope();
+        }
+        for (hinge, &moment) in self.hinges.iter().zip(&moments) {
+            second_derivative(&self.vertices(hinge, x, clamps), |i, j, block| {
+                let (a, b) = (hinge[i], hinge[j]);
+                if a != GHOST && b != GHOST && system.wants(a, b) {
+                    system.add_block(a, b, block.map(|row| scale(moment, row)));
+                }
+            });
         }
     }
 
@@ -232,6 +293,17 @@ impl Bending for TriangleBending {
         self.damping = ratio;
         let angles = self.angles(from, clamps);
         self.damped = angles.iter().map(|angle| angle.value).collect();
+    }
+
+    fn crease_angle(&self, crease: usize, x: &[Vector], clamps: &Clamps) -> Option<f64> {
+        let angles = self.angles(x, clamps);
+        let folds = self.folds.iter().filter(|fold| fold.crease == crease);
+        let (mut sum, mut count) = (0.0, 0.0);
+        for fold in folds {
+            sum -= fold.angle(angles[fold.hinge].value);
+            count += 1.0;
+        }
+        (count > 0.0).then(|| sum / count)
     }
 }
 

@@ -1,0 +1,63 @@
+//! Straight creases along columns of a shell: hinges with a rest angle.
+//!
+//! Paper is folded to a radius of about its caliper, far below any grid, so a
+//! crease is a line whose moment is `stiffness * (angle - rest)` a length
+//! (Lechenault, Thiria and Adda-Bedia 2014, "Mechanical response of a creased
+//! sheet"). The hinge of the mesh that lies on it turns by the crease's angle and
+//! by what the paper in the two half cells beside it bends. The same moment goes
+//! through both, so they are springs in series.
+
+/// A straight crease along a column of nodes, parallel to the spine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crease {
+    /// The column, neither the first nor the last.
+    pub column: usize,
+    /// Angle at which it bears no moment, radians within -pi to pi: 0 is flat,
+    /// and above it the part towards the fore-edge is turned up.
+    pub rest: f64,
+    /// Moment per length and radian, N; infinite where the angle never changes.
+    pub stiffness: f64,
+}
+
+/// A hinge of the mesh on a crease.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fold {
+    /// Which hinge, and which crease.
+    pub hinge: usize,
+    pub crease: usize,
+    /// Angle of the hinge where neither crease nor paper bears a moment.
+    rest: f64,
+    /// Part of the turn from there that bends the paper beside the crease.
+    fraction: f64,
+    /// Energy in the crease is half of this times that part's square.
+    pub stiffness: f64,
+}
+
+impl Fold {
+    /// The fold of a hinge whose paper alone would have a moment of `paper` times
+    /// its angle, and whose crease has one of `spring` times its own, N m.
+    pub fn new(hinge: usize, crease: usize, rest: f64, paper: f64, spring: f64) -> Self {
+        Self {
+            hinge,
+            crease,
+            rest,
+            fraction: 1.0 / (1.0 + paper / spring),
+            stiffness: paper * paper / spring,
+        }
+    }
+
+    /// What the paper bends where the hinge is at an angle.
+    pub fn bent(&self, angle: f64) -> f64 {
+        self.fraction * (angle - self.rest)
+    }
+
+    /// The change of that with the angle.
+    pub fn slope(&self) -> f64 {
+        self.fraction
+    }
+
+    /// Angle of the crease where the paper beside it bends by `bent`.
+    pub fn angle(&self, bent: f64) -> f64 {
+        self.rest + bent / self.fraction - bent
+    }
+}
