@@ -28,6 +28,7 @@ export const groups = {
   Method: {
     "Ways of turning": "docs/methods.md",
     Physics: "docs/physics.md",
+    Folding: "docs/folding.md",
     Performance: "docs/performance.md",
     Playground: "docs/playground.md",
     Glossary: "docs/glossary.md",
