@@ -2,6 +2,7 @@ import { join } from "node:path";
 import { playwright } from "@vitest/browser-playwright";
 import { defineConfig } from "vitest/config";
 import { packedFiles } from "./packages/turnleaf/packed_files.js";
+import { svelteFiles } from "./packages/turnleaf/svelte_files.js";
 import { turnInline } from "./packages/turnleaf/turn_inline.js";
 import { wasmInline } from "./packages/turnleaf/wasm_inline.js";
 import { chromiumArguments, findChromium } from "./scripts/chromium.mjs";
@@ -19,7 +20,7 @@ export default defineConfig({
   test: {
     projects: [
       {
-        plugins: [wasmInline(), turnInline(), packedFiles()],
+        plugins: [wasmInline(), turnInline(), packedFiles(), svelteFiles()],
         assetsInclude: ["**/*.tlkf"],
         test: {
           name: "node",
@@ -37,14 +38,30 @@ export default defineConfig({
         test: { name: "engines", environment: "node", include: [engines] },
       },
       {
-        plugins: [wasmInline(), turnInline(), packedFiles()],
+        plugins: [wasmInline(), turnInline(), packedFiles(), svelteFiles()],
         optimizeDeps: {
           include: [
             "three",
             "pdfjs-dist/legacy/build/pdf.mjs",
             "axe-core",
             "page-flip/dist/js/page-flip.module.js",
+            "react",
+            "react-dom/client",
+            "react-dom/server.browser",
+            "svelte",
+            "svelte/internal/client",
+            "svelte/internal/disclose-version",
+            "svelte/internal/server",
+            "svelte/server",
+            "vue",
+            "vue/server-renderer",
           ],
+        },
+        // As bundlers are to say it to Vue.
+        define: {
+          __VUE_OPTIONS_API__: "true",
+          __VUE_PROD_DEVTOOLS__: "false",
+          __VUE_PROD_HYDRATION_MISMATCH_DETAILS__: "true",
         },
         // The examples import the package by its name.
         resolve: {

@@ -81,6 +81,7 @@ const viewer = {
   // Other interfaces to the element.
   page_flip: ["index.ts", "standalone.ts"],
   react_pageflip: ["page_flip"],
+  frameworks: ["index.ts"],
   // Helpers of tests.
   for_tests: [
     "controls",

@@ -80,6 +80,9 @@ const entries = {
   "page-flip": 4,
   "page-flip.browser": 4,
   "react-pageflip": 2,
+  react: 2,
+  vue: 2,
+  "svelte/book_props": 2,
 };
 
 const dist = join(import.meta.dirname, "../packages/turnleaf/dist");

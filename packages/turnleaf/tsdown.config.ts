@@ -127,6 +127,36 @@ const reactPageFlip = defineConfig({
   banner: { js: '"use client";' },
 });
 
+/** The element as a component of a framework, which imports the element by its name. */
+const react = defineConfig({
+  ...common,
+  entry: { react: "src/frameworks/react.ts" },
+  clean: false,
+  plugins: [entriesByName],
+  deps: { neverBundle: ["react", "turnleaf"] },
+  banner: { js: '"use client";' },
+});
+
+const vue = defineConfig({
+  ...common,
+  entry: { vue: "src/frameworks/vue.ts" },
+  clean: false,
+  plugins: [entriesByName],
+  deps: { neverBundle: ["vue", "turnleaf"] },
+});
+
+/** Svelte's is compiled where it is used: its version has to be that of the rest of the page. */
+const svelte = defineConfig({
+  ...common,
+  entry: { book_props: "src/frameworks/book_props.ts" },
+  outDir: "dist/svelte",
+  plugins: [entriesByName],
+  deps: { neverBundle: ["turnleaf"] },
+  copy: ["TurnleafBook.svelte", "index.js", "index.d.ts"].map((name) => {
+    return { from: `src/frameworks/svelte/${name}`, to: "dist/svelte" };
+  }),
+});
+
 /** One file, for sites that serve it themselves: pdf.js's workers as they come. */
 const pdfWorker = defineConfig({
   ...common,
@@ -146,5 +176,8 @@ export default [
   pageFlip,
   pageFlipGlobal,
   reactPageFlip,
+  react,
+  vue,
+  svelte,
   pdfWorker,
 ];

@@ -12,6 +12,7 @@ export const groups = {
     Examples: "examples/index.html",
     Reference: "docs/reference.md",
     "What opens": "docs/sources.md",
+    "In a framework": "docs/frameworks.md",
     "Without a build": "docs/script-tag.md",
     "Pages that are HTML": "docs/html-pages.md",
     "From page-flip": "docs/page-flip.md",

@@ -31,6 +31,9 @@ test.each([
 test.each([
   ["page-flip", ["turnleaf"]],
   ["react-pageflip", ["react", "turnleaf/page-flip"]],
+  ["react", ["react", "turnleaf"]],
+  ["vue", ["turnleaf", "vue"]],
+  ["svelte/index", ["./book_props.js", "svelte", "svelte/elements", "turnleaf"]],
 ])("the public types of %s need those of %j alone", (name, others) => {
   const types = readFileSync(new URL(`../../turnleaf/dist/${name}.d.ts`, import.meta.url), "utf8");
   const named = [...types.matchAll(/from "([^"]+)"/g)].map(([, other]) => other);
@@ -38,7 +41,7 @@ test.each([
 });
 
 test("the other entries are imported on a server too, with the list of what they offer", async () => {
-  const script = `for (const name of ["page-flip", "react-pageflip", "links", "standalone"])
+  const script = `for (const name of ["page-flip", "react-pageflip", "react", "vue", "links", "standalone"])
     console.log(Object.keys(await import("turnleaf/" + name)).sort().join());`;
   const { stdout, stderr } = await promisify(execFile)(
     process.execPath,
@@ -48,16 +51,16 @@ test("the other entries are imported on a server too, with the list of what they
   const offered = [
     "PageFlip",
     "HTMLFlipBook,default",
+    "TurnleafBook",
+    "TurnleafBook",
     "openLinks",
     "BookError,TurnleafBook,addLanguage,openSource",
   ];
   expect([stdout.trim(), stderr]).toEqual([offered.join("\n"), ""]);
 });
 
-test("React frameworks see that react-pageflip is for browsers", () => {
-  expect(rootFile("packages/turnleaf/dist/react-pageflip.js").startsWith('"use client";')).toBe(
-    true,
-  );
+test.each(["react", "react-pageflip"])("React frameworks see that %s is for browsers", (name) => {
+  expect(rootFile(`packages/turnleaf/dist/${name}.js`).startsWith('"use client";')).toBe(true);
 });
 
 const rootFile = (path: string): string =>

@@ -1,0 +1,161 @@
+/** What the components for frameworks have in common: the properties of a book, and its events. */
+
+import type { TurnleafBook, TurnleafEventMap } from "../index.ts";
+
+/** The properties that are attributes too. */
+const attributeProps = [
+  "src",
+  "page",
+  "pdfWorker",
+  "engineSrc",
+  "stock",
+  "assist",
+  "duration",
+  "model",
+  "modelSrc",
+  "cover",
+  "font",
+  "fontSize",
+  "lineHeight",
+  "margins",
+  "pageColours",
+  "cloth",
+  "shadows",
+  "gestures",
+  "swipeDistance",
+  "binding",
+  "layout",
+  "offset",
+  "hardPages",
+  "stocks",
+  "controls",
+  "theme",
+  "address",
+  "remember",
+  "sound",
+  "vibrate",
+] as const;
+
+/** The others that can be set, and what they are if they are not. */
+const otherProps = {
+  pages: null,
+  paper: null,
+  password: "",
+  zoom: 1,
+  bookmarks: [],
+  shifts: [],
+} as const;
+
+type AttributeProp = (typeof attributeProps)[number];
+type OtherProp = keyof typeof otherProps;
+
+/** The properties of a book that can be set, as those of `<turnleaf-book>`. */
+export type BookProps = Partial<Pick<TurnleafBook, AttributeProp | OtherProp>>;
+
+/** Their names. */
+export const bookProps: readonly (keyof BookProps)[] = [
+  ...attributeProps,
+  ...(Object.keys(otherProps) as OtherProp[]),
+];
+
+/** Those that are true or false. */
+export const booleanProps: readonly (keyof BookProps)[] = [
+  "assist",
+  "controls",
+  "address",
+  "remember",
+  "sound",
+  "vibrate",
+];
+
+/** The events by the property of a listener in React. */
+export const eventOf = {
+  onLoad: "load",
+  onTurnStart: "turnstart",
+  onPageChange: "pagechange",
+  onLayoutChange: "layoutchange",
+  onPagesChange: "pageschange",
+  onStateChange: "statechange",
+  onZoomChange: "zoomchange",
+  onBookmarkChange: "bookmarkchange",
+  onShiftChange: "shiftchange",
+  onPlayChange: "playchange",
+  onReadAloudChange: "readaloudchange",
+  onPageError: "pageerror",
+  onError: "error",
+} as const;
+
+const attributeOf = (prop: string): string =>
+  prop.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+
+/** Returns the value of an attribute; undefined if there is to be none. */
+function attributeValue(prop: AttributeProp, value: unknown): string | true | undefined {
+  if (value === undefined || value === null) return undefined;
+  // The one that is on if it is missing.
+  if (prop === "assist") return value ? undefined : "off";
+  if (typeof value === "boolean") return value || undefined;
+  return String(value);
+}
+
+/** Returns the attributes of a book as it is first rendered, also on a server; `true` for those without a value. */
+export function attributesOf(props: BookProps): Record<string, string | true> {
+  const values = attributeProps.flatMap((prop) => {
+    const value = attributeValue(prop, props[prop]);
+    return value === undefined ? [] : [[attributeOf(prop), value] as const];
+  });
+  return Object.fromEntries(values);
+}
+
+/** What was set last, by book. */
+const applied = new WeakMap<TurnleafBook, BookProps>();
+
+/**
+ * Sets properties that are others than the last time. Lists and objects of the same contents are the
+ * same: a list that is written anew at every rendering does not open the book anew.
+ */
+export function applyProps(book: TurnleafBook, props: BookProps): void {
+  const before = applied.get(book) ?? {};
+  applied.set(book, { ...props });
+  for (const prop of attributeProps) {
+    const value = attributeValue(prop, props[prop]);
+    if (value === attributeValue(prop, before[prop])) continue;
+    if (value === undefined) book.removeAttribute(attributeOf(prop));
+    else book.setAttribute(attributeOf(prop), value === true ? "" : value);
+  }
+  for (const [prop, missing] of Object.entries(otherProps)) {
+    const value = props[prop as OtherProp] ?? missing;
+    if (!isSame(value, before[prop as OtherProp] ?? missing)) Reflect.set(book, prop, value);
+  }
+}
+
+/** Whether two values are one, or lists or plain objects of the same contents. */
+function isSame(a: unknown, b: unknown): boolean {
+  if (Object.is(a, b)) return true;
+  if (Array.isArray(a) && Array.isArray(b)) {
+    return a.length === b.length && a.every((item, k) => isSame(item, b[k]));
+  }
+  if (!isPlain(a) || !isPlain(b)) return false;
+  const keys = Object.keys(a);
+  return (
+    keys.length === Object.keys(b).length &&
+    keys.every((key) => Object.hasOwn(b, key) && isSame(a[key], b[key]))
+  );
+}
+
+function isPlain(value: unknown): value is Record<string, unknown> {
+  return (
+    typeof value === "object" && value !== null && Object.getPrototypeOf(value) === Object.prototype
+  );
+}
+
+/**
+ * Calls a listener of `load` if the book is open already: one of a server's HTML may be, before its
+ * framework is.
+ */
+export function reportOpen(
+  book: TurnleafBook,
+  listener?: (event: TurnleafEventMap["load"]) => void,
+): void {
+  const { pageCount, bookTitle: title } = book;
+  if (pageCount > 0) listener?.(new CustomEvent("load", { detail: { pageCount, title } }));
+}

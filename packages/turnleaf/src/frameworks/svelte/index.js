@@ -1,0 +1,1 @@
+export { default as TurnleafBook } from "./TurnleafBook.svelte";
