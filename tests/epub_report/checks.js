@@ -166,6 +166,29 @@ const asksBefore = (address) => async (book) => {
   }
 };
 
+/** A sound below the text of the first page is played by the button that is seen there, and is decoded. */
+const isHeard = async (book) => {
+  const element = await book.shown(900, 500, { layout: "single" });
+  const find = (selector) => element.shadowRoot.querySelector(selector);
+  const becomes = async (condition) => {
+    for (let k = 0; k < 200 && !condition(); k++) {
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    }
+    return condition();
+  };
+  if (!(await becomes(() => find(".text [part=medium] button")))) return false;
+  const button = find(".text [part=medium] button");
+  const [text] = await book.runs(1);
+  const [medium] = await book.source.media(0, new AbortController().signal);
+  const isBelow = medium.y > text.y && button.offsetWidth > 20;
+  button.click();
+  const isPlayed = await becomes(() => {
+    const player = find(".text audio");
+    return player && player.currentTime > 0.2 && !player.muted && player.volume === 1;
+  });
+  return isBelow && isPlayed && find(".text audio").webkitAudioDecodedByteCount > 0;
+};
+
 /** Returns the title and what else the controls show of a book. */
 async function shownDetails(book) {
   const element = await book.shown(900, 500, { controls: "" });
@@ -582,6 +605,9 @@ export const checks = {
   "pub-foreign_xml-spine": shows("Test passes"),
   "pub-foreign_xml-suffix-spine": shows("Test passes"),
   "pub-foreign_bad-fallback": isRefused,
+  "pub-cmt-mp3": isHeard,
+  "pub-cmt-mp4": isHeard,
+  "pub-cmt-opus": isHeard,
   "pub-external-links": asksBefore(/^https:/),
   "pub-external-links_consent": asksBefore(/^mailto:/),
   "pub-xml-external-id": async (book) => !(await book.texts()).join(" ").includes("Test fails"),

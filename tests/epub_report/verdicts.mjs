@@ -2,7 +2,6 @@
 
 const noScripts =
   "needs scripts, which never run here; the book itself says that the test is then not relevant";
-const noAudio = "prerecorded sound is not played";
 const noScripting = "scripts never run";
 
 /** Tests that do not apply, by the words of the test itself. */
@@ -24,7 +23,6 @@ const named = (reason, ...tests) => Object.fromEntries(tests.map((test) => [test
 
 /** Tests of what Turnleaf does not do. */
 export const missing = {
-  ...named(noAudio, "pub-cmt-mp3", "pub-cmt-mp4", "pub-cmt-opus"),
   ...named(
     noScripting,
     "scr-readingsystem-features",

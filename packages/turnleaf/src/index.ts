@@ -33,6 +33,7 @@ export {
   type PageBox,
   type PageField,
   type PageLink,
+  type PageMedium,
   type PagePicture,
   type PageSize,
   type PageSource,

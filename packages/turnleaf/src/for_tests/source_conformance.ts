@@ -89,6 +89,10 @@ async function checkPage(source: PageSource, index: number): Promise<void> {
     checkBox(link, around, "a link");
     checkTarget(source, link.to);
   }
+  for (const medium of (await source.media?.(index, never)) ?? []) {
+    checkBox(medium, around, "a sound or a film");
+    expect(medium.title, "a sound's or a film's title").not.toBe("");
+  }
   for (const field of (await source.fields?.(index, never)) ?? []) {
     checkBox(field, around, "a field");
     expect(field.name, "a field's name").not.toBe("");

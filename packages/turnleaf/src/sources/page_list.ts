@@ -9,6 +9,7 @@ import {
   type PageBox,
   type PageField,
   type PageLink,
+  type PageMedium,
   type PagePicture,
   type PageSize,
   type PageSource,
@@ -191,6 +192,10 @@ export class PageList implements PageSource {
 
   fields(index: number, signal: AbortSignal): Promise<readonly PageField[]> {
     return this.#of(index, async (source, own) => (await source.fields?.(own, signal)) ?? []);
+  }
+
+  media(index: number, signal: AbortSignal): Promise<readonly PageMedium[]> {
+    return this.#of(index, async (source, own) => (await source.media?.(own, signal)) ?? []);
   }
 
   fill(index: number, name: string, value: string): void {

@@ -86,6 +86,16 @@ export interface PageField extends PageBox {
   readonly maxLength: number;
 }
 
+/** A sound or a film on a page; its box as that of a `TextRun`, never turned. */
+export interface PageMedium extends PageBox {
+  /** Which of the two it is. */
+  readonly kind: "audio" | "video";
+  /** Its title, or the name of its file. */
+  readonly title: string;
+  /** Resolves to its file. Rejects with a `BookError`. */
+  load(): Promise<Blob>;
+}
+
 /** A line of a book's contents. */
 export interface OutlineEntry {
   /** Its title. */
@@ -247,6 +257,8 @@ export interface PageSource {
   links?(index: number, signal: AbortSignal): Promise<readonly PageLink[]>;
   /** Returns the form fields of page `index` (from 0). Rejects as `draw` does. */
   fields?(index: number, signal: AbortSignal): Promise<readonly PageField[]>;
+  /** Returns the sounds and films of page `index` (from 0). Rejects as `draw` does. */
+  media?(index: number, signal: AbortSignal): Promise<readonly PageMedium[]>;
   /**
    * Sets the value of a field of page `index` (from 0): it is drawn, and kept
    * in `file()`, from now on.

@@ -10,7 +10,7 @@ export const textStyle: string = /* css */ `
   all: initial; display: block; position: absolute; inset: 0; pointer-events: none;
   font: 20px serif; line-height: 1; white-space: pre; color: transparent; text-size-adjust: none;
 }
-.text span, .text a, .field, .mark { position: absolute; left: 0; top: 0; transform-origin: 0 0; }
+.text span, .text a, .field, .medium, .mark { position: absolute; left: 0; top: 0; transform-origin: 0 0; }
 .text span { z-index: 1; pointer-events: auto; cursor: text; user-select: text; -webkit-user-select: text; }
 .text.uncopied span { pointer-events: none; user-select: none; -webkit-user-select: none; }
 .text a { pointer-events: auto; cursor: pointer; border-radius: 2px; outline: 0 solid rgb(60 110 180); }
@@ -20,6 +20,11 @@ export const textStyle: string = /* css */ `
   box-sizing: border-box; margin: 0; padding: 0 0.2em; pointer-events: auto; resize: none;
   font-family: sans-serif; color: #1d2430; background: #eef3fb; border: 1px solid rgb(60 110 180 / 0.45); border-radius: 2px;
 }
+.medium { pointer-events: auto; font: 13px/1.3 sans-serif; color: #1d2430; white-space: normal; overflow: hidden; }
+.medium > * { width: 100%; height: 100%; margin: 0; padding: 0; border: 0; background: none; cursor: pointer; }
+.medium button { font-size: 20px; color: #fff; text-shadow: 0 0 4px #000, 0 0 2px #000; }
+.medium button:disabled { opacity: 0.5; }
+.medium video { object-fit: contain; background: #000; }
 .print { mix-blend-mode: multiply; }
 .text span::selection { color: transparent; background: rgb(178 203 238 / 0.996); }
 .guard { position: absolute; inset: 0; pointer-events: auto; cursor: text; user-select: none; -webkit-user-select: none; }

@@ -8,6 +8,7 @@ import type {
   LinkTarget,
   PageField,
   PageLink,
+  PageMedium,
   PageSize,
   PageSource,
   TextRun,
@@ -16,6 +17,7 @@ import { NotePopover } from "./note_popover.ts";
 import { type FieldPlace, type FieldValues, makeFields } from "./page_fields.ts";
 import { type LinkActions, makeLinks } from "./page_links.ts";
 import { layMarks, type ShownHit } from "./page_marks.ts";
+import { makeMedia } from "./page_media.ts";
 import { layText } from "./page_text.ts";
 import type { PageView } from "./page_view.ts";
 import type { Project } from "./run_place.ts";
@@ -28,6 +30,7 @@ interface Content {
   readonly runs: readonly TextRun[];
   readonly links: readonly PageLink[];
   readonly fields: readonly PageField[];
+  readonly media: readonly PageMedium[];
   readonly alt: string;
   /** Whether the page is an element, which is read itself. */
   readonly isElement: boolean;
@@ -76,6 +79,8 @@ export class TextLayer {
   #groups = new Map<number, Group>();
   readonly #values: FieldValues = new Map();
   #shown: ShownHit | null = null;
+  /** Whether what is known of the open pages is of before a change. */
+  #isStale = false;
 
   constructor(view: PageView, options: TextLayerOptions) {
     this.#view = view;
@@ -105,8 +110,15 @@ export class TextLayer {
     if (!this.element.hidden) this.#place();
   }
 
-  /** Reads the open pages again after a change. */
+  /** Reads the open pages again after a change; what is played on one of them is heard first. */
   reload(): void {
+    const players = this.#text.querySelectorAll<HTMLMediaElement>("audio, video");
+    const player = [...players].find(({ paused }) => !paused);
+    this.#isStale = player !== undefined;
+    if (player) {
+      player.addEventListener("pause", () => this.#isStale && this.reload(), { once: true });
+      return;
+    }
     this.#reading.abort();
     this.#contents.clear();
     this.#groups.clear();
@@ -137,6 +149,8 @@ export class TextLayer {
   #open(pages: readonly number[]): void {
     this.#reading.abort();
     this.#reading = new AbortController();
+    if (this.#isStale) this.#contents.clear();
+    this.#isStale = false;
     const { signal } = this.#reading;
     this.#groups = new Map(
       pages.map((page) => {
@@ -174,15 +188,16 @@ export class TextLayer {
     if (source.element?.(index)) {
       // It lies over its page itself: its text is known for marks alone.
       const runs = (await source.text?.(index, signal)) ?? [];
-      return { page, runs, links: [], fields: [], alt: "", size, isElement: true };
+      return { page, runs, links: [], fields: [], media: [], alt: "", size, isElement: true };
     }
-    const [runs, links, fields, alt] = await Promise.all([
+    const [runs, links, fields, media, alt] = await Promise.all([
       source.text?.(index, signal, true).catch(() => []) ?? [],
       source.links?.(index, signal).catch(() => []) ?? [],
       source.fields?.(index, signal).catch(() => []) ?? [],
+      source.media?.(index, signal).catch(() => []) ?? [],
       source.alt?.(index, signal).catch(() => "") ?? "",
     ]);
-    return { page, runs, links, fields, alt, size, isElement: false };
+    return { page, runs, links, fields, media, alt, size, isElement: false };
   }
 
   /** Lays the known contents of the open pages over them as they are seen now. */
@@ -224,8 +239,8 @@ export class TextLayer {
     }
   }
 
-  /** Creates links, fields and descriptions of pictures. */
-  #make({ page, runs, links, fields, alt }: Content): readonly FieldPlace[] {
+  /** Creates links, fields, players and descriptions of pictures. */
+  #make({ page, runs, links, fields, media, alt }: Content): readonly FieldPlace[] {
     const { name, goTo, leaving, source } = this.#options;
     const nameOf = (to: LinkTarget): string => ("page" in to ? name(to.page) : to.href);
     const made = [
@@ -236,6 +251,7 @@ export class TextLayer {
           for (const { refresh } of laid ?? []) refresh?.();
         if (isDone) this.#redraw(field);
       }),
+      ...makeMedia(media, this.#reading.signal),
     ];
     if (alt !== "") {
       const picture = document.createElement("div");

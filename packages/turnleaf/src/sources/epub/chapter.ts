@@ -45,8 +45,18 @@ export async function loadChapter(
     // Frames within it are left out.
     return await cleanMarkup(await parseChapter(files, path, type, false), files.about(path), what);
   };
-  const content = await cleanMarkup(document, { ...files.about(href), framed }, what);
+  const plays = (address: string): boolean => {
+    const path = files.resolve(address, href);
+    return path !== null && isPlayed(files.typeOf(path));
+  };
+  const content = await cleanMarkup(document, { ...files.about(href), framed, plays }, what);
   return size ? { ...content, size } : content;
+}
+
+/** Returns whether the browser plays sounds or films of a media type. */
+function isPlayed(type: string): boolean {
+  const [kind] = /^(?:audio|video)(?=\/)/.exec(type) ?? [];
+  return kind !== undefined && document.createElement(kind as "audio").canPlayType(type) !== "";
 }
 
 /** Parses a chapter; one that is no XML is read as browsers read web pages, and says so. */

@@ -332,6 +332,38 @@ describe("the package", () => {
     expect("ran" in globalThis).toBe(false);
   });
 
+  test("have sounds and films where the book has them, if it lists them and the browser plays them", async () => {
+    const source = await laidOut({
+      chapters: [
+        '<audio id="a" controls="" src="a.mp3"/><video poster="red.png" src="b.webm" title="A film"/><video src="b.webm" width="200" height="100"/><audio src="a.mp3"/><audio controls="" src="missing.mp3"/><audio controls="" src="https://elsewhere.invalid/a.mp3"/><span data-turnleaf-medium="style.css">x</span>',
+      ],
+      files: { "red.png": await png("#f00") },
+      raw: { "OEBPS/a.mp3": "sound", "OEBPS/b.webm": "film", "OEBPS/missing.mp3": "unlisted" },
+      items:
+        '<item id="m" href="a.mp3" media-type="audio/mpeg"/><item id="b" href="b.webm" media-type="video/webm"/>',
+      css: "audio, video, img { display: block }",
+    });
+    const media = (await source.media?.(0, never)) ?? [];
+    expect(media.map(({ kind, title }) => [kind, title])).toEqual([
+      ["audio", "a.mp3"],
+      ["video", "A film"],
+      ["video", "b.webm"],
+      ["audio", "style.css"],
+    ]);
+    expect(media.map(({ width, height }) => [width, height]).slice(0, 3)).toEqual([
+      [300, 40],
+      [40, 60],
+      [200, 100],
+    ]);
+    expect(await (await media[0]?.load())?.text()).toBe("sound");
+    const film = await media[1]?.load();
+    expect([film?.type, await film?.text()]).toEqual(["video/webm", "film"]);
+    await expect(media[3]?.load()).rejects.toThrow("style.css in this book is no recording");
+    // The film without a poster is a dark box.
+    const { x = 0, y = 0 } = media[2] ?? {};
+    expect(await colourAt(source, 0, (x + 100) / 488, (y + 50) / 748)).toBe("0,0,0");
+  });
+
   test("its flow is paginated, whatever it asks for", async () => {
     for (const flow of ["paginated", "scrolled-doc", "scrolled-continuous"]) {
       const metadata = `<meta property="rendition:flow">${flow}</meta>`;

@@ -138,6 +138,13 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     const path = mediaOverlay ? items.get(mediaOverlay)?.href : undefined;
     return path !== undefined && names.has(path) ? [path] : [];
   });
+  const readMedium = async (path: string, kind: RegExp): Promise<Blob> => {
+    const type = byPath.get(path)?.mediaType ?? "";
+    if (!kind.test(type)) {
+      throw new BookError(`${path} in ${name} is no recording; get the book again.`);
+    }
+    return new Blob([await archive.read(path)], { type });
+  };
   const narration = (): FlowNarration => ({
     ...overlayClassesOf(resources.opf),
     clips: async () => {
@@ -150,13 +157,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
       };
       return await clipsOf(book, overlays);
     },
-    recording: async (path) => {
-      const type = byPath.get(path)?.mediaType ?? "";
-      if (!/^audio\//.test(type)) {
-        throw new BookError(`${path} in ${name} is no recording; get the book again.`);
-      }
-      return new Blob([await archive.read(path)], { type });
-    },
+    recording: (path) => readMedium(path, /^audio\//),
   });
   const outline = (items: readonly TocItem[] | null | undefined): FlowOutline[] =>
     (items ?? []).map(({ label, href, subitems }) => ({
@@ -181,6 +182,10 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     asksToLeave: true,
     ...(overlays.length > 0 ? { narration: narration() } : {}),
     resolve: (section, href) => targetOf(href, ordered[section]?.href ?? ""),
+    medium: async (section, address) => {
+      const path = files.resolve(address, ordered[section]?.href ?? "");
+      return await readMedium(path ?? address, /^(audio|video)\//);
+    },
     file: async () => new Blob([file], { type: "application/epub+zip" }),
     close: () => archive.close(),
   };

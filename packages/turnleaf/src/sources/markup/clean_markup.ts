@@ -4,7 +4,12 @@ import createPurify from "dompurify";
 import { limits } from "../limits.ts";
 import { BookError } from "../page_source.ts";
 import { trustPolicy } from "../trusted_script.ts";
-import { type FlowContent, styleAttribute } from "../typeset/flow_book.ts";
+import {
+  type FlowContent,
+  mediumAttribute,
+  mediumKindAttribute,
+  styleAttribute,
+} from "../typeset/flow_book.ts";
 import { cleanCss, cleanDeclarations } from "./clean_css.ts";
 import { framePicture, frameSize } from "./frame_picture.ts";
 import { withoutPrefixes } from "./prefixed_css.ts";
@@ -15,6 +20,8 @@ export interface MarkupFiles {
   data(address: string): Promise<string | null>;
   /** Returns a style sheet, already clean; empty if there is none. */
   style(address: string): Promise<string>;
+  /** Returns whether the browser plays a sound or a film of the book. The default is false. */
+  plays?(address: string): boolean;
   /** Returns the document in a frame, already clean; null if there is none. */
   framed?(address: string): Promise<FlowContent | null>;
 }
@@ -56,7 +63,7 @@ export async function cleanMarkup(
   const root = inHtml(document);
   const css = await stylesOf(document, files);
   for (const one of root.querySelectorAll("*|switch")) one.querySelector("*|case")?.remove();
-  for (const video of root.querySelectorAll("video")) stillOf(video);
+  for (const medium of root.querySelectorAll("audio, video")) placeOf(medium, files);
   for (const object of root.querySelectorAll("object")) await pictureOf(object, files);
   for (const frame of [...root.querySelectorAll("iframe")].slice(0, mostFrames)) {
     await drawFrame(frame, files);
@@ -129,13 +136,42 @@ async function stylesOf(document: Document, files: MarkupFiles): Promise<string>
   return sheets.join("\n");
 }
 
-/** Puts a video's poster in its place. */
-function stillOf(video: Element): void {
-  const poster = video.getAttribute("poster");
-  const image = video.ownerDocument.createElementNS(xhtml, "img");
-  image.setAttribute("src", poster ?? "");
-  if (poster) video.replaceWith(image);
-  else video.replaceWith(...video.querySelectorAll(":scope > :not(source, track)"));
+/**
+ * Puts in place of a sound or a film where it is played, or else a film's
+ * poster, or what stands there without it.
+ */
+function placeOf(medium: Element, files: MarkupFiles): void {
+  const isFilm = medium.localName === "video";
+  const sources = [medium, ...medium.querySelectorAll(":scope > source")];
+  const addresses = sources.map((source) => source.getAttribute("src") ?? "");
+  const address = addresses.find((one) => one !== "" && files.plays?.(one));
+  const poster = isFilm ? medium.getAttribute("poster") : null;
+  if (!address && !poster) {
+    if (isFilm) medium.replaceWith(...medium.querySelectorAll(":scope > :not(source, track)"));
+    return;
+  }
+  // A sound without controls is not seen.
+  if (!isFilm && !medium.hasAttribute("controls")) return;
+  const place = medium.ownerDocument.createElementNS(xhtml, poster ? "img" : "span");
+  for (const name of ["id", "title", "width", "height", styleAttribute]) {
+    const value = medium.getAttribute(name);
+    if (value !== null) place.setAttribute(name, value);
+  }
+  const own = poster ? "" : isFilm ? "turnleaf-film" : "turnleaf-sound";
+  place.setAttribute("class", `${medium.getAttribute("class") ?? ""} ${own}`.trim());
+  if (poster) place.setAttribute("src", poster);
+  else if (isFilm) {
+    const { width, height } = frameSize(medium);
+    place.setAttribute(
+      styleAttribute,
+      `width: ${width}px; height: ${height}px; ${place.getAttribute(styleAttribute) ?? ""}`,
+    );
+  }
+  if (address) {
+    place.setAttribute(mediumAttribute, address);
+    place.setAttribute(mediumKindAttribute, isFilm ? "video" : "audio");
+  }
+  medium.replaceWith(place);
 }
 
 /** Puts an embedded object's picture in its place, or what stands there without it. */

@@ -23,6 +23,13 @@ export interface FlowSection {
  */
 export const styleAttribute = "data-turnleaf-style";
 
+/**
+ * The attributes of an element that stands where a sound or a film is played:
+ * its address in the book, and which of the two it is.
+ */
+export const mediumAttribute = "data-turnleaf-medium";
+export const mediumKindAttribute = "data-turnleaf-medium-kind";
+
 /** Markup without scripts, and without any address but `data:`, fragments and those of links. */
 export interface FlowContent {
   /** An `<html>` element with a `<body>`, in a document of its own. */
@@ -89,6 +96,8 @@ export interface FlowBook {
   readonly asksToLeave?: boolean;
   /** Returns where a link in a section leads within the book; null if it leads nowhere in it. */
   resolve(section: number, href: string): FlowTarget | null;
+  /** Resolves to a sound or a film that a section names. Rejects with a `BookError`. */
+  medium?(section: number, address: string): Promise<Blob>;
   /** Returns the book's own file. */
   file(): Promise<Blob>;
   close(): void;

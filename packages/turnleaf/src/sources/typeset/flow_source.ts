@@ -7,6 +7,7 @@ import {
   type OutlineEntry,
   type PageBox,
   type PageLink,
+  type PageMedium,
   type PagePicture,
   type PageSize,
   type PageSource,
@@ -188,6 +189,17 @@ export class FlowSource implements PageSource {
       links.push({ ...link, to, ...(note === "" ? {} : { note }) });
     }
     return links;
+  }
+
+  async media(index: number, signal: AbortSignal): Promise<readonly PageMedium[]> {
+    const { section, page } = this.#at(index);
+    const found = page < 0 ? [] : (await this.#lay(section, signal)).media(page);
+    const read = this.#book.medium?.bind(this.#book);
+    if (!read) return [];
+    return found.map(({ address, ...medium }) => ({
+      ...medium,
+      load: () => read(section, address),
+    }));
   }
 
   async outline(): Promise<readonly OutlineEntry[]> {

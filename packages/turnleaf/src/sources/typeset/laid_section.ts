@@ -1,7 +1,12 @@
 import { cleanText } from "../book_text.ts";
 import { isPageSize, limits } from "../limits.ts";
 import type { PageBox, PageSize, TextRun, Typography } from "../page_source.ts";
-import { type FlowContent, styleAttribute } from "./flow_book.ts";
+import {
+  type FlowContent,
+  mediumAttribute,
+  mediumKindAttribute,
+  styleAttribute,
+} from "./flow_book.ts";
 import { adoptStyles, type LayoutFrame, openFrame } from "./frame.ts";
 import { Markup } from "./markup.ts";
 import { isNoteLink, noteText } from "./notes.ts";
@@ -29,6 +34,13 @@ export interface LaidLink extends PageBox {
   readonly title: string;
   /** Whether it leads to a note. */
   readonly isNote: boolean;
+}
+
+/** A sound or a film as the book writes it, and its box on its page. */
+export interface LaidMedium extends PageBox {
+  readonly address: string;
+  readonly kind: "audio" | "video";
+  readonly title: string;
 }
 
 /** What is read aloud in a section now. */
@@ -122,6 +134,25 @@ export class LaidSection {
       }
     }
     return links;
+  }
+
+  /** Returns the sounds and films on a page. */
+  media(page: number): LaidMedium[] {
+    const media: LaidMedium[] = [];
+    for (const element of this.#frame.root.querySelectorAll(`[${mediumAttribute}]`)) {
+      const [rect] = element.getClientRects();
+      if (!rect || rect.width === 0 || rect.height === 0) continue;
+      if (pageOfRect(this.#flow, rect) !== page || media.length >= limits.annotations) continue;
+      const address = element.getAttribute(mediumAttribute) ?? "";
+      const name = element.getAttribute("title") || address.split("/").pop();
+      media.push({
+        ...this.#onPage(rect, page),
+        address,
+        kind: element.getAttribute(mediumKindAttribute) === "video" ? "video" : "audio",
+        title: cleanText(name, limits.labelLength),
+      });
+    }
+    return media;
   }
 
   /** Returns the text of the note that has an id; empty if there is none. */

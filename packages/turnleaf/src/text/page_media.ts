@@ -1,0 +1,62 @@
+/** The sounds and films of an open page: a button over each plays it where it is printed. */
+
+import type { PageMedium } from "../sources/page_source.ts";
+import type { FieldPlace } from "./page_fields.ts";
+import { layOver, type Project, placeIn } from "./run_place.ts";
+
+/**
+ * Returns a page's sounds and films as buttons. One that is pressed loads its
+ * recording, and a player with controls takes its place.
+ *
+ * @csspart medium A sound or a film on a page: the button that plays it, then its player.
+ * @param ended its abort frees the recordings
+ */
+export function makeMedia(media: readonly PageMedium[], ended: AbortSignal): FieldPlace[] {
+  return media.map((medium) => {
+    const element = document.createElement("div");
+    const button = document.createElement("button");
+    element.className = "medium";
+    element.setAttribute("part", "medium");
+    button.type = "button";
+    button.textContent = "▶";
+    button.title = medium.title;
+    button.setAttribute("aria-label", medium.title);
+    element.append(button);
+    // Its keys are not commands to the book.
+    element.addEventListener("keydown", (event) => event.stopPropagation());
+    button.addEventListener("click", () => {
+      button.disabled = true;
+      play(medium, element, ended).catch((error: Error) => {
+        if (!ended.aborted) element.replaceChildren(error.message);
+      });
+    });
+    return { element, lay: (project: Project) => layOver(element, placeIn(medium, project)) };
+  });
+}
+
+/** Puts a player in place of what is in an element, and plays. Rejects with an error whose message is a sentence. */
+async function play(medium: PageMedium, element: HTMLElement, ended: AbortSignal): Promise<void> {
+  const file = await medium.load();
+  ended.throwIfAborted();
+  const player = document.createElement(medium.kind);
+  const address = URL.createObjectURL(file);
+  const free = (): void => {
+    player.removeAttribute("src");
+    URL.revokeObjectURL(address);
+  };
+  ended.addEventListener("abort", free, { once: true });
+  player.controls = true;
+  player.setAttribute("aria-label", medium.title);
+  player.src = address;
+  element.replaceChildren(player);
+  player.focus({ preventScroll: true });
+  try {
+    await player.play();
+  } catch (error) {
+    // Pressed again, or not allowed without another press: the controls are there.
+    if (player.error === null) return;
+    free();
+    const sentence = `${medium.title} cannot be played; update the browser, or allow blob: in media-src of this page's Content-Security-Policy.`;
+    throw new Error(sentence, { cause: error });
+  }
+}
