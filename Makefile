@@ -97,7 +97,7 @@ test-iiif: build chromium
 	@test -d "$(COOKBOOK)" || git clone --quiet --depth 1 https://github.com/IIIF/cookbook-recipes "$(COOKBOOK)"
 	node scripts/iiif_cookbook.mjs "$(COOKBOOK)"
 
-# The packed package in small apps of seven frameworks, from the npm registry: a table in docs/browsers.md.
+# The packed package in small apps of frameworks and bundlers, from the npm registry: a table in docs/browsers.md.
 test-apps: build chromium
 	node tests/apps/run.mjs
 

@@ -1,10 +1,3 @@
 import vue from "@vitejs/plugin-vue";
-import { defineConfig } from "vite";
 
-export default defineConfig({
-  plugins: [
-    vue({
-      template: { compilerOptions: { isCustomElement: (name) => name.startsWith("turnleaf-") } },
-    }),
-  ],
-});
+export default { plugins: [vue()] };

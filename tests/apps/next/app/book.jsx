@@ -1,28 +1,17 @@
 "use client";
 
-import { useEffect, useRef, useState } from "react";
-import "turnleaf";
+import { useState } from "react";
+import { TurnleafBook } from "turnleaf/react";
 
-/**
- * Rendered on the server, too; the page is React's state. The listener is added
- * by hand: React does not attach those of custom elements when it hydrates
- * (https://github.com/facebook/react/issues/35446).
- */
+/** Rendered on the server, too; the page is React's state. */
 export function Book() {
   const [page, setPage] = useState(18);
-  const book = useRef(null);
-  useEffect(() => {
-    const turned = (event) => setPage(event.detail.to);
-    const element = book.current;
-    element.addEventListener("pagechange", turned);
-    return () => element.removeEventListener("pagechange", turned);
-  }, []);
   return (
     <>
-      <turnleaf-book
-        ref={book}
+      <TurnleafBook
         src="/book.pdf"
         page={page}
+        onPageChange={(event) => setPage(event.detail.to)}
         style={{ width: "264px", height: "192px" }}
       />
       <output>{page}</output>

@@ -1,15 +1,15 @@
 import { useState } from "react";
-import "turnleaf";
+import { TurnleafBook } from "turnleaf/react";
 
 /** The page is React's state: the book sets it, and is set by it. */
 export function Book() {
   const [page, setPage] = useState(18);
   return (
     <>
-      <turnleaf-book
+      <TurnleafBook
         src="/book.pdf"
         page={page}
-        onpagechange={(event) => setPage(event.detail.to)}
+        onPageChange={(event) => setPage(event.detail.to)}
         style={{ width: "264px", height: "192px" }}
       />
       <output>{page}</output>
