@@ -97,7 +97,7 @@ async function serveByScript(folder, script) {
  * development, for which a test of the browser's own `includes` looks like a comparison of its state
  * (core-js makes it, in pdf.js).
  */
-const ofOthers = /GL Driver Message|GPU stall|state_proxy_equality_mismatch[^]*array\.includes/;
+const ofOthers = /GL Driver Message|GPU stall|state_proxy_equality_mismatch.*array\.includes/s;
 
 /** Opens an app, waits for its book, turns it by a key and by a command. Returns its faults. */
 async function tryBook(browser, url) {
