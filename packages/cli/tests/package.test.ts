@@ -2,6 +2,8 @@ import { execFile } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
+import { publint } from "publint";
+import { formatMessage } from "publint/utils";
 import { expect, test } from "vitest";
 
 test("the built package is imported on a server, where it does nothing", async () => {
@@ -61,6 +63,12 @@ test("the other entries are imported on a server too, with the list of what they
 
 test.each(["react", "react-pageflip"])("React frameworks see that %s is for browsers", (name) => {
   expect(rootFile(`packages/turnleaf/dist/${name}.js`).startsWith('"use client";')).toBe(true);
+});
+
+test.each(["turnleaf", "cli"])("publint finds no fault in packages/%s", async (folder) => {
+  const pkgDir = fileURLToPath(new URL(`../../${folder}`, import.meta.url));
+  const { messages, pkg } = await publint({ pkgDir, strict: true });
+  expect(messages.map((message) => formatMessage(message, pkg, { color: false }))).toEqual([]);
 });
 
 const rootFile = (path: string): string =>
