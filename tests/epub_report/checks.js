@@ -11,6 +11,9 @@ const isInk = (red, green, blue) => Math.min(red, green, blue) < 140;
 const isPrinted = (...colour) => Math.min(...colour) < 235;
 const isRed = (red, green, blue) => red > 200 && green < 60 && blue < 60;
 
+/** How much faster than it was recorded a page that is read in six seconds is heard, to be seen meanwhile. */
+const slower = 4;
+
 /** The book opens and shows a text. */
 const shows =
   (...wanted) =>
@@ -463,12 +466,12 @@ export const checks = {
   "mol-navigation": followsNavigation,
   "mol-support_xhtml": heard(29.268, 182),
   "mol-support_xhtml-fxl": heard(29.268, 182),
-  "mol-support_xhtml-load": heardOnPages(29.268, 182, 2, 3),
-  "mol-support_xhtml-load-fxl": heardOnPages(29.268, 182, 2, 3),
-  "mol-support_xhtml-load-next": heardOnPages(29.268, 182, 2, 3),
-  "mol-support_xhtml-load-next-fxl": heardOnPages(29.268, 182, 2, 3),
+  "mol-support_xhtml-load": heardOnPages(29.268, 182, [2, 3]),
+  "mol-support_xhtml-load-fxl": heardOnPages(29.268, 182, [2, 3]),
+  "mol-support_xhtml-load-next": heardOnPages(29.268, 182, [2, 3]),
+  "mol-support_xhtml-load-next-fxl": heardOnPages(29.268, 182, [2, 3]),
   "mol-timing-synchronization": heard(29.268, 182),
-  "mol-timing-synchronization_fxl": heardOnPages(29.268, 87.85, 2, 3, 4),
+  "mol-timing-synchronization_fxl": heardOnPages(29.268, 87.85, [2, 3, 4], slower),
   "mol-timing-synchronization_multiple_audio": heardBoth(29.268, 87.85, 0, 18.5),
   "mol-timing-synchronization_multiple_audio-fxl": heardBoth(29.268, 87.85, 0, 18.5),
   "mol-timing-synchronization_svg": heard(29.268, 87.85),

@@ -121,7 +121,7 @@ export class OpenedBook {
 
   /**
    * Shows the book in an element of a size in CSS pixels, with the controls, and
-   * returns it once nothing moves.
+   * returns it once its pages are counted.
    */
   async shown(width, height, attributes = {}) {
     this.element?.remove();
@@ -137,6 +137,10 @@ export class OpenedBook {
     });
     document.body.append(element);
     await loaded;
+    // Before every chapter is set, the number of pages is estimated.
+    while (element.pageCount !== this.pageCount) {
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    }
     return element;
   }
 

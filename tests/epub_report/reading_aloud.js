@@ -155,12 +155,12 @@ export const heard =
 
 /** The same, and its pages, from the second one on, are turned to one after another as they are read. */
 export const heardOnPages =
-  (from, to, ...pages) =>
+  (from, to, pages, speed = fast) =>
   async (book) => {
     const shown = new Set();
-    const stretches = await readAloud(book, (element) => shown.add(element.page));
+    const stretches = await readAloud(book, (element) => shown.add(element.page), speed);
     shown.delete(1);
-    const isAll = stretches?.length === 1 && isStretch(stretches[0], from, to);
+    const isAll = stretches?.length === 1 && isStretch(stretches[0], from, to, speed);
     return judged(stretches, isAll) && [...shown].join() === pages.join();
   };
 
