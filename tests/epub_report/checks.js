@@ -179,12 +179,12 @@ const isHeard = async (book) => {
     }
     return condition();
   };
-  if (!(await becomes(() => find(".text [part=medium] button")))) return false;
-  const button = find(".text [part=medium] button");
   const [text] = await book.runs(1);
   const [medium] = await book.source.media(0, new AbortController().signal);
-  const isBelow = medium.y > text.y && button.offsetWidth > 20;
-  button.click();
+  const button = () => find(".text [part=medium] button");
+  const isBelow = medium.y > text.y;
+  if (!(await becomes(() => button()?.offsetWidth > 20))) return false;
+  button().click();
   const isPlayed = await becomes(() => {
     const player = find(".text audio");
     return player && player.currentTime > 0.2 && !player.muted && player.volume === 1;

@@ -10,8 +10,13 @@ import { layOver, type Project, placeIn } from "./run_place.ts";
  *
  * @csspart medium A sound or a film on a page: the button that plays it, then its player.
  * @param ended its abort frees the recordings
+ * @param played called when one is asked for or heard, with true, and when it is no longer, with false
  */
-export function makeMedia(media: readonly PageMedium[], ended: AbortSignal): FieldPlace[] {
+export function makeMedia(
+  media: readonly PageMedium[],
+  ended: AbortSignal,
+  played: (medium: PageMedium, isPlayed: boolean) => void,
+): FieldPlace[] {
   return media.map((medium) => {
     const element = document.createElement("div");
     const button = document.createElement("button");
@@ -26,8 +31,14 @@ export function makeMedia(media: readonly PageMedium[], ended: AbortSignal): Fie
     element.addEventListener("keydown", (event) => event.stopPropagation());
     button.addEventListener("click", () => {
       button.disabled = true;
-      play(medium, element, ended).catch((error: Error) => {
-        if (!ended.aborted) element.replaceChildren(error.message);
+      const report = (isPlayed: boolean): void => {
+        if (!ended.aborted) played(medium, isPlayed);
+      };
+      report(true);
+      play(medium, element, ended, report).catch((error: Error) => {
+        if (ended.aborted) return;
+        element.replaceChildren(error.message);
+        report(false);
       });
     });
     return { element, lay: (project: Project) => layOver(element, placeIn(medium, project)) };
@@ -35,7 +46,12 @@ export function makeMedia(media: readonly PageMedium[], ended: AbortSignal): Fie
 }
 
 /** Puts a player in place of what is in an element, and plays. Rejects with an error whose message is a sentence. */
-async function play(medium: PageMedium, element: HTMLElement, ended: AbortSignal): Promise<void> {
+async function play(
+  medium: PageMedium,
+  element: HTMLElement,
+  ended: AbortSignal,
+  report: (isPlayed: boolean) => void,
+): Promise<void> {
   const file = await medium.load();
   ended.throwIfAborted();
   const player = document.createElement(medium.kind);
@@ -45,6 +61,8 @@ async function play(medium: PageMedium, element: HTMLElement, ended: AbortSignal
     URL.revokeObjectURL(address);
   };
   ended.addEventListener("abort", free, { once: true });
+  player.addEventListener("play", () => report(true));
+  player.addEventListener("pause", () => report(false));
   player.controls = true;
   player.setAttribute("aria-label", medium.title);
   player.src = address;
@@ -54,7 +72,10 @@ async function play(medium: PageMedium, element: HTMLElement, ended: AbortSignal
     await player.play();
   } catch (error) {
     // Pressed again, or not allowed without another press: the controls are there.
-    if (player.error === null) return;
+    if (player.error === null) {
+      report(!player.paused);
+      return;
+    }
     free();
     const sentence = `${medium.title} cannot be played; update the browser, or allow blob: in media-src of this page's Content-Security-Policy.`;
     throw new Error(sentence, { cause: error });

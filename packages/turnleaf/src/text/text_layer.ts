@@ -79,6 +79,8 @@ export class TextLayer {
   #groups = new Map<number, Group>();
   readonly #values: FieldValues = new Map();
   #shown: ShownHit | null = null;
+  /** What is played on the open pages, or about to be. */
+  readonly #played = new Set<PageMedium>();
   /** Whether what is known of the open pages is of before a change. */
   #isStale = false;
 
@@ -112,13 +114,8 @@ export class TextLayer {
 
   /** Reads the open pages again after a change; what is played on one of them is heard first. */
   reload(): void {
-    const players = this.#text.querySelectorAll<HTMLMediaElement>("audio, video");
-    const player = [...players].find(({ paused }) => !paused);
-    this.#isStale = player !== undefined;
-    if (player) {
-      player.addEventListener("pause", () => this.#isStale && this.reload(), { once: true });
-      return;
-    }
+    this.#isStale = this.#played.size > 0;
+    if (this.#isStale) return;
     this.#reading.abort();
     this.#contents.clear();
     this.#groups.clear();
@@ -151,6 +148,7 @@ export class TextLayer {
     this.#reading = new AbortController();
     if (this.#isStale) this.#contents.clear();
     this.#isStale = false;
+    this.#played.clear();
     const { signal } = this.#reading;
     this.#groups = new Map(
       pages.map((page) => {
@@ -251,7 +249,10 @@ export class TextLayer {
           for (const { refresh } of laid ?? []) refresh?.();
         if (isDone) this.#redraw(field);
       }),
-      ...makeMedia(media, this.#reading.signal),
+      ...makeMedia(media, this.#reading.signal, (medium, isPlayed) => {
+        if (isPlayed) this.#played.add(medium);
+        else if (this.#played.delete(medium) && this.#isStale) this.reload();
+      }),
     ];
     if (alt !== "") {
       const picture = document.createElement("div");
