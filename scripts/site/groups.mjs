@@ -16,6 +16,8 @@ export const groups = {
     "Without a build": "docs/script-tag.md",
     "Pages that are HTML": "docs/html-pages.md",
     "From page-flip": "docs/page-flip.md",
+    "From turn.js": "docs/turn-js.md",
+    "From dFlip": "docs/dflip.md",
     "Sources of your own": "docs/page-source.md",
     Publishing: "docs/publish.md",
     "The command": "packages/cli/README.md",

@@ -155,6 +155,21 @@ test("a page without a listener, and a first page, leave the turning to the read
   }
 });
 
+test("children are pages, which React adds, changes and removes", async () => {
+  const page = (name: string) =>
+    createElement("section", { key: name, style: { width: "100px", height: "150px" } }, name);
+  const faults = vi.spyOn(console, "error");
+  const pages = (names: string[]) => show(createElement(TurnleafBook, { style }, names.map(page)));
+  pages(["One", "Two", "Three", "Four"]);
+  await expect.poll(() => theBook()?.pageCount, patient).toBe(4);
+  pages(["Zero", "One", "Two", "Three", "Four", "Five"]);
+  await expect.poll(() => theBook().pageCount, patient).toBe(6);
+  pages(["Three"]);
+  await expect.poll(() => theBook().pageCount, patient).toBe(1);
+  expect(theBook().textContent).toBe("Three");
+  expect(faults.mock.calls).toEqual([]);
+});
+
 test("a server's HTML becomes the book, without a fault of hydration, open before or not", async () => {
   const faults = vi.spyOn(console, "error");
   for (const isOpenBefore of [false, true]) {
