@@ -147,8 +147,11 @@ book_functions! {
     fn tl_book_play(book, id: u32, to: u32, seconds: f32) { book.play(id, side(to), seconds) }
     /// Steps all flights by whole ticks, at most a minute's (7200).
     fn tl_book_step(book, ticks: u32) { book.step(ticks.min(MOST_TICKS)) }
-    /// Ticks that a frame should have at the most, 1 to 12: fewer, the more work the last tick was.
-    fn tl_book_most_ticks(book) -> u32 { book.most_ticks() }
+    /// Begins a frame.
+    fn tl_book_begin_frame(book) { book.begin_frame() }
+    /// Steps all flights by whole ticks, at most a minute's (7200), and by fewer where those of
+    /// the frame are more work than one may have. Returns by how many.
+    fn tl_book_step_frame(book, ticks: u32) -> u32 { book.step_frame(ticks.min(MOST_TICKS)) }
     /// Whether nothing moves until the next command: what is in the air is held and lies still.
     fn tl_book_asleep(book) -> u32 { book.is_asleep().into() }
     /// What a flight is doing; 7 where there is none of that number.

@@ -31,7 +31,7 @@ pub use bend_into_gutter::bend_into_gutter;
 pub use board::Board;
 pub use leaf::Leaf;
 use limits::MOST_STEPPING;
-pub use limits::{MAX_GRABS, MOST_FLIGHTS, MOST_TICKS, TICK};
+pub use limits::{MAX_GRABS, MOST_FLIGHTS, TICK};
 pub use paper::Paper;
 pub use phase::Phase;
 pub use pile::{LAYERS, Pile, crowded_columns};
@@ -68,6 +68,8 @@ pub struct Book {
     gutter: Gutter,
     flights: Flights,
     boards: [Board; 2],
+    /// Work of the ticks since the frame began.
+    stepping: u32,
 }
 
 impl Book {
@@ -90,6 +92,7 @@ impl Book {
             closed,
             gutter: Gutter::new(limits::NODES[0], &u),
             boards: [Board::new(Side::Right), Board::new(Side::Right)],
+            stepping: 0,
             flights: Flights::new(
                 leaves,
                 Pattern {
@@ -204,13 +207,6 @@ impl Book {
         self.flights.play(id, to, seconds);
     }
 
-    /// Returns how many ticks a frame should have at the most, 1 to 12: fewer, the more work
-    /// the last tick was, so that the work of a frame is bounded. Where frames come later,
-    /// leaves then move slower instead of each frame taking longer than the one before.
-    pub fn most_ticks(&self) -> u32 {
-        (MOST_STEPPING / self.tick_work().max(1)).clamp(1, MOST_TICKS)
-    }
-
     /// Work of the last tick: counted by steps, sweeps and searches for contacts, in about
     /// nanoseconds of native code, the same on every machine.
     pub fn tick_work(&self) -> u32 {
@@ -230,6 +226,29 @@ impl Book {
             self.flights
                 .step(&self.gutter, [&self.piles[0], &self.piles[1]]);
         }
+    }
+
+    /// Begins a frame: what [`step_frame`](Self::step_frame) may step is counted from here on.
+    pub fn begin_frame(&mut self) {
+        self.stepping = 0;
+    }
+
+    /// Steps all flights as [`step`](Self::step) does, by at most `ticks`, and by fewer where
+    /// those of the frame have taken as much work as a frame may have: where many leaves
+    /// meet, they move slower instead of each frame taking longer than the one before.
+    /// Returns by how many.
+    pub fn step_frame(&mut self, ticks: u32) -> u32 {
+        for done in 0..ticks {
+            if self.stepping >= MOST_STEPPING {
+                return done;
+            }
+            if self.flights.order().is_empty() {
+                break;
+            }
+            self.step(1);
+            self.stepping = self.stepping.saturating_add(self.tick_work());
+        }
+        ticks
     }
 
     /// Brings the drawn surfaces and the piles up to date with leaves and boards.

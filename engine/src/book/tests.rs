@@ -155,26 +155,35 @@ fn no_more_fly_than_memory_is_kept_for() {
 #[test]
 fn a_frame_has_fewer_ticks_the_more_work_they_are() {
     let mut book = book();
-    assert_eq!(book.most_ticks(), limits::MOST_TICKS);
+    assert_eq!(book.step_frame(12), 12, "nothing flies");
     let id = book.pick_up(Side::Right, 0, 1).unwrap();
     book.play(id, Side::Left, 0.8);
-    book.step(24);
-    assert_eq!(book.most_ticks(), limits::MOST_TICKS, "one leaf in flight");
+    assert_eq!(book.step_frame(60), 60, "one leaf flies");
     book.lay(0);
     riffle(&mut book, MOST_FLIGHTS as u32, 6);
-    let mut fewest = limits::MOST_TICKS;
-    for tick in 0..60 {
-        if tick % 10 == 0 {
-            let id = book.flight_id(tick / 10).unwrap();
-            book.grab(id, 0, 1.0, 0.5);
-            book.hold(id, 0, [0.1 - 0.03 * tick as f32 / 10.0, 0.2, 0.02]);
+    let mut fewest = 12;
+    for frame in 0..6 {
+        let id = book.flight_id(frame).unwrap();
+        book.grab(id, 0, 1.0, 0.5);
+        book.hold(id, 0, [0.1 - 0.03 * frame as f32, 0.2, 0.02]);
+        book.begin_frame();
+        let (mut work, mut ticks) = (0, 0);
+        while ticks < 12 && book.step_frame(1) == 1 {
+            assert!(
+                work < limits::MOST_STEPPING,
+                "{work} ns before tick {ticks}"
+            );
+            work += book.tick_work();
+            ticks += 1;
         }
-        book.step(1);
-        let frame = book.most_ticks() * book.tick_work();
-        assert!(frame <= limits::MOST_STEPPING, "{frame} ns at tick {tick}");
-        fewest = fewest.min(book.most_ticks());
+        assert!(
+            ticks == 12 || work >= limits::MOST_STEPPING,
+            "{ticks} ticks"
+        );
+        assert_eq!(book.step_frame(5) == 0, work >= limits::MOST_STEPPING);
+        fewest = fewest.min(ticks);
     }
-    assert!(fewest < limits::MOST_TICKS / 2, "{fewest} ticks");
+    assert!((1..12).contains(&fewest), "{fewest} ticks");
 }
 
 #[test]

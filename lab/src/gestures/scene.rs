@@ -1,7 +1,7 @@
 //! A random gesture: a book, pointers on its leaves, what they do, and afterwards.
 
 use cpu_time::ThreadTime;
-use turnleaf_engine::book::{Book, MOST_TICKS, Phase, TICK};
+use turnleaf_engine::book::{Book, Phase, TICK};
 use turnleaf_engine::{Side, Surface};
 
 use super::overlap::{Overlap, measure};
@@ -49,15 +49,14 @@ pub struct Outcome {
     pub finite: bool,
     /// Leaves in flight and seconds of CPU of each frame of two ticks and an update.
     pub frames: Vec<(usize, f64)>,
-    /// Most seconds of CPU of an update, of a frame of at most a tenth of a second, and
-    /// of a tick.
+    /// Most seconds of CPU of an update, of a frame, and of a tick.
     pub update: f64,
+    pub frame: f64,
+    pub tick: f64,
     /// Most work of an update, as it is counted.
     pub update_work: u32,
     /// Most work of a frame's ticks and update, as it is counted.
     pub frame_work: u32,
-    pub frame: f64,
-    pub tick: f64,
     /// Most leaves in flight at once.
     pub leaves: usize,
     /// How far what is drawn is behind the paper in each frame, at most.
@@ -282,21 +281,19 @@ impl Scene {
         ));
     }
 
-    /// A frame of `ticks` and an update. Of a frame that a viewer would make it has no more
-    /// ticks than a viewer would.
+    /// A frame of `ticks`, or as many of them as the work of a frame allows, and an update.
     fn frame(&mut self, ticks: u32) {
-        let ticks = match ticks {
-            0..=MOST_TICKS => ticks.min(self.book.most_ticks()),
-            _ => ticks,
-        };
         for index in (0..self.pointers.len()).rev() {
             self.work(index, ticks);
         }
         let leaves = self.book.flights();
         let (mut seconds, mut work) = (0.0, 0);
+        self.book.begin_frame();
         for _ in 0..ticks {
             let start = ThreadTime::now();
-            self.book.step(1);
+            if self.book.step_frame(1) == 0 {
+                break;
+            }
             let tick = start.elapsed().as_secs_f64();
             self.outcome.tick = self.outcome.tick.max(tick);
             seconds += tick;
@@ -312,11 +309,9 @@ impl Scene {
         if ticks == 2 && leaves > 0 {
             self.outcome.frames.push((leaves, seconds));
         }
-        if ticks <= MOST_TICKS {
-            self.outcome.frame = self.outcome.frame.max(seconds);
-            let work = work + self.book.update_work();
-            self.outcome.frame_work = self.outcome.frame_work.max(work);
-        }
+        self.outcome.frame = self.outcome.frame.max(seconds);
+        let work = work + self.book.update_work();
+        self.outcome.frame_work = self.outcome.frame_work.max(work);
         self.outcome.leaves = self.outcome.leaves.max(leaves);
         self.look_at_picture();
     }

@@ -3,7 +3,7 @@
 import { engineCode, mayRunCode } from "./engine/machine_code.ts";
 import { BookError, type PageSource } from "./sources/page_source.ts";
 import { Viewer, type ViewerOptions } from "./viewer/viewer.ts";
-import { giveUpContext, openContext } from "./webgl/context.ts";
+import { giveUpContext, isUsable, openContext } from "./webgl/context.ts";
 
 /** Loads what draws in 3D. */
 let loadWebGL = (): Promise<typeof import("./webgl_backend.ts")> => import("./webgl_backend.ts");
@@ -34,8 +34,11 @@ export async function openViewer(
   const mayRun = mayRunCode();
   if (!mayRun) warnOnce();
   const isWebGL = !isFlat && mayRun;
-  // That of the book before, lost meanwhile.
-  if (isWebGL && openContext(canvas)?.isContextLost()) canvas = freshCanvas();
+  const context = isWebGL ? openContext(canvas) : null;
+  if (context && !isUsable(context)) {
+    giveUpContext(canvas);
+    canvas = freshCanvas();
+  }
   if (isWebGL && openContext(canvas)) {
     try {
       // Both are loaded at the same time.

@@ -266,17 +266,21 @@ export class Turning {
     this.#follow();
   }
 
-  /** Steps by whole ticks. Returns whether anything still moves or waits. */
+  /**
+   * Steps a frame by whole ticks, or by as many of them as the engine allows a frame. Returns
+   * whether anything still moves or waits.
+   */
   step(ticks: number): boolean {
     const { tick } = this.#engine;
+    this.#engine.beginFrame();
     let left = ticks;
     do {
       this.#pickUpNext();
       const wait = Math.ceil((this.#apart - this.#sincePickUp) / tick);
       const now = this.#plan.length > 0 && wait > 0 ? Math.min(left, wait) : left;
-      this.#advance(now);
-      this.#sincePickUp += now * tick;
-      left -= now;
+      const stepped = this.#advance(now);
+      this.#sincePickUp += stepped * tick;
+      left = stepped < now ? 0 : left - now;
     } while (left > 0 && this.moving);
     this.#dropReached();
     if (!this.moving) this.#rest();
@@ -414,10 +418,12 @@ export class Turning {
     return part === "leaf" ? this.#engine.phase(id) : this.#engine.stepBoard(part, 0);
   }
 
-  #advance(ticks: number): void {
+  /** Steps what flies. Returns by how many ticks. */
+  #advance(ticks: number): number {
     const [first] = this.#flights;
-    if (first === undefined) return;
-    if (first.part === "leaf") this.#engine.step(ticks);
+    if (first === undefined) return ticks;
+    let stepped = ticks;
+    if (first.part === "leaf") stepped = this.#engine.stepFrame(ticks);
     else this.#engine.stepBoard(first.part, ticks);
     const hasLanded = (flight: Flight): boolean => {
       const phase = this.#phase(flight);
@@ -433,6 +439,7 @@ export class Turning {
     this.#follow();
     this.#flights = this.#flights.filter((flight) => !landed.includes(flight));
     this.#land(landed);
+    return stepped;
   }
 
   /** Reports what has come to rest. */

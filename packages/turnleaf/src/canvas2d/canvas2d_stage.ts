@@ -48,6 +48,8 @@ type BitmapTarget = Face | `${LeafSide} ${number}` | `beneath ${PageFace}`;
 
 /** One flat book on one canvas. */
 export class Canvas2DStage implements BookStage {
+  // What a 2D canvas draws is not known, and its layers cost about the same at any size.
+  readonly isSoftware = false;
   /** Never called: a 2D canvas loses no context. */
   onRestored: (() => void) | null = null;
   onContextLost: (() => void) | null = null;

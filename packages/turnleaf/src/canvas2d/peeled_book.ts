@@ -41,7 +41,6 @@ export interface PeeledSurface extends Surface {
 /** One bound book of flat leaves. */
 export class PeeledBook implements BookEngine {
   readonly tick: number = 1 / 120;
-  readonly mostTicks: number = Number.POSITIVE_INFINITY;
   readonly columns: Float32Array = Float32Array.from(
     { length: columns },
     (_, k) => k / (columns - 1),
@@ -140,6 +139,13 @@ export class PeeledBook implements BookEngine {
         this.#peels = this.#peels.filter((other) => other !== peel);
       }
     }
+  }
+
+  beginFrame(): void {}
+
+  stepFrame(ticks: number): number {
+    this.step(ticks);
+    return ticks;
   }
 
   get isAsleep(): boolean {

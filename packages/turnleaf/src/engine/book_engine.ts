@@ -90,16 +90,19 @@ export interface BookEngine {
   play(id: number, side: Side, seconds: number): void;
   /** Steps all flights by whole ticks. */
   step(ticks: number): void;
+  /** Begins a frame: the work of its steps is counted from here on. */
+  beginFrame(): void;
+  /**
+   * Steps all flights by at most `ticks`: by fewer where those of the frame are as much work as
+   * one may have, so that leaves slow down instead of the next frame coming later still. Returns
+   * by how many.
+   */
+  stepFrame(ticks: number): number;
   /**
    * Whether nothing moves until the next command: whatever is in flight, or a
    * board, is held and lies still.
    */
   readonly isAsleep: boolean;
-  /**
-   * Maximum of ticks that a frame should step: fewer, the more work they are, so that leaves
-   * slow down where frames come late and a frame's work stays bounded.
-   */
-  readonly mostTicks: number;
   /** Returns what a flight is doing. */
   phase(id: number): Phase;
 

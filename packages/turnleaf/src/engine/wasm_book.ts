@@ -52,7 +52,8 @@ interface Exports {
   tl_book_play(book: number, id: number, side: Side, seconds: number): void;
   tl_book_step(book: number, ticks: number): void;
   tl_book_asleep(book: number): number;
-  tl_book_most_ticks(book: number): number;
+  tl_book_begin_frame(book: number): void;
+  tl_book_step_frame(book: number, ticks: number): number;
   tl_book_phase(book: number, id: number): Phase;
   tl_book_read(book: number): number;
   tl_book_flights(book: number): number;
@@ -209,8 +210,12 @@ export class WasmBook implements BookEngine {
     this.#wasm.tl_book_step(this.#book, wholeTicks(ticks, this.tick));
   }
 
-  get mostTicks(): number {
-    return this.#wasm.tl_book_most_ticks(this.#book);
+  beginFrame(): void {
+    this.#wasm.tl_book_begin_frame(this.#book);
+  }
+
+  stepFrame(ticks: number): number {
+    return this.#wasm.tl_book_step_frame(this.#book, wholeTicks(ticks, this.tick));
   }
 
   get isAsleep(): boolean {

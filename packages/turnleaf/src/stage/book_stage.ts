@@ -55,6 +55,8 @@ export interface BookStage {
   readonly unfolds: boolean;
   /** Whether the graphics context is currently lost, so that nothing is visible. */
   readonly isLost: boolean;
+  /** Whether the processor draws, for which each pixel costs much. */
+  readonly isSoftware: boolean;
   /** Canvas pixels for each CSS pixel in a frame at rest. */
   readonly restingRatio: number;
   /** A key of the projection: two equal keys mean the same projection. */

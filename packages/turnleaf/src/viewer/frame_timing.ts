@@ -3,14 +3,25 @@
  * and how well the next frame is drawn. They are the viewer's only clock.
  */
 
-/** Maximum time of one frame, in seconds; after a pause the turn goes on where it was. */
-const longestFrame = 0.1;
+/** Time since the last frame, in seconds, above which a frame is late. */
+const lateFrame = 0.1;
+
+/**
+ * Lateness, in seconds, that a movement takes as its own: it goes on slower instead of leaping, as
+ * where the first frame compiles what draws. Later frames leap, so that a turn takes no longer than
+ * this beyond its duration, however slow the machine is.
+ */
+const mostSlack = 0.2;
+
+/** Maximum time of one frame, in seconds: a page that was hidden comes back to a turn that has ended. */
+const longestFrame = 1;
 
 /** Counts the whole ticks from frame to frame while something moves. */
 export class TickCounter {
   readonly #tick: number;
   #lastTime: number | null = null;
   #remainder = 0;
+  #slack = mostSlack;
 
   /** @param tick length of a tick in seconds */
   constructor(tick: number) {
@@ -28,8 +39,10 @@ export class TickCounter {
     if (!Number.isFinite(now)) return 0;
     const since = this.#lastTime === null ? 0 : (now - this.#lastTime) / 1000;
     const seconds = Math.min(Math.max(since, 0), longestFrame);
+    const absorbed = Math.min(Math.max(seconds - lateFrame, 0), this.#slack);
+    this.#slack -= absorbed;
     this.#lastTime = now;
-    this.#remainder += seconds / this.#tick;
+    this.#remainder += (seconds - absorbed) / this.#tick;
     const ticks = Math.floor(this.#remainder);
     this.#remainder -= ticks;
     return ticks;
@@ -39,6 +52,7 @@ export class TickCounter {
   stop(): void {
     this.#lastTime = null;
     this.#remainder = 0;
+    this.#slack = mostSlack;
   }
 }
 
@@ -81,7 +95,7 @@ const mostPatience = 8;
 
 /** Chooses the quality of moving frames. */
 export class FrameQuality {
-  #step = 0;
+  #step: number;
   #intervals: number[] = [];
   #last = 0;
   #due = dueAtFirst;
@@ -93,6 +107,11 @@ export class FrameQuality {
    */
   #before = 0;
   #isTrial = false;
+
+  /** @param isSlow whether to begin with fewer pixels, as where drawing is in software */
+  constructor(isSlow = false) {
+    this.#step = isSlow ? steps.length - 2 : 0;
+  }
 
   /** The quality for the next frame of a movement. */
   get quality(): Quality {

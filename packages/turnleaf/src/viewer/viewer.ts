@@ -59,7 +59,7 @@ export class Viewer {
   readonly #modelSwitch: ModelSwitch;
   readonly #viewHistory = new ViewHistory();
   readonly #stillHistory = new ViewHistory();
-  readonly #frameQuality = new FrameQuality();
+  readonly #frameQuality: FrameQuality;
   readonly #rebinder: Rebinder;
   /** The window that shows the canvas: another window's frames stop when that one is hidden. */
   readonly #window: Window;
@@ -84,6 +84,7 @@ export class Viewer {
     this.#options = options;
     this.#window = canvas.ownerDocument.defaultView ?? window;
     this.#stage = stage;
+    this.#frameQuality = new FrameQuality(stage.isSoftware);
     this.#stage.onRestored = () => this.invalidate();
     this.#stage.onContextLost = () => options.onContextLost?.();
     this.#crossFade = new CrossFade(canvas, (from) => options.onRest(from, this.turning.spread));
@@ -424,12 +425,9 @@ export class Viewer {
 
   #draw(now: number): void {
     this.#frame = 0;
-    const {
-      ticks,
-      engine: { tick, mostTicks },
-    } = this.#bound;
-    const passed = Math.min(ticks.count(now), mostTicks);
-    const seconds = passed * tick;
+    const { ticks, engine } = this.#bound;
+    const passed = ticks.count(now);
+    const seconds = passed * engine.tick;
     // Without a turn nothing in the engine has moved since the book was laid open.
     const turned = this.turning.moving;
     const turning = turned && this.turning.step(passed);

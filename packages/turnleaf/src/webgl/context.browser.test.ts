@@ -173,3 +173,16 @@ test("a book taken away while its card is lost waits for nothing", async () => {
   expect(waiting).toBeGreaterThan(0);
   expect(loads).toBe(0);
 });
+
+test("where the processor draws, books have one sample a pixel, from the first on", async () => {
+  for (let k = 0; k < 2; k++) {
+    const element = book(scans(4));
+    await settled(element);
+    const gl = canvasOf(element).getContext("webgl2") as WebGL2RenderingContext;
+    const info = gl.getExtension("WEBGL_debug_renderer_info");
+    const renderer = String(info && gl.getParameter(info.UNMASKED_RENDERER_WEBGL));
+    const isSoftware = /swiftshader/i.test(renderer);
+    expect(gl.getContextAttributes()?.antialias, renderer).toBe(!isSoftware);
+    element.remove();
+  }
+});

@@ -3,18 +3,36 @@
  * three.js, which is loaded after it.
  */
 
+import { drawsInSoftware } from "./software_gl.ts";
+
 /** Timeout for the restoration of a lost context while the page is visible, milliseconds. */
 const patience = 4000;
+
+/** Whether contexts draw several samples of a pixel: until one is known to draw in software. */
+let antialias = true;
 
 /** Returns the context, or null if there is none. */
 export function openContext(canvas: HTMLCanvasElement): WebGL2RenderingContext | null {
   return canvas.getContext("webgl2", {
     alpha: true,
-    antialias: true,
+    antialias,
     depth: true,
     stencil: false,
     premultipliedAlpha: true,
   });
+}
+
+/**
+ * Returns whether a canvas's context can be drawn on: not where it is lost, nor where it would draw
+ * several samples of each pixel in software, which takes a third of a frame's time. Contexts that are
+ * opened later are such that can. At rest a book is drawn with more pixels than the screen has, so
+ * that its edges are smooth either way.
+ */
+export function isUsable(context: WebGL2RenderingContext): boolean {
+  if (context.isContextLost()) return false;
+  if (!drawsInSoftware(context)) return true;
+  antialias = false;
+  return context.getContextAttributes()?.antialias !== true;
 }
 
 /** Frees all memory of a canvas on the graphics card now, rather than when it is collected. */

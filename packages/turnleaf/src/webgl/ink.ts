@@ -21,9 +21,10 @@ vec4 solid(vec4 seen) {
 }
 
 vec4 printed(vec2 uv) {
+  vec4 whole = solid(texture2D(picture, uv, -0.4));
+  if (detailBox.x > 1.0) return whole;
   vec2 at = (uv - detailBox.xy) / detailBox.zw;
   vec2 within = step(vec2(0.0), at) * step(at, vec2(1.0));
-  vec4 whole = solid(texture2D(picture, uv, -0.4));
   return mix(whole, vec4(texture2D(detail, at, -0.4).rgb, 1.0), within.x * within.y);
 }
 `;

@@ -61,7 +61,7 @@ vec3 throughLeaf(vec3 normal, vec2 uv) {
   float sky = skyFraction(vGapBehind, -normal);
   vec3 light = 0.46 * key * vec3(1.05, 0.93, 0.76) + 0.09 * sky * vec3(1.0, 0.93, 0.80);
   vec3 print = texture2D(pictureBehind, onPicture(vec2(1.0 - uv.x, uv.y)), 2.2).rgb;
-  return thin * light * mix(vec3(1.0), print, 0.75);
+  return light * mix(vec3(1.0), print, 0.75);
 }
 
 // A page on its pile has one end of its gap for each of three places on the key light.
@@ -104,9 +104,15 @@ void main() {
   vec4 print = printed(onPicture(uv));
   vec3 ink = print.rgb;
   if (print.a < 0.99) ink = besidePrint(print, uv);
-  vec3 sky = mix(vec3(0.5 + 0.5 * normal.z), skyHere(normal), shadows);
-  vec3 light = arriving(normal, sky, mix(1.0, keyHere(), shadows));
-  light = min(light + throughLeaf(normal, uv), vec3(ceiling));
+  vec3 sky = vec3(0.5 + 0.5 * normal.z);
+  float key = 1.0;
+  if (shadows > 0.0) {
+    sky = mix(sky, skyHere(normal), shadows);
+    key = mix(key, keyHere(), shadows);
+  }
+  vec3 light = arriving(normal, sky, key);
+  if (thin > 0.5) light += throughLeaf(normal, uv);
+  light = min(light, vec3(ceiling));
   vec2 fromLight = (vPlace.xy - vec2(-0.35 * size.x, 0.65 * size.y)) / (1.5 * size);
   light *= 1.0 - pool * smoothstep(0.1, 1.0, length(fromLight));
   gl_FragColor = vec4(ink * light, 1.0);

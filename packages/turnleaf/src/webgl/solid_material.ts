@@ -43,14 +43,16 @@ void main() {
   float thread = 1.0 + grainDepth * (texture2D(grain, vGrainAt).r * 2.0 - 1.0);
   vec3 colour = base * thread;
 
-  vec2 at = (vUv - panel.xy) / (panel.zw - panel.xy);
-  vec2 soft = fwidth(vUv) / (panel.zw - panel.xy) + 1e-5;
-  vec2 within = smoothstep(-soft, soft, at) * smoothstep(-soft, soft, 1.0 - at);
-  // A panel that covers the whole face goes round its bevel too.
-  float fraction = pictured * (panel.y <= 0.0 ? 1.0 : within.x * within.y);
-  vec4 print = printed(onPicture(at));
-  fraction *= print.a;
-  colour = mix(colour, print.rgb, fraction);
+  float fraction = 0.0;
+  if (pictured > 0.0) {
+    vec2 at = (vUv - panel.xy) / (panel.zw - panel.xy);
+    vec2 soft = fwidth(vUv) / (panel.zw - panel.xy) + 1e-5;
+    vec2 within = smoothstep(-soft, soft, at) * smoothstep(-soft, soft, 1.0 - at);
+    vec4 print = printed(onPicture(at));
+    // A panel that covers the whole face goes round its bevel too.
+    fraction = print.a * pictured * (panel.y <= 0.0 ? 1.0 : within.x * within.y);
+    colour = mix(colour, print.rgb, fraction);
+  }
 
   vec3 sky = vec3(vOpen.x * (0.5 + 0.5 * normal.z));
   sky = mix(sky, amongPaper(sky.x), max(paperiness, fraction));

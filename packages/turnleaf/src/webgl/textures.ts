@@ -12,7 +12,10 @@ import {
   type WebGLRenderer,
 } from "three";
 import type { PagePicture } from "../sources/page_source.ts";
-import { anisotropyOf } from "./anisotropy.ts";
+import { drawsInSoftware } from "./software_gl.ts";
+
+/** Maximum used, for pages seen at a low angle: more makes no visible difference on a page. */
+const mostAnisotropy = 8;
 
 /** Textures by picture. */
 export class PictureTextures {
@@ -25,7 +28,9 @@ export class PictureTextures {
 
   constructor(renderer: WebGLRenderer) {
     this.#renderer = renderer;
-    this.anisotropy = anisotropyOf(renderer);
+    this.anisotropy = drawsInSoftware(renderer.getContext())
+      ? 1
+      : Math.min(mostAnisotropy, renderer.capabilities.getMaxAnisotropy());
     this.paper = plainTexture(0xfb, 0xf5, 0xe8);
   }
 

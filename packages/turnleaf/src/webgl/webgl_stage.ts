@@ -27,6 +27,7 @@ import { ContextWatch, openContext } from "./context.ts";
 import { DrawnBook } from "./drawn_book.ts";
 import { dropFromCard } from "./drop_from_gpu.ts";
 import { BookMaterials } from "./materials.ts";
+import { drawsInSoftware } from "./software_gl.ts";
 import { PictureTextures } from "./textures.ts";
 
 /** Maximum of pixels of a frame at rest. */
@@ -42,6 +43,7 @@ type ShowTexture = (texture: Texture, none: boolean) => void;
 export class WebGLStage implements BookStage {
   onRestored: (() => void) | null = null;
   onContextLost: (() => void) | null = null;
+  readonly isSoftware: boolean;
   readonly #canvas: HTMLCanvasElement;
   #shape: BookShape;
   readonly #renderer: WebGLRenderer;
@@ -70,6 +72,7 @@ export class WebGLStage implements BookStage {
     this.#canvas = canvas;
     this.#shape = shape;
     this.#renderer = openRenderer(canvas);
+    this.isSoftware = drawsInSoftware(this.#renderer.getContext());
     this.#pictures = new PictureTextures(this.#renderer);
     this.#materials = new BookMaterials(shape, this.#pictures.paper, this.#pictures.anisotropy);
     this.#book = new DrawnBook(shape, this.#materials);
@@ -146,7 +149,7 @@ export class WebGLStage implements BookStage {
   }
 
   get restingRatio(): number {
-    const ratio = Math.max(2, this.#ratio);
+    const ratio = Math.max(this.isSoftware ? 1.5 : 2, this.#ratio);
     // The canvas is no larger than the GPU supports.
     const most = this.#renderer.capabilities.maxTextureSize;
     const longest = Math.max(this.#width, this.#height);
