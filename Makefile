@@ -14,7 +14,7 @@ MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 RUST_SOURCES = $(shell find Cargo.toml Cargo.lock rust-toolchain.toml engine/Cargo.toml wasm/Cargo.toml engine/src wasm/src -type f)
 
-.PHONY: read build wasm test test-rust test-js check check-rust check-js check-licences size bench gestures soak fuzz playground examples pictures methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-epub
+.PHONY: read build wasm test test-rust test-js check check-rust check-js check-licences size bench bench-peers gestures soak fuzz playground examples pictures methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-epub
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -85,6 +85,12 @@ check-licences: $(MODULES) tools-rust
 # which scripts/docs_tables.mjs puts into the pages.
 bench: build chromium tools-rust
 	node scripts/performance.mjs
+
+# A book of 500 images by other page-turning libraries and by this one, side by side, five fresh
+# browsers each: bench/results/flipbooks.json. Takes about 40 minutes, on a machine that does nothing else.
+bench-peers: build chromium
+	npm ci --prefix bench/flipbooks --no-audit --no-fund
+	node bench/flipbooks/run.mjs --write
 
 # The steps that three engines go through, with versions and times: a table in docs/browsers.md.
 engines: build browsers
