@@ -69,8 +69,11 @@ const parts = {
   },
 };
 
-/** kB gzip of all parts together but for those apart. */
-const limit = 163;
+/**
+ * kB gzip of all parts together but for those apart: one more than before sounds and films stood on
+ * pages and links out of an EPUB were asked about.
+ */
+const limit = 164;
 
 /** Entries beside index.js, and the kB gzip that each may have of its own: what index.js leads to is not counted. */
 const entries = {
