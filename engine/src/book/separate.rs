@@ -99,6 +99,9 @@ pub fn separate(
     for _ in 0..rounds {
         let mut moved = false;
         for (probes, by_facets) in [(&own_probes, false), (&other_probes, true)] {
+            if work.is_spent() {
+                return;
+            }
             moved |= push_apart(
                 (own, own_bends),
                 other,
@@ -108,7 +111,7 @@ pub fn separate(
                 work,
             );
         }
-        if !moved || work.is_spent() {
+        if !moved {
             return;
         }
     }
