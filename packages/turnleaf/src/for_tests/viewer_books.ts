@@ -14,12 +14,17 @@ export async function opened(
   source: PageSource,
   options: Partial<ViewerOptions>,
 ): Promise<{ canvas: HTMLCanvasElement; viewer: Viewer }> {
-  const canvas = document.createElement("canvas");
-  canvas.style.cssText = `width: ${width}px; height: ${height}px; background: white`;
-  document.body.append(canvas);
+  let canvas = document.createElement("canvas");
+  const fresh = (): HTMLCanvasElement => {
+    canvas.remove();
+    canvas = document.createElement("canvas");
+    canvas.style.cssText = `width: ${width}px; height: ${height}px; background: white`;
+    document.body.append(canvas);
+    return canvas;
+  };
   const nothing = () => {};
   const viewer = await openViewer(
-    () => canvas,
+    fresh,
     source,
     {
       cover: "none",
