@@ -9,6 +9,7 @@ import { cpus } from "node:os";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { includeTables, writeTable } from "./docs_tables.mjs";
+import { openingTable, openingTimes } from "./opening_time.mjs";
 import { scriptTimes } from "./script_time.mjs";
 import { viewerSize } from "./size.mjs";
 
@@ -196,6 +197,7 @@ const tables = {
   agreement: agreement(),
   gestures_usual: gestures(),
   script_time: await frames(),
+  opening: openingTable(await openingTimes()),
   sizes: sizes(),
 };
 for (const [name, rows] of Object.entries(tables)) writeTable(name, rows);

@@ -61,6 +61,8 @@ const parts = {
   },
   "pages that are elements": { files: ["live_pages.js"], limit: 3 },
   "pages inserted and removed": { files: ["page_changes.js"], limit: 2 },
+  // A page without any loads none of it.
+  "sounds and films on a page": { files: ["page_media.js"], limit: 1, isApart: true },
   // A book without recordings loads none of it.
   "read aloud": { files: ["reading.js"], limit: 4, isApart: true },
   "sound, printing and films": {

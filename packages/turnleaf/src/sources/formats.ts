@@ -82,6 +82,28 @@ const archived: readonly {
   },
 ];
 
+/** The code that files of some names mostly need. */
+const likely: readonly (readonly [
+  name: RegExp,
+  load: (options: PdfOptions) => Promise<unknown>,
+])[] = [
+  [/\.pdf$/i, async ({ pdfWorker }) => (await import("./pdf.ts")).preparePdf(pdfWorker)],
+  [/\.(epub|cbz)$/i, () => import("./archive/zip.ts")],
+  [/\.epub$/i, () => import("./epub/epub.ts")],
+];
+
+/**
+ * Starts loading the code that a file's name makes likely, while its first bytes are awaited.
+ * They alone decide what it is.
+ */
+export function prepareFor(address: string, options: PdfOptions): void {
+  const path = address.replace(/[?#].*$/, "");
+  for (const [name, load] of likely) {
+    // What fails is reported where it is used.
+    if (name.test(path)) load(options).catch(() => {});
+  }
+}
+
 /** Opens a file by the format that its first bytes show, whatever its name. */
 export async function openFile(file: BookFile, options: FormatOptions): Promise<PageSource> {
   const kind = sniff(file);

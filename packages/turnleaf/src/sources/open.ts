@@ -1,6 +1,6 @@
 import { fileAt, fileIn } from "./book_file.ts";
 import { cleanText, nameOfUrl } from "./book_text.ts";
-import { openFile, openImages } from "./formats.ts";
+import { openFile, openImages, prepareFor } from "./formats.ts";
 import { type Bytes, blobOf, elementsOf, filesOf, wrongKind } from "./input_values.ts";
 import { loadPart } from "./load_part.ts";
 import { type Manifest, type ManifestPage, parseManifest } from "./manifest.ts";
@@ -84,6 +84,7 @@ export async function openList(input: BookInput, options: OpenOptions): Promise<
 
 async function openAddress(address: string, options: OpenOptions): Promise<PageSource> {
   const url = resolve(address, options);
+  prepareFor(url, options);
   const file = await fileAt(url, options.name ?? nameOfUrl(url), options.signal);
   return await openFile(file, { ...options, base: url });
 }

@@ -117,15 +117,23 @@ export async function openPdf(input: PdfInput, options: PdfOptions = {}): Promis
   }
 }
 /**
+ * Starts loading all that reads a PDF, at the same time.
+ *
+ * @param pdfWorker as of `PdfOptions`
+ */
+export function preparePdf(pdfWorker?: string): void {
+  const workers = pdfWorker ? [] : [blobWorker(), rendererAddress()];
+  // What fails is reported where it is used.
+  for (const part of [loadPdfLibrary(), ...workers]) part.catch(() => {});
+}
+
+/**
  * Loads pdf.js and starts its worker. Rejects with a `BookError` if the browser
  * does not allow it.
  */
 async function startThread(name: string, { pdfWorker, signal }: PdfOptions): Promise<PdfThread> {
   try {
-    // All that is needed is loaded at the same time; what fails is reported where it is used.
-    for (const part of [pdfWorker ?? blobWorker(), rendererAddress(pdfWorker)]) {
-      Promise.resolve(part).catch(() => {});
-    }
+    preparePdf(pdfWorker);
     const pdfjs = await loadPdfLibrary();
     signal?.throwIfAborted();
     return await PdfThread.start(pdfjs, pdfWorker);

@@ -1,11 +1,9 @@
 /** The sounds and films of an open page: a button over each plays it where it is printed. */
 
 import type { PageMedium } from "../sources/page_source.ts";
-import type { FieldPlace } from "./page_fields.ts";
-import { layOver, type Project, placeIn } from "./run_place.ts";
 
 /**
- * Returns a page's sounds and films as buttons. One that is pressed loads its
+ * Returns a page's sounds and films as buttons, in their order. One that is pressed loads its
  * recording, and a player with controls takes its place.
  *
  * @csspart medium A sound or a film on a page: the button that plays it, then its player.
@@ -16,7 +14,7 @@ export function makeMedia(
   media: readonly PageMedium[],
   ended: AbortSignal,
   played: (medium: PageMedium, isPlayed: boolean) => void,
-): FieldPlace[] {
+): HTMLElement[] {
   return media.map((medium) => {
     const element = document.createElement("div");
     const button = document.createElement("button");
@@ -41,7 +39,7 @@ export function makeMedia(
         report(false);
       });
     });
-    return { element, lay: (project: Project) => layOver(element, placeIn(medium, project)) };
+    return element;
   });
 }
 

@@ -17,10 +17,9 @@ import { NotePopover } from "./note_popover.ts";
 import { type FieldPlace, type FieldValues, makeFields } from "./page_fields.ts";
 import { type LinkActions, makeLinks } from "./page_links.ts";
 import { layMarks, type ShownHit } from "./page_marks.ts";
-import { makeMedia } from "./page_media.ts";
 import { layText } from "./page_text.ts";
 import type { PageView } from "./page_view.ts";
-import type { Project } from "./run_place.ts";
+import { layOver, type Project, placeIn } from "./run_place.ts";
 import { keepSelection } from "./selecting.ts";
 
 /** The contents of an open page. */
@@ -30,10 +29,27 @@ interface Content {
   readonly runs: readonly TextRun[];
   readonly links: readonly PageLink[];
   readonly fields: readonly PageField[];
-  readonly media: readonly PageMedium[];
+  /** Returns the buttons of its sounds and films; null if it has none. */
+  readonly makeMedia: MakeMedia | null;
   readonly alt: string;
   /** Whether the page is an element, which is read itself. */
   readonly isElement: boolean;
+}
+
+/** As `makeMedia`, of one page. */
+type MakeMedia = (
+  ended: AbortSignal,
+  played: (medium: PageMedium, isPlayed: boolean) => void,
+) => FieldPlace[];
+
+/** Loads what plays sounds and films, which most books do not need. */
+async function loadMedia(media: readonly PageMedium[]): Promise<MakeMedia> {
+  const { makeMedia } = await import("./page_media.ts");
+  return (ended, played) =>
+    makeMedia(media, ended, played).map((element, k) => ({
+      element,
+      lay: (project) => layOver(element, placeIn(media[k] as PageMedium, project)),
+    }));
 }
 
 /**
@@ -186,7 +202,7 @@ export class TextLayer {
     if (source.element?.(index)) {
       // It lies over its page itself: its text is known for marks alone.
       const runs = (await source.text?.(index, signal)) ?? [];
-      return { page, runs, links: [], fields: [], media: [], alt: "", size, isElement: true };
+      return { page, runs, links: [], fields: [], makeMedia: null, alt: "", size, isElement: true };
     }
     const [runs, links, fields, media, alt] = await Promise.all([
       source.text?.(index, signal, true).catch(() => []) ?? [],
@@ -195,7 +211,8 @@ export class TextLayer {
       source.media?.(index, signal).catch(() => []) ?? [],
       source.alt?.(index, signal).catch(() => "") ?? "",
     ]);
-    return { page, runs, links, fields, media, alt, size, isElement: false };
+    const makeMedia = media.length > 0 ? await loadMedia(media).catch(() => null) : null;
+    return { page, runs, links, fields, makeMedia, alt, size, isElement: false };
   }
 
   /** Lays the known contents of the open pages over them as they are seen now. */
@@ -238,7 +255,7 @@ export class TextLayer {
   }
 
   /** Creates links, fields, players and descriptions of pictures. */
-  #make({ page, runs, links, fields, media, alt }: Content): readonly FieldPlace[] {
+  #make({ page, runs, links, fields, makeMedia, alt }: Content): readonly FieldPlace[] {
     const { name, goTo, leaving, source } = this.#options;
     const nameOf = (to: LinkTarget): string => ("page" in to ? name(to.page) : to.href);
     const made = [
@@ -249,10 +266,10 @@ export class TextLayer {
           for (const { refresh } of laid ?? []) refresh?.();
         if (isDone) this.#redraw(field);
       }),
-      ...makeMedia(media, this.#reading.signal, (medium, isPlayed) => {
+      ...(makeMedia?.(this.#reading.signal, (medium, isPlayed) => {
         if (isPlayed) this.#played.add(medium);
         else if (this.#played.delete(medium) && this.#isStale) this.reload();
-      }),
+      }) ?? []),
     ];
     if (alt !== "") {
       const picture = document.createElement("div");

@@ -1,0 +1,21 @@
+import { afterEach, expect, test, vi } from "vitest";
+import { openSource } from "./open.ts";
+
+afterEach(() => vi.restoreAllMocks());
+
+test("the code that an address makes likely is loaded while its first bytes are awaited", async () => {
+  let respond: (response: Response) => void = () => {};
+  vi.spyOn(globalThis, "fetch").mockImplementation(
+    () =>
+      new Promise((resolve) => {
+        respond = resolve;
+      }),
+  );
+  const scripts = vi.spyOn(URL, "createObjectURL");
+  const opening = openSource("https://books.invalid/a%20book.pdf?x=y.epub#page=2");
+  // The two workers of pdf.js.
+  await expect.poll(() => scripts.mock.calls.length, { timeout: 20_000 }).toBe(2);
+  // The bytes alone decide.
+  respond(new Response("<!doctype html><p>Not here.</p>"));
+  await expect(opening).rejects.toThrow("is a web page, not a book");
+});
