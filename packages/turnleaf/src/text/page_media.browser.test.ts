@@ -36,6 +36,9 @@ const chapters = [
   "<p>The end.</p>",
 ];
 
+/** As long as a busy machine may need. */
+const patiently = { timeout: 20_000 };
+
 test("a sound is played where it stands on the page, once it is pressed, and ends as the page is turned", async () => {
   const element = book(
     tinyEpub({
@@ -55,7 +58,7 @@ test("a sound is played where it stands on the page, once it is pressed, and end
     places()[0]?.querySelector("button")?.focus();
     await userEvent.keyboard("{Enter}");
   };
-  await expect.poll(() => places().length, { timeout: 20_000 }).toBe(1);
+  await expect.poll(() => places().length, patiently).toBe(1);
   expect(root.querySelector("audio")).toBeNull();
   const [place] = places();
   expect(place?.querySelector("button")?.getAttribute("aria-label")).toBe("A tone");
@@ -63,7 +66,7 @@ test("a sound is played where it stands on the page, once it is pressed, and end
   expect(offsetWidth).toBeGreaterThan(5 * offsetHeight);
   await press();
   const player = (): HTMLAudioElement | null => root.querySelector("audio");
-  await expect.poll(() => player()?.currentTime ?? 0, { timeout: 10_000 }).toBeGreaterThan(0.1);
+  await expect.poll(() => player()?.currentTime ?? 0, patiently).toBeGreaterThan(0.1);
   const sound = player() as HTMLAudioElement;
   expect([sound.controls, sound.paused, sound.muted]).toEqual([true, false, false]);
   // Other pages far from it change nothing of what is heard.
@@ -71,13 +74,17 @@ test("a sound is played where it stands on the page, once it is pressed, and end
   await new Promise((resolve) => setTimeout(resolve, 200));
   expect([player() === sound, sound.paused]).toEqual([true, false]);
   await element.goTo(2);
-  await expect.poll(() => sound.paused).toBe(true);
+  await expect.poll(() => sound.paused, patiently).toBe(true);
   expect(sound.getAttribute("src")).toBeNull();
   // One that is no sound says so in its place.
-  await expect.poll(() => places().length === 1 && !places().includes(place as Element)).toBe(true);
+  await expect
+    .poll(() => places().length === 1 && !places().includes(place as Element), patiently)
+    .toBe(true);
   await press();
-  await expect.poll(() => places()[0]?.textContent).toMatch(/^bad\.wav cannot be played;/);
+  await expect
+    .poll(() => places()[0]?.textContent, patiently)
+    .toMatch(/^bad\.wav cannot be played;/);
   await element.goTo(3);
-  await expect.poll(() => places().length).toBe(0);
+  await expect.poll(() => places().length, patiently).toBe(0);
   element.remove();
 });
