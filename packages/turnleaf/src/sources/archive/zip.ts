@@ -8,6 +8,7 @@ import { unknownFailure } from "../failures.ts";
 import { limits } from "../limits.ts";
 import { BookError } from "../page_source.ts";
 import type { Archive } from "./archive.ts";
+import { cleanPath } from "./names.ts";
 
 // Workers would have to be allowed by the page's policy; the browser inflates in the background.
 configure({ useWebWorkers: false });
@@ -99,13 +100,6 @@ class ZipArchive implements Archive {
   close(): void {
     this.#entries = new Map();
   }
-}
-
-/** Returns a file's path from the archive's root; null if it leads out of it. */
-function cleanPath(path: string): string | null {
-  const steps = path.replaceAll("\\", "/").split("/");
-  const isInside = !steps.includes("..") && !/^([a-z]:|$)/i.test(steps[0] ?? "");
-  return isInside ? steps.filter((step) => step !== "." && step !== "").join("/") : null;
 }
 
 function damaged(what: string, error: unknown): BookError {
