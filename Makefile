@@ -14,7 +14,7 @@ MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 RUST_SOURCES = $(shell find Cargo.toml Cargo.lock rust-toolchain.toml engine/Cargo.toml wasm/Cargo.toml engine/src wasm/src -type f)
 
-.PHONY: read build wasm test test-rust test-js check check-rust check-js check-licences size bench bench-peers gestures soak fuzz playground examples pictures methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-epub
+.PHONY: read build wasm unpacker test test-rust test-js check check-rust check-js check-licences size bench bench-peers gestures soak fuzz playground examples pictures methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-epub
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -36,6 +36,10 @@ packages/cli/dist/.built: $(MODULES) $(SOURCES) $(RUST_SOURCES)
 # makes them anew if the Rust sources have changed and the wasm32 target is installed.
 wasm: $(MODULES) tools-rust
 	node scripts/build_wasm.mjs
+
+# What reads RAR and 7-Zip archives, built anew from libarchive and liblzma: needs zig, see the script.
+unpacker: $(MODULES)
+	node scripts/build_unpacker.mjs
 
 tools-rust:
 	@command -v cargo >/dev/null || { echo "This needs Rust: install rustup, then run it again. Reading a book (make) does not need it." >&2; exit 1; }
@@ -66,6 +70,7 @@ check-rust: tools-rust
 check-js: build
 	npx biome ci .
 	npm run --silent types
+	node scripts/build_unpacker.mjs --verify
 	node scripts/check_imports.mjs
 	node scripts/check_words.mjs
 	node scripts/reference.mjs --check

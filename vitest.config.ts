@@ -5,6 +5,7 @@ import { packedFiles } from "./packages/turnleaf/packed_files.js";
 import { svelteFiles } from "./packages/turnleaf/svelte_files.js";
 import { turnInline } from "./packages/turnleaf/turn_inline.js";
 import { wasmInline } from "./packages/turnleaf/wasm_inline.js";
+import { workerInline } from "./packages/turnleaf/worker_inline.js";
 import { chromiumArguments, findChromium } from "./scripts/chromium.mjs";
 import { consoleCommands } from "./scripts/console_watch.mjs";
 import { requestCommands } from "./scripts/request_watch.mjs";
@@ -15,13 +16,16 @@ const engines = "packages/cli/tests/engines/*.test.ts";
 /** What the random tests read, for those that run in a browser. */
 const { TURNLEAF_SEED = "1", TURNLEAF_FUZZ = "1" } = process.env;
 
+/** Archives that tests read. */
+const archives = ["**/*.rar", "**/*.7z", "**/*.cb7"];
+
 /** `*.test.ts` runs in Node; `*.browser.test.ts` runs in the real Chromium of this machine. */
 export default defineConfig({
   test: {
     projects: [
       {
-        plugins: [wasmInline(), turnInline(), packedFiles(), svelteFiles()],
-        assetsInclude: ["**/*.tlkf"],
+        plugins: [wasmInline(), turnInline(), packedFiles(), workerInline(), svelteFiles()],
+        assetsInclude: ["**/*.tlkf", ...archives],
         test: {
           name: "node",
           environment: "node",
@@ -38,7 +42,8 @@ export default defineConfig({
         test: { name: "engines", environment: "node", include: [engines] },
       },
       {
-        plugins: [wasmInline(), turnInline(), packedFiles(), svelteFiles()],
+        plugins: [wasmInline(), turnInline(), packedFiles(), workerInline(), svelteFiles()],
+        assetsInclude: archives,
         optimizeDeps: {
           include: [
             "three",

@@ -8,6 +8,7 @@
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
+import { clones, libraries } from "./unpacker_sources.mjs";
 
 const root = join(import.meta.dirname, "..");
 
@@ -77,7 +78,13 @@ function cargoPackages() {
   }));
 }
 
-const packages = [...npmPackages(), ...cargoPackages()];
+/** What is in unpacker.wasm: shipped, so that its licences have to be permissive. */
+const unpacker = [...clones, ...libraries].map(({ name, version, licence }) => {
+  shipped.add(name);
+  return { name, version, licence };
+});
+
+const packages = [...npmPackages(), ...cargoPackages(), ...unpacker];
 let failed = false;
 for (const { name, version, licence } of packages) {
   const allowed = shipped.has(name) ? permissive : forTools;

@@ -4,6 +4,7 @@ import { slimMaps } from "./slim_maps.js";
 import { threeInside } from "./three_inside.js";
 import { turnInline } from "./turn_inline.js";
 import { wasmInline } from "./wasm_inline.js";
+import { workerInline } from "./worker_inline.js";
 
 const common = {
   platform: "browser",
@@ -25,6 +26,7 @@ const viewer = defineConfig({
     wasmInline(),
     turnInline(),
     packedFiles(),
+    workerInline(),
     slimMaps(),
   ],
   copy: [
@@ -32,6 +34,11 @@ const viewer = defineConfig({
     { from: "src/engine/turnleaf.wasm", to: "dist" },
     { from: "../../node_modules/image-size/LICENSE", to: "dist", rename: "license-image-size.txt" },
     { from: "../../node_modules/three/LICENSE", to: "dist", rename: "license-three.txt" },
+    {
+      from: "src/sources/archive/unpacker/LICENSES.txt",
+      to: "dist",
+      rename: "license-unpacker.txt",
+    },
   ],
   deps: {
     // By threeInside, which leaves it out of all but standalone.

@@ -21,6 +21,10 @@ export const limits = {
   archiveBytes: 1_000_000_000,
   archiveEntries: 40_000,
   archivedBytes: 100_000_000,
+  /** Of an archive that is unpacked whole: bytes of all its files, of a path in it, and milliseconds. */
+  unpackedBytes: 1_000_000_000,
+  archivePath: 4096,
+  unpackingTime: 300_000,
   /** Bytes of a chapter or a style sheet, unpacked. */
   markupBytes: 16_000_000,
   /** Elements of a chapter, and bytes of the pictures and fonts in it. */

@@ -1,0 +1,265 @@
+/**
+ * RAR and 7-Zip: archives that are unpacked whole, once and in order, by
+ * libarchive in a worker. Most of them are solid: a file is understood only
+ * after all those before it.
+ */
+
+import { unpack } from "../../packed.ts";
+import { bytesOf } from "../book_file.ts";
+import { cleanText } from "../book_text.ts";
+import { limits } from "../limits.ts";
+import { loadPart } from "../load_part.ts";
+import { BookError } from "../page_source.ts";
+import { trustedScript } from "../trusted_script.ts";
+import type { Archive } from "./archive.ts";
+import { marksLength, type Obstacle, obstacleIn } from "./archive_marks.ts";
+import { cleanPath } from "./names.ts";
+import type { Stop, UnpackingBounds } from "./unpacker/unpack_all.ts";
+import type { UnpackingTask, WorkerMessage } from "./unpacker/unpacker_worker.ts";
+
+/** Bounds on an archive, and on the milliseconds in which it is unpacked. */
+export interface UnpackedBounds extends UnpackingBounds {
+  readonly time: number;
+}
+
+const usual: UnpackedBounds = {
+  entries: limits.archiveEntries,
+  fileBytes: limits.archivedBytes,
+  allBytes: limits.unpackedBytes,
+  pathLength: limits.archivePath,
+  time: limits.unpackingTime,
+};
+
+/** Milliseconds in which the worker has to report that it runs. */
+const startingTime = 60_000;
+
+/** Maximum of characters quoted from libarchive. */
+const detailLength = 200;
+
+let script: Promise<string> | undefined;
+
+/** Loads what unpacks. */
+export async function prepareUnpacking(): Promise<void> {
+  await Promise.all([workerScript(), import("./unpacker/unpacker.wasm")]);
+}
+
+/**
+ * Opens a RAR or 7-Zip archive, all of which is unpacked. Rejects with a
+ * `BookError` if it is damaged, encrypted, one of several volumes or beyond the
+ * bounds, or with the signal's reason.
+ *
+ * @param name the file's name in sentences
+ */
+export async function openUnpacked(
+  file: Blob,
+  name: string,
+  signal?: AbortSignal,
+  bounds: UnpackedBounds = usual,
+): Promise<Archive> {
+  const obstacle = obstacleIn(await bytesOf(file.slice(0, marksLength), name), file.size);
+  if (obstacle) throw new BookError(`${name} ${obstacles[obstacle]}`);
+  const [address, packed] = await Promise.all([
+    loadPart(workerScript()),
+    loadPart(import("./unpacker/unpacker.wasm")),
+  ]);
+  const task = { code: await unpack(packed.default), file, bounds };
+  signal?.throwIfAborted();
+  return new UnpackedArchive(name, await unpackInWorker(address, task, bounds.time, name, signal));
+}
+
+function workerScript(): Promise<string> {
+  script ??= import("worker:./unpacker/unpacker_worker.ts").then(async ({ default: packed }) => {
+    const code = await unpack(packed);
+    return URL.createObjectURL(new Blob([code], { type: "text/javascript" }));
+  });
+  script.catch(() => {
+    script = undefined;
+  });
+  return script;
+}
+
+/** A file of an archive, or why it is not there. */
+type UnpackedFile = Blob | BookError;
+
+/** Returns the files by their paths. Ends the worker in any case. */
+function unpackInWorker(
+  address: string,
+  task: UnpackingTask,
+  time: number,
+  name: string,
+  signal?: AbortSignal,
+): Promise<ReadonlyMap<string, UnpackedFile>> {
+  return new Promise((resolve, reject) => {
+    const files = new Map<string, UnpackedFile>();
+    let worker: Worker | undefined;
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    const stop = (): void => {
+      clearTimeout(timer);
+      worker?.terminate();
+      signal?.removeEventListener("abort", abort);
+    };
+    const fail = (reason: unknown): void => {
+      stop();
+      reject(reason);
+    };
+    const failAfter = (milliseconds: number, error: () => BookError): void => {
+      clearTimeout(timer);
+      timer = setTimeout(() => fail(error()), milliseconds);
+    };
+    const abort = (): void => fail(signal?.reason);
+    const add = (path: string, file: UnpackedFile): void => {
+      const clean = cleanPath(path);
+      if (clean && !files.has(clean)) files.set(clean, file);
+    };
+    const take = (message: WorkerMessage): void => {
+      switch (message.kind) {
+        case "started":
+          failAfter(time, () => new BookError(`${name} ${tooLong(time)}`));
+          break;
+        case "file":
+          add(message.path, message.bytes);
+          break;
+        case "large":
+          add(message.path, tooLarge(message.path, name, task.bounds.fileBytes));
+          break;
+        case "damaged":
+          add(message.path, notUnpacked(`${quoted(message.path)} in ${name}`, message.detail));
+          break;
+        case "failed":
+          fail(
+            message.stop === "damaged"
+              ? notUnpacked(name, message.detail)
+              : new BookError(`${name} ${stops(task.bounds)[message.stop]}`),
+          );
+          break;
+        case "forbidden":
+          fail(notStarted(name, new Error(message.detail)));
+          break;
+        case "end":
+          stop();
+          resolve(files);
+      }
+    };
+    signal?.addEventListener("abort", abort);
+    try {
+      worker = new Worker(trustedScript(address), { type: "module" });
+      failAfter(startingTime, () => notStarted(name, new Error("It gave no sign of life.")));
+      worker.onmessage = ({ data }: MessageEvent<WorkerMessage>) => take(data);
+      worker.onmessageerror = () => fail(notUnpacked(name, "a message could not be read"));
+      worker.onerror = (event) => {
+        event.preventDefault();
+        // An event without a message comes from a script that could not be loaded.
+        const { message } = event;
+        fail(
+          message ? notUnpacked(name, message) : notStarted(name, new Error("It did not load.")),
+        );
+      };
+      worker.postMessage(task);
+    } catch (error) {
+      fail(notStarted(name, error));
+    }
+  });
+}
+
+class UnpackedArchive implements Archive {
+  readonly names: readonly string[];
+  readonly #name: string;
+  #files: ReadonlyMap<string, UnpackedFile>;
+
+  constructor(name: string, files: ReadonlyMap<string, UnpackedFile>) {
+    this.#name = name;
+    this.#files = files;
+    this.names = [...files.keys()];
+  }
+
+  size(name: string): number {
+    const file = this.#files.get(name);
+    return file instanceof Blob ? file.size : 0;
+  }
+
+  async read(name: string, most: number = limits.archivedBytes): Promise<Uint8Array<ArrayBuffer>> {
+    const file = this.#file(name);
+    if (file.size > most) throw tooLarge(name, this.#name, most);
+    return await bytesOf(file, this.#name);
+  }
+
+  async readStart(name: string, length: number): Promise<Uint8Array<ArrayBuffer>> {
+    return await bytesOf(this.#file(name).slice(0, length), this.#name);
+  }
+
+  close(): void {
+    this.#files = new Map();
+  }
+
+  #file(name: string): Blob {
+    const file = this.#files.get(name);
+    if (!file) throw new BookError(`${this.#name} has no file ${name}; get it again.`);
+    if (file instanceof BookError) throw file;
+    return file;
+  }
+}
+
+const obstacles: Readonly<Record<Obstacle, string>> = {
+  volume:
+    "is one part of an archive in several; unpack all its parts together, and pack them as one.",
+  short:
+    "is cut off, or the first part of an archive in several; get it again, or unpack all its parts together and pack them as one.",
+  encrypted: "is protected by a password; unpack it first.",
+};
+
+function stops(bounds: UnpackingBounds): Readonly<Record<Exclude<Stop, "damaged">, string>> {
+  return {
+    encrypted: obstacles.encrypted,
+    entries: `has more than ${bounds.entries} files; split it and open a part.`,
+    bytes: `is larger than ${megabytes(bounds.allBytes)} when unpacked; split it and open a part.`,
+  };
+}
+
+function tooLong(time: number): string {
+  return `took more than ${Math.ceil(time / 1000)} seconds to unpack; pack it again as ZIP (CBZ).`;
+}
+
+function tooLarge(path: string, name: string, most: number): BookError {
+  return new BookError(
+    `${quoted(path)} in ${name} is larger than ${megabytes(most)} when unpacked; make it smaller.`,
+  );
+}
+
+/** Returns the error for what libarchive did not unpack, by what it says. */
+function notUnpacked(what: string, detail: string): BookError {
+  const said = quoted(detail);
+  if (/support/i.test(said)) {
+    return new BookError(
+      `${what} is packed in a way that cannot be read (${said}); pack it again as ZIP (CBZ).`,
+    );
+  }
+  if (/memory|allocat/i.test(said)) {
+    return new BookError(
+      `${what} needs more memory to unpack than a book may have (${said}); pack it again as ZIP (CBZ).`,
+    );
+  }
+  return new BookError(`${what} is damaged (${said}); repair it or get it again.`);
+}
+
+/** Returns the error for a worker that the browser did not start, or in which it forbids WASM. */
+function notStarted(name: string, cause: unknown): BookError {
+  const said = String(cause);
+  let remedy = "allow blob: in worker-src of this page's Content-Security-Policy";
+  if (/Trusted/.test(said)) {
+    remedy = "allow turnleaf in trusted-types of this page's Content-Security-Policy";
+  } else if (/wasm|WebAssembly|CompileError/i.test(said)) {
+    remedy = "allow 'wasm-unsafe-eval' in script-src of this page's Content-Security-Policy";
+  }
+  return new BookError(
+    `${name} cannot be read, as the browser did not start the script that unpacks it; ${remedy}.`,
+    { cause },
+  );
+}
+
+function quoted(text: string): string {
+  return cleanText(text, detailLength);
+}
+
+function megabytes(bytes: number): string {
+  return `${Math.floor(bytes / (1 << 20))} MB`;
+}
