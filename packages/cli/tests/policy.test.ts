@@ -5,6 +5,7 @@ import type { TurnleafBook } from "turnleaf";
 import { afterAll, afterEach, beforeAll, describe, expect, test } from "vitest";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
 import { silentRecording } from "../../../tests/silent_recording.mjs";
+import { rar5, sevenZip } from "../../turnleaf/src/for_tests/stored_archives.ts";
 import { tinyEpub } from "../../turnleaf/src/sources/epub/tiny_epub.ts";
 import { jpeg2000, tinyPdf } from "../../turnleaf/src/sources/tiny_pdf.ts";
 import { pdf, png } from "./books.ts";
@@ -65,6 +66,8 @@ const files: Record<string, Buffer | string> = {
   "/data.json": JSON.stringify({
     pages: [`data:image/png;base64,${png(6, 9).toString("base64")}`, "2.png"],
   }),
+  "/comic.cbr": Buffer.from(rar5({ "1.png": png(60, 90), "2.png": png(60, 90) })),
+  "/comic.cb7": Buffer.from(sevenZip({ "1.png": png(60, 90), "2.png": png(60, 90) })),
   "/1.svg": svg,
   "/1.png": png(60, 90),
   "/2.png": png(60, 90),
@@ -127,14 +130,17 @@ const draw = (page: Awaited<ReturnType<typeof visit>>["page"], number: number) =
     number,
   );
 
-describe.each(["/book.pdf", "/book.json", "file:/book.pdf"])("%s", (src) => {
-  test("opens in space under the policy that is enough, and nothing is blocked", async () => {
-    const { page, said, asked } = await visit();
-    expect(await open(page, src)).toBe("");
-    expect(asked.some((path) => path.includes("webgl_backend"))).toBe(true);
-    expect(said).toEqual([]);
-  });
-});
+describe.each(["/book.pdf", "/book.json", "file:/book.pdf", "/comic.cbr", "/comic.cb7"])(
+  "%s",
+  (src) => {
+    test("opens in space under the policy that is enough, and nothing is blocked", async () => {
+      const { page, said, asked } = await visit();
+      expect(await open(page, src)).toBe("");
+      expect(asked.some((path) => path.includes("webgl_backend"))).toBe(true);
+      expect(said).toEqual([]);
+    });
+  },
+);
 
 test("img-src data: an EPUB is drawn with its style and pictures, and nothing is blocked", async () => {
   const { page, said } = await visit({ "img-src": "data:", "font-src": "data:" });
@@ -228,6 +234,19 @@ describe("worker-src without blob:", () => {
     const { page } = await visit({ "worker-src": "'self'" });
     expect(await open(page, "/book.pdf", { "pdf-worker": "/none.js" })).toMatch(
       /; pdf-worker names http:\S+\/none\.js: correct it, or allow it in worker-src/,
+    );
+  });
+});
+
+describe("a comic in RAR says what to allow", () => {
+  test.each([
+    ["worker-src", "'self'", "allow blob: in worker-src"],
+    ["script-src", "'self' 'nonce-map'", "allow 'wasm-unsafe-eval' in script-src"],
+    ["trusted-types", "'none'", "allow turnleaf in trusted-types"],
+  ] as const)("%s %s", async (directive, value, remedy) => {
+    const { page } = await visit({ [directive]: value });
+    expect(await open(page, "/comic.cbr")).toBe(
+      `comic.cbr cannot be read, as the browser did not start the script that unpacks it; ${remedy} of this page's Content-Security-Policy.`,
     );
   });
 });

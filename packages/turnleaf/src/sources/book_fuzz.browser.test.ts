@@ -5,6 +5,7 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { commands } from "vitest/browser";
 import { canvas2, canvas3, manifest2, manifest3, serve } from "../for_tests/image_server.ts";
 import { clue, fuzzed, type Random, wildPieces } from "../for_tests/random_numbers.ts";
+import { rar4, rar5, sevenZip } from "../for_tests/stored_archives.ts";
 import { tinyEpub } from "./epub/tiny_epub.ts";
 import { limits } from "./limits.ts";
 import { openSource } from "./open.ts";
@@ -215,6 +216,19 @@ fuzzed("a mutated comic is read or rejected", 30, async (random) => {
   });
   const bytes = random.below(2) === 0 ? mutateBytes(random, whole) : whole;
   await expectReadOrRejected(new File([bytes], "a.cbz"), { info, bytes: [...bytes].join() });
+});
+
+fuzzed("a mutated comic of RAR or 7-Zip is read or rejected", 30, async (random) => {
+  const image = await png();
+  const pack = random.among([rar4, rar5, sevenZip]);
+  const whole = pack({
+    "ComicInfo.xml": random.mutate("<ComicInfo><Title>Dawn</Title></ComicInfo>", wildMarkup),
+    "1.png": image,
+    "2.png": image,
+    "3.svg": random.mutate(drawing, wildMarkup),
+  });
+  const bytes = random.below(4) === 0 ? whole : mutateBytes(random, whole);
+  await expectReadOrRejected(new File([bytes], "a.cbr"), [...bytes].join());
 });
 
 fuzzed("an image with mutated bytes is read or rejected", 30, async (random) => {

@@ -3,6 +3,7 @@ import { expect, test } from "vitest";
 // @ts-expect-error: examples are plain JavaScript
 import { PolygonBook } from "../../../../examples/13-polygons.js";
 import { expectConformance } from "../for_tests/source_conformance.ts";
+import { rar4, rar5, sevenZip } from "../for_tests/stored_archives.ts";
 import { type BookInput, openList, openSource } from "./open.ts";
 import type { PageSource } from "./page_source.ts";
 import { tinyPdf } from "./tiny_pdf.ts";
@@ -30,14 +31,16 @@ async function withText(): Promise<BookInput> {
   return { ...manifest, pages: [first, await png(50, 50)] };
 }
 
-async function comic(names: readonly string[]): Promise<Blob> {
+async function comic(
+  names: readonly string[],
+  pack: (files: Record<string, Uint8Array>) => Uint8Array = zipSync,
+): Promise<Blob> {
   const files = names.map(async (name, index) => {
     const image = await png(index % 2 ? 80 : 40, 60);
     return [name, new Uint8Array(await image.arrayBuffer())];
   });
-  return new Blob([
-    zipSync(Object.fromEntries(await Promise.all(files))) as Uint8Array<ArrayBuffer>,
-  ]);
+  const bytes = pack(Object.fromEntries(await Promise.all(files)));
+  return new Blob([bytes as Uint8Array<ArrayBuffer>]);
 }
 
 /** Returns elements that are laid out in the document. */
@@ -60,6 +63,9 @@ const books: readonly [name: string, () => BookInput | Promise<BookInput>][] = [
   ["an SVG", () => new Blob([svg])],
   ["a manifest", withText],
   ["a comic", async () => comic(["1.png", "2.png", "3.png", "4.png"])],
+  ["a comic in RAR 4", async () => comic(["1.png", "2.png", "3.png", "4.png"], rar4)],
+  ["a comic in RAR 5", async () => comic(["1.png", "2.png", "3.png", "4.png"], rar5)],
+  ["a comic in 7-Zip", async () => comic(["1.png", "2.png", "3.png", "4.png"], sevenZip)],
   ["elements", async () => elements(3)],
   ["the source of the examples", () => new PolygonBook(60)],
   ["a function that returns a source", () => async () => new PolygonBook(2)],

@@ -49,11 +49,30 @@ const formats: Readonly<Partial<Record<Kind, Open>>> = {
   zip: async (file, options) => {
     const { blob } = await file.whole(limits.archiveBytes, options.signal);
     const { openZip } = await loadPart(import("./archive/zip.ts"));
-    const archive = await openZip(blob, file.name);
-    const open = archived.find(({ isIn }) => isIn(archive.names))?.open ?? openComic;
-    return await open(archive, blob, file.name, options.typography);
+    return await openArchived(await openZip(blob, file.name), blob, file.name, options);
   },
+  rar: openUnpacked,
+  "7z": openUnpacked,
 };
+
+/** Opens a book in an archive of RAR or 7-Zip. */
+async function openUnpacked(file: BookFile, options: FormatOptions): Promise<PageSource> {
+  const { blob } = await file.whole(limits.archiveBytes, options.signal);
+  const { openUnpacked } = await loadPart(import("./archive/unpacked_archive.ts"));
+  const archive = await openUnpacked(blob, file.name, options.signal);
+  return await openArchived(archive, blob, file.name, options);
+}
+
+/** Opens the book that the files of an archive are. */
+async function openArchived(
+  archive: Archive,
+  blob: Blob,
+  name: string,
+  { typography }: FormatOptions,
+): Promise<PageSource> {
+  const open = archived.find(({ isIn }) => isIn(archive.names))?.open ?? openComic;
+  return await open(archive, blob, name, typography);
+}
 
 /** Returns the book that a file in an archive is; the book then closes the archive. */
 type OpenArchive = (
@@ -90,6 +109,11 @@ const likely: readonly (readonly [
   [/\.pdf$/i, async ({ pdfWorker }) => (await import("./pdf.ts")).preparePdf(pdfWorker)],
   [/\.(epub|cbz)$/i, () => import("./archive/zip.ts")],
   [/\.epub$/i, () => import("./epub/epub.ts")],
+  [
+    /\.(cbr|cb7|rar|7z)$/i,
+    async () => (await import("./archive/unpacked_archive.ts")).prepareUnpacking(),
+  ],
+  [/\.(cb[zr7])$/i, () => import("./comics/comic.ts")],
 ];
 
 /**
@@ -119,11 +143,10 @@ export async function openImages(book: ImageBook): Promise<PageSource> {
 }
 
 const readable =
-  "PDF, EPUB, comics (CBZ and other ZIPs of images), Markdown, text, images (PNG, JPEG, WebP, AVIF, GIF, SVG), IIIF manifests and JSON manifests of images can be read.";
+  "PDF, EPUB, comics (CBZ, CBR, CB7 and other archives of images), Markdown, text, images (PNG, JPEG, WebP, AVIF, GIF, SVG), IIIF manifests and JSON manifests of images can be read.";
 
 const reasons: Readonly<Partial<Record<Kind, string>>> = {
   html: "is a web page, not a book",
-  archive: "is an archive; unpack it first",
 };
 
 function imageAlone(src: string | Blob, name: string): ImageBook {

@@ -350,7 +350,9 @@ describe("unreadable input fails in one sentence", () => {
     expect(await fails(() => new Response(other))).toMatch(
       /is an archive with no book in it; open another/,
     );
-    expect(await fails(() => new Response("Rar!"))).toMatch(/is an archive; unpack it first; PDF/);
+    expect(await fails(() => new Response("Rar!\x1a\x07\0"))).toMatch(
+      /^a book\.json is damaged \(/,
+    );
     expect(await fails(() => new Response("\x00\x01"))).toMatch(/is of an unknown format; PDF,/);
   });
   it("JSON that is none", async () => {

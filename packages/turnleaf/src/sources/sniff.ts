@@ -1,5 +1,5 @@
 /** The kind of a file, as far as its first bytes show. */
-export type Kind = "pdf" | "json" | "image" | "html" | "zip" | "archive" | "text" | "unknown";
+export type Kind = "pdf" | "json" | "image" | "html" | "zip" | "rar" | "7z" | "text" | "unknown";
 
 /** What is known of a file before it is read whole. */
 export interface FileStart {
@@ -27,7 +27,8 @@ const images: readonly (readonly [type: string, offset: number, mark: string])[]
 ];
 
 const zip = "PK\x03\x04";
-const archives = ["Rar!", "7z\xbc\xaf"];
+const rar = "Rar!\x1a\x07";
+const sevenZip = "7z\xbc\xaf\x27\x1c";
 
 /**
  * Returns the format by the first bytes, whatever the file's name. The media
@@ -39,7 +40,8 @@ export function sniff({ start, type }: FileStart): Kind {
   if (imageType(start) !== null) return "image";
   if (text.includes(pdfMark)) return "pdf";
   if (text.startsWith(zip)) return "zip";
-  if (archives.some((mark) => text.startsWith(mark))) return "archive";
+  if (text.startsWith(rar)) return "rar";
+  if (text.startsWith(sevenZip)) return "7z";
   const words = wordsOf(text);
   // Markdown may begin as the others do.
   if (type !== "text/markdown") {

@@ -1,5 +1,7 @@
 import { strToU8, type Zippable, zipSync } from "fflate";
 import { expect, test } from "vitest";
+import { rar4, rar5, sevenZip } from "../../for_tests/stored_archives.ts";
+import { fixture } from "../archive/unpacker/fixtures_for_tests.ts";
 import { messageOf } from "../message_of.ts";
 import { openSource } from "../open.ts";
 import type { PageSource } from "../page_source.ts";
@@ -17,13 +19,21 @@ async function scan(width: number, height: number, type = "image/png"): Promise<
   return new Uint8Array(await (await canvas.convertToBlob({ type })).arrayBuffer());
 }
 
-async function comic(files: Record<string, Uint8Array | string>): Promise<PageSource> {
+type Pack = (files: Record<string, Uint8Array>) => Uint8Array;
+
+const zip: Pack = (files) => zipSync(files as Zippable);
+
+async function comic(
+  files: Record<string, Uint8Array | string>,
+  pack: Pack = zip,
+  name = "Hero 1.cbz",
+): Promise<PageSource> {
   const entries = Object.entries(files).map(([name, file]) => [
     name,
     typeof file === "string" ? strToU8(file) : file,
   ]);
-  const bytes = zipSync(Object.fromEntries(entries) as Zippable) as Uint8Array<ArrayBuffer>;
-  return await openSource(new File([bytes], "Hero 1.cbz"));
+  const bytes = pack(Object.fromEntries(entries)) as Uint8Array<ArrayBuffer>;
+  return await openSource(new File([bytes], name));
 }
 
 async function colour(source: PageSource, index: number): Promise<string> {
@@ -130,4 +140,52 @@ test("an image that unpacks to more than its bound fails alone", async () => {
   const source = await comic({ "1.png": await scan(4, 6), "2.png": new Uint8Array(101_000_000) });
   expect((await source.draw(0, 4, never)).width).toBe(4);
   expect(await messageOf(source.draw(1, 4, never))).toContain("when unpacked; make it smaller.");
+});
+
+const packers: readonly [name: string, pack: Pack][] = [
+  ["Hero 1.cbr", rar4],
+  ["Hero 1.rar", rar5],
+  ["Hero 1.cb7", sevenZip],
+];
+
+test.each(packers)("%s is a comic as one in a ZIP is", async (name, pack) => {
+  const [page, wide] = [await scan(40, 60), await scan(82, 60)];
+  const files = {
+    "b/10.png": page,
+    "b/9.png": wide,
+    "b/2.png": page,
+    "b/.2.png": page,
+    "Thumbs.db": "x",
+    "ComicInfo.xml":
+      "<ComicInfo><Title>Dawn</Title><Manga>YesAndRightToLeft</Manga><LanguageISO>ja</LanguageISO></ComicInfo>",
+  };
+  const source = await comic(files, pack, name);
+  expect([source.title, source.language, source.direction]).toEqual(["Dawn", "ja", "rtl"]);
+  expect(places(source)).toEqual([undefined, "first", "second", undefined]);
+  expect([await colour(source, 1), await colour(source, 2)]).toEqual(["blue", "red"]);
+  expect((await source.draw(0, 400, never)).width).toBe(40);
+  expect((await source.file!()).size).toBeGreaterThan(100);
+  const { "ComicInfo.xml": _, ...untitled } = files;
+  expect((await comic(untitled, pack, name)).title).toBe("Hero 1");
+});
+
+test.each(packers)("%s without images, or with a page that is damaged", async (name, pack) => {
+  expect(await messageOf(comic({ "a.txt": "a" }, pack, name))).toBe(
+    `${name} is an archive with no book in it; open another.`,
+  );
+  const page = await scan(40, 60);
+  const source = await comic({ "1.png": page, "2.png": page.slice(0, 60) }, pack, name);
+  expect((await source.draw(0, 10, never)).width).toBe(10);
+  expect(await messageOf(source.draw(1, 10, never))).toBe(
+    `Page 2 of ${name} (2.png) is damaged or no image; PNG, JPEG, WebP, AVIF, GIF and SVG can be shown.`,
+  );
+});
+
+test("a solid archive of LZMA is read", async () => {
+  const source = await openSource(new File([fixture("lzma.cb7")], "lzma.cb7"));
+  expect(source.pageCount).toBe(6);
+  for (let index = 0; index < 6; index++) {
+    expect(await source.size(index)).toEqual({ width: 30, height: 40 });
+    expect((await source.draw(index, 30, never)).height).toBe(40);
+  }
 });

@@ -50,7 +50,7 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
     if (pages.length === 0) throw new BookError(`${name} marks all its pages as deleted.`);
     return new ImageSource({
       name,
-      title: info.title || name.replace(/\.cb[rz7]$/i, "") || name,
+      title: info.title || name.replace(/\.(cb[rz7]|rar|7z)$/i, "") || name,
       language: info.language,
       direction: info.direction,
       kind: "scan",
