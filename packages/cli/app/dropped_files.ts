@@ -4,7 +4,7 @@
 const mostEntries = 20_000;
 const deepest = 8;
 
-const book = /\.(pdf|epub|cbz|zip|md|markdown)$/i;
+const book = /\.(pdf|epub|cb[zr7]|zip|rar|7z|md|markdown)$/i;
 const image = /\.(png|jpe?g|webp|avif|gif|svg)$/i;
 
 /**

@@ -33,11 +33,12 @@ export interface ServeOptions {
 export const help = `Turnleaf shows a book whose pages turn as paper turns.
 
   turnleaf BOOK…                 the same as turnleaf read
-  turnleaf read BOOK…            reads a PDF, an EPUB, a comic (CBZ), Markdown,
-                                 text, an image (PNG, JPEG, WebP, AVIF, GIF), a
-                                 folder of images in their order, or what is at
-                                 an address (https://…), a IIIF manifest too;
-                                 several books, or a folder of them, as a shelf
+  turnleaf read BOOK…            reads a PDF, an EPUB, a comic (CBZ, CBR, CB7),
+                                 Markdown, text, an image (PNG, JPEG, WebP, AVIF,
+                                 GIF), a folder of images in their order, or what
+                                 is at an address (https://…), a IIIF manifest
+                                 too; several books, or a folder of them, as a
+                                 shelf
   turnleaf film BOOK --out FILE  films a book as its pages turn, as MP4, WebM,
                                  GIF or numbered pictures (turnleaf film --help)
   turnleaf bake --out FILE       writes the turn of a leaf as glTF, OBJ, JSON or

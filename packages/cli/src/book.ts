@@ -1,6 +1,6 @@
 import { realpath, stat } from "node:fs/promises";
 import { basename, resolve } from "node:path";
-import { bookType, rejectionOf, sniffLength } from "./file_types.ts";
+import { bookType, isArchiveType, rejectionOf, sniffLength } from "./file_types.ts";
 import { booksIn, imagePages, listFolder } from "./folder.ts";
 import { inspectPdf } from "./inspect_pdf.ts";
 import { fileProblem, Problem, printable } from "./problem.ts";
@@ -29,7 +29,7 @@ const mostTextBytes = 16_000_000;
 
 /** What can be read, for sentences. */
 export const readable =
-  "a PDF, an EPUB, a comic (CBZ), Markdown, text, an image (PNG, JPEG, WebP, AVIF, GIF) or a folder of images";
+  "a PDF, an EPUB, a comic (CBZ, CBR, CB7), Markdown, text, an image (PNG, JPEG, WebP, AVIF, GIF) or a folder of images";
 
 /**
  * Opens the named file or folder and checks it, so that errors are reported
@@ -99,7 +99,7 @@ async function openFile(file: string, given: string): Promise<ServedBook> {
 
 function mostBytes(type: string): number {
   if (type === "application/pdf") return mostPdfBytes;
-  if (type === "application/zip") return mostArchiveBytes;
+  if (isArchiveType(type)) return mostArchiveBytes;
   return type.startsWith("text/") ? mostTextBytes : mostImageBytes;
 }
 

@@ -12,6 +12,12 @@ const marks: readonly (readonly [string, number, string])[] = [
   ["image/avif", 4, "ftypavi"],
 ];
 
+const archives: readonly (readonly [string, string])[] = [
+  ["application/zip", "PK\x03\x04"],
+  ["application/vnd.rar", "Rar!\x1a\x07"],
+  ["application/x-7z-compressed", "7z\xbc\xaf\x27\x1c"],
+];
+
 /** A manifest that is an array has strings or objects: [text] is a link of Markdown. */
 const json = /^(\{|\[\s*["{\]])/;
 
@@ -23,7 +29,6 @@ const rejected: readonly (readonly [RegExp, string])[] = [
   ],
   [/^<(!doctype html|html|\?xml|!--|head|body)/i, "is a web page, not a book"],
   [json, "is JSON (a IIIF manifest is opened by its address)"],
-  [/^(Rar!|7z\xbc\xaf)/, "is an archive that has to be unpacked first"],
 ];
 
 /**
@@ -34,6 +39,11 @@ export function imageType(start: string): string | undefined {
   return marks.find(([, offset, mark]) => start.startsWith(mark, offset))?.[0];
 }
 
+/** Returns whether a media type is of archives. */
+export function isArchiveType(type: string): boolean {
+  return archives.some(([one]) => one === type);
+}
+
 /**
  * Returns the media type of a book by its first bytes (latin-1), of text by its
  * name too; undefined if it cannot be served. What an archive holds is the
@@ -41,7 +51,8 @@ export function imageType(start: string): string | undefined {
  */
 export function bookType(start: string, name: string): string | undefined {
   if (start.includes("%PDF-")) return "application/pdf";
-  if (start.startsWith("PK\x03\x04")) return "application/zip";
+  const archive = archives.find(([, mark]) => start.startsWith(mark));
+  if (archive) return archive[0];
   const image = imageType(start);
   if (image !== undefined) return image;
   if (!isText(start, name)) return undefined;
@@ -102,7 +113,7 @@ const images: ReadonlyMap<string, string> = new Map([
 
 /** Returns what a file of a folder may be by its name's suffix; null for what is no book. */
 export function kindOfName(name: string): NamedKind | null {
-  if (/\.(pdf|epub|cbz)$/i.test(name)) return "book";
+  if (/\.(pdf|epub|cb[zr7])$/i.test(name)) return "book";
   if (imageTypeOfName(name)) return "image";
   return /\.(md|markdown|txt)$/i.test(name) ? "text" : null;
 }

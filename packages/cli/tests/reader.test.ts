@@ -5,6 +5,7 @@ import type { TurnleafBook } from "turnleaf";
 import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
 import { isWebglComplaint } from "../../../scripts/console_watch.mjs";
+import { rar4, rar5, sevenZip } from "../../turnleaf/src/for_tests/stored_archives.ts";
 import { pdf, png } from "./books.ts";
 import { folderOf, type Started, start } from "./command.ts";
 
@@ -29,6 +30,8 @@ beforeAll(async () => {
     "small.pdf": pdf(9),
     "scans/1.png": png(30, 40),
     "scans/2.png": png(30, 40),
+    "hero.cbr": Buffer.from(rar5({ "1.png": png(30, 40), "2.png": png(30, 40) })),
+    "hero.cb7": Buffer.from(sevenZip({ "1.png": png(30, 40), "2.png": png(30, 40) })),
   });
   served = await start(join(folder.path, "small.pdf"), "--port", "0");
   browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
@@ -116,6 +119,15 @@ it("shows a book of scans, and one sentence where a page would be if it is gone"
   expect(complaints).toEqual([]);
 });
 
+it.each(["hero.cbr", "hero.cb7"])("shows the comic %s", async (name) => {
+  const comic = await start(join(folder.path, name), "--port", "0");
+  await open(comic.url);
+  expect(await book(({ pageCount }) => pageCount)).toBe(2);
+  expect(await page.title()).toBe("hero");
+  await comic.stop();
+  expect(complaints).toEqual([]);
+});
+
 describe("a book of the reader's own machine", () => {
   const notice = () => page.locator("#notice");
   /** Drops files on the window, as their bytes in base64 by their names. */
@@ -165,6 +177,8 @@ describe("a book of the reader's own machine", () => {
   it("is shown in place of the other: dropped, or picked by a key", async () => {
     await drop({ "10.png": png(30, 40), "9.png": png(40, 30) });
     await expect.poll(() => book(({ pageCount }) => pageCount), { timeout: 15_000 }).toBe(2);
+    await drop({ "hero.cbr": Buffer.from(rar4({ "1.png": png(30, 40), "2.png": png(40, 40) })) });
+    await expect.poll(() => page.title(), { timeout: 15_000 }).toBe("hero");
     await expect.poll(() => book(({ settled }) => settled), { timeout: 30_000 }).toBe(true);
     const chooser = page.waitForEvent("filechooser", { timeout: 60_000 });
     await page.keyboard.press("Control+o");
