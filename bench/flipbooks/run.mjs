@@ -236,8 +236,8 @@ async function measure(name, site) {
         const { books } = await import("/bench/books.js");
         const images = Array.from({ length: pages }, (_, k) => `/images/${k}.jpg`);
         const start = performance.now();
-        window.open1 = (place) => books[name](place, images);
-        window.book = await window.open1(document.querySelector("main"));
+        window.openAgain = (place) => books[name](place, images);
+        window.book = await window.openAgain(document.querySelector("main"));
         return performance.now() - start;
       },
       [name, pages],
@@ -252,13 +252,12 @@ async function measure(name, site) {
     await wait(1500);
     const start = costOf(pid);
     const turned = [];
-    let blank = 0;
     for (let k = 0; k < turns; k++) {
       turned.push(await page.evaluate(turn));
       await wait(700);
     }
     const spent = costOf(pid).seconds - start.seconds;
-    if (await isBlank(page)) blank++;
+    const blank = await isBlank(page);
     const between = turned.flatMap(({ between }) => between).sort((a, b) => a - b);
     const at = (fraction) => between[Math.floor(fraction * (between.length - 1))];
     const took = turned.map(({ took }) => took).sort((a, b) => a - b);
@@ -268,7 +267,7 @@ async function measure(name, site) {
         for (let k = 1; k < destroyed; k++) {
           const place = document.querySelector("main");
           place.replaceChildren();
-          const book = await window.open1(place);
+          const book = await window.openAgain(place);
           book.destroy();
         }
         await new Promise((resolve) => setTimeout(resolve, 1000));
@@ -322,7 +321,7 @@ function summary(rows) {
         const list = of(key);
         return [key, { median: median(list), least: Math.min(...list), most: Math.max(...list) }];
       });
-      const blank = runs.reduce((sum, run) => sum + run.blank, 0);
+      const blank = runs.filter((run) => run.blank).length;
       const after = runs.map((run) => run.after);
       const errors = [...new Set(runs.flatMap((run) => run.errors))];
       return [name, { ...Object.fromEntries(entries), blank, after, errors }];

@@ -127,12 +127,18 @@ export function gapsOfRow(
  * @param count numbers of `points` in use
  */
 export function leftEndUnder(px: number, pz: number, points: Float32Array, count: number): number {
-  let left = -1;
+  // The direction farthest to the right of those above the horizon: products tell which of
+  // two it is, without a division for each of very many points.
+  let [x, z] = [-1, 0];
+  let below = 1;
   for (let k = 0; k < count; k += 2) {
-    const c = compass(points[k] - px, points[k + 1] - pz);
-    if (c > left) left = c;
+    const dx = points[k] - px;
+    const dz = points[k + 1] - pz;
+    if (dz >= 0) {
+      if (dx * z > x * dz) [x, z] = [dx, dz];
+    } else if (dx > 0) below = Math.max(below, compass(dx, dz));
   }
-  return Math.min(left, 1.05);
+  return below > 1 ? Math.min(below, 1.05) : compass(x, z);
 }
 
 /** The gap over a point, radians, and the fractions of sky and key light that come through it. */
