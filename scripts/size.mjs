@@ -72,8 +72,8 @@ const parts = {
 };
 
 /**
- * kB gzip of all parts together but for those apart: one more than before sounds and films stood on
- * pages and links out of an EPUB were asked about.
+ * kB gzip of all parts together but for those apart: one was added for sounds and films on pages
+ * and for the question before a link leads out of an EPUB.
  */
 const limit = 164;
 

@@ -8,16 +8,16 @@
  * software, as the machines have no graphics card: figures compare, and say nothing of frames on one.
  */
 
-import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { cpus } from "node:os";
 import { extname, join } from "node:path";
 import { parseArgs } from "node:util";
 import { chromium } from "playwright-core";
 import { chromiumArguments, findChromium } from "../../scripts/chromium.mjs";
+import { summary, table, writeResults } from "./results.mjs";
 
 const root = join(import.meta.dirname, "../..");
-const results = join(root, "bench/results/flipbooks.json");
 const [width, height] = [1200, 860];
 
 const names = [
@@ -69,15 +69,28 @@ const html = `<!doctype html><title>One book</title><link rel="icon" href="data:
 <script type="importmap">{"imports":{"three":"/three/three.module.js","hammerjs":"/bench/hammer.js","throttle-debounce":"/packages/throttle-debounce/esm/index.js"}}</script>
 <main></main>`;
 
+/** Pages drawn at a time: all of many thousands would be more than a browser's tab holds. */
+const drawnAtOnce = 250;
+
 /** A distinct picture of each page: text, a hue, its number. */
 async function drawPages(browser, count) {
+  const images = [];
+  for (let first = 1; first <= count; first += drawnAtOnce) {
+    const last = Math.min(count, first + drawnAtOnce - 1);
+    images.push(...(await drawSome(browser, [first, last])));
+  }
+  return images;
+}
+
+/** Pictures of the pages of two numbers and between them. */
+async function drawSome(browser, between) {
   const page = await browser.newPage();
-  const drawn = await page.evaluate(async (count) => {
+  const drawn = await page.evaluate(async ([first, last]) => {
     const canvas = new OffscreenCanvas(900, 1273);
     const pen = canvas.getContext("2d");
     const word = (k) => "whale leaf paper spine gutter margin folio quire".split(" ")[(k * 7) % 8];
     const list = [];
-    for (let n = 1; n <= count; n++) {
+    for (let n = first; n <= last; n++) {
       pen.fillStyle = "#fbf5e8";
       pen.fillRect(0, 0, 900, 1273);
       pen.fillStyle = `hsl(${(n * 47) % 360} 70% 45%)`;
@@ -97,7 +110,7 @@ async function drawPages(browser, count) {
       list.push(btoa(text));
     }
     return list;
-  }, count);
+  }, between);
   await page.close();
   return drawn.map((text) => Buffer.from(text, "base64"));
 }
@@ -297,64 +310,6 @@ async function measure(name, site) {
   }
 }
 
-const median = (list) => list.sort((a, b) => a - b)[list.length >> 1];
-
-const figures = {
-  ready: ["ready, ms", 0],
-  images: ["images at open", 0],
-  memory: ["memory, MB", 0],
-  idle: ["CPU idle in 4 s, s", 2],
-  turn: ["a turn of 800 ms takes, ms", 0],
-  slowest: ["the slowest", 0],
-  perTurn: ["CPU a turn, s", 2],
-  perFrame: ["CPU a frame, s", 3],
-  frame: ["between frames, ms", 0],
-  lateFrame: ["95 in 100", 0],
-};
-
-/** Medians with the least and the most, by library. */
-function summary(rows) {
-  return Object.fromEntries(
-    Object.entries(rows).map(([name, runs]) => {
-      const of = (key) => runs.map((run) => run[key]).filter(Number.isFinite);
-      const entries = Object.keys(figures).map((key) => {
-        const list = of(key);
-        return [key, { median: median(list), least: Math.min(...list), most: Math.max(...list) }];
-      });
-      const blank = runs.filter((run) => run.blank).length;
-      const after = runs.map((run) => run.after);
-      const errors = [...new Set(runs.flatMap((run) => run.errors))];
-      return [name, { ...Object.fromEntries(entries), blank, after, errors }];
-    }),
-  );
-}
-
-/** A row a library. */
-function table(found) {
-  const shown = (name, key) => {
-    const { median, least, most } = found[name][key];
-    const digits = figures[key][1];
-    return `${median.toFixed(digits)} (${least.toFixed(digits)} to ${most.toFixed(digits)})`;
-  };
-  const frames = (name) => {
-    const numbers = found[name].after.filter(Number.isFinite);
-    return numbers.length > 0 ? String(median(numbers)) : "fails";
-  };
-  const head = [
-    "",
-    ...Object.values(figures).map(([title]) => title),
-    "frames a second after ten destroys",
-    "blank at the end",
-  ];
-  const rows = Object.keys(found).map((name) => [
-    name.startsWith("Turnleaf") ? `**${name}**` : name,
-    ...Object.keys(figures).map((key) => shown(name, key)),
-    frames(name),
-    `${found[name].blank} of ${found[name].after.length}`,
-  ]);
-  return [head, ...rows];
-}
-
 const painter = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
 const images = await drawPages(painter, pages);
 const version = painter.version();
@@ -373,22 +328,17 @@ for (let round = 1; round <= rounds; round++) {
 }
 site.stop();
 const found = summary(rows);
-const machine = `${cpus().length} cores, ${cpus()[0].model}; Chromium ${version}, WebGL by SwiftShader`;
-const { dependencies } = JSON.parse(
-  readFileSync(join(root, "bench/flipbooks/package.json"), "utf8"),
+console.log(
+  table(found)
+    .map((row) => row.join(" | "))
+    .join("\n"),
 );
-const shown = table(found);
-console.log(shown.map((row) => row.join(" | ")).join("\n"));
 if (values.write) {
-  mkdirSync(join(root, "bench/results"), { recursive: true });
-  const what = {
-    date: new Date().toISOString(),
-    machine,
-    pages,
-    rounds,
-    turns,
-    versions: dependencies,
-    found,
-  };
-  writeFileSync(results, `${JSON.stringify(what, null, 2)}\n`);
+  const machine = `${cpus().length} cores, ${cpus()[0].model}; Chromium ${version}, WebGL by SwiftShader`;
+  const { dependencies } = JSON.parse(
+    readFileSync(join(root, "bench/flipbooks/package.json"), "utf8"),
+  );
+  const date = new Date().toISOString();
+  const what = { date, machine, pages, rounds, turns, versions: dependencies, found };
+  writeResults(what);
 }

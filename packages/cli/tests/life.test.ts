@@ -1,26 +1,14 @@
 /** The life of books on a page: strict pages, many of them one after the other, very long ones. */
 
-import { type Browser, chromium, type Page } from "playwright-core";
+import type { Page } from "playwright-core";
 import type { TurnleafBook } from "turnleaf";
-import { afterAll, afterEach, beforeAll, describe, expect, test } from "vitest";
-import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { describe, expect, test } from "vitest";
 import { isWebglComplaint } from "../../../scripts/console_watch.mjs";
 import { pdf, png } from "./books.ts";
 import { countHoldings, holdingsOf } from "./holdings.ts";
-import { serveViewer, type ViewerSite } from "./viewer_page.ts";
+import { browserForTests } from "./viewer_page.ts";
 
-let browser: Browser;
-let site: ViewerSite | undefined;
-
-beforeAll(async () => {
-  browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
-});
-afterAll(() => browser?.close());
-afterEach(async () => {
-  for (const context of browser.contexts()) await context.close();
-  await site?.stop();
-  site = undefined;
-});
+const tests = browserForTests();
 
 const pageCount = 5000;
 const grey = (page: number): number => 40 + ((page * 37) % 200);
@@ -42,8 +30,8 @@ async function open(
   respond: (path: string) => Buffer | string | null,
   options: { policy?: string; flat?: boolean; calm?: boolean } = {},
 ) {
-  site = await serveViewer(respond, options.policy);
-  const page = await browser.newPage({
+  const site = await tests.serve(respond, options.policy);
+  const page = await tests.browser.newPage({
     viewport: { width: 400, height: 300 },
     reducedMotion: options.calm ? "reduce" : "no-preference",
   });

@@ -1,28 +1,15 @@
 /** The built viewer under each Content-Security-Policy that docs/policy.md has a row for. */
 
-import { type Browser, chromium } from "playwright-core";
 import type { TurnleafBook } from "turnleaf";
-import { afterAll, afterEach, beforeAll, describe, expect, test } from "vitest";
-import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { describe, expect, test } from "vitest";
 import { silentRecording } from "../../../tests/silent_recording.mjs";
 import { rar5, sevenZip } from "../../turnleaf/src/for_tests/stored_archives.ts";
 import { tinyEpub } from "../../turnleaf/src/sources/epub/tiny_epub.ts";
 import { jpeg2000, tinyPdf } from "../../turnleaf/src/sources/tiny_pdf.ts";
 import { pdf, png } from "./books.ts";
-import { serveViewer, type ViewerSite } from "./viewer_page.ts";
+import { browserForTests } from "./viewer_page.ts";
 
-let browser: Browser;
-let site: ViewerSite | undefined;
-
-beforeAll(async () => {
-  browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
-});
-afterAll(() => browser?.close());
-afterEach(async () => {
-  for (const context of browser.contexts()) await context.close();
-  await site?.stop();
-  site = undefined;
-});
+const tests = browserForTests();
 
 /** The policy that docs/policy.md gives for PDFs and images from the page's own site. */
 const enough = {
@@ -78,8 +65,8 @@ async function visit(
   changes: Partial<Record<keyof typeof enough | "img-src" | "font-src" | "media-src", string>> = {},
 ) {
   const policy = Object.entries({ ...enough, ...changes }).map((entry) => entry.join(" "));
-  site = await serveViewer((path) => files[path] ?? null, policy.join("; "));
-  const page = await browser.newPage({ viewport: { width: 400, height: 300 } });
+  const site = await tests.serve((path) => files[path] ?? null, policy.join("; "));
+  const page = await tests.browser.newPage({ viewport: { width: 400, height: 300 } });
   const said: string[] = [];
   page.on("pageerror", (error) => said.push(error.message));
   page.on("console", (message) => {
@@ -298,7 +285,6 @@ test.each([
   expect(await open(blocking.page, src)).toBe("");
   expect(await draw(blocking.page, 1)).toContain(directive);
   expect(await draw(blocking.page, 2)).toBe("");
-  await site?.stop();
   const { page, said } = await visit({ [directive]: allowed });
   expect(await open(page, src)).toBe("");
   expect(await draw(page, 1)).toBe("");

@@ -1,27 +1,15 @@
 /** The built files for a script tag, on pages without an import map, under a strict policy. */
 
 import { readFileSync } from "node:fs";
-import { type Browser, chromium, type Page } from "playwright-core";
+import type { Page } from "playwright-core";
 import type { TurnleafBook } from "turnleaf";
-import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
-import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { expect, test } from "vitest";
 import { pdf, png } from "./books.ts";
-import { serveViewer, type ViewerSite } from "./viewer_page.ts";
+import { browserForTests } from "./viewer_page.ts";
 
 const patience = { timeout: 40_000 };
 
-let browser: Browser;
-let site: ViewerSite | undefined;
-
-beforeAll(async () => {
-  browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
-});
-afterAll(() => browser?.close());
-afterEach(async () => {
-  for (const context of browser.contexts()) await context.close();
-  await site?.stop();
-  site = undefined;
-});
+const tests = browserForTests();
 
 const policy =
   "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src blob:; style-src 'self'; connect-src 'self'";
@@ -37,11 +25,11 @@ async function visit(
     "/book.pdf": pdf(8, "Eight pages"),
     "/not-a-book.pdf": Buffer.from([0, 1, 2, 3]),
   };
-  site = await serveViewer(
+  const site = await tests.serve(
     (path) => files[path] ?? (path.endsWith(".png") ? png(60, 90) : null),
     policy,
   );
-  const context = await browser.newContext({
+  const context = await tests.browser.newContext({
     viewport: { width: 400, height: 300 },
     javaScriptEnabled,
   });

@@ -376,7 +376,8 @@ both("nothing is asked of the engine once a listener took the book away", async 
     let touched = false;
     close = () => {
       turning.close();
-      for (const name of ["lay", "pickUp", "play", "step", "grab", "hold"] as const) {
+      const calls = ["lay", "pickUp", "play", "beginFrame", "stepFrame", "grab", "hold"] as const;
+      for (const name of calls) {
         engine[name] = () => {
           touched = true;
           return 0 as never;

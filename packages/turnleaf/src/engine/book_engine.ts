@@ -88,8 +88,6 @@ export interface BookEngine {
    * those in its way too.
    */
   play(id: number, side: Side, seconds: number): void;
-  /** Steps all flights by whole ticks. */
-  step(ticks: number): void;
   /** Begins a frame: the work of its steps is counted from here on. */
   beginFrame(): void;
   /**

@@ -43,7 +43,7 @@ const counts: Readonly<Record<string, readonly number[]>> = {
   tl_book_hold: [0, 1],
   tl_book_release: [0, 1],
   tl_book_play: [0, 1],
-  tl_book_step: [0],
+  tl_book_step_frame: [0],
   tl_book_phase: [0],
   tl_book_positions: [0],
   tl_book_normals: [0],
@@ -136,7 +136,10 @@ function askAtRandom(book: BookEngine, seed: number, questions: number): boolean
     () => book.hold(anId(), count(maxGrabs), ...vector()),
     () => book.release(anId(), count(maxGrabs)),
     () => book.play(anId(), side(), number(0.1, 2)),
-    () => book.step(random() < 0.9 ? Math.floor(13 * random()) : among([Number.NaN, -1, -0.5])),
+    () => {
+      if (random() < 0.5) book.beginFrame();
+      book.stepFrame(random() < 0.9 ? Math.floor(13 * random()) : among([Number.NaN, -1, -0.5]));
+    },
     () => void book.phase(anId()),
     () => book.holdBoard(cover(), number(0, Math.PI)),
     () => book.releaseBoard(cover()),
@@ -181,14 +184,21 @@ for (const [over, create] of [
     book.lay(10);
     const id = book.pickUp(Side.right, 10, 11);
     book.play(id, Side.left, 0.8);
-    book.step(20);
+    book.beginFrame();
+    book.stepFrame(20);
     book.update();
     const before = [...book.surface(0).positions];
-    for (const ticks of [-1, -0.5, Number.NaN, Number.NEGATIVE_INFINITY, 0, 0.5]) book.step(ticks);
+    for (const ticks of [-1, -0.5, Number.NaN, Number.NEGATIVE_INFINITY, 0, 0.5]) {
+      book.beginFrame();
+      book.stepFrame(ticks);
+    }
     book.update();
     expect([...book.surface(0).positions]).toEqual(before);
     // And no number of ticks takes for ever.
-    book.step(Number.POSITIVE_INFINITY);
+    for (let frame = 0; frame < 20 && book.flights > 0; frame++) {
+      book.beginFrame();
+      book.stepFrame(Number.POSITIVE_INFINITY);
+    }
     expect([book.flights, book.read]).toEqual([0, 11]);
     book.destroy();
   });

@@ -206,6 +206,7 @@ export class WasmBook implements BookEngine {
     this.#wasm.tl_book_play(this.#book, whole(id, mostIds), side, turnSeconds(seconds));
   }
 
+  /** Steps all flights by whole ticks, however much work they are: for tests of motions. */
   step(ticks: number): void {
     this.#wasm.tl_book_step(this.#book, wholeTicks(ticks, this.tick));
   }

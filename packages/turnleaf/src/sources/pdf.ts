@@ -116,6 +116,7 @@ export async function openPdf(input: PdfInput, options: PdfOptions = {}): Promis
     throw sentenceFor(pdfjs, error, input.name, options.pdfWorker);
   }
 }
+
 /**
  * Starts loading all that reads a PDF, at the same time.
  *

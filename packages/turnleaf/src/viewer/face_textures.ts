@@ -17,6 +17,7 @@ import { type Binding, leftPage, pagesAt, rightPage } from "../book/spreads.ts";
 import type { Turning } from "../book/turning.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import { isTrimmed } from "../pages/page_place.ts";
+import type { PagePicture } from "../sources/page_source.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import type { BookStage } from "../stage/book_stage.ts";
 import type { CameraMotion } from "./camera_motion.ts";
@@ -64,6 +65,8 @@ export class FaceTextures {
   readonly #stage: BookStage;
   readonly #turning: Turning;
   readonly #pictures: PageBitmaps;
+  /** The bitmaps on the stage, in the order in which they were brought there. */
+  #shown: readonly (PagePicture | null)[] = [];
 
   constructor(binding: Binding, stage: BookStage, turning: Turning, pictures: PageBitmaps) {
     this.#binding = binding;
@@ -97,40 +100,54 @@ export class FaceTextures {
    * Shows what is available on every face, and on the flap of an open fold-out.
    *
    * @param isStill whether pages that are elements lie over theirs
+   * @returns whether any bitmap is another than before
    */
-  show(flap: FoldOut["parts"], isStill: boolean): void {
+  show(flap: FoldOut["parts"], isStill: boolean): boolean {
     const { pages } = this;
+    const before = this.#shown;
+    const shown: (PagePicture | null)[] = [];
+    const note = <T extends PagePicture | null>(picture: T): T => {
+      shown.push(picture);
+      return picture;
+    };
     for (const face of faceNames) {
       const page = pages[face];
       const under = isStill && page !== null ? this.#pictures.under(page) : null;
-      this.#stage.setFace(face, under ?? this.#pictureOf(face, page));
+      this.#stage.setFace(face, note(under ?? this.#pictureOf(face, page)));
     }
     if (flap) {
       const [front, back] = flap.sign === 1 ? [flap.flap, flap.back] : [flap.back, flap.flap];
-      this.#stage.setLeaf(0, "recto", front);
-      this.#stage.setLeaf(0, "verso", back);
+      this.#stage.setLeaf(0, "recto", note(front));
+      this.#stage.setLeaf(0, "verso", note(back));
     }
     const { low, high } = this.#turning.outermost;
-    this.#showUnder("left", pages.left, rightPage(this.#binding, low - 1), low - 1);
-    this.#showUnder("right", pages.right, leftPage(this.#binding, high + 1), high + 1);
+    for (const [side, page, behind, next] of [
+      ["left", pages.left, rightPage(this.#binding, low - 1), low - 1],
+      ["right", pages.right, leftPage(this.#binding, high + 1), high + 1],
+    ] as const) {
+      const under = this.#under(side, page, behind, next);
+      this.#stage.setUnder(side, note(under.behind), note(under.beneath));
+    }
     for (const [index, flight] of this.#turning.flights.entries()) {
       if (flight.part !== "leaf") continue;
       const { recto, verso } = facesOfLeaf(this.#binding, flight);
-      this.#stage.setLeaf(index, "recto", this.#pictureOfPaper(recto));
-      this.#stage.setLeaf(index, "verso", this.#pictureOfPaper(verso));
+      this.#stage.setLeaf(index, "recto", note(this.#pictureOfPaper(recto)));
+      this.#stage.setLeaf(index, "verso", note(this.#pictureOfPaper(verso)));
     }
+    this.#shown = shown;
+    return shown.length !== before.length || shown.some((picture, k) => picture !== before[k]);
   }
 
   /**
-   * Shows what is visible beside a page whose leaf is trimmed: the page on its
+   * Returns what is visible beside a page whose leaf is trimmed: the page on its
    * back, and the next that lies on its side.
    */
-  #showUnder(side: "left" | "right", page: number | null, behind: number | null, next: number) {
+  #under(side: "left" | "right", page: number | null, behind: number | null, next: number) {
     const isCut = page !== null && isTrimmed(this.#pictures.placeOfDrawn(page));
     const under = side === "left" ? leftPage(this.#binding, next) : rightPage(this.#binding, next);
     const picture = (page: number | null) =>
-      page === null ? null : this.#pictures.getIfDrawn(page);
-    this.#stage.setUnder(side, isCut ? picture(behind) : null, isCut ? picture(under) : null);
+      page === null || !isCut ? null : this.#pictures.getIfDrawn(page);
+    return { behind: picture(behind), beneath: picture(under) };
   }
 
   #pictureOf(face: Face, page: number | null) {

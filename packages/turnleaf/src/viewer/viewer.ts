@@ -68,6 +68,8 @@ export class Viewer {
   #frame = 0;
   #handled = false;
   /** Whether no leaf is in flight and no flap open, so that elements may lie over their pages. */
+  /** Whether the last frame has fewer pixels than at rest, as pictures of it are missing. */
+  #isPlain = false;
   #isStill = false;
   #destroyed = false;
 
@@ -92,7 +94,7 @@ export class Viewer {
     this.#bitmaps = new PageBitmaps(source, book.leaf, {
       slowText: options.slowText,
       onArrive: (page) => {
-        this.#show();
+        this.#showArrived();
         const sentence = this.#bitmaps.failure(page);
         if (sentence === null || this.#destroyed) return;
         const isOpen = pagesAt(this.binding, this.turning.spread).includes(page);
@@ -457,7 +459,9 @@ export class Viewer {
     const { pixels, roughly } = this.#frameQuality.quality;
     this.#stage.pose(pose, roughly && !resting);
     this.#options.onMotion?.(posed, seconds, turning && !still);
-    this.#stage.draw({ resting, pixels });
+    // Where the processor draws, a frame that is soon drawn again is not worth all its pixels.
+    this.#isPlain = resting && this.#stage.isSoftware && !this.#bitmaps.settled;
+    this.#stage.draw({ resting: resting && !this.#isPlain, pixels });
     this.#bitmaps.paused = !resting;
     this.#crossFade.step(now, this.turning.spread);
     if (this.#destroyed) return;
@@ -512,14 +516,27 @@ export class Viewer {
     this.#show();
   }
 
-  /** Updates the bitmap of every face, and requests the pages wanted next. */
+  /** Updates the bitmap of every face, requests the pages wanted next, and draws them. */
   #show(): void {
     if (this.#destroyed) return;
+    this.#updateFaces();
+    this.invalidate();
+  }
+
+  /** Shows a bitmap that has arrived; nothing is drawn for one that is not in sight. */
+  #showArrived(): void {
+    if (this.#destroyed) return;
+    const hasChanged = this.#updateFaces();
+    if (hasChanged || (this.#isPlain && this.#bitmaps.settled)) this.invalidate();
+  }
+
+  /** Updates the bitmap of every face, and requests the pages wanted next. Returns whether any is new. */
+  #updateFaces(): boolean {
     const { faceTextures: picturing } = this.#bound;
     if (this.#cssWidth > 0) picturing.want(this.#pictureWidth);
-    picturing.show(this.#foldOut.parts, this.#isStill);
+    const hasChanged = picturing.show(this.#foldOut.parts, this.#isStill);
     this.#sharpness.keep(picturing.pages);
-    this.invalidate();
+    return hasChanged;
   }
 
   get #pictureWidth(): number {
