@@ -92,7 +92,7 @@ bench: build chromium tools-rust
 	node scripts/performance.mjs
 
 # A book of 500 images by other page-turning libraries and by this one, side by side, five fresh
-# browsers each: bench/results/flipbooks.json. Takes about 40 minutes, on a machine that does nothing else.
+# browsers each: bench/results/flipbooks-500.json and docs/comparison.md. Takes about 30 minutes, on a machine that does nothing else.
 bench-peers: build chromium
 	npm ci --prefix bench/flipbooks --no-audit --no-fund
 	node bench/flipbooks/run.mjs --write

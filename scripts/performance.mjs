@@ -158,9 +158,6 @@ function gestures() {
   return [[title, ""], ...rows];
 }
 
-/** How many times slower a processor is that turns should be smooth on too. */
-const slowdown = 4;
-
 /** What a turn costs the page's thread. */
 async function frames() {
   const rowOf = ([name, { frames, script, style, layout, all, least, most }]) => {
@@ -168,8 +165,6 @@ async function frames() {
     return [name, frames, ...times, `${n(all)} (${n(least)} to ${n(most)})`];
   };
   const rows = Object.entries(await scriptTimes()).map(rowOf);
-  const slowed = Object.entries(await scriptTimes(slowdown)).map(rowOf);
-  for (const row of slowed) rows.push([`${row[0]}, ${slowdown} times slower`, ...row.slice(1)]);
   const headings = ["a turn of", "frames", "script, ms a frame", "style", "layout"];
   return [[...headings, "together, least and most"], ...rows];
 }

@@ -4,13 +4,9 @@
  * are called for one after another by a clock of the script's, so that a slow
  * machine draws as many as a quick one.
  *
- *   node scripts/script_time.mjs [--json] [--slowdown 4]    milliseconds a frame
- *
- * With a slowdown Chromium lets the page's thread run so many times slower, and what counts is
- * the time that passes.
+ *   node scripts/script_time.mjs [--json]    milliseconds a frame
  */
 import { fileURLToPath } from "node:url";
-import { parseArgs } from "node:util";
 import { chromium } from "playwright-core";
 import { chromiumArguments, findChromium } from "./chromium.mjs";
 import { driveClock, serve } from "./reader_page.mjs";
@@ -29,7 +25,7 @@ const counted = {
 };
 
 /** Milliseconds a frame of one turn in a fresh page. */
-async function measure(browser, url, by, slowdown) {
+async function measure(browser, url, by) {
   const page = await browser.newPage({ viewport: { width: 480, height: 360 } });
   await page.addInitScript(driveClock);
   await page.goto(`${url}#page=40`);
@@ -46,11 +42,8 @@ async function measure(browser, url, by, slowdown) {
   for (const way of [by, -by]) await turn(way);
   await page.waitForFunction(isSettled, null, { polling: 100, timeout: 120_000 });
   const session = await page.context().newCDPSession(page);
-  // The thread's own time: what other programs take of the processor is not counted. A thread
-  // that is slowed waits, which its own time does not tell.
-  const timeDomain = slowdown > 1 ? "timeTicks" : "threadTicks";
-  await session.send("Performance.enable", { timeDomain });
-  if (slowdown > 1) await session.send("Emulation.setCPUThrottlingRate", { rate: slowdown });
+  // The thread's own time: what other programs take of the processor is not counted.
+  await session.send("Performance.enable", { timeDomain: "threadTicks" });
   const read = async () => {
     const { metrics } = await session.send("Performance.getMetrics");
     return Object.fromEntries(metrics.map(({ name, value }) => [name, value]));
@@ -69,12 +62,8 @@ async function measure(browser, url, by, slowdown) {
 
 const median = (values) => values.sort((a, b) => a - b)[Math.floor(values.length / 2)];
 
-/**
- * For each turn the medians, and the least and the most of all together, milliseconds a frame.
- *
- * @param slowdown how many times slower the page's thread runs
- */
-export async function scriptTimes(slowdown = 1) {
+/** For each turn the medians, and the least and the most of all together, milliseconds a frame. */
+export async function scriptTimes() {
   const { url, stop } = await serve();
   const browser = await chromium.launch({
     executablePath: findChromium(),
@@ -84,9 +73,7 @@ export async function scriptTimes(slowdown = 1) {
     const results = {};
     for (const [name, by] of Object.entries(turns)) {
       const found = [];
-      for (let k = 0; k < pages; k++) {
-        found.push(await measure(browser, url, by, slowdown));
-      }
+      for (let k = 0; k < pages; k++) found.push(await measure(browser, url, by));
       const of = (key) => found.map((one) => one[key]);
       results[name] = {
         ...Object.fromEntries(Object.keys(found[0]).map((key) => [key, median(of(key))])),
@@ -102,13 +89,7 @@ export async function scriptTimes(slowdown = 1) {
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  const { values } = parseArgs({
-    options: {
-      json: { type: "boolean", default: false },
-      slowdown: { type: "string", default: "1" },
-    },
-  });
-  const results = await scriptTimes(Number(values.slowdown));
-  if (values.json) console.log(JSON.stringify(results, null, 2));
+  const results = await scriptTimes();
+  if (process.argv.includes("--json")) console.log(JSON.stringify(results, null, 2));
   else console.table(results);
 }
