@@ -77,6 +77,14 @@ for (const [columns, rows] of [
   );
   engine.tl_bench_sheet_free(sheet);
 }
+for (const creases of [0, 1, 2, 3]) {
+  const sheet = engine.tl_bench_creased_new(creases);
+  results[`a book's leaf alone, ${creases} creases, a frame`] = measure(
+    times(() => engine.tl_bench_sheet_frame(sheet)),
+    8,
+  );
+  engine.tl_bench_sheet_free(sheet);
+}
 for (const leaves of [1, 10]) {
   const riffle = new Riffle(await load(shipped), "book", leaves);
   results[`book frame, ${leaves} in flight`] = measure(

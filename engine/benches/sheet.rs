@@ -7,7 +7,7 @@
 
 use criterion::{Criterion, criterion_main};
 use std::hint::black_box;
-use turnleaf_engine::trials::{Riffle, frame, hanging, mid_turn, settle, tip};
+use turnleaf_engine::trials::{Riffle, creased, frame, hanging, mid_turn, settle, tip};
 use turnleaf_engine::{Stock, Surface};
 
 /// Per cent of the width by which the tip of a page with Gamma 10 hangs wrong.
@@ -33,6 +33,16 @@ fn leaf(c: &mut Criterion) {
     }
 }
 
+fn creases(c: &mut Criterion) {
+    for creases in 0..=3 {
+        let mut sheet = creased(creases);
+        let mut surface = Surface::new(2, 2);
+        c.bench_function(&format!("book leaf frame, {creases} creases"), |b| {
+            b.iter(|| frame(black_box(&mut sheet), &mut surface));
+        });
+    }
+}
+
 fn riffle(c: &mut Criterion) {
     for leaves in [1, 10] {
         let mut riffle = Riffle::new(Stock::BOOK, leaves);
@@ -44,7 +54,7 @@ fn riffle(c: &mut Criterion) {
 
 #[allow(missing_docs, reason = "made by the macro")]
 mod group {
-    use super::{leaf, riffle};
-    criterion::criterion_group!(benches, leaf, riffle);
+    use super::{creases, leaf, riffle};
+    criterion::criterion_group!(benches, leaf, creases, riffle);
 }
 criterion_main!(group::benches);

@@ -65,7 +65,7 @@ pub use models::kinematic::{InvalidKinematic, Kinematic, KinematicSettings, Pose
 pub use models::mass_spring::{
     Integrator, InvalidSettings, MassSpring, Masses, Plate, Preset, Settings, Springs, StrainLimit,
 };
-pub use models::sheet::{CONTACTS, Contact, InvalidSheet, Root, Sheet, SheetSettings};
+pub use models::sheet::{CONTACTS, Contact, FoldLine, InvalidSheet, Root, Sheet, SheetSettings};
 pub use models::shell::{
     Crease, Discretisation, Edge, Energies, InvalidShell, Scheme, Shell, ShellSettings, Table,
 };

@@ -6,6 +6,8 @@ use crate::grid::Side;
 use crate::hash::BitHash;
 use crate::loose::{LooseLeaf, LooseSettings, TurnBy};
 use crate::models::ModelKind;
+#[cfg(feature = "creases")]
+use crate::models::sheet::FoldLine;
 use crate::models::sheet::{Sheet, SheetSettings};
 use crate::stock::{GRAVITY, Stock};
 use crate::surface::Surface;
@@ -75,7 +77,37 @@ pub fn mid_turn(columns: usize, rows: usize) -> Sheet {
         rows,
         ..SheetSettings::leaf(PAGE[0], PAGE[1], Stock::BOOK)
     };
-    let mut sheet = Sheet::new(settings).expect("the nodes make a sheet");
+    carried(Sheet::new(settings).expect("the nodes make a sheet"))
+}
+
+/// The same of a leaf as a book has it, creased across two corners and once from edge to
+/// edge, or as many of these as `creases` says.
+///
+/// # Panics
+/// Never: a book's leaf can be creased so.
+#[cfg(feature = "creases")]
+pub fn creased(creases: usize) -> Sheet {
+    let settings = crate::book::Paper::default().sheet(PAGE, 1);
+    let mut sheet = Sheet::new(settings).expect("a book's paper makes a sheet");
+    let line = |through, rest| FoldLine {
+        through,
+        rest,
+        stiffness: 6.0 * Stock::BOOK.stiffness_across / PAGE[0],
+        yields: 0.2,
+    };
+    let lines = [
+        line([[0.7, 0.0], [1.0, 0.2]], 2.5),
+        line([[0.75, 1.0], [1.0, 0.85]], -1.0),
+        line([[0.0, 0.45], [1.0, 0.6]], 0.3),
+    ];
+    sheet
+        .crease(&lines[..creases.min(lines.len())])
+        .expect("there is room for these creases");
+    carried(sheet)
+}
+
+/// A leaf whose corner a hand has drawn to the middle of its way over.
+fn carried(mut sheet: Sheet) -> Sheet {
     let samples =
         |count: usize| -> Vec<f32> { (0..count).map(|i| i as f32 / (count - 1) as f32).collect() };
     sheet.draw_samples(&samples(49), &samples(25));

@@ -1,10 +1,10 @@
 //! Whole turns against recorded bits: of the mass-spring model preset, gesture,
-//! seconds, seconds after, hash; of the sheet half a second of its mid-turn; of
+//! seconds, seconds after, hash; of the sheet half a second of its mid-turn, and of a creased one; of
 //! a book a riffle of a stock; of every model, in their order, a loose leaf turned by
 //! its corner. A change of these is a change of every recorded turn, so it is made on
 //! purpose: `UPDATE_GOLDEN=1 cargo test --release -p turnleaf-engine --test golden`.
 
-use turnleaf_engine::trials::{loose_hash, mid_turn, riffle_hash};
+use turnleaf_engine::trials::{creased, loose_hash, mid_turn, riffle_hash};
 use turnleaf_engine::{MassSpring, ModelKind, Settings, TurnModel, turn_hash};
 
 const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/turns.golden");
@@ -12,6 +12,7 @@ const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/turns.golden");
 fn hash(line: &[&str]) -> u64 {
     match line[0] {
         "sheet" => turn_hash(&mut mid_turn(12, 16), 60),
+        "creased" => turn_hash(&mut creased(3), 60),
         "riffle" => riffle_hash(line[1]).unwrap(),
         _ => mass_spring(line),
     }

@@ -6,6 +6,7 @@ mod buckling;
 mod cantilever;
 mod convergence;
 mod crease;
+mod creases;
 mod drop_sheet;
 mod energy;
 mod exact;
@@ -71,6 +72,8 @@ enum Experiment {
     TipLoad(cantilever::TipLoadOptions),
     /// Hangs a strip with a crease by its own weight.
     Crease(crease::Options),
+    /// Hangs creased strips of sheet and shell beside all exact ones that are known (some minutes).
+    Creases(creases::Options),
     /// Bends a strip until both its ends are in one clamp.
     PearLoop(pear_loop::Options),
     /// Finds the first three roots of a strip clamped at one end, and the damping of the first.
@@ -107,6 +110,7 @@ impl Command {
             Experiment::Cantilever(options) => self.print(cantilever::run(options)?),
             Experiment::TipLoad(options) => self.print(cantilever::run_tip_load(options)?),
             Experiment::Crease(options) => self.print(crease::run(options)?),
+            Experiment::Creases(options) => self.print(creases::run(options)?),
             Experiment::PearLoop(options) => self.print(pear_loop::run(options)?),
             Experiment::Vibration(options) => self.print(vibration::run(options)?),
             Experiment::Upright(options) => self.print(buckling::run_upright(options)?),

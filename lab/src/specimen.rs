@@ -11,6 +11,7 @@ use serde::Serialize;
 
 pub use piece::{BREADTH, Held, LENGTH, Piece, Specimen};
 pub use settings::Settings;
+pub use sheet::stock;
 
 /// Which model computes a piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

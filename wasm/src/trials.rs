@@ -2,7 +2,7 @@
 //! hanging page, and hashes of whole turns. No book uses them. Handles and numbers
 //! that are none are rejected as those of a book are; a count is at most a million.
 
-use turnleaf_engine::trials::{frame, hanging, mid_turn, settle, tip};
+use turnleaf_engine::trials::{creased, frame, hanging, mid_turn, settle, tip};
 use turnleaf_engine::{MassSpring, Settings, Sheet, Surface, TurnModel, turn_hash};
 
 use crate::live::Live;
@@ -145,6 +145,17 @@ pub extern "C" fn tl_bench_sheet_new(columns: usize, rows: usize, gamma: f64) ->
     })
 }
 
+/// Makes a leaf as a book has it in mid-turn with as many creases (0 to 3), beside the same
+/// hanging page of a book's nodes.
+#[unsafe(no_mangle)]
+pub extern "C" fn tl_bench_creased_new(creases: usize) -> *mut BenchSheet {
+    SHEETS.keep(BenchSheet {
+        sheet: creased(creases),
+        surface: Surface::new(49, 25),
+        hanging: hanging(10, 14, 10.0),
+    })
+}
+
 /// Frees it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tl_bench_sheet_free(bench: *mut BenchSheet) {
@@ -152,7 +163,7 @@ pub unsafe extern "C" fn tl_bench_sheet_free(bench: *mut BenchSheet) {
     drop(unsafe { SHEETS.take(bench) });
 }
 
-/// A frame at 60 Hz of the leaf in mid-turn: two steps, its surface, its normals.
+/// A frame at 60 Hz of the leaf in mid-turn: its steps, its surface, its normals.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tl_bench_sheet_frame(bench: *mut BenchSheet) {
     // SAFETY: from one thread by the crate's contract, so that no other call uses it.
@@ -184,4 +195,10 @@ pub unsafe extern "C" fn tl_bench_sheet_reach(bench: *mut BenchSheet) -> f64 {
 #[unsafe(no_mangle)]
 pub extern "C" fn tl_sheet_hash() -> u64 {
     turn_hash(&mut mid_turn(12, 16), 60)
+}
+
+/// Hash of all bits of half a second of the creased leaf in mid-turn.
+#[unsafe(no_mangle)]
+pub extern "C" fn tl_creased_hash() -> u64 {
+    turn_hash(&mut creased(3), 60)
 }

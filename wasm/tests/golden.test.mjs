@@ -31,6 +31,7 @@ async function load(file) {
 /** The hash of one of the scenes that only benches and tests know, by the words of its line. */
 function hashOfScene(engine, [model, gesture, seconds, settle]) {
   if (model === "sheet") return engine.tl_sheet_hash();
+  if (model === "creased") return engine.tl_creased_hash();
   const [preset, path] = [presets.indexOf(model), gestures.indexOf(gesture)];
   return engine.tl_turn_hash(preset, path, Number(seconds), Number(settle));
 }

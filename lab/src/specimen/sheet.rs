@@ -11,17 +11,21 @@ struct SheetPiece {
     length: f64,
 }
 
-/// A piece of the sheet with such settings.
-pub fn make(piece: &Piece, settings: Settings) -> Result<Box<dyn Specimen>, String> {
-    let stock = Stock {
+/// The stock of a piece.
+pub fn stock(piece: &Piece) -> Stock {
+    Stock {
         grammage: piece.grammage,
         stiffness_along: piece.stiffness,
         stiffness_across: piece.stiffness,
         poisson: piece.poisson,
         loss: piece.loss.unwrap_or(Stock::BOOK.loss),
         ..Stock::BOOK
-    };
-    let mut settings = settings.sheet([piece.length, piece.breadth], stock);
+    }
+}
+
+/// A piece of the sheet with such settings.
+pub fn make(piece: &Piece, settings: Settings) -> Result<Box<dyn Specimen>, String> {
+    let mut settings = settings.sheet([piece.length, piece.breadth], stock(piece));
     settings.columns = piece.columns.unwrap_or(settings.columns);
     // As on a page cells are about square, and no more of them.
     let cells = piece.breadth / piece.length * (settings.columns - 1) as f64;

@@ -1,6 +1,7 @@
 //! Forces and matrix of a step, at the sheet's present state.
 
 use super::contact::add_contact;
+use super::settings::CAN_CREASE;
 use super::{PIN, Sheet};
 use crate::vector::dot;
 
@@ -49,8 +50,14 @@ impl Sheet {
         for (force, load) in forces.iter_mut().zip(&self.loads) {
             *force += load;
         }
-        self.bending
-            .subtract_forces(&self.lagging, &self.lagging_tangents, forces);
+        let (then, tangents) = (&self.lagging, &self.lagging_tangents);
+        match &mut self.creased {
+            Some(creased) if CAN_CREASE => {
+                let hinges = &mut creased.hinges;
+                hinges.add_to(then, tangents, self.stiffer, &mut self.system);
+            }
+            _ => self.bending.subtract_forces(then, tangents, forces),
+        }
         self.membrane.add_to(&self.positions, &mut self.system);
         self.add_inertia_and_air();
         for grab in &mut self.grabs {

@@ -8,16 +8,16 @@ impl Sheet {
     /// along rows and columns.
     pub fn max_edge_strain(&self) -> f32 {
         let (columns, rows) = (self.settings.columns, self.settings.rows);
-        let [du, dv] = self.settings.cell().map(|cell| cell as f32);
         let x = self.positions.as_chunks::<3>().0;
         let mut most = 0.0f32;
         for node in 0..columns * rows {
-            let strain = |other: usize, rest: f32| (length(x[other], x[node]) / rest - 1.0).abs();
+            let strain =
+                |other: usize, rest: f64| (length(x[other], x[node]) / rest as f32 - 1.0).abs();
             if node % columns + 1 < columns {
-                most = most.max(strain(node + 1, du));
+                most = most.max(strain(node + 1, self.material.along_u(node)));
             }
             if node / columns + 1 < rows {
-                most = most.max(strain(node + columns, dv));
+                most = most.max(strain(node + columns, self.material.along_v(node)));
             }
         }
         most

@@ -4,67 +4,118 @@
 //! would push sideways under compression is left out, which keeps the matrix
 //! positive. Shear is the product of a cell's mean tangents, by Gauss and Newton.
 
-use super::settings::SheetSettings;
+use super::material::Material;
+use super::settings::{CAN_CREASE, SheetSettings};
 use super::system::System;
+
+/// An edge: what it rests at, metres, and its stiffness, N/m.
+#[derive(Clone, Copy, Debug, Default)]
+struct Spring {
+    rest: f32,
+    stiffness: f32,
+}
+
+/// A cell: half of one over its sides, 1/m, the product of its mean tangents at rest, and
+/// its stiffness against a change of that, N m.
+#[derive(Clone, Copy, Debug, Default)]
+struct Cell {
+    du: f32,
+    dv: f32,
+    rest: f32,
+    stiffness: f32,
+}
 
 /// Stretch and shear of one sheet.
 #[derive(Clone, Debug)]
 pub(super) struct Membrane {
     columns: usize,
     rows: usize,
-    du: f32,
-    dv: f32,
-    /// Stiffness of an inner edge along u and along v, N/m, halved at the rim.
-    along_u: f32,
-    along_v: f32,
-    shear: f32,
+    /// Of each node's edge to the next in its row, and to the next in its column.
+    along_u: Vec<Spring>,
+    along_v: Vec<Spring>,
+    /// Of the cell of which a node is the foot by the spine.
+    cells: Vec<Cell>,
+    /// Diagonals along which cells are folded, which shear no more as a whole.
+    diagonals: Vec<([usize; 2], Spring)>,
 }
 
 impl Membrane {
-    pub fn new(settings: &SheetSettings) -> Membrane {
+    pub fn new(settings: &SheetSettings, material: &Material) -> Membrane {
+        let (columns, rows) = (settings.columns, settings.rows);
         let [du, dv] = settings.cell();
-        Membrane {
-            columns: settings.columns,
-            rows: settings.rows,
-            du: du as f32,
-            dv: dv as f32,
-            along_u: (settings.stretch * dv / du) as f32,
-            along_v: (settings.stretch * du / dv) as f32,
-            shear: (settings.shear * du * dv) as f32,
+        let nodes = columns * rows;
+        let mut membrane = Membrane {
+            columns,
+            rows,
+            along_u: vec![Spring::default(); nodes],
+            along_v: vec![Spring::default(); nodes],
+            cells: vec![Cell::default(); nodes],
+            diagonals: Vec::new(),
+        };
+        let rim = |i: usize, count: usize| if i == 0 || i + 1 == count { 0.5 } else { 1.0 };
+        for node in 0..nodes {
+            let (column, row) = (node % columns, node / columns);
+            // Halved at the rim.
+            if column + 1 < columns {
+                let rest = material.along_u(node);
+                let stiffness = (settings.stretch * dv / rest) as f32;
+                membrane.along_u[node] = Spring {
+                    rest: rest as f32,
+                    stiffness: rim(row, rows) * stiffness,
+                };
+            }
+            if row + 1 < rows {
+                let rest = material.along_v(node);
+                let stiffness = (settings.stretch * du / rest) as f32;
+                membrane.along_v[node] = Spring {
+                    rest: rest as f32,
+                    stiffness: rim(column, columns) * stiffness,
+                };
+            }
         }
+        for foot in material.cells() {
+            if let Some(edge) = material.folded_diagonal(foot) {
+                let [a, b] = edge.map(|node| material.places[node]);
+                let d = [b[0] - a[0], b[1] - a[1]];
+                let square = d[0] * d[0] + d[1] * d[1];
+                let spring = Spring {
+                    rest: square.sqrt() as f32,
+                    stiffness: (settings.stretch * material.area(foot) / square) as f32,
+                };
+                membrane.diagonals.push((edge, spring));
+                continue;
+            }
+            let [du, dv] = material.sides(foot);
+            membrane.cells[foot] = Cell {
+                du: 0.5 / du as f32,
+                dv: 0.5 / dv as f32,
+                rest: (0.25 * material.skew(foot) / (du * dv)) as f32,
+                stiffness: (settings.shear * du * dv) as f32,
+            };
+        }
+        membrane
     }
 
     /// Adds the forces and the Hessian at `positions`.
     pub fn add_to(&self, positions: &[f32], system: &mut System) {
         let (x, columns) = (positions.as_chunks::<3>().0, self.columns);
         for row in 0..self.rows {
-            let rim = if row == 0 || row + 1 == self.rows {
-                0.5
-            } else {
-                1.0
-            };
             for column in 0..columns {
                 let node = row * columns + column;
                 if column + 1 < columns {
-                    spring(x, [node, node + 1], rim * self.along_u, self.du, system);
+                    spring(x, [node, node + 1], self.along_u[node], system);
                 }
                 if row + 1 < self.rows && system.moves(node) {
-                    let rim = if column == 0 || column + 1 == columns {
-                        0.5
-                    } else {
-                        1.0
-                    };
-                    spring(
-                        x,
-                        [node, node + columns],
-                        rim * self.along_v,
-                        self.dv,
-                        system,
-                    );
+                    spring(x, [node, node + columns], self.along_v[node], system);
                 }
                 if column + 1 < columns && row + 1 < self.rows {
                     self.cell(x, node, system);
                 }
+            }
+        }
+        if CAN_CREASE {
+            for (edge, along) in &self.diagonals {
+                spring(x, *edge, *along, system);
             }
         }
     }
@@ -72,11 +123,15 @@ impl Membrane {
     /// The shear of the cell between a node and its neighbours to the
     /// fore-edge and to the head.
     fn cell(&self, x: &[[f32; 3]], node: usize, system: &mut System) {
+        let cell = &self.cells[node];
+        if cell.stiffness == 0.0 {
+            return;
+        }
         let nodes = [node, node + 1, node + self.columns, node + self.columns + 1];
         let [a, b, c, d] = nodes.map(|node| x[node]);
-        let (du, dv) = (0.5 / self.du, 0.5 / self.dv);
+        let (du, dv) = (cell.du, cell.dv);
         let (mut along_u, mut along_v) = ([0.0; 3], [0.0; 3]);
-        let mut strain = 0.0;
+        let mut strain = -cell.rest;
         for axis in 0..3 {
             let (falling, rising) = (b[axis] - c[axis], d[axis] - a[axis]);
             along_u[axis] = (falling + rising) * du;
@@ -90,13 +145,13 @@ impl Membrane {
         }
         // Of the strain, by the four nodes: -across, down, -down, across.
         let gradients = [across.map(|g| -g), down, down.map(|g| -g), across];
-        let stress = self.shear * strain;
+        let stress = cell.stiffness * strain;
         for i in 0..4 {
             system.push(nodes[i], gradients[i].map(|g| -stress * g));
             if !system.moves(nodes[i]) {
                 continue;
             }
-            let scaled = gradients[i].map(|g| self.shear * g);
+            let scaled = gradients[i].map(|g| cell.stiffness * g);
             for k in 0..=i {
                 if system.moves(nodes[k]) {
                     system.add_product(nodes[i], nodes[k], scaled, gradients[k]);
@@ -108,7 +163,8 @@ impl Membrane {
 
 /// A spring between two nodes, the second after the first.
 #[inline(always)]
-fn spring(x: &[[f32; 3]], [a, b]: [usize; 2], stiffness: f32, rest: f32, system: &mut System) {
+fn spring(x: &[[f32; 3]], [a, b]: [usize; 2], spring: Spring, system: &mut System) {
+    let Spring { rest, stiffness } = spring;
     let d: [f32; 3] = core::array::from_fn(|axis| x[b][axis] - x[a][axis]);
     let length = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt().max(1e-9);
     let inverse = 1.0 / length;

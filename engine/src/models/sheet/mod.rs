@@ -10,9 +10,15 @@
 mod assemble;
 mod bending;
 mod contact;
+mod crease;
+#[cfg(test)]
+mod folding_tests;
 mod grabs;
+mod hinges;
+mod material;
 mod measure;
 mod membrane;
+mod patches;
 mod settings;
 mod sweep;
 mod system;
@@ -20,12 +26,17 @@ mod system;
 mod tests;
 
 pub use contact::{CONTACTS, Contact};
+pub use crease::FoldLine;
 pub use settings::{InvalidSheet, Root, SheetSettings};
 
 use crate::vector::dot;
 use bending::Bending;
+use crease::Creased;
 use grabs::Grab;
+use hinges::Hinges;
+use material::Material;
 use membrane::Membrane;
+use patches::Patches;
 use sweep::Sweep;
 use system::System;
 
@@ -35,7 +46,7 @@ use crate::interpolate::{Local, uniform_samples};
 use crate::surface::Surface;
 use crate::synchronise::{Synchronise, Synchroniser};
 use crate::turn::TurnModel;
-use settings::CAN_SYNCHRONISE;
+use settings::{CAN_CREASE, CAN_SYNCHRONISE};
 
 /// Greatest speed of a node, m/s: nothing that a grab does to paper is faster.
 const FASTEST: f32 = 12.0;
@@ -43,8 +54,10 @@ const FASTEST: f32 = 12.0;
 /// Stiffness that holds a pinned node, N/m.
 const PIN: f32 = 2e4;
 
-/// Work of a step and of a sweep for each node, nanoseconds of native code.
+/// Work of a step, of one of a creased sheet and of a sweep for each node, nanoseconds of
+/// native code.
 const STEP: u32 = 450;
+const CREASED_STEP: u32 = 2500;
 const SWEEP: u32 = 40;
 
 /// A leaf of paper.
@@ -59,7 +72,9 @@ pub struct Sheet {
     weight: Vec<f32>,
     /// Other constant forces, N: x, y, z of each node.
     loads: Vec<f32>,
+    material: Material,
     bending: Bending,
+    creased: Option<Box<Creased>>,
     membrane: Membrane,
     sweep: Sweep,
     system: System,
@@ -76,12 +91,16 @@ pub struct Sheet {
     /// Seconds before the start of a step at which bending is taken: see
     /// [`assemble`](Self::assemble).
     lag: f32,
+    /// How much stiffer bending is to changes of shape, by more damping than steps give.
+    stiffer: f32,
     /// The nodes and the clamp's tangents then.
     lagging: Vec<f32>,
     lagging_tangents: Vec<f32>,
     contacts: Vec<[Contact; CONTACTS]>,
     pins: Vec<Option<[f32; 3]>>,
     grabs: Vec<Grab>,
+    /// The values of u and v at which it is drawn.
+    samples: [Vec<f32>; 2],
     interpolation: Local,
     synchroniser: Option<(Grid, Synchroniser)>,
     time: f64,
@@ -99,31 +118,24 @@ impl Sheet {
         let (columns, rows) = (settings.columns, settings.rows);
         let nodes = columns * rows;
         let h = settings.time_step as f32;
-        let of_area = |density: f64| -> Vec<f32> {
-            (0..nodes)
-                .map(|node| (density * settings.area(node % columns, node / columns)) as f32)
-                .collect()
-        };
-        let mass = of_area(settings.stock.grammage);
-        let weight = mass
-            .iter()
-            .flat_map(|m| settings.gravity.map(|g| m * g as f32))
-            .collect();
-        let samples = (
+        let material = Material::even(&settings);
+        let samples = [
             uniform_samples(4 * columns - 3),
             uniform_samples(2 * rows - 1),
-        );
+        ];
         let mut sheet = Sheet {
             h,
-            air_mass: of_area(settings.air.added_mass),
-            mass,
-            weight,
+            air_mass: vec![0.0; nodes],
+            mass: vec![0.0; nodes],
+            weight: vec![0.0; 3 * nodes],
             loads: vec![0.0; 3 * nodes],
             bending: Bending::new(&settings),
-            membrane: Membrane::new(&settings),
-            sweep: Sweep::new(&settings),
-            system: System::new(columns, rows, settings.first()),
-            constant: System::new(columns, rows, settings.first()).matrix,
+            creased: None,
+            membrane: Membrane::new(&settings, &material),
+            sweep: Sweep::new(&settings, &material),
+            system: System::new(columns, rows, settings.first(), 0),
+            constant: System::new(columns, rows, settings.first(), 0).matrix,
+            material,
             positions: vec![0.0; 3 * nodes],
             velocities: vec![0.0; 3 * nodes],
             before: vec![0.0; 3 * nodes],
@@ -131,20 +143,157 @@ impl Sheet {
             tangents: vec![0.0; 3 * rows],
             last_tangents: vec![0.0; 3 * rows],
             lag: 0.0,
+            stiffer: 1.0,
             lagging: vec![0.0; 3 * nodes],
             lagging_tangents: vec![0.0; 3 * rows],
             contacts: vec![[Contact::default(); CONTACTS]; nodes],
             pins: vec![None; nodes],
             grabs: Vec::new(),
-            interpolation: Local::b_spline((columns, rows), &samples.0, &samples.1),
+            interpolation: Local::b_spline((columns, rows), &samples[0], &samples[1]),
+            samples,
             synchroniser: None,
             time: 0.0,
             work: 0,
             settings,
         };
+        sheet.weigh();
         sheet.prepare();
         sheet.lay_flat(Side::Right);
         Ok(sheet)
+    }
+
+    /// Finds what each node weighs.
+    fn weigh(&mut self) {
+        let gravity = self.settings.gravity.map(|g| g as f32);
+        for node in 0..self.mass.len() {
+            let area = self.material.area_at(node);
+            self.mass[node] = (self.settings.stock.grammage * area) as f32;
+            self.air_mass[node] = (self.settings.air.added_mass * area) as f32;
+            for (axis, g) in gravity.iter().enumerate() {
+                self.weight[3 * node + axis] = self.mass[node] * g;
+            }
+        }
+    }
+
+    /// Creases the sheet along lines, in place of those along which it was creased before:
+    /// it stays where it is, its nodes moved along it onto the lines.
+    ///
+    /// # Errors
+    /// Where a line is none, or its nodes are too few for so many or so near lines; the
+    /// sheet is then as it was.
+    pub fn crease(&mut self, lines: &[FoldLine]) -> Result<(), InvalidSheet> {
+        if !CAN_CREASE || !lines.iter().all(FoldLine::is_valid) {
+            return Err(InvalidSheet::Crease);
+        }
+        let crowded = || InvalidSheet::Creases(lines.len());
+        let material = Material::even(&self.settings).creased(lines);
+        let material = material.ok_or_else(crowded)?;
+        self.creased = if lines.is_empty() {
+            None
+        } else {
+            let patches = self.patches(&material, lines).ok_or_else(crowded)?;
+            Some(Box::new(Creased {
+                lines: lines.to_vec(),
+                hinges: Hinges::new(&self.settings, &material, lines),
+                patches,
+            }))
+        };
+        let (columns, rows, first) = (
+            self.settings.columns,
+            self.settings.rows,
+            self.settings.first(),
+        );
+        for values in [&mut self.positions, &mut self.velocities] {
+            self.material.carry(&material, values);
+        }
+        let reach = if lines.is_empty() { 0 } else { 2 };
+        self.system = System::new(columns, rows, first, reach);
+        self.constant = System::new(columns, rows, first, reach).matrix;
+        self.membrane = Membrane::new(&self.settings, &material);
+        self.sweep = Sweep::new(&self.settings, &material);
+        for (node, pin) in self.pins.iter().enumerate() {
+            if pin.is_some() {
+                self.sweep.mobility[node] = 0.0;
+            }
+        }
+        self.material = material;
+        self.weigh();
+        self.prepare();
+        Ok(())
+    }
+
+    /// What the sheet has once it is creased. Engines that crease none are built without
+    /// what follows from it.
+    fn creased(&self) -> Option<&Creased> {
+        if CAN_CREASE {
+            self.creased.as_deref()
+        } else {
+            None
+        }
+    }
+
+    fn creased_mut(&mut self) -> Option<&mut Creased> {
+        if CAN_CREASE {
+            self.creased.as_deref_mut()
+        } else {
+            None
+        }
+    }
+
+    /// What draws the sheet once it is creased so.
+    fn patches(&self, material: &Material, lines: &[FoldLine]) -> Option<Patches> {
+        let size = [self.settings.width, self.settings.height];
+        let [columns, rows] = [0, 1].map(|axis| {
+            let place = |sample: &f32| f64::from(*sample) * size[axis];
+            self.samples[axis].iter().map(place).collect()
+        });
+        Patches::new(material, columns, rows, lines)
+    }
+
+    /// Where the drawn points of a creased sheet lie on the flat paper, u and v of each,
+    /// 0 to 1: some are moved onto creases. None of a sheet without creases, whose points
+    /// lie at the values that it is drawn at.
+    pub fn drawn_places(&self) -> Option<Vec<[f32; 2]>> {
+        let places = &self.creased()?.patches.drawn.places;
+        let size = [self.settings.width, self.settings.height];
+        let part = |place: &[f64; 2]| [0, 1].map(|axis| (place[axis] / size[axis]) as f32);
+        Some(places.iter().map(part).collect())
+    }
+
+    /// The cells of the drawn surface that are folded along their rising diagonal, from foot
+    /// and spine to head and fore-edge, as numbers of the points at their foot by the spine;
+    /// others are to be cut along the falling one where they are folded at all.
+    pub fn rising_folds(&self) -> Vec<usize> {
+        let Some(Creased { patches, .. }) = self.creased() else {
+            return Vec::new();
+        };
+        let rises = |foot: &usize| {
+            let edge = patches.drawn.folded_diagonal(*foot);
+            edge.is_some_and(|edge| edge[0] == *foot)
+        };
+        patches.drawn.cells().filter(rises).collect()
+    }
+
+    /// Changes the acceleration of gravity, m/s^2. Nothing happens where it is no number.
+    pub fn set_gravity(&mut self, gravity: [f64; 3]) {
+        if gravity.iter().all(|g| g.is_finite()) {
+            self.settings.gravity = gravity;
+            self.weigh();
+        }
+    }
+
+    /// Angle of a crease now and its rest, radians as [`FoldLine::rest`]: means over its
+    /// length. None where there is no such crease.
+    pub fn crease_angle(&self, crease: usize) -> Option<[f32; 2]> {
+        self.creased()?.hinges.crease(crease)
+    }
+
+    /// Gives a crease another rest angle, radians as [`FoldLine::rest`]. Nothing happens
+    /// where there is no such crease.
+    pub fn press(&mut self, crease: usize, rest: f32) {
+        if let Some(Creased { hinges, .. }) = self.creased_mut() {
+            hinges.set_rest(crease, rest);
+        }
     }
 
     /// Computes what depends on the settings alone.
@@ -158,7 +307,10 @@ impl Sheet {
         let more = ((damping - h).max(0.0) / h) as f32;
         let first = settings.first();
         self.constant.clear();
-        self.bending.add_to(&mut self.constant, first, 1.0 + more);
+        self.stiffer = 1.0 + more;
+        if self.creased().is_none() {
+            self.bending.add_to(&mut self.constant, first, self.stiffer);
+        }
         for node in 0..self.mass.len() {
             if self.system.moves(node) {
                 let at = self.system.unknown(node);
@@ -193,7 +345,7 @@ impl Sheet {
         self.settings.shear_sweeps = settings.shear_sweeps;
         self.sweep.shear_sweeps = settings.shear_sweeps;
         self.h = settings.time_step as f32;
-        self.membrane = Membrane::new(&self.settings);
+        self.membrane = Membrane::new(&self.settings, &self.material);
         self.prepare();
     }
 
@@ -211,11 +363,9 @@ impl Sheet {
 
     /// Lays the sheet flat and still on a side, nothing holding it.
     pub fn lay_flat(&mut self, side: Side) {
-        let (columns, cell) = (self.settings.columns, self.settings.cell());
-        for (node, x) in self.positions.chunks_exact_mut(3).enumerate() {
-            x[0] = side.sign() * ((node % columns) as f64 * cell[0]) as f32;
-            x[1] = ((node / columns) as f64 * cell[1]) as f32;
-            x[2] = 0.0;
+        let nodes = self.positions.chunks_exact_mut(3);
+        for (x, [u, v]) in nodes.zip(&self.material.places) {
+            x.copy_from_slice(&[side.sign() * *u as f32, *v as f32, 0.0]);
         }
         self.velocities.fill(0.0);
         self.grabs.clear();
@@ -232,8 +382,14 @@ impl Sheet {
     pub fn set_clamp_angle(&mut self, angle: f32) {
         let (sin, cos) = libm::sincosf(angle);
         let [du, dv] = self.settings.cell().map(|cell| cell as f32);
+        let is_creased = self.creased().is_some();
         for (row, tangent) in self.tangents.chunks_exact_mut(3).enumerate() {
-            tangent.copy_from_slice(&[du * cos, row as f32 * dv, du * sin]);
+            let v = if is_creased {
+                self.material.places[row * self.settings.columns][1] as f32
+            } else {
+                row as f32 * dv
+            };
+            tangent.copy_from_slice(&[du * cos, v, du * sin]);
         }
     }
 
@@ -307,7 +463,7 @@ impl Sheet {
     pub fn pin(&mut self, column: usize, row: usize, place: Option<[f32; 3]>) {
         let node = row * self.settings.columns + column;
         self.pins[node] = place;
-        self.sweep.release(&self.settings, node);
+        self.sweep.release(&self.settings, &self.material, node);
         if place.is_some() {
             self.sweep.mobility[node] = 0.0;
         }
@@ -350,6 +506,15 @@ impl Sheet {
     pub fn draw_samples(&mut self, u: &[f32], v: &[f32]) {
         let (columns, rows) = (self.settings.columns, self.settings.rows);
         self.interpolation = Local::b_spline((columns, rows), u, v);
+        self.samples = [u.to_vec(), v.to_vec()];
+        if let Some(Creased { lines, .. }) = self.creased() {
+            let patches = self.patches(&self.material, lines);
+            if let (Some(Creased { patches: own, .. }), Some(patches)) =
+                (self.creased_mut(), patches)
+            {
+                *own = patches;
+            }
+        }
     }
 
     /// Brings what is deep in its firm contacts back out of them, for contacts found
@@ -384,7 +549,8 @@ impl Sheet {
         self.update_normals();
         self.assemble();
         self.before.copy_from_slice(&self.positions);
-        self.spend(STEP);
+        let is_creased = self.creased().is_some();
+        self.spend(if is_creased { CREASED_STEP } else { STEP });
         if self.system.solve(&mut self.positions) {
             self.sweep_edges();
             self.synchronise();
@@ -399,6 +565,9 @@ impl Sheet {
             let new: [f32; 3] = core::array::from_fn(|axis| (x[axis] - before[axis]) * inverse);
             let slower = (FASTEST / dot(new, new).sqrt().max(FASTEST)).min(1.0);
             v.copy_from_slice(&new.map(|v| v * slower));
+        }
+        if let (true, Some(creased)) = (CAN_CREASE, &mut self.creased) {
+            creased.hinges.settle(&self.positions, &self.tangents);
         }
         self.last_tangents.copy_from_slice(&self.tangents);
         self.time += f64::from(self.h);
@@ -456,8 +625,16 @@ impl TurnModel for Sheet {
     fn write_surface(&mut self, surface: &mut Surface) {
         let (columns, rows) = self.interpolation.samples();
         surface.resize(columns, rows);
-        self.interpolation
-            .apply_interleaved(&self.positions, &mut surface.positions);
+        match &mut self.creased {
+            Some(creased) if CAN_CREASE => {
+                creased
+                    .patches
+                    .apply(&self.positions, &mut surface.positions);
+            }
+            _ => self
+                .interpolation
+                .apply_interleaved(&self.positions, &mut surface.positions),
+        }
         surface.touch();
     }
 

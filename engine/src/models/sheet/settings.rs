@@ -56,6 +56,9 @@ pub struct SheetSettings {
 /// Whether sheets can be synchronised.
 pub(super) const CAN_SYNCHRONISE: bool = cfg!(feature = "synchronise");
 
+/// Whether sheets can be creased.
+pub(super) const CAN_CREASE: bool = cfg!(feature = "creases");
+
 /// Of a leaf that is as near to the shell as it can be: seconds of a step, and the shell's
 /// stiffness in its plane, N/m.
 const FINE_STEP: f64 = 1.0 / 360.0;
@@ -233,6 +236,10 @@ pub enum InvalidSheet {
     },
     /// Synchronisation, which this engine was built without.
     Synchronise,
+    /// A crease that is none, or creases where this engine was built without.
+    Crease,
+    /// More creases than its nodes can carry, or too near each other.
+    Creases(usize),
     /// The literal reading of synchronisation, which moves the spine.
     Literal,
 }
@@ -255,6 +262,13 @@ impl core::fmt::Display for InvalidSheet {
             ),
             InvalidSheet::Literal => f.write_str(
                 "A sheet is synchronised without its spine; the literal reading is for masses and springs.",
+            ),
+            InvalidSheet::Crease => f.write_str(
+                "A crease goes through two places on the sheet, rests within half a turn and has a stiffness and a yield angle above 0; engines crease sheets that are built with the feature `creases`.",
+            ),
+            InvalidSheet::Creases(count) => write!(
+                f,
+                "A sheet of so few nodes cannot be creased along these {count} lines, which lie too near each other or its edges."
             ),
             InvalidSheet::Synchronise => f.write_str(
                 "Sheets are synchronised where the engine is built with its feature `synchronise`.",

@@ -14,7 +14,8 @@
 //! brought back between the sweeps, so that the paper around it follows.
 
 use super::contact::{CONTACTS, Contact};
-use super::settings::SheetSettings;
+use super::material::Material;
+use super::settings::{CAN_CREASE, SheetSettings};
 use crate::vector::{dot, sub};
 
 /// Sweeps go on until no edge is longer or shorter by more than this part.
@@ -58,13 +59,29 @@ pub(super) struct Sweep {
     columns: usize,
     rows: usize,
     first: usize,
-    cell: [f32; 2],
+    /// Width of a cell, metres: depths are judged by it.
+    cell: f32,
+    /// Lengths of each node's edges to the next in its row and in its column, metres.
+    along_u: Vec<f32>,
+    along_v: Vec<f32>,
+    /// Of the cell of which a node is the foot by the spine.
+    cells: Vec<Cell>,
+    /// Diagonals along which cells are folded, and their lengths, metres.
+    diagonals: Vec<([usize; 2], f32)>,
     pub shear_sweeps: usize,
     /// One over a node's area, relative to an inner node's; 0 where it is held.
     pub mobility: Vec<f32>,
     links: Vec<Link>,
     /// Firm contacts that nodes are in or near: node, contact.
     firm: Vec<(usize, Contact)>,
+}
+
+/// A cell: half of one over the product of its sides, 1/m^2, and at rest the difference of the squares of
+/// its diagonals, m^2. One that is folded does not shear as a whole, and has none.
+#[derive(Clone, Copy, Debug, Default)]
+struct Cell {
+    slope: f32,
+    rest: f32,
 }
 
 /// An edge of a chain: its direction, its excess length, its row of the system.
@@ -77,33 +94,56 @@ struct Link {
 }
 
 impl Sweep {
-    pub fn new(settings: &SheetSettings) -> Sweep {
+    pub fn new(settings: &SheetSettings, material: &Material) -> Sweep {
         let (columns, rows, first) = (settings.columns, settings.rows, settings.first());
-        let [du, dv] = settings.cell();
+        let nodes = columns * rows;
         let mut sweep = Sweep {
             columns,
             rows,
             first,
-            cell: [du as f32, dv as f32],
+            cell: settings.cell()[0] as f32,
+            along_u: vec![0.0; nodes],
+            along_v: vec![0.0; nodes],
+            cells: vec![Cell::default(); nodes],
+            diagonals: Vec::new(),
             shear_sweeps: settings.shear_sweeps,
-            mobility: vec![0.0; columns * rows],
+            mobility: vec![0.0; nodes],
             links: vec![Link::default(); columns.max(rows)],
-            firm: Vec::with_capacity(columns * rows),
+            firm: Vec::with_capacity(nodes),
         };
-        for node in 0..columns * rows {
-            sweep.release(settings, node);
+        for node in 0..nodes {
+            sweep.release(settings, material, node);
+            if (node + 1) % columns != 0 {
+                sweep.along_u[node] = material.along_u(node) as f32;
+            }
+            if node + columns < nodes {
+                sweep.along_v[node] = material.along_v(node) as f32;
+            }
+        }
+        for foot in material.cells() {
+            if let Some(edge) = material.folded_diagonal(foot) {
+                let [a, b] = edge.map(|node| material.places[node]);
+                let d = [b[0] - a[0], b[1] - a[1]];
+                let length = (d[0] * d[0] + d[1] * d[1]).sqrt();
+                sweep.diagonals.push((edge, length as f32));
+                continue;
+            }
+            let [du, dv] = material.sides(foot).map(|side| side as f32);
+            sweep.cells[foot] = Cell {
+                slope: 0.5 / (du * dv),
+                rest: material.skew(foot) as f32,
+            };
         }
         sweep
     }
 
     /// Lets a node move again.
-    pub fn release(&mut self, settings: &SheetSettings, node: usize) {
-        let (column, row) = (node % self.columns, node / self.columns);
+    pub fn release(&mut self, settings: &SheetSettings, material: &Material, node: usize) {
         let [du, dv] = settings.cell();
-        self.mobility[node] = if column < self.first {
+        self.mobility[node] = if node % self.columns < self.first {
             0.0
         } else {
-            (du * dv / settings.area(column, row)) as f32
+            (du * dv / material.area_at(node)) as f32
         };
     }
 
@@ -126,11 +166,36 @@ impl Sweep {
             if allowed.is_some_and(|allowed| self.limit_shear(positions, allowed) > MORE_SHEAR) {
                 off = off.max(1.0);
             }
+            if CAN_CREASE {
+                for (edge, length) in &self.diagonals {
+                    off = off.max(restore(positions, *edge, *length, &self.mobility));
+                }
+            }
             for column in self.first..columns {
-                off = off.max(self.chain(positions, column, columns, rows, self.cell[1]));
+                let chain = Chain {
+                    start: column,
+                    step: columns,
+                    count: rows,
+                };
+                off = off.max(chain.restore(
+                    positions,
+                    &self.along_v,
+                    &self.mobility,
+                    &mut self.links,
+                ));
             }
             for row in 0..rows {
-                off = off.max(self.chain(positions, row * columns, 1, columns, self.cell[0]));
+                let chain = Chain {
+                    start: row * columns,
+                    step: 1,
+                    count: columns,
+                };
+                off = off.max(chain.restore(
+                    positions,
+                    &self.along_u,
+                    &self.mobility,
+                    &mut self.links,
+                ));
             }
             if off < TOLERANCE && round + 1 >= FEWEST {
                 return round as u32 + 1;
@@ -169,7 +234,7 @@ impl Sweep {
         }
         // A tenth of what is left to the springs is no reason to go on.
         if most > 0.1 * LEFT {
-            most / self.cell[0]
+            most / self.cell
         } else {
             0.0
         }
@@ -181,7 +246,6 @@ impl Sweep {
     /// diagonals over four times its area.
     fn limit_shear(&self, positions: &mut [f32], allowed: f32) -> f32 {
         let x = positions.as_chunks_mut::<3>().0;
-        let slope = 0.5 / (self.cell[0] * self.cell[1]);
         let mut most = 0.0f32;
         for foot in 0..self.columns * (self.rows - 1) {
             if (foot + 1).is_multiple_of(self.columns) {
@@ -191,7 +255,8 @@ impl Sweep {
             let rising = sub(x[head + 1], x[foot]);
             let falling = sub(x[foot + 1], x[head]);
             let [long, short] = [dot(rising, rising), dot(falling, falling)];
-            let shear = 0.5 * slope * (long - short);
+            let Cell { slope, rest } = self.cells[foot];
+            let shear = 0.5 * slope * (long - short - rest);
             let excess = shear.abs() - allowed;
             if excess <= 0.0 {
                 continue;
@@ -212,31 +277,42 @@ impl Sweep {
         }
         most
     }
+}
 
-    /// Restores one chain of `count` nodes from node `start`, each `step` nodes
-    /// on. Returns the greatest strain found.
-    fn chain(
-        &mut self,
+/// Nodes one after another in a row or a column.
+struct Chain {
+    start: usize,
+    /// Nodes from one to the next.
+    step: usize,
+    count: usize,
+}
+
+impl Chain {
+    /// Restores its lengths, which are given for the first node of each edge. Returns the
+    /// greatest strain found.
+    fn restore(
+        &self,
         positions: &mut [f32],
-        start: usize,
-        step: usize,
-        count: usize,
-        rest: f32,
+        lengths: &[f32],
+        mobilities: &[f32],
+        links: &mut [Link],
     ) -> f32 {
         let x = positions.as_chunks_mut::<3>().0;
-        let links = &mut self.links[..count - 1];
+        let Chain { start, step, count } = *self;
+        let links = &mut links[..count - 1];
         let mut off = 0.0f32;
         let mut before = Link::default();
-        let mut mobility = self.mobility[start];
+        let mut mobility = mobilities[start];
         for (k, link) in links.iter_mut().enumerate() {
-            let (a, b) = (x[start + k * step], x[start + (k + 1) * step]);
+            let near = start + k * step;
+            let (a, b) = (x[near], x[near + step]);
             let d = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
             let length = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt().max(1e-9);
             let inverse = 1.0 / length;
             link.direction = d.map(|d| d * inverse);
-            link.excess = length - rest;
-            off = off.max(link.excess.abs());
-            let next = self.mobility[start + (k + 1) * step];
+            link.excess = length - lengths[near];
+            off = off.max(link.excess.abs() / lengths[near]);
+            let next = mobilities[near + step];
             link.diagonal = mobility + next;
             if k > 0 {
                 let (p, q) = (before.direction, link.direction);
@@ -255,12 +331,28 @@ impl Sweep {
             pull = (link.excess - below * pull) / link.diagonal;
             below = link.below;
             let (near, far) = (start + k * step, start + (k + 1) * step);
-            let (here, there) = (self.mobility[near] * pull, self.mobility[far] * pull);
+            let (here, there) = (mobilities[near] * pull, mobilities[far] * pull);
             for axis in 0..3 {
                 x[near][axis] += here * link.direction[axis];
                 x[far][axis] -= there * link.direction[axis];
             }
         }
-        off / rest
+        off
     }
+}
+
+/// Restores the length of one edge. Returns its strain.
+fn restore(positions: &mut [f32], [a, b]: [usize; 2], rest: f32, mobilities: &[f32]) -> f32 {
+    let x = positions.as_chunks_mut::<3>().0;
+    let d = sub(x[b], x[a]);
+    let length = dot(d, d).sqrt().max(1e-9);
+    let mobile = mobilities[a] + mobilities[b];
+    if mobile > 0.0 {
+        let pull = (length - rest) / (length * mobile);
+        for axis in 0..3 {
+            x[a][axis] += mobilities[a] * pull * d[axis];
+            x[b][axis] -= mobilities[b] * pull * d[axis];
+        }
+    }
+    (length - rest).abs() / rest
 }

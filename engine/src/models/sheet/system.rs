@@ -16,7 +16,8 @@ pub(super) struct System {
 }
 
 impl System {
-    pub fn new(columns: usize, rows: usize, first: usize) -> System {
+    /// A system whose elements reach over at most two rows and `reach` nodes.
+    pub fn new(columns: usize, rows: usize, first: usize, reach: usize) -> System {
         let moving = columns - first;
         let order = 3 * moving * rows;
         System {
@@ -24,7 +25,7 @@ impl System {
             first,
             forces: vec![0.0; 3 * columns * rows],
             // Nodes two rows apart are coupled by bending.
-            matrix: Band::new(order, 6 * moving + 2),
+            matrix: Band::new(order, (6 * moving + 3 * reach + 2).min(order - 1)),
             unknowns: vec![0.0; order],
         }
     }
@@ -70,6 +71,22 @@ impl System {
             let last = if node == other { i } else { 2 };
             for k in 0..=last {
                 entries[k] += a[i] * b[k];
+            }
+        }
+    }
+
+    /// Adds the first three columns of a block (their lower part, where `node` is `other`) at
+    /// the row of `node` and the column of `other`, which is not after it.
+    #[inline(always)]
+    pub fn add_block(&mut self, node: usize, other: usize, block: [[f32; 4]; 3]) {
+        let (row, column) = (self.unknown(node), self.unknown(other));
+        let width = self.matrix.half_bandwidth();
+        for (i, block) in block.iter().enumerate() {
+            let from = column + width - (row + i);
+            let entries = &mut self.matrix.row_mut(row + i)[from..];
+            let last = if node == other { i } else { 2 };
+            for k in 0..=last {
+                entries[k] += block[k];
             }
         }
     }
