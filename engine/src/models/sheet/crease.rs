@@ -6,9 +6,6 @@
 //! sheet"). Turned further from its rest than it yields, it keeps the difference:
 //! its rest angle follows, as that of a fold that is pressed.
 
-use super::hinges::Hinges;
-use super::patches::Patches;
-
 /// A straight crease across a sheet, from edge to edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoldLine {
@@ -35,14 +32,4 @@ impl FoldLine {
             && self.stiffness > 0.0
             && self.yields > 0.0
     }
-}
-
-/// What a creased sheet has beside any other.
-#[derive(Clone, Debug)]
-pub(super) struct Creased {
-    pub lines: Vec<FoldLine>,
-    /// What bends in the place of second differences.
-    pub hinges: Hinges,
-    /// What draws it in the place of splines.
-    pub patches: Patches,
 }

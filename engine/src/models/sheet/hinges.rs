@@ -232,7 +232,7 @@ impl Hinges {
     }
 
     /// Finds which pairs of nodes triangles couple. Those of nodes that do not move, in columns
-    /// before `first`, share the last block, which no one reads.
+    /// before `first`, all have the last block, which no one reads.
     fn pair(&mut self, first: usize) {
         let columns = self.columns;
         let moves = |node: usize| node % columns >= first;

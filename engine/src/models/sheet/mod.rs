@@ -11,6 +11,7 @@ mod assemble;
 mod bending;
 mod contact;
 mod crease;
+mod creased;
 #[cfg(test)]
 mod folding_tests;
 mod grabs;
@@ -31,7 +32,7 @@ pub use settings::{InvalidSheet, Root, SheetSettings};
 
 use crate::vector::dot;
 use bending::Bending;
-use crease::Creased;
+use creased::Creased;
 use grabs::Grab;
 use hinges::Hinges;
 use material::Material;

@@ -36,7 +36,7 @@ pub(super) struct Patches {
     /// For each side two control points, next to its lower and to its higher node, and how
     /// many patches have it.
     sides: Vec<[[f32; 3]; 2]>,
-    shares: Vec<f32>,
+    patch_counts: Vec<f32>,
     middles: Vec<[f32; 3]>,
 }
 
@@ -66,7 +66,7 @@ impl Patches {
             .collect();
         edges.sort_unstable();
         edges.dedup();
-        let mut shares = vec![0.0; edges.len()];
+        let mut patch_counts = vec![0.0; edges.len()];
         let mut patches = Vec::with_capacity(triangles.len());
         for (number, nodes) in triangles.iter().enumerate() {
             let sides = [0, 1, 2].map(|k| {
@@ -74,7 +74,7 @@ impl Patches {
                 found.expect("the list has every triangle's sides")
             });
             for side in sides {
-                shares[side] += 1.0;
+                patch_counts[side] += 1.0;
             }
             patches.push(Patch {
                 nodes: *nodes,
@@ -103,7 +103,7 @@ impl Patches {
             normals: vec![[0.0; 3]; count],
             sides: vec![[[0.0; 3]; 2]; edges.len()],
             middles: vec![[0.0; 3]; patches.len()],
-            shares,
+            patch_counts,
             samples,
             patches,
         })
@@ -151,11 +151,11 @@ impl Patches {
                 ];
                 let rises = patch.nodes[k] < patch.nodes[next];
                 let side = patch.sides[k];
-                let share = 1.0 / self.shares[side];
+                let part = 1.0 / self.patch_counts[side];
                 for (end, point) in points.iter().enumerate() {
                     let slot = if rises { end } else { 1 - end };
                     for axis in 0..3 {
-                        self.sides[side][slot][axis] += share * point[axis];
+                        self.sides[side][slot][axis] += part * point[axis];
                     }
                 }
             }

@@ -150,7 +150,7 @@ test("an archive cut off anywhere fails in a sentence or is read", async () => {
   }
 });
 
-test("a page that forbids the worker is told what to allow", async () => {
+test("a page that forbids the worker gets a sentence that names what to allow", async () => {
   vi.stubGlobal(
     "Worker",
     class {

@@ -193,10 +193,10 @@ it("the machine code asks for nothing but the archive's bytes, and a bounded mem
     expect(["page", "wasi_snapshot_preview1"]).toContain(from);
     expect(kind).toBe("function");
   }
-  const refused = Object.fromEntries(imports.map(({ name }) => [name, () => 52]));
+  const rejected = Object.fromEntries(imports.map(({ name }) => [name, () => 52]));
   const { exports } = await WebAssembly.instantiate(module, {
-    page: refused,
-    wasi_snapshot_preview1: refused,
+    page: rejected,
+    wasi_snapshot_preview1: rejected,
   });
   const memory = exports.memory as WebAssembly.Memory;
   const pages = memory.buffer.byteLength / 65536;

@@ -54,13 +54,13 @@ export class Unpacker {
       }
     };
     // It has no files, no clock and no environment.
-    const refused: Record<string, (...pointers: number[]) => number> = {};
+    const rejected: Record<string, (...pointers: number[]) => number> = {};
     for (const { name, module: from } of WebAssembly.Module.imports(module)) {
-      if (from !== "page") refused[name] = () => notSupported;
+      if (from !== "page") rejected[name] = () => notSupported;
     }
-    refused.fd_prestat_get = () => badDescriptor;
-    refused.environ_get = () => success;
-    refused.environ_sizes_get = (count, length) => {
+    rejected.fd_prestat_get = () => badDescriptor;
+    rejected.environ_get = () => success;
+    rejected.environ_sizes_get = (count, length) => {
       const memory = new DataView((wasm as Exports).memory.buffer);
       memory.setUint32(count, 0, true);
       memory.setUint32(length, 0, true);
@@ -68,7 +68,7 @@ export class Unpacker {
     };
     const { exports } = await WebAssembly.instantiate(module, {
       page: { read },
-      wasi_snapshot_preview1: refused,
+      wasi_snapshot_preview1: rejected,
     });
     wasm = exports as unknown as Exports;
     wasm._initialize();

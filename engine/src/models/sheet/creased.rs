@@ -1,0 +1,15 @@
+//! What a creased sheet has beside any other.
+
+use super::crease::FoldLine;
+use super::hinges::Hinges;
+use super::patches::Patches;
+
+/// The creases of a sheet, and what bends and draws it once it has some.
+#[derive(Clone, Debug)]
+pub(super) struct Creased {
+    pub lines: Vec<FoldLine>,
+    /// What bends in the place of second differences.
+    pub hinges: Hinges,
+    /// What draws it in the place of splines.
+    pub patches: Patches,
+}
