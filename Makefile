@@ -170,9 +170,11 @@ pictures: build chromium tools-rust
 	cp target/pictures/paper-2014-column.png target/pictures/book-corner.png docs/pictures/
 
 # Every way of turning a page measured: tables, plot and pictures of docs/methods.md, and the table of
-# sheet against shell in docs/physics.md. Takes some ten minutes, nearly all of them the shell's.
+# sheet against shell in docs/physics.md, and those of creased strips in docs/folding.md. Takes some ten
+# minutes, nearly all of them the shell's.
 methods: tools-rust
 	cargo run --release --quiet -p lab -- interpolation --into docs/data
+	cargo run --release --quiet -p lab -- creases --into docs/data
 	cargo run --release --quiet -p lab -- synchronisation --into docs/data
 	cargo run --release --quiet -p lab -- picture --figures --size 720 --out docs/methods
 	cargo run --release --quiet -p lab -- models --into docs/data --plot docs/methods/cost-and-fidelity.svg --pictures docs/methods
