@@ -168,6 +168,7 @@ pictures: build chromium tools-rust
 	cargo run --release --quiet -p lab -- picture --preset paper-2014 --out target/pictures
 	cargo run --release --quiet -p lab -- picture --preset book --gesture corner --out target/pictures
 	cp target/pictures/paper-2014-column.png target/pictures/book-corner.png docs/pictures/
+	for fold in dog-ear letter map; do cargo run --release --quiet -p lab -- fold --fold $$fold --out docs/pictures; done
 
 # Every way of turning a page measured: tables, plot and pictures of docs/methods.md, and the table of
 # sheet against shell in docs/physics.md, and those of creased strips in docs/folding.md. Takes some ten

@@ -10,6 +10,7 @@ mod creases;
 mod drop_sheet;
 mod energy;
 mod exact;
+mod fold;
 mod gestures;
 mod interpolation;
 mod keyframes;
@@ -74,6 +75,8 @@ enum Experiment {
     Crease(crease::Options),
     /// Hangs creased strips of sheet and shell beside all exact ones that are known (some minutes).
     Creases(creases::Options),
+    /// Folds a page on a table by its creases, as a picture.
+    Fold(fold::Options),
     /// Bends a strip until both its ends are in one clamp.
     PearLoop(pear_loop::Options),
     /// Finds the first three roots of a strip clamped at one end, and the damping of the first.
@@ -111,6 +114,7 @@ impl Command {
             Experiment::TipLoad(options) => self.print(cantilever::run_tip_load(options)?),
             Experiment::Crease(options) => self.print(crease::run(options)?),
             Experiment::Creases(options) => self.print(creases::run(options)?),
+            Experiment::Fold(options) => self.print(fold::run(options)?),
             Experiment::PearLoop(options) => self.print(pear_loop::run(options)?),
             Experiment::Vibration(options) => self.print(vibration::run(options)?),
             Experiment::Upright(options) => self.print(buckling::run_upright(options)?),

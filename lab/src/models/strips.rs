@@ -62,6 +62,7 @@ pub fn moment(track: &[Vec<[f64; 3]>], frame: usize) -> Moment {
         mesh: (POINTS, POINTS),
         points: surface.positions.as_chunks::<3>().0.to_vec(),
         normals: surface.normals.as_chunks::<3>().0.to_vec(),
+        rising_cuts: None,
     }
 }
 

@@ -36,6 +36,7 @@ pub fn paper() -> Color {
 /// What is painted, and how far from the eye it lies.
 enum Piece {
     Cell([[f32; 3]; 4], [f32; 3]),
+    Triangle([[f32; 3]; 3]),
     Spring([[f32; 3]; 2], bool),
     Mass([f32; 3]),
 }
@@ -50,7 +51,13 @@ pub fn moment(moment: &Moment, page: f32, camera: &Camera) -> Pixmap {
     pieces.sort_by(|a, b| b.0.total_cmp(&a.0));
     for (_, piece) in &pieces {
         match piece {
-            Piece::Cell(corners, normal) => cell(&mut picture, corners, *normal, camera),
+            Piece::Cell(corners, normal) => {
+                let paint = face(&mut picture, corners, *normal, camera);
+                stroke(&mut picture, corners, true, &paint, 0.0007, camera);
+            }
+            Piece::Triangle(corners) => {
+                face(&mut picture, corners, across(corners), camera);
+            }
             Piece::Spring(ends, shear) => spring(&mut picture, ends, *shear, camera),
             Piece::Mass(centre) => mass(&mut picture, *centre, camera),
         }
@@ -126,6 +133,21 @@ fn cells(mesh: (usize, usize)) -> impl Iterator<Item = [usize; 4]> {
 
 fn pieces(moment: &Moment, camera: &Camera) -> Vec<(f32, Piece)> {
     let mut pieces = Vec::new();
+    if let Some(rising) = &moment.rising_cuts {
+        for [a, b, c, d] in cells(moment.mesh) {
+            let triangles = if rising.contains(&a) {
+                [[a, b, c], [a, c, d]]
+            } else {
+                [[a, b, d], [b, c, d]]
+            };
+            for corners in triangles {
+                let points = corners.map(|i| moment.points[i]);
+                let depth = points.map(|p| camera.see(p).2).iter().sum::<f32>() / 3.0;
+                pieces.push((depth, Piece::Triangle(points)));
+            }
+        }
+        return pieces;
+    }
     for corners in cells(moment.mesh) {
         let points = corners.map(|i| moment.points[i]);
         let normals = corners.map(|i| moment.normals[i]);
@@ -166,7 +188,25 @@ fn pieces(moment: &Moment, camera: &Camera) -> Vec<(f32, Piece)> {
     pieces
 }
 
-fn cell(picture: &mut Pixmap, corners: &[[f32; 3]; 4], normal: [f32; 3], camera: &Camera) {
+/// Unit normal of a triangle.
+fn across([a, b, c]: &[[f32; 3]; 3]) -> [f32; 3] {
+    let [u, v] = [b, c].map(|p| [0, 1, 2].map(|axis| p[axis] - a[axis]));
+    let n = [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+    ];
+    let length = dot(n, n).sqrt().max(1e-12);
+    n.map(|x| x / length)
+}
+
+/// Fills a face of the paper. Returns what lines on it are drawn with.
+fn face(
+    picture: &mut Pixmap,
+    corners: &[[f32; 3]],
+    normal: [f32; 3],
+    camera: &Camera,
+) -> Paint<'static> {
     let facing = camera.faces(corners[0], normal);
     let (side, n) = if facing {
         (RECTO, normal)
@@ -184,8 +224,7 @@ fn cell(picture: &mut Pixmap, corners: &[[f32; 3]; 4], normal: [f32; 3], camera:
     let paint = solid(side.map(|value| value * shade), 1.0);
     fill(picture, corners, paint.clone(), camera);
     stroke(picture, corners, true, &paint, 0.0006, camera);
-    let line = solid(side.map(|value| value * shade * 0.80), 1.0);
-    stroke(picture, corners, true, &line, 0.0007, camera);
+    solid(side.map(|value| value * shade * 0.80), 1.0)
 }
 
 fn spring(picture: &mut Pixmap, ends: &[[f32; 3]; 2], shear: bool, camera: &Camera) {

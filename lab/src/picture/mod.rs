@@ -78,7 +78,7 @@ pub fn run(options: &Options) -> Result<Written, String> {
     for (index, picture) in pictures.iter().enumerate() {
         files.push(save(picture, out, &format!("{stem}-{index:02}.png"))?);
     }
-    files.push(save(&sheet(&pictures), out, &format!("{stem}.png"))?);
+    files.push(save(&on_one(&pictures), out, &format!("{stem}.png"))?);
     let times = moments.iter().map(|moment| moment.time).collect();
     Ok(Written {
         files,
@@ -110,7 +110,7 @@ fn moments(scene: &Scene, count: usize) -> Result<Vec<Moment>, String> {
 }
 
 /// All pictures on one, at half their size, three in a row.
-fn sheet(pictures: &[Pixmap]) -> Pixmap {
+pub fn on_one(pictures: &[Pixmap]) -> Pixmap {
     let across = if pictures.len() > 4 { 3 } else { 2 };
     let (width, height) = (
         pictures[0].width().div_ceil(2),

@@ -1,6 +1,6 @@
 //! What a picture shows.
 
-use turnleaf_engine::{MassSpring, Surface, TurnModel};
+use turnleaf_engine::{MassSpring, Sheet, Surface, TurnModel};
 
 /// One moment of the turn, in units of the leaf's width.
 pub struct Moment {
@@ -16,12 +16,31 @@ pub struct Moment {
     pub points: Vec<[f32; 3]>,
     /// Unit normal of each point.
     pub normals: Vec<[f32; 3]>,
+    /// Where the mesh is drawn as triangles: points at whose cells it is cut from there to the
+    /// opposite corner, other cells along their other diagonal.
+    pub rising_cuts: Option<Vec<usize>>,
 }
 
 impl Moment {
-    /// A leaf as it is now.
+    /// A leaf of the paper's model as it is now.
     pub fn of(leaf: &mut MassSpring) -> Self {
-        let scale = 1.0 / leaf.settings().width;
+        let width = leaf.settings().width;
+        Self::of_width(leaf, width)
+    }
+
+    /// A sheet as it is now, without its nodes.
+    pub fn of_sheet(sheet: &mut Sheet) -> Self {
+        let width = sheet.settings().width as f32;
+        Self {
+            grid: (0, 0),
+            masses: Vec::new(),
+            rising_cuts: Some(sheet.rising_folds()),
+            ..Self::of_width(sheet, width)
+        }
+    }
+
+    fn of_width(leaf: &mut impl TurnModel, width: f32) -> Self {
+        let scale = 1.0 / width;
         let mut surface = Surface::new(2, 2);
         leaf.write_surface(&mut surface);
         surface.update_normals();
@@ -43,6 +62,7 @@ impl Moment {
             mesh: (surface.columns, surface.rows),
             points: points(&surface.positions, scale),
             normals: points(&surface.normals, 1.0),
+            rising_cuts: None,
         }
     }
 }
