@@ -40,9 +40,25 @@ pub(crate) struct Pressed<T> {
 /// nodes and `size` metres: the nodes within its radius, or else those next to
 /// it. The column at the spine is never held.
 pub(crate) fn pad<T: Real>(
+    at: (f64, f64),
+    (columns, rows): (usize, usize),
+    size: [f64; 2],
+) -> Vec<Pressed<T>> {
+    let cell = [size[0] / (columns - 1) as f64, size[1] / (rows - 1) as f64];
+    pad_over(at, (columns, rows), size, |node| {
+        [
+            (node % columns) as f64 * cell[0],
+            (node / columns) as f64 * cell[1],
+        ]
+    })
+}
+
+/// The same where nodes lie on the flat leaf as `place` says, metres.
+pub(crate) fn pad_over<T: Real>(
     (u, v): (f64, f64),
     (columns, rows): (usize, usize),
     size: [f64; 2],
+    place: impl Fn(usize) -> [f64; 2],
 ) -> Vec<Pressed<T>> {
     let cell = [size[0] / (columns - 1) as f64, size[1] / (rows - 1) as f64];
     let middle = [u.clamp(0.0, 1.0) * size[0], v.clamp(0.0, 1.0) * size[1]];
@@ -51,10 +67,8 @@ pub(crate) fn pad<T: Real>(
     let mut pressed: Vec<(usize, f64, [f64; 2])> = Vec::new();
     for row in 0..rows {
         for column in 1..columns {
-            let apart = [
-                column as f64 * cell[0] - middle[0],
-                row as f64 * cell[1] - middle[1],
-            ];
+            let [x, y] = place(row * columns + column);
+            let apart = [x - middle[0], y - middle[1]];
             let weight = 1.0 - (apart[0] * apart[0] + apart[1] * apart[1]) / (radius * radius);
             if weight > 0.0 {
                 pressed.push((row * columns + column, weight * weight, apart));

@@ -4,9 +4,10 @@
 //! reaches: no farther from the ends of the spine, nor from another grab, than
 //! the same points are on the flat leaf.
 
+use super::material::Material;
 use super::settings::{Root, SheetSettings};
 use super::system::System;
-use crate::grab::{Pressed, pad, stiffness, strongest};
+use crate::grab::{Pressed, pad_over, stiffness, strongest};
 use crate::stock::GRAVITY;
 
 /// Greatest speed of a held place, m/s.
@@ -42,14 +43,22 @@ pub(super) struct Grab {
 }
 
 impl Grab {
-    pub fn new(id: u32, u: f32, v: f32, settings: &SheetSettings, positions: &[f32]) -> Grab {
+    pub fn new(
+        id: u32,
+        [u, v]: [f32; 2],
+        settings: &SheetSettings,
+        material: &Material,
+        positions: &[f32],
+    ) -> Grab {
         let size = [settings.width, settings.height];
         let (u, v) = (u.clamp(0.0, 1.0), v.clamp(0.0, 1.0));
         let grid = (settings.columns, settings.rows);
         let mut grab = Grab {
             id,
             place: [u * size[0] as f32, v * size[1] as f32],
-            pad: pad((f64::from(u), f64::from(v)), grid, size),
+            pad: pad_over((f64::from(u), f64::from(v)), grid, size, |node| {
+                material.places[node]
+            }),
             wanted: [0.0; 3],
             target: [0.0; 3],
             strength: strongest(settings.stock.grammage * GRAVITY * size[0] * size[1]) as f32,
@@ -60,6 +69,15 @@ impl Grab {
         grab.target = grab.held_place(positions);
         grab.wanted = grab.target;
         grab
+    }
+
+    /// Takes hold anew of the same place, where the nodes lie otherwise on the sheet.
+    pub fn take_anew(&mut self, settings: &SheetSettings, material: &Material, positions: &[f32]) {
+        let size = [settings.width as f32, settings.height as f32];
+        let at = [0, 1].map(|axis| self.place[axis] / size[axis]);
+        let pulled = (self.wanted, self.target, self.pace);
+        *self = Grab::new(self.id, at, settings, material, positions);
+        (self.wanted, self.target, self.pace) = pulled;
     }
 
     /// Pulls toward a place; one that is no number is ignored.

@@ -217,6 +217,9 @@ impl Sheet {
                 self.sweep.mobility[node] = 0.0;
             }
         }
+        for grab in &mut self.grabs {
+            grab.take_anew(&self.settings, &material, &self.positions);
+        }
         self.material = material;
         self.weigh();
         self.prepare();
@@ -475,7 +478,8 @@ impl Sheet {
     pub fn grab(&mut self, grab: u32, u: f32, v: f32) {
         self.release(grab);
         if u.is_finite() && v.is_finite() {
-            let grab = Grab::new(grab, u, v, &self.settings, &self.positions);
+            let (settings, material) = (&self.settings, &self.material);
+            let grab = Grab::new(grab, [u, v], settings, material, &self.positions);
             self.grabs.push(grab);
         }
     }
