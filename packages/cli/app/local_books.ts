@@ -16,6 +16,8 @@ export class LocalBooks {
   readonly #notice: HTMLElement;
   readonly #text: HTMLElement;
   readonly #button: HTMLButtonElement;
+  /** Kept: one that nothing refers to may be collected while its dialog is open. */
+  readonly #input: HTMLInputElement = document.createElement("input");
   #opening: AbortController | null = null;
 
   /**
@@ -37,6 +39,12 @@ export class LocalBooks {
       // Its files can be asked for during the event alone.
       void this.#open(droppedFiles(event.dataTransfer));
     });
+    this.#input.type = "file";
+    this.#input.multiple = true;
+    this.#input.addEventListener(
+      "change",
+      () => void this.#open(Promise.resolve([...(this.#input.files ?? [])])),
+    );
     window.addEventListener("keydown", (event) => {
       if (event.key === "Escape" && !notice.hidden) this.#end();
       const isPlain = !event.shiftKey && !event.altKey;
@@ -47,14 +55,9 @@ export class LocalBooks {
   }
 
   #pick(): void {
-    const input = document.createElement("input");
-    input.type = "file";
-    input.multiple = true;
-    input.addEventListener(
-      "change",
-      () => void this.#open(Promise.resolve([...(input.files ?? [])])),
-    );
-    input.click();
+    // The same files may be picked again.
+    this.#input.value = "";
+    this.#input.click();
   }
 
   /** Ends an opening, and takes the notice away. */
