@@ -26,6 +26,8 @@
 //!   [`Condensed`]: in few bytes, to be handed out
 
 mod air;
+#[cfg(test)]
+mod anchors;
 mod band;
 pub mod book;
 mod gesture;

@@ -65,4 +65,28 @@ impl Rigidity {
     pub fn free_d22(&self) -> f64 {
         self.d22 - self.d12 * self.d12 / self.d11
     }
+
+    /// The same where a hinge takes all but a `fraction` of the bending across the spine.
+    pub(crate) fn behind_hinge(&self, fraction: f64) -> Rigidity {
+        let Rigidity { d11, d22, d12, d66 } = *self;
+        Rigidity {
+            d11: fraction * d11,
+            d12: fraction * d12,
+            d22: d22 - (1.0 - fraction) * d12 * d12 / d11,
+            d66,
+        }
+    }
+
+    /// Moments by curvatures along u and v and by twice the twist, where those across `free`
+    /// edges, along u and along v, are left to themselves.
+    pub(crate) fn moments(&self, free: [bool; 2]) -> [[f64; 3]; 3] {
+        let Rigidity { d11, d22, d12, d66 } = *self;
+        let (uu, vv, uv) = match free {
+            [false, false] => (d11, d22, d12),
+            [true, false] => (0.0, d22 - d12 * d12 / d11, 0.0),
+            [false, true] => (d11 - d12 * d12 / d22, 0.0, 0.0),
+            [true, true] => (0.0, 0.0, 0.0),
+        };
+        [[uu, uv, 0.0], [uv, vv, 0.0], [0.0, 0.0, d66]]
+    }
 }

@@ -13,6 +13,7 @@
 
 use super::crease::FoldLine;
 use super::material::{Material, cut};
+use super::plates::{plate_at, weights};
 use super::settings::{Root, SheetSettings};
 use super::system::System;
 use crate::lanes::Four;
@@ -22,9 +23,6 @@ use core::f32::consts::PI;
 
 /// Marks the node beyond the spine that the clamp's tangent stands for.
 const GHOST: usize = usize::MAX;
-
-/// By how much Gregory's rule changes the trapezoidal rule's weights from an end on.
-const GREGORY: [f64; 3] = [-1.0 / 8.0, 1.0 / 6.0, -1.0 / 24.0];
 
 /// An edge's two ends and the apexes on its left and on its right.
 type Hinge = [usize; 4];
@@ -198,7 +196,7 @@ impl Hinges {
             let [x, y] = [edge[1], -edge[0]];
             shape[k] = [scale * x * x, scale * y * y, scale * 2.0 * x * y];
         }
-        let plate = moments(plate, free);
+        let plate = plate.moments(free);
         let mut stiffness = [[0.0f32; 3]; 3];
         for i in 0..3 {
             for j in 0..3 {
@@ -474,106 +472,4 @@ fn measure(x: &[[f32; 3]; 4]) -> Angle {
 fn unwrapped(angle: f32, last: f32) -> f32 {
     let turns = libm::roundf((last - angle) / (2.0 * PI));
     angle + 2.0 * PI * turns
-}
-
-/// One over the weights of curvatures along u and along v at each node, relative to the
-/// trapezoidal rule's. The turn of a sheet between two places is the integral of moment over
-/// stiffness, and the moment's slope jumps at a clamp and at a crease; so between them
-/// Gregory's rule is a better quadrature of it.
-fn weights(settings: &SheetSettings, material: &Material) -> [Vec<f64>; 2] {
-    let (columns, rows) = (material.columns, material.rows);
-    let nodes = columns * rows;
-    let mut is_end = vec![false; nodes];
-    for node in material.folds.iter().flat_map(|(edge, _)| edge) {
-        is_end[*node] = true;
-    }
-    let mut weights = [vec![0.0; nodes], vec![0.0; nodes]];
-    let lines = (0..rows).map(|row| (0, row * columns, 1, columns));
-    for (axis, start, step, count) in
-        lines.chain((0..columns).map(|column| (1, column, columns, rows)))
-    {
-        let node = |k: usize| start + k * step;
-        let is_clamped = axis == 0 && settings.root != Root::Free;
-        let mut ends: Vec<usize> = (0..count)
-            .filter(|&k| is_end[node(k)] || (k == 0 && is_clamped))
-            .collect();
-        ends.dedup();
-        // Between two ends, or an end and a free edge, of at least two cells.
-        let mut bounds = ends.clone();
-        bounds.insert(0, 0);
-        bounds.push(count - 1);
-        for pair in bounds.windows(2) {
-            let (from, to) = (pair[0], pair[1]);
-            let cells = to - from;
-            let mut add = |k: usize, weight: f64| weights[axis][node(k)] += weight;
-            for k in from..to {
-                add(k, 0.5);
-                add(k + 1, 0.5);
-            }
-            if cells < 2 {
-                continue;
-            }
-            for (k, change) in GREGORY.into_iter().enumerate() {
-                if ends.contains(&from) {
-                    add(from + k, change);
-                }
-                if ends.contains(&to) {
-                    add(to - k, change);
-                }
-            }
-        }
-        for k in 0..count {
-            let rim = k == 0 || k + 1 == count;
-            let weight = &mut weights[axis][node(k)];
-            *weight = if rim { 0.5 } else { 1.0 } / *weight;
-        }
-    }
-    weights
-}
-
-/// The plate as a triangle of a grid sees it: as stiff along each side as the weights of its
-/// ends say, and softer by the hinge at the spine.
-fn plate_at(
-    nodes: &[usize; 3],
-    plate: &Rigidity,
-    weights: &[Vec<f64>; 2],
-    settings: &SheetSettings,
-    material: &Material,
-) -> Rigidity {
-    let columns = material.columns;
-    let mut plate = *plate;
-    for k in 0..3 {
-        let (from, to) = (nodes[k], nodes[(k + 1) % 3]);
-        let weight = |axis: usize| weights[axis][from].midpoint(weights[axis][to]);
-        if from % columns == to % columns {
-            plate.d11 *= weight(0);
-        } else if from / columns == to / columns {
-            plate.d22 *= weight(1);
-        }
-        let is_at_spine = from.is_multiple_of(columns) && to.is_multiple_of(columns);
-        if let (true, Root::Hinged(stiffness)) = (is_at_spine, settings.root) {
-            let Rigidity { d11, d22, d12, d66 } = plate;
-            let half_cell = 2.0 * d11 / material.along_u(from.min(to));
-            let fraction = stiffness / (stiffness + half_cell);
-            plate = Rigidity {
-                d11: fraction * d11,
-                d12: fraction * d12,
-                d22: d22 - (1.0 - fraction) * d12 * d12 / d11,
-                d66,
-            };
-        }
-    }
-    plate
-}
-
-/// Moments by curvatures, where those across free edges are left to themselves.
-fn moments(plate: &Rigidity, free: [bool; 2]) -> [[f64; 3]; 3] {
-    let Rigidity { d11, d22, d12, d66 } = *plate;
-    let (uu, vv, uv) = match free {
-        [false, false] => (d11, d22, d12),
-        [true, false] => (0.0, d22 - d12 * d12 / d11, 0.0),
-        [false, true] => (d11 - d12 * d12 / d22, 0.0, 0.0),
-        [true, true] => (0.0, 0.0, 0.0),
-    };
-    [[uu, uv, 0.0], [uv, vv, 0.0], [0.0, 0.0, d66]]
 }

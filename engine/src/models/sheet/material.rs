@@ -247,26 +247,25 @@ impl Material {
         let size = self.size;
         let [a, b] = fold.through.map(|at| [at[0] * size[0], at[1] * size[1]]);
         let way = [b[0] - a[0], b[1] - a[1]];
-        let least = LEAST_LENGTH * self.cell[0].min(self.cell[1]);
-        if distance(a, b) < least {
+        // Both places are on the paper, so the line there is no shorter than their distance.
+        if distance(a, b) < LEAST_LENGTH * self.cell[0].min(self.cell[1]) {
             return None;
         }
-        let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
+        let (mut first, mut last) = (f64::NEG_INFINITY, f64::INFINITY);
         for axis in 0..2 {
             if way[axis] == 0.0 {
                 continue;
             }
             let ends = [0.0, size[axis]].map(|end| (end - a[axis]) / way[axis]);
-            least = least.max(ends[0].min(ends[1]));
-            most = most.min(ends[0].max(ends[1]));
+            first = first.max(ends[0].min(ends[1]));
+            last = last.min(ends[0].max(ends[1]));
         }
         let at =
             |t: f64| core::array::from_fn(|axis| (a[axis] + t * way[axis]).clamp(0.0, size[axis]));
-        let line = Line {
-            from: at(least),
-            to: at(most),
-        };
-        (distance(line.from, line.to) > least).then_some(line)
+        Some(Line {
+            from: at(first),
+            to: at(last),
+        })
     }
 
     /// Nodes that a crease must go through, with their places, in its order: those at its
@@ -440,7 +439,7 @@ impl Material {
         }
     }
 
-    /// Whether no cell is turned over or nearly flat, and no fold too short.
+    /// Whether no cell is turned over or nearly flat.
     fn is_sound(&self, before: &[[f64; 2]]) -> bool {
         let columns = self.columns;
         let is_wide = |foot: usize| {

@@ -52,25 +52,25 @@ impl Membrane {
             cells: vec![Cell::default(); nodes],
             diagonals: Vec::new(),
         };
-        let rim = |i: usize, count: usize| if i == 0 || i + 1 == count { 0.5 } else { 1.0 };
+        let rim = |i: usize, count: usize| {
+            if i == 0 || i + 1 == count {
+                0.5f64
+            } else {
+                1.0
+            }
+        };
+        // Halved at the rim.
+        let spring = |part: f64, across: f64, rest: f64| Spring {
+            rest: rest as f32,
+            stiffness: part as f32 * (settings.stretch * across / rest) as f32,
+        };
         for node in 0..nodes {
             let (column, row) = (node % columns, node / columns);
-            // Halved at the rim.
             if column + 1 < columns {
-                let rest = material.along_u(node);
-                let stiffness = (settings.stretch * dv / rest) as f32;
-                membrane.along_u[node] = Spring {
-                    rest: rest as f32,
-                    stiffness: rim(row, rows) * stiffness,
-                };
+                membrane.along_u[node] = spring(rim(row, rows), dv, material.along_u(node));
             }
             if row + 1 < rows {
-                let rest = material.along_v(node);
-                let stiffness = (settings.stretch * du / rest) as f32;
-                membrane.along_v[node] = Spring {
-                    rest: rest as f32,
-                    stiffness: rim(column, columns) * stiffness,
-                };
+                membrane.along_v[node] = spring(rim(column, columns), du, material.along_v(node));
             }
         }
         for foot in material.cells() {

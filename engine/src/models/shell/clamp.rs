@@ -100,14 +100,8 @@ impl Clamps {
         }
         for column in [0, mesh.columns - 1] {
             if let Some(clamp) = self.at(column, mesh) {
-                let Rigidity { d11, d22, d12, d66 } = plates[column];
-                let fraction = clamp.fraction(2.0 * d11 / mesh.du);
-                plates[column] = Rigidity {
-                    d11: fraction * d11,
-                    d12: fraction * d12,
-                    d22: d22 - (1.0 - fraction) * d12 * d12 / d11,
-                    d66,
-                };
+                let plate = &mut plates[column];
+                *plate = plate.behind_hinge(clamp.fraction(2.0 * plate.d11 / mesh.du));
             }
         }
         plates

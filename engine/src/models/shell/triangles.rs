@@ -149,7 +149,7 @@ impl TriangleBending {
                 let clamped = clamps.hold(column_v, &mesh);
                 let shape = shape_operator(&mesh, diagonal, clamped);
                 let free = [leg_v.is_none(), leg_u.is_none()];
-                let stiffness = stiffness(&mesh, &moments(&plates[column_v], free), &shape);
+                let stiffness = stiffness(&mesh, &plates[column_v].moments(free), &shape);
                 let triangle = Triangle::new([leg_v, leg_u, across], &self.hinges, stiffness);
                 self.triangles.push(triangle);
             }
@@ -305,18 +305,6 @@ impl Bending for TriangleBending {
         }
         (count > 0.0).then(|| sum / count)
     }
-}
-
-/// Moments by curvatures, where those across free edges are left to themselves.
-fn moments(rigidity: &Rigidity, free: [bool; 2]) -> [[f64; 3]; 3] {
-    let Rigidity { d11, d22, d12, d66 } = *rigidity;
-    let (uu, vv, uv) = match free {
-        [false, false] => (d11, d22, d12),
-        [true, false] => (0.0, d22 - d12 * d12 / d11, 0.0),
-        [false, true] => (d11 - d12 * d12 / d22, 0.0, 0.0),
-        [true, true] => (0.0, 0.0, 0.0),
-    };
-    [[uu, uv, 0.0], [uv, vv, 0.0], [0.0, 0.0, d66]]
 }
 
 /// Stiffness between angles: that of the plate, over the triangle's area, half

@@ -24,7 +24,7 @@ export function openContext(canvas: HTMLCanvasElement): WebGL2RenderingContext |
 
 /**
  * Returns whether a canvas's context can be drawn on: not where it is lost, nor where it would draw
- * several samples of each pixel in software, which takes a third of a frame's time. Contexts that are
+ * several samples of each pixel in software, which takes a large part of a frame's time. Contexts that are
  * opened later are such that can. At rest a book is drawn with more pixels than the screen has, so
  * that its edges are smooth either way.
  */

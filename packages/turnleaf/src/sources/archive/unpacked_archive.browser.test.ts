@@ -1,8 +1,7 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { rar4, rar5, sevenZip } from "../../for_tests/stored_archives.ts";
-import { limits } from "../limits.ts";
 import { messageOf } from "../message_of.ts";
-import { openUnpacked, type UnpackedBounds } from "./unpacked_archive.ts";
+import { openUnpacked, type UnpackedBounds, usualBounds } from "./unpacked_archive.ts";
 import { fixture } from "./unpacker/fixtures_for_tests.ts";
 
 const text = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
@@ -11,14 +10,6 @@ const packers = [
   ["RAR 5", rar5],
   ["7-Zip", sevenZip],
 ] as const;
-
-const usual: UnpackedBounds = {
-  entries: limits.archiveEntries,
-  fileBytes: limits.archivedBytes,
-  allBytes: limits.unpackedBytes,
-  pathLength: limits.archivePath,
-  time: limits.unpackingTime,
-};
 
 const started: Worker[] = [];
 const ended: Worker[] = [];
@@ -72,7 +63,7 @@ test.each(packers)("names that lead out of an archive of %s are left out", async
 test.each(packers)("an archive of %s beyond the bounds says so", async (_, pack) => {
   const file = new Blob([pack({ a: "a".repeat(3_000_000), b: "b" })]);
   const open = (bounds: Partial<UnpackedBounds>) =>
-    openUnpacked(file, "many.cbr", undefined, { ...usual, ...bounds });
+    openUnpacked(file, "many.cbr", undefined, { ...usualBounds, ...bounds });
   expect(await messageOf(open({ entries: 1 }))).toBe(
     "many.cbr has more than 1 files; split it and open a part.",
   );

@@ -22,7 +22,8 @@ export interface UnpackedBounds extends UnpackingBounds {
   readonly time: number;
 }
 
-const usual: UnpackedBounds = {
+/** The bounds on what a reader opens. */
+export const usualBounds: UnpackedBounds = {
   entries: limits.archiveEntries,
   fileBytes: limits.archivedBytes,
   allBytes: limits.unpackedBytes,
@@ -54,7 +55,7 @@ export async function openUnpacked(
   file: Blob,
   name: string,
   signal?: AbortSignal,
-  bounds: UnpackedBounds = usual,
+  bounds: UnpackedBounds = usualBounds,
 ): Promise<Archive> {
   const obstacle = obstacleIn(await bytesOf(file.slice(0, marksLength), name), file.size);
   if (obstacle) throw new BookError(`${name} ${obstacles[obstacle]}`);
