@@ -15,7 +15,8 @@ import { FRAME, hangSheet, loadJolt } from "./jolt.mjs";
 
 const root = join(import.meta.dirname, "../..");
 const engineFile = join(root, "target/trials.wasm");
-const GRAVITY = 9.80665;
+const stock = readFileSync(join(root, "engine/src/stock.rs"), "utf8");
+const GRAVITY = Number(/const GRAVITY: f64 = ([\d.]+);/.exec(stock)[1]);
 const PAGE = { width: 0.148, height: 0.21, columns: 12, rows: 16, grammage: 0.07 };
 const GAMMA = 10;
 const ALLOWED = 0.02;

@@ -41,7 +41,7 @@ fn whole_turns_have_their_recorded_bits() {
         let scene = words[..words.len() - 1].join(" ");
         found.push_str(&format!("{scene} {:016x}\n", hash(&words)));
     }
-    for kind in ModelKind::ALL {
+    for &kind in ModelKind::ALL {
         found.push_str(&format!(
             "loose {} {:016x}\n",
             kind.name(),

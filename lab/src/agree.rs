@@ -17,7 +17,7 @@ use turnleaf_engine::{
     Contact, Edge, Grain, Root, Sheet, SheetSettings, Shell, ShellSettings, Stock, Table, TurnModel,
 };
 
-use crate::options::{self, between};
+use crate::options::{self, between, make_folder};
 use crate::specimen::{BREADTH, LENGTH, Settings};
 use crate::table;
 
@@ -94,6 +94,7 @@ struct Moment {
 
 /// Runs the experiment.
 pub fn run(options: &Options) -> Result<Agreement, String> {
+    options.into.as_deref().map_or(Ok(()), make_folder)?;
     let &Options { settings, jobs, .. } = options;
     let names = options
         .stock

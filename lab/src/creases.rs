@@ -9,6 +9,7 @@ use serde::Serialize;
 
 use crate::crease::{Creased, hang};
 use crate::exact::CreasedElastica;
+use crate::options::make_folder;
 use crate::specimen::{Model, Settings};
 use crate::table::Table;
 
@@ -75,6 +76,7 @@ struct Worst {
 /// # Errors
 /// Where a strip does not come to rest, or a table cannot be written, in a sentence.
 pub fn run(options: &Options) -> Result<Strips, String> {
+    options.into.as_deref().map_or(Ok(()), make_folder)?;
     let rows: Vec<Vec<f64>> = ANCHORS.lines().skip(1).map(numbers).collect();
     let has_closed = |row: &&Vec<f64>| {
         let is_lighter = |other: &&Vec<f64>| other[1..4] == row[1..4] && other[0] <= row[0];

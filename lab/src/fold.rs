@@ -4,8 +4,6 @@
 //! No hand takes part: a crease that is given a rest angle turns the paper beside it, whose
 //! weight, stiffness and air are those of the stock.
 
-use std::path::PathBuf;
-
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 use tiny_skia::Pixmap;
@@ -13,8 +11,8 @@ use turnleaf_engine::book::Paper;
 use turnleaf_engine::trials::PAGE;
 use turnleaf_engine::{Contact, FoldLine, Root, Sheet, SheetSettings, TurnModel};
 
-use crate::options::between;
-use crate::picture::{Camera, Moment, on_one, paint, save};
+use crate::options::{between, make_folder};
+use crate::picture::{Camera, Moment, PictureOptions, on_one, paint, save};
 use crate::report::Lines;
 
 /// What is folded.
@@ -43,15 +41,8 @@ pub struct Options {
     /// Seconds until they have, and as long again.
     #[arg(long, default_value_t = 1.0, value_parser = between(0.1, 60.0))]
     seconds: f64,
-    /// Folder for the picture.
-    #[arg(long, default_value = "pictures")]
-    out: PathBuf,
-    /// Number of moments on it.
-    #[arg(long, default_value_t = 6, value_parser = between(2usize, 600))]
-    frames: usize,
-    /// Twice the width of a moment, pixels.
-    #[arg(long, default_value_t = 960, value_parser = between(120u32, 4096))]
-    size: u32,
+    #[command(flatten)]
+    pictures: PictureOptions,
 }
 
 /// What was folded, and where its picture is.
@@ -86,12 +77,8 @@ fn lines(fold: Fold) -> Vec<([[f64; 2]; 2], f64)> {
 /// # Errors
 /// Where the page cannot be creased so or a picture cannot be written, in a sentence.
 pub fn run(options: &Options) -> Result<Lines<Folded>, String> {
-    std::fs::create_dir_all(&options.out).map_err(|error| {
-        format!(
-            "The folder {} cannot be made: {error}.",
-            options.out.display()
-        )
-    })?;
+    let PictureOptions { out, frames, size } = &options.pictures;
+    make_folder(out)?;
     let settings = SheetSettings {
         root: match options.fold {
             Fold::DogEar => Root::Clamped,
@@ -129,7 +116,7 @@ pub fn run(options: &Options) -> Result<Lines<Folded>, String> {
     let steps = (2.0 * options.seconds / step) as usize;
     let mut moments = Vec::new();
     for k in 0..=steps {
-        if k * (options.frames - 1) >= moments.len() * steps {
+        if k * (frames - 1) >= moments.len() * steps {
             moments.push(Moment::of_sheet(&mut sheet));
         }
         let t = (k as f64 * step / options.seconds).min(1.0);
@@ -140,7 +127,7 @@ pub fn run(options: &Options) -> Result<Lines<Folded>, String> {
         sheet.step();
     }
     let page = (PAGE[1] / PAGE[0]) as f32;
-    let camera = Camera::around(&moments, page, options.size);
+    let camera = Camera::around(&moments, page, *size);
     let pictures: Vec<Pixmap> = moments
         .iter()
         .map(|moment| paint(moment, page, &camera))
@@ -149,7 +136,7 @@ pub fn run(options: &Options) -> Result<Lines<Folded>, String> {
     let name = name.map_or_else(String::new, |value| {
         format!("fold-{}.png", value.get_name())
     });
-    let file = save(&on_one(&pictures), &options.out, &name)?;
+    let file = save(&on_one(&pictures), out, &name)?;
     let angles = (0..creases.len()).filter_map(|crease| sheet.crease_angle(crease));
     Ok(Lines(Folded {
         file,

@@ -18,6 +18,7 @@ use serde::Serialize;
 use turnleaf_engine::shapes::Cone;
 use turnleaf_engine::{Interpolation, Surface, lobatto_nodes, uniform_samples};
 
+use crate::options::make_folder;
 use crate::simulate::median;
 use crate::specimen::{BREADTH, LENGTH};
 use crate::table::Table;
@@ -124,6 +125,7 @@ struct Errors {
 
 /// Runs the experiment.
 pub fn run(options: &Options) -> Result<Comparison, String> {
+    options.into.as_deref().map_or(Ok(()), make_folder)?;
     let grids = GRIDS.map(|(nodes, points)| Grid {
         nodes,
         points,

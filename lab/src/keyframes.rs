@@ -13,7 +13,7 @@ use turnleaf_engine::{
     TurnModel, uniform_samples,
 };
 
-use crate::options::{self, between};
+use crate::options::{self, between, make_folder_of};
 use crate::report::Lines;
 
 /// A page, metres.
@@ -69,6 +69,7 @@ pub struct File {
 
 /// Runs the experiment.
 pub fn run(options: &Options) -> Result<Lines<File>, String> {
+    options.out.as_deref().map_or(Ok(()), make_folder_of)?;
     let recording = record(options)?;
     let [u, v] = [recording.columns, recording.rows].map(uniform_samples);
     let condensed =

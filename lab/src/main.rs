@@ -63,9 +63,11 @@ enum Experiment {
     Table1(table1::Options),
     /// Compares both readings of the paper's synchronisation, and none, on the same turns.
     Synchronisation(synchronisation::Options),
-    /// Measures one turn: strains over all steps, cost of a step and of a surface.
+    /// Measures one turn of the mass-spring leaf: strains over all steps, cost of a step and of a
+    /// surface. For other models see `keyframes` and `models`.
     Turn(turn::Options),
-    /// Draws a turn as a sequence of PNG pictures.
+    /// Draws a turn of the mass-spring leaf as a sequence of PNG pictures. For other models see
+    /// `models --only NAME --pictures FOLDER`.
     Picture(picture::Options),
     /// Hangs a strip that is clamped at one end by its own weight.
     Cantilever(cantilever::Options),

@@ -1,6 +1,7 @@
 //! Options that experiments share, and how options with names or bounds are read.
 
 use std::fmt::Display;
+use std::path::Path;
 use std::str::FromStr;
 
 use clap::Args;
@@ -51,7 +52,7 @@ pub fn stock(name: &str) -> Stock {
 
 /// A model of loose leaves.
 pub fn model_kind() -> impl TypedValueParser<Value = ModelKind> {
-    one_of(&ModelKind::ALL, ModelKind::name)
+    one_of(ModelKind::ALL, ModelKind::name)
 }
 
 /// A model of loose leaves; none for the paper's own leaf.
@@ -59,7 +60,7 @@ pub type ModelOrPaper = Option<ModelKind>;
 
 /// A model of loose leaves, or `paper`.
 pub fn model_kind_or_paper() -> impl TypedValueParser<Value = ModelOrPaper> {
-    one_of_or(&ModelKind::ALL, ModelKind::name, "paper")
+    one_of_or(ModelKind::ALL, ModelKind::name, "paper")
 }
 
 /// A gesture of a loose leaf.
@@ -78,10 +79,28 @@ where
     }
 }
 
+/// Makes a folder that a command is to write into, so that one that cannot be made is
+/// reported before anything is measured.
+///
+/// # Errors
+/// Where it cannot be made, in a sentence.
+pub fn make_folder(folder: &Path) -> Result<(), String> {
+    std::fs::create_dir_all(folder)
+        .map_err(|error| format!("The folder {} cannot be made: {error}.", folder.display()))
+}
+
+/// Makes the folder of a file that a command is to write.
+///
+/// # Errors
+/// Where it cannot be made, in a sentence.
+pub fn make_folder_of(file: &Path) -> Result<(), String> {
+    file.parent().map_or(Ok(()), make_folder)
+}
+
 /// Which turn of the mass-spring leaf to simulate.
 #[derive(Args)]
 pub struct Scene {
-    /// The leaf's model; there is no other.
+    /// The leaf's model; for others see `lab keyframes` and `lab models`.
     #[arg(long, default_value = "mass-spring", value_parser = ["mass-spring"])]
     model: String,
     /// The leaf's constants: the paper's, or those of a page of a book.

@@ -13,7 +13,7 @@ use clap::Args;
 use serde::Serialize;
 use turnleaf_engine::{Gesture, Grip, MassSpring, Settings, StrainRange, Synchronise, TurnModel};
 
-use crate::options::between;
+use crate::options::{between, make_folder};
 use crate::table::Table;
 
 /// Duration of a turn: about the paper's mean time without key frames. What follows
@@ -75,6 +75,7 @@ struct Outcome {
 
 /// Runs the experiment.
 pub fn run(options: &Options) -> Result<Readings, String> {
+    options.into.as_deref().map_or(Ok(()), make_folder)?;
     let seconds = options.seconds;
     let settings = Settings::paper_2014();
     let turns = [

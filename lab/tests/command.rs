@@ -17,7 +17,7 @@ fn json(arguments: &[&str]) -> Value {
 
 #[test]
 fn wrong_arguments_are_rejected_in_one_sentence() {
-    let wrong: [&[&str]; 13] = [
+    let wrong: &[&[&str]] = &[
         &[],
         &["table2"],
         &["turn", "--speed", "3"],
@@ -30,6 +30,12 @@ fn wrong_arguments_are_rejected_in_one_sentence() {
         &["picture", "--frames", "1"],
         &["models", "--nodes", "2"],
         &["models", "--stock", "news"],
+        &["models", "--only", "sheets"],
+        &["models", "--only", "sheet", "--into", "pictures"],
+        // Said before anything is measured, which takes minutes.
+        &["models", "--into", "Cargo.toml/folder"],
+        &["models", "--plot", "Cargo.toml/plot.svg"],
+        &["gestures", "--into", "Cargo.toml/folder"],
         &["interpolation", "--runs", "3"],
     ];
     for arguments in wrong {
@@ -223,7 +229,12 @@ fn pictures_are_written() {
 
 #[test]
 fn ways_to_interpolate_have_every_figure() {
-    let report = json(&["interpolation", "--json"]);
+    let folder = std::env::temp_dir().join(format!("lab-into-{}", std::process::id()));
+    let into = folder.join("data");
+    let path = into.to_str().expect("a path of text");
+    let report = json(&["interpolation", "--json", "--into", path]);
+    assert!(into.join("interpolation_6x6.json").is_file());
+    std::fs::remove_dir_all(folder).expect("removed");
     let grids = report["grids"].as_array().expect("grids");
     assert_eq!(grids.len(), 2);
     for grid in grids {

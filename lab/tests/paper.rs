@@ -164,6 +164,11 @@ fn a_level_sheet_falls_at_its_speed() {
         let line = format!("drop-sheet --stock {stock}");
         assert_within(&line, &["error.terminal_speed"], 0.02);
     }
+    // On the Moon and on Jupiter.
+    for gravity in ["1.62", "24.79"] {
+        let line = format!("drop-sheet --stock book --gravity {gravity}");
+        assert_within(&line, &["error.terminal_speed"], 0.02);
+    }
 }
 
 #[test]
@@ -384,6 +389,7 @@ fn what_a_model_cannot_do_it_says() {
         "cantilever --gamma 1 --nodes 2",
         "cantilever --gamma 1 --nodes 400",
         "drop-sheet --stock vellum",
+        "drop-sheet --stock book --gravity 0",
         "tip-load",
         "agree --model shell",
         "agree --settings paper",

@@ -310,7 +310,7 @@ fn a_replay_that_is_caught_goes_on_live() {
 
 #[test]
 fn a_file_says_its_model() {
-    for model in ModelKind::ALL {
+    for &model in ModelKind::ALL {
         let mut frames = short_record();
         frames.model = model;
         assert_eq!(KeyFrames::from_bytes(&frames.to_bytes()).unwrap(), frames);

@@ -10,7 +10,7 @@ const SIZE: [f64; 2] = [0.148, 0.21];
 /// The settings of every model, a shell small enough to be quick.
 fn all() -> Vec<LooseSettings> {
     let plain = |kind| LooseSettings::leaf(kind, SIZE, Stock::BOOK);
-    let mut all: Vec<LooseSettings> = ModelKind::ALL.into_iter().map(plain).collect();
+    let mut all: Vec<LooseSettings> = ModelKind::ALL.iter().copied().map(plain).collect();
     for settings in &mut all {
         if settings.kind == ModelKind::Shell {
             settings.nodes = Some([7, 5]);

@@ -19,7 +19,7 @@ impl ModelKind {
     /// Every model, each at the place before its number in files. Numbers are for
     /// ever: a new model is the last. `packages/turnleaf/src/model_names.ts` lists
     /// them in the same order; its test compares the two.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: &'static [Self] = &[
         Self::MassSpring,
         Self::Sheet,
         Self::Shell,
@@ -68,7 +68,7 @@ mod tests {
 
     #[test]
     fn every_model_has_a_number_and_a_name_of_its_own() {
-        for (index, model) in ModelKind::ALL.into_iter().enumerate() {
+        for (index, &model) in ModelKind::ALL.iter().enumerate() {
             assert_eq!(model.id() as usize, index + 1);
             assert_eq!(ModelKind::from_id(model.id()), Some(model));
             let named = |other: &&ModelKind| other.name() == model.name();

@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use clap::Args;
 use serde::Serialize;
 
-use crate::options::between;
+use crate::options::{between, make_folder};
 use figures::{Figures, Worst};
 use played::Played;
 use world::{Choice, Description, Kind, STOCKS, World};
@@ -73,6 +73,7 @@ pub struct Report {
 
 /// Runs the experiment.
 pub fn run(options: &Options) -> Result<Report, String> {
+    options.into.as_deref().map_or(Ok(()), make_folder)?;
     let choice = Choice {
         stocks: options.stock.clone(),
         kinds: options.kind.clone(),

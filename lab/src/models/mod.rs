@@ -22,14 +22,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde::Serialize;
 
-use crate::options::{self, between};
+use crate::options::{self, between, make_folder, make_folder_of};
 use measure::Figures;
-use rows::Source;
+use rows::{NODES, STEP, Source};
 use timing::{AFTER, TURN};
-
-/// Nodes and step of the reference. Its two discretisations tell how fine that is.
-const NODES: [usize; 2] = [17, 23];
-const STEP: f64 = 1.0 / 240.0;
 
 /// Turns for the clock beyond the first; the shell, which takes minutes, has none.
 const AGAIN: usize = 20;
@@ -43,6 +39,10 @@ pub struct Options {
     /// Columns of nodes of the shell.
     #[arg(long, default_value_t = NODES[0], value_parser = between(6usize, 65))]
     nodes: usize,
+    /// Measure and draw only this row of the table, and the shell, from which distances are
+    /// taken; may be given several times.
+    #[arg(long, value_name = "NAME", value_parser = rows::name(), conflicts_with_all = ["plot", "into"])]
+    only: Vec<String>,
     /// Write cost against fidelity into a file, as SVG.
     #[arg(long)]
     plot: Option<PathBuf>,
@@ -71,10 +71,16 @@ pub struct Comparison {
 
 /// Runs the experiment.
 pub fn run(options: &Options) -> Result<Comparison, String> {
+    for folder in [&options.pictures, &options.into].into_iter().flatten() {
+        make_folder(folder)?;
+    }
+    options.plot.as_deref().map_or(Ok(()), make_folder_of)?;
     // As wide as high, or nearly.
     let rows = (NODES[1] * options.nodes / NODES[0]).max(4);
+    let ways = rows::all(options::stock(options.stock), [options.nodes, rows]);
     let found = compare(
         options.stock,
+        rows::with_references(ways, &options.only),
         [options.nodes, rows],
         options.pictures.as_deref(),
     )?;
@@ -99,10 +105,10 @@ impl Display for Comparison {
 
 fn compare(
     stock: &'static str,
+    ways: Vec<rows::Way>,
     nodes: [usize; 2],
     pictures: Option<&Path>,
 ) -> Result<Comparison, String> {
-    let ways = rows::all(options::stock(stock), nodes, STEP);
     let mut seen: Vec<measure::Seen> = Vec::new();
     for way in &ways {
         if way.source == Source::Photographs {
@@ -124,27 +130,13 @@ fn compare(
     if let Some(folder) = pictures {
         strips::write(folder, &ways, &seen)?;
     }
-    let place = |is: &dyn Fn(&rows::Way) -> bool| {
-        ways.iter()
-            .position(is)
-            .expect("the shell and the sheet are among them")
-    };
-    let reference = &seen[place(&|way| way.is_reference())].tracks;
+    let reference = ways.iter().position(rows::Way::is_reference);
+    let reference = &seen[reference.expect("the shell is always among them")].tracks;
     let live_of = |way: &rows::Way| {
-        if !matches!(way.source, Source::Record(..) | Source::Condensed(_)) {
-            return None;
-        }
-        let same =
-            |other: &rows::Way| other.source == Source::Live && other.settings == way.settings;
-        Some(&seen[place(&same)])
+        let is_live = |other: &rows::Way| way.repeats(other);
+        ways.iter().position(is_live).map(|at| &seen[at])
     };
-    let figures = |(way, seen): (&rows::Way, &measure::Seen)| {
-        // All three improvements together have no live leaf of their own.
-        let live = (way.name != "mass-spring, all three")
-            .then(|| live_of(way))
-            .flatten();
-        Figures::new(way, seen, reference, live)
-    };
+    let figures = |(way, seen)| Figures::new(way, seen, reference, live_of(way));
     Ok(Comparison {
         stock,
         turn_seconds: TURN,

@@ -2,6 +2,7 @@
 
 use std::f32::consts::FRAC_PI_4;
 
+use clap::builder::PossibleValuesParser;
 use turnleaf_engine::{
     Blend, Condensed, Discretisation, FrameKind, KeyFrames, LooseLeaf, LooseSettings, ModelKind,
     PAPER_INTERVAL, Preset, Replay, Shape, Side, Stock, Synchronise, TurnBy, TurnModel,
@@ -10,6 +11,10 @@ use turnleaf_engine::{
 
 use super::timing::{AFTER, FRAME, TURN};
 use crate::specimen::{BREADTH, LENGTH};
+
+/// Nodes and step of the reference. Its two discretisations tell how fine that is.
+pub const NODES: [usize; 2] = [17, 23];
+pub const STEP: f64 = 1.0 / 240.0;
 
 /// How far a sheet's key frames may lead from its turn, over the width.
 pub const SHEET_TOLERANCE: f64 = 0.005;
@@ -38,8 +43,8 @@ pub struct Way {
     pub settings: LooseSettings,
 }
 
-/// All ways, in the order of the table. `nodes` and `step` are the reference's.
-pub fn all(stock: Stock, nodes: [usize; 2], step: f64) -> Vec<Way> {
+/// All ways, in the order of the table. `nodes` are the reference's.
+pub fn all(stock: Stock, nodes: [usize; 2]) -> Vec<Way> {
     let leaf = |kind| LooseSettings::leaf(kind, [LENGTH, BREADTH], stock);
     let live = |name, settings| Way {
         name,
@@ -63,7 +68,7 @@ pub fn all(stock: Stock, nodes: [usize; 2], step: f64) -> Vec<Way> {
     let shell = |name, discretisation| {
         let settings = LooseSettings {
             nodes: Some(nodes),
-            time_step: Some(step),
+            time_step: Some(STEP),
             discretisation,
             ..leaf(ModelKind::Shell)
         };
@@ -114,7 +119,31 @@ pub fn all(stock: Stock, nodes: [usize; 2], step: f64) -> Vec<Way> {
     kinematic.chain(others).collect()
 }
 
+/// A parser of the name of a way.
+pub fn name() -> PossibleValuesParser {
+    let ways = all(Stock::BOOK, NODES);
+    PossibleValuesParser::new(ways.into_iter().map(|way| way.name))
+}
+
+/// The ways of some names and those that they are compared with; all ways where no name
+/// is given.
+pub fn with_references(ways: Vec<Way>, names: &[String]) -> Vec<Way> {
+    let is_named = |way: &Way| names.is_empty() || names.iter().any(|name| name == way.name);
+    let is_needed = |way: &&Way| {
+        let is_repeated = |other: &Way| is_named(other) && other.repeats(way);
+        way.is_reference() || is_named(way) || ways.iter().any(is_repeated)
+    };
+    ways.iter().filter(is_needed).cloned().collect()
+}
+
 impl Way {
+    /// Whether it repeats a turn of another way, which is computed live.
+    pub fn repeats(&self, live: &Way) -> bool {
+        matches!(self.source, Source::Record(..) | Source::Condensed(_))
+            && live.source == Source::Live
+            && live.settings == self.settings
+    }
+
     /// Whether it is the one that the others are measured from.
     pub fn is_reference(&self) -> bool {
         self.source == Source::Live
@@ -180,5 +209,32 @@ impl Way {
         leaf.advance(TURN + AFTER);
         let frames = leaf.finish_record().ok_or("Nothing was recorded.")?;
         Ok(KeyFrames { kind, ..frames })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_way_alone_comes_with_those_that_it_is_compared_with() {
+        let names = |only: &[&str]| -> Vec<&str> {
+            let only: Vec<String> = only.iter().map(|name| (*name).into()).collect();
+            let ways = with_references(all(Stock::BOOK, NODES), &only);
+            ways.iter().map(|way| way.name).collect()
+        };
+        assert_eq!(names(&["cone"]), ["cone", "shell"]);
+        assert_eq!(names(&["shell"]), ["shell"]);
+        assert_eq!(
+            names(&["replay of sheet", "rigid"]),
+            ["rigid", "sheet", "replay of sheet", "shell"]
+        );
+        let classic = "mass-spring, classic";
+        assert_eq!(
+            names(&["mass-spring, key frames"]),
+            [classic, "mass-spring, key frames", "shell"]
+        );
+        assert_eq!(names(&["photographs"]), ["shell", "photographs"]);
+        assert_eq!(names(&[]).len(), all(Stock::BOOK, NODES).len());
     }
 }

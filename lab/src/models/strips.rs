@@ -19,14 +19,12 @@ const FRAMES: [usize; 5] = [15, 27, 36, 45, 57];
 const WIDTH: u32 = 230;
 
 /// Name of the file of a way's strip.
-fn file(name: &str) -> String {
+pub fn file(name: &str) -> String {
     format!("{}.png", name.replace(',', "").replace(' ', "-"))
 }
 
 /// Writes a strip for each way.
 pub fn write(folder: &Path, ways: &[Way], seen: &[Seen]) -> Result<(), String> {
-    std::fs::create_dir_all(folder)
-        .map_err(|error| format!("The folder {} cannot be made: {error}.", folder.display()))?;
     let page = (BREADTH / LENGTH) as f32;
     let moments: Vec<Vec<Moment>> = seen.iter().map(moments).collect();
     let reference = ways.iter().position(Way::is_reference);
@@ -62,7 +60,7 @@ pub fn moment(track: &[Vec<[f64; 3]>], frame: usize) -> Moment {
         mesh: (POINTS, POINTS),
         points: surface.positions.as_chunks::<3>().0.to_vec(),
         normals: surface.normals.as_chunks::<3>().0.to_vec(),
-        rising_cuts: None,
+        triangles: Vec::new(),
     }
 }
 

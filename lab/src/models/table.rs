@@ -107,7 +107,45 @@ fn figure(value: Option<f64>) -> String {
 
 #[cfg(test)]
 mod tests {
+    use turnleaf_engine::Stock;
+
+    use super::super::{rows, strips};
     use super::*;
+
+    const PAGE: &str = include_str!("../../../docs/methods.md");
+    const DATA: &str = include_str!("../../../docs/data/models.json");
+
+    #[test]
+    fn the_page_of_methods_has_every_row_and_column_and_says_what_they_are() {
+        let data: Vec<Vec<String>> = serde_json::from_str(DATA).expect("rows of cells");
+        assert_eq!(data[0], HEADINGS, "docs/data/models.json: run make methods");
+        let names: Vec<&str> = data[1..].iter().map(|row| &row[0][..]).collect();
+        let ways = rows::all(Stock::BOOK, rows::NODES);
+        let rows: Vec<&str> = ways.iter().map(|way| way.name).collect();
+        assert_eq!(names, rows, "docs/data/models.json: run make methods");
+        for name in rows {
+            let picture = format!("](methods/{})", strips::file(name));
+            assert!(PAGE.contains(&picture), "docs/methods.md has no {picture}");
+        }
+        let (_, after) = PAGE
+            .split_once("What the columns say:")
+            .expect("what the columns say");
+        let (said, _) = after.split_once("\n## ").expect("a section after it");
+        // Every second part is in bold.
+        let bold: Vec<&str> = said
+            .split("**")
+            .skip(1)
+            .step_by(2)
+            .flat_map(|words| words.split(", "))
+            .collect();
+        for heading in &HEADINGS[1..] {
+            let words = heading.trim_end_matches([' ', '%', '°']);
+            assert!(
+                bold.contains(&words),
+                "docs/methods.md does not say what the column {heading} is"
+            );
+        }
+    }
 
     #[test]
     fn figures_have_three_digits() {

@@ -133,19 +133,12 @@ fn cells(mesh: (usize, usize)) -> impl Iterator<Item = [usize; 4]> {
 
 fn pieces(moment: &Moment, camera: &Camera) -> Vec<(f32, Piece)> {
     let mut pieces = Vec::new();
-    if let Some(rising) = &moment.rising_cuts {
-        for [a, b, c, d] in cells(moment.mesh) {
-            let triangles = if rising.contains(&a) {
-                [[a, b, c], [a, c, d]]
-            } else {
-                [[a, b, d], [b, c, d]]
-            };
-            for corners in triangles {
-                let points = corners.map(|i| moment.points[i]);
-                let depth = points.map(|p| camera.see(p).2).iter().sum::<f32>() / 3.0;
-                pieces.push((depth, Piece::Triangle(points)));
-            }
-        }
+    for corners in &moment.triangles {
+        let points = corners.map(|i| moment.points[i]);
+        let depth = points.map(|p| camera.see(p).2).iter().sum::<f32>() / 3.0;
+        pieces.push((depth, Piece::Triangle(points)));
+    }
+    if !pieces.is_empty() {
         return pieces;
     }
     for corners in cells(moment.mesh) {

@@ -16,26 +16,33 @@ use serde::Serialize;
 use tiny_skia::{Pixmap, PixmapPaint, Transform};
 use turnleaf_engine::TurnModel;
 
-use crate::options::{Scene, between};
+use crate::options::{Scene, between, make_folder};
 use crate::simulate;
 pub use camera::Camera;
 pub use draw::{moment as paint, save};
 pub use moment::Moment;
+
+/// Where pictures go, how many moments are drawn and how large.
+#[derive(Args)]
+pub struct PictureOptions {
+    /// Folder for the pictures.
+    #[arg(long, default_value = "pictures")]
+    pub out: PathBuf,
+    /// Number of moments that are drawn.
+    #[arg(long, default_value_t = 6, value_parser = between(2usize, 600))]
+    pub frames: usize,
+    /// Width at which a moment is drawn, pixels; half of it where one picture has them all.
+    #[arg(long, default_value_t = 960, value_parser = between(120u32, 4096))]
+    pub size: u32,
+}
 
 /// Options of the experiment.
 #[derive(Args)]
 pub struct Options {
     #[command(flatten)]
     scene: Scene,
-    /// Folder for the pictures.
-    #[arg(long, default_value = "pictures")]
-    out: PathBuf,
-    /// Number of pictures.
-    #[arg(long, default_value_t = 6, value_parser = between(2usize, 600))]
-    frames: usize,
-    /// Width of a picture, pixels.
-    #[arg(long, default_value_t = 960, value_parser = between(120u32, 4096))]
-    size: u32,
+    #[command(flatten)]
+    pictures: PictureOptions,
     /// Draw counterparts of the paper's figures 1 to 5 instead.
     #[arg(long)]
     figures: bool,
@@ -59,16 +66,16 @@ impl Display for Written {
 
 /// Runs the experiment.
 pub fn run(options: &Options) -> Result<Written, String> {
-    let Options { scene, out, .. } = options;
-    std::fs::create_dir_all(out)
-        .map_err(|error| format!("The folder {} cannot be made: {error}.", out.display()))?;
+    let Options { scene, .. } = options;
+    let PictureOptions { out, frames, size } = &options.pictures;
+    make_folder(out)?;
     if options.figures {
-        let files = figures::write(out, options.size)?;
+        let files = figures::write(out, *size)?;
         return Ok(Written { files, times: None });
     }
-    let moments = moments(scene, options.frames)?;
+    let moments = moments(scene, *frames)?;
     let page = scene.settings().height / scene.settings().width;
-    let camera = Camera::around(&moments, page, options.size);
+    let camera = Camera::around(&moments, page, *size);
     let pictures: Vec<Pixmap> = moments
         .iter()
         .map(|moment| draw::moment(moment, page, &camera))

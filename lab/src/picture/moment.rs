@@ -16,9 +16,8 @@ pub struct Moment {
     pub points: Vec<[f32; 3]>,
     /// Unit normal of each point.
     pub normals: Vec<[f32; 3]>,
-    /// Where the mesh is drawn as triangles: points at whose cells it is cut from there to the
-    /// opposite corner, other cells along their other diagonal.
-    pub rising_cuts: Option<Vec<usize>>,
+    /// The points of each triangle where the mesh is drawn as triangles; none where as cells.
+    pub triangles: Vec<[usize; 3]>,
 }
 
 impl Moment {
@@ -31,10 +30,11 @@ impl Moment {
     /// A sheet as it is now, without its nodes.
     pub fn of_sheet(sheet: &mut Sheet) -> Self {
         let width = sheet.settings().width as f32;
+        let corners = sheet.drawn_triangles().into_iter();
         Self {
             grid: (0, 0),
             masses: Vec::new(),
-            rising_cuts: Some(sheet.rising_folds()),
+            triangles: corners.map(|(corners, _)| corners).collect(),
             ..Self::of_width(sheet, width)
         }
     }
@@ -62,7 +62,7 @@ impl Moment {
             mesh: (surface.columns, surface.rows),
             points: points(&surface.positions, scale),
             normals: points(&surface.normals, 1.0),
-            rising_cuts: None,
+            triangles: Vec::new(),
         }
     }
 }

@@ -6,6 +6,7 @@ import { type Browser, chromium, type Page } from "playwright-core";
 import { decodeTurn } from "turnleaf/keyframes";
 import { afterAll, afterEach, beforeAll, expect, it } from "vitest";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { firstSettings } from "../app/playground/settings.ts";
 import { type Started, startServing } from "./command.ts";
 
 /** Generous for machines with software rendering; fast ones do not wait. */
@@ -221,7 +222,7 @@ it("ignores a hostile link with one sentence", async () => {
   expect(await alert.textContent()).toBe(
     "The link was ignored: its value for “First model” is none that can be set here.",
   );
-  expect(await page.getByLabel("Gravity").inputValue()).toBe("9.8");
+  expect(await page.getByLabel("Gravity").inputValue()).toBe(String(firstSettings.gravity));
   expect(await page.locator("img").count()).toBe(0);
   await page.evaluate(() => {
     location.hash = "#__proto__=1";

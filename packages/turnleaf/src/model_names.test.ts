@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import formats from "../../../docs/formats.md?raw";
+import methods from "../../../docs/methods.md?raw";
 import golden from "../../../engine/tests/turns.golden?raw";
 import example from "../../../examples/12-models.html?raw";
 import attributes from "./element/reflecting_element.ts?raw";
@@ -24,4 +25,10 @@ test("the comment of `model` in element/reflecting_element.ts says what every mo
 test("examples/12-models.html offers every model", () => {
   const options = [...example.matchAll(/<option value="([^"]+)"/g)];
   expect(options.map(([, name]) => name).sort()).toEqual([...turnModels].sort());
+});
+
+test("docs/methods.md says under “In a book” what every model draws", () => {
+  const [, section = ""] = methods.split("\n## In a book\n");
+  const [table = ""] = section.split("\n## ");
+  for (const name of turnModels) expect(table).toContain(`\`${name}\``);
 });

@@ -2,6 +2,7 @@
 
 use crate::gesture::{Gesture, Grip};
 use crate::grid::Side;
+use crate::stock::GRAVITY;
 use crate::synchronise::Synchronise;
 
 /// How positions and velocities follow from forces. All three are of fixed step.
@@ -240,7 +241,7 @@ impl Settings {
             masses: Masses::ByArea {
                 grammage,
                 air: 0.785 * AIR_DENSITY * width,
-                gravity: 9.81,
+                gravity: GRAVITY as f32,
             },
             springs: Springs {
                 structural: 20.0,

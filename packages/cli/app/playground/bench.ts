@@ -7,7 +7,7 @@ import { TwoLeaves } from "./leaves.ts";
 import type { Picture } from "./picture.ts";
 import { BothPictures, type MadeFile, Recording } from "./record.ts";
 import type { Settings } from "./settings.ts";
-import { fill, type Texts, variantText } from "./texts.ts";
+import { fill, type Texts } from "./texts.ts";
 import { leafSize, type Variant } from "./variants.ts";
 
 /** Milliseconds of a frame for the models; the rest is for drawing. */
@@ -172,7 +172,7 @@ export class Bench {
   }
 
   get #names(): string[] {
-    return this.#variants.map((variant) => variantText(this.#texts, variant));
+    return this.#variants.map((variant) => this.#texts.variants[variant]);
   }
 
   async #make(): Promise<void> {

@@ -9,7 +9,7 @@ import { make } from "./make.ts";
 import { drawPages } from "./page_pictures.ts";
 import { Picture } from "./picture.ts";
 import { BadLink, firstSettings, readLink, type Settings, writeLink } from "./settings.ts";
-import { fill, textsFor, variantText } from "./texts.ts";
+import { fill, textsFor } from "./texts.ts";
 import { type Variant, variantNames } from "./variants.ts";
 
 const { language, texts } = textsFor(navigator.language);
@@ -34,7 +34,7 @@ const sides = (["left", "right"] as const).map((side, k) => {
   const select = make(
     "select",
     { ariaLabel: texts.models[k] },
-    ...variantNames.map((value) => make("option", { value }, variantText(texts, value))),
+    ...variantNames.map((value) => make("option", { value }, texts.variants[value])),
   );
   select.addEventListener("change", () => change({ [side]: select.value as Variant }));
   const canvas = make("canvas", { tabIndex: 0 });
@@ -115,7 +115,7 @@ function showSettings(): void {
   controls.show(settings);
   for (const { side, select, canvas } of sides) {
     select.value = settings[side];
-    canvas.ariaLabel = fill(texts.picture, { model: variantText(texts, settings[side]) });
+    canvas.ariaLabel = fill(texts.picture, { model: texts.variants[settings[side]] });
   }
 }
 

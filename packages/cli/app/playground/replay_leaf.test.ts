@@ -1,4 +1,10 @@
-import { type LeafNodes, type LeafStock, LooseLeaf, leafStocks } from "turnleaf/models";
+import {
+  type LeafNodes,
+  type LeafStock,
+  LooseLeaf,
+  leafStocks,
+  standardGravity,
+} from "turnleaf/models";
 import { expect, test } from "vitest";
 import { paperFigures } from "./paper_figures.ts";
 import { ReplayLeaf } from "./replay_leaf.ts";
@@ -77,7 +83,7 @@ test("energies and strains of points are those that the engine finds of nodes", 
     leaf.play("corner", "right", 1.2);
     leaf.advance(0.5);
     leaf.update();
-    const found = paperFigures({ ...options, stock, gravity: 9.80665 }, leaf.nodes());
+    const found = paperFigures({ ...options, stock, gravity: standardGravity }, leaf.nodes());
     const wanted = leaf.measure();
     for (const name of ["kinetic", "bending", "gravity"] as const) {
       expect(Math.abs(found[name] / wanted[name] - 1)).toBeLessThan(0.01);

@@ -10,6 +10,7 @@ import {
   type LeafTurn,
   LooseLeaf,
   leafStocks,
+  standardGravity,
 } from "turnleaf/models";
 import { paperFigures } from "./paper_figures.ts";
 
@@ -169,7 +170,7 @@ export class ReplayLeaf implements AnyLeaf {
       width = 0.148,
       height = 0.21,
       stock = leafStocks.book,
-      gravity = 9.80665,
+      gravity = standardGravity,
     } = this.options;
     return paperFigures({ width, height, stock, gravity }, this.nodes());
   }

@@ -1,5 +1,8 @@
 import { expect, test } from "vitest";
+import page from "../../../../docs/playground.md?raw";
 import { BadLink, bounds, firstSettings, readLink, type Settings, writeLink } from "./settings.ts";
+import { textsFor } from "./texts.ts";
+import { variantNames } from "./variants.ts";
 
 test("the first settings need no link, and no link is the first settings", () => {
   expect(writeLink(firstSettings)).toBe("");
@@ -60,4 +63,10 @@ test("a link with anything that is no setting within its bounds is ignored whole
   expect(faultOf(`angle=${"1".repeat(4000)}`)).toBe(null);
   expect(faultOf("angle=10&gravity=oops")).toBe("gravity");
   expect(faultOf("angle=10&gravity=3")).toBe("none");
+});
+
+test("docs/playground.md lists every model as the page does", () => {
+  const [, list = ""] = /^- \*\*Models\.\*\* (.*)$/m.exec(page) ?? [];
+  const { texts } = textsFor("en");
+  for (const name of variantNames) expect(list).toContain(texts.variants[name]);
 });

@@ -1,5 +1,6 @@
 /** The settings of the page, and the link that carries them. */
 
+import { standardGravity } from "turnleaf/models";
 import { type LeafFigures, ownNodes, type Variant, variantNames } from "./variants.ts";
 
 /** A complete set of settings. */
@@ -56,6 +57,9 @@ export const bounds: { readonly [Name in keyof Settings]: Bounds<Settings[Name]>
   strain: onOrOff,
 };
 
+/** Standard gravity to a tenth, a place of its slider. */
+const gravity = Number(standardGravity.toFixed(1));
+
 /** The defaults. */
 export const firstSettings: Settings = {
   left: "springs-both",
@@ -63,7 +67,7 @@ export const firstSettings: Settings = {
   grammage: 70,
   caliper: 90,
   stiffness: 0.12,
-  gravity: 9.8,
+  gravity,
   air: 1,
   angle: 0,
   nodes: ownNodes,

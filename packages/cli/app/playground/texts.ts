@@ -9,8 +9,7 @@ export interface Texts {
   readonly intro: string;
   readonly models: readonly [string, string];
   readonly picture: string;
-  /** A variant that has none here goes by its name in links. */
-  readonly variants: Readonly<Partial<Record<Variant, string>>>;
+  readonly variants: Readonly<Record<Variant, string>>;
   readonly names: Readonly<Record<keyof Settings, string>>;
   readonly groups: Readonly<Record<"paper" | "world" | "model" | "shown" | "keep", string>>;
   readonly stocks: Readonly<
@@ -43,10 +42,6 @@ export interface Texts {
   readonly notFinite: string;
   readonly notRecorded: string;
 }
-
-/** Returns what a variant is called. */
-export const variantText = (texts: Texts, variant: Variant): string =>
-  texts.variants[variant] ?? variant;
 
 const en: Texts = {
   title: "Turnleaf playground",

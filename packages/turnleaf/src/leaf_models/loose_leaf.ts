@@ -93,11 +93,11 @@ export class LooseModel implements LeafModel {
   }
 
   finish({ engine, turning }: ModelledBook): void {
-    for (const [index, flight] of turning.flights.entries()) {
+    for (const flight of turning.flights) {
       const pulled = this.#flights.of(flight);
       if (!pulled?.creased.size) continue;
       // Differences across a fold give no normal.
-      const { normals } = engine.surface(index);
+      const { normals } = engine.surface(turning.leaves.indexOf(flight));
       for (const [at, normal] of pulled.creased) normals.set(normal, 3 * at);
     }
   }

@@ -1,6 +1,14 @@
 import { expect, test } from "vitest";
 import source from "../../../../engine/src/stock.rs?raw";
-import { type LeafTurn, LooseLeaf, leafStocks, type Model, models, springsOf } from "./models.ts";
+import {
+  type LeafTurn,
+  LooseLeaf,
+  leafStocks,
+  type Model,
+  models,
+  springsOf,
+  standardGravity,
+} from "./models.ts";
 
 const quick = (model: Model) =>
   model === "shell" ? { model, nodes: [7, 5] as const, timeStep: 1 / 120 } : { model };
@@ -100,4 +108,8 @@ test("a named stock has the engine's figures", () => {
     const [stiffnessAcross, stiffnessAlong] = [across, ratio * across];
     expect(stock, name).toEqual({ grammage, caliper, stiffnessAcross, stiffnessAlong, friction });
   }
+});
+
+test("standard gravity is the engine's", () => {
+  expect(standardGravity).toBe(Number(/const GRAVITY: f64 = ([\d.]+);/.exec(source)?.[1]));
 });

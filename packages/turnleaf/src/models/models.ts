@@ -52,6 +52,9 @@ function stock(grammage: number, caliper: number, across: number, friction: numb
   };
 }
 
+/** Standard gravity, m/s^2, as the engine has it. */
+export const standardGravity = 9.80665;
+
 /** The options of a loose leaf. */
 export interface LeafOptions {
   /** The model that moves it. */
@@ -64,7 +67,7 @@ export interface LeafOptions {
   readonly stock?: LeafStock;
   /** Side on which it rests at first. Default right. */
   readonly side?: LeafSide;
-  /** Acceleration of gravity downward, m/s^2. Default 9.80665. */
+  /** Acceleration of gravity downward, m/s^2. Default `standardGravity`. */
   readonly gravity?: number;
   /** Density of the air relative to real air: 0 is a vacuum. Default 1. */
   readonly air?: number;
@@ -200,7 +203,7 @@ function figuresOf(options: LeafOptions): number[] {
     stock.stiffnessAlong,
     stock.stiffnessAcross,
     sideNumber(options.side ?? "right"),
-    options.gravity ?? 9.80665,
+    options.gravity ?? standardGravity,
     options.air ?? 1,
     nodeColumns,
     nodeRows,
