@@ -7,7 +7,7 @@
  *
  *   node scripts/opening_time.mjs [--json] [--rounds N] [KIND ...]
  *
- * The books are made here, of the text of Moby-Dick; they come from a server of this process, which
+ * The books are made here, of the text of Moby-Dick, some by what the tests make theirs with; they come from a server of this process, which
  * adds nothing to how long they take.
  */
 import { readdirSync, readFileSync } from "node:fs";
@@ -18,10 +18,18 @@ import { strToU8, zipSync } from "fflate";
 import PDFDocument from "pdfkit";
 import { chromium } from "playwright-core";
 import { PNG } from "pngjs";
+import { runnerImport } from "vite";
 import { chromiumArguments, findChromium } from "./chromium.mjs";
 
 const root = join(import.meta.dirname, "..");
 const text = join(root, "books/make/text");
+
+/** What writes books of other formats, for the tests too. */
+const written = async (file) =>
+  (await runnerImport(join(root, "packages/turnleaf/src", file))).module;
+const { rar5, sevenZip } = await written("for_tests/stored_archives.ts");
+const { tinyFb2 } = await written("sources/fb2/tiny_fb2.ts");
+const { tinyKf8, tinyMobi } = await written("sources/kindle/tiny_kindle.ts");
 
 /** Fresh pages that each figure is the median of. */
 const usualRounds = 5;
@@ -119,14 +127,40 @@ const scanNames = Array.from({ length: 60 }, (_, k) => `${k + 1}.png`);
 const comic = () =>
   zipSync(Object.fromEntries(scanNames.map((name, k) => [name, [scans[k % 8], { level: 0 }]])));
 
+/** Returns the images as they are in an archive of another kind. */
+const stored = (pack) =>
+  Buffer.from(pack(Object.fromEntries(scanNames.map((name, k) => [name, scans[k % 8]]))));
+
+/** Returns the chapters of a megabyte as markup. */
+const markup = (heading) =>
+  chaptersOf(million).map(
+    ([head, ...paragraphs], k) =>
+      `${heading(`${k + 1}. ${escaped(head)}`)}${paragraphs.map((one) => `<p>${escaped(one)}</p>`).join("\n")}`,
+  );
+const asHtml = markup((title) => `<h1>${title}</h1>`);
+const mobi = () =>
+  tinyMobi({
+    text: `<html><body>${asHtml.join("<mbp:pagebreak/>")}</body></html>`,
+    compression: 2,
+  });
+const fb2 = () => {
+  const sections = markup((title) => `<title><p>${title}</p></title>`);
+  return tinyFb2(sections.map((one) => `<section>${one}</section>`).join(""));
+};
+
 const plainText = () => chaptersOf(million).flat().join("\n\n");
 
 /** The books by the kinds that are opened, and what is served for them. */
 const books = {
   "PDF, 400 pages": { "book.pdf": await pdf() },
   "EPUB, 1 MB of text": { "book.epub": Buffer.from(epub()) },
+  "MOBI, 1 MB of text": { "book.mobi": Buffer.from(mobi()) },
+  "AZW3, 1 MB of text": { "book.azw3": Buffer.from(tinyKf8({ text: asHtml, compression: 2 })) },
+  "FB2, 1 MB of text": { "book.fb2": Buffer.from(fb2()) },
   "text, 1 MB": { "book.txt": Buffer.from(plainText()) },
   "comic (CBZ), 60 pages": { "book.cbz": Buffer.from(comic()) },
+  "comic (CBR), 60 pages": { "book.cbr": stored(rar5) },
+  "comic (CB7), 60 pages": { "book.cb7": stored(sevenZip) },
   "images, 60 pages": {
     "book.json": Buffer.from(JSON.stringify({ title: "Images", pages: scanNames })),
     ...Object.fromEntries(scanNames.map((name, k) => [name, scans[k % 8]])),

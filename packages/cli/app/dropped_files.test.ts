@@ -42,7 +42,8 @@ it("takes the one book of a folder, and none of several if there are images", as
   expect(await dropped({ novel: { "cover.jpg": null, "novel.epub": null } })).toEqual([
     "novel.epub",
   ]);
-  for (const name of ["hero.cbr", "hero.CB7", "hero.rar", "hero.7z"]) {
+  const others = ["hero.rar", "hero.7z", "novel.mobi", "novel.AZW3", "novel.azw", "novel.fb2"];
+  for (const name of ["hero.cbr", "hero.CB7", ...others]) {
     expect(await dropped({ comic: { "cover.jpg": null, [name]: null } })).toEqual([name]);
   }
   expect(await dropped({ two: { "a.pdf": null, "b.pdf": null, "1.png": null } })).toEqual([

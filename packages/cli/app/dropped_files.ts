@@ -1,11 +1,16 @@
 /** The files of a drop, those of folders too where the browser tells them. */
 
+import { isArchiveName, isMarkdownName, kindOfName } from "../src/file_names.ts";
+
 /** Maximum of entries that are looked at, and of folders within each other. */
 const mostEntries = 20_000;
 const deepest = 8;
 
-const book = /\.(pdf|epub|cb[zr7]|zip|rar|7z|md|markdown)$/i;
-const image = /\.(png|jpe?g|webp|avif|gif|svg)$/i;
+/** Plain text is no book here: it may be a note beside images. */
+const isBook = (name: string): boolean =>
+  kindOfName(name) === "book" || isArchiveName(name) || isMarkdownName(name);
+
+const isImage = (name: string): boolean => kindOfName(name) === "image" || /\.svg$/i.test(name);
 
 /**
  * Returns what was dropped. Of folders: their images, or the one book in them,
@@ -20,14 +25,14 @@ export async function droppedFiles(drop: DataTransfer): Promise<readonly File[]>
   const add = async (entry: FileSystemEntry | null, depth: number): Promise<void> => {
     if (!entry || entry.name.startsWith(".") || ++count > mostEntries || depth > deepest) return;
     if (isFile(entry)) {
-      if (book.test(entry.name) || image.test(entry.name)) found.push(await fileOf(entry));
+      if (isBook(entry.name) || isImage(entry.name)) found.push(await fileOf(entry));
     } else if (isFolder(entry)) {
       for (const inner of await entriesOf(entry)) await add(inner, depth + 1);
     }
   };
   for (const entry of entries) await add(entry, 0);
-  const books = found.filter(({ name }) => book.test(name));
-  const images = found.filter(({ name }) => image.test(name));
+  const books = found.filter(({ name }) => isBook(name));
+  const images = found.filter(({ name }) => isImage(name));
   if (books.length === 1 || images.length === 0) return books;
   return images;
 }

@@ -1,3 +1,5 @@
+import { isMarkdownName, kindOfName } from "./file_names.ts";
+
 /**
  * Number of first bytes of a file that determine its format: a PDF's mark has
  * up to 1024 others before it.
@@ -17,6 +19,13 @@ const archives: readonly (readonly [string, string])[] = [
   ["application/vnd.rar", "Rar!\x1a\x07"],
   ["application/x-7z-compressed", "7z\xbc\xaf\x27\x1c"],
 ];
+
+/** A Kindle book: the type of its database, after its name, its dates and the like. */
+const [kindle, kindleAt] = ["BOOKMOBI", 60];
+
+/** The root of a FictionBook, after what may stand before it. */
+const fictionBook =
+  /^(?:<\?xml|<!--|<!doctype fictionbook|<fictionbook)[\s\S]*<fictionbook[\s>]|^<fictionbook[\s>]/i;
 
 /** A manifest that is an array has strings or objects: [text] is a link of Markdown. */
 const json = /^(\{|\[\s*["{\]])/;
@@ -55,10 +64,17 @@ export function bookType(start: string, name: string): string | undefined {
   if (archive) return archive[0];
   const image = imageType(start);
   if (image !== undefined) return image;
+  if (start.startsWith(kindle, kindleAt)) return "application/x-mobipocket-ebook";
+  if (isFictionBook(start)) return "application/x-fictionbook+xml";
   if (!isText(start, name)) return undefined;
   // Markdown may begin as a web page or JSON does.
   if (isMarkdownName(name)) return "text/markdown";
   return rejected.some(([mark]) => mark.test(wordsOf(start))) ? undefined : "text/plain";
+}
+
+/** Returns whether a file is a FictionBook, by its first bytes (latin-1), in UTF-16 too. */
+function isFictionBook(start: string): boolean {
+  return fictionBook.test(wordsOf(start.replace(/^(\xff\xfe|\xfe\xff)/, "").replaceAll("\0", "")));
 }
 
 /** Returns whether a file is JSON, by its first bytes (latin-1). */
@@ -93,35 +109,4 @@ function isText(start: string, name: string): boolean {
 /** Returns the text without the mark of its byte order and without spaces before it. */
 function wordsOf(start: string): string {
   return start.replace(/^\xef\xbb\xbf/, "").trimStart();
-}
-
-function isMarkdownName(name: string): boolean {
-  return /\.(md|markdown)$/i.test(name);
-}
-
-/** What a file in a folder is by its name. */
-export type NamedKind = "book" | "image" | "text";
-
-const images: ReadonlyMap<string, string> = new Map([
-  [".png", "image/png"],
-  [".jpg", "image/jpeg"],
-  [".jpeg", "image/jpeg"],
-  [".gif", "image/gif"],
-  [".webp", "image/webp"],
-  [".avif", "image/avif"],
-]);
-
-/** Returns what a file of a folder may be by its name's suffix; null for what is no book. */
-export function kindOfName(name: string): NamedKind | null {
-  if (/\.(pdf|epub|cb[zr7])$/i.test(name)) return "book";
-  if (imageTypeOfName(name)) return "image";
-  return /\.(md|markdown|txt)$/i.test(name) ? "text" : null;
-}
-
-/**
- * Returns the media type of an image by the suffix of its name. SVG is not
- * included: it can hold scripts.
- */
-export function imageTypeOfName(name: string): string | undefined {
-  return images.get(/\.[a-z]+$/i.exec(name)?.[0].toLowerCase() ?? "");
 }

@@ -1,7 +1,7 @@
 import { readdir, realpath, stat } from "node:fs/promises";
 import { join, sep } from "node:path";
 import { imageSizeFromFile } from "image-size/fromFile";
-import { imageTypeOfName, kindOfName, type NamedKind } from "./file_types.ts";
+import { imageTypeOfName, kindOfName, type NamedKind } from "./file_names.ts";
 import { fileProblem, Problem, printable } from "./problem.ts";
 
 /** Pages beyond this are not read. */

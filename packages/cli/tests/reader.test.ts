@@ -6,6 +6,8 @@ import { afterAll, beforeAll, describe, expect, it } from "vitest";
 import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
 import { isWebglComplaint } from "../../../scripts/console_watch.mjs";
 import { rar4, rar5, sevenZip } from "../../turnleaf/src/for_tests/stored_archives.ts";
+import { tinyFb2 } from "../../turnleaf/src/sources/fb2/tiny_fb2.ts";
+import { tinyKf8, tinyMobi } from "../../turnleaf/src/sources/kindle/tiny_kindle.ts";
 import { pdf, png } from "./books.ts";
 import { folderOf, type Started, start } from "./command.ts";
 
@@ -31,6 +33,9 @@ beforeAll(async () => {
     "scans/1.png": png(30, 40),
     "scans/2.png": png(30, 40),
     "hero.cbr": Buffer.from(rar5({ "1.png": png(30, 40), "2.png": png(30, 40) })),
+    "novel.azw3": Buffer.from(tinyKf8({ text: ["<p>One</p>", "<p>Two</p>"] })),
+    "novel.mobi": Buffer.from(tinyMobi({ text: "<p>One</p><mbp:pagebreak/><p>Two</p>" })),
+    "novel.fb2": tinyFb2("<section><p>One</p></section><section><p>Two</p></section>"),
     "hero.cb7": Buffer.from(sevenZip({ "1.png": png(30, 40), "2.png": png(30, 40) })),
   });
   served = await start(join(folder.path, "small.pdf"), "--port", "0");
@@ -116,6 +121,15 @@ it("shows a book of scans, and one sentence where a page would be if it is gone"
   expect(await book(({ pageCount }) => pageCount)).toBe(2);
   rmSync(join(folder.path, "scans"), { recursive: true });
   await scans.stop();
+  expect(complaints).toEqual([]);
+});
+
+it.each(["novel.azw3", "novel.mobi", "novel.fb2"])("shows the book %s", async (name) => {
+  const novel = await start(join(folder.path, name), "--port", "0");
+  await open(novel.url);
+  expect(await book(({ pageCount }) => pageCount)).toBe(2);
+  expect(await page.title()).toBe("A small book");
+  await novel.stop();
   expect(complaints).toEqual([]);
 });
 

@@ -79,7 +79,7 @@ describe("mutated places in the browser's storage", () => {
         expect(kept.bookmarks.length).toBeLessThanOrEqual(500);
         expect(kept.bookmarks.every((page) => Number.isInteger(page) && page >= 1)).toBe(true);
       }
-      savePlace("a", { page: 5, zoom: 2, bookmarks: [1], shifts: [3] });
+      savePlace("a", { page: 5, zoom: 2, bookmarks: [1], shifts: [3], folds: [] });
       expect(loadPlace("a"), clue(before)).toEqual({
         page: 5,
         zoom: 2,

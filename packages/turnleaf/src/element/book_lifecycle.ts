@@ -5,7 +5,7 @@
 
 import { Input } from "../input/input.ts";
 import type { Gesture } from "../input/target.ts";
-import { giveUpContext, openViewer } from "../open_viewer.ts";
+import { checkPages, giveUpContext, openViewer } from "../open_viewer.ts";
 import { loadPart } from "../sources/load_part.ts";
 import type { BookInput } from "../sources/open.ts";
 import type { PageList } from "../sources/page_list.ts";
@@ -22,13 +22,19 @@ import { typographyOf } from "./typography.ts";
 export interface LifecycleHooks {
   /** Loads what is needed before a book opens. Never rejects. */
   prepare(): Promise<void>;
-  /** Finds where a book was left, once it is read. Never rejects. */
-  restore(source: PageSource): Promise<void>;
+  /**
+   * Finds where a book was left, once it is read. Never rejects.
+   *
+   * @param src the element's address of it
+   */
+  restore(source: PageSource, src: string): Promise<void>;
+  /** The open book is about to close for another, which has been read. */
+  replacing(): void;
   /** How a book is shown. */
   options(source: PageSource): ViewerOptions;
   /** Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers. */
   readonly turn: (by: 1 | -1) => void;
-  /** Turns to a page (from 1). */
+  /** Turns the open book to a page (from 1). */
   readonly goTo: (page: number) => void;
   /** The open book is about to close, to be opened again where it lies. */
   leaving(): void;
@@ -44,7 +50,7 @@ export interface LifecycleHooks {
   changing(change: () => NewIndex): void;
   /** An optional part of the viewer could not be loaded. */
   readonly missingPart: (error: unknown) => void;
-  /** It could not be opened. */
+  /** A book could not be opened; another may still be open. */
   failed(error: unknown): void;
 }
 
@@ -59,13 +65,18 @@ export function pdfWorkerOf(element: Element): string | undefined {
   return addressIn(element, "pdf-worker");
 }
 
-/** Holds at most one book, open or opening. */
+/** Holds at most one book that is shown, and one that is being read to take its place. */
 export class BookLifecycle {
   readonly #element: HTMLElement;
   readonly #stage: HTMLElement;
   readonly #hooks: LifecycleHooks;
   #book: OpenBook | null = null;
-  #opening: AbortController | null = null;
+  /** Ends the book that is shown, or is about to be. */
+  #showing: AbortController | null = null;
+  /** Settles once the viewer of that book is there, or failed. */
+  #shown: Promise<unknown> = Promise.resolve();
+  /** Ends the reading of the next book. */
+  #reading: AbortController | null = null;
   #canvas: HTMLCanvasElement | null = null;
   /** Whether the canvas is that of a book that was closed, for the one that is opening. */
   #isSpare = false;
@@ -89,46 +100,61 @@ export class BookLifecycle {
 
   /** Whether no book is open or opening. */
   get isIdle(): boolean {
-    return this.#opening === null;
+    return this.#showing === null && !this.isReading;
   }
 
-  /** Opens a book in place of the previous one. */
-  open(input: BookInput): void {
-    this.#close(true);
-    this.#begin((signal) => this.#open(input, signal));
+  /** Whether a book is being read that is to replace the open one, if there is one. */
+  get isReading(): boolean {
+    return this.#reading !== null;
+  }
+
+  /**
+   * Opens a book. The open one stays until it can be replaced; one that is
+   * still being read is given up.
+   *
+   * @param src the element's address of the book
+   */
+  open(input: BookInput, src: string): void {
+    this.#reading?.abort();
+    const reading = new AbortController();
+    this.#reading = reading;
+    this.#run(reading, this.#read(input, src, reading));
   }
 
   /** Closes the open or opening book, and frees its resources. */
   close(): void {
-    this.#close(false);
+    this.#reading?.abort();
+    this.#reading = null;
+    this.#end(false);
   }
 
-  #close(keepCanvas: boolean): void {
+  /** Reports the failure of a book, unless it was given up. */
+  #run(controller: AbortController, opening: Promise<void>): void {
+    opening.catch((error: unknown) => {
+      if (controller.signal.aborted) return;
+      if (this.#reading === controller) this.#reading = null;
+      if (this.#showing === controller) this.#end(false);
+      this.#hooks.failed(error);
+    });
+  }
+
+  /** Ends the book that is shown or about to be, and closes its source. */
+  #end(keepCanvas: boolean): void {
     const source = this.#book?.source;
-    this.#end(keepCanvas);
+    this.#endViewer(keepCanvas);
     this.#elements?.destroy();
     this.#elements = null;
     source?.close();
   }
 
-  #begin(open: (signal: AbortSignal) => Promise<void>): void {
-    const opening = new AbortController();
-    this.#opening = opening;
-    open(opening.signal).catch((error: unknown) => {
-      if (opening.signal.aborted) return;
-      this.close();
-      this.#hooks.failed(error);
-    });
-  }
-
   /**
-   * Ends the open book except its source, or the opening of one.
+   * Ends the open book except its source and elements, or the opening of its viewer.
    *
    * @param keepCanvas whether the next book may be drawn on its canvas
    */
-  #end(keepCanvas = false): void {
-    this.#opening?.abort();
-    this.#opening = null;
+  #endViewer(keepCanvas = false): void {
+    this.#showing?.abort();
+    this.#showing = null;
     if (this.#canvas && this.#isSpare) giveUpContext(this.#canvas);
     this.#isSpare = this.#book?.destroy(keepCanvas) ?? false;
     this.#book = null;
@@ -136,7 +162,9 @@ export class BookLifecycle {
     else this.#removeCanvas();
   }
 
-  async #open(input: BookInput, signal: AbortSignal): Promise<void> {
+  /** Reads a book, and shows it in place of the open one. */
+  async #read(input: BookInput, src: string, reading: AbortController): Promise<void> {
+    const { signal } = reading;
     // An element that shows no book yet does not need the code that reads one.
     const opening = loadPart(import("../sources/open.ts"));
     const [{ openList }] = await Promise.all([opening, this.#hooks.prepare()]);
@@ -147,19 +175,41 @@ export class BookLifecycle {
       password: this.#hooks.password(),
       askPassword: this.#hooks.askPassword,
     });
-    // Another book may have been asked for since.
-    if (!signal.aborted) {
-      this.#elements = new BookElements(this.#element, this.#stage, source, this.#hooks.goTo);
+    try {
+      // Another book may have been asked for since.
+      signal.throwIfAborted();
+      // The open book is given up only for one that has a page; elements have none before they are laid out.
+      if (this.#book && !hasElements(source)) await checkPages(source, signal);
+      await this.#hooks.restore(source, src);
+      // One that is replacing another already is shown before it is replaced itself.
+      await this.#shown;
+      signal.throwIfAborted();
+    } catch (error) {
+      source.close();
+      throw error;
     }
-    await this.#hooks.restore(source);
+    this.#reading = null;
+    if (this.#book) this.#hooks.replacing();
+    this.#end(true);
+    this.#showing = reading;
+    this.#elements = new BookElements(this.#element, this.#stage, source, this.#hooks.goTo);
     await this.#show(source, false, signal);
   }
 
   /** Shows the book whose graphics card failed with the canvas backend, at the same page. */
   #flatten({ source }: OpenBook): void {
     this.#hooks.leaving();
-    this.#end();
-    this.#begin((signal) => this.#show(source, true, signal));
+    this.#endViewer();
+    const showing = new AbortController();
+    this.#showing = showing;
+    this.#run(showing, this.#show(source, true, showing.signal));
+  }
+
+  /** As `#openViewer`; what is read meanwhile waits for it. */
+  #show(source: PageList, isFlat: boolean, signal: AbortSignal): Promise<void> {
+    const shown = this.#openViewer(source, isFlat, signal);
+    this.#shown = shown.catch(() => {});
+    return shown;
   }
 
   /**
@@ -167,7 +217,7 @@ export class BookLifecycle {
    *
    * @param isFlat whether to use the canvas backend
    */
-  async #show(source: PageList, isFlat: boolean, signal: AbortSignal): Promise<void> {
+  async #openViewer(source: PageList, isFlat: boolean, signal: AbortSignal): Promise<void> {
     try {
       // Another book may be open by now, on the canvas that this one would remove.
       signal.throwIfAborted();

@@ -57,7 +57,7 @@ class Book extends EventTarget {
   get spread(): { left: null; right: number } {
     return { left: null, right: this.page };
   }
-  async goTo(page: number): Promise<boolean> {
+  async turnTo(page: number): Promise<boolean> {
     this.page = page;
     this.dispatchEvent(new CustomEvent("pagechange"));
     return true;
@@ -196,7 +196,7 @@ describe("reading aloud", () => {
     );
     await isMarked(0);
     await expect.poll(() => sound.starts).toEqual([0]);
-    await book.goTo(4);
+    await book.turnTo(4);
     await isMarked(2);
     await expect.poll(() => sound.starts).toEqual([0, 50]);
     expect(book.page).toBe(5);
@@ -215,7 +215,7 @@ describe("reading aloud", () => {
       await begun.done;
       expect(begun.narration.marked.at(-1)).toBe(null);
       expect([begun.sound.paused, begun.sound.src, begun.book.page]).toEqual([true, "", 1]);
-      await begun.book.goTo(2);
+      await begun.book.turnTo(2);
       expect(begun.narration.marked.at(-1)).toBe(null);
     }
   });

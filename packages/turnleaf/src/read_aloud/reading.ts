@@ -17,7 +17,7 @@ export interface BookReadAloud extends EventTarget {
   readonly bookTitle: string;
   /** The open pages. */
   readonly spread: { readonly left: number | null; readonly right: number | null };
-  goTo(page: number): Promise<boolean>;
+  turnTo(page: number): Promise<boolean>;
 }
 
 /** The details of the events that a reading dispatches on its element. */
@@ -167,7 +167,7 @@ export class Reading {
     const page = (pages.findLast(({ from }) => from <= fraction) ?? pages[0])?.page;
     if (page === undefined || page === this.#turningTo || this.#isOpen(page)) return;
     this.#turningTo = page;
-    void this.#book.goTo(page + 1).finally(() => {
+    void this.#book.turnTo(page + 1).finally(() => {
       if (this.#turningTo === page) this.#turningTo = null;
     });
   }

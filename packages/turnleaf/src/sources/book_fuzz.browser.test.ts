@@ -7,6 +7,8 @@ import { canvas2, canvas3, manifest2, manifest3, serve } from "../for_tests/imag
 import { clue, fuzzed, type Random, wildPieces } from "../for_tests/random_numbers.ts";
 import { rar4, rar5, sevenZip } from "../for_tests/stored_archives.ts";
 import { tinyEpub } from "./epub/tiny_epub.ts";
+import { tinyFb2 } from "./fb2/tiny_fb2.ts";
+import { tinyKf8, tinyMobi } from "./kindle/tiny_kindle.ts";
 import { limits } from "./limits.ts";
 import { openSource } from "./open.ts";
 import { BookError, type PageSource } from "./page_source.ts";
@@ -229,6 +231,37 @@ fuzzed("a mutated comic of RAR or 7-Zip is read or rejected", 30, async (random)
   });
   const bytes = random.below(4) === 0 ? whole : mutateBytes(random, whole);
   await expectReadOrRejected(new File([bytes], "a.cbr"), [...bytes].join());
+});
+
+fuzzed("a mutated MOBI or KF8 is read or rejected", 30, async (random) => {
+  const contents = [
+    { title: "One", at: 0 },
+    { title: "Two", at: 1, parent: 0 },
+  ];
+  const more = { contents, compression: random.among([1, 2]), resources: [await png()] };
+  const link = '<a filepos=0000000009>x</a><a href="kindle:pos:fid:0001:off:0000000000">y</a>';
+  const text = random.mutate(
+    `<html><body><p>One ${link}</p><mbp:pagebreak/><p height="1em"><img recindex="00001"/><img src="kindle:embed:0001"/></p></body></html>`,
+    wildMarkup,
+  );
+  const flows = [random.mutate("p { color: red; background: url(kindle:embed:0001) }", wildMarkup)];
+  const isMobi = random.below(2) === 0;
+  const whole = isMobi
+    ? tinyMobi({ text, ...more })
+    : tinyKf8({ text: [text, "<p>Two</p>"], flows, ...more });
+  const bytes = random.below(4) === 0 ? whole : mutateBytes(random, whole);
+  await expectReadOrRejected(new Blob([bytes]), [...bytes].join());
+});
+
+fuzzed("a mutated FictionBook is read or rejected", 20, async (random) => {
+  const whole = tinyFb2(
+    '<title><p>A</p></title><section id="a"><title><p>One</p></title><p>Call <a l:href="#n" type="note">1</a> <image l:href="#p"/></p><poem><stanza><v>b</v></stanza></poem></section>',
+    '<body name="notes"><section id="n"><p>Note</p></section></body><binary id="p" content-type="image/png">iVBORw0KGgo=</binary>',
+  );
+  const text = random.mutate(whole, wildMarkup);
+  const bytes =
+    random.below(3) === 0 ? mutateBytes(random, strToU8(text) as Uint8Array<ArrayBuffer>) : text;
+  await expectReadOrRejected(new Blob([bytes]), text);
 });
 
 fuzzed("an image with mutated bytes is read or rejected", 30, async (random) => {

@@ -4,6 +4,8 @@ import { expect, test } from "vitest";
 import { PolygonBook } from "../../../../examples/13-polygons.js";
 import { expectConformance } from "../for_tests/source_conformance.ts";
 import { rar4, rar5, sevenZip } from "../for_tests/stored_archives.ts";
+import { tinyFb2 } from "./fb2/tiny_fb2.ts";
+import { tinyKf8, tinyMobi } from "./kindle/tiny_kindle.ts";
 import { type BookInput, openList, openSource } from "./open.ts";
 import type { PageSource } from "./page_source.ts";
 import { tinyPdf } from "./tiny_pdf.ts";
@@ -66,6 +68,9 @@ const books: readonly [name: string, () => BookInput | Promise<BookInput>][] = [
   ["a comic in RAR 4", async () => comic(["1.png", "2.png", "3.png", "4.png"], rar4)],
   ["a comic in RAR 5", async () => comic(["1.png", "2.png", "3.png", "4.png"], rar5)],
   ["a comic in 7-Zip", async () => comic(["1.png", "2.png", "3.png", "4.png"], sevenZip)],
+  ["a MOBI", () => new Blob([tinyMobi({ text: "<h1>One</h1><mbp:pagebreak/><p>Two</p>" })])],
+  ["a KF8", () => new Blob([tinyKf8({ text: ["<h1>One</h1>", "<p>Two</p>", "<p>Three</p>"] })])],
+  ["a FictionBook", () => new Blob([tinyFb2("<section><p>One</p></section><section/>")])],
   ["elements", async () => elements(3)],
   ["the source of the examples", () => new PolygonBook(60)],
   ["a function that returns a source", () => async () => new PolygonBook(2)],

@@ -53,6 +53,16 @@ const formats: Readonly<Partial<Record<Kind, Open>>> = {
   },
   rar: openUnpacked,
   "7z": openUnpacked,
+  kindle: async (file, { signal, typography }) => {
+    const { blob } = await file.whole(limits.archiveBytes, signal);
+    const { openKindle } = await loadPart(import("./kindle/kindle.ts"));
+    return await openKindle(blob, file.name, typography);
+  },
+  fb2: async (file, { signal, typography }) => {
+    const { blob } = await file.whole(limits.archivedBytes, signal);
+    const { openFb2 } = await loadPart(import("./fb2/fb2.ts"));
+    return await openFb2(blob, file.name, typography);
+  },
 };
 
 /** Opens a book in an archive of RAR or 7-Zip. */
@@ -99,7 +109,21 @@ const archived: readonly {
       return await openEpub(archive, file, name, typography);
     },
   },
+  {
+    isIn: (names) => names.filter(isFictionBookName).length === 1,
+    open: async (archive, _file, name, typography) => {
+      const { openFb2 } = await loadPart(import("./fb2/fb2.ts"));
+      try {
+        const bytes = await archive.read(archive.names.find(isFictionBookName) ?? "");
+        return await openFb2(new Blob([bytes]), name, typography);
+      } finally {
+        archive.close();
+      }
+    },
+  },
 ];
+
+const isFictionBookName = (name: string): boolean => /\.fb2$/i.test(name);
 
 /** The code that files of some names mostly need. */
 const likely: readonly (readonly [
@@ -114,6 +138,8 @@ const likely: readonly (readonly [
     async () => (await import("./archive/unpacked_archive.ts")).prepareUnpacking(),
   ],
   [/\.(cb[zr7])$/i, () => import("./comics/comic.ts")],
+  [/\.(mobi|azw3?)$/i, () => import("./kindle/kindle.ts")],
+  [/\.fb2$/i, () => import("./fb2/fb2.ts")],
 ];
 
 /**
@@ -143,10 +169,11 @@ export async function openImages(book: ImageBook): Promise<PageSource> {
 }
 
 const readable =
-  "PDF, EPUB, comics (CBZ, CBR, CB7 and other archives of images), Markdown, text, images (PNG, JPEG, WebP, AVIF, GIF, SVG), IIIF manifests and JSON manifests of images can be read.";
+  "PDF, EPUB, MOBI, AZW3, FB2, comics (CBZ, CBR, CB7 and other archives of images), Markdown, text, images (PNG, JPEG, WebP, AVIF, GIF, SVG), IIIF manifests and JSON manifests of images can be read.";
 
 const reasons: Readonly<Partial<Record<Kind, string>>> = {
   html: "is a web page, not a book",
+  palmdoc: "is a text of a Palm (PalmDOC), which is not read",
 };
 
 function imageAlone(src: string | Blob, name: string): ImageBook {

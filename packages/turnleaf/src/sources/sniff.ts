@@ -1,5 +1,17 @@
 /** The kind of a file, as far as its first bytes show. */
-export type Kind = "pdf" | "json" | "image" | "html" | "zip" | "rar" | "7z" | "text" | "unknown";
+export type Kind =
+  | "pdf"
+  | "json"
+  | "image"
+  | "html"
+  | "zip"
+  | "rar"
+  | "7z"
+  | "kindle"
+  | "palmdoc"
+  | "fb2"
+  | "text"
+  | "unknown";
 
 /** What is known of a file before it is read whole. */
 export interface FileStart {
@@ -30,6 +42,15 @@ const zip = "PK\x03\x04";
 const rar = "Rar!\x1a\x07";
 const sevenZip = "7z\xbc\xaf\x27\x1c";
 
+/** Types of Palm databases, after the name, the dates and the like. */
+const palmTypeAt = 60;
+const kindle = "BOOKMOBI";
+const palmDoc = "TEXtREAd";
+
+/** The root of a FictionBook, after what may stand before it. */
+const fictionBook =
+  /^(?:<\?xml|<!--|<!doctype fictionbook|<fictionbook)[\s\S]*<fictionbook[\s>]|^<fictionbook[\s>]/i;
+
 /**
  * Returns the format by the first bytes, whatever the file's name. The media
  * type counts only where bytes do not tell. A PDF may have up to 1024 bytes of
@@ -42,7 +63,10 @@ export function sniff({ start, type }: FileStart): Kind {
   if (text.startsWith(zip)) return "zip";
   if (text.startsWith(rar)) return "rar";
   if (text.startsWith(sevenZip)) return "7z";
+  if (text.startsWith(kindle, palmTypeAt)) return "kindle";
+  if (text.startsWith(palmDoc, palmTypeAt)) return "palmdoc";
   const words = wordsOf(text);
+  if (isFictionBook(text)) return "fb2";
   // Markdown may begin as the others do.
   if (type !== "text/markdown") {
     // A manifest that is an array has strings or objects: [text] is a link of Markdown.
@@ -50,6 +74,11 @@ export function sniff({ start, type }: FileStart): Kind {
     if (/^<(!doctype html|html|\?xml|!--|head|body)/i.test(words)) return "html";
   }
   return isText(start, type) ? "text" : "unknown";
+}
+
+/** Returns whether the first bytes of a file, as latin-1, are those of a FictionBook, in UTF-16 too. */
+function isFictionBook(text: string): boolean {
+  return fictionBook.test(wordsOf(text.replace(/^(\xff\xfe|\xfe\xff)/, "").replaceAll("\0", "")));
 }
 
 /**

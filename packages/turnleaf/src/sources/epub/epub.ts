@@ -16,6 +16,7 @@ import type {
   FlowTarget,
 } from "../typeset/flow_book.ts";
 import { FlowSource } from "../typeset/flow_source.ts";
+import { isRightToLeft } from "../typeset/writing_direction.ts";
 import { loadChapter } from "./chapter.ts";
 import { EpubFiles } from "./epub_files.ts";
 import { fontDecoder } from "./obfuscated_fonts.ts";
@@ -27,9 +28,6 @@ const readableTypes =
 
 /** The type of XML of any kind, which is read as a web page where there is nothing better. */
 const anyXml = "application/xml";
-
-/** Languages that are written from right to left, where the package does not say how its pages go. */
-const rightToLeft = /^(ar|arc|ckb|dv|fa|he|ks|ps|sd|syr|ug|ur|yi)\b(?!-(Latn|Cyrl))/;
 
 /** Fallbacks of a chapter, each of another. */
 const mostFallbacks = 10;
@@ -98,7 +96,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   const isFixedBook = rendition.layout === "pre-paginated";
   const language = cleanLanguage([metadata.language].flat()[0]);
   const isOpen = epub.dir !== "ltr" && epub.dir !== "rtl";
-  const direction = epub.dir === "rtl" || (isOpen && rightToLeft.test(language)) ? "rtl" : "ltr";
+  const direction = epub.dir === "rtl" || (isOpen && isRightToLeft(language)) ? "rtl" : "ltr";
   const chapters = resources.spine
     .slice(0, limits.pages)
     .flatMap(({ idref, linear, properties = [] }) => {

@@ -1,11 +1,13 @@
 import type { Archive } from "../archive/archive.ts";
 import { dataUrl } from "../data_url.ts";
+import { fontType } from "../font_type.ts";
 import { claimedSize } from "../image_header.ts";
 import { limits } from "../limits.ts";
 import { cleanCss } from "../markup/clean_css.ts";
 import type { MarkupFiles } from "../markup/clean_markup.ts";
 import { checkedData } from "../markup/data_address.ts";
 import { imageType, sniffLength } from "../sniff.ts";
+import { decodeXml } from "../xml_text.ts";
 
 /** Characters of pictures, fonts and style sheets that are kept between chapters. */
 const keptLength = 48_000_000;
@@ -16,15 +18,6 @@ const importDepth = 4;
 /** Media of an import have no "@": each is searched for only as far as the next one, in linear time. */
 const importRule =
   /@import\s+(?:url\(\s*)?(?:"([^"]*)"|'([^']*)'|([^"'()\s;]+)(?=[\s;)]|$))[^;{}@]*(?:;|$)/gi;
-
-/** First bytes of fonts, and their types. */
-const fonts: readonly (readonly [mark: string, type: string])[] = [
-  ["wOFF", "font/woff"],
-  ["wOF2", "font/woff2"],
-  ["OTTO", "font/otf"],
-  ["\0\x01\0\0", "font/ttf"],
-  ["true", "font/ttf"],
-];
 
 /** What a book's manifest says of its files, by their paths. */
 export interface ManifestOfFiles {
@@ -63,13 +56,7 @@ export class EpubFiles {
   /** Returns a file's text. Rejects with a `BookError`. */
   async text(path: string): Promise<string> {
     const bytes = await this.#archive.read(path, limits.markupBytes);
-    const encoding =
-      bytes[0] === 0xfe && bytes[1] === 0xff
-        ? "utf-16be"
-        : bytes[0] === 0xff && bytes[1] === 0xfe
-          ? "utf-16le"
-          : declaredEncoding(bytes);
-    return new TextDecoder(encoding).decode(bytes);
+    return decodeXml(bytes);
   }
 
   /** Returns the files that one file names, by addresses relative to it. */
@@ -121,9 +108,8 @@ export class EpubFiles {
       if (size && size.width * size.height > limits.imagePixels) return null;
       return await dataUrl(bytes, image);
     }
-    const head = String.fromCharCode(...start.subarray(0, 4));
-    const font = fonts.find(([mark]) => head === mark);
-    return font ? await dataUrl(bytes, font[1]) : null;
+    const font = fontType(start);
+    return font && (await dataUrl(bytes, font));
   }
 
   #style(path: string, depth: number): Promise<string | null> {
@@ -153,18 +139,5 @@ export class EpubFiles {
       this.#keptLength = 0;
     });
     return reading;
-  }
-}
-
-/** Returns the encoding in an XML declaration or a style sheet's; UTF-8 if there is none. */
-function declaredEncoding(bytes: Uint8Array): string {
-  const head = String.fromCharCode(...bytes.subarray(0, 200));
-  const name = /^(?:\xef\xbb\xbf)?\s*(?:<\?xml[^>]*encoding\s*=\s*["']|@charset ")([\w-]+)/.exec(
-    head,
-  )?.[1];
-  try {
-    return name ? new TextDecoder(name).encoding : "utf-8";
-  } catch {
-    return "utf-8";
   }
 }

@@ -218,6 +218,16 @@ test("a first chapter that cannot be read leaves the rest readable", async () =>
   source.close();
 });
 
+test("a chapter whose root is of no known namespace says so on its page, and the rest is read", async () => {
+  const odd = '<html xmlns="http://www.x3.org/1999/xhtml"><body><p>One</p></body></html>';
+  const source = await openSource(tinyEpub({ chapters: ["<p>One.</p>", odd] }));
+  await source.draw(0, 50, never);
+  expect(await messageOf(source.draw(source.pageCount - 1, 50, never))).toMatch(
+    /^Part 2 of this book cannot be laid out \(.*\); get the file again\.$/,
+  );
+  source.close();
+});
+
 test("what is encrypted is rejected in one sentence", async () => {
   const encryption =
     '<encryption xmlns="urn:oasis:names:tc:opendocument:xmlns:container" xmlns:enc="http://www.w3.org/2001/04/xmlenc#"><enc:EncryptedData><enc:EncryptionMethod Algorithm="http://www.w3.org/2001/04/xmlenc#aes128-cbc"/><enc:CipherData><enc:CipherReference URI="OEBPS/c1.xhtml"/></enc:CipherData></enc:EncryptedData></encryption>';

@@ -89,9 +89,9 @@ export class Edition {
 
   async #layNow(section: number, isShown: boolean, signal: AbortSignal): Promise<LaidSection> {
     signal.throwIfAborted();
-    const content = await this.#contents.load(section, isShown);
-    signal.throwIfAborted();
     try {
+      const content = await this.#contents.load(section, isShown);
+      signal.throwIfAborted();
       const laid = await LaidSection.lay(content, this.typography);
       if (this.#isClosed) {
         laid.close();

@@ -17,6 +17,9 @@ export interface FlowSection {
   load(): Promise<FlowContent>;
 }
 
+/** Bytes that a section counts at least: a cover of hardly any text fills a page all the same. */
+export const leastLength = 3000;
+
 /**
  * The attribute that has an element's own style, in place of `style`: a page's
  * policy may forbid that in markup, and is reported to do so.

@@ -1,0 +1,148 @@
+/** FictionBooks in real Chromium: read, linked and kept within bounds. */
+
+import { strToU8, zipSync } from "fflate";
+import { expect, test } from "vitest";
+import { limits } from "../limits.ts";
+import { openSource } from "../open.ts";
+import { BookError, type PageSource } from "../page_source.ts";
+import { tinyFb2 } from "./tiny_fb2.ts";
+
+const never = new AbortController().signal;
+
+async function pagesOf(source: PageSource): Promise<string[]> {
+  const pages: string[] = [];
+  for (let index = 0; index < source.pageCount; index++) {
+    const runs = (await source.text?.(index, never)) ?? [];
+    pages.push(runs.map(({ text }) => text).join(" "));
+  }
+  return pages;
+}
+
+async function picture(): Promise<string> {
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [40, 60];
+  const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
+  pen.fillStyle = "#f00";
+  pen.fillRect(0, 0, 40, 60);
+  return canvas.toDataURL().split(",")[1] ?? "";
+}
+
+async function isRed(source: PageSource, index: number): Promise<boolean> {
+  const drawn = await source.draw(index, 100, never);
+  const canvas = new OffscreenCanvas(drawn.width, drawn.height);
+  const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
+  pen.drawImage(drawn, 0, 0);
+  const { data } = pen.getImageData(0, 0, drawn.width, drawn.height);
+  let red = 0;
+  for (let at = 0; at < data.length; at += 4) {
+    if ((data[at] ?? 0) > 200 && (data[at + 1] ?? 0) < 60) red += 1;
+  }
+  return red > 20;
+}
+
+const messageOf = (promise: Promise<unknown>): Promise<string> =>
+  promise.then(
+    () => "",
+    (error: unknown) => {
+      expect(error).toBeInstanceOf(BookError);
+      return (error as Error).message;
+    },
+  );
+
+const chapters =
+  '<title><p>A small</p><p>book</p></title><epigraph><p>From hell’s heart</p><text-author>Ahab</text-author></epigraph><section><title><p>One</p></title><p>Call me <emphasis>Ishmael</emphasis>.<a l:href="#n1" type="note">[1]</a> <a l:href="#two">On</a>, <a l:href="https://example.com/">web</a>.</p><empty-line/><poem><stanza><v>A line</v><v>and another</v></stanza></poem><section><title><p>Within</p></title><p>Deeper.</p></section></section><section id="two"><title><p>Two</p></title><p><image l:href="#p.png"/></p><table><tr><th>a</th><td colspan="2">b</td></tr></table></section>';
+const notes =
+  '<body name="notes"><title><p>Notes</p></title><section id="n1"><title><p>1</p></title><p>A name.</p></section></body>';
+
+test("a FictionBook has its cover, text, contents, notes, links, pictures and author", async () => {
+  const binary = `<binary id="p.png" content-type="image/png">${await picture()}</binary>`;
+  const cover = '<coverpage><image l:href="#p.png"/></coverpage>';
+  const source = await openSource(new Blob([tinyFb2(chapters, notes + binary, cover)]));
+  expect([source.title, source.language]).toEqual(["A small book", "en"]);
+  expect(source.details).toEqual([{ label: "", value: "Herman Melville" }]);
+  const pages = await pagesOf(source);
+  expect(pages.map((page) => page.replace(/\s+/g, " ").trim())).toEqual([
+    "",
+    "A small book From hell’s heart Ahab",
+    expect.stringMatching(
+      /^One Call me Ishmael ?\. ?\[1\] On ?, web ?\. A line and another Within Deeper\.$/,
+    ),
+    "Two a b",
+    "Notes 1 A name.",
+  ]);
+  expect(await source.outline?.(never)).toEqual([
+    { title: "One", page: 3, children: [{ title: "Within", page: 3, children: [] }] },
+    { title: "Two", page: 4, children: [] },
+    { title: "Notes", page: 5, children: [] },
+  ]);
+  const links = await source.links?.(2, never);
+  expect(links?.map(({ to, note }) => [to, note])).toEqual([
+    [{ page: 5 }, "1A name."],
+    [{ page: 4 }, undefined],
+    [{ href: "https://example.com/" }, undefined],
+  ]);
+  expect([await isRed(source, 0), await isRed(source, 1), await isRed(source, 3)]).toEqual([
+    true,
+    false,
+    true,
+  ]);
+  source.close();
+});
+
+test("it is read from a ZIP, in UTF-16 and in windows-1251", async () => {
+  const text = tinyFb2("<section><p>Слово</p></section>");
+  const zipped = zipSync({ "book.fb2": strToU8(text) });
+  const utf16 = new Uint16Array(
+    [0xfeff, ...text].map((one) => (typeof one === "string" ? one.charCodeAt(0) : one)),
+  );
+  const cyrillic = Uint8Array.from(text.replace("utf-8", "windows-1251"), (letter) => {
+    const code = letter.charCodeAt(0);
+    return code < 128 ? code : code - 0x410 + 0xc0;
+  });
+  for (const bytes of [zipped, utf16, cyrillic]) {
+    const source = await openSource(new Blob([bytes as BlobPart]));
+    expect(await pagesOf(source)).toEqual(["Слово"]);
+    expect(source.title).toBe("A small book");
+    source.close();
+  }
+});
+
+test("scripts in it do not run, nothing is fetched, and entities that multiply are not expanded", async () => {
+  const bad =
+    '<section><p>One<script xmlns="http://www.w3.org/1999/xhtml">parent.ran = 1</script><image l:href="https://elsewhere.invalid/a.png"/></p><a l:href="javascript:parent.ran = 1">two</a></section>';
+  const source = await openSource(new Blob([tinyFb2(bad)]));
+  expect(await source.links?.(0, never)).toEqual([]);
+  expect("ran" in window).toBe(false);
+  source.close();
+  const entities = Array.from(
+    { length: 30 },
+    (_, k) => `<!ENTITY e${k + 1} "&e${k};&e${k};">`,
+  ).join("");
+  const laughs = tinyFb2("<section><p>&e30;</p></section>").replace(
+    "<FictionBook",
+    `<!DOCTYPE FictionBook [<!ENTITY e0 "ha">${entities}]><FictionBook`,
+  );
+  expect(await messageOf(openSource(new Blob([laughs])))).toMatch(
+    /^this book is damaged( in line \d+)?; /,
+  );
+});
+
+test("one that is no XML, has no text, or has too many elements says so", async () => {
+  expect(await messageOf(openSource(new Blob([tinyFb2("<section><p>One</section>")])))).toMatch(
+    /^this book is damaged in line \d+; repair it or get it again\.$/,
+  );
+  expect(await messageOf(openSource(new Blob([tinyFb2("")])))).toBe(
+    "this book has no text; get it again.",
+  );
+  const many = tinyFb2(`<section>${"<p/>".repeat(limits.elements)}</section>`);
+  expect(await messageOf(openSource(new Blob([many])))).toBe(
+    `this book has more than ${limits.elements} elements; split it.`,
+  );
+});
+
+test("sections within each other, as deep as the browser reads them, are read", async () => {
+  const deep = tinyFb2(`${"<section>".repeat(200)}<p>Deep</p>${"</section>".repeat(200)}`);
+  const source = await openSource(new Blob([deep]));
+  expect(await pagesOf(source)).toEqual(["Deep"]);
+  source.close();
+});

@@ -1,0 +1,196 @@
+/** MOBI before KF8: one text in the HTML of its time, whose links are counted in bytes. */
+
+import { limits } from "../limits.ts";
+import { cleanMarkup, type MarkupFiles } from "../markup/clean_markup.ts";
+import { checkedData } from "../markup/data_address.ts";
+import { parseMarkup } from "../markup/parse_markup.ts";
+import {
+  type FlowContent,
+  type FlowOutline,
+  type FlowSection,
+  type FlowTarget,
+  leastLength,
+  styleAttribute,
+} from "../typeset/flow_book.ts";
+import { type KindleParts, type KindleText, outlineOf, plainText } from "./kindle_text.ts";
+
+/** Where one section ends and the next begins. */
+const pageBreak = /<\s*(?:mbp:)?pagebreak[^<>]*>/gi;
+
+/** Where a link leads, or a line of the guide. */
+const linked = /\bfilepos=["']?(\d{1,10})/gi;
+
+/** Places of a book that are linked. */
+const mostPlaces = 100_000;
+
+/** A length as MOBI writes it: a number of pixels, or with a unit. */
+const length = /^(-?\d{0,4}(?:\.\d{0,4})?)(em|px|pt|%)?$/;
+
+/** As Kindles have it: paragraphs without space between them, quotations indented a little. */
+const style = `
+p { margin: 0; }
+blockquote { margin: 0 0 0 1em; }
+img { max-width: 100%; }
+`;
+
+/** A part of the text in bytes. */
+interface Part {
+  readonly from: number;
+  readonly to: number;
+}
+
+/** Reads the text of a MOBI. Rejects with a `BookError`. */
+export async function openMobi6(book: KindleParts): Promise<KindleText> {
+  const { text, header, name, resources } = book;
+  // One letter a byte, so that places are counted alike.
+  const letters = new TextDecoder("x-user-defined").decode(text);
+  const parts = partsOf(letters);
+  const table =
+    header.contents === null ? null : await book.table(header.contents).catch(() => null);
+  const places = new Set<number>();
+  const add = (place: number | undefined): void => {
+    if (place !== undefined && place <= text.length && places.size < mostPlaces) places.add(place);
+  };
+  for (const [, place] of letters.matchAll(linked)) add(Number(place));
+  for (const { numbers } of table?.entries ?? []) add(numbers(1)[0]);
+  const sorted = [...places].sort((a, b) => a - b);
+
+  const first = header.cover === null ? 0 : 1;
+  const targetOf = (place: number): FlowTarget | null => {
+    const section = parts.findIndex(({ to }) => place < to);
+    if (section < 0) return null;
+    return { section: first + section, id: places.has(place) ? idOf(place) : "" };
+  };
+  const files: MarkupFiles = {
+    data: async (address) => {
+      const index = /^recindex:(\d{1,6})$/.exec(address)?.[1];
+      return index === undefined
+        ? await checkedData(address)
+        : await resources.data(Number(index) - 1);
+    },
+    style: async () => "",
+  };
+  const decoder = new TextDecoder(header.encoding);
+  const load = async (part: Part): Promise<FlowContent> => {
+    const document = parseMarkup(markupOf(text, part, sorted, decoder), "text/html");
+    modernise(document);
+    const content = await cleanMarkup(document, files, `A part of ${name}`);
+    return { root: content.root, css: `${style}${content.css}` };
+  };
+  const sections = parts.map((part): FlowSection => {
+    return {
+      length: Math.max(part.to - part.from, leastLength),
+      isFixed: false,
+      load: () => load(part),
+    };
+  });
+  const cover: FlowSection = {
+    length: leastLength,
+    isFixed: false,
+    load: async () => {
+      const markup = `<html><body><p align="center"><img src="recindex:${(header.cover ?? 0) + 1}" alt=""></p></body></html>`;
+      const document = parseMarkup(markup, "text/html");
+      const content = await cleanMarkup(document, files, `The cover of ${name}`);
+      return { root: content.root, css: style };
+    },
+  };
+  const resolve = (href: string): FlowTarget | null => {
+    const place = /^#filepos(\d{1,10})$/.exec(href)?.[1];
+    return place === undefined ? null : targetOf(Number(place));
+  };
+  const outline = table
+    ? outlineOf(table, (numbers) => targetOf(numbers(1)[0] ?? Number.POSITIVE_INFINITY))
+    : guideOutline(letters, parts, decoder, text, resolve);
+  return { sections: header.cover === null ? sections : [cover, ...sections], outline, resolve };
+}
+
+/** Returns the parts between breaks; one without anything to see belongs to the part before it. */
+function partsOf(letters: string): Part[] {
+  const breaks = [...letters.matchAll(pageBreak)].map(({ index }) => index).slice(0, limits.pages);
+  const parts: Part[] = [];
+  let from = 0;
+  for (const to of [...breaks, letters.length]) {
+    const last = parts.at(-1);
+    if (/<img\b/i.test(letters.slice(from, to)) || hasText(letters.slice(from, to))) {
+      parts.push({ from, to });
+    } else if (last) parts[parts.length - 1] = { from: last.from, to };
+    // What comes before the first part belongs to it.
+    else continue;
+    from = to;
+  }
+  return parts;
+}
+
+function hasText(markup: string): boolean {
+  const body = markup.replace(/<head\b[\s\S]*?<\/head>/gi, "");
+  return body.replace(/<[^<>]*>|&nbsp;|\s+/g, "") !== "";
+}
+
+const idOf = (place: number): string => `filepos${place}`;
+
+/** Returns the address of the place to which a link leads. */
+const linkTo = (link: Element): string => `#${idOf(Number(link.getAttribute("filepos")))}`;
+
+/** Returns a part's markup, with an anchor at each place that is linked. */
+function markupOf(
+  text: Uint8Array,
+  { from, to }: Part,
+  places: readonly number[],
+  decoder: TextDecoder,
+): string {
+  const pieces: string[] = [];
+  let at = from;
+  for (const place of places) {
+    if (place < from) continue;
+    if (place >= to) break;
+    pieces.push(decoder.decode(text.subarray(at, place)), `<a id="${idOf(place)}"></a>`);
+    at = place;
+  }
+  pieces.push(decoder.decode(text.subarray(at, to)));
+  return pieces.join("").replace(pageBreak, "");
+}
+
+/** Writes what MOBI has its own words for as today's HTML does. */
+function modernise(document: Document): void {
+  for (const link of document.querySelectorAll("a[filepos]")) {
+    link.setAttribute("href", linkTo(link));
+  }
+  for (const image of document.querySelectorAll("img[recindex]")) {
+    image.setAttribute("src", `recindex:${Number(image.getAttribute("recindex"))}`);
+  }
+  // The space above a block, and the indent of its first line.
+  for (const block of document.querySelectorAll("p[height], p[width], div[height], div[width]")) {
+    const css = [
+      ["margin-top", block.getAttribute("height")],
+      ["text-indent", block.getAttribute("width")],
+    ].flatMap(([property, value]) => {
+      const [, number, unit = "px"] = length.exec(value?.trim() ?? "") ?? [];
+      return number ? [`${property}: ${number}${unit};`] : [];
+    });
+    const own = block.getAttribute(styleAttribute) ?? "";
+    block.setAttribute(styleAttribute, `${css.join(" ")} ${own}`);
+    block.removeAttribute("height");
+    block.removeAttribute("width");
+  }
+}
+
+/** Returns the contents of a book without a table of them: the links of the page that its guide names. */
+function guideOutline(
+  letters: string,
+  parts: readonly Part[],
+  decoder: TextDecoder,
+  text: Uint8Array,
+  resolve: (href: string) => FlowTarget | null,
+): FlowOutline[] {
+  const guide = /<guide\b[\s\S]{0,20000}?<\/guide>/i.exec(letters)?.[0] ?? "";
+  const line = guide.match(/<reference\b[^<>]*>/gi)?.find((one) => /type=["']?toc\b/i.test(one));
+  const place = Number(/filepos=["']?(\d{1,10})/i.exec(line ?? "")?.[1] ?? Number.NaN);
+  const part = parts.find(({ from, to }) => place >= from && place < to);
+  if (!part) return [];
+  const page = parseMarkup(decoder.decode(text.subarray(place, part.to)), "text/html");
+  return [...page.querySelectorAll("a[filepos]")].slice(0, limits.outlineEntries).map((link) => ({
+    title: plainText(link.textContent ?? "") || "–",
+    target: resolve(linkTo(link)),
+    children: [],
+  }));
+}
