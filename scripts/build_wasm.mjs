@@ -1,11 +1,11 @@
 /**
  * Builds the engine as WASM, by cargo and binaryen's wasm-opt. The files are committed
  * beside the viewer's sources, each with a stamp of the Rust sources it was built from,
- * so that a clone needs no Rust to read a book: turnleaf.wasm holds books, models.wasm
- * loose leaves of every model. target/trials.wasm, books and the scenes of benches and
+ * so that a clone needs no Rust to read a book: turnleaf.wasm holds books, creases.wasm
+ * books whose leaves can be creased, models.wasm loose leaves of every model. target/trials.wasm, books and the scenes of benches and
  * golden tests, is in no package.
  *
- *   node scripts/build_wasm.mjs            build all three
+ *   node scripts/build_wasm.mjs            build all four
  *   node scripts/build_wasm.mjs --update   build the committed files if the Rust sources
  *                                          have changed and the wasm32 target is installed
  *   node scripts/build_wasm.mjs --verify   fail if a stamp is stale; if the target is
@@ -27,6 +27,7 @@ const trials = { file: join(root, "target/trials.wasm"), features: ["books", "tr
 /** The committed files, and the features of the crate `turnleaf-wasm` that each has. */
 const committed = [
   { file: join(root, "packages/turnleaf/src/engine/turnleaf.wasm"), features: ["books"] },
+  { file: join(root, "packages/turnleaf/src/engine/creases.wasm"), features: ["creases"] },
   { file: join(root, "packages/turnleaf/src/models/models.wasm"), features: ["models"] },
 ];
 

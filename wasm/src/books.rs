@@ -86,6 +86,8 @@ macro_rules! book_functions {
         }
     )*};
 }
+#[cfg(any(feature = "creases", test))]
+pub(crate) use book_functions;
 
 book_functions! {
     /// Makes all leaves of a preset stock, by its number; 0 where there is none.

@@ -19,6 +19,8 @@
 mod allocator;
 #[cfg(any(feature = "books", test))]
 mod books;
+#[cfg(any(feature = "creases", test))]
+mod creases;
 mod live;
 #[cfg(any(feature = "models", test))]
 mod models;

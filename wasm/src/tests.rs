@@ -318,7 +318,7 @@ fn figures(random: &mut Random) -> [f64; 21] {
         0.27e-3,
         0.12e-3,
         random.below(2) as f64,
-        9.80665,
+        turnleaf_engine::GRAVITY,
         1.0,
         0.0,
         0.0,

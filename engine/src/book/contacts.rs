@@ -5,11 +5,12 @@
 //! lives over a flat table, as half-spaces turned back by the gutter's bend.
 
 use super::book_space_leaf::BookSpaceLeaf;
+use super::flaps::Flaps;
 use super::pile::Pile;
 use super::tolerance::{
     APART, BETWEEN_NODES, CURLED, DEEPEST, FAR, GAP, LEAP, PAST_RIM, PUSHED_AT_ONCE,
 };
-use crate::models::sheet::{CONTACTS, Contact};
+use crate::models::sheet::{CAN_CREASE, CONTACTS, Contact};
 use crate::vector::{dot, sub};
 
 /// Steps from a node to the other end of what lies between: edges and diagonals.
@@ -215,10 +216,18 @@ fn detect_contacts_between_nodes(
 }
 
 /// Finds the contacts of a leaf with itself: a curled one stays on the side of
-/// itself where it is.
-pub fn detect_self_contacts(leaf: &mut BookSpaceLeaf, sheet: &mut ContactView<'_>) {
+/// itself where it is, and one that has parts (`flaps`) between creases keeps them apart.
+pub fn detect_self_contacts(
+    leaf: &mut BookSpaceLeaf,
+    flaps: Option<&Flaps>,
+    sheet: &mut ContactView<'_>,
+) {
     for contacts in sheet.contacts.iter_mut() {
         contacts[SELF] = Contact::default();
+    }
+    if let (true, Some(flaps)) = (CAN_CREASE, flaps) {
+        detect_flap_contacts(leaf, flaps, sheet);
+        return;
     }
     if !leaf.is_curled() {
         return;
@@ -243,6 +252,29 @@ pub fn detect_self_contacts(leaf: &mut BookSpaceLeaf, sheet: &mut ContactView<'_
             firmness: 0.5,
             ..half_space(leaf, node, space, velocity, sheet)
         };
+    }
+}
+
+/// Finds the contacts of a creased leaf's parts with each other: a node with the triangle that
+/// it lies upon, and that one's nodes with it, each pushed half of what they overlap.
+fn detect_flap_contacts(leaf: &BookSpaceLeaf, flaps: &Flaps, sheet: &mut ContactView<'_>) {
+    let mut gaps = vec![f32::INFINITY; leaf.points.len()];
+    for touch in flaps.touches(leaf) {
+        let out = touch.normal;
+        let back = out.map(|n| -n);
+        let [a, b, c] = touch.under;
+        for (node, normal) in [(touch.node, out), (a, back), (b, back), (c, back)] {
+            if node % leaf.columns == 0 || touch.gap >= gaps[node] {
+                continue;
+            }
+            gaps[node] = touch.gap;
+            let other = if node == touch.node { a } else { touch.node };
+            let velocity = leaf.velocities[other];
+            sheet.contacts[node][SELF] = Contact {
+                firmness: 0.5,
+                ..half_space(leaf, node, (normal, touch.gap), velocity, sheet)
+            };
+        }
     }
 }
 

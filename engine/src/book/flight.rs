@@ -9,15 +9,32 @@ use super::mesh::Mesh;
 use super::phase::Phase;
 use super::pile::Pile;
 use super::separate::{DrawnLeaf, find_bends, separate};
-use super::tolerance::{AT_FACET, DEEP, PAST_AT_SPINE};
+use super::tolerance::{AT_FACET, DEEP, OVER_PILE, PAST_AT_SPINE};
 use super::work::Work;
 use crate::grid::Side;
+use crate::models::sheet::{FoldLine, Part};
 use crate::surface::Surface;
 use crate::vector::{dot, sub};
 
 /// By how much drawn leaves of a page 0.14 m wide may go through each other and only touch, metres: where a grab
 /// has crumpled one, and where they are smooth.
 pub type Tolerance = [f32; 2];
+
+/// The number of what is not in flight but lies creased upon a pile.
+pub const LYING: u32 = 0;
+
+/// How the drawn mesh of a creased leaf lies on its flat paper.
+#[derive(Clone, Debug, Default)]
+pub struct CreasedMesh {
+    /// u and v of each point, row by row from the foot.
+    pub places: Vec<f32>,
+    /// The points of each triangle, three by three; no triangle reaches over a crease.
+    pub triangles: Vec<u32>,
+    /// The part of the leaf that each triangle belongs to: see [`Sheet::drawn_triangles`](crate::Sheet::drawn_triangles).
+    pub parts: Vec<u16>,
+    /// What each point belongs to.
+    point_parts: Vec<Part>,
+}
 
 /// One leaf in flight; it may stand for several.
 pub struct Flight {
@@ -57,6 +74,7 @@ pub struct Flight {
     /// Whether its paper went through itself after the last tick, and room to find out.
     was_through: bool,
     spare: Surface,
+    creased: Option<CreasedMesh>,
 }
 
 impl Flight {
@@ -86,6 +104,7 @@ impl Flight {
             had_crossing: false,
             was_through: false,
             spare: Surface::new(u.len(), rows),
+            creased: None,
             cells: u.iter().map(cell).collect(),
         }
     }
@@ -98,6 +117,36 @@ impl Flight {
         (self.may_have_tunnelled, self.needs_crossing_test) = (false, false);
         self.overridden = false;
         (self.was_driven, self.was_through, self.had_crossing) = (false, false, false);
+    }
+
+    /// Creases its leaf along lines: see [`Leaf::crease`].
+    pub fn crease(&mut self, creases: &[FoldLine]) -> bool {
+        if !self.leaf.crease(creases) {
+            return false;
+        }
+        let sheet = self.leaf.sheet();
+        self.creased = sheet.drawn_places().map(|places| {
+            let triangles = sheet.drawn_triangles();
+            let corners = triangles.iter().flat_map(|(corners, _)| corners);
+            CreasedMesh {
+                places: places.into_flattened(),
+                triangles: corners.map(|corner| *corner as u32).collect(),
+                parts: triangles.iter().map(|(_, part)| *part).collect(),
+                point_parts: sheet.drawn_parts(),
+            }
+        });
+        self.surface.topology = self.surface.topology.wrapping_add(1);
+        true
+    }
+
+    /// How its drawn mesh lies on the flat paper where its leaf is creased.
+    pub fn creased_mesh(&self) -> Option<&CreasedMesh> {
+        self.creased.as_ref()
+    }
+
+    /// Gives it another number, as it lies or is picked up from there.
+    pub fn call(&mut self, id: u32) {
+        self.id = id;
     }
 
     /// Its number.
@@ -151,7 +200,8 @@ impl Flight {
             is_crumpled || is_overridden || needs_crossing_test || self.had_crossing;
         self.is_bent_back = is_overridden
             || ((is_crumpled || self.was_driven) && self.leaf.in_book_space().is_bent_back());
-        self.may_be_folded = is_crumpled || self.is_bent_back;
+        // A creased one is folded where it may be.
+        self.may_be_folded = (is_crumpled || self.is_bent_back) && self.creased.is_none();
         if !is_overridden {
             self.leaf.write_surface(&mut self.surface);
         }
@@ -179,6 +229,9 @@ impl Flight {
         };
         let columns = pile.columns();
         self.shown.clone_from(&self.surface.positions);
+        if self.leaf.is_creased() {
+            return;
+        }
         let points = self.shown.as_chunks_mut::<3>().0;
         for row in points.chunks_exact_mut(columns) {
             let y = row[0][1];
@@ -243,6 +296,15 @@ impl Flight {
         let scale = self.scale();
         let over = over.map(|over| over * scale);
         push_off(&mut self.surface.positions, piles, over);
+        if let Some(creased) = &self.creased {
+            lift_off_flaps(
+                &mut self.surface.positions,
+                creased,
+                piles,
+                over,
+                OVER_PILE * scale,
+            );
+        }
         if !matches!(self.phase(), Phase::Resting(_)) {
             push_edges_off(&mut self.surface.positions, piles, over);
         }
@@ -322,7 +384,7 @@ impl Flight {
     /// it, and would not have been before. Leaves that no grab has crumpled are not looked at.
     pub fn keep_from_itself(&mut self, gutter: &Gutter, deepest: f32) {
         let was_through = core::mem::take(&mut self.was_through);
-        if !self.leaf.was_held() {
+        if !self.leaf.was_held() || self.leaf.is_creased() {
             return;
         }
         self.was_through = self.is_paper_through_itself();
@@ -403,6 +465,39 @@ impl Flight {
     /// Its leaf.
     pub fn leaf(&self) -> &Leaf {
         &self.leaf
+    }
+}
+
+/// Raises what lies upon another part of its own creased leaf to `apart` metres more over the
+/// piles (right and left) than that: flaps upon the rest, or the rest upon flaps. The creases,
+/// where both meet, stay `over` them.
+fn lift_off_flaps(
+    positions: &mut [f32],
+    creased: &CreasedMesh,
+    piles: [&Pile; 2],
+    over: [f32; 2],
+    apart: f32,
+) {
+    let before = positions.to_vec();
+    push_off(positions, piles, over.map(|over| over + apart));
+    let has_flap = [false, true].map(|on_recto| {
+        let flap = Part::Flap { on_recto };
+        creased.point_parts.contains(&flap)
+    });
+    let points = positions.as_chunks_mut::<3>().0;
+    let known = before.as_chunks::<3>().0;
+    let all = points.iter_mut().zip(known).zip(&creased.point_parts);
+    for ((point, before), part) in all {
+        // The recto faces up on the right.
+        let recto_is_up = point[0] >= 0.0;
+        let lies_upon = match part {
+            Part::Crease => false,
+            Part::Flap { on_recto } => *on_recto == recto_is_up,
+            Part::Rest => has_flap[usize::from(!recto_is_up)],
+        };
+        if !lies_upon {
+            *point = *before;
+        }
     }
 }
 

@@ -7,10 +7,12 @@
 //! that has come to rest leaves the run only where nothing is in flight between
 //! it and its pile.
 
+mod lying;
 mod stepping;
 
+use super::creased_leaves::CreasedLeaves;
 use super::draw::draw;
-use super::flight::Flight;
+use super::flight::{Flight, LYING};
 use super::leaf::Leaf;
 use super::leaf_stocks::LeafStocks;
 use super::limits::MOST_FLIGHTS;
@@ -18,6 +20,7 @@ use super::paper::Paper;
 use super::phase::Phase;
 use super::pile::Pile;
 use crate::grid::Side;
+use crate::models::sheet::{FoldLine, Sheet};
 use crate::stock::Stock;
 
 /// Length of a whole turn of a leaf that makes way for one let go, seconds.
@@ -37,6 +40,7 @@ pub struct Flights {
     /// Flights that are over, to be used again without an allocation.
     spare: Vec<Flight>,
     pattern: Pattern,
+    creased: CreasedLeaves,
     last_id: u32,
     /// Whether a leaf has come deep into another since all lay still.
     had_deep_contact: bool,
@@ -76,9 +80,20 @@ impl Pattern {
     }
 
     /// The stock of a leaf, and how straight it lies on a pile.
-    fn kind_of(&self, leaf: u32) -> (Stock, f32) {
+    pub fn kind_of(&self, leaf: u32) -> (Stock, f32) {
         let stock = self.stocks.of(leaf).unwrap_or(&self.paper.stock);
         (*stock, self.stocks.straightness(leaf))
+    }
+
+    /// Whether a leaf can be creased along lines.
+    fn can_crease(&self, leaf: u32, creases: &[FoldLine]) -> bool {
+        let [width, height] = self.size;
+        let paper = Paper {
+            stock: self.kind_of(leaf).0,
+            ..self.paper
+        };
+        Sheet::new(paper.sheet([width, height], 1))
+            .is_ok_and(|mut sheet| sheet.crease(creases).is_ok())
     }
 
     /// Thickness of leaves, in leaves of the book's own stock.
@@ -97,12 +112,25 @@ impl Flights {
             // What the first pick-up would else wait for.
             spare: vec![pattern.make((pattern.paper.stock, 0.0))],
             pattern,
+            creased: CreasedLeaves::default(),
             last_id: 0,
             had_deep_contact: false,
             landed: [0; 2],
             tick_work: 0,
             work: 0,
         }
+    }
+
+    /// The creased leaves, without their flights, for flights of another paper.
+    pub fn take_creased(&mut self) -> CreasedLeaves {
+        let mut creased = core::mem::take(&mut self.creased);
+        creased.forget_flights();
+        creased
+    }
+
+    /// Says which leaves are creased.
+    pub fn set_creased(&mut self, creased: CreasedLeaves) {
+        self.creased = creased;
     }
 
     /// What the leaves are made of and how they are drawn.
@@ -113,13 +141,17 @@ impl Flights {
     /// Puts every leaf down, `left` of them (at most all) on the left.
     pub fn lay(&mut self, left: u32) {
         self.left = left.min(self.leaves);
-        self.spare.append(&mut self.order);
+        for flight in core::mem::take(&mut self.order) {
+            let side = flight.phase().side().unwrap_or(Side::Right);
+            self.put_away(flight, side);
+        }
         self.tick_work = 0;
     }
 
-    /// Leaves of the left pile.
+    /// Leaves on the left, in the pile and creased upon it.
     pub fn left(&self) -> u32 {
-        self.left
+        let lying = self.lying(Side::Left);
+        lying.map_or(self.left, |index| self.order[index].high())
     }
 
     /// Part of the book's thickness on the left, 0 to 1, if every leaf in flight counts by
@@ -162,31 +194,52 @@ impl Flights {
     /// None where they are not the uppermost of that side, where there are none,
     /// or where [`MOST_FLIGHTS`] are in flight.
     pub fn pick_up(&mut self, from: Side, low: u32, high: u32) -> Option<u32> {
-        let right_end = self.order.last().map_or(self.left, Flight::high);
+        let right_end = self.right_end();
         let is_uppermost = match from {
             Side::Right => low == right_end && high <= self.leaves,
-            Side::Left => high == self.left,
+            Side::Left => high == self.left(),
         };
         if !is_uppermost || low >= high || self.order.len() == MOST_FLIGHTS {
             return None;
         }
         // Not when it is drawn: steps must not know how often that is.
-        self.had_deep_contact &= !self.order.is_empty();
+        self.had_deep_contact &= self.flying() > 0;
+        self.last_id = self.last_id.wrapping_add(1).max(1);
         let uppermost = match from {
             Side::Right => low,
             Side::Left => high - 1,
         };
+        if let Some(index) = self.lying(from) {
+            if high - low == 1 {
+                self.order[index].call(self.last_id);
+                return Some(self.last_id);
+            }
+            // Several that fly as one have no creases.
+            self.cover(index, from);
+        }
         let mut flight = self.take_spare(self.pattern.kind_of(uppermost));
-        self.last_id = self.last_id.wrapping_add(1).max(1);
         flight.take_up(self.last_id, from, low, high);
-        match from {
+        self.put_next_to(from, flight);
+        Some(self.last_id)
+    }
+
+    /// Puts a flight next to the pile that it lay on.
+    fn put_next_to(&mut self, side: Side, flight: Flight) {
+        match side {
             Side::Right => self.order.push(flight),
             Side::Left => {
-                self.left = low;
+                self.left = flight.low();
                 self.order.insert(0, flight);
             }
         }
-        Some(self.last_id)
+    }
+
+    /// Leaves on the left of the right pile and of what lies creased upon it.
+    fn right_end(&self) -> u32 {
+        match self.lying(Side::Right) {
+            Some(index) => self.order[index].low(),
+            None => self.order.last().map_or(self.left, Flight::high),
+        }
     }
 
     /// A grab takes hold of a flight at (`u`, `v`). A reader holds one leaf at a
@@ -255,12 +308,15 @@ impl Flights {
 
     /// The flight of a number; None once it is over.
     pub fn get(&self, id: u32) -> Option<&Flight> {
-        self.order.iter().find(|flight| flight.id() == id)
+        self.order
+            .iter()
+            .find(|flight| flight.id() == id && id != LYING)
     }
 
     /// The flight of a number, to be held.
     pub fn get_mut(&mut self, id: u32) -> Option<&mut Flight> {
-        self.order.iter_mut().find(|flight| flight.id() == id)
+        let mut flights = self.order.iter_mut();
+        flights.find(|flight| flight.id() == id && id != LYING)
     }
 
     /// The points of the flight at `index`, from the left: see [`Flight::override_surface`].
@@ -269,7 +325,8 @@ impl Flights {
     }
 
     fn index(&self, id: u32) -> Option<usize> {
-        self.order.iter().position(|flight| flight.id() == id)
+        let is_meant = |flight: &Flight| flight.id() == id && id != LYING;
+        self.order.iter().position(is_meant)
     }
 
     /// Leaves cannot pass each other: those between flight `index` and `side` go
@@ -291,27 +348,38 @@ impl Flights {
     }
 
     fn join_piles(&mut self) {
-        while let Some(first) = self.order.first()
-            && first.phase() == Phase::Resting(Side::Left)
-        {
-            self.left = first.high();
+        while self.joins(Side::Left) {
             let over = self.order.remove(0);
+            self.left = over.high();
             self.count(&over);
-            self.spare.push(over);
+            self.put_away(over, Side::Left);
         }
-        while let Some(last) = self.order.last()
-            && last.phase() == Phase::Resting(Side::Right)
+        while self.joins(Side::Right)
             && let Some(over) = self.order.pop()
         {
             self.count(&over);
-            self.spare.push(over);
+            self.put_away(over, Side::Right);
+        }
+        self.let_lie();
+    }
+
+    /// Counts what has come to rest; what lay creased already was.
+    fn count(&mut self, over: &Flight) {
+        if over.id() != LYING {
+            let put_down = over.leaf().was_put_down();
+            self.landed[0] = self.landed[0].wrapping_add(1);
+            self.landed[1] = self.landed[1].wrapping_add(put_down.into());
         }
     }
 
-    fn count(&mut self, over: &Flight) {
-        self.landed[0] = self.landed[0].wrapping_add(1);
-        let put_down = over.leaf().was_put_down();
-        self.landed[1] = self.landed[1].wrapping_add(put_down.into());
+    /// Keeps a flight that is over to be used again.
+    fn put_away(&mut self, over: Flight, side: Side) {
+        if !over.leaf().is_creased() {
+            self.spare.push(over);
+        } else if let Some(mut over) = self.creased.cover(over, side) {
+            over.crease(&[]);
+            self.spare.push(over);
+        }
     }
 
     /// Flights that have joined a pile, and those of them that the limit on the time

@@ -16,13 +16,14 @@ mod tests;
 use super::bend_into_gutter::fraction_turned;
 use super::book_space_leaf::BookSpaceLeaf;
 use super::contacts::{ContactView, Neighbour, detect_contacts, detect_self_contacts};
+use super::flaps::Flaps;
 use super::gutter::Gutter;
 use super::limits::{MAX_GRABS, NODES, TICK};
 use super::paper::Paper;
 use super::phase::Phase;
 use super::pile::Pile;
 use crate::grid::Side;
-use crate::models::sheet::{Sheet, SheetSettings};
+use crate::models::sheet::{FoldLine, Sheet, SheetSettings};
 use crate::stock::Stock;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
@@ -56,9 +57,9 @@ pub struct Leaf {
     pulls: [Option<[f32; 3]>; MAX_GRABS],
     hold_of: [[f32; 2]; MAX_GRABS],
     course: Option<Course>,
-    /// Ticks since a grab that holds it did something, and the mean way of its nodes in a tick
-    /// since then, metres.
-    held_ticks: u32,
+    /// Ticks since a grab that holds it did something, or since it was let go where creases may
+    /// hold it up, and the mean way of its nodes in a tick since then, metres.
+    watched_ticks: u32,
     drift: Vec<f32>,
     /// Seconds of easing to rest so far, once it has landed.
     settling: Option<f32>,
@@ -78,9 +79,15 @@ pub struct Leaf {
     /// Fractions of the half turn between which grabs may pull.
     room: [f32; 2],
     in_book: BookSpaceLeaf,
+    /// Its parts between creases; None where it has none.
+    flaps: Option<Flaps>,
     /// Where it landed, and the nodes of a flat leaf on the right.
     landed: Vec<f32>,
     flat: Vec<f32>,
+    /// Where it is eased to rest.
+    rest: Vec<f32>,
+    /// Whether it falls upon folds, which may hold it up from where it comes to rest.
+    is_held_up: bool,
     /// Its nodes before a tick.
     kept: Vec<f32>,
     kept_depth: f32,
@@ -122,7 +129,7 @@ impl Leaf {
             pulls: [None; MAX_GRABS],
             hold_of: [[1.0; 2]; MAX_GRABS],
             course: None,
-            held_ticks: 0,
+            watched_ticks: 0,
             drift: vec![0.0; flat.len()],
             settling: None,
             haste: 1.0,
@@ -134,7 +141,10 @@ impl Leaf {
             clamp: 0.0,
             room: [0.0, 1.0],
             in_book: BookSpaceLeaf::new(NODES[0], NODES[1], cell),
+            flaps: None,
             landed: flat.clone(),
+            rest: flat.clone(),
+            is_held_up: false,
             kept: flat.clone(),
             kept_depth: 0.0,
             searches: 0,
@@ -164,9 +174,41 @@ impl Leaf {
         self.clamp_follows = 1.0 - libm::powf(CLAMP_STAYS, 1.0 / steps as f32);
     }
 
-    /// Lays the leaf flat and still on a side.
+    /// Creases the leaf along lines in place of those that it has, where it is. Returns
+    /// whether it can be; if not, it is as it was.
+    pub fn crease(&mut self, lines: &[FoldLine]) -> bool {
+        if self.sheet.crease(lines).is_err() {
+            return false;
+        }
+        self.flat = self.sheet.flat_places();
+        self.flaps = Flaps::of(&self.sheet);
+        true
+    }
+
+    /// Whether the leaf is creased.
+    pub fn is_creased(&self) -> bool {
+        self.sheet.is_creased()
+    }
+
+    /// Turns the rest of a crease to an angle, radians as [`FoldLine::rest`].
+    pub fn press(&mut self, crease: usize, rest: f32) {
+        self.sheet.press(crease, rest);
+    }
+
+    /// Lays the leaf still on a side, flat but for its creases.
     pub fn lay(&mut self, side: Side) {
-        self.sheet.lay_flat(side);
+        self.sheet.lay_folded(side);
+        self.lie(side);
+    }
+
+    /// Lets a creased leaf lie still on a side where its nodes are `at`.
+    pub fn lay_at(&mut self, side: Side, at: &[f32]) {
+        self.sheet.put_back(at);
+        self.lie(side);
+        self.turned = self.measure_fraction();
+    }
+
+    fn lie(&mut self, side: Side) {
         self.sheet.loads_mut().fill(0.0);
         self.pulls = [None; MAX_GRABS];
         self.course = None;
@@ -177,6 +219,7 @@ impl Leaf {
         self.clamp = if left { core::f32::consts::PI } else { 0.0 };
         self.turn_rate = 0.0;
         self.in_book.forget();
+        self.kept.copy_from_slice(self.sheet.positions());
         self.phase = Phase::Resting(side);
     }
 
@@ -268,7 +311,7 @@ impl Leaf {
         };
         detect_contacts(&mut self.in_book, piles, neighbours, &mut sheet);
         if itself {
-            detect_self_contacts(&mut self.in_book, &mut sheet);
+            detect_self_contacts(&mut self.in_book, self.flaps.as_ref(), &mut sheet);
         }
     }
 
@@ -296,6 +339,10 @@ impl Leaf {
 
     /// Keeps where the leaf is, to come [back](Self::step_back).
     pub fn keep(&mut self) {
+        // A whole tick's way: what a step drives into others is brought out again after it.
+        if matches!(self.phase, Phase::Falling(_)) && self.may_be_held_up() {
+            self.watch();
+        }
         self.kept.clear();
         self.kept.extend_from_slice(self.sheet.positions());
         self.kept_depth = self.in_book.depth;
@@ -316,6 +363,11 @@ impl Leaf {
         self.in_book.depth = self.kept_depth;
         self.in_book.forget_deep(deep);
         self.bend_into_gutter(gutter);
+    }
+
+    /// Says whether it falls upon folds, which may hold it up from where it comes to rest.
+    pub fn set_held_up(&mut self, is_held_up: bool) {
+        self.is_held_up = is_held_up;
     }
 
     /// Wakes a leaf that rested upon one that moves now.

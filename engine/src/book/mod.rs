@@ -8,10 +8,14 @@ mod bend_into_gutter;
 mod board;
 mod book_space_leaf;
 mod contacts;
+mod creased_leaves;
 mod crossing;
 mod draw;
+mod flaps;
 mod flight;
 mod flights;
+#[cfg(all(test, feature = "creases"))]
+mod folding_tests;
 mod gutter;
 mod leaf;
 mod leaf_stocks;
@@ -29,6 +33,7 @@ mod work;
 
 pub use bend_into_gutter::bend_into_gutter;
 pub use board::Board;
+pub use flight::CreasedMesh;
 pub use leaf::Leaf;
 use limits::MOST_STEPPING;
 pub use limits::{MAX_GRABS, MOST_FLIGHTS, TICK};
@@ -37,6 +42,7 @@ pub use phase::Phase;
 pub use pile::{LAYERS, Pile, crowded_columns};
 
 use crate::grid::Side;
+use crate::models::sheet::FoldLine;
 use crate::stock::Stock;
 use crate::surface::Surface;
 use flights::{Flights, Pattern};
@@ -113,6 +119,16 @@ impl Book {
         &self.flights.pattern().paper
     }
 
+    /// The stock of a leaf.
+    pub fn stock_of(&self, leaf: u32) -> Stock {
+        self.flights.pattern().kind_of(leaf).0
+    }
+
+    /// Width and height of a page, metres.
+    pub fn size(&self) -> [f64; 2] {
+        self.flights.pattern().size
+    }
+
     /// Makes the leaves of another paper; those of a [stock of their
     /// own](Self::set_leaf_stock) keep it. Leaves in flight are laid down first.
     /// Returns whether leaves can be made of it; if not, nothing changes.
@@ -157,7 +173,9 @@ impl Book {
         let mut pattern = self.flights.pattern().clone();
         how(&mut pattern);
         let read = self.flights.left();
+        let creased = self.flights.take_creased();
         self.flights = Flights::new(self.leaves, pattern);
+        self.flights.set_creased(creased);
         self.lay(read);
     }
 
@@ -165,7 +183,68 @@ impl Book {
     /// there are) and none in flight.
     pub fn lay(&mut self, read: u32) {
         self.flights.lay(read);
+        self.uncover();
         self.update();
+    }
+
+    /// Creases a leaf of paper, `leaf` counted from 0, along lines, in place of those that it
+    /// has: it is then folded along them as each rests, and is drawn by itself where it lies
+    /// uppermost. None of them makes it whole again. Where it lies or flies it goes on from
+    /// there: the next steps fold it.
+    ///
+    /// Returns whether it can be creased so: there is such a leaf, no line meets the spine,
+    /// they are at most 16 and lie far enough from each other for its nodes, and the book has
+    /// no more than 4096 such leaves. If not, nothing changes.
+    pub fn crease(&mut self, leaf: u32, creases: &[FoldLine]) -> bool {
+        let is_creased = self.flights.crease(leaf, creases);
+        if is_creased {
+            self.uncover();
+            self.update();
+        }
+        is_creased
+    }
+
+    /// Turns the rest of a crease of a leaf to an angle, radians as [`FoldLine::rest`]; the next
+    /// steps fold it there. Nothing happens where the leaf neither flies nor lies uppermost,
+    /// or has no such crease.
+    pub fn press(&mut self, leaf: u32, crease: usize, rest: f32) {
+        if rest.abs() <= core::f32::consts::PI {
+            self.flights.press(leaf, crease, rest);
+        }
+    }
+
+    /// The creases of a leaf, each with the angle at which it rests now; none where it has none.
+    pub fn creases(&self, leaf: u32) -> Vec<FoldLine> {
+        self.flights.creases(leaf)
+    }
+
+    /// Whether a creased leaf lies upon the pile of a side and is drawn by itself: the first of
+    /// those [drawn](Self::drawn_leaves) on the left, the last on the right.
+    pub fn lies_creased(&self, side: Side) -> bool {
+        self.flights.lying(side).is_some()
+    }
+
+    /// How the drawn mesh of the leaf at `index`, counted from the left, lies on its flat paper
+    /// where it is creased; None where it is not, and its points lie at the [columns](Self::columns)
+    /// and even rows. The surface's `topology` rises when it changes.
+    pub fn creased_mesh(&self, index: usize) -> Option<&CreasedMesh> {
+        self.flights.order().get(index)?.creased_mesh()
+    }
+
+    /// How many leaves are drawn by themselves: those in flight, and creased ones that lie
+    /// upon a pile.
+    pub fn drawn_leaves(&self) -> usize {
+        self.flights.order().len()
+    }
+
+    /// Draws creased leaves that lie uppermost by themselves.
+    fn uncover(&mut self) {
+        for side in [Side::Left, Side::Right] {
+            self.write_piles();
+            let [right, left] = &self.piles;
+            self.gutter.update(right.angles(), left.angles());
+            self.flights.uncover(side, &self.gutter, [right, left]);
+        }
     }
 
     /// Takes up the uppermost leaf of side `from`, or several that fly as one.
@@ -176,6 +255,7 @@ impl Book {
     /// [`MOST_FLIGHTS`] are in flight.
     pub fn pick_up(&mut self, from: Side, low: u32, high: u32) -> Option<u32> {
         let id = self.flights.pick_up(from, low, high)?;
+        self.uncover();
         self.update();
         Some(id)
     }
@@ -217,7 +297,7 @@ impl Book {
     /// that rests is over once no other is between it and its pile.
     pub fn step(&mut self, ticks: u32) {
         for _ in 0..ticks {
-            if self.flights.order().is_empty() {
+            if self.flights.is_still() {
                 return;
             }
             self.write_piles();
@@ -242,7 +322,7 @@ impl Book {
             if self.stepping >= MOST_STEPPING {
                 return done;
             }
-            if self.flights.order().is_empty() {
+            if self.flights.is_still() {
                 break;
             }
             self.step(1);
@@ -293,7 +373,7 @@ impl Book {
 
     /// Leaves in flight.
     pub fn flights(&self) -> usize {
-        self.flights.order().len()
+        self.flights.flying()
     }
 
     /// The number of the flight at `index`, counted from the left.

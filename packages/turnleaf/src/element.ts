@@ -47,11 +47,15 @@ export class TurnleafBook extends ReaderElement {
   readonly #tree = new ShadowTree();
   readonly #life = new BookLifecycle(this, this.#tree.stage, {
     prepare: () => this.#keepPlace(),
-    restore: (source) => this.restorePlace(source),
+    restore: (source, src) => this.#restore(source, src),
+    replacing: () => {
+      this.#soundAndHaptics.close();
+      this.#forget();
+    },
     options: (source) => this.#options(source),
     turn: (by) => void this.press(by),
     calm: () => this.#calm,
-    goTo: (page) => void this.goTo(page),
+    goTo: (page) => void this.turnTo(page),
     password: () => this.password,
     askPassword: async (isWrong) =>
       this.controls ? await this.#controls.askPassword(this, isWrong) : null,
@@ -80,6 +84,8 @@ export class TurnleafBook extends ReaderElement {
   #state: BookState = "resting";
   /** Whether the element is in a document. */
   #connected = false;
+  /** Whether the attributes of the text are being set for a book that is not open yet. */
+  #isRestoring = false;
   /** Opens a book of the element's children when the first of them comes. */
   readonly #children = new MutationObserver(() => {
     if (this.#life.isIdle && this.#childPages() !== "") this.#reopen();
@@ -91,7 +97,9 @@ export class TurnleafBook extends ReaderElement {
    * an `ArrayBuffer`, a typed array), or elements of the web page, which become
    * children of this one. While it is set, `src` does nothing, as with a video's
    * `srcObject`; null gives `src` its place back. Without either, the element's
-   * own children are the pages.
+   * own children are the pages. The open book stays, and can be turned, until
+   * the new one has been read; if that fails it stays, and a sentence and an
+   * `error` say why.
    */
   get pages(): BookInput | null {
     return this.#input;
@@ -99,8 +107,7 @@ export class TurnleafBook extends ReaderElement {
 
   set pages(pages: BookInput | null) {
     this.#input = pages ?? null;
-    this.#forget();
-    this.#reopen();
+    this.#openAnew();
   }
 
   /**
@@ -227,10 +234,10 @@ export class TurnleafBook extends ReaderElement {
 
   /**
    * Turns to a page (from 1, clamped to the book), or changes to it at once.
-   * Resolves, once the book is at rest, to whether it lies there. Before a book is open, that book opens
-   * there: resolves once it has, to false if it cannot be opened or the element
-   * is removed from its document. Rejects with a `TypeError` if the page is not
-   * a number.
+   * Resolves, once the book is at rest, to whether it lies there. While a book
+   * is opening, that book opens there: resolves once it has, to false if it
+   * cannot be opened or the element is removed from its document. Rejects with
+   * a `TypeError` if the page is not a number.
    *
    * @param options whether the book turns there with motion
    */
@@ -240,9 +247,22 @@ export class TurnleafBook extends ReaderElement {
       return Promise.reject(new TypeError(`goTo takes the number of a page; ${page} is none.`));
     }
     this.#reported = null;
+    if (this.#viewer === undefined || this.#life.isReading) return this.#asked.ask(asked);
+    return this.turnTo(asked, options);
+  }
+
+  /**
+   * Turns to a page of the open book, as `goTo` does, even while another book
+   * opens: for its reader, as by a link on its pages or a line of its contents.
+   * Resolves to false while no book is open.
+   *
+   * @internal
+   */
+  turnTo(page: number, options?: TurnOptions): Promise<boolean> {
+    this.#reported = null;
     const viewer = this.#viewer;
-    if (viewer === undefined) return this.#asked.ask(asked);
-    const spread = spreadOf(viewer.binding, asked);
+    if (viewer === undefined) return Promise.resolve(false);
+    const spread = spreadOf(viewer.binding, page);
     const motion = options?.motion === false ? "none" : this.#motion;
     if (motion === "turn") return viewer.commands.goTo(spread);
     const changed = viewer.change(spread, motion === "fade");
@@ -252,9 +272,11 @@ export class TurnleafBook extends ReaderElement {
 
   /**
    * Unfolds an open page (from 1) that is clearly wider than the book, as a
-   * click on it does. Resolves, once it is unfolded, to whether it is.
+   * click on it does, or opens the folded corner of a page and removes its bookmark. Resolves,
+   * once it is unfolded, to whether it is.
    */
   unfold(page: number): Promise<boolean> {
+    if (this.openDogEar(page)) return Promise.resolve(true);
     return this.#viewer?.commands.unfold(page) ?? Promise.resolve(false);
   }
 
@@ -354,9 +376,7 @@ export class TurnleafBook extends ReaderElement {
 
   readonly #effects: AttributeEffects = {
     open: () => {
-      if (this.#input !== null) return;
-      this.#forget();
-      this.#reopen();
+      if (this.#input === null) this.#openAnew();
     },
     rebind: () => this.#viewer?.rebind(bindingOptionsOf(this)),
     setPage: (value) => {
@@ -364,7 +384,9 @@ export class TurnleafBook extends ReaderElement {
     },
     changePaper: () => this.#viewer?.setPaper(this.#leaves),
     changeModel: () => void this.#viewer?.setModel(this),
-    typeset: () => void this.#typeset(),
+    typeset: () => {
+      if (!this.#isRestoring) void this.#typeset();
+    },
     changePace: () => {
       if (this.#viewer) this.#viewer.turning.seconds = turnSecondsOf(this);
     },
@@ -453,16 +475,33 @@ export class TurnleafBook extends ReaderElement {
     this.emit("statechange", { state });
   }
 
+  /** Opens another book in place of the open one, which stays until that has been read. */
+  #openAnew(): void {
+    const isNone = this.#input === null && this.src === "";
+    // The element's own children can be distinguished from the pages of the open book only without that.
+    if (isNone) {
+      this.#soundAndHaptics.close();
+      this.#forget();
+      this.#life.close();
+    } else if (!this.#life.book) this.#forget();
+    this.#reopen();
+  }
+
   #reopen(): void {
     // The parser's attributes come one by one before the element is connected: one book, not four.
     if (!this.#connected) return;
-    this.#soundAndHaptics.close();
     const input = this.#input ?? (this.src || this.#childPages());
     const { missing, opening } = elementTexts(languageOf(this));
-    this.#tree.say(input === "" ? missing : opening);
+    this.#tree.say(input === "" ? missing : opening, "status", this.#life.book !== null);
     if (input === "") this.#life.close();
-    else this.#life.open(input);
+    else this.#life.open(input, this.src);
     this.#updateState();
+  }
+
+  async #restore(source: PageSource, src: string): Promise<void> {
+    this.#isRestoring = true;
+    await this.restorePlace(source, src);
+    this.#isRestoring = false;
   }
 
   /** Returns the book that the element's children are; "" if there are none yet. */
@@ -513,6 +552,8 @@ export class TurnleafBook extends ReaderElement {
     this.#tree.say("");
     this.#tree.fit(viewer.placeRatio);
     this.#describe();
+    this.#updateState();
+    this.foldOpened();
     this.emit("load", { pageCount: source.pageCount, title: source.title });
   }
 
@@ -520,6 +561,7 @@ export class TurnleafBook extends ReaderElement {
     const binding = this.#viewer?.binding;
     if (binding === undefined) return;
     this.#soundAndHaptics.take();
+    this.#tree.readOn();
     const [from, to] = toLeft ? [low, high] : [high, low];
     const direction = directionOf(binding, from, to);
     this.emit("turnstart", { from: pageOf(binding, from), to: pageOf(binding, to), direction });
@@ -598,8 +640,9 @@ export class TurnleafBook extends ReaderElement {
     const { notOpened } = elementTexts(languageOf(this));
     const message =
       error instanceof BookError ? error.message : `${notOpened} (${nameAndMessage(error)})`;
-    this.#tree.say(message, "alert");
+    this.#tree.say(message, "alert", this.#life.book !== null);
     this.#asked.failed();
+    this.#updateState();
     this.emit("error", { message });
   }
 

@@ -14,6 +14,14 @@ export function drawWith(load: typeof loadWebGL): void {
 }
 
 /**
+ * Checks that a book has a page that can be shown. Rejects with a `BookError`
+ * if no page's size can be read, or with the signal's reason.
+ */
+export async function checkPages(source: PageSource, signal: AbortSignal): Promise<void> {
+  await Viewer.check(source, signal);
+}
+
+/**
  * Opens a book: in 3D if WebGL 2 and WebAssembly are available; otherwise on a
  * 2D canvas, and then neither three.js nor the engine is loaded. Rejects with a
  * `BookError` if no page's size can be read.

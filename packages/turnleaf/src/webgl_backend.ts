@@ -12,6 +12,7 @@ export function webglBackend(code: Promise<WebAssembly.Module>): Backend {
   return {
     engine: (size) => WasmBook.create(size, code),
     stage: (canvas, shape) => new WebGLStage(canvas, shape),
+    folds: () => import("./viewer/folds.ts"),
     models: () => import("./leaf_models/leaf_models.ts"),
   };
 }

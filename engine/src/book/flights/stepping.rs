@@ -83,17 +83,28 @@ impl Flights {
     }
 
     /// Steps one flight; its neighbours, left and right, are as firm as said.
-    fn step_one(&mut self, index: usize, gutter: &Gutter, piles: [&Pile; 2], firm: [f32; 2]) {
+    pub(super) fn step_one(
+        &mut self,
+        index: usize,
+        gutter: &Gutter,
+        piles: [&Pile; 2],
+        firm: [f32; 2],
+    ) {
         let supported = self.is_supported(index);
+        let is_held_up = self.lies_upon_folds(index);
         let has_way = self.has_way(index);
         let (own, [left, right]) = self.among(index);
         let leaf = own.leaf_mut();
         if matches!(leaf.phase(), Phase::Resting(_)) {
             return;
         }
-        let left = left.map(|flight| neighbour_of(flight, firm[0]));
-        let right = right.map(|flight| neighbour_of(flight, firm[1]));
+        // What comes to rest upon folds presses them down.
+        let pressed = |flight: &Flight| leaf.is_creased() && flight.leaf().is_down();
+        let firm_of = |flight: &Flight, firm: f32| if pressed(flight) { 1.0 } else { firm };
+        let left = left.map(|flight| neighbour_of(flight, firm_of(flight, firm[0])));
+        let right = right.map(|flight| neighbour_of(flight, firm_of(flight, firm[1])));
         leaf.detect_contacts(piles, [left, right], true);
+        leaf.set_held_up(is_held_up);
         leaf.step(supported, has_way);
         leaf.bend_into_gutter(gutter);
     }
@@ -224,7 +235,9 @@ impl Flights {
     /// Wakes leaves that rest upon others that move.
     fn wake(&mut self) {
         for index in 0..self.order.len() {
-            if matches!(self.order[index].phase(), Phase::Resting(_)) && !self.is_supported(index) {
+            if matches!(self.order[index].phase(), Phase::Resting(_))
+                && (!self.is_supported(index) || self.is_pressed(index))
+            {
                 self.order[index].leaf_mut().wake();
             }
         }

@@ -4,6 +4,7 @@ use super::Leaf;
 use crate::book::limits::{MAX_GRABS, NODES, TICK};
 use crate::book::phase::Phase;
 use crate::grid::Side;
+use crate::models::sheet::CAN_CREASE;
 
 /// Acceleration at the fore-edge by which a released leaf is helped over, m/s^2.
 const ASSIST: f32 = 14.0;
@@ -27,6 +28,9 @@ const LYING_TICKS: u32 = 24;
 const LYING_TO_GO: f32 = 0.6;
 const LYING_RATE: f32 = 0.2;
 
+/// A leaf that folds hold up lies on its side with less than this part of the half turn to go.
+const HELD_UP_TO_GO: f32 = 0.25;
+
 impl Leaf {
     /// Lets the leaf fall to a side.
     pub(super) fn fall(&mut self, to: Side, haste: f32) {
@@ -44,6 +48,7 @@ impl Leaf {
         }
         self.haste = haste;
         self.phase = Phase::Falling(to);
+        self.stay_awake();
     }
 
     pub(super) fn step_falling(&mut self, side: Side, supported: bool, has_way: bool) {
@@ -67,13 +72,53 @@ impl Leaf {
         self.help_over(side);
         self.step_sheet();
         self.fallen += 1;
-        let near = NEAR * (self.sheet.settings().width as f32 / WIDE).max(1.0);
-        let landed = self.height_over_rest(side) < near && self.sheet.greatest_speed() < SLOW;
+        let landed = if self.may_be_held_up() {
+            self.lies_held_up(side)
+        } else {
+            let near = NEAR * (self.sheet.settings().width as f32 / WIDE).max(1.0);
+            self.height_over_rest(side) < near && self.sheet.greatest_speed() < SLOW
+        };
         if supported && (landed || self.fallen > LONGEST_FALL) {
             self.landed.copy_from_slice(self.sheet.positions());
+            self.find_rest(side, landed);
             self.settling = Some(0.0);
             self.put_down = !landed;
             self.sheet.loads_mut().fill(0.0);
+        }
+    }
+
+    /// Whether folds, its own or those under it, may keep it from lying flat.
+    pub(super) fn may_be_held_up(&self) -> bool {
+        CAN_CREASE && (self.is_held_up || self.sheet.is_creased())
+    }
+
+    /// Whether a leaf lies on its side as still as it will: what folds hold up rests above the
+    /// pile.
+    fn lies_held_up(&self, side: Side) -> bool {
+        let to_go = match side {
+            Side::Left => 1.0 - self.turned,
+            Side::Right => self.turned,
+        };
+        to_go < HELD_UP_TO_GO && self.lies_still()
+    }
+
+    /// Finds where the leaf, which has landed on a side or not, is eased to rest: flat on the
+    /// pile; with creases, where it landed, or folded as they rest.
+    fn find_rest(&mut self, side: Side, landed: bool) {
+        if !self.sheet.is_creased() {
+            for (k, (rest, flat)) in self.rest.iter_mut().zip(&self.flat).enumerate() {
+                *rest = if k % 3 == 0 {
+                    side.sign() * flat
+                } else {
+                    *flat
+                };
+            }
+        } else if landed {
+            self.rest.copy_from_slice(&self.landed);
+        } else {
+            self.sheet.lay_folded(side);
+            self.rest.copy_from_slice(self.sheet.positions());
+            self.sheet.put_back(&self.landed);
         }
     }
 
@@ -128,20 +173,19 @@ impl Leaf {
         let t = (*time / SETTLE_SECONDS).min(1.0);
         if t >= 1.0 {
             let put_down = self.put_down;
-            self.lay(side);
+            if self.sheet.is_creased() {
+                let rest = core::mem::take(&mut self.rest);
+                self.lay_at(side, &rest);
+                self.rest = rest;
+            } else {
+                self.lay(side);
+            }
             self.put_down = put_down;
             return;
         }
         let eased = t * t * (3.0 - 2.0 * t);
-        let states = self.landed.iter().zip(&self.flat);
-        let eased = states.enumerate().map(|(k, (landed, flat))| {
-            let rest = if k % 3 == 0 {
-                side.sign() * flat
-            } else {
-                *flat
-            };
-            landed + (rest - landed) * eased
-        });
+        let states = self.landed.iter().zip(&self.rest);
+        let eased = states.map(|(landed, rest)| landed + (rest - landed) * eased);
         self.sheet.place(eased);
     }
 

@@ -75,8 +75,8 @@ impl Leaf {
     }
 
     /// Wakes it from the sleep of a leaf that is held still.
-    fn stay_awake(&mut self) {
-        self.held_ticks = 0;
+    pub(super) fn stay_awake(&mut self) {
+        self.watched_ticks = 0;
         self.drift.fill(0.0);
     }
 
@@ -85,7 +85,7 @@ impl Leaf {
     pub fn is_asleep(&self) -> bool {
         match self.phase {
             Phase::Resting(_) => true,
-            Phase::Held => self.held_ticks >= DROWSY_TICKS && self.is_drowsy(),
+            Phase::Held => self.lies_still(),
             Phase::Falling(_) | Phase::Playing(_) => false,
         }
     }
@@ -105,15 +105,24 @@ impl Leaf {
             }
         }
         self.step_sheet();
-        self.held_ticks = self.held_ticks.saturating_add(1);
+        self.watch();
+    }
+
+    /// Follows the mean velocity of its nodes since they were kept.
+    pub(super) fn watch(&mut self) {
+        self.watched_ticks = self.watched_ticks.saturating_add(1);
         let ways = self.sheet.positions().iter().zip(&self.kept);
         for (drift, (x, before)) in self.drift.iter_mut().zip(ways) {
             *drift += (x - before - *drift) / DROWSY_TICKS as f32;
         }
     }
 
-    fn is_drowsy(&self) -> bool {
-        let doublings = (self.held_ticks / DOUBLING).min(24);
+    /// Whether its nodes' mean velocity says that it lies as still as it will.
+    pub(super) fn lies_still(&self) -> bool {
+        if self.watched_ticks < DROWSY_TICKS {
+            return false;
+        }
+        let doublings = (self.watched_ticks / DOUBLING).min(24);
         let way = DROWSY * (1 << doublings) as f32 * TICK;
         let square: f32 = self.drift.iter().map(|x| x * x).sum();
         square < way * way * (self.drift.len() / 3) as f32

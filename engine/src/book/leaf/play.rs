@@ -9,8 +9,15 @@ use crate::grid::Side;
 /// Number of the grab that turns a leaf; readers' grabs have lower ones.
 const TURNER: u32 = 1000;
 
-/// Where on the leaf it holds: at the fore-edge, a little above the foot.
-const PLACE: [f32; 2] = [1.0, 0.14];
+/// Where on the leaf it holds: at the fore-edge, a little above the foot; where the leaf is
+/// folded over there, the same below the head, in the middle, or farther in.
+const PLACES: [[f32; 2]; 5] = [
+    [1.0, 0.14],
+    [1.0, 0.86],
+    [1.0, 0.5],
+    [0.75, 0.5],
+    [0.5, 0.5],
+];
 
 /// Part of a turn's duration that the grab leads the leaf; the rest of it the
 /// leaf falls.
@@ -46,8 +53,7 @@ impl Leaf {
             Phase::Resting(side) if side == to => {}
             Phase::Resting(from) => {
                 let time = if from == Side::Right { 0.0 } else { 1.0 };
-                self.sheet.grab(TURNER, PLACE[0], PLACE[1]);
-                self.course = Some(Course { time, rate });
+                self.start_course(Course { time, rate });
                 self.phase = Phase::Playing(to);
             }
             Phase::Playing(_) => {
@@ -67,9 +73,21 @@ impl Leaf {
         // Where a grab is at this fraction of its way: of a smoothstep, near enough.
         let time = self.turned.clamp(0.0, 1.0);
         self.drop_course();
-        self.sheet.grab(TURNER, PLACE[0], PLACE[1]);
-        self.course = Some(Course { time, rate });
+        self.start_course(Course { time, rate });
         self.phase = Phase::Playing(to);
+    }
+
+    fn start_course(&mut self, course: Course) {
+        let [u, v] = self.turner_place();
+        self.sheet.grab(TURNER, u, v);
+        self.course = Some(course);
+    }
+
+    /// Where the grab that turns the leaf holds it: not on what is folded over, which it would
+    /// unfold.
+    fn turner_place(&self) -> [f32; 2] {
+        let is_whole = |place: &[f32; 2]| !self.sheet.is_beyond_crease(*place);
+        PLACES.into_iter().find(is_whole).unwrap_or(PLACES[0])
     }
 
     pub(super) fn drop_course(&mut self) {
@@ -89,8 +107,9 @@ impl Leaf {
         let settings = self.sheet.settings();
         let (width, height) = (settings.width as f32, settings.height as f32);
         let (sin, cos) = libm::sincosf(core::f32::consts::PI * way);
-        let radius = width * PLACE[0] * (1.0 - PULL * sin * sin);
-        let y = height * (PLACE[1] + RISE * sin * sin);
+        let [u, v] = self.turner_place();
+        let radius = width * u * (1.0 - PULL * sin * sin);
+        let y = height * (v + RISE * sin * sin);
         self.sheet.pull(TURNER, [radius * cos, y, radius * sin]);
         self.step_sheet();
         let gone = if side == Side::Left { way } else { 1.0 - way };

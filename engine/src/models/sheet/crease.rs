@@ -6,6 +6,8 @@
 //! sheet"). Turned further from its rest than it yields, it keeps the difference:
 //! its rest angle follows, as that of a fold that is pressed.
 
+use crate::stock::Stock;
+
 /// A straight crease across a sheet, from edge to edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoldLine {
@@ -23,7 +25,35 @@ pub struct FoldLine {
     pub yields: f64,
 }
 
+/// Stiffness of a crease over that of the paper across a width of the page: k L / D, where
+/// paper folded by hand has a few (Lechenault, Thiria and Adda-Bedia 2014).
+const PRESSED: f64 = 6.0;
+
+/// Angle off its rest beyond which a crease pressed by hand yields, radians: pressing it shut
+/// that rests a little open does not change it, and opening it does.
+const YIELDS: f64 = 0.5;
+
 impl FoldLine {
+    /// A crease pressed by hand through two places (u and v) into a page `width` metres wide,
+    /// of a stock, that rests at an angle, radians as [`FoldLine::rest`].
+    pub fn pressed(through: [[f64; 2]; 2], rest: f64, stock: &Stock, width: f64) -> FoldLine {
+        FoldLine {
+            through,
+            rest,
+            stiffness: PRESSED * stock.stiffness_across / width,
+            yields: YIELDS,
+        }
+    }
+
+    /// Whether the spine, whose ends the crease's line does not meet, lies all on one side of
+    /// it: only then can a bound leaf be folded along it. `size` is the leaf's, metres.
+    pub(crate) fn leaves_spine(&self, [width, height]: [f64; 2]) -> bool {
+        let [a, b] = self.through.map(|[u, v]| [u * width, v * height]);
+        let way = [b[0] - a[0], b[1] - a[1]];
+        let side = |y: f64| way[0] * (y - a[1]) + way[1] * a[0];
+        side(0.0) * side(height) > 0.0
+    }
+
     /// Whether every figure is one that a crease can have.
     pub(super) fn is_valid(&self) -> bool {
         let within = |at: &f64| (0.0..=1.0).contains(at);

@@ -4,12 +4,25 @@ use super::Sheet;
 use super::crease::FoldLine;
 use super::creased::Creased;
 use super::hinges::Hinges;
-use super::material::Material;
+use super::material::{Material, cut};
 use super::membrane::Membrane;
 use super::patches::Patches;
 use super::settings::{CAN_CREASE, InvalidSheet};
 use super::sweep::Sweep;
 use super::system::System;
+use crate::grid::Side;
+use core::f64::consts::PI;
+
+/// What a point of a creased sheet belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Part {
+    /// A crease.
+    Crease,
+    /// What is folded over, to the recto's side or to the verso's.
+    Flap { on_recto: bool },
+    /// All else.
+    Rest,
+}
 
 impl Sheet {
     /// Creases the sheet along lines, in place of those along which it was creased before:
@@ -62,6 +75,68 @@ impl Sheet {
         Ok(())
     }
 
+    /// Whether the sheet is creased.
+    pub fn is_creased(&self) -> bool {
+        self.creased().is_some()
+    }
+
+    /// The creases of the sheet, each with the angle at which it rests now.
+    pub fn creases(&self) -> Vec<FoldLine> {
+        let Some(Creased { lines, hinges, .. }) = self.creased() else {
+            return Vec::new();
+        };
+        let lines = lines.iter().enumerate();
+        let rests = lines.map(|(crease, line)| FoldLine {
+            rest: hinges
+                .crease(crease)
+                .map_or(line.rest, |[_, rest]| f64::from(rest).clamp(-PI, PI)),
+            ..*line
+        });
+        rests.collect()
+    }
+
+    /// Lays the sheet still on a side, nothing holding it, turned about each crease to the
+    /// angle at which that rests: what lies beyond a crease as seen from the spine turns. Where
+    /// parts of it would lie under the table, the sheet is raised about the spine until none
+    /// do. Creases that cross each other are turned one after the other, as if they did not.
+    pub fn lay_folded(&mut self, side: Side) {
+        self.lay_flat(side);
+        if !self.is_creased() {
+            return;
+        }
+        let creases = self.creases();
+        let mut places = fold_flat(&self.material, &creases);
+        let sign = f64::from(side.sign());
+        // The sheet's recto faces down on the left.
+        for [_, _, z] in &mut places {
+            *z *= sign;
+        }
+        let sunken = places.iter().filter(|[_, _, z]| *z < 0.0);
+        let raised = sunken.fold(0.0, |most: f64, [x, _, z]| {
+            most.max(libm::atan2(-z, x.max(0.0)))
+        });
+        let (sin, cos) = libm::sincos(raised);
+        for (own, [x, y, z]) in self.positions.chunks_exact_mut(3).zip(places) {
+            let raised = [sign * (x * cos - z * sin), y, x * sin + z * cos];
+            own.copy_from_slice(&raised.map(|x| x as f32));
+        }
+        let (positions, tangents) = (&self.positions, &self.tangents);
+        if let (true, Some(creased)) = (CAN_CREASE, &mut self.creased) {
+            creased.hinges.settle(positions, tangents);
+        }
+    }
+
+    /// Whether a place (u and v) lies beyond a crease as seen from the middle of the spine.
+    pub(crate) fn is_beyond_crease(&self, [u, v]: [f32; 2]) -> bool {
+        let Some(creased) = self.creased() else {
+            return false;
+        };
+        let [width, height] = self.material.size;
+        let place = [f64::from(u) * width, f64::from(v) * height];
+        let turns = turns(&self.material, &creased.lines);
+        turns.iter().any(|turn| turn.reach(place) > 0.0)
+    }
+
     /// What the sheet has once it is creased. Engines that crease none are built without
     /// what follows from it.
     pub(super) fn creased(&self) -> Option<&Creased> {
@@ -109,18 +184,44 @@ impl Sheet {
         Some(places.iter().map(part).collect())
     }
 
-    /// The cells of the drawn surface that are folded along their rising diagonal, from foot
-    /// and spine to head and fore-edge, as numbers of the points at their foot by the spine;
-    /// others are to be cut along the falling one where they are folded at all.
-    pub fn rising_folds(&self) -> Vec<usize> {
-        let Some(Creased { patches, .. }) = self.creased() else {
+    /// The triangles of a creased sheet's drawn surface, by its points, none of which reaches over
+    /// a crease. They go around as u to v does, and each comes with the part of the sheet that
+    /// it belongs to: a set of bits, one for each crease that it lies beyond as seen from the
+    /// spine. None of a sheet without creases.
+    pub fn drawn_triangles(&self) -> Vec<([usize; 3], u16)> {
+        let Some(Creased { lines, patches, .. }) = self.creased() else {
             return Vec::new();
         };
-        let rises = |foot: &usize| {
-            let edge = patches.drawn.folded_diagonal(*foot);
-            edge.is_some_and(|edge| edge[0] == *foot)
+        triangles(&patches.drawn, lines)
+    }
+
+    /// The triangles of a creased sheet's nodes, as of its [points](Self::drawn_triangles).
+    pub(crate) fn node_triangles(&self) -> Vec<([usize; 3], u16)> {
+        let lines = self.creased().map(|creased| &creased.lines);
+        lines.map_or_else(Vec::new, |lines| triangles(&self.material, lines))
+    }
+
+    /// What each drawn point of a creased sheet belongs to; none of a sheet without creases.
+    pub(crate) fn drawn_parts(&self) -> Vec<Part> {
+        let Some(Creased { lines, patches, .. }) = self.creased() else {
+            return Vec::new();
         };
-        patches.drawn.cells().filter(rises).collect()
+        let turns = turns(&patches.drawn, lines);
+        let part = |place: &[f64; 2]| {
+            let mut part = Part::Rest;
+            for turn in &turns {
+                let reach = turn.reach(*place);
+                if reach.abs() < ON_CREASE {
+                    return Part::Crease;
+                }
+                if reach > 0.0 {
+                    let on_recto = turn.rest[1] > 0.0;
+                    part = Part::Flap { on_recto };
+                }
+            }
+            part
+        };
+        patches.drawn.places.iter().map(part).collect()
     }
 
     /// Angle of a crease now and its rest, radians as [`FoldLine::rest`]: means over its
@@ -135,5 +236,93 @@ impl Sheet {
         if let Some(Creased { hinges, .. }) = self.creased_mut() {
             hinges.set_rest(crease, rest);
         }
+    }
+}
+
+/// Nearer to a crease than this, metres, a point lies on it.
+const ON_CREASE: f64 = 1e-7;
+
+/// Where a sheet's nodes are that lies flat on the right but for its creases, each turned to
+/// its rest angle, metres. Of two creases the one that lies beyond the other turns first.
+fn fold_flat(material: &Material, creases: &[FoldLine]) -> Vec<[f64; 3]> {
+    let mut turns = turns(material, creases);
+    turns.sort_by_key(|turn| turn.beyond);
+    let places = material.places.iter().map(|place| {
+        let mut at = [place[0], place[1], 0.0];
+        for turn in turns.iter().filter(|turn| turn.reach(*place) > 0.0) {
+            let [cos, sin] = turn.rest;
+            let far = turn.reach([at[0], at[1]]);
+            let out = far * cos - at[2] * sin - far;
+            at[2] = far * sin + at[2] * cos;
+            for axis in 0..2 {
+                at[axis] += out * turn.outward[axis];
+            }
+        }
+        at
+    });
+    places.collect()
+}
+
+/// The triangles of a creased material, each with the creases that it lies beyond.
+fn triangles(material: &Material, creases: &[FoldLine]) -> Vec<([usize; 3], u16)> {
+    let turns = turns(material, creases);
+    let triangles = material.cells().flat_map(|foot| cut(material, foot, true));
+    let parts = triangles.map(|corners| {
+        let of = corners.map(|corner| material.places[corner]);
+        let middle = [0, 1].map(|axis| (of[0][axis] + of[1][axis] + of[2][axis]) / 3.0);
+        let beyond = turns.iter().filter(|turn| turn.reach(middle) > 0.0);
+        let part = beyond.fold(0, |part, turn| part | 1 << turn.crease);
+        (corners, part)
+    });
+    parts.collect()
+}
+
+/// How the parts of a sheet beyond creases turn about them.
+fn turns(material: &Material, creases: &[FoldLine]) -> Vec<Turn> {
+    let creases = creases.iter().enumerate();
+    let turns = creases.filter_map(|(number, crease)| Turn::of(material, number, crease));
+    turns.collect()
+}
+
+/// How the part of a sheet beyond a crease turns about it.
+struct Turn {
+    /// Number of the crease.
+    crease: usize,
+    /// A place on the crease, metres, and the direction across it away from the spine.
+    from: [f64; 2],
+    outward: [f64; 2],
+    /// Cosine and sine of its rest angle.
+    rest: [f64; 2],
+    /// How many nodes lie beyond it.
+    beyond: usize,
+}
+
+impl Turn {
+    fn of(material: &Material, number: usize, crease: &FoldLine) -> Option<Turn> {
+        let line = material.line(crease)?;
+        let [along, up] = [line.to[0] - line.from[0], line.to[1] - line.from[1]];
+        let length = libm::hypot(along, up);
+        let mut turn = Turn {
+            crease: number,
+            from: line.from,
+            outward: [up / length, -along / length],
+            rest: [libm::cos(crease.rest), libm::sin(crease.rest)],
+            beyond: 0,
+        };
+        // Away from the middle of the spine.
+        if turn.reach([0.0, 0.5 * material.size[1]]) > 0.0 {
+            turn.outward = turn.outward.map(|x| -x);
+        }
+        let beyond = material
+            .places
+            .iter()
+            .filter(|place| turn.reach(**place) > 0.0);
+        turn.beyond = beyond.count();
+        Some(turn)
+    }
+
+    /// Distance of a place from the crease, away from the spine, metres.
+    fn reach(&self, place: [f64; 2]) -> f64 {
+        (place[0] - self.from[0]) * self.outward[0] + (place[1] - self.from[1]) * self.outward[1]
     }
 }

@@ -325,7 +325,21 @@ fn a_folded_corner_is_drawn_with_a_sharp_straight_crease() {
             assert!(apart < 2e-5, "({u}, {v}): {apart} m on axis {axis}");
         }
     }
-    assert!(!sheet.rising_folds().is_empty());
+    // No triangle reaches over the crease.
+    let beyond =
+        |[u, v]: [f32; 2]| f64::from(u) * PAGE[0] - PAGE[0] + 0.05 - f64::from(v) * PAGE[1];
+    let places = sheet.drawn_places().unwrap();
+    let triangles = sheet.drawn_triangles();
+    for (corners, part) in &triangles {
+        let sign = if *part == 1 { 1.0 } else { -1.0 };
+        assert!(
+            corners
+                .iter()
+                .all(|corner| sign * beyond(places[*corner]) > -1e-6)
+        );
+    }
+    assert!(triangles.iter().any(|(_, part)| *part == 0));
+    assert!(triangles.iter().any(|(_, part)| *part == 1));
 }
 
 #[test]

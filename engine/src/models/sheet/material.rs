@@ -32,7 +32,7 @@ pub(super) struct Material {
     is_even: bool,
     /// Mean sides of a cell, and the sheet's, metres.
     cell: [f64; 2],
-    size: [f64; 2],
+    pub size: [f64; 2],
     /// Edges of the grid and diagonals of cells that lie on creases: two nodes, the
     /// lower first, and the number of the crease.
     pub folds: Vec<([usize; 2], usize)>,
@@ -40,9 +40,9 @@ pub(super) struct Material {
 
 /// A line over the paper, from edge to edge.
 #[derive(Clone, Copy)]
-struct Line {
-    from: [f64; 2],
-    to: [f64; 2],
+pub(super) struct Line {
+    pub from: [f64; 2],
+    pub to: [f64; 2],
 }
 
 impl Material {
@@ -243,7 +243,7 @@ impl Material {
     }
 
     /// The whole line of a crease.
-    fn line(&self, fold: &FoldLine) -> Option<Line> {
+    pub fn line(&self, fold: &FoldLine) -> Option<Line> {
         let size = self.size;
         let [a, b] = fold.through.map(|at| [at[0] * size[0], at[1] * size[1]]);
         let way = [b[0] - a[0], b[1] - a[1]];

@@ -30,6 +30,8 @@ mod tests;
 
 pub use contact::{CONTACTS, Contact};
 pub use crease::FoldLine;
+pub(crate) use creasing::Part;
+pub(crate) use settings::CAN_CREASE;
 pub use settings::{InvalidSheet, Root, SheetSettings};
 
 use crate::vector::dot;
@@ -47,7 +49,7 @@ use crate::interpolate::{Local, uniform_samples};
 use crate::surface::Surface;
 use crate::synchronise::{Synchronise, Synchroniser};
 use crate::turn::TurnModel;
-use settings::{CAN_CREASE, CAN_SYNCHRONISE};
+use settings::CAN_SYNCHRONISE;
 
 /// Greatest speed of a node, m/s: nothing that a grab does to paper is faster.
 const FASTEST: f32 = 12.0;
@@ -263,6 +265,14 @@ impl Sheet {
         };
         self.set_clamp_angle(angle);
         self.last_tangents.copy_from_slice(&self.tangents);
+    }
+
+    /// Where its nodes are when it lies flat on the right, x, y, z of each, metres.
+    pub(crate) fn flat_places(&self) -> Vec<f32> {
+        let places = self.material.places.iter();
+        places
+            .flat_map(|[u, v]| [*u as f32, *v as f32, 0.0])
+            .collect()
     }
 
     /// Sets the angle at which the sheet leaves the spine, radians: 0 level to

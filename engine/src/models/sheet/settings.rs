@@ -57,7 +57,7 @@ pub struct SheetSettings {
 pub(super) const CAN_SYNCHRONISE: bool = cfg!(feature = "synchronise");
 
 /// Whether sheets can be creased.
-pub(super) const CAN_CREASE: bool = cfg!(feature = "creases");
+pub(crate) const CAN_CREASE: bool = cfg!(feature = "creases");
 
 /// Of a leaf that is as near to the shell as it can be: seconds of a step, and the shell's
 /// stiffness in its plane, N/m.

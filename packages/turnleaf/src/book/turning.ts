@@ -109,6 +109,26 @@ export class Turning {
     return outermost(this.#flights, this.#spread);
   }
 
+  /** What is drawn by itself, from left to right: all in flight, and creased leaves that lie uppermost. */
+  get drawn(): readonly Between[] {
+    const { creases } = this.#engine;
+    if (!creases) return this.#flights;
+    const { low, high } = this.outermost;
+    const left = creases.lies(Side.left) ? [{ low: low - 1, high: low }] : [];
+    const right = creases.lies(Side.right) ? [{ low: high, high: high + 1 }] : [];
+    return [...left, ...this.#flights, ...right];
+  }
+
+  /** The spreads left and right of everything that is drawn by itself. */
+  get under(): Between {
+    return outermost(this.drawn, this.#spread);
+  }
+
+  /** What has a surface of the engine, in its order: all that is drawn by itself but boards. */
+  get leaves(): readonly Between[] {
+    return this.drawn.filter((one) => !("part" in one) || one.part === "leaf");
+  }
+
   /** The spread where the book last rested. */
   get restedAt(): number {
     return this.#restedAt;

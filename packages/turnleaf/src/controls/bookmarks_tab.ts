@@ -44,7 +44,7 @@ export class BookmarksTab implements PanelTab {
       const there = make("button", { type: "button", class: "line" }, name);
       if (marked === page) there.setAttribute("aria-current", "true");
       there.addEventListener("click", () => {
-        void this.#book.goTo(marked);
+        void this.#book.turnTo(marked);
         this.#picked();
       });
       const remove = iconButton("close", `${texts.removeBookmark}: ${name}`);

@@ -132,7 +132,7 @@ export class ContentsTab implements PanelTab {
       make("span", { class: "label" }, this.#book.label(page)),
     );
     button.addEventListener("click", () => {
-      void this.#book.goTo(page);
+      void this.#book.turnTo(page);
       this.#picked();
     });
     this.#lines.push({ page, button });

@@ -108,7 +108,7 @@ test("the panel takes the focus and gives it back", async () => {
 
   button.click();
   [...root.querySelectorAll<HTMLElement>(".contents .line")][2]?.click();
-  expect(book.asked).toEqual(["goTo 9"]);
+  expect(book.asked).toEqual(["turnTo 9"]);
   // Only web links are links.
   const links = [...root.querySelectorAll<HTMLAnchorElement>(".contents a")];
   expect(links.map(({ href, rel }) => [href, rel])).toEqual([
@@ -144,7 +144,7 @@ test("on a narrow element the panel goes when something is picked", async () => 
   expect(tabs.map((tab) => tab.ariaSelected)).toEqual(["false", "false", "true", "false"]);
   await userEvent.keyboard("{Home}");
   root.querySelector<HTMLElement>(".contents .line")?.click();
-  expect(book.asked).toContain("goTo 2");
+  expect(book.asked).toContain("turnTo 2");
   expect(root.querySelector<HTMLElement>("[part=panel]")?.hidden).toBe(true);
   expect(document.activeElement).toBe(book);
   expect(root.activeElement).toBe(frameOf(root));
@@ -172,10 +172,10 @@ test("the slider says where it is and turns as it is dragged", async () => {
   expect(slider.getAttribute("aria-valuetext")).toBe("Page iv, 4 of 30");
   slider.focus();
   await userEvent.keyboard("{ArrowRight}{ArrowRight}");
-  expect(book.asked).toEqual(["goTo 5", "goTo 6"]);
+  expect(book.asked).toEqual(["turnTo 5", "turnTo 6"]);
   expect(slider.getAttribute("aria-valuetext")).toBe("Page vi, 6 of 30");
   await userEvent.keyboard("{End}");
-  expect(book.asked.at(-1)).toBe("goTo 30");
+  expect(book.asked.at(-1)).toBe("turnTo 30");
   expect(root.querySelector(".bubble")?.textContent).toBe("24");
   expect(named(root, "Next page").ariaDisabled).toBe("true");
   // A book bound at the right runs the other way.
@@ -192,7 +192,7 @@ test("the page field finds labels and numbers, and says what is not there", asyn
   expect(root.querySelector(".count")?.textContent).toBe("4 of 30");
   field.focus();
   await userEvent.keyboard("VI{Enter}");
-  await expect.poll(() => book.asked).toEqual(["goTo 6"]);
+  await expect.poll(() => book.asked).toEqual(["turnTo 6"]);
   expect(document.activeElement).toBe(book);
   field.focus();
   await userEvent.keyboard("99{Enter}");
@@ -209,8 +209,8 @@ test("keys turn, zoom and search; those of a field and of the browser are left a
   expect(book.asked).toEqual([
     "next",
     "previous",
-    "last",
-    "first",
+    "turnTo Infinity",
+    "turnTo 1",
     "zoom 1.5",
     "zoom 1",
     "zoom 1",
@@ -269,7 +269,7 @@ test("bookmarks are listed in the book's order and can be taken off", async () =
   const names = () => [...root.querySelectorAll(".rows .line")].map((row) => row.textContent);
   expect(names()).toEqual(["Page ii", "Page iv"]);
   root.querySelectorAll<HTMLElement>(".rows .line")[0]?.click();
-  expect(book.asked).toEqual(["goTo 2"]);
+  expect(book.asked).toEqual(["turnTo 2"]);
   named(root, "Remove the bookmark: Page iv").click();
   expect(names()).toEqual(["Page ii"]);
 });
@@ -290,7 +290,7 @@ test("of 5,000 small pages only those in sight exist, and one is drawn at a time
   expect(active(root)).toBe("Page 4994");
   expect(book.mostDrawing).toBe(1);
   await userEvent.keyboard("{Enter}");
-  expect(book.asked.at(-1)).toBe("goTo 5000");
+  expect(book.asked.at(-1)).toBe("turnTo 5000");
   // Nothing is drawn after the panel has closed.
   named(root, "Close").click();
   expect(cells()).toBe(0);

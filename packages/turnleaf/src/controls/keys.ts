@@ -42,8 +42,8 @@ function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommand
     "/": () => commands.search(),
   };
   const onBook: Record<string, () => unknown> = {
-    Home: () => book.first(),
-    End: () => book.last(),
+    Home: () => book.turnTo(1),
+    End: () => book.turnTo(Number.POSITIVE_INFINITY),
     " ": () => book.press(event.shiftKey ? -1 : 1),
   };
   // In its shadow tree, the frame around everything takes the focus for the book.

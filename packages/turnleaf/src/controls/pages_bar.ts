@@ -89,7 +89,7 @@ export class PagesBar {
       this.#sliding = true;
       const page = Number(slider.value);
       this.#slide(page);
-      void this.#book.goTo(page);
+      void this.#book.turnTo(page);
     });
     slider.addEventListener("change", () => {
       this.#sliding = false;
@@ -130,7 +130,7 @@ export class PagesBar {
     }
     this.#status.textContent = "";
     this.#book.focus({ preventScroll: true });
-    void this.#book.goTo(page);
+    void this.#book.turnTo(page);
   }
 
   /** Sets the slider at a page and says so. */

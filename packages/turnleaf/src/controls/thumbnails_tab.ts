@@ -136,7 +136,7 @@ export class ThumbnailsTab implements PanelTab {
     );
     button.addEventListener("click", () => {
       this.#at = page;
-      void this.#book.goTo(page);
+      void this.#book.turnTo(page);
       this.#picked();
     });
     const item = make("li", { "aria-setsize": pageCount, "aria-posinset": page }, button);

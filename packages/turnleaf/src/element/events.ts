@@ -1,5 +1,6 @@
 /** The events of `<turnleaf-book>`. */
 
+import type { DogEar } from "../book/dog_ears.ts";
 import type { Edge, Layout } from "../book/spreads.ts";
 import type { BookState } from "../book/turning.ts";
 
@@ -37,6 +38,8 @@ export interface TurnleafEventMap {
   zoomchange: CustomEvent<{ zoom: number }>;
   /** The bookmarks have changed. */
   bookmarkchange: CustomEvent<{ bookmarks: readonly number[] }>;
+  /** The corners that are folded over have changed. */
+  dogearchange: CustomEvent<{ dogEars: readonly DogEar[] }>;
   /** The pages at which the offset is shifted have changed. */
   shiftchange: CustomEvent<{ shifts: readonly number[] }>;
   /** The slide-show starts or stops. */

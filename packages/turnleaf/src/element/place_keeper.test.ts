@@ -19,17 +19,18 @@ function storage(text: string | null = null): { text: string | null } {
 it("keeps a book's place and gives it back", () => {
   storage();
   expect(loadPlace("a")).toBe(null);
-  savePlace("a", { page: 7, zoom: 1.5, bookmarks: [2, 9], shifts: [4] });
-  savePlace("b", { page: 3, zoom: 1, bookmarks: [], shifts: [] });
-  expect(loadPlace("a")).toEqual({ page: 7, zoom: 1.5, bookmarks: [2, 9], shifts: [4] });
-  savePlace("a", { page: 8, zoom: 1, bookmarks: [], shifts: [] });
-  expect(loadPlace("a")).toEqual({ page: 8, zoom: 1, bookmarks: [], shifts: [] });
+  savePlace("a", { page: 7, zoom: 1.5, bookmarks: [2, 9], shifts: [4], folds: [] });
+  savePlace("b", { page: 3, zoom: 1, bookmarks: [], shifts: [], folds: [] });
+  expect(loadPlace("a")).toEqual({ page: 7, zoom: 1.5, bookmarks: [2, 9], shifts: [4], folds: [] });
+  savePlace("a", { page: 8, zoom: 1, bookmarks: [], shifts: [], folds: [] });
+  expect(loadPlace("a")).toEqual({ page: 8, zoom: 1, bookmarks: [], shifts: [], folds: [] });
   expect(loadPlace("b")?.page).toBe(3);
 });
 
 it("keeps a hundred books, the last read", () => {
   const held = storage();
-  for (let i = 1; i <= 150; i++) savePlace(`${i}`, { page: i, zoom: 1, bookmarks: [], shifts: [] });
+  for (let i = 1; i <= 150; i++)
+    savePlace(`${i}`, { page: i, zoom: 1, bookmarks: [], shifts: [], folds: [] });
   expect(loadPlace("50")).toBe(null);
   expect(loadPlace("51")?.page).toBe(51);
   expect(JSON.parse(held.text ?? "").length).toBe(100);
@@ -58,12 +59,12 @@ it("takes nothing from a storage that somebody else wrote", () => {
   ];
   for (const [row, page, zoom, bookmarks] of rows) {
     storage(`[${row}]`);
-    expect(loadPlace("a")).toEqual({ page, zoom, bookmarks, shifts: [] });
+    expect(loadPlace("a")).toEqual({ page, zoom, bookmarks, shifts: [], folds: [] });
   }
 });
 
 it("lives without a storage, and with one that is full", () => {
-  const kept = { page: 1, zoom: 1, bookmarks: [], shifts: [] };
+  const kept = { page: 1, zoom: 1, bookmarks: [], shifts: [], folds: [] };
   expect(() => savePlace("a", kept)).not.toThrow();
   expect(loadPlace("a")).toBe(null);
   vi.stubGlobal("localStorage", {

@@ -5,7 +5,9 @@
  * a failed write does not stop reading.
  */
 
+import type { DogEar } from "../book/dog_ears.ts";
 import type { PageSource } from "../sources/page_source.ts";
+import { cleanDogEars } from "./dog_ear_lists.ts";
 import { cleanPages, isPage } from "./page_numbers.ts";
 import { typographyAttributes, typographyOf } from "./typography.ts";
 
@@ -18,7 +20,8 @@ interface PlacedBook extends HTMLElement {
   zoom: number;
   bookmarks: readonly number[];
   shifts: readonly number[];
-  goTo(page: number): Promise<boolean>;
+  turnTo(page: number): Promise<boolean>;
+  dogEars: readonly DogEar[];
 }
 
 /** Follows one element for as long as it is in a document. */
@@ -29,8 +32,10 @@ export class PlaceKeeper {
   /** Whether a book is open whose place is worth keeping. */
   #isOpen = false;
 
-  /** What was kept of the book that is about to open, its pages as they lie now. */
-  #restored: SavedPlace | null = null;
+  /** What was kept of a book that is about to open, its pages as they lie now. */
+  #restored: { readonly source: PageSource; readonly place: SavedPlace } | null = null;
+  /** The element's address of each book: it names another while the next book opens. */
+  readonly #addresses = new WeakMap<PageSource, string>();
 
   /** @param source returns the open book's pages */
   constructor(book: PlacedBook, source: () => PageSource | undefined) {
@@ -48,11 +53,12 @@ export class PlaceKeeper {
     on(this.#book, "load", () => this.#opened());
     on(this.#book, "pagechange", () => this.#write());
     on(this.#book, "bookmarkchange", () => this.#keep());
+    on(this.#book, "dogearchange", () => this.#keep());
     on(this.#book, "shiftchange", () => this.#keep());
     on(window, "pagehide", () => this.#keep());
     on(window, "hashchange", () => {
       const page = this.#asked;
-      if (page !== null && page !== this.#book.page) void this.#book.goTo(page);
+      if (page !== null && page !== this.#book.page) void this.#book.turnTo(page);
     });
   }
 
@@ -67,16 +73,17 @@ export class PlaceKeeper {
   closed(): void {
     this.#keep();
     this.#isOpen = false;
-    this.#restored = null;
   }
 
   /**
    * Sets flowing text as its reader had it, where the element does not say it
    * otherwise, and finds the page where he was. Never rejects: a book opens at
    * its beginning where that fails.
+   *
+   * @param src the element's address of it
    */
-  async restore(source: PageSource): Promise<void> {
-    this.#restored = null;
+  async restore(source: PageSource, src: string): Promise<void> {
+    this.#addresses.set(source, src);
     if (!source.findAnchors || !this.#book.hasAttribute("remember")) return;
     const kept = loadPlace(this.#name(source));
     if (kept?.text === undefined) return;
@@ -91,7 +98,7 @@ export class PlaceKeeper {
       if (isChanged) await source.typeset?.(typographyOf(this.#book));
       const [index, ...marks] = await source.findAnchors(anchors);
       const bookmarks = cleanPages(marks.map((mark) => (mark ?? -1) + 1));
-      this.#restored = { ...kept, page: (index ?? 0) + 1, bookmarks };
+      this.#restored = { source, place: { ...kept, page: (index ?? 0) + 1, bookmarks } };
     } catch {
       // What is wrong with the book is said when it is shown.
     }
@@ -122,6 +129,7 @@ export class PlaceKeeper {
     const kept = this.#loaded(source);
     if (kept === null) return;
     if (kept.bookmarks.length > 0) book.bookmarks = kept.bookmarks;
+    if (kept.folds.length > 0) book.dogEars = dogEarsOf(kept);
     if (kept.shifts.length > 0) book.shifts = kept.shifts;
     if (kept.zoom > 1) book.zoom = kept.zoom;
   }
@@ -132,13 +140,16 @@ export class PlaceKeeper {
   }
 
   #keep(): void {
-    const { page, zoom, bookmarks, shifts } = this.#book;
+    const { page, zoom, bookmarks, shifts, dogEars } = this.#book;
     const source = this.#source();
     if (!this.#isOpen || !source || !this.#book.hasAttribute("remember")) return;
     const anchors =
       source.anchor && [page, ...bookmarks].map((one) => source.anchor?.(one - 1) ?? "");
     const text = anchors ? { text: { anchors, typography: this.#typography() } } : {};
-    savePlace(this.#name(source), { page, zoom, bookmarks, shifts, ...text });
+    const folds = dogEars.map(
+      ({ page, corner, size }): Fold => [bookmarks.indexOf(page), corner === "head" ? 1 : 0, size],
+    );
+    savePlace(this.#name(source), { page, zoom, bookmarks, shifts, folds, ...text });
   }
 
   /** Returns the attributes that say how text is set, and their values. */
@@ -148,14 +159,19 @@ export class PlaceKeeper {
   }
 
   #loaded(source: PageSource): SavedPlace | null {
-    return this.#restored ?? loadPlace(this.#name(source));
+    if (this.#restored?.source === source) return this.#restored.place;
+    return loadPlace(this.#name(source));
   }
 
   /** Returns what identifies a book: its address, its title, its length unless text flows in it. */
-  #name({ title, pageCount, anchor }: PageSource): string {
-    return `${this.#book.src} ${anchor ? "text" : pageCount} ${title}`;
+  #name(source: PageSource): string {
+    const { title, pageCount, anchor } = source;
+    return `${this.#addresses.get(source) ?? this.#book.src} ${anchor ? "text" : pageCount} ${title}`;
   }
 }
+
+/** A folded corner: the index of its page's bookmark, whether it is at the head, and its size. */
+type Fold = readonly [bookmark: number, isHead: 0 | 1, size: number];
 
 /** The state kept of a book. */
 export interface SavedPlace {
@@ -167,6 +183,8 @@ export interface SavedPlace {
   readonly bookmarks: readonly number[];
   /** Likewise. */
   readonly shifts: readonly number[];
+  /** The folded corners of bookmarked pages. */
+  readonly folds: readonly Fold[];
   /** Of flowing text, whose pages change with its size. */
   readonly text?: {
     /** The anchor of the page, and those of the bookmarks. */
@@ -189,14 +207,31 @@ const longestStore = 400_000;
 export function loadPlace(name: string): SavedPlace | null {
   const found = read().find(([other]) => other === short(name));
   if (found === undefined) return null;
-  const [, page, zoom, bookmarks, shifts, text] = found;
+  const [, page, zoom, bookmarks, shifts, text, folds] = found;
   return {
     page: isPage(page) ? page : 1,
     zoom: typeof zoom === "number" && zoom >= 1 && zoom <= 8 ? zoom : 1,
     bookmarks: cleanPages(bookmarks),
     shifts: cleanPages(shifts),
+    folds: Array.isArray(folds) ? folds.slice(0, mostAnchors).filter(isFold) : [],
     ...cleanText(text),
   };
+}
+
+/** Returns whether a value is a folded corner, as this code writes it. */
+function isFold(value: unknown): value is Fold {
+  return (
+    Array.isArray(value) && value.length === 3 && value.every((one) => typeof one === "number")
+  );
+}
+
+/** Returns the folded corners of the bookmarked pages that are kept. */
+function dogEarsOf({ bookmarks, folds }: SavedPlace): readonly DogEar[] {
+  return cleanDogEars(
+    folds.map(([bookmark, isHead, size]) => {
+      return { page: bookmarks[bookmark], corner: isHead === 1 ? "head" : "foot", size };
+    }),
+  );
 }
 
 /** Returns what is kept of flowing text, as far as it is what this code writes. */
@@ -214,10 +249,12 @@ function cleanText(text: unknown): Pick<SavedPlace, "text"> {
 
 /** Keeps a book; the one read longest ago is dropped. */
 export function savePlace(name: string, place: SavedPlace): void {
-  const { page, zoom, bookmarks, shifts, text } = place;
+  const { page, zoom, bookmarks, shifts, folds, text } = place;
   const others = read().filter(([other]) => other !== short(name));
-  const row = [short(name), page, Math.round(zoom * 100) / 100, bookmarks, shifts];
-  const all = [text ? [...row, [text.anchors, text.typography]] : row, ...others];
+  const row: unknown[] = [short(name), page, Math.round(zoom * 100) / 100, bookmarks, shifts];
+  if (text || folds.length > 0) row.push(text ? [text.anchors, text.typography] : null);
+  if (folds.length > 0) row.push(folds);
+  const all = [row, ...others];
   try {
     localStorage.setItem(key, JSON.stringify(all.slice(0, mostBooks)));
   } catch {
@@ -225,7 +262,7 @@ export function savePlace(name: string, place: SavedPlace): void {
   }
 }
 
-/** Returns rows of name, page, zoom, bookmarks, shifts and text (if any); only the name is checked. */
+/** Returns rows of name, page, zoom, bookmarks, shifts, text and folds (if any); only the name is checked. */
 function read(): [string, ...unknown[]][] {
   try {
     const text = localStorage.getItem(key) ?? "";

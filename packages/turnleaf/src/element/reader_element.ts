@@ -3,6 +3,7 @@
  * printing, keeping the place.
  */
 
+import { type Corner, type DogEar, dogEarSize } from "../book/dog_ears.ts";
 import type { Reading } from "../read_aloud/reading.ts";
 import { loadPart } from "../sources/load_part.ts";
 import {
@@ -15,6 +16,7 @@ import {
 } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
+import { cleanDogEars, withDogEars } from "./dog_ear_lists.ts";
 import type { FilmRecorder, RecordOptions } from "./film_recorder.ts";
 import { cleanPages } from "./page_numbers.ts";
 import type { PlaceKeeper } from "./place_keeper.ts";
@@ -30,6 +32,12 @@ export abstract class ReaderElement extends ReflectingElement {
   abstract readonly page: number;
   abstract zoom: number;
   abstract goTo(page: number): Promise<boolean>;
+  /**
+   * Turns the open book to a page for its reader.
+   *
+   * @internal
+   */
+  abstract turnTo(page: number): Promise<boolean>;
   abstract next(): Promise<boolean>;
   abstract readonly spread: { left: number | null; right: number | null };
   /**
@@ -46,6 +54,7 @@ export abstract class ReaderElement extends ReflectingElement {
   );
   #bookmarks: readonly number[] = [];
   #shifts: readonly number[] = [];
+  #dogEars: readonly DogEar[] = [];
   #film: FilmRecorder | null = null;
   #reading: Reading | null = null;
 
@@ -100,7 +109,7 @@ export abstract class ReaderElement extends ReflectingElement {
    */
   showHit(hit: SearchHit | null): Promise<boolean> {
     this.book?.reading.mark(hit);
-    return hit ? this.goTo(hit.page) : Promise.resolve(true);
+    return hit ? this.turnTo(hit.page) : Promise.resolve(true);
   }
 
   /**
@@ -118,7 +127,59 @@ export abstract class ReaderElement extends ReflectingElement {
 
   set bookmarks(pages: readonly number[]) {
     this.#bookmarks = cleanPages(pages);
+    const ears = this.#dogEars.filter(({ page }) => this.#bookmarks.includes(page));
+    void this.#fold(this.foldBookmarks ? withDogEars(ears, this.#bookmarks) : ears, true);
     this.emit("bookmarkchange", { bookmarks: this.#bookmarks });
+  }
+
+  /**
+   * The corners that are folded over, at most one a page. Setting it folds them without motion,
+   * opens all others and bookmarks their pages. As bookmarks, they are of the open book, and
+   * `remember` keeps them. Entries that are none are left out. A book on the flat shows none.
+   */
+  get dogEars(): readonly DogEar[] {
+    return this.#dogEars;
+  }
+
+  set dogEars(ears: readonly DogEar[]) {
+    this.#bookmarkDogEars(cleanDogEars(ears), false);
+  }
+
+  /**
+   * Folds a corner of a page (from 1, by default the first visible one) over onto it, and
+   * bookmarks the page. Resolves, once it is folded, to whether it is: false on the flat, and for a
+   * board, which does not fold.
+   *
+   * @param corner at the head, the default, or at the foot of the edge away from the spine;
+   * where the spine is above or below, on the right or on the left
+   * @param size how far from the corner the fold meets the page's edges: a fraction of its
+   * width, 0.05 to 0.5 (0.2)
+   */
+  dogEar(page: number = this.page, corner: Corner = "head", size?: number): Promise<boolean> {
+    const [ear] = cleanDogEars([{ page, corner, size: dogEarSize(size) }]);
+    if (ear === undefined || page > this.pageCount) return Promise.resolve(false);
+    const others = this.#dogEars.filter((other) => other.page !== page);
+    return this.#bookmarkDogEars(cleanDogEars([...others, ear]), true);
+  }
+
+  /**
+   * Opens the folded corner of a page, and removes its bookmark. Returns whether it had one.
+   *
+   * @internal
+   */
+  protected openDogEar(page: number): boolean {
+    const isFolded = this.#dogEars.some((ear) => ear.page === page);
+    if (isFolded) this.toggleBookmark(page);
+    return isFolded;
+  }
+
+  /**
+   * Folds the corners of a book that has just opened.
+   *
+   * @internal
+   */
+  protected foldOpened(): void {
+    if (this.#dogEars.length > 0) void this.book?.viewer.fold(this.#dogEars, false);
   }
 
   /**
@@ -157,9 +218,29 @@ export abstract class ReaderElement extends ReflectingElement {
         const index = place(page - 1);
         return index === null ? [] : [index + 1];
       });
+    const ears = this.#dogEars.flatMap((ear) =>
+      follow([ear.page]).map((page) => ({ ...ear, page })),
+    );
+    void this.#fold(ears, false);
     const bookmarks = follow(this.#bookmarks);
     if (bookmarks.join() !== this.#bookmarks.join()) this.bookmarks = bookmarks;
     this.shifts = follow(this.#shifts);
+  }
+
+  #bookmarkDogEars(ears: readonly DogEar[], isSeen: boolean): Promise<boolean> {
+    const folded = this.#fold(ears, isSeen);
+    const pages = ears.map(({ page }) => page);
+    if (pages.some((page) => !this.#bookmarks.includes(page))) {
+      this.bookmarks = [...this.#bookmarks, ...pages];
+    }
+    return folded;
+  }
+
+  async #fold(ears: readonly DogEar[], isSeen: boolean): Promise<boolean> {
+    if (JSON.stringify(ears) === JSON.stringify(this.#dogEars)) return true;
+    this.#dogEars = ears;
+    this.emit("dogearchange", { dogEars: ears });
+    return (await this.book?.viewer.fold(ears, isSeen)) ?? false;
   }
 
   /** Bookmarks a page (from 1), by default the first visible one, or removes its bookmark. */
@@ -403,6 +484,7 @@ export abstract class ReaderElement extends ReflectingElement {
     this.stopReadingAloud();
     this.#place?.closed();
     this.#bookmarks = [];
+    this.#dogEars = [];
     this.#shifts = [];
   }
 
@@ -410,10 +492,12 @@ export abstract class ReaderElement extends ReflectingElement {
    * Sets a book's text as its reader had it, and finds where it was left: before
    * it is shown. Never rejects.
    *
+   * @param src the element's address of it
+   *
    * @internal
    */
-  protected async restorePlace(source: PageSource): Promise<void> {
-    await this.#place?.restore(source);
+  protected async restorePlace(source: PageSource, src: string): Promise<void> {
+    await this.#place?.restore(source, src);
   }
 
   /**

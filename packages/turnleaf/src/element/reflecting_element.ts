@@ -19,7 +19,8 @@ type Options = ReturnType<typeof bindingOptionsOf>;
 /** An element whose attributes can be read and set as properties. */
 export class ReflectingElement extends Base {
   /**
-   * Address of a PDF, an EPUB, an image or a manifest of images.
+   * Address of a book: a PDF, an EPUB, a MOBI, an AZW3, an FB2, a comic, text, an
+   * image, or a manifest of images.
    * @attribute src
    * @default ""
    */
@@ -426,6 +427,20 @@ export class ReflectingElement extends Base {
 
   set remember(kept: boolean) {
     this.toggleAttribute("remember", kept);
+  }
+
+  /**
+   * Whether a bookmarked page has its corner folded over, until its bookmark is removed.
+   *
+   * @attribute fold-bookmarks
+   * @default off
+   */
+  get foldBookmarks(): boolean {
+    return this.hasAttribute("fold-bookmarks");
+  }
+
+  set foldBookmarks(folds: boolean) {
+    this.toggleAttribute("fold-bookmarks", folds);
   }
 
   /**

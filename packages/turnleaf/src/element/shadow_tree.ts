@@ -11,7 +11,7 @@ import { elementTexts, fill, list, number } from "../words/languages.ts";
  * @csspart stage The area in which the book lies: the element without its
  * controls.
  * @csspart message The sheet that explains why a book is not shown, or that it
- * is loading.
+ * is loading; beside a book that stays meanwhile, a line at the foot.
  */
 export class ShadowTree {
   /** Holds the stage and the controls around it; takes the focus for the book. */
@@ -59,11 +59,22 @@ export class ShadowTree {
     this.#sizer.style.setProperty("--ratio", String(ratio));
   }
 
-  /** Shows a sentence where the page would be; an empty one removes it. */
-  say(sentence: string, role: "status" | "alert" = "status"): void {
+  /**
+   * Shows a sentence where the page would be; an empty one removes it.
+   *
+   * @param isBeside whether it leaves a book in sight: it is then a line at the foot
+   */
+  say(sentence: string, role: "status" | "alert" = "status", isBeside = false): void {
     this.#message.setAttribute("role", role);
+    this.#message.classList.toggle("beside", isBeside);
     this.#message.textContent = sentence;
     this.#message.hidden = sentence === "";
+  }
+
+  /** Removes a failure beside a book that its reader goes on with. */
+  readOn(): void {
+    const { classList, role } = this.#message;
+    if (classList.contains("beside") && role === "alert") this.say("");
   }
 
   /** Announces a text to screen readers. */
@@ -148,6 +159,12 @@ ${dark(':host([theme="dark"])')}
   border-radius: 1px 3px 3px 1px; box-shadow: 0 0.1rem 0.4rem rgb(40 30 20 / 0.25), 0 1rem 3rem rgb(40 30 20 / 0.2);
 }
 [part="message"][role="status"] { color: rgb(33 29 26 / 0.7); }
+[part="message"].beside {
+  inset: auto 0 0.75rem; width: fit-content; max-width: calc(100% - 3rem); aspect-ratio: auto;
+  padding: 0.5rem 1rem; font-size: 0.95rem; border-radius: 3px; pointer-events: none; z-index: 1;
+}
+[part="message"].beside[role="status"] { animation: late 0.5s step-end; }
+@keyframes late { from { visibility: hidden; } }
 [part="message"][hidden] { display: none; }
 .live { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }
 `;

@@ -6,7 +6,7 @@
  */
 
 import type { Cover, Phase, Side } from "./phases.ts";
-import type { LeafStockName, Pile, Stock, StockFigures, Surface, Vec3 } from "./shapes.ts";
+import type { Crease, LeafStockName, Pile, Stock, StockFigures, Surface, Vec3 } from "./shapes.ts";
 
 /** The size of a book as an engine sees it. */
 export interface BookSize {
@@ -17,6 +17,27 @@ export interface BookSize {
   readonly leaves: number;
   /** Thickness of all the paper together, metres. */
   readonly thickness: number;
+}
+
+/**
+ * The creased leaves of a book. Where one lies uppermost on a side it is drawn by itself: its
+ * surface is the first on the left, the last on the right.
+ */
+export interface CreasedLeaves {
+  /**
+   * Creases a leaf of paper, counted from 0 at the front, along lines in place of those it
+   * has. Returns whether it can be; if not, nothing changes.
+   */
+  crease(leaf: number, creases: readonly Crease[]): boolean;
+  /**
+   * Turns the rest of one of its creases to an angle, radians; the next steps fold it there.
+   * Nothing happens unless the leaf is in flight or lies uppermost.
+   */
+  press(leaf: number, crease: number, rest: number): void;
+  /** Returns the angle at which one of its creases rests now, radians; 0 if there is none. */
+  rest(leaf: number, crease: number): number;
+  /** Returns whether a creased leaf lies uppermost on a side. */
+  lies(side: Side): boolean;
 }
 
 /**
@@ -36,6 +57,8 @@ export interface BookEngine {
   readonly read: number;
   /** Number of leaves in flight. */
   readonly flights: number;
+  /** Its creased leaves; missing where leaves cannot be creased. */
+  readonly creases?: CreasedLeaves;
 
   /**
    * Makes another book beside this one, in the same memory if it has one.
@@ -106,7 +129,10 @@ export interface BookEngine {
 
   /** Updates surfaces and piles from the last step. */
   update(): void;
-  /** Returns the drawn mesh of the flight at `index`, counted from the left; valid until the next step. */
+  /**
+   * Returns the drawn mesh at `index`, counted from the left, of those of the leaves in flight and of
+   * creased ones that lie uppermost; valid until the next step.
+   */
   surface(index: number): Surface;
   /** Returns the pages at rest on `side`; valid until the next step. */
   pile(side: Side): Pile;

@@ -19,6 +19,26 @@ export interface Surface {
   readonly version: number;
   /** Metres, if the leaf is so thick that its edges are visible. */
   readonly thickness?: number;
+  /** Where its points lie on the flat paper, if the leaf is creased; another object when that changes. */
+  readonly creased?: CreasedMesh | undefined;
+}
+
+/** How the mesh of a creased leaf lies on its flat paper: points are moved onto its creases. */
+export interface CreasedMesh {
+  /** u and v of each point, 0 to 1. */
+  readonly places: Float32Array;
+  /** The points of each triangle, three by three; no triangle reaches over a crease. */
+  readonly triangles: Uint32Array;
+  /** The part of the leaf between creases that each triangle belongs to. */
+  readonly parts: Uint16Array;
+}
+
+/** A straight crease, from edge to edge of a leaf. */
+export interface Crease {
+  /** u, v, u, v of two places on its line, each 0 to 1. */
+  readonly through: readonly [number, number, number, number];
+  /** Angle at which it rests, radians: 0 is flat; above it the parts turn toward the recto. */
+  readonly rest: number;
 }
 
 /**

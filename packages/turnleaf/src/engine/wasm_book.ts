@@ -18,7 +18,8 @@ import {
   type Vec3,
 } from "./shapes.ts";
 
-interface Exports {
+/** The functions of the engine's WASM. */
+export interface Exports {
   memory: WebAssembly.Memory;
   tl_tick(): number;
   tl_book_new(width: number, height: number, leaves: number, thickness: number): number;
@@ -98,21 +99,22 @@ const visibleThickness = 0.0002;
  */
 export class WasmBook implements BookEngine {
   readonly tick: number;
-  readonly #wasm: Exports;
-  readonly #book: number;
+  protected readonly wasm: Exports;
+  /** The book's address there. */
+  protected readonly book: number;
   readonly #leaves: number;
   /** Surfaces by the address of their positions: the engine reuses a few. */
   readonly #surfaces = new Map<number, Surface>();
   readonly #piles: (Pile | undefined)[] = [undefined, undefined];
 
-  private constructor(wasm: Exports, size: BookSize) {
-    this.#wasm = wasm;
+  protected constructor(wasm: Exports, size: BookSize) {
+    this.wasm = wasm;
     const { width, height, leaves, thickness } = size;
     this.tick = wasm.tl_tick();
     this.#leaves = whole(leaves, mostLeaves);
     const isBook = this.#leaves === leaves && areFinite([width, height, thickness]);
-    this.#book = isBook ? wasm.tl_book_new(width, height, leaves, thickness) : 0;
-    if (this.#book === 0) throw new Error("The engine does not accept a book of this size.");
+    this.book = isBook ? wasm.tl_book_new(width, height, leaves, thickness) : 0;
+    if (this.book === 0) throw new Error("The engine does not accept a book of this size.");
   }
 
   /** Makes a book with the compiled code, by default that in the package. Rejects if WebAssembly is unavailable. */
@@ -125,26 +127,26 @@ export class WasmBook implements BookEngine {
   }
 
   another(size: BookSize): BookEngine {
-    return new WasmBook(this.#wasm, size);
+    return new WasmBook(this.wasm, size);
   }
 
   destroy(): void {
-    this.#wasm.tl_book_drop(this.#book);
+    this.wasm.tl_book_drop(this.book);
   }
 
   setStock(stock: Stock | StockFigures): boolean {
     if (typeof stock === "string") {
       const number = stocks.indexOf(stock);
-      return number >= 0 && this.#changed(this.#wasm.tl_book_set_stock(this.#book, number));
+      return number >= 0 && this.#changed(this.wasm.tl_book_set_stock(this.book, number));
     }
     const figures = inUnits(stock);
     if (!areFinite(figures)) return false;
-    return this.#changed(this.#wasm.tl_book_set_figures(this.#book, ...figures));
+    return this.#changed(this.wasm.tl_book_set_figures(this.book, ...figures));
   }
 
   setLeafStock(first: number, end: number, stock: LeafStockName | StockFigures): boolean {
     if (!isRange(first, end, this.#leaves)) return false;
-    const [wasm, book] = [this.#wasm, this.#book];
+    const [wasm, book] = [this.wasm, this.book];
     if (typeof stock === "string") {
       const number = leafStockNames.indexOf(stock);
       return number >= 0 && this.#changed(wasm.tl_book_set_leaf_stock(book, first, end, number));
@@ -157,17 +159,17 @@ export class WasmBook implements BookEngine {
   setBinding(grain: "along" | "across", stiffness: number): boolean {
     const across = grain === "across" ? 1 : 0;
     if (!areFinite([stiffness])) return false;
-    return this.#changed(this.#wasm.tl_book_set_binding(this.#book, across, stiffness));
+    return this.#changed(this.wasm.tl_book_set_binding(this.book, across, stiffness));
   }
 
   setWind(wind: Vec3): boolean {
     const [x, y, z] = wind;
     if (!areFinite([x, y, z])) return false;
-    return this.#changed(this.#wasm.tl_book_set_wind(this.#book, x, y, z));
+    return this.#changed(this.wasm.tl_book_set_wind(this.book, x, y, z));
   }
 
   setAssist(on: boolean): void {
-    this.#wasm.tl_book_set_assist(this.#book, on ? 1 : 0);
+    this.wasm.tl_book_set_assist(this.book, on ? 1 : 0);
     this.#changed(1);
   }
 
@@ -178,86 +180,86 @@ export class WasmBook implements BookEngine {
   }
 
   lay(read: number): void {
-    this.#wasm.tl_book_lay(this.#book, whole(read, this.#leaves));
+    this.wasm.tl_book_lay(this.book, whole(read, this.#leaves));
   }
 
   pickUp(side: Side, low: number, high: number): number {
     const most = this.#leaves;
-    return this.#wasm.tl_book_lift(this.#book, side, whole(low, most), whole(high, most));
+    return this.wasm.tl_book_lift(this.book, side, whole(low, most), whole(high, most));
   }
 
   grab(id: number, grab: number, u: number, v: number): void {
     if (!isGrab(grab, u, v)) return;
     const [inU, inV] = [clamp(u, 0, 1), clamp(v, 0, 1)];
-    this.#wasm.tl_book_grab(this.#book, whole(id, mostIds), grab, inU, inV);
+    this.wasm.tl_book_grab(this.book, whole(id, mostIds), grab, inU, inV);
   }
 
   hold(id: number, grab: number, x: number, y: number, z: number): void {
     if (!isGrab(grab, x, y, z)) return;
     const near = (metres: number): number => clamp(metres, -farthest, farthest);
-    this.#wasm.tl_book_hold(this.#book, whole(id, mostIds), grab, near(x), near(y), near(z));
+    this.wasm.tl_book_hold(this.book, whole(id, mostIds), grab, near(x), near(y), near(z));
   }
 
   release(id: number, grab: number): void {
-    if (isGrab(grab)) this.#wasm.tl_book_release(this.#book, whole(id, mostIds), grab);
+    if (isGrab(grab)) this.wasm.tl_book_release(this.book, whole(id, mostIds), grab);
   }
 
   play(id: number, side: Side, seconds: number): void {
-    this.#wasm.tl_book_play(this.#book, whole(id, mostIds), side, turnSeconds(seconds));
+    this.wasm.tl_book_play(this.book, whole(id, mostIds), side, turnSeconds(seconds));
   }
 
   /** Steps all flights by whole ticks, however much work they are: for tests of motions. */
   step(ticks: number): void {
-    this.#wasm.tl_book_step(this.#book, wholeTicks(ticks, this.tick));
+    this.wasm.tl_book_step(this.book, wholeTicks(ticks, this.tick));
   }
 
   beginFrame(): void {
-    this.#wasm.tl_book_begin_frame(this.#book);
+    this.wasm.tl_book_begin_frame(this.book);
   }
 
   stepFrame(ticks: number): number {
-    return this.#wasm.tl_book_step_frame(this.#book, wholeTicks(ticks, this.tick));
+    return this.wasm.tl_book_step_frame(this.book, wholeTicks(ticks, this.tick));
   }
 
   get isAsleep(): boolean {
-    return this.#wasm.tl_book_asleep(this.#book) !== 0;
+    return this.wasm.tl_book_asleep(this.book) !== 0;
   }
 
   phase(id: number): Phase {
-    return this.#wasm.tl_book_phase(this.#book, whole(id, mostIds));
+    return this.wasm.tl_book_phase(this.book, whole(id, mostIds));
   }
 
   get read(): number {
-    return this.#wasm.tl_book_read(this.#book);
+    return this.wasm.tl_book_read(this.book);
   }
 
   get flights(): number {
-    return this.#wasm.tl_book_flights(this.#book);
+    return this.wasm.tl_book_flights(this.book);
   }
 
   update(): void {
-    this.#wasm.tl_book_update(this.#book);
+    this.wasm.tl_book_update(this.book);
   }
 
   get columns(): Float32Array {
-    const wasm = this.#wasm;
-    const count = wasm.tl_book_columns(this.#book);
-    return new Float32Array(wasm.memory.buffer, wasm.tl_book_u(this.#book), count);
+    const wasm = this.wasm;
+    const count = wasm.tl_book_columns(this.book);
+    return new Float32Array(wasm.memory.buffer, wasm.tl_book_u(this.book), count);
   }
 
   surface(index: number): Surface {
-    const wasm = this.#wasm;
+    const wasm = this.wasm;
     const number = whole(index, mostFlights);
-    const at = wasm.tl_book_positions(this.#book, number);
-    const version = wasm.tl_book_version(this.#book, number);
-    const caliper = wasm.tl_book_caliper(this.#book, number);
+    const at = wasm.tl_book_positions(this.book, number);
+    const version = wasm.tl_book_version(this.book, number);
+    const caliper = wasm.tl_book_caliper(this.book, number);
     const thickness = caliper < visibleThickness ? 0 : caliper;
     let surface = this.#surfaces.get(at);
     if (surface === undefined || surface.positions.buffer !== wasm.memory.buffer) {
-      const columns = wasm.tl_book_columns(this.#book);
-      const rows = wasm.tl_book_rows(this.#book);
+      const columns = wasm.tl_book_columns(this.book);
+      const rows = wasm.tl_book_rows(this.book);
       const view = (at: number) => new Float32Array(wasm.memory.buffer, at, 3 * columns * rows);
-      const normals = view(wasm.tl_book_normals(this.#book, number));
+      const normals = view(wasm.tl_book_normals(this.book, number));
       surface = { columns, rows, positions: view(at), normals, version, thickness };
     } else if (surface.version !== version || surface.thickness !== thickness) {
       surface = { ...surface, version, thickness };
@@ -267,19 +269,19 @@ export class WasmBook implements BookEngine {
   }
 
   overrideSurface(index: number): Float32Array | null {
-    const wasm = this.#wasm;
-    const at = wasm.tl_book_dress(this.#book, whole(index, mostFlights));
-    const count = wasm.tl_book_columns(this.#book) * wasm.tl_book_rows(this.#book);
+    const wasm = this.wasm;
+    const at = wasm.tl_book_dress(this.book, whole(index, mostFlights));
+    const count = wasm.tl_book_columns(this.book) * wasm.tl_book_rows(this.book);
     return at === 0 ? null : new Float32Array(wasm.memory.buffer, at, 3 * count);
   }
 
   pile(side: Side): Pile {
-    const wasm = this.#wasm;
+    const wasm = this.wasm;
     let pile = this.#piles[side];
     if (pile === undefined || pile.curves.buffer !== wasm.memory.buffer) {
-      const columns = wasm.tl_book_columns(this.#book);
-      const layers = wasm.tl_book_layers(this.#book);
-      const at = wasm.tl_book_pile(this.#book, side);
+      const columns = wasm.tl_book_columns(this.book);
+      const layers = wasm.tl_book_layers(this.book);
+      const at = wasm.tl_book_pile(this.book, side);
       const curves = new Float32Array(wasm.memory.buffer, at, 2 * columns * layers);
       pile = { columns, layers, curves };
       this.#piles[side] = pile;
@@ -288,27 +290,27 @@ export class WasmBook implements BookEngine {
   }
 
   holdBoard(cover: Cover, angle: number): void {
-    if (areFinite([angle])) this.#wasm.tl_board_hold(this.#book, cover, clamp(angle, 0, Math.PI));
+    if (areFinite([angle])) this.wasm.tl_board_hold(this.book, cover, clamp(angle, 0, Math.PI));
   }
 
   releaseBoard(cover: Cover): void {
-    this.#wasm.tl_board_release(this.#book, cover);
+    this.wasm.tl_board_release(this.book, cover);
   }
 
   playBoard(cover: Cover, side: Side, seconds: number): void {
-    this.#wasm.tl_board_play(this.#book, cover, side, turnSeconds(seconds));
+    this.wasm.tl_board_play(this.book, cover, side, turnSeconds(seconds));
   }
 
   layBoard(cover: Cover, side: Side): void {
-    this.#wasm.tl_board_lay(this.#book, cover, side);
+    this.wasm.tl_board_lay(this.book, cover, side);
   }
 
   stepBoard(cover: Cover, ticks: number): Phase {
-    return this.#wasm.tl_board_step(this.#book, cover, wholeTicks(ticks, this.tick));
+    return this.wasm.tl_board_step(this.book, cover, wholeTicks(ticks, this.tick));
   }
 
   boardAngle(cover: Cover): number {
-    return this.#wasm.tl_board_angle(this.#book, cover);
+    return this.wasm.tl_board_angle(this.book, cover);
   }
 }
 

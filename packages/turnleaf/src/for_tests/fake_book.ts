@@ -45,9 +45,7 @@ export class FakeBook extends HTMLElement implements ControlledBook {
 
   press = (by: 1 | -1): Promise<boolean> =>
     this.#turn(by === 1 ? "next" : "previous", this.page + 2 * by);
-  first = (): Promise<boolean> => this.#turn("first", 1);
-  last = (): Promise<boolean> => this.#turn("last", this.pageCount);
-  goTo = (page: number): Promise<boolean> => this.#turn(`goTo ${page}`, page);
+  turnTo = (page: number): Promise<boolean> => this.#turn(`turnTo ${page}`, page);
 
   async readAloud(): Promise<void> {
     this.asked.push("readAloud");

@@ -32,6 +32,7 @@ const attributeProps = [
   "theme",
   "address",
   "remember",
+  "foldBookmarks",
   "sound",
   "vibrate",
 ] as const;
@@ -43,6 +44,7 @@ const otherProps = {
   password: "",
   zoom: 1,
   bookmarks: [],
+  dogEars: [],
   shifts: [],
 } as const;
 
@@ -64,6 +66,7 @@ export const booleanProps: readonly (keyof BookProps)[] = [
   "controls",
   "address",
   "remember",
+  "foldBookmarks",
   "sound",
   "vibrate",
 ];
@@ -78,6 +81,7 @@ export const eventOf = {
   onStateChange: "statechange",
   onZoomChange: "zoomchange",
   onBookmarkChange: "bookmarkchange",
+  onDogEarChange: "dogearchange",
   onShiftChange: "shiftchange",
   onPlayChange: "playchange",
   onReadAloudChange: "readaloudchange",

@@ -41,6 +41,8 @@ export interface BookPose {
    * lies on the right.
    */
   readonly leaves: readonly Surface[];
+  /** Those of them that lie creased on the pages. */
+  readonly lying?: readonly Surface[];
   /** Whether they lie folded on the pages and are lit as these, rather than between them. */
   readonly folded?: boolean;
   /** The flap of an open fold-out, if there is one. */

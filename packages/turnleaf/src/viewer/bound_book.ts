@@ -112,6 +112,7 @@ export class BoundBook {
   readonly drags: Drags;
   readonly peek: CornerPeek;
   readonly ticks: TickCounter;
+  #isFolding = false;
 
   constructor(
     { binding, shape, stocks }: BindingLayout,
@@ -126,7 +127,7 @@ export class BoundBook {
     this.engine = engine;
     const started = (flight: Flight): void => {
       events.started(flight);
-      if (!this.peek.isLifting) events.turnStarted(flight);
+      if (!this.peek.isLifting && !this.#isFolding) events.turnStarted(flight);
     };
     const turning = new Turning(engine, binding, { ...events, started });
     const peek = new CornerPeek(turning, binding, shape, events.turnStarted);
@@ -140,22 +141,31 @@ export class BoundBook {
   /** Returns where the book's parts are now. */
   pose(): BookPose {
     const { engine, binding } = this;
-    const { flights } = this.turning;
     const paper = paperLeaves(binding) > 0;
-    const { low, high } = this.turning.outermost;
+    const { low, high } = this.turning.under;
     const boards = binding.hardCover ? 1 : 0;
     const [left, right] = [engine.pile(Side.left), engine.pile(Side.right)];
-    const leaves: Surface[] = [];
-    for (const [index, flight] of flights.entries()) {
-      if (flight.part === "leaf") leaves.push(engine.surface(index));
-    }
+    const drawn = this.turning.leaves;
+    const leaves = drawn.map((_, index) => engine.surface(index));
     return {
       left: paper && low > boards ? left : null,
       right: paper && high < leafCount(binding) - boards ? right : null,
       leaves,
+      lying: leaves.filter((_, index) => !("part" in drawn[index])),
       lean: paper ? (pileHeight(right) - pileHeight(left)) / 2 : 0,
       ...this.#covers(leaves),
     };
+  }
+
+  /**
+   * Picks up the uppermost leaf on a side to be folded there, which is no turn. Returns whether
+   * there is one.
+   */
+  pickUpToFold(side: Side): boolean {
+    this.#isFolding = true;
+    const flight = this.turning.pickUp(side);
+    this.#isFolding = false;
+    return flight !== null;
   }
 
   /** Stops all motion and frees the engine's book. */
@@ -179,7 +189,7 @@ export class BoundBook {
     }
     // A book of single pages shows one side, which stays where it is.
     if (binding.layout === "single") return { frontBoard: Math.PI, backBoard: 0 };
-    const { low, high } = this.turning.outermost;
+    const { low, high } = this.turning.under;
     const isLast = high === leafCount(binding);
     return {
       frontBoard: low > 0 ? Math.PI : this.#angleOf(nextTo(Side.left, leaves), 0),

@@ -75,10 +75,11 @@ export class Drags {
     const { engine, stage, turning, peek } = this.#book;
     const ray = stage.rayAt(x, y);
     let best = this.#pickPage(ray);
-    for (const [index, flight] of turning.flights.entries()) {
+    const { leaves } = turning;
+    for (const flight of turning.flights) {
       // A board in flight can be grabbed anywhere, wherever its page is seen.
       if (flight.part !== "leaf") return best && { ...best, on: flight };
-      const hit = pickSurface(ray, engine.surface(index), engine.columns);
+      const hit = pickSurface(ray, engine.surface(leaves.indexOf(flight)), engine.columns);
       if (hit && (best === null || hit.distance < best.distance + preference)) {
         best = { ...hit, on: flight };
       }

@@ -77,22 +77,26 @@ export class FaceTextures {
 
   /** Requests the visible pages and those that may come next, `width` device pixels wide. */
   want(width: number): void {
-    const { flights, spread, destination } = this.#turning;
-    const wanted = pagesWanted(this.#binding, spread, flights, destination);
+    const { flights, drawn, spread, destination } = this.#turning;
+    const wanted = pagesWanted(this.#binding, spread, drawn, destination);
     this.#pictures.want(wanted, width, flights.length > mostSharpFlights);
   }
 
   /** The page on each face. */
   get pages(): Record<Face, number | null> {
-    return facesBetween(this.#binding, this.#turning.outermost);
+    return facesBetween(this.#binding, this.#turning.under);
   }
 
   /** The pages that lie open if nothing is in flight. */
   get open(): OpenPage[] {
     const { spread } = this.#turning;
+    const { pages } = this;
     return pagesAt(this.#binding, spread).flatMap((page) => {
       const face = faceOf(this.#binding, spread, page);
-      return face ? [{ face, page, width: this.#pictures.sharpness(page) }] : [];
+      // A creased page that lies there is drawn by itself, over another.
+      return face && pages[face] === page
+        ? [{ face, page, width: this.#pictures.sharpness(page) }]
+        : [];
     });
   }
 
@@ -120,7 +124,7 @@ export class FaceTextures {
       this.#stage.setLeaf(0, "recto", note(front));
       this.#stage.setLeaf(0, "verso", note(back));
     }
-    const { low, high } = this.#turning.outermost;
+    const { low, high } = this.#turning.under;
     for (const [side, page, behind, next] of [
       ["left", pages.left, rightPage(this.#binding, low - 1), low - 1],
       ["right", pages.right, leftPage(this.#binding, high + 1), high + 1],
@@ -128,9 +132,8 @@ export class FaceTextures {
       const under = this.#under(side, page, behind, next);
       this.#stage.setUnder(side, note(under.behind), note(under.beneath));
     }
-    for (const [index, flight] of this.#turning.flights.entries()) {
-      if (flight.part !== "leaf") continue;
-      const { recto, verso } = facesOfLeaf(this.#binding, flight);
+    for (const [index, leaf] of this.#turning.leaves.entries()) {
+      const { recto, verso } = facesOfLeaf(this.#binding, leaf);
       this.#stage.setLeaf(index, "recto", note(this.#pictureOfPaper(recto)));
       this.#stage.setLeaf(index, "verso", note(this.#pictureOfPaper(verso)));
     }

@@ -34,6 +34,8 @@ export class Rebinder {
   /** The page to keep in sight however the book is bound. */
   #place: number;
   #mustBind = false;
+  /** Makes the next books in the place of the engine of the book as it is. */
+  #nextEngine: BookEngine | null = null;
   /** Waiting changes of the pages. */
   readonly #changes: (() => void)[] = [];
   /** Paper that waits for the leaves in flight to land. */
@@ -61,6 +63,12 @@ export class Rebinder {
   /** Changes options of the binding. Options left out stay as they were. */
   setOptions(changes: Partial<BindingOptions>): void {
     this.#options = { ...this.#options, ...changes };
+    this.#mustBind = true;
+  }
+
+  /** Has the book, when it is bound next, and all later ones made by another engine, whose book is not used. */
+  useEngine(engine: BookEngine): void {
+    this.#nextEngine = engine;
     this.#mustBind = true;
   }
 
@@ -117,7 +125,10 @@ export class Rebinder {
     const before = this.#bound;
     const plan = this.#plan(width, height);
     this.#parts.stage.bind(plan.shape);
-    this.#bound = this.#bind(plan, before.engine.another(plan.shape));
+    const engine = this.#nextEngine ?? before.engine;
+    this.#bound = this.#bind(plan, engine.another(plan.shape));
+    this.#nextEngine?.destroy();
+    this.#nextEngine = null;
     before.destroy();
   }
 
@@ -126,6 +137,7 @@ export class Rebinder {
     this.#closed = true;
     for (const change of this.#changes.splice(0)) change();
     this.#bound.destroy();
+    this.#nextEngine?.destroy();
   }
 
   #plan(width: number, height: number): BindingLayout {

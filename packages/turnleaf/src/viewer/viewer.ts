@@ -5,6 +5,7 @@
  * frame and no timer.
  */
 
+import type { DogEar } from "../book/dog_ears.ts";
 import { faceOf } from "../book/faces.ts";
 import type { Paper } from "../book/paper.ts";
 import { type Binding, clampSpread, pagesAt } from "../book/spreads.ts";
@@ -30,6 +31,7 @@ import { CrossFade } from "./cross_fade.ts";
 import type { Drags } from "./drag.ts";
 import { bitmapWidth } from "./face_textures.ts";
 import { FoldOut } from "./fold_out.ts";
+import type { Folds } from "./folds.ts";
 import { FrameQuality } from "./frame_timing.ts";
 import { LeafCommands } from "./leaf_commands.ts";
 import { Rebinder } from "./rebinder.ts";
@@ -67,9 +69,13 @@ export class Viewer {
   #cssHeight = 0;
   #frame = 0;
   #handled = false;
-  /** Whether no leaf is in flight and no flap open, so that elements may lie over their pages. */
+  /** The folded corners, once there is one, and what loads what folds them. */
+  #folds: Promise<Folds | null> | null = null;
+  #loadedFolds: Folds | null = null;
+  readonly #backend: Backend;
   /** Whether the last frame has fewer pixels than at rest, as pictures of it are missing. */
   #isPlain = false;
+  /** Whether no leaf is in flight and no flap open, so that elements may lie over their pages. */
   #isStill = false;
   #destroyed = false;
 
@@ -84,6 +90,7 @@ export class Viewer {
     backend: Backend,
   ) {
     this.#options = options;
+    this.#backend = backend;
     this.#window = canvas.ownerDocument.defaultView ?? window;
     this.#stage = stage;
     this.#frameQuality = new FrameQuality(stage.isSoftware);
@@ -130,6 +137,14 @@ export class Viewer {
     const tools = { book, stage, pictures: this.#bitmaps, options, events };
     this.#rebinder = new Rebinder(tools, plan, engine);
     this.commands = new LeafCommands(this.#rebinder, this.#foldOut, arrived);
+  }
+
+  /**
+   * Checks that a book can be opened, before there is a canvas for it. Rejects
+   * with a `BookError` if no page's size can be read, or with the signal's reason.
+   */
+  static async check(source: PageSource, signal: AbortSignal): Promise<void> {
+    await leafSize(source, signal);
   }
 
   /**
@@ -284,6 +299,22 @@ export class Viewer {
   async setModel(choice: ModelChoice): Promise<void> {
     await this.#modelSwitch.choose(choice);
     this.#bindSoon();
+  }
+
+  /**
+   * Folds corners of pages, in place of those folded before. Resolves, once that is done, to
+   * whether all are: false where leaves cannot be creased, and if what folds them cannot be loaded.
+   *
+   * @param isSeen whether a leaf that lies open is seen to be folded
+   */
+  async fold(ears: readonly DogEar[], isSeen: boolean): Promise<boolean> {
+    this.#folds ??= this.#loadFolds();
+    const folds = await this.#folds;
+    if (this.#destroyed || folds === null) return false;
+    const folded = folds.fold(ears, isSeen);
+    this.#bindSoon();
+    this.#show();
+    return await folded;
   }
 
   /** Redraws a page (from 1) whose content has changed. */
@@ -441,6 +472,7 @@ export class Viewer {
     const { peek } = this.#bound;
     peek.step(seconds);
     const folding = this.#foldOut.step(seconds);
+    this.#loadedFolds?.step(seconds);
     const stepping = this.#camera.step(seconds) || folding;
     const posed = this.#bound.pose();
     const flap = this.#foldOut.surface(posed, this.#bound.shape);
@@ -509,11 +541,22 @@ export class Viewer {
     this.#sharpness.close();
     const before = this.binding;
     this.#rebinder.bindAnew(this.#cssWidth, this.#cssHeight);
+    this.#loadedFolds?.bound();
     this.#viewHistory.forget();
     this.#stillHistory.forget();
     const { edge, layout } = this.binding;
     if (edge !== before.edge || layout !== before.layout) this.#options.onLayout?.();
     this.#show();
+  }
+
+  async #loadFolds(): Promise<Folds | null> {
+    try {
+      const loaded = await this.#backend.folds?.();
+      this.#loadedFolds = loaded ? await loaded.Folds.create(this.#rebinder) : null;
+    } catch (error) {
+      this.#options.onMissingPart?.(error);
+    }
+    return this.#loadedFolds;
   }
 
   /** Updates the bitmap of every face, requests the pages wanted next, and draws them. */

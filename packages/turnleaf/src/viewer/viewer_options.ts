@@ -12,6 +12,8 @@ import type { BindingOptions } from "./bound_book.ts";
 export interface Backend {
   engine(size: BookSize): Promise<BookEngine>;
   stage(canvas: HTMLCanvasElement, shape: BookShape): BookStage;
+  /** Loads what folds corners of pages; undefined if leaves cannot be creased. */
+  readonly folds?: () => Promise<typeof import("./folds.ts")>;
   /** Loads models other than the engine's; undefined if there are none. */
   readonly models?: LoadModels;
 }

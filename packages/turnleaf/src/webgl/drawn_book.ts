@@ -13,6 +13,7 @@ import { caseSizes } from "../stage/case_sizes.ts";
 import { BoardMesh } from "./board_mesh.ts";
 import type { Framing } from "./camera.ts";
 import { placeCase, restingCase } from "./case_shape.ts";
+import { straightened } from "./creased_vertices.ts";
 import { EndpaperMesh } from "./endpaper_mesh.ts";
 import { shadowOfCase, shadowOfFlap, shadowOfLeaves } from "./footprint.ts";
 import { Ground } from "./ground.ts";
@@ -130,7 +131,7 @@ export class DrawnBook {
     const sheets = pose.flap ? [...pose.leaves, pose.flap] : pose.leaves;
     this.#isDim = roughly && !this.#isDim && still && sheets.length === this.#lit.length;
     this.#folded = pose.folded;
-    this.#light(pose.leaves, sheets, pilesMoved, still);
+    this.#light(pose, sheets, pilesMoved, still);
     const [left, right] = [this.#left.pile, this.#right.pile];
     if (!this.#hard) shadowOfLeaves(this.#ground, this.#shape, pose.leaves, left, right);
     else if (!still) shadowOfCase(this.#ground, this.#shape, this.#case, left, right);
@@ -198,12 +199,13 @@ export class DrawnBook {
       this.#leaves.push(mesh);
     }
     const piles = [this.#left.pile, this.#right.pile] as const;
+    const solid = leaves.map(straightened);
     for (const [k, mesh] of this.#leaves.entries()) {
       mesh.recto.visible = mesh.verso.visible = mesh.rim.mesh.visible = k < leaves.length;
       if (k >= leaves.length) continue;
       mesh.shape(leaves[k], k + 1, leaves.length - k);
       if (this.#folded) mesh.lieOpen();
-      else if (!this.#isDim) mesh.light(leaves[k], ...piles, leaves[k - 1], leaves[k + 1]);
+      else if (!this.#isDim) mesh.light(solid[k], ...piles, solid[k - 1], solid[k + 1]);
     }
   }
 
@@ -243,7 +245,7 @@ export class DrawnBook {
    * no shadow on its page
    */
   #light(
-    leaves: readonly Surface[],
+    { leaves, lying = [] }: BookPose,
     sheets: readonly Surface[],
     pilesMoved: boolean,
     still: boolean,
@@ -257,8 +259,10 @@ export class DrawnBook {
     this.#placeLeaves(sheets);
     if (this.#isDim) return;
     // The outermost leaf on a side is nearest to its page.
-    castOver(left.over, left.pile, nextTo(Side.left, leaves));
-    castOver(right.over, right.pile, nextTo(Side.right, leaves));
+    // One that lies creased on it hides it, but for what is folded away, and throws no shadow.
+    const over = leaves.filter((leaf) => !lying.includes(leaf)).map(straightened);
+    castOver(left.over, left.pile, nextTo(Side.left, over));
+    castOver(right.over, right.pile, nextTo(Side.right, over));
     if (left.pile.present) {
       if (pilesMoved) left.page.open(left.pile, right.pile.mirrored);
       left.page.light(left.pile, left.over);

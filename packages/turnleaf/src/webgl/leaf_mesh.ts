@@ -1,9 +1,10 @@
 /** A leaf in flight: two sides over the engine's own memory. */
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh } from "three";
-import { columnPlace, type Surface } from "../engine/shapes.ts";
+import { type CreasedMesh, columnPlace, type Surface } from "../engine/shapes.ts";
+import { CreasedVertices } from "./creased_vertices.ts";
 import { LeafLight } from "./leaf_light.ts";
-import { sheetGeometry } from "./page_mesh.ts";
+import { geometryOf, sheetGeometry } from "./page_mesh.ts";
 import type { PaperMaterial } from "./paper_material.ts";
 import type { PileShape } from "./pile_shape.ts";
 import { RimMesh } from "./rim_mesh.ts";
@@ -16,6 +17,8 @@ export class LeafMesh {
   readonly rim: RimMesh;
   #columns = 0;
   #rows = 0;
+  #mesh: CreasedMesh | undefined;
+  #creased: CreasedVertices | undefined;
   #position = new BufferAttribute(new Float32Array(0), 3);
   #normal = new BufferAttribute(new Float32Array(0), 3);
   #rectoGap = new BufferAttribute(new Float32Array(0), 2);
@@ -49,10 +52,15 @@ export class LeafMesh {
    * included
    */
   shape(leaf: Surface, left: number, right: number): void {
-    if (leaf.columns !== this.#columns || leaf.rows !== this.#rows) this.#allot(leaf);
+    const { columns, rows, creased } = leaf;
+    if (columns !== this.#columns || rows !== this.#rows || creased !== this.#mesh) {
+      this.#allot(leaf);
+    }
     // The engine's memory moves when it grows; the arrays' size stays.
-    this.#position.array = leaf.positions;
-    this.#normal.array = leaf.normals;
+    this.#creased?.shape(leaf);
+    const { positions, normals } = this.#creased ?? leaf;
+    this.#position.array = positions;
+    this.#normal.array = normals;
     this.#position.needsUpdate = true;
     this.#normal.needsUpdate = true;
     this.recto.material.lieOver(left, right);
@@ -74,11 +82,16 @@ export class LeafMesh {
     after: Surface | undefined,
   ): void {
     // The recto looks over the left pile; the verso, mirrored, over the right.
-    const [recto, verso] = [this.#rectoGap, this.#versoGap];
-    this.#light.write(leaf, 1, left.obstacles, before, recto.array as Float32Array);
-    this.#light.write(leaf, -1, right.mirrored, after, verso.array as Float32Array);
-    recto.needsUpdate = true;
-    verso.needsUpdate = true;
+    for (const [gap, sign, pile, next] of [
+      [this.#rectoGap, 1, left.obstacles, before],
+      [this.#versoGap, -1, right.mirrored, after],
+    ] as const) {
+      const gaps = gap.array as Float32Array;
+      this.#light.write(leaf, sign, pile, next, gaps);
+      this.#creased?.repeat(gaps, 2);
+      this.#creased?.lightFlaps(sign, gaps);
+      gap.needsUpdate = true;
+    }
   }
 
   /**
@@ -105,14 +118,19 @@ export class LeafMesh {
     const { columns, rows } = leaf;
     this.#columns = columns;
     this.#rows = rows;
+    this.#mesh = leaf.creased;
+    this.#creased = leaf.creased && new CreasedVertices(leaf.creased);
     this.#light = new LeafLight(columns, rows);
     const dynamic = (array: Float32Array, size: number): BufferAttribute =>
       new BufferAttribute(array, size).setUsage(DynamicDrawUsage);
-    this.#position = dynamic(leaf.positions, 3);
-    this.#normal = dynamic(leaf.normals, 3);
-    this.#rectoGap = dynamic(new Float32Array(2 * columns * rows), 2);
-    this.#versoGap = dynamic(new Float32Array(2 * columns * rows), 2);
-    const grid = sheetGeometry(columns, rows, this.#place);
+    const { positions, normals } = this.#creased ?? leaf;
+    this.#position = dynamic(positions, 3);
+    this.#normal = dynamic(normals, 3);
+    this.#rectoGap = dynamic(new Float32Array((2 / 3) * positions.length), 2);
+    this.#versoGap = dynamic(new Float32Array((2 / 3) * positions.length), 2);
+    const grid = this.#creased
+      ? geometryOf(this.#creased.uv, this.#creased.index)
+      : sheetGeometry(columns, rows, this.#place);
     for (const [mesh, near, far] of [
       [this.recto, this.#rectoGap, this.#versoGap],
       [this.verso, this.#versoGap, this.#rectoGap],

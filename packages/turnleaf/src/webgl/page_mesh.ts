@@ -169,6 +169,11 @@ export function sheetGeometry(
       at += 6;
     }
   }
+  return geometryOf(uv, index);
+}
+
+/** Returns triangles of vertices that have such texture coordinates. */
+export function geometryOf(uv: Float32Array, index: Uint16Array): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute("uv", new BufferAttribute(uv, 2));
   geometry.setIndex(new BufferAttribute(index, 1));

@@ -1,0 +1,104 @@
+//! Which leaves of a book are creased, along which lines, and how each lay when it was covered.
+
+use super::flight::Flight;
+use super::phase::Phase;
+use crate::grid::Side;
+use crate::models::sheet::FoldLine;
+
+/// Creased leaves of a book and creases of a leaf, at most: what bounds a book's memory.
+const MOST_LEAVES: usize = 4096;
+const MOST_CREASES: usize = 16;
+
+/// Flights of creased leaves that are kept to be used again, at most: creasing a sheet takes as
+/// long as a frame.
+const MOST_KEPT: usize = 4;
+
+/// A creased leaf.
+#[derive(Clone, Debug)]
+struct CreasedLeaf {
+    leaf: u32,
+    creases: Vec<FoldLine>,
+    /// Where its nodes were when it lay last on the right and on the left, metres.
+    lay: [Option<Vec<f32>>; 2],
+}
+
+/// The creased leaves of a book.
+#[derive(Default)]
+pub struct CreasedLeaves {
+    /// By their numbers.
+    leaves: Vec<CreasedLeaf>,
+    /// Leaves that were creased and drawn, from the one that was covered first.
+    kept: Vec<(u32, Flight)>,
+}
+
+impl CreasedLeaves {
+    /// Notes the creases of a leaf in place of those that it had; none where it has none any
+    /// more. Returns false, and changes nothing, where there are too many.
+    pub fn set(&mut self, leaf: u32, creases: &[FoldLine]) -> bool {
+        let found = self.index(leaf);
+        let is_full = found.is_err() && self.leaves.len() == MOST_LEAVES;
+        if creases.len() > MOST_CREASES || (is_full && !creases.is_empty()) {
+            return false;
+        }
+        self.kept.retain(|(kept, _)| *kept != leaf);
+        if let Ok(at) = found {
+            self.leaves.remove(at);
+        }
+        if !creases.is_empty() {
+            let made = CreasedLeaf {
+                leaf,
+                creases: creases.to_vec(),
+                lay: [None, None],
+            };
+            let at = self.index(leaf).unwrap_or_else(|at| at);
+            self.leaves.insert(at, made);
+        }
+        true
+    }
+
+    /// The creases of a leaf; None where it has none.
+    pub fn of(&self, leaf: u32) -> Option<&[FoldLine]> {
+        let at = self.index(leaf).ok()?;
+        Some(&self.leaves[at].creases)
+    }
+
+    /// Where the nodes of a leaf were when it lay last on a side; None where it never did.
+    pub fn lay_on(&self, leaf: u32, side: Side) -> Option<&[f32]> {
+        let at = self.index(leaf).ok()?;
+        self.leaves[at].lay[side as usize].as_deref()
+    }
+
+    /// Keeps the flight of a creased leaf that lies on a side, is covered there and so no longer
+    /// drawn. Returns it where the leaf has no creases any more.
+    pub fn cover(&mut self, flight: Flight, side: Side) -> Option<Flight> {
+        let leaf = flight.low();
+        let Ok(at) = self.index(leaf) else {
+            return Some(flight);
+        };
+        let sheet = flight.leaf().sheet();
+        self.leaves[at].creases = sheet.creases();
+        if flight.phase() == Phase::Resting(side) {
+            self.leaves[at].lay[side as usize] = Some(sheet.positions().to_vec());
+        }
+        self.kept.push((leaf, flight));
+        if self.kept.len() > MOST_KEPT {
+            self.kept.remove(0);
+        }
+        None
+    }
+
+    /// A kept flight of a leaf.
+    pub fn take(&mut self, leaf: u32) -> Option<Flight> {
+        let at = self.kept.iter().position(|(kept, _)| *kept == leaf)?;
+        Some(self.kept.remove(at).1)
+    }
+
+    /// Forgets every flight that it keeps, as leaves are made of another paper.
+    pub fn forget_flights(&mut self) {
+        self.kept.clear();
+    }
+
+    fn index(&self, leaf: u32) -> Result<usize, usize> {
+        self.leaves.binary_search_by_key(&leaf, |known| known.leaf)
+    }
+}

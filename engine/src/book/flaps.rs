@@ -1,0 +1,110 @@
+//! The parts of a creased leaf between its creases, and where they meet each other.
+
+use super::book_space_leaf::BookSpaceLeaf;
+use super::tolerance::{CURLED, DEEPEST, GAP};
+use crate::models::sheet::Sheet;
+use crate::vector::{cross, dot, sub, unit};
+
+/// How far beyond a triangle's sides, as part of its size, what lies over it still does.
+const BESIDE: f32 = 0.05;
+
+/// The parts of a creased leaf.
+#[derive(Clone, Debug)]
+pub struct Flaps {
+    /// The nodes of each triangle, and its part: a set of bits, one for each crease that it lies
+    /// beyond.
+    triangles: Vec<([usize; 3], u16)>,
+    /// The part of each node; None for those on creases.
+    parts: Vec<Option<u16>>,
+    /// The creases whose flaps lie on the recto's side, as a set of bits.
+    on_recto: u16,
+}
+
+/// A node of one part over a triangle of another.
+pub struct Touch {
+    pub node: usize,
+    /// The triangle's nodes.
+    pub under: [usize; 3],
+    /// The direction from the triangle to the node's side of it.
+    pub normal: [f32; 3],
+    /// How far the node is from where it touches, metres.
+    pub gap: f32,
+}
+
+impl Flaps {
+    /// The parts of a sheet; None where it is not creased.
+    pub fn of(sheet: &Sheet) -> Option<Flaps> {
+        let triangles = sheet.node_triangles();
+        if triangles.is_empty() {
+            return None;
+        }
+        let mut parts: Vec<Option<Option<u16>>> = vec![None; sheet.positions().len() / 3];
+        for (corners, part) in &triangles {
+            for &corner in corners {
+                let own = parts[corner].get_or_insert(Some(*part));
+                if *own != Some(*part) {
+                    *own = None;
+                }
+            }
+        }
+        let creases = sheet.creases().into_iter().enumerate();
+        let on_recto = creases
+            .filter(|(_, crease)| crease.rest > 0.0)
+            .fold(0, |set, (number, _)| set | 1 << number);
+        Some(Flaps {
+            triangles,
+            parts: parts.into_iter().map(Option::flatten).collect(),
+            on_recto,
+        })
+    }
+
+    /// Finds where nodes of the leaf are over triangles of other parts of it, or in them: for
+    /// each node at most one. A flap stays on the side to which its crease folds it.
+    pub fn touches(&self, leaf: &BookSpaceLeaf) -> Vec<Touch> {
+        let nodes = self.parts.iter().enumerate();
+        let found = nodes.filter_map(|(node, part)| {
+            let part = (*part)?;
+            let others = self.triangles.iter().filter(|(_, other)| *other != part);
+            let touches = others.filter_map(|(under, other)| {
+                // The first crease between the two says on which side.
+                let between = part ^ other;
+                let crease = between & between.wrapping_neg();
+                let side = if self.on_recto & crease != 0 {
+                    1.0
+                } else {
+                    -1.0
+                };
+                touch(leaf, node, *under, side)
+            });
+            touches.min_by(|a, b| a.gap.abs().total_cmp(&b.gap.abs()))
+        });
+        found.collect()
+    }
+}
+
+/// How a node touches a triangle of its leaf, if it lies over it on a side (1 the recto's) or
+/// not too deep in it.
+fn touch(leaf: &BookSpaceLeaf, node: usize, under: [usize; 3], side: f32) -> Option<Touch> {
+    let point = leaf.points[node];
+    let [a, b, c] = under.map(|corner| leaf.points[corner]);
+    let away = sub(point, a);
+    let [u, v] = [sub(b, a), sub(c, a)];
+    let across = cross(u, v);
+    let normal = unit(across);
+    let gap = side * dot(away, normal) - GAP;
+    if !(-DEEPEST..=CURLED).contains(&gap) {
+        return None;
+    }
+    let inverse = 1.0 / dot(across, across);
+    let on_b = dot(cross(away, v), across) * inverse;
+    let on_c = dot(cross(u, away), across) * inverse;
+    let is_over = [on_b, on_c, 1.0 - on_b - on_c]
+        .iter()
+        .all(|part| *part > -BESIDE);
+    is_over.then(|| Touch {
+        node,
+        under,
+        normal: normal.map(|n| side * n),
+        gap,
+    })
+}

@@ -1,0 +1,193 @@
+//! Creased leaves in a book: how they lie, turn, are covered and come out again.
+
+use super::*;
+
+/// Across the corner of foot and fore-edge, 30 mm from it, folded over to the recto's side (or
+/// the verso's) and resting 20 degrees open.
+fn dog_ear(on_recto: bool) -> FoldLine {
+    let sign = if on_recto { 1.0 } else { -1.0 };
+    let through = [[1.0 - 0.03 / 0.14, 0.0], [1.0, 0.03 / 0.21]];
+    FoldLine::pressed(through, sign * 160f64.to_radians(), &Stock::BOOK, 0.14)
+}
+
+/// A book open at leaf 5, which is dog-eared.
+fn book(on_recto: bool) -> Book {
+    let mut book = Book::new(0.14, 0.21, 40, 0.004).unwrap();
+    *book.board_mut(0) = Board::new(Side::Left);
+    book.lay(5);
+    assert!(book.crease(5, &[dog_ear(on_recto)]));
+    book
+}
+
+/// Turns the uppermost leaf of a side over, and checks in every frame what is drawn. Returns the
+/// ticks that took.
+fn turn(book: &mut Book, from: Side) -> u32 {
+    let low = match from {
+        Side::Right => book.read(),
+        Side::Left => book.read() - 1,
+    };
+    let id = book.pick_up(from, low, low + 1).unwrap();
+    book.play(id, from.opposite(), 0.8);
+    for frame in 0..500 {
+        if book.flights() == 0 {
+            return 2 * frame;
+        }
+        book.step(2);
+        book.update();
+        for index in 0..book.drawn_leaves() {
+            assert!(book.strain(index).unwrap() < 0.01, "frame {frame}");
+            let surface = book.surface(index).unwrap();
+            assert!(surface.positions.iter().all(|x| x.is_finite()));
+        }
+    }
+    panic!("leaf {low} never came to rest");
+}
+
+/// By how much the drawn flap of the only leaf is apart from the rest of it, at least, metres:
+/// below 0 where they go through each other.
+fn least_gap(book: &Book, on_recto: bool) -> f32 {
+    let (surface, mesh) = (book.surface(0).unwrap(), book.creased_mesh(0).unwrap());
+    let points = surface.positions.as_chunks::<3>().0;
+    let beyond = |k: usize| mesh.places[2 * k] * 0.14 - 0.11 - mesh.places[2 * k + 1] * 0.21;
+    let all = 0..points.len();
+    let (flap, rest): (Vec<_>, Vec<_>) = all
+        .filter(|k| beyond(*k).abs() > 1e-5)
+        .partition(|k| beyond(*k) > 0.0);
+    assert!(flap.len() > 5);
+    let up = if book.lies_creased(Side::Right) == on_recto {
+        1.0
+    } else {
+        -1.0
+    };
+    let gaps = flap.iter().map(|k| {
+        let away = |j: &usize| (points[*j][0] - points[*k][0]).hypot(points[*j][1] - points[*k][1]);
+        let near = rest
+            .iter()
+            .min_by(|a, b| away(a).total_cmp(&away(b)))
+            .unwrap();
+        up * (points[*k][2] - points[*near][2])
+    });
+    gaps.fold(f32::INFINITY, f32::min)
+}
+
+#[test]
+fn a_dog_ear_turned_over_and_back_ten_times_keeps_its_rest_and_lies_off_its_leaf() {
+    for on_recto in [true, false] {
+        let mut book = book(on_recto);
+        assert_eq!([book.flights(), book.drawn_leaves()], [0, 1]);
+        for k in 0..20 {
+            assert!(least_gap(&book, on_recto) > 5e-5, "before turn {k}");
+            let [from, to] = if k % 2 == 0 {
+                [Side::Right, Side::Left]
+            } else {
+                [Side::Left, Side::Right]
+            };
+            turn(&mut book, from);
+            assert!(book.lies_creased(to) && !book.lies_creased(from));
+            assert_eq!([book.flights(), book.drawn_leaves()], [0, 1]);
+            assert!(book.is_asleep());
+            let rest = book.creases(5)[0].rest.to_degrees().abs();
+            assert!((rest - 160.0).abs() < 1.0, "{rest} after turn {k}");
+        }
+        assert_eq!(book.landed(), [20, 0]);
+    }
+}
+
+#[test]
+fn a_leaf_that_is_laid_upon_a_dog_ear_covers_it_and_uncovers_it() {
+    let mut book = book(true);
+    turn(&mut book, Side::Left);
+    assert_eq!([book.read(), book.drawn_leaves() as u32], [4, 0]);
+    turn(&mut book, Side::Right);
+    assert_eq!([book.read(), book.drawn_leaves() as u32], [5, 1]);
+    assert!(book.lies_creased(Side::Right));
+    let rest = book.creases(5)[0].rest.to_degrees();
+    assert!((rest - 160.0).abs() < 1.0, "{rest}");
+}
+
+#[test]
+fn a_book_laid_open_shows_the_creased_leaves_that_lie_uppermost() {
+    let mut book = book(true);
+    for (read, lies) in [(3, [false, false]), (6, [true, false]), (5, [false, true])] {
+        book.lay(read);
+        let found = [Side::Left, Side::Right].map(|side| book.lies_creased(side));
+        assert_eq!((book.read(), found), (read, lies));
+        assert_eq!(
+            book.drawn_leaves(),
+            lies.iter().filter(|lies| **lies).count()
+        );
+    }
+}
+
+#[test]
+fn leaves_that_fly_as_one_are_not_creased() {
+    let mut book = book(true);
+    let id = book.pick_up(Side::Right, 5, 8).unwrap();
+    assert_eq!(book.drawn_leaves(), 1);
+    assert!(book.creased_mesh(0).is_none());
+    book.play(id, Side::Left, 0.8);
+    for _ in 0..400 {
+        book.step(1);
+    }
+    assert_eq!([book.read(), book.flights() as u32], [8, 0]);
+    assert_eq!(book.creases(5).len(), 1);
+}
+
+#[test]
+fn pressing_a_crease_folds_the_leaf_and_opens_it_again() {
+    let mut book = book(true);
+    let corner = |book: &Book| book.surface(0).unwrap().position(48, 0);
+    let folded = corner(&book);
+    let id = book.pick_up(Side::Right, 5, 6).unwrap();
+    for step in 1..=60 {
+        let angle = 160.0 * (1.0 - step as f32 / 60.0);
+        book.press(5, 0, angle.to_radians());
+        book.step(1);
+    }
+    for _ in 0..300 {
+        book.step(1);
+    }
+    book.update();
+    assert!(book.phase(id).is_none());
+    let open = corner(&book);
+    assert!(
+        open[0] - folded[0] > 0.025 && open[1] < 0.003,
+        "{open:?} from {folded:?}"
+    );
+    assert!(book.crease(5, &[]));
+    for _ in 0..400 {
+        book.step(1);
+    }
+    assert_eq!([book.drawn_leaves(), book.creases(5).len()], [0, 0]);
+}
+
+#[test]
+fn a_leaf_cannot_be_creased_across_the_spine_or_where_there_is_none() {
+    let mut book = book(true);
+    let across = FoldLine::pressed([[0.0, 0.5], [1.0, 0.5]], 1.0, &Stock::BOOK, 0.14);
+    let wrong = FoldLine {
+        rest: f64::NAN,
+        ..dog_ear(true)
+    };
+    assert!(!book.crease(5, &[across]));
+    assert!(!book.crease(5, &[wrong]));
+    assert!(!book.crease(40, &[dog_ear(true)]));
+    assert!(!book.crease(5, &[dog_ear(true); 17]));
+    assert_eq!(book.creases(5).len(), 1);
+    book.press(5, 0, f32::NAN);
+    book.press(5, 9, 1.0);
+    book.press(99, 0, 1.0);
+    assert!((book.creases(5)[0].rest.to_degrees() - 160.0).abs() < 1e-3);
+}
+
+#[test]
+fn paper_may_be_changed_under_a_creased_leaf() {
+    let mut book = book(true);
+    assert!(book.set_paper(&Paper {
+        stock: Stock::CARD,
+        ..Paper::default()
+    }));
+    assert!(book.lies_creased(Side::Right));
+    turn(&mut book, Side::Right);
+    assert!(book.lies_creased(Side::Left));
+}

@@ -1,0 +1,107 @@
+/** Corners folded over: seen, bookmarked, kept, turned with their leaves and opened. */
+
+import { afterEach, beforeEach, expect, test } from "vitest";
+import type { TurnleafBook } from "../element.ts";
+import { book, happens, keepWhatIsDrawn, scans, settled } from "../for_tests/element_books.ts";
+
+keepWhatIsDrawn();
+
+beforeEach(() => localStorage.clear());
+afterEach(() => document.body.replaceChildren());
+
+/** Scans of which the seventh, under the leaf of the fifth and sixth, is dark. */
+function pages(): { src: string }[] {
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [90, 120];
+  canvas.getContext("2d")?.fillRect(0, 0, 90, 120);
+  const all = scans(12);
+  all[6] = { src: canvas.toDataURL("image/png") };
+  return all;
+}
+
+async function opened(attributes: Record<string, string> = {}): Promise<TurnleafBook> {
+  const element = book(pages(), { page: "5", cover: "none", duration: "300", ...attributes });
+  await happens(element, "load");
+  await settled(element);
+  return element;
+}
+
+/** Returns what is drawn around the upper corner of the right page away from the spine, in grey. */
+function cornerOf(element: TurnleafBook): number[] {
+  const drawn = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
+  const bounds = element.bookBounds as DOMRect;
+  const host = element.getBoundingClientRect();
+  const copy = document.createElement("canvas");
+  const side = 40;
+  copy.width = copy.height = side;
+  const pen = copy.getContext("2d") as CanvasRenderingContext2D;
+  const scale = drawn.width / host.width;
+  const from = [bounds.right - host.left - 30, bounds.top - host.top - 2].map((x) => x * scale);
+  pen.drawImage(drawn, from[0], from[1], 30 * scale, 30 * scale, 0, 0, side, side);
+  const { data } = pen.getImageData(0, 0, side, side);
+  return Array.from({ length: side * side }, (_, k) => data[4 * k]);
+}
+
+/** Returns the greatest difference of two pictures, of 255. */
+const difference = (a: readonly number[], b: readonly number[]): number =>
+  Math.max(...a.map((grey, k) => Math.abs(grey - b[k])));
+
+test("a corner is folded and seen, bookmarks its page, and is opened again", async () => {
+  const element = await opened();
+  const flat = cornerOf(element);
+  const changed = happens(element, "dogearchange");
+  expect(await element.dogEar(5, "head", 0.3)).toBe(true);
+  expect(await changed).toEqual({ dogEars: [{ page: 5, corner: "head", size: 0.3 }] });
+  await settled(element);
+  expect(element.bookmarks).toEqual([5]);
+  expect(element.state).toBe("resting");
+  expect(difference(flat, cornerOf(element))).toBeGreaterThan(100);
+  expect(await element.unfold(5)).toBe(true);
+  expect([element.dogEars, element.bookmarks]).toEqual([[], []]);
+  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  await settled(element);
+  await expect.poll(() => difference(flat, cornerOf(element))).toBeLessThan(50);
+});
+
+test("a folded leaf is turned, and folding is no turn", async () => {
+  const element = await opened();
+  const turns: string[] = [];
+  for (const name of ["turnstart", "pagechange"]) {
+    element.addEventListener(name, () => turns.push(name));
+  }
+  await element.dogEar(5);
+  await settled(element);
+  expect(turns).toEqual([]);
+  expect(await element.next()).toBe(true);
+  expect(await element.next()).toBe(true);
+  expect(await element.previous()).toBe(true);
+  expect(await element.previous()).toBe(true);
+  await settled(element);
+  expect(element.page).toBe(4);
+  expect(turns.filter((name) => name === "pagechange")).toHaveLength(4);
+  expect(element.dogEars).toHaveLength(1);
+});
+
+test("bookmarks fold corners where the page asks for it, and stay folded over a reload", async () => {
+  const kept = { remember: "", "fold-bookmarks": "" };
+  const first = await opened(kept);
+  first.toggleBookmark(5);
+  first.toggleBookmark(8);
+  expect(first.dogEars.map(({ page }) => page)).toEqual([5, 8]);
+  first.toggleBookmark(8);
+  expect(first.dogEars.map(({ page }) => page)).toEqual([5]);
+  first.remove();
+  const again = await opened({ remember: "" });
+  expect(again.bookmarks).toEqual([5]);
+  expect(again.dogEars).toEqual([{ page: 5, corner: "head", size: 0.2 }]);
+});
+
+test("what is no folded corner is left out", async () => {
+  const element = await opened();
+  const wrong = [null, {}, { page: 0, corner: "head" }, { page: 3, corner: "middle" }];
+  element.dogEars = [...wrong, { page: 3, corner: "foot", size: 9 }] as TurnleafBook["dogEars"];
+  expect(element.dogEars).toEqual([{ page: 3, corner: "foot", size: 0.5 }]);
+  expect(await element.dogEar(99)).toBe(false);
+  expect(await element.dogEar(Number.NaN)).toBe(false);
+  expect(element.dogEars).toHaveLength(1);
+});

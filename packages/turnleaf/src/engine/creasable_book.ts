@@ -1,0 +1,102 @@
+/**
+ * A book in the engine whose leaves can be creased: loaded when a book has its first crease,
+ * as its WASM is nearly twice as large.
+ */
+
+import { unpack } from "../packed.ts";
+import type { BookEngine, BookSize, CreasedLeaves } from "./book_engine.ts";
+import code from "./creases.wasm";
+import { areFinite, whole } from "./numbers.ts";
+import type { Side } from "./phases.ts";
+import type { Crease, CreasedMesh, Surface } from "./shapes.ts";
+import { type Exports, WasmBook } from "./wasm_book.ts";
+
+/** What the engine exports beside the functions of all books. */
+interface CreasingExports extends Exports {
+  tl_creases(): number;
+  tl_book_crease(book: number, leaf: number, count: number): number;
+  tl_book_press(book: number, leaf: number, crease: number, rest: number): void;
+  tl_book_crease_rest(book: number, leaf: number, crease: number): number;
+  tl_book_lies_creased(book: number, side: Side): number;
+  tl_book_places(book: number, index: number): number;
+  tl_book_corners(book: number, index: number): number;
+  tl_book_parts(book: number, index: number): number;
+  tl_book_triangles(book: number, index: number): number;
+  tl_book_topology(book: number, index: number): number;
+}
+
+/** Creases of a leaf at most, and the numbers of each: two places and an angle. */
+const mostCreases = 16;
+const numbersOfCrease = 5;
+
+const mostLeaves = 1e6;
+
+/** A book whose leaves can be creased. */
+export class CreasableBook extends WasmBook {
+  readonly creases: CreasedLeaves;
+  /** The meshes of creased leaves, each with its version, by the address of their positions. */
+  readonly #meshes = new Map<number, readonly [version: number, mesh: CreasedMesh]>();
+
+  private constructor(wasm: CreasingExports, size: BookSize) {
+    super(wasm, size);
+    const { book } = this;
+    this.creases = {
+      crease: (leaf, creases) => {
+        const numbers = creases.flatMap(numbersOf);
+        if (creases.length > mostCreases || !areFinite(numbers)) return false;
+        new Float64Array(wasm.memory.buffer, wasm.tl_creases(), numbers.length).set(numbers);
+        return wasm.tl_book_crease(book, whole(leaf, mostLeaves), creases.length) !== 0;
+      },
+      press: (leaf, crease, rest) => {
+        if (areFinite([rest])) wasm.tl_book_press(book, whole(leaf, mostLeaves), crease, rest);
+      },
+      rest: (leaf, crease) => wasm.tl_book_crease_rest(book, whole(leaf, mostLeaves), crease),
+      lies: (side) => wasm.tl_book_lies_creased(book, side) !== 0,
+    };
+  }
+
+  /** Makes a book. Rejects if WebAssembly is unavailable. */
+  static async creasable(size: BookSize): Promise<CreasableBook> {
+    const { instance } = await WebAssembly.instantiate(await unpack(code), {});
+    return new CreasableBook(instance.exports as unknown as CreasingExports, size);
+  }
+
+  override another(size: BookSize): BookEngine {
+    return new CreasableBook(this.#wasm, size);
+  }
+
+  override surface(index: number): Surface {
+    return { ...super.surface(index), creased: this.#mesh(index) };
+  }
+
+  get #wasm(): CreasingExports {
+    return this.wasm as CreasingExports;
+  }
+
+  #mesh(index: number): CreasedMesh | undefined {
+    const wasm = this.#wasm;
+    const at = wasm.tl_book_places(this.book, index);
+    if (at === 0) return undefined;
+    const version = wasm.tl_book_topology(this.book, index);
+    const points = wasm.tl_book_positions(this.book, index);
+    const known = this.#meshes.get(points);
+    if (known?.[0] === version) return known[1];
+    const { buffer } = wasm.memory;
+    const { book } = this;
+    const numbers = 2 * wasm.tl_book_columns(book) * wasm.tl_book_rows(book);
+    const count = wasm.tl_book_triangles(book, index);
+    // Copied, as the engine's memory moves when it grows.
+    const mesh = {
+      places: new Float32Array(buffer, at, numbers).slice(),
+      triangles: new Uint32Array(buffer, wasm.tl_book_corners(book, index), 3 * count).slice(),
+      parts: new Uint16Array(buffer, wasm.tl_book_parts(book, index), count).slice(),
+    };
+    this.#meshes.set(points, [version, mesh]);
+    return mesh;
+  }
+}
+
+function numbersOf({ through, rest }: Crease): number[] {
+  const numbers = [...through, rest];
+  return numbers.length === numbersOfCrease ? numbers : [Number.NaN];
+}

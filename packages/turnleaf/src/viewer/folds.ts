@@ -1,0 +1,133 @@
+/**
+ * Folds corners of pages, each in a moment that is seen where its page lies open. Loaded when
+ * the first is folded, with an engine whose leaves can be creased.
+ */
+
+import { creasesOfDogEars, type DogEar } from "../book/dog_ears.ts";
+import { paperOnLeft } from "../book/spreads.ts";
+import type { CreasedLeaves } from "../engine/book_engine.ts";
+import { CreasableBook } from "../engine/creasable_book.ts";
+import { Side } from "../engine/phases.ts";
+import type { Crease } from "../engine/shapes.ts";
+import type { Rebinder } from "./rebinder.ts";
+
+/** Length of the moment in which a corner is folded, seconds. */
+const foldSeconds = 0.5;
+
+/** A leaf that is being folded: the rest of its creases goes from one angle to another. */
+interface Motion {
+  readonly leaf: number;
+  readonly from: readonly number[];
+  readonly to: readonly number[];
+  readonly done: () => void;
+  /** The fraction of its time that is over. */
+  part: number;
+}
+
+/** The folded corners of one viewer's book. */
+export class Folds {
+  readonly #rebinder: Rebinder;
+  #ears: readonly DogEar[] = [];
+  #motion: Motion | null = null;
+
+  private constructor(rebinder: Rebinder) {
+    this.#rebinder = rebinder;
+  }
+
+  /** Has the book bound anew, as soon as it rests, by an engine whose leaves can be creased. */
+  static async create(rebinder: Rebinder): Promise<Folds> {
+    rebinder.useEngine(await CreasableBook.creasable(rebinder.bound.shape));
+    return new Folds(rebinder);
+  }
+
+  /**
+   * Folds corners, in place of those folded before. Resolves, once that is done, to whether
+   * all are.
+   *
+   * @param isSeen whether a leaf that lies open is seen to be folded
+   */
+  async fold(ears: readonly DogEar[], isSeen: boolean): Promise<boolean> {
+    const before = this.#creases(this.#ears);
+    this.#ears = ears;
+    const { bound } = this.#rebinder;
+    const { creases } = bound.engine;
+    // Otherwise it is bound anew soon.
+    if (!creases) return true;
+    const after = this.#creases(ears);
+    const leaves = new Set([...before.keys(), ...after.keys()]);
+    const results = [...leaves].map((leaf) =>
+      this.#foldLeaf(creases, leaf, before.get(leaf) ?? [], after.get(leaf) ?? [], isSeen),
+    );
+    return (await Promise.all(results)).every((isFolded) => isFolded);
+  }
+
+  /** Call it when the book was bound anew: creases its leaves. */
+  bound(): void {
+    this.#end();
+    const { engine } = this.#rebinder.bound;
+    for (const [leaf, creases] of this.#creases(this.#ears)) engine.creases?.crease(leaf, creases);
+  }
+
+  /** Advances the moment in which a corner is folded. Returns whether it goes on. */
+  step(seconds: number): boolean {
+    const motion = this.#motion;
+    if (motion === null) return false;
+    motion.part = Math.min(motion.part + seconds / foldSeconds, 1);
+    const eased = motion.part * motion.part * (3 - 2 * motion.part);
+    for (const [crease, from] of motion.from.entries()) {
+      const rest = from + (motion.to[crease] - from) * eased;
+      this.#rebinder.bound.engine.creases?.press(motion.leaf, crease, rest);
+    }
+    if (motion.part === 1) this.#end();
+    return this.#motion !== null;
+  }
+
+  #creases(ears: readonly DogEar[]): Map<number, Crease[]> {
+    const { binding, shape } = this.#rebinder.bound;
+    return creasesOfDogEars(ears, binding, shape);
+  }
+
+  async #foldLeaf(
+    engine: CreasedLeaves,
+    leaf: number,
+    before: readonly Crease[],
+    after: readonly Crease[],
+    isSeen: boolean,
+  ): Promise<boolean> {
+    if (before.map(key).join() === after.map(key).join()) return true;
+    const side = isSeen && this.#motion === null ? this.#sideOf(leaf) : null;
+    if (side === null || !this.#rebinder.bound.pickUpToFold(side))
+      return engine.crease(leaf, after);
+    // What is to be opened keeps its crease until it is.
+    const opened = before.filter((old) => !after.some((one) => line(one) === line(old)));
+    const lines = [...after, ...opened];
+    const restBefore = (one: Crease): number =>
+      before.find((old) => line(old) === line(one))?.rest ?? 0;
+    const from = lines.map(restBefore);
+    const to = [...after.map(({ rest }) => rest), ...opened.map(() => 0)];
+    const creased = lines.map((one, k) => ({ ...one, rest: from[k] }));
+    if (!engine.crease(leaf, creased)) return engine.crease(leaf, after);
+    await new Promise<void>((done) => {
+      this.#motion = { leaf, from, to, done, part: 0 };
+    });
+    return opened.length === 0 || engine.crease(leaf, after);
+  }
+
+  /** Returns the side where a leaf lies uppermost in the book at rest; null if it does not. */
+  #sideOf(leaf: number): Side | null {
+    const { binding, turning } = this.#rebinder.bound;
+    if (turning.moving) return null;
+    const onLeft = paperOnLeft(binding, turning.spread);
+    if (leaf === onLeft && turning.hasLeaf(Side.right)) return Side.right;
+    return leaf === onLeft - 1 && turning.hasLeaf(Side.left) ? Side.left : null;
+  }
+
+  #end(): void {
+    const motion = this.#motion;
+    this.#motion = null;
+    motion?.done();
+  }
+}
+
+const line = ({ through }: Crease): string => through.join();
+const key = (crease: Crease): string => `${line(crease)} ${crease.rest}`;

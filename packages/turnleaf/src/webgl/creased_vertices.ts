@@ -1,0 +1,143 @@
+/** The vertices of a creased leaf: a point on a crease has one for each part of the leaf beside it. */
+
+import type { CreasedMesh, Surface } from "../engine/shapes.ts";
+
+/**
+ * How much of the sky on either side what is folded over does not see, radians: more than the
+ * rest of the leaf hides, in place of the shadow that its edges throw.
+ */
+const hidden = 0.7;
+
+/** Steps along a row by which its direction is known. */
+const stepsBack = 5;
+
+/** For each point of a mesh that is folded over, the last before it on its row that is not. */
+const folded = new WeakMap<CreasedMesh, readonly (readonly [point: number, from: number])[]>();
+
+/**
+ * Returns a leaf with what is folded over laid straight on from its rows, which light knows how
+ * to go by: they never come back over themselves.
+ */
+export function straightened(leaf: Surface): Surface {
+  const { creased, columns } = leaf;
+  if (!creased) return leaf;
+  let points = folded.get(creased);
+  if (points === undefined) {
+    const ofRest = (_: number, corner: number) => creased.parts[Math.floor(corner / 3)] === 0;
+    const rest = new Set(creased.triangles.filter(ofRest));
+    points = [...Array(creased.places.length / 2).keys()].flatMap((point) => {
+      let from = point;
+      while (from % columns > 1 && !rest.has(from)) from--;
+      return from < point ? [[point, from] as const] : [];
+    });
+    folded.set(creased, points);
+  }
+  const positions = leaf.positions.slice();
+  const normals = leaf.normals.slice();
+  for (const [point, from] of points) {
+    // On in the direction of several steps: points next to a crease may lie close together.
+    const back = Math.max(from - (from % columns), from - stepsBack);
+    const u = (k: number) => creased.places[2 * k];
+    const steps = (u(point) - u(from)) / Math.max(u(from) - u(back), Number.EPSILON);
+    for (let axis = 0; axis < 3; axis++) {
+      const [last, before] = [positions[3 * from + axis], positions[3 * back + axis]];
+      positions[3 * point + axis] = last + steps * (last - before);
+      normals[3 * point + axis] = normals[3 * back + axis];
+    }
+  }
+  return { ...leaf, positions, normals };
+}
+
+/** The vertices of a creased leaf's mesh: its points in their order, and after them the further ones of those on creases. */
+export class CreasedVertices {
+  /** u and v of each vertex, as textures have them: v begins at the head. */
+  readonly uv: Float32Array;
+  /** The vertices of each triangle. */
+  readonly index: Uint16Array;
+  readonly positions: Float32Array;
+  /** Each is smooth within its part of the leaf, and differs from the next part's. */
+  readonly normals: Float32Array;
+  /** The point of each vertex after the points. */
+  readonly #further: number[] = [];
+  /** The vertices of what is folded over. */
+  readonly #flaps: readonly number[];
+
+  constructor({ places, triangles, parts }: CreasedMesh) {
+    const count = places.length / 2;
+    const vertices = new Map<number, number>();
+    const taken = new Uint8Array(count);
+    this.index = Uint16Array.from(triangles, (point, corner) => {
+      const key = point * 0x10000 + parts[Math.floor(corner / 3)];
+      let vertex = vertices.get(key);
+      if (vertex === undefined) {
+        vertex = taken[point] === 0 ? point : count + this.#further.push(point) - 1;
+        taken[point] = 1;
+        vertices.set(key, vertex);
+      }
+      return vertex;
+    });
+    this.#flaps = [...vertices].flatMap(([key, vertex]) => (key % 0x10000 === 0 ? [] : [vertex]));
+    const points = [...Array(count).keys(), ...this.#further];
+    this.uv = Float32Array.from(points.flatMap((k) => [places[2 * k], 1 - places[2 * k + 1]]));
+    this.positions = new Float32Array(3 * points.length);
+    this.normals = new Float32Array(3 * points.length);
+  }
+
+  /** Number of vertices. */
+  get count(): number {
+    return this.uv.length / 2;
+  }
+
+  /** Follows the leaf. */
+  shape({ positions }: Surface): void {
+    this.positions.set(positions);
+    this.repeat(this.positions, 3);
+    this.#findNormals();
+  }
+
+  /** Repeats the numbers of each point, so many, for its further vertices. */
+  repeat(numbers: Float32Array, size: number): void {
+    let to = numbers.length - size * this.#further.length;
+    for (const point of this.#further) {
+      numbers.copyWithin(to, size * point, size * (point + 1));
+      to += size;
+    }
+  }
+
+  /**
+   * Writes the gaps through which what is folded over sees the sky: as far as it faces it. The
+   * gaps of a leaf's rows know nothing of what comes back over them.
+   *
+   * @param sign 1 for the recto, -1 for the verso
+   * @param out left and right end for each vertex, radians
+   */
+  lightFlaps(sign: 1 | -1, out: Float32Array): void {
+    const { normals } = this;
+    const open = Math.PI / 2 - hidden;
+    for (const vertex of this.#flaps) {
+      const facing = Math.atan2(sign * normals[3 * vertex], sign * normals[3 * vertex + 2]);
+      out[2 * vertex] = Math.max(-open, facing - open);
+      out[2 * vertex + 1] = Math.min(open, facing + open);
+    }
+  }
+
+  /** Finds the mean normals of each vertex's triangles, by their areas. */
+  #findNormals(): void {
+    const [p, n] = [this.positions, this.normals.fill(0)];
+    for (let at = 0; at < this.index.length; at += 3) {
+      const [a, b, c] = [3 * this.index[at], 3 * this.index[at + 1], 3 * this.index[at + 2]];
+      const [ux, uy, uz] = [p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]];
+      const [vx, vy, vz] = [p[c] - p[a], p[c + 1] - p[a + 1], p[c + 2] - p[a + 2]];
+      const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+      for (const corner of [a, b, c]) {
+        n[corner] += x;
+        n[corner + 1] += y;
+        n[corner + 2] += z;
+      }
+    }
+    for (let at = 0; at < n.length; at += 3) {
+      const length = Math.hypot(n[at], n[at + 1], n[at + 2]) || 1;
+      for (let axis = 0; axis < 3; axis++) n[at + axis] /= length;
+    }
+  }
+}
