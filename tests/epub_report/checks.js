@@ -128,6 +128,26 @@ const showsOnePage = async (book) => {
   return element.shownLayout === "single";
 };
 
+/** The first page is shown by itself, in the middle of a window where two would fit. */
+const standsInTheMiddle = async (book) => {
+  const [width, height] = [900, 500];
+  const element = await book.shown(width, height);
+  const { left, right } = element.spread;
+  const [run] = await book.runs(1);
+  // It may be seen in pieces, as the page curves.
+  const pieces = () => [...element.shadowRoot.querySelectorAll(".text .print span")];
+  for (let k = 0; k < 200 && !(element.settled && pieces().length > 0); k++) {
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+  const seen = pieces().map((piece) => piece.getBoundingClientRect());
+  const start = Math.min(...seen.map((piece) => piece.left));
+  const scale = (Math.max(...seen.map((piece) => piece.right)) - start) / run.width;
+  const middle = start + ((await book.size(1)).width / 2 - run.x) * scale;
+  const off = middle - element.getBoundingClientRect().left - width / 2;
+  // A shut book is seen from beside its middle; in a spread it would be off by a quarter.
+  return [left, right].filter(Boolean).join() === "1" && Math.abs(off) < 0.05 * width;
+};
+
 /** The first link of the first page leads to a page. */
 const linkLeadsTo = (page) => async (book) => {
   const [link] = await book.links(1);
@@ -387,6 +407,7 @@ export const checks = {
   "lay-fxl-xhtml-icb_repeated-in-meta": async (book) =>
     (await grid(book)) && (await looksAlike(book)),
   "lay-fxl-xhtml-icb_units": looksAlike,
+  "fxl-page-spread-center": standsInTheMiddle,
   "fxl-page-spread-break": async (book) => {
     const texts = await book.texts();
     const pageOf = (words) => texts.findIndex((text) => text.includes(words)) + 1;

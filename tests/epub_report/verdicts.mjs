@@ -46,5 +46,4 @@ export const missing = {
   "lay-fxl-orientation-landscape":
     "a page is shown as wide as it is, without a word about the device",
   "lay-fxl-xhtml-icb_device_sizes": "a page has no size of the device",
-  "fxl-page-spread-center": "page-spread-center is not honoured",
 };

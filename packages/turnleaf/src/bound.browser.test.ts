@@ -6,6 +6,8 @@
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
 import { book, happens, keepWhatIsDrawn, settled } from "./for_tests/element_books.ts";
+import { openSource } from "./sources/open_source.ts";
+import type { PageSource } from "./sources/page_source.ts";
 
 keepWhatIsDrawn();
 
@@ -149,6 +151,40 @@ test("a narrow place shows one page, and a wide one two, at the same place in th
   element.setAttribute("layout", "single");
   expect(element.page).toBe(7);
   expect(element.shadowRoot?.querySelector("canvas")).toBe(canvas);
+});
+
+test("a page that is to be shown by itself stands in the middle, and its neighbours in spreads", async () => {
+  const single = async (): Promise<PageSource> => {
+    const source = await openSource(pages(9));
+    return Object.assign(source, { inSpread: (k: number) => (k === 4 ? "single" : undefined) });
+  };
+  const element = book(single, { duration: "80", cover: "none", page: "2" });
+  [element.style.width, element.style.height] = ["420px", "300px"];
+  await happens(element, "load");
+  await settled(element);
+  expect([element.shownLayout, element.spread]).toEqual(["spread", { left: 2, right: 3 }]);
+  expect(await element.next()).toBe(true);
+  await settled(element);
+  expect([element.shownLayout, element.spread]).toEqual(["spread", { left: 4, right: null }]);
+  expect(await element.next()).toBe(true);
+  await settled(element);
+  expect([element.shownLayout, element.spread]).toEqual(["single", { left: null, right: 5 }]);
+  await expectPage(element, 5, 0.5, 0.5);
+  expect([await hueAt(element, 0.12, 0.5), await hueAt(element, 0.88, 0.5)]).toEqual([null, null]);
+  expect(await element.next()).toBe(true);
+  await settled(element);
+  expect([element.shownLayout, element.spread]).toEqual(["spread", { left: 6, right: 7 }]);
+  expect(await element.goTo(5)).toBe(true);
+  await settled(element);
+  expect(element.shownLayout).toBe("single");
+  expect(await element.previous()).toBe(true);
+  await settled(element);
+  expect([element.shownLayout, element.spread]).toEqual(["spread", { left: 4, right: null }]);
+  // What the web page asks for goes first: nothing lies beside the page.
+  element.layout = "spread";
+  expect(await element.goTo(5)).toBe(true);
+  await settled(element);
+  expect([element.shownLayout, element.spread]).toEqual(["spread", { left: 5, right: null }]);
 });
 
 test("a page alone is drawn away from its spine to bring the one before it back", async () => {

@@ -76,7 +76,7 @@ export class PublishedSource implements PageSource {
     return { width, height };
   }
 
-  inSpread(index: number): "first" | "second" | "alone" | undefined {
+  inSpread(index: number): SiteBook["pages"][number]["side"] {
     return this.#book.pages[index]?.side;
   }
 

@@ -10,7 +10,7 @@ export interface SitePage {
   /** Absent if the page is merely numbered. */
   readonly label?: string;
   /** Where in a spread it has to lie, if the book says so. */
-  readonly side?: "first" | "second" | "alone";
+  readonly side?: "first" | "second" | "alone" | "single";
   /** Pixels of the largest picture; absent if none was drawn. */
   readonly pixels?: readonly [width: number, height: number];
   /** Why it could not be drawn, in a sentence. */

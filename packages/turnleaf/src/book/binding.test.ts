@@ -207,6 +207,23 @@ test.each<Edge>(["left", "right"])("%s: pages lie where the book wants them", (e
   // An inserted leaf changes the places of no other page.
   expect(spreadsOf(6, plain, edge, { 3: "alone" })).toEqual(["0 1", "2 3", "0 4", "5 6", "0 0"]);
   expect(spreadsOf(6, plain, edge, { 4: "alone" })).toEqual(["0 1", "2 3", "4 0", "5 6", "0 0"]);
+  // Nothing lies beside a page that is shown by itself; at the beginning nothing does anyway.
+  expect(spreadsOf(5, plain, edge, { 2: "single" })).toEqual(["0 1", "2 0", "3 4", "5 0"]);
+  expect(spreadsOf(5, plain, edge, { 3: "single" })).toEqual(["0 1", "2 0", "3 0", "4 5", "0 0"]);
+  expect(spreadsOf(3, plain, edge, { 1: "single" })).toEqual(["0 1", "2 3", "0 0"]);
+  expect(spreadsOf(3, { offset: 0, shifts: [] }, edge, { 1: "single" })).toEqual([
+    "0 0",
+    "1 0",
+    "2 3",
+    "0 0",
+  ]);
+  expect(spreadsOf(4, plain, edge, { 2: "single", 3: "second" })).toEqual([
+    "0 1",
+    "2 0",
+    "0 3",
+    "4 0",
+  ]);
+  expect(spreadsOf(3, plain, edge, { 2: "single", 3: "single" })).toEqual(["0 1", "2 0", "3 0"]);
   expect(spreadsOf(5, plain, edge, { 3: "alone", 4: "first", 5: "second" })).toEqual([
     "0 1",
     "2 3",
@@ -222,7 +239,7 @@ test("whatever a book wants, every page is on one face and pages keep their orde
     const pages = 1 + random(40);
     const want = Array.from(
       { length: pages },
-      () => (["first", "second", "alone"] as const)[random(9)],
+      () => (["first", "second", "alone", "single"] as const)[random(12)],
     );
     const shifts = Array.from({ length: random(6) }, () => random(pages + 2));
     const options = { offset: random(2) as 0 | 1, shifts };

@@ -26,7 +26,7 @@ export function edgeFor(
 }
 
 /** The place of a page in its spread, as `PageSource.inSpread` returns it. */
-type PlaceInSpread = "first" | "second" | "alone" | undefined;
+type PlaceInSpread = "first" | "second" | "alone" | "single" | undefined;
 
 /**
  * Returns the faces to leave bare so that every page lies where the book wants
@@ -50,16 +50,15 @@ export function placePages(
     const place = inSpread?.(page - 1);
     if (page === 1) face = 1 - offset;
     const isFirst = face % 2 === 1;
-    const isOff =
-      place === "first" || place === "second"
-        ? isFirst !== (place === "first")
-        : shifted.has(page) !== (before === "alone");
-    if (isOff) {
-      if (page === 1) start = offset === 1 ? 0 : 1;
-      else bareBefore.push(page);
-      face += 1;
-    }
-    face += 1;
+    const facesSingle = before === "single" && !isFirst;
+    let bare: number;
+    // Nothing faces the side at which a book begins.
+    if (place === "first" || (place === "single" && face > 0)) bare = isFirst ? 0 : 1;
+    else if (place === "second") bare = isFirst ? 1 : facesSingle ? 2 : 0;
+    else bare = facesSingle || shifted.has(page) !== (before === "alone") ? 1 : 0;
+    if (bare > 0 && page === 1) start = offset === 1 ? 0 : 1;
+    else for (let k = 0; k < bare; k++) bareBefore.push(page);
+    face += bare + 1;
     before = place;
   }
   return { offset: start, bareBefore };

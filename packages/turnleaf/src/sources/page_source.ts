@@ -224,11 +224,14 @@ export interface PageSource {
   label(index: number): string;
   /**
    * Returns where in a spread page `index` (from 0) has to lie, in the order of
-   * reading: on its first or second side, or on a leaf of its own. A side
-   * before it is left blank if necessary. The default is the side after the
-   * page before. A picture across a spread is two pages, "first" and "second".
+   * reading: on its first or second side, on a leaf of its own ("alone"), or
+   * with nothing beside it ("single"). Sides around it are left blank if
+   * necessary. The default is the side after the page before. A picture across a
+   * spread is two pages, "first" and "second". While a page that is "single" lies
+   * open, the book shows it by itself in the middle, unless the reader or the web
+   * page has asked for spreads.
    */
-  inSpread?(index: number): "first" | "second" | "alone" | undefined;
+  inSpread?(index: number): "first" | "second" | "alone" | "single" | undefined;
   /**
    * Draws page `index` (from 0) so that it is `width` device pixels wide (never
    * beyond the source's own limits on memory). Rejects with a `BookError`, or

@@ -3,7 +3,14 @@
 import { edgeFor, type LayoutOptions, layoutFor, pagesNamed, placePages } from "../book/layout.ts";
 import { nextTo } from "../book/leaf_order.ts";
 import { bookThickness, type StockRun, stockRuns } from "../book/leaf_stocks.ts";
-import { type Binding, bind, type Layout, leafCount, paperLeaves } from "../book/spreads.ts";
+import {
+  type Binding,
+  bind,
+  type Layout,
+  leafCount,
+  paperLeaves,
+  spreadOf,
+} from "../book/spreads.ts";
 import { type Flight, Turning, type TurningEvents } from "../book/turning.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
 import { Cover, Side } from "../engine/phases.ts";
@@ -46,19 +53,23 @@ export interface BindingLayout {
   readonly shape: BookShape;
   /** The leaves of a stock of their own. */
   readonly stocks: readonly StockRun[];
+  /** The layout in which the book shows pages that are not to be shown by themselves. */
+  readonly usual: Layout;
 }
 
 /**
  * Lays a book out by its options.
  *
  * @param width,height of the place where it is shown, CSS pixels; 0 if unknown
- * @param before the previous layout, null at first
+ * @param page the page (from 1) to keep in sight
+ * @param before the layout that the space had before, null at first
  */
 export function layOutBinding(
   book: Bindable,
   options: BindingOptions,
   width: number,
   height: number,
+  page: number,
   before: Layout | null = null,
 ): BindingLayout {
   const { source } = book;
@@ -67,10 +78,15 @@ export function layOutBinding(
   const edge = edgeFor(options.binding, source);
   const isQuarterTurned = edge === "top" || edge === "bottom";
   const requested = options.layout === "auto" ? (source.layout ?? "auto") : options.layout;
-  const layout = layoutFor(requested, book.aspect, isQuarterTurned, width, height, before);
+  const usual = layoutFor(requested, book.aspect, isQuarterTurned, width, height, before);
   const hardPages = pagesNamed(options.hardPages, pageCount);
   const places = placePages(pageCount, options, source.inSpread?.bind(source));
-  const binding = bind(pageCount, cover, { edge, layout, hardPages, ...places });
+  const bindIn = (layout: Layout): Binding =>
+    bind(pageCount, cover, { edge, layout, hardPages, ...places });
+  const inUsual = bindIn(usual);
+  const mayChange = usual === "spread" && options.layout === "auto";
+  const binding = mayChange && standsSingle(source, inUsual, page) ? bindIn("single") : inUsual;
+  const { layout } = binding;
   const { quarterTurned, reversed } = binding;
   // The engine's book is as wide as its pages are from the spine outward.
   const aspect = quarterTurned ? 1 / book.aspect : book.aspect;
@@ -89,7 +105,13 @@ export function layOutBinding(
     quarterTurned,
     alone: layout === "spread" ? 0 : reversed ? -1 : 1,
   };
-  return { binding, shape, stocks };
+  return { binding, shape, stocks, usual };
+}
+
+/** Returns whether a page is to be shown by itself, and would lie in an open book otherwise. */
+function standsSingle(source: Bindable["source"], binding: Binding, page: number): boolean {
+  const s = spreadOf(binding, page);
+  return source.inSpread?.(page - 1) === "single" && s > 0 && s < leafCount(binding);
 }
 
 /** The events of a bound book. */

@@ -1,7 +1,7 @@
 /** Binds one book: at first, and again when its pages or its options change. */
 
 import { applyPaper, type Paper } from "../book/paper.ts";
-import { pageOf, pagesAt, spineOf, spreadOf } from "../book/spreads.ts";
+import { type Layout, pageOf, pagesAt, spineOf, spreadOf } from "../book/spreads.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import { type NewIndex, placeOf } from "../sources/page_source.ts";
@@ -30,6 +30,8 @@ export interface RebinderParts {
 export class Rebinder {
   readonly #parts: RebinderParts;
   #bound: BoundBook;
+  /** The layout in which the book shows pages that are not to be shown by themselves. */
+  #usual: Layout;
   #options: BindingOptions;
   /** The page to keep in sight however the book is bound. */
   #place: number;
@@ -47,6 +49,7 @@ export class Rebinder {
     this.#parts = tools;
     this.#options = { ...defaultBinding, ...tools.options };
     this.#place = tools.options.page();
+    this.#usual = plan.usual;
     this.#bound = this.#bind(plan, engine);
   }
 
@@ -102,14 +105,23 @@ export class Rebinder {
     return this.#plan(width, height).binding.layout === this.#bound.binding.layout;
   }
 
-  /** Call it when the book has come to rest, or was laid open elsewhere. */
-  rested(): void {
+  /**
+   * Call it when the book has come to rest, or was laid open elsewhere: the page
+   * may have to be shown by itself there.
+   *
+   * @param width,height of the available space, CSS pixels
+   */
+  rested(width: number, height: number): void {
     this.#changePaper();
     const { binding, turning } = this.#bound;
     // Of two visible pages, the requested one stays the place.
     if (!pagesAt(binding, turning.spread).includes(this.#place)) {
       this.#place = pageOf(binding, turning.spread);
     }
+    const { source } = this.#parts.book;
+    const mayChange =
+      source.inSpread?.(this.#place - 1) === "single" || binding.layout !== this.#usual;
+    if (mayChange && !this.suits(width, height)) this.#mustBind = true;
   }
 
   /**
@@ -124,6 +136,7 @@ export class Rebinder {
     this.#mustBind = false;
     const before = this.#bound;
     const plan = this.#plan(width, height);
+    this.#usual = plan.usual;
     this.#parts.stage.bind(plan.shape);
     const engine = this.#nextEngine ?? before.engine;
     this.#bound = this.#bind(plan, engine.another(plan.shape));
@@ -141,13 +154,7 @@ export class Rebinder {
   }
 
   #plan(width: number, height: number): BindingLayout {
-    return layOutBinding(
-      this.#parts.book,
-      this.#options,
-      width,
-      height,
-      this.#bound.binding.layout,
-    );
+    return layOutBinding(this.#parts.book, this.#options, width, height, this.#place, this.#usual);
   }
 
   /** Binds the book by a layout, open at the page to keep in sight. */

@@ -130,7 +130,7 @@ export class Viewer {
       moved: arrived,
       landed: () => this.#show(),
       rested: (from, to) => {
-        this.#rebinder.rested();
+        this.#rebinder.rested(this.#cssWidth, this.#cssHeight);
         options.onRest(from, to);
       },
     };
@@ -161,7 +161,8 @@ export class Viewer {
     const leaf = await leafSize(source, signal);
     const book = { source, leaf, aspect: leaf.width / leaf.height };
     const { clientWidth, clientHeight } = canvas;
-    const plan = layOutBinding(book, { ...defaultBinding, ...options }, clientWidth, clientHeight);
+    const binding = { ...defaultBinding, ...options };
+    const plan = layOutBinding(book, binding, clientWidth, clientHeight, options.page());
     const engine = await backend.engine(plan.shape);
     signal.throwIfAborted();
     const stage = backend.stage(canvas, plan.shape);
@@ -257,7 +258,7 @@ export class Viewer {
   lay(spread: number): void {
     this.#foldOut.close();
     this.turning.lay(clampSpread(this.binding, spread));
-    this.#rebinder.rested();
+    this.#rebinder.rested(this.#cssWidth, this.#cssHeight);
     this.#bindAnew();
     this.#show();
   }

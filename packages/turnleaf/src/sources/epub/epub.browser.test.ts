@@ -451,21 +451,41 @@ describe("pages of fixed layout", () => {
   });
 
   test.each([
-    ["ltr", { 0: "page-spread-right", 1: "page-spread-right", 2: "page-spread-left" }, [1, 3, 4]],
-    ["ltr", { 0: "rendition:page-spread-left" }, [2, 3, 4]],
-    ["rtl", { 0: "page-spread-left", 1: "page-spread-left" }, [1, 3, 4]],
-  ])("lie on the side of a spread that they name, read %s: %j", async (way, properties, pages) => {
+    [
+      ...["ltr", { 0: "page-spread-right", 1: "page-spread-right", 2: "page-spread-left" }],
+      ["second", "second", "first"],
+    ],
+    ["ltr", { 0: "rendition:page-spread-left" }, ["first", undefined, undefined]],
+    ["rtl", { 0: "page-spread-left", 1: "page-spread-right" }, ["second", "first", undefined]],
+    [
+      ...["ltr", { 0: "page-spread-center", 1: "rendition:page-spread-center" }],
+      ["single", "single", undefined],
+    ],
+    ["rtl", { 1: "rendition:spread-none" }, [undefined, "single", undefined]],
+  ] as [string, Record<number, string>, (string | undefined)[]][])(
+    "lie on the side of a spread that they name, or by themselves, read %s: %j",
+    async (way, properties, places) => {
+      const source = await laidOut({
+        chapters: [fixed("<p>one</p>"), fixed("<p>two</p>"), fixed("<p>three</p>")],
+        metadata,
+        properties,
+        spine: `page-progression-direction="${way}"`,
+      });
+      expect(source.pageCount).toBe(3);
+      expect([0, 1, 2].map((index) => source.inSpread?.(index))).toEqual(places);
+    },
+  );
+
+  test("begin on a side, and flowing text is not shown by itself", async () => {
     const source = await laidOut({
-      chapters: [fixed("<p>one</p>"), fixed("<p>two</p>"), fixed("<p>three</p>")],
-      metadata,
-      properties,
-      spine: `page-progression-direction="${way}"`,
+      chapters: [prose(30), prose(1)],
+      properties: { 0: "page-spread-left", 1: "page-spread-center" },
     });
-    const found: number[] = [];
-    for (let index = 0; index < source.pageCount; index++) {
-      if ((await textOf(source, index)) !== "") found.push(index + 1);
-    }
-    expect(found).toEqual(pages);
+    expect([0, 1, source.pageCount - 1].map((index) => source.inSpread?.(index))).toEqual([
+      "first",
+      undefined,
+      undefined,
+    ]);
   });
 
   test("may stand among flowing text", async () => {

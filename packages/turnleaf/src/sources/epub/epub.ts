@@ -108,7 +108,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
       // The first of several counts.
       const own = properties.find((one) => /^rendition:layout-/.test(one));
       const isFixed = own ? own === "rendition:layout-pre-paginated" : isFixedBook;
-      return [{ ...item, isFixed, isAside: linear === "no", side: sideOf(has) }];
+      return [{ ...item, isFixed, isAside: linear === "no", side: sideOf(has, isFixed) }];
     });
   // What is beside the way of reading comes last.
   const ordered = [
@@ -264,9 +264,11 @@ function creatorsOf(opf: Document): BookDetail[] {
     .filter(({ value }) => value !== "");
 }
 
-function sideOf(has: (word: string) => boolean): "left" | "right" | undefined {
+/** Returns where a chapter has to lie; of fixed layout it may be meant to be shown by itself. */
+function sideOf(has: (word: string) => boolean, isFixed: boolean): FlowSection["side"] {
   if (has("page-spread-left")) return "left";
-  return has("page-spread-right") ? "right" : undefined;
+  if (has("page-spread-right")) return "right";
+  return isFixed && (has("page-spread-center") || has("spread-none")) ? "center" : undefined;
 }
 
 /**

@@ -11,8 +11,8 @@ export interface FlowSection {
   readonly length: number;
   /** Whether it is one page whose layout is fixed. */
   readonly isFixed: boolean;
-  /** The side of a spread on which it has to begin, if any. */
-  readonly side?: "left" | "right";
+  /** The side of a spread on which it has to begin, or whether it is to be shown by itself, if any. */
+  readonly side?: "left" | "right" | "center";
   /** Returns what is in it. Rejects with a `BookError`. */
   load(): Promise<FlowContent>;
 }

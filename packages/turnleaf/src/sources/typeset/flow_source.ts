@@ -123,6 +123,14 @@ export class FlowSource implements PageSource {
     return this.#edition.mapOf(section)?.size ?? paperback;
   }
 
+  inSpread(index: number): ReturnType<NonNullable<PageSource["inSpread"]>> {
+    const { section, page } = this.#numbers.at(index);
+    const side = this.#book.sections[section]?.side;
+    if (side === undefined || page > 0) return undefined;
+    if (side === "center") return "single";
+    return (side === "left") === (this.direction === "ltr") ? "first" : "second";
+  }
+
   label(index: number): string {
     return String(index + 1);
   }
@@ -141,7 +149,8 @@ export class FlowSource implements PageSource {
     if (this.#isClosed) throw this.#closed();
     laid.mark(this.narration?.markIn(section) ?? null);
     const size = laid.layoutSize;
-    const isBlank = page < 0 || page >= laid.map.pageCount;
+    // Its pages were estimated.
+    const isBlank = page >= laid.map.pageCount;
     const svg = isBlank ? blank(size, paperOf(this.#edition.typography)) : laid.svg(page);
     const picture = await drawMarkup(svg, size, region, width).catch((error: unknown) => {
       const sentence = `Page ${index + 1} of ${this.#book.name} cannot be drawn: update the browser, or allow data: in img-src of this page's Content-Security-Policy.`;
@@ -156,18 +165,18 @@ export class FlowSource implements PageSource {
   async text(index: number, signal: AbortSignal, exact = false): Promise<readonly TextRun[]> {
     const { section, page } = this.#at(index);
     const laid = await this.#lay(section, signal);
-    return page < 0 ? [] : laid.runs(page, exact);
+    return laid.runs(page, exact);
   }
 
   async alt(index: number, signal: AbortSignal): Promise<string> {
     const { section, page } = this.#at(index);
     const laid = await this.#lay(section, signal);
-    return page < 0 ? "" : laid.alt(page);
+    return laid.alt(page);
   }
 
   async links(index: number, signal: AbortSignal): Promise<readonly PageLink[]> {
     const { section, page } = this.#at(index);
-    const found = page < 0 ? [] : (await this.#lay(section, signal)).links(page);
+    const found = (await this.#lay(section, signal)).links(page);
     const links: PageLink[] = [];
     let laid = 0;
     for (const { href, isNote, ...link } of found) {
@@ -193,7 +202,7 @@ export class FlowSource implements PageSource {
 
   async media(index: number, signal: AbortSignal): Promise<readonly PageMedium[]> {
     const { section, page } = this.#at(index);
-    const found = page < 0 ? [] : (await this.#lay(section, signal)).media(page);
+    const found = (await this.#lay(section, signal)).media(page);
     const read = this.#book.medium?.bind(this.#book);
     if (!read) return [];
     return found.map(({ address, ...medium }) => ({
@@ -222,7 +231,7 @@ export class FlowSource implements PageSource {
   anchor(index: number): string {
     const { section, page } = this.#at(index);
     const starts = this.#edition.mapOf(section)?.starts;
-    const offset = this.#places.get(index)?.offset ?? starts?.[Math.max(page, 0)] ?? 0;
+    const offset = this.#places.get(index)?.offset ?? starts?.[page] ?? 0;
     return `${section}:${offset}`;
   }
 
@@ -345,7 +354,7 @@ export class FlowSource implements PageSource {
     this.narration?.forgetPages();
     const placeOn = (index: number): Place => {
       const { section, page } = numbers.at(index);
-      const offset = before.mapOf(section)?.starts[Math.max(page, 0)] ?? 0;
+      const offset = before.mapOf(section)?.starts[page] ?? 0;
       return places.get(index) ?? { section, offset };
     };
     const placeOf = (index: number): number => {
@@ -357,7 +366,7 @@ export class FlowSource implements PageSource {
         return now.indexOf(section, isSame ? page : pageAt(starts, offset));
       }
       // Of a section that was never laid out a fraction is all that is known.
-      const fraction = Math.max(numbers.at(index).page, 0) / numbers.countOf(section);
+      const fraction = numbers.at(index).page / numbers.countOf(section);
       return now.indexOf(section, Math.floor(fraction * now.countOf(section)));
     };
     this.#places = new Map();
@@ -369,14 +378,14 @@ export class FlowSource implements PageSource {
     }
     const sameIndex = (index: number): number | null => {
       const { section, page } = numbers.at(index);
-      const isSame = after === before && page >= 0 && page < now.countOf(section);
+      const isSame = after === before && page < now.countOf(section);
       return isSame ? now.indexOf(section, page) : null;
     };
     return Object.assign(sameIndex, { placeOf });
   }
 
   #numbersOf(edition: Edition): PageNumbers {
-    return new PageNumbers(this.#book.sections, edition.counts(), this.direction);
+    return new PageNumbers(edition.counts());
   }
 
   /** Returns the page (from 1) of a place; of its section, while no more is known. */

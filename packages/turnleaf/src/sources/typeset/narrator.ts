@@ -48,8 +48,7 @@ export class Narrator implements Narration {
     const { section, page } = this.#pages.at(index);
     const clips = await this.#all(signal);
     const isHere = (one: FlowClip | undefined): one is FlowClip => one?.target.section === section;
-    // A blank page comes after all others of its section.
-    if (page < 0 || !clips.some(isHere)) return found(clips, (one) => one.target.section > section);
+    if (!clips.some(isHere)) return found(clips, (one) => one.target.section > section);
     const laid = await this.#pages.lay(section, signal);
     const firstPage = ({ target }: FlowClip): number => laid.map.ids.get(target.id) ?? 0;
     const number = found(

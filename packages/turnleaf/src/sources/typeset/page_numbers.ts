@@ -1,11 +1,9 @@
 /** Which page of which section each page of a book of flowing text is. */
 
-import type { FlowSection } from "./flow_book.ts";
-
-/** A page of a section; one before its first is blank. */
+/** A page of a section. */
 export interface SectionPage {
   readonly section: number;
-  /** From 0; -1 for a blank page. */
+  /** From 0. */
   readonly page: number;
 }
 
@@ -16,21 +14,13 @@ export class PageNumbers {
   readonly #first: readonly number[];
   readonly #counts: readonly number[];
 
-  /** @param direction which side of a spread the first page is on: the right one for "ltr" */
-  constructor(
-    sections: readonly FlowSection[],
-    counts: readonly number[],
-    direction: "ltr" | "rtl",
-  ) {
+  /** @param counts each section's number of pages, at least 1 */
+  constructor(counts: readonly number[]) {
     let next = 0;
     this.#counts = counts;
-    this.#first = counts.map((count, section) => {
-      const side = sections[section]?.side;
-      // Pages with an even index are on the side where a book begins.
-      const parity =
-        side === undefined ? next % 2 : Number((side === "left") === (direction === "ltr"));
-      const first = next + Math.abs((next % 2) - parity);
-      next = first + count;
+    this.#first = counts.map((count) => {
+      const first = next;
+      next += count;
       return first;
     });
     this.pageCount = Math.max(next, 1);
@@ -42,11 +32,7 @@ export class PageNumbers {
       this.#first.findLastIndex((first) => first <= index),
       0,
     );
-    const page = index - (this.#first[section] ?? 0);
-    // Before the next section there may be a blank one.
-    return page >= 0 && page < (this.#counts[section] ?? 0)
-      ? { section, page }
-      : { section, page: -1 };
+    return { section, page: index - (this.#first[section] ?? 0) };
   }
 
   /** Returns the index of a section's page; of its last one if it has no such page. */
