@@ -1,30 +1,32 @@
 /**
- * Books of the reader's own machine: dropped on the window, or picked (Ctrl or
- * Cmd and O). One is opened beside the book that is shown, and takes its place
- * only once it can be read.
+ * Books of the reader's own machine: dropped on the window, or picked by a
+ * button or a key (Ctrl or Cmd and O, with Shift for a folder). One is opened
+ * beside the book that is shown, and takes its place only once it can be read.
  */
 
 import { openSource, type TurnleafBook } from "turnleaf";
-import { droppedFiles } from "./dropped_files.ts";
+import { droppedFiles, filesOfFolder, pickedFiles } from "./local_files.ts";
 
 /** Milliseconds after which an opening that takes longer is announced. */
 const noticed = 300;
 
-/** Follows drops and the key until the page is left. */
+/** Follows drops, the buttons and the keys until the page is left. */
 export class LocalBooks {
   readonly #book: TurnleafBook;
   readonly #notice: HTMLElement;
   readonly #text: HTMLElement;
   readonly #button: HTMLButtonElement;
   /** Kept: one that nothing refers to may be collected while its dialog is open. */
-  readonly #input: HTMLInputElement = document.createElement("input");
+  readonly #files: HTMLInputElement;
+  readonly #folder: HTMLInputElement;
   #opening: AbortController | null = null;
 
   /**
    * @param book in which they are shown
    * @param notice an element with a text and a button, hidden until there is something to say
+   * @param pickers an element with a button that picks files, and one that picks a folder
    */
-  constructor(book: TurnleafBook, notice: HTMLElement) {
+  constructor(book: TurnleafBook, notice: HTMLElement, pickers: HTMLElement) {
     this.#book = book;
     this.#notice = notice;
     this.#text = notice.querySelector("span") as HTMLElement;
@@ -39,25 +41,31 @@ export class LocalBooks {
       // Its files can be asked for during the event alone.
       void this.#open(droppedFiles(event.dataTransfer));
     });
-    this.#input.type = "file";
-    this.#input.multiple = true;
-    this.#input.addEventListener(
-      "change",
-      () => void this.#open(Promise.resolve([...(this.#input.files ?? [])])),
-    );
+    this.#files = this.#pickerOf(pickedFiles);
+    this.#files.multiple = true;
+    this.#folder = this.#pickerOf(filesOfFolder);
+    this.#folder.webkitdirectory = true;
+    const [files, folder] = pickers.querySelectorAll("button");
+    files?.addEventListener("click", () => pick(this.#files));
+    folder?.addEventListener("click", () => pick(this.#folder));
     window.addEventListener("keydown", (event) => {
       if (event.key === "Escape" && !notice.hidden) this.#end();
-      const isPlain = !event.shiftKey && !event.altKey;
-      if (event.key.toLowerCase() !== "o" || !(event.ctrlKey || event.metaKey) || !isPlain) return;
+      if (event.key.toLowerCase() !== "o" || event.altKey) return;
+      if (!(event.ctrlKey || event.metaKey)) return;
       event.preventDefault();
-      this.#pick();
+      pick(event.shiftKey ? this.#folder : this.#files);
     });
   }
 
-  #pick(): void {
-    // The same files may be picked again.
-    this.#input.value = "";
-    this.#input.click();
+  /** @param chosen returns what of the picked files is opened, in order */
+  #pickerOf(chosen: (files: Iterable<File>) => readonly File[]): HTMLInputElement {
+    const input = document.createElement("input");
+    input.type = "file";
+    input.addEventListener(
+      "change",
+      () => void this.#open(Promise.resolve(chosen(input.files ?? []))),
+    );
+    return input;
   }
 
   /** Ends an opening, and takes the notice away. */
@@ -80,7 +88,7 @@ export class LocalBooks {
       const files = await chosen;
       signal.throwIfAborted();
       if (files.length === 0) throw new Error("There is no book in it; choose another.");
-      const source = await openSource(inputOf(files), { signal, askPassword });
+      const source = await openSource(files, { signal, askPassword });
       if (signal.aborted) return source.close();
       this.#notice.hidden = true;
       // The place in the address is that of the book before.
@@ -100,13 +108,11 @@ export class LocalBooks {
   }
 }
 
-/** Returns one file, or several as a list, which puts images into their natural order. */
-function inputOf(files: readonly File[]): File | FileList {
-  const [first] = files;
-  if (first && files.length === 1) return first;
-  const list = new DataTransfer();
-  for (const file of files) list.items.add(file);
-  return list.files;
+/** Opens an input's dialog. */
+function pick(input: HTMLInputElement): void {
+  // The same files may be picked again.
+  input.value = "";
+  input.click();
 }
 
 async function askPassword(isWrong: boolean): Promise<string | null> {

@@ -27,8 +27,8 @@ async function start(): Promise<void> {
     book.focus({ preventScroll: true, focusVisible: false });
   });
   document.getElementById("wait")?.remove();
-  const notice = document.getElementById("notice");
-  if (notice) new LocalBooks(book, notice);
+  const [notice, pickers] = ["notice", "pickers"].map((id) => document.getElementById(id));
+  if (notice && pickers) new LocalBooks(book, notice, pickers);
   document.getElementById("desk")?.append(book);
 }
 

@@ -32,6 +32,10 @@ beforeAll(async () => {
     "small.pdf": pdf(9),
     "scans/1.png": png(30, 40),
     "scans/2.png": png(30, 40),
+    "volumes/2/9.png": png(40, 20),
+    "volumes/2/10.png": png(30, 30),
+    "volumes/10/1.png": png(20, 40),
+    "volumes/2/notes.txt": "None of the pages.",
     "hero.cbr": Buffer.from(rar5({ "1.png": png(30, 40), "2.png": png(30, 40) })),
     "novel.azw3": Buffer.from(tinyKf8({ text: ["<p>One</p>", "<p>Two</p>"] })),
     "novel.mobi": Buffer.from(tinyMobi({ text: "<p>One</p><mbp:pagebreak/><p>Two</p>" })),
@@ -207,6 +211,40 @@ describe("a book of the reader's own machine", () => {
     await chooser?.setFiles({ name: "a.pdf", mimeType: "", buffer: pdf(3, "Picked") });
     await expect.poll(() => page.title(), { timeout: 15_000 }).toBe("Picked");
     expect(await book(({ pageCount }) => pageCount)).toBe(3);
+    expect(await notice().isHidden()).toBe(true);
+    expect(complaints).toEqual([]);
+  });
+
+  it("may be a folder of images, picked by a button that Tab leads to, or by a key", async () => {
+    const button = page.getByRole("button", { name: "Open a folder of images …" });
+    const isSeen = () =>
+      button.evaluate((element) => {
+        const { left, top, width, height } = element.getBoundingClientRect();
+        return document.elementFromPoint(left + width / 2, top + height / 2) === element;
+      });
+    expect(await isSeen()).toBe(false);
+    await button.focus();
+    expect(await isSeen()).toBe(true);
+    const dialog = page.waitForEvent("filechooser");
+    await button.press("Enter");
+    await (await dialog).setFiles(join(folder.path, "volumes"));
+    await expect.poll(() => book(({ pageCount }) => pageCount), { timeout: 15_000 }).toBe(3);
+    const sizes = await book(async (book) => {
+      const pictures = await Promise.all([1, 2, 3].map((page) => book.drawPage(page, 100)));
+      return pictures.map(({ width, height }) => Math.round((10 * width) / height));
+    });
+    expect(sizes).toEqual([20, 10, 5]);
+    let chooser: FileChooser | undefined;
+    page.once("filechooser", (opened) => {
+      chooser = opened;
+    });
+    const press = async () => {
+      if (!chooser) await page.keyboard.press("Control+Shift+O");
+      return chooser !== undefined;
+    };
+    await expect.poll(press, { timeout: 30_000, interval: 2000 }).toBe(true);
+    await chooser?.setFiles(join(folder.path, "volumes/2"));
+    await expect.poll(() => book(({ pageCount }) => pageCount), { timeout: 15_000 }).toBe(2);
     expect(await notice().isHidden()).toBe(true);
     expect(complaints).toEqual([]);
   });

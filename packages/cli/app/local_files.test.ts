@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { droppedFiles } from "./dropped_files.ts";
+import { droppedFiles, filesOfFolder, pickedFiles } from "./local_files.ts";
 
 type Tree = { readonly [name: string]: Tree | null };
 
@@ -58,4 +58,29 @@ it("looks at a bounded number of entries, and no deeper than eight folders", asy
   let deep: Tree = { "deep.png": null };
   for (let k = 0; k < 20; k++) deep = { folder: deep };
   expect(await dropped({ deep, "top.png": null })).toEqual(["top.png"]);
+});
+
+it("puts images in the natural order of their names, folder after folder", async () => {
+  const folders = { "b 10": { "1.png": null }, "b 9": { "10.png": null, "9.png": null } };
+  expect(await dropped({ scans: folders })).toEqual(["9.png", "10.png", "1.png"]);
+  const files = ["10.png", "9.png"].map((name) => ({ name }));
+  expect(pickedFiles(files as File[]).map(({ name }) => name)).toEqual(["9.png", "10.png"]);
+});
+
+it("takes of a picked folder what it takes of a dropped one", () => {
+  const picked = (...paths: string[]): string[] => {
+    const files = paths.map((webkitRelativePath) => ({
+      webkitRelativePath,
+      name: webkitRelativePath.split("/").pop(),
+    }));
+    return filesOfFolder(files as File[]).map((file) => file.webkitRelativePath);
+  };
+  expect(picked("s/10.png", "s/9.png", "s/.8.png", "s/.git/7.png", "s/notes.txt")).toEqual([
+    "s/9.png",
+    "s/10.png",
+  ]);
+  expect(picked("s/b 10/1.png", "s/b 9/2.png")).toEqual(["s/b 9/2.png", "s/b 10/1.png"]);
+  expect(picked("novel/cover.jpg", "novel/novel.epub")).toEqual(["novel/novel.epub"]);
+  expect(picked(`${"deep/".repeat(20)}1.png`, "top/1.png")).toEqual(["top/1.png"]);
+  expect(picked("none/a.docx")).toEqual([]);
 });
