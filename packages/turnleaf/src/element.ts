@@ -535,6 +535,8 @@ export class TurnleafBook extends ReaderElement {
         this.#soundAndHaptics.follow(...frame);
         this.filmed();
       },
+      foldsByHand: () => this.foldBookmarks,
+      onPress: ({ page, corner, size }) => this.dogEar(page, corner, size),
       onMissingPart: (error) => this.#reportMissingPart(error),
       onZoom: (zoom) => this.emit("zoomchange", { zoom }),
     };

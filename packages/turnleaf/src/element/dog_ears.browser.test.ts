@@ -3,6 +3,7 @@
 import { afterEach, beforeEach, expect, test } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { book, happens, keepWhatIsDrawn, scans, settled } from "../for_tests/element_books.ts";
+import { TestPointer } from "../for_tests/test_pointer.ts";
 
 keepWhatIsDrawn();
 
@@ -36,7 +37,7 @@ function cornerOf(element: TurnleafBook): number[] {
   copy.width = copy.height = side;
   const pen = copy.getContext("2d") as CanvasRenderingContext2D;
   const scale = drawn.width / host.width;
-  const from = [bounds.right - host.left - 30, bounds.top - host.top - 2].map((x) => x * scale);
+  const from = [bounds.right - 30, bounds.top - 2].map((x) => x * scale);
   pen.drawImage(drawn, from[0], from[1], 30 * scale, 30 * scale, 0, 0, side, side);
   const { data } = pen.getImageData(0, 0, side, side);
   return Array.from({ length: side * side }, (_, k) => data[4 * k]);
@@ -104,4 +105,49 @@ test("what is no folded corner is left out", async () => {
   expect(await element.dogEar(99)).toBe(false);
   expect(await element.dogEar(Number.NaN)).toBe(false);
   expect(element.dogEars).toHaveLength(1);
+});
+
+/** Draws the upper corner of the right page in over it, so many CSS pixels across and down. */
+async function drawCornerIn(element: TurnleafBook, across: number, down: number) {
+  const pointer = new TestPointer(element);
+  const { right, top } = element.bookBounds as DOMRect;
+  pointer.point("pointerdown", right - 4, top + 4);
+  await pointer.move([right - 4, top + 4], [right - 4 - across, top + 4 + down]);
+  return pointer;
+}
+
+const patient = { timeout: 20_000 };
+
+test("a corner that is drawn in over its page and held still there is folded where it lies", async () => {
+  const element = await opened({ "fold-bookmarks": "" });
+  const turns: string[] = [];
+  element.addEventListener("pagechange", () => turns.push("pagechange"));
+  const pointer = await drawCornerIn(element, 30, 30);
+  await expect.poll(() => element.dogEars, patient).toHaveLength(1);
+  const [{ page, corner, size }] = element.dogEars;
+  expect([page, corner]).toEqual([5, "head"]);
+  const width = (element.bookBounds as DOMRect).width / 2;
+  // The eye does not look straight down.
+  expect(size * width).toBeGreaterThan(24);
+  expect(size * width).toBeLessThan(44);
+  await expect.poll(() => element.state, patient).toBe("resting");
+  pointer.point("pointerup", 0, 0);
+  await settled(element);
+  expect([element.state, element.page, turns]).toEqual(["resting", 4, []]);
+  expect(element.bookmarks).toEqual([5]);
+});
+
+test("a corner that is only drawn across, or in a book that does not ask for it, is not folded", async () => {
+  for (const [attributes, down] of [
+    [{ "fold-bookmarks": "" }, 2],
+    [{}, 30],
+  ] as const) {
+    const element = await opened(attributes);
+    const pointer = await drawCornerIn(element, 30, down);
+    // Once its leaf lies still where it is held no more frames come, and nothing that could fold it.
+    await settled(element);
+    expect(element.dogEars).toEqual([]);
+    pointer.point("pointerup", 0, 0);
+    element.remove();
+  }
 });

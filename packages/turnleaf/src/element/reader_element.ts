@@ -174,12 +174,14 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   /**
-   * Folds the corners of a book that has just opened.
+   * Folds the corners of a book that has just opened, and loads what folds them where they may
+   * be folded by hand.
    *
    * @internal
    */
   protected foldOpened(): void {
-    if (this.#dogEars.length > 0) void this.book?.viewer.fold(this.#dogEars, false);
+    if (this.#dogEars.length > 0 || this.foldBookmarks)
+      void this.book?.viewer.fold(this.#dogEars, false);
   }
 
   /**

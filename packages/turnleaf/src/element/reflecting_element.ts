@@ -430,7 +430,8 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * Whether a bookmarked page has its corner folded over, until its bookmark is removed.
+   * Whether a bookmarked page has its corner folded over, until its bookmark is removed, and
+   * whether a corner is folded that a pointer draws in over its page and holds still there.
    *
    * @attribute fold-bookmarks
    * @default off

@@ -19,17 +19,17 @@ const archHeight = 0.62;
 export function handAt(ray: Ray, reach: number, floor: (x: number) => number): Vec3 {
   // The eye looks down steeply, so its x hardly changes with height and the
   // iteration converges to well under a millimetre in a few rounds.
-  let place = at(ray, 0);
+  let place = onPlane(ray, 0);
   for (let round = 0; round < 8; round++) {
     const fraction = Math.min(Math.abs(place[0]) / reach, 1);
     const arch = archHeight * reach * Math.sqrt(1 - fraction * fraction);
-    place = at(ray, Math.max(arch, floor(place[0])));
+    place = onPlane(ray, Math.max(arch, floor(place[0])));
   }
   return place;
 }
 
-/** Returns the point of a ray at height z, or the origin's x and y for a level ray. */
-function at(ray: Ray, z: number): Vec3 {
+/** Returns the point of a ray at height z, metres, or the origin's x and y for a level ray. */
+export function onPlane(ray: Ray, z: number): Vec3 {
   const t = Math.abs(ray.direction[2]) < 1e-9 ? 0 : (z - ray.origin[2]) / ray.direction[2];
   return [ray.origin[0] + t * ray.direction[0], ray.origin[1] + t * ray.direction[1], z];
 }

@@ -155,7 +155,7 @@ export class BoundBook {
     const peek = new CornerPeek(turning, binding, shape, events.turnStarted);
     this.turning = turning;
     this.peek = peek;
-    this.drags = new Drags({ engine, stage, turning, peek, shape, moved: events.moved });
+    this.drags = new Drags({ engine, stage, binding, turning, peek, shape, moved: events.moved });
     this.faceTextures = new FaceTextures(binding, stage, turning, pictures);
     this.ticks = new TickCounter(engine.tick);
   }

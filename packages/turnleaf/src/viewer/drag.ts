@@ -6,15 +6,18 @@
  * engine, and says which flight a grab holds.
  */
 
+import type { DogEar } from "../book/dog_ears.ts";
+import { type Binding, leftPage, rightPage } from "../book/spreads.ts";
 import type { Flight, Turning } from "../book/turning.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
 import { maxGrabs, Side } from "../engine/phases.ts";
-import { pileHeight, type Ray } from "../engine/shapes.ts";
+import { pileHeight, type Ray, type Vec3 } from "../engine/shapes.ts";
 import { type Hit, pickPile, pickSurface } from "../picking/pick.ts";
 import { handAt } from "../picking/reach.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import type { BookStage, Place } from "../stage/book_stage.ts";
 import type { CornerPeek } from "./corner_peek.ts";
+import { CornerPress } from "./corner_press.ts";
 
 /** What a pointer can grab. */
 export interface DragHit extends Hit {
@@ -26,6 +29,7 @@ export interface DragHit extends Hit {
 export interface DragContext {
   readonly engine: BookEngine;
   readonly stage: BookStage;
+  readonly binding: Binding;
   readonly turning: Turning;
   readonly peek: CornerPeek;
   readonly shape: Pick<BookShape, "width" | "height" | "alone" | "quarterTurned">;
@@ -63,6 +67,7 @@ export class Drags {
   readonly #book: DragContext;
   /** By the number of their grab. */
   readonly #drags = new Map<number, Drag>();
+  #pressed: Drag | null = null;
   #closed = false;
 
   constructor(book: DragContext) {
@@ -116,15 +121,16 @@ export class Drags {
     if (this.#closed || number === undefined) return null;
     const { turning, peek } = this.#book;
     const { on, u, v } = this.#pulled(found, pull);
+    const side = typeof on === "number" ? on : on === peek.flight ? peek.side : null;
     const flight = typeof on === "number" ? turning.pickUp(on) : on;
     if (flight === null) {
       peek.end();
       return null;
     }
-    const drag = new Drag(this.#book, number, Math.min(Math.max(u, nearestHeld), 1), () =>
-      this.#drags.delete(number),
-    );
-    turning.grab(flight, number, drag.u, Math.min(Math.max(v, 0), 1));
+    const held = [Math.min(Math.max(u, nearestHeld), 1), Math.min(Math.max(v, 0), 1)] as const;
+    const corner = this.#cornerOf(flight, side, ...held);
+    const drag = new Drag(this.#book, number, held[0], corner, () => this.#drags.delete(number));
+    turning.grab(flight, number, ...held);
     this.#drags.set(number, drag);
     // The lifted corner falls back, unless it is of this leaf, which is turned from now on.
     peek.end();
@@ -148,6 +154,44 @@ export class Drags {
     return { ...hit, on: alone === 1 ? Side.left : Side.right, u: 1 };
   }
 
+  /** Returns the corner of the page at which a leaf that lay on a side is held, if it is. */
+  #cornerOf(flight: Flight, side: Side | null, u: number, v: number): HeldCorner | null {
+    const { binding, shape } = this.#book;
+    if (side === null || flight.part !== "leaf") return null;
+    const isRight = side === Side.right;
+    const page = isRight ? rightPage(binding, flight.low) : leftPage(binding, flight.high);
+    const press = CornerPress.at(shape, side, u, v);
+    return press && page !== null ? { side, page, press } : null;
+  }
+
+  /**
+   * Counts the time for which corners are held still over their pages. Returns the one that is
+   * to be pressed now, which `letGo` ends; whether one is to be waited for, if none is.
+   */
+  step(seconds: number): DogEar | boolean {
+    if (this.#pressed) return true;
+    let isWaiting = false;
+    for (const drag of this.#drags.values()) {
+      const ear = drag.rest(seconds);
+      isWaiting ||= ear === null;
+      if (!ear) continue;
+      this.#pressed = drag;
+      return ear;
+    }
+    return isWaiting;
+  }
+
+  /** The drag whose corner is being pressed, until `letGo`. */
+  get pressed(): Drag | null {
+    return this.#pressed;
+  }
+
+  /** Releases the corner that was pressed. */
+  letGo(): void {
+    this.#pressed?.letGo();
+    this.#pressed = null;
+  }
+
   /** Carries held leaves along when the camera has moved. */
   follow(): void {
     for (const drag of this.#drags.values()) drag.follow();
@@ -160,6 +204,13 @@ export class Drags {
   }
 }
 
+/** A corner of a page that lay on a side before it was taken there. */
+interface HeldCorner {
+  readonly side: Side;
+  readonly page: number;
+  readonly press: CornerPress;
+}
+
 /** A leaf or board that one pointer holds, until it is released. */
 export class Drag {
   /** u of the held point. */
@@ -167,40 +218,96 @@ export class Drag {
   readonly #book: DragContext;
   readonly #grab: number;
   readonly #ended: () => void;
+  readonly #corner: HeldCorner | null;
   #isOver = false;
+  /** The corner that is being pressed: the pointer moves the leaf no more. */
+  #ear: DogEar | null = null;
   /** The pointer's place on the canvas, CSS pixels. */
   #at: Place = { x: 0, y: 0 };
-  /** The held point's distance from the spine, metres. */
-  #across = 0;
+  /** Where the held point was pulled last, metres. */
+  #place: Vec3 = [0, 0, 0];
 
-  /** @param ended called when it is over */
-  constructor(book: DragContext, grab: number, u: number, ended: () => void) {
+  /**
+   * @param corner the corner that it holds, which may be folded
+   * @param ended called when it is over
+   */
+  constructor(
+    book: DragContext,
+    grab: number,
+    u: number,
+    corner: HeldCorner | null,
+    ended: () => void,
+  ) {
     this.u = u;
     this.#book = book;
     this.#grab = grab;
+    this.#corner = corner;
     this.#ended = ended;
   }
 
   /** Moves the pointer to a place on the canvas, CSS pixels. */
   move(x: number, y: number): void {
-    if (this.#isOver) return;
+    if (this.#isOver || this.#ear) return;
     this.#at = { x, y };
+    this.#corner?.press.move(this.#at);
     this.follow();
     this.#book.moved();
   }
 
   /** Pulls the held point to where the pointer is in space: on an arch over the spine. */
   follow(): void {
+    if (this.#ear) return;
     const { engine, stage, turning, shape } = this.#book;
     const ray = stage.rayAt(this.#at.x, this.#at.y);
-    const place = handAt(ray, this.u * shape.width, (x) => floorUnder(engine, x));
-    this.#across = place[0];
-    turning.hold(this.#grab, ...place);
+    this.#place = handAt(ray, this.u * shape.width, (x) => floorUnder(engine, x));
+    turning.hold(this.#grab, ...this.#place);
+  }
+
+  /**
+   * Counts the time that a held corner rests over its page. Returns the corner to press, which
+   * the pointer moves no more from then on; null if it is to be waited for, undefined if there
+   * is none.
+   */
+  rest(seconds: number): DogEar | null | undefined {
+    const { stage, turning } = this.#book;
+    if (!this.#corner || this.#isOver || !turning.holds(this.#grab)) return undefined;
+    const { page, press } = this.#corner;
+    const found = press.step(seconds, stage.rayAt(this.#at.x, this.#at.y), this.#floor);
+    if (!found) return found;
+    this.#ear = { page, ...found };
+    return this.#ear;
+  }
+
+  /** The page (from 1) whose corner it presses; null if it presses none. */
+  get pressing(): number | null {
+    return this.#ear?.page ?? null;
+  }
+
+  /** Brings a corner that is pressed a part of its way from where it was drawn down to where it lies folded. */
+  press(part: number): void {
+    if (!this.#ear || !this.#corner) return;
+    const to = this.#corner.press.folded(this.#ear.size, this.#floor);
+    const [x, y, z] = this.#place.map((from, axis) => from + part * (to[axis] - from));
+    this.#book.turning.hold(this.#grab, x, y, z);
+  }
+
+  /** Releases a corner that was pressed: the leaf falls back. */
+  letGo(): void {
+    const { turning, moved } = this.#book;
+    turning.release(this.#grab);
+    this.end();
+    moved();
+  }
+
+  /** Height of the page that it lay on, metres. */
+  get #floor(): number {
+    const isRight = this.#corner?.side !== Side.left;
+    return floorUnder(this.#book.engine, isRight ? 1 : -1);
   }
 
   /** Releases it: the leaf falls to the side that its swing takes it, or to where it was carried. */
   release(): void {
-    if (this.#isOver) return;
+    if (this.#isOver || this.#ear) return;
     const { turning, moved } = this.#book;
     const way = turning.holds(this.#grab) ? this.#carried : 0;
     if (way !== 0) void turning.press(way);
@@ -218,7 +325,7 @@ export class Drag {
    */
   get #carried(): 1 | 0 | -1 {
     const { alone, width } = this.#book.shape;
-    const fraction = this.#across / width;
+    const fraction = this.#place[0] / width;
     if (alone) return fraction * alone < nearSpine ? alone : 0;
     if (this.u >= farFromEdge || Math.abs(fraction) < beyondSpine) return 0;
     return fraction < 0 ? 1 : -1;

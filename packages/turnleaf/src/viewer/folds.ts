@@ -4,11 +4,12 @@
  */
 
 import { creasesOfDogEars, type DogEar } from "../book/dog_ears.ts";
-import { paperOnLeft } from "../book/spreads.ts";
+import { leafOf, paperOnLeft } from "../book/spreads.ts";
 import type { CreasedLeaves } from "../engine/book_engine.ts";
 import { CreasableBook } from "../engine/creasable_book.ts";
 import { Side } from "../engine/phases.ts";
 import type { Crease } from "../engine/shapes.ts";
+import type { Drag } from "./drag.ts";
 import type { Rebinder } from "./rebinder.ts";
 
 /** Length of the moment in which a corner is folded, seconds. */
@@ -20,6 +21,8 @@ interface Motion {
   readonly from: readonly number[];
   readonly to: readonly number[];
   readonly done: () => void;
+  /** What holds the corner down, if a pointer does. */
+  readonly drag: Drag | null;
   /** The fraction of its time that is over. */
   part: number;
 }
@@ -78,6 +81,7 @@ export class Folds {
       const rest = from + (motion.to[crease] - from) * eased;
       this.#rebinder.bound.engine.creases?.press(motion.leaf, crease, rest);
     }
+    motion.drag?.press(eased);
     if (motion.part === 1) this.#end();
     return this.#motion !== null;
   }
@@ -95,9 +99,9 @@ export class Folds {
     isSeen: boolean,
   ): Promise<boolean> {
     if (before.map(key).join() === after.map(key).join()) return true;
-    const side = isSeen && this.#motion === null ? this.#sideOf(leaf) : null;
-    if (side === null || !this.#rebinder.bound.pickUpToFold(side))
-      return engine.crease(leaf, after);
+    const drag = this.#pressOn(leaf);
+    const isFolded = isSeen && this.#motion === null && (drag !== null || this.#pickUp(leaf));
+    if (!isFolded) return engine.crease(leaf, after);
     // What is to be opened keeps its crease until it is.
     const opened = before.filter((old) => !after.some((one) => line(one) === line(old)));
     const lines = [...after, ...opened];
@@ -108,9 +112,23 @@ export class Folds {
     const creased = lines.map((one, k) => ({ ...one, rest: from[k] }));
     if (!engine.crease(leaf, creased)) return engine.crease(leaf, after);
     await new Promise<void>((done) => {
-      this.#motion = { leaf, from, to, done, part: 0 };
+      this.#motion = { leaf, from, to, done, drag, part: 0 };
     });
     return opened.length === 0 || engine.crease(leaf, after);
+  }
+
+  /** Returns the drag that presses a corner of a leaf, if one does. */
+  #pressOn(leaf: number): Drag | null {
+    const { drags, binding } = this.#rebinder.bound;
+    const page = drags.pressed?.pressing ?? null;
+    const isOn = page !== null && paperOnLeft(binding, leafOf(binding, page)) === leaf;
+    return isOn ? drags.pressed : null;
+  }
+
+  /** Picks up a leaf that lies uppermost in the book at rest. Returns whether it does. */
+  #pickUp(leaf: number): boolean {
+    const side = this.#sideOf(leaf);
+    return side !== null && this.#rebinder.bound.pickUpToFold(side);
   }
 
   /** Returns the side where a leaf lies uppermost in the book at rest; null if it does not. */

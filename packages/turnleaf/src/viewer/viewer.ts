@@ -472,6 +472,8 @@ export class Viewer {
     if (this.#destroyed) return;
     const { peek } = this.#bound;
     peek.step(seconds);
+    const isHeldStill = this.#pressCorner(seconds);
+    if (this.#destroyed) return;
     const folding = this.#foldOut.step(seconds);
     this.#loadedFolds?.step(seconds);
     const stepping = this.#camera.step(seconds) || folding;
@@ -482,7 +484,7 @@ export class Viewer {
     // A leaf held still takes no more frames until its pointer moves.
     const still =
       turning && this.turning.isHeld && this.#bound.engine.isAsleep && this.#modelSwitch.isAsleep;
-    const moving = (turning && !still) || stepping;
+    const moving = (turning && !still) || isHeldStill || stepping;
     const resting = !moving && !this.#handled;
     // While fingers move the view, the next frame comes with their next event.
     if (moving) this.#frameQuality.frame(now);
@@ -509,6 +511,16 @@ export class Viewer {
     }
     const isMoving = stepping || this.#handled || this.#crossFade.isOn || (turning && !peek.flight);
     this.#viewHistory.update(isMoving ? "" : this.#viewKey);
+  }
+
+  /** Folds a corner that is held still over its page for long enough. Returns whether one is, or may be. */
+  #pressCorner(seconds: number): boolean {
+    const { foldsByHand, onPress } = this.#options;
+    const { drags } = this.#bound;
+    const ear = foldsByHand?.() && onPress ? drags.step(seconds) : false;
+    if (typeof ear === "boolean") return ear;
+    void onPress?.(ear).finally(() => drags.letGo());
+    return true;
   }
 
   get #viewKey(): string {

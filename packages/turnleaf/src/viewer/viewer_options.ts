@@ -1,5 +1,6 @@
 /** The options of a viewer, and its backend. */
 
+import type { DogEar } from "../book/dog_ears.ts";
 import type { Paper } from "../book/paper.ts";
 import type { BookEngine, BookSize } from "../engine/book_engine.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
@@ -42,6 +43,13 @@ export interface ViewerOptions extends Partial<BindingOptions> {
    * The default is the label alone.
    */
   readonly slowText?: (label: string) => string;
+  /** Returns whether corners may be folded by hand; asked while one is held. The default is no. */
+  readonly foldsByHand?: () => boolean;
+  /**
+   * A corner was drawn in over its page and held still there: it is to be folded, and is
+   * released once the promise resolves.
+   */
+  readonly onPress?: (ear: DogEar) => Promise<unknown>;
   /** The zoom level has changed: the current one, or the one the camera is moving to. */
   readonly onZoom?: (level: number) => void;
   /** An optional part of the viewer could not be loaded. */

@@ -2,16 +2,13 @@
 
 import type { CreasedMesh, Surface } from "../engine/shapes.ts";
 
-/**
- * How much of the sky on either side what is folded over does not see, radians: more than the
- * rest of the leaf hides, in place of the shadow that its edges throw.
- */
-const hidden = 0.7;
+/** The vertices of a flap's corners: both ends of its crease, as vertices of the rest of the leaf, and what is farthest from it. */
+type FlapCorners = readonly [from: number, to: number, tip: number];
 
 /** Steps along a row by which its direction is known. */
 const stepsBack = 5;
 
-/** For each point of a mesh that is folded over, the last before it on its row that is not. */
+/** For each point of a mesh that is folded over or on a crease, the last before it on its row that is neither. */
 const folded = new WeakMap<CreasedMesh, readonly (readonly [point: number, from: number])[]>();
 
 /**
@@ -23,11 +20,12 @@ export function straightened(leaf: Surface): Surface {
   if (!creased) return leaf;
   let points = folded.get(creased);
   if (points === undefined) {
-    const ofRest = (_: number, corner: number) => creased.parts[Math.floor(corner / 3)] === 0;
-    const rest = new Set(creased.triangles.filter(ofRest));
+    // Points on a crease too: their normals are the means of both parts'.
+    const ofFlaps = (_: number, corner: number) => creased.parts[Math.floor(corner / 3)] !== 0;
+    const flaps = new Set(creased.triangles.filter(ofFlaps));
     points = [...Array(creased.places.length / 2).keys()].flatMap((point) => {
       let from = point;
-      while (from % columns > 1 && !rest.has(from)) from--;
+      while (from % columns > 1 && flaps.has(from)) from--;
       return from < point ? [[point, from] as const] : [];
     });
     folded.set(creased, points);
@@ -61,6 +59,7 @@ export class CreasedVertices {
   readonly #further: number[] = [];
   /** The vertices of what is folded over. */
   readonly #flaps: readonly number[];
+  readonly #corners: readonly FlapCorners[];
 
   constructor({ places, triangles, parts }: CreasedMesh) {
     const count = places.length / 2;
@@ -78,6 +77,7 @@ export class CreasedVertices {
     });
     this.#flaps = [...vertices].flatMap(([key, vertex]) => (key % 0x10000 === 0 ? [] : [vertex]));
     const points = [...Array(count).keys(), ...this.#further];
+    this.#corners = flapCorners(places, vertices);
     this.uv = Float32Array.from(points.flatMap((k) => [places[2 * k], 1 - places[2 * k + 1]]));
     this.positions = new Float32Array(3 * points.length);
     this.normals = new Float32Array(3 * points.length);
@@ -113,12 +113,37 @@ export class CreasedVertices {
    */
   lightFlaps(sign: 1 | -1, out: Float32Array): void {
     const { normals } = this;
-    const open = Math.PI / 2 - hidden;
+    const open = Math.PI / 2;
     for (const vertex of this.#flaps) {
       const facing = Math.atan2(sign * normals[3 * vertex], sign * normals[3 * vertex + 2]);
       out[2 * vertex] = Math.max(-open, facing - open);
       out[2 * vertex + 1] = Math.min(open, facing + open);
     }
+  }
+
+  /**
+   * Writes the corners of what is folded over onto a side of the leaf, metres, book space, for
+   * the shadows that it throws there. Returns how many flaps there are.
+   *
+   * @param sign 1 for the recto, -1 for the verso
+   * @param out x, y, z of three corners each
+   */
+  writeFlaps(sign: 1 | -1, out: Float32Array): number {
+    const { positions, normals } = this;
+    let count = 0;
+    for (const corners of this.#corners) {
+      const [from, , tip] = corners;
+      let rise = 0;
+      for (let axis = 0; axis < 3; axis++) {
+        rise += (positions[3 * tip + axis] - positions[3 * from + axis]) * normals[3 * from + axis];
+      }
+      if (rise * sign <= 0 || 9 * count === out.length) continue;
+      for (const [k, vertex] of corners.entries()) {
+        out.set(positions.subarray(3 * vertex, 3 * vertex + 3), 9 * count + 3 * k);
+      }
+      count++;
+    }
+    return count;
   }
 
   /** Finds the mean normals of each vertex's triangles, by their areas. */
@@ -140,4 +165,37 @@ export class CreasedVertices {
       for (let axis = 0; axis < 3; axis++) n[at + axis] /= length;
     }
   }
+}
+
+/**
+ * Returns the corners of each flap of a leaf: of a corner that is folded over they are all that
+ * it has.
+ *
+ * @param vertices by point and part, as the constructor numbers them
+ */
+function flapCorners(
+  places: Float32Array,
+  vertices: ReadonlyMap<number, number>,
+): readonly FlapCorners[] {
+  const parts = new Map<number, number[]>();
+  for (const key of vertices.keys()) {
+    const points = parts.get(key % 0x10000) ?? [];
+    points.push(Math.floor(key / 0x10000));
+    parts.set(key % 0x10000, points);
+  }
+  const away = (a: number, b: number): number =>
+    Math.hypot(places[2 * a] - places[2 * b], places[2 * a + 1] - places[2 * b + 1]);
+  const farthest = (from: number, points: readonly number[]): number =>
+    points.reduce((best, one) => (away(from, one) > away(from, best) ? one : best));
+  return [...parts].flatMap(([part, points]): FlapCorners[] => {
+    const crease = points.filter((point) => vertices.has(point * 0x10000));
+    if (part === 0 || crease.length < 2) return [];
+    const from = farthest(crease[0], crease);
+    const to = farthest(from, crease);
+    const ofCrease = (one: number): number => Math.min(away(one, from), away(one, to));
+    const tip = points.reduce((best, one) => (ofCrease(one) > ofCrease(best) ? one : best));
+    const vertex = (point: number, of: number): number =>
+      vertices.get(point * 0x10000 + of) as number;
+    return [[vertex(from, 0), vertex(to, 0), vertex(tip, part)]];
+  });
 }

@@ -66,6 +66,12 @@ export class LeafMesh {
     this.recto.material.lieOver(left, right);
     this.verso.material.lieOver(left, right);
     this.recto.material.thickness = this.verso.material.thickness = leaf.thickness ?? 0;
+    for (const [{ material }, sign] of [
+      [this.recto, 1],
+      [this.verso, -1],
+    ] as const) {
+      material.flapCount = this.#creased?.writeFlaps(sign, material.flaps) ?? 0;
+    }
     this.rim.shape(leaf);
   }
 

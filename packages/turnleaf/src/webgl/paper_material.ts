@@ -3,7 +3,7 @@
 import { BackSide, FrontSide, ShaderMaterial, type Texture } from "three";
 import type { BookShape } from "../stage/book_pose.ts";
 import { inkChunk, inkUniforms } from "./ink.ts";
-import { gapChunk, lightChunk, pictureChunk } from "./shading.ts";
+import { flapChunk, gapChunk, lightChunk, mostFlaps, pictureChunk } from "./shading.ts";
 
 /** Values passed from the vertex to the fragment shader. */
 const varyings = /* glsl */ `
@@ -51,6 +51,7 @@ uniform vec2 size;
 ${varyings}
 ${lightChunk}
 ${gapChunk}
+${flapChunk}
 ${pictureChunk}
 ${inkChunk}
 
@@ -109,6 +110,7 @@ void main() {
   if (shadows > 0.0) {
     sky = mix(sky, skyHere(normal), shadows);
     key = mix(key, keyHere(), shadows);
+    shadeByFlaps(vPlace, shadows, sky, key);
   }
   vec3 light = arriving(normal, sky, key);
   if (thin > 0.5) light += throughLeaf(normal, uv);
@@ -158,6 +160,8 @@ export class PaperMaterial extends ShaderMaterial {
         ceiling: { value: kind === "scan" ? 1 : 1.03 },
         pool: { value: kind === "scan" ? 0 : 0.024 },
         shadows: { value: shadows },
+        flaps: { value: new Float32Array(9 * mostFlaps) },
+        flapCount: { value: 0 },
         size: { value: [width, height] },
       },
     });
@@ -176,6 +180,16 @@ export class PaperMaterial extends ShaderMaterial {
    */
   lieOver(left: number, right: number): void {
     this.uniforms.ahead.value = [leadOverOne * left, leadOverOne * right];
+  }
+
+  /** Corners of what is folded over onto this side and shades it: x, y, z of three each, metres, book space. */
+  get flaps(): Float32Array {
+    return this.uniforms.flaps.value;
+  }
+
+  /** How many of the flaps there are. */
+  set flapCount(count: number) {
+    this.uniforms.flapCount.value = count;
   }
 
   /** The picture of the page visible beside this one where its leaf is trimmed. */

@@ -74,3 +74,44 @@ float keyFraction(vec2 gap) {
        * smoothstep(-${glslNumber(penumbra)}, ${glslNumber(penumbra)}, gap.y - KEY_ANGLE);
 }
 `;
+
+/** Flaps that shade a side of a leaf, at most: a corner at its head and one at its foot. */
+export const mostFlaps = 2;
+
+/**
+ * `shadeByFlaps(place, strength, sky, key)`: takes away the light that triangles folded over onto
+ * a leaf keep from a place on it, metres. A shadow's edge softens with the distance of what
+ * throws it: of the key light by its penumbra, of the sky over half of it.
+ */
+export const flapChunk: string = /* glsl */ `
+uniform vec3 flaps[${3 * mostFlaps}];
+uniform int flapCount;
+
+// How far inside an edge of a triangle a point of its plane is; the third corner is inside.
+float insideEdge(vec3 point, vec3 from, vec3 to, vec3 third) {
+  vec3 along = normalize(to - from);
+  vec3 inward = third - from;
+  inward = normalize(inward - dot(inward, along) * along);
+  return dot(point - from, inward);
+}
+
+float hiddenBy(vec3 a, vec3 b, vec3 c, vec3 place, vec3 direction, float softness) {
+  vec3 normal = cross(b - a, c - a);
+  float far = dot(a - place, normal) / dot(direction, normal);
+  if (!(far > 0.0)) return 0.0;
+  vec3 point = place + far * direction;
+  float inside = min(insideEdge(point, a, b, c), min(insideEdge(point, b, c, a), insideEdge(point, c, a, b)));
+  return smoothstep(-softness * far, softness * far, inside);
+}
+
+void shadeByFlaps(vec3 place, float strength, inout vec3 sky, inout float key) {
+  for (int k = 0; k < ${mostFlaps}; k++) {
+    if (k >= flapCount) return;
+    vec3 a = flaps[3 * k];
+    vec3 b = flaps[3 * k + 1];
+    vec3 c = flaps[3 * k + 2];
+    key *= 1.0 - strength * hiddenBy(a, b, c, place, KEY_DIRECTION, ${glslNumber(penumbra)});
+    sky *= 1.0 - strength * 0.5 * hiddenBy(a, b, c, place, vec3(0.0, 0.0, 1.0), 1.0);
+  }
+}
+`;
