@@ -66,6 +66,8 @@ const parts = {
   "pages that are elements": { files: ["live_pages.js"], limit: 3 },
   // The engine again, with creases: a book without a folded corner loads none of it.
   "folded corners": { files: ["folds.js"], limit: 135, isApart: true },
+  // A book whose pages are turned loads none of it.
+  "pages that are scrolled": { files: ["roll_view.js"], limit: 4, isApart: true },
   "pages inserted and removed": { files: ["page_changes.js"], limit: 2 },
   // A page without any loads none of it.
   "sounds and films on a page": { files: ["page_media.js"], limit: 1, isApart: true },

@@ -265,6 +265,81 @@ const plates = (count) => async (book) => {
   return true;
 };
 
+const wait = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+/** Shows a book, and returns the element, what is scrolled in it, and the places of the pages in that. */
+async function scrolled(book, width, height) {
+  const element = await book.shown(width, height);
+  const roll = element.shadowRoot.querySelector("[part=roll]");
+  const sheets = () => [...(roll?.querySelectorAll(".roll-page") ?? [])];
+  for (let k = 0; k < 200 && !sheets()[0]?.querySelector("canvas"); k++) await wait(50);
+  return { element, roll, sheets };
+}
+
+/** Returns whether some pages are scrolled, at the latest after a while. */
+async function hasSheets({ sheets }, count) {
+  for (let k = 0; k < 100 && sheets().length !== count; k++) await wait(50);
+  return sheets().length === count;
+}
+
+/** Returns whether a reader can scroll to the end of what is scrolled, page by page, and each is drawn. */
+async function scrollsToItsEnd({ roll, sheets }) {
+  const { overflowY, visibility } = getComputedStyle(roll);
+  if (roll.hidden || overflowY !== "auto" || visibility !== "visible") return false;
+  if (roll.scrollHeight <= roll.clientHeight) return false;
+  for (const sheet of sheets()) {
+    roll.scrollTop = sheet.offsetTop;
+    for (let k = 0; k < 200 && !sheet.querySelector("canvas"); k++) await wait(50);
+    if (!sheet.querySelector("canvas")) return false;
+  }
+  roll.scrollTop = roll.scrollHeight;
+  return Math.abs(roll.scrollTop + roll.clientHeight - roll.scrollHeight) <= 1;
+}
+
+/** A finger goes from right to left over what is scrolled. */
+function swipeOver(roll) {
+  const { left, top, width, height } = roll.getBoundingClientRect();
+  const touch = { pointerId: 9, pointerType: "touch", bubbles: true, composed: true };
+  const at = (x) => ({ ...touch, clientX: left + x * width, clientY: top + height / 2 });
+  roll.dispatchEvent(new PointerEvent("pointerdown", at(0.8)));
+  roll.dispatchEvent(new PointerEvent("pointerup", at(0.3)));
+}
+
+/** Each chapter is scrolled by itself, and a swipe across leads from one to the next. */
+const scrollsByChapters = async (book) => {
+  const numbers = Array.from({ length: book.pageCount }, (_, k) => book.source.roll?.(k));
+  const firsts = numbers.flatMap((roll, k) => (k === 0 || roll !== numbers[k - 1] ? [k + 1] : []));
+  if (firsts.length !== 4) return false;
+  // So low that the shortest chapter is longer.
+  const shown = await scrolled(book, 600, 250);
+  for (const [k, first] of firsts.entries()) {
+    const count = (firsts[k + 1] ?? book.pageCount + 1) - first;
+    if (!(await hasSheets(shown, count)) || shown.element.page !== first) return false;
+    if (!(await scrollsToItsEnd(shown))) return false;
+    swipeOver(shown.roll);
+    if (k + 1 < firsts.length && shown.element.page !== firsts[k + 1]) return false;
+    await wait(300);
+  }
+  return true;
+};
+
+/** All pages are one roll, as wide as the window if they are of fixed layout, without a gap. */
+const scrollsAsOne = (isWide) => async (book) => {
+  const shown = await scrolled(book, 600, 500);
+  if (!(await hasSheets(shown, book.pageCount))) return false;
+  if (!(await scrollsToItsEnd(shown))) return false;
+  const boxes = shown.sheets().map((sheet) => sheet.getBoundingClientRect());
+  const hangsTogether = boxes.every(
+    (box, k) => k === 0 || Math.abs(box.top - boxes[k - 1].bottom) < 0.01,
+  );
+  const fits = boxes.every(({ width }) => !isWide || width === shown.roll.clientWidth);
+  return hangsTogether && fits;
+};
+
+/** Pictures that are one roll. */
+const rollOf = (count) => async (book) =>
+  (await plates(count)(book)) && (await scrollsAsOne(true)(book));
+
 /** A grid of thin lines, drawn in the page's own pixels, and nothing red. */
 const grid = async (book) =>
   (await book.picture(1, 900)).fraction(isPrinted) > 0.03 && (await noneIsRed(1)(book));
@@ -432,6 +507,8 @@ export const checks = {
     );
   },
   "lay-pkg-flow-paginated": reflowAfter("Loomings"),
+  "lay-pkg-flow-scrolled-continuous": scrollsAsOne(false),
+  "lay-pkg-flow-scrolled-doc": scrollsByChapters,
   "lay-pp-embedded-images": plates(9),
   "lay-pp-embedded-images-svg": plates(9),
   "lay-pp-images-in-spine": plates(9),
@@ -463,8 +540,18 @@ export const checks = {
     const own = texts.flatMap((text, k) =>
       text.includes("should appear in its own") ? [k + 1] : [],
     );
+    const element = await book.shown(900, 500);
+    for (const page of own) {
+      await element.goTo(page);
+      await wait(300);
+      if (!element.shadowRoot.querySelector("[part=roll]").hidden) return false;
+    }
     return own.length === 2 && own[1] === own[0] + 1;
   },
+  "lay-roll-embedded-images": rollOf(9),
+  "lay-roll-embedded-images-svg": rollOf(9),
+  "lay-roll-images-in-spine": rollOf(9),
+  "lay-roll-images-mixed": rollOf(9),
   "lay-viewport-meta-prop": async (book) => {
     const sizes = [];
     for (const page of [1, 2, 3, 4]) sizes.push(JSON.stringify(await book.size(page)));

@@ -34,15 +34,6 @@ export const missing = {
     "scr-support_iframe",
     "scr-support_svg",
   ),
-  ...named(
-    "books are turned, never scrolled",
-    "lay-pkg-flow-scrolled-continuous",
-    "lay-pkg-flow-scrolled-doc",
-    "lay-roll-embedded-images",
-    "lay-roll-embedded-images-svg",
-    "lay-roll-images-in-spine",
-    "lay-roll-images-mixed",
-  ),
   "lay-fxl-orientation-landscape":
     "a page is shown as wide as it is, without a word about the device",
   "lay-fxl-xhtml-icb_device_sizes": "a page has no size of the device",

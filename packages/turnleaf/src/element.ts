@@ -447,7 +447,7 @@ export class TurnleafBook extends ReaderElement {
 
   /** How pages change: leaves turn, pages cross-fade, or neither. */
   get #motion(): "turn" | "fade" | "none" {
-    if (turnSecondsOf(this) === 0) return "none";
+    if (turnSecondsOf(this) === 0 || this.scrolled) return "none";
     return this.#calm ? "fade" : "turn";
   }
 

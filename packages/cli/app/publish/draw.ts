@@ -52,7 +52,8 @@ class Drawing {
     const label = source.label(index);
     const mayCopy = source.allows?.copy !== false;
     const side = source.inSpread?.(index);
-    const where = { label, ...(side ? { side } : {}) };
+    const roll = source.roll?.(index) ?? null;
+    const where = { label, ...(side ? { side } : {}), ...(roll === null ? {} : { roll }) };
     const page = { ...where, pictures: [] as DrawnPage["pictures"], runs: [] as SiteRun[] };
     try {
       if (options.pictures) {

@@ -80,6 +80,10 @@ export class PublishedSource implements PageSource {
     return this.#book.pages[index]?.side;
   }
 
+  roll(index: number): number | null {
+    return this.#book.pages[index]?.roll ?? null;
+  }
+
   label(index: number): string {
     return this.#book.pages[index]?.label ?? String(index + 1);
   }

@@ -122,7 +122,7 @@ function failedPage(index: number, failed: string): DrawnPage {
 async function savePage(
   folder: string,
   index: number,
-  { width, height, label, side, pictures, failed }: DrawnPage,
+  { width, height, label, side, roll, pictures, failed }: DrawnPage,
   format: SiteBook["format"],
 ): Promise<SitePage> {
   const [largest] = pictures;
@@ -138,6 +138,7 @@ async function savePage(
     ...{ width, height },
     ...(label !== String(index + 1) ? { label } : {}),
     ...(side ? { side } : {}),
+    ...(roll === undefined ? {} : { roll }),
     ...(pixels ? { pixels } : {}),
     ...(failed === undefined ? {} : { failed }),
   };

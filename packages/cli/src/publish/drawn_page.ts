@@ -25,6 +25,7 @@ export interface DrawnPage {
   readonly height: number;
   readonly label: string;
   readonly side?: SitePage["side"];
+  readonly roll?: number;
   /** From the largest on, as base64; empty if none were wanted or it failed. */
   readonly pictures: readonly {
     readonly width: number;

@@ -11,6 +11,8 @@ export interface SitePage {
   readonly label?: string;
   /** Where in a spread it has to lie, if the book says so. */
   readonly side?: "first" | "second" | "alone" | "single";
+  /** The roll that it is a part of, if it is scrolled. */
+  readonly roll?: number;
   /** Pixels of the largest picture; absent if none was drawn. */
   readonly pixels?: readonly [width: number, height: number];
   /** Why it could not be drawn, in a sentence. */

@@ -77,6 +77,7 @@ export function actionsOf(
       icon: () => (book.shownLayout === "single" ? "spread" : "single"),
       label: () => (book.shownLayout === "single" ? texts.spread : texts.single),
       run: () => book.setAttribute("layout", book.shownLayout === "single" ? "spread" : "single"),
+      hidden: () => book.scrolled,
     },
     shift: {
       icon: () => "shift",

@@ -25,6 +25,8 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   /** 1 if the first page stands alone. */
   readonly offset: 0 | 1;
   readonly shownLayout: "spread" | "single";
+  /** Whether the open page is scrolled and not turned. */
+  readonly scrolled: boolean;
   readonly zoom: number;
   readonly bookmarks: readonly number[];
   readonly shifts: readonly number[];

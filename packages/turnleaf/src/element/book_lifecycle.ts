@@ -16,6 +16,7 @@ import { elementTexts, fill, languageOf } from "../words/languages.ts";
 import { allowsGesture, swipeDistanceOf } from "./attributes.ts";
 import type { BookTextOverlay, TextTarget } from "./book_text_overlay.ts";
 import type { LivePages } from "./live_pages.ts";
+import type { RollView } from "./roll_view.ts";
 import { typographyOf } from "./typography.ts";
 
 /** The callbacks between an element and the life of its book. */
@@ -236,7 +237,16 @@ export class BookLifecycle {
       if (signal.aborted) viewer.destroy();
       signal.throwIfAborted();
       const canvas = this.#canvas as HTMLCanvasElement;
-      const parts = { canvas, source, viewer, elements };
+      const roll = await this.#rollOver(source, viewer).catch((error: unknown) => {
+        viewer.destroy();
+        throw error;
+      });
+      if (signal.aborted) {
+        roll?.destroy();
+        viewer.destroy();
+      }
+      signal.throwIfAborted();
+      const parts = { canvas, source, viewer, elements, roll };
       this.#book = new OpenBook(this.#element, this.#stage, parts, this.#hooks);
       // Only now: the element asks for this book when its first layout is reported.
       this.#book.fit();
@@ -250,8 +260,17 @@ export class BookLifecycle {
       if (book?.source === source) this.#hooks.changing(() => book.elements.after(change));
     });
     source.watchDrawings((index) => {
-      if (this.#book?.source === source) this.#book.viewer.redraw(index + 1);
+      if (this.#book?.source !== source) return;
+      this.#book.viewer.redraw(index + 1);
+      this.#book.roll?.redraw(index + 1);
     });
+  }
+
+  /** Lays out the pages of a book that are scrolled; null if all are turned. */
+  async #rollOver(source: PageList, viewer: Viewer): Promise<RollView | null> {
+    if (!hasRolls(source)) return null;
+    const { RollView } = await loadPart(import("./roll_view.ts"));
+    return new RollView({ host: this.#element, stage: this.#stage, source, viewer });
   }
 
   /**
@@ -362,12 +381,20 @@ function hasElements(source: PageSource): boolean {
   return false;
 }
 
+function hasRolls(source: PageSource): boolean {
+  for (let index = 0; index < source.pageCount; index++) {
+    if ((source.roll?.(index) ?? null) !== null) return true;
+  }
+  return false;
+}
+
 /** What an open book is made of. */
 interface OpenBookParts {
   readonly canvas: HTMLCanvasElement;
   readonly source: PageList;
   readonly viewer: Viewer;
   readonly elements: BookElements;
+  readonly roll: RollView | null;
 }
 
 /** A book that lies open in an element, with all that acts on it. */
@@ -377,6 +404,8 @@ export class OpenBook {
   readonly canvas: HTMLCanvasElement;
   readonly reading: ReadableBook;
   readonly elements: BookElements;
+  /** Its pages that are scrolled; null if all are turned. */
+  readonly roll: RollView | null;
   readonly #element: HTMLElement;
   readonly #stage: HTMLElement;
   readonly #input: Input;
@@ -385,19 +414,20 @@ export class OpenBook {
   constructor(
     element: HTMLElement,
     stage: HTMLElement,
-    { canvas, source, viewer, elements }: OpenBookParts,
+    { canvas, source, viewer, elements, roll }: OpenBookParts,
     { turn, calm, goTo, missingPart }: LifecycleHooks,
   ) {
     this.source = source;
     this.viewer = viewer;
     this.canvas = canvas;
     this.elements = elements;
+    this.roll = roll;
     elements.follow(viewer);
     const allows = (gesture: Gesture): boolean => allowsGesture(element, gesture);
     const swipeDistance = (): number => swipeDistanceOf(element);
     this.#input = new Input(canvas, stage, element, { viewer, turn, calm, allows, swipeDistance });
     const language = (): string => languageOf(element);
-    this.reading = new ReadableBook({ source, viewer, canvas, goTo, language }, missingPart);
+    this.reading = new ReadableBook({ source, viewer, canvas, roll, goTo, language }, missingPart);
     this.#element = element;
     this.#stage = stage;
   }
@@ -412,6 +442,7 @@ export class OpenBook {
     this.#ended.abort();
     this.#input.destroy();
     this.reading.destroy();
+    this.roll?.destroy();
     return this.viewer.destroy(keepCanvas);
   }
 

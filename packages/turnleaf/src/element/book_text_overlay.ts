@@ -6,9 +6,10 @@ import { PageTexts } from "../text/page_texts.ts";
 import type { PageView } from "../text/page_view.ts";
 import { type SearchHit, searchBook } from "../text/searching.ts";
 import { textStyle } from "../text/text.css.ts";
-import { TextLayer } from "../text/text_layer.ts";
+import { TextLayer, type TextLayerOptions } from "../text/text_layer.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 import { elementTexts, fill } from "../words/languages.ts";
+import type { RollView } from "./roll_view.ts";
 import { addStyle } from "./shadow_tree.ts";
 
 /** What the text layer needs of the open book. */
@@ -17,6 +18,8 @@ export interface TextTarget {
   readonly viewer: Viewer;
   /** In a shadow tree; read out only if there is no text. */
   readonly canvas: HTMLCanvasElement;
+  /** The pages that are scrolled; null if all are turned. */
+  readonly roll: RollView | null;
   /** Turns to a page (from 1). */
   readonly goTo: (page: number) => void;
   /** Returns the tag of the element's language. */
@@ -27,10 +30,12 @@ export interface TextTarget {
 export class BookTextOverlay {
   readonly #source: PageSource;
   readonly #texts: PageTexts;
-  readonly #layer: TextLayer;
+  /** Over the book, and over the pages that are scrolled, if any are. */
+  readonly #layers: readonly TextLayer[];
+  readonly #roll: RollView | null;
 
   /** @param ended its abort removes the text */
-  constructor({ source, viewer, canvas, goTo, language }: TextTarget, ended: AbortSignal) {
+  constructor({ source, viewer, canvas, roll, goTo, language }: TextTarget, ended: AbortSignal) {
     this.#source = source;
     this.#texts = new PageTexts(source);
     const view: PageView = {
@@ -38,10 +43,10 @@ export class BookTextOverlay {
         return pagesAt(viewer.binding, viewer.turning.spread);
       },
       placeOf: (page, size) => viewer.placeOf(page, size),
-      project: viewer.project.bind(viewer),
+      project: (...place) => (roll?.isShown ? null : viewer.project(...place)),
       onView: viewer.onViewChange.bind(viewer),
     };
-    const layer = new TextLayer(view, {
+    const options: TextLayerOptions = {
       source,
       name: (page) => fill(elementTexts(language()).pageNamed, { label: source.label(page - 1) }),
       goTo,
@@ -53,16 +58,27 @@ export class BookTextOverlay {
           follow: texts.leave ?? address,
         };
       },
-      redraw: (page) => viewer.redraw(page),
+      redraw: (page) => {
+        viewer.redraw(page);
+        roll?.redraw(page);
+      },
       onText: (isText) => {
         canvas.ariaHidden = isText ? "true" : null;
       },
-    });
-    this.#layer = layer;
+    };
     const removeStyle = addStyle(canvas.getRootNode() as ShadowRoot, textStyle);
-    canvas.after(layer.element);
+    const over = new TextLayer(view, options);
+    canvas.after(over.element);
+    const layers = [over];
+    if (roll) {
+      const along = new TextLayer(roll, options);
+      roll.content.append(along.element);
+      layers.push(along);
+    }
+    this.#layers = layers;
+    this.#roll = roll;
     ended.addEventListener("abort", () => {
-      layer.destroy();
+      for (const layer of layers) layer.destroy();
       removeStyle();
     });
   }
@@ -77,12 +93,13 @@ export class BookTextOverlay {
    * null removes the marks.
    */
   mark(hit: SearchHit | null): void {
-    this.#layer.mark(hit);
+    if (hit) this.#roll?.reveal(hit.page);
+    for (const layer of this.#layers) layer.mark(hit);
   }
 
   /** Reads the pages again after a change of the book. */
   changed(): void {
     this.#texts.clear();
-    this.#layer.reload();
+    for (const layer of this.#layers) layer.reload();
   }
 }

@@ -63,6 +63,11 @@ export abstract class ReaderElement extends ReflectingElement {
     return this.source?.typeset !== undefined;
   }
 
+  /** Whether the open page is scrolled and not turned, as an EPUB may ask for. */
+  get scrolled(): boolean {
+    return this.book?.roll?.isShown ?? false;
+  }
+
   /** Number of pages; 0 until the book is open. */
   get pageCount(): number {
     return this.source?.pageCount ?? 0;

@@ -14,6 +14,7 @@ export class FakeBook extends HTMLElement implements ControlledBook {
   spread = { left: 4, right: 5 };
   offset: 0 | 1 = 1;
   shownLayout: "spread" | "single" = "spread";
+  scrolled = false;
   zoom = 1;
   bookmarks: readonly number[] = [];
   shifts: readonly number[] = [];

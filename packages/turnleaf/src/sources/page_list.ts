@@ -178,6 +178,11 @@ export class PageList implements PageSource {
     return entry?.source.inSpread?.(entry.index);
   }
 
+  roll(index: number): number | null {
+    const entry = this.#entries[index];
+    return entry?.source.roll?.(entry.index) ?? null;
+  }
+
   draw(index: number, width: number, signal: AbortSignal, region?: PageBox): Promise<PagePicture> {
     return this.#of(index, (source, own) => source.draw(own, width, signal, region));
   }

@@ -233,6 +233,12 @@ export interface PageSource {
    */
   inSpread?(index: number): "first" | "second" | "alone" | "single" | undefined;
   /**
+   * Returns the roll to which page `index` (from 0) belongs; null for a page that
+   * is turned. Pages of one roll that follow each other hang together without a
+   * gap, and are scrolled. Absent if all pages are turned.
+   */
+  roll?(index: number): number | null;
+  /**
    * Draws page `index` (from 0) so that it is `width` device pixels wide (never
    * beyond the source's own limits on memory). Rejects with a `BookError`, or
    * with the signal's reason when aborted.

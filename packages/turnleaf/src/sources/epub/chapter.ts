@@ -18,6 +18,10 @@ const noticeStyle =
   "border: 1px solid; margin-bottom: 1em; padding: 0.4em 0.6em; font: italic 13px/1.3 sans-serif";
 const fixedNoticeStyle = "position: absolute; left: 0; top: 0; background: #fff; color: #000";
 
+/** Types of chapters that are pictures, and how one of fixed layout is set: it is all of its page. */
+const pictureTypes = /^image\/(?!svg)/;
+const pictureStyle = "position: absolute; left: 0; top: 0; width: 100%; height: 100%";
+
 /** A chapter as the spine names it. */
 export interface Chapter {
   readonly href: string;
@@ -36,7 +40,7 @@ export async function loadChapter(
   name: string,
 ): Promise<FlowContent> {
   const document = await parseChapter(files, href, mediaType, isFixed);
-  const size = isFixed ? fixedSize(document) : undefined;
+  const named = isFixed ? fixedSize(document) : undefined;
   const what = `A chapter of ${name}`;
   const framed = async (address: string): Promise<FlowContent | null> => {
     const path = files.resolve(address.split("#", 1)[0] ?? "", href);
@@ -50,7 +54,18 @@ export async function loadChapter(
     return path !== null && isPlayed(files.typeOf(path));
   };
   const content = await cleanMarkup(document, { ...files.about(href), framed, plays }, what);
-  return size ? { ...content, size } : content;
+  if (!named) return content;
+  const own = pictureTypes.test(mediaType) ? await pictureSize(content.root) : null;
+  return { ...content, size: own ?? named };
+}
+
+/** Returns the size of the picture that a chapter is, in its pixels; null if it cannot be read. */
+async function pictureSize(root: Element): Promise<PageSize | null> {
+  const image = new Image();
+  image.src = root.querySelector("img")?.getAttribute("src") ?? "";
+  await image.decode().catch(() => {});
+  const size = { width: image.naturalWidth, height: image.naturalHeight };
+  return isPageSize(size) ? size : null;
 }
 
 /** Returns whether the browser plays sounds or films of a media type. */
@@ -66,8 +81,9 @@ async function parseChapter(
   mediaType: string,
   isFixed: boolean,
 ): Promise<Document> {
-  if (/^image\/(?!svg)/.test(mediaType)) {
-    const picture = `<img src="${encodeURI(path.split("/").pop() ?? "")}" alt=""/>`;
+  if (pictureTypes.test(mediaType)) {
+    const style = isFixed ? `style="${pictureStyle}"` : "";
+    const picture = `<img src="${encodeURI(path.split("/").pop() ?? "")}" alt="" ${style}/>`;
     return parseMarkup(`<html><body>${picture}</body></html>`, "text/html");
   }
   const text = await files.text(path);

@@ -364,15 +364,6 @@ describe("the package", () => {
     expect(await colourAt(source, 0, (x + 100) / 488, (y + 50) / 748)).toBe("0,0,0");
   });
 
-  test("its flow is paginated, whatever it asks for", async () => {
-    for (const flow of ["paginated", "scrolled-doc", "scrolled-continuous"]) {
-      const metadata = `<meta property="rendition:flow">${flow}</meta>`;
-      const source = await laidOut({ chapters: [prose(20)], metadata });
-      expect(source.pageCount).toBeGreaterThan(3);
-      source.close();
-    }
-  });
-
   test("replaces what needs scripts, and pictures of foreign types, by their fallbacks", async () => {
     const chapters = ['<img src="a.psd"/>', "<p>Plain.</p>"];
     const source = await laidOut({

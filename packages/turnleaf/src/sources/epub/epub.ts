@@ -93,7 +93,8 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
       return item ? pictureFor(manifest, item) : path;
     },
   });
-  const isFixedBook = rendition.layout === "pre-paginated";
+  const isRoll = rendition.layout === "roll";
+  const isFixedBook = isRoll || rendition.layout === "pre-paginated";
   const language = cleanLanguage([metadata.language].flat()[0]);
   const isOpen = epub.dir !== "ltr" && epub.dir !== "rtl";
   const direction = epub.dir === "rtl" || (isOpen && isRightToLeft(language)) ? "rtl" : "ltr";
@@ -107,8 +108,10 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
         properties.some((one) => one === word || one === `rendition:${word}`);
       // The first of several counts.
       const own = properties.find((one) => /^rendition:layout-/.test(one));
-      const isFixed = own ? own === "rendition:layout-pre-paginated" : isFixedBook;
-      return [{ ...item, isFixed, isAside: linear === "no", side: sideOf(has, isFixed) }];
+      const isFixed = own && !isRoll ? own === "rendition:layout-pre-paginated" : isFixedBook;
+      const flow = isRoll ? "scrolled-continuous" : isFixed ? "" : flowOf(has, rendition.flow);
+      const side = isRoll ? undefined : sideOf(has, isFixed);
+      return [{ ...item, isFixed, isAside: linear === "no", side, flow }];
     });
   // What is beside the way of reading comes last.
   const ordered = [
@@ -116,10 +119,13 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     ...chapters.filter((one) => one.isAside),
   ];
   if (ordered.length === 0) throw new BookError(`${name} has no chapters; get it again.`);
-  const sections = ordered.map((chapter): FlowSection => {
+  const rolls = rollsOf(ordered);
+  const sections = ordered.map((chapter, index): FlowSection => {
     const { href, isFixed, side } = chapter;
     const load = () => loadChapter(files, chapter, name);
-    return { length: archive.size(href), isFixed, load, ...(side ? { side } : {}) };
+    const roll = rolls[index];
+    const where = { ...(side ? { side } : {}), ...(roll === undefined ? {} : { roll }) };
+    return { length: archive.size(href), isFixed, load, ...where };
   });
   const indices = new Map<string, number>();
   // A chapter that comes twice is the first one for links.
@@ -262,6 +268,29 @@ function creatorsOf(opf: Document): BookDetail[] {
       return { label: "", value, ...(direction ? { direction } : {}) };
     })
     .filter(({ value }) => value !== "");
+}
+
+/** Returns how what does not fit a page of a chapter is shown: as it says itself, or else as the book says. */
+function flowOf(has: (word: string) => boolean, flow: string | undefined): string | undefined {
+  const flows = ["auto", "paginated", "scrolled-doc", "scrolled-continuous"];
+  return flows.find((one) => has(`flow-${one}`)) ?? flow;
+}
+
+/**
+ * Returns the roll of each chapter that is scrolled: of its own, or, if it is to
+ * be continuous, that of the chapter before it.
+ */
+function rollsOf(
+  chapters: readonly { readonly flow: string | undefined; readonly isAside: boolean }[],
+): (number | undefined)[] {
+  let rolls = 0;
+  return chapters.map(({ flow, isAside }, index) => {
+    const before = chapters[index - 1];
+    if (flow !== "scrolled-doc" && flow !== "scrolled-continuous") return undefined;
+    const goesOn = flow === "scrolled-continuous" && before?.flow === flow;
+    if (!goesOn || isAside !== before.isAside) rolls += 1;
+    return rolls - 1;
+  });
 }
 
 /** Returns where a chapter has to lie; of fixed layout it may be meant to be shown by itself. */

@@ -92,7 +92,8 @@ export class Edition {
     try {
       const content = await this.#contents.load(section, isShown);
       signal.throwIfAborted();
-      const laid = await LaidSection.lay(content, this.typography);
+      const isScrolled = this.#book.sections[section]?.roll !== undefined;
+      const laid = await LaidSection.lay(content, this.typography, isScrolled);
       if (this.#isClosed) {
         laid.close();
         throw new DOMException("The book is closed.", "AbortError");

@@ -13,6 +13,8 @@ export interface FlowSection {
   readonly isFixed: boolean;
   /** The side of a spread on which it has to begin, or whether it is to be shown by itself, if any. */
   readonly side?: "left" | "right" | "center";
+  /** The roll that it is a part of, if it is scrolled and not turned. */
+  readonly roll?: number;
   /** Returns what is in it. Rejects with a `BookError`. */
   load(): Promise<FlowContent>;
 }

@@ -55,6 +55,8 @@ export class FlowSource implements PageSource {
   /** Sets the book in another typography; absent if all its pages are of fixed layout. */
   readonly typeset?: (typography: Typography) => Promise<void>;
   readonly narration?: Narrator;
+  /** Absent if all pages are turned. */
+  readonly roll?: (index: number) => number | null;
   readonly #book: FlowBook;
   readonly #contents: SectionContents;
   #edition: Edition;
@@ -101,6 +103,9 @@ export class FlowSource implements PageSource {
     if (book.sections.some(({ isFixed }) => !isFixed)) {
       this.typeset = (typography) => this.#typeset(typography);
     }
+    if (book.sections.some(({ roll }) => roll !== undefined)) {
+      this.roll = (index) => book.sections[this.#numbers.at(index).section]?.roll ?? null;
+    }
     if (book.narration) {
       this.narration = new Narrator(book.narration, {
         at: (index) => this.#at(index),
@@ -118,14 +123,15 @@ export class FlowSource implements PageSource {
 
   async size(index: number, signal?: AbortSignal): Promise<PageSize> {
     const { section } = this.#at(index);
-    const { isFixed } = this.#book.sections[section] ?? {};
-    if (isFixed) await this.#edition.lay(section, signal);
+    const { isFixed, roll } = this.#book.sections[section] ?? {};
+    if (isFixed || roll !== undefined) await this.#edition.lay(section, signal);
     return this.#edition.mapOf(section)?.size ?? paperback;
   }
 
   inSpread(index: number): ReturnType<NonNullable<PageSource["inSpread"]>> {
     const { section, page } = this.#numbers.at(index);
-    const side = this.#book.sections[section]?.side;
+    const { side, roll } = this.#book.sections[section] ?? {};
+    if (roll !== undefined) return "single";
     if (side === undefined || page > 0) return undefined;
     if (side === "center") return "single";
     return (side === "left") === (this.direction === "ltr") ? "first" : "second";

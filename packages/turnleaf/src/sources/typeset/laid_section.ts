@@ -16,9 +16,11 @@ import {
   columnStyle,
   fixedStyle,
   measuresOf,
+  type PageMeasures,
   paperback,
   paperOf,
   readerStyle,
+  rollStyle,
 } from "./typography.ts";
 
 /** The root's type size, from which the book's own is reckoned. */
@@ -96,12 +98,22 @@ export class LaidSection {
     this.#scale = map.size.width / this.layoutSize.width;
   }
 
-  /** Lays a section out. Rejects with any error of the browser. */
-  static async lay(content: FlowContent, typography: Typography): Promise<LaidSection> {
+  /**
+   * Lays a section out. Rejects with any error of the browser.
+   *
+   * @param isScrolled whether its pages hang together, so that a line may be cut
+   * where one ends
+   */
+  static async lay(
+    content: FlowContent,
+    typography: Typography,
+    isScrolled = false,
+  ): Promise<LaidSection> {
     const size = content.size ?? measuresOf(typography);
     const frame = await openFrame(size.width, size.height);
     try {
-      return await layIn(frame, content, typography, (...parts) => new LaidSection(...parts));
+      const made = (...parts: MadeParts): LaidSection => new LaidSection(...parts);
+      return await layIn(frame, content, typography, isScrolled, made);
     } catch (error) {
       frame.element.remove();
       throw error;
@@ -232,14 +244,17 @@ interface LaidParts {
   readonly layoutSize: PageSize;
 }
 
+type MadeParts = [frame: LayoutFrame, flow: PageFlow, map: SectionMap, parts: LaidParts];
+
 async function layIn<T>(
   frame: LayoutFrame,
   content: FlowContent,
   typography: Typography,
-  done: (frame: LayoutFrame, flow: PageFlow, map: SectionMap, parts: LaidParts) => T,
+  isScrolled: boolean,
+  done: (...parts: MadeParts) => T,
 ): Promise<T> {
   const page = measuresOf(typography);
-  const size = content.size ?? { width: page.width, height: page.height };
+  let size = content.size ?? { width: page.width, height: page.height };
   const html = frame.document.importNode(content.root, true) as HTMLElement;
   applyInlineStyles(html);
   const sheet = frame.document.createElement("div");
@@ -254,7 +269,10 @@ async function layIn<T>(
   adoptStyles(frame, [...own, reader]);
   const { writingMode, direction } = view.getComputedStyle(body);
   const isVertical = !writingMode.startsWith("horizontal");
+  // Lines that stand upright are scrolled page by page.
+  const isSliced = isScrolled && !isVertical && !content.size;
   if (content.size) own.push(fixedStyle(content.size));
+  else if (isSliced) own.push(reader, rollStyle(page));
   else {
     flow = isVertical
       ? { stepX: 0, stepY: page.height, isVertical }
@@ -268,12 +286,23 @@ async function layIn<T>(
   frame.root.style.fontSize = rem;
   adoptStyles(frame, own);
   await loadedIn(frame, html);
-  const pageCount = content.size ? 1 : countPages(html, flow, page);
+  if (isSliced) {
+    size = { width: page.width, height: sliceHeight(html, page) };
+    flow = { stepX: 0, stepY: size.height, isVertical };
+  }
+  const pageCount = content.size
+    ? 1
+    : isSliced
+      ? sliceCount(html, page)
+      : countPages(html, flow, page);
   const paper = content.size ? "#fff" : paperOf(typography);
   const map: SectionMap = {
     pageCount,
     ...mapOf(html, flow, pageCount),
-    size: content.size ?? paperback,
+    size: content.size ?? {
+      width: paperback.width,
+      height: isSliced ? (size.height * paperback.width) / page.width : paperback.height,
+    },
   };
   const text = new TextMap(body, flow, pageCount);
   const css = withUsedFonts([spokenStyle, ...own].join("\n"), frame.document);
@@ -336,6 +365,21 @@ function countPages(html: HTMLElement, flow: PageFlow, page: PageSize): number {
   const reached =
     columns.length > 1 && last ? pageOfRect(flow, last) + 1 : Math.ceil((length - 1) / step);
   return Math.min(Math.max(reached, 1), limits.pages);
+}
+
+/** Returns the number of slices of a section that is scrolled: each about as high as a page. */
+function sliceCount(html: HTMLElement, page: PageMeasures): number {
+  return Math.min(Math.max(Math.round(heightOf(html, page) / page.height), 1), limits.pages);
+}
+
+/** Returns the height of a section's slices, so that the last is as high as the others. */
+function sliceHeight(html: HTMLElement, page: PageMeasures): number {
+  return Math.ceil(heightOf(html, page) / sliceCount(html, page));
+}
+
+/** Returns the height of a section that is scrolled, with the margins at its head and foot. */
+function heightOf(html: HTMLElement, { ends }: PageMeasures): number {
+  return html.offsetHeight + 2 * ends;
 }
 
 function mapOf(

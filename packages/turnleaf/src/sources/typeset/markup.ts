@@ -66,7 +66,8 @@ export class Markup {
 /** Returns a section's pictures with much data, and keeps their sizes without them. */
 function picturesOf(html: Element, flow: PageFlow, view: Window): Map<string, Picture> {
   const pages = new Map<string, (readonly [first: number, last: number])[]>();
-  const step = flow.isVertical ? flow.stepY : Math.abs(flow.stepX);
+  const isDown = flow.stepY !== 0;
+  const step = isDown ? flow.stepY : Math.abs(flow.stepX);
   const large = [...html.querySelectorAll<HTMLElement>("img, image")].flatMap((image) => {
     const data = image.getAttribute("src") ?? image.getAttribute("href") ?? "";
     if (data.length < shortData || pictureData.exec(data)?.[0] !== data) return [];
@@ -84,8 +85,8 @@ function picturesOf(html: Element, flow: PageFlow, view: Window): Map<string, Pi
     pages.set(data, ranges);
     for (const rect of (image.closest("svg") ?? image).getClientRects()) {
       const on = pageOfRect(flow, rect);
-      // A wide one may reach over several pages.
-      const length = flow.isVertical ? rect.height : rect.width;
+      // A long one may reach over several pages.
+      const length = isDown ? rect.height : rect.width;
       ranges.push([on - 1, on + Math.ceil(length / Math.max(step, 1))]);
     }
   }

@@ -84,6 +84,17 @@ export function readerStyle(typography: Typography): string {
   return rules.join("\n");
 }
 
+/** The body of a section that is set into pages. */
+const bodyStyle = `body {
+  width: auto !important; height: auto !important; max-width: none !important; max-height: none !important;
+  min-width: 0 !important; min-height: 0 !important; position: static !important; float: none !important;
+  margin: 0 !important; padding: 0 !important; overflow: visible !important; columns: auto !important;
+}`;
+
+/** Everything in it. */
+const everyStyle =
+  "* { text-rendering: geometricPrecision !important; overflow-wrap: break-word; animation: none !important; transition: none !important; }";
+
 /** Returns the style sheet that sets a section into pages as columns. */
 export function columnStyle(page: PageMeasures, isVertical: boolean, direction: string): string {
   const across = page.width - 2 * page.sides;
@@ -99,16 +110,30 @@ html {
   direction: ${direction}; column-width: ${column}px !important; column-count: auto !important; column-gap: ${gap}px !important;
   column-fill: auto !important; column-rule: none !important; transform: none !important;
 }
-body {
-  width: auto !important; height: auto !important; max-width: none !important; max-height: none !important;
-  min-width: 0 !important; min-height: 0 !important; position: static !important; float: none !important;
-  margin: 0 !important; padding: 0 !important; overflow: visible !important; columns: auto !important;
-}
+${bodyStyle}
 img, svg, video, canvas, image, object {
   max-width: ${across}px !important; max-height: ${down}px !important; box-sizing: border-box !important; break-inside: avoid;
 }
 img, video { object-fit: contain; }
-* { text-rendering: geometricPrecision !important; overflow-wrap: break-word; animation: none !important; transition: none !important; }
+${everyStyle}
+`;
+}
+
+/** Returns the style sheet that sets a section into one column, as high as it takes. */
+export function rollStyle(page: PageMeasures): string {
+  const across = page.width - 2 * page.sides;
+  return `
+html {
+  display: flow-root !important; position: absolute !important; box-sizing: content-box !important;
+  left: ${page.sides}px !important; top: ${page.ends}px !important;
+  width: ${across}px !important; height: auto !important;
+  min-width: 0 !important; min-height: 0 !important; max-width: none !important; max-height: none !important;
+  margin: 0 !important; padding: 0 !important; border: 0 !important; overflow: visible !important;
+  columns: auto !important; transform: none !important;
+}
+${bodyStyle}
+img, svg, video, canvas, image, object { max-width: ${across}px !important; box-sizing: border-box !important; }
+${everyStyle}
 `;
 }
 
