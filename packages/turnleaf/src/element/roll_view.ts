@@ -173,7 +173,7 @@ export class RollView implements PageView {
     clearTimeout(this.#timer);
     cancelAnimationFrame(this.#frame);
     for (const { drawing } of this.#sheets) drawing?.abort();
-    this.#stage.classList.remove("rolled");
+    this.#stage.classList.remove("scrolled");
     this.#scroller.remove();
   }
 
@@ -183,7 +183,7 @@ export class RollView implements PageView {
     const roll = this.#rollOf(page);
     this.#isShown = roll !== null;
     this.#scroller.hidden = roll === null;
-    this.#stage.classList.toggle("rolled", roll !== null);
+    this.#stage.classList.toggle("scrolled", roll !== null);
     if (roll === null) {
       this.#page = 0;
       this.#lay([]);
@@ -441,5 +441,5 @@ const style: string = /* css */ `
 .roll-page { aspect-ratio: 2 / 3; background: #fff; overflow: hidden; }
 .roll-page canvas { display: block; width: 100%; height: 100%; }
 .roll-page p { margin: 2rem; font: italic 1.05rem/1.5 Georgia, serif; color: #211d1a; }
-.rolled [part="canvas"] { visibility: hidden; }
+.scrolled [part="canvas"] { visibility: hidden; }
 `;
