@@ -13,6 +13,7 @@ import { Riffle } from "../wasm/tests/riffle.mjs";
 
 const root = join(import.meta.dirname, "..");
 const shipped = join(root, "packages/turnleaf/src/engine/turnleaf.wasm");
+const creasable = join(root, "packages/turnleaf/src/engine/creases.wasm");
 const file = join(root, "target/trials.wasm");
 if (!existsSync(file)) {
   console.error(`There is no ${file}: run node scripts/build_wasm.mjs --trials.`);
@@ -91,6 +92,18 @@ for (const leaves of [1, 10]) {
     times(() => riffle.frame()),
     4,
   );
+}
+for (const leaves of [1, 3]) {
+  for (const isFolded of [false, true]) {
+    const riffle = new Riffle(await load(creasable), "book", leaves);
+    if (isFolded) riffle.foldCorners();
+    for (let frame = 0; frame < 60; frame++) riffle.frame();
+    const name = `book with creases, ${leaves} in flight${isFolded ? ", dog-eared" : ""}`;
+    results[name] = measure(
+      times(() => riffle.frame()),
+      4,
+    );
+  }
 }
 
 if (process.argv.includes("--json")) {

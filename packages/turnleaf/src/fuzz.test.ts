@@ -77,6 +77,7 @@ describe("mutated places in the browser's storage", () => {
         expect(Number.isInteger(kept.page) && kept.page >= 1, clue(before)).toBe(true);
         expect(kept.zoom >= 1 && kept.zoom <= 8, clue(before)).toBe(true);
         expect(kept.bookmarks.length).toBeLessThanOrEqual(500);
+        expect(kept.folds.length).toBeLessThanOrEqual(500);
         expect(kept.bookmarks.every((page) => Number.isInteger(page) && page >= 1)).toBe(true);
       }
       savePlace("a", { page: 5, zoom: 2, bookmarks: [1], shifts: [3], folds: [] });
@@ -85,6 +86,7 @@ describe("mutated places in the browser's storage", () => {
         zoom: 2,
         bookmarks: [1],
         shifts: [3],
+        folds: [],
       });
     },
   );
