@@ -13,7 +13,8 @@
 //! - [`TurnModel`], which every way of turning a page implements, and
 //!   [`Surface`], which every one yields
 //! - [`MassSpring`] with its [`Settings`]: the paper's model and its improvements
-//! - [`Shell`] with its [`ShellSettings`]: the offline reference
+//! - [`Shell`] with its [`ShellSettings`]: the offline reference; [`MeshShell`]: the same
+//!   on a mesh of any flat cells
 //! - [`Kinematic`] with its [`KinematicSettings`]: the [`shapes`] of
 //!   earlier page turners
 //! - [`Stock`], its [`Rigidity`], and the [`Air`] around it: what the paper is
@@ -69,7 +70,8 @@ pub use models::mass_spring::{
 };
 pub use models::sheet::{CONTACTS, Contact, FoldLine, InvalidSheet, Root, Sheet, SheetSettings};
 pub use models::shell::{
-    Crease, Discretisation, Edge, Energies, InvalidShell, Scheme, Shell, ShellSettings, Table,
+    Crease, Discretisation, Edge, Energies, HalfSpace, InvalidShell, MeshEnergies, MeshSettings,
+    MeshShell, Scheme, Shell, ShellSettings, Table,
 };
 pub use rigidity::Rigidity;
 pub use stock::{GRAVITY, Grain, InvalidStock, Stock};

@@ -7,6 +7,7 @@ mod cantilever;
 mod convergence;
 mod crease;
 mod creases;
+mod d_cone;
 mod drop_sheet;
 mod energy;
 mod exact;
@@ -20,6 +21,7 @@ mod options;
 mod pear_loop;
 mod picture;
 mod report;
+mod ridge;
 mod simulate;
 mod specimen;
 mod synchronisation;
@@ -77,6 +79,10 @@ enum Experiment {
     Crease(crease::Options),
     /// Hangs creased strips of sheet and shell beside all exact ones that are known (some minutes).
     Creases(creases::Options),
+    /// Pushes paper at a point into a funnel: the sector that is lifted, degrees.
+    DCone(d_cone::Options),
+    /// Finds how the energy of a stretching ridge grows with its length.
+    Ridge(ridge::Options),
     /// Folds a page on a table by its creases, as a picture.
     Fold(fold::Options),
     /// Bends a strip until both its ends are in one clamp.
@@ -116,6 +122,8 @@ impl Command {
             Experiment::TipLoad(options) => self.print(cantilever::run_tip_load(options)?),
             Experiment::Crease(options) => self.print(crease::run(options)?),
             Experiment::Creases(options) => self.print(creases::run(options)?),
+            Experiment::DCone(options) => self.print(d_cone::run(options)?),
+            Experiment::Ridge(options) => self.print(ridge::run(options)?),
             Experiment::Fold(options) => self.print(fold::run(options)?),
             Experiment::PearLoop(options) => self.print(pear_loop::run(options)?),
             Experiment::Vibration(options) => self.print(vibration::run(options)?),

@@ -111,6 +111,21 @@ fn a_loop_of_two_ends_is_a_pear() {
     }
 }
 
+/// By fewer nodes than the command has of itself.
+#[test]
+fn paper_in_a_funnel_is_lifted_over_one_sector() {
+    for slope in ["0.1", "0.2"] {
+        let line = format!("d-cone --model shell --nodes 96 --slope {slope}");
+        assert_within(&line, &["error.sector_deg"], 4.0);
+    }
+}
+
+/// By fewer cells than the command has of itself, which is within 0.05.
+#[test]
+fn the_energy_of_a_ridge_grows_with_its_length() {
+    assert_within("ridge --cells 12", &["error.exponent"], 0.08);
+}
+
 #[test]
 fn what_stands_falls_over_at_its_weight() {
     assert_within("upright", &["error.gamma_critical"], 0.02);

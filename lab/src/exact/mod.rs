@@ -3,11 +3,13 @@
 
 mod buckling;
 mod creased;
+mod d_cone;
 mod elastica;
 mod pear;
 
 pub use buckling::upright_gamma;
 pub use creased::CreasedElastica;
+pub use d_cone::DevelopableCone;
 pub use elastica::Elastica;
 pub use pear::pear_loop;
 

@@ -4,6 +4,7 @@
 //! edge a the Green strain (a.a - 1) / 2, between a and b the shear a.b, both
 //! per unit of length. Both discretisations of bending share it.
 
+use super::cells::MeshSettings;
 use super::mesh::Mesh;
 use super::system::System;
 use super::vector::{Vector, dot, length, outer, scale};
@@ -101,6 +102,37 @@ impl Membrane {
         }
     }
 
+    /// Of a mesh of cells: every edge has half of the area of the cells beside it.
+    pub fn of_cells(mesh: &MeshSettings) -> Self {
+        let (mut stretch, mut shear) = (Vec::new(), Vec::new());
+        for cell in &mesh.cells {
+            let sides = cell.len();
+            let area = mesh.area_of(cell);
+            for (side, &from) in cell.iter().enumerate() {
+                let to = cell[(side + 1) % sides];
+                let [u, v] = mesh.way(from, to);
+                let weights = [-1.0, 1.0].map(|w| w / u.hypot(v));
+                stretch.push(Strain {
+                    nodes: [from, to],
+                    p: weights,
+                    q: weights,
+                    c: 0.5,
+                    rest: 0.5,
+                    swing: 0.0,
+                    stiffness: 0.5 * mesh.membrane * area,
+                });
+            }
+            if let &[a, b, c, d] = &cell[..] {
+                shear.push(shear_of([a, b, d, c], mesh, area));
+            }
+        }
+        Self {
+            stretch,
+            shear,
+            softness: 1.0,
+        }
+    }
+
     pub fn energy(&self, x: &[Vector]) -> f64 {
         let stretch: f64 = self.stretch.iter().map(|s| s.energy(x)).sum();
         let shear: f64 = self.shear.iter().map(|s| s.energy(x)).sum();
@@ -176,5 +208,31 @@ fn shear(mesh: &Mesh, (column, row): (usize, usize), stiffness: f64) -> Strain<4
         rest: 0.0,
         swing: 0.0,
         stiffness: stiffness * mesh.du * mesh.dv,
+    }
+}
+
+/// Shear between the middle lines of a cell of any four corners, foot and head as in
+/// [`shear`].
+fn shear_of(nodes: [usize; 4], mesh: &MeshSettings, area: f64) -> Strain<4> {
+    let middle = |signs: [f64; 4]| {
+        let mut line = [0.0; 2];
+        for (node, sign) in nodes.iter().zip(signs) {
+            for axis in 0..2 {
+                line[axis] += 0.5 * sign * mesh.places[*node][axis];
+            }
+        }
+        let long = line[0].hypot(line[1]);
+        (signs.map(|sign| 0.5 * sign / long), line.map(|w| w / long))
+    };
+    let (p, across) = middle([-1.0, 1.0, -1.0, 1.0]);
+    let (q, up) = middle([-1.0, -1.0, 1.0, 1.0]);
+    Strain {
+        nodes,
+        p,
+        q,
+        c: 1.0,
+        rest: across[0] * up[0] + across[1] * up[1],
+        swing: 0.0,
+        stiffness: SHEAR * mesh.membrane * area,
     }
 }

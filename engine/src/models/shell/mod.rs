@@ -7,6 +7,7 @@
 //! hardly strains.
 
 mod bending;
+mod cells;
 mod clamp;
 mod crease;
 mod energy;
@@ -15,6 +16,7 @@ mod grid;
 mod hinge;
 mod membrane;
 mod mesh;
+mod meshed;
 mod motion;
 mod newton;
 mod settings;
@@ -30,8 +32,10 @@ mod motion_tests;
 #[cfg(test)]
 mod tests;
 
+pub use cells::MeshSettings;
 pub use crease::Crease;
 pub use energy::Energies;
+pub use meshed::{HalfSpace, MeshEnergies, MeshShell};
 pub use settings::{Discretisation, Edge, InvalidShell, Scheme, ShellSettings, Table};
 
 use crate::grab;

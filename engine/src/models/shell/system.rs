@@ -1,5 +1,7 @@
 //! The linear system of a Newton step: gradient and Hessian of a potential.
 
+use std::collections::BTreeSet;
+
 use super::mesh::Mesh;
 use super::vector::{Block, Vector};
 use crate::band::Band;
@@ -35,6 +37,36 @@ impl System {
             gradient: vec![0.0; 3 * mesh.nodes()],
             first: mesh.places().map(number).collect(),
             held: vec![false; mesh.nodes()],
+        }
+    }
+
+    /// Of nodes that are coupled within groups: numbered from one end of the mesh to the
+    /// other, neighbours of a node one after the other, from the node of fewest on
+    /// (reverse Cuthill and McKee), which makes the band narrow.
+    pub fn coupling<'a>(held: Vec<bool>, groups: impl Iterator<Item = &'a [usize]>) -> Self {
+        let nodes = held.len();
+        let mut neighbours = vec![BTreeSet::new(); nodes];
+        for group in groups {
+            let free: Vec<usize> = group.iter().copied().filter(|node| !held[*node]).collect();
+            for &node in &free {
+                neighbours[node].extend(free.iter().copied());
+            }
+        }
+        let order = cuthill_mckee(&neighbours);
+        let mut first = vec![0; nodes];
+        for (number, &node) in order.iter().rev().enumerate() {
+            first[node] = 3 * number;
+        }
+        let widths = neighbours.iter().zip(&first).flat_map(|(others, here)| {
+            let apart = |other: &usize| here.abs_diff(first[*other]);
+            others.iter().map(apart).collect::<Vec<_>>()
+        });
+        let half_bandwidth = (widths.fold(0, usize::max) + 2).min(3 * nodes - 1);
+        Self {
+            matrix: Band::new(3 * nodes, half_bandwidth),
+            gradient: vec![0.0; 3 * nodes],
+            first,
+            held,
         }
     }
 
@@ -116,6 +148,7 @@ impl System {
         self.by_node(&solution)
     }
 
+    /// The derivative of the potential by the place of each node.
     #[cfg(test)]
     pub fn gradient(&self) -> Vec<Vector> {
         self.by_node(&self.gradient)
@@ -125,4 +158,41 @@ impl System {
         let of = |&first: &usize| [values[first], values[first + 1], values[first + 2]];
         self.first.iter().map(of).collect()
     }
+}
+
+/// Nodes in layers from one that lies at an end of the mesh.
+fn cuthill_mckee(neighbours: &[BTreeSet<usize>]) -> Vec<usize> {
+    let from = |start: usize| {
+        let mut order = vec![start];
+        let mut known = vec![false; neighbours.len()];
+        known[start] = true;
+        let mut next = 0;
+        while next < order.len() {
+            let mut others: Vec<usize> = neighbours[order[next]].iter().copied().collect();
+            others.retain(|other| !known[*other]);
+            others.sort_by_key(|other| neighbours[*other].len());
+            for other in others {
+                known[other] = true;
+                order.push(other);
+            }
+            next += 1;
+        }
+        order
+    };
+    let mut order = Vec::with_capacity(neighbours.len());
+    let mut known = vec![false; neighbours.len()];
+    // Each part of the mesh for itself. What is reached last from anywhere lies at an end.
+    for node in 0..neighbours.len() {
+        if !known[node] {
+            let mut part = from(node);
+            for _ in 0..2 {
+                part = from(part[part.len() - 1]);
+            }
+            for &node in &part {
+                known[node] = true;
+            }
+            order.extend(part);
+        }
+    }
+    order
 }

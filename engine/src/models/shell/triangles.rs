@@ -9,7 +9,10 @@
 //! and without a preferred diagonal. Unlike the grid's second differences this
 //! energy knows angles only, and is not quadratic.
 
+use std::collections::BTreeMap;
+
 use super::bending::Bending;
+use super::cells::MeshSettings;
 use super::clamp::{Clamps, GHOST};
 use super::crease::{Crease, Fold};
 use super::hinge::{Angle, angle, second_derivative};
@@ -126,6 +129,74 @@ impl TriangleBending {
         }
         bending.damped = vec![0.0; bending.hinges.len()];
         bending
+    }
+
+    /// Of a mesh of cells, none of its edges clamped and Poisson's ratio 0.
+    pub fn of_cells(mesh: &MeshSettings) -> Self {
+        let mut bending = Self {
+            mesh: Mesh {
+                columns: mesh.places.len(),
+                rows: 1,
+                du: 1.0,
+                dv: 1.0,
+            },
+            hinges: Vec::new(),
+            triangles: Vec::new(),
+            folds: Vec::new(),
+            damping: 0.0,
+            damped: Vec::new(),
+        };
+        for cut in [[0, 1, 2, 0, 2, 3], [0, 1, 3, 1, 2, 3]] {
+            let triangles = mesh.cells.iter().flat_map(|cell| match cell[..] {
+                [a, b, c] => vec![[a, b, c]],
+                _ => {
+                    let [a, b, c, d, e, f] = cut.map(|corner| cell[corner]);
+                    vec![[a, b, c], [d, e, f]]
+                }
+            });
+            bending.add_triangles(&triangles.collect::<Vec<_>>(), mesh);
+        }
+        bending.damped = vec![0.0; bending.hinges.len()];
+        bending
+    }
+
+    fn add_triangles(&mut self, triangles: &[[usize; 3]], mesh: &MeshSettings) {
+        let sides = |[a, b, c]: [usize; 3]| [(a, b, c), (b, c, a), (c, a, b)];
+        let mut apexes = BTreeMap::new();
+        for (from, to, apex) in triangles.iter().flat_map(|triangle| sides(*triangle)) {
+            apexes.insert((from, to), apex);
+        }
+        let mut numbers = BTreeMap::new();
+        for (&(from, to), &left) in &apexes {
+            if let (true, Some(&right)) = (from < to, apexes.get(&(to, from))) {
+                numbers.insert((from, to), self.hinges.len());
+                self.hinges.push([from, to, left, right]);
+            }
+        }
+        let plate = [1.0, 1.0, 0.5].map(|part| part * mesh.bending);
+        for triangle in triangles {
+            let area = mesh.area_of(triangle);
+            let hinges = sides(*triangle)
+                .map(|(from, to, _)| numbers.get(&(from.min(to), from.max(to))).copied());
+            let shape = sides(*triangle).map(|(from, to, _)| {
+                let [u, v] = mesh.way(from, to);
+                let scale = 1.0 / (2.0 * area * u.hypot(v));
+                [scale * v * v, scale * u * u, -2.0 * scale * u * v]
+            });
+            // Every cell is cut twice.
+            let product = |i: usize, j: usize| {
+                let terms = (0..3).map(|k| shape[i][k] * plate[k] * shape[j][k]);
+                0.5 * area * terms.sum::<f64>()
+            };
+            let stiffness = core::array::from_fn(|i| core::array::from_fn(|j| product(i, j)));
+            self.triangles
+                .push(Triangle::new(hinges, &self.hinges, stiffness));
+        }
+    }
+
+    /// Groups of nodes whose places are coupled.
+    pub fn couplings(&self) -> impl Iterator<Item = &[usize]> {
+        self.triangles.iter().map(|triangle| &triangle.nodes[..])
     }
 
     fn triangulate(&mut self, diagonal: Diagonal, rigidity: &Rigidity, clamps: &Clamps) {
