@@ -47,6 +47,10 @@ function cornerOf(element: TurnleafBook): number[] {
 const difference = (a: readonly number[], b: readonly number[]): number =>
   Math.max(...a.map((grey, k) => Math.abs(grey - b[k])));
 
+/** Returns the fraction of two pictures' pixels that clearly differ. */
+const differing = (a: readonly number[], b: readonly number[]): number =>
+  a.filter((grey, k) => Math.abs(grey - b[k]) > 50).length / a.length;
+
 test("a corner is folded and seen, bookmarks its page, and is opened again", async () => {
   const element = await opened();
   const flat = cornerOf(element);
@@ -56,12 +60,15 @@ test("a corner is folded and seen, bookmarks its page, and is opened again", asy
   await settled(element);
   expect(element.bookmarks).toEqual([5]);
   expect(element.state).toBe("resting");
-  expect(difference(flat, cornerOf(element))).toBeGreaterThan(100);
+  const folded = differing(flat, cornerOf(element));
+  expect(folded).toBeGreaterThan(0.1);
   expect(await element.unfold(5)).toBe(true);
   expect([element.dogEars, element.bookmarks]).toEqual([[], []]);
   await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
   await settled(element);
-  await expect.poll(() => difference(flat, cornerOf(element))).toBeLessThan(50);
+  await expect.poll(() => differing(flat, cornerOf(element))).toBeLessThan(folded / 4);
+  // It stands off its page a little, and its line stays.
+  expect(difference(flat, cornerOf(element))).toBeGreaterThan(8);
 });
 
 test("a folded leaf is turned, and folding is no turn", async () => {

@@ -3,7 +3,7 @@
  * the first is folded, with an engine whose leaves can be creased.
  */
 
-import { creasesOfDogEars, type DogEar } from "../book/dog_ears.ts";
+import { type CornerFold, creasesOfDogEars, type DogEar } from "../book/dog_ears.ts";
 import { leafOf, paperOnLeft } from "../book/spreads.ts";
 import type { CreasedLeaves } from "../engine/book_engine.ts";
 import { CreasableBook } from "../engine/creasable_book.ts";
@@ -31,10 +31,14 @@ interface Motion {
 export class Folds {
   readonly #rebinder: Rebinder;
   #ears: readonly DogEar[] = [];
+  /** Corners that were opened before the reader's eyes, by pages of a book of so many. */
+  #opened: readonly CornerFold[] = [];
+  #pageCount: number;
   #motion: Motion | null = null;
 
   private constructor(rebinder: Rebinder) {
     this.#rebinder = rebinder;
+    this.#pageCount = rebinder.bound.binding.pageCount;
   }
 
   /** Has the book bound anew, as soon as it rests, by an engine whose leaves can be creased. */
@@ -44,19 +48,23 @@ export class Folds {
   }
 
   /**
-   * Folds corners, in place of those folded before. Resolves, once that is done, to whether
-   * all are.
+   * Folds corners, in place of those folded before, which are opened. Resolves, once that is
+   * done, to whether all are.
    *
-   * @param isSeen whether a leaf that lies open is seen to be folded
+   * @param isSeen whether a leaf that lies open is seen to be folded, and what is opened keeps
+   * its line
    */
   async fold(ears: readonly DogEar[], isSeen: boolean): Promise<boolean> {
-    const before = this.#creases(this.#ears);
+    const before = this.#creases();
+    const opened = this.#ears.filter((old) => !ears.some((ear) => isSame(ear, old)));
+    const lines = this.#opened.filter((old) => !opened.some(({ page }) => page === old.page));
+    this.#opened = isSeen ? [...lines, ...opened.map((ear) => ({ ...ear, isOpened: true }))] : [];
     this.#ears = ears;
     const { bound } = this.#rebinder;
     const { creases } = bound.engine;
     // Otherwise it is bound anew soon.
     if (!creases) return true;
-    const after = this.#creases(ears);
+    const after = this.#creases();
     const leaves = new Set([...before.keys(), ...after.keys()]);
     const results = [...leaves].map((leaf) =>
       this.#foldLeaf(creases, leaf, before.get(leaf) ?? [], after.get(leaf) ?? [], isSeen),
@@ -67,8 +75,11 @@ export class Folds {
   /** Call it when the book was bound anew: creases its leaves. */
   bound(): void {
     this.#end();
-    const { engine } = this.#rebinder.bound;
-    for (const [leaf, creases] of this.#creases(this.#ears)) engine.creases?.crease(leaf, creases);
+    const { engine, binding } = this.#rebinder.bound;
+    // The pages have other numbers.
+    if (binding.pageCount !== this.#pageCount) this.#opened = [];
+    this.#pageCount = binding.pageCount;
+    for (const [leaf, creases] of this.#creases()) engine.creases?.crease(leaf, creases);
   }
 
   /** Advances the moment in which a corner is folded. Returns whether it goes on. */
@@ -86,9 +97,9 @@ export class Folds {
     return this.#motion !== null;
   }
 
-  #creases(ears: readonly DogEar[]): Map<number, Crease[]> {
+  #creases(): Map<number, Crease[]> {
     const { binding, shape } = this.#rebinder.bound;
-    return creasesOfDogEars(ears, binding, shape);
+    return creasesOfDogEars([...this.#opened, ...this.#ears], binding, shape);
   }
 
   async #foldLeaf(
@@ -147,5 +158,7 @@ export class Folds {
   }
 }
 
+const isSame = (a: DogEar, b: DogEar): boolean =>
+  a.page === b.page && a.corner === b.corner && a.size === b.size;
 const line = ({ through }: Crease): string => through.join();
 const key = (crease: Crease): string => `${line(crease)} ${crease.rest}`;

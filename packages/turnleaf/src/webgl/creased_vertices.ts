@@ -133,11 +133,14 @@ export class CreasedVertices {
     let count = 0;
     for (const corners of this.#corners) {
       const [from, , tip] = corners;
-      let rise = 0;
+      let [rise, facing] = [0, 0];
       for (let axis = 0; axis < 3; axis++) {
-        rise += (positions[3 * tip + axis] - positions[3 * from + axis]) * normals[3 * from + axis];
+        const normal = normals[3 * from + axis];
+        rise += (positions[3 * tip + axis] - positions[3 * from + axis]) * normal;
+        facing += normals[3 * tip + axis] * normal;
       }
-      if (rise * sign <= 0 || 9 * count === out.length) continue;
+      // One that stands open is on the side that it would shade: bent, it would shade itself.
+      if (facing >= 0 || rise * sign <= 0 || 9 * count === out.length) continue;
       for (const [k, vertex] of corners.entries()) {
         out.set(positions.subarray(3 * vertex, 3 * vertex + 3), 9 * count + 3 * k);
       }

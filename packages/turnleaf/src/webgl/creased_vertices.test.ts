@@ -1,0 +1,53 @@
+/** What is folded over a leaf, for light and shadow. */
+
+import { expect, test } from "vitest";
+import type { Surface } from "../engine/shapes.ts";
+import { CreasedVertices } from "./creased_vertices.ts";
+
+/** A square whose corner at (1, 0) can be folded along the line from (0.7, 0) to (1, 0.3). */
+const mesh = {
+  places: Float32Array.from([0, 0, 0.7, 0, 1, 0, 1, 0.3, 1, 1, 0, 1]),
+  triangles: Uint32Array.from([0, 1, 3, 0, 3, 4, 0, 4, 5, 1, 2, 3]),
+  parts: Uint16Array.from([0, 0, 0, 1]),
+};
+
+/** Returns the vertices with the corner turned up by an angle, radians, toward the recto. */
+function folded(angle: number): CreasedVertices {
+  const vertices = new CreasedVertices(mesh);
+  const positions = new Float32Array(18);
+  for (let k = 0; k < 6; k++) positions.set(mesh.places.subarray(2 * k, 2 * k + 2), 3 * k);
+  const away = 0.3 / Math.SQRT2;
+  const [along, up] = [away * Math.cos(angle), away * Math.sin(angle)];
+  // The middle of the crease, and from there outward.
+  positions.set([0.85 + along / Math.SQRT2, 0.15 - along / Math.SQRT2, up], 6);
+  vertices.shape({ positions } as Surface);
+  return vertices;
+}
+
+test("points on the crease have a vertex for each part, with a normal of its own", () => {
+  const vertices = folded(Math.PI / 2);
+  expect(vertices.count).toBe(8);
+  const heights = Array.from({ length: 8 }, (_, k) => Math.round(vertices.normals[3 * k + 2]));
+  // The tip, and the second vertices of the crease's ends, look along the page.
+  expect(heights).toEqual([1, 1, 0, 1, 1, 1, 0, 0]);
+});
+
+test.each([
+  ["to the recto", 160, 1, 0],
+  ["to the verso", -160, 0, 1],
+  ["to the recto, but not past a right angle", 80, 0, 0],
+])("a corner that is folded %s shades that side alone", (_, degrees, recto, verso) => {
+  const vertices = folded((degrees / 180) * Math.PI);
+  const out = new Float32Array(9);
+  expect(vertices.writeFlaps(1, out)).toBe(recto);
+  expect(vertices.writeFlaps(-1, out)).toBe(verso);
+  if (recto + verso === 0) return;
+  const corners = [0, 1, 2].map((k) => Array.from(out.subarray(3 * k, 3 * k + 2)));
+  expect(corners).toContainEqual([Math.fround(0.7), 0]);
+  expect(corners).toContainEqual([1, Math.fround(0.3)]);
+  expect(Math.sign(out[8])).toBe(Math.sign(degrees));
+});
+
+test("there are never more flaps than there is room for", () => {
+  expect(folded(3).writeFlaps(1, new Float32Array(0))).toBe(0);
+});
