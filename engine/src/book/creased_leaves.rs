@@ -62,6 +62,14 @@ impl CreasedLeaves {
         Some(&self.leaves[at].creases)
     }
 
+    /// Whether a leaf is creased along the same lines, so that another can be.
+    pub fn has_lines(&self, creases: &[FoldLine]) -> bool {
+        let lines = |creases: &[FoldLine]| creases.iter().map(|crease| crease.through).collect();
+        let asked: Vec<_> = lines(creases);
+        let mut leaves = self.leaves.iter();
+        leaves.any(|known| known.creases.len() == asked.len() && lines(&known.creases) == asked)
+    }
+
     /// Where the nodes of a leaf were when it lay last on a side; None where it never did.
     pub fn lay_on(&self, leaf: u32, side: Side) -> Option<&[f32]> {
         let at = self.index(leaf).ok()?;

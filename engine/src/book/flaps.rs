@@ -8,12 +8,23 @@ use crate::vector::{cross, dot, sub, unit};
 /// How far beyond a triangle's sides, as part of its size, what lies over it still does.
 const BESIDE: f32 = 0.05;
 
+/// How much longer than at rest a triangle's sides may be, and what lies over it still be found.
+const STRETCHED: f32 = 1.1;
+
+/// A triangle of a creased leaf.
+#[derive(Clone, Debug)]
+struct Triangle {
+    nodes: [usize; 3],
+    /// A set of bits, one for each crease that it lies beyond.
+    part: u16,
+    /// How far from its first node something may be that touches it, metres, squared.
+    reach: f32,
+}
+
 /// The parts of a creased leaf.
 #[derive(Clone, Debug)]
 pub struct Flaps {
-    /// The nodes of each triangle, and its part: a set of bits, one for each crease that it lies
-    /// beyond.
-    triangles: Vec<([usize; 3], u16)>,
+    triangles: Vec<Triangle>,
     /// The part of each node; None for those on creases.
     parts: Vec<Option<u16>>,
     /// The creases whose flaps lie on the recto's side, as a set of bits.
@@ -47,12 +58,27 @@ impl Flaps {
                 }
             }
         }
+        let (flat, _) = sheet.positions().as_chunks::<3>();
+        let of_reach = |nodes: [usize; 3]| {
+            let [a, b, c] = nodes.map(|node| flat[node]);
+            let side = |way: [f32; 3]| dot(way, way).sqrt();
+            let longest = side(sub(b, a)).max(side(sub(c, a)));
+            let over = (1.0 + 2.0 * BESIDE) * STRETCHED * longest + CURLED + GAP;
+            over * over
+        };
         let creases = sheet.creases().into_iter().enumerate();
         let on_recto = creases
             .filter(|(_, crease)| crease.rest > 0.0)
             .fold(0, |set, (number, _)| set | 1 << number);
         Some(Flaps {
-            triangles,
+            triangles: triangles
+                .iter()
+                .map(|&(nodes, part)| Triangle {
+                    nodes,
+                    part,
+                    reach: of_reach(nodes),
+                })
+                .collect(),
             parts: parts.into_iter().map(Option::flatten).collect(),
             on_recto,
         })
@@ -64,17 +90,21 @@ impl Flaps {
         let nodes = self.parts.iter().enumerate();
         let found = nodes.filter_map(|(node, part)| {
             let part = (*part)?;
-            let others = self.triangles.iter().filter(|(_, other)| *other != part);
-            let touches = others.filter_map(|(under, other)| {
+            let point = leaf.points[node];
+            let others = self.triangles.iter().filter(|other| {
+                let away = sub(point, leaf.points[other.nodes[0]]);
+                other.part != part && dot(away, away) <= other.reach
+            });
+            let touches = others.filter_map(|other| {
                 // The first crease between the two says on which side.
-                let between = part ^ other;
+                let between = part ^ other.part;
                 let crease = between & between.wrapping_neg();
                 let side = if self.on_recto & crease != 0 {
                     1.0
                 } else {
                     -1.0
                 };
-                touch(leaf, node, *under, side)
+                touch(leaf, node, other.nodes, side)
             });
             touches.min_by(|a, b| a.gap.abs().total_cmp(&b.gap.abs()))
         });

@@ -173,6 +173,15 @@ fn a_leaf_cannot_be_creased_across_the_spine_or_where_there_is_none() {
     assert!(!book.crease(5, &[wrong]));
     assert!(!book.crease(40, &[dog_ear(true)]));
     assert!(!book.crease(5, &[dog_ear(true); 17]));
+    // Along the line of another leaf, too.
+    for rest in [4.0, f64::NAN] {
+        let beyond = FoldLine {
+            rest,
+            ..dog_ear(true)
+        };
+        assert!(!book.crease(6, &[beyond]));
+    }
+    assert!(book.crease(6, &[dog_ear(false)]));
     assert_eq!(book.creases(5).len(), 1);
     book.press(5, 0, f32::NAN);
     book.press(5, 9, 1.0);

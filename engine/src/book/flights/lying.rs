@@ -17,14 +17,16 @@ impl Flights {
     /// goes on from there. Returns whether it can be; if not, nothing changes.
     pub fn crease(&mut self, leaf: u32, creases: &[FoldLine]) -> bool {
         let size = self.pattern.size;
-        let can_fold = creases.iter().all(|crease| crease.leaves_spine(size));
+        let can_fold = creases
+            .iter()
+            .all(|crease| crease.is_valid() && crease.leaves_spine(size));
         if !CAN_CREASE || leaf >= self.leaves || !can_fold {
             return false;
         }
         let drawn = self.drawn(leaf);
         let is_creased = match drawn {
             Some(index) => self.order[index].crease(creases),
-            None => self.pattern.can_crease(leaf, creases),
+            None => self.creased.has_lines(creases) || self.pattern.can_crease(leaf, creases),
         };
         if !is_creased || !self.creased.set(leaf, creases) {
             return false;

@@ -55,7 +55,7 @@ impl FoldLine {
     }
 
     /// Whether every figure is one that a crease can have.
-    pub(super) fn is_valid(&self) -> bool {
+    pub(crate) fn is_valid(&self) -> bool {
         let within = |at: &f64| (0.0..=1.0).contains(at);
         self.through.as_flattened().iter().all(within)
             && self.rest.abs() <= core::f64::consts::PI
