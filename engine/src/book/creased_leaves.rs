@@ -32,16 +32,17 @@ pub struct CreasedLeaves {
 }
 
 impl CreasedLeaves {
-    /// Notes the creases of a leaf in place of those that it had; none where it has none any
-    /// more. Returns false, and changes nothing, where there are too many.
-    pub fn set(&mut self, leaf: u32, creases: &[FoldLine]) -> bool {
-        let found = self.index(leaf);
-        let is_full = found.is_err() && self.leaves.len() == MOST_LEAVES;
-        if creases.len() > MOST_CREASES || (is_full && !creases.is_empty()) {
-            return false;
-        }
+    /// Whether a leaf may have so many creases, and be one more creased leaf if it is not.
+    pub fn has_room(&self, leaf: u32, creases: usize) -> bool {
+        let is_full = self.leaves.len() == MOST_LEAVES && self.index(leaf).is_err();
+        creases == 0 || (creases <= MOST_CREASES && !is_full)
+    }
+
+    /// Notes the creases of a leaf, for which there is [room](Self::has_room), in place of those
+    /// that it had; none where it has none any more.
+    pub fn set(&mut self, leaf: u32, creases: &[FoldLine]) {
         self.kept.retain(|(kept, _)| *kept != leaf);
-        if let Ok(at) = found {
+        if let Ok(at) = self.index(leaf) {
             self.leaves.remove(at);
         }
         if !creases.is_empty() {
@@ -53,7 +54,6 @@ impl CreasedLeaves {
             let at = self.index(leaf).unwrap_or_else(|at| at);
             self.leaves.insert(at, made);
         }
-        true
     }
 
     /// The creases of a leaf; None where it has none.

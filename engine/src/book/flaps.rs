@@ -58,9 +58,9 @@ impl Flaps {
                 }
             }
         }
-        let (flat, _) = sheet.positions().as_chunks::<3>();
+        let (places, _) = sheet.positions().as_chunks::<3>();
         let of_reach = |nodes: [usize; 3]| {
-            let [a, b, c] = nodes.map(|node| flat[node]);
+            let [a, b, c] = nodes.map(|node| places[node]);
             let side = |way: [f32; 3]| dot(way, way).sqrt();
             let longest = side(sub(b, a)).max(side(sub(c, a)));
             let over = (1.0 + 2.0 * BESIDE) * STRETCHED * longest + CURLED + GAP;

@@ -182,6 +182,17 @@ fn a_leaf_cannot_be_creased_across_the_spine_or_where_there_is_none() {
         assert!(!book.crease(6, &[beyond]));
     }
     assert!(book.crease(6, &[dog_ear(false)]));
+    // And where there is no room for one more leaf, neither in the book nor as it is drawn.
+    let mut full = Book::new(0.14, 0.21, 5000, 0.004).unwrap();
+    full.lay(4999);
+    for leaf in 0..4096 {
+        assert!(full.crease(leaf, &[dog_ear(true)]));
+    }
+    let id = full.pick_up(Side::Right, 4999, 5000).unwrap();
+    full.play(id, Side::Left, 0.8);
+    full.step(2);
+    assert!(!full.crease(4999, &[dog_ear(true)]));
+    assert!(full.creases(4999).is_empty());
     assert_eq!(book.creases(5).len(), 1);
     book.press(5, 0, f32::NAN);
     book.press(5, 9, 1.0);

@@ -165,6 +165,19 @@ describe("a book of the reader's own machine", () => {
       ]) as [string, string][],
     );
 
+  /** Opens the dialog of a key. */
+  const chooserOf = async (key: string): Promise<FileChooser> => {
+    const opened: FileChooser[] = [];
+    page.once("filechooser", (chooser) => opened.push(chooser));
+    // On a busy machine Chromium was once seen to open no dialog for the first press.
+    const press = async () => {
+      if (opened.length === 0) await page.keyboard.press(key);
+      return opened.length;
+    };
+    await expect.poll(press, { timeout: 30_000, interval: 2000 }).toBe(1);
+    return opened[0];
+  };
+
   it("that cannot be read says so in a sentence, and the one that is shown stays", async () => {
     await open(served.url);
     await drop({ "torn.pdf": "%PDF-1.7 and nothing" });
@@ -198,17 +211,11 @@ describe("a book of the reader's own machine", () => {
     await drop({ "hero.cbr": Buffer.from(rar4({ "1.png": png(30, 40), "2.png": png(40, 40) })) });
     await expect.poll(() => page.title(), { timeout: 15_000 }).toBe("hero");
     await expect.poll(() => book(({ settled }) => settled), { timeout: 30_000 }).toBe(true);
-    let chooser: FileChooser | undefined;
-    page.once("filechooser", (opened) => {
-      chooser = opened;
+    await (await chooserOf("Control+o")).setFiles({
+      name: "a.pdf",
+      mimeType: "",
+      buffer: pdf(3, "Picked"),
     });
-    // On a busy machine Chromium was once seen to open no dialog for the first press.
-    const press = async () => {
-      if (!chooser) await page.keyboard.press("Control+o");
-      return chooser !== undefined;
-    };
-    await expect.poll(press, { timeout: 30_000, interval: 2000 }).toBe(true);
-    await chooser?.setFiles({ name: "a.pdf", mimeType: "", buffer: pdf(3, "Picked") });
     await expect.poll(() => page.title(), { timeout: 15_000 }).toBe("Picked");
     expect(await book(({ pageCount }) => pageCount)).toBe(3);
     expect(await notice().isHidden()).toBe(true);
@@ -235,16 +242,7 @@ describe("a book of the reader's own machine", () => {
         return pictures.map(({ width, height }) => Math.round((10 * width) / height));
       });
     await expect.poll(sizes, { timeout: 15_000 }).toEqual([20, 10, 5]);
-    let chooser: FileChooser | undefined;
-    page.once("filechooser", (opened) => {
-      chooser = opened;
-    });
-    const press = async () => {
-      if (!chooser) await page.keyboard.press("Control+Shift+O");
-      return chooser !== undefined;
-    };
-    await expect.poll(press, { timeout: 30_000, interval: 2000 }).toBe(true);
-    await chooser?.setFiles(join(folder.path, "volumes/2"));
+    await (await chooserOf("Control+Shift+O")).setFiles(join(folder.path, "volumes/2"));
     await expect.poll(() => book(({ pageCount }) => pageCount), { timeout: 15_000 }).toBe(2);
     expect(await notice().isHidden()).toBe(true);
     expect(complaints).toEqual([]);

@@ -20,7 +20,8 @@ impl Flights {
         let can_fold = creases
             .iter()
             .all(|crease| crease.is_valid() && crease.leaves_spine(size));
-        if !CAN_CREASE || leaf >= self.leaves || !can_fold {
+        let has_room = self.creased.has_room(leaf, creases.len());
+        if !CAN_CREASE || leaf >= self.leaves || !can_fold || !has_room {
             return false;
         }
         let drawn = self.drawn(leaf);
@@ -28,9 +29,10 @@ impl Flights {
             Some(index) => self.order[index].crease(creases),
             None => self.creased.has_lines(creases) || self.pattern.can_crease(leaf, creases),
         };
-        if !is_creased || !self.creased.set(leaf, creases) {
+        if !is_creased {
             return false;
         }
+        self.creased.set(leaf, creases);
         if let Some(index) = drawn {
             self.order[index].leaf_mut().wake();
         }

@@ -2,21 +2,12 @@
 
 import { strToU8, zipSync } from "fflate";
 import { expect, test } from "vitest";
+import { messageOf, redness, textsOf } from "../../for_tests/source_pages.ts";
 import { limits } from "../limits.ts";
 import { openSource } from "../open.ts";
-import { BookError, type PageSource } from "../page_source.ts";
 import { tinyFb2 } from "./tiny_fb2.ts";
 
 const never = new AbortController().signal;
-
-async function pagesOf(source: PageSource): Promise<string[]> {
-  const pages: string[] = [];
-  for (let index = 0; index < source.pageCount; index++) {
-    const runs = (await source.text?.(index, never)) ?? [];
-    pages.push(runs.map(({ text }) => text).join(" "));
-  }
-  return pages;
-}
 
 async function picture(): Promise<string> {
   const canvas = document.createElement("canvas");
@@ -26,28 +17,6 @@ async function picture(): Promise<string> {
   pen.fillRect(0, 0, 40, 60);
   return canvas.toDataURL().split(",")[1] ?? "";
 }
-
-async function isRed(source: PageSource, index: number): Promise<boolean> {
-  const drawn = await source.draw(index, 100, never);
-  const canvas = new OffscreenCanvas(drawn.width, drawn.height);
-  const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
-  pen.drawImage(drawn, 0, 0);
-  const { data } = pen.getImageData(0, 0, drawn.width, drawn.height);
-  let red = 0;
-  for (let at = 0; at < data.length; at += 4) {
-    if ((data[at] ?? 0) > 200 && (data[at + 1] ?? 0) < 60) red += 1;
-  }
-  return red > 20;
-}
-
-const messageOf = (promise: Promise<unknown>): Promise<string> =>
-  promise.then(
-    () => "",
-    (error: unknown) => {
-      expect(error).toBeInstanceOf(BookError);
-      return (error as Error).message;
-    },
-  );
 
 const chapters =
   '<title><p>A small</p><p>book</p></title><epigraph><p>From hell’s heart</p><text-author>Ahab</text-author></epigraph><section><title><p>One</p></title><p>Call me <emphasis>Ishmael</emphasis>.<a l:href="#n1" type="note">[1]</a> <a l:href="#two">On</a>, <a l:href="https://example.com/">web</a>.</p><empty-line/><poem><stanza><v>A line</v><v>and another</v></stanza></poem><section><title><p>Within</p></title><p>Deeper.</p></section></section><section id="two"><title><p>Two</p></title><p><image l:href="#p.png"/></p><table><tr><th>a</th><td colspan="2">b</td></tr></table></section>';
@@ -60,7 +29,7 @@ test("a FictionBook has its cover, text, contents, notes, links, pictures and au
   const source = await openSource(new Blob([tinyFb2(chapters, notes + binary, cover)]));
   expect([source.title, source.language]).toEqual(["A small book", "en"]);
   expect(source.details).toEqual([{ label: "", value: "Herman Melville" }]);
-  const pages = await pagesOf(source);
+  const pages = await textsOf(source, " ");
   expect(pages.map((page) => page.replace(/\s+/g, " ").trim())).toEqual([
     "",
     "A small book From hell’s heart Ahab",
@@ -81,11 +50,9 @@ test("a FictionBook has its cover, text, contents, notes, links, pictures and au
     [{ page: 4 }, undefined],
     [{ href: "https://example.com/" }, undefined],
   ]);
-  expect([await isRed(source, 0), await isRed(source, 1), await isRed(source, 3)]).toEqual([
-    true,
-    false,
-    true,
-  ]);
+  expect(await redness(source, 0)).toBeGreaterThan(0.005);
+  expect(await redness(source, 1)).toBe(0);
+  expect(await redness(source, 3)).toBeGreaterThan(0.005);
   source.close();
 });
 
@@ -101,7 +68,7 @@ test("it is read from a ZIP, in UTF-16 and in windows-1251", async () => {
   });
   for (const bytes of [zipped, utf16, cyrillic]) {
     const source = await openSource(new Blob([bytes as BlobPart]));
-    expect(await pagesOf(source)).toEqual(["Слово"]);
+    expect(await textsOf(source, " ")).toEqual(["Слово"]);
     expect(source.title).toBe("A small book");
     source.close();
   }
@@ -143,6 +110,6 @@ test("one that is no XML, has no text, or has too many elements says so", async 
 test("sections within each other, as deep as the browser reads them, are read", async () => {
   const deep = tinyFb2(`${"<section>".repeat(200)}<p>Deep</p>${"</section>".repeat(200)}`);
   const source = await openSource(new Blob([deep]));
-  expect(await pagesOf(source)).toEqual(["Deep"]);
+  expect(await textsOf(source, " ")).toEqual(["Deep"]);
   source.close();
 });

@@ -1,9 +1,9 @@
 /** Kindle books in real Chromium: MOBI and KF8, read, linked and kept within bounds. */
 
 import { expect, test } from "vitest";
+import { messageOf, redness, textsOf } from "../../for_tests/source_pages.ts";
 import { limits } from "../limits.ts";
 import { openSource } from "../open.ts";
-import { BookError, type PageSource } from "../page_source.ts";
 import { k32, packPalmDoc, tinyKf8, tinyMobi } from "./tiny_kindle.ts";
 
 const never = new AbortController().signal;
@@ -15,39 +15,6 @@ async function png(colour = "#f00"): Promise<Uint8Array> {
   pen.fillRect(0, 0, 40, 60);
   return new Uint8Array(await (await canvas.convertToBlob()).arrayBuffer());
 }
-
-/** Returns the text of every page. */
-async function pagesOf(source: PageSource): Promise<string[]> {
-  const pages: string[] = [];
-  for (let index = 0; index < source.pageCount; index++) {
-    const runs = (await source.text?.(index, never)) ?? [];
-    pages.push(runs.map(({ text }) => text).join(""));
-  }
-  return pages;
-}
-
-/** Returns the part of a page's pixels that are red. */
-async function redness(source: PageSource, index: number): Promise<number> {
-  const picture = await source.draw(index, 100, never);
-  const canvas = new OffscreenCanvas(picture.width, picture.height);
-  const pen = canvas.getContext("2d") as OffscreenCanvasRenderingContext2D;
-  pen.drawImage(picture, 0, 0);
-  const { data } = pen.getImageData(0, 0, picture.width, picture.height);
-  let red = 0;
-  for (let at = 0; at < data.length; at += 4) {
-    if ((data[at] ?? 0) > 200 && (data[at + 1] ?? 0) < 60) red += 1;
-  }
-  return (4 * red) / data.length;
-}
-
-const messageOf = (promise: Promise<unknown>): Promise<string> =>
-  promise.then(
-    () => "",
-    (error: unknown) => {
-      expect(error).toBeInstanceOf(BookError);
-      return (error as Error).message;
-    },
-  );
 
 const one =
   '<html><head><guide></guide></head><body><h1>One</h1><p height="2em">Käse and <a filepos=0000000200>two</a>, <a href="https://example.com/">web</a>.</p>';
@@ -85,7 +52,7 @@ test.each([
       "ltr",
     ]);
     expect(source.details).toEqual([{ label: "", value: "Herman Melville" }]);
-    expect(await pagesOf(source)).toEqual(["OneKäse and two, web.", "TwoKäse, Käse, Käse."]);
+    expect(await textsOf(source, "")).toEqual(["OneKäse and two, web.", "TwoKäse, Käse, Käse."]);
     expect(await source.outline?.(never)).toEqual([
       { title: "One & all", page: 1, children: [{ title: "Two", page: 2, children: [] }] },
     ]);
@@ -108,7 +75,7 @@ test("a MOBI without a table has the contents that its guide names, and its cove
   const source = await openSource(
     new Blob([tinyMobi({ text, metadata: { 201: 0 }, resources: [await png()] })]),
   );
-  expect(await pagesOf(source)).toEqual(["", "Text", "Start"]);
+  expect(await textsOf(source, "")).toEqual(["", "Text", "Start"]);
   expect(await redness(source, 0)).toBeGreaterThan(0.005);
   expect(await source.outline?.(never)).toEqual([{ title: "Start", page: 2, children: [] }]);
   source.close();
@@ -138,7 +105,7 @@ test("a KF8 has its sections, style, pictures, drawings, links and contents", as
   });
   const source = await openSource(new Blob([file]));
   expect(source.direction).toBe("rtl");
-  expect(await pagesOf(source)).toEqual(["OneOn", "TwoThere", "Three"]);
+  expect(await textsOf(source, "")).toEqual(["OneOn", "TwoThere", "Three"]);
   expect((await source.links?.(0, never))?.map(({ to }) => to)).toEqual([{ page: 2 }]);
   expect((await source.outline?.(never))?.map(({ title, page }) => [title, page])).toEqual([
     ["One", 1],
@@ -178,7 +145,7 @@ test("scripts in it do not run, and nothing is fetched", async () => {
     '<p onclick="parent.ran = 1">One<script>parent.ran = 1</script><img src="https://elsewhere.invalid/a.png" onerror="parent.ran = 1"></p>';
   for (const file of [tinyMobi({ text: bad }), tinyKf8({ text: [bad] })]) {
     const source = await openSource(file);
-    expect(await pagesOf(source)).toEqual(["One"]);
+    expect(await textsOf(source, "")).toEqual(["One"]);
     source.close();
   }
   expect("ran" in window).toBe(false);
@@ -189,7 +156,7 @@ test("a section whose root is of no known namespace is read as browsers read web
   const letters = String.fromCharCode(...whole);
   whole[letters.lastIndexOf("www.w3.org") + 1] = 0x78;
   const source = await openSource(whole);
-  expect(await pagesOf(source)).toEqual(["One", "Two"]);
+  expect(await textsOf(source, "")).toEqual(["One", "Two"]);
   source.close();
 });
 
@@ -216,7 +183,7 @@ test("metadata and tables that would have no end come to one", async () => {
   view.setUint32(first + 264 + 8, 0xffffffff);
   view.setUint32(first + 264 + 16, 0);
   const source = await openSource(whole.slice());
-  expect(await pagesOf(source)).toEqual(["One"]);
+  expect(await textsOf(source, "")).toEqual(["One"]);
   source.close();
   // A table of entries that claim more numbers than there are bytes.
   const table = view.getUint32(78 + 8 * 2);
