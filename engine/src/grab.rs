@@ -87,7 +87,12 @@ pub(crate) fn pad_over<T: Real>(
 /// The stiffness that a hand has when it is `away` metres from what it holds:
 /// less where its force would be beyond `strongest`, N.
 pub(crate) fn stiffness<T: Real>(away: T, strongest: T) -> T {
-    T::of(STIFFNESS).min(strongest / away.max(T::of(1e-9)))
+    bounded_stiffness(T::of(STIFFNESS), away, strongest)
+}
+
+/// The same of a hand whose stiffness is `most`, N/m, where its force is not bounded.
+pub(crate) fn bounded_stiffness<T: Real>(most: T, away: T, strongest: T) -> T {
+    most.min(strongest / away.max(T::of(1e-9)))
 }
 
 #[cfg(test)]

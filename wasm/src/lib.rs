@@ -26,6 +26,8 @@ mod live;
 mod models;
 #[cfg(test)]
 mod tests;
+#[cfg(any(feature = "creases", test))]
+mod torn_leaves;
 #[cfg(any(feature = "trials", test))]
 mod trials;
 

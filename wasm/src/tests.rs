@@ -307,6 +307,55 @@ fn a_handle_that_is_none_does_nothing() {
     }
 }
 
+#[test]
+fn a_torn_leaf_takes_any_number() {
+    use crate::torn_leaves::*;
+    let mut random = random();
+    for _ in 0..200 {
+        let book = tl_book_new(0.148, 0.21, 40, 0.004);
+        // SAFETY: handles of this thread, or none.
+        unsafe {
+            tl_book_lay(book, 20);
+            let id = tl_book_lift(book, 0, 20, 21);
+            let id = if random.below(8) == 0 {
+                random.whole(4)
+            } else {
+                id
+            };
+            let (low, high) = (random.whole(3) as usize, 11 + random.whole(5) as usize);
+            let (table, rim) = (random.single(-0.01, 0.0), random.single(0.0, 0.01));
+            let leaf = tl_torn_new(book, id, random.whole(4), low, high, table, rim);
+            let books = [book, core::ptr::null_mut(), leaf.cast()];
+            for _ in 0..60 {
+                let [x, y, z] = [0, 1, 2].map(|_| random.single(-0.5, 0.5));
+                match random.below(8) {
+                    0 => tl_torn_grab(leaf, x + 0.5, y + 0.5),
+                    1 => tl_torn_release(leaf),
+                    2 if random.below(8) == 0 => tl_torn_cut(leaf),
+                    3 | 4 => tl_torn_pull(leaf, x, y, z),
+                    5 => assert!(tl_torn_work(leaf) >= 0.0),
+                    _ => {
+                        let on = books[random.below(books.len())];
+                        tl_torn_step(leaf, on, random.whole(20).min(MOST_TICKS));
+                    }
+                }
+                if let Some(torn) = TORN.get(leaf) {
+                    let surface = torn.surface();
+                    let mut numbers = surface.positions.iter().chain(&surface.normals);
+                    assert!(numbers.all(|x| x.is_finite()));
+                    assert!(tl_torn_bound_low(leaf) <= tl_torn_bound_high(leaf));
+                    assert!(tl_torn_caliper(leaf) > 0.0);
+                }
+            }
+            tl_torn_drop(leaf);
+            assert_eq!(tl_torn_asleep(leaf), 0);
+            assert!(tl_torn_positions(leaf).is_null() && tl_torn_normals(leaf).is_null());
+            assert_eq!(tl_torn_version(leaf), 0);
+            tl_book_drop(book);
+        }
+    }
+}
+
 /// The figures of a leaf by `tl_leaf_new`: kind, size, stock and so on, each right or any.
 fn figures(random: &mut Random) -> [f64; 21] {
     let mut usual = [

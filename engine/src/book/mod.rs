@@ -26,9 +26,11 @@ mod phase;
 mod pile;
 mod pile_table;
 mod separate;
+mod surroundings;
 #[cfg(test)]
 mod tests;
 mod tolerance;
+mod torn_leaf;
 mod work;
 
 pub use bend_into_gutter::bend_into_gutter;
@@ -40,6 +42,8 @@ pub use limits::{MAX_GRABS, MOST_FLIGHTS, TICK};
 pub use paper::Paper;
 pub use phase::Phase;
 pub use pile::{LAYERS, Pile, crowded_columns};
+pub use surroundings::TableAround;
+pub use torn_leaf::{TearLine, TornLeaf};
 
 use crate::grid::Side;
 use crate::models::sheet::FoldLine;

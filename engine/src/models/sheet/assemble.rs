@@ -1,7 +1,7 @@
 //! Forces and matrix of a step, at the sheet's present state.
 
 use super::contact::add_contact;
-use super::settings::CAN_CREASE;
+use super::settings::{CAN_CREASE, CAN_TEAR};
 use super::{PIN, Sheet};
 use crate::vector::dot;
 
@@ -106,7 +106,7 @@ impl Sheet {
         }
     }
 
-    /// Adds contacts and pins.
+    /// Adds contacts, pins and tethers.
     fn add_bounds(&mut self) {
         let gravity = self.settings.gravity.map(|g| g as f32);
         let x = self.positions.as_chunks::<3>().0;
@@ -132,6 +132,11 @@ impl Sheet {
                 let pull = core::array::from_fn(|axis| PIN * (place[axis] - x[node][axis]));
                 self.system.push(node, pull);
                 self.system.add_diagonal(node, PIN);
+            }
+        }
+        if CAN_TEAR {
+            for tether in &self.tethers {
+                tether.add_to(&mut self.system, &self.positions);
             }
         }
     }

@@ -1,4 +1,5 @@
-//! Grabs on a sheet: several at once, none of which can tear it.
+//! Grabs on a sheet: several at once, none of which can tear it but those that pull
+//! [firmly](super::Sheet::grab_firmly).
 //!
 //! A grab's target is followed at a bounded speed, and only to where the paper
 //! reaches: no farther from the ends of the spine, nor from another grab, than
@@ -7,7 +8,7 @@
 use super::material::Material;
 use super::settings::{Root, SheetSettings};
 use super::system::System;
-use crate::grab::{Pressed, pad_over, stiffness, strongest};
+use crate::grab::{Pressed, STIFFNESS, bounded_stiffness, pad_over, strongest};
 use crate::stock::GRAVITY;
 
 /// Greatest speed of a held place, m/s.
@@ -34,7 +35,8 @@ pub(super) struct Grab {
     /// Where the grab wants the place to be, and where it has come.
     wanted: [f32; 3],
     target: [f32; 3],
-    /// Its greatest force, N.
+    /// Its stiffness, N/m, and its greatest force, N.
+    stiffness: f32,
     strength: f32,
     /// Part of the greatest speed at which it goes on.
     pace: f32,
@@ -61,6 +63,7 @@ impl Grab {
             }),
             wanted: [0.0; 3],
             target: [0.0; 3],
+            stiffness: STIFFNESS as f32,
             strength: strongest(settings.stock.grammage * GRAVITY * size[0] * size[1]) as f32,
             pace: FIRST,
             frame: [[0.0; 3]; 2],
@@ -71,12 +74,22 @@ impl Grab {
         grab
     }
 
+    /// The same grab with another stiffness, N/m, and greatest force, N.
+    pub fn pulling(self, stiffness: f32, strength: f32) -> Grab {
+        Grab {
+            stiffness,
+            strength,
+            ..self
+        }
+    }
+
     /// Takes hold anew of the same place, where the nodes lie otherwise on the sheet.
     pub fn take_anew(&mut self, settings: &SheetSettings, material: &Material, positions: &[f32]) {
         let size = [settings.width as f32, settings.height as f32];
         let at = [0, 1].map(|axis| self.place[axis] / size[axis]);
         let pulled = (self.wanted, self.target, self.pace);
-        *self = Grab::new(self.id, at, settings, material, positions);
+        let new = Grab::new(self.id, at, settings, material, positions);
+        *self = new.pulling(self.stiffness, self.strength);
         (self.wanted, self.target, self.pace) = pulled;
     }
 
@@ -152,7 +165,8 @@ impl Grab {
     pub fn add_to(&mut self, system: &mut System, positions: &[f32]) {
         self.tilt(positions);
         let held = self.held_place(positions);
-        let k = stiffness(distance(held, self.target), self.strength);
+        let away = distance(held, self.target);
+        let k = bounded_stiffness(self.stiffness, away, self.strength);
         let x = positions.as_chunks::<3>().0;
         for spot in &self.pad {
             let (offset, k) = (self.offset(spot), k * spot.weight);

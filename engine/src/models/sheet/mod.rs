@@ -27,6 +27,7 @@ mod sweep;
 mod system;
 #[cfg(test)]
 mod tests;
+mod tether;
 
 pub use contact::{CONTACTS, Contact};
 pub use crease::FoldLine;
@@ -42,6 +43,7 @@ use material::Material;
 use membrane::Membrane;
 use sweep::Sweep;
 use system::System;
+pub(crate) use tether::Tether;
 
 use crate::band::Band;
 use crate::grid::{Grid, Side};
@@ -101,6 +103,7 @@ pub struct Sheet {
     lagging_tangents: Vec<f32>,
     contacts: Vec<[Contact; CONTACTS]>,
     pins: Vec<Option<[f32; 3]>>,
+    tethers: Vec<Tether>,
     grabs: Vec<Grab>,
     /// The values of u and v at which it is drawn.
     samples: [Vec<f32>; 2],
@@ -151,6 +154,7 @@ impl Sheet {
             lagging_tangents: vec![0.0; 3 * rows],
             contacts: vec![[Contact::default(); CONTACTS]; nodes],
             pins: vec![None; nodes],
+            tethers: Vec::new(),
             grabs: Vec::new(),
             interpolation: Local::b_spline((columns, rows), &samples[0], &samples[1]),
             samples,
@@ -376,6 +380,26 @@ impl Sheet {
             let grab = Grab::new(grab, [u, v], settings, material, &self.positions);
             self.grabs.push(grab);
         }
+    }
+
+    /// As [`grab`](Self::grab), with so much stiffness, N/m, and at most such a force, N: what
+    /// is tied by [tethers](Tether) may be torn from them.
+    pub(crate) fn grab_firmly(
+        &mut self,
+        grab: u32,
+        [u, v]: [f32; 2],
+        [stiffness, strength]: [f32; 2],
+    ) {
+        self.grab(grab, u, v);
+        if let Some(at) = self.grabs.iter().position(|known| known.id == grab) {
+            let firm = self.grabs.remove(at).pulling(stiffness, strength);
+            self.grabs.push(firm);
+        }
+    }
+
+    /// The springs that tie nodes to places, to be added and removed.
+    pub(crate) fn tethers_mut(&mut self) -> &mut Vec<Tether> {
+        &mut self.tethers
     }
 
     /// A grab pulls what it holds to a place, metres. Nothing happens where it

@@ -59,6 +59,9 @@ pub(super) const CAN_SYNCHRONISE: bool = cfg!(feature = "synchronise");
 /// Whether sheets can be creased.
 pub(crate) const CAN_CREASE: bool = cfg!(feature = "creases");
 
+/// Whether sheets can be tied by springs that may be torn off: in the same builds as creases.
+pub(super) const CAN_TEAR: bool = CAN_CREASE;
+
 /// Of a leaf that is as near to the shell as it can be: seconds of a step, and the shell's
 /// stiffness in its plane, N/m.
 const FINE_STEP: f64 = 1.0 / 360.0;
@@ -146,7 +149,7 @@ impl SheetSettings {
     }
 
     /// Distance between columns and between rows, metres.
-    pub(super) fn cell(&self) -> [f64; 2] {
+    pub(crate) fn cell(&self) -> [f64; 2] {
         [
             self.width / (self.columns - 1) as f64,
             self.height / (self.rows - 1) as f64,

@@ -1,0 +1,158 @@
+//! What a leaf that is no longer bound lies on: the table, and on it the pages and boards of
+//! the open book, as blocks with a top and upright sides.
+//!
+//! A sheet bends over no edge sharper than its cells. So each block counts as larger by a
+//! margin of a cell's diagonal: an edge of the sheet between a node upon the block and one
+//! beside it then nowhere cuts the block's own edge.
+
+use super::Book;
+use super::pile::Pile;
+use super::tolerance::{FAR, OVER_PILE, PUSHED_AT_ONCE};
+use crate::grid::Side;
+use crate::models::sheet::{CONTACTS, Contact};
+use crate::vector::dot;
+
+/// Which contact of a node is whose; the last is free.
+const TABLE: usize = 0;
+const RIGHT: usize = 1;
+const LEFT: usize = 2;
+
+/// Angle from its place of rest up to which a board lies open and is met as a block, radians.
+const OPEN: f32 = 0.05;
+
+/// The table about a book.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TableAround {
+    /// Height of the table, metres: 0 where the pages lie on it, less where boards do.
+    pub table: f32,
+    /// How far boards reach beyond the pages, metres; 0 where there are none.
+    pub rim: f32,
+}
+
+impl TableAround {
+    /// Whether every figure is one that a table about a book can have.
+    pub(super) fn is_sound(&self) -> bool {
+        (-1.0..=0.0).contains(&self.table) && (0.0..=1.0).contains(&self.rim)
+    }
+}
+
+/// A book as a free sheet meets it.
+pub(super) struct Surroundings<'a> {
+    /// Width and height of a page, metres.
+    size: [f32; 2],
+    /// The piles, right and left.
+    piles: [&'a Pile; 2],
+    /// Whether a board lies open on either side, right and left.
+    has_board: [bool; 2],
+    around: TableAround,
+    margin: f32,
+    friction: f32,
+}
+
+impl<'a> Surroundings<'a> {
+    /// The surroundings of a sheet with a cell's diagonal of `margin` metres.
+    pub fn new(book: &'a Book, around: TableAround, margin: f32, friction: f32) -> Self {
+        let [front, back] = [0, 1].map(|board| book.boards[board].angle());
+        let lies = [back < OPEN, front > core::f32::consts::PI - OPEN];
+        Self {
+            size: book.size().map(|side| side as f32),
+            piles: [book.pile(Side::Right), book.pile(Side::Left)],
+            has_board: lies.map(|lies| lies && around.rim > 0.0),
+            around,
+            margin,
+            friction,
+        }
+    }
+
+    /// Finds what each node must not pass through; positions are x, y, z of each, metres.
+    pub fn write_contacts(&self, positions: &[f32], contacts: &mut [[Contact; CONTACTS]]) {
+        for (x, contacts) in positions.as_chunks::<3>().0.iter().zip(contacts) {
+            *contacts = [Contact::default(); CONTACTS];
+            let over = x[2] - self.around.table;
+            if over < FAR {
+                contacts[TABLE] = self.half_space(*x, [0.0, 0.0, 1.0], over);
+            }
+            let (side, slot) = if x[0] >= 0.0 { (0, RIGHT) } else { (1, LEFT) };
+            if let Some((normal, gap)) = self.nearest_of_block(*x, side)
+                && gap < FAR
+            {
+                contacts[slot] = self.half_space(*x, normal, gap);
+            }
+        }
+    }
+
+    /// The nearest face of the block on a side: its normal, and how far a point is before it,
+    /// metres. None where there is no block near the point.
+    fn nearest_of_block(&self, [x, y, z]: [f32; 3], side: usize) -> Option<([f32; 3], f32)> {
+        let sign = if side == 0 { 1.0 } else { -1.0 };
+        let pile = self.piles[side];
+        let column = pile.column_before(x.abs(), 0);
+        let (height, slope) = pile.height_and_slope(x.abs(), column);
+        // How far the point lies within each upright side.
+        let within = |rim: f32| {
+            let reach = rim + self.margin;
+            let [width, height] = self.size;
+            [width + reach - x.abs(), y + reach, height + reach - y]
+        };
+        let least = |sides: [f32; 3]| sides.into_iter().fold(f32::INFINITY, f32::min);
+        let pages = within(0.0);
+        let (sides, top, slope) = if !self.has_board[side] || (z > 0.0 && least(pages) > 0.0) {
+            (pages, height, slope)
+        } else {
+            (within(self.around.rim), 0.0, 0.0)
+        };
+        let nearest = (0..3).fold(
+            0,
+            |least, k| if sides[k] < sides[least] { k } else { least },
+        );
+        let inside = sides[nearest];
+        let normals = [[sign, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 1.0, 0.0]];
+        // Above, only what lies over the top can meet it; below, the nearer of the top and a side
+        // is the way out.
+        if z < top && inside <= top - z {
+            return Some((normals[nearest], -inside));
+        }
+        let inverse = 1.0 / (1.0 + slope * slope).sqrt();
+        let normal = [-sign * slope * inverse, 0.0, inverse];
+        (inside > 0.0).then_some((normal, (z - top) * inverse))
+    }
+
+    /// Lifts drawn points off what lies under them, by what keeps surfaces apart in a picture:
+    /// contact holds the nodes, and the paper between them bends. x, y, z of each, metres.
+    pub fn push_off(&self, positions: &mut [f32]) {
+        for point in positions.as_chunks_mut::<3>().0 {
+            let floor = self.floor(*point) + OVER_PILE;
+            // What is far below the top of a block is beside it.
+            if floor - point[2] < PUSHED_AT_ONCE {
+                point[2] = point[2].max(floor);
+            }
+        }
+    }
+
+    /// Height of what lies under a point, metres.
+    fn floor(&self, [x, y, _]: [f32; 3]) -> f32 {
+        let [width, height] = self.size;
+        let side = usize::from(x < 0.0);
+        let over = |rim: f32| x.abs() < width + rim && y > -rim && y < height + rim;
+        if over(0.0) {
+            let pile = self.piles[side];
+            pile.height_and_slope(x.abs(), pile.column_before(x.abs(), 0))
+                .0
+        } else if self.has_board[side] && over(self.around.rim) {
+            0.0
+        } else {
+            self.around.table
+        }
+    }
+
+    /// The half-space whose boundary is `gap` metres from a point, toward `normal`.
+    fn half_space(&self, point: [f32; 3], normal: [f32; 3], gap: f32) -> Contact {
+        Contact {
+            normal,
+            offset: dot(normal, point) - gap,
+            velocity: [0.0; 3],
+            friction: self.friction,
+            firmness: 1.0,
+        }
+    }
+}

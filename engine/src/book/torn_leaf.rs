@@ -1,0 +1,371 @@
+//! A leaf that is torn out of the book: bound by less and less of the spine, then a loose sheet
+//! on or beside the book.
+//!
+//! Griffith's rule: a row of the spine gives way when the energy that it holds reaches the work
+//! of tearing it, the work of fracture `G` of paper times its caliper times the length that
+//! holds there (folding.md has the figures). A row is a [`Tether`], whose stiffness follows from
+//! that work and from how far a torn edge opens before it parts. A tear grows from its ends:
+//! paper gives way where it is notched, as at its rims, long before it does elsewhere.
+
+use super::Book;
+use super::limits::{NODES, TICK};
+use super::surroundings::{Surroundings, TableAround};
+use crate::grid::Side;
+use crate::models::sheet::{Root, Sheet, SheetSettings, Tether};
+use crate::surface::Surface;
+use crate::turn::TurnModel;
+use crate::vector::dot;
+
+#[cfg(test)]
+mod tests;
+
+/// How a leaf is bound, which says what there is to tear.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TearLine {
+    /// Along the whole spine: sewn or glued.
+    Sewn,
+    /// At two staples, each of whose crowns holds 12 mm of paper.
+    Stapled,
+    /// Along a line of cuts that leave three tenths of the paper.
+    Perforated,
+}
+
+/// Work of fracture of paper, J/m^2: typical of 5 to 20 kJ/m^2.
+const FRACTURE: f64 = 1e4;
+
+/// Part of a perforated line that is paper: cuts of 2.5 mm with 1 mm between them.
+const TIES: f64 = 0.3;
+
+/// Width of a staple, metres, and where the two are along the spine.
+const STAPLE: f64 = 0.012;
+const STAPLES: [f64; 2] = [0.25, 0.75];
+
+/// Of the height of a cell, how far a torn row opens before it parts: a tear is no sharper than
+/// the nodes are apart.
+const OPENING: f64 = 0.5;
+
+/// Stiffness of a hand that tears, N/m, and its greatest force, N: it feels some centimetres of
+/// pull, and is as strong as finger and thumb.
+const PULL: [f32; 2] = [200.0, 20.0];
+
+/// The number of the hand: there is one.
+const HAND: u32 = 0;
+
+/// Speed of the nodes, root of the mean square, m/s, below which a sheet lies still, the ticks
+/// for which it does, and those after which it is left as it lies.
+const STILL: f32 = 1e-3;
+const STILL_TICKS: u32 = 24;
+const LONGEST_FALL: u32 = 480;
+
+/// Ticks in which what was drawn of the bound leaf becomes what is drawn of the torn one: the
+/// sheet's cells are coarser than the bend out of the gutter.
+const BLENDED: u32 = 12;
+
+/// A row of the spine that holds.
+#[derive(Clone, Copy, Debug)]
+struct BoundRow {
+    tether: Tether,
+    /// Work of tearing it, J.
+    work: f32,
+}
+
+/// A leaf that is torn out, or has been.
+#[derive(Clone, Debug)]
+pub struct TornLeaf {
+    sheet: Sheet,
+    steps: u32,
+    around: TableAround,
+    /// The rows that hold, from the foot.
+    bound: Vec<BoundRow>,
+    /// Work done in tearing since it was last asked for, J.
+    torn: f32,
+    is_held: bool,
+    /// Ticks since it was let go, and since it lies still.
+    fallen: u32,
+    still: u32,
+    surface: Surface,
+    /// By how much what was drawn at first differed from the sheet, metres, and for how many
+    /// more ticks it does.
+    differing: Vec<f32>,
+    blend: u32,
+}
+
+impl TornLeaf {
+    /// Begins to tear the leaf of a flight out of a book, from where it is drawn. `line` says
+    /// what binds it; the rows from `bound.start` to `bound.end` (from the foot, of 14) still do.
+    /// The flight itself is not changed.
+    ///
+    /// None where there is no such flight, where `bound` is no range of rows, or a figure of
+    /// `around` is none that a table can have.
+    pub fn tear(
+        book: &Book,
+        id: u32,
+        line: TearLine,
+        bound: core::ops::Range<usize>,
+        around: TableAround,
+    ) -> Option<TornLeaf> {
+        let flight = book.flights.get(id)?;
+        if bound.start > bound.end || bound.end > NODES[1] || !around.is_sound() {
+            return None;
+        }
+        let leaf = flight.leaf().sheet().settings();
+        let settings = SheetSettings {
+            root: Root::Free,
+            ..leaf.clone()
+        };
+        let mut sheet = Sheet::new(settings).ok()?;
+        let drawn = flight.surface();
+        let rows = (0..drawn.rows).map(|row| row as f32 / (drawn.rows - 1) as f32);
+        sheet.draw_samples(book.columns(), &rows.collect::<Vec<_>>());
+        let mut nodes = nodes_of(drawn, book.columns());
+        for node in &mut nodes {
+            node[2] = node[2].max(height_of_pages(book, node[0]));
+        }
+        sheet.place(nodes.into_iter().flatten());
+        let mut surface = Surface::new(drawn.columns, drawn.rows);
+        sheet.write_surface(&mut surface);
+        let apart = drawn.positions.iter().zip(&surface.positions);
+        let steps = libm::roundf(TICK / sheet.time_step()).max(1.0) as u32;
+        let mut torn = TornLeaf {
+            differing: apart.map(|(drawn, own)| drawn - own).collect(),
+            blend: BLENDED,
+            bound: bound_rows(&sheet, line, bound),
+            sheet,
+            steps,
+            around,
+            torn: 0.0,
+            is_held: false,
+            fallen: 0,
+            still: 0,
+            surface,
+        };
+        torn.tie();
+        torn.update(book);
+        Some(torn)
+    }
+
+    /// A hand takes hold at (`u`, `v`), each 0 to 1 or the nearer of these, in place of where it
+    /// did. Nothing happens where one is not finite.
+    pub fn grab(&mut self, u: f32, v: f32) {
+        if !(u.is_finite() && v.is_finite()) {
+            return;
+        }
+        self.sheet.grab_firmly(HAND, [u, v], PULL);
+        self.is_held = true;
+        self.wake();
+    }
+
+    /// The hand pulls to a place in book space, metres: within a kilometre, or to the nearest
+    /// place that is. Nothing happens where it holds nothing or the place is not finite.
+    pub fn pull(&mut self, to: [f32; 3]) {
+        if to.iter().all(|x| x.is_finite()) {
+            self.sheet.pull(HAND, to);
+            self.wake();
+        }
+    }
+
+    /// The hand lets go.
+    pub fn release(&mut self) {
+        self.sheet.release(HAND);
+        self.is_held = false;
+        self.wake();
+    }
+
+    /// The rows, from the foot, between which the spine still holds it; empty once it is off.
+    pub fn bound(&self) -> core::ops::Range<usize> {
+        let row = |bound: &BoundRow| bound.tether.node / NODES[0];
+        match (self.bound.first(), self.bound.last()) {
+            (Some(first), Some(last)) => row(first)..row(last) + 1,
+            _ => 0..0,
+        }
+    }
+
+    /// Tears what still binds it, without work: it is off.
+    pub fn cut(&mut self) {
+        self.bound.clear();
+        self.tie();
+        self.wake();
+    }
+
+    /// Returns the work done in tearing since it was last asked for, J: what is heard.
+    pub fn take_torn(&mut self) -> f32 {
+        core::mem::take(&mut self.torn)
+    }
+
+    /// Whether it does not move until the next command.
+    pub fn is_asleep(&self) -> bool {
+        !self.is_held && (self.still >= STILL_TICKS || self.fallen >= LONGEST_FALL)
+    }
+
+    fn surroundings<'a>(&self, book: &'a Book) -> Surroundings<'a> {
+        let settings = self.sheet.settings();
+        let [du, dv] = settings.cell().map(|cell| cell as f32);
+        let margin = (du * du + dv * dv).sqrt();
+        Surroundings::new(book, self.around, margin, settings.stock.friction as f32)
+    }
+
+    /// Steps by `ticks` of [`TICK`] seconds on and beside a book as it is drawn.
+    pub fn step(&mut self, book: &Book, ticks: u32) {
+        let around = self.surroundings(book);
+        for _ in 0..ticks {
+            if self.is_asleep() {
+                return;
+            }
+            for left in (1..=self.steps).rev() {
+                let (positions, contacts) = self.sheet.contact_state();
+                around.write_contacts(positions, contacts);
+                self.sheet.step_of(left);
+                self.tear_rows();
+            }
+            self.blend = self.blend.saturating_sub(1);
+            let v = self.sheet.velocities();
+            let square = dot3(v) / (v.len() / 3) as f32;
+            self.still = if square < STILL * STILL {
+                self.still + 1
+            } else {
+                0
+            };
+            self.fallen += u32::from(!self.is_held);
+        }
+    }
+
+    /// Brings the drawn surface up to date, on and beside a book as it is drawn.
+    pub fn update(&mut self, book: &Book) {
+        self.sheet.write_surface(&mut self.surface);
+        let part = self.blend as f32 / BLENDED as f32;
+        if part > 0.0 {
+            for (x, apart) in self.surface.positions.iter_mut().zip(&self.differing) {
+                *x += part * apart;
+            }
+        }
+        self.surroundings(book)
+            .push_off(&mut self.surface.positions);
+        self.surface.update_normals();
+    }
+
+    /// What is drawn, as of the last update.
+    pub fn surface(&self) -> &Surface {
+        &self.surface
+    }
+
+    /// The sheet itself.
+    pub fn sheet(&self) -> &Sheet {
+        &self.sheet
+    }
+
+    /// Thickness of the paper, metres.
+    pub fn caliper(&self) -> f32 {
+        self.sheet.settings().stock.caliper as f32
+    }
+
+    fn wake(&mut self) {
+        (self.still, self.fallen) = (0, 0);
+    }
+
+    /// Ties the sheet by the rows that hold.
+    fn tie(&mut self) {
+        let tethers = self.sheet.tethers_mut();
+        tethers.clear();
+        tethers.extend(self.bound.iter().map(|row| row.tether));
+    }
+
+    /// Tears rows at either end that hold more energy than it takes.
+    fn tear_rows(&mut self) {
+        let positions = self.sheet.positions();
+        let (bound, mut torn) = (self.bound.len(), self.torn);
+        let mut gives_way = |row: &BoundRow| {
+            let energy = row.tether.energy(positions);
+            torn += if energy >= row.work { row.work } else { 0.0 };
+            energy >= row.work
+        };
+        if self.bound.last().is_some_and(&mut gives_way) {
+            self.bound.pop();
+        }
+        if self.bound.first().is_some_and(&mut gives_way) {
+            self.bound.remove(0);
+        }
+        self.torn = torn;
+        if self.bound.len() != bound {
+            self.tie();
+        }
+    }
+}
+
+/// The rows of the spine between `range` (from the foot) that bind a leaf, at rest where it is.
+fn bound_rows(sheet: &Sheet, line: TearLine, range: core::ops::Range<usize>) -> Vec<BoundRow> {
+    let settings = sheet.settings();
+    let places = sheet.positions().as_chunks::<3>().0;
+    let (rows, cell) = (settings.rows, settings.cell()[1]);
+    let length_at = |row: usize| match line {
+        TearLine::Stapled => {
+            let is_staple = |at: &f64| libm::round(at * (rows - 1) as f64) as usize == row;
+            if STAPLES.iter().any(is_staple) {
+                STAPLE
+            } else {
+                0.0
+            }
+        }
+        TearLine::Sewn | TearLine::Perforated => {
+            let part = if line == TearLine::Sewn { 1.0 } else { TIES };
+            part * cell
+                * if row == 0 || row + 1 == rows {
+                    0.5
+                } else {
+                    1.0
+                }
+        }
+    };
+    let opening = OPENING * cell;
+    range
+        .filter_map(|row| {
+            let work = FRACTURE * settings.stock.caliper * length_at(row);
+            let node = row * settings.columns;
+            let tether = Tether {
+                node,
+                place: places[node],
+                stiffness: (2.0 * work / (opening * opening)) as f32,
+            };
+            let work = work as f32;
+            (work > 0.0).then_some(BoundRow { tether, work })
+        })
+        .collect()
+}
+
+/// Height of the pages at a distance from the spine, metres: the sheet's cells are too coarse to
+/// follow them down into the gutter.
+fn height_of_pages(book: &Book, x: f32) -> f32 {
+    let pile = book.pile(if x < 0.0 { Side::Left } else { Side::Right });
+    let column = pile.column_before(x.abs(), 0);
+    pile.height_and_slope(x.abs(), column).0
+}
+
+/// Where the nodes of a leaf are that is drawn at the columns `u` and even rows: between its
+/// points.
+fn nodes_of(drawn: &Surface, u: &[f32]) -> Vec<[f32; 3]> {
+    let [columns, rows] = NODES;
+    let mut nodes = Vec::with_capacity(columns * rows);
+    for row in 0..rows {
+        let v = row as f32 / (rows - 1) as f32 * (drawn.rows - 1) as f32;
+        let low = (v as usize).min(drawn.rows - 2);
+        for column in 0..columns {
+            let at = column as f32 / (columns - 1) as f32;
+            let left = u.partition_point(|u| *u <= at).clamp(1, u.len() - 1) - 1;
+            let part = (at - u[left]) / (u[left + 1] - u[left]);
+            let along = |row: usize| {
+                let [a, b] = [left, left + 1].map(|column| drawn.position(column, row));
+                core::array::from_fn::<f32, 3, _>(|axis| a[axis] + part * (b[axis] - a[axis]))
+            };
+            let [a, b] = [along(low), along(low + 1)];
+            let part = v - low as f32;
+            nodes.push(core::array::from_fn(|axis| {
+                a[axis] + part * (b[axis] - a[axis])
+            }));
+        }
+    }
+    nodes
+}
+
+/// Sum of the squares.
+fn dot3(v: &[f32]) -> f32 {
+    v.as_chunks::<3>().0.iter().map(|v| dot(*v, *v)).sum()
+}

@@ -1,0 +1,100 @@
+//! Leaves that are torn out of books: the viewer's `engine/torn_sheets.ts` wraps these functions.
+//!
+//! A torn leaf is the address of a boxed [`TornLeaf`], 0 where none could be made. It outlives
+//! its book: each step names the book on and beside which it lies.
+
+use turnleaf_engine::book::{Book, TableAround, TearLine, TornLeaf};
+
+use crate::books::{BOOKS, MOST_TICKS};
+use crate::live::{Live, Nothing};
+
+/// The torn leaves that are alive.
+pub(crate) static TORN: Live<TornLeaf> = Live::new();
+
+/// Begins to tear the leaf of a flight out of a book: of one that is sewn (0), stapled (1) or
+/// perforated (2) and still bound between two rows of its 14, from the foot; over a table at
+/// a height (-1 to 0 m), with boards that reach so far beyond the pages (0 to 1 m). 0 where
+/// there is no such flight or a number is another.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_torn_new(
+    book: *mut Book,
+    id: u32,
+    line: u32,
+    low: usize,
+    high: usize,
+    table: f32,
+    rim: f32,
+) -> *mut TornLeaf {
+    // SAFETY: from one thread by the crate's contract, so that no other call uses it.
+    let book = unsafe { BOOKS.get(book) };
+    let line = match line {
+        0 => TearLine::Sewn,
+        1 => TearLine::Stapled,
+        2 => TearLine::Perforated,
+        _ => return core::ptr::null_mut(),
+    };
+    let around = TableAround { table, rim };
+    match book.and_then(|book| TornLeaf::tear(book, id, line, low..high, around)) {
+        Some(leaf) => TORN.keep(leaf),
+        None => core::ptr::null_mut(),
+    }
+}
+
+/// Frees a torn leaf.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_torn_drop(leaf: *mut TornLeaf) {
+    // SAFETY: from one thread by the crate's contract, so that no other call uses it.
+    drop(unsafe { TORN.take(leaf) });
+}
+
+/// Steps a torn leaf by so many ticks, a minute's at most, on and beside a book, and brings what
+/// is drawn of it up to date.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_torn_step(leaf: *mut TornLeaf, book: *mut Book, ticks: u32) {
+    // SAFETY: from one thread by the crate's contract, so that no other call uses them.
+    if let (Some(leaf), Some(book)) = unsafe { (TORN.get(leaf), BOOKS.get(book)) } {
+        leaf.step(book, ticks.min(MOST_TICKS));
+        leaf.update(book);
+    }
+}
+
+/// Declares exported functions on a torn leaf, each a call to the engine.
+macro_rules! torn_functions {
+    ($($(#[$doc:meta])* fn $name:ident($leaf:ident $(, $arg:ident: $type:ty)*) $(-> $result:ty)? $body:block)*) => {$(
+        $(#[$doc])*
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn $name($leaf: *mut TornLeaf $(, $arg: $type)*) $(-> $result)? {
+            // SAFETY: from one thread by the crate's contract, so that no other call uses it.
+            let Some($leaf) = (unsafe { TORN.get($leaf) }) else {
+                return Nothing::NOTHING;
+            };
+            $body
+        }
+    )*};
+}
+
+torn_functions! {
+    /// A hand takes hold at (u, v), each 0 to 1 or the nearer of these. Nothing happens where
+    /// one is not finite.
+    fn tl_torn_grab(leaf, u: f32, v: f32) { leaf.grab(u, v) }
+    /// The hand pulls to a place in book space, metres, each -1000 to 1000 or the nearer of
+    /// these. Nothing happens where one is not finite.
+    fn tl_torn_pull(leaf, x: f32, y: f32, z: f32) { leaf.pull([x, y, z]) }
+    /// The hand lets go.
+    fn tl_torn_release(leaf) { leaf.release() }
+    /// Tears what still binds it, without work.
+    fn tl_torn_cut(leaf) { leaf.cut() }
+    /// The rows between which it is bound, from the foot: both 0 once it is off.
+    fn tl_torn_bound_low(leaf) -> usize { leaf.bound().start }
+    fn tl_torn_bound_high(leaf) -> usize { leaf.bound().end }
+    /// Work done in tearing since it was last asked for, J.
+    fn tl_torn_work(leaf) -> f32 { leaf.take_torn() }
+    /// Whether it does not move until the next command.
+    fn tl_torn_asleep(leaf) -> u32 { leaf.is_asleep().into() }
+    /// x, y, z and normals of its points, f32, at its book's columns and rows; its version.
+    fn tl_torn_positions(leaf) -> *const f32 { leaf.surface().positions.as_ptr() }
+    fn tl_torn_normals(leaf) -> *const f32 { leaf.surface().normals.as_ptr() }
+    fn tl_torn_version(leaf) -> u32 { leaf.surface().version }
+    /// Thickness of its paper, metres.
+    fn tl_torn_caliper(leaf) -> f32 { leaf.caliper() }
+}
