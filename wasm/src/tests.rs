@@ -336,7 +336,7 @@ fn a_torn_leaf_takes_any_number() {
                     5 => assert!(tl_torn_work(leaf) >= 0.0),
                     _ => {
                         let on = books[random.below(books.len())];
-                        tl_torn_step(leaf, on, random.whole(20).min(MOST_TICKS));
+                        tl_torn_step(leaf, on, random.whole(20).min(40));
                     }
                 }
                 if let Some(torn) = TORN.get(leaf) {

@@ -80,6 +80,8 @@ pub struct TornLeaf {
     /// Work done in tearing since it was last asked for, J.
     torn: f32,
     is_held: bool,
+    /// Where the hand pulls.
+    pulled: [f32; 3],
     /// Ticks since it was let go, and since it lies still.
     fallen: u32,
     still: u32,
@@ -135,6 +137,7 @@ impl TornLeaf {
             around,
             torn: 0.0,
             is_held: false,
+            pulled: [f32::NAN; 3],
             fallen: 0,
             still: 0,
             surface,
@@ -151,15 +154,16 @@ impl TornLeaf {
             return;
         }
         self.sheet.grab_firmly(HAND, [u, v], PULL);
-        self.is_held = true;
+        (self.is_held, self.pulled) = (true, [f32::NAN; 3]);
         self.wake();
     }
 
     /// The hand pulls to a place in book space, metres: within a kilometre, or to the nearest
     /// place that is. Nothing happens where it holds nothing or the place is not finite.
     pub fn pull(&mut self, to: [f32; 3]) {
-        if to.iter().all(|x| x.is_finite()) {
+        if to.iter().all(|x| x.is_finite()) && to != self.pulled {
             self.sheet.pull(HAND, to);
+            self.pulled = to;
             self.wake();
         }
     }
@@ -192,9 +196,10 @@ impl TornLeaf {
         core::mem::take(&mut self.torn)
     }
 
-    /// Whether it does not move until the next command.
+    /// Whether it does not move until the next command: it lies or is held still, or has been let
+    /// go for so long that it is left as it is.
     pub fn is_asleep(&self) -> bool {
-        !self.is_held && (self.still >= STILL_TICKS || self.fallen >= LONGEST_FALL)
+        self.still >= STILL_TICKS || self.fallen >= LONGEST_FALL
     }
 
     fn surroundings<'a>(&self, book: &'a Book) -> Surroundings<'a> {

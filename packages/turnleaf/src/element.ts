@@ -10,6 +10,7 @@ import {
   attributes,
   bindingOptionsOf,
   paperOf,
+  tearLineOf,
   turnSecondsOf,
 } from "./element/attributes.ts";
 import { BookLifecycle, type OpenBook, pdfWorkerOf } from "./element/book_lifecycle.ts";
@@ -18,6 +19,7 @@ import { pageNumber, RequestedPage } from "./element/page_numbers.ts";
 import { ReaderElement } from "./element/reader_element.ts";
 import { openPages, ShadowTree } from "./element/shadow_tree.ts";
 import { SoundAndHaptics } from "./element/sound_and_haptics.ts";
+import { TornPages } from "./element/torn_pages.ts";
 import { typographyOf } from "./element/typography.ts";
 import { nameAndMessage } from "./sources/failures.ts";
 import { pagesIn } from "./sources/html/child_pages.ts";
@@ -73,6 +75,16 @@ export class TurnleafBook extends ReaderElement {
     () => this.#leaves.stock ?? "book",
     (error) => this.#reportMissingPart(error),
   );
+  /** The pages that were torn out of the open book. */
+  readonly #torn = new TornPages({
+    book: () => this.#life.book,
+    line: () => tearLineOf(this),
+    ask: (pages) => this.ask("tear", { pages }),
+    torn: (pages) => this.emit("torn", { pages }),
+    changed: (moved) => this.#pagesChanged(moved),
+    show: (page) => void this.turnTo(page, { motion: false }),
+    heard: (work) => this.#soundAndHaptics.tear(work),
+  });
   #input: BookInput | null = null;
   #paper: Paper | null = null;
   readonly #asked = new RequestedPage();
@@ -310,6 +322,30 @@ export class TurnleafBook extends ReaderElement {
     return this.#changePages(page, 1, pages);
   }
 
+  /**
+   * Tears the leaf of an open page (from 1, by default the first visible one) out, if `tearable`
+   * allows it: both of its pages leave the book, and it lies beside it as a loose sheet, to be
+   * moved or thrown out of sight. Resolves, once it is off, to whether it is: false on the flat,
+   * for a board, if the page does not lie open, and if a listener cancels `tear`.
+   */
+  tearOut(page: number = this.page): Promise<boolean> {
+    if (tearLineOf(this) === null) return Promise.resolve(false);
+    return this.#viewer?.tearOut(page) ?? Promise.resolve(false);
+  }
+
+  /**
+   * Puts the pages that were torn out last back where they were. Resolves, once the book is at rest
+   * and they are in it, to whether there were any.
+   */
+  putBack(): Promise<boolean> {
+    return this.#torn.putBack();
+  }
+
+  /** Number of leaves that were torn out and can be put back. */
+  get tornLeaves(): number {
+    return this.#torn.count;
+  }
+
   /** The zoom level: 1 for the whole book, to 8. Setting it zooms about the middle. */
   get zoom(): number {
     return this.#viewer?.zoomLevel ?? this.#left?.view.level ?? 1;
@@ -393,6 +429,7 @@ export class TurnleafBook extends ReaderElement {
     keepPlace: () => void this.#keepPlace(),
     updateControls: () => this.#updateControls(),
     stopSound: () => this.#soundAndHaptics.close(),
+    allowTearing: () => void this.#viewer?.allowTearing(),
   };
 
   /** @internal */
@@ -537,6 +574,7 @@ export class TurnleafBook extends ReaderElement {
       },
       foldsByHand: () => this.foldBookmarks,
       onPress: ({ page, corner, size }) => this.dogEar(page, corner, size),
+      tearing: this.#torn,
       onMissingPart: (error) => this.#reportMissingPart(error),
       onZoom: (zoom) => this.emit("zoomchange", { zoom }),
     };
@@ -556,6 +594,8 @@ export class TurnleafBook extends ReaderElement {
     this.#describe();
     this.#updateState();
     this.foldOpened();
+    this.#torn.clear();
+    void viewer.allowTearing();
     this.emit("load", { pageCount: source.pageCount, title: source.title });
   }
 
@@ -615,6 +655,7 @@ export class TurnleafBook extends ReaderElement {
   #pagesChanged(moved: NewIndex): void {
     if (this.#life.book === null) return;
     this.movePages(moved);
+    this.#torn.move(moved);
     this.#describe();
     this.emit("pageschange", { pageCount: this.pageCount });
   }

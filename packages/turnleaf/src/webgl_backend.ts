@@ -13,6 +13,7 @@ export function webglBackend(code: Promise<WebAssembly.Module>): Backend {
     engine: (size) => WasmBook.create(size, code),
     stage: (canvas, shape) => new WebGLStage(canvas, shape),
     folds: () => import("./viewer/folds.ts"),
+    tearing: () => import("./viewer/tearing.ts"),
     models: () => import("./leaf_models/leaf_models.ts"),
   };
 }

@@ -265,6 +265,11 @@ export class Turning {
     return this.#held.has(grab);
   }
 
+  /** Returns the flight that a grab holds; undefined if it holds none. */
+  heldBy(grab: number): Flight | undefined {
+    return this.#held.get(grab);
+  }
+
   /** Whether a pointer holds a leaf or a board. */
   get hasHeld(): boolean {
     return this.#held.size > 0;

@@ -127,6 +127,9 @@ export class Canvas2DStage implements BookStage {
     this.#shown.set(`${side} ${index}`, picture);
   }
 
+  /** Nothing is torn out of a book on the flat. */
+  setLoose(): void {}
+
   setUnder(side: PageFace, _behind: PagePicture | null, beneath: PagePicture | null): void {
     this.#shown.set(`beneath ${side}`, beneath);
   }

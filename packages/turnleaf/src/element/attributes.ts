@@ -3,7 +3,7 @@
 import type { LayoutOptions } from "../book/layout.ts";
 import { readStocks } from "../book/leaf_stocks.ts";
 import { isStock, type Paper } from "../book/paper.ts";
-import type { Stock } from "../engine/shapes.ts";
+import { type Stock, type TearLine, tearLines } from "../engine/shapes.ts";
 import type { Gesture } from "../input/target.ts";
 import { typographyAttributes } from "./typography.ts";
 
@@ -61,6 +61,8 @@ export interface AttributeEffects {
   keepPlace(): void;
   /** The controls appear or disappear. */
   updateControls(): void;
+  /** Leaves may be torn out from now on, or no longer. */
+  allowTearing(): void;
   /** Stops the sound until a leaf moves that should be heard. */
   stopSound(): void;
 }
@@ -91,12 +93,19 @@ export const attributes: Readonly<
   remember: (effects) => effects.keepPlace(),
   controls: (effects) => effects.updateControls(),
   sound: (effects) => effects.stopSound(),
+  tearable: (effects) => effects.allowTearing(),
 };
 
 /** Returns the preset of `stock`; "book" if the attribute names none. */
 export function stockOf(element: Element): Stock {
   const stock = element.getAttribute("stock");
   return isStock(stock) ? stock : "book";
+}
+
+/** Returns how leaves are bound that may be torn out, by `tearable`; null if none may. */
+export function tearLineOf(element: Element): TearLine | null {
+  const line = element.getAttribute("tearable");
+  return line === "" ? "sewn" : (tearLines.find((known) => known === line) ?? null);
 }
 
 /** Returns the paper that the attributes name. */

@@ -40,6 +40,12 @@ export interface TurnleafEventMap {
   bookmarkchange: CustomEvent<{ bookmarks: readonly number[] }>;
   /** The corners that are folded over have changed. */
   dogearchange: CustomEvent<{ dogEars: readonly DogEar[] }>;
+  /**
+   * A leaf begins to tear: its pages, from 1. Cancelled by `preventDefault()`, it stays whole.
+   */
+  tear: CustomEvent<{ pages: readonly number[] }>;
+  /** A leaf is torn out: the numbers that its pages had, from 1. `pageschange` has come before. */
+  torn: CustomEvent<{ pages: readonly number[] }>;
   /** The pages at which the offset is shifted have changed. */
   shiftchange: CustomEvent<{ shifts: readonly number[] }>;
   /** The slide-show starts or stops. */

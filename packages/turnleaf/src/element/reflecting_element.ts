@@ -1,9 +1,15 @@
 /** The properties of `<turnleaf-book>` that reflect its attributes. */
 
-import type { Stock } from "../engine/shapes.ts";
+import type { Stock, TearLine } from "../engine/shapes.ts";
 import type { TurnModelName } from "../leaf_models/model_choice.ts";
 import type { Typography } from "../sources/page_source.ts";
-import { bindingOptionsOf, stockOf, swipeDistanceOf, turnSecondsOf } from "./attributes.ts";
+import {
+  bindingOptionsOf,
+  stockOf,
+  swipeDistanceOf,
+  tearLineOf,
+  turnSecondsOf,
+} from "./attributes.ts";
 import type { TurnleafEventMap, TypedEventElement } from "./events.ts";
 import { typographyOf } from "./typography.ts";
 
@@ -445,6 +451,24 @@ export class ReflectingElement extends Base {
   }
 
   /**
+   * How the leaves are bound where a reader may tear them out by pulling one hard away from the
+   * spine: `sewn`, along all of it; `stapled`, at two staples; `perforated`, along a line of cuts;
+   * "" if none may be torn out. An attribute without a value means sewn. Boards stay, and so does
+   * a book on the flat.
+   *
+   * @attribute tearable
+   * @default ""
+   */
+  get tearable(): TearLine | "" {
+    return tearLineOf(this) ?? "";
+  }
+
+  set tearable(line: TearLine | "") {
+    if (line === "") this.removeAttribute("tearable");
+    else this.setAttribute("tearable", line);
+  }
+
+  /**
    * Whether leaves make a sound, from the reader's first gesture on.
    *
    * @attribute sound
@@ -478,5 +502,17 @@ export class ReflectingElement extends Base {
     detail: TurnleafEventMap[K]["detail"],
   ): void {
     this.dispatchEvent(new CustomEvent(name, { detail }));
+  }
+
+  /**
+   * Returns whether no listener cancels an event.
+   *
+   * @internal
+   */
+  protected ask<K extends keyof TurnleafEventMap>(
+    name: K,
+    detail: TurnleafEventMap[K]["detail"],
+  ): boolean {
+    return this.dispatchEvent(new CustomEvent(name, { detail, cancelable: true }));
   }
 }

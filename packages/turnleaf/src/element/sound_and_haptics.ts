@@ -51,6 +51,12 @@ export class SoundAndHaptics {
     this.#vibrate(taken);
   }
 
+  /** Call it when work was done in tearing a leaf, J. */
+  tear(work: number): void {
+    if (this.#element.hasAttribute("sound")) this.#sound?.tear(work);
+    this.#vibrate(taken);
+  }
+
   /** Call it when the book is at rest. */
   lie(): void {
     this.#vibrate(laid);

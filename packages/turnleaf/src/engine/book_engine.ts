@@ -6,7 +6,16 @@
  */
 
 import type { Cover, Phase, Side } from "./phases.ts";
-import type { Crease, LeafStockName, Pile, Stock, StockFigures, Surface, Vec3 } from "./shapes.ts";
+import type {
+  Crease,
+  LeafStockName,
+  Pile,
+  Stock,
+  StockFigures,
+  Surface,
+  TearLine,
+  Vec3,
+} from "./shapes.ts";
 
 /** The size of a book as an engine sees it. */
 export interface BookSize {
@@ -40,6 +49,56 @@ export interface CreasedLeaves {
   lies(side: Side): boolean;
 }
 
+/** How a leaf is torn out of a book. */
+export interface TearOptions {
+  readonly line: TearLine;
+  /** The rows between which the spine still holds it, from the foot; all by default. */
+  readonly bound?: BoundRows | undefined;
+  /** Height of the table, metres: 0 if the pages lie on it, less if boards do. */
+  readonly table: number;
+  /** How far boards reach beyond the pages, metres; 0 if there are none. */
+  readonly rim: number;
+}
+
+/** Rows of a leaf that the spine holds, counted from the foot; equal if it holds none. */
+export type BoundRows = readonly [from: number, to: number];
+
+/**
+ * A leaf that is being torn out, or is a loose sheet. One hand holds it. It outlives its book's
+ * engine where that makes another.
+ */
+export interface TornSheet {
+  /** What still binds it. */
+  readonly bound: BoundRows;
+  /** Whether it does not move until the next command. */
+  readonly isAsleep: boolean;
+  /** What is drawn of it; valid until the next step. */
+  readonly surface: Surface;
+  /** Grabs it at (u, v). */
+  grab(u: number, v: number): void;
+  /** Pulls the grab to a place in book space, metres. */
+  pull(place: Vec3): void;
+  /** Releases the grab. */
+  release(): void;
+  /** Tears what still binds it, at once. */
+  cut(): void;
+  /** Returns the work done in tearing since it was last asked for, J. */
+  takeWork(): number;
+  /** Frees it. Nothing may be called afterwards. */
+  destroy(): void;
+}
+
+/** Tears leaves out of a book. */
+export interface LeafTearing {
+  /**
+   * Begins to tear the leaf of a flight out, from where it is drawn; the flight itself stays as
+   * it is. Returns null if there is no such flight.
+   */
+  tear(id: number, options: TearOptions): TornSheet | null;
+  /** Steps a torn sheet of this book, or of one that it came from, by whole ticks on and beside this book. */
+  step(sheet: TornSheet, ticks: number): void;
+}
+
 /**
  * One bound book with several leaves of paper in flight. A flight is identified
  * by the number that `lift` returns; a command to one that is over changes
@@ -59,6 +118,8 @@ export interface BookEngine {
   readonly flights: number;
   /** Its creased leaves; missing where leaves cannot be creased. */
   readonly creases?: CreasedLeaves;
+  /** Tears its leaves out; missing where they cannot be torn. */
+  readonly tearing?: LeafTearing;
 
   /**
    * Makes another book beside this one, in the same memory if it has one.

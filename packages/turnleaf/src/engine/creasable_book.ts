@@ -1,18 +1,19 @@
 /**
- * A book in the engine whose leaves can be creased: loaded when a book has its first crease,
- * as its WASM is nearly twice as large.
+ * A book in the engine whose leaves can be creased and torn out: loaded when a book has its first
+ * crease or may be torn, as its WASM is nearly twice as large.
  */
 
 import { unpack } from "../packed.ts";
-import type { BookEngine, BookSize, CreasedLeaves } from "./book_engine.ts";
+import type { BookEngine, BookSize, CreasedLeaves, LeafTearing } from "./book_engine.ts";
 import code from "./creases.wasm";
 import { areFinite, whole } from "./numbers.ts";
 import type { Side } from "./phases.ts";
 import type { Crease, CreasedMesh, Surface } from "./shapes.ts";
-import { type Exports, WasmBook } from "./wasm_book.ts";
+import { type TearingExports, tearingOf } from "./torn_sheets.ts";
+import { WasmBook } from "./wasm_book.ts";
 
 /** What the engine exports beside the functions of all books. */
-interface CreasingExports extends Exports {
+interface CreasingExports extends TearingExports {
   tl_creases(): number;
   tl_book_crease(book: number, leaf: number, count: number): number;
   tl_book_press(book: number, leaf: number, crease: number, rest: number): void;
@@ -31,15 +32,18 @@ const numbersOfCrease = 5;
 
 const mostLeaves = 1e6;
 
-/** A book whose leaves can be creased. */
+/** A book whose leaves can be creased and torn out. */
 export class CreasableBook extends WasmBook {
   readonly creases: CreasedLeaves;
+  readonly tearing: LeafTearing;
   /** The meshes of creased leaves, each with its version, by the address of their positions. */
   readonly #meshes = new Map<number, readonly [version: number, mesh: CreasedMesh]>();
 
   private constructor(wasm: CreasingExports, size: BookSize) {
     super(wasm, size);
     const { book } = this;
+    const grid = { columns: wasm.tl_book_columns(book), rows: wasm.tl_book_rows(book) };
+    this.tearing = tearingOf(wasm, book, this.tick, grid);
     this.creases = {
       crease: (leaf, creases) => {
         const numbers = creases.flatMap(numbersOf);

@@ -42,6 +42,15 @@ export interface Crease {
 }
 
 /**
+ * How leaves are bound, which says what there is to tear: along the whole spine, at two staples,
+ * or along a line of cuts. The engine counts them in this order.
+ */
+export const tearLines = ["sewn", "stapled", "perforated"] as const;
+
+/** One of them. */
+export type TearLine = (typeof tearLines)[number];
+
+/**
  * The resting pages on one side, as curves across the spine: `layers` curves
  * from the uppermost page down to the board, each of `columns` points (x, z) in
  * metres from the spine to the fore-edge. Columns lie at the same u as a

@@ -87,7 +87,7 @@ const mostLeaves = 1e6;
 const farthest = 1000;
 
 /** Thickness from which a leaf's edges are visible, metres: card's, not paper's. */
-const visibleThickness = 0.0002;
+export const visibleThickness = 0.0002;
 
 /**
  * One bound book in the engine, with several leaves of paper in flight. A

@@ -4,7 +4,7 @@ import { sideBefore } from "../book/leaf_order.ts";
 import { forward } from "../book/spreads.ts";
 import { Side } from "../engine/phases.ts";
 import type { Place } from "../stage/book_stage.ts";
-import { type Drag, type DragHit, maxDrags } from "../viewer/drag.ts";
+import { type Dragged, type DragHit, isOnLeaf, type LeafHit, maxDrags } from "../viewer/drag.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 import { Flick } from "./flick.ts";
 import { Keys } from "./held_keys.ts";
@@ -51,7 +51,7 @@ interface Press extends Place {
   readonly time: number;
   readonly flick: Flick;
   /** The leaf that it moves, once it does. */
-  drag: Drag | null;
+  drag: Dragged | null;
   /** Whether it moves the view. */
   pans: boolean;
   /** Its position. */
@@ -207,11 +207,12 @@ export class Input {
    * Releases a press: a leaf falls where it is released; a flick turns it over,
    * or one of the other side.
    */
-  #release({ x, y, at, hit, flick, time }: Press, drag: Drag, now: number | null): void {
+  #release({ x, y, at, hit, flick, time }: Press, drag: Dragged, now: number | null): void {
     const isLong = Math.hypot(at.x - x, at.y - y) >= this.#target.swipeDistance();
-    const isFlick = isLong && now !== null && now - time <= flickTime;
+    const isFlick = drag.canFlick && isLong && now !== null && now - time <= flickTime;
     const way = isFlick ? this.#flicked(flick.velocity(now)) : 0;
-    const isOwn = hit === null || sideOf(hit) === (way === 1 ? Side.right : Side.left);
+    const isOwn =
+      hit === null || !isOnLeaf(hit) || sideOf(hit) === (way === 1 ? Side.right : Side.left);
     if (way !== 0 && isOwn) this.#target.turn((way * forward(this.#viewer.binding)) as 1 | -1);
     drag.release();
     if (way !== 0 && !isOwn) this.#target.turn((way * forward(this.#viewer.binding)) as 1 | -1);
@@ -245,7 +246,7 @@ export class Input {
       return;
     }
     if (inside) this.#viewer.commands.tap(at.x, at.y);
-    if (hit === null || inside || this.#viewer.drags.isFlying(hit)) return;
+    if (hit === null || inside || !isOnLeaf(hit) || this.#viewer.drags.isFlying(hit)) return;
     const isRight = sideOf(hit) === Side.right;
     const way = forward(this.#viewer.binding);
     this.#target.turn(isRight ? way : (-way as 1 | -1));
@@ -310,7 +311,8 @@ export class Input {
   /** Lifts the corner at a place, or lets it fall. */
   #peek(hit: DragHit | null): void {
     const zone = this.#isPeeking ? stayZone : liftZone;
-    const isCorner = hit !== null && hit.u > 1 - zone.u && Math.abs(hit.v - 0.5) > 0.5 - zone.v;
+    const isCorner =
+      hit !== null && isOnLeaf(hit) && hit.u > 1 - zone.u && Math.abs(hit.v - 0.5) > 0.5 - zone.v;
     const lifts = isCorner && this.#target.allows("corner") && !this.#target.calm();
     if (lifts === this.#isPeeking) return;
     this.#isPeeking = this.#viewer.commands.peek(lifts ? hit : null);
@@ -324,7 +326,7 @@ export class Input {
 }
 
 /** Returns the side where a leaf was grabbed. */
-function sideOf({ on }: DragHit): Side {
+function sideOf({ on }: LeafHit): Side {
   return typeof on === "number" ? on : sideBefore(on);
 }
 

@@ -169,10 +169,7 @@ export class PageBitmaps {
   foldIn(): void {
     const { parts } = this.#unfolded ?? {};
     this.#unfolded = null;
-    for (const picture of parts ? [parts.page, parts.flap, parts.back] : []) {
-      this.#options.onDrop(picture);
-      closePicture(picture);
-    }
+    for (const picture of parts ? [parts.page, parts.flap, parts.back] : []) this.drop(picture);
   }
 
   /** Returns whether a place on a page's leaf, `x` from its left edge, is outside a folded flap. */
@@ -202,6 +199,20 @@ export class PageBitmaps {
     }
     this.#printedOn = (page) => on(before.get(page) ?? page);
     this.#pool.renumber(moved);
+  }
+
+  /**
+   * Takes the bitmap of a page (from 1) that is about to be removed out of the pool; null if it
+   * has none. The caller gives it back by `drop`.
+   */
+  take(page: number): PagePicture | null {
+    return this.#pool.take(page - 1);
+  }
+
+  /** Closes a bitmap that was taken. */
+  drop(picture: PagePicture): void {
+    this.#options.onDrop(picture);
+    closePicture(picture);
   }
 
   /** Marks the bitmap of a page (from 1) as out of date; it is shown until the next is drawn. */

@@ -158,6 +158,13 @@ export class PagePool {
     }
   }
 
+  /** Takes the bitmap of page `index` out of the pool; null if it has none. The caller owns it. */
+  take(index: number): PagePicture | null {
+    const picture = this.get(index);
+    this.#held.delete(index);
+    return picture;
+  }
+
   /** Marks the bitmap of page `index` as out of date; it is kept until another is drawn. */
   redraw(index: number): void {
     const job = [...this.#jobs.values()].find((running) => running.index === index);

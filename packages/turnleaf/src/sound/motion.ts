@@ -18,6 +18,8 @@ export interface Motion {
   readonly bending: number;
   /** Speed that falling paper and boards lost in this frame, m/s: their impact. */
   readonly impact: number;
+  /** Work done in tearing, J a second. */
+  readonly tearing: number;
 }
 
 /** The state kept of a leaf: for each place its normal, its height and its vertical speed. */
@@ -34,9 +36,11 @@ export class MotionMeter {
   /**
    * Returns the motion since the previous frame, `seconds` ago. A leaf that was
    * not there then is silent yet.
+   *
+   * @param work done in tearing since then, J
    */
-  measure(pose: BookPose, seconds: number): Motion {
-    if (!(seconds > 0)) return { bending: 0, impact: 0 };
+  measure(pose: BookPose, seconds: number, work = 0): Motion {
+    if (!(seconds > 0)) return { bending: 0, impact: 0, tearing: 0 };
     let [bending, impact] = [0, 0];
     const leaves = new Map<Float32Array, LeafSamples>();
     for (const leaf of pose.leaves) {
@@ -57,7 +61,7 @@ export class MotionMeter {
     }
     this.#boards = boards;
     this.#swing = swing;
-    return { bending, impact };
+    return { bending, impact, tearing: work / seconds };
   }
 }
 

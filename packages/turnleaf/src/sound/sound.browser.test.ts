@@ -26,9 +26,9 @@ async function loudness(motion: Motion, stock: Stock = "book"): Promise<[number,
 }
 
 test("paper is heard while it bends, the louder the faster, and not at rest", async () => {
-  const [still] = await loudness({ bending: 0, impact: 0 });
-  const [slow, afterSlow] = await loudness({ bending: 0.3, impact: 0 });
-  const [fast, afterFast] = await loudness({ bending: 1.5, impact: 0 });
+  const [still] = await loudness({ bending: 0, impact: 0, tearing: 0 });
+  const [slow, afterSlow] = await loudness({ bending: 0.3, impact: 0, tearing: 0 });
+  const [fast, afterFast] = await loudness({ bending: 1.5, impact: 0, tearing: 0 });
   expect(still).toBe(0);
   expect(slow).toBeGreaterThan(0.003);
   expect(fast).toBeGreaterThan(2 * slow);
@@ -36,7 +36,7 @@ test("paper is heard while it bends, the louder the faster, and not at rest", as
 });
 
 test("it is heard when it lands, card louder than bible paper", async () => {
-  const landing = { bending: 0, impact: 0.5 };
+  const landing = { bending: 0, impact: 0.5, tearing: 0 };
   const [bible] = await loudness(landing, "bible");
   const [card] = await loudness(landing, "card");
   expect(bible).toBeGreaterThan(0.003);

@@ -15,6 +15,13 @@ export class Sound {
   #context: AudioContext | null = null;
   #paperSound: PaperSound | null = null;
   #closed = false;
+  /** Work done in tearing since the previous frame, J. */
+  #work = 0;
+
+  /** Call it when work was done in tearing a leaf, J. */
+  tear(work: number): void {
+    this.#work += work;
+  }
 
   /**
    * Handles a frame of a book.
@@ -25,7 +32,8 @@ export class Sound {
   follow(pose: BookPose, seconds: number, moving: boolean, stock: Stock | StockFigures): void {
     // Screens faster than the engine draw a frame twice.
     if (this.#closed || (moving && seconds === 0)) return;
-    const motion = this.#meter.measure(pose, seconds);
+    const motion = this.#meter.measure(pose, seconds, this.#work);
+    this.#work = 0;
     if (!moving) {
       this.#paperSound?.rest(this.#context?.currentTime ?? 0, () => {
         this.#context?.suspend().catch(() => {});

@@ -23,6 +23,9 @@ interface Entry {
   readonly index: number;
 }
 
+/** Pages that were taken out of a list and may be put back. */
+export type TakenPages = readonly Entry[];
+
 /** Maximum of pages in a list: far more than a book has, few enough to keep in memory. */
 const mostPages = 100_000;
 
@@ -34,6 +37,8 @@ const mostPages = 100_000;
 export class PageList implements PageSource {
   readonly #first: PageSource;
   #entries: Entry[];
+  /** What was taken out: its sources stay open. */
+  readonly #taken = new Set<TakenPages>();
   #listener: ((change: () => NewIndex) => void) | null = null;
   #onDrawing: ((index: number) => void) | null = null;
 
@@ -231,8 +236,10 @@ export class PageList implements PageSource {
 
   /** Closes every source. */
   close(): void {
-    const sources = new Set(this.#entries.map(({ source }) => source)).add(this.#first);
+    const kept = [this.#entries, ...this.#taken].flat();
+    const sources = new Set(kept.map(({ source }) => source)).add(this.#first);
     this.#entries = [];
+    this.#taken.clear();
     for (const source of sources) source.close();
   }
 
@@ -244,8 +251,42 @@ export class PageList implements PageSource {
    * be left; nothing has changed then
    */
   splice(at: number, count: number, source: PageSource | null): NewIndex {
+    const moved = this.#replace(at, count, source ? entriesOf(source) : []);
+    if (source) {
+      this.#watch(source);
+      this.#watchDrawings(source);
+    }
+    return moved;
+  }
+
+  /**
+   * Takes `count` pages from `at` (from 0) on out of the list, which still owns their sources.
+   * Returns them, and where the others lie now.
+   *
+   * @throws BookError as `splice` does
+   */
+  take(at: number, count: number): { readonly pages: TakenPages; readonly moved: NewIndex } {
+    const pages = this.#entries.slice(at, at + count);
+    this.#taken.add(pages);
+    try {
+      return { pages, moved: this.#replace(at, count, []) };
+    } catch (error) {
+      this.#taken.delete(pages);
+      throw error;
+    }
+  }
+
+  /**
+   * Puts pages that were taken out back before page `at` (from 0, clamped to the list). Returns
+   * where the others lie now; null if they are not out.
+   */
+  putBack(at: number, pages: TakenPages): NewIndex | null {
+    if (!this.#taken.delete(pages)) return null;
+    return this.#replace(Math.min(Math.max(at, 0), this.pageCount), 0, pages);
+  }
+
+  #replace(at: number, count: number, added: readonly Entry[]): NewIndex {
     const before = this.#entries;
-    const added = source ? entriesOf(source) : [];
     const left = before.length - count + added.length;
     if (!Number.isInteger(at) || !(at >= 0 && count >= 0 && at + count <= before.length)) {
       throw new BookError(`${this.title} has pages 1 to ${before.length} alone; name those.`);
@@ -253,11 +294,8 @@ export class PageList implements PageSource {
     if (left === 0) throw new BookError("A book needs a page; leave one of them.");
     if (left > mostPages) throw new BookError(`A book has ${mostPages} pages at most; add fewer.`);
     this.#entries = [...before.slice(0, at), ...added, ...before.slice(at + count)];
-    if (source) {
-      this.#watch(source);
-      this.#watchDrawings(source);
-    }
-    const inUse = new Set(this.#entries.map((entry) => entry.source)).add(this.#first);
+    const kept = [this.#entries, ...this.#taken].flat();
+    const inUse = new Set(kept.map((entry) => entry.source)).add(this.#first);
     for (const used of new Set(before.map((entry) => entry.source))) {
       if (!inUse.has(used)) used.close();
     }

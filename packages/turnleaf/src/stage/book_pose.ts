@@ -47,6 +47,8 @@ export interface BookPose {
   readonly folded?: boolean;
   /** The flap of an open fold-out, if there is one. */
   readonly flap?: Surface | null;
+  /** Sheets that are torn out and lie on or beside the book, or are carried over it. */
+  readonly loose?: readonly Surface[];
   /**
    * An object of the stage's own kind (three.js's `Object3D`) shown over the
    * book until it is removed by its owner.

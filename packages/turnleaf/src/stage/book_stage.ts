@@ -78,6 +78,8 @@ export interface BookStage {
   setFace(face: Face, picture: PagePicture | null): void;
   /** Sets what a side of the leaf in flight at `index`, counted from the left, shows; null is blank. */
   setLeaf(index: number, side: LeafSide, picture: PagePicture | null): void;
+  /** Sets what a side of the loose sheet at `index` of a pose shows; null is blank. */
+  setLoose(index: number, side: LeafSide, picture: PagePicture | null): void;
   /**
    * Sets what is visible beside the page on a side where its leaf is trimmed:
    * the page on its other side bounds it too, and the one beneath shows.

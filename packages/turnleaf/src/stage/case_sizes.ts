@@ -1,5 +1,7 @@
 /** The dimensions of a case, shared by all stages. */
 
+import type { BookShape } from "./book_pose.ts";
+
 /** Lengths of a case, metres. */
 export const caseSizes = {
   /** Thickness of a board. */
@@ -13,3 +15,8 @@ export const caseSizes = {
   /** Depth of the boards' inner faces under the lowest leaf, so that the two never coincide. */
   sink: 0.0002,
 } as const;
+
+/** Returns the height of the table that a book lies on, metres: below its boards, if it has any. */
+export function tableHeight({ cover }: Pick<BookShape, "cover">): number {
+  return cover === "hard" ? -caseSizes.board - caseSizes.sink : 0;
+}

@@ -21,8 +21,41 @@ import { CornerPress } from "./corner_press.ts";
 
 /** What a pointer can grab. */
 export interface DragHit extends Hit {
-  /** The flight there, or the side whose uppermost leaf it is. */
+  /** The flight there, the side whose uppermost leaf it is, or a loose sheet. */
+  readonly on: Flight | Side | LooseHit;
+}
+
+/** What a pointer that is down moves. */
+export interface Dragged {
+  /** Whether a flick of it turns a leaf. */
+  readonly canFlick: boolean;
+  /** Moves the pointer to a place on the canvas, CSS pixels. */
+  move(x: number, y: number): void;
+  /** Releases it. */
+  release(): void;
+}
+
+/** A sheet that was torn out, where a pointer can grab it. */
+export interface LooseHit {
+  readonly isLoose: true;
+  /** Grabs it. */
+  grab(): Dragged;
+}
+
+/** Finds sheets that were torn out. */
+export interface LooseSheets {
+  /** Returns the nearest of them on a line of sight, or null. */
+  pick(ray: Ray): (Hit & { readonly on: LooseHit }) | null;
+}
+
+/** A place on a leaf that is bound in the book. */
+export interface LeafHit extends Hit {
   readonly on: Flight | Side;
+}
+
+/** Returns whether a hit is on a leaf of the book, not on a loose sheet. */
+export function isOnLeaf(hit: DragHit): hit is LeafHit {
+  return typeof hit.on === "number" || !("isLoose" in hit.on);
 }
 
 /** What drags need of a bound book. */
@@ -69,6 +102,8 @@ export class Drags {
   readonly #drags = new Map<number, Drag>();
   #pressed: Drag | null = null;
   #closed = false;
+  /** The sheets that were torn out, once one may be. */
+  loose: LooseSheets | null = null;
 
   constructor(book: DragContext) {
     this.#book = book;
@@ -79,7 +114,7 @@ export class Drags {
     if (this.#closed) return null;
     const { engine, stage, turning, peek } = this.#book;
     const ray = stage.rayAt(x, y);
-    let best = this.#pickPage(ray);
+    let best: DragHit | null = this.#pickPage(ray);
     const { leaves } = turning;
     for (const flight of turning.flights) {
       // A board in flight can be grabbed anywhere, wherever its page is seen.
@@ -89,6 +124,8 @@ export class Drags {
         best = { ...hit, on: flight };
       }
     }
+    const sheet = this.loose?.pick(ray) ?? null;
+    if (sheet && (best === null || sheet.distance < best.distance + preference)) return sheet;
     // Beside a lifted corner a pointer grabs that leaf, not the one under it.
     return best && peek.flight && best.on === peek.side ? { ...best, on: peek.flight } : best;
   }
@@ -105,7 +142,12 @@ export class Drags {
     return best;
   }
 
-  /** Returns whether a hit is on a leaf in flight, rather than on one with only its corner lifted. */
+  /** The drags of leaves that lie on a side or fly, in no order. */
+  get all(): Iterable<Drag> {
+    return this.#drags.values();
+  }
+
+  /** Returns whether a hit is on a leaf in flight or a loose sheet, rather than on one with only its corner lifted. */
   isFlying({ on }: DragHit): boolean {
     return typeof on !== "number" && on !== this.#book.peek.flight;
   }
@@ -116,11 +158,16 @@ export class Drags {
    *
    * @param pull how far the pointer has moved since, CSS pixels
    */
-  grab(found: DragHit, pull: Place = { x: 0, y: 0 }): Drag | null {
+  grab(found: DragHit, pull: Place = { x: 0, y: 0 }): Dragged | null {
     const number = this.#freeGrab;
     if (this.#closed || number === undefined) return null;
     const { turning, peek } = this.#book;
-    const { on, u, v } = this.#pulled(found, pull);
+    const hit = this.#pulled(found, pull);
+    if (!isOnLeaf(hit)) {
+      peek.end();
+      return (hit.on as LooseHit).grab();
+    }
+    const { on, u, v } = hit;
     const side = typeof on === "number" ? on : on === peek.flight ? peek.side : null;
     const flight = typeof on === "number" ? turning.pickUp(on) : on;
     if (flight === null) {
@@ -129,7 +176,7 @@ export class Drags {
     }
     const held = [Math.min(Math.max(u, nearestHeld), 1), Math.min(Math.max(v, 0), 1)] as const;
     const corner = this.#cornerOf(flight, side, ...held);
-    const drag = new Drag(this.#book, number, held[0], corner, () => this.#drags.delete(number));
+    const drag = new Drag(this.#book, number, held, corner, () => this.#drags.delete(number));
     turning.grab(flight, number, ...held);
     this.#drags.set(number, drag);
     // The lifted corner falls back, unless it is of this leaf, which is turned from now on.
@@ -212,14 +259,17 @@ interface HeldCorner {
 }
 
 /** A leaf or board that one pointer holds, until it is released. */
-export class Drag {
-  /** u of the held point. */
+export class Drag implements Dragged {
+  /** u and v of the held point. */
   readonly u: number;
+  readonly v: number;
   readonly #book: DragContext;
   readonly #grab: number;
   readonly #ended: () => void;
   readonly #corner: HeldCorner | null;
   #isOver = false;
+  /** The sheet that it carries once its leaf has been torn out. */
+  #sheet: Dragged | null = null;
   /** The corner that is being pressed: the pointer moves the leaf no more. */
   #ear: DogEar | null = null;
   /** The pointer's place on the canvas, CSS pixels. */
@@ -234,11 +284,12 @@ export class Drag {
   constructor(
     book: DragContext,
     grab: number,
-    u: number,
+    [u, v]: readonly [number, number],
     corner: HeldCorner | null,
     ended: () => void,
   ) {
     this.u = u;
+    this.v = v;
     this.#book = book;
     this.#grab = grab;
     this.#corner = corner;
@@ -247,11 +298,33 @@ export class Drag {
 
   /** Moves the pointer to a place on the canvas, CSS pixels. */
   move(x: number, y: number): void {
+    if (this.#sheet) this.#sheet.move(x, y);
     if (this.#isOver || this.#ear) return;
     this.#at = { x, y };
     this.#corner?.press.move(this.#at);
     this.follow();
     this.#book.moved();
+  }
+
+  get canFlick(): boolean {
+    return this.#sheet === null;
+  }
+
+  /** The flight that it holds; undefined if it holds none any more. */
+  get flight(): Flight | undefined {
+    return this.#isOver ? undefined : this.#book.turning.heldBy(this.#grab);
+  }
+
+  /** The line of sight through the pointer. */
+  get ray(): Ray {
+    return this.#book.stage.rayAt(this.#at.x, this.#at.y);
+  }
+
+  /** Ends as a drag of its leaf, which has been torn out: the pointer carries the sheet from now on. */
+  carry(sheet: Dragged): void {
+    this.#sheet = sheet;
+    this.end();
+    sheet.move(this.#at.x, this.#at.y);
   }
 
   /** Pulls the held point to where the pointer is in space: on an arch over the spine. */
@@ -307,6 +380,7 @@ export class Drag {
 
   /** Releases it: the leaf falls to the side that its swing takes it, or to where it was carried. */
   release(): void {
+    this.#sheet?.release();
     if (this.#isOver || this.#ear) return;
     const { turning, moved } = this.#book;
     const way = turning.holds(this.#grab) ? this.#carried : 0;

@@ -36,6 +36,7 @@ import { FrameQuality } from "./frame_timing.ts";
 import { LeafCommands } from "./leaf_commands.ts";
 import { Rebinder } from "./rebinder.ts";
 import { Sharpness } from "./sharpness.ts";
+import type { Tearing } from "./tearing.ts";
 import { type Backend, defaultBinding, type ViewerOptions } from "./viewer_options.ts";
 
 export type { Zoom } from "../stage/zoom.ts";
@@ -72,6 +73,9 @@ export class Viewer {
   /** The folded corners, once there is one, and what loads what folds them. */
   #folds: Promise<Folds | null> | null = null;
   #loadedFolds: Folds | null = null;
+  /** What tears leaves out, once they may be, and what loads it. */
+  #tearing: Promise<Tearing | null> | null = null;
+  #loadedTearing: Tearing | null = null;
   readonly #backend: Backend;
   /** Whether the last frame has fewer pixels than at rest, as pictures of it are missing. */
   #isPlain = false;
@@ -318,6 +322,31 @@ export class Viewer {
     return await folded;
   }
 
+  /** Loads what tears leaves out, where they may be. Resolves once it is there, or cannot be. */
+  async allowTearing(): Promise<void> {
+    if (!this.#options.tearing?.line()) return;
+    this.#tearing ??= this.#loadTearing();
+    await this.#tearing;
+    if (this.#destroyed) return;
+    this.#bindSoon();
+    this.#loadedTearing?.bound();
+  }
+
+  /** Tears the leaf of an open page (from 1) out. Resolves, once it is off, to whether it is. */
+  async tearOut(page: number): Promise<boolean> {
+    await this.allowTearing();
+    if (this.#destroyed) return false;
+    const torn = this.#loadedTearing?.tearOut(page) ?? false;
+    this.invalidate();
+    return await torn;
+  }
+
+  /** Takes a loose sheet away: the one that the owner of the pages has given a number. */
+  removeSheet(id: number): void {
+    this.#loadedTearing?.remove(id);
+    this.#show();
+  }
+
   /** Redraws a page (from 1) whose content has changed. */
   redraw(page: number): void {
     if (this.#destroyed) return;
@@ -446,6 +475,7 @@ export class Viewer {
     this.commands.close();
     this.#foldOut.close();
     this.#modelSwitch.close();
+    this.#loadedTearing?.close();
     this.#rebinder.close();
     this.#sharpness.close();
     this.#bitmaps.close();
@@ -464,10 +494,13 @@ export class Viewer {
     const seconds = passed * engine.tick;
     // Without a turn nothing in the engine has moved since the book was laid open.
     const turned = this.turning.moving;
-    const turning = turned && this.turning.step(passed);
+    if (turned) this.turning.step(passed);
     // A listener of a turn may destroy the viewer at once.
     if (this.#destroyed) return;
     if (turned) this.#modelSwitch.update(this.#bound, seconds);
+    const tearing = this.#loadedTearing?.step(passed, seconds) ?? false;
+    if (this.#destroyed) return;
+    const turning = this.turning.moving;
     if (!turning) this.#bindAnew();
     if (this.#destroyed) return;
     const { peek } = this.#bound;
@@ -479,12 +512,13 @@ export class Viewer {
     const stepping = this.#camera.step(seconds) || folding;
     const posed = this.#bound.pose();
     const flap = this.#foldOut.surface(posed, this.#bound.shape);
-    const pose = { ...this.#modelSwitch.pose(posed), flap };
+    const modelled = { ...this.#modelSwitch.pose(posed), flap };
+    const pose = this.#loadedTearing?.pose(modelled) ?? modelled;
     if (stepping) this.#bound.drags.follow();
     // A leaf held still takes no more frames until its pointer moves.
     const still =
       turning && this.turning.isHeld && this.#bound.engine.isAsleep && this.#modelSwitch.isAsleep;
-    const moving = (turning && !still) || isHeldStill || stepping;
+    const moving = (turning && !still) || tearing || isHeldStill || stepping;
     const resting = !moving && !this.#handled;
     // While fingers move the view, the next frame comes with their next event.
     if (moving) this.#frameQuality.frame(now);
@@ -503,7 +537,7 @@ export class Viewer {
     if (this.#isStill) this.#stillHistory.update(this.#viewKey);
     else if (!turning && isFlat && !this.#crossFade.isOn) this.#askForFrame();
     if (moving || this.#crossFade.isOn) this.#askForFrame();
-    else ticks.stop();
+    else this.#bound.ticks.stop();
     if (!resting) this.#sharpness.pause();
     else if (!turning) {
       const drawn = this.#bound.faceTextures.open.filter(({ page }) => !this.isElement(page));
@@ -555,6 +589,7 @@ export class Viewer {
     const before = this.binding;
     this.#rebinder.bindAnew(this.#cssWidth, this.#cssHeight);
     this.#loadedFolds?.bound();
+    this.#loadedTearing?.bound();
     this.#viewHistory.forget();
     this.#stillHistory.forget();
     const { edge, layout } = this.binding;
@@ -570,6 +605,30 @@ export class Viewer {
       this.#options.onMissingPart?.(error);
     }
     return this.#loadedFolds;
+  }
+
+  async #loadTearing(): Promise<Tearing | null> {
+    const owner = this.#options.tearing;
+    try {
+      const loaded = await this.#backend.tearing?.();
+      if (loaded && owner) {
+        const hooks = {
+          line: () => owner.line(),
+          mayTear: (pages: readonly number[]) => owner.mayTear(pages),
+          takeOut: (pages: readonly number[]) => owner.takeOut(pages),
+          heard: (work: number) => owner.heard(work),
+          moved: () => this.#show(),
+          isSeen: ({ x, y }: Place) =>
+            x >= 0 && y >= 0 && x <= this.#cssWidth && y <= this.#cssHeight,
+        };
+        const [rebinder, bitmaps] = [this.#rebinder, this.#bitmaps];
+        this.#loadedTearing = await loaded.Tearing.create(rebinder, bitmaps, this.#stage, hooks);
+      }
+    } catch (error) {
+      this.#options.onMissingPart?.(error);
+    }
+    if (this.#destroyed) this.#loadedTearing?.close();
+    return this.#loadedTearing;
   }
 
   /** Updates the bitmap of every face, requests the pages wanted next, and draws them. */
@@ -591,6 +650,7 @@ export class Viewer {
     const { faceTextures: picturing } = this.#bound;
     if (this.#cssWidth > 0) picturing.want(this.#pictureWidth);
     const hasChanged = picturing.show(this.#foldOut.parts, this.#isStill);
+    this.#loadedTearing?.show(this.#stage);
     this.#sharpness.keep(picturing.pages);
     return hasChanged;
   }

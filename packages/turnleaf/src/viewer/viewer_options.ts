@@ -3,6 +3,7 @@
 import type { DogEar } from "../book/dog_ears.ts";
 import type { Paper } from "../book/paper.ts";
 import type { BookEngine, BookSize } from "../engine/book_engine.ts";
+import type { TearLine } from "../engine/shapes.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
 import type { LoadModels } from "../leaf_models/model_switch.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
@@ -15,8 +16,25 @@ export interface Backend {
   stage(canvas: HTMLCanvasElement, shape: BookShape): BookStage;
   /** Loads what folds corners of pages; undefined if leaves cannot be creased. */
   readonly folds?: () => Promise<typeof import("./folds.ts")>;
+  /** Loads what tears leaves out; undefined if they cannot be torn. */
+  readonly tearing?: () => Promise<typeof import("./tearing.ts")>;
   /** Loads models other than the engine's; undefined if there are none. */
   readonly models?: LoadModels;
+}
+
+/** What tearing leaves out asks of the owner of the book's pages. */
+export interface TearOwner {
+  /** Returns how the leaves are bound; null if none may be torn out now. */
+  line(): TearLine | null;
+  /** Returns whether the leaf with these pages (from 1) may be torn out, as it begins to tear. */
+  mayTear(pages: readonly number[]): boolean;
+  /**
+   * Takes the pages out of the book's source, and has the viewer change them at once. Returns a
+   * number for the sheet; null if they cannot be taken out.
+   */
+  takeOut(pages: readonly number[]): number | null;
+  /** Work was done in tearing, J. */
+  heard(work: number): void;
 }
 
 /** How a book is shown. */
@@ -50,6 +68,8 @@ export interface ViewerOptions extends Partial<BindingOptions> {
    * released once the promise resolves.
    */
   readonly onPress?: (ear: DogEar) => Promise<unknown>;
+  /** How leaves are torn out, and who owns their pages. The default is that they are not. */
+  readonly tearing?: TearOwner;
   /** The zoom level has changed: the current one, or the one the camera is moving to. */
   readonly onZoom?: (level: number) => void;
   /** An optional part of the viewer could not be loaded. */

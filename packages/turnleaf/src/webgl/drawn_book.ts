@@ -9,13 +9,13 @@ import { nextTo } from "../book/leaf_order.ts";
 import { Side } from "../engine/phases.ts";
 import type { Surface, Vec3 } from "../engine/shapes.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
-import { caseSizes } from "../stage/case_sizes.ts";
+import { caseSizes, tableHeight } from "../stage/case_sizes.ts";
 import { BoardMesh } from "./board_mesh.ts";
 import type { Framing } from "./camera.ts";
 import { placeCase, restingCase } from "./case_shape.ts";
 import { straightened } from "./creased_vertices.ts";
 import { EndpaperMesh } from "./endpaper_mesh.ts";
-import { shadowOfCase, shadowOfFlap, shadowOfLeaves } from "./footprint.ts";
+import { shadowOfCase, shadowOfFlap, shadowOfLeaves, shadowOfSheet } from "./footprint.ts";
 import { Ground } from "./ground.ts";
 import { LeafMesh } from "./leaf_mesh.ts";
 import type { BookMaterials } from "./materials.ts";
@@ -52,11 +52,15 @@ export class DrawnBook {
   readonly #materials: BookMaterials;
   /** Created when they are needed; those in use come first, from left to right. */
   readonly #leaves: LeafMesh[] = [];
+  readonly #loose: LeafMesh[] = [];
+  #looseShown: readonly Surface[] = [];
   readonly #front: BoardMesh;
   readonly #back: BoardMesh;
   readonly #spine: SpineMesh;
   readonly #headbands: HeadbandMesh;
   readonly #ground: Ground;
+  /** Height of the table, metres. */
+  readonly #table: number;
   readonly #case = restingCase();
   #frontAngle = Number.NaN;
   #backAngle = Number.NaN;
@@ -98,8 +102,8 @@ export class DrawnBook {
     this.#back = new BoardMesh(false, width, height, backOutside, backInside);
     this.#spine = new SpineMesh(materials.spine, height, thickness);
     this.#headbands = new HeadbandMesh(materials.headband, height);
-    const table = this.#hard ? -caseSizes.board - caseSizes.sink : 0;
-    this.#ground = new Ground(table, 12 * Math.max(width, height));
+    this.#table = tableHeight(shape);
+    this.#ground = new Ground(this.#table, 12 * Math.max(width, height));
 
     this.group.add(this.#ground.mesh);
     for (const { page, block, fold } of [this.#left, this.#right]) {
@@ -129,7 +133,12 @@ export class DrawnBook {
     if (!still && this.#hard) this.#placeBoards();
     const flapMoved = this.#followFlap(pose.flap ?? null);
     const sheets = pose.flap ? [...pose.leaves, pose.flap] : pose.leaves;
-    this.#isDim = roughly && !this.#isDim && still && sheets.length === this.#lit.length;
+    this.#placeLoose(pose.loose ?? [], !still);
+    this.#isDim =
+      roughly &&
+      !this.#isDim &&
+      still &&
+      sheets.length + (pose.loose?.length ?? 0) === this.#lit.length;
     this.#folded = pose.folded;
     this.#light(pose, sheets, pilesMoved, still);
     const [left, right] = [this.#left.pile, this.#right.pile];
@@ -137,6 +146,9 @@ export class DrawnBook {
     else if (!still) shadowOfCase(this.#ground, this.#shape, this.#case, left, right);
     if (pose.above instanceof Object3D) this.group.add(pose.above);
     if (flapMoved) shadowOfFlap(this.#ground, this.#shape, pose.flap ?? null);
+    const loose = pose.loose?.at(-1);
+    if (loose) shadowOfSheet(this.#ground, loose, this.#table);
+    for (const page of Object.values(this.#materials.pages)) page.coverBy(loose ?? null);
     return caseMoved || flapMoved;
   }
 
@@ -171,7 +183,7 @@ export class DrawnBook {
       block.dispose();
       fold.dispose();
     }
-    for (const leaf of this.#leaves) leaf.dispose();
+    for (const leaf of [...this.#leaves, ...this.#loose]) leaf.dispose();
     this.#front.dispose();
     this.#back.dispose();
     this.#spine.dispose();
@@ -207,6 +219,31 @@ export class DrawnBook {
       if (this.#folded) mesh.lieOpen();
       else if (!this.#isDim) mesh.light(solid[k], ...piles, solid[k - 1], solid[k + 1]);
     }
+  }
+
+  /**
+   * Places the sheets that are torn out, over everything else.
+   *
+   * @param hasMoved whether what shades them has
+   */
+  #placeLoose(sheets: readonly Surface[], hasMoved: boolean): void {
+    while (this.#loose.length < sheets.length) {
+      const { recto, verso } = this.#materials.loose(this.#loose.length);
+      const mesh = new LeafMesh(recto, verso, this.#materials.leafEdges);
+      this.group.add(mesh.recto, mesh.verso, mesh.rim.mesh);
+      this.#loose.push(mesh);
+    }
+    const piles = [this.#left.pile, this.#right.pile] as const;
+    for (const [k, mesh] of this.#loose.entries()) {
+      mesh.recto.visible = mesh.verso.visible = mesh.rim.mesh.visible = k < sheets.length;
+      if (k >= sheets.length) continue;
+      const isShown = this.#looseShown[k] === sheets[k] && !hasMoved;
+      if (isShown) continue;
+      const over = this.#leaves.length + k + 1;
+      mesh.shape(sheets[k], over, over);
+      mesh.light(sheets[k], ...piles, undefined, undefined);
+    }
+    this.#looseShown = sheets;
   }
 
   #placeSide(side: DrawnSide, pile: BookPose["left"]): boolean {
@@ -245,16 +282,17 @@ export class DrawnBook {
    * no shadow on its page
    */
   #light(
-    { leaves, lying = [] }: BookPose,
+    { leaves, lying = [], loose = [] }: BookPose,
     sheets: readonly Surface[],
     pilesMoved: boolean,
     still: boolean,
   ): void {
     const [left, right] = [this.#left, this.#right];
+    const casting = [...sheets, ...loose];
     const same =
-      sheets.length === this.#lit.length && sheets.every((sheet, k) => sheet === this.#lit[k]);
+      casting.length === this.#lit.length && casting.every((sheet, k) => sheet === this.#lit[k]);
     if (still && same && this.#isLit) return;
-    this.#lit = [...sheets];
+    this.#lit = casting;
     this.#isLit = !this.#isDim;
     this.#placeLeaves(sheets);
     if (this.#isDim) return;

@@ -80,3 +80,18 @@ export function shadowOfFlap(ground: Ground, book: BookShape, flap: Surface | nu
   const high = (positions[2] + positions[3 * columns - 1]) / 2;
   ground.raise(Math.min(fold, edge), 0, Math.max(fold, edge), book.height, high);
 }
+
+/** Draws the shadow of a loose sheet over the table, whose height is given in metres. */
+export function shadowOfSheet(ground: Ground, { positions }: Surface, table: number): void {
+  const low = [Infinity, Infinity];
+  const high = [-Infinity, -Infinity];
+  let sum = 0;
+  for (let at = 0; at < positions.length; at += 3) {
+    for (const axis of [0, 1]) {
+      low[axis] = Math.min(low[axis], positions[at + axis]);
+      high[axis] = Math.max(high[axis], positions[at + axis]);
+    }
+    sum += positions[at + 2];
+  }
+  ground.raise(low[0], low[1], high[0], high[1], (3 * sum) / positions.length - table);
+}

@@ -28,7 +28,8 @@ export class BookMaterials {
   readonly #materials: Material[] = [];
   readonly #grains: Texture[];
   readonly #leaves: Record<LeafSide, PaperMaterial>[] = [];
-  readonly #sheet: (recto: boolean, thin: boolean) => PaperMaterial;
+  readonly #loose: Record<LeafSide, PaperMaterial>[] = [];
+  readonly #sheet: (recto: boolean, thin: boolean, torn?: boolean) => PaperMaterial;
 
   /**
    * @param blank what a face shows while it has no picture
@@ -36,8 +37,8 @@ export class BookMaterials {
    * @param anisotropy of its own textures, from 1 for none
    */
   constructor(shape: BookShape, blank: Texture, anisotropy: number) {
-    this.#sheet = (recto, thin) => {
-      const side = { recto, thin, ownNormals: !thin };
+    this.#sheet = (recto, thin, torn = false) => {
+      const side = { recto, thin, torn, ownNormals: !thin };
       return this.#keep(new PaperMaterial(side, shape, blank));
     };
     this.pages = { left: this.#sheet(false, false), right: this.#sheet(true, false) };
@@ -109,10 +110,21 @@ export class BookMaterials {
 
   /** Shows a picture on one side of a leaf in flight, and through it on the other. */
   showLeaf(index: number, side: LeafSide, texture: Texture): void {
-    const { recto, verso } = this.leaf(index);
-    const [seen, other] = side === "recto" ? [recto, verso] : [verso, recto];
-    seen.picture = texture;
-    other.pictureBehind = texture;
+    showOn(this.leaf(index), side, texture);
+  }
+
+  /** Returns the materials of a loose sheet by its index; creates them on first use. */
+  loose(index: number): Record<LeafSide, PaperMaterial> {
+    while (this.#loose.length <= index) {
+      const [recto, verso] = [this.#sheet(true, true, true), this.#sheet(false, true, true)];
+      this.#loose.push({ recto, verso });
+    }
+    return this.#loose[index];
+  }
+
+  /** Shows a picture on one side of a loose sheet, and through it on the other. */
+  showLoose(index: number, side: LeafSide, texture: Texture): void {
+    showOn(this.loose(index), side, texture);
   }
 
   dispose(): void {
@@ -124,4 +136,11 @@ export class BookMaterials {
     this.#materials.push(material);
     return material;
   }
+}
+
+function showOn(sheet: Record<LeafSide, PaperMaterial>, side: LeafSide, texture: Texture): void {
+  const { recto, verso } = sheet;
+  const [seen, other] = side === "recto" ? [recto, verso] : [verso, recto];
+  seen.picture = texture;
+  other.pictureBehind = texture;
 }

@@ -1,6 +1,7 @@
 /** The material of a printed sheet: a resting page, or one side of a leaf in flight. */
 
 import { BackSide, FrontSide, ShaderMaterial, type Texture } from "three";
+import type { Surface } from "../engine/shapes.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import { inkChunk, inkUniforms } from "./ink.ts";
 import { flapChunk, gapChunk, lightChunk, mostFlaps, pictureChunk } from "./shading.ts";
@@ -92,6 +93,30 @@ vec3 besidePrint(vec4 print, vec2 uv) {
   return mix(lower, ink, smoothstep(0.4, 0.6, leaf));
 }
 
+#ifdef TORN
+// Paper tears along its fibres: an edge that wanders by a millimetre or so, in whole numbers, so
+// that every machine draws the same.
+float wander(float at) {
+  uint cell = uint(at);
+  vec2 ends;
+  for (int k = 0; k < 2; k++) {
+    uint n = (cell + uint(k)) * 0x9e3779b9u;
+    n = (n ^ (n >> 16)) * 0x21f0aaadu;
+    n = (n ^ (n >> 15)) * 0x735a2d97u;
+    ends[k] = float((n ^ (n >> 15)) >> 8) / 16777216.0;
+  }
+  return mix(ends.x, ends.y, smoothstep(0.0, 1.0, fract(at)));
+}
+
+// Cuts the edge at the spine, from which it is "from" metres, and bares its fibres.
+vec3 tearEdge(vec3 ink, float from, float along) {
+  float edge = 0.0012 * wander(along / 0.005) + 0.0005 * wander(1000.0 + along / 0.0009);
+  if (from < edge) discard;
+  float fibres = 1.0 - smoothstep(0.0, 0.0012, from - edge - 0.0006 * wander(2000.0 + along / 0.0006));
+  return mix(ink, vec3(0.985, 0.965, 0.93), 0.8 * fibres);
+}
+#endif
+
 // Of the sky that other leaves shut out as much comes through them as of the key light.
 vec3 skyHere(vec3 normal) {
   float open = skyFraction(vGapSky, normal);
@@ -105,12 +130,16 @@ void main() {
   vec4 print = printed(onPicture(uv));
   vec3 ink = print.rgb;
   if (print.a < 0.99) ink = besidePrint(print, uv);
+  #ifdef TORN
+  ink = tearEdge(ink, vUv.x * size.x, vUv.y * size.y);
+  #endif
   vec3 sky = vec3(0.5 + 0.5 * normal.z);
   float key = 1.0;
   if (shadows > 0.0) {
     sky = mix(sky, skyHere(normal), shadows);
     key = mix(key, keyHere(), shadows);
     shadeByFlaps(vPlace, shadows, sky, key);
+    shadeBySheet(vPlace, shadows, sky, key);
   }
   vec3 light = arriving(normal, sky, key);
   if (thin > 0.5) light += throughLeaf(normal, uv);
@@ -134,6 +163,8 @@ export interface PaperSide {
   readonly thin: boolean;
   /** Whether the mesh's normals are this side's own; the leaf's are its recto's. */
   readonly ownNormals: boolean;
+  /** Whether its edge at the spine is torn. */
+  readonly torn: boolean;
 }
 
 /** A printed sheet's material, by its two pictures. */
@@ -144,7 +175,10 @@ export class PaperMaterial extends ShaderMaterial {
     paper: Texture,
   ) {
     super({
-      defines: quarterTurned ? { QUARTER_TURNED: "" } : {},
+      defines: {
+        ...(quarterTurned ? { QUARTER_TURNED: "" } : {}),
+        ...(side.torn ? { TORN: "" } : {}),
+      },
       vertexShader,
       fragmentShader,
       side: side.recto ? FrontSide : BackSide,
@@ -162,6 +196,8 @@ export class PaperMaterial extends ShaderMaterial {
         shadows: { value: shadows },
         flaps: { value: new Float32Array(9 * mostFlaps) },
         flapCount: { value: 0 },
+        sheet: { value: new Float32Array(12) },
+        sheetCount: { value: 0 },
         size: { value: [width, height] },
       },
     });
@@ -190,6 +226,17 @@ export class PaperMaterial extends ShaderMaterial {
   /** How many of the flaps there are. */
   set flapCount(count: number) {
     this.uniforms.flapCount.value = count;
+  }
+
+  /** The loose sheet that shades it; null for none. */
+  coverBy(sheet: Surface | null): void {
+    this.uniforms.sheetCount.value = sheet ? 1 : 0;
+    if (sheet === null) return;
+    const { positions, columns, rows } = sheet;
+    const last = columns * (rows - 1);
+    for (const [k, point] of [0, columns - 1, last + columns - 1, last].entries()) {
+      this.uniforms.sheet.value.set(positions.subarray(3 * point, 3 * point + 3), 3 * k);
+    }
   }
 
   /** The picture of the page visible beside this one where its leaf is trimmed. */

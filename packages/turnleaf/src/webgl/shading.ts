@@ -104,6 +104,22 @@ float hiddenBy(vec3 a, vec3 b, vec3 c, vec3 place, vec3 direction, float softnes
   return smoothstep(-softness * far, softness * far, inside);
 }
 
+uniform vec3 sheet[4];
+uniform float sheetCount;
+
+// As hiddenBy, by a loose sheet: of its four corners in turn, as far as they lie in a plane.
+float hiddenBySheet(vec3 place, vec3 direction, float softness) {
+  vec3 middle = 0.25 * (sheet[0] + sheet[1] + sheet[2] + sheet[3]);
+  vec3 normal = cross(sheet[2] - sheet[0], sheet[3] - sheet[1]);
+  float far = dot(middle - place, normal) / dot(direction, normal);
+  if (!(far > 0.0)) return 0.0;
+  vec3 point = place + far * direction;
+  float inside = min(
+    min(insideEdge(point, sheet[0], sheet[1], middle), insideEdge(point, sheet[1], sheet[2], middle)),
+    min(insideEdge(point, sheet[2], sheet[3], middle), insideEdge(point, sheet[3], sheet[0], middle)));
+  return smoothstep(-softness * far, softness * far, inside);
+}
+
 void shadeByFlaps(vec3 place, float strength, inout vec3 sky, inout float key) {
   for (int k = 0; k < ${mostFlaps}; k++) {
     if (k >= flapCount) return;
@@ -113,5 +129,11 @@ void shadeByFlaps(vec3 place, float strength, inout vec3 sky, inout float key) {
     key *= 1.0 - strength * hiddenBy(a, b, c, place, KEY_DIRECTION, ${glslNumber(penumbra)});
     sky *= 1.0 - strength * 0.5 * hiddenBy(a, b, c, place, vec3(0.0, 0.0, 1.0), 1.0);
   }
+}
+
+void shadeBySheet(vec3 place, float strength, inout vec3 sky, inout float key) {
+  if (sheetCount < 0.5) return;
+  key *= 1.0 - strength * hiddenBySheet(place, KEY_DIRECTION, ${glslNumber(penumbra)});
+  sky *= 1.0 - strength * 0.5 * hiddenBySheet(place, vec3(0.0, 0.0, 1.0), 1.0);
 }
 `;

@@ -33,8 +33,12 @@ import { PictureTextures } from "./textures.ts";
 /** Maximum of pixels of a frame at rest. */
 const mostPixels = 16e6;
 
-/** A face of the book, or a side of a leaf in flight. */
-type BitmapTarget = Face | `${LeafSide} ${number}` | `${"behind" | "beneath"} ${PageFace}`;
+/** A face of the book, or a side of a leaf in flight or of a loose sheet. */
+type BitmapTarget =
+  | Face
+  | `${LeafSide} ${number}`
+  | `loose ${LeafSide} ${number}`
+  | `${"behind" | "beneath"} ${PageFace}`;
 
 /** Shows a texture on a face; `none` says that it stands for no picture. */
 type ShowTexture = (texture: Texture, none: boolean) => void;
@@ -130,6 +134,12 @@ export class WebGLStage implements BookStage {
   setLeaf(index: number, side: LeafSide, picture: PagePicture | null): void {
     this.#print(`${side} ${index}`, picture, (texture) =>
       this.#materials.showLeaf(index, side, texture),
+    );
+  }
+
+  setLoose(index: number, side: LeafSide, picture: PagePicture | null): void {
+    this.#print(`loose ${side} ${index}`, picture, (texture) =>
+      this.#materials.showLoose(index, side, texture),
     );
   }
 

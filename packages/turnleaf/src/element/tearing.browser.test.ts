@@ -1,0 +1,178 @@
+/** Leaves torn out by command and by hand: their pages leave the book, lie beside it, and are put back. */
+
+import { afterEach, expect, test } from "vitest";
+import type { TurnleafBook } from "../element.ts";
+import { book, happens, keepWhatIsDrawn, scans, settled } from "../for_tests/element_books.ts";
+import { TestPointer } from "../for_tests/test_pointer.ts";
+
+keepWhatIsDrawn();
+afterEach(() => document.body.replaceChildren());
+
+async function opened(attributes: Record<string, string> = {}, count = 12): Promise<TurnleafBook> {
+  const element = book(scans(count), {
+    page: "5",
+    cover: "none",
+    duration: "300",
+    tearable: "perforated",
+    ...attributes,
+  });
+  // With room on the table beside the book.
+  element.style.cssText = "width: 760px; height: 320px";
+  await happens(element, "load");
+  await settled(element);
+  return element;
+}
+
+/** Returns how many pixels of the canvas beside the book show something, of those on its right. */
+function besideBook(element: TurnleafBook): number {
+  const drawn = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
+  const bounds = element.bookBounds as DOMRect;
+  const copy = document.createElement("canvas");
+  const from = bounds.right + 14;
+  const width = element.clientWidth - from - 2;
+  [copy.width, copy.height] = [Math.floor(width), element.clientHeight];
+  const pen = copy.getContext("2d") as CanvasRenderingContext2D;
+  const scale = drawn.width / element.clientWidth;
+  pen.drawImage(
+    drawn,
+    from * scale,
+    0,
+    copy.width * scale,
+    copy.height * scale,
+    0,
+    0,
+    copy.width,
+    copy.height,
+  );
+  const { data } = pen.getImageData(0, 0, copy.width, copy.height);
+  // Paper is opaque; shadows are not.
+  return data.filter((value, k) => k % 4 === 3 && value > 250).length / (data.length / 4);
+}
+
+/** Pulls the upper corner of the right page outward, in steps of a frame, some pixels farther each. */
+async function pull(element: TurnleafBook, steps: number, each = 6): Promise<TestPointer> {
+  const pointer = new TestPointer(element);
+  const { right, top } = element.bookBounds as DOMRect;
+  const [x, y] = [right - 6, top + 8];
+  pointer.point("pointerdown", x, y);
+  for (let k = 1; k <= steps; k++) {
+    pointer.point("pointermove", x + each * k, y - 0.3 * each * k, { buttons: 1 });
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+  return pointer;
+}
+
+test("a leaf is torn out by command, lies beside the book, and is put back", async () => {
+  const element = await opened();
+  const told: string[] = [];
+  for (const name of ["tear", "pageschange", "torn", "turnstart", "pagechange"]) {
+    element.addEventListener(name, (event) =>
+      told.push(`${name} ${JSON.stringify((event as CustomEvent).detail)}`),
+    );
+  }
+  expect(besideBook(element)).toBe(0);
+  expect(await element.tearOut(5)).toBe(true);
+  expect(told).toEqual([
+    'tear {"pages":[5,6]}',
+    'pageschange {"pageCount":10}',
+    'torn {"pages":[5,6]}',
+  ]);
+  await settled(element);
+  expect([element.pageCount, element.tornLeaves]).toEqual([10, 1]);
+  expect(element.spread).toEqual({ left: 4, right: 5 });
+  expect(element.state).toBe("resting");
+  await expect.poll(() => besideBook(element), { timeout: 20_000 }).toBeGreaterThan(0.2);
+  expect(await element.putBack()).toBe(true);
+  await settled(element);
+  expect([element.pageCount, element.tornLeaves]).toEqual([12, 0]);
+  expect(element.spread).toEqual({ left: 4, right: 5 });
+  await expect.poll(() => besideBook(element)).toBe(0);
+  expect(await element.putBack()).toBe(false);
+});
+
+test("a leaf on the left is torn out too, and several are put back from the last one on", async () => {
+  const element = await opened({ page: "7", tearable: "stapled" });
+  expect(element.spread).toEqual({ left: 6, right: 7 });
+  expect(await element.tearOut(6)).toBe(true);
+  await settled(element);
+  expect(element.spread).toEqual({ left: 4, right: 5 });
+  expect(await element.tearOut(5)).toBe(true);
+  await settled(element);
+  expect([element.pageCount, element.tornLeaves]).toEqual([8, 2]);
+  await element.putBack();
+  await element.putBack();
+  await settled(element);
+  expect([element.pageCount, element.tornLeaves]).toEqual([12, 0]);
+  expect(await element.goTo(7, { motion: false })).toBe(true);
+  expect(element.spread).toEqual({ left: 6, right: 7 });
+});
+
+test("a listener keeps the leaf whole", async () => {
+  const element = await opened();
+  element.addEventListener("tear", (event) => event.preventDefault());
+  expect(await element.tearOut(5)).toBe(false);
+  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  await settled(element);
+  expect([element.pageCount, element.tornLeaves]).toEqual([12, 0]);
+  expect(element.spread).toEqual({ left: 4, right: 5 });
+});
+
+test("nothing is torn without the attribute, and no page that does not lie open", async () => {
+  const element = await opened({ tearable: "glued" });
+  expect(element.tearable).toBe("");
+  expect(await element.tearOut(5)).toBe(false);
+  const pointer = await pull(element, 30);
+  pointer.point("pointerup", 700, 100);
+  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  expect(element.pageCount).toBe(12);
+  element.tearable = "sewn";
+  expect(element.tearable).toBe("sewn");
+  expect(await element.tearOut(9)).toBe(false);
+});
+
+test("a book keeps its last leaf", async () => {
+  const element = await opened({ page: "1" }, 2);
+  expect(await element.tearOut(1)).toBe(false);
+  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  expect(element.pageCount).toBe(2);
+});
+
+test("a hand tears a leaf out, carries it, lays it down and takes it again", async () => {
+  const element = await opened();
+  const torn = happens<{ pages: number[] }>(element, "torn");
+  const pointer = await pull(element, 30);
+  expect((await torn).pages).toEqual([5, 6]);
+  expect(element.spread).toEqual({ left: 4, right: 5 });
+  // Carried to the table at the right.
+  pointer.point("pointermove", 690, 120, { buttons: 1 });
+  await new Promise((resolve) => setTimeout(resolve, 300));
+  pointer.point("pointerup", 690, 120);
+  await settled(element);
+  expect(element.state).toBe("resting");
+  await expect.poll(() => besideBook(element), { timeout: 20_000 }).toBeGreaterThan(0.1);
+  // Taken again it is no turn of a page, however it is flicked.
+  const turns: Event[] = [];
+  element.addEventListener("turnstart", (event) => turns.push(event));
+  pointer.point("pointerdown", 660, 160);
+  pointer.flick([660, 160], [1500, 160], { buttons: 1 });
+  await new Promise((resolve) => setTimeout(resolve, 400));
+  pointer.point("pointerup", 1500, 160);
+  // Out of sight it is thrown away; its pages can still be put back.
+  await expect.poll(() => besideBook(element), { timeout: 20_000 }).toBe(0);
+  expect(turns).toEqual([]);
+  expect(element.tornLeaves).toBe(1);
+  expect(await element.putBack()).toBe(true);
+  expect(element.pageCount).toBe(12);
+});
+
+test("a leaf that was pulled a little falls back whole", async () => {
+  const element = await opened({ tearable: "sewn" });
+  const told: Event[] = [];
+  element.addEventListener("tear", (event) => told.push(event));
+  const pointer = await pull(element, 8, 1);
+  pointer.point("pointerup", 500, 60);
+  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  await settled(element);
+  expect([told.length, element.pageCount]).toEqual([0, 12]);
+  expect(await element.next()).toBe(true);
+});

@@ -1,0 +1,139 @@
+/** Leaves that are torn out of a book in the engine through WASM. */
+
+import type { BoundRows, LeafTearing, TearOptions, TornSheet } from "./book_engine.ts";
+import { areFinite, clamp, whole, wholeTicks } from "./numbers.ts";
+import { type Surface, tearLines, type Vec3 } from "./shapes.ts";
+import { type Exports, visibleThickness } from "./wasm_book.ts";
+
+/** What the engine exports for torn leaves. */
+export interface TearingExports extends Exports {
+  tl_torn_new(
+    book: number,
+    id: number,
+    line: number,
+    low: number,
+    high: number,
+    table: number,
+    rim: number,
+  ): number;
+  tl_torn_drop(leaf: number): void;
+  tl_torn_step(leaf: number, book: number, ticks: number): void;
+  tl_torn_grab(leaf: number, u: number, v: number): void;
+  tl_torn_pull(leaf: number, x: number, y: number, z: number): void;
+  tl_torn_release(leaf: number): void;
+  tl_torn_cut(leaf: number): void;
+  tl_torn_bound_low(leaf: number): number;
+  tl_torn_bound_high(leaf: number): number;
+  tl_torn_work(leaf: number): number;
+  tl_torn_asleep(leaf: number): number;
+  tl_torn_positions(leaf: number): number;
+  tl_torn_normals(leaf: number): number;
+  tl_torn_version(leaf: number): number;
+  tl_torn_caliper(leaf: number): number;
+}
+
+/** Rows of a leaf's nodes. */
+const nodeRows = 14;
+
+const mostIds = 2 ** 32 - 1;
+const farthest = 1000;
+
+/**
+ * Returns what tears leaves out of a book.
+ *
+ * @param book the book's address there
+ */
+export function tearingOf(
+  wasm: TearingExports,
+  book: number,
+  tick: number,
+  grid: { readonly columns: number; readonly rows: number },
+): LeafTearing {
+  return {
+    tear: (id, { line, bound = [0, nodeRows], table, rim }: TearOptions) => {
+      if (!areFinite([table, rim])) return null;
+      const [low, high] = bound.map((row) => whole(row, nodeRows));
+      const number = tearLines.indexOf(line);
+      const at = wasm.tl_torn_new(book, whole(id, mostIds), number, low, high, table, rim);
+      return at === 0 ? null : new WasmTornSheet(wasm, at, grid);
+    },
+    step: (sheet, ticks) => {
+      if (sheet instanceof WasmTornSheet) sheet.step(book, wholeTicks(ticks, tick));
+    },
+  };
+}
+
+class WasmTornSheet implements TornSheet {
+  readonly #wasm: TearingExports;
+  readonly #leaf: number;
+  readonly #grid: { readonly columns: number; readonly rows: number };
+  #surface: Surface | null = null;
+
+  constructor(
+    wasm: TearingExports,
+    leaf: number,
+    grid: { readonly columns: number; readonly rows: number },
+  ) {
+    this.#wasm = wasm;
+    this.#leaf = leaf;
+    this.#grid = grid;
+  }
+
+  /** @param book address of the book on and beside which it lies */
+  step(book: number, ticks: number): void {
+    this.#wasm.tl_torn_step(this.#leaf, book, ticks);
+  }
+
+  get bound(): BoundRows {
+    return [this.#wasm.tl_torn_bound_low(this.#leaf), this.#wasm.tl_torn_bound_high(this.#leaf)];
+  }
+
+  get isAsleep(): boolean {
+    return this.#wasm.tl_torn_asleep(this.#leaf) !== 0;
+  }
+
+  get surface(): Surface {
+    const { buffer } = this.#wasm.memory;
+    const version = this.#wasm.tl_torn_version(this.#leaf);
+    const known = this.#surface;
+    if (known?.positions.buffer === buffer && known.version === version) return known;
+    const { columns, rows } = this.#grid;
+    const caliper = this.#wasm.tl_torn_caliper(this.#leaf);
+    const view = (at: number) => new Float32Array(buffer, at, 3 * columns * rows);
+    this.#surface = {
+      columns,
+      rows,
+      positions: view(this.#wasm.tl_torn_positions(this.#leaf)),
+      normals: view(this.#wasm.tl_torn_normals(this.#leaf)),
+      version,
+      thickness: caliper < visibleThickness ? 0 : caliper,
+    };
+    return this.#surface;
+  }
+
+  grab(u: number, v: number): void {
+    if (areFinite([u, v])) this.#wasm.tl_torn_grab(this.#leaf, clamp(u, 0, 1), clamp(v, 0, 1));
+  }
+
+  pull(place: Vec3): void {
+    if (!areFinite(place)) return;
+    const [x, y, z] = place.map((metres) => clamp(metres, -farthest, farthest));
+    this.#wasm.tl_torn_pull(this.#leaf, x, y, z);
+  }
+
+  release(): void {
+    this.#wasm.tl_torn_release(this.#leaf);
+  }
+
+  cut(): void {
+    this.#wasm.tl_torn_cut(this.#leaf);
+  }
+
+  takeWork(): number {
+    return this.#wasm.tl_torn_work(this.#leaf);
+  }
+
+  destroy(): void {
+    this.#wasm.tl_torn_drop(this.#leaf);
+  }
+}

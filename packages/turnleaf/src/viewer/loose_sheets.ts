@@ -1,0 +1,237 @@
+/**
+ * Sheets that were torn out: pointers carry them, they fall, and they lie on the table beside the
+ * book. One that is let go over the book is put aside, so that its pages stay readable.
+ */
+
+import type { TornSheet } from "../engine/book_engine.ts";
+import { columnAt, type Ray, type Surface, type Vec3 } from "../engine/shapes.ts";
+import { type Hit, pickSurface } from "../picking/pick.ts";
+import { onPlane } from "../picking/reach.ts";
+import type { PagePicture } from "../sources/page_source.ts";
+import { tableHeight } from "../stage/case_sizes.ts";
+import type { Dragged, LooseHit } from "./drag.ts";
+import type { Rebinder } from "./rebinder.ts";
+
+/** Ticks of a sheet in a frame at most: on a machine that is slower it moves slower. */
+const mostTicks = 12;
+
+/** Sheets that are kept at most: the one torn out first is taken away for the next. */
+const mostSheets = 8;
+
+/** Height over the table at which a hand carries a sheet, as a fraction of its width. */
+const carried = 0.4;
+
+/**
+ * Seconds in which a sheet is put aside, and how far beside the pages it then lies, in page widths:
+ * more than contact keeps it away from their block.
+ */
+const asideSeconds = 0.6;
+const apart = 0.2;
+
+/** What a sheet shows. */
+export interface SheetPictures {
+  readonly recto: PagePicture | null;
+  readonly verso: PagePicture | null;
+}
+
+/** One loose sheet. */
+interface LooseSheet {
+  readonly id: number;
+  readonly sheet: TornSheet;
+  readonly pictures: SheetPictures;
+  /** What is drawn of it, as of its last step. */
+  surface: Surface;
+  hand: Hand | null;
+}
+
+/** A hand of the viewer's own that carries a sheet aside. */
+interface Hand {
+  readonly from: Vec3;
+  readonly to: Vec3;
+  /** Fraction of its way that is done. */
+  part: number;
+}
+
+/** The dependencies of loose sheets. */
+export interface LooseSheetHooks {
+  /** Called when something moves. */
+  readonly moved: () => void;
+  /** Returns the line of sight through a place on the canvas. */
+  readonly rayAt: (x: number, y: number) => Ray;
+  /** Returns whether a point of book space is seen on the canvas. */
+  readonly isSeen: (point: Vec3) => boolean;
+  /** Gives back a picture that is shown no more. */
+  readonly drop: (picture: PagePicture) => void;
+}
+
+/** The loose sheets of one viewer, in the order in which they were torn out. */
+export class LooseSheetPile {
+  readonly #rebinder: Rebinder;
+  readonly #hooks: LooseSheetHooks;
+  #sheets: LooseSheet[] = [];
+
+  constructor(rebinder: Rebinder, hooks: LooseSheetHooks) {
+    this.#rebinder = rebinder;
+    this.#hooks = hooks;
+  }
+
+  /** What is drawn of them. */
+  get surfaces(): readonly Surface[] {
+    return this.#sheets.map(({ surface }) => surface);
+  }
+
+  /** What each of them shows. */
+  get pictures(): readonly SheetPictures[] {
+    return this.#sheets.map(({ pictures }) => pictures);
+  }
+
+  /** Number of sheets. */
+  get count(): number {
+    return this.#sheets.length;
+  }
+
+  /**
+   * Adds a sheet that is off.
+   *
+   * @param id by which `remove` knows it
+   */
+  add(id: number, sheet: TornSheet, pictures: SheetPictures): void {
+    this.#sheets.push({ id, sheet, pictures, surface: sheet.surface, hand: null });
+    while (this.#sheets.length > mostSheets) this.remove(this.#sheets[0].id);
+  }
+
+  /** Takes a sheet away. */
+  remove(id: number): void {
+    const gone = this.#sheets.find((sheet) => sheet.id === id);
+    if (gone === undefined) return;
+    this.#sheets = this.#sheets.filter((sheet) => sheet !== gone);
+    gone.sheet.destroy();
+    for (const picture of [gone.pictures.recto, gone.pictures.verso]) {
+      if (picture) this.#hooks.drop(picture);
+    }
+    this.#hooks.moved();
+  }
+
+  /** Takes all of them away. */
+  clear(): void {
+    for (const { id } of [...this.#sheets]) this.remove(id);
+  }
+
+  /** Steps what moves by whole ticks. Returns whether anything goes on moving. */
+  step(ticks: number): boolean {
+    const { tearing, tick } = this.#rebinder.bound.engine;
+    for (const one of this.#sheets) {
+      if (one.sheet.isAsleep || ticks === 0) continue;
+      this.#move(one, ticks * tick);
+      tearing?.step(one.sheet, Math.min(ticks, mostTicks));
+      one.surface = one.sheet.surface;
+    }
+    return this.#sheets.some(({ sheet }) => !sheet.isAsleep);
+  }
+
+  /** Returns the nearest of them on a line of sight, or null. */
+  pick(ray: Ray): (Hit & { readonly on: LooseHit }) | null {
+    const { columns } = this.#rebinder.bound.engine;
+    let best: (Hit & { readonly on: LooseHit }) | null = null;
+    for (const { id, surface } of this.#sheets) {
+      const hit = pickSurface(ray, surface, columns);
+      if (hit === null || (best && best.distance <= hit.distance)) continue;
+      best = { ...hit, on: { isLoose: true, grab: () => this.grab(id, hit.u, hit.v) } };
+    }
+    return best;
+  }
+
+  /** Grabs a sheet at (u, v). Returns what moves it with a pointer. */
+  grab(id: number, u: number, v: number): Dragged {
+    const held = () => this.#sheets.find((sheet) => sheet.id === id);
+    const one = held();
+    if (one) {
+      one.hand = null;
+      one.sheet.grab(u, v);
+    }
+    let at: Vec3 = [0, 0, 0];
+    return {
+      canFlick: false,
+      move: (x, y) => {
+        at = onPlane(this.#hooks.rayAt(x, y), this.#carried);
+        held()?.sheet.pull(at);
+        this.#hooks.moved();
+      },
+      release: () => {
+        const one = held();
+        if (one) this.#letGo(one, at);
+      },
+    };
+  }
+
+  /** Puts a sheet aside, which a hand holds over the book. */
+  putAside(id: number): void {
+    const one = this.#sheets.find((sheet) => sheet.id === id);
+    if (one) this.#letGo(one, null);
+  }
+
+  get #carried(): number {
+    const { shape } = this.#rebinder.bound;
+    return tableHeight(shape) + shape.thickness + carried * shape.width;
+  }
+
+  /**
+   * Lets a sheet fall: where it hangs, or beside the book if that is over the book.
+   *
+   * @param at where a pointer held it; null if none did
+   */
+  #letGo(one: LooseSheet, at: Vec3 | null): void {
+    const { shape } = this.#rebinder.bound;
+    const { low, high } = boundsOf(one.surface);
+    const isOver =
+      low[0] < shape.width && high[0] > -shape.width && low[1] < shape.height && high[1] > 0;
+    const middle = middleOf(one.surface);
+    if (!isOver) {
+      one.sheet.release();
+      // What was thrown out of sight is gone.
+      if (at && !this.#hooks.isSeen(at) && !this.#hooks.isSeen(middle)) this.remove(one.id);
+    } else {
+      const sign = (at ?? middle)[0] < 0 ? -1 : 1;
+      const x = sign * ((1.5 + apart) * shape.width + shape.rim);
+      one.sheet.grab(0.5, 0.5);
+      one.hand = { from: middle, to: [x, shape.height / 2, tableHeight(shape)], part: 0 };
+    }
+    this.#hooks.moved();
+  }
+
+  /** Moves the hand that puts a sheet aside. */
+  #move(one: LooseSheet, seconds: number): void {
+    const { hand } = one;
+    if (hand === null) return;
+    hand.part = Math.min(hand.part + seconds / asideSeconds, 1);
+    const eased = hand.part * hand.part * (3 - 2 * hand.part);
+    const [x, y] = [0, 1].map(
+      (axis) => hand.from[axis] + eased * (hand.to[axis] - hand.from[axis]),
+    );
+    // Level until it is past the book, then down.
+    const sunk = hand.part ** 4;
+    one.sheet.pull([x, y, hand.from[2] + sunk * (hand.to[2] - hand.from[2])]);
+    if (hand.part < 1) return;
+    one.hand = null;
+    one.sheet.release();
+  }
+}
+
+/** Returns the lowest and the highest x and y of a surface. */
+function boundsOf({ positions }: Surface) {
+  const low: [number, number] = [Infinity, Infinity];
+  const high: [number, number] = [-Infinity, -Infinity];
+  for (let at = 0; at < positions.length; at += 3) {
+    for (const axis of [0, 1] as const) {
+      low[axis] = Math.min(low[axis], positions[at + axis]);
+      high[axis] = Math.max(high[axis], positions[at + axis]);
+    }
+  }
+  return { low, high };
+}
+
+/** Returns the middle of a surface. */
+function middleOf({ positions, columns, rows }: Surface): Vec3 {
+  const at = 3 * ((rows >> 1) * columns + Math.round(columnAt(0.5, columns)));
+  return [positions[at], positions[at + 1], positions[at + 2]];
+}

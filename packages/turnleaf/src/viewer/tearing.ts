@@ -1,0 +1,348 @@
+/**
+ * Tears leaves out of the book: one that a pointer, or a hand of the viewer's own, pulls away from
+ * the spine beyond its reach is drawn as a sheet that the spine holds row by row. Once it is off,
+ * its pages are no longer the book's, and it is a loose sheet. Loaded when a book may be torn.
+ */
+
+import { facesOfLeaf } from "../book/faces.ts";
+import { sideBefore } from "../book/leaf_order.ts";
+import { type Binding, leafOf, paperOnLeft } from "../book/spreads.ts";
+import type { Flight } from "../book/turning.ts";
+import type { BoundRows, TornSheet } from "../engine/book_engine.ts";
+import { CreasableBook } from "../engine/creasable_book.ts";
+import { maxGrabs, Side } from "../engine/phases.ts";
+import { pileHeight, type Surface, type Vec3 } from "../engine/shapes.ts";
+import type { PageBitmaps } from "../pages/page_bitmaps.ts";
+import { onPlane } from "../picking/reach.ts";
+import type { BookPose } from "../stage/book_pose.ts";
+import type { BookStage, Place } from "../stage/book_stage.ts";
+import { tableHeight } from "../stage/case_sizes.ts";
+import type { Drag } from "./drag.ts";
+import { LooseSheetPile } from "./loose_sheets.ts";
+import type { Rebinder } from "./rebinder.ts";
+import type { TearOwner } from "./viewer_options.ts";
+
+/** How far a leaf is pulled beyond its reach before it is drawn as one that tears, in page widths. */
+const taut = 0.05;
+
+/** How high a hand pulls a leaf that tears, as a part of how far it pulls it. */
+const rising = 0.5;
+
+/** Seconds in which a leaf that was let go while it was being torn is drawn as bound again. */
+const mended = 0.25;
+
+/** A leaf torn out by command: where it is held, and its hand's speed, page widths a second. */
+const commandHold = [0.95, 0.9] as const;
+const commandGrab = maxGrabs - 1;
+const commandSpeed = 0.6;
+
+/** Seconds after which a command cuts what its pull has not torn. */
+const longestPull = 2;
+
+/** What tearing needs of the viewer, and of the owner of the book's pages. */
+export interface TearHooks extends TearOwner {
+  /** Something moves: a frame should show it. */
+  readonly moved: () => void;
+  /** Returns whether a place is on the canvas. */
+  readonly isSeen: (place: Place) => boolean;
+}
+
+/** A leaf that is being torn. */
+interface Tear {
+  readonly flight: Flight;
+  readonly sheet: TornSheet;
+  readonly pages: readonly number[];
+  /** The pointer that pulls it; null if the viewer does, by a command. */
+  readonly drag: Drag | null;
+  /** Whether the owner has been asked, as the first row gave way. */
+  isAsked: boolean;
+  /** How far the viewer's own hand has pulled it, metres. */
+  away: number;
+  /** Seconds since it was let go; null while it is held. */
+  since: number | null;
+  /** Called once it is off, or bound again. */
+  readonly done: (isOff: boolean) => void;
+}
+
+/** Tears leaves out of one viewer's book. */
+export class Tearing {
+  readonly #rebinder: Rebinder;
+  readonly #bitmaps: PageBitmaps;
+  readonly #loose: LooseSheetPile;
+  readonly #hooks: TearHooks;
+  #tear: Tear | null = null;
+  /** The pages whose leaf may not be torn by the pointer that holds it: their owner said so. */
+  #refused: Drag | null = null;
+  /** What binds leaves that were let go half torn, by their first page; until pages move. */
+  readonly #begun = new Map<number, BoundRows>();
+  #drawn: { readonly surface: Surface; readonly sheet: Surface; readonly part: number } | null =
+    null;
+
+  private constructor(
+    rebinder: Rebinder,
+    bitmaps: PageBitmaps,
+    loose: LooseSheetPile,
+    hooks: TearHooks,
+  ) {
+    this.#rebinder = rebinder;
+    this.#bitmaps = bitmaps;
+    this.#loose = loose;
+    this.#hooks = hooks;
+  }
+
+  /** Has the book bound anew, as soon as it rests, by an engine whose leaves can be torn. */
+  static async create(
+    rebinder: Rebinder,
+    bitmaps: PageBitmaps,
+    stage: BookStage,
+    hooks: TearHooks,
+  ): Promise<Tearing> {
+    const { engine, shape } = rebinder.bound;
+    if (!engine.tearing) rebinder.useEngine(await CreasableBook.creasable(shape));
+    const loose = new LooseSheetPile(rebinder, {
+      moved: hooks.moved,
+      rayAt: (x, y) => stage.rayAt(x, y),
+      isSeen: (point) => hooks.isSeen(stage.project(point)),
+      drop: (picture) => bitmaps.drop(picture),
+    });
+    return new Tearing(rebinder, bitmaps, loose, hooks);
+  }
+
+  /** Call it when the book was bound anew: what was being torn is bound again. */
+  bound(): void {
+    this.#end(false);
+    this.#begun.clear();
+    this.#rebinder.bound.drags.loose = this.#loose;
+  }
+
+  /**
+   * Tears the leaf of a page (from 1) out, which lies open. Resolves, once it is off, to whether it
+   * is: false if the page does not lie open, its leaf cannot be torn out or its owner keeps it.
+   */
+  async tearOut(page: number): Promise<boolean> {
+    const { binding, turning, engine } = this.#rebinder.bound;
+    if (turning.moving || this.#tear || !engine.tearing) return false;
+    const side = sideOf(binding, turning.spread, page);
+    const flight = side !== null && turning.hasLeaf(side) ? this.#pickUp(side) : null;
+    if (flight === null) return false;
+    // Held, so that it does not lie down meanwhile.
+    engine.grab(flight.id, commandGrab, ...commandHold);
+    const isOff = await new Promise<boolean>((done) => {
+      if (!this.#begin(flight, null, commandHold, done)) done(false);
+    });
+    if (!isOff) this.#rebinder.bound.engine.release(flight.id, commandGrab);
+    this.#hooks.moved();
+    return isOff;
+  }
+
+  /** Advances by whole ticks, `seconds` long. Returns whether anything goes on moving. */
+  step(ticks: number, seconds: number): boolean {
+    const isFalling = this.#loose.step(ticks);
+    return this.#stepTear(ticks, seconds) || isFalling;
+  }
+
+  /** Shows the pictures of the loose sheets. */
+  show(stage: BookStage): void {
+    for (const [k, { recto, verso }] of this.#loose.pictures.entries()) {
+      stage.setLoose(k, "recto", recto);
+      stage.setLoose(k, "verso", verso);
+    }
+  }
+
+  /** Takes a loose sheet away; `id` is what `takeOut` returned. */
+  remove(id: number): void {
+    this.#loose.remove(id);
+  }
+
+  #stepTear(ticks: number, seconds: number): boolean {
+    if (!this.#tear) this.#look();
+    const tear = this.#tear;
+    if (tear === null || ticks === 0) return tear !== null;
+    const { engine, turning } = this.#rebinder.bound;
+    if (!turning.flights.includes(tear.flight)) return this.#end(false);
+    if (tear.since === null) this.#pull(tear, seconds);
+    else tear.since += seconds;
+    engine.tearing?.step(tear.sheet, ticks);
+    const [from, to] = tear.sheet.bound;
+    const work = tear.sheet.takeWork();
+    if (work > 0 && !tear.isAsked) {
+      tear.isAsked = true;
+      if (!this.#hooks.mayTear(tear.pages)) {
+        this.#refused = tear.drag;
+        return this.#end(false);
+      }
+      // Whoever was asked may have closed the book.
+      if (this.#tear !== tear) return false;
+    }
+    if (work > 0) this.#hooks.heard(work);
+    if (from === to) return this.#finish(tear);
+    if (tear.since !== null && tear.since >= mended) {
+      this.#begun.set(tear.pages[0], [from, to]);
+      return this.#end(false);
+    }
+    return tear.since !== null || !tear.sheet.isAsleep;
+  }
+
+  /** Returns what is drawn of a book whose parts are as `pose` says. */
+  pose(pose: BookPose): BookPose {
+    const loose = this.#loose.surfaces;
+    const tear = this.#tear;
+    if (tear === null) return loose.length > 0 ? { ...pose, loose } : pose;
+    const index = this.#rebinder.bound.turning.leaves.indexOf(tear.flight);
+    const leaves = pose.leaves.map((leaf, k) => (k === index ? this.#blend(tear, leaf) : leaf));
+    return { ...pose, leaves, loose };
+  }
+
+  /** Frees what is being torn, and takes all loose sheets away. */
+  close(): void {
+    this.#end(false);
+    this.#loose.clear();
+  }
+
+  /** Begins to tear a leaf that a pointer pulls beyond its reach. */
+  #look(): void {
+    const { drags, shape } = this.#rebinder.bound;
+    for (const drag of drags.all) {
+      if (drag === this.#refused || drag.pressing !== null) continue;
+      const { flight } = drag;
+      if (flight?.part !== "leaf" || flight.high - flight.low !== 1) continue;
+      if (this.#stretch(drag, flight) < taut * shape.width) continue;
+      this.#begin(flight, drag, [drag.u, drag.v], () => {});
+      return;
+    }
+  }
+
+  #begin(
+    flight: Flight,
+    drag: Drag | null,
+    [u, v]: readonly [number, number],
+    done: (isOff: boolean) => void,
+  ): boolean {
+    const { engine, binding, shape } = this.#rebinder.bound;
+    const line = this.#hooks.line();
+    const { recto, verso } = facesOfLeaf(binding, flight);
+    const pages = [recto, verso].filter((page) => page !== null).sort((a, b) => a - b);
+    if (line === null || pages.length === 0 || pages.length === binding.pageCount) return false;
+    const bound = this.#begun.get(pages[0]);
+    const table = { table: tableHeight(shape), rim: shape.rim };
+    const sheet = engine.tearing?.tear(flight.id, { line, bound, ...table });
+    if (!sheet) return false;
+    sheet.grab(u, v);
+    const isAsked = bound !== undefined;
+    this.#tear = { flight, sheet, pages, drag, isAsked, away: 0, since: null, done };
+    return true;
+  }
+
+  /** Pulls the sheet to where its pointer is, or on by the viewer's own hand. */
+  #pull(tear: Tear, seconds: number): void {
+    const { shape } = this.#rebinder.bound;
+    if (tear.drag === null) {
+      tear.away += seconds * commandSpeed * shape.width;
+      tear.sheet.pull(this.#handAt(tear));
+      if (tear.away >= longestPull * commandSpeed * shape.width) tear.sheet.cut();
+      return;
+    }
+    if (tear.drag.flight !== tear.flight) {
+      tear.sheet.release();
+      tear.since = 0;
+      return;
+    }
+    const stretch = Math.max(this.#stretch(tear.drag, tear.flight), 0);
+    tear.sheet.pull(onPlane(tear.drag.ray, this.#floor(tear.flight) + rising * stretch));
+  }
+
+  /** Returns where the viewer's own hand is that pulls a leaf: outward and up. */
+  #handAt({ flight, away }: Tear): Vec3 {
+    const { width, height } = this.#rebinder.bound.shape;
+    const sign = sideBefore(flight) === Side.right ? 1 : -1;
+    const [u, v] = commandHold;
+    const x = sign * (u * width + 0.7 * away);
+    return [x, v * height + 0.3 * away, this.#floor(flight) + 0.65 * away];
+  }
+
+  /** The leaf is off: its pages leave the book, and it is a loose sheet. */
+  #finish(tear: Tear): boolean {
+    const { binding, turning } = this.#rebinder.bound;
+    const { recto, verso } = facesOfLeaf(binding, tear.flight);
+    const take = (page: number | null) => (page === null ? null : this.#bitmaps.take(page));
+    this.#tear = null;
+    // Without the leaf the book lies as it did between the pages beside it.
+    turning.lay(tear.flight.low);
+    const pictures = { recto: take(recto), verso: take(verso) };
+    const id = this.#hooks.takeOut(tear.pages);
+    if (id === null) {
+      for (const picture of [pictures.recto, pictures.verso]) {
+        if (picture) this.#bitmaps.drop(picture);
+      }
+      tear.sheet.destroy();
+      tear.done(false);
+      return false;
+    }
+    this.#loose.add(id, tear.sheet, pictures);
+    const [u, v] = tear.drag ? [tear.drag.u, tear.drag.v] : commandHold;
+    if (tear.drag) tear.drag.carry(this.#loose.grab(id, u, v));
+    else this.#loose.putAside(id);
+    tear.done(true);
+    return true;
+  }
+
+  /** Ends what is being torn: it is drawn as bound again. */
+  #end(isOff: boolean): false {
+    const tear = this.#tear;
+    this.#tear = null;
+    this.#drawn = null;
+    tear?.sheet.destroy();
+    tear?.done(isOff);
+    return false;
+  }
+
+  /** Returns the sheet, or something between it and the leaf once it was let go. */
+  #blend(tear: Tear, leaf: Surface): Surface {
+    const { surface } = tear.sheet;
+    const part = tear.since === null ? 1 : Math.max(1 - tear.since / mended, 0);
+    if (part === 1) return surface;
+    const known = this.#drawn;
+    if (known?.sheet === surface && known.part === part) return known.surface;
+    const mix = (a: Float32Array, b: Float32Array) => a.map((x, k) => x + part * (b[k] - x));
+    const blended = {
+      ...surface,
+      positions: mix(leaf.positions, surface.positions),
+      normals: mix(leaf.normals, surface.normals),
+    };
+    this.#drawn = { surface: blended, sheet: surface, part };
+    return blended;
+  }
+
+  /** Picks up the uppermost leaf of paper on a side. */
+  #pickUp(side: Side): Flight | null {
+    const { turning } = this.#rebinder.bound;
+    return this.#rebinder.bound.pickUpToFold(side) ? (turning.flights.at(0) ?? null) : null;
+  }
+
+  /** Height of the pages on the side where a leaf lay, metres. */
+  #floor(flight: Flight): number {
+    return pileHeight(this.#rebinder.bound.engine.pile(sideBefore(flight)));
+  }
+
+  /**
+   * Returns how far a pointer is beyond where its leaf reaches, on the side where that lay: from
+   * the spine, and from its ends, metres.
+   */
+  #stretch(drag: Drag, flight: Flight): number {
+    const { width, height } = this.#rebinder.bound.shape;
+    const sign = sideBefore(flight) === Side.right ? 1 : -1;
+    const [x, y] = onPlane(drag.ray, this.#floor(flight));
+    if (sign * x <= 0) return 0;
+    const [u, v] = [drag.u * width, drag.v * height];
+    const beyond = (end: number) => Math.hypot(x, y - end) - Math.hypot(u, v - end);
+    return Math.max(sign * x - u, beyond(0), beyond(height));
+  }
+}
+
+/** Returns the side on which a page lies open, on a leaf of paper; null if it does not. */
+function sideOf(binding: Binding, spread: number, page: number): Side | null {
+  const leaf = paperOnLeft(binding, leafOf(binding, page));
+  const onLeft = paperOnLeft(binding, spread);
+  if (leaf === onLeft) return Side.right;
+  return leaf === onLeft - 1 ? Side.left : null;
+}
