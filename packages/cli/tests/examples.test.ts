@@ -278,3 +278,35 @@ it("16: a link is a book, with the theme that it names", async () => {
   expect(await page.locator("a").count()).toBe(0);
   expect(await ask((book) => book.next())).toBe(true);
 });
+
+it("18: a day is torn off a calendar that is bound at its head, and put back", {
+  timeout: 240_000,
+}, async () => {
+  await open("18-tear-off", { width: 480, height: 640 });
+  expect(await ask((book) => [book.pageCount, book.tearable])).toEqual([30, "perforated"]);
+  await turnFrom(1);
+  await page.getByRole("button", { name: "Tear off today" }).click();
+  await expect.poll(() => ask((book) => book.pageCount), patience).toBe(29);
+  await expect.poll(() => page.locator("output").textContent(), patience).toBe("29 days left");
+  await page.getByRole("button", { name: "Put it back" }).click();
+  await expect.poll(() => ask((book) => book.pageCount), patience).toBe(30);
+  await expect.poll(() => page.locator("output").textContent(), patience).toBe("30 days left");
+});
+
+it("19: coupons are torn out but for one that has expired", { timeout: 240_000 }, async () => {
+  await open("19-coupons", { width: 720, height: 480 });
+  const use = page.getByRole("button", { name: "Use this coupon" });
+  const said = () => page.locator("output").textContent();
+  // Without motion too.
+  await use.click();
+  await expect.poll(said, patience).toBe("One coffee: show CF-204.");
+  expect(await ask((book) => [book.pageCount, book.page])).toEqual([3, 1]);
+  await turnFrom(2);
+  await use.click();
+  await expect.poll(said, patience).toBe("Two for one has expired.");
+  await expect.poll(() => ask((book) => book.state), patience).toBe("resting");
+  expect(await ask((book) => book.pageCount)).toBe(3);
+  await page.getByRole("button", { name: "Undo" }).click();
+  await expect.poll(said, patience).toBe("One coffee is back.");
+  expect(await ask((book) => book.pageCount)).toBe(4);
+});

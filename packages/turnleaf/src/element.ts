@@ -325,12 +325,12 @@ export class TurnleafBook extends ReaderElement {
   /**
    * Tears the leaf of an open page (from 1, by default the first visible one) out, if `tearable`
    * allows it: both of its pages leave the book, and it lies beside it as a loose sheet, to be
-   * moved or thrown out of sight. Resolves, once it is off, to whether it is: false on the flat,
+   * moved or thrown out of sight; without motion it is gone at once. Resolves, once it is off, to whether it is: false on the flat,
    * for a board, if the page does not lie open, and if a listener cancels `tear`.
    */
   tearOut(page: number = this.page): Promise<boolean> {
     if (tearLineOf(this) === null) return Promise.resolve(false);
-    return this.#viewer?.tearOut(page) ?? Promise.resolve(false);
+    return this.#viewer?.tearOut(page, this.#motion === "turn") ?? Promise.resolve(false);
   }
 
   /**

@@ -8,12 +8,13 @@ import { columnAt, type Ray, type Surface, type Vec3 } from "../engine/shapes.ts
 import { type Hit, pickSurface } from "../picking/pick.ts";
 import { onPlane } from "../picking/reach.ts";
 import type { PagePicture } from "../sources/page_source.ts";
+import type { BookShape } from "../stage/book_pose.ts";
 import { tableHeight } from "../stage/case_sizes.ts";
 import type { Dragged, LooseHit } from "./drag.ts";
 import type { Rebinder } from "./rebinder.ts";
 
 /** Ticks of a sheet in a frame at most: on a machine that is slower it moves slower. */
-const mostTicks = 12;
+export const mostTicks = 12;
 
 /** Sheets that are kept at most: the one torn out first is taken away for the next. */
 const mostSheets = 8;
@@ -120,10 +121,11 @@ export class LooseSheetPile {
   /** Steps what moves by whole ticks. Returns whether anything goes on moving. */
   step(ticks: number): boolean {
     const { tearing, tick } = this.#rebinder.bound.engine;
+    const bounded = Math.min(ticks, mostTicks);
     for (const one of this.#sheets) {
       if (one.sheet.isAsleep || ticks === 0) continue;
-      this.#move(one, ticks * tick);
-      tearing?.step(one.sheet, Math.min(ticks, mostTicks));
+      this.#move(one, bounded * tick);
+      tearing?.step(one.sheet, bounded);
       one.surface = one.sheet.surface;
     }
     return this.#sheets.some(({ sheet }) => !sheet.isAsleep);
@@ -191,10 +193,9 @@ export class LooseSheetPile {
       // What was thrown out of sight is gone.
       if (at && !this.#hooks.isSeen(at) && !this.#hooks.isSeen(middle)) this.remove(one.id);
     } else {
-      const sign = (at ?? middle)[0] < 0 ? -1 : 1;
-      const x = sign * ((1.5 + apart) * shape.width + shape.rim);
+      const to = asideOf(shape, at ?? middle);
       one.sheet.grab(0.5, 0.5);
-      one.hand = { from: middle, to: [x, shape.height / 2, tableHeight(shape)], part: 0 };
+      one.hand = { from: middle, to, part: 0 };
     }
     this.#hooks.moved();
   }
@@ -228,6 +229,21 @@ function boundsOf({ positions }: Surface) {
     }
   }
   return { low, high };
+}
+
+/**
+ * Returns where the middle of a sheet lies that is put aside: on the screen left or right of the
+ * book, on the side of a place.
+ */
+function asideOf(shape: BookShape, [x, y]: Vec3): Vec3 {
+  const { width, height, rim, quarterTurned } = shape;
+  const [table, beyond] = [tableHeight(shape), rim + apart * width];
+  if (!quarterTurned) return [(x < 0 ? -1 : 1) * (1.5 * width + beyond), height / 2, table];
+  return [
+    (Math.sign(x) * width) / 2,
+    height / 2 + (y < height / 2 ? -1 : 1) * (height + beyond),
+    table,
+  ];
 }
 
 /** Returns the middle of a surface. */

@@ -18,7 +18,7 @@ import type { BookPose } from "../stage/book_pose.ts";
 import type { BookStage, Place } from "../stage/book_stage.ts";
 import { tableHeight } from "../stage/case_sizes.ts";
 import type { Drag } from "./drag.ts";
-import { LooseSheetPile } from "./loose_sheets.ts";
+import { LooseSheetPile, mostTicks } from "./loose_sheets.ts";
 import type { Rebinder } from "./rebinder.ts";
 import type { TearOwner } from "./viewer_options.ts";
 
@@ -118,8 +118,10 @@ export class Tearing {
   /**
    * Tears the leaf of a page (from 1) out, which lies open. Resolves, once it is off, to whether it
    * is: false if the page does not lie open, its leaf cannot be torn out or its owner keeps it.
+   *
+   * @param isSeen whether it is seen to be torn, and lies beside the book then
    */
-  async tearOut(page: number): Promise<boolean> {
+  async tearOut(page: number, isSeen: boolean): Promise<boolean> {
     const { binding, turning, engine } = this.#rebinder.bound;
     if (turning.moving || this.#tear || !engine.tearing) return false;
     const side = sideOf(binding, turning.spread, page);
@@ -129,16 +131,17 @@ export class Tearing {
     engine.grab(flight.id, commandGrab, ...commandHold);
     const isOff = await new Promise<boolean>((done) => {
       if (!this.#begin(flight, null, commandHold, done)) done(false);
+      else if (!isSeen) this.#cut();
     });
     if (!isOff) this.#rebinder.bound.engine.release(flight.id, commandGrab);
     this.#hooks.moved();
     return isOff;
   }
 
-  /** Advances by whole ticks, `seconds` long. Returns whether anything goes on moving. */
-  step(ticks: number, seconds: number): boolean {
+  /** Advances by whole ticks. Returns whether anything goes on moving. */
+  step(ticks: number): boolean {
     const isFalling = this.#loose.step(ticks);
-    return this.#stepTear(ticks, seconds) || isFalling;
+    return this.#stepTear(Math.min(ticks, mostTicks)) || isFalling;
   }
 
   /** Shows the pictures of the loose sheets. */
@@ -154,11 +157,12 @@ export class Tearing {
     this.#loose.remove(id);
   }
 
-  #stepTear(ticks: number, seconds: number): boolean {
+  #stepTear(ticks: number): boolean {
     if (!this.#tear) this.#look();
     const tear = this.#tear;
     if (tear === null || ticks === 0) return tear !== null;
     const { engine, turning } = this.#rebinder.bound;
+    const seconds = ticks * engine.tick;
     if (!turning.flights.includes(tear.flight)) return this.#end(false);
     if (tear.since === null) this.#pull(tear, seconds);
     else tear.since += seconds;
@@ -233,6 +237,14 @@ export class Tearing {
     return true;
   }
 
+  /** Takes the leaf that is being torn out at once, if its owner lets it go. */
+  #cut(): void {
+    const tear = this.#tear;
+    if (tear === null) return;
+    if (!tear.isAsked && !this.#hooks.mayTear(tear.pages)) this.#end(false);
+    else if (this.#tear === tear) this.#finish(tear, false);
+  }
+
   /** Pulls the sheet to where its pointer is, or on by the viewer's own hand. */
   #pull(tear: Tear, seconds: number): void {
     const { shape } = this.#rebinder.bound;
@@ -260,8 +272,12 @@ export class Tearing {
     return [x, v * height + 0.3 * away, this.#floor(flight) + 0.65 * away];
   }
 
-  /** The leaf is off: its pages leave the book, and it is a loose sheet. */
-  #finish(tear: Tear): boolean {
+  /**
+   * The leaf is off: its pages leave the book, and it is a loose sheet.
+   *
+   * @param isSeen whether the sheet is shown
+   */
+  #finish(tear: Tear, isSeen = true): boolean {
     const { binding, turning } = this.#rebinder.bound;
     const { recto, verso } = facesOfLeaf(binding, tear.flight);
     const take = (page: number | null) => (page === null ? null : this.#bitmaps.take(page));
@@ -279,6 +295,7 @@ export class Tearing {
       return false;
     }
     this.#loose.add(id, tear.sheet, pictures);
+    if (!isSeen) this.#loose.remove(id);
     const [u, v] = tear.drag ? [tear.drag.u, tear.drag.v] : commandHold;
     if (tear.drag) tear.drag.carry(this.#loose.grab(id, u, v));
     else this.#loose.putAside(id);

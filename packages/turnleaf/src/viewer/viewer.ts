@@ -332,11 +332,15 @@ export class Viewer {
     this.#loadedTearing?.bound();
   }
 
-  /** Tears the leaf of an open page (from 1) out. Resolves, once it is off, to whether it is. */
-  async tearOut(page: number): Promise<boolean> {
+  /**
+   * Tears the leaf of an open page (from 1) out. Resolves, once it is off, to whether it is.
+   *
+   * @param isSeen whether it is seen to be torn, and lies beside the book then
+   */
+  async tearOut(page: number, isSeen: boolean): Promise<boolean> {
     await this.allowTearing();
     if (this.#destroyed) return false;
-    const torn = this.#loadedTearing?.tearOut(page) ?? false;
+    const torn = this.#loadedTearing?.tearOut(page, isSeen) ?? false;
     this.invalidate();
     return await torn;
   }
@@ -498,7 +502,7 @@ export class Viewer {
     // A listener of a turn may destroy the viewer at once.
     if (this.#destroyed) return;
     if (turned) this.#modelSwitch.update(this.#bound, seconds);
-    const tearing = this.#loadedTearing?.step(passed, seconds) ?? false;
+    const tearing = this.#loadedTearing?.step(passed) ?? false;
     if (this.#destroyed) return;
     const turning = this.turning.moving;
     if (!turning) this.#bindAnew();

@@ -133,7 +133,7 @@ export class DrawnBook {
     if (!still && this.#hard) this.#placeBoards();
     const flapMoved = this.#followFlap(pose.flap ?? null);
     const sheets = pose.flap ? [...pose.leaves, pose.flap] : pose.leaves;
-    this.#placeLoose(pose.loose ?? [], !still);
+    this.#placeLoose(pose.loose ?? []);
     this.#isDim =
       roughly &&
       !this.#isDim &&
@@ -221,27 +221,21 @@ export class DrawnBook {
     }
   }
 
-  /**
-   * Places the sheets that are torn out, over everything else.
-   *
-   * @param hasMoved whether what shades them has
-   */
-  #placeLoose(sheets: readonly Surface[], hasMoved: boolean): void {
+  /** Places the sheets that are torn out, over everything else. */
+  #placeLoose(sheets: readonly Surface[]): void {
     while (this.#loose.length < sheets.length) {
       const { recto, verso } = this.#materials.loose(this.#loose.length);
       const mesh = new LeafMesh(recto, verso, this.#materials.leafEdges);
       this.group.add(mesh.recto, mesh.verso, mesh.rim.mesh);
       this.#loose.push(mesh);
     }
-    const piles = [this.#left.pile, this.#right.pile] as const;
     for (const [k, mesh] of this.#loose.entries()) {
       mesh.recto.visible = mesh.verso.visible = mesh.rim.mesh.visible = k < sheets.length;
       if (k >= sheets.length) continue;
-      const isShown = this.#looseShown[k] === sheets[k] && !hasMoved;
-      if (isShown) continue;
+      if (this.#looseShown[k] === sheets[k]) continue;
       const over = this.#leaves.length + k + 1;
       mesh.shape(sheets[k], over, over);
-      mesh.light(sheets[k], ...piles, undefined, undefined);
+      mesh.lieLoose();
     }
     this.#looseShown = sheets;
   }

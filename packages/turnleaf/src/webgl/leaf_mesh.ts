@@ -105,9 +105,19 @@ export class LeafMesh {
    * which bends up a little, less.
    */
   lieOpen(): void {
+    this.#open(0.6);
+  }
+
+  /** Lights it as a loose sheet, either side of which may see all of the sky. */
+  lieLoose(): void {
+    this.#open(Math.PI / 2);
+  }
+
+  /** @param verso right end of the gap of the verso, radians */
+  #open(verso: number): void {
     for (const [gap, right] of [
       [this.#rectoGap, Math.PI / 2],
-      [this.#versoGap, 0.6],
+      [this.#versoGap, verso],
     ] as const) {
       for (let k = 0; k < gap.array.length; k++) gap.array[k] = k % 2 ? right : -Math.PI / 2;
       gap.needsUpdate = true;
