@@ -64,8 +64,13 @@ const parts = {
     isApart: true,
   },
   "pages that are elements": { files: ["live_pages.js"], limit: 3 },
-  // The engine again, with creases: a book without a folded corner loads none of it.
-  "folded corners": { files: ["folds.js"], limit: 135, isApart: true },
+  // The engine again, with creases: a book without a folded corner, or whose leaves cannot be torn
+  // out, loads none of it.
+  "folded corners, leaves torn out": {
+    files: ["creasable_book.js", "folds.js", "tearing.js"],
+    limit: 140,
+    isApart: true,
+  },
   // A book whose pages are turned loads none of it.
   "pages that are scrolled": { files: ["roll_view.js"], limit: 4, isApart: true },
   "pages inserted and removed": { files: ["page_changes.js"], limit: 2 },

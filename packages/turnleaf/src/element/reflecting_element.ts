@@ -464,7 +464,7 @@ export class ReflectingElement extends Base {
   }
 
   set tearable(line: TearLine | "") {
-    if (line === "") this.removeAttribute("tearable");
+    if (line === "") this.toggleAttribute("tearable", false);
     else this.setAttribute("tearable", line);
   }
 
