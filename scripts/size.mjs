@@ -64,6 +64,12 @@ const parts = {
     isApart: true,
   },
   "pages that are elements": { files: ["live_pages.js"], limit: 3 },
+  // Only a browser that draws elements on canvases loads it.
+  "pages that are elements, live in the air": {
+    files: ["live_drawings.js"],
+    limit: 1,
+    isApart: true,
+  },
   // The engine again, with creases: a book without a folded corner loads none of it.
   "folded corners": { files: ["folds.js"], limit: 135, isApart: true },
   // A book whose pages are turned loads none of it.
