@@ -1,6 +1,6 @@
 import { join } from "node:path";
 import { playwright } from "@vitest/browser-playwright";
-import { defineConfig } from "vitest/config";
+import { defineConfig, type TestProjectConfiguration } from "vitest/config";
 import { packedFiles } from "./packages/turnleaf/packed_files.js";
 import { svelteFiles } from "./packages/turnleaf/svelte_files.js";
 import { turnInline } from "./packages/turnleaf/turn_inline.js";
@@ -13,11 +13,78 @@ import { requestCommands } from "./scripts/request_watch.mjs";
 /** The list of steps that Chromium, Firefox and WebKitGTK go through with the built package. */
 const engines = "packages/cli/tests/engines/*.test.ts";
 
+/** Tests of what Chromium has behind a flag: pages that are elements, drawn while they turn. */
+const htmlInCanvas = ["packages/turnleaf/src/element/live_drawings.browser.test.ts"];
+
 /** What the random tests read, for those that run in a browser. */
 const { TURNLEAF_SEED = "1", TURNLEAF_FUZZ = "1" } = process.env;
 
 /** Archives that tests read. */
 const archives = ["**/*.rar", "**/*.7z", "**/*.cb7"];
+
+/** Files that run in the real Chromium of this machine, started with flags besides those of all. */
+function inChromium(
+  name: string,
+  include: string[],
+  { exclude = [], flags = [] }: { exclude?: string[]; flags?: string[] },
+): TestProjectConfiguration {
+  return {
+    plugins: [wasmInline(), turnInline(), packedFiles(), workerInline(), svelteFiles()],
+    assetsInclude: archives,
+    optimizeDeps: {
+      include: [
+        "three",
+        "pdfjs-dist/legacy/build/pdf.mjs",
+        "axe-core",
+        "page-flip/dist/js/page-flip.module.js",
+        "react",
+        "react-dom/client",
+        "react-dom/server.browser",
+        "svelte",
+        "svelte/internal/client",
+        "svelte/internal/disclose-version",
+        "svelte/internal/server",
+        "svelte/server",
+        "vue",
+        "vue/server-renderer",
+      ],
+    },
+    // As bundlers are to say it to Vue.
+    define: {
+      __VUE_OPTIONS_API__: "true",
+      __VUE_PROD_DEVTOOLS__: "false",
+      __VUE_PROD_HYDRATION_MISMATCH_DETAILS__: "true",
+    },
+    // The examples import the package by its name.
+    resolve: {
+      alias: [
+        {
+          find: /^turnleaf$/,
+          replacement: join(import.meta.dirname, "packages/turnleaf/src/index.ts"),
+        },
+      ],
+    },
+    test: {
+      name,
+      include,
+      exclude: [...exclude, "**/node_modules/**", "**/dist/**"],
+      testTimeout: 60_000,
+      fileParallelism: false,
+      env: { TURNLEAF_SEED, TURNLEAF_FUZZ },
+      setupFiles: ["packages/turnleaf/src/for_tests/browser_setup.ts"],
+      browser: {
+        enabled: true,
+        headless: true,
+        screenshotFailures: false,
+        commands: { ...consoleCommands, ...requestCommands },
+        provider: playwright({
+          launchOptions: { executablePath: findChromium(), args: [...chromiumArguments, ...flags] },
+        }),
+        instances: [{ browser: "chromium", viewport: { width: 800, height: 600 } }],
+      },
+    },
+  };
+}
 
 /** `*.test.ts` runs in Node; `*.browser.test.ts` runs in the real Chromium of this machine. */
 export default defineConfig({
@@ -41,62 +108,10 @@ export default defineConfig({
       {
         test: { name: "engines", environment: "node", include: [engines] },
       },
-      {
-        plugins: [wasmInline(), turnInline(), packedFiles(), workerInline(), svelteFiles()],
-        assetsInclude: archives,
-        optimizeDeps: {
-          include: [
-            "three",
-            "pdfjs-dist/legacy/build/pdf.mjs",
-            "axe-core",
-            "page-flip/dist/js/page-flip.module.js",
-            "react",
-            "react-dom/client",
-            "react-dom/server.browser",
-            "svelte",
-            "svelte/internal/client",
-            "svelte/internal/disclose-version",
-            "svelte/internal/server",
-            "svelte/server",
-            "vue",
-            "vue/server-renderer",
-          ],
-        },
-        // As bundlers are to say it to Vue.
-        define: {
-          __VUE_OPTIONS_API__: "true",
-          __VUE_PROD_DEVTOOLS__: "false",
-          __VUE_PROD_HYDRATION_MISMATCH_DETAILS__: "true",
-        },
-        // The examples import the package by its name.
-        resolve: {
-          alias: [
-            {
-              find: /^turnleaf$/,
-              replacement: join(import.meta.dirname, "packages/turnleaf/src/index.ts"),
-            },
-          ],
-        },
-        test: {
-          name: "chromium",
-          include: ["packages/**/*.browser.test.ts"],
-          exclude: ["**/node_modules/**", "**/dist/**"],
-          testTimeout: 60_000,
-          fileParallelism: false,
-          env: { TURNLEAF_SEED, TURNLEAF_FUZZ },
-          setupFiles: ["packages/turnleaf/src/for_tests/browser_setup.ts"],
-          browser: {
-            enabled: true,
-            headless: true,
-            screenshotFailures: false,
-            commands: { ...consoleCommands, ...requestCommands },
-            provider: playwright({
-              launchOptions: { executablePath: findChromium(), args: chromiumArguments },
-            }),
-            instances: [{ browser: "chromium", viewport: { width: 800, height: 600 } }],
-          },
-        },
-      },
+      inChromium("chromium", ["packages/**/*.browser.test.ts"], { exclude: htmlInCanvas }),
+      inChromium("chromium with HTML in canvas", htmlInCanvas, {
+        flags: ["--enable-blink-features=CanvasDrawElement"],
+      }),
     ],
   },
 });

@@ -144,7 +144,7 @@ function gestures() {
     ["the same, 99th percentile", n(found.drawn_penetration_p99_mm)],
     ["the same, worst", n(found.drawn_penetration_mm)],
     ["the same, in the piles alone, worst", n(found.drawn_penetration_in_piles_mm)],
-    ["frames drawn more than 1 mm behind the paper", percent(found.frames_behind_share)],
+    ["frames drawn more than 1 mm behind the paper", percent(found.frames_behind_fraction)],
     ["drawn behind the paper, 99th percentile of frames, mm", n(found.drawn_behind_p99_mm)],
     ["depth in the solver, median, mm", n(found.solver_penetration_median_mm)],
     ["the same, 90th percentile", n(found.solver_penetration_p90_mm)],

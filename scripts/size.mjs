@@ -71,6 +71,12 @@ const parts = {
     limit: 140,
     isApart: true,
   },
+  // Only a browser that draws elements on canvases loads it.
+  "pages that are elements, live in the air": {
+    files: ["live_drawings.js"],
+    limit: 1,
+    isApart: true,
+  },
   // A book whose pages are turned loads none of it.
   "pages that are scrolled": { files: ["roll_view.js"], limit: 4, isApart: true },
   "pages inserted and removed": { files: ["page_changes.js"], limit: 2 },

@@ -216,7 +216,7 @@ fn a_leaf_counts_by_its_caliper_in_the_piles() {
 }
 
 #[test]
-fn leaves_that_there_are_not_and_stocks_that_are_none_are_refused() {
+fn missing_leaves_and_invalid_stocks_are_rejected() {
     let mut book = mixed(0.004);
     let none = Stock {
         grammage: f64::NAN,

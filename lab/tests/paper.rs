@@ -354,7 +354,7 @@ fn is_drawn_clear(found: &Value) {
 fn leaves_that_press_on_each_other_do_not_stand_still() {
     for seed in [1452, 2575] {
         let found = usual_gesture(seed);
-        let behind = figure(&found, "frames_behind_share");
+        let behind = figure(&found, "frames_behind_fraction");
         assert!(behind < 0.05, "seed {seed}: {behind} of the frames");
     }
 }

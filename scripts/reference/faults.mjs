@@ -12,6 +12,10 @@ const common = [
   "part",
   "role",
   "tabindex",
+  // Of canvases that draw elements, and of these.
+  "content",
+  "drawable",
+  "layoutsubtree",
 ];
 
 /**

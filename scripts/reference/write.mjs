@@ -94,7 +94,7 @@ export function meaningOf(type, { name, text }, wordings) {
 /** An attribute's values: the words or numbers it takes, the usual one first, else its property's type. */
 function values({ choice, type, usual }) {
   if (choice) {
-    const others = choice.filter((word) => word !== usual);
+    const others = choice.map((word) => word || '""').filter((word) => word !== usual);
     return [usual, ...others].map(code).join(", ");
   }
   if (type !== "boolean") return code(type);

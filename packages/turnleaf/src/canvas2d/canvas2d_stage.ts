@@ -134,6 +134,9 @@ export class Canvas2DStage implements BookStage {
     this.#shown.set(`beneath ${side}`, beneath);
   }
 
+  /** Every frame draws the bitmaps themselves. */
+  refresh(): void {}
+
   forget(picture: PagePicture): void {
     for (const [face, shown] of this.#shown) if (shown === picture) this.#shown.set(face, null);
   }

@@ -49,7 +49,10 @@ export class BookTextOverlay {
     const options: TextLayerOptions = {
       source,
       name: (page) => fill(elementTexts(language()).pageNamed, { label: source.label(page - 1) }),
-      goTo,
+      goTo: (page, top) => {
+        roll?.aim(page, top);
+        goTo(page);
+      },
       leaving: (address) => {
         const texts = elementTexts(language());
         // Languages may have been added before these texts were.

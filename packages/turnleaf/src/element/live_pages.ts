@@ -6,13 +6,21 @@
 
 import { leftPage, pagesAt, rightPage } from "../book/spreads.ts";
 import { decodeEscapes } from "../sources/book_text.ts";
+import { loadPart } from "../sources/load_part.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Point } from "../text/page_view.ts";
 import type { Viewer } from "../viewer/viewer.ts";
+import type { LiveDrawings } from "./live_drawings.ts";
 import { addStyle } from "./shadow_tree.ts";
 
 /** Where the place of a page is measured, in fractions: it bends near the spine, where little stands. */
 const [near, far] = [0.1, 0.9];
+
+/** Whether the browser draws elements on a canvas that contains them, and moves them there as they are. */
+const drawsElements: boolean =
+  "drawElementImage" in CanvasRenderingContext2D.prototype &&
+  "onpaint" in HTMLCanvasElement.prototype &&
+  "moveBefore" in Element.prototype;
 
 /** What a page's name and links need of the book around it. */
 export interface LivePagesHooks {
@@ -27,6 +35,7 @@ export interface LivePagesHooks {
 /** The elements of one book. */
 export class LivePages {
   readonly #host: HTMLElement;
+  readonly #stage: HTMLElement;
   readonly #layer: HTMLElement = document.createElement("div");
   readonly #hooks: LivePagesHooks;
   /** The places of the elements, in the order of the pages. */
@@ -36,6 +45,8 @@ export class LivePages {
   /** Films and sounds that go on when their page is open again. */
   readonly #paused = new Set<HTMLMediaElement>();
   readonly #ended = new AbortController();
+  /** Draws them while they turn, where the browser can. */
+  #drawings: LiveDrawings | null = null;
 
   /**
    * @param host whose children the elements are, or become
@@ -44,6 +55,7 @@ export class LivePages {
    */
   constructor(host: HTMLElement, stage: HTMLElement, hooks: LivePagesHooks) {
     this.#host = host;
+    this.#stage = stage;
     this.#hooks = hooks;
     this.#layer.className = "elements";
     const removeStyle = addStyle(stage.getRootNode() as ShadowRoot, style);
@@ -60,6 +72,7 @@ export class LivePages {
    * @param isWhole whether the book has no other pages
    */
   adopt(source: PageSource, isWhole = true): void {
+    this.#drawings?.end();
     const boxes = isWhole ? new Map<HTMLElement, HTMLElement>() : this.#boxes;
     const before = this.#boxes;
     for (let index = 0; index < source.pageCount; index++) {
@@ -81,16 +94,31 @@ export class LivePages {
     const { signal } = this.#ended;
     const stop = viewer.onStillChange((isStill) => {
       this.#layer.classList.toggle("seen", isStill);
+      if (isStill) this.#drawings?.end();
+      else this.#drawings?.begin();
       if (isStill) this.#lay(viewer, source);
     });
     signal.addEventListener("abort", stop);
+    if (drawsElements) void this.#drawWhileTurning(viewer, source);
   }
 
   /** Removes the places of all pages; elements from elsewhere leave the host. */
   destroy(): void {
     this.#ended.abort();
+    this.#drawings?.destroy();
     for (const [page, box] of this.#boxes) this.#remove(page, box);
     this.#layer.remove();
+  }
+
+  async #drawWhileTurning(viewer: Viewer, source: PageSource): Promise<void> {
+    // Without it pages show their pictures, as in other browsers.
+    const part = await loadPart(import("./live_drawings.ts")).catch(() => null);
+    if (part === null || this.#ended.signal.aborted) return;
+    this.#drawings?.destroy();
+    this.#drawings = new part.LiveDrawings(this.#stage, viewer, (page) => {
+      const element = source.element?.(page - 1);
+      return element ? this.#boxes.get(element) : undefined;
+    });
   }
 
   #boxOf(page: HTMLElement): HTMLElement {

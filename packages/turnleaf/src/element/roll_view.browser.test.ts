@@ -134,6 +134,46 @@ test("continuous chapters are one roll, with links, marks of a search, another t
   await expect.poll(() => (sheetsOf(element)[0] as HTMLElement).offsetWidth).toBe(2 * wide);
 });
 
+test("a link leads to its line, on another page and on the one that is read", async () => {
+  const line = `<p id="deep">Deepline <a href="#far">farther</a></p>`;
+  const chapters = [
+    '<p><a href="c2.xhtml#deep">on</a></p>',
+    `${prose(6)}${line}<p>1</p><p>2</p><p>3</p><p id="far">Farline</p>${prose(12)}`,
+  ];
+  const element = await opened({ chapters, metadata: flow("scrolled-doc") });
+  const roll = rollOf(element);
+  const follow = async (title: string): Promise<void> => {
+    const link = (): HTMLElement | undefined =>
+      [...roll.querySelectorAll<HTMLElement>(".text a")].find(
+        (a) => a.ariaLabel === title && a.offsetWidth > 5,
+      );
+    await expect.poll(link, { timeout: 10_000 }).toBeDefined();
+    link()?.click();
+  };
+  /** How far under the head of the window a word stands, and its page's head. */
+  const placeOf = (word: string): [number, number] | null => {
+    const spans = [...roll.querySelectorAll<HTMLElement>(".text .print span")];
+    const span = spans.find(({ textContent }) => textContent.includes(word));
+    const { top } = roll.getBoundingClientRect();
+    const page = sheetsOf(element)[element.page - 2];
+    if (!span || !page) return null;
+    return [span.getBoundingClientRect().top - top, page.getBoundingClientRect().top - top];
+  };
+  const isAtHead = (word: string): boolean => Math.abs(placeOf(word)?.[0] ?? 99) < 8;
+  await follow("on");
+  await expect.poll(() => isAtHead("Deepline"), { timeout: 10_000 }).toBe(true);
+  // The page's head is elsewhere.
+  expect(placeOf("Deepline")?.[1]).toBeLessThan(-20);
+  const page = element.page;
+  await follow("farther");
+  await expect.poll(() => isAtHead("Farline"), { timeout: 10_000 }).toBe(true);
+  expect(element.page).toBe(page);
+  // Another window leaves it there.
+  element.style.width = "420px";
+  await expect.poll(() => roll.clientWidth).toBe(420);
+  await expect.poll(() => isAtHead("Farline"), { timeout: 10_000 }).toBe(true);
+});
+
 test("pages of fixed layout among them are turned, and those of a roll as wide as the window", async () => {
   const fixed = (width: number, height: number): string =>
     `<html xmlns="http://www.w3.org/1999/xhtml"><head><title>t</title><meta name="viewport" content="width=${width}, height=${height}"/></head><body><p>fixed</p></body></html>`;

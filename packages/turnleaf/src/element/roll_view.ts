@@ -73,6 +73,10 @@ export class RollView implements PageView {
   /** The number of pages of the book that the sheets are of. */
   #pageCount = 0;
   #page = 0;
+  /** How far down that page the window's head was put, as a fraction of the page's height. */
+  #top = 0;
+  /** Where the link leads that is being followed. */
+  #aim: { readonly page: number; readonly top: number } | null = null;
   #isShown = false;
   /** Where the view was last put by a command: no reader scrolled there. */
   #putAt = -1;
@@ -145,6 +149,18 @@ export class RollView implements PageView {
     return () => this.#listeners.delete(listener);
   }
 
+  /**
+   * Scrolls to a place of a page (from 1) when it comes to be the open page; at once if it is.
+   *
+   * @param top as a fraction of the page's height from its head
+   */
+  aim(page: number, top = 0): void {
+    this.#aim = { page, top };
+    if (!this.#isShown || page !== this.#openPage) return;
+    this.#put(page);
+    this.#aim = null;
+  }
+
   /** Scrolls to the mark of a hit on a page (from 1), once it is the open page and the mark is there. */
   reveal(page: number): void {
     this.#revealing?.disconnect();
@@ -189,10 +205,14 @@ export class RollView implements PageView {
       this.#lay([]);
     } else {
       const isSame = this.#pageCount === this.#source.pageCount && this.#sheetOf(page);
-      if (!isSame) this.#lay(this.#pagesAround(page));
+      if (!isSame) {
+        this.#lay(this.#pagesAround(page));
+        this.#top = 0;
+      }
       this.#fit();
       if (page !== this.#page || !isSame) this.#put(page);
     }
+    this.#aim = null;
     this.#report();
   }
 
@@ -243,12 +263,15 @@ export class RollView implements PageView {
     this.#scroller.style.touchAction = this.#viewer.zoomLevel > 1 ? "pan-x pan-y" : "pan-y";
   }
 
-  /** Puts a page to the head of the window. */
+  /** Puts the head of a page, or the place on it to which a link leads, to the head of the window. */
   #put(page: number): void {
     const sheet = this.#sheetOf(page);
     if (!sheet) return;
+    if (this.#aim?.page === page) this.#top = this.#aim.top;
+    else if (page !== this.#page) this.#top = 0;
     this.#page = page;
-    this.#scroller.scrollTop = sheet.box.offsetTop;
+    const { offsetTop, offsetHeight } = sheet.box;
+    this.#scroller.scrollTop = offsetTop + this.#top * offsetHeight;
     this.#putAt = this.#scroller.scrollTop;
   }
 
@@ -324,6 +347,7 @@ export class RollView implements PageView {
   #scrolled(): void {
     if (Math.abs(this.#scroller.scrollTop - this.#putAt) < 1) return;
     this.#putAt = -1;
+    this.#top = 0;
     this.#timer ??= setTimeout(() => {
       this.#timer = undefined;
       const page = this.#pageInSight();

@@ -64,15 +64,15 @@ async function pull(element: TurnleafBook, steps: number, each = 6): Promise<Tes
 
 test("a leaf is torn out by command, lies beside the book, and is put back", async () => {
   const element = await opened();
-  const told: string[] = [];
+  const heard: string[] = [];
   for (const name of ["tear", "pageschange", "torn", "turnstart", "pagechange"]) {
     element.addEventListener(name, (event) =>
-      told.push(`${name} ${JSON.stringify((event as CustomEvent).detail)}`),
+      heard.push(`${name} ${JSON.stringify((event as CustomEvent).detail)}`),
     );
   }
   expect(besideBook(element)).toBe(0);
   expect(await element.tearOut(5)).toBe(true);
-  expect(told).toEqual([
+  expect(heard).toEqual([
     'tear {"pages":[5,6]}',
     'pageschange {"pageCount":10}',
     'torn {"pages":[5,6]}',
@@ -137,7 +137,7 @@ test("a book keeps its last leaf", async () => {
   expect(element.pageCount).toBe(2);
 });
 
-test("a hand tears a leaf out, carries it, lays it down and takes it again", async () => {
+test("a pointer tears a leaf out, carries it, lays it down and takes it again", async () => {
   const element = await opened();
   const torn = happens<{ pages: number[] }>(element, "torn");
   const pointer = await pull(element, 30);
@@ -167,12 +167,12 @@ test("a hand tears a leaf out, carries it, lays it down and takes it again", asy
 
 test("a leaf that was pulled a little falls back whole", async () => {
   const element = await opened({ tearable: "sewn" });
-  const told: Event[] = [];
-  element.addEventListener("tear", (event) => told.push(event));
+  const heard: Event[] = [];
+  element.addEventListener("tear", (event) => heard.push(event));
   const pointer = await pull(element, 8, 1);
   pointer.point("pointerup", 500, 60);
   await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
   await settled(element);
-  expect([told.length, element.pageCount]).toEqual([0, 12]);
+  expect([heard.length, element.pageCount]).toEqual([0, 12]);
   expect(await element.next()).toBe(true);
 });

@@ -64,7 +64,7 @@ export interface TearOptions {
 export type BoundRows = readonly [from: number, to: number];
 
 /**
- * A leaf that is being torn out, or is a loose sheet. One hand holds it. It outlives its book's
+ * A leaf that is being torn out, or is a loose sheet. One grab holds it. It outlives its book's
  * engine where that makes another.
  */
 export interface TornSheet {

@@ -38,6 +38,24 @@ interface PagesWanted {
   readonly lyingOpen: number;
 }
 
+/** A page as it was drawn: its bitmap, of its leaf's proportions. */
+export interface DrawnPage {
+  readonly picture: PagePicture;
+  /** The part of its leaf that the page covers, fractions from the upper left corner. */
+  readonly place: PageBox;
+  /** Whether the page looks otherwise by now. */
+  readonly isOutdated: boolean;
+}
+
+/** Pages whose bitmaps follow what they show while they turn. */
+export interface LiveBitmaps {
+  /**
+   * Returns a canvas that shows a page (from 1) as it looks now; null where it looks as it was
+   * drawn.
+   */
+  bitmapOf(page: number, drawn: DrawnPage): HTMLCanvasElement | null;
+}
+
 /** An open fold-out: the bitmaps of its parts, and the part of its leaf that all of it covers. */
 export interface OpenFoldOut {
   readonly page: PagePicture;
@@ -61,6 +79,8 @@ export class PageBitmaps {
   readonly #options: PageBitmapsOptions;
   #inSight: ReadonlySet<number> = new Set();
   readonly #standIns = new Map<string, HTMLCanvasElement>();
+  /** Draws pages as they look now, while leaves are in flight; null at rest. */
+  live: LiveBitmaps | null = null;
 
   /** What each page is printed on, and the part of its leaf that each page drawn so far covers. */
   #printedOn: (page: number) => PrintedOn = () => "left";
@@ -223,7 +243,13 @@ export class PageBitmaps {
   /** Returns the best available bitmap of a page (from 1), or a stand-in; never null. */
   get(page: number): PagePicture {
     if (this.#unfolded?.number === page) return this.#unfolded.parts.page;
-    return this.#pool.get(page - 1) ?? this.#standIn(page);
+    const picture = this.#pool.get(page - 1);
+    if (picture === null) return this.#standIn(page);
+    const place = this.placeOfDrawn(page);
+    // A fold-out that is folded in shows a part of its page.
+    if (this.live === null || isFoldOut(place)) return picture;
+    const isOutdated = this.#pool.isOutdated(page - 1);
+    return this.live.bitmapOf(page, { picture, place, isOutdated }) ?? picture;
   }
 
   /**

@@ -108,6 +108,18 @@ describe("what is drawn", () => {
     expect([pool.settled, pool.ready, source.open.length]).toEqual([true, true, 0]);
   });
 
+  it("says that a picture is out of date until its page has been drawn again", async () => {
+    const source = new FakeSource();
+    const pool = new PagePool(source);
+    pool.want(at(900, 4));
+    await source.finishEverything();
+    expect(pool.isOutdated(4)).toBe(false);
+    pool.redraw(4);
+    expect([pool.isOutdated(4), pool.isOutdated(5)]).toEqual([true, false]);
+    await source.finishEverything();
+    expect(pool.isOutdated(4)).toBe(false);
+  });
+
   it("stops drawing roughly where a sharp picture comes as soon", async () => {
     let time = 0;
     const source = new FakeSource();

@@ -174,6 +174,11 @@ export class PagePool {
     this.#drawNext();
   }
 
+  /** Whether the bitmap of a page has been out of date since `redraw`. */
+  isOutdated(index: number): boolean {
+    return this.#held.get(index)?.asked === 0;
+  }
+
   /** Forgets failures, so that the pages on the list are tried again. */
   retry(): void {
     this.#failed.clear();

@@ -372,7 +372,7 @@ export class PageList implements PageSource {
   #target(source: PageSource, to: LinkTarget): LinkTarget | null {
     if (!("page" in to)) return to;
     const page = this.#pageOf(source, to.page);
-    return page === null ? null : { page };
+    return page === null ? null : { ...to, page };
   }
 }
 

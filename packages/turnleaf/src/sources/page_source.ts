@@ -46,8 +46,14 @@ export interface TextRun extends PageBox {
   readonly places?: readonly number[];
 }
 
-/** The target of a link: a page (from 1) of this book, or an address of the web or of mail. */
-export type LinkTarget = { readonly page: number } | { readonly href: string };
+/**
+ * The target of a link: a page (from 1) of this book, or an address of the web or of mail. `top` is
+ * how far down its page it lies, as a fraction of the page's height from its head; less than 0 if
+ * it begins on the page before. A page that is scrolled is scrolled there. The default is 0.
+ */
+export type LinkTarget =
+  | { readonly page: number; readonly top?: number }
+  | { readonly href: string };
 
 /** A link on a page; its box as that of a `TextRun`, never turned. */
 export interface PageLink extends PageBox {

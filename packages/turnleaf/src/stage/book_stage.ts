@@ -91,6 +91,8 @@ export interface BookStage {
    * it.
    */
   setDetail(face: Face, detail: FaceDetail | null): void;
+  /** Shows what has been drawn on a canvas, which is the bitmap of faces, from the next frame on. */
+  refresh(canvas: HTMLCanvasElement): void;
   /** Frees the stage's resources for a bitmap. Faces that still show it go blank. */
   forget(picture: PagePicture): void;
 

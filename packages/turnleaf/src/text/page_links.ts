@@ -7,8 +7,8 @@ import { layOver, placeIn } from "./run_place.ts";
 
 /** How links are followed. */
 export interface LinkActions {
-  /** Follows a link within the book. */
-  readonly goTo: (page: number) => void;
+  /** Follows a link within the book to a page (from 1), and to a fraction of its height there. */
+  readonly goTo: (page: number, top?: number) => void;
   /** Returns what the reader is asked before a link out of the book is followed, and what follows it. */
   readonly leaving: (address: string) => { readonly question: string; readonly follow: string };
 }
@@ -38,8 +38,8 @@ export function makeLinks(
       if (isShown) a.setAttribute("aria-haspopup", "dialog");
       a.addEventListener("click", (event) => {
         event.preventDefault();
-        if (isShown) popover.show(note, a, nameOf(to), () => goTo(to.page));
-        else goTo(to.page);
+        if (isShown) popover.show(note, a, nameOf(to), () => goTo(to.page, to.top));
+        else goTo(to.page, to.top);
       });
     } else {
       a.href = to.href;

@@ -19,7 +19,7 @@ export const mostTicks = 12;
 /** Sheets that are kept at most: the one torn out first is taken away for the next. */
 const mostSheets = 8;
 
-/** Height over the table at which a hand carries a sheet, as a fraction of its width. */
+/** Height over the table at which a pointer carries a sheet, as a fraction of its width. */
 const carried = 0.4;
 
 /**
@@ -42,11 +42,12 @@ interface LooseSheet {
   readonly pictures: SheetPictures;
   /** What is drawn of it, as of its last step. */
   surface: Surface;
-  hand: Hand | null;
+  /** How it is put aside; null if it is not. */
+  aside: AsideMotion | null;
 }
 
-/** A hand of the viewer's own that carries a sheet aside. */
-interface Hand {
+/** The motion by which the viewer puts a sheet aside. */
+interface AsideMotion {
   readonly from: Vec3;
   readonly to: Vec3;
   /** Fraction of its way that is done. */
@@ -97,7 +98,7 @@ export class LooseSheetPile {
    * @param id by which `remove` knows it
    */
   add(id: number, sheet: TornSheet, pictures: SheetPictures): void {
-    this.#sheets.push({ id, sheet, pictures, surface: sheet.surface, hand: null });
+    this.#sheets.push({ id, sheet, pictures, surface: sheet.surface, aside: null });
     while (this.#sheets.length > mostSheets) this.remove(this.#sheets[0].id);
   }
 
@@ -148,7 +149,7 @@ export class LooseSheetPile {
     const held = () => this.#sheets.find((sheet) => sheet.id === id);
     const one = held();
     if (one) {
-      one.hand = null;
+      one.aside = null;
       one.sheet.grab(u, v);
     }
     let at: Vec3 = [0, 0, 0];
@@ -166,7 +167,7 @@ export class LooseSheetPile {
     };
   }
 
-  /** Puts a sheet aside, which a hand holds over the book. */
+  /** Puts a sheet aside that is held over the book. */
   putAside(id: number): void {
     const one = this.#sheets.find((sheet) => sheet.id === id);
     if (one) this.#letGo(one, null);
@@ -195,25 +196,25 @@ export class LooseSheetPile {
     } else {
       const to = asideOf(shape, at ?? middle);
       one.sheet.grab(0.5, 0.5);
-      one.hand = { from: middle, to, part: 0 };
+      one.aside = { from: middle, to, part: 0 };
     }
     this.#hooks.moved();
   }
 
-  /** Moves the hand that puts a sheet aside. */
+  /** Moves a sheet on that is put aside. */
   #move(one: LooseSheet, seconds: number): void {
-    const { hand } = one;
-    if (hand === null) return;
-    hand.part = Math.min(hand.part + seconds / asideSeconds, 1);
-    const eased = hand.part * hand.part * (3 - 2 * hand.part);
+    const { aside } = one;
+    if (aside === null) return;
+    aside.part = Math.min(aside.part + seconds / asideSeconds, 1);
+    const eased = aside.part * aside.part * (3 - 2 * aside.part);
     const [x, y] = [0, 1].map(
-      (axis) => hand.from[axis] + eased * (hand.to[axis] - hand.from[axis]),
+      (axis) => aside.from[axis] + eased * (aside.to[axis] - aside.from[axis]),
     );
     // Level until it is past the book, then down.
-    const sunk = hand.part ** 4;
-    one.sheet.pull([x, y, hand.from[2] + sunk * (hand.to[2] - hand.from[2])]);
-    if (hand.part < 1) return;
-    one.hand = null;
+    const sunk = aside.part ** 4;
+    one.sheet.pull([x, y, aside.from[2] + sunk * (aside.to[2] - aside.from[2])]);
+    if (aside.part < 1) return;
+    one.aside = null;
     one.sheet.release();
   }
 }

@@ -1,5 +1,5 @@
 /**
- * Tears leaves out of the book: one that a pointer, or a hand of the viewer's own, pulls away from
+ * Tears leaves out of the book: one that a pointer or a command pulls away from
  * the spine beyond its reach is drawn as a sheet that the spine holds row by row. Once it is off,
  * its pages are no longer the book's, and it is a loose sheet. Loaded when a book may be torn.
  */
@@ -25,13 +25,13 @@ import type { TearOwner } from "./viewer_options.ts";
 /** How far a leaf is pulled beyond its reach before it is drawn as one that tears, in page widths. */
 const taut = 0.05;
 
-/** How high a hand pulls a leaf that tears, as a part of how far it pulls it. */
+/** How high a leaf that tears is pulled, as a part of how far it is pulled. */
 const rising = 0.5;
 
 /** Seconds in which a leaf that was let go while it was being torn is drawn as bound again. */
 const mended = 0.25;
 
-/** A leaf torn out by command: where it is held, and its hand's speed, page widths a second. */
+/** A leaf torn out by command: where it is held, and the speed of its pull, page widths a second. */
 const commandHold = [0.95, 0.9] as const;
 const commandGrab = maxGrabs - 1;
 const commandSpeed = 0.6;
@@ -56,7 +56,7 @@ interface Tear {
   readonly drag: Drag | null;
   /** Whether the owner has been asked, as the first row gave way. */
   isAsked: boolean;
-  /** How far the viewer's own hand has pulled it, metres. */
+  /** How far a command has pulled it, metres. */
   away: number;
   /** Seconds since it was let go; null while it is held. */
   since: number | null;
@@ -72,7 +72,7 @@ export class Tearing {
   readonly #hooks: TearHooks;
   #tear: Tear | null = null;
   /** The pages whose leaf may not be torn by the pointer that holds it: their owner said so. */
-  #refused: Drag | null = null;
+  #declined: Drag | null = null;
   /** What binds leaves that were let go half torn, by their first page; until pages move. */
   readonly #begun = new Map<number, BoundRows>();
   #drawn: { readonly surface: Surface; readonly sheet: Surface; readonly part: number } | null =
@@ -172,10 +172,10 @@ export class Tearing {
     if (work > 0 && !tear.isAsked) {
       tear.isAsked = true;
       if (!this.#hooks.mayTear(tear.pages)) {
-        this.#refused = tear.drag;
+        this.#declined = tear.drag;
         return this.#end(false);
       }
-      // Whoever was asked may have closed the book.
+      // A listener may have closed the book.
       if (this.#tear !== tear) return false;
     }
     if (work > 0) this.#hooks.heard(work);
@@ -207,7 +207,7 @@ export class Tearing {
   #look(): void {
     const { drags, shape } = this.#rebinder.bound;
     for (const drag of drags.all) {
-      if (drag === this.#refused || drag.pressing !== null) continue;
+      if (drag === this.#declined || drag.pressing !== null) continue;
       const { flight } = drag;
       if (flight?.part !== "leaf" || flight.high - flight.low !== 1) continue;
       if (this.#stretch(drag, flight) < taut * shape.width) continue;
@@ -245,12 +245,12 @@ export class Tearing {
     else if (this.#tear === tear) this.#finish(tear, false);
   }
 
-  /** Pulls the sheet to where its pointer is, or on by the viewer's own hand. */
+  /** Pulls the sheet to where its pointer is, or onward where a command tears it. */
   #pull(tear: Tear, seconds: number): void {
     const { shape } = this.#rebinder.bound;
     if (tear.drag === null) {
       tear.away += seconds * commandSpeed * shape.width;
-      tear.sheet.pull(this.#handAt(tear));
+      tear.sheet.pull(this.#pulledTo(tear));
       if (tear.away >= longestPull * commandSpeed * shape.width) tear.sheet.cut();
       return;
     }
@@ -263,8 +263,8 @@ export class Tearing {
     tear.sheet.pull(onPlane(tear.drag.ray, this.#floor(tear.flight) + rising * stretch));
   }
 
-  /** Returns where the viewer's own hand is that pulls a leaf: outward and up. */
-  #handAt({ flight, away }: Tear): Vec3 {
+  /** Returns where a command pulls a leaf: outward and up. */
+  #pulledTo({ flight, away }: Tear): Vec3 {
     const { width, height } = this.#rebinder.bound.shape;
     const sign = sideBefore(flight) === Side.right ? 1 : -1;
     const [u, v] = commandHold;

@@ -14,7 +14,7 @@ import type { BookEngine } from "../engine/book_engine.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
 import { ModelSwitch } from "../leaf_models/model_switch.ts";
 import { leafSize } from "../pages/leaf_size.ts";
-import { PageBitmaps } from "../pages/page_bitmaps.ts";
+import { type LiveBitmaps, PageBitmaps } from "../pages/page_bitmaps.ts";
 import type { NewIndex, PageBox, PageSize, PageSource } from "../sources/page_source.ts";
 import type { BookStage, Place } from "../stage/book_stage.ts";
 import type { Zoom } from "../stage/zoom.ts";
@@ -38,6 +38,8 @@ import { Rebinder } from "./rebinder.ts";
 import { Sharpness } from "./sharpness.ts";
 import type { Tearing } from "./tearing.ts";
 import { type Backend, defaultBinding, type ViewerOptions } from "./viewer_options.ts";
+
+export type { DrawnPage, LiveBitmaps } from "../pages/page_bitmaps.ts";
 
 export type { Zoom } from "../stage/zoom.ts";
 export type { Backend, ViewerOptions } from "./viewer_options.ts";
@@ -356,7 +358,27 @@ export class Viewer {
     if (this.#destroyed) return;
     this.#bitmaps.redraw(page);
     this.#sharpness.redraw(page);
+    this.#show();
+  }
+
+  /** Sets what draws pages as they look now, while leaves are in flight; null for their bitmaps. */
+  setLiveBitmaps(live: LiveBitmaps | null): void {
+    if (this.#destroyed) return;
+    this.#bitmaps.live = live;
+    this.#showArrived();
+  }
+
+  /** Shows what has been drawn on a canvas of the live bitmaps since the last frame. */
+  canvasChanged(canvas: HTMLCanvasElement): void {
+    if (this.#destroyed) return;
+    this.#updateFaces();
+    this.#stage.refresh(canvas);
     this.invalidate();
+  }
+
+  /** Frees what the stage has made of a canvas that was one of the live bitmaps. */
+  forgetCanvas(canvas: HTMLCanvasElement): void {
+    if (!this.#destroyed) this.#stage.forget(canvas);
   }
 
   /** Requests a frame, unless one is already requested. */

@@ -52,6 +52,12 @@ export class PictureTextures {
     return texture;
   }
 
+  /** Has what was drawn on a canvas since then uploaded with the next frame. */
+  refresh(canvas: HTMLCanvasElement): void {
+    const texture = this.#textures.get(canvas);
+    if (texture) texture.needsUpdate = true;
+  }
+
   /**
    * Frees a picture's texture. No material may show it any more: three.js would
    * create it again.

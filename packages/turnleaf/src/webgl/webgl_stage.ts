@@ -167,6 +167,10 @@ export class WebGLStage implements BookStage {
     return Math.max(Math.min(this.#ratio, fit), Math.min(ratio, fit));
   }
 
+  refresh(canvas: HTMLCanvasElement): void {
+    this.#pictures.refresh(canvas);
+  }
+
   forget(picture: PagePicture): void {
     for (const [face, { shown, show }] of this.#faces) {
       if (shown === picture) this.#print(face, null, show);

@@ -200,7 +200,8 @@ export class FlowSource implements PageSource {
           .catch(() => signal.throwIfAborted());
         if (isNote) note = there?.note(target.id) ?? "";
       }
-      const to = { page: this.#pageOf(target) };
+      const top = this.#edition.mapOf(target.section)?.tops.get(target.id);
+      const to = { page: this.#pageOf(target), ...(top === undefined ? {} : { top }) };
       links.push({ ...link, to, ...(note === "" ? {} : { note }) });
     }
     return links;

@@ -68,6 +68,11 @@ export interface SectionMap {
   readonly starts: readonly number[];
   /** The page (from 0) of each element that has an id. */
   readonly ids: ReadonlyMap<string, number>;
+  /**
+   * How far down its page each of these begins, as a fraction of the page's height, if the
+   * section is scrolled; otherwise empty. Less than 0 if that is on the page before.
+   */
+  readonly tops: ReadonlyMap<string, number>;
   readonly size: PageSize;
 }
 
@@ -298,7 +303,7 @@ async function layIn<T>(
   const paper = content.size ? "#fff" : paperOf(typography);
   const map: SectionMap = {
     pageCount,
-    ...mapOf(html, flow, pageCount),
+    ...mapOf(html, flow, pageCount, isSliced),
     size: content.size ?? {
       width: paperback.width,
       height: isSliced ? (size.height * paperback.width) / page.width : paperback.height,
@@ -386,16 +391,19 @@ function mapOf(
   html: HTMLElement,
   flow: PageFlow,
   pageCount: number,
-): { ids: Map<string, number>; starts: number[] } {
+  isScrolled: boolean,
+): Pick<SectionMap, "ids" | "tops" | "starts"> {
   const ids = new Map<string, number>();
+  const tops = new Map<string, number>();
   for (const element of html.querySelectorAll("[id], a[name]")) {
     const [rect] = element.getClientRects();
     const id = element.id || (element.getAttribute("name") ?? "");
     if (ids.size >= limits.elements || ids.has(id)) continue;
-    const page = rect ? pageOfRect(flow, rect) : 0;
-    ids.set(id, Math.min(Math.max(page, 0), pageCount - 1));
+    const page = Math.min(Math.max(rect ? pageOfRect(flow, rect) : 0, 0), pageCount - 1);
+    ids.set(id, page);
+    if (rect && isScrolled) tops.set(id, rect.top / flow.stepY - page);
   }
-  return { ids, starts: [] };
+  return { ids, tops, starts: [] };
 }
 
 /** Returns whether a page's size is usable for a page of fixed layout. */
