@@ -453,19 +453,18 @@ export class ReflectingElement extends Base {
   /**
    * How the leaves are bound where a reader may tear them out by pulling one hard away from the
    * spine: `sewn`, along all of it; `stapled`, at two staples; `perforated`, along a line of cuts;
-   * "" if none may be torn out. An attribute without a value means sewn. Boards stay, and so does
-   * a book on the flat.
+   * `none` if none may be torn out. An attribute without a value means sewn. Boards stay, and so
+   * does a book on the flat.
    *
    * @attribute tearable
-   * @default ""
+   * @default none
    */
-  get tearable(): TearLine | "" {
-    return tearLineOf(this) ?? "";
+  get tearable(): TearLine | "none" {
+    return tearLineOf(this) ?? "none";
   }
 
-  set tearable(line: TearLine | "") {
-    if (line === "") this.toggleAttribute("tearable", false);
-    else this.setAttribute("tearable", line);
+  set tearable(line: TearLine | "none") {
+    this.setAttribute("tearable", line);
   }
 
   /**

@@ -119,7 +119,7 @@ test("a listener keeps the leaf whole", async () => {
 
 test("nothing is torn without the attribute, and no page that does not lie open", async () => {
   const element = await opened({ tearable: "glued" });
-  expect(element.tearable).toBe("");
+  expect(element.tearable).toBe("none");
   expect(await element.tearOut(5)).toBe(false);
   const pointer = await pull(element, 30);
   pointer.point("pointerup", 700, 100);
