@@ -39,6 +39,12 @@ const pictures = {
     turn: 400,
   },
   ...Object.fromEntries(
+    [200, 450, 1150].map((tear, k) => [
+      `tear-off-${k + 1}`,
+      { example: "18-tear-off.html", viewport: { width: 900, height: 480 }, page: 1, tear },
+    ]),
+  ),
+  ...Object.fromEntries(
     ["bible", "book", "office", "coated", "card"].map((stock) => [
       `stock-${stock}`,
       { page: 18, viewport: small, stock, drag: [0.86, 0.83, 0.66, 0.5] },
@@ -67,6 +73,7 @@ async function take(browser, reader, examples, name) {
     turn,
     riffle,
     drag,
+    tear,
   } = pictures[name];
   const page = await browser.newPage({ viewport, deviceScaleFactor: scale });
   page.setDefaultTimeout(180_000);
@@ -140,6 +147,12 @@ async function take(browser, reader, examples, name) {
     await page.mouse.down();
     await page.mouse.move(x1, y1, { steps: 8 });
     await page.evaluate(() => window.clock.pass(700));
+  }
+  if (tear) {
+    // What tears it is there before the clock goes on.
+    await page.evaluate(() => void document.querySelector("turnleaf-book").tearOut());
+    await page.waitForTimeout(1000);
+    await page.evaluate((milliseconds) => window.clock.pass(milliseconds), tear);
   }
   await page.screenshot({ path: join(out, `${name}.png`) });
   await page.close();
