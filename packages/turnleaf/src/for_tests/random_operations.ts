@@ -91,6 +91,8 @@ export class RandomOperations {
   readonly #operations: readonly Group[];
   #element = document.createElement("turnleaf-book");
   #pages: Content[] = [];
+  /** The pages that were torn out, and where they were, the last ones last. */
+  readonly #torn: { readonly at: number; readonly pages: readonly Content[] }[] = [];
   /** What the open book's input holds: the book opens with it again. */
   #given: readonly Content[] = [];
   #pdfPages = 0;
@@ -240,6 +242,7 @@ export class RandomOperations {
         "model",
         turnModels.filter((model) => model !== "photographs"),
       ),
+      tearable: attribute("tearable", ["none", "sewn", "stapled", "perforated"]),
       theme: attribute("theme", ["light", "dark", "paper"]),
       controls: () => element().toggleAttribute("controls"),
       slides: () => (this.#random() < 0.5 ? element().play(1) : element().pause()),
@@ -251,6 +254,11 @@ export class RandomOperations {
           await this.#change(this.#whole(1, this.#pages.length - 3), 2, 0);
       },
       replace: () => this.#change(this.#whole(1, this.#pages.length), 1, 1),
+      tear: async () => {
+        // A leaf that something else turns meanwhile is not torn out.
+        if (this.#pages.length > 8) await Promise.race([element().tearOut(), wait(patience)]);
+      },
+      putBack: () => this.#putBack(),
       draw: async () => {
         if (element().pageCount === 0) return;
         const page = await element()
@@ -300,8 +308,21 @@ export class RandomOperations {
         this.errors.push(`${message} (${this.state})`);
       });
     }
+    element.addEventListener("torn", ({ detail: { pages } }) => {
+      const at = pages[0] - 1;
+      this.#torn.push({ at, pages: this.#pages.splice(at, pages.length) });
+    });
+    // A book that is opened has all of its pages.
+    element.addEventListener("load", () => this.#torn.splice(0));
     this.#element = element;
     document.body.append(element);
+  }
+
+  /** Puts the pages that were torn out last back. */
+  async #putBack(): Promise<void> {
+    const isBack = await this.#element.putBack();
+    const last = isBack ? this.#torn.pop() : undefined;
+    if (last) this.#pages.splice(last.at, 0, ...last.pages);
   }
 
   /** Shows another book; most times waits until it is open. */
@@ -320,6 +341,8 @@ export class RandomOperations {
   }
 
   async #change(at: number, count: number, added: number): Promise<void> {
+    // Else what is out would be counted from other pages.
+    while (this.#torn.length > 0 && this.#element.tornLeaves > 0) await this.#putBack();
     const hues = Array.from({ length: added }, () => this.#hue());
     const element = this.#element;
     const isDone =
