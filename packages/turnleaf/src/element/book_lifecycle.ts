@@ -175,15 +175,17 @@ export class BookLifecycle {
     const { signal } = reading;
     // An element that shows no book yet does not need the code that reads one.
     const opening = loadPart(import("../sources/open.ts"));
-    if (this.#canvas === null) this.#prepareCanvas();
     const [{ openList }] = await Promise.all([opening, this.#hooks.prepare()]);
-    const source = await openList(input, {
+    const listing = openList(input, {
       signal,
       pdfWorker: pdfWorkerOf(this.#element),
       typography: typographyOf(this.#element),
       password: this.#hooks.password(),
       askPassword: this.#hooks.askPassword,
     });
+    // A context makes the page wait for the process that draws: once what reads the book is under way.
+    if (!signal.aborted && this.#canvas === null) this.#prepareCanvas();
+    const source = await listing;
     try {
       // Another book may have been asked for since.
       signal.throwIfAborted();

@@ -39,9 +39,20 @@ test("what draws a book is loaded while the book is read, and its canvas goes if
 
 test("a book is drawn on the canvas that waited for it", async () => {
   const { element, source } = await reading();
+  await expect.poll(() => canvasOf(element)).not.toBeNull();
   const canvas = canvasOf(element);
-  expect(canvas).not.toBeNull();
   source.resolve(await openSource(scans(4)));
   await settled(element);
   expect(canvasOf(element)).toBe(canvas);
+});
+
+test("an element that is removed before its book is read gets no canvas", async () => {
+  const { element } = await reading();
+  element.remove();
+  expect(canvasOf(element)).toBeNull();
+  const other = book(scans(4));
+  other.remove();
+  const { element: later } = await reading();
+  await expect.poll(() => canvasOf(later)).not.toBeNull();
+  expect(canvasOf(other)).toBeNull();
 });
