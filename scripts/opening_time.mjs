@@ -5,7 +5,9 @@
  * pdf.js alone: its own page of a script and a canvas, until the first page is drawn as large.
  * And how long an EPUB takes to be set anew in another size, at the reader's place.
  *
- *   node scripts/opening_time.mjs [--json] [--rounds N] [KIND ...]
+ *   node scripts/opening_time.mjs [--json] [--rounds N] [--moments] [KIND ...]
+ *
+ * `--moments` says what the time until the first spread can be read is made of.
  *
  * The books are made here, of the text of Moby-Dick, some by what the tests make theirs with; they come from a server of this process, which
  * adds nothing to how long they take.
@@ -169,6 +171,9 @@ const books = {
 const names = Object.keys(books);
 const alone = "pdf.js alone, the same PDF";
 
+/** The kinds for which a time is wanted. */
+const wanted = names.filter((name) => /^(PDF|EPUB|images)/.test(name));
+
 const style =
   "html, body { margin: 0; height: 100% } turnleaf-book { display: block; height: 100% }";
 const reader = (file) => `<!doctype html><meta charset="utf-8"><link rel="icon" href="data:,">
@@ -255,13 +260,17 @@ async function processorTime(session) {
   return processInfo.reduce((sum, { cpuTime }) => sum + cpuTime, 0);
 }
 
-/** Opens one page. Returns milliseconds by what was waited for, and those of processors. */
-async function open(browser, address, waitedFor) {
+/**
+ * Opens one page. Returns milliseconds by what was waited for, and those of processors.
+ *
+ * @param scripts what else runs in the page before anything else
+ */
+async function open(browser, address, waitedFor, scripts = []) {
   const context = await browser.newContext({ viewport });
   const session = await browser.newBrowserCDPSession();
   try {
     const page = await context.newPage();
-    await page.addInitScript(watch);
+    for (const script of [watch, ...scripts]) await page.addInitScript(script);
     const before = await processorTime(session);
     await page.goto(address, { waitUntil: "commit" });
     const found = { wall: {} };
@@ -327,6 +336,105 @@ async function setAnew(page) {
     return { wall, isPlace: shown.includes(first) };
   });
   return { ...found, cpu: (await task()) - before };
+}
+
+/** Runs in the page before anything else: takes down the first and the last time of what happens. */
+function watchMoments() {
+  const moments = { first: {}, last: {} };
+  const note = (name) => {
+    moments.first[name] ??= performance.now();
+    moments.last[name] = performance.now();
+  };
+  window.moments = moments;
+  const { Worker, createImageBitmap, requestAnimationFrame } = window;
+  window.Worker = class extends Worker {
+    constructor(...how) {
+      super(...how);
+      this.addEventListener("message", () => note("worker runs"), { once: true });
+    }
+  };
+  window.createImageBitmap = async (...how) => {
+    const bitmap = await createImageBitmap(...how);
+    note("picture");
+    return bitmap;
+  };
+  const { transferToImageBitmap } = OffscreenCanvas.prototype;
+  OffscreenCanvas.prototype.transferToImageBitmap = function () {
+    note("picture");
+    return transferToImageBitmap.call(this);
+  };
+  window.requestAnimationFrame = (call) =>
+    requestAnimationFrame((now) => {
+      call(now);
+      note("frame");
+    });
+  // It does not bubble.
+  const opened = ({ target }) => {
+    if (target.localName === "turnleaf-book") note("opened");
+  };
+  document.addEventListener("load", opened, { capture: true });
+}
+
+/** The moments of an opening, in their usual order: what is there or done then, and how a page knows. */
+const moments = {
+  "the element's script is there": ({ files }) => files(/viewer-/),
+  "what reads the book is there": ({ files }) => files(/(open|pdf|epub|zip|images|worker)\b.*\.js/),
+  "what draws it is there": ({ files }) => files(/(backend|three|turnleaf-|wasm_book)/),
+  "pdf.js's worker runs": ({ last }) => last["worker runs"],
+  "the book is open": ({ first }) => first.opened,
+  "its first frame is drawn": ({ first }) => first.frame,
+  "its first page is drawn": ({ first }) => first.picture,
+  "it can be read": ({ read }) => read,
+};
+
+/** Returns the moments of openings, milliseconds: by kind and by what draws, each as median, least and most. */
+export async function openingMoments({ rounds = 3, kinds = wanted } = {}) {
+  const { url, stop } = await serve();
+  const found = {};
+  for (const [backend, args] of Object.entries(backends)) {
+    const browser = await chromium.launch({ executablePath: findChromium(), args });
+    for (let round = 0; round < rounds; round++) {
+      for (const kind of kinds) {
+        const address = `${url}${names.indexOf(kind)}/`;
+        const opened = await open(browser, address, ["read"], [watchMoments]);
+        const { first, last, loaded } = await opened.page.evaluate(() => ({
+          ...window.moments,
+          loaded: performance
+            .getEntriesByType("resource")
+            .map((one) => [one.name, one.responseEnd]),
+        }));
+        await opened.close();
+        const { read } = opened.wall;
+        const files = (name) => {
+          const ends = loaded.filter(([file, end]) => name.test(file) && end <= read);
+          return ends.length > 0 ? Math.max(...ends.map(([, end]) => end)) : undefined;
+        };
+        for (const [name, at] of Object.entries(moments)) {
+          const time = at({ first, last, read, files });
+          if (time === undefined) continue;
+          const of = `${kind}, ${backend}`;
+          found[of] ??= {};
+          found[of][name] ??= [];
+          found[of][name].push(time);
+        }
+      }
+    }
+    await browser.close();
+  }
+  stop();
+  return found;
+}
+
+/** Returns the moments as rows of a table. */
+export function momentsTable(found) {
+  const cases = Object.keys(found);
+  const rows = Object.keys(moments)
+    .filter((name) => cases.some((one) => found[one][name]))
+    .map((name) => [
+      name,
+      ...cases.map((one) => inWords(found[one][name] && summary(found[one][name]))),
+    ]);
+  return [["milliseconds until", ...cases], ...rows];
 }
 
 const median = (values) => values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)];
@@ -424,10 +532,13 @@ export function openingTable(found) {
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const args = process.argv.slice(2);
   const at = args.indexOf("--rounds");
-  const rounds = at < 0 ? usualRounds : Number(args.splice(at, 2)[1]);
+  const rounds = at < 0 ? {} : { rounds: Number(args.splice(at, 2)[1]) };
   const asked = args.filter((one) => !one.startsWith("--"));
   const isAsked = (name) => asked.length === 0 || asked.some((one) => name.startsWith(one));
-  const found = await openingTimes({ rounds, kinds: names.filter(isAsked) });
-  if (args.includes("--json")) console.log(JSON.stringify(found, null, 2));
+  const kinds = names.filter(isAsked);
+  const isOfMoments = args.includes("--moments");
+  const found = await (isOfMoments ? openingMoments : openingTimes)({ ...rounds, kinds });
+  if (isOfMoments) console.table(momentsTable(found));
+  else if (args.includes("--json")) console.log(JSON.stringify(found, null, 2));
   else console.table(openingTable(found));
 }

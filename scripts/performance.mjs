@@ -9,7 +9,7 @@ import { cpus } from "node:os";
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { includeTables, writeTable } from "./docs_tables.mjs";
-import { openingTable, openingTimes } from "./opening_time.mjs";
+import { momentsTable, openingMoments, openingTable, openingTimes } from "./opening_time.mjs";
 import { scriptTimes } from "./script_time.mjs";
 import { viewerSize } from "./size.mjs";
 
@@ -195,6 +195,7 @@ const tables = {
   gestures_usual: gestures,
   script_time: frames,
   opening: async () => openingTable(await openingTimes()),
+  opening_moments: async () => momentsTable(await openingMoments()),
   sizes,
 };
 const named = process.argv.slice(2);

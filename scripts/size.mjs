@@ -52,16 +52,11 @@ const parts = {
     limit: 20,
     isApart: true,
   },
+  // Of the page sources, what all of them begin with.
+  "opens a book of any format": { files: ["open.js"], limit: 9, isApart: true },
   // With what reads images, which are a source of pages too.
   "photographs of a turn": {
-    files: [
-      "photographs.js",
-      "images.js",
-      "image_header.js",
-      "fetch_bytes.js",
-      "sniff.js",
-      "shared_tasks.js",
-    ],
+    files: ["photographs.js", "images.js", "image_header.js"],
     limit: 9,
     isApart: true,
   },

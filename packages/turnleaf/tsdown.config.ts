@@ -64,6 +64,12 @@ const viewer = defineConfig({
           tags: ["$initial"],
           test: /\/src\/(?!(index|links|standalone)\.)(?!.*\.d\.ts)/,
         },
+        // What opens any book is one file too, for a file that is imported by an imported one is
+        // asked for later.
+        {
+          name: "open",
+          test: /\/src\/sources\/(open|formats|book_file|fetch_bytes|sniff|manifest\w*|page_list|shared_tasks|trusted_script)\.ts/,
+        },
       ],
     },
   },

@@ -2,7 +2,7 @@
 
 import { engineCode, mayRunCode } from "./engine/machine_code.ts";
 import { BookError, type PageSource } from "./sources/page_source.ts";
-import { Viewer, type ViewerOptions } from "./viewer/viewer.ts";
+import { type Backend, Viewer, type ViewerOptions } from "./viewer/viewer.ts";
 import { giveUpContext, isUsable, openContext } from "./webgl/context.ts";
 
 /** Loads what draws in 3D. */
@@ -21,6 +21,25 @@ export async function checkPages(source: PageSource, signal: AbortSignal): Promi
   await Viewer.check(source, signal);
 }
 
+/** How a book is shown. */
+export interface Showing {
+  /** Whether to use the 2D canvas in any case. The default is false. */
+  readonly isFlat?: boolean;
+  /** Absolute address of the engine's file; "", the default, for the engine in the package. */
+  readonly engineSrc?: string;
+}
+
+/**
+ * Chooses what will draw a book, on the canvas that `openViewer` will get, and starts loading it:
+ * while the book is read. What fails is reported where the book is opened.
+ *
+ * @param freshCanvas as of `openViewer`
+ */
+export function prepareViewer(freshCanvas: () => HTMLCanvasElement, showing: Showing): void {
+  const { context } = contextFor(freshCanvas, showing);
+  loadBackend(context !== null, showing).catch(() => {});
+}
+
 /**
  * Opens a book: in 3D if WebGL 2 and WebAssembly are available; otherwise on a
  * 2D canvas, and then neither three.js nor the engine is loaded. Rejects with a
@@ -28,42 +47,53 @@ export async function checkPages(source: PageSource, signal: AbortSignal): Promi
  *
  * @param freshCanvas returns a canvas in place of the previous one: at first one that nothing
  * was drawn on, or that of a book whose viewer was destroyed and left it; then a new one
- * @param how `isFlat`: whether to use the 2D canvas in any case; `engineSrc`: absolute
- * address of the engine's file, "" for the engine in the package
  */
 export async function openViewer(
   freshCanvas: () => HTMLCanvasElement,
   source: PageSource,
   options: ViewerOptions,
   signal: AbortSignal,
-  { isFlat = false, engineSrc = "" }: { isFlat?: boolean; engineSrc?: string } = {},
+  showing: Showing = {},
 ): Promise<Viewer> {
-  let canvas = freshCanvas();
+  const { canvas, context } = contextFor(freshCanvas, showing);
+  if (context === null) return await open(canvas, false);
+  try {
+    return await open(canvas, true);
+  } catch (error) {
+    giveUpContext(canvas);
+    signal.throwIfAborted();
+    // Without its pages there is no book; without a graphics card there is a plainer one.
+    if (error instanceof BookError) throw error;
+    return await open(freshCanvas(), false);
+  }
+
+  async function open(canvas: HTMLCanvasElement, isWebGL: boolean): Promise<Viewer> {
+    const backend = await loadBackend(isWebGL, showing);
+    signal.throwIfAborted();
+    return await Viewer.open(canvas, source, options, backend, signal);
+  }
+}
+
+/** Returns a canvas and its WebGL context; null for the context where the book is to be flat. */
+function contextFor(
+  freshCanvas: () => HTMLCanvasElement,
+  { isFlat = false }: Showing,
+): { canvas: HTMLCanvasElement; context: WebGL2RenderingContext | null } {
+  const canvas = freshCanvas();
   const mayRun = mayRunCode();
   if (!mayRun) warnOnce();
-  const isWebGL = !isFlat && mayRun;
-  const context = isWebGL ? openContext(canvas) : null;
-  if (context && !isUsable(context)) {
-    giveUpContext(canvas);
-    canvas = freshCanvas();
-  }
-  if (isWebGL && openContext(canvas)) {
-    try {
-      // Both are loaded at the same time.
-      const [code, { webglBackend }] = [loadEngine(engineSrc), await loadWebGL()];
-      signal.throwIfAborted();
-      return await Viewer.open(canvas, source, options, webglBackend(code), signal);
-    } catch (error) {
-      giveUpContext(canvas);
-      signal.throwIfAborted();
-      // Without its pages there is no book; without a graphics card there is a plainer one.
-      if (error instanceof BookError) throw error;
-      canvas = freshCanvas();
-    }
-  }
-  const { canvas2dBackend } = await import("./canvas2d_backend.ts");
-  signal.throwIfAborted();
-  return Viewer.open(canvas, source, options, canvas2dBackend, signal);
+  const context = isFlat || !mayRun ? null : openContext(canvas);
+  if (context === null || isUsable(context)) return { canvas, context };
+  giveUpContext(canvas);
+  const other = freshCanvas();
+  return { canvas: other, context: openContext(other) };
+}
+
+/** Loads what draws a book in 3D, its parts at the same time, or on the flat. */
+async function loadBackend(isWebGL: boolean, { engineSrc = "" }: Showing): Promise<Backend> {
+  if (!isWebGL) return (await import("./canvas2d_backend.ts")).canvas2dBackend;
+  const [code, { webglBackend }] = [loadEngine(engineSrc), await loadWebGL()];
+  return webglBackend(code);
 }
 
 /** Rejects with a `BookError` if the file at an address cannot be loaded. */

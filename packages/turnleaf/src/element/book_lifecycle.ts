@@ -5,7 +5,13 @@
 
 import { Input } from "../input/input.ts";
 import type { Gesture } from "../input/target.ts";
-import { checkPages, giveUpContext, openViewer } from "../open_viewer.ts";
+import {
+  checkPages,
+  giveUpContext,
+  openViewer,
+  prepareViewer,
+  type Showing,
+} from "../open_viewer.ts";
 import { loadPart } from "../sources/load_part.ts";
 import type { BookInput } from "../sources/open.ts";
 import type { PageList } from "../sources/page_list.ts";
@@ -134,7 +140,8 @@ export class BookLifecycle {
     opening.catch((error: unknown) => {
       if (controller.signal.aborted) return;
       if (this.#reading === controller) this.#reading = null;
-      if (this.#showing === controller) this.#end(false);
+      // Without another book the canvas that waits for this one goes too.
+      if (this.#showing === controller || this.isIdle) this.#end(false);
       this.#hooks.failed(error);
     });
   }
@@ -169,13 +176,16 @@ export class BookLifecycle {
     // An element that shows no book yet does not need the code that reads one.
     const opening = loadPart(import("../sources/open.ts"));
     const [{ openList }] = await Promise.all([opening, this.#hooks.prepare()]);
-    const source = await openList(input, {
+    const listing = openList(input, {
       signal,
       pdfWorker: pdfWorkerOf(this.#element),
       typography: typographyOf(this.#element),
       password: this.#hooks.password(),
       askPassword: this.#hooks.askPassword,
     });
+    // A context makes the page wait for the process that draws: once what reads the book is under way.
+    if (!signal.aborted && this.#canvas === null) this.#prepareCanvas();
+    const source = await listing;
     try {
       // Another book may have been asked for since.
       signal.throwIfAborted();
@@ -191,7 +201,8 @@ export class BookLifecycle {
     }
     this.#reading = null;
     if (this.#book) this.#hooks.replacing();
-    this.#end(true);
+    // Otherwise the canvas waits for this book.
+    if (this.#showing) this.#end(true);
     this.#showing = reading;
     this.#elements = new BookElements(this.#element, this.#stage, source, this.#hooks.goTo);
     await this.#show(source, false, signal);
@@ -230,10 +241,8 @@ export class BookLifecycle {
         onContextLost: () => this.#book && this.#flatten(this.#book),
       };
       const fresh = (): HTMLCanvasElement => this.#freshCanvas();
-      const viewer = await openViewer(fresh, source, options, signal, {
-        isFlat,
-        engineSrc: addressIn(this.#element, "engine-src") ?? "",
-      });
+      const showing = { ...this.#how, isFlat };
+      const viewer = await openViewer(fresh, source, options, signal, showing);
       if (signal.aborted) viewer.destroy();
       signal.throwIfAborted();
       const canvas = this.#canvas as HTMLCanvasElement;
@@ -271,6 +280,17 @@ export class BookLifecycle {
     if (!hasRolls(source)) return null;
     const { RollView } = await loadPart(import("./roll_view.ts"));
     return new RollView({ host: this.#element, stage: this.#stage, source, viewer });
+  }
+
+  /** How a book is shown, if its graphics card does not fail. */
+  get #how(): Showing {
+    return { engineSrc: addressIn(this.#element, "engine-src") ?? "" };
+  }
+
+  /** Makes the first canvas, and loads what will draw on it, while the book is read. */
+  #prepareCanvas(): void {
+    prepareViewer(() => this.#freshCanvas(), this.#how);
+    this.#isSpare = true;
   }
 
   /**

@@ -253,8 +253,8 @@ export class PageBitmaps {
   }
 
   /**
-   * Returns the width of a page's bitmap in device pixels; infinite if no
-   * sharper one can be drawn.
+   * Returns the width of a page's bitmap in device pixels; 0 if a sharper one is
+   * to come, infinite if no sharper one can be drawn.
    */
   sharpness(page: number): number {
     // On a folded fold-out, a sharper detail would lie over the flap.

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { BookError, type PagePicture, type PageSource } from "../sources/page_source.ts";
-import { PagePool, slowTime } from "./page_pool.ts";
+import { PagePool, type PagePoolOptions, slowTime } from "./page_pool.ts";
 
 interface Drawing {
   readonly index: number;
@@ -83,17 +83,44 @@ async function settle(): Promise<void> {
 const at = (width: number, ...indices: number[]): { index: number; width: number }[] =>
   indices.map((index) => ({ index, width }));
 
+/** Returns a pool that has drawn page 40, slowly, and page 41, which it drew roughly in much less time. */
+async function slowPool(source: FakeSource, options: PagePoolOptions = {}): Promise<PagePool> {
+  let time = 0;
+  const pool = new PagePool(source, { ...options, now: () => time });
+  pool.want(at(900, 40));
+  time += 300;
+  await source.finishAll();
+  pool.want(at(900, 41));
+  time += 10;
+  await source.finishAll();
+  time += 300;
+  await source.finishAll();
+  return pool;
+}
+
 describe("what is drawn", () => {
-  it("draws the pages in sight roughly first, then sharply, at most two at a time", async () => {
+  it("draws the first pages sharp at once, at most two at a time", async () => {
     const source = new FakeSource();
     const pool = new PagePool(source);
+    pool.want(at(900, 4, 5, 6));
+    expect(source.open).toEqual(["4:900", "5:900"]);
+    await source.finishAll();
+    expect(pool.get(4)?.width).toBe(900);
+    expect(source.open).toEqual(["6:900"]);
+  });
+
+  it("draws the pages in sight roughly first, where that is much quicker", async () => {
+    const source = new FakeSource();
+    const pool = await slowPool(source);
     pool.want(at(900, 4, 5, 6));
     expect(source.open).toEqual(["4:300", "5:300"]);
     await source.finishAll();
     expect(pool.get(4)?.width).toBe(300);
+    expect(pool.sharpness(4)).toBe(0);
     expect(source.open).toEqual(["4:900", "5:900"]);
     await source.finishAll();
     expect(pool.get(4)?.width).toBe(900);
+    expect(pool.sharpness(4)).toBe(900);
     expect(source.open).toEqual(["6:900"]);
   });
 
@@ -101,7 +128,6 @@ describe("what is drawn", () => {
     const source = new FakeSource();
     const pool = new PagePool(source, { maxPages: 3 });
     pool.want(at(900, 4, 5, 6, 7));
-    await source.finishAll();
     await source.finishAll();
     expect([pool.settled, pool.ready]).toEqual([true, false]);
     await source.finishAll();
@@ -120,37 +146,39 @@ describe("what is drawn", () => {
     expect(pool.isOutdated(4)).toBe(false);
   });
 
-  it("stops drawing roughly where a sharp picture comes as soon", async () => {
+  it("draws nothing roughly where sharp pictures are quick", async () => {
     let time = 0;
     const source = new FakeSource();
     const pool = new PagePool(source, { now: () => time, drawing: 1 });
     pool.want(at(900, 0));
-    time += 10;
-    await source.finishAll();
     time += 12;
     await source.finishAll();
     pool.want(at(900, 1));
     expect(source.open).toEqual(["1:900"]);
   });
 
-  it("goes on drawing roughly where sharp pictures are slow", async () => {
+  it("tries a rough picture where a sharp one was slow, and no more where that was as slow", async () => {
     let time = 0;
     const source = new FakeSource();
     const pool = new PagePool(source, { now: () => time, drawing: 1 });
     pool.want(at(900, 0));
-    time += 10;
-    await source.finishAll();
     time += 300;
     await source.finishAll();
     pool.want(at(900, 1));
     expect(source.open).toEqual(["1:300"]);
+    time += 290;
+    await source.finishAll();
+    time += 300;
+    await source.finishAll();
+    pool.want(at(900, 2));
+    expect(source.open).toEqual(["2:900"]);
   });
 
   it("draws at once what is wanted roughly", async () => {
     const source = new FakeSource();
     const pool = new PagePool(source);
     pool.want([{ index: 4, width: 500, isRough: true }, ...at(900, 5)]);
-    expect(source.open).toEqual(["4:500", "5:300"]);
+    expect(source.open).toEqual(["4:500", "5:900"]);
   });
 
   it("aborts what is no longer wanted and draws what is", async () => {
@@ -160,7 +188,7 @@ describe("what is drawn", () => {
     const [first] = source.drawings;
     pool.want(at(600, 20, 21));
     expect(first?.signal.aborted).toBe(true);
-    expect(source.open).toEqual(["20:200", "21:200"]);
+    expect(source.open).toEqual(["20:600", "21:600"]);
   });
 
   it("draws again when a page is wanted wider, and not when narrower", async () => {
@@ -179,12 +207,12 @@ describe("what is drawn", () => {
     const source = new FakeSource(3);
     const pool = new PagePool(source);
     pool.want(at(300, -1, 2, 2, 3));
-    expect(source.open).toEqual(["2:100"]);
+    expect(source.open).toEqual(["2:300"]);
   });
 
   it("draws, while paused, only what would leave a page in sight blank", async () => {
     const source = new FakeSource();
-    const pool = new PagePool(source);
+    const pool = await slowPool(source);
     pool.paused = true;
     pool.want(at(600, 0, 1, 2, 3));
     await source.finishAll();
@@ -241,17 +269,17 @@ describe("what is kept", () => {
   it("shows the better picture before it drops and closes the rough one", async () => {
     const source = new FakeSource();
     const order: string[] = [];
-    const pool = new PagePool(source, {
-      onArrive: (index) => order.push(`arrive ${pool.get(index)?.width}`),
-      onDrop: (picture) =>
-        order.push(
-          `drop ${picture.width} ${(picture as unknown as FakePicture).isClosed ? "closed" : "open"}`,
-        ),
+    const pool: PagePool = await slowPool(source, {
+      onArrive: (index) => index < 40 && order.push(`arrive ${pool.get(index)?.width}`),
+      onDrop: (picture) => {
+        const { index, isClosed } = picture as unknown as FakePicture;
+        if (index < 40) order.push(`drop ${picture.width} ${isClosed ? "closed" : "open"}`);
+      },
     });
     pool.want(at(900, 0));
     await source.finishEverything();
     expect(order).toEqual(["arrive 300", "arrive 900", "drop 300 open"]);
-    expect(source.pictures[0]?.isClosed).toBe(true);
+    expect(source.pictures.find(({ index }) => index === 0)?.isClosed).toBe(true);
   });
 
   it("closes every picture and aborts every drawing when it is closed", async () => {
@@ -308,7 +336,7 @@ describe("what takes long", () => {
     expect(slow).toEqual([4, 5]);
     expect([pool.slow(4), pool.slow(5), pool.slow(6)]).toEqual([true, true, false]);
     // Two continue beside the two slow ones, and no more.
-    expect(source.open).toEqual(["4:100", "5:100", "6:300", "7:300"]);
+    expect(source.open).toEqual(["4:300", "5:300", "6:300", "7:300"]);
     source.drawings.splice(2).map((drawing) => drawing.finish());
     await settle();
     expect([pool.get(6)?.width, pool.get(7)?.width]).toEqual([300, 300]);
@@ -326,10 +354,10 @@ describe("what takes long", () => {
     timers.elapse();
     timers.elapse();
     timers.elapse();
-    expect(source.open).toEqual(["0:100", "1:100"]);
+    expect(source.open).toEqual(["0:300", "1:300"]);
     // A page no longer wanted makes room, slow or not.
     pool.want(at(300, 2, 3), 4);
-    expect(source.open).toEqual(["2:100"]);
+    expect(source.open).toEqual(["2:300"]);
     pool.close();
     expect(timers.waiting.size).toBe(0);
   });
@@ -338,7 +366,10 @@ describe("what takes long", () => {
     const source = new FakeSource();
     const timers = new FakeTimers();
     const slow: number[] = [];
-    const pool = new PagePool(source, { later: timers.later, onSlow: (index) => slow.push(index) });
+    const pool = await slowPool(source, {
+      later: timers.later,
+      onSlow: (index) => slow.push(index),
+    });
     pool.want(at(900, 0), 1);
     await source.finishAll();
     expect(source.open).toEqual(["0:900"]);
@@ -371,7 +402,7 @@ describe("what fails", () => {
     pool.want(at(300, 0));
     expect(source.open).toEqual([]);
     pool.retry();
-    expect(source.open).toEqual(["0:100"]);
+    expect(source.open).toEqual(["0:300"]);
     source.drawings.shift()?.fail(new Error("odd"));
     await settle();
     expect(pool.failed(0)?.message).toBe(
@@ -379,12 +410,12 @@ describe("what fails", () => {
     );
     pool.want(at(300, 50));
     pool.want(at(300, 0));
-    expect(source.open).toEqual(["0:100"]);
+    expect(source.open).toEqual(["0:300"]);
   });
 
   it("keeps the rough picture where the sharp one fails", async () => {
     const source = new FakeSource();
-    const pool = new PagePool(source);
+    const pool = await slowPool(source);
     pool.want(at(300, 0));
     await source.finishAll();
     source.drawings.shift()?.fail(new BookError("No."));

@@ -117,12 +117,14 @@ export class PagePool {
   }
 
   /**
-   * Returns the width of that bitmap in device pixels: 0 if there is none,
-   * infinite if the source has no sharper one.
+   * Returns the width of that bitmap in device pixels: 0 if there is none or a
+   * sharper one is to come, infinite if the source has no sharper one.
    */
   sharpness(index: number): number {
     const held = this.#held.get(index);
     if (held === undefined) return 0;
+    const wanted = this.#wanted.find((page) => page.index === index);
+    if (wanted && held.asked < wanted.width && !this.#failed.has(index)) return 0;
     // A page of other proportions than requested may be a pixel narrower by rounding.
     return held.picture.width < held.asked - 2 ? Number.POSITIVE_INFINITY : held.picture.width;
   }
@@ -262,7 +264,7 @@ export class PagePool {
       ({ index }) => !this.#jobs.has(index) && !this.#failed.has(index),
     );
     const bare = open.find((page) => this.#isInSight(page) && !this.#held.has(page.index));
-    if (bare) return this.#job(bare, !bare.isRough && this.#roughPays());
+    if (bare) return this.#job(bare, !bare.isRough && this.#roughPays);
     if (this.#isPaused) return null;
     const affordable = withinBudget(this.#wanted, this.#held, this.#bounds, this.#ratios);
     const next = open.find(
@@ -304,9 +306,13 @@ export class PagePool {
     return this.#wanted.indexOf(page) < this.#inSight;
   }
 
-  #roughPays(): boolean {
+  /**
+   * Whether a rough bitmap is worth drawing before the sharp one. The first pages are drawn sharp
+   * at once; if that takes long, one is drawn roughly, to learn whether that is much quicker.
+   */
+  get #roughPays(): boolean {
     const { rough, sharp } = this.#mean;
-    return sharp === 0 ? rough === 0 : sharp > quick && rough < sharp / 2;
+    return sharp > quick && rough < sharp / 2;
   }
 
   async #run(job: Job): Promise<void> {

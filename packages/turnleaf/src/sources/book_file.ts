@@ -34,13 +34,19 @@ export async function fileAt(url: string, name: string, signal?: AbortSignal): P
     throw error instanceof BookError ? error : brokeOff(name);
   });
   if (start.length === 0) throw emptyFile(name);
+  const length = lengthOf(response);
+  // A file that ended before as many bytes as were requested is not requested again.
+  const isWhole =
+    start.length < sniffLength && (response.status === 200 || start.length === length);
   return {
     name,
     from: url,
     start,
     type: mediaType(response.headers.get("content-type")),
-    length: lengthOf(response),
+    length,
     async whole(most, signal) {
+      signal?.throwIfAborted();
+      if (isWhole) return { blob: new Blob([start]), url: response.url || url };
       const whole = await fetchChecked(url, name, signal ? { signal } : {});
       const bytes = await readBounded(whole, most, name, signal);
       return { blob: new Blob([bytes]), url: whole.url || url };

@@ -89,7 +89,10 @@ export async function readBounded(
  * Reads the first bytes of a response, `wanted` of them if it has so many; the
  * rest is not fetched.
  */
-export async function readStart(response: Response, wanted: number): Promise<Uint8Array> {
+export async function readStart(
+  response: Response,
+  wanted: number,
+): Promise<Uint8Array<ArrayBuffer>> {
   const reader = response.body?.getReader();
   const parts: Uint8Array[] = [];
   let length = 0;

@@ -107,7 +107,19 @@ describe("a book of images", () => {
     const source = await openSource("https://a.example/book");
     await source.draw(0, 5, never);
     const asked = vi.mocked(fetch).mock.calls.map(([input]) => String(input));
-    expect(asked.at(-1)).toBe("https://b.example/deep/1.png");
+    // The file, whose first bytes are all of it, is requested once.
+    expect(asked).toEqual(["https://a.example/book", "https://b.example/deep/1.png"]);
+  });
+
+  it("requests a file again that has more than its first bytes", async () => {
+    const png = await image(10, 10);
+    const pages = Array.from({ length: 400 }, () => "1.png");
+    serve((url) =>
+      url.endsWith(".png") ? new Response(png) : new Response(JSON.stringify({ pages })),
+    );
+    const source = await openSource("https://a.example/book.json");
+    expect(source.pageCount).toBe(400);
+    expect(fetch).toHaveBeenCalledTimes(2);
   });
 
   it("fetches a page once for all who want it, and keeps it for sharper drawings", async () => {

@@ -135,9 +135,10 @@ export function preparePdf(pdfWorker?: string): void {
 async function startThread(name: string, { pdfWorker, signal }: PdfOptions): Promise<PdfThread> {
   try {
     preparePdf(pdfWorker);
-    const pdfjs = await loadPdfLibrary();
+    const thread = await PdfThread.start(loadPdfLibrary(), pdfWorker);
+    if (signal?.aborted) thread.stop();
     signal?.throwIfAborted();
-    return await PdfThread.start(pdfjs, pdfWorker);
+    return thread;
   } catch (error) {
     signal?.throwIfAborted();
     if (error instanceof WorkerNotStarted) throw notStarted(name, pdfWorker, error);

@@ -23,16 +23,14 @@ export class WorkerNotStarted extends WorkerFailure {}
  * nothing waits for ever.
  */
 export class PdfThread {
-  readonly pdfjs: PdfLibrary;
-  /** As pdf.js expects it. */
-  readonly worker: PDFWorker;
   readonly #thread: Worker;
+  #library: PdfLibrary | null = null;
+  #worker: PDFWorker | null = null;
   readonly #waiting = new Set<(failure: Error) => void>();
   #failure: Error | null = null;
   readonly #timer: ReturnType<typeof setTimeout>;
 
-  private constructor(pdfjs: PdfLibrary, thread: Worker) {
-    this.pdfjs = pdfjs;
+  private constructor(thread: Worker) {
     this.#thread = thread;
     this.#timer = setTimeout(() => {
       this.#fail(new WorkerNotStarted("It gave no sign of life."), true);
@@ -50,23 +48,42 @@ export class PdfThread {
     thread.addEventListener("messageerror", () => {
       this.#fail(new WorkerFailure("A message could not be read."), false);
     });
-    this.worker = new pdfjs.PDFWorker({ port: this.#port() as unknown as null });
   }
 
   /**
    * Starts a worker; its owner ends it by `stop`. Rejects with a
-   * `WorkerNotStarted` if the browser does not allow it.
+   * `WorkerNotStarted` if the browser does not allow it, or as `library` does.
    *
+   * @param library pdf.js itself, which is compiled while the worker's script is
    * @param address the worker's script on the page's own site, if it may not be
    * a blob
    */
-  static async start(pdfjs: PdfLibrary, address?: string): Promise<PdfThread> {
+  static async start(library: Promise<PdfLibrary>, address?: string): Promise<PdfThread> {
     const script = address ?? (await blobWorker());
+    let thread: PdfThread;
     try {
-      return new PdfThread(pdfjs, new Worker(trustedScript(script), { type: "module" }));
+      thread = new PdfThread(new Worker(trustedScript(script), { type: "module" }));
     } catch (error) {
       throw new WorkerNotStarted(nameAndMessage(error));
     }
+    try {
+      thread.#library = await library;
+      thread.#worker = new thread.pdfjs.PDFWorker({ port: thread.#port() as unknown as null });
+      return thread;
+    } catch (error) {
+      thread.stop();
+      throw error;
+    }
+  }
+
+  /** pdf.js, whose worker it is. */
+  get pdfjs(): PdfLibrary {
+    return this.#library as PdfLibrary;
+  }
+
+  /** As pdf.js expects it. */
+  get worker(): PDFWorker {
+    return this.#worker as PDFWorker;
   }
 
   /** Resolves as `promise` does, or rejects as soon as the worker fails. */
@@ -81,7 +98,7 @@ export class PdfThread {
   /** Ends the worker at once. */
   readonly stop = (): void => {
     clearTimeout(this.#timer);
-    this.worker.destroy();
+    this.#worker?.destroy();
     this.#thread.terminate();
   };
 

@@ -132,3 +132,11 @@ test("zoomed and panned, a page's place is seen where it is said, and what is po
   expect(viewer.project(7, mark.x, mark.y)?.x).toBeCloseTo(at.x, 3);
   expect(viewer.project(7, mark.x, mark.y)?.y).toBeCloseTo(at.y, 3);
 });
+
+test("a size that is reported again asks for no frame", async () => {
+  const { viewer, canvas } = await openedAt(1, "none");
+  viewer.resize(canvas.clientWidth, canvas.clientHeight, 1);
+  expect(viewer.settled).toBe(true);
+  viewer.resize(canvas.clientWidth, canvas.clientHeight, 2);
+  expect(viewer.settled).toBe(false);
+});

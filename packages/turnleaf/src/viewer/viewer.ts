@@ -70,6 +70,8 @@ export class Viewer {
   readonly #window: Window;
   #cssWidth = 0;
   #cssHeight = 0;
+  /** The size of the last `resize`, and the pixel ratio. */
+  #sizes: readonly number[] = [];
   #frame = 0;
   #handled = false;
   /** The folded corners, once there is one, and what loads what folds them. */
@@ -253,6 +255,10 @@ export class Viewer {
 
   /** Fits the book to the size of the canvas in CSS pixels. */
   resize(cssWidth: number, cssHeight: number, pixelRatio: number): void {
+    const sizes = [cssWidth, cssHeight, pixelRatio];
+    // An observer reports the size that is known already, and a frame of the same costs as much as another.
+    if (sizes.every((size, k) => size === this.#sizes[k])) return;
+    this.#sizes = sizes;
     this.#cssWidth = cssWidth;
     this.#cssHeight = cssHeight;
     this.#stage.resize(cssWidth, cssHeight, pixelRatio);

@@ -140,21 +140,29 @@ export function clothTexture(): Texture {
   const spots = Float32Array.from({ length: 32 * 32 }, () => 2 * random() - 1);
   /** Returns smooth noise from -1 to 1 with a period of 32. */
   const mottle = (x: number, y: number): number => {
-    const [i, j] = [Math.floor(x), Math.floor(y)];
-    const spot = (di: number, dj: number): number => spots[((j + dj) % 32) * 32 + ((i + di) % 32)];
-    const ease = (t: number): number => t * t * (3 - 2 * t);
-    const [s, t] = [ease(x - i), ease(y - j)];
-    const low = spot(0, 0) + (spot(1, 0) - spot(0, 0)) * s;
-    const high = spot(0, 1) + (spot(1, 1) - spot(0, 1)) * s;
+    const i = Math.floor(x);
+    const j = Math.floor(y);
+    const left = i % 32;
+    const right = (i + 1) % 32;
+    const above = (j % 32) * 32;
+    const below = ((j + 1) % 32) * 32;
+    const s = (x - i) * (x - i) * (3 - 2 * (x - i));
+    const t = (y - j) * (y - j) * (3 - 2 * (y - j));
+    const low = spots[above + left] + (spots[above + right] - spots[above + left]) * s;
+    const high = spots[below + left] + (spots[below + right] - spots[below + left]) * s;
     return low + (high - low) * t;
   };
+  const across = size / threads;
+  /** Height of a thread at each texel across it. */
+  const heights = Float64Array.from({ length: across }, (_, k) => Math.sin((Math.PI * k) / across));
   for (let y = 0; y < size; y++) {
     for (let x = 0; x < size; x++) {
-      const [u, v] = [(x * threads) / size, (y * threads) / size];
-      const [i, j] = [Math.floor(u), Math.floor(v)];
+      const u = x / across;
+      const v = y / across;
+      const i = Math.floor(u);
+      const j = Math.floor(v);
       const over = (i + j) % 2 === 0;
-      const across = over ? u - i : v - j;
-      const round = Math.sin(Math.PI * across);
+      const round = heights[(over ? x : y) % across];
       const thread = over ? warp[i] : weft[j];
       const unevenness = 0.035 * (mottle(u / 16, v / 16) + mottle(u / 4, v / 4));
       level[y * size + x] =
@@ -168,7 +176,8 @@ function grainTexture(level: Float32Array, width: number, height: number): Textu
   const data = new Uint8Array(4 * width * height);
   for (let k = 0; k < level.length; k++) {
     const value = Math.min(255, Math.max(0, Math.round(127.5 * (1 + level[k]))));
-    data.set([value, value, value, 255], 4 * k);
+    data[4 * k] = data[4 * k + 1] = data[4 * k + 2] = value;
+    data[4 * k + 3] = 255;
   }
   const texture = new DataTexture(data, width, height, RGBAFormat, UnsignedByteType);
   texture.wrapS = texture.wrapT = RepeatWrapping;
