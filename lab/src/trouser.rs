@@ -76,7 +76,7 @@ pub struct Options {
     #[arg(long, default_value_t = 4, value_parser = between(2usize, 12))]
     cells: usize,
     /// Edges that are torn.
-    #[arg(long, default_value_t = 6, value_parser = between(RUN_IN + 1, 64))]
+    #[arg(long, default_value_t = 4, value_parser = between(RUN_IN + 1, 64))]
     edges: usize,
     /// Measure twelve settings in place of these, and write the table into a folder, as
     /// trouser.json.
