@@ -360,11 +360,11 @@ mod tests {
     fn forces_are_the_slopes_of_energy() {
         let mut shell = MeshShell::new(uneven()).unwrap();
         shell.cut(8, 8 + 17).unwrap();
-        let waves = shell.positions().iter().map(|[u, v, _]| {
+        let rippled = shell.positions().iter().map(|[u, v, _]| {
             let high = 0.1 * libm::sin(5.0 * u + 3.0 * v);
             [1.001 * u, *v, high]
         });
-        let places: Vec<Vector> = waves.collect();
+        let places: Vec<Vector> = rippled.collect();
         shell.place(&places);
         let forces = shell.forces();
         for (node, axis) in [(8, 0), (8 + 17, 2), (17 * 17, 1), (100, 2)] {
