@@ -13,6 +13,7 @@ pub struct Mesh<'a> {
     pub points: &'a [[f32; 3]],
     /// Unit normals, to the side of the recto.
     pub normals: &'a [[f32; 3]],
+    /// What its creases change of it.
     pub folds: Folds<'a>,
 }
 

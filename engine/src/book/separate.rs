@@ -30,6 +30,7 @@ pub struct DrawnLeaf<'a> {
     pub surface: &'a Surface,
     /// How much it bends at each of its points (see [`find_bends`]), metres.
     pub bends: &'a [f32],
+    /// What its creases change of it.
     pub folds: Folds<'a>,
 }
 
