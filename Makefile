@@ -171,11 +171,12 @@ pictures: build chromium tools-rust
 	for fold in dog-ear letter map; do cargo run --release --quiet -p lab -- fold --fold $$fold --out docs/pictures; done
 
 # Every way of turning a page measured: tables, plot and pictures of docs/methods.md, and the table of
-# sheet against shell in docs/physics.md, and those of creased strips in docs/folding.md. Takes some ten
-# minutes, nearly all of them the shell's.
+# sheet against shell in docs/physics.md, and those of creased strips and of tears in docs/folding.md. Takes some
+# twenty minutes, nearly all of them the shell's.
 methods: tools-rust
 	cargo run --release --quiet -p lab -- interpolation --into docs/data
 	cargo run --release --quiet -p lab -- creases --into docs/data
+	cargo run --release --quiet -p lab -- trouser --into docs/data
 	cargo run --release --quiet -p lab -- synchronisation --into docs/data
 	cargo run --release --quiet -p lab -- picture --figures --size 720 --out docs/methods
 	cargo run --release --quiet -p lab -- models --into docs/data --plot docs/methods/cost-and-fidelity.svg --pictures docs/methods

@@ -27,6 +27,7 @@ mod specimen;
 mod synchronisation;
 mod table;
 mod table1;
+mod trouser;
 mod turn;
 mod vibration;
 
@@ -83,6 +84,8 @@ enum Experiment {
     DCone(d_cone::Options),
     /// Finds how the energy of a stretching ridge grows with its length.
     Ridge(ridge::Options),
+    /// Tears a sheet apart by two legs: the pulling force beside half the work of fracture.
+    Trouser(trouser::Options),
     /// Folds a page on a table by its creases, as a picture.
     Fold(fold::Options),
     /// Bends a strip until both its ends are in one clamp.
@@ -124,6 +127,7 @@ impl Command {
             Experiment::Creases(options) => self.print(creases::run(options)?),
             Experiment::DCone(options) => self.print(d_cone::run(options)?),
             Experiment::Ridge(options) => self.print(ridge::run(options)?),
+            Experiment::Trouser(options) => self.print(trouser::run(options)?),
             Experiment::Fold(options) => self.print(fold::run(options)?),
             Experiment::PearLoop(options) => self.print(pear_loop::run(options)?),
             Experiment::Vibration(options) => self.print(vibration::run(options)?),

@@ -126,6 +126,19 @@ fn the_energy_of_a_ridge_grows_with_its_length() {
     assert_within("ridge --cells 12", &["error.exponent"], 0.08);
 }
 
+/// By a coarser mesh and fewer tears than the command has of itself.
+#[test]
+fn legs_are_pulled_apart_by_half_the_work_of_fracture() {
+    let line = "trouser --cells 2 --edges 3 --long 2 --fracture 20 --leg 5";
+    let found = lab(line);
+    let exact = figure(&found, "exact.force_n");
+    for path in ["force_n", "at_grips_n"] {
+        let error = figure(&found, path) / exact - 1.0;
+        assert!(error.abs() <= 0.05, "{line}: {path} is off by {error}");
+    }
+    assert_eq!(found["aside"], 0, "{line}");
+}
+
 #[test]
 fn what_stands_falls_over_at_its_weight() {
     assert_within("upright", &["error.gamma_critical"], 0.02);

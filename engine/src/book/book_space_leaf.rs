@@ -1,8 +1,9 @@
 //! A leaf's nodes in the book, and what it remembers of what they met.
 
 use super::bend_into_gutter::fraction_turned;
-use super::mesh::{Mesh, update_normals};
+use super::mesh::{Folds, Mesh, update_normals};
 use super::tolerance::{CLOSE, FAR};
+use crate::models::sheet::CAN_CREASE;
 use crate::vector::{dot, sub};
 
 /// Width of the page for which lengths of drawing are given, metres.
@@ -38,6 +39,10 @@ pub struct BookSpaceLeaf {
     pub pile_gaps: Vec<f32>,
     /// The box around each row, metres: its lowest and its highest corner.
     pub bounds: Vec<[[f32; 3]; 2]>,
+    /// Whether parts of it are folded over.
+    pub has_folds: bool,
+    /// See [`Folds::falling`].
+    pub falling: Vec<bool>,
 }
 
 impl BookSpaceLeaf {
@@ -59,6 +64,8 @@ impl BookSpaceLeaf {
             gaps: [vec![FAR; nodes], vec![FAR; nodes]],
             pile_gaps: vec![FAR; nodes],
             bounds: vec![[[0.0; 3]; 2]; rows],
+            has_folds: false,
+            falling: Vec::new(),
         }
     }
 
@@ -68,7 +75,42 @@ impl BookSpaceLeaf {
             columns: self.columns,
             points: &self.points,
             normals: &self.normals,
+            folds: Folds {
+                falling: &self.falling,
+                ..Folds::default()
+            },
         }
+    }
+
+    /// A node from which a walk leads to the node nearest to a point, sought from node `start`.
+    /// What is folded over has a nearest node of its own, at which a walk may end: of a leaf
+    /// with such parts the nearest of all nodes is sought.
+    pub fn start_near(&self, point: [f32; 3], start: usize) -> usize {
+        if !CAN_CREASE || !self.has_folds {
+            return start;
+        }
+        let away = |node: usize| {
+            let way = sub(point, self.points[node]);
+            dot(way, way)
+        };
+        let (mut best, mut least) = (start, away(start));
+        for (row, [low, high]) in self.bounds.iter().enumerate() {
+            let out = |axis: usize| {
+                let beside = (low[axis] - point[axis]).max(point[axis] - high[axis]);
+                beside.max(0.0)
+            };
+            let out = [out(0), out(1), out(2)];
+            if dot(out, out) >= least {
+                continue;
+            }
+            for node in row * self.columns..(row + 1) * self.columns {
+                let d = away(node);
+                if d < least {
+                    (best, least) = (node, d);
+                }
+            }
+        }
+        best
     }
 
     /// Whether a cell (its first column and row) may overlap the left (0) or the
@@ -165,6 +207,7 @@ impl BookSpaceLeaf {
         })
     }
 
+    /// Finds the box around each row.
     pub fn bound_rows(&mut self) {
         for (bounds, row) in self
             .bounds

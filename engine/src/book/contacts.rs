@@ -132,7 +132,7 @@ fn detect_neighbour_contacts(
         }
         let before = core::mem::replace(&mut leaf.gaps[slot - 1][node], FAR);
         let point = leaf.points[node];
-        let start = leaf.nearest[slot - 1][node] as usize;
+        let start = other.start_near(point, leaf.nearest[slot - 1][node] as usize);
         let Some(near) = mesh.near(point, start) else {
             continue;
         };
@@ -189,7 +189,7 @@ fn detect_contacts_between_nodes(
                 continue;
             }
             let point = leaf.middle(node, [right, up]);
-            let start = leaf.nearest[slot - 1][node] as usize;
+            let start = other.start_near(point, leaf.nearest[slot - 1][node] as usize);
             let Some(near) = mesh.near(point, start) else {
                 continue;
             };

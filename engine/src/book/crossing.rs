@@ -6,6 +6,7 @@
 
 use super::mesh::Mesh;
 use super::work::Work;
+use crate::models::sheet::CAN_CREASE;
 use crate::vector::{cross, dot, sub};
 
 /// Cells along a side of a tile that one box bounds, and points along it.
@@ -58,6 +59,8 @@ struct Tile {
     place: [usize; 2],
     /// Column and row of its points.
     nodes: [Node; SIDE * SIDE],
+    /// Of its points those of cells that are cut along their other diagonal, as a set of bits.
+    falling: u16,
     /// x, y, z of its points, row by row; where the leaf has fewer the last again.
     points: [[f32; SIDE * SIDE]; 3],
     /// The middle one's normal, and how far along it the points reach.
@@ -219,6 +222,7 @@ impl Tile {
         let points: [[f32; SIDE * SIDE]; 3] =
             core::array::from_fn(|axis| core::array::from_fn(|k| leaf.points[node(k)][axis]));
         let normal = leaf.normals[node(SIDE + 1)];
+        let falling = (0..SIDE * SIDE).filter(|k| leaf.folds.is_falling(node(*k)));
         let [x, y, z] = points.each_ref().map(range);
         Tile {
             bounds: [[x[0], y[0], z[0]], [x[1], y[1], z[1]]],
@@ -227,6 +231,7 @@ impl Tile {
                 let node = node(k);
                 [(node % columns) as u8, (node / columns) as u8]
             }),
+            falling: falling.fold(0, |set, k| set | 1 << k),
             reach: range(&heights(&points, normal, 0.0)),
             points,
             normal,
@@ -234,22 +239,26 @@ impl Tile {
     }
 
     /// The facets by their corners, two a cell. Each cell's diagonal runs, as it is drawn,
-    /// from its corner next to the spine and the foot.
-    fn facets() -> impl Iterator<Item = [usize; 3]> {
-        (0..2 * TILE * TILE).map(|number| {
+    /// from its corner next to the spine and the foot; along a crease also the other way.
+    fn facets(&self) -> impl Iterator<Item = [usize; 3]> + use<> {
+        let falling = self.falling;
+        (0..2 * TILE * TILE).map(move |number| {
             let cell = number / 2;
             let here = cell / TILE * SIDE + cell % TILE;
             let above = here + SIDE;
-            match number % 2 {
-                0 => [here, here + 1, above + 1],
-                _ => [here, above + 1, above],
+            let is_falling = CAN_CREASE && falling >> here & 1 == 1;
+            match (number % 2, is_falling) {
+                (0, false) => [here, here + 1, above + 1],
+                (0, true) => [here, here + 1, above],
+                (_, false) => [here, above + 1, above],
+                (_, true) => [here + 1, above + 1, above],
             }
         })
     }
 
     fn cone(&self) -> Cone {
         let mut square = f32::MAX;
-        for corners in Tile::facets() {
+        for corners in self.facets() {
             let [a, b, c] = corners.map(|k| self.point(k));
             let normal = cross(sub(b, a), sub(c, a));
             let (along, length) = (dot(normal, self.normal), dot(normal, normal));
@@ -289,7 +298,7 @@ impl Tile {
 
     /// Whether an edge of this tile goes through a facet of another.
     fn pierces(&self, other: &Tile, tolerance: f32, of_one: bool) -> bool {
-        Tile::facets().any(|corners| {
+        other.facets().any(|corners| {
             let facet = corners.map(|k| other.point(k));
             let ends_at = |node: Node| of_one && corners.iter().any(|&k| other.nodes[k] == node);
             self.is_by(&facet) && self.pierces_facet(facet, tolerance, ends_at)
@@ -321,19 +330,22 @@ impl Tile {
         }
         (0..SIDE * SIDE).any(|k| {
             let (right, up) = (k % SIDE < TILE, k / SIDE < TILE);
-            let ends = [(right, 1), (up, SIDE), (right && up, SIDE + 1)];
-            ends.into_iter().any(|(is_edge, step)| {
+            let is_falling = CAN_CREASE && self.falling >> k & 1 == 1;
+            let across = if is_falling { [1, SIDE] } else { [0, SIDE + 1] };
+            let ends = [(right, [0, 1]), (up, [0, SIDE]), (right && up, across)];
+            ends.into_iter().any(|(is_edge, steps)| {
                 if !is_edge {
                     return false;
                 }
-                let (h, g) = (heights[k], heights[k + step]);
+                let [k, end] = steps.map(|step| k + step);
+                let (h, g) = (heights[k], heights[end]);
                 if h.min(g) >= -tolerance || h.max(g) <= tolerance {
                     return false;
                 }
-                if ends_at(self.nodes[k]) || ends_at(self.nodes[k + step]) {
+                if ends_at(self.nodes[k]) || ends_at(self.nodes[end]) {
                     return false;
                 }
-                let (p, q) = (self.point(k), self.point(k + step));
+                let (p, q) = (self.point(k), self.point(end));
                 let at = if h == g {
                     0.5
                 } else {

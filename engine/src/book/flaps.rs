@@ -21,6 +21,20 @@ struct Triangle {
     reach: f32,
 }
 
+impl Triangle {
+    /// Its normal, twice as long as it is large.
+    fn normal(&self, points: &[[f32; 3]]) -> [f32; 3] {
+        let [a, b, c] = self.nodes.map(|node| points[node]);
+        cross(sub(b, a), sub(c, a))
+    }
+}
+
+/// Whether a part, the creases that it lies beyond, faces the other way than the rest of its
+/// leaf, of which some creases are [shut](Flaps::shut).
+pub fn is_turned_over(part: u16, shut: u16) -> bool {
+    (part & shut).count_ones() % 2 == 1
+}
+
 /// The parts of a creased leaf.
 #[derive(Clone, Debug)]
 pub struct Flaps {
@@ -29,6 +43,8 @@ pub struct Flaps {
     parts: Vec<Option<u16>>,
     /// The creases whose flaps lie on the recto's side, as a set of bits.
     on_recto: u16,
+    /// Triangles on both sides of an edge of each crease, by their numbers.
+    across: Vec<(u16, [usize; 2])>,
 }
 
 /// A node of one part over a triangle of another.
@@ -70,7 +86,18 @@ impl Flaps {
         let on_recto = creases
             .filter(|(_, crease)| crease.rest > 0.0)
             .fold(0, |set, (number, _)| set | 1 << number);
+        let mut across = Vec::new();
+        for (number, (corners, part)) in triangles.iter().enumerate() {
+            for (other, (others, beyond)) in triangles[..number].iter().enumerate() {
+                let crease = part ^ beyond;
+                let common = corners.iter().filter(|node| others.contains(node));
+                if crease.is_power_of_two() && common.count() == 2 {
+                    across.push((crease, [other, number]));
+                }
+            }
+        }
         Some(Flaps {
+            across,
             triangles: triangles
                 .iter()
                 .map(|&(nodes, part)| Triangle {
@@ -82,6 +109,44 @@ impl Flaps {
             parts: parts.into_iter().map(Option::flatten).collect(),
             on_recto,
         })
+    }
+
+    /// The creases that are folded beyond a right angle, as a set of bits.
+    pub fn shut(&self, points: &[[f32; 3]]) -> u16 {
+        let mut even = [0.0; u16::BITS as usize];
+        for (crease, sides) in &self.across {
+            let [one, other] = sides.map(|side| self.triangles[side].normal(points));
+            even[crease.trailing_zeros() as usize] += dot(one, other);
+        }
+        let shut = even.iter().enumerate().filter(|(_, even)| **even < 0.0);
+        shut.fold(0, |set, (crease, _)| set | 1 << crease)
+    }
+
+    /// Turns the normals of what is folded over, so that those of the whole leaf point to the
+    /// side to which the recto of what is not folded over faces: there a neighbour on the
+    /// recto's side lies, whichever face of a flap it meets. Returns whether anything is.
+    pub fn face_as_the_rest(&self, points: &[[f32; 3]], normals: &mut [[f32; 3]]) -> bool {
+        let shut = self.shut(points);
+        let mut sums = vec![[0.0f32; 3]; normals.len()];
+        for triangle in &self.triangles {
+            let sign = if is_turned_over(triangle.part, shut) {
+                -1.0
+            } else {
+                1.0
+            };
+            let normal = triangle.normal(points);
+            for node in triangle.nodes {
+                for axis in 0..3 {
+                    sums[node][axis] += sign * normal[axis];
+                }
+            }
+        }
+        for (normal, sum) in normals.iter_mut().zip(sums) {
+            if dot(sum, sum) > 0.0 {
+                *normal = unit(sum);
+            }
+        }
+        shut != 0
     }
 
     /// Finds where nodes of the leaf are over triangles of other parts of it, or in them: for

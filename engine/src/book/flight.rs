@@ -2,17 +2,18 @@
 
 use super::bend_into_gutter::{bend_into_gutter, is_clear, push_edges_off, push_off};
 use super::crossing::{Tiles, is_past};
+use super::flaps::is_turned_over;
 use super::gutter::Gutter;
 use super::leaf::Leaf;
 use super::limits::{FARTHEST, NODES};
-use super::mesh::Mesh;
+use super::mesh::{Folds, Mesh, find_falling};
 use super::phase::Phase;
 use super::pile::Pile;
 use super::separate::{DrawnLeaf, find_bends, separate};
 use super::tolerance::{AT_FACET, DEEP, OVER_PILE, PAST_AT_SPINE};
 use super::work::Work;
 use crate::grid::Side;
-use crate::models::sheet::{FoldLine, Part};
+use crate::models::sheet::{CAN_CREASE, FoldLine, Part};
 use crate::surface::Surface;
 use crate::vector::{dot, sub};
 
@@ -34,6 +35,8 @@ pub struct CreasedMesh {
     pub parts: Vec<u16>,
     /// What each point belongs to.
     point_parts: Vec<Part>,
+    /// See [`Folds::falling`].
+    falling: Vec<bool>,
 }
 
 /// One leaf in flight; it may stand for several.
@@ -75,6 +78,8 @@ pub struct Flight {
     was_through: bool,
     spare: Surface,
     creased: Option<CreasedMesh>,
+    /// Which points are folded over; empty where none is.
+    turned_over: Vec<bool>,
 }
 
 impl Flight {
@@ -105,6 +110,7 @@ impl Flight {
             was_through: false,
             spare: Surface::new(u.len(), rows),
             creased: None,
+            turned_over: Vec::new(),
             cells: u.iter().map(cell).collect(),
         }
     }
@@ -128,7 +134,9 @@ impl Flight {
         self.creased = sheet.drawn_places().map(|places| {
             let triangles = sheet.drawn_triangles();
             let corners = triangles.iter().flat_map(|(corners, _)| corners);
+            let cells = triangles.iter().map(|(corners, _)| *corners);
             CreasedMesh {
+                falling: find_falling(cells, self.surface.columns, places.len()),
                 places: places.into_flattened(),
                 triangles: corners.map(|corner| *corner as u32).collect(),
                 parts: triangles.iter().map(|(_, part)| *part).collect(),
@@ -208,6 +216,9 @@ impl Flight {
         let straightness = self.leaf.straightness();
         bend_into_gutter(&mut self.surface.positions, right, left, straightness);
         self.surface.update_normals();
+        if CAN_CREASE {
+            self.find_turned_over();
+        }
         self.wanted.clone_from(&self.surface.positions);
         if self.shown.is_empty() {
             self.show_at_rest(last);
@@ -217,6 +228,24 @@ impl Flight {
         }
         if is_crumpled {
             self.use_full_precision();
+        }
+    }
+
+    /// Finds which of its points are folded over. Those on creases are not.
+    fn find_turned_over(&mut self) {
+        self.turned_over.clear();
+        let shut = self.leaf.shut_creases();
+        let Some(creased) = self.creased.as_ref().filter(|_| shut != 0) else {
+            return;
+        };
+        self.turned_over.resize(creased.point_parts.len(), true);
+        let triangles = creased.triangles.as_chunks::<3>().0;
+        for (corners, part) in triangles.iter().zip(&creased.parts) {
+            if !is_turned_over(*part, shut) {
+                for corner in corners {
+                    self.turned_over[*corner as usize] = false;
+                }
+            }
         }
     }
 
@@ -270,8 +299,9 @@ impl Flight {
         };
         let grid = (&self.cells[..], self.surface.rows);
         let scale = self.scale();
+        let folds = folds(self.creased.as_ref(), &self.turned_over);
         separate(
-            (&mut self.surface, &self.bends),
+            (&mut self.surface, &self.bends, folds),
             &neighbour.drawn(),
             [sign, scale],
             self.full_precision || neighbour.full_precision,
@@ -287,6 +317,7 @@ impl Flight {
         DrawnLeaf {
             surface: &self.surface,
             bends: &self.bends,
+            folds: folds(self.creased.as_ref(), &self.turned_over),
         }
     }
 
@@ -317,7 +348,11 @@ impl Flight {
 
     /// Cuts what is drawn of it, to be looked at for [crossings](Self::is_drawn_through).
     pub fn cut_drawn(&mut self) {
-        self.tiles.cut(Mesh::of(&self.surface));
+        let folds = folds(self.creased.as_ref(), &self.turned_over);
+        self.tiles.cut(Mesh {
+            folds,
+            ..Mesh::of(&self.surface)
+        });
     }
 
     /// Whether it may reach round others in flight.
@@ -465,6 +500,14 @@ impl Flight {
     /// Its leaf.
     pub fn leaf(&self) -> &Leaf {
         &self.leaf
+    }
+}
+
+/// What the creases of a leaf change of what is drawn of it, of which points are turned over.
+fn folds<'a>(creased: Option<&'a CreasedMesh>, turned_over: &'a [bool]) -> Folds<'a> {
+    Folds {
+        turned_over,
+        falling: creased.map_or(&[], |creased| &creased.falling),
     }
 }
 

@@ -105,6 +105,27 @@ fn a_leaf_that_is_laid_upon_a_dog_ear_covers_it_and_uncovers_it() {
     assert!((rest - 160.0).abs() < 1.0, "{rest}");
 }
 
+/// Each leaf's corner lies upon that of the next.
+#[test]
+fn leaves_that_are_all_dog_eared_turn_off_each_other_and_lie_still_by_themselves() {
+    for on_recto in [true, false] {
+        let mut book = Book::new(0.14, 0.21, 40, 0.004).unwrap();
+        *book.board_mut(0) = Board::new(Side::Left);
+        book.lay(5);
+        for leaf in 4..9 {
+            assert!(book.crease(leaf, &[dog_ear(on_recto)]));
+        }
+        for from in [Side::Right, Side::Right, Side::Left] {
+            let ticks = turn(&mut book, from);
+            assert!(
+                ticks < 220,
+                "{ticks} ticks from the {from:?}, recto {on_recto}"
+            );
+        }
+        assert_eq!([book.read(), book.landed()[1]], [6, 0]);
+    }
+}
+
 #[test]
 fn a_book_laid_open_shows_the_creased_leaves_that_lie_uppermost() {
     let mut book = book(true);

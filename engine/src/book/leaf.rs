@@ -19,11 +19,12 @@ use super::contacts::{ContactView, Neighbour, detect_contacts, detect_self_conta
 use super::flaps::Flaps;
 use super::gutter::Gutter;
 use super::limits::{MAX_GRABS, NODES, TICK};
+use super::mesh::find_falling;
 use super::paper::Paper;
 use super::phase::Phase;
 use super::pile::Pile;
 use crate::grid::Side;
-use crate::models::sheet::{FoldLine, Sheet, SheetSettings};
+use crate::models::sheet::{CAN_CREASE, FoldLine, Sheet, SheetSettings};
 use crate::stock::Stock;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
@@ -35,6 +36,10 @@ const LOOK_AHEAD: f32 = 0.12;
 /// Part of the way to the leaf's direction that the clamp does not go in a tick; in a step
 /// it is the root of it.
 const CLAMP_STAYS: f32 = 0.75;
+
+/// How far folds are open in a leaf under others, radians: what reaches 30 mm beyond its crease
+/// stands [`DEEP`](super::tolerance::DEEP) off its leaf, which no leaf upon it is brought out of.
+const AJAR: f64 = 0.05;
 
 /// Work of a search for contacts, nanoseconds of native code.
 const SEARCH: u32 = 40_000;
@@ -182,12 +187,22 @@ impl Leaf {
         }
         self.flat = self.sheet.flat_places();
         self.flaps = Flaps::of(&self.sheet);
+        self.in_book.has_folds = false;
+        let triangles = self.sheet.node_triangles().into_iter();
+        let corners = triangles.map(|(corners, _)| corners);
+        self.in_book.falling = find_falling(corners, NODES[0], NODES[0] * NODES[1]);
         true
     }
 
     /// Whether the leaf is creased.
     pub fn is_creased(&self) -> bool {
         self.sheet.is_creased()
+    }
+
+    /// The creases that are folded beyond a right angle, as a set of bits.
+    pub fn shut_creases(&self) -> u16 {
+        let flaps = self.flaps.as_ref().filter(|_| CAN_CREASE);
+        flaps.map_or(0, |flaps| flaps.shut(&self.in_book.points))
     }
 
     /// Turns the rest of a crease to an angle, radians as [`FoldLine::rest`].
@@ -198,6 +213,12 @@ impl Leaf {
     /// Lays the leaf still on a side, flat but for its creases.
     pub fn lay(&mut self, side: Side) {
         self.sheet.lay_folded(side);
+        self.lie(side);
+    }
+
+    /// Lays the leaf still on a side as it lies under others: folds are shut.
+    pub fn lay_pressed(&mut self, side: Side) {
+        self.sheet.lay_pressed(side, AJAR);
         self.lie(side);
     }
 
@@ -290,6 +311,12 @@ impl Leaf {
         let states = in_book.velocities.iter_mut().zip(velocities);
         for ((own, v), [cos, sin]) in states.zip(&in_book.turned) {
             *own = [cos * v[0] - sin * v[2], v[1], sin * v[0] + cos * v[2]];
+        }
+        if let (true, Some(flaps)) = (CAN_CREASE, &self.flaps) {
+            in_book.has_folds = flaps.face_as_the_rest(&in_book.points, &mut in_book.normals);
+            if in_book.has_folds {
+                in_book.bound_rows();
+            }
         }
     }
 

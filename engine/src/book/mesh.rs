@@ -2,6 +2,7 @@
 //! place on it.
 
 use super::tolerance::BEYOND_RIM;
+use crate::models::sheet::CAN_CREASE;
 use crate::surface::Surface;
 use crate::vector::{cross, dot, sub, unit};
 
@@ -12,6 +13,38 @@ pub struct Mesh<'a> {
     pub points: &'a [[f32; 3]],
     /// Unit normals, to the side of the recto.
     pub normals: &'a [[f32; 3]],
+    /// What its creases change of it.
+    pub folds: Folds<'a>,
+}
+
+/// What creases change of a mesh; by default nothing.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Folds<'a> {
+    /// The points that belong to what is folded over, where anything is: the recto's side of
+    /// the leaf is there the side of its verso.
+    pub turned_over: &'a [bool],
+    /// The cells, by their first points, that are cut along their other diagonal.
+    pub falling: &'a [bool],
+}
+
+impl Folds<'_> {
+    /// Whether a cell is cut from its corner next to the fore-edge and the foot.
+    pub fn is_falling(&self, cell: usize) -> bool {
+        CAN_CREASE && self.falling.get(cell) == Some(&true)
+    }
+}
+
+/// Finds the cells of a mesh that are cut along their other diagonal, by its triangles.
+pub fn find_falling(
+    triangles: impl Iterator<Item = [usize; 3]>,
+    columns: usize,
+    points: usize,
+) -> Vec<bool> {
+    let mut falling = vec![false; points];
+    for [foot, next, above] in triangles {
+        falling[foot] |= [next, above] == [foot + 1, foot + columns];
+    }
+    falling
 }
 
 /// What lies next to a point on a mesh.
@@ -41,7 +74,22 @@ impl<'a> Mesh<'a> {
             columns: surface.columns,
             points: surface.positions.as_chunks::<3>().0,
             normals: surface.normals.as_chunks::<3>().0,
+            folds: Folds::default(),
         }
+    }
+
+    /// The normal at a node, to the recto's side of the leaf.
+    pub fn normal(&self, node: usize) -> [f32; 3] {
+        let normal = self.normals[node];
+        if self.is_turned_over(node) {
+            normal.map(|n| -n)
+        } else {
+            normal
+        }
+    }
+
+    fn is_turned_over(&self, node: usize) -> bool {
+        CAN_CREASE && self.folds.turned_over.get(node) == Some(&true)
     }
 
     fn rows(&self) -> usize {
@@ -145,7 +193,12 @@ impl<'a> Mesh<'a> {
             for column in cells(u, node % self.columns, self.columns) {
                 let here = row * self.columns + column;
                 let above = here + self.columns;
-                for corners in [[here, here + 1, above + 1], [here, above + 1, above]] {
+                let [last, first] = if self.folds.is_falling(here) {
+                    [above, here + 1]
+                } else {
+                    [above + 1, here]
+                };
+                for corners in [[here, here + 1, last], [first, above + 1, above]] {
                     let (facet, square) = self.facet(point, corners);
                     // Of those equally near, as at a common edge, the one that the
                     // point is most clearly beside.
@@ -168,7 +221,10 @@ impl<'a> Mesh<'a> {
         let parts = nearest_parts(point, a, b, c);
         let place = core::array::from_fn(|i| parts[0] * a[i] + parts[1] * b[i] + parts[2] * c[i]);
         let away = sub(point, place);
-        let normal = unit(cross(sub(b, a), sub(c, a)));
+        let mut normal = unit(cross(sub(b, a), sub(c, a)));
+        if corners.iter().any(|node| self.is_turned_over(*node)) {
+            normal = normal.map(|n| -n);
+        }
         let on = |is: &dyn Fn(usize) -> bool| {
             let mut used = corners.iter().zip(parts).filter(|(_, part)| *part > 0.0);
             used.all(|(node, _)| is(*node))
@@ -290,6 +346,7 @@ mod tests {
             columns: 10,
             points,
             normals,
+            folds: Folds::default(),
         }
     }
 

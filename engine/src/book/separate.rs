@@ -8,7 +8,7 @@
 //! such projections (Bridson, Fedkiw and Anderson 2002 use the same weights)
 //! leave nothing that can be seen.
 
-use super::mesh::{Facet, Mesh};
+use super::mesh::{Facet, Folds, Mesh};
 use super::tolerance::{BENT, NOT_UPON, ROOM_FROM_SPINE, SLACK, SLIVER, WELL_CLEAR};
 use super::work::Work;
 use crate::surface::Surface;
@@ -30,6 +30,8 @@ pub struct DrawnLeaf<'a> {
     pub surface: &'a Surface,
     /// How much it bends at each of its points (see [`find_bends`]), metres.
     pub bends: &'a [f32],
+    /// What its creases change of it.
+    pub folds: Folds<'a>,
 }
 
 /// Finds for every point of a surface how far off it the surface would be if it
@@ -76,7 +78,7 @@ fn bend(points: &[[f32; 3]], node: usize, [at, count]: [usize; 2], step: usize) 
 /// Leaves that no grab has crumpled are alike where they touch: their points are
 /// enough. Otherwise the work is `thorough`, for as long as there is any left.
 pub fn separate(
-    (own, own_bends): (&mut Surface, &[f32]),
+    (own, own_bends, own_folds): (&mut Surface, &[f32], Folds<'_>),
     other: &DrawnLeaf<'_>,
     [side, scale]: [f32; 2],
     thorough: bool,
@@ -103,7 +105,7 @@ pub fn separate(
                 return;
             }
             moved |= push_apart(
-                (own, own_bends),
+                (own, own_bends, own_folds),
                 other,
                 [side, scale],
                 probes,
@@ -166,7 +168,7 @@ fn near(
     let start = (at + *ahead) % count;
     let node = mesh.nearest_node(place, start);
     *ahead = (node + count - at) % count;
-    let height = side * dot(sub(place, mesh.points[node]), mesh.normals[node]);
+    let height = side * dot(sub(place, mesh.points[node]), mesh.normal(node));
     let clear = WELL_CLEAR * scale + 2.0 * (own_bends[probe[0] as usize] + bends[node]);
     (height < clear).then(|| {
         let is_bent = bends[node] > BENT * scale;
@@ -187,7 +189,7 @@ fn missing(place: [f32; 3], facet: &Facet, [side, scale]: [f32; 2]) -> Option<f3
 /// Pushes points and edges of a leaf off the facets of another, or where `by_facets` its
 /// facets off points and edges of the other. Returns whether any were.
 fn push_apart(
-    (own, own_bends): (&mut Surface, &[f32]),
+    (own, own_bends, own_folds): (&mut Surface, &[f32], Folds<'_>),
     other: &DrawnLeaf<'_>,
     [side, scale]: [f32; 2],
     probes: &[[u16; 2]],
@@ -199,7 +201,9 @@ fn push_apart(
     let (mut moved, mut ahead) = (false, 0);
     let facing = if by_facets { -side } else { side };
     for &probe in probes {
-        let meshes = [Mesh::of(own), Mesh::of(other.surface)];
+        let mut meshes = [Mesh::of(own), Mesh::of(other.surface)];
+        meshes[0].folds = own_folds;
+        meshes[1].folds = other.folds;
         let bends = [own_bends, other.bends];
         let (mover, met) = (usize::from(by_facets), usize::from(!by_facets));
         let place = middle(meshes[mover].points, probe);
@@ -288,9 +292,10 @@ mod tests {
         let drawn = DrawnLeaf {
             surface: &lower,
             bends: &other,
+            folds: Folds::default(),
         };
         separate(
-            (&mut upper, &own),
+            (&mut upper, &own, Folds::default()),
             &drawn,
             [1.0; 2],
             true,

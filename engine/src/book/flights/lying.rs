@@ -139,8 +139,8 @@ impl Flights {
     }
 
     /// Draws the creased leaf that lies uppermost in the pile of a side by itself, if there is
-    /// one, as it lay when it was covered, or as it comes to lie between the piles (right and
-    /// left). Returns whether there is.
+    /// one: pressed flat where another still lies upon it, else as it lay when it was covered,
+    /// or as it comes to lie between the piles (right and left). Returns whether there is.
     pub fn uncover(&mut self, side: Side, gutter: &Gutter, piles: [&Pile; 2]) -> bool {
         if !CAN_CREASE || self.lying(side).is_some() || self.order.len() == MOST_FLIGHTS {
             return false;
@@ -160,14 +160,28 @@ impl Flights {
             made
         });
         flight.take_up(LYING, side, leaf, leaf + 1);
+        let upon = match side {
+            Side::Left => self.order.first(),
+            Side::Right => self.order.last(),
+        };
+        let lies_near = |upon: &Flight| {
+            let turned = upon.leaf().fraction_turned();
+            match side {
+                Side::Left => 1.0 - turned < NEAR,
+                Side::Right => turned < NEAR,
+            }
+        };
+        let is_under = upon.is_some_and(lies_near);
         let lay = self.creased.lay_on(leaf, side).map(<[f32]>::to_vec);
         let is_known = lay.is_some();
-        if let Some(lay) = lay {
+        if is_under {
+            flight.leaf_mut().lay_pressed(side);
+        } else if let Some(lay) = lay {
             flight.leaf_mut().lay_at(side, &lay);
         }
         flight.leaf_mut().wake();
         self.put_next_to(side, flight);
-        if !is_known {
+        if !is_under && !is_known {
             self.settle(side, gutter, piles);
         }
         true

@@ -98,11 +98,11 @@ impl Flights {
         if matches!(leaf.phase(), Phase::Resting(_)) {
             return;
         }
-        // What comes to rest upon folds presses them down.
-        let pressed = |flight: &Flight| leaf.is_creased() && flight.leaf().is_down();
-        let firm_of = |flight: &Flight, firm: f32| if pressed(flight) { 1.0 } else { firm };
-        let left = left.map(|flight| neighbour_of(flight, firm_of(flight, firm[0])));
-        let right = right.map(|flight| neighbour_of(flight, firm_of(flight, firm[1])));
+        // Folds give way to what is next to them: what lies upon them bends less sharply than
+        // they rise, and would be pierced between its nodes.
+        let firm = if leaf.is_creased() { [1.0; 2] } else { firm };
+        let left = left.map(|flight| neighbour_of(flight, firm[0]));
+        let right = right.map(|flight| neighbour_of(flight, firm[1]));
         leaf.detect_contacts(piles, [left, right], true);
         leaf.set_held_up(is_held_up);
         leaf.step(supported, has_way);

@@ -128,6 +128,13 @@ impl Leaf {
         square < way * way * (self.drift.len() / 3) as f32
     }
 
+    /// Whether all its nodes are as slow as those of one that lies still, in the last tick of as
+    /// many as tell that of a swing that turns back: what has just come down lies still long
+    /// before its mean velocity says so.
+    pub(super) fn is_slow(&self) -> bool {
+        self.watched_ticks >= DROWSY_TICKS && self.sheet.greatest_speed() < DROWSY
+    }
+
     /// Where a grab at (`u`, `v`) of the leaf pulls that would like to pull to a
     /// place. Beside others in flight it is guided: between them, and the less room
     /// they leave the nearer to where a stiff leaf would have it, so that it neither

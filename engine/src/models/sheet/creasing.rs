@@ -100,12 +100,31 @@ impl Sheet {
     /// parts of it would lie under the table, the sheet is raised about the spine until none
     /// do. Creases that cross each other are turned one after the other, as if they did not.
     pub fn lay_folded(&mut self, side: Side) {
+        self.lay_turned(side, &self.creases());
+    }
+
+    /// Lays the sheet still on a side as it lies under others: creases that rest beyond a right
+    /// angle are shut but for `ajar` radians, others are flat.
+    pub fn lay_pressed(&mut self, side: Side, ajar: f64) {
+        let mut creases = self.creases();
+        for crease in &mut creases {
+            let is_shut = crease.rest.abs() > 0.5 * PI;
+            crease.rest = if is_shut {
+                (PI - ajar).copysign(crease.rest)
+            } else {
+                0.0
+            };
+        }
+        self.lay_turned(side, &creases);
+    }
+
+    /// Lays the sheet still on a side, turned about each crease to the angle of the crease.
+    fn lay_turned(&mut self, side: Side, creases: &[FoldLine]) {
         self.lay_flat(side);
         if !self.is_creased() {
             return;
         }
-        let creases = self.creases();
-        let mut places = fold_flat(&self.material, &creases);
+        let mut places = fold_flat(&self.material, creases);
         let sign = f64::from(side.sign());
         // The sheet's recto faces down on the left.
         for [_, _, z] in &mut places {

@@ -131,6 +131,38 @@ impl MeshShell {
         self.half_spaces = half_spaces;
     }
 
+    /// Cuts an edge: from then on nothing is bent or held together over it. A node that the
+    /// paper hangs together at no longer becomes two in one place, both held if it was.
+    /// Returns the nodes that were doubled; their doubles are the last ones, in the same order.
+    ///
+    /// # Errors
+    /// Where the edge is not between two cells, or neither of its ends is at the paper's edge
+    /// or at the end of another cut, in a sentence.
+    pub fn cut(&mut self, from: usize, to: usize) -> Result<Vec<usize>, InvalidShell> {
+        let doubled = self.settings.cut(from, to)?;
+        for node in &doubled {
+            let double = self.x.len();
+            self.x.push(self.x[*node]);
+            self.held.push(self.held[*node]);
+            let kept = self.half_spaces.iter().filter(|(kept, _)| kept == node);
+            let copies: Vec<_> = kept.map(|(_, half_space)| (double, *half_space)).collect();
+            self.half_spaces.extend(copies);
+        }
+        self.membrane = Membrane::of_cells(&self.settings);
+        self.bending = TriangleBending::of_cells(&self.settings);
+        Ok(doubled)
+    }
+
+    /// Force with which the paper pulls at each node, N: what holds a node bears it, and at
+    /// a free one it is 0 in equilibrium.
+    pub fn forces(&self) -> Vec<[f64; 3]> {
+        let mut system = self.system(vec![false; self.x.len()]);
+        self.membrane.add_to(&self.x, true, &mut system);
+        self.bending.add_to(&self.x, &FREE, true, &mut system);
+        let slopes = system.gradient().into_iter();
+        slopes.map(|slope| scale(-1.0, slope)).collect()
+    }
+
     /// Energies now.
     pub fn energy(&self) -> MeshEnergies {
         MeshEnergies {
@@ -321,6 +353,76 @@ mod tests {
         let energy = shell.energy();
         let part = (energy.bending + energy.membrane) / beam;
         assert!((0.85..1.1).contains(&part), "{part}");
+    }
+
+    /// Forces by differences of energy, on paper that is bent and strained.
+    #[test]
+    fn forces_are_the_slopes_of_energy() {
+        let mut shell = MeshShell::new(uneven()).unwrap();
+        shell.cut(8, 8 + 17).unwrap();
+        let rippled = shell.positions().iter().map(|[u, v, _]| {
+            let high = 0.1 * libm::sin(5.0 * u + 3.0 * v);
+            [1.001 * u, *v, high]
+        });
+        let places: Vec<Vector> = rippled.collect();
+        shell.place(&places);
+        let forces = shell.forces();
+        for (node, axis) in [(8, 0), (8 + 17, 2), (17 * 17, 1), (100, 2)] {
+            let at = |by: f64| {
+                let mut moved = places.clone();
+                moved[node][axis] += by;
+                let mut shell = shell.clone();
+                shell.place(&moved);
+                let energy = shell.energy();
+                energy.bending + energy.membrane
+            };
+            let slope = (at(1e-6) - at(-1e-6)) / 2e-6;
+            let error = (forces[node][axis] + slope).abs() / slope.abs();
+            assert!(error < 1e-5, "{node} {axis}: {error}");
+        }
+    }
+
+    #[test]
+    fn paper_that_is_cut_through_comes_apart() {
+        let mut shell = MeshShell::new(uneven()).unwrap();
+        let up = HalfSpace {
+            normal: [0.0, 0.0, 1.0],
+            offset: 0.0,
+            stiffness: 1.0,
+        };
+        shell.keep_in(vec![(8, up)]);
+        shell.pin(8, Some([0.5, 0.0, 0.0]));
+        let mut doubled = Vec::new();
+        for row in 0..16 {
+            doubled.extend(shell.cut(17 * row + 8, 17 * row + 25).unwrap());
+        }
+        let column: Vec<usize> = (0..17).map(|row| 17 * row + 8).collect();
+        assert_eq!(doubled, column);
+        assert_eq!(shell.positions().len(), 17 * 18);
+        assert!(shell.held[17 * 17] && !shell.held[17 * 17 + 1]);
+        assert_eq!(shell.half_spaces, [(8, up), (17 * 17, up)]);
+        // The doubles belong to what is on the left of the way up.
+        let mut places = shell.positions().to_vec();
+        for (node, place) in places.iter_mut().enumerate() {
+            if node >= 17 * 17 || node % 17 < 8 {
+                place[2] += 1.0;
+            }
+        }
+        shell.place(&places);
+        let energy = shell.energy();
+        assert!(energy.bending + energy.membrane < 1e-20, "{energy:?}");
+    }
+
+    #[test]
+    fn a_cut_begins_at_an_edge_or_a_cut() {
+        let mut shell = MeshShell::new(uneven()).unwrap();
+        let error = |shell: &mut MeshShell, from, to| shell.cut(from, to).unwrap_err().to_string();
+        assert!(error(&mut shell, 25, 42).contains("at the paper's edge"));
+        for (from, to) in [(0, 1), (0, 18), (0, 400), (5, 5)] {
+            assert!(error(&mut shell, from, to).contains("between two cells"));
+        }
+        assert_eq!(shell.cut(8, 25), Ok(vec![8]));
+        assert_eq!(shell.cut(25, 26), Ok(vec![25]));
     }
 
     #[test]

@@ -149,7 +149,6 @@ impl System {
     }
 
     /// The derivative of the potential by the place of each node.
-    #[cfg(test)]
     pub fn gradient(&self) -> Vec<Vector> {
         self.by_node(&self.gradient)
     }
