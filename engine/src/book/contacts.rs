@@ -6,6 +6,7 @@
 
 use super::book_space_leaf::BookSpaceLeaf;
 use super::flaps::Flaps;
+use super::limits::TICK;
 use super::pile::Pile;
 use super::tolerance::{
     APART, BETWEEN_NODES, CURLED, DEEPEST, FAR, GAP, LEAP, PAST_RIM, PUSHED_AT_ONCE,
@@ -21,6 +22,13 @@ const PILE: usize = 0;
 const LEFT: usize = 1;
 const RIGHT: usize = 2;
 const SELF: usize = 3;
+
+/// How firm a part of a leaf is at most for another that lies upon it: below 1, so that none is
+/// put where it would be by its plane alone, as over piles.
+const FIRM: f32 = 0.9;
+
+/// Which are those with other parts of its own creased leaf: it may lie between two.
+const PARTS: [usize; 2] = [SELF, CONTACTS - 1];
 
 /// Where and what a sheet touches: its nodes over the flat table and its contacts.
 pub struct ContactView<'a> {
@@ -223,7 +231,9 @@ pub fn detect_self_contacts(
     sheet: &mut ContactView<'_>,
 ) {
     for contacts in sheet.contacts.iter_mut() {
-        contacts[SELF] = Contact::default();
+        for slot in PARTS {
+            contacts[slot] = Contact::default();
+        }
     }
     if let (true, Some(flaps)) = (CAN_CREASE, flaps) {
         detect_flap_contacts(leaf, flaps, sheet);
@@ -256,23 +266,38 @@ pub fn detect_self_contacts(
 }
 
 /// Finds the contacts of a creased leaf's parts with each other: a node with the triangle that
-/// it lies upon, and that one's nodes with it, each pushed half of what they overlap.
+/// it lies upon, and that one's nodes with it. As among leaves, what lies upon another yields to
+/// it; both stand where they will be at the end of the tick.
 fn detect_flap_contacts(leaf: &BookSpaceLeaf, flaps: &Flaps, sheet: &mut ContactView<'_>) {
-    let mut gaps = vec![f32::INFINITY; leaf.points.len()];
+    // For each node the parts that it touches, and by how much it is off them.
+    let mut known = vec![[(0, f32::INFINITY); PARTS.len()]; leaf.points.len()];
     for touch in flaps.touches(leaf) {
         let out = touch.normal;
         let back = out.map(|n| -n);
         let [a, b, c] = touch.under;
-        for (node, normal) in [(touch.node, out), (a, back), (b, back), (c, back)] {
-            if node % leaf.columns == 0 || touch.gap >= gaps[node] {
+        let [own, other] = touch.parts;
+        for (node, normal, part, other) in [
+            (touch.node, out, other, a),
+            (a, back, own, touch.node),
+            (b, back, own, touch.node),
+            (c, back, own, touch.node),
+        ] {
+            let gaps = &mut known[node];
+            // Its own, or in place of the part that it is farthest off.
+            let same = gaps
+                .iter()
+                .position(|(of, gap)| *of == part && gap.is_finite());
+            let farthest = usize::from(gaps[1].1 >= gaps[0].1);
+            let at = same.unwrap_or(farthest);
+            if node % leaf.columns == 0 || touch.gap >= gaps[at].1 {
                 continue;
             }
-            gaps[node] = touch.gap;
-            let other = if node == touch.node { a } else { touch.node };
+            gaps[at] = (part, touch.gap);
             let velocity = leaf.velocities[other];
-            sheet.contacts[node][SELF] = Contact {
-                firmness: 0.5,
-                ..half_space(leaf, node, (normal, touch.gap), velocity, sheet)
+            let gap = touch.gap - TICK * dot(normal, velocity);
+            sheet.contacts[node][PARTS[at]] = Contact {
+                firmness: (0.5 + normal[2]).clamp(1.0 - FIRM, FIRM),
+                ..half_space(leaf, node, (normal, gap), velocity, sheet)
             };
         }
     }

@@ -11,6 +11,10 @@ const BESIDE: f32 = 0.05;
 /// How much longer than at rest a triangle's sides may be, and what lies over it still be found.
 const STRETCHED: f32 = 1.1;
 
+/// Distance that parts of a leaf keep, metres: both bend between their nodes, and each is drawn
+/// as it bends.
+const PARTS_GAP: f32 = 2.0 * GAP;
+
 /// A triangle of a creased leaf.
 #[derive(Clone, Debug)]
 struct Triangle {
@@ -41,8 +45,9 @@ pub struct Flaps {
     triangles: Vec<Triangle>,
     /// The part of each node; None for those on creases.
     parts: Vec<Option<u16>>,
-    /// The creases whose flaps lie on the recto's side, as a set of bits.
-    on_recto: u16,
+    /// The creases, each as the only bit of a set, from the one with the most beyond it to the
+    /// one with the least, and the angle at which it rests, radians.
+    creases: Vec<(u16, f32)>,
     /// Triangles on both sides of an edge of each crease, by their numbers.
     across: Vec<(u16, [usize; 2])>,
 }
@@ -52,6 +57,8 @@ pub struct Touch {
     pub node: usize,
     /// The triangle's nodes.
     pub under: [usize; 3],
+    /// The parts of the node and of the triangle.
+    pub parts: [u16; 2],
     /// The direction from the triangle to the node's side of it.
     pub normal: [f32; 3],
     /// How far the node is from where it touches, metres.
@@ -79,13 +86,9 @@ impl Flaps {
             let [a, b, c] = nodes.map(|node| places[node]);
             let side = |way: [f32; 3]| dot(way, way).sqrt();
             let longest = side(sub(b, a)).max(side(sub(c, a)));
-            let over = (1.0 + 2.0 * BESIDE) * STRETCHED * longest + CURLED + GAP;
+            let over = (1.0 + 2.0 * BESIDE) * STRETCHED * longest + CURLED + PARTS_GAP;
             over * over
         };
-        let creases = sheet.creases().into_iter().enumerate();
-        let on_recto = creases
-            .filter(|(_, crease)| crease.rest > 0.0)
-            .fold(0, |set, (number, _)| set | 1 << number);
         let mut across = Vec::new();
         for (number, (corners, part)) in triangles.iter().enumerate() {
             for (other, (others, beyond)) in triangles[..number].iter().enumerate() {
@@ -96,6 +99,12 @@ impl Flaps {
                 }
             }
         }
+        let lines = sheet.creases().into_iter().enumerate();
+        let mut creases: Vec<(u16, f32)> = lines
+            .map(|(number, line)| (1 << number, line.rest as f32))
+            .collect();
+        let beyond = |crease: u16| triangles.iter().filter(move |(_, part)| part & crease != 0);
+        creases.sort_by_key(|(crease, _)| core::cmp::Reverse(beyond(*crease).count()));
         Some(Flaps {
             across,
             triangles: triangles
@@ -107,7 +116,7 @@ impl Flaps {
                 })
                 .collect(),
             parts: parts.into_iter().map(Option::flatten).collect(),
-            on_recto,
+            creases,
         })
     }
 
@@ -149,45 +158,100 @@ impl Flaps {
         shut != 0
     }
 
+    /// Whether any part of the leaf is folded more than once.
+    pub fn overlap(&self) -> bool {
+        self.triangles
+            .iter()
+            .any(|triangle| triangle.part.count_ones() > 1)
+    }
+
+    /// Notes the angle at which a crease rests now, radians.
+    pub fn press(&mut self, crease: usize, rest: f32) {
+        for (_, own) in self
+            .creases
+            .iter_mut()
+            .filter(|(set, _)| *set == 1 << crease)
+        {
+            *own = rest;
+        }
+    }
+
+    /// The side of a triangle's part on which another part lies, 1 for the recto's or -1, and
+    /// how deep that may be in it, metres, and still be brought out of it: what is folded over
+    /// by more than a right angle is there, and nothing else.
+    fn side_of(&self, under: u16, part: u16) -> (f32, f32) {
+        // The first crease between the two says on which, as seen from the spine: where both
+        // are flaps, neither beyond the other's crease, the second lies upon the first.
+        let first = |set: u16| {
+            self.creases
+                .iter()
+                .position(|(crease, _)| set & crease != 0)
+        };
+        let [own, other] = [part & !under, under & !part].map(first);
+        let crease = other.or(own);
+        let rest = crease.map_or(0.0, |crease| self.creases[crease].1);
+        let is_upon_flap = own.is_some() && other.is_some() && own > other;
+        let side = if (rest > 0.0) != is_upon_flap {
+            1.0
+        } else {
+            -1.0
+        };
+        let is_over = rest.abs() > core::f32::consts::FRAC_PI_2;
+        (side, if is_over { CURLED } else { DEEPEST })
+    }
+
     /// Finds where nodes of the leaf are over triangles of other parts of it, or in them: for
-    /// each node at most one. A flap stays on the side to which its crease folds it.
+    /// each node and each other part at most one. A flap stays on the side to which its crease
+    /// folds it.
     pub fn touches(&self, leaf: &BookSpaceLeaf) -> Vec<Touch> {
-        let nodes = self.parts.iter().enumerate();
-        let found = nodes.filter_map(|(node, part)| {
-            let part = (*part)?;
+        let mut found: Vec<Touch> = Vec::new();
+        for (node, part) in self.parts.iter().enumerate() {
+            let Some(part) = *part else { continue };
             let point = leaf.points[node];
-            let others = self.triangles.iter().filter(|other| {
+            let first = found.len();
+            for other in &self.triangles {
                 let away = sub(point, leaf.points[other.nodes[0]]);
-                other.part != part && dot(away, away) <= other.reach
-            });
-            let touches = others.filter_map(|other| {
-                // The first crease between the two says on which side.
-                let between = part ^ other.part;
-                let crease = between & between.wrapping_neg();
-                let side = if self.on_recto & crease != 0 {
-                    1.0
-                } else {
-                    -1.0
+                if other.part == part || dot(away, away) > other.reach {
+                    continue;
+                }
+                let parts = [part, other.part];
+                let Some(touch) = touch(
+                    leaf,
+                    node,
+                    other.nodes,
+                    parts,
+                    self.side_of(other.part, part),
+                ) else {
+                    continue;
                 };
-                touch(leaf, node, other.nodes, side)
-            });
-            touches.min_by(|a, b| a.gap.abs().total_cmp(&b.gap.abs()))
-        });
-        found.collect()
+                match found[first..].iter_mut().find(|known| known.parts == parts) {
+                    Some(known) if known.gap.abs() <= touch.gap.abs() => {}
+                    Some(known) => *known = touch,
+                    None => found.push(touch),
+                }
+            }
+        }
+        found
     }
 }
 
 /// How a node touches a triangle of its leaf, if it lies over it on a side (1 the recto's) or
-/// not too deep in it.
-fn touch(leaf: &BookSpaceLeaf, node: usize, under: [usize; 3], side: f32) -> Option<Touch> {
+/// not deeper in it than `deepest`. `parts` are those of the node and of the triangle.
+fn touch(
+    leaf: &BookSpaceLeaf,
+    node: usize,
+    under: [usize; 3],
+    parts: [u16; 2],
+    (side, deepest): (f32, f32),
+) -> Option<Touch> {
     let point = leaf.points[node];
     let [a, b, c] = under.map(|corner| leaf.points[corner]);
     let away = sub(point, a);
     let [u, v] = [sub(b, a), sub(c, a)];
     let across = cross(u, v);
     let normal = unit(across);
-    let gap = side * dot(away, normal) - GAP;
-    if !(-DEEPEST..=CURLED).contains(&gap) {
+    let gap = side * dot(away, normal) - PARTS_GAP;
+    if !(-deepest..=CURLED).contains(&gap) {
         return None;
     }
     let inverse = 1.0 / dot(across, across);
@@ -199,6 +263,7 @@ fn touch(leaf: &BookSpaceLeaf, node: usize, under: [usize; 3], side: f32) -> Opt
     is_over.then(|| Touch {
         node,
         under,
+        parts,
         normal: normal.map(|n| side * n),
         gap,
     })

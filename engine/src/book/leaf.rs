@@ -44,6 +44,9 @@ const AJAR: f64 = 0.05;
 /// Work of a search for contacts, nanoseconds of native code.
 const SEARCH: u32 = 40_000;
 
+/// Ticks in which a leaf is folded anew: half a second, as by hand.
+const FOLDING: u32 = 60;
+
 /// One leaf of paper between two piles.
 pub struct Leaf {
     sheet: Sheet,
@@ -86,6 +89,8 @@ pub struct Leaf {
     in_book: BookSpaceLeaf,
     /// Its parts between creases; None where it has none.
     flaps: Option<Flaps>,
+    /// For each row the outermost node that is not folded over.
+    edge: Vec<usize>,
     /// Where it landed, and the nodes of a flat leaf on the right.
     landed: Vec<f32>,
     flat: Vec<f32>,
@@ -147,6 +152,7 @@ impl Leaf {
             room: [0.0, 1.0],
             in_book: BookSpaceLeaf::new(NODES[0], NODES[1], cell),
             flaps: None,
+            edge: (1..=NODES[1]).map(|row| row * NODES[0] - 1).collect(),
             landed: flat.clone(),
             rest: flat.clone(),
             is_held_up: false,
@@ -191,7 +197,47 @@ impl Leaf {
         let triangles = self.sheet.node_triangles().into_iter();
         let corners = triangles.map(|(corners, _)| corners);
         self.in_book.falling = find_falling(corners, NODES[0], NODES[0] * NODES[1]);
+        let places = self.flat.chunks_exact(3 * NODES[0]).enumerate();
+        let [width, height] = [self.sheet.settings().width, self.sheet.settings().height];
+        self.edge = places
+            .map(|(row, places)| {
+                let is_whole = |column: &usize| {
+                    let u = places[3 * column] / width as f32;
+                    let v = places[3 * column + 1] / height as f32;
+                    !self.sheet.is_beyond_crease([u, v])
+                };
+                let outermost = (1..NODES[0]).rev().find(is_whole).unwrap_or(1);
+                row * NODES[0] + outermost
+            })
+            .collect();
         true
+    }
+
+    /// Folds the leaf anew as its creases rest, where folds lie upon folds: upright between the
+    /// sides, where it has room and no weight. It is then let fall to a side.
+    pub fn fold_upright(&mut self, side: Side, gutter: &Gutter, piles: [&Pile; 2]) {
+        if !CAN_CREASE || !self.flaps.as_ref().is_some_and(Flaps::overlap) {
+            return;
+        }
+        let creases = self.sheet.creases();
+        let gravity = self.sheet.settings().gravity;
+        self.sheet.set_gravity([0.0; 3]);
+        self.sheet.stand_unfolded();
+        self.clamp = core::f32::consts::FRAC_PI_2;
+        self.sheet.let_yield(false);
+        for tick in 1..=FOLDING {
+            let part = tick as f32 / FOLDING as f32;
+            for (number, crease) in creases.iter().enumerate() {
+                self.press(number, part * crease.rest as f32);
+            }
+            self.bend_over(piles);
+            self.bend_into_gutter(gutter);
+            self.detect_contacts(piles, [None, None], true);
+            self.step_sheet();
+        }
+        self.sheet.set_gravity(gravity);
+        self.turned = self.measure_fraction();
+        self.fall(side, 1.0);
     }
 
     /// Whether the leaf is creased.
@@ -208,6 +254,9 @@ impl Leaf {
     /// Turns the rest of a crease to an angle, radians as [`FoldLine::rest`].
     pub fn press(&mut self, crease: usize, rest: f32) {
         self.sheet.press(crease, rest);
+        if let (true, Some(flaps)) = (CAN_CREASE, &mut self.flaps) {
+            flaps.press(crease, rest);
+        }
     }
 
     /// Lays the leaf still on a side, flat but for its creases.
@@ -419,6 +468,8 @@ impl Leaf {
     /// whether no other lies upon it in its way there; only then may it be turned over.
     pub fn step(&mut self, supported: bool, has_way: bool) {
         let before = self.turned;
+        // A hand opens folds that it holds, and nothing else does.
+        self.sheet.let_yield(self.phase == Phase::Held);
         match self.phase {
             Phase::Resting(_) => return,
             Phase::Held => self.step_held(),
@@ -450,13 +501,11 @@ impl Leaf {
         sum / NODES[1] as f32
     }
 
-    /// Mean over the fore-edge of how far it has turned.
+    /// Mean over the fore-edge, and the folds that are in its place, of how far it has turned.
     fn measure_fraction(&self) -> f32 {
-        let rows = self.sheet.positions().chunks_exact(3 * NODES[0]);
-        let end = 3 * (NODES[0] - 1);
-        let sum: f32 = rows
-            .map(|row| fraction_turned(row[end], row[end + 2]))
-            .sum();
+        let nodes = self.sheet.positions().as_chunks::<3>().0;
+        let edge = self.edge.iter().map(|node| nodes[*node]);
+        let sum: f32 = edge.map(|[x, _, z]| fraction_turned(x, z)).sum();
         sum / NODES[1] as f32
     }
 }

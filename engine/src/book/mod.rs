@@ -21,6 +21,8 @@ mod leaf;
 mod leaf_stocks;
 mod limits;
 mod mesh;
+#[cfg(all(test, feature = "creases"))]
+mod page_folds_tests;
 mod paper;
 mod phase;
 mod pile;

@@ -279,6 +279,17 @@ it("16: a link is a book, with the theme that it names", async () => {
   expect(await ask((book) => book.next())).toBe(true);
 });
 
+it("17: a page is folded as a letter, and opened again", { timeout: 240_000 }, async () => {
+  await open("17-folds", { width: 760 });
+  await page.emulateMedia({ reducedMotion: "no-preference" });
+  const said = page.locator("output");
+  await page.getByRole("button", { name: "Fold it as a letter" }).click();
+  await expect.poll(() => said.textContent(), patience).toBe("Folds: 2");
+  expect(await ask((book) => book.folds.map(({ page }) => page))).toEqual([25, 25]);
+  await page.getByRole("button", { name: "Open it" }).click();
+  await expect.poll(() => said.textContent(), patience).toBe("Folds: 0");
+});
+
 it("18: a day is torn off a calendar that is bound at its head, and put back", {
   timeout: 240_000,
 }, async () => {

@@ -284,12 +284,12 @@ export class TurnleafBook extends ReaderElement {
 
   /**
    * Unfolds an open page (from 1) that is clearly wider than the book, as a
-   * click on it does, or opens the folded corner of a page and removes its bookmark. Resolves,
-   * once it is unfolded, to whether it is.
+   * click on it does, or opens the folds of a page, its folded corner too, whose bookmark it
+   * removes. Resolves, once it is unfolded, to whether it is.
    */
   unfold(page: number): Promise<boolean> {
-    if (this.openDogEar(page)) return Promise.resolve(true);
-    return this.#viewer?.commands.unfold(page) ?? Promise.resolve(false);
+    const opened = this.openFolds(page) ?? this.#viewer?.commands.unfold(page);
+    return opened ?? Promise.resolve(false);
   }
 
   /** Folds in the unfolded page, as any turn does first. Resolves once it is folded in. */

@@ -59,7 +59,8 @@ describe("a mutated manifest", () => {
 });
 
 describe("mutated places in the browser's storage", () => {
-  const sound = '[["a",7,1.5,[2,9]],["b",3,1,[]],["a",1,8,[1,2,3]]]';
+  const sound =
+    '[["a",7,1.5,[2,9],[],null,[[0,1,0.2]],[[5,0.4,0,0.5,1,160]]],["b",3,1,[]],["a",1,8,[1,2,3]]]';
   fuzzed(
     "are nothing or within their bounds, and give way to what is kept next",
     5000,
@@ -78,15 +79,21 @@ describe("mutated places in the browser's storage", () => {
         expect(kept.zoom >= 1 && kept.zoom <= 8, clue(before)).toBe(true);
         expect(kept.bookmarks.length).toBeLessThanOrEqual(500);
         expect(kept.folds.length).toBeLessThanOrEqual(500);
+        expect(kept.pageFolds.length).toBeLessThanOrEqual(500);
+        for (const { page, from, to, angle } of kept.pageFolds) {
+          const isSound = [from.x, from.y, to.x, to.y].every((at) => at >= 0 && at <= 1);
+          expect(page >= 1 && isSound && Math.abs(angle) <= 180, clue(before)).toBe(true);
+        }
         expect(kept.bookmarks.every((page) => Number.isInteger(page) && page >= 1)).toBe(true);
       }
-      savePlace("a", { page: 5, zoom: 2, bookmarks: [1], shifts: [3], folds: [] });
+      savePlace("a", { page: 5, zoom: 2, bookmarks: [1], shifts: [3], folds: [], pageFolds: [] });
       expect(loadPlace("a"), clue(before)).toEqual({
         page: 5,
         zoom: 2,
         bookmarks: [1],
         shifts: [3],
         folds: [],
+        pageFolds: [],
       });
     },
   );

@@ -8,6 +8,7 @@
 import { TurnleafBook } from "./element.ts";
 
 export type { Corner, DogEar } from "./book/dog_ears.ts";
+export type { PageFold, PagePlace } from "./book/page_folds.ts";
 export type { Paper } from "./book/paper.ts";
 export type { CoverKind, Edge, Layout } from "./book/spreads.ts";
 export type { BookState } from "./book/turning.ts";

@@ -26,11 +26,19 @@ impl Flights {
         }
         let drawn = self.drawn(leaf);
         let is_creased = match drawn {
-            Some(index) => self.order[index].crease(creases),
-            None => self.creased.has_lines(creases) || self.pattern.can_crease(leaf, creases),
+            Some(index) if self.order[index].id() != LYING => self.order[index].crease(creases),
+            _ => self.creased.has_lines(creases) || self.pattern.can_crease(leaf, creases),
         };
         if !is_creased {
             return false;
+        }
+        for side in [Side::Left, Side::Right] {
+            if let Some(index) = self.lying(side).filter(|index| drawn == Some(*index)) {
+                // It is drawn anew, as it comes to lie.
+                self.cover(index, side);
+                self.creased.set(leaf, creases);
+                return true;
+            }
         }
         self.creased.set(leaf, creases);
         if let Some(index) = drawn {
@@ -180,6 +188,9 @@ impl Flights {
             flight.leaf_mut().lay_at(side, &lay);
         }
         flight.leaf_mut().wake();
+        if !is_known {
+            flight.leaf_mut().fold_upright(side, gutter, piles);
+        }
         self.put_next_to(side, flight);
         if !is_under && !is_known {
             self.settle(side, gutter, piles);

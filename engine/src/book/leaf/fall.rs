@@ -1,6 +1,7 @@
 //! A leaf let go: helped over, fallen, eased to rest.
 
 use super::Leaf;
+use crate::book::flaps::Flaps;
 use crate::book::limits::{MAX_GRABS, NODES, TICK};
 use crate::book::phase::Phase;
 use crate::grid::Side;
@@ -113,7 +114,7 @@ impl Leaf {
                     *flat
                 };
             }
-        } else if landed {
+        } else if landed || self.flaps.as_ref().is_some_and(Flaps::overlap) {
             self.rest.copy_from_slice(&self.landed);
         } else {
             self.sheet.lay_folded(side);

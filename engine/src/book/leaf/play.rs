@@ -2,7 +2,7 @@
 
 use super::Leaf;
 use super::course::Course;
-use crate::book::limits::{LONGEST_TURN, TICK};
+use crate::book::limits::{LONGEST_TURN, NODES, TICK};
 use crate::book::phase::Phase;
 use crate::grid::Side;
 
@@ -87,7 +87,13 @@ impl Leaf {
     /// unfold.
     fn turner_place(&self) -> [f32; 2] {
         let is_whole = |place: &[f32; 2]| !self.sheet.is_beyond_crease(*place);
-        PLACES.into_iter().find(is_whole).unwrap_or(PLACES[0])
+        PLACES.into_iter().find(is_whole).unwrap_or_else(|| {
+            // Else as far out as it is whole.
+            let node = self.edge[NODES[1] / 2];
+            let [u, v, _] = self.flat.as_chunks::<3>().0[node];
+            let settings = self.sheet.settings();
+            [u / settings.width as f32, v / settings.height as f32]
+        })
     }
 
     pub(super) fn drop_course(&mut self) {

@@ -141,7 +141,29 @@ impl Sheet {
         }
         let (positions, tangents) = (&self.positions, &self.tangents);
         if let (true, Some(creased)) = (CAN_CREASE, &mut self.creased) {
+            creased.hinges.expect(1.0);
             creased.hinges.settle(positions, tangents);
+        }
+    }
+
+    /// Stands the sheet still and unfolded, upright over the spine, nothing holding it.
+    pub(crate) fn stand_unfolded(&mut self) {
+        self.lay_flat(Side::Right);
+        let places = self.material.places.iter();
+        for (own, [u, v]) in self.positions.chunks_exact_mut(3).zip(places) {
+            own.copy_from_slice(&[0.0, *v as f32, *u as f32]);
+        }
+        self.set_clamp_angle(core::f32::consts::FRAC_PI_2);
+        if let Some(Creased { hinges, .. }) = self.creased_mut() {
+            hinges.expect(0.0);
+        }
+    }
+
+    /// Says whether creases turned further than they yield keep the difference, as they do
+    /// at first; if not they spring back.
+    pub(crate) fn let_yield(&mut self, may_yield: bool) {
+        if let Some(Creased { hinges, .. }) = self.creased_mut() {
+            hinges.may_yield = may_yield;
         }
     }
 

@@ -85,6 +85,8 @@ pub(super) struct Hinges {
     /// add to the matrix: each is added there once.
     pairs: Vec<[usize; 2]>,
     blocks: Vec<Block>,
+    /// Whether creases that are turned further than they yield keep the difference.
+    pub may_yield: bool,
 }
 
 impl Hinges {
@@ -99,6 +101,7 @@ impl Hinges {
             moments: Vec::new(),
             pairs: Vec::new(),
             blocks: Vec::new(),
+            may_yield: true,
         };
         for rising in [false, true] {
             hinges.triangulate(settings, material, rising);
@@ -331,8 +334,16 @@ impl Hinges {
         }
     }
 
+    /// Takes the creases' angles for such a part of those of their rest, 0 to 1, until they are
+    /// looked at next: whole turns more or less look the same.
+    pub fn expect(&mut self, part: f32) {
+        for fold in &mut self.folds {
+            fold.last = part * fold.rest;
+        }
+    }
+
     /// Creases that are turned further from their rest than they yield keep what is
-    /// beyond.
+    /// beyond, where they may.
     pub fn settle(&mut self, positions: &[f32], tangents: &[f32]) {
         let (x, tangents) = (positions.as_chunks::<3>().0, tangents.as_chunks::<3>().0);
         for fold in &mut self.folds {
@@ -341,7 +352,7 @@ impl Hinges {
             fold.last = unwrapped(angle, fold.last);
             let turned = fold.crease_angle() - fold.rest;
             let beyond = turned.abs() - fold.yields;
-            if beyond > 0.0 {
+            if beyond > 0.0 && self.may_yield {
                 fold.rest += beyond.copysign(turned);
             }
         }

@@ -1,6 +1,7 @@
 /** The events of `<turnleaf-book>`. */
 
 import type { DogEar } from "../book/dog_ears.ts";
+import type { PageFold } from "../book/page_folds.ts";
 import type { Edge, Layout } from "../book/spreads.ts";
 import type { BookState } from "../book/turning.ts";
 
@@ -40,6 +41,8 @@ export interface TurnleafEventMap {
   bookmarkchange: CustomEvent<{ bookmarks: readonly number[] }>;
   /** The corners that are folded over have changed. */
   dogearchange: CustomEvent<{ dogEars: readonly DogEar[] }>;
+  /** The folds of pages have changed, besides those of their corners. */
+  foldchange: CustomEvent<{ folds: readonly PageFold[] }>;
   /**
    * A leaf begins to tear: its pages, from 1. Cancelled by `preventDefault()`, it stays whole.
    */

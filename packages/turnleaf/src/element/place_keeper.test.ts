@@ -19,18 +19,32 @@ function storage(text: string | null = null): { text: string | null } {
 it("keeps a book's place and gives it back", () => {
   storage();
   expect(loadPlace("a")).toBe(null);
-  savePlace("a", { page: 7, zoom: 1.5, bookmarks: [2, 9], shifts: [4], folds: [] });
-  savePlace("b", { page: 3, zoom: 1, bookmarks: [], shifts: [], folds: [] });
-  expect(loadPlace("a")).toEqual({ page: 7, zoom: 1.5, bookmarks: [2, 9], shifts: [4], folds: [] });
-  savePlace("a", { page: 8, zoom: 1, bookmarks: [], shifts: [], folds: [] });
-  expect(loadPlace("a")).toEqual({ page: 8, zoom: 1, bookmarks: [], shifts: [], folds: [] });
+  savePlace("a", { page: 7, zoom: 1.5, bookmarks: [2, 9], shifts: [4], folds: [], pageFolds: [] });
+  savePlace("b", { page: 3, zoom: 1, bookmarks: [], shifts: [], folds: [], pageFolds: [] });
+  expect(loadPlace("a")).toEqual({
+    page: 7,
+    zoom: 1.5,
+    bookmarks: [2, 9],
+    shifts: [4],
+    folds: [],
+    pageFolds: [],
+  });
+  savePlace("a", { page: 8, zoom: 1, bookmarks: [], shifts: [], folds: [], pageFolds: [] });
+  expect(loadPlace("a")).toEqual({
+    page: 8,
+    zoom: 1,
+    bookmarks: [],
+    shifts: [],
+    folds: [],
+    pageFolds: [],
+  });
   expect(loadPlace("b")?.page).toBe(3);
 });
 
 it("keeps a hundred books, the last read", () => {
   const held = storage();
   for (let i = 1; i <= 150; i++)
-    savePlace(`${i}`, { page: i, zoom: 1, bookmarks: [], shifts: [], folds: [] });
+    savePlace(`${i}`, { page: i, zoom: 1, bookmarks: [], shifts: [], folds: [], pageFolds: [] });
   expect(loadPlace("50")).toBe(null);
   expect(loadPlace("51")?.page).toBe(51);
   expect(JSON.parse(held.text ?? "").length).toBe(100);
@@ -59,12 +73,36 @@ it("takes nothing from a storage that somebody else wrote", () => {
   ];
   for (const [row, page, zoom, bookmarks] of rows) {
     storage(`[${row}]`);
-    expect(loadPlace("a")).toEqual({ page, zoom, bookmarks, shifts: [], folds: [] });
+    expect(loadPlace("a")).toEqual({ page, zoom, bookmarks, shifts: [], folds: [], pageFolds: [] });
   }
 });
 
+it("keeps the folds of pages, and takes none that another code wrote wrong", () => {
+  const held = storage();
+  const fold = { page: 5, from: { x: 0.4, y: 0 }, to: { x: 0.5, y: 1 }, angle: -160 };
+  const place = { page: 1, zoom: 1, bookmarks: [], shifts: [], folds: [], pageFolds: [fold] };
+  savePlace("a", place);
+  expect(loadPlace("a")).toEqual(place);
+  const rows = [
+    [5, 0.4, 0, 0.5, 1, -160],
+    [5, 0.4, 0, 0.5, 1, 181],
+    [5, 0.4, 0, 0.4, 0, 90],
+    [5, 0.4, 0, 1.5, 1, 90],
+    [0, 0.4, 0, 0.5, 1, 90],
+    [5, "0.4", 0, 0.5, 1, 90],
+    [5, null],
+    {},
+    null,
+  ];
+  held.text = JSON.stringify([["a", 1, 1, [], [], null, [], rows]]);
+  expect(loadPlace("a")?.pageFolds).toEqual([fold]);
+  const many = Array.from({ length: 5000 }, (_, k) => [k + 1, 0.4, 0, 0.5, 1, 90]);
+  held.text = JSON.stringify([["a", 1, 1, [], [], null, [], many]]);
+  expect(loadPlace("a")?.pageFolds).toHaveLength(500);
+});
+
 it("lives without a storage, and with one that is full", () => {
-  const kept = { page: 1, zoom: 1, bookmarks: [], shifts: [], folds: [] };
+  const kept = { page: 1, zoom: 1, bookmarks: [], shifts: [], folds: [], pageFolds: [] };
   expect(() => savePlace("a", kept)).not.toThrow();
   expect(loadPlace("a")).toBe(null);
   vi.stubGlobal("localStorage", {

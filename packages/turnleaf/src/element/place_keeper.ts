@@ -6,8 +6,9 @@
  */
 
 import type { DogEar } from "../book/dog_ears.ts";
+import type { PageFold } from "../book/page_folds.ts";
 import type { PageSource } from "../sources/page_source.ts";
-import { cleanDogEars } from "./dog_ear_lists.ts";
+import { cleanDogEars, cleanFolds } from "./fold_lists.ts";
 import { cleanPages, isPage } from "./page_numbers.ts";
 import { typographyAttributes, typographyOf } from "./typography.ts";
 
@@ -22,6 +23,7 @@ interface PlacedBook extends HTMLElement {
   shifts: readonly number[];
   turnTo(page: number): Promise<boolean>;
   dogEars: readonly DogEar[];
+  folds: readonly PageFold[];
 }
 
 /** Follows one element for as long as it is in a document. */
@@ -54,6 +56,7 @@ export class PlaceKeeper {
     on(this.#book, "pagechange", () => this.#write());
     on(this.#book, "bookmarkchange", () => this.#keep());
     on(this.#book, "dogearchange", () => this.#keep());
+    on(this.#book, "foldchange", () => this.#keep());
     on(this.#book, "shiftchange", () => this.#keep());
     on(window, "pagehide", () => this.#keep());
     on(window, "hashchange", () => {
@@ -97,8 +100,14 @@ export class PlaceKeeper {
       }
       if (isChanged) await source.typeset?.(typographyOf(this.#book));
       const [index, ...marks] = await source.findAnchors(anchors);
+      const ofFolds = marks.splice(kept.bookmarks.length);
       const bookmarks = cleanPages(marks.map((mark) => (mark ?? -1) + 1));
-      this.#restored = { source, place: { ...kept, page: (index ?? 0) + 1, bookmarks } };
+      const pageFolds = kept.pageFolds.flatMap((fold, index) => {
+        const found = ofFolds[index] ?? null;
+        return found === null ? [] : [{ ...fold, page: found + 1 }];
+      });
+      const page = (index ?? 0) + 1;
+      this.#restored = { source, place: { ...kept, page, bookmarks, pageFolds } };
     } catch {
       // What is wrong with the book is said when it is shown.
     }
@@ -130,6 +139,7 @@ export class PlaceKeeper {
     if (kept === null) return;
     if (kept.bookmarks.length > 0) book.bookmarks = kept.bookmarks;
     if (kept.folds.length > 0) book.dogEars = dogEarsOf(kept);
+    if (kept.pageFolds.length > 0) book.folds = kept.pageFolds;
     if (kept.shifts.length > 0) book.shifts = kept.shifts;
     if (kept.zoom > 1) book.zoom = kept.zoom;
   }
@@ -140,16 +150,16 @@ export class PlaceKeeper {
   }
 
   #keep(): void {
-    const { page, zoom, bookmarks, shifts, dogEars } = this.#book;
+    const { page, zoom, bookmarks, shifts, dogEars, folds: pageFolds } = this.#book;
     const source = this.#source();
     if (!this.#isOpen || !source || !this.#book.hasAttribute("remember")) return;
-    const anchors =
-      source.anchor && [page, ...bookmarks].map((one) => source.anchor?.(one - 1) ?? "");
+    const pages = [page, ...bookmarks, ...pageFolds.map((fold) => fold.page)];
+    const anchors = source.anchor && pages.map((one) => source.anchor?.(one - 1) ?? "");
     const text = anchors ? { text: { anchors, typography: this.#typography() } } : {};
     const folds = dogEars.map(
       ({ page, corner, size }): Fold => [bookmarks.indexOf(page), corner === "head" ? 1 : 0, size],
     );
-    savePlace(this.#name(source), { page, zoom, bookmarks, shifts, folds, ...text });
+    savePlace(this.#name(source), { page, zoom, bookmarks, shifts, folds, pageFolds, ...text });
   }
 
   /** Returns the attributes that say how text is set, and their values. */
@@ -185,9 +195,11 @@ export interface SavedPlace {
   readonly shifts: readonly number[];
   /** The folded corners of bookmarked pages. */
   readonly folds: readonly Fold[];
+  /** The folds of pages besides their corners. */
+  readonly pageFolds: readonly PageFold[];
   /** Of flowing text, whose pages change with its size. */
   readonly text?: {
-    /** The anchor of the page, and those of the bookmarks. */
+    /** The anchor of the page, those of the bookmarks, and those of the folds' pages. */
     readonly anchors: readonly string[];
     /** The attributes that say how it is set. */
     readonly typography: Readonly<Record<string, string>>;
@@ -198,8 +210,10 @@ export interface SavedPlace {
 const key = "turnleaf";
 const mostBooks = 100;
 const longestName = 300;
-/** The page's anchor and those of 500 bookmarks; characters of an attribute's value. */
-const mostAnchors = 501;
+/** Folded corners, and other folds; anchors of the page, of 500 bookmarks and of as many folds. */
+const mostFolds = 500;
+const mostAnchors = 1001;
+/** Characters of an attribute's value. */
 const longestValue = 20;
 const longestStore = 400_000;
 
@@ -207,13 +221,16 @@ const longestStore = 400_000;
 export function loadPlace(name: string): SavedPlace | null {
   const found = read().find(([other]) => other === short(name));
   if (found === undefined) return null;
-  const [, page, zoom, bookmarks, shifts, text, folds] = found;
+  const [, page, zoom, bookmarks, shifts, text, folds, pageFolds] = found;
   return {
     page: isPage(page) ? page : 1,
     zoom: typeof zoom === "number" && zoom >= 1 && zoom <= 8 ? zoom : 1,
     bookmarks: cleanPages(bookmarks),
     shifts: cleanPages(shifts),
-    folds: Array.isArray(folds) ? folds.slice(0, mostAnchors).filter(isFold) : [],
+    folds: Array.isArray(folds) ? folds.slice(0, mostFolds).filter(isFold) : [],
+    pageFolds: cleanFolds(
+      Array.isArray(pageFolds) ? pageFolds.slice(0, mostFolds).map(foldOf) : [],
+    ),
     ...cleanText(text),
   };
 }
@@ -223,6 +240,13 @@ function isFold(value: unknown): value is Fold {
   return (
     Array.isArray(value) && value.length === 3 && value.every((one) => typeof one === "number")
   );
+}
+
+/** Returns a value as a fold of a page, as this code writes it: numbers, which are still to be checked. */
+function foldOf(row: unknown): unknown {
+  if (!Array.isArray(row)) return null;
+  const [page, fromX, fromY, toX, toY, angle] = row;
+  return { page, from: { x: fromX, y: fromY }, to: { x: toX, y: toY }, angle };
 }
 
 /** Returns the folded corners of the bookmarked pages that are kept. */
@@ -249,11 +273,20 @@ function cleanText(text: unknown): Pick<SavedPlace, "text"> {
 
 /** Keeps a book; the one read longest ago is dropped. */
 export function savePlace(name: string, place: SavedPlace): void {
-  const { page, zoom, bookmarks, shifts, folds, text } = place;
+  const { page, zoom, bookmarks, shifts, folds, pageFolds, text } = place;
   const others = read().filter(([other]) => other !== short(name));
   const row: unknown[] = [short(name), page, Math.round(zoom * 100) / 100, bookmarks, shifts];
-  if (text || folds.length > 0) row.push(text ? [text.anchors, text.typography] : null);
-  if (folds.length > 0) row.push(folds);
+  const rows = pageFolds.map(({ page, from, to, angle }) => [
+    page,
+    from.x,
+    from.y,
+    to.x,
+    to.y,
+    angle,
+  ]);
+  const isFolded = folds.length > 0 || rows.length > 0;
+  if (text || isFolded) row.push(text ? [text.anchors, text.typography] : null);
+  if (isFolded) row.push(folds, rows);
   const all = [row, ...others];
   try {
     localStorage.setItem(key, JSON.stringify(all.slice(0, mostBooks)));
@@ -262,7 +295,7 @@ export function savePlace(name: string, place: SavedPlace): void {
   }
 }
 
-/** Returns rows of name, page, zoom, bookmarks, shifts, text and folds (if any); only the name is checked. */
+/** Returns rows of name, page, zoom, bookmarks, shifts, text, folded corners and folds (if any); only the name is checked. */
 function read(): [string, ...unknown[]][] {
   try {
     const text = localStorage.getItem(key) ?? "";

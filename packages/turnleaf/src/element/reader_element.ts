@@ -3,7 +3,9 @@
  * printing, keeping the place.
  */
 
-import { type Corner, type DogEar, dogEarSize } from "../book/dog_ears.ts";
+import { type Corner, type DogEar, dogEarSize, foldedDegrees } from "../book/dog_ears.ts";
+import { meetsSpine, type PageFold, type PagePlace } from "../book/page_folds.ts";
+import { spineOf } from "../book/spreads.ts";
 import type { Reading } from "../read_aloud/reading.ts";
 import { loadPart } from "../sources/load_part.ts";
 import {
@@ -16,13 +18,19 @@ import {
 } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
-import { cleanDogEars, withDogEars } from "./dog_ear_lists.ts";
 import type { FilmRecorder, RecordOptions } from "./film_recorder.ts";
+import { cleanDogEars, cleanFolds, withDogEars } from "./fold_lists.ts";
 import { cleanPages } from "./page_numbers.ts";
 import type { PlaceKeeper } from "./place_keeper.ts";
 import type { PrintOptions } from "./printing.ts";
 import { ReflectingElement } from "./reflecting_element.ts";
 import { SlideShow } from "./slide_show.ts";
+
+/** Why a page is not folded. */
+const noFold =
+  "A fold needs a page, two places on it (x and y from 0 to 1) and an angle from -180 to 180 degrees.";
+const atSpine = "A page cannot be folded along a line that meets its spine.";
+const tooNear = "This line is too near to other folds of the page, or to its edges.";
 
 /** Maximum width of a page drawn for a caller, pixels. */
 const widestDrawn = 2048;
@@ -55,6 +63,9 @@ export abstract class ReaderElement extends ReflectingElement {
   #bookmarks: readonly number[] = [];
   #shifts: readonly number[] = [];
   #dogEars: readonly DogEar[] = [];
+  #folds: readonly PageFold[] = [];
+  /** The last fold that was asked for: they are made one after the other. */
+  #folding: Promise<unknown> = Promise.resolve();
   #film: FilmRecorder | null = null;
   #reading: Reading | null = null;
 
@@ -133,7 +144,7 @@ export abstract class ReaderElement extends ReflectingElement {
   set bookmarks(pages: readonly number[]) {
     this.#bookmarks = cleanPages(pages);
     const ears = this.#dogEars.filter(({ page }) => this.#bookmarks.includes(page));
-    void this.#fold(this.foldBookmarks ? withDogEars(ears, this.#bookmarks) : ears, true);
+    void this.#foldCorners(this.foldBookmarks ? withDogEars(ears, this.#bookmarks) : ears, true);
     this.emit("bookmarkchange", { bookmarks: this.#bookmarks });
   }
 
@@ -168,25 +179,78 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   /**
-   * Opens the folded corner of a page, and removes its bookmark. Returns whether it had one.
-   *
-   * @internal
+   * The folds of pages besides their corners, in the order in which they were made; at most 500.
+   * Setting it folds them without motion and opens all others. As bookmarks, they are of the open
+   * book, and `remember` keeps them. Entries that are none are left out. A book on the flat shows
+   * none.
    */
-  protected openDogEar(page: number): boolean {
-    const isFolded = this.#dogEars.some((ear) => ear.page === page);
-    if (isFolded) this.toggleBookmark(page);
-    return isFolded;
+  get folds(): readonly PageFold[] {
+    return this.#folds;
+  }
+
+  set folds(folds: readonly PageFold[]) {
+    void this.#foldPages(cleanFolds(folds), false);
   }
 
   /**
-   * Folds the corners of a book that has just opened, and loads what folds them where they may
-   * be folded by hand.
+   * Folds a page (from 1) along a straight line, in about half a second where it lies open and is
+   * folded toward the reader, else without motion. Folds that are asked for at once are made one
+   * after the other. A fold along the same line changes its angle. Resolves, once the page is
+   * folded, to whether it is: false on the flat, and for a board, which does not fold. Rejects
+   * with a `BookError` if the line meets the spine, is too near to other folds of the page or
+   * to an edge, or is none.
+   *
+   * @param from,to two places on the line, as fractions of the page from its upper left corner;
+   * the fold goes on to the edges of the page
+   * @param angle at which it rests, degrees: above 0 toward the reader who looks at the page,
+   * below it away, 180 or -180 folded shut, 0 flat; the default is 160, as paper rests that a
+   * finger has pressed
+   */
+  fold(
+    page: number,
+    from: PagePlace,
+    to: PagePlace,
+    angle: number = foldedDegrees,
+  ): Promise<boolean> {
+    const folded = this.#folding.then(() => this.#foldLine({ page, from, to, angle }));
+    this.#folding = folded.catch(() => {});
+    return folded;
+  }
+
+  /**
+   * Opens the folded corner of a page, removes its bookmark, and opens its folds. Returns null
+   * if it has none of these; else resolves, once they are open, to whether they are.
+   *
+   * @internal
+   */
+  protected openFolds(page: number): Promise<boolean> | null {
+    const has = (folds: readonly { readonly page: number }[]) =>
+      folds.some((fold) => fold.page === page);
+    const [hasCorner, hasFolds] = [has(this.#dogEars), has(this.#folds)];
+    if (!hasCorner && !hasFolds) return null;
+    const others = this.#folds.filter((fold) => fold.page !== page);
+    // Of two that are opened at once the second would not be seen.
+    if (hasCorner && hasFolds) this.#folds = others;
+    const opened = hasCorner
+      ? this.#foldCorners(
+          this.#dogEars.filter((ear) => ear.page !== page),
+          true,
+        )
+      : this.#foldPages(others, true);
+    if (hasCorner && hasFolds) this.emit("foldchange", { folds: others });
+    if (this.#bookmarks.includes(page) && hasCorner) this.toggleBookmark(page);
+    return opened;
+  }
+
+  /**
+   * Folds the pages of a book that has just opened, and loads what folds them where they may be
+   * folded by hand.
    *
    * @internal
    */
   protected foldOpened(): void {
-    if (this.#dogEars.length > 0 || this.foldBookmarks)
-      void this.book?.viewer.fold(this.#dogEars, false);
+    if (this.#dogEars.length > 0 || this.#folds.length > 0 || this.foldBookmarks)
+      void this.#refold(false);
   }
 
   /**
@@ -214,7 +278,7 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   /**
-   * Moves bookmarks and shifts with their pages.
+   * Moves bookmarks, folds and shifts with their pages.
    *
    * @internal
    */
@@ -228,14 +292,18 @@ export abstract class ReaderElement extends ReflectingElement {
     const ears = this.#dogEars.flatMap((ear) =>
       follow([ear.page]).map((page) => ({ ...ear, page })),
     );
-    void this.#fold(ears, false);
+    void this.#foldCorners(ears, false);
+    const folds = this.#folds.flatMap((fold) =>
+      follow([fold.page]).map((page) => ({ ...fold, page })),
+    );
+    void this.#foldPages(folds, false);
     const bookmarks = follow(this.#bookmarks);
     if (bookmarks.join() !== this.#bookmarks.join()) this.bookmarks = bookmarks;
     this.shifts = follow(this.#shifts);
   }
 
   #bookmarkDogEars(ears: readonly DogEar[], isSeen: boolean): Promise<boolean> {
-    const folded = this.#fold(ears, isSeen);
+    const folded = this.#foldCorners(ears, isSeen);
     const pages = ears.map(({ page }) => page);
     if (pages.some((page) => !this.#bookmarks.includes(page))) {
       this.bookmarks = [...this.#bookmarks, ...pages];
@@ -243,11 +311,42 @@ export abstract class ReaderElement extends ReflectingElement {
     return folded;
   }
 
-  async #fold(ears: readonly DogEar[], isSeen: boolean): Promise<boolean> {
+  async #foldCorners(ears: readonly DogEar[], isSeen: boolean): Promise<boolean> {
     if (JSON.stringify(ears) === JSON.stringify(this.#dogEars)) return true;
     this.#dogEars = ears;
     this.emit("dogearchange", { dogEars: ears });
-    return (await this.book?.viewer.fold(ears, isSeen)) ?? false;
+    return (await this.#refold(isSeen)) ?? false;
+  }
+
+  async #foldPages(folds: readonly PageFold[], isSeen: boolean): Promise<boolean> {
+    if (JSON.stringify(folds) === JSON.stringify(this.#folds)) return true;
+    this.#folds = folds;
+    this.emit("foldchange", { folds });
+    return (await this.#refold(isSeen)) ?? false;
+  }
+
+  /** Folds pages as the lists say. Resolves as `Viewer.fold` does; to null while no book is open. */
+  async #refold(isSeen: boolean, folds = this.#folds): Promise<boolean | null> {
+    return (await this.book?.viewer.fold([...this.#dogEars, ...folds], isSeen)) ?? null;
+  }
+
+  async #foldLine(asked: PageFold): Promise<boolean> {
+    const viewer = this.book?.viewer;
+    if (viewer === undefined || asked.page > this.pageCount) return false;
+    const [fold] = cleanFolds([{ ...asked, angle: asked.angle === 0 ? 1 : asked.angle }]);
+    if (fold === undefined) throw new BookError(noFold);
+    const spine = spineOf(viewer.binding, fold.page);
+    if (spine === "board") return false;
+    if (meetsSpine(fold, spine)) throw new BookError(atSpine);
+    const before = this.#folds;
+    const folds = cleanFolds([...before, { ...fold, angle: asked.angle }]);
+    const isFolded = await this.#refold(true, folds);
+    if (isFolded === false) throw new BookError(tooNear);
+    // Others may have been set, or another book opened.
+    if (isFolded === null || this.#folds !== before) return false;
+    this.#folds = folds;
+    this.emit("foldchange", { folds });
+    return true;
   }
 
   /** Bookmarks a page (from 1), by default the first visible one, or removes its bookmark. */
@@ -492,6 +591,7 @@ export abstract class ReaderElement extends ReflectingElement {
     this.#place?.closed();
     this.#bookmarks = [];
     this.#dogEars = [];
+    this.#folds = [];
     this.#shifts = [];
   }
 

@@ -45,6 +45,7 @@ const otherProps = {
   zoom: 1,
   bookmarks: [],
   dogEars: [],
+  folds: [],
   shifts: [],
 } as const;
 
@@ -82,6 +83,7 @@ export const eventOf = {
   onZoomChange: "zoomchange",
   onBookmarkChange: "bookmarkchange",
   onDogEarChange: "dogearchange",
+  onFoldChange: "foldchange",
   onShiftChange: "shiftchange",
   onPlayChange: "playchange",
   onReadAloudChange: "readaloudchange",

@@ -1,9 +1,9 @@
 /**
- * Folds corners of pages, each in a moment that is seen where its page lies open. Loaded when
- * the first is folded, with an engine whose leaves can be creased.
+ * Folds pages, each in a moment that is seen where its page lies open. Loaded when the first is
+ * folded, with an engine whose leaves can be creased.
  */
 
-import { type CornerFold, creasesOfDogEars, type DogEar } from "../book/dog_ears.ts";
+import { creasesOf, type LeafFold } from "../book/creases.ts";
 import { leafOf, paperOnLeft } from "../book/spreads.ts";
 import type { CreasedLeaves } from "../engine/book_engine.ts";
 import { CreasableBook } from "../engine/creasable_book.ts";
@@ -12,7 +12,7 @@ import type { Crease } from "../engine/shapes.ts";
 import type { Drag } from "./drag.ts";
 import type { Rebinder } from "./rebinder.ts";
 
-/** Length of the moment in which a corner is folded, seconds. */
+/** Length of the moment in which a page is folded, seconds. */
 const foldSeconds = 0.5;
 
 /** A leaf that is being folded: the rest of its creases goes from one angle to another. */
@@ -27,14 +27,16 @@ interface Motion {
   part: number;
 }
 
-/** The folded corners of one viewer's book. */
+/** The folded pages of one viewer's book. */
 export class Folds {
   readonly #rebinder: Rebinder;
-  #ears: readonly DogEar[] = [];
-  /** Corners that were opened before the reader's eyes, by pages of a book of so many. */
-  #opened: readonly CornerFold[] = [];
+  #folds: readonly LeafFold[] = [];
+  /** What was opened before the reader's eyes, by pages of a book of so many. */
+  #opened: readonly LeafFold[] = [];
   #pageCount: number;
   #motion: Motion | null = null;
+  /** What waits for the book to be bound by an engine whose leaves can be creased. */
+  #waiting: (() => void)[] = [];
 
   private constructor(rebinder: Rebinder) {
     this.#rebinder = rebinder;
@@ -48,27 +50,38 @@ export class Folds {
   }
 
   /**
-   * Folds corners, in place of those folded before, which are opened. Resolves, once that is
-   * done, to whether all are.
+   * Folds pages, in place of what was folded before, which is opened. Resolves, once that is
+   * done, to whether all are: a leaf that cannot be folded so stays as it was.
    *
    * @param isSeen whether a leaf that lies open is seen to be folded, and what is opened keeps
    * its line
    */
-  async fold(ears: readonly DogEar[], isSeen: boolean): Promise<boolean> {
+  async fold(folds: readonly LeafFold[], isSeen: boolean): Promise<boolean> {
+    if (!this.#rebinder.bound.engine.creases) {
+      await new Promise<void>((bound) => this.#waiting.push(bound));
+    }
+    const { creases } = this.#rebinder.bound.engine;
+    if (!creases) return false;
     const before = this.#creases();
-    const opened = this.#ears.filter((old) => !ears.some((ear) => isSame(ear, old)));
+    const foldsBefore = this.#folds;
+    const opened = foldsBefore.filter((old) => !folds.some((fold) => isSameFold(fold, old)));
     const lines = this.#opened.filter((old) => !opened.some(({ page }) => page === old.page));
-    this.#opened = isSeen ? [...lines, ...opened.map((ear) => ({ ...ear, isOpened: true }))] : [];
-    this.#ears = ears;
-    const { bound } = this.#rebinder;
-    const { creases } = bound.engine;
-    // Otherwise it is bound anew soon.
-    if (!creases) return true;
+    this.#opened = isSeen ? [...lines, ...opened.map((one) => ({ ...one, isOpened: true }))] : [];
+    this.#folds = folds;
     const after = this.#creases();
     const leaves = new Set([...before.keys(), ...after.keys()]);
-    const results = [...leaves].map((leaf) =>
-      this.#foldLeaf(creases, leaf, before.get(leaf) ?? [], after.get(leaf) ?? [], isSeen),
-    );
+    const results = [...leaves].map(async (leaf) => {
+      const own = before.get(leaf) ?? [];
+      if (await this.#foldLeaf(creases, leaf, own, after.get(leaf) ?? [], isSeen)) return true;
+      // The lines of what was opened may be in the way.
+      this.#opened = this.#opened.filter((fold) => this.#leafOf(fold) !== leaf);
+      const without = this.#creases().get(leaf) ?? [];
+      if (await this.#foldLeaf(creases, leaf, own, without, isSeen)) return true;
+      const ofOthers = this.#folds.filter((fold) => this.#leafOf(fold) !== leaf);
+      const asBefore = foldsBefore.filter((fold) => this.#leafOf(fold) === leaf);
+      this.#folds = [...ofOthers, ...asBefore];
+      return false;
+    });
     return (await Promise.all(results)).every((isFolded) => isFolded);
   }
 
@@ -80,9 +93,16 @@ export class Folds {
     if (binding.pageCount !== this.#pageCount) this.#opened = [];
     this.#pageCount = binding.pageCount;
     for (const [leaf, creases] of this.#creases()) engine.creases?.crease(leaf, creases);
+    if (engine.creases) this.#stopWaiting();
   }
 
-  /** Advances the moment in which a corner is folded. Returns whether it goes on. */
+  /** Ends the moment in which a page is folded, and what waits. */
+  close(): void {
+    this.#end();
+    this.#stopWaiting();
+  }
+
+  /** Advances the moment in which a page is folded. Returns whether it goes on. */
   step(seconds: number): boolean {
     const motion = this.#motion;
     if (motion === null) return false;
@@ -97,9 +117,18 @@ export class Folds {
     return this.#motion !== null;
   }
 
+  #stopWaiting(): void {
+    for (const done of this.#waiting.splice(0)) done();
+  }
+
+  #leafOf({ page }: LeafFold): number {
+    const { binding } = this.#rebinder.bound;
+    return paperOnLeft(binding, leafOf(binding, page));
+  }
+
   #creases(): Map<number, Crease[]> {
     const { binding, shape } = this.#rebinder.bound;
-    return creasesOfDogEars([...this.#opened, ...this.#ears], binding, shape);
+    return creasesOf([...this.#opened, ...this.#folds], binding, shape);
   }
 
   async #foldLeaf(
@@ -111,7 +140,8 @@ export class Folds {
   ): Promise<boolean> {
     if (before.map(key).join() === after.map(key).join()) return true;
     const drag = this.#pressOn(leaf);
-    const isFolded = isSeen && this.#motion === null && (drag !== null || this.#pickUp(leaf));
+    const canBeSeen = isSeen && this.#motion === null && this.#foldsUp(leaf, [...before, ...after]);
+    const isFolded = canBeSeen && (drag !== null || this.#pickUp(leaf));
     if (!isFolded) return engine.crease(leaf, after);
     // What is to be opened keeps its crease until it is.
     const opened = before.filter((old) => !after.some((one) => line(one) === line(old)));
@@ -136,6 +166,16 @@ export class Folds {
     return isOn ? drags.pressed : null;
   }
 
+  /** Returns whether a leaf is folded up along creases where it lies: under it there is no room. */
+  #foldsUp(leaf: number, creases: readonly Crease[]): boolean {
+    const isOnLeft = leaf < paperOnLeft(this.#rebinder.bound.binding, this.#spread);
+    return creases.every(({ rest }) => (isOnLeft ? rest <= 0 : rest >= 0));
+  }
+
+  get #spread(): number {
+    return this.#rebinder.bound.turning.spread;
+  }
+
   /** Picks up a leaf that lies uppermost in the book at rest. Returns whether it does. */
   #pickUp(leaf: number): boolean {
     const side = this.#sideOf(leaf);
@@ -158,7 +198,6 @@ export class Folds {
   }
 }
 
-const isSame = (a: DogEar, b: DogEar): boolean =>
-  a.page === b.page && a.corner === b.corner && a.size === b.size;
+const isSameFold = (a: LeafFold, b: LeafFold): boolean => JSON.stringify(a) === JSON.stringify(b);
 const line = ({ through }: Crease): string => through.join();
 const key = (crease: Crease): string => `${line(crease)} ${crease.rest}`;

@@ -5,7 +5,7 @@
  * frame and no timer.
  */
 
-import type { DogEar } from "../book/dog_ears.ts";
+import type { LeafFold } from "../book/creases.ts";
 import { faceOf } from "../book/faces.ts";
 import type { Paper } from "../book/paper.ts";
 import { type Binding, clampSpread, pagesAt } from "../book/spreads.ts";
@@ -74,7 +74,7 @@ export class Viewer {
   #sizes: readonly number[] = [];
   #frame = 0;
   #handled = false;
-  /** The folded corners, once there is one, and what loads what folds them. */
+  /** The folded pages, once there is one, and what loads what folds them. */
   #folds: Promise<Folds | null> | null = null;
   #loadedFolds: Folds | null = null;
   /** What tears leaves out, once they may be, and what loads it. */
@@ -315,17 +315,17 @@ export class Viewer {
   }
 
   /**
-   * Folds corners of pages, in place of those folded before. Resolves, once that is done, to
-   * whether all are: false where leaves cannot be creased, and if what folds them cannot be loaded.
+   * Folds pages, in place of what was folded before. Resolves, once that is done, to whether
+   * all are, or to null where leaves cannot be creased, and if what folds them cannot be loaded.
    *
    * @param isSeen whether a leaf that lies open is seen to be folded
    */
-  async fold(ears: readonly DogEar[], isSeen: boolean): Promise<boolean> {
+  async fold(folds: readonly LeafFold[], isSeen: boolean): Promise<boolean | null> {
     this.#folds ??= this.#loadFolds();
-    const folds = await this.#folds;
-    if (this.#destroyed || folds === null) return false;
-    const folded = folds.fold(ears, isSeen);
+    const loaded = await this.#folds;
+    if (this.#destroyed || loaded === null) return null;
     this.#bindSoon();
+    const folded = loaded.fold(folds, isSeen);
     this.#show();
     return await folded;
   }
@@ -506,6 +506,7 @@ export class Viewer {
     this.#crossFade.close();
     this.commands.close();
     this.#foldOut.close();
+    this.#loadedFolds?.close();
     this.#modelSwitch.close();
     this.#loadedTearing?.close();
     this.#rebinder.close();

@@ -14,7 +14,7 @@ import type { BindingOptions } from "./bound_book.ts";
 export interface Backend {
   engine(size: BookSize): Promise<BookEngine>;
   stage(canvas: HTMLCanvasElement, shape: BookShape): BookStage;
-  /** Loads what folds corners of pages; undefined if leaves cannot be creased. */
+  /** Loads what folds pages; undefined if leaves cannot be creased. */
   readonly folds?: () => Promise<typeof import("./folds.ts")>;
   /** Loads what tears leaves out; undefined if they cannot be torn. */
   readonly tearing?: () => Promise<typeof import("./tearing.ts")>;

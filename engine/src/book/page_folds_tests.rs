@@ -1,0 +1,194 @@
+//! Leaves folded along whole pages in a book: across, and in three as a letter.
+
+use super::*;
+use crate::vector::{cross, dot, sub, unit};
+
+/// How deep in each other parts of a leaf that lies are drawn at most, metres. A tenth of it is
+/// wanted, and is kept in most turns: docs/folding.md.
+const DEEP: f32 = 1e-3;
+
+/// Farther off each other than this, metres, parts of a leaf that lies are not looked at.
+const NEAR: f32 = 0.01;
+
+/// Farther from a point than this, metres, no triangle of the drawn leaf reaches over it.
+const REACH: f32 = 0.03;
+
+fn fold(from: [f64; 2], to: [f64; 2], degrees: f64) -> FoldLine {
+    FoldLine::pressed([from, to], degrees.to_radians(), &Stock::BOOK, 0.14)
+}
+
+/// Parallel to the spine.
+fn along(u: f64, degrees: f64) -> FoldLine {
+    fold([u, 0.0], [u, 1.0], degrees)
+}
+
+/// Folded in two, parallel to the spine.
+fn in_two() -> Vec<FoldLine> {
+    vec![along(0.6, 160.0)]
+}
+
+/// Folded along a line from the foot to the head, farther out there.
+fn across() -> Vec<FoldLine> {
+    vec![fold([0.5, 0.0], [0.75, 1.0], 160.0)]
+}
+
+/// Folded in three, the outer part between the others.
+fn as_letter() -> Vec<FoldLine> {
+    vec![along(0.4, 160.0), along(0.7, 175.0)]
+}
+
+fn toward_verso(creases: &[FoldLine]) -> Vec<FoldLine> {
+    let turn = |crease: &FoldLine| FoldLine {
+        rest: -crease.rest,
+        ..*crease
+    };
+    creases.iter().map(turn).collect()
+}
+
+/// A book open at leaf 5, which is folded.
+fn book(creases: &[FoldLine]) -> Book {
+    let mut book = Book::new(0.14, 0.21, 40, 0.004).unwrap();
+    *book.board_mut(0) = Board::new(Side::Left);
+    book.lay(5);
+    assert!(book.crease(5, creases));
+    book
+}
+
+/// The deepest that a drawn point of one part of the only leaf is in a triangle of another,
+/// metres.
+fn depth(book: &Book, creases: &[FoldLine]) -> f32 {
+    let (surface, mesh) = (book.surface(0).unwrap(), book.creased_mesh(0).unwrap());
+    let points = surface.positions.as_chunks::<3>().0;
+    let corners = mesh.triangles.as_chunks::<3>().0;
+    let mut parts: Vec<Option<Option<u16>>> = vec![None; points.len()];
+    for (corners, part) in corners.iter().zip(&mesh.parts) {
+        for corner in corners {
+            let own = parts[*corner as usize].get_or_insert(Some(*part));
+            if *own != Some(*part) {
+                *own = None;
+            }
+        }
+    }
+    let mut deepest: f32 = 0.0;
+    for (point, own) in points.iter().zip(parts.iter().map(|part| part.flatten())) {
+        let Some(own) = own else { continue };
+        for (corners, part) in corners.iter().zip(&mesh.parts) {
+            if *part == own {
+                continue;
+            }
+            let between = (part ^ own).trailing_zeros() as usize;
+            let side = creases[between].rest.signum() as f32;
+            let [a, b, c] = corners.map(|corner| points[corner as usize]);
+            if dot(sub(*point, a), sub(*point, a)) > REACH * REACH {
+                continue;
+            }
+            let (u, v, away) = (sub(b, a), sub(c, a), sub(*point, a));
+            let across = cross(u, v);
+            let height = side * dot(away, unit(across));
+            if height.abs() > NEAR {
+                continue;
+            }
+            let all = 1.0 / dot(across, across);
+            let on_b = all * dot(cross(away, v), across);
+            let on_c = all * dot(cross(u, away), across);
+            if on_b > 0.0 && on_c > 0.0 && on_b + on_c < 1.0 {
+                deepest = deepest.max(-height);
+            }
+        }
+    }
+    deepest
+}
+
+/// Turns the uppermost leaf of a side over. Returns the greatest strain of its edges in a frame.
+fn turn(book: &mut Book, from: Side) -> f32 {
+    let low = match from {
+        Side::Right => book.read(),
+        Side::Left => book.read() - 1,
+    };
+    let id = book.pick_up(from, low, low + 1).unwrap();
+    book.play(id, from.opposite(), 0.8);
+    let mut strain: f32 = 0.0;
+    for _ in 0..500 {
+        if book.flights() == 0 {
+            return strain;
+        }
+        book.step(2);
+        book.update();
+        strain = strain.max(book.strain(0).unwrap());
+    }
+    panic!("leaf {low} never came to rest");
+}
+
+/// Turns a leaf that is folded so over and back, folded to the recto's side and to the
+/// verso's, and checks how it lies each time.
+fn turns_over_and_back(creases: &[FoldLine]) {
+    for creases in [creases.to_vec(), toward_verso(creases)] {
+        let mut book = book(&creases);
+        for k in 0..=4 {
+            let deep = depth(&book, &creases);
+            println!("turn {k}: {:.3} mm", 1e3 * deep);
+            assert!(deep < DEEP, "{deep} m after {k} turns");
+            for (number, (rests, made)) in book.creases(5).iter().zip(&creases).enumerate() {
+                let off = (rests.rest - made.rest).to_degrees().abs();
+                assert!(off < 1.0, "{off} degrees after {k} turns");
+                let leaf = book.flights.order()[0].leaf();
+                let [angle, _] = leaf.sheet().crease_angle(number).unwrap();
+                println!("  crease {number} at {:.0} degrees", angle.to_degrees());
+                assert!(
+                    angle * made.rest.signum() as f32 > 1.57,
+                    "{angle} after {k} turns"
+                );
+            }
+            let from = [Side::Right, Side::Left][k % 2];
+            let strain = turn(&mut book, from);
+            assert!(strain < 0.01, "{strain} in turn {k}");
+            assert!(book.lies_creased(from.opposite()));
+        }
+    }
+}
+
+#[test]
+fn a_page_folded_in_two_turns_over_and_back_and_stays_folded() {
+    turns_over_and_back(&in_two());
+}
+
+#[test]
+fn a_page_folded_across_turns_over_and_back_and_stays_folded() {
+    turns_over_and_back(&across());
+}
+
+#[test]
+fn a_page_folded_as_a_letter_turns_over_and_back_and_stays_folded() {
+    turns_over_and_back(&as_letter());
+}
+
+#[test]
+fn a_fold_that_is_pressed_goes_to_the_side_to_which_it_is_pressed() {
+    let flat = vec![FoldLine {
+        rest: 0.0,
+        ..along(0.6, 0.0)
+    }];
+    let mut book = book(&flat);
+    book.pick_up(Side::Right, 5, 6).unwrap();
+    for step in 1..=60 {
+        book.press(5, 0, 160f32.to_radians() * step as f32 / 60.0);
+        book.step(1);
+    }
+    for _ in 0..300 {
+        book.step(1);
+    }
+    book.update();
+    assert!(book.lies_creased(Side::Right));
+    let deep = depth(&book, &in_two());
+    assert!(deep < DEEP, "{deep} m");
+}
+
+#[test]
+fn a_leaf_that_lies_is_creased_anew_as_it_comes_to_lie() {
+    let mut book = book(&in_two());
+    assert!(book.crease(5, &across()));
+    assert!(book.lies_creased(Side::Right));
+    assert!(depth(&book, &across()) < DEEP);
+    assert!(book.crease(5, &[]));
+    assert_eq!([book.drawn_leaves(), book.creases(5).len()], [0, 0]);
+}

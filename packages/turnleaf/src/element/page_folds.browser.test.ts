@@ -1,0 +1,118 @@
+/** Pages folded along lines: seen, listed, kept, turned with their leaves, opened and rejected. */
+
+import { afterEach, beforeEach, expect, test } from "vitest";
+import type { TurnleafBook } from "../element.ts";
+import { book, happens, keepWhatIsDrawn, scans, settled } from "../for_tests/element_books.ts";
+
+keepWhatIsDrawn();
+
+beforeEach(() => localStorage.clear());
+afterEach(() => document.body.replaceChildren());
+
+/** Scans of which the seventh, under the leaf of the fifth and sixth, is dark. */
+function pages(): { src: string }[] {
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [90, 120];
+  canvas.getContext("2d")?.fillRect(0, 0, 90, 120);
+  const all = scans(12);
+  all[6] = { src: canvas.toDataURL("image/png") };
+  return all;
+}
+
+async function opened(attributes: Record<string, string> = {}): Promise<TurnleafBook> {
+  const element = book(pages(), { page: "5", cover: "none", duration: "300", ...attributes });
+  await happens(element, "load");
+  await settled(element);
+  return element;
+}
+
+const at = (x: number, y: number) => ({ x, y });
+const upright = [at(0.6, 0), at(0.6, 1)] as const;
+
+/** Returns what is drawn of the outer third of the open page on the right, in grey. */
+function outerThird(element: TurnleafBook): number[] {
+  const drawn = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
+  const { right, top, width, height } = element.bookBounds as DOMRect;
+  const scale = drawn.width / element.getBoundingClientRect().width;
+  const copy = document.createElement("canvas");
+  const side = 40;
+  copy.width = copy.height = side;
+  const pen = copy.getContext("2d") as CanvasRenderingContext2D;
+  const from = [right - width / 6, top, width / 6, height].map((x) => x * scale);
+  pen.drawImage(drawn, from[0], from[1], from[2], from[3], 0, 0, side, side);
+  const { data } = pen.getImageData(0, 0, side, side);
+  return Array.from({ length: side * side }, (_, k) => data[4 * k]);
+}
+
+/** Returns the mean difference of two pictures, of 255. */
+const difference = (a: readonly number[], b: readonly number[]): number =>
+  a.reduce((sum, grey, k) => sum + Math.abs(grey - b[k]), 0) / a.length;
+
+test("a page is folded along a line and seen, is listed, and is opened again", async () => {
+  const element = await opened();
+  const flat = outerThird(element);
+  const changed = happens(element, "foldchange");
+  expect(await element.fold(5, ...upright)).toBe(true);
+  const fold = { page: 5, from: upright[0], to: upright[1], angle: 160 };
+  expect(await changed).toEqual({ folds: [fold] });
+  expect([element.folds, element.bookmarks]).toEqual([[fold], []]);
+  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  await settled(element);
+  const folded = difference(flat, outerThird(element));
+  expect(folded).toBeGreaterThan(5);
+  expect(await element.unfold(5)).toBe(true);
+  expect(element.folds).toEqual([]);
+  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  await settled(element);
+  expect(difference(flat, outerThird(element))).toBeLessThan(folded / 2);
+});
+
+test("a letter is folded in three, at once or one after the other, and turns as a leaf", async () => {
+  const element = await opened();
+  const [outer, inner] = [
+    element.fold(5, at(0.7, 0), at(0.7, 1), 175),
+    element.fold(5, at(0.4, 0), at(0.4, 1)),
+  ];
+  expect(await Promise.all([outer, inner])).toEqual([true, true]);
+  expect(element.folds.map(({ angle }) => angle)).toEqual([175, 160]);
+  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  expect(await element.next()).toBe(true);
+  expect(await element.previous()).toBe(true);
+  expect([element.page, element.folds.length]).toEqual([4, 2]);
+});
+
+test("lines that no page can be folded along are rejected in one sentence", async () => {
+  const element = await opened();
+  expect(await element.fold(5, ...upright)).toBe(true);
+  const rejected = [
+    [element.fold(5, at(0, 0.5), at(1, 0.5)), "meets its spine"],
+    [element.fold(5, at(0.62, 0), at(0.62, 1)), "too near"],
+    [element.fold(5, at(0.5, 0.5), at(0.5, 0.5)), "two places"],
+    [element.fold(5, at(0.5, 0), at(Number.NaN, 1)), "two places"],
+    [element.fold(5, at(0.5, 0), at(0.5, 1), 181), "180 degrees"],
+    [element.fold(5, at(0.5, 0), at(0.5, 1), Number.NaN), "180 degrees"],
+  ] as const;
+  for (const [folded, reason] of rejected) {
+    await expect(folded).rejects.toThrow(reason);
+    await expect(folded).rejects.toThrow(/^[^\n]+\.$/);
+  }
+  expect(await element.fold(99, ...upright)).toBe(false);
+  expect(element.folds).toHaveLength(1);
+});
+
+test("folds stay over a reload, on both sides of a leaf, and what is no fold is left out", async () => {
+  const first = await opened({ remember: "" });
+  const folds = [
+    { page: 5, from: at(0.6, 0), to: at(0.7, 1), angle: 160 },
+    { page: 4, from: at(0.3, 0), to: at(0.3, 1), angle: -150 },
+  ];
+  const wrong = [null, {}, { ...folds[0], page: 0 }, { ...folds[0], angle: Number.NaN }];
+  first.folds = [...wrong, ...folds] as unknown as TurnleafBook["folds"];
+  expect(first.folds).toEqual(folds);
+  first.remove();
+  const again = await opened({ remember: "" });
+  expect(again.folds).toEqual(folds);
+  again.folds = [];
+  again.remove();
+  expect((await opened({ remember: "" })).folds).toEqual([]);
+});
