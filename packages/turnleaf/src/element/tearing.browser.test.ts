@@ -176,3 +176,36 @@ test("a leaf that was pulled a little falls back whole", async () => {
   expect([heard.length, element.pageCount]).toEqual([0, 12]);
   expect(await element.next()).toBe(true);
 });
+
+test("a leaf that was pulled taut and taken back is turned as any other", async () => {
+  const element = await opened({ tearable: "sewn" });
+  const told: Event[] = [];
+  element.addEventListener("tear", (event) => told.push(event));
+  const pointer = await pull(element, 8, 2);
+  const { left, top } = element.bookBounds as DOMRect;
+  const from = [(element.bookBounds as DOMRect).right, top + 10] as const;
+  for (let k = 1; k <= 30; k++) {
+    const x = from[0] + ((left + 12 - from[0]) * k) / 30;
+    pointer.point("pointermove", x, from[1] + 2 * k, { buttons: 1 });
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+  pointer.wait(300);
+  pointer.point("pointerup", left + 12, from[1] + 60);
+  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  expect([told.length, element.pageCount]).toEqual([0, 12]);
+  expect(element.spread).toEqual({ left: 6, right: 7 });
+});
+
+test("a listener is asked again where nothing gave way before", async () => {
+  const element = await opened();
+  const told: Event[] = [];
+  element.addEventListener("tear", (event) => {
+    told.push(event);
+    event.preventDefault();
+  });
+  const pointer = await pull(element, 8, 1);
+  pointer.point("pointerup", 500, 60);
+  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  expect(await element.tearOut(5)).toBe(false);
+  expect(told).toHaveLength(1);
+});

@@ -43,6 +43,14 @@ test("it is heard when it lands, card louder than bible paper", async () => {
   expect(card).toBeGreaterThan(1.5 * bible);
 });
 
+test("tearing is heard by the work that is done, and no longer than it is done", async () => {
+  const [slow, afterSlow] = await loudness({ bending: 0, impact: 0, tearing: 0.1 });
+  const [fast, afterFast] = await loudness({ bending: 0, impact: 0, tearing: 1 });
+  expect(slow).toBeGreaterThan(0.003);
+  expect(fast).toBeGreaterThan(2 * slow);
+  expect([afterSlow, afterFast]).toEqual([0, 0]);
+});
+
 const Native = globalThis.AudioContext;
 const made: AudioContext[] = [];
 

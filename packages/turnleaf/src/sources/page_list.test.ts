@@ -115,6 +115,44 @@ test("a book keeps a page", async () => {
   expect(await pages(list)).toEqual(["a1", "a2"]);
 });
 
+test("pages that are taken out are put back, and their source stays open meanwhile", async () => {
+  const closed: string[] = [];
+  const list = new PageList(source("a", 3, closed));
+  list.splice(1, 0, source("b", 2, closed));
+  const { pages: taken, moved } = list.take(1, 2);
+  expect(await pages(list)).toEqual(["a1", "a2", "a3"]);
+  expect([0, 1, 2, 3].map(moved)).toEqual([0, null, null, 1]);
+  expect(closed).toEqual([]);
+  const back = list.putBack(1, taken);
+  expect(await pages(list)).toEqual(["a1", "b1", "b2", "a2", "a3"]);
+  expect([0, 1].map((index) => back?.(index))).toEqual([0, 3]);
+  // Once.
+  expect(list.putBack(0, taken)).toBeNull();
+  expect(() => list.take(0, 5)).toThrow("A book needs a page");
+  list.take(1, 2);
+  list.close();
+  expect(closed.sort()).toEqual(["a", "b"]);
+});
+
+test("pages that are out follow a source that sets its pages anew", async () => {
+  let change: ((how: () => NewIndex) => void) | undefined;
+  let count = 4;
+  const set = Object.defineProperty(source("a", 4), "pageCount", { get: () => count });
+  const list = new PageList(
+    Object.assign(set, { watchPages: (tell: typeof change) => (change = tell) }),
+  );
+  list.watchPages((how) => how());
+  const { pages: taken } = list.take(1, 2);
+  // Each page becomes two.
+  change?.(() => {
+    count = 8;
+    return (index) => 2 * index;
+  });
+  expect(await pages(list)).toEqual(["a1", "a2", "a4", "a6", "a7", "a8"]);
+  list.putBack(2, taken);
+  expect(await pages(list)).toEqual(["a1", "a2", "a3", "a5", "a4", "a6", "a7", "a8"]);
+});
+
 test("a source that sets its pages anew keeps the places of its pages and of others", async () => {
   const growing = { ...source("a", 4) };
   let announce: ((change: () => NewIndex) => void) | undefined;

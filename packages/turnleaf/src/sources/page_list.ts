@@ -38,7 +38,7 @@ export class PageList implements PageSource {
   readonly #first: PageSource;
   #entries: Entry[];
   /** What was taken out: its sources stay open. */
-  readonly #taken = new Set<TakenPages>();
+  readonly #taken = new Set<Entry[]>();
   #listener: ((change: () => NewIndex) => void) | null = null;
   #onDrawing: ((index: number) => void) | null = null;
 
@@ -281,7 +281,7 @@ export class PageList implements PageSource {
    * where the others lie now; null if they are not out.
    */
   putBack(at: number, pages: TakenPages): NewIndex | null {
-    if (!this.#taken.delete(pages)) return null;
+    if (!this.#taken.delete(pages as Entry[])) return null;
     return this.#replace(Math.min(Math.max(at, 0), this.pageCount), 0, pages);
   }
 
@@ -320,7 +320,8 @@ export class PageList implements PageSource {
 
   /**
    * Follows a source that has changed its pages. Pages of other sources stay
-   * after the page that they followed; pages that were removed stay away.
+   * after the page that they followed; pages that were removed stay away, and those that were
+   * taken out are what has become of them.
    */
   #renumber(source: PageSource, change: () => NewIndex): NewIndex {
     const before = this.#entries;
@@ -342,6 +343,15 @@ export class PageList implements PageSource {
       else addUntil(k === last ? source.pageCount : placeIn(entry.index) + 1);
     });
     this.#entries = after;
+    for (const taken of this.#taken) {
+      const kept = taken.flatMap((entry) => {
+        const index = entry.source === source ? moved(entry.index) : entry.index;
+        return index === null ? [] : [{ source: entry.source, index }];
+      });
+      const isFirst = (entry: Entry, k: number): boolean =>
+        kept.findIndex((one) => one.source === entry.source && one.index === entry.index) === k;
+      taken.splice(0, taken.length, ...kept.filter(isFirst));
+    }
     const find = (own: number | null): number =>
       after.findIndex((entry) => entry.source === source && entry.index === own);
     const follow = (k: number, own: (index: number) => number | null): number | null => {

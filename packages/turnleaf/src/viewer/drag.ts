@@ -320,6 +320,11 @@ export class Drag implements Dragged {
     return this.#book.stage.rayAt(this.#at.x, this.#at.y);
   }
 
+  /** Where the held point was pulled last, metres. */
+  get place(): Vec3 {
+    return this.#place;
+  }
+
   /** Ends as a drag of its leaf, which has been torn out: the pointer carries the sheet from now on. */
   carry(sheet: Dragged): void {
     this.#sheet = sheet;

@@ -181,7 +181,8 @@ export class Tearing {
     if (work > 0) this.#hooks.heard(work);
     if (from === to) return this.#finish(tear);
     if (tear.since !== null && tear.since >= mended) {
-      this.#begun.set(tear.pages[0], [from, to]);
+      // What gave way stays torn, and its owner has let it.
+      if (tear.isAsked) this.#begun.set(tear.pages[0], [from, to]);
       return this.#end(false);
     }
     return tear.since !== null || !tear.sheet.isAsleep;
@@ -227,6 +228,9 @@ export class Tearing {
     const { recto, verso } = facesOfLeaf(binding, flight);
     const pages = [recto, verso].filter((page) => page !== null).sort((a, b) => a - b);
     if (line === null || pages.length === 0 || pages.length === binding.pageCount) return false;
+    // What is drawn of a folded leaf is no grid of even rows.
+    const { turning } = this.#rebinder.bound;
+    if (engine.surface(turning.leaves.indexOf(flight)).creased) return false;
     const bound = this.#begun.get(pages[0]);
     const table = { table: tableHeight(shape), rim: shape.rim };
     const sheet = engine.tearing?.tear(flight.id, { line, bound, ...table });
@@ -254,13 +258,13 @@ export class Tearing {
       if (tear.away >= longestPull * commandSpeed * shape.width) tear.sheet.cut();
       return;
     }
-    if (tear.drag.flight !== tear.flight) {
+    const stretch = this.#stretch(tear.drag, tear.flight);
+    // Let go, or taken back before anything gave way: it turns again as any leaf does.
+    if (tear.drag.flight !== tear.flight || (stretch <= 0 && !tear.isAsked)) {
       tear.sheet.release();
       tear.since = 0;
-      return;
-    }
-    const stretch = Math.max(this.#stretch(tear.drag, tear.flight), 0);
-    tear.sheet.pull(onPlane(tear.drag.ray, this.#floor(tear.flight) + rising * stretch));
+    } else if (stretch <= 0) tear.sheet.pull(tear.drag.place);
+    else tear.sheet.pull(onPlane(tear.drag.ray, this.#floor(tear.flight) + rising * stretch));
   }
 
   /** Returns where a command pulls a leaf: outward and up. */
