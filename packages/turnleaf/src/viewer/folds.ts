@@ -106,6 +106,8 @@ export class Folds {
   step(seconds: number): boolean {
     const motion = this.#motion;
     if (motion === null) return false;
+    // Where frames are late it may have come to rest in between.
+    if (motion.drag === null) this.#pickUp(motion.leaf);
     motion.part = Math.min(motion.part + seconds / foldSeconds, 1);
     const eased = motion.part * motion.part * (3 - 2 * motion.part);
     for (const [crease, from] of motion.from.entries()) {

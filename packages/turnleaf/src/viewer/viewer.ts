@@ -525,6 +525,7 @@ export class Viewer {
     const { ticks, engine } = this.#bound;
     const passed = ticks.count(now);
     const seconds = passed * engine.tick;
+    const isPressed = this.#loadedFolds?.step(seconds) ?? false;
     // Without a turn nothing in the engine has moved since the book was laid open.
     const turned = this.turning.moving;
     if (turned) this.turning.step(passed);
@@ -541,7 +542,6 @@ export class Viewer {
     const isHeldStill = this.#pressCorner(seconds);
     if (this.#destroyed) return;
     const folding = this.#foldOut.step(seconds);
-    this.#loadedFolds?.step(seconds);
     const stepping = this.#camera.step(seconds) || folding;
     const posed = this.#bound.pose();
     const flap = this.#foldOut.surface(posed, this.#bound.shape);
@@ -551,7 +551,7 @@ export class Viewer {
     // A leaf held still takes no more frames until its pointer moves.
     const still =
       turning && this.turning.isHeld && this.#bound.engine.isAsleep && this.#modelSwitch.isAsleep;
-    const moving = (turning && !still) || tearing || isHeldStill || stepping;
+    const moving = (turning && !still) || tearing || isHeldStill || stepping || isPressed;
     const resting = !moving && !this.#handled;
     // While fingers move the view, the next frame comes with their next event.
     if (moving) this.#frameQuality.frame(now);
