@@ -208,14 +208,14 @@ test("a leaf that was pulled taut and taken back turns as any other", async () =
 
 test("a listener is asked again where nothing gave way before", async () => {
   const element = await opened();
-  const told: Event[] = [];
+  const asked: Event[] = [];
   element.addEventListener("tear", (event) => {
-    told.push(event);
+    asked.push(event);
     event.preventDefault();
   });
   const pointer = await pull(element, 10, 2);
   pointer.point("pointerup", 500, 60);
   await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
   expect(await element.tearOut(5)).toBe(false);
-  expect(told).toHaveLength(1);
+  expect(asked).toHaveLength(1);
 });

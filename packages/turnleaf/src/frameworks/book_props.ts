@@ -35,6 +35,7 @@ const attributeProps = [
   "foldBookmarks",
   "sound",
   "vibrate",
+  "tearable",
 ] as const;
 
 /** The others that can be set, and what they are if they are not. */
@@ -84,6 +85,8 @@ export const eventOf = {
   onBookmarkChange: "bookmarkchange",
   onDogEarChange: "dogearchange",
   onFoldChange: "foldchange",
+  onTear: "tear",
+  onTorn: "torn",
   onShiftChange: "shiftchange",
   onPlayChange: "playchange",
   onReadAloudChange: "readaloudchange",

@@ -36,7 +36,11 @@ test("a leaf that turns stiffly is silent; one that bends sounds as fast as it b
 });
 
 test("a leaf is silent in the frame in which it is taken up", () => {
-  expect(new MotionMeter().measure(pose(1, 2), frame)).toEqual({ bending: 0, impact: 0 });
+  expect(new MotionMeter().measure(pose(1, 2), frame)).toEqual({
+    bending: 0,
+    impact: 0,
+    tearing: 0,
+  });
 });
 
 test("what falls is heard when it is stopped, and not before", () => {
