@@ -56,6 +56,9 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   drawPage(page: number, width: number, signal?: AbortSignal): Promise<PagePicture>;
   toggleBookmark(page?: number): void;
   toggleShift(page?: number): void;
+  /** Number of leaves that were torn out, and what puts the last one back. */
+  readonly tornLeaves: number;
+  putBack(): Promise<boolean>;
   print(options?: PrintOptions): Promise<boolean>;
   download(): Promise<boolean>;
   toggleFullscreen(): Promise<boolean>;

@@ -202,6 +202,18 @@ test("the page field finds labels and numbers, and says what is not there", asyn
   expect(field.value).toBe("vi");
 });
 
+test("Ctrl and z put a torn leaf back, and belong to the browser where none is out", async () => {
+  const { book } = addFakeBook();
+  const undo = (): boolean => {
+    const event = new KeyboardEvent("keydown", { key: "z", ctrlKey: true, cancelable: true });
+    return !book.dispatchEvent(event);
+  };
+  expect([undo(), book.asked]).toEqual([false, []]);
+  book.tornLeaves = 1;
+  expect([undo(), book.asked]).toEqual([true, ["put back"]]);
+  expect([undo(), book.asked]).toEqual([false, ["put back"]]);
+});
+
 test("keys turn, zoom and search; those of a field and of the browser are left alone", async () => {
   const { book, root } = addFakeBook();
   book.focus();

@@ -12,8 +12,8 @@ export interface KeyCommands {
 
 /**
  * Listens on the element until the signal aborts. Keys with Ctrl, Alt or Meta
- * belong to the browser; those typed into a field, or meant for a button, stay
- * there.
+ * belong to the browser, but for the one that puts a torn leaf back; those typed
+ * into a field, or meant for a button, stay there.
  */
 export function listenToKeys(
   book: ControlledBook,
@@ -24,7 +24,14 @@ export function listenToKeys(
 }
 
 function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommands): void {
-  if (event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey) return;
+  if (event.defaultPrevented || event.altKey) return;
+  if (event.ctrlKey || event.metaKey) {
+    const undoes = event.key === "z" && !event.shiftKey && book.tornLeaves > 0;
+    if (!undoes || isTyping(event.composedPath()[0])) return;
+    event.preventDefault();
+    void book.putBack();
+    return;
+  }
   if (event.key === "Escape") {
     if (commands.escape()) event.preventDefault();
     return;

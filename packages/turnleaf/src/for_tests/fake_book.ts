@@ -113,6 +113,13 @@ export class FakeBook extends HTMLElement implements ControlledBook {
     this.dispatchEvent(new CustomEvent("shiftchange"));
   }
 
+  tornLeaves = 0;
+
+  async putBack(): Promise<boolean> {
+    this.asked.push("put back");
+    return --this.tornLeaves >= 0;
+  }
+
   async print(): Promise<boolean> {
     this.asked.push("print");
     return true;
