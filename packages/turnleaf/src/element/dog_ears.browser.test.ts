@@ -2,30 +2,13 @@
 
 import { afterEach, beforeEach, expect, test } from "vitest";
 import type { TurnleafBook } from "../element.ts";
-import { book, happens, keepWhatIsDrawn, scans, settled } from "../for_tests/element_books.ts";
+import { bookOverDark, happens, keepWhatIsDrawn, settled } from "../for_tests/element_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 
 keepWhatIsDrawn();
 
 beforeEach(() => localStorage.clear());
 afterEach(() => document.body.replaceChildren());
-
-/** Scans of which the seventh, under the leaf of the fifth and sixth, is dark. */
-function pages(): { src: string }[] {
-  const canvas = document.createElement("canvas");
-  [canvas.width, canvas.height] = [90, 120];
-  canvas.getContext("2d")?.fillRect(0, 0, 90, 120);
-  const all = scans(12);
-  all[6] = { src: canvas.toDataURL("image/png") };
-  return all;
-}
-
-async function opened(attributes: Record<string, string> = {}): Promise<TurnleafBook> {
-  const element = book(pages(), { page: "5", cover: "none", duration: "300", ...attributes });
-  await happens(element, "load");
-  await settled(element);
-  return element;
-}
 
 /** Returns what is drawn around the upper corner of the right page away from the spine, in grey. */
 function cornerOf(element: TurnleafBook): number[] {
@@ -52,7 +35,7 @@ const differing = (a: readonly number[], b: readonly number[]): number =>
   a.filter((grey, k) => Math.abs(grey - b[k]) > 50).length / a.length;
 
 test("a corner is folded and seen, bookmarks its page, and is opened again", async () => {
-  const element = await opened();
+  const element = await bookOverDark();
   const flat = cornerOf(element);
   const changed = happens(element, "dogearchange");
   expect(await element.dogEar(5, "head", 0.3)).toBe(true);
@@ -72,7 +55,7 @@ test("a corner is folded and seen, bookmarks its page, and is opened again", asy
 });
 
 test("a folded leaf is turned, and folding is no turn", async () => {
-  const element = await opened();
+  const element = await bookOverDark();
   const turns: string[] = [];
   for (const name of ["turnstart", "pagechange"]) {
     element.addEventListener(name, () => turns.push(name));
@@ -92,20 +75,20 @@ test("a folded leaf is turned, and folding is no turn", async () => {
 
 test("bookmarks fold corners where the page asks for it, and stay folded over a reload", async () => {
   const kept = { remember: "", "fold-bookmarks": "" };
-  const first = await opened(kept);
+  const first = await bookOverDark(kept);
   first.toggleBookmark(5);
   first.toggleBookmark(8);
   expect(first.dogEars.map(({ page }) => page)).toEqual([5, 8]);
   first.toggleBookmark(8);
   expect(first.dogEars.map(({ page }) => page)).toEqual([5]);
   first.remove();
-  const again = await opened({ remember: "" });
+  const again = await bookOverDark({ remember: "" });
   expect(again.bookmarks).toEqual([5]);
   expect(again.dogEars).toEqual([{ page: 5, corner: "head", size: 0.2 }]);
 });
 
 test("what is no folded corner is left out", async () => {
-  const element = await opened();
+  const element = await bookOverDark();
   const wrong = [null, {}, { page: 0, corner: "head" }, { page: 3, corner: "middle" }];
   element.dogEars = [...wrong, { page: 3, corner: "foot", size: 9 }] as TurnleafBook["dogEars"];
   expect(element.dogEars).toEqual([{ page: 3, corner: "foot", size: 0.5 }]);
@@ -126,7 +109,7 @@ async function drawCornerIn(element: TurnleafBook, across: number, down: number)
 const patient = { timeout: 20_000 };
 
 test("a corner that is drawn in over its page and held still there is folded where it lies", async () => {
-  const element = await opened({ "fold-bookmarks": "" });
+  const element = await bookOverDark({ "fold-bookmarks": "" });
   const turns: string[] = [];
   element.addEventListener("pagechange", () => turns.push("pagechange"));
   const pointer = await drawCornerIn(element, 30, 30);
@@ -149,7 +132,7 @@ test("a corner that is only drawn across, or in a book that does not ask for it,
     [{ "fold-bookmarks": "" }, 2],
     [{}, 30],
   ] as const) {
-    const element = await opened(attributes);
+    const element = await bookOverDark(attributes);
     const pointer = await drawCornerIn(element, 30, down);
     // Once its leaf lies still where it is held no more frames come, and nothing that could fold it.
     await settled(element);

@@ -2,29 +2,12 @@
 
 import { afterEach, beforeEach, expect, test } from "vitest";
 import type { TurnleafBook } from "../element.ts";
-import { book, happens, keepWhatIsDrawn, scans, settled } from "../for_tests/element_books.ts";
+import { bookOverDark, happens, keepWhatIsDrawn, settled } from "../for_tests/element_books.ts";
 
 keepWhatIsDrawn();
 
 beforeEach(() => localStorage.clear());
 afterEach(() => document.body.replaceChildren());
-
-/** Scans of which the seventh, under the leaf of the fifth and sixth, is dark. */
-function pages(): { src: string }[] {
-  const canvas = document.createElement("canvas");
-  [canvas.width, canvas.height] = [90, 120];
-  canvas.getContext("2d")?.fillRect(0, 0, 90, 120);
-  const all = scans(12);
-  all[6] = { src: canvas.toDataURL("image/png") };
-  return all;
-}
-
-async function opened(attributes: Record<string, string> = {}): Promise<TurnleafBook> {
-  const element = book(pages(), { page: "5", cover: "none", duration: "300", ...attributes });
-  await happens(element, "load");
-  await settled(element);
-  return element;
-}
 
 const at = (x: number, y: number) => ({ x, y });
 const upright = [at(0.6, 0), at(0.6, 1)] as const;
@@ -49,7 +32,7 @@ const difference = (a: readonly number[], b: readonly number[]): number =>
   a.reduce((sum, grey, k) => sum + Math.abs(grey - b[k]), 0) / a.length;
 
 test("a page is folded along a line and seen, is listed, and is opened again", async () => {
-  const element = await opened();
+  const element = await bookOverDark();
   const flat = outerThird(element);
   const changed = happens(element, "foldchange");
   expect(await element.fold(5, ...upright)).toBe(true);
@@ -68,7 +51,7 @@ test("a page is folded along a line and seen, is listed, and is opened again", a
 });
 
 test("a letter is folded in three, at once or one after the other, and turns as a leaf", async () => {
-  const element = await opened();
+  const element = await bookOverDark();
   const [outer, inner] = [
     element.fold(5, at(0.7, 0), at(0.7, 1), 175),
     element.fold(5, at(0.4, 0), at(0.4, 1)),
@@ -82,7 +65,7 @@ test("a letter is folded in three, at once or one after the other, and turns as 
 });
 
 test("lines that no page can be folded along are rejected in one sentence", async () => {
-  const element = await opened();
+  const element = await bookOverDark();
   expect(await element.fold(5, ...upright)).toBe(true);
   const rejected = [
     [element.fold(5, at(0, 0.5), at(1, 0.5)), "meets its spine"],
@@ -101,7 +84,7 @@ test("lines that no page can be folded along are rejected in one sentence", asyn
 });
 
 test("folds stay over a reload, on both sides of a leaf, and what is no fold is left out", async () => {
-  const first = await opened({ remember: "" });
+  const first = await bookOverDark({ remember: "" });
   const folds = [
     { page: 5, from: at(0.6, 0), to: at(0.7, 1), angle: 160 },
     { page: 4, from: at(0.3, 0), to: at(0.3, 1), angle: -150 },
@@ -110,9 +93,9 @@ test("folds stay over a reload, on both sides of a leaf, and what is no fold is 
   first.folds = [...wrong, ...folds] as unknown as TurnleafBook["folds"];
   expect(first.folds).toEqual(folds);
   first.remove();
-  const again = await opened({ remember: "" });
+  const again = await bookOverDark({ remember: "" });
   expect(again.folds).toEqual(folds);
   again.folds = [];
   again.remove();
-  expect((await opened({ remember: "" })).folds).toEqual([]);
+  expect((await bookOverDark({ remember: "" })).folds).toEqual([]);
 });

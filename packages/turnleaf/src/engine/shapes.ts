@@ -117,3 +117,19 @@ export function columnPlace(column: number, columns: number): number {
 export function columnAt(u: number, columns: number): number {
   return Math.min(Math.max(u, 0), 1) ** (1 / 1.7) * (columns - 1);
 }
+
+/** Returns the lowest and the highest x and y of a surface, metres. */
+export function surfaceBounds({ positions }: Surface): {
+  readonly low: readonly [x: number, y: number];
+  readonly high: readonly [x: number, y: number];
+} {
+  const low: [number, number] = [Infinity, Infinity];
+  const high: [number, number] = [-Infinity, -Infinity];
+  for (let at = 0; at < positions.length; at += 3) {
+    for (const axis of [0, 1] as const) {
+      low[axis] = Math.min(low[axis], positions[at + axis]);
+      high[axis] = Math.max(high[axis], positions[at + axis]);
+    }
+  }
+  return { low, high };
+}

@@ -43,6 +43,25 @@ export const happens = <T>(element: TurnleafBook, name: string): Promise<T> =>
     }),
   );
 
+/** Returns twelve scans of which the seventh, under the leaf of the fifth and sixth, is dark. */
+function scansOverDark(): { src: string }[] {
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [90, 120];
+  canvas.getContext("2d")?.fillRect(0, 0, 90, 120);
+  const all = scans(12);
+  all[6] = { src: canvas.toDataURL("image/png") };
+  return all;
+}
+
+/** Resolves to a book at rest whose right page is the fifth, over a dark one: what is folded off it is seen. */
+export async function bookOverDark(attributes: Record<string, string> = {}): Promise<TurnleafBook> {
+  const given = { page: "5", cover: "none", duration: "300", ...attributes };
+  const element = book(scansOverDark(), given);
+  await happens(element, "load");
+  await settled(element);
+  return element;
+}
+
 /** Waits until nothing moves. */
 export const settled = (element: TurnleafBook): Promise<void> =>
   expect.poll(() => element.settled, { timeout: 20_000, interval: 50 }).toBe(true);

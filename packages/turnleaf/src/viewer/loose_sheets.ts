@@ -4,7 +4,7 @@
  */
 
 import type { TornSheet } from "../engine/book_engine.ts";
-import { columnAt, type Ray, type Surface, type Vec3 } from "../engine/shapes.ts";
+import { columnAt, type Ray, type Surface, surfaceBounds, type Vec3 } from "../engine/shapes.ts";
 import { type Hit, pickSurface } from "../picking/pick.ts";
 import { onPlane } from "../picking/reach.ts";
 import type { PagePicture } from "../sources/page_source.ts";
@@ -40,8 +40,6 @@ interface LooseSheet {
   readonly id: number;
   readonly sheet: TornSheet;
   readonly pictures: SheetPictures;
-  /** What is drawn of it, as of its last step. */
-  surface: Surface;
   /** How it is put aside; null if it is not. */
   aside: AsideMotion | null;
 }
@@ -79,17 +77,12 @@ export class LooseSheetPile {
 
   /** What is drawn of them. */
   get surfaces(): readonly Surface[] {
-    return this.#sheets.map(({ surface }) => surface);
+    return this.#sheets.map(({ sheet }) => sheet.surface);
   }
 
   /** What each of them shows. */
   get pictures(): readonly SheetPictures[] {
     return this.#sheets.map(({ pictures }) => pictures);
-  }
-
-  /** Number of sheets. */
-  get count(): number {
-    return this.#sheets.length;
   }
 
   /**
@@ -98,7 +91,7 @@ export class LooseSheetPile {
    * @param id by which `remove` knows it
    */
   add(id: number, sheet: TornSheet, pictures: SheetPictures): void {
-    this.#sheets.push({ id, sheet, pictures, surface: sheet.surface, aside: null });
+    this.#sheets.push({ id, sheet, pictures, aside: null });
     while (this.#sheets.length > mostSheets) this.remove(this.#sheets[0].id);
   }
 
@@ -127,7 +120,6 @@ export class LooseSheetPile {
       if (one.sheet.isAsleep || ticks === 0) continue;
       this.#move(one, bounded * tick);
       tearing?.step(one.sheet, bounded);
-      one.surface = one.sheet.surface;
     }
     return this.#sheets.some(({ sheet }) => !sheet.isAsleep);
   }
@@ -136,8 +128,8 @@ export class LooseSheetPile {
   pick(ray: Ray): (Hit & { readonly on: LooseHit }) | null {
     const { columns } = this.#rebinder.bound.engine;
     let best: (Hit & { readonly on: LooseHit }) | null = null;
-    for (const { id, surface } of this.#sheets) {
-      const hit = pickSurface(ray, surface, columns);
+    for (const { id, sheet } of this.#sheets) {
+      const hit = pickSurface(ray, sheet.surface, columns);
       if (hit === null || (best && best.distance <= hit.distance)) continue;
       best = { ...hit, on: { isLoose: true, grab: () => this.grab(id, hit.u, hit.v) } };
     }
@@ -185,10 +177,10 @@ export class LooseSheetPile {
    */
   #letGo(one: LooseSheet, at: Vec3 | null): void {
     const { shape } = this.#rebinder.bound;
-    const { low, high } = boundsOf(one.surface);
+    const { low, high } = surfaceBounds(one.sheet.surface);
     const isOver =
       low[0] < shape.width && high[0] > -shape.width && low[1] < shape.height && high[1] > 0;
-    const middle = middleOf(one.surface);
+    const middle = middleOf(one.sheet.surface);
     if (!isOver) {
       one.sheet.release();
       // What was thrown out of sight is gone.
@@ -217,19 +209,6 @@ export class LooseSheetPile {
     one.aside = null;
     one.sheet.release();
   }
-}
-
-/** Returns the lowest and the highest x and y of a surface. */
-function boundsOf({ positions }: Surface) {
-  const low: [number, number] = [Infinity, Infinity];
-  const high: [number, number] = [-Infinity, -Infinity];
-  for (let at = 0; at < positions.length; at += 3) {
-    for (const axis of [0, 1] as const) {
-      low[axis] = Math.min(low[axis], positions[at + axis]);
-      high[axis] = Math.max(high[axis], positions[at + axis]);
-    }
-  }
-  return { low, high };
 }
 
 /**

@@ -1,6 +1,6 @@
 /** The shadow on the table of everything that stands on it or hangs over it. */
 
-import type { Surface } from "../engine/shapes.ts";
+import { type Surface, surfaceBounds } from "../engine/shapes.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import { caseSizes } from "../stage/case_sizes.ts";
 import type { CaseShape } from "./case_shape.ts";
@@ -82,16 +82,10 @@ export function shadowOfFlap(ground: Ground, book: BookShape, flap: Surface | nu
 }
 
 /** Draws the shadow of a loose sheet over the table, whose height is given in metres. */
-export function shadowOfSheet(ground: Ground, { positions }: Surface, table: number): void {
-  const low = [Infinity, Infinity];
-  const high = [-Infinity, -Infinity];
+export function shadowOfSheet(ground: Ground, sheet: Surface, table: number): void {
+  const { positions } = sheet;
+  const { low, high } = surfaceBounds(sheet);
   let sum = 0;
-  for (let at = 0; at < positions.length; at += 3) {
-    for (const axis of [0, 1]) {
-      low[axis] = Math.min(low[axis], positions[at + axis]);
-      high[axis] = Math.max(high[axis], positions[at + axis]);
-    }
-    sum += positions[at + 2];
-  }
+  for (let at = 2; at < positions.length; at += 3) sum += positions[at];
   ground.raise(low[0], low[1], high[0], high[1], (3 * sum) / positions.length - table);
 }
