@@ -18,7 +18,7 @@
 use super::pile::Pile;
 use super::tolerance::ROUNDING;
 
-/// Seats the points of a leaf in place.
+/// Bends the points of a leaf into the gutter, in place.
 ///
 /// `positions` are x, y, z in metres, row by row, each row from the spine to
 /// the fore-edge; a row has as many points as the piles have columns. The

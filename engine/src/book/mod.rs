@@ -419,7 +419,7 @@ impl Book {
 
     /// The points of the flight at `index`, counted from the left: x, y, z in metres over
     /// a flat table, at the surface's columns and rows, as its sheet is now. What is
-    /// written over them is what the next update seats between the piles and draws, in
+    /// written over them is what the next update bends into the gutter and draws, in
     /// place of the sheet: so another model shows a leaf that grabs and contacts move
     /// as paper.
     pub fn override_surface(&mut self, index: usize) -> Option<&mut [f32]> {

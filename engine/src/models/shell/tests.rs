@@ -194,7 +194,7 @@ fn a_crease_without_stiffness_beside_the_paper_takes_all_of_the_turn() {
 }
 
 #[test]
-fn settings_of_a_crease_that_is_none_are_told_apart() {
+fn settings_of_a_crease_that_is_none_are_rejected_each_by_its_error() {
     let wrong = |crease: Crease, discretisation| {
         let settings = ShellSettings {
             discretisation,
