@@ -87,11 +87,18 @@ torn_functions! {
     /// The rows between which it is bound, from the foot: both 0 once it is off.
     fn tl_torn_bound_low(leaf) -> usize { leaf.bound().start }
     fn tl_torn_bound_high(leaf) -> usize { leaf.bound().end }
-    /// Work done in tearing since it was last asked for, J.
-    fn tl_torn_work(leaf) -> f32 { leaf.take_torn() }
+    /// Crumples one that is off. Returns whether it is being crumpled from now on.
+    fn tl_torn_crumple(leaf) -> u32 { leaf.crumple().into() }
+    /// Whether it is crumpled: its surface is one of facets then.
+    fn tl_torn_crumpled(leaf) -> u32 { leaf.is_crumpled().into() }
+    /// Work done in tearing and crumpling since it was last asked for, J.
+    fn tl_torn_work(leaf) -> f32 { leaf.take_work() }
     /// Whether it does not move until the next command.
     fn tl_torn_asleep(leaf) -> u32 { leaf.is_asleep().into() }
-    /// x, y, z and normals of its points, f32, at its book's columns and rows; its version.
+    /// Points along a row of its surface and along the spine.
+    fn tl_torn_columns(leaf) -> usize { leaf.surface().columns }
+    fn tl_torn_rows(leaf) -> usize { leaf.surface().rows }
+    /// x, y, z and normals of its points, f32; its version.
     fn tl_torn_positions(leaf) -> *const f32 { leaf.surface().positions.as_ptr() }
     fn tl_torn_normals(leaf) -> *const f32 { leaf.surface().normals.as_ptr() }
     fn tl_torn_version(leaf) -> u32 { leaf.surface().version }

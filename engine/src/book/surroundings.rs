@@ -12,7 +12,7 @@ use crate::grid::Side;
 use crate::models::sheet::{CONTACTS, Contact};
 use crate::vector::dot;
 
-/// Which contact of a node is whose; the last is free.
+/// Which contact of a node is whose; the others are free.
 const TABLE: usize = 0;
 const RIGHT: usize = 1;
 const LEFT: usize = 2;

@@ -11,13 +11,22 @@ use super::Book;
 use super::limits::{NODES, TICK};
 use super::surroundings::{Surroundings, TableAround};
 use crate::grid::Side;
+use crate::interpolate::uniform_samples;
 use crate::models::sheet::{Root, Sheet, SheetSettings, Tether};
+use crate::stock::GRAVITY;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
 use crate::vector::dot;
 
+mod ball;
+#[cfg(test)]
+mod crumpling_tests;
+mod press;
 #[cfg(test)]
 mod tests;
+
+use ball::Ball;
+use press::Press;
 
 /// How a leaf is bound, which says what there is to tear.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +66,10 @@ const STILL: f32 = 1e-3;
 const STILL_TICKS: u32 = 24;
 const LONGEST_FALL: u32 = 480;
 
+/// That speed of a ball: a tenth of what gravity gives it in a tick, which its contacts take from
+/// it again, node by node.
+const BALL_STILL: f32 = 0.1 * GRAVITY as f32 * TICK;
+
 /// Ticks in which what was drawn of the bound leaf becomes what is drawn of the torn one: the
 /// sheet's cells are coarser than the bend out of the gutter.
 const BLENDED: u32 = 12;
@@ -67,6 +80,15 @@ struct BoundRow {
     tether: Tether,
     /// Work of tearing it, J.
     work: f32,
+}
+
+/// How far a sheet is crumpled.
+#[derive(Clone, Debug)]
+enum Crumpled {
+    /// It is pressed.
+    Pressed(Press),
+    /// It has come to its shape.
+    Ball(Ball),
 }
 
 /// A leaf that is torn out, or has been.
@@ -90,6 +112,7 @@ pub struct TornLeaf {
     /// more ticks it does.
     differing: Vec<f32>,
     blend: u32,
+    crumpled: Option<Crumpled>,
 }
 
 impl TornLeaf {
@@ -119,7 +142,7 @@ impl TornLeaf {
         let drawn = flight.surface();
         let rows = (0..drawn.rows).map(|row| row as f32 / (drawn.rows - 1) as f32);
         sheet.draw_samples(book.columns(), &rows.collect::<Vec<_>>());
-        let mut nodes = nodes_of(drawn, book.columns());
+        let mut nodes = nodes_of(drawn, book.columns(), NODES);
         for node in &mut nodes {
             node[2] = node[2].max(height_of_pages(book, node[0]));
         }
@@ -141,6 +164,7 @@ impl TornLeaf {
             fallen: 0,
             still: 0,
             surface,
+            crumpled: None,
         };
         torn.tie();
         torn.update(book);
@@ -153,7 +177,11 @@ impl TornLeaf {
         if !(u.is_finite() && v.is_finite()) {
             return;
         }
-        self.sheet.grab_firmly(HAND, [u, v], PULL);
+        match &mut self.crumpled {
+            None => self.sheet.grab_firmly(HAND, [u, v], PULL),
+            Some(Crumpled::Pressed(_)) => return,
+            Some(Crumpled::Ball(ball)) => ball.grab([u, v].map(|at| at.clamp(0.0, 1.0))),
+        }
         (self.is_held, self.pulled) = (true, [f32::NAN; 3]);
         self.wake();
     }
@@ -171,6 +199,9 @@ impl TornLeaf {
     /// The hand lets go.
     pub fn release(&mut self) {
         self.sheet.release(HAND);
+        if let Some(Crumpled::Ball(ball)) = &mut self.crumpled {
+            ball.release();
+        }
         self.is_held = false;
         self.wake();
     }
@@ -191,9 +222,49 @@ impl TornLeaf {
         self.wake();
     }
 
-    /// Returns the work done in tearing since it was last asked for, J: what is heard.
-    pub fn take_torn(&mut self) -> f32 {
-        core::mem::take(&mut self.torn)
+    /// Crumples the sheet: it is pressed into a ball, for a little over a second of its own
+    /// time, over the place where it is. A hand that held it lets go. From then on it keeps every
+    /// sharp bend, and its surface is one of flat facets, of another size. Returns whether it is
+    /// crumpled: one that is still bound is not, nor one that has been.
+    pub fn crumple(&mut self) -> bool {
+        if !self.bound.is_empty() || self.is_crumpled() {
+            return false;
+        }
+        let leaf = self.sheet.settings();
+        let mut settings = SheetSettings {
+            columns: press::NODES[0],
+            rows: press::NODES[1],
+            ..leaf.clone()
+        }
+        .bearable(f64::from(TICK));
+        let area = |settings: &SheetSettings| settings.cell()[0] * settings.cell()[1];
+        // As stiff in its plane for the mass of a node as it was.
+        settings.stretch *= area(&settings) / area(leaf);
+        let Ok(mut sheet) = Sheet::new(settings) else {
+            return false;
+        };
+        sheet.place(finer(&self.sheet, press::NODES).into_iter().flatten());
+        sheet.crumple();
+        let press = Press::about(&sheet, self.around.table);
+        self.crumpled = Some(Crumpled::Pressed(press));
+        self.sheet = sheet;
+        self.release();
+        self.blend = 0;
+        // What is drawn is of facets from now on.
+        self.sheet.write_surface(&mut self.surface);
+        self.surface.update_normals();
+        true
+    }
+
+    /// Whether it is crumpled, or being crumpled.
+    pub fn is_crumpled(&self) -> bool {
+        self.crumpled.is_some()
+    }
+
+    /// Returns the work done in tearing, and in creasing one that is crumpled, since it was last
+    /// asked for, J: what is heard.
+    pub fn take_work(&mut self) -> f32 {
+        core::mem::take(&mut self.torn) + self.sheet.take_yielded()
     }
 
     /// Whether it does not move until the next command: it lies or is held still, or has been let
@@ -216,16 +287,24 @@ impl TornLeaf {
             if self.is_asleep() {
                 return;
             }
-            for left in (1..=self.steps).rev() {
-                let (positions, contacts) = self.sheet.contact_state();
-                around.write_contacts(positions, contacts);
-                self.sheet.step_of(left);
-                self.tear_rows();
+            if let Some(Crumpled::Ball(ball)) = &mut self.crumpled {
+                ball.step(TICK, &around, self.pulled);
+                ball.write_nodes(&mut self.sheet);
+            } else {
+                self.step_sheet(&around);
             }
             self.blend = self.blend.saturating_sub(1);
+            if let Some(Crumpled::Pressed(_)) = &self.crumpled {
+                continue;
+            }
             let v = self.sheet.velocities();
             let square = dot3(v) / (v.len() / 3) as f32;
-            self.still = if square < STILL * STILL {
+            let most = if self.is_crumpled() {
+                BALL_STILL
+            } else {
+                STILL
+            };
+            self.still = if square < most * most {
                 self.still + 1
             } else {
                 0
@@ -261,6 +340,25 @@ impl TornLeaf {
     /// Thickness of the paper, metres.
     pub fn caliper(&self) -> f32 {
         self.sheet.settings().stock.caliper as f32
+    }
+
+    /// Steps the sheet by a tick.
+    fn step_sheet(&mut self, around: &Surroundings) {
+        for left in (1..=self.steps).rev() {
+            let (positions, contacts) = self.sheet.contact_state();
+            around.write_contacts(positions, contacts);
+            if let Some(Crumpled::Pressed(press)) = &self.crumpled {
+                press.write_contacts(positions, contacts);
+                press.keep_apart(&mut self.sheet);
+            }
+            self.sheet.step_of(left);
+            self.tear_rows();
+        }
+        if let Some(Crumpled::Pressed(press)) = &mut self.crumpled
+            && !press.tick(&mut self.sheet)
+        {
+            self.crumpled = Some(Crumpled::Ball(Ball::of(&self.sheet)));
+        }
     }
 
     fn wake(&mut self) {
@@ -344,10 +442,20 @@ fn height_of_pages(book: &Book, x: f32) -> f32 {
     pile.height_and_slope(x.abs(), column).0
 }
 
-/// Where the nodes of a leaf are that is drawn at the columns `u` and even rows: between its
-/// points.
-fn nodes_of(drawn: &Surface, u: &[f32]) -> Vec<[f32; 3]> {
-    let [columns, rows] = NODES;
+/// Where the nodes of a finer grid are on a sheet: between those of its own.
+fn finer(sheet: &Sheet, [columns, rows]: [usize; 2]) -> Vec<[f32; 3]> {
+    let settings = sheet.settings();
+    let coarse = Surface {
+        positions: sheet.positions().to_vec(),
+        ..Surface::new(settings.columns, settings.rows)
+    };
+    let even: Vec<f32> = uniform_samples(settings.columns);
+    nodes_of(&coarse, &even, [columns, rows])
+}
+
+/// Where so many columns and rows of nodes of a leaf are that is drawn at the columns `u` and
+/// even rows: between its points.
+fn nodes_of(drawn: &Surface, u: &[f32], [columns, rows]: [usize; 2]) -> Vec<[f32; 3]> {
     let mut nodes = Vec::with_capacity(columns * rows);
     for row in 0..rows {
         let v = row as f32 / (rows - 1) as f32 * (drawn.rows - 1) as f32;

@@ -3,7 +3,7 @@ use crate::book::{Board, Book};
 use crate::grid::Side;
 use crate::stock::Stock;
 
-const AROUND: TableAround = TableAround {
+pub(super) const AROUND: TableAround = TableAround {
     table: -0.004,
     rim: 0.003,
 };
@@ -12,7 +12,7 @@ const LINES: [TearLine; 3] = [TearLine::Perforated, TearLine::Stapled, TearLine:
 
 /// A book of A5 pages open in the middle, with the uppermost leaf of a side in flight and held
 /// at a place, a little off its page.
-fn held(side: Side, stock: Stock, [u, v]: [f32; 2]) -> (Book, u32) {
+pub(super) fn held(side: Side, stock: Stock, [u, v]: [f32; 2]) -> (Book, u32) {
     let mut book = Book::new(0.148, 0.21, 100, 0.01).unwrap();
     let mut paper = *book.paper();
     paper.stock = stock;
@@ -32,14 +32,14 @@ fn held(side: Side, stock: Stock, [u, v]: [f32; 2]) -> (Book, u32) {
 }
 
 /// The hand's place at first, and the way in which it pulls: outward and up.
-fn pulled(side: Side, [u, v]: [f32; 2], away: f32) -> [f32; 3] {
+pub(super) fn pulled(side: Side, [u, v]: [f32; 2], away: f32) -> [f32; 3] {
     let x = side.sign() * (u * 0.147 + 0.8 * away);
     [x, v * 0.21, 0.026 + 0.6 * away]
 }
 
 /// Pulls a leaf at a place, `speed` metres a tick, until it is off. Returns it, how far it was
 /// pulled, and the rows that were bound after each tick.
-fn tear_off(
+pub(super) fn tear_off(
     book: &Book,
     id: u32,
     line: TearLine,
@@ -111,9 +111,9 @@ fn the_work_of_tearing_is_that_of_the_paper_which_binds_it() {
             let (book, id) = held(Side::Right, stock, at);
             let (mut leaf, away, _) = tear_off(&book, id, line, (Side::Right, at));
             pulls[k] = away;
-            let work = f64::from(leaf.take_torn());
+            let work = f64::from(leaf.take_work());
             assert!((work / wanted[k] - 1.0).abs() < 1e-4, "{line:?}: {work} J");
-            assert_eq!(leaf.take_torn(), 0.0);
+            assert_eq!(leaf.take_work(), 0.0);
         }
         assert!(pulls[0] < pulls[2], "{pulls:?}");
     }
@@ -138,7 +138,7 @@ fn a_gentle_pull_tears_nothing() {
     leaf.update(&book);
     assert_eq!(leaf.bound(), 0..NODES[1]);
     assert!(leaf.is_asleep());
-    assert!(leaf.take_torn() == 0.0);
+    assert!(leaf.take_work() == 0.0);
 }
 
 #[test]

@@ -10,6 +10,6 @@ pub(super) struct Creased {
     pub lines: Vec<FoldLine>,
     /// What bends in the place of second differences.
     pub hinges: Hinges,
-    /// What draws it in the place of splines.
-    pub patches: Patches,
+    /// What draws it in the place of splines; None where it is crumpled, and drawn as facets.
+    pub patches: Option<Patches>,
 }

@@ -45,9 +45,15 @@ impl Sheet {
             Some(Box::new(Creased {
                 lines: lines.to_vec(),
                 hinges: Hinges::new(&self.settings, &material, lines),
-                patches,
+                patches: Some(patches),
             }))
         };
+        self.take(material);
+        Ok(())
+    }
+
+    /// Goes on with its nodes at other places of the paper, on which they are moved.
+    pub(super) fn take(&mut self, material: Material) {
         let (columns, rows, first) = (
             self.settings.columns,
             self.settings.rows,
@@ -56,7 +62,7 @@ impl Sheet {
         for values in [&mut self.positions, &mut self.velocities] {
             self.material.carry(&material, values);
         }
-        let reach = if lines.is_empty() { 0 } else { 2 };
+        let reach = if self.is_creased() { 2 } else { 0 };
         self.system = System::new(columns, rows, first, reach);
         self.constant = System::new(columns, rows, first, reach).matrix;
         self.membrane = Membrane::new(&self.settings, &material);
@@ -72,7 +78,6 @@ impl Sheet {
         self.material = material;
         self.weigh();
         self.prepare();
-        Ok(())
     }
 
     /// Whether the sheet is creased.
@@ -188,7 +193,7 @@ impl Sheet {
         }
     }
 
-    fn creased_mut(&mut self) -> Option<&mut Creased> {
+    pub(super) fn creased_mut(&mut self) -> Option<&mut Creased> {
         if CAN_CREASE {
             self.creased.as_deref_mut()
         } else {
@@ -208,10 +213,12 @@ impl Sheet {
 
     /// Draws a creased sheet at other values of u and v.
     pub(super) fn redraw_creases(&mut self) {
-        let lines = self.creased().map(|creased| creased.lines.clone());
-        let patches = lines.and_then(|lines| self.patches(&self.material, &lines));
+        let Some(creased) = self.creased().filter(|creased| creased.patches.is_some()) else {
+            return;
+        };
+        let patches = self.patches(&self.material, &creased.lines);
         if let (Some(creased), Some(patches)) = (self.creased_mut(), patches) {
-            creased.patches = patches;
+            creased.patches = Some(patches);
         }
     }
 
@@ -219,7 +226,7 @@ impl Sheet {
     /// 0 to 1: some are moved onto creases. None of a sheet without creases, whose points
     /// lie at the values that it is drawn at.
     pub fn drawn_places(&self) -> Option<Vec<[f32; 2]>> {
-        let places = &self.creased()?.patches.drawn.places;
+        let places = &self.creased()?.patches.as_ref()?.drawn.places;
         let size = [self.settings.width, self.settings.height];
         let part = |place: &[f64; 2]| [0, 1].map(|axis| (place[axis] / size[axis]) as f32);
         Some(places.iter().map(part).collect())
@@ -230,10 +237,13 @@ impl Sheet {
     /// it belongs to: a set of bits, one for each crease that it lies beyond as seen from the
     /// spine. None of a sheet without creases.
     pub fn drawn_triangles(&self) -> Vec<([usize; 3], u16)> {
-        let Some(Creased { lines, patches, .. }) = self.creased() else {
-            return Vec::new();
-        };
-        triangles(&patches.drawn, lines)
+        let creased = self.creased();
+        creased.map_or_else(Vec::new, |creased| {
+            let patches = creased.patches.as_ref();
+            patches.map_or_else(Vec::new, |patches| {
+                triangles(&patches.drawn, &creased.lines)
+            })
+        })
     }
 
     /// The triangles of a creased sheet's nodes, as of its [points](Self::drawn_triangles).
@@ -244,7 +254,10 @@ impl Sheet {
 
     /// What each drawn point of a creased sheet belongs to; none of a sheet without creases.
     pub(crate) fn drawn_parts(&self) -> Vec<Part> {
-        let Some(Creased { lines, patches, .. }) = self.creased() else {
+        let drawn = self
+            .creased()
+            .and_then(|creased| Some((creased.patches.as_ref()?, &creased.lines)));
+        let Some((patches, lines)) = drawn else {
             return Vec::new();
         };
         let turns = turns(&patches.drawn, lines);

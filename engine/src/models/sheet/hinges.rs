@@ -55,7 +55,11 @@ struct Fold {
     fraction: f32,
     /// Energy in the crease is half of this times the square of that part, N m.
     stiffness: f32,
+    /// Moment of the crease by its angle from rest, N m, and the angle beyond which it yields.
+    spring: f32,
     yields: f32,
+    /// Greatest angle at which it comes to rest by yielding, radians.
+    tightest: f32,
 }
 
 /// The angle of a hinge, and its slopes by the places of its vertices.
@@ -87,6 +91,8 @@ pub(super) struct Hinges {
     blocks: Vec<Block>,
     /// Whether creases that are turned further than they yield keep the difference.
     pub may_yield: bool,
+    /// Work done in yielding since it was last taken, J.
+    pub yielded: f32,
 }
 
 impl Hinges {
@@ -102,12 +108,17 @@ impl Hinges {
             pairs: Vec::new(),
             blocks: Vec::new(),
             may_yield: true,
+            yielded: 0.0,
         };
         for rising in [false, true] {
             hinges.triangulate(settings, material, rising);
         }
         hinges.pair(settings.first());
-        hinges.fold(material, creases);
+        if material.crumples {
+            hinges.fold_everywhere(settings, material);
+        } else {
+            hinges.fold(material, creases);
+        }
         hinges.angles = vec![Angle::default(); hinges.hinges.len()];
         hinges.moments = vec![0.0; hinges.hinges.len()];
         hinges
@@ -263,26 +274,46 @@ impl Hinges {
             let Some((_, crease)) = material.folds.iter().find(|(fold, _)| *fold == edge) else {
                 continue;
             };
-            let of_triangle = |triangle: &Triangle| {
-                let side = triangle.hinges.iter().position(|own| *own == Some(hinge));
-                side.map_or(0.0, |k| f64::from(triangle.stiffness[k][k]))
-            };
-            let paper: f64 = self.triangles.iter().map(of_triangle).sum();
-            let [a, b] = edge.map(|node| material.places[node]);
-            let d = [b[0] - a[0], b[1] - a[1]];
-            let length = (d[0] * d[0] + d[1] * d[1]).sqrt();
-            let line = &creases[*crease];
-            // Each edge is a hinge of both triangulations, with half of the crease.
-            let spring = 0.5 * length * line.stiffness;
-            self.folds.push(Fold {
-                hinge,
-                crease: *crease,
-                rest: -line.rest as f32,
-                last: 0.0,
-                fraction: (1.0 / (1.0 + paper / spring)) as f32,
-                stiffness: (paper * paper / spring) as f32,
-                yields: line.yields as f32,
-            });
+            let fold = self.fold_at(hinge, *crease, material, &creases[*crease]);
+            self.folds.push(fold);
+        }
+    }
+
+    /// Makes a fold of every hinge, flat at first, as if each were creased by hand.
+    fn fold_everywhere(&mut self, settings: &SheetSettings, material: &Material) {
+        let line = FoldLine::pressed([[0.0; 2]; 2], 0.0, &settings.stock, settings.width);
+        let inner = (0..self.hinges.len()).filter(|hinge| !self.hinges[*hinge].contains(&GHOST));
+        let folds = inner.map(|hinge| Fold {
+            // Shut but for what it springs back by: no facet is pressed through the next.
+            tightest: PI - line.yields as f32,
+            ..self.fold_at(hinge, 0, material, &line)
+        });
+        self.folds = folds.collect();
+    }
+
+    /// A hinge as part of a crease.
+    fn fold_at(&self, hinge: usize, crease: usize, material: &Material, line: &FoldLine) -> Fold {
+        let of_triangle = |triangle: &Triangle| {
+            let side = triangle.hinges.iter().position(|own| *own == Some(hinge));
+            side.map_or(0.0, |k| f64::from(triangle.stiffness[k][k]))
+        };
+        let paper: f64 = self.triangles.iter().map(of_triangle).sum();
+        let [from, to, ..] = self.hinges[hinge];
+        let [a, b] = [from, to].map(|node| material.places[node]);
+        let d = [b[0] - a[0], b[1] - a[1]];
+        let length = (d[0] * d[0] + d[1] * d[1]).sqrt();
+        // Each edge is a hinge of both triangulations, with half of the crease.
+        let spring = 0.5 * length * line.stiffness;
+        Fold {
+            hinge,
+            crease,
+            rest: -line.rest as f32,
+            last: 0.0,
+            fraction: (1.0 / (1.0 + paper / spring)) as f32,
+            stiffness: (paper * paper / spring) as f32,
+            spring: spring as f32,
+            yields: line.yields as f32,
+            tightest: f32::INFINITY,
         }
     }
 
@@ -353,7 +384,10 @@ impl Hinges {
             let turned = fold.crease_angle() - fold.rest;
             let beyond = turned.abs() - fold.yields;
             if beyond > 0.0 && self.may_yield {
-                fold.rest += beyond.copysign(turned);
+                let rest = fold.rest + beyond.copysign(turned);
+                let rest = rest.clamp(-fold.tightest, fold.tightest);
+                self.yielded += fold.spring * fold.yields * (rest - fold.rest).abs();
+                fold.rest = rest;
             }
         }
     }

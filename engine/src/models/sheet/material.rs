@@ -30,6 +30,8 @@ pub(super) struct Material {
     pub places: Vec<[f64; 2]>,
     /// Whether nodes are spaced evenly, as by the settings' cells.
     is_even: bool,
+    /// Whether cells may fold along either diagonal, and every edge keeps its bend.
+    pub crumples: bool,
     /// Mean sides of a cell, and the sheet's, metres.
     cell: [f64; 2],
     pub size: [f64; 2],
@@ -58,6 +60,23 @@ impl Material {
         }
     }
 
+    /// An even grid of paper that crumples.
+    pub fn crumpled(settings: &SheetSettings) -> Self {
+        Self {
+            crumples: true,
+            ..Self::even(settings)
+        }
+    }
+
+    /// Both diagonals of a cell with their length, metres: of paper that crumples neither can be
+    /// longer, and either may be shorter. None of any other.
+    pub fn slack_diagonals(&self, foot: usize) -> Option<[([usize; 2], f64); 2]> {
+        let head = foot + self.columns;
+        let edges = [[foot, head + 1], [foot + 1, head]];
+        self.crumples
+            .then(|| edges.map(|edge| (edge, distance(self.places[edge[0]], self.places[edge[1]]))))
+    }
+
     /// A grid of columns and rows at such distances from the spine and from the foot,
     /// metres, each rising from 0.
     pub fn over(columns: Vec<f64>, rows: Vec<f64>) -> Self {
@@ -72,6 +91,7 @@ impl Material {
             rows: rows.len(),
             places,
             is_even: false,
+            crumples: false,
             cell: [mean(&columns), mean(&rows)],
             size: [last(&columns), last(&rows)],
             folds: Vec::new(),

@@ -7,6 +7,7 @@
 use super::material::Material;
 use super::settings::{CAN_CREASE, SheetSettings};
 use super::system::System;
+use crate::vector::{dot, sub};
 
 /// An edge: what it rests at, metres, and its stiffness, N/m.
 #[derive(Clone, Copy, Debug, Default)]
@@ -37,6 +38,8 @@ pub(super) struct Membrane {
     cells: Vec<Cell>,
     /// Diagonals along which cells are folded, which shear no more as a whole.
     diagonals: Vec<([usize; 2], Spring)>,
+    /// Diagonals that can be shorter than at rest, and not longer: of paper that crumples.
+    slack: Vec<([usize; 2], Spring)>,
 }
 
 impl Membrane {
@@ -51,6 +54,7 @@ impl Membrane {
             along_v: vec![Spring::default(); nodes],
             cells: vec![Cell::default(); nodes],
             diagonals: Vec::new(),
+            slack: Vec::new(),
         };
         let rim = |i: usize, count: usize| {
             if i == 0 || i + 1 == count {
@@ -73,16 +77,24 @@ impl Membrane {
                 membrane.along_v[node] = spring(rim(column, columns), du, material.along_v(node));
             }
         }
+        let along_diagonal = |foot: usize, square: f64| Spring {
+            rest: square.sqrt() as f32,
+            stiffness: (settings.stretch * material.area(foot) / square) as f32,
+        };
         for foot in material.cells() {
+            if let Some(diagonals) = material.slack_diagonals(foot) {
+                let springs =
+                    diagonals.map(|(edge, rest)| (edge, along_diagonal(foot, rest * rest)));
+                membrane.slack.extend(springs);
+                continue;
+            }
             if let Some(edge) = material.folded_diagonal(foot) {
                 let [a, b] = edge.map(|node| material.places[node]);
                 let d = [b[0] - a[0], b[1] - a[1]];
                 let square = d[0] * d[0] + d[1] * d[1];
-                let spring = Spring {
-                    rest: square.sqrt() as f32,
-                    stiffness: (settings.stretch * material.area(foot) / square) as f32,
-                };
-                membrane.diagonals.push((edge, spring));
+                membrane
+                    .diagonals
+                    .push((edge, along_diagonal(foot, square)));
                 continue;
             }
             let [du, dv] = material.sides(foot);
@@ -116,6 +128,12 @@ impl Membrane {
         if CAN_CREASE {
             for (edge, along) in &self.diagonals {
                 spring(x, *edge, *along, system);
+            }
+            for (edge, along) in &self.slack {
+                let d = sub(x[edge[1]], x[edge[0]]);
+                if dot(d, d) > along.rest * along.rest {
+                    spring(x, *edge, *along, system);
+                }
             }
         }
     }

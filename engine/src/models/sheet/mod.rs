@@ -13,6 +13,8 @@ mod contact;
 mod crease;
 mod creased;
 mod creasing;
+mod crumpling;
+mod facets;
 #[cfg(test)]
 mod folding_tests;
 mod grabs;
@@ -34,6 +36,7 @@ pub use crease::FoldLine;
 pub(crate) use creasing::Part;
 pub(crate) use settings::CAN_CREASE;
 pub use settings::{InvalidSheet, Root, SheetSettings};
+pub(crate) use sweep::Apart;
 
 use crate::vector::dot;
 use bending::Bending;
@@ -543,9 +546,16 @@ impl TurnModel for Sheet {
         surface.resize(columns, rows);
         match &mut self.creased {
             Some(creased) if CAN_CREASE => {
-                creased
-                    .patches
-                    .apply(&self.positions, &mut surface.positions);
+                let points = &mut surface.positions;
+                match &mut creased.patches {
+                    Some(patches) => patches.apply(&self.positions, points),
+                    None => facets::write(
+                        self.settings.columns,
+                        self.settings.rows,
+                        &self.positions,
+                        points,
+                    ),
+                }
             }
             _ => self
                 .interpolation

@@ -162,7 +162,7 @@ impl SheetSettings {
     }
 
     /// Area of a node's part of the sheet, m^2.
-    pub(super) fn area(&self, column: usize, row: usize) -> f64 {
+    pub(crate) fn area(&self, column: usize, row: usize) -> f64 {
         let half = |i: usize, count: usize| if i == 0 || i + 1 == count { 0.5 } else { 1.0 };
         let cell = self.cell();
         half(column, self.columns) * half(row, self.rows) * cell[0] * cell[1]

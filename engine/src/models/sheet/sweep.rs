@@ -68,12 +68,25 @@ pub(super) struct Sweep {
     cells: Vec<Cell>,
     /// Diagonals along which cells are folded, and their lengths, metres.
     diagonals: Vec<([usize; 2], f32)>,
+    /// Diagonals of paper that crumples, and the lengths that they do not exceed, metres.
+    slack: Vec<([usize; 2], f32)>,
+    /// Nodes that are kept apart.
+    pub apart: Apart,
     pub shear_sweeps: usize,
     /// One over a node's area, relative to an inner node's; 0 where it is held.
     pub mobility: Vec<f32>,
     links: Vec<Link>,
     /// Firm contacts that nodes are in or near: node, contact.
     firm: Vec<(usize, Contact)>,
+}
+
+/// Pairs of nodes that must not come nearer to each other.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Apart {
+    /// Least distance, metres.
+    pub distance: f32,
+    /// The numbers of the nodes.
+    pub pairs: Vec<[usize; 2]>,
 }
 
 /// A cell: half of one over the product of its sides, 1/m^2, and at rest the difference of the squares of
@@ -106,6 +119,8 @@ impl Sweep {
             along_v: vec![0.0; nodes],
             cells: vec![Cell::default(); nodes],
             diagonals: Vec::new(),
+            slack: Vec::new(),
+            apart: Apart::default(),
             shear_sweeps: settings.shear_sweeps,
             mobility: vec![0.0; nodes],
             links: vec![Link::default(); columns.max(rows)],
@@ -121,6 +136,11 @@ impl Sweep {
             }
         }
         for foot in material.cells() {
+            if let Some(diagonals) = material.slack_diagonals(foot) {
+                let lengths = diagonals.map(|(edge, length)| (edge, length as f32));
+                sweep.slack.extend(lengths);
+                continue;
+            }
             if let Some(edge) = material.folded_diagonal(foot) {
                 let [a, b] = edge.map(|node| material.places[node]);
                 let d = [b[0] - a[0], b[1] - a[1]];
@@ -169,6 +189,22 @@ impl Sweep {
             if CAN_CREASE {
                 for (edge, length) in &self.diagonals {
                     off = off.max(restore(positions, *edge, *length, &self.mobility));
+                }
+                for (edge, length) in &self.slack {
+                    if length_of(positions, *edge) > *length {
+                        off = off.max(restore(positions, *edge, *length, &self.mobility));
+                    }
+                }
+                // As firm contacts, they yield to lengths in the end.
+                let pairs = if round < YIELD {
+                    &self.apart.pairs[..]
+                } else {
+                    &[]
+                };
+                for pair in pairs {
+                    if length_of(positions, *pair) < self.apart.distance {
+                        restore(positions, *pair, self.apart.distance, &self.mobility);
+                    }
                 }
             }
             for column in self.first..columns {
@@ -339,6 +375,13 @@ impl Chain {
         }
         off
     }
+}
+
+/// Distance between two nodes, metres.
+fn length_of(positions: &[f32], [a, b]: [usize; 2]) -> f32 {
+    let x = positions.as_chunks::<3>().0;
+    let d = sub(x[b], x[a]);
+    dot(d, d).sqrt()
 }
 
 /// Restores the length of one edge. Returns its strain.
