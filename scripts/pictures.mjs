@@ -45,6 +45,18 @@ const pictures = {
     ]),
   ),
   ...Object.fromEntries(
+    [700, 1100, 1800].map((crumple, k) => [
+      `crumple-${k + 1}`,
+      {
+        example: "18-tear-off.html",
+        viewport: { width: 1200, height: 480 },
+        page: 1,
+        tear: 2600,
+        crumple,
+      },
+    ]),
+  ),
+  ...Object.fromEntries(
     ["bible", "book", "office", "coated", "card"].map((stock) => [
       `stock-${stock}`,
       { page: 18, viewport: small, stock, drag: [0.86, 0.83, 0.66, 0.5] },
@@ -74,6 +86,7 @@ async function take(browser, reader, examples, name) {
     riffle,
     drag,
     tear,
+    crumple,
   } = pictures[name];
   const page = await browser.newPage({ viewport, deviceScaleFactor: scale });
   page.setDefaultTimeout(180_000);
@@ -153,6 +166,12 @@ async function take(browser, reader, examples, name) {
     await page.evaluate(() => void document.querySelector("turnleaf-book").tearOut());
     await page.waitForTimeout(1000);
     await page.evaluate((milliseconds) => window.clock.pass(milliseconds), tear);
+  }
+  if (crumple) {
+    await page.evaluate((milliseconds) => {
+      document.querySelector("turnleaf-book").crumple();
+      window.clock.pass(milliseconds);
+    }, crumple);
   }
   await page.screenshot({ path: join(out, `${name}.png`) });
   await page.close();

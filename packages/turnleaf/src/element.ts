@@ -341,6 +341,14 @@ export class TurnleafBook extends ReaderElement {
     return this.#torn.putBack();
   }
 
+  /**
+   * Crumples the loose sheet that was torn out last into a ball, where it lies, as a double tap on
+   * it does. Returns whether there is one that is not crumpled yet.
+   */
+  crumple(): boolean {
+    return this.#viewer?.crumple() ?? false;
+  }
+
   /** Number of leaves that were torn out and can be put back. */
   get tornLeaves(): number {
     return this.#torn.count;

@@ -219,3 +219,38 @@ test("a listener is asked again where nothing gave way before", async () => {
   expect(await element.tearOut(5)).toBe(false);
   expect(asked).toHaveLength(1);
 });
+
+test("a loose sheet is crumpled by command, once, and its pages are put back whole", async () => {
+  const element = await opened();
+  expect(element.crumple()).toBe(false);
+  await element.tearOut(5);
+  await settled(element);
+  await expect.poll(() => besideBook(element), { timeout: 20_000 }).toBeGreaterThan(0.2);
+  const flat = besideBook(element);
+  expect(element.crumple()).toBe(true);
+  expect(element.crumple()).toBe(false);
+  await settled(element);
+  // A ball of a little less than half of the width covers a fifth of the sheet.
+  await expect.poll(() => besideBook(element), { timeout: 20_000 }).toBeLessThan(0.5 * flat);
+  expect(besideBook(element)).toBeGreaterThan(0.05 * flat);
+  expect(await element.putBack()).toBe(true);
+  await settled(element);
+  expect([element.pageCount, element.tornLeaves]).toEqual([12, 0]);
+  await expect.poll(() => besideBook(element)).toBe(0);
+});
+
+test("a double tap crumples a loose sheet", async () => {
+  const element = await opened();
+  await element.tearOut(5);
+  await settled(element);
+  await expect.poll(() => besideBook(element), { timeout: 20_000 }).toBeGreaterThan(0.2);
+  const flat = besideBook(element);
+  const pointer = new TestPointer(element);
+  const x = (element.bookBounds as DOMRect).right + 60;
+  for (let tap = 0; tap < 2; tap++) {
+    pointer.point("pointerdown", x, 160);
+    pointer.point("pointerup", x, 160);
+  }
+  await expect.poll(() => besideBook(element), { timeout: 20_000 }).toBeLessThan(0.5 * flat);
+  expect([element.zoom, element.tornLeaves]).toEqual([1, 1]);
+});

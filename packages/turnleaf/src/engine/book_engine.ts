@@ -82,7 +82,14 @@ export interface TornSheet {
   release(): void;
   /** Tears what still binds it, at once. */
   cut(): void;
-  /** Returns the work done in tearing since it was last asked for, J. */
+  /** Whether it is crumpled, or being crumpled. */
+  readonly isCrumpled: boolean;
+  /**
+   * Presses it into a ball, in a little over a second of its own time; its grab is released.
+   * Returns whether it does: false if it is still bound, or crumpled.
+   */
+  crumple(): boolean;
+  /** Returns the work done in tearing and crumpling it since it was last asked for, J. */
   takeWork(): number;
   /** Frees it. Nothing may be called afterwards. */
   destroy(): void;

@@ -42,8 +42,7 @@ export class CreasableBook extends WasmBook {
   private constructor(wasm: CreasingExports, size: BookSize) {
     super(wasm, size);
     const { book } = this;
-    const grid = { columns: wasm.tl_book_columns(book), rows: wasm.tl_book_rows(book) };
-    this.tearing = tearingOf(wasm, book, this.tick, grid);
+    this.tearing = tearingOf(wasm, book, this.tick);
     this.creases = {
       crease: (leaf, creases) => {
         const numbers = creases.flatMap(numbersOf);

@@ -1,8 +1,9 @@
 /** Leaves that are torn out of a book in the engine through WASM. */
 
 import type { BoundRows, LeafTearing, TearOptions, TornSheet } from "./book_engine.ts";
+import { facetsOf } from "./facets.ts";
 import { areFinite, clamp, whole, wholeTicks } from "./numbers.ts";
-import { type Surface, tearLines, type Vec3 } from "./shapes.ts";
+import { type CreasedMesh, type Surface, tearLines, type Vec3 } from "./shapes.ts";
 import { type Exports, visibleThickness } from "./wasm_book.ts";
 
 /** What the engine exports for torn leaves. */
@@ -24,8 +25,12 @@ export interface TearingExports extends Exports {
   tl_torn_cut(leaf: number): void;
   tl_torn_bound_low(leaf: number): number;
   tl_torn_bound_high(leaf: number): number;
+  tl_torn_crumple(leaf: number): number;
+  tl_torn_crumpled(leaf: number): number;
   tl_torn_work(leaf: number): number;
   tl_torn_asleep(leaf: number): number;
+  tl_torn_columns(leaf: number): number;
+  tl_torn_rows(leaf: number): number;
   tl_torn_positions(leaf: number): number;
   tl_torn_normals(leaf: number): number;
   tl_torn_version(leaf: number): number;
@@ -43,19 +48,14 @@ const farthest = 1000;
  *
  * @param book the book's address there
  */
-export function tearingOf(
-  wasm: TearingExports,
-  book: number,
-  tick: number,
-  grid: { readonly columns: number; readonly rows: number },
-): LeafTearing {
+export function tearingOf(wasm: TearingExports, book: number, tick: number): LeafTearing {
   return {
     tear: (id, { line, bound = [0, nodeRows], table, rim }: TearOptions) => {
       if (!areFinite([table, rim])) return null;
       const [low, high] = bound.map((row) => whole(row, nodeRows));
       const number = tearLines.indexOf(line);
       const at = wasm.tl_torn_new(book, whole(id, mostIds), number, low, high, table, rim);
-      return at === 0 ? null : new WasmTornSheet(wasm, at, grid);
+      return at === 0 ? null : new WasmTornSheet(wasm, at);
     },
     step: (sheet, ticks) => {
       if (sheet instanceof WasmTornSheet) sheet.step(book, wholeTicks(ticks, tick));
@@ -66,17 +66,12 @@ export function tearingOf(
 class WasmTornSheet implements TornSheet {
   readonly #wasm: TearingExports;
   readonly #leaf: number;
-  readonly #grid: { readonly columns: number; readonly rows: number };
   #surface: Surface | null = null;
+  #facets: CreasedMesh | undefined;
 
-  constructor(
-    wasm: TearingExports,
-    leaf: number,
-    grid: { readonly columns: number; readonly rows: number },
-  ) {
+  constructor(wasm: TearingExports, leaf: number) {
     this.#wasm = wasm;
     this.#leaf = leaf;
-    this.#grid = grid;
   }
 
   /** @param book address of the book on and beside which it lies */
@@ -97,7 +92,10 @@ class WasmTornSheet implements TornSheet {
     const version = this.#wasm.tl_torn_version(this.#leaf);
     const known = this.#surface;
     if (known?.positions.buffer === buffer && known.version === version) return known;
-    const { columns, rows } = this.#grid;
+    const [columns, rows] = [this.#wasm.tl_torn_columns, this.#wasm.tl_torn_rows].map((count) =>
+      count(this.#leaf),
+    );
+    if (this.isCrumpled) this.#facets ??= facetsOf(columns, rows);
     const caliper = this.#wasm.tl_torn_caliper(this.#leaf);
     const view = (at: number) => new Float32Array(buffer, at, 3 * columns * rows);
     this.#surface = {
@@ -107,6 +105,7 @@ class WasmTornSheet implements TornSheet {
       normals: view(this.#wasm.tl_torn_normals(this.#leaf)),
       version,
       thickness: caliper < visibleThickness ? 0 : caliper,
+      creased: this.#facets,
     };
     return this.#surface;
   }
@@ -127,6 +126,14 @@ class WasmTornSheet implements TornSheet {
 
   cut(): void {
     this.#wasm.tl_torn_cut(this.#leaf);
+  }
+
+  crumple(): boolean {
+    return this.#wasm.tl_torn_crumple(this.#leaf) !== 0;
+  }
+
+  get isCrumpled(): boolean {
+    return this.#wasm.tl_torn_crumpled(this.#leaf) !== 0;
   }
 
   takeWork(): number {

@@ -165,9 +165,8 @@ export class Input {
 
   /** Makes a press that has moved a drag or a pan. */
   #begin(press: Press, at: Place, id: number): void {
+    if (!hasMoved({ ...press, at })) return;
     const [x, y] = [at.x - press.x, at.y - press.y];
-    const isMouse = press.kind === "mouse";
-    if (Math.hypot(x, y) <= (isMouse ? dragStart.mouse : dragStart.other)) return;
     this.#taps.forget();
     if (press.hit === null) {
       press.pans = true;
@@ -198,8 +197,11 @@ export class Input {
     this.#presses.delete(event.pointerId);
     this.#canvas.style.cursor = "";
     const isDone = event.type === "pointerup";
-    if (press.drag) this.#release(press, press.drag, isDone ? event.timeStamp : null);
-    else if (press.pans) this.#letGlide(press, isDone ? event.timeStamp : null);
+    if (press.drag) {
+      this.#release(press, press.drag, isDone ? event.timeStamp : null);
+      const isTap = isDone && press.drag.doubleTap !== undefined && !hasMoved(press);
+      if (isTap && this.#taps.tap(event)) press.drag.doubleTap?.();
+    } else if (press.pans) this.#letGlide(press, isDone ? event.timeStamp : null);
     else if (isDone) this.#tap(press, event);
   }
 
@@ -323,6 +325,11 @@ export class Input {
     const box = this.#canvas.getBoundingClientRect();
     return { x: event.clientX - box.left, y: event.clientY - box.top };
   }
+}
+
+/** Returns whether a press has moved so far that it is no tap. */
+function hasMoved({ x, y, at, kind }: Press): boolean {
+  return Math.hypot(at.x - x, at.y - y) > (kind === "mouse" ? dragStart.mouse : dragStart.other);
 }
 
 /** Returns the side where a leaf was grabbed. */

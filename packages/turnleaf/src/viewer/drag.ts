@@ -33,6 +33,8 @@ export interface Dragged {
   move(x: number, y: number): void;
   /** Releases it. */
   release(): void;
+  /** Handles a double tap on it, after its release. */
+  doubleTap?(): void;
 }
 
 /** A sheet that was torn out, where a pointer can grab it. */

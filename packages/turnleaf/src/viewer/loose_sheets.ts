@@ -42,6 +42,8 @@ interface LooseSheet {
   readonly pictures: SheetPictures;
   /** How it is put aside; null if it is not. */
   aside: AsideMotion | null;
+  /** Whether it is pressed into a ball, or falls after that. */
+  isCrumpling: boolean;
 }
 
 /** The motion by which the viewer puts a sheet aside. */
@@ -60,6 +62,8 @@ export interface LooseSheetHooks {
   readonly rayAt: (x: number, y: number) => Ray;
   /** Returns whether a point of book space is seen on the canvas. */
   readonly isSeen: (point: Vec3) => boolean;
+  /** Called with the work done in crumpling sheets, J. */
+  readonly heard: (work: number) => void;
   /** Gives back a picture that is shown no more. */
   readonly drop: (picture: PagePicture) => void;
 }
@@ -91,7 +95,7 @@ export class LooseSheetPile {
    * @param id by which `remove` knows it
    */
   add(id: number, sheet: TornSheet, pictures: SheetPictures): void {
-    this.#sheets.push({ id, sheet, pictures, aside: null });
+    this.#sheets.push({ id, sheet, pictures, aside: null, isCrumpling: false });
     while (this.#sheets.length > mostSheets) this.remove(this.#sheets[0].id);
   }
 
@@ -120,6 +124,9 @@ export class LooseSheetPile {
       if (one.sheet.isAsleep || ticks === 0) continue;
       this.#move(one, bounded * tick);
       tearing?.step(one.sheet, bounded);
+      const work = one.sheet.takeWork();
+      if (work > 0) this.#hooks.heard(work);
+      if (one.isCrumpling && one.sheet.isAsleep) this.#crumpled(one);
     }
     return this.#sheets.some(({ sheet }) => !sheet.isAsleep);
   }
@@ -129,7 +136,8 @@ export class LooseSheetPile {
     const { columns } = this.#rebinder.bound.engine;
     let best: (Hit & { readonly on: LooseHit }) | null = null;
     for (const { id, sheet } of this.#sheets) {
-      const hit = pickSurface(ray, sheet.surface, columns);
+      const { surface } = sheet;
+      const hit = pickSurface(ray, surface, surface.creased ? evenly(surface.columns) : columns);
       if (hit === null || (best && best.distance <= hit.distance)) continue;
       best = { ...hit, on: { isLoose: true, grab: () => this.grab(id, hit.u, hit.v) } };
     }
@@ -142,6 +150,7 @@ export class LooseSheetPile {
     const one = held();
     if (one) {
       one.aside = null;
+      one.isCrumpling = false;
       one.sheet.grab(u, v);
     }
     let at: Vec3 = [0, 0, 0];
@@ -156,7 +165,35 @@ export class LooseSheetPile {
         const one = held();
         if (one) this.#letGo(one, at);
       },
+      doubleTap: () => {
+        this.#crumple(held());
+      },
     };
+  }
+
+  /** Crumples the sheet that was torn out last and is not crumpled. Returns whether there is one. */
+  crumple(): boolean {
+    return this.#crumple(this.#sheets.findLast(({ sheet }) => !sheet.isCrumpled));
+  }
+
+  #crumple(one: LooseSheet | undefined): boolean {
+    if (!one?.sheet.crumple()) return false;
+    one.aside = null;
+    one.isCrumpling = true;
+    this.#hooks.moved();
+    return true;
+  }
+
+  /** A ball lies where it fell: over the pages it is put aside. */
+  #crumpled(one: LooseSheet): void {
+    one.isCrumpling = false;
+    if (this.#isOverBook(one)) this.#letGo(one, null);
+  }
+
+  #isOverBook({ sheet }: LooseSheet): boolean {
+    const { width, height } = this.#rebinder.bound.shape;
+    const { low, high } = surfaceBounds(sheet.surface);
+    return low[0] < width && high[0] > -width && low[1] < height && high[1] > 0;
   }
 
   /** Puts a sheet aside that is held over the book. */
@@ -177,11 +214,8 @@ export class LooseSheetPile {
    */
   #letGo(one: LooseSheet, at: Vec3 | null): void {
     const { shape } = this.#rebinder.bound;
-    const { low, high } = surfaceBounds(one.sheet.surface);
-    const isOver =
-      low[0] < shape.width && high[0] > -shape.width && low[1] < shape.height && high[1] > 0;
     const middle = middleOf(one.sheet.surface);
-    if (!isOver) {
+    if (!this.#isOverBook(one)) {
       one.sheet.release();
       // What was thrown out of sight is gone.
       if (at && !this.#hooks.isSeen(at) && !this.#hooks.isSeen(middle)) this.remove(one.id);
@@ -226,8 +260,14 @@ function asideOf(shape: BookShape, [x, y]: Vec3): Vec3 {
   ];
 }
 
+/** Returns u of columns that are spaced evenly. */
+function evenly(columns: number): Float32Array {
+  return Float32Array.from({ length: columns }, (_, column) => column / (columns - 1));
+}
+
 /** Returns the middle of a surface. */
-function middleOf({ positions, columns, rows }: Surface): Vec3 {
-  const at = 3 * ((rows >> 1) * columns + Math.round(columnAt(0.5, columns)));
+function middleOf({ positions, columns, rows, creased }: Surface): Vec3 {
+  const column = creased ? columns >> 1 : Math.round(columnAt(0.5, columns));
+  const at = 3 * ((rows >> 1) * columns + column);
   return [positions[at], positions[at + 1], positions[at + 2]];
 }

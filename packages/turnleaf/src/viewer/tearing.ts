@@ -103,6 +103,7 @@ export class Tearing {
       moved: hooks.moved,
       rayAt: (x, y) => stage.rayAt(x, y),
       isSeen: (point) => hooks.isSeen(stage.project(point)),
+      heard: (work) => hooks.heard(work),
       drop: (picture) => bitmaps.drop(picture),
     });
     return new Tearing(rebinder, bitmaps, loose, hooks);
@@ -150,6 +151,11 @@ export class Tearing {
       stage.setLoose(k, "recto", recto);
       stage.setLoose(k, "verso", verso);
     }
+  }
+
+  /** Crumples the loose sheet that was torn out last and is not crumpled. Returns whether there is one. */
+  crumple(): boolean {
+    return this.#loose.crumple();
   }
 
   /** Takes a loose sheet away; `id` is what `takeOut` returned. */

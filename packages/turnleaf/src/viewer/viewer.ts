@@ -353,6 +353,11 @@ export class Viewer {
     return await torn;
   }
 
+  /** Crumples the loose sheet that was torn out last and is not crumpled. Returns whether there is one. */
+  crumple(): boolean {
+    return this.#loadedTearing?.crumple() ?? false;
+  }
+
   /** Takes a loose sheet away: the one that the owner of the pages has given a number. */
   removeSheet(id: number): void {
     this.#loadedTearing?.remove(id);

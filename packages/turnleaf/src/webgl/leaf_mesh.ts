@@ -111,6 +111,9 @@ export class LeafMesh {
   /** Lights it as a loose sheet, either side of which may see all of the sky. */
   lieLoose(): void {
     this.#open(Math.PI / 2);
+    // A facet of a crumpled one sees it as far as it faces it.
+    this.#creased?.lightFlaps(1, this.#rectoGap.array as Float32Array);
+    this.#creased?.lightFlaps(-1, this.#versoGap.array as Float32Array);
   }
 
   /** @param verso right end of the gap of the verso, radians */
