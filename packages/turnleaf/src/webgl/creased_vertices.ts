@@ -12,11 +12,21 @@ const stepsBack = 5;
 /** For each point of a mesh that is folded over or on a crease, the last before it on its row that is neither. */
 const folded = new WeakMap<CreasedMesh, readonly (readonly [point: number, from: number])[]>();
 
+/** The length to which `cutOff` shortens what is folded over: seen as none. */
+const sliver = 1e-3;
+
+/** Returns a leaf as if what is folded over were not there, for the shadow on what lies under it. */
+export function cutOff(leaf: Surface): Surface {
+  return straightened(leaf, sliver);
+}
+
 /**
  * Returns a leaf with what is folded over laid straight on from its rows, which light knows how
  * to go by: they never come back over themselves.
+ *
+ * @param length of what is laid on, over its own
  */
-export function straightened(leaf: Surface): Surface {
+export function straightened(leaf: Surface, length = 1): Surface {
   const { creased, columns } = leaf;
   if (!creased) return leaf;
   let points = folded.get(creased);
@@ -40,7 +50,7 @@ export function straightened(leaf: Surface): Surface {
     const steps = (u(point) - u(from)) / Math.max(u(from) - u(back), Number.EPSILON);
     for (let axis = 0; axis < 3; axis++) {
       const [last, before] = [positions[3 * from + axis], positions[3 * back + axis]];
-      positions[3 * point + axis] = last + steps * (last - before);
+      positions[3 * point + axis] = last + length * steps * (last - before);
       normals[3 * point + axis] = normals[3 * back + axis];
     }
   }
