@@ -219,7 +219,7 @@ export class Bench {
     } catch (error) {
       const reason = error instanceof Error ? error.message : String(error);
       this.#settings = { ...this.#settings, creases: before };
-      this.#report.fault(fill(this.#texts.creases.refused, { reason }));
+      this.#report.fault(fill(this.#texts.creases.rejected, { reason }));
       this.#report.changed();
     }
   }

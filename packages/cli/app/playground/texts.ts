@@ -16,7 +16,7 @@ export interface Texts {
   >;
   readonly creases: Readonly<
     Record<
-      "page" | "ear" | "half" | "rest" | "live" | "remove" | "note" | "none" | "refused",
+      "page" | "ear" | "half" | "rest" | "live" | "remove" | "note" | "none" | "rejected",
       string
     >
   >;
@@ -109,7 +109,7 @@ const en: Texts = {
     remove: "Remove crease {n}",
     note: "Draw lines on the page; none may meet the spine. Pulled more than 29° off its rest, a crease rests anew.",
     none: "Only the sheet can be creased; choose it on either side.",
-    refused: "The sheet was not creased so. {reason}",
+    rejected: "The sheet was not creased so. {reason}",
   },
   stocks: {
     own: "As set below",
@@ -219,7 +219,7 @@ const zh: Texts = {
     remove: "去掉折痕 {n}",
     note: "用指针在纸页上画线，不可碰到书脊。手若把折痕拉离静止角超过 29°，静止角随之改变。",
     none: "只有薄页可以折叠；请在任一侧选择它。",
-    refused: "薄页不能这样折叠。{reason}",
+    rejected: "薄页不能这样折叠。{reason}",
   },
   stocks: {
     own: "如下设定",

@@ -328,7 +328,7 @@ export class LooseLeaf {
 
   /**
    * Creases a sheet along lines, pressed by hand, in place of the creases that it has. It stays
-   * where it is. Creases yield while the leaf is held: a hand opens them. Ends a running record;
+   * where it is. Creases yield while the leaf is held: a grab opens them. Ends a running record;
    * `record` does nothing for a creased leaf, which `TurnRecorder` records.
    *
    * @param creases 16 at most, none for a leaf without
