@@ -6,11 +6,12 @@
  *
  *   node scripts/pictures.mjs [name ...]
  */
-import { mkdirSync } from "node:fs";
+import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
 import { serve as serveExamples } from "../examples/serve.mjs";
 import { chromiumArguments, findChromium } from "./chromium.mjs";
+import { filmStrip } from "./film_strip.mjs";
 import { driveClock, serve } from "./reader_page.mjs";
 
 const root = join(import.meta.dirname, "..");
@@ -38,24 +39,38 @@ const pictures = {
     viewport: { width: 800, height: 1000 },
     turn: 400,
   },
-  ...Object.fromEntries(
-    [200, 450, 1150].map((tear, k) => [
-      `tear-off-${k + 1}`,
-      { example: "18-tear-off.html", viewport: { width: 900, height: 480 }, page: 1, tear },
-    ]),
-  ),
-  ...Object.fromEntries(
-    [700, 1100, 1800].map((crumple, k) => [
-      `crumple-${k + 1}`,
-      {
-        example: "18-tear-off.html",
-        viewport: { width: 1200, height: 480 },
-        page: 1,
-        tear: 2600,
-        crumple,
-      },
-    ]),
-  ),
+  // Film strips: what is done in the frames, and the times between them in milliseconds.
+  "tear-off": {
+    example: "18-tear-off.html",
+    viewport: { width: 900, height: 480 },
+    page: 1,
+    strip: {
+      act: tearOut,
+      after: [200, 250, 250, 450],
+      clip: { x: 280, y: 0, width: 620, height: 480 },
+    },
+  },
+  "dog-ear-pressed": {
+    page: 18,
+    viewport: { width: 960, height: 600 },
+    shown: { foldBookmarks: true },
+    strip: {
+      act: drawCornerIn,
+      after: [60, 1100, 300, 250],
+      release: 3,
+      clip: { x: 470, y: 250, width: 400, height: 350 },
+    },
+  },
+  crumple: {
+    example: "18-tear-off.html",
+    viewport: { width: 1200, height: 480 },
+    page: 1,
+    strip: {
+      act: tearAndCrumple,
+      after: [600, 300, 250, 650],
+      clip: { x: 860, y: 90, width: 340, height: 320 },
+    },
+  },
   ...Object.fromEntries(
     ["bible", "book", "office", "coated", "card"].map((stock) => [
       `stock-${stock}`,
@@ -73,6 +88,59 @@ function drawWhatIsSeen() {
   };
 }
 
+/** Has the uppermost leaf torn out. */
+async function tearOut(page) {
+  await page.evaluate(() => void document.querySelector("turnleaf-book").tearOut());
+  // What tears it is there before the clock goes on.
+  await page.waitForTimeout(1000);
+}
+
+/** Tears out and begins to crumple what lies beside the book then. */
+async function tearAndCrumple(page) {
+  await tearOut(page);
+  await page.evaluate(() => {
+    window.clock.pass(2600);
+    document.querySelector("turnleaf-book").crumple();
+  });
+}
+
+/** Draws the foot corner of the right page in over it. */
+async function drawCornerIn(page, { width, height }) {
+  // What folds pages is loaded, and the book bound by it, before the corner is grabbed.
+  for (const change of ["dogEar", "unfold"]) {
+    await page.evaluate(
+      (change) => void document.querySelector("turnleaf-book")[change](2),
+      change,
+    );
+    for (let k = 0; k < 4; k++) {
+      await page.waitForTimeout(500);
+      await page.evaluate(() => window.clock.pass(100));
+    }
+  }
+  const [x0, y0, x1, y1] = [0.812, 0.905, 0.755, 0.81];
+  await page.mouse.move(x0 * width, y0 * height);
+  await page.mouse.down();
+  for (let k = 1; k <= 12; k++) {
+    const at = (from, to) => from + ((to - from) * k) / 12;
+    await page.mouse.move(at(x0, x1) * width, at(y0, y1) * height);
+    await page.evaluate(() => window.clock.pass(30));
+  }
+}
+
+/** Takes the frames of a film strip. */
+async function takeStrip(page, viewport, { act, after, release, clip }) {
+  const frames = [];
+  await act(page, viewport);
+  for (const [k, milliseconds] of after.entries()) {
+    if (k === release) await page.mouse.up();
+    await page.evaluate((milliseconds) => window.clock.pass(milliseconds), milliseconds);
+    // What is loaded for it comes in real time.
+    await page.waitForTimeout(500);
+    frames.push(await page.screenshot({ clip }));
+  }
+  return frames;
+}
+
 async function take(browser, reader, examples, name) {
   const {
     page: number,
@@ -85,8 +153,7 @@ async function take(browser, reader, examples, name) {
     turn,
     riffle,
     drag,
-    tear,
-    crumple,
+    strip,
   } = pictures[name];
   const page = await browser.newPage({ viewport, deviceScaleFactor: scale });
   page.setDefaultTimeout(180_000);
@@ -161,53 +228,57 @@ async function take(browser, reader, examples, name) {
     await page.mouse.move(x1, y1, { steps: 8 });
     await page.evaluate(() => window.clock.pass(700));
   }
-  if (tear) {
-    // What tears it is there before the clock goes on.
-    await page.evaluate(() => void document.querySelector("turnleaf-book").tearOut());
-    await page.waitForTimeout(1000);
-    await page.evaluate((milliseconds) => window.clock.pass(milliseconds), tear);
-  }
-  if (crumple) {
-    await page.evaluate((milliseconds) => {
-      document.querySelector("turnleaf-book").crumple();
-      window.clock.pass(milliseconds);
-    }, crumple);
-  }
-  await page.screenshot({ path: join(out, `${name}.png`) });
+  const file = join(out, `${name}.png`);
+  if (strip) {
+    const frames = await takeStrip(page, viewport, strip);
+    writeFileSync(file, await filmStrip(browser, frames));
+  } else await page.screenshot({ path: file });
   await page.close();
   console.log(`docs/pictures/${name}.png`);
 }
 
-/** The playground in the middle of a turn by the corner, with what the paper's figures show. */
-async function takePlayground(browser) {
+/** The playground: its settings, and what is done before its picture is taken. */
+const playgrounds = {
+  // In the middle of a turn by the corner, with what the paper's figures show.
+  playground: { link: "masses=yes&springs=yes", button: "Turn by corner", pass: 480 },
+  // The sheet folded along two lines, beside the one without creases.
+  "playground-creases": {
+    link: "left=sheet-synchronised&creases=62.0.100.27.150_45.100.100.62.-120",
+    viewport: { width: 1280, height: 1000 },
+    pass: 2500,
+  },
+};
+
+async function takePlayground(browser, name) {
+  const { link, button, pass, viewport = wide } = playgrounds[name];
   const playground = await serve("playground");
   try {
-    const page = await browser.newPage({ viewport: wide, locale: "en-GB" });
+    const page = await browser.newPage({ viewport, locale: "en-GB" });
     page.setDefaultTimeout(180_000);
     await page.addInitScript(driveClock);
-    await page.goto(`${playground.url}#masses=yes&springs=yes`);
+    await page.goto(`${playground.url}#${link}`);
     await page.waitForFunction(() => document.querySelector(".plot p")?.textContent);
     await page.evaluate(() => {
       window.clock.free = false;
     });
-    await page.getByRole("button", { name: "Turn by corner" }).click();
-    await page.evaluate(() => window.clock.pass(480));
-    await page.screenshot({ path: join(out, "playground.png") });
+    if (button) await page.getByRole("button", { name: button }).click();
+    await page.evaluate((milliseconds) => window.clock.pass(milliseconds), pass);
+    await page.screenshot({ path: join(out, `${name}.png`) });
     await page.close();
-    console.log("docs/pictures/playground.png");
+    console.log(`docs/pictures/${name}.png`);
   } finally {
     playground.stop();
   }
 }
 
 mkdirSync(out, { recursive: true });
-const all = [...Object.keys(pictures), "playground"];
+const all = [...Object.keys(pictures), ...Object.keys(playgrounds)];
 const names = process.argv.length > 2 ? process.argv.slice(2) : all;
 const [reader, examples] = await Promise.all([serve(), serveExamples()]);
 const browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
 try {
   for (const name of names) {
-    if (name === "playground") await takePlayground(browser);
+    if (name in playgrounds) await takePlayground(browser, name);
     else await take(browser, reader.url, examples.url, name);
   }
 } finally {

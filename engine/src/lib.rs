@@ -31,6 +31,8 @@ mod air;
 mod anchors;
 mod band;
 pub mod book;
+mod drawn_mesh;
+mod flaps;
 mod gesture;
 mod grab;
 mod grid;
@@ -47,11 +49,13 @@ mod rigidity;
 mod stock;
 mod surface;
 mod synchronise;
+mod tolerance;
 pub mod trials;
 mod turn;
 mod vector;
 
 pub use air::Air;
+pub use drawn_mesh::DrawnMesh;
 pub use gesture::{Gesture, Grip};
 pub use grid::Side;
 pub use hash::BitHash;
@@ -62,7 +66,7 @@ pub use key_frames::{
     Blend, Condensed, FORMAT_VERSION, FrameKind, KeyFrameError, KeyFrames, PAPER_INTERVAL,
     Recorder, Replay,
 };
-pub use loose::{InvalidLoose, LeafEnergies, LooseLeaf, LooseSettings, TurnBy};
+pub use loose::{CreaseState, InvalidLoose, LeafEnergies, LooseLeaf, LooseSettings, TurnBy};
 pub use models::ModelKind;
 pub use models::kinematic::{InvalidKinematic, Kinematic, KinematicSettings, Pose, Shape, shapes};
 pub use models::mass_spring::{

@@ -7,8 +7,9 @@ use std::fs;
 use std::path::PathBuf;
 
 use turnleaf_engine::{
-    BitHash, Blend, Condensed, FrameKind, Gesture, KeyFrameError, KeyFrames, MassSpring, ModelKind,
-    Replay, Settings, Shape, Side, Surface, TurnModel, uniform_samples,
+    BitHash, Blend, Condensed, DrawnMesh, FrameKind, Gesture, KeyFrameError, KeyFrames, LooseLeaf,
+    LooseSettings, MassSpring, ModelKind, Replay, Settings, Shape, Side, Stock, Surface, TurnModel,
+    uniform_samples,
 };
 
 const PAGE: [f32; 2] = [0.14, 0.21];
@@ -43,6 +44,79 @@ fn condensed(tolerance: f32) -> (KeyFrames, Condensed) {
     let even = uniform_samples(9);
     let condensed = Condensed::of(&recording, &even, &even, tolerance).unwrap();
     (recording, condensed)
+}
+
+/// A corner that is folded over in 0.4 s, at 60 Hz, and how what is drawn of it lies on the paper.
+fn fold_recording() -> (KeyFrames, DrawnMesh) {
+    let page = PAGE.map(f64::from);
+    let settings = LooseSettings {
+        samples: [9, 9],
+        ..LooseSettings::leaf(ModelKind::Sheet, page, Stock::BOOK)
+    };
+    let mut leaf = LooseLeaf::new(settings).unwrap();
+    leaf.crease(&[([[0.5, 0.0], [1.0, 0.4]], 0.0)]).unwrap();
+    let mut surface = Surface::new(9, 9);
+    leaf.write_surface(&mut surface);
+    let mut frames = KeyFrames::of_surface(ModelKind::Sheet, PAGE, &surface);
+    frames.take(0.0, &surface);
+    for frame in 1..=24 {
+        leaf.press(0, frame as f32 / 24.0 * 2.6);
+        leaf.advance(1.0 / 60.0);
+        leaf.write_surface(&mut surface);
+        frames.take(leaf.time(), &surface);
+    }
+    (frames, leaf.drawn_mesh().unwrap())
+}
+
+fn condensed_fold() -> Condensed {
+    let (frames, mesh) = fold_recording();
+    let even = uniform_samples(9);
+    let condensed = Condensed::of(&frames, &even, &even, 0.001).unwrap();
+    condensed.with_mesh(&mesh).unwrap()
+}
+
+#[test]
+fn a_fold_has_its_mesh_in_its_file() {
+    let condensed = condensed_fold();
+    let bytes = condensed.to_bytes();
+    assert_eq!(bytes[4], 3);
+    let read = Condensed::from_bytes(&bytes).unwrap();
+    assert_eq!(read, condensed);
+    assert_eq!(KeyFrames::from_bytes(&bytes).unwrap(), condensed.frames);
+    let (_, mesh) = fold_recording();
+    let kept = read.mesh.unwrap();
+    assert_eq!(
+        (&kept.triangles, &kept.parts),
+        (&mesh.triangles, &mesh.parts)
+    );
+    for (a, b) in kept.places.iter().zip(&mesh.places) {
+        assert!((0..2).all(|axis| (a[axis] - b[axis]).abs() < 1e-5));
+    }
+    let mut grid = condensed;
+    grid.mesh = None;
+    let more = bytes.len() - grid.to_bytes().len();
+    println!("{} bytes, {more} of them the mesh", bytes.len());
+    assert!(more < 1000, "{more} bytes");
+}
+
+#[test]
+fn a_mesh_that_is_none_of_its_points_is_rejected() {
+    let (frames, mesh) = fold_recording();
+    let even = uniform_samples(9);
+    let condensed = Condensed::of(&frames, &even, &even, 0.01).unwrap();
+    let mut beyond = mesh.clone();
+    beyond.triangles[5][1] = 81;
+    let mut outside = mesh.clone();
+    outside.places[3][0] = 1.1;
+    let mut fewer = mesh.clone();
+    fewer.places.pop();
+    let mut none = mesh;
+    none.triangles.clear();
+    none.parts.clear();
+    for bad in [beyond, outside, fewer, none] {
+        let error = condensed.clone().with_mesh(&bad).unwrap_err();
+        assert_eq!(error, KeyFrameError::BadMesh);
+    }
 }
 
 /// How far a replay is at most from a recording, over the width.
@@ -141,12 +215,17 @@ fn what_cannot_be_condensed_is_rejected() {
 
 #[test]
 fn every_truncation_and_every_flipped_byte_is_rejected() {
-    let bytes = condensed(0.01).1.to_bytes();
+    for bytes in [condensed(0.01).1.to_bytes(), condensed_fold().to_bytes()] {
+        reject_truncated_and_flipped(&bytes);
+    }
+}
+
+fn reject_truncated_and_flipped(bytes: &[u8]) {
     for length in 0..bytes.len() {
         assert!(Condensed::from_bytes(&bytes[..length]).is_err(), "{length}");
     }
     for at in 0..bytes.len() {
-        let mut flipped = bytes.clone();
+        let mut flipped = bytes.to_vec();
         flipped[at] ^= 0x10;
         assert!(Condensed::from_bytes(&flipped).is_err(), "{at}");
     }
@@ -155,7 +234,11 @@ fn every_truncation_and_every_flipped_byte_is_rejected() {
 /// Changes whose checksum fits: rejected, or read as something that can be played.
 #[test]
 fn forged_files_never_panic_and_yield_finite_numbers() {
-    let bytes = condensed(0.01).1.to_bytes();
+    forge(&condensed(0.01).1.to_bytes());
+    forge(&condensed_fold().to_bytes());
+}
+
+fn forge(bytes: &[u8]) {
     let mut state = 1u64;
     let mut random = |below: usize| {
         state = state
@@ -177,6 +260,21 @@ fn forged_files_never_panic_and_yield_finite_numbers() {
         forged.extend(hash.value().to_le_bytes());
         if let Ok(condensed) = Condensed::from_bytes(&forged) {
             assert!(condensed.frames.positions.iter().all(|x| x.is_finite()));
+            if let Some(mesh) = condensed.mesh {
+                let points = condensed.u.len() * condensed.v.len();
+                assert!(
+                    mesh.triangles
+                        .iter()
+                        .flatten()
+                        .all(|at| (*at as usize) < points)
+                );
+                assert!(
+                    mesh.places
+                        .iter()
+                        .flatten()
+                        .all(|at| (0.0..=1.0).contains(at))
+                );
+            }
             read += 1;
         }
     }
@@ -227,6 +325,8 @@ fn the_fixtures_are_what_the_engine_writes_and_replays() {
         ("corner.tlkf", condensed.to_bytes()),
         ("corner-whole.tlkf", recording.to_bytes()),
         ("corner.samples", samples.into_bytes()),
+        ("folded.tlkf", condensed_fold().to_bytes()),
+        ("folded-whole.tlkf", fold_recording().0.to_bytes()),
     ];
     for (name, bytes) in files {
         if std::env::var_os("UPDATE_GOLDEN").is_some() {

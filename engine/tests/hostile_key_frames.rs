@@ -121,6 +121,45 @@ fn counts_beyond_the_bytes_are_rejected_before_anything_is_allocated() {
     }
 }
 
+/// A version 3 file of 2 x 2 points, and what it says of its mesh.
+fn mesh_file(triangles: u32, packed_mesh: u32) -> Vec<u8> {
+    let grid = file(2, 2, 1, &[0; 9]);
+    let mut bytes = grid[..48].to_vec();
+    bytes[4] = 3;
+    bytes.extend(
+        [triangles, packed_mesh]
+            .iter()
+            .flat_map(|n| n.to_le_bytes()),
+    );
+    bytes.extend(&grid[48..grid.len() - 8 - 9]);
+    // Six runs of nothing: a grid's own mesh.
+    bytes.extend([0; 17]);
+    bytes.extend([0; 9]);
+    sealed(bytes)
+}
+
+#[test]
+fn a_mesh_beyond_its_points_or_bytes_is_rejected_before_anything_is_allocated() {
+    let grid = Condensed::from_bytes(&mesh_file(2, 17)).expect("a sound file");
+    let mesh = grid.mesh.expect("a mesh");
+    assert_eq!(mesh.triangles, [[0, 1, 3], [0, 3, 2]]);
+    assert_eq!(mesh.places[1], [1.0, 0.0]);
+    for (triangles, packed) in [
+        (0, 17),
+        (3, 17),
+        (u32::MAX, 17),
+        (2, 16),
+        (2, 18),
+        (2, 0),
+        (2, u32::MAX),
+    ] {
+        let bytes = mesh_file(triangles, packed);
+        let (read, held) = held_at_most(|| KeyFrames::from_bytes(&bytes));
+        assert!(read.is_err(), "{triangles} triangles in {packed} bytes");
+        assert!(held < 2000, "{held} bytes");
+    }
+}
+
 /// Xorshift (Marsaglia 2003).
 struct Random(u64);
 
@@ -257,7 +296,7 @@ fn mutated(files: &[Vec<u8>], random: &mut Congruential) -> Vec<u8> {
 #[test]
 fn mutated_files_get_the_verdicts_that_the_viewer_gives() {
     let fixtures = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/fixtures");
-    let files = ["corner", "corner-whole", "recorded-in-script"]
+    let files = ["corner", "corner-whole", "recorded-in-script", "folded"]
         .map(|name| std::fs::read(format!("{fixtures}/{name}.tlkf")).expect("a fixture"));
     let seed = number_of("TURNLEAF_SEED").unwrap_or(1);
     println!("TURNLEAF_SEED={seed}");

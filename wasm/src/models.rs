@@ -10,8 +10,8 @@
 //! of a book are.
 
 use turnleaf_engine::{
-    Discretisation, InvalidLoose, LooseLeaf, LooseSettings, ModelKind, Preset, Stock, Surface,
-    Synchronise, TurnBy, TurnModel,
+    Discretisation, DrawnMesh, InvalidLoose, LooseLeaf, LooseSettings, ModelKind, Preset, Stock,
+    Surface, Synchronise, TurnBy, TurnModel,
 };
 
 use crate::live::{Live, Nothing};
@@ -24,6 +24,11 @@ static ROOMS: Live<[f64; FIGURES]> = Live::new();
 /// Places of columns, or of rows, at which a leaf is drawn at most.
 const MOST_SAMPLES: usize = 1024;
 
+/// Creases of a leaf at most, and the numbers of each: two places on it (u and v, 0 to 1) and its
+/// rest angle, radians.
+const MOST_CREASES: usize = 16;
+const CREASE_NUMBERS: usize = 5;
+
 /// A leaf, and what of it is read.
 pub struct Loose {
     leaf: LooseLeaf,
@@ -35,9 +40,14 @@ pub struct Loose {
     record: Vec<u8>,
     /// Places of columns, then of rows.
     samples: Vec<f32>,
+    /// Creases that it is to get, and one as it is.
+    creases: [[f64; CREASE_NUMBERS]; MOST_CREASES],
+    crease: [f64; 3],
+    /// How it is drawn if it is creased.
+    mesh: Option<DrawnMesh>,
 }
 
-/// Why the last leaf could not be made.
+/// Why the last leaf could not be made, drawn or creased.
 static ERROR: std::sync::Mutex<String> = std::sync::Mutex::new(String::new());
 
 /// Numbers of [`tl_leaf_new`], in their order.
@@ -130,17 +140,41 @@ pub unsafe extern "C" fn tl_leaf_new(figures: *mut [f64; FIGURES]) -> *mut Loose
                 figures: [0.0; 5],
                 record: Vec::new(),
                 samples: Vec::new(),
+                creases: [[0.0; CREASE_NUMBERS]; MOST_CREASES],
+                crease: [0.0; 3],
+                mesh: None,
             };
             update(&mut loose);
             LEAVES.keep(loose)
         }
         Err(error) => {
-            if let Ok(mut last) = ERROR.lock() {
-                *last = error.to_string();
-            }
+            note(&error);
             core::ptr::null_mut()
         }
     }
+}
+
+/// Keeps the sentence of an error.
+fn note(error: &InvalidLoose) {
+    if let Ok(mut last) = ERROR.lock() {
+        *last = error.to_string();
+    }
+}
+
+/// Creases a leaf along the first lines in its room. Returns whether it could be.
+fn crease(loose: &mut Loose, count: usize) -> bool {
+    let line = |[a, b, c, d, rest]: &[f64; CREASE_NUMBERS]| ([[*a, *b], [*c, *d]], *rest);
+    let lines: Vec<_> = loose.creases.iter().take(count).map(line).collect();
+    if count > MOST_CREASES {
+        note(&InvalidLoose("A leaf has 16 creases at most.".into()));
+        return false;
+    }
+    if let Err(error) = loose.leaf.crease(&lines) {
+        note(&error);
+        return false;
+    }
+    loose.mesh = loose.leaf.drawn_mesh();
+    true
 }
 
 /// Frees a leaf.
@@ -150,7 +184,7 @@ pub unsafe extern "C" fn tl_leaf_drop(leaf: *mut Loose) {
     drop(unsafe { LEAVES.take(leaf) });
 }
 
-/// Address of the sentence that says why the last leaf could not be made, UTF-8.
+/// Address of the sentence that says why the last leaf could not be made, drawn or creased, UTF-8.
 #[unsafe(no_mangle)]
 pub extern "C" fn tl_leaf_error() -> *const u8 {
     ERROR.lock().map_or(core::ptr::null(), |last| last.as_ptr())
@@ -213,11 +247,49 @@ leaf_functions! {
         loose.samples.as_mut_ptr()
     }
     /// Draws at the places in that room, of which `columns` are those of columns;
-    /// 0 where they are fewer than 2, do not rise or are not within 0 to 1.
+    /// 0 where they are fewer than 2, do not rise or are not within 0 to 1, or where those of a
+    /// creased leaf do not reach from 0 to 1 or are too few for its creases.
     fn tl_leaf_draw(loose, columns: usize) -> u32 {
         let (u, v) = loose.samples.split_at(columns.min(loose.samples.len()));
-        loose.leaf.draw_samples(u, v).is_ok().into()
+        if let Err(error) = loose.leaf.draw_samples(u, v) {
+            note(&error);
+            return 0;
+        }
+        loose.mesh = loose.leaf.drawn_mesh();
+        1
     }
+    /// Room for creases of a sheet: for each u, v, u, v of two places on it, 0 to 1, and its rest
+    /// angle, radians, f64; 16 at most.
+    fn tl_leaf_creases(loose) -> *mut f64 { loose.creases.as_mut_ptr().cast() }
+    /// Creases the leaf along so many of those, pressed by hand, in place of those it has; 0
+    /// where it cannot be, and `tl_leaf_error` says why.
+    fn tl_leaf_crease(loose, count: usize) -> u32 { crease(loose, count).into() }
+    /// Turns the rest of a crease to an angle, radians, -pi to pi or the nearer of these. Nothing
+    /// happens where it is no number or there is no such crease.
+    fn tl_leaf_press(loose, crease: usize, rest: f32) { loose.leaf.press(crease, rest) }
+    /// Three figures of a crease now, f64: its angle and its rest in radians, and its moment a
+    /// length in N. 0 where there is no such crease.
+    fn tl_leaf_crease_state(loose, crease: usize) -> *const f64 {
+        let Some(state) = loose.leaf.crease_state(crease) else {
+            return core::ptr::null();
+        };
+        loose.crease = [state.angle, state.rest, state.moment].map(f64::from);
+        loose.crease.as_ptr()
+    }
+    /// u and v of the points of a creased leaf's surface, f32; 0 of one without creases.
+    fn tl_leaf_places(loose) -> *const f32 {
+        loose.mesh.as_ref().map_or(core::ptr::null(), |mesh| mesh.places.as_ptr().cast())
+    }
+    /// The points of its triangles, u32, three by three; and the part of the leaf that each
+    /// belongs to, u16: as many as `tl_leaf_triangles` says.
+    fn tl_leaf_corners(loose) -> *const u32 {
+        loose.mesh.as_ref().map_or(core::ptr::null(), |mesh| mesh.triangles.as_ptr().cast())
+    }
+    fn tl_leaf_parts(loose) -> *const u16 {
+        loose.mesh.as_ref().map_or(core::ptr::null(), |mesh| mesh.parts.as_ptr())
+    }
+    /// Number of its triangles.
+    fn tl_leaf_triangles(loose) -> usize { loose.mesh.as_ref().map_or(0, |mesh| mesh.parts.len()) }
     /// Starts a turn (0 edge, 2 corner let go half-way, any other corner) from a side, of
     /// 0.01 to 3600 seconds or the nearer of these; of 0.01 where they are no number.
     fn tl_leaf_play(loose, by: u32, from: u32, seconds: f32) {

@@ -396,7 +396,7 @@ fn figures(random: &mut Random) -> [f64; 21] {
 fn a_loose_leaf_takes_any_number() {
     use models::*;
     let mut random = random();
-    let mut made = 0;
+    let (mut made, mut creased) = (0, 0);
     for _ in 0..300 {
         let room = tl_leaf_figures();
         let figures = figures(&mut random);
@@ -414,7 +414,7 @@ fn a_loose_leaf_takes_any_number() {
         for _ in 0..8 {
             // SAFETY: a handle of this thread.
             unsafe {
-                match r.below(9) {
+                match r.below(11) {
                     0 => tl_leaf_lay(leaf, r.whole(2)),
                     1 => {
                         let (columns, rows) = (r.whole(9) as usize, r.whole(9) as usize);
@@ -436,6 +436,16 @@ fn a_loose_leaf_takes_any_number() {
                     5 => tl_leaf_release(leaf),
                     6 => tl_leaf_record(leaf, r.float(0.01, 0.1)),
                     7 => drop(tl_leaf_finish_record(leaf)),
+                    8 => {
+                        let count = r.whole(4) as usize;
+                        for at in 0..5 * count.min(16) {
+                            *tl_leaf_creases(leaf).add(at) = r.float(0.0, 1.0);
+                        }
+                        creased += tl_leaf_crease(leaf, count) * count as u32;
+                        let triangles = tl_leaf_triangles(leaf);
+                        assert_eq!(tl_leaf_places(leaf).is_null(), triangles == 0);
+                    }
+                    9 => tl_leaf_press(leaf, r.whole(4) as usize, r.single(-3.0, 3.0)),
                     _ => {
                         let step = f64::from(tl_leaf_step(leaf));
                         let seconds = r.float(0.0, 4.0 * step);
@@ -446,12 +456,17 @@ fn a_loose_leaf_takes_any_number() {
                 }
                 tl_leaf_update(leaf);
                 tl_leaf_measure(leaf);
+                let (columns, rows) = (tl_leaf_columns(leaf), tl_leaf_rows(leaf));
+                let drawn =
+                    core::slice::from_raw_parts(tl_leaf_positions(leaf), 3 * columns * rows);
+                assert!(drawn.iter().all(|x| x.is_finite()));
             }
         }
         // SAFETY: as above.
         unsafe { tl_leaf_drop(leaf) };
     }
     assert!(made > 100, "{made} leaves");
+    assert!(creased > 10, "{creased} creases");
 }
 
 #[test]

@@ -5,7 +5,7 @@
 //! lives over a flat table, as half-spaces turned back by the gutter's bend.
 
 use super::book_space_leaf::BookSpaceLeaf;
-use super::flaps::Flaps;
+use super::flaps::{Flaps, PARTS};
 use super::limits::TICK;
 use super::pile::Pile;
 use super::tolerance::{
@@ -21,14 +21,7 @@ const BETWEEN: [[usize; 2]; 3] = [[1, 0], [0, 1], [1, 1]];
 const PILE: usize = 0;
 const LEFT: usize = 1;
 const RIGHT: usize = 2;
-const SELF: usize = 3;
-
-/// How firm a part of a leaf is at most for another that lies upon it: below 1, so that none is
-/// put where it would be by its plane alone, as over piles.
-const FIRM: f32 = 0.9;
-
-/// Which are those with other parts of its own creased leaf: it may lie between two.
-const PARTS: [usize; 2] = [SELF, CONTACTS - 1];
+const SELF: usize = PARTS[0];
 
 /// Where and what a sheet touches: its nodes over the flat table and its contacts.
 pub struct ContactView<'a> {
@@ -265,41 +258,14 @@ pub fn detect_self_contacts(
     }
 }
 
-/// Finds the contacts of a creased leaf's parts with each other: a node with the triangle that
-/// it lies upon, and that one's nodes with it. As among leaves, what lies upon another yields to
-/// it; both stand where they will be at the end of the tick.
+/// Finds the contacts of a creased leaf's parts with each other.
 fn detect_flap_contacts(leaf: &BookSpaceLeaf, flaps: &Flaps, sheet: &mut ContactView<'_>) {
-    // For each node the parts that it touches, and by how much it is off them.
-    let mut known = vec![[(0, f32::INFINITY); PARTS.len()]; leaf.points.len()];
-    for touch in flaps.touches(leaf) {
-        let out = touch.normal;
-        let back = out.map(|n| -n);
-        let [a, b, c] = touch.under;
-        let [own, other] = touch.parts;
-        for (node, normal, part, other) in [
-            (touch.node, out, other, a),
-            (a, back, own, touch.node),
-            (b, back, own, touch.node),
-            (c, back, own, touch.node),
-        ] {
-            let gaps = &mut known[node];
-            // Its own, or in place of the part that it is farthest off.
-            let same = gaps
-                .iter()
-                .position(|(of, gap)| *of == part && gap.is_finite());
-            let farthest = usize::from(gaps[1].1 >= gaps[0].1);
-            let at = same.unwrap_or(farthest);
-            if node % leaf.columns == 0 || touch.gap >= gaps[at].1 {
-                continue;
-            }
-            gaps[at] = (part, touch.gap);
-            let velocity = leaf.velocities[other];
-            let gap = touch.gap - TICK * dot(normal, velocity);
-            sheet.contacts[node][PARTS[at]] = Contact {
-                firmness: (0.5 + normal[2]).clamp(1.0 - FIRM, FIRM),
-                ..half_space(leaf, node, (normal, gap), velocity, sheet)
-            };
-        }
+    for part in flaps.contacts(&leaf.points, &leaf.velocities, leaf.columns, TICK) {
+        let space = (part.normal, part.gap);
+        sheet.contacts[part.node][part.slot] = Contact {
+            firmness: part.firmness,
+            ..half_space(leaf, part.node, space, part.velocity, sheet)
+        };
     }
 }
 

@@ -11,7 +11,6 @@ mod contacts;
 mod creased_leaves;
 mod crossing;
 mod draw;
-mod flaps;
 mod flight;
 mod flights;
 #[cfg(all(test, feature = "creases"))]
@@ -31,7 +30,6 @@ mod separate;
 mod surroundings;
 #[cfg(test)]
 mod tests;
-mod tolerance;
 mod torn_leaf;
 mod work;
 
@@ -47,10 +45,12 @@ pub use pile::{LAYERS, Pile, crowded_columns};
 pub use surroundings::TableAround;
 pub use torn_leaf::{TearLine, TornLeaf};
 
+use crate::flaps;
 use crate::grid::Side;
 use crate::models::sheet::FoldLine;
 use crate::stock::Stock;
 use crate::surface::Surface;
+use crate::tolerance;
 use flights::{Flights, Pattern};
 use gutter::Gutter;
 use leaf_stocks::LeafStocks;

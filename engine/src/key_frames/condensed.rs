@@ -1,18 +1,21 @@
 //! A recorded turn as it is handed out: few key frames, where the motion needs
 //! them, rounded, and packed into few bytes.
 //!
-//! Its file is version 2 of the key frames'. All numbers are little-endian.
+//! Its file is version 2 of the key frames', or version 3 if the surface's mesh is
+//! not a grid. All numbers are little-endian.
 //!
 //! | bytes | what |
 //! |---|---|
 //! | 0..4 | `TLKF` |
-//! | 4..6 | u16 version: 2 |
+//! | 4..6 | u16 version: 2 or 3 |
 //! | 6..36 | as in version 1 |
 //! | 36..40 | f32 quantum: what every coefficient is a whole multiple of |
 //! | 40..44 | f32 error: how far a Hermite blend is at most from the recording, over the width |
 //! | 44..48 | u32 bytes of the packed coefficients |
+//! | 48..56 | in version 3 alone: u32 triangles of the mesh, u32 bytes of the packed mesh |
 //! | then | f32 u of each column, f32 v of each row, rising from 0 to 1 |
 //! | then | f32 time of each frame |
+//! | then | in version 3 alone: the packed mesh (`mesh.rs`) |
 //! | then | the packed coefficients |
 //! | last 8 | u64 FNV-1a of all bytes before |
 //!
@@ -26,11 +29,14 @@ use super::bits::{BitReader, BitWriter};
 use super::choose::{choose, farthest};
 use super::header::{CHECKSUM, HEADER, Header, rising, sealed, unsealed, version};
 use super::polynomial_basis::{PolynomialBasis, order};
+use super::{KeyFrameError, KeyFrames, mesh};
+use crate::drawn_mesh::DrawnMesh;
 
-use super::{KeyFrameError, KeyFrames};
-
-const VERSION: u16 = 2;
+/// The version of a grid, and that of another mesh.
+const GRID: u16 = 2;
+const MESH: u16 = 3;
 const OWN_HEADER: usize = 48;
+const MESH_HEADER: usize = 56;
 
 /// Points of all frames together: what is packed into nothing unpacks to no more
 /// than this.
@@ -60,6 +66,9 @@ pub struct Condensed {
     pub v: Vec<f32>,
     /// How far the blend is at most from the recording, over the width.
     pub error: f32,
+    /// How the points lie on the flat paper and hang together, if not as a grid's at `u` and
+    /// `v`: see [`Condensed::with_mesh`].
+    pub mesh: Option<DrawnMesh>,
     quantum: f32,
     /// Multiples of the quantum: of x, of y and of z of each frame, frame after frame.
     multiples: Vec<i32>,
@@ -122,6 +131,7 @@ impl Condensed {
             u: u.to_vec(),
             v: v.to_vec(),
             error: error / recording.size[0],
+            mesh: None,
             quantum,
             multiples: keys
                 .iter()
@@ -131,17 +141,39 @@ impl Condensed {
         })
     }
 
+    /// The same recording, of a surface that is not a grid: a creased leaf's. The places of its
+    /// points are rounded to 65535 parts of the leaf.
+    ///
+    /// # Errors
+    /// Where it is no mesh of the recorded points.
+    pub fn with_mesh(mut self, mesh: &DrawnMesh) -> Result<Self, KeyFrameError> {
+        let mesh = mesh::rounded(mesh, self.frames.columns, self.frames.rows);
+        self.mesh = Some(mesh.ok_or(KeyFrameError::BadMesh)?);
+        Ok(self)
+    }
+
     /// The file's bytes.
     pub fn to_bytes(&self) -> Vec<u8> {
         let packed = self.pack();
-        let mut bytes = self.frames.header(VERSION);
+        let packed_mesh = self
+            .mesh
+            .as_ref()
+            .map_or_else(Vec::new, |mesh| mesh::pack(mesh, &self.u, &self.v));
+        let version = if self.mesh.is_some() { MESH } else { GRID };
+        let mut bytes = self.frames.header(version);
         for value in [self.quantum, self.error] {
             bytes.extend(value.to_le_bytes());
         }
         bytes.extend((packed.len() as u32).to_le_bytes());
+        if let Some(mesh) = &self.mesh {
+            for count in [mesh.triangles.len(), packed_mesh.len()] {
+                bytes.extend((count as u32).to_le_bytes());
+            }
+        }
         for value in self.u.iter().chain(&self.v).chain(&self.frames.times) {
             bytes.extend(value.to_le_bytes());
         }
+        bytes.extend(packed_mesh);
         bytes.extend(packed);
         sealed(bytes)
     }
@@ -149,15 +181,17 @@ impl Condensed {
     /// Reads a file's bytes.
     ///
     /// # Errors
-    /// If they are anything but a whole and unchanged file of this version whose
+    /// If they are anything but a whole and unchanged file of versions 2 or 3 whose
     /// every number makes sense.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, KeyFrameError> {
         let reject = |field: &'static str, value: f64| KeyFrameError::BadHeader { field, value };
         let version = version(bytes)?;
-        if version != VERSION {
-            return Err(reject("version", f64::from(version)));
-        }
-        let header = Header::read(bytes, version, OWN_HEADER)?;
+        let own_header = match version {
+            GRID => OWN_HEADER,
+            MESH => MESH_HEADER,
+            _ => return Err(reject("version", f64::from(version))),
+        };
+        let header = Header::read(bytes, version, own_header)?;
         for (field, count) in [
             ("number of columns", header.columns),
             ("number of rows", header.rows),
@@ -173,10 +207,18 @@ impl Condensed {
         let [columns, rows, count] =
             [header.columns, header.rows, header.frames].map(|count| count as usize);
         let points = columns * rows;
-        let packed_at = OWN_HEADER + 4 * (columns + rows + count);
+        let mesh_at = own_header + 4 * (columns + rows + count);
         let (words, _) = bytes[HEADER..].as_chunks::<4>();
-        let packed = u64::from(u32::from_le_bytes(words[2]));
-        let content = unsealed(bytes, (packed_at + CHECKSUM) as u64 + packed)?;
+        let number = |at: usize| u32::from_le_bytes(words[at]);
+        let packed = u64::from(number(2));
+        let [triangles, packed_mesh] = if version == MESH {
+            [number(3), number(4)]
+        } else {
+            [0; 2]
+        };
+        let expected = (mesh_at + CHECKSUM) as u64 + u64::from(packed_mesh) + packed;
+        let content = unsealed(bytes, expected)?;
+        let packed_at = mesh_at + packed_mesh as usize;
         if packed < LEAST_PACKED * u64::from(header.frames) {
             let frame = (packed / LEAST_PACKED) as usize;
             return Err(KeyFrameError::BadPosition { frame });
@@ -190,10 +232,18 @@ impl Condensed {
         if !(0.0..=1e6).contains(&error) {
             return Err(reject("error", f64::from(error)));
         }
-        let (u, v): (Vec<f32>, Vec<f32>) = (reals(3, columns), reals(3 + columns, rows));
-        let times: Vec<f32> = reals(3 + columns + rows, count);
+        let first = (own_header - HEADER) / 4;
+        let (u, v): (Vec<f32>, Vec<f32>) = (reals(first, columns), reals(first + columns, rows));
+        let times: Vec<f32> = reals(first + columns + rows, count);
         rising(&times)?;
         let basis = basis(&u, &v)?;
+        let mesh = if version == MESH {
+            let packed = &content[mesh_at..packed_at];
+            let mesh = mesh::unpack(packed, &u, &v, triangles as usize);
+            Some(mesh.ok_or(KeyFrameError::BadMesh)?)
+        } else {
+            None
+        };
         let multiples = unpack(&content[packed_at..], &times, &order(columns, rows))?;
         Ok(Self {
             frames: KeyFrames {
@@ -209,6 +259,7 @@ impl Condensed {
             u,
             v,
             error,
+            mesh,
             quantum,
             multiples,
         })

@@ -1,5 +1,5 @@
-//! The file format of key frames, version 1: every float as it is. Version 2 is
-//! that of [`Condensed`]. All numbers are little-endian.
+//! The file format of key frames, version 1: every float as it is. Versions 2 and 3
+//! are those of [`Condensed`]. All numbers are little-endian.
 //!
 //! | bytes | what |
 //! |---|---|
@@ -32,7 +32,7 @@ impl KeyFrames {
         sealed(bytes)
     }
 
-    /// Reads a file's bytes, of either version.
+    /// Reads a file's bytes, of any version; the mesh of version 3 is [`Condensed::mesh`].
     ///
     /// # Errors
     /// If they are anything but a whole and unchanged file of a known version

@@ -7,7 +7,7 @@ use crate::models::ModelKind;
 use crate::models::mass_spring::Preset;
 
 /// The newest version that is read; [`Condensed`](super::Condensed) writes it.
-pub const FORMAT_VERSION: u16 = 2;
+pub const FORMAT_VERSION: u16 = 3;
 
 const MAGIC: [u8; 4] = *b"TLKF";
 pub(super) const HEADER: usize = 36;
@@ -45,6 +45,8 @@ pub enum KeyFrameError {
         /// Counted from 0.
         frame: usize,
     },
+    /// Its mesh, of another shape than a grid, cannot be read or is none.
+    BadMesh,
     /// A coordinate is no finite number.
     BadPosition {
         /// Counted from 0.
@@ -82,6 +84,7 @@ impl core::fmt::Display for KeyFrameError {
                     "The time of key frame {frame} is not a number after the one before."
                 )
             }
+            Self::BadMesh => write!(f, "The mesh of these key frames cannot be."),
             Self::BadPosition { frame } => {
                 write!(
                     f,

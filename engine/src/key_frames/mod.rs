@@ -6,6 +6,7 @@ mod choose;
 mod condensed;
 mod format;
 mod header;
+mod mesh;
 mod mix;
 mod polynomial_basis;
 mod record;

@@ -158,12 +158,13 @@ fn each_rejection_names_its_reason() {
 fn rejections_are_one_sentence() {
     let all = [
         KeyFrameError::NotKeyFrames,
-        KeyFrameError::FutureVersion(3),
+        KeyFrameError::FutureVersion(4),
         KeyFrameError::WrongLength {
             expected: 100,
             found: 7,
         },
         KeyFrameError::Damaged,
+        KeyFrameError::BadMesh,
         KeyFrameError::BadHeader {
             field: "width",
             value: -1.0,

@@ -2,13 +2,14 @@
 
 use super::settings::{InvalidLoose, LooseSettings};
 use super::springs::Springs;
+use super::table_sheet::TableSheet;
 use crate::air::Air;
 use crate::gesture::{Gesture, Grip};
 use crate::grid::Side;
 use crate::interpolate::uniform_samples;
 use crate::models::ModelKind;
 use crate::models::kinematic::{Kinematic, KinematicSettings};
-use crate::models::sheet::{Contact, Root, Sheet, SheetSettings};
+use crate::models::sheet::Sheet;
 use crate::models::shell::{Edge, Shell, ShellSettings, Table};
 use crate::stock::Grain;
 use crate::turn::TurnModel;
@@ -18,7 +19,7 @@ use crate::turn::TurnModel;
 pub(super) enum Body {
     Kinematic(Box<Kinematic>),
     Springs(Box<Springs>),
-    Sheet(Box<Sheet>),
+    Sheet(Box<TableSheet>),
     Shell(Box<Shell>),
 }
 
@@ -34,26 +35,7 @@ impl Body {
             ModelKind::Kinematic(shape) => shape,
             ModelKind::MassSpring => return Ok(Self::Springs(Box::new(Springs::new(settings)?))),
             ModelKind::Sheet => {
-                let mut own = SheetSettings {
-                    gravity: [0.0, 0.0, -settings.gravity],
-                    air,
-                    root: Root::Hinged(0.0),
-                    synchronise: settings.synchronise,
-                    ..SheetSettings::leaf(width, height, settings.stock)
-                };
-                if let Some([columns, rows]) = settings.nodes {
-                    (own.columns, own.rows) = (columns, rows);
-                }
-                let mut sheet = Sheet::new(own.fine(settings.time_step))?;
-                sheet.draw_samples(&u, &v);
-                for contacts in sheet.contacts_mut() {
-                    contacts[0] = Contact {
-                        normal: [0.0, 0.0, 1.0],
-                        friction: settings.stock.friction as f32,
-                        firmness: 1.0,
-                        ..Contact::default()
-                    };
-                }
+                let sheet = TableSheet::new(settings, air, [&u, &v])?;
                 return Ok(Self::Sheet(Box::new(sheet)));
             }
             ModelKind::Shell => {
@@ -101,7 +83,7 @@ impl Body {
         match self {
             Self::Kinematic(leaf) => &**leaf,
             Self::Springs(leaf) => &**leaf,
-            Self::Sheet(leaf) => &**leaf,
+            Self::Sheet(leaf) => &leaf.sheet,
             Self::Shell(leaf) => &**leaf,
         }
     }
@@ -110,28 +92,62 @@ impl Body {
         match self {
             Self::Kinematic(leaf) => &mut **leaf,
             Self::Springs(leaf) => &mut **leaf,
-            Self::Sheet(leaf) => &mut **leaf,
+            Self::Sheet(leaf) => &mut leaf.sheet,
             Self::Shell(leaf) => &mut **leaf,
+        }
+    }
+
+    /// Advances by a step.
+    pub fn step(&mut self) {
+        match self {
+            Self::Sheet(leaf) => leaf.step(),
+            _ => self.model_mut().step(),
+        }
+    }
+
+    /// The sheet, if it is one.
+    pub fn sheet(&self) -> Option<&TableSheet> {
+        match self {
+            Self::Sheet(leaf) => Some(leaf),
+            _ => None,
+        }
+    }
+
+    /// The sheet, if it is one and creased.
+    pub fn creased_sheet(&self) -> Option<&Sheet> {
+        let sheet = self.sheet().map(|leaf| &leaf.sheet);
+        sheet.filter(|sheet| sheet.is_creased())
+    }
+
+    /// The sheet, if it is one, to be changed.
+    pub fn sheet_mut(&mut self) -> Option<&mut TableSheet> {
+        match self {
+            Self::Sheet(leaf) => Some(leaf),
+            _ => None,
         }
     }
 
     /// Draws at every pair of `u` and `v`; a mass-spring leaf that draws its nodes
     /// goes on to.
-    pub fn draw_samples(&mut self, u: &[f32], v: &[f32]) {
+    ///
+    /// # Errors
+    /// Where a creased sheet cannot be drawn so.
+    pub fn draw_samples(&mut self, u: &[f32], v: &[f32]) -> Result<(), InvalidLoose> {
         match self {
             Self::Kinematic(leaf) => leaf.draw_samples(u, v),
             Self::Springs(leaf) => leaf.draw_samples(u, v),
-            Self::Sheet(leaf) => leaf.draw_samples(u, v),
+            Self::Sheet(leaf) => return leaf.draw_samples(u, v),
             Self::Shell(leaf) => leaf.draw_samples(u, v),
         }
+        Ok(())
     }
 
-    /// Lays it flat and still on a side, nothing holding it.
+    /// Lays it flat, but for its creases, and still on a side, nothing holding it.
     pub fn lay_flat(&mut self, side: Side) {
         match self {
             Self::Kinematic(leaf) => leaf.lay_flat(side),
             Self::Springs(leaf) => leaf.lay_flat(side),
-            Self::Sheet(leaf) => leaf.lay_flat(side),
+            Self::Sheet(leaf) => leaf.lay(side),
             Self::Shell(leaf) => {
                 leaf.release();
                 let sign = f64::from(side.sign());
@@ -148,7 +164,13 @@ impl Body {
         match self {
             Self::Kinematic(leaf) => leaf.play(gesture),
             Self::Springs(leaf) => leaf.play(gesture),
-            Self::Sheet(_) | Self::Shell(_) => {
+            Self::Sheet(leaf) => {
+                let v = grip_v(gesture.grip);
+                let u = leaf.grip_u(v);
+                leaf.sheet.grab(0, u, v);
+                return false;
+            }
+            Self::Shell(_) => {
                 self.grab(1.0, grip_v(gesture.grip));
                 return false;
             }
@@ -160,7 +182,7 @@ impl Body {
         match self {
             Self::Kinematic(leaf) => leaf.grab(u, v),
             Self::Springs(leaf) => leaf.grab(u, v),
-            Self::Sheet(leaf) => leaf.grab(0, u, v),
+            Self::Sheet(leaf) => leaf.sheet.grab(0, u, v),
             Self::Shell(leaf) => leaf.grab(f64::from(u), f64::from(v)),
         }
     }
@@ -169,7 +191,7 @@ impl Body {
         match self {
             Self::Kinematic(leaf) => leaf.pull(to),
             Self::Springs(leaf) => leaf.pull(to),
-            Self::Sheet(leaf) => leaf.pull(0, to),
+            Self::Sheet(leaf) => leaf.sheet.pull(0, to),
             Self::Shell(leaf) => leaf.pull(to.map(f64::from)),
         }
     }
@@ -178,7 +200,7 @@ impl Body {
         match self {
             Self::Kinematic(leaf) => leaf.release(),
             Self::Springs(leaf) => leaf.release(),
-            Self::Sheet(leaf) => leaf.release(0),
+            Self::Sheet(leaf) => leaf.sheet.release(0),
             Self::Shell(leaf) => leaf.release(),
         }
     }

@@ -2,6 +2,7 @@
 
 use super::LooseLeaf;
 use crate::grid::Grid;
+use crate::models::sheet::Sheet;
 use crate::rigidity::Rigidity;
 use crate::stock::Grain;
 use crate::surface::StrainRange;
@@ -14,7 +15,8 @@ use crate::turn::TurnModel;
 pub struct LeafEnergies {
     /// Of motion, without the air's.
     pub kinetic: f64,
-    /// Of bending and twist, by second differences of the nodes.
+    /// Of bending and twist, by second differences of the nodes: no number of a creased leaf,
+    /// of which these say nothing.
     pub bending: f64,
     /// Of height over the table.
     pub gravity: f64,
@@ -33,10 +35,13 @@ impl LooseLeaf {
         let (du, dv) = (width / (columns - 1) as f64, height / (rows - 1) as f64);
         let rigidity = Rigidity::of(&self.settings.stock, Grain::AlongSpine);
         let mut energies = LeafEnergies::default();
+        let creased = self.body.creased_sheet();
         for node in 0..columns * rows {
             let (column, row) = (node % columns, node / columns);
             let area = du * dv * f64::from(grid.area_fraction(column, row));
-            let mass = area * self.settings.stock.grammage;
+            let mass = creased.map_or(area * self.settings.stock.grammage, |sheet| {
+                f64::from(sheet.masses()[node])
+            });
             let speed: f64 = v[node].iter().map(|v| f64::from(*v).powi(2)).sum();
             energies.kinetic += 0.5 * mass * speed;
             energies.gravity += mass * self.settings.gravity * f64::from(x[node][2]);
@@ -66,6 +71,9 @@ impl LooseLeaf {
             }
             energies.bending += 0.5 * area * density;
         }
+        if creased.is_some() {
+            energies.bending = f64::NAN;
+        }
         energies
     }
 
@@ -81,17 +89,23 @@ impl LooseLeaf {
             self.settings.size[0] / (columns - 1) as f64,
             self.settings.size[1] / (rows - 1) as f64,
         ];
+        // The nodes of a creased sheet are moved on the flat paper.
+        let flat = self.body.creased_sheet().map(Sheet::flat_places);
+        let flat = flat.as_ref().map(|flat| flat.as_chunks::<3>().0);
+        let apart = |of: &[[f32; 3]], a: usize, b: usize| {
+            let square = |axis: usize| f64::from(of[b][axis] - of[a][axis]).powi(2);
+            libm::sqrt((0..3).map(square).sum())
+        };
         let mut range = StrainRange::default();
         for node in 0..columns * rows {
             let ends = [
                 (node % columns + 1 < columns, node + 1),
                 (node / columns + 1 < rows, node + columns),
             ];
-            for ((there, other), rest) in ends.into_iter().zip(cells) {
+            for ((there, other), cell) in ends.into_iter().zip(cells) {
                 if there {
-                    let square = |axis: usize| f64::from(x[other][axis] - x[node][axis]).powi(2);
-                    let length = libm::sqrt((0..3).map(square).sum());
-                    range.include((length / rest - 1.0) as f32);
+                    let rest = flat.map_or(cell, |flat| apart(flat, node, other));
+                    range.include((apart(x, node, other) / rest - 1.0) as f32);
                 }
             }
         }

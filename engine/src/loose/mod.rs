@@ -2,14 +2,19 @@
 //! same gestures and grabs: what compares them, bakes them and plays with them.
 
 mod body;
+#[cfg(all(test, feature = "creases"))]
+mod crease_tests;
+mod creases;
 mod measure;
 mod settings;
 mod springs;
+mod table_sheet;
 #[cfg(test)]
 mod tests;
 
 pub use measure::LeafEnergies;
 pub use settings::{InvalidLoose, LooseSettings};
+pub use table_sheet::CreaseState;
 
 use crate::gesture::{Gesture, Grip};
 use crate::grid::Side;
@@ -105,7 +110,7 @@ impl LooseLeaf {
         &self.settings
     }
 
-    /// Lays it flat and still on a side, nothing holding it.
+    /// Lays it flat, but for its creases, and still on a side, nothing holding it.
     pub fn lay_flat(&mut self, side: Side) {
         self.body.lay_flat(side);
         self.turn = None;
@@ -117,7 +122,7 @@ impl LooseLeaf {
     ///
     /// # Errors
     /// Where they are fewer than 2 or more than 1024 a side, do not rise, or leave
-    /// 0..1; in a sentence.
+    /// 0..1, or are too few for the leaf's creases; in a sentence.
     pub fn draw_samples(&mut self, u: &[f32], v: &[f32]) -> Result<(), InvalidLoose> {
         for samples in [u, v] {
             let rising = samples.windows(2).all(|pair| pair[0] < pair[1]);
@@ -127,7 +132,7 @@ impl LooseLeaf {
                 return Err(InvalidLoose(sentence.into()));
             }
         }
-        self.body.draw_samples(u, v);
+        self.body.draw_samples(u, v)?;
         self.record = None;
         Ok(())
     }
@@ -168,6 +173,7 @@ impl LooseLeaf {
         if u.is_finite() && v.is_finite() {
             self.turn = None;
             self.body.grab(u, v);
+            self.let_yield(true);
         }
     }
 
@@ -183,6 +189,7 @@ impl LooseLeaf {
     pub fn release(&mut self) {
         self.turn = None;
         self.body.release();
+        self.let_yield(false);
     }
 
     /// Steps so often that at least `seconds` (0 to 60 or the nearer of these) more have
@@ -206,12 +213,16 @@ impl LooseLeaf {
     }
 
     /// Records the drawn surface from now on, a frame every `interval` seconds,
-    /// which is above 0. Frames beyond 16 million numbers are left out.
+    /// which is above 0. Frames beyond 16 million numbers are left out. A creased leaf is not
+    /// recorded: these frames know no other mesh than a grid.
     ///
     /// # Panics
     /// If the interval is not above 0.
     pub fn record(&mut self, interval: f64) {
         assert!(interval > 0.0, "the interval is above 0");
+        if self.drawn_mesh().is_some() {
+            return;
+        }
         let mut surface = core::mem::replace(&mut self.surface, Surface::new(2, 2));
         self.write_surface(&mut surface);
         let frames = KeyFrames {
@@ -282,7 +293,7 @@ impl TurnModel for LooseLeaf {
                 self.body.pull(turn.gesture.position(v, y, time as f32));
             }
         }
-        self.body.model_mut().step();
+        self.body.step();
         self.steps += 1;
         self.take_frame();
     }

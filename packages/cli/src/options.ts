@@ -6,14 +6,16 @@ import { UsageProblem } from "./problem.ts";
 /** A command line, parsed. */
 export interface ParsedOptions {
   readonly values: Readonly<Record<string, string | undefined>>;
+  /** The values of options that may be given several times, in their order. */
+  readonly lists: Readonly<Record<string, readonly string[]>>;
   /** The flags that are set. */
   readonly flags: ReadonlySet<string>;
   readonly positionals: readonly string[];
 }
 
 /**
- * Parses options that take a value, each at most once, flags, and the arguments
- * between them.
+ * Parses options that take a value, each at most once but for those of `lists`, flags, and the
+ * arguments between them.
  *
  * @throws UsageProblem
  */
@@ -21,16 +23,19 @@ export function parseOptions(
   args: readonly string[],
   names: readonly string[],
   flags: readonly string[] = [],
+  lists: readonly string[] = [],
 ): ParsedOptions {
   const options = Object.fromEntries([
     ...names.map((name) => [name, { type: "string" as const }]),
+    ...lists.map((name) => [name, { type: "string" as const, multiple: true }]),
     ...flags.map((name) => [name, { type: "boolean" as const }]),
   ]);
   try {
     const { values, positionals } = parseArgs({ args: [...args], allowPositionals: true, options });
-    const found = values as Record<string, string | boolean | undefined>;
+    const found = values as Record<string, string | string[] | boolean | undefined>;
     return {
       values: found as Record<string, string | undefined>,
+      lists: Object.fromEntries(lists.map((name) => [name, (found[name] ?? []) as string[]])),
       flags: new Set(flags.filter((name) => found[name] === true)),
       positionals,
     };

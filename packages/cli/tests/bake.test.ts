@@ -24,6 +24,10 @@ interface Baked {
   readonly u: readonly number[];
   readonly v: readonly number[];
   readonly frames: readonly (readonly number[])[];
+  /** Of a creased leaf. */
+  readonly places: readonly number[];
+  readonly triangles: readonly number[];
+  readonly parts: readonly number[];
 }
 
 async function bakeJson(...args: string[]): Promise<Baked> {
@@ -35,17 +39,23 @@ async function bakeJson(...args: string[]): Promise<Baked> {
 /** Converts x, y, z to glTF's axes. */
 const turned = ([x = 0, y = 0, z = 0]: readonly number[]): number[] => [x, z, -y];
 
+/** Arguments of a page whose corner is folded over, and of one that is folded in three. */
+const dogEar = ["--crease", "0.6,0 1,0.27 160"];
+const letter = ["--crease", "0.67,0 0.67,1 165", "--crease", "0.33,0 0.33,1 165"];
+
 describe("glTF", () => {
   it.each([
-    ["sheet", "corner", []],
-    ["cone", "edge", ["front.png", "back.png"]],
+    ["sheet", "corner", [], []],
+    ["cone", "edge", ["front.png", "back.png"], []],
+    ["sheet", "fold", ["front.png", "back.png"], dogEar],
+    ["sheet", "corner", [], dogEar],
   ])(
     "of %s by its %s passes the validator and holds the turn within the tolerance",
-    async (model, gesture, pictures) => {
+    async (model, gesture, pictures, creases) => {
       const file = at(`${model}.glb`);
       const [front, back] = pictures.map(at);
       const images = front && back ? ["--front", front, "--back", back] : [];
-      const args = ["--model", model, "--gesture", gesture, "--points", "14x20"];
+      const args = ["--model", model, "--gesture", gesture, "--points", "14x20", ...creases];
       const ended = await run("bake", ...options, ...args, ...images, "--out", file);
       expect(ended.status, ended.stderr).toBe(0);
       const bytes = new Uint8Array(readFileSync(file));
@@ -73,7 +83,8 @@ describe("glTF", () => {
       const [scale] = node.getScale();
       const base = primitives[0]?.getAttribute("POSITION") as Accessor;
       const targets = primitives[0]?.listTargets() ?? [];
-      expect(base.getCount()).toBe(280);
+      if (creases.length === 0) expect(base.getCount()).toBe(280);
+      else expect(base.getCount()).toBeGreaterThan(284);
       let worst = 0;
       for (const [frame, positions] of turn.frames.entries()) {
         const fraction = weightsAt(times, weights, frame / 120);
@@ -99,6 +110,100 @@ describe("glTF", () => {
       expect(primitives[1]?.getAttribute("NORMAL")?.getElement(100, [])[1]).toBeLessThan(-0.99);
     },
   );
+});
+
+describe("a fold in glTF", () => {
+  it("has two vertices for each point of its crease, each with the normal of its side", async () => {
+    const file = at("ear.glb");
+    const ended = await run("bake", ...options, ...dogEar, "--points", "20x28", "--out", file);
+    expect(ended.status, ended.stderr).toBe(0);
+    const io = new NodeIO().registerExtensions([KHRMeshQuantization]);
+    const root = (await io.readBinary(new Uint8Array(readFileSync(file)))).getRoot();
+    const [recto, verso] = root.listMeshes()[0]?.listPrimitives() ?? [];
+    const get = (name: string, vertex: number): number[] =>
+      recto?.getAttribute(name)?.getElement(vertex, []) ?? [];
+    const last = recto?.listTargets().at(-1);
+    const atEnd = (name: string, vertex: number): number[] => {
+      const moved = last?.getAttribute(name)?.getElement(vertex, []) ?? [];
+      return get(name, vertex).map((value, axis) => value + (moved[axis] ?? 0));
+    };
+    const points = 20 * 28;
+    const count = recto?.getAttribute("POSITION")?.getCount() ?? 0;
+    expect(count).toBeGreaterThan(points + 5);
+    for (let vertex = points; vertex < count; vertex++) {
+      const [u = 0, v = 0] = get("TEXCOORD_0", vertex);
+      // On the line from (0.6, 0) to (1, 0.27); pictures begin at the head.
+      expect(1 - v).toBeCloseTo(((u - 0.6) / 0.4) * 0.27, 3);
+      const twin = Array.from({ length: points }, (_, point) => point).find((point) =>
+        get("POSITION", point).every((x, axis) => x === get("POSITION", vertex)[axis]),
+      );
+      if (twin === undefined) throw new Error("It is no point's further vertex.");
+      expect(atEnd("POSITION", vertex)).toEqual(atEnd("POSITION", twin));
+      // Flat at first; at last each side faces its own way.
+      const dot = (of: typeof get) =>
+        of("NORMAL", vertex).reduce((sum, x, axis) => sum + x * (of("NORMAL", twin)[axis] ?? 0), 0);
+      expect(dot(get)).toBeGreaterThan(0.999);
+      expect(dot(atEnd)).toBeLessThan(-0.7);
+    }
+    // Both sides have every triangle, the verso's the other way around.
+    const corners = [recto, verso].map((side) => side?.getIndices()?.getArray() ?? []);
+    expect(corners[0]).toHaveLength(3 * 2 * 19 * 27);
+    expect([...(corners[1] ?? [])]).toEqual(
+      Array.from(corners[0] ?? [], (_, k) => corners[0]?.[k - (k % 3) + ((3 - (k % 3)) % 3)]),
+    );
+  });
+
+  it("comes to rest near its angle, its flap over its page", async () => {
+    const { frames, places, triangles, parts } = await bakeJson(...dogEar, "--points", "20x28");
+    const end = frames.at(-1) ?? [];
+    const normalOf = (part: number): number[] => {
+      const sum = [0, 0, 0];
+      for (const [at, own] of parts.entries()) {
+        if (own !== part) continue;
+        const [a = [], b = [], c = []] = [0, 1, 2].map((k) => {
+          const point = triangles[3 * at + k] ?? 0;
+          return end.slice(3 * point, 3 * point + 3);
+        });
+        const [p, q] = [b, c].map((to) => to.map((x, axis) => x - (a[axis] ?? 0)));
+        for (const axis of [0, 1, 2]) {
+          const [i, j] = [(axis + 1) % 3, (axis + 2) % 3];
+          sum[axis] += (p?.[i] ?? 0) * (q?.[j] ?? 0) - (p?.[j] ?? 0) * (q?.[i] ?? 0);
+        }
+      }
+      const length = Math.hypot(...sum);
+      return sum.map((x) => x / length);
+    };
+    const [page, flap] = [normalOf(0), normalOf(1)];
+    const cosine = page.reduce((sum, x, axis) => sum + x * (flap[axis] ?? 0), 0);
+    expect((Math.acos(cosine) * 180) / Math.PI).toBeGreaterThan(145);
+    expect(page[2]).toBeGreaterThan(0.99);
+    // The corner lies over the page, mirrored in the crease.
+    const corner = [...parts.keys()]
+      .flatMap((at) => triangles.slice(3 * at, 3 * at + 3))
+      .find((point) => places[2 * point] === 1 && places[2 * point + 1] === 0);
+    const [x = 0, y = 0, z = 0] = end.slice(3 * (corner ?? 0), 3 * (corner ?? 0) + 3);
+    expect(x).toBeLessThan(0.12);
+    expect(y).toBeGreaterThan(0.02);
+    expect(z).toBeGreaterThan(0);
+  });
+
+  it("is made of one crease after another, and nothing of it goes through the table", async () => {
+    const { frames, places, parts } = await bakeJson(...letter, "--points", "16x12");
+    expect([...new Set(parts)].sort()).toEqual([0, 2, 3]);
+    const edge = [...Array(places.length / 2).keys()].filter((point) => places[2 * point] === 1);
+    expect(edge).toHaveLength(12);
+    const edgeAt = (frame: readonly number[] = []) =>
+      edge.map((point) => frame.slice(3 * point, 3 * point + 3));
+    // The outer fold is shut while the inner one is not begun; then it is carried to the spine.
+    for (const [x = 0, , z = 0] of edgeAt(frames[11])) {
+      expect(x).toBeLessThan(0.06);
+      expect(z).toBeLessThan(0.01);
+    }
+    for (const [x = 0] of edgeAt(frames.at(-1))) expect(x).toBeLessThan(0.047);
+    for (const frame of frames) {
+      for (let k = 2; k < frame.length; k += 3) expect(frame[k]).toBeGreaterThan(-0.001);
+    }
+  });
 });
 
 /** Returns the targets with a weight at a time, on the straight line between two key frames. */
@@ -154,6 +259,23 @@ describe("others", () => {
     expect(place).toEqual(turned(json.frames[2]?.slice(39, 42) ?? []).map((value) => value || 0));
   });
 
+  it("OBJ of a fold: its points once, its vertices by their sides", async () => {
+    const args = [...dogEar, "--fps", "10", "--points", "14x20"];
+    const ended = await run("bake", ...options, ...args, "--out", at("ear.obj"));
+    expect(ended.status, ended.stderr).toBe(0);
+    const lines = readFileSync(at("ear_0003.obj"), "utf8").split("\n");
+    const of = (kind: string) => lines.filter((line) => line.startsWith(`${kind} `));
+    const vertices = of("vn").length / 2;
+    expect(vertices).toBeGreaterThan(285);
+    expect([of("v").length, of("vt").length]).toEqual([280, 2 * vertices]);
+    expect(of("f")).toHaveLength(2 * 2 * 13 * 19);
+    const corners = of("f").flatMap((face) => face.split(" ").slice(1));
+    const numbers = corners.map((corner) => corner.split("/").map(Number));
+    expect(Math.max(...numbers.map(([v = 0]) => v))).toBe(280);
+    expect(Math.max(...numbers.map(([, vt = 0]) => vt))).toBe(2 * vertices);
+    expect(numbers.every(([, vt, vn]) => vt === vn)).toBe(true);
+  });
+
   it("JSON says what it is of", async () => {
     const turn = await bakeJson("--model", "rigid", "--points", "3x2", "--fps", "20");
     expect(turn).toMatchObject({ model: "rigid", gesture: "corner", stock: "office", fps: 20 });
@@ -174,6 +296,15 @@ describe("others", () => {
   });
 });
 
+it("key frames of a fold, with its mesh", async () => {
+  const ended = await run("bake", ...options, ...dogEar, "--out", at("ear.tlkf"));
+  expect(ended.status, ended.stderr).toBe(0);
+  const turn = decodeTurn(new Uint8Array(readFileSync(at("ear.tlkf"))));
+  expect(turn).toMatchObject({ model: "sheet", columns: 26, rows: 26 });
+  expect(turn.error).toBeLessThanOrEqual(0.001);
+  expect(turn.creased?.parts).toHaveLength(2 * 25 * 25);
+});
+
 describe("what cannot be baked ends with one sentence", () => {
   it.each([
     [[], "Say where the turn goes: --out turn.glb, turn.obj, turn.json or turn.tlkf"],
@@ -185,8 +316,20 @@ describe("what cannot be baked ends with one sentence", () => {
       "--points is a size such as 1280x720, each side 2 to 200.",
     ],
     [["--out", "a.json", "--front", "a.png"], "--front and --back are for .glb and .obj."],
+    [["--out", "a.glb", "--crease", "0.6,0 1,0.3"], "--crease is two places on the leaf"],
+    [["--out", "a.glb", "--crease", "0.6,0 1.1,0.3 90"], "--crease is two places on the leaf"],
+    [["--out", "a.glb", "--crease", "0.6,0 0.6,0 90"], "--crease is two places on the leaf"],
+    [["--out", "a.glb", "--crease", "0.6,0 1,0.3 -181"], "--crease is two places on the leaf"],
+    [["--out", "a.glb", ...dogEar, "--model", "cone"], "only the sheet can be creased"],
+    [["--out", "a.glb", "--gesture", "fold"], "A leaf is folded along a --crease"],
   ])("%j", (args, sentence) => {
     expect(() => parseCommand(["bake", ...args])).toThrow(sentence);
+  });
+
+  it("a crease that meets the spine", async () => {
+    const ended = await run("bake", "--crease", "0,0.5 1,0.5 90", "--out", at("a.glb"));
+    expect(ended.stderr).toMatch(/A crease does not meet the spine, where the leaf is bound\.\n$/);
+    expect(ended.status).toBe(1);
   });
 
   it("a picture that glTF does not take, and a folder that is not there", async () => {

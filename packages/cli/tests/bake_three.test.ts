@@ -94,6 +94,36 @@ interface Shown {
   readonly image: string;
 }
 
+it("three shows a fold, the verso's picture on what is folded over", async () => {
+  const at = (name: string): string => join(folder.path, name);
+  const crease = ["--crease", "0.5,0 0.5,1 160"];
+  const args = ["bake", "--stock", "office", "--size", "140x210", ...crease];
+  const pictures = ["--front", at("front.png"), "--back", at("back.png")];
+  expect((await run(...args, ...pictures, "--out", at("turn.glb"))).status).toBe(0);
+  await run(...args, "--fps", "120", "--out", at("turn.json"));
+  const { frames } = JSON.parse(readFileSync(at("turn.json"), "utf8")) as { frames: number[][] };
+  const page = await browser.newPage();
+  await page.goto(`http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
+  await page.waitForFunction(() => "show" in globalThis);
+  const shown: Shown[] = [];
+  for (const time of [0, (frames.length - 1) / 120 - 1e-4]) {
+    const now = await page.evaluate(
+      (time) => (globalThis as unknown as { show(time: number): Promise<Shown> }).show(time),
+      time,
+    );
+    shown.push(now);
+    if (process.env.TURNLEAF_PICTURES) {
+      const image = Buffer.from(now.image.split(",")[1] ?? "", "base64");
+      writeFileSync(join(process.env.TURNLEAF_PICTURES, `bake-fold-${shown.length}.png`), image);
+    }
+  }
+  const [flat, folded] = shown;
+  expect(flat?.blue).toBe(0);
+  // Of the page one half shows its recto, under the other's verso.
+  expect(folded?.blue).toBeGreaterThan(0.25 * (flat?.red ?? 0));
+  expect(folded?.red).toBeLessThan(0.6 * (flat?.red ?? 0));
+}, 120_000);
+
 it("three shows the turn where it is, its recto before and its verso after", async () => {
   const at = (name: string): string => join(folder.path, name);
   const args = ["bake", "--stock", "office", "--seconds", "0.8", "--size", "140x210"];

@@ -1,6 +1,7 @@
 /** Whatever a command line, a header, a link or a note says, it is rejected or stays within its bounds. */
 import { expect } from "vitest";
 import { clue, fuzzed, wildPieces } from "../../turnleaf/src/for_tests/random_numbers.ts";
+import { readCreases } from "../app/playground/creases.ts";
 import { BadLink, bounds, firstSettings, readLink, writeLink } from "../app/playground/settings.ts";
 import { parseCommand } from "../src/arguments.ts";
 import { parseRange } from "../src/byte_range.ts";
@@ -90,6 +91,8 @@ fuzzed(
           expect(Number(value) >= bound.least && Number(value) <= bound.most, clue(link)).toBe(
             true,
           );
+        } else if (bound.kind === "creases") {
+          expect(readCreases(String(value)), clue(link)).not.toBeNull();
         } else if (bound.kind !== "switch") expect(bound.of, clue(link)).toContain(value);
       }
     } catch (error) {

@@ -237,6 +237,68 @@ it("ignores a hostile link with one sentence", async () => {
   expect(await alert.textContent()).toBe("");
 });
 
+/** Lets frames draw nothing, as software GL takes a second for each: for what is seen in words. */
+const drawNothing = () =>
+  page.evaluate(() => {
+    WebGL2RenderingContext.prototype.drawElements = () => {};
+  });
+
+/** Returns the angles of a crease now and at rest, degrees, and its moment, mN, as they are shown. */
+async function creaseNow(k: number): Promise<number[]> {
+  const text = await page.locator(".creases .live").nth(k).textContent();
+  const found = /now (-?\d+)°, rests at (-?\d+)°, moment a length (-?[\d.]+) mN/.exec(text ?? "");
+  return (found ?? []).slice(1).map(Number);
+}
+
+it("folds the sheet along a line that is drawn on the flat page", {
+  timeout: 240_000,
+}, async () => {
+  await open("left=cylinder");
+  await drawNothing();
+  const paper = page.locator(".flat-page .paper");
+  await paper.scrollIntoViewIfNeeded();
+  const box = await paper.boundingBox();
+  if (!box) throw new Error("no page");
+  await page.mouse.move(box.x + 0.6 * box.width, box.y + box.height);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.8 * box.width, box.y + 0.85 * box.height, { steps: 4 });
+  await page.mouse.move(box.x + box.width, box.y + 0.7 * box.height, { steps: 4 });
+  await page.mouse.up();
+  expect(new URL(page.url()).hash).toBe("#left=cylinder&creases=60.0.100.30.150");
+  await isStill();
+  const [angle = 0, rest, moment = 0] = await creaseNow(0);
+  expect(rest).toBe(150);
+  // The flap's weight shuts or opens it a little, against the crease's stiffness.
+  expect(Math.abs(angle - 150)).toBeLessThan(20);
+  // k of book paper: 6 x 0.12 mN m over the width of 0.148 m.
+  const expected = ((6 * 0.12) / 0.148) * (((angle - 150) * Math.PI) / 180);
+  expect(Math.abs(moment - expected)).toBeLessThan(0.06);
+  await page.getByLabel("Rest of 1").fill("-90");
+  await expect.poll(() => creaseNow(0).then(([, rest]) => rest), patience).toBe(-90);
+  await page.getByRole("button", { name: "Remove crease 1" }).click();
+  expect(await page.locator(".creases .live").count()).toBe(0);
+  await isStill();
+});
+
+it("keeps creases that the sheet can have, and says why it has no others", async () => {
+  await open("left=cylinder&creases=62.0.100.27.150");
+  await drawNothing();
+  await expect.poll(() => creaseNow(0).then(([, rest]) => rest), patience).toBe(150);
+  const paper = page.locator(".flat-page .paper");
+  await paper.scrollIntoViewIfNeeded();
+  const box = await paper.boundingBox();
+  if (!box) throw new Error("no page");
+  await page.mouse.move(box.x + 2, box.y + 0.5 * box.height);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.9 * box.width, box.y + 0.4 * box.height, { steps: 4 });
+  await page.mouse.up();
+  expect(await page.getByRole("alert").textContent()).toBe(
+    "The sheet was not creased so. A crease does not meet the spine, where the leaf is bound.",
+  );
+  expect(new URL(page.url()).hash).toBe("#left=cylinder&creases=62.0.100.27.150");
+  expect(await page.locator(".creases .live").count()).toBe(1);
+});
+
 /** Returns the bytes that a click downloads. */
 async function downloaded(click: () => Promise<void>): Promise<{ name: string; bytes: Buffer }> {
   const [download] = await Promise.all([page.waitForEvent("download"), click()]);

@@ -41,7 +41,9 @@ impl Sheet {
         self.creased = if lines.is_empty() {
             None
         } else {
-            let patches = self.patches(&material, lines).ok_or_else(crowded)?;
+            let patches = self
+                .patches(self.drawn_at(), &material, lines)
+                .ok_or_else(crowded)?;
             Some(Box::new(Creased {
                 lines: lines.to_vec(),
                 hinges: Hinges::new(&self.settings, &material, lines),
@@ -201,14 +203,38 @@ impl Sheet {
         }
     }
 
-    /// What draws the sheet once it is creased so.
-    fn patches(&self, material: &Material, lines: &[FoldLine]) -> Option<Patches> {
+    /// What draws the sheet at values of u and v once it is creased so. None where these are too
+    /// few, or do not reach from edge to edge.
+    fn patches(
+        &self,
+        samples: [&[f32]; 2],
+        material: &Material,
+        lines: &[FoldLine],
+    ) -> Option<Patches> {
+        let reaches = |along: &&[f32]| along.first() == Some(&0.0) && along.last() == Some(&1.0);
+        if !samples.iter().all(reaches) {
+            return None;
+        }
         let size = [self.settings.width, self.settings.height];
         let [columns, rows] = [0, 1].map(|axis| {
             let place = |sample: &f32| f64::from(*sample) * size[axis];
-            self.samples[axis].iter().map(place).collect()
+            samples[axis].iter().map(place).collect()
         });
         Patches::new(material, columns, rows, lines)
+    }
+
+    /// The values of u and v at which it is drawn.
+    fn drawn_at(&self) -> [&[f32]; 2] {
+        self.samples.each_ref().map(Vec::as_slice)
+    }
+
+    /// Whether its creases, if it has any, can be drawn at other values of u and v.
+    pub(crate) fn can_draw(&self, u: &[f32], v: &[f32]) -> bool {
+        let patches = |creased: &Creased| {
+            self.patches([u, v], &self.material, &creased.lines)
+                .is_some()
+        };
+        self.creased().is_none_or(patches)
     }
 
     /// Draws a creased sheet at other values of u and v.
@@ -216,7 +242,7 @@ impl Sheet {
         let Some(creased) = self.creased().filter(|creased| creased.patches.is_some()) else {
             return;
         };
-        let patches = self.patches(&self.material, &creased.lines);
+        let patches = self.patches(self.drawn_at(), &self.material, &creased.lines);
         if let (Some(creased), Some(patches)) = (self.creased_mut(), patches) {
             creased.patches = Some(patches);
         }

@@ -309,6 +309,11 @@ impl Sheet {
         &self.velocities
     }
 
+    /// Kilograms of each node, without the air's.
+    pub(crate) fn masses(&self) -> &[f32] {
+        &self.mass
+    }
+
     /// Moves every node: positions and velocities as
     /// [`positions`](Self::positions).
     ///

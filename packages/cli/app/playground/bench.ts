@@ -1,7 +1,8 @@
 /** The page's state and its actions: settings in, two leaves moving, pictures out. */
 
-import type { LeafTurn } from "turnleaf/models";
+import type { CreaseState, LeafTurn } from "turnleaf/models";
 import { Clock } from "./clock.ts";
+import { readCreases } from "./creases.ts";
 import type { Figures } from "./figures.ts";
 import { TwoLeaves } from "./leaves.ts";
 import type { Picture } from "./picture.ts";
@@ -38,6 +39,10 @@ export interface BenchReport {
   fault(text: string): void;
   /** A recording ended by itself. */
   full(): void;
+  /** The creases as they are now; none where no leaf is creased. */
+  creases(states: readonly (CreaseState | null)[]): void;
+  /** The bench changed its settings by itself. */
+  changed(): void;
 }
 
 /** Both leaves, their pictures and their clock. */
@@ -85,8 +90,11 @@ export class Bench {
     const before = this.#settings;
     this.#settings = settings;
     const areSame = making.every((name) => settings[name] === before[name]);
-    if (this.#leaves && areSame) this.show();
-    else await this.#make();
+    if (!this.#leaves || !areSame) await this.#make();
+    else {
+      if (settings.creases !== before.creases) this.#crease(this.#leaves, before.creases);
+      this.show();
+    }
   }
 
   /** Starts a turn of both leaves. */
@@ -136,6 +144,7 @@ export class Bench {
       picture.draw(this.#variants[k], leaves.pair[k].leaf, this.#settings);
     }
     this.#figures.show(leaves.pair, this.#names);
+    this.#report.creases(leaves.creaseStates());
     this.#sayState();
   }
 
@@ -190,11 +199,28 @@ export class Bench {
       this.#leaves = leaves;
       this.#figures.clear();
       this.#report.fault("");
+      if (this.#settings.creases !== "") this.#crease(leaves, "");
       this.show();
     } catch (error) {
       if (change !== this.#change) return;
       const reason = error instanceof Error ? error.message : String(error);
       this.#report.fault(fill(this.#texts.noLeaf, { reason }));
+    }
+  }
+
+  /** Creases the sheets as the settings say; if they cannot be, the setting is what it was. */
+  #crease(leaves: TwoLeaves, before: string): void {
+    try {
+      leaves.crease(readCreases(this.#settings.creases) ?? []);
+      // Frames of another mesh do not belong to the recording.
+      if (this.#recording && leaves.areCreasable) this.#report.full();
+      if (leaves.areCreasable) this.#go();
+      this.#report.fault("");
+    } catch (error) {
+      const reason = error instanceof Error ? error.message : String(error);
+      this.#settings = { ...this.#settings, creases: before };
+      this.#report.fault(fill(this.#texts.creases.rejected, { reason }));
+      this.#report.changed();
     }
   }
 

@@ -1,6 +1,7 @@
 /** Sliders, choices and switches for every setting. */
 
-import { leafStocks } from "turnleaf/models";
+import { type CreaseState, leafStocks } from "turnleaf/models";
+import { CreaseEditor } from "./crease_editor.ts";
 import { make } from "./make.ts";
 import { bounds, type Settings } from "./settings.ts";
 import { fullStrain } from "./strain.ts";
@@ -12,6 +13,8 @@ export interface Controls {
   readonly form: HTMLFormElement;
   /** Shows settings. */
   show(settings: Settings): void;
+  /** Shows creases as they are now. */
+  follow(states: readonly (CreaseState | null)[]): void;
 }
 
 type NumberName = {
@@ -56,6 +59,8 @@ export function makeControls(
     make("fieldset", {}, make("legend", {}, texts.groups[name]), ...children);
   const [stock, pace] = [makeStock(texts, change), makePace(texts, change)];
   const switches = makeSwitches(texts, change);
+  const creases = new CreaseEditor(texts, (creases) => change({ creases }));
+  shown.push((settings) => creases.show(settings));
   shown.push(stock.show, pace.show, switches.show);
   const form = make(
     "form",
@@ -65,6 +70,7 @@ export function makeControls(
       switches.element,
       note(fill(texts.notes.springs, { full: `${100 * fullStrain} %` })),
     ),
+    group("creases", creases.element),
     group(
       "paper",
       stock.element,
@@ -98,6 +104,7 @@ export function makeControls(
     show: (settings) => {
       for (const show of shown) show(settings);
     },
+    follow: (states) => creases.follow(states),
   };
 }
 

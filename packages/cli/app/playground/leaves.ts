@@ -1,9 +1,16 @@
 /** The two leaves: at the same moment, held at the same place. */
 
-import { type LeafFigures, type LeafSide, type LeafTurn, LooseLeaf } from "turnleaf/models";
+import {
+  type CreaseState,
+  type LeafFigures,
+  type LeafSide,
+  type LeafTurn,
+  LooseLeaf,
+} from "turnleaf/models";
+import { type DrawnCrease, isSameLine } from "./creases.ts";
 import { type AnyLeaf, ReplayLeaf } from "./replay_leaf.ts";
 import type { Settings } from "./settings.ts";
-import { isReplayed, leafOptions } from "./variants.ts";
+import { isCreasable, isReplayed, leafOptions, type Variant } from "./variants.ts";
 
 /** Both pictures show the same moment: neither leaf is ever more than this ahead, seconds. */
 const tick = 1 / 120;
@@ -17,6 +24,9 @@ const leastMove = 2e-5;
 /** Some models creep for ever; after so long without a grab they count as at rest, seconds. */
 const longest = 20;
 
+/** How fast creases are folded, radians a second: a page in two within half a second, as in a book. */
+const foldingRate = 2 * Math.PI;
+
 /** Weight of the previous cost in its moving average. */
 const memory = 0.97;
 
@@ -26,9 +36,12 @@ export class BenchLeaf {
   #milliseconds = 0;
   #steps = 0;
   #before = new Float32Array(0);
+  /** The leaf, if it can be creased. */
+  readonly creasable: LooseLeaf | null;
 
-  constructor(leaf: AnyLeaf) {
+  constructor(leaf: AnyLeaf, variant: Variant) {
     this.leaf = leaf;
+    this.creasable = isCreasable(variant) && leaf instanceof LooseLeaf ? leaf : null;
   }
 
   /** Microseconds of a recent step; NaN before the first. */
@@ -77,6 +90,9 @@ export class TwoLeaves {
   time = 0;
   #held: readonly [x: number, y: number, z: number] | null = null;
   #isStill = true;
+  /** Creases of those that can be creased, and the angle at which each rests now, radians. */
+  #creases: readonly DrawnCrease[] = [];
+  #rests: number[] = [];
   #idle = 0;
   #sinceLook = 0;
 
@@ -98,7 +114,13 @@ export class TwoLeaves {
     );
     const leaves = made.flatMap((one) => (one.status === "fulfilled" ? [one.value] : []));
     const [left, right] = leaves;
-    if (left && right) return new TwoLeaves([new BenchLeaf(left), new BenchLeaf(right)]);
+    if (left && right) {
+      const pair = [
+        new BenchLeaf(left, settings.left),
+        new BenchLeaf(right, settings.right),
+      ] as const;
+      return new TwoLeaves(pair);
+    }
     for (const leaf of leaves) leaf.destroy();
     throw made.find((one) => one.status === "rejected")?.reason;
   }
@@ -141,6 +163,44 @@ export class TwoLeaves {
     this.#wake();
   }
 
+  /** Whether any of the two can be creased. */
+  get areCreasable(): boolean {
+    return this.pair.some(({ creasable }) => creasable !== null);
+  }
+
+  /**
+   * Creases what can be, in place of the creases there were. New creases are folded from flat to
+   * their angles, others from where they rest.
+   *
+   * @throws Error if a sheet cannot be creased so; both are then as they were
+   */
+  crease(creases: readonly DrawnCrease[]): void {
+    const before = this.#creases;
+    const isSame =
+      creases.length === before.length && creases.every((one, k) => isSameLine(one, before[k]));
+    if (!isSame) {
+      const old = this.creaseStates();
+      const rests = creases.map((one) => {
+        const at = before.findIndex((other) => isSameLine(one, other));
+        return old[at]?.rest ?? this.#rests[at] ?? 0;
+      });
+      const lines = creases.map(({ through: [a, b, c, d] }, k) => ({
+        through: [a / 100, b / 100, c / 100, d / 100] as const,
+        rest: rests[k],
+      }));
+      for (const { creasable } of this.pair) creasable?.crease(lines);
+      this.#rests = rests;
+    }
+    this.#creases = creases;
+    if (this.areCreasable) this.#wake();
+  }
+
+  /** Returns the creases of the first leaf that can be creased, as they are now. */
+  creaseStates(): (CreaseState | null)[] {
+    const leaf = this.pair.find(({ creasable }) => creasable !== null)?.creasable;
+    return leaf ? this.#creases.map((_, k) => leaf.creaseState(k)) : [];
+  }
+
   /**
    * Advances both by seconds of their time, in ticks, within the budget in
    * milliseconds, but by at least one tick.
@@ -152,6 +212,7 @@ export class TwoLeaves {
     const count = Math.max(1, Math.round(seconds / tick));
     let done = 0;
     while (done < count && (done === 0 || performance.now() - start < budget)) {
+      this.#fold();
       for (const one of this.pair) one.advance(tick);
       done++;
     }
@@ -162,6 +223,24 @@ export class TwoLeaves {
 
   destroy(): void {
     for (const { leaf } of this.pair) leaf.destroy();
+  }
+
+  /** Folds on for a tick. */
+  #fold(): void {
+    for (const [k, { angle }] of this.#creases.entries()) {
+      const way = (angle * Math.PI) / 180 - this.#rests[k];
+      if (way === 0) continue;
+      const most = foldingRate * tick;
+      this.#rests[k] += Math.min(Math.max(way, -most), most);
+      for (const { creasable } of this.pair) creasable?.press(k, this.#rests[k]);
+    }
+  }
+
+  /** Whether a crease is still being folded. */
+  get #isFolding(): boolean {
+    const isOpen = ({ angle }: DrawnCrease, k: number) =>
+      (angle * Math.PI) / 180 !== this.#rests[k];
+    return this.areCreasable && this.#creases.some(isOpen);
   }
 
   #wake(): void {
@@ -178,7 +257,7 @@ export class TwoLeaves {
     this.#sinceLook = 0;
     // Each is checked, so that each remembers where it was.
     const asBefore = this.pair.map((one) => one.isAsBefore()).every(Boolean);
-    const isLed = this.pair.some(({ leaf }) => leaf.playing);
+    const isLed = this.#isFolding || this.pair.some(({ leaf }) => leaf.playing);
     this.#isStill = !isLed && (asBefore || this.#idle > longest);
   }
 }

@@ -99,6 +99,8 @@ const bench = new Bench([first, second], figures, texts, settingsOfLink(), {
     if (text !== "" || hasMoved) fault.textContent = text;
   },
   full: () => void keepRecording(),
+  creases: (states) => controls.follow(states),
+  changed: () => showChanged(),
 });
 /** Whether the reader has changed anything since the link was read. */
 let hasMoved = false;
@@ -132,6 +134,11 @@ function showRecord(): void {
 function change(changed: Partial<Settings>): void {
   hasMoved = true;
   void bench.set({ ...bench.settings, ...changed });
+  showChanged();
+}
+
+/** Shows the settings, and writes them into the address. */
+function showChanged(): void {
   const link = writeLink(bench.settings);
   history.replaceState(null, "", link === "" ? location.pathname : `#${link}`);
   showSettings();

@@ -71,10 +71,10 @@ export class Recording {
     this.#both = both;
     this.#leaves = leaves;
     this.#turns = leaves.map(({ leaf }) => {
-      const { columns, rows } = leaf.surface();
+      const { columns, rows, creased } = leaf.surface();
       const even = (count: number) => Array.from({ length: count }, (_, k) => k / (count - 1));
       const { model } = leaf.options;
-      return new TurnRecorder({ ...size, u: even(columns), v: even(rows), model });
+      return new TurnRecorder({ ...size, u: even(columns), v: even(rows), model, creased });
     });
     this.#film = openFilm(both.canvas);
     this.#film?.addEventListener("dataavailable", ({ data }) => this.#parts.push(data));

@@ -15,6 +15,9 @@ test("a link carries every setting at either end of its bounds", () => {
     const settings = Object.fromEntries(
       Object.entries(bounds).map(([name, bound]) => {
         if (bound.kind === "switch") return [name, end === 0];
+        if (bound.kind === "creases") {
+          return [name, end === 0 ? "62.0.100.27.150" : "50.0.50.100.-180_100.0.60.100.0"];
+        }
         if (bound.kind === "range") return [name, end === 0 ? bound.least : bound.most];
         return [name, bound.of.at(end)];
       }),
@@ -57,6 +60,12 @@ test("a link with anything that is no setting within its bounds is ignored whole
   expect(faultOf("right=<img src=x onerror=alert(1)>")).toBe("right");
   expect(faultOf("steps=61")).toBe("steps");
   expect(faultOf("strain=true")).toBe("strain");
+  expect(faultOf("creases=")).toBe("creases");
+  expect(faultOf("creases=62.0.101.27.150")).toBe("creases");
+  expect(faultOf("creases=62.0.62.0.150")).toBe("creases");
+  expect(faultOf("creases=62.0.100.27.181")).toBe("creases");
+  expect(faultOf("creases=62.0.100.27")).toBe("creases");
+  expect(faultOf(`creases=${Array(5).fill("62.0.100.27.150").join("_")}`)).toBe("creases");
   expect(faultOf("__proto__=1")).toBe(null);
   expect(faultOf("toString=1")).toBe(null);
   expect(faultOf("angle=10&angle=20")).toBe(null);

@@ -1,6 +1,7 @@
 /** The settings of the page, and the link that carries them. */
 
 import { standardGravity } from "turnleaf/models";
+import { readCreases } from "./creases.ts";
 import { type LeafFigures, ownNodes, type Variant, variantNames } from "./variants.ts";
 
 /** A complete set of settings. */
@@ -17,6 +18,8 @@ export interface Settings extends LeafFigures {
   readonly springs: boolean;
   readonly lines: boolean;
   readonly strain: boolean;
+  /** The creases of sheets, as `writeCreases` returns them. */
+  readonly creases: string;
 }
 
 /** The valid values of a setting. */
@@ -31,7 +34,9 @@ type Bounds<T> = [T] extends [boolean]
             readonly by: number;
           }
         | { readonly kind: "numbers"; readonly of: readonly number[] }
-    : { readonly kind: "names"; readonly of: readonly T[] };
+    : string extends T
+      ? { readonly kind: "creases" }
+      : { readonly kind: "names"; readonly of: readonly T[] };
 
 const onOrOff = { kind: "switch" } as const;
 const range = (least: number, most: number, by: number) =>
@@ -55,6 +60,7 @@ export const bounds: { readonly [Name in keyof Settings]: Bounds<Settings[Name]>
   springs: onOrOff,
   lines: onOrOff,
   strain: onOrOff,
+  creases: { kind: "creases" },
 };
 
 /** Standard gravity to a tenth, a place of its slider. */
@@ -78,6 +84,7 @@ export const firstSettings: Settings = {
   springs: false,
   lines: false,
   strain: false,
+  creases: "",
 };
 
 const names = Object.keys(firstSettings) as (keyof Settings)[];
@@ -134,8 +141,9 @@ export function readLink(link: string): Settings {
 }
 
 function readValue(name: keyof Settings, text: string): unknown {
-  const bound: Bounds<string> | Bounds<number> | Bounds<boolean> = bounds[name];
+  const bound: Bounds<string> | Bounds<Variant> | Bounds<number> | Bounds<boolean> = bounds[name];
   if (bound.kind === "switch") return text === "yes" ? true : undefined;
+  if (bound.kind === "creases") return text !== "" && readCreases(text) ? text : undefined;
   if (bound.kind === "names") return bound.of.find((known) => known === text);
   if (!/^\d{1,4}(\.\d{1,4})?$/.test(text)) return undefined;
   const number = Number(text);

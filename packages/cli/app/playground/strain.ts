@@ -1,8 +1,11 @@
 /** The strain of a leaf's cells, as colours on its paper. */
 
 import { DataTexture, LinearFilter, SRGBColorSpace } from "three";
-import type { LeafGrid } from "turnleaf/models";
+import type { CreasedMesh, LeafSurface } from "turnleaf/models";
 import { leafSize } from "./variants.ts";
+
+/** What is read of a drawn leaf. */
+type DrawnGrid = Pick<LeafSurface, "columns" | "rows" | "positions" | "creased">;
 
 /** The strain that has the full colour: two per cent. */
 export const fullStrain = 0.02;
@@ -12,11 +15,17 @@ const stretched = [178, 40, 28] as const;
 const pressed = [32, 82, 160] as const;
 
 /** Returns the strain of each cell of a grid: that of its four edges with the largest magnitude. */
-export function strainOfCells({ columns, rows, positions }: LeafGrid): Float32Array {
+export function strainOfCells({ columns, rows, positions, creased }: DrawnGrid): Float32Array {
   const [across, up] = [leafSize.width / (columns - 1), leafSize.height / (rows - 1)];
+  // The points of a creased leaf are moved on the flat paper.
+  const apart = ({ places }: CreasedMesh, a: number, b: number): number =>
+    Math.hypot(
+      leafSize.width * (places[2 * b] - places[2 * a]),
+      leafSize.height * (places[2 * b + 1] - places[2 * a + 1]),
+    );
   const strain = (a: number, b: number, rest: number): number => {
     const [x, y, z] = [0, 1, 2].map((axis) => positions[3 * b + axis] - positions[3 * a + axis]);
-    return Math.hypot(x, y, z) / rest - 1;
+    return Math.hypot(x, y, z) / (creased ? apart(creased, a, b) : rest) - 1;
   };
   const cells = new Float32Array((columns - 1) * (rows - 1));
   for (let row = 0, cell = 0; row + 1 < rows; row++) {
@@ -42,7 +51,7 @@ export class StrainColours {
   #rows = 0;
 
   /** Colours a leaf. Returns whether the textures have changed. */
-  paint(grid: LeafGrid): boolean {
+  paint(grid: DrawnGrid): boolean {
     const isNew = grid.columns - 1 !== this.#columns || grid.rows - 1 !== this.#rows;
     if (isNew) {
       this.dispose();

@@ -11,7 +11,15 @@ export interface Texts {
   readonly picture: string;
   readonly variants: Readonly<Record<Variant, string>>;
   readonly names: Readonly<Record<keyof Settings, string>>;
-  readonly groups: Readonly<Record<"paper" | "world" | "model" | "shown" | "keep", string>>;
+  readonly groups: Readonly<
+    Record<"paper" | "world" | "model" | "shown" | "keep" | "creases", string>
+  >;
+  readonly creases: Readonly<
+    Record<
+      "page" | "ear" | "half" | "rest" | "live" | "remove" | "note" | "none" | "rejected",
+      string
+    >
+  >;
   readonly stocks: Readonly<
     Record<"own" | "bible" | "book" | "office" | "coated" | "card", string>
   >;
@@ -82,8 +90,27 @@ const en: Texts = {
     springs: "Springs",
     lines: "Dog-ear lines",
     strain: "Strain",
+    creases: "Creases",
   },
-  groups: { paper: "Paper", world: "World", model: "Models", shown: "Shown", keep: "Keep" },
+  groups: {
+    paper: "Paper",
+    world: "World",
+    model: "Models",
+    shown: "Shown",
+    keep: "Keep",
+    creases: "Creases of the sheet",
+  },
+  creases: {
+    page: "The flat page, its spine at the left: draw a line to crease the sheet along it.",
+    ear: "Dog-ear",
+    half: "In half",
+    rest: "Rest of {n}",
+    live: "now {angle}, rests at {rest}, moment a length {moment}",
+    remove: "Remove crease {n}",
+    note: "Draw lines on the page; none may meet the spine. Pulled more than 29° off its rest, a crease rests anew.",
+    none: "Only the sheet can be creased; choose it on either side.",
+    rejected: "The sheet was not creased so. {reason}",
+  },
   stocks: {
     own: "As set below",
     bible: "Bible, 30 g/m²",
@@ -173,8 +200,27 @@ const zh: Texts = {
     springs: "弹簧",
     lines: "折角平行线",
     strain: "应变",
+    creases: "折痕",
   },
-  groups: { paper: "纸张", world: "环境", model: "模型", shown: "显示", keep: "保存" },
+  groups: {
+    paper: "纸张",
+    world: "环境",
+    model: "模型",
+    shown: "显示",
+    keep: "保存",
+    creases: "薄页的折痕",
+  },
+  creases: {
+    page: "展平的纸页，书脊在左：画一条线，薄页便沿线折叠。",
+    ear: "折角",
+    half: "对折",
+    rest: "折痕 {n} 静止角",
+    live: "现为 {angle}，静止于 {rest}，单位长度力矩 {moment}",
+    remove: "去掉折痕 {n}",
+    note: "用指针在纸页上画线，不可碰到书脊。手若把折痕拉离静止角超过 29°，静止角随之改变。",
+    none: "只有薄页可以折叠；请在任一侧选择它。",
+    rejected: "薄页不能这样折叠。{reason}",
+  },
   stocks: {
     own: "如下设定",
     bible: "圣经纸，30 g/m²",

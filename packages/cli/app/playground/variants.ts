@@ -54,6 +54,12 @@ export const hasSprings = (variant: Variant): boolean => variants[variant].model
 /** Returns whether a variant replays a recording rather than a live leaf. */
 export const isReplayed = (variant: Variant): boolean => variants[variant].isReplayed ?? false;
 
+/** Returns whether a variant can be creased: the live sheet, its lines not kept parallel. */
+export function isCreasable(variant: Variant): boolean {
+  const { model, isSynchronised, isReplayed } = variants[variant];
+  return model === "sheet" && !isSynchronised && !isReplayed;
+}
+
 /** The drawn points: enough to bend smoothly, and light is computed at every fourth column. */
 const points = [25, 33] as const;
 

@@ -4,7 +4,8 @@ import packageJson from "../../package.json" with { type: "json" };
 import { fileProblem, Problem, printable } from "../problem.ts";
 import { Progress } from "../progress.ts";
 import type { BakeCommand } from "./bake_arguments.ts";
-import { atRate, type Frame, keepFrames, pointsOf, simulate } from "./baked_turn.ts";
+import { meshOf } from "./baked_mesh.ts";
+import { atRate, keepFrames, pointsOf, simulate, type Turn } from "./baked_turn.ts";
 import { writeGlb } from "./glb.ts";
 import { writeObj } from "./obj.ts";
 import { readPageImage } from "./page_image.ts";
@@ -17,9 +18,9 @@ export async function bake(command: BakeCommand, signal: AbortSignal): Promise<v
   const { out, format, model } = command;
   const [front, back] = [await readPageImage(command.front), await readPageImage(command.back)];
   const progress = new Progress();
-  let frames: Frame[];
+  let turn: Turn;
   try {
-    frames = await simulate(
+    turn = await simulate(
       command,
       (seconds, about) => progress.show(seconds / about, `${model}, ${seconds.toFixed(2)} s`),
       signal,
@@ -29,22 +30,25 @@ export async function bake(command: BakeCommand, signal: AbortSignal): Promise<v
   } finally {
     progress.clear();
   }
+  const { frames, creased } = turn;
   const points = pointsOf(command);
+  const mesh = meshOf(points, creased);
   const seconds = frames.at(-1)?.time ?? 0;
   const extras = {
     ...{ model, gesture: command.gesture, stock: command.stock, seconds },
     ...{ width: command.width, height: command.height, tolerance: command.tolerance },
+    ...(creased && { creases: command.creases }),
   };
   const report = (what: string): void =>
     console.log(`${printable(out)}: ${what}, ${seconds.toFixed(2)} s`);
   if (format === "glb") {
     const kept = keepFrames(frames, command.tolerance * command.width);
     const generator = `Turnleaf ${packageJson.version}`;
-    const bytes = writeGlb(points, kept, { generator, front, back, extras });
+    const bytes = writeGlb(mesh, kept, { generator, front, back, extras });
     await write(out, bytes);
     report(`${kept.length - 1} morph targets, ${kilobytes(bytes)}`);
   } else if (format === "tlkf") {
-    const recorder = new TurnRecorder({ ...command, ...points });
+    const recorder = new TurnRecorder({ ...command, ...points, creased });
     for (const { time, positions } of frames) recorder.add(time, positions);
     const { bytes, error, frames: kept } = recorder.finish(command.tolerance);
     await write(out, bytes);
@@ -53,10 +57,10 @@ export async function bake(command: BakeCommand, signal: AbortSignal): Promise<v
     );
   } else {
     const steady = atRate(frames, command.fps);
-    if (format === "json") await write(out, json(command, steady, extras));
+    if (format === "json") await write(out, json(command, { frames: steady, creased }, extras));
     else {
       const name = out.replace(/\.obj$/i, "");
-      for (const { ending, text } of writeObj(name, points, steady, command)) {
+      for (const { ending, text } of writeObj(name, mesh, steady, command)) {
         signal.throwIfAborted();
         await write(name + ending, text);
       }
@@ -65,7 +69,7 @@ export async function bake(command: BakeCommand, signal: AbortSignal): Promise<v
   }
 }
 
-function json(command: BakeCommand, frames: readonly Frame[], extras: object): string {
+function json(command: BakeCommand, { frames, creased }: Turn, extras: object): string {
   const { u, v } = pointsOf(command);
   const short = (value: number) => Math.round(value * 1e6) / 1e6;
   return `${JSON.stringify({
@@ -74,6 +78,11 @@ function json(command: BakeCommand, frames: readonly Frame[], extras: object): s
     fps: command.fps,
     u: Array.from(u, short),
     v: Array.from(v, short),
+    ...(creased && {
+      places: Array.from(creased.places, short),
+      triangles: Array.from(creased.triangles),
+      parts: Array.from(creased.parts),
+    }),
     frames: frames.map(({ positions }) => Array.from(positions, short)),
   })}\n`;
 }

@@ -1,6 +1,6 @@
 import { extname } from "node:path";
 import { models } from "turnleaf/keyframes";
-import type { LeafStockName, Model } from "turnleaf/models";
+import type { LeafCrease, LeafStockName, Model } from "turnleaf/models";
 import { oneOf, parseNumber, parseOptions, parseSize } from "../options.ts";
 import { UsageProblem } from "../problem.ts";
 
@@ -15,8 +15,8 @@ const stocks = Object.keys({
 
 /** The output formats. */
 const formats = ["glb", "obj", "json", "tlkf"] as const;
-/** How the leaf is turned. */
-const gestures = ["corner", "edge", "let-go"] as const;
+/** How the leaf is turned, or that it is folded where it lies. */
+const gestures = ["corner", "edge", "let-go", "fold"] as const;
 
 /** A turn to bake. */
 export interface BakeCommand {
@@ -26,7 +26,9 @@ export interface BakeCommand {
   readonly stock: LeafStockName;
   readonly out: string;
   readonly format: (typeof formats)[number];
-  /** Duration of the grab; the leaf then comes to rest. */
+  /** Creases of the leaf, in the order in which it is folded along them. */
+  readonly creases: readonly LeafCrease[];
+  /** Duration of the grab, or of each fold; the leaf then comes to rest. */
   readonly seconds: number;
   /** Frames per second of formats written frame by frame. */
   readonly fps: number;
@@ -49,9 +51,15 @@ export const bakeHelp = `turnleaf bake --out FILE writes the turn of a leaf for 
                      turn.json  positions of every frame
                      turn.tlkf  key frames, for turnleaf/keyframes
   --model NAME       ${models.join(", ")} (sheet)
-  --gesture NAME     corner, edge or let-go (corner)
+  --gesture NAME     corner, edge or let-go; fold with --crease (corner; fold)
+  --crease "U,V U,V ANGLE"  crease the sheet along the line through two places,
+                     0,0 at the foot of the spine and 1,1 at the head of the
+                     fore-edge, to a rest angle of -180 to 180 degrees, above 0
+                     toward the recto; once for each crease, in the order in
+                     which they are folded
   --stock NAME       bible, book, office, coated or card (book)
-  --seconds S        how long the turn takes; then the leaf comes to rest (0.8)
+  --seconds S        how long the turn or each fold takes; then the leaf comes
+                     to rest (0.8)
   --size WxH         of the leaf, millimetres (148x210)
   --points CxR       columns and rows of points, 2 to 200 (26x26)
   --tolerance E      how far .glb and .tlkf may be from the turn, over the width
@@ -66,10 +74,11 @@ export const bakeHelp = `turnleaf bake --out FILE writes the turn of a leaf for 
  * @throws UsageProblem
  */
 export function parseBake(args: readonly string[]): BakeCommand {
-  const { values, positionals } = parseOptions(args, [
+  const names = [
     ...["out", "model", "gesture", "stock", "seconds", "size", "points"],
     ...["tolerance", "fps", "front", "back"],
-  ]);
+  ];
+  const { values, lists, positionals } = parseOptions(args, names, [], ["crease"]);
   if (positionals.length > 0) {
     throw new UsageProblem("A turn is baked from its options alone; name the file with --out.");
   }
@@ -88,10 +97,24 @@ export function parseBake(args: readonly string[]): BakeCommand {
   if ((values.front || values.back) && format !== "glb" && format !== "obj") {
     throw new UsageProblem("--front and --back are for .glb and .obj.");
   }
+  const creases = (lists.crease ?? []).map(parseCrease);
+  const model = oneOf("model", values.model ?? "sheet", models);
+  if (creases.length > 0 && model !== "sheet") {
+    throw new UsageProblem("Of all models only the sheet can be creased.");
+  }
+  const gesture = oneOf(
+    "gesture",
+    values.gesture ?? (creases.length > 0 ? "fold" : "corner"),
+    gestures,
+  );
+  if (gesture === "fold" && creases.length === 0) {
+    throw new UsageProblem("A leaf is folded along a --crease; give one at least.");
+  }
   return {
     name: "bake",
-    model: oneOf("model", values.model ?? "sheet", models),
-    gesture: oneOf("gesture", values.gesture, gestures),
+    model,
+    gesture,
+    creases,
     stock: oneOf("stock", values.stock, stocks),
     out,
     format,
@@ -104,4 +127,18 @@ export function parseBake(args: readonly string[]): BakeCommand {
     front: values.front,
     back: values.back,
   };
+}
+
+/** Parses a crease: two places and a rest angle in degrees. */
+function parseCrease(text: string): LeafCrease {
+  const number = "(-?\\d+(?:\\.\\d+)?)";
+  const match = new RegExp(`^${number},${number} ${number},${number} ${number}$`).exec(text);
+  const [a = -1, b = -1, c = -1, d = -1, angle = 999] = (match ?? []).slice(1).map(Number);
+  const isOnLeaf = [a, b, c, d].every((place) => place >= 0 && place <= 1);
+  if (!isOnLeaf || Math.abs(angle) > 180 || (a === c && b === d)) {
+    throw new UsageProblem(
+      '--crease is two places on the leaf and an angle of -180 to 180 degrees, such as "0.7,0 1,0.2 150".',
+    );
+  }
+  return { through: [a, b, c, d], rest: (angle * Math.PI) / 180 };
 }

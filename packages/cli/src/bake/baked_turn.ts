@@ -1,7 +1,7 @@
 /** A turn simulated from its beginning to its rest, and reduced to key frames. */
 
 import { writeNormals } from "turnleaf/keyframes";
-import { LooseLeaf, leafStocks } from "turnleaf/models";
+import { type CreasedMesh, type LeafCrease, LooseLeaf, leafStocks } from "turnleaf/models";
 import { Problem } from "../problem.ts";
 import type { BakeCommand } from "./bake_arguments.ts";
 
@@ -24,6 +24,13 @@ export interface Frame {
   readonly positions: Float32Array;
 }
 
+/** A simulated turn. */
+export interface Turn {
+  readonly frames: Frame[];
+  /** How the points lie on the flat paper if the leaf is creased. */
+  readonly creased: CreasedMesh | undefined;
+}
+
 /** Where the points are on the leaf: u of each column and v of each row. */
 export interface Points {
   readonly u: Float32Array;
@@ -37,7 +44,7 @@ export function pointsOf({ points }: BakeCommand): Points {
 }
 
 /**
- * Simulates the turn until the leaf is at rest.
+ * Simulates the turn, or the folds one after another, until the leaf is at rest.
  *
  * @param tell called with the progress: seconds, and an estimate of their total
  * @throws Problem if the model rejects the leaf
@@ -46,8 +53,10 @@ export async function simulate(
   command: BakeCommand,
   tell: (seconds: number, about: number) => void,
   signal: AbortSignal,
-): Promise<Frame[]> {
-  const { model, gesture, stock, seconds, width, height, points } = command;
+): Promise<Turn> {
+  const { model, gesture, stock, width, height, points, creases } = command;
+  const isFolded = gesture === "fold";
+  const seconds = command.seconds * (isFolded ? creases.length : 1);
   // Masses and springs as paper has them, drawn by as many points as any other model.
   const springs = { preset: "book", interpolate: true } as const;
   const options = { model, width, height, stock: leafStocks[stock], points, ...springs };
@@ -55,12 +64,16 @@ export async function simulate(
     throw new Problem(error instanceof Error ? error.message : "The leaf could not be made.");
   });
   try {
-    leaf.play(gesture, "right", seconds);
+    crease(leaf, isFolded ? creases.map((one) => ({ ...one, rest: 0 })) : creases);
+    if (!isFolded) leaf.play(gesture, "right", seconds);
     const frames: Frame[] = [];
     const apart = leaf.timeStep * Math.max(Math.floor(1 / (rate * leaf.timeStep) + 1e-6), 1);
     let still = 0;
     for (let step = 0; still < stillFrames && step * apart <= seconds + patience; step++) {
-      if (step > 0) leaf.advance(apart);
+      if (step > 0) {
+        if (isFolded) fold(leaf, command, step * apart);
+        leaf.advance(apart);
+      }
       const { time } = leaf;
       leaf.update();
       const positions = leaf.surface().positions.slice();
@@ -74,9 +87,29 @@ export async function simulate(
       if (step % 30 === 0) await new Promise((resolve) => setImmediate(resolve));
       signal.throwIfAborted();
     }
-    return frames.slice(0, frames.length - Math.max(still - 1, 0));
+    leaf.update();
+    const { creased } = leaf.surface();
+    return { frames: frames.slice(0, frames.length - Math.max(still - 1, 0)), creased };
   } finally {
     leaf.destroy();
+  }
+}
+
+/** @throws Problem if the leaf cannot be creased so */
+function crease(leaf: LooseLeaf, creases: readonly LeafCrease[]): void {
+  if (creases.length === 0) return;
+  try {
+    leaf.crease(creases);
+  } catch (error) {
+    throw new Problem(error instanceof Error ? error.message : "The leaf cannot be creased so.");
+  }
+}
+
+/** Turns the rest of each crease in its own time, one after another, with a soft start and end. */
+function fold(leaf: LooseLeaf, { creases, seconds }: BakeCommand, time: number): void {
+  for (const [k, { rest }] of creases.entries()) {
+    const part = Math.min(Math.max(time / seconds - k, 0), 1);
+    leaf.press(k, part * part * (3 - 2 * part) * rest);
   }
 }
 

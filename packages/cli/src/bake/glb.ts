@@ -9,7 +9,8 @@
  * -y.
  */
 
-import { type Frame, normalsOf, type Points } from "./baked_turn.ts";
+import { type BakedMesh, placed } from "./baked_mesh.ts";
+import type { Frame } from "./baked_turn.ts";
 import type { PageImage } from "./page_image.ts";
 
 /** Options besides the shape. */
@@ -83,11 +84,11 @@ function bounds(values: ArrayLike<number>): { min: number[]; max: number[] } {
 }
 
 /** Returns the file's bytes. */
-export function writeGlb(points: Points, frames: readonly Frame[], options: GlbOptions): Buffer {
+export function writeGlb(mesh: BakedMesh, frames: readonly Frame[], options: GlbOptions): Buffer {
   const parts = new Parts();
   const shapes = frames.map(({ positions }) => ({
-    positions: turned(positions),
-    normals: turned(normalsOf(points, positions)),
+    positions: turned(placed(mesh, positions)),
+    normals: turned(mesh.normals(positions)),
   }));
   const [base, ...others] = shapes as [(typeof shapes)[number], ...typeof shapes];
   const moves = others.map(({ positions }) => less(positions, base.positions));
@@ -95,7 +96,7 @@ export function writeGlb(points: Points, frames: readonly Frame[], options: GlbO
     (most, values) => values.reduce((most, value) => Math.max(most, Math.abs(value)), most),
     1e-9,
   );
-  const count = points.u.length * points.v.length;
+  const count = mesh.points.length;
   const place = (values: Float32Array): number => {
     // Four shorts per point: vertex data is aligned to four bytes.
     const shorts = new Int16Array(4 * count);
@@ -115,9 +116,9 @@ export function writeGlb(points: Points, frames: readonly Frame[], options: GlbO
       attributes: {
         POSITION,
         NORMAL: own(base.normals),
-        TEXCOORD_0: pictureAccessor(parts, points, isVerso),
+        TEXCOORD_0: pictureAccessor(parts, mesh, isVerso),
       },
-      indices: indexAccessor(parts, points, isVerso),
+      indices: indexAccessor(parts, mesh, isVerso),
       material,
       targets: places.map((at, k) => ({
         POSITION: at,
@@ -152,31 +153,25 @@ export function writeGlb(points: Points, frames: readonly Frame[], options: GlbO
 }
 
 /** Writes texture coordinates: the spine is at the left of a recto, at the right of a verso. */
-function pictureAccessor(parts: Parts, { u, v }: Points, isVerso: boolean): number {
-  const shorts = new Uint16Array(2 * u.length * v.length);
-  for (const [row, y] of v.entries()) {
-    for (const [column, x] of u.entries()) {
-      const at = 2 * (row * u.length + column);
-      shorts[at] = Math.round((isVerso ? 1 - x : x) * 65535);
-      shorts[at + 1] = Math.round((1 - y) * 65535);
-    }
-  }
+function pictureAccessor(parts: Parts, { places }: BakedMesh, isVerso: boolean): number {
+  const shorts = Uint16Array.from(places, (place, k) =>
+    Math.round((k % 2 === 1 || isVerso ? 1 - place : place) * 65535),
+  );
   const view = parts.view(shorts, { byteStride: 4, target: 34962 });
   const rest = { type: "VEC2", normalized: true };
-  return parts.accessor(view, unsignedShort, u.length * v.length, rest);
+  return parts.accessor(view, unsignedShort, places.length / 2, rest);
 }
 
-/** Writes two triangles per cell, visible only from their own side. */
-function indexAccessor(parts: Parts, { u, v }: Points, isVerso: boolean): number {
+/** Writes the triangles of every face, visible only from their own side. */
+function indexAccessor(parts: Parts, { faces, points }: BakedMesh, isVerso: boolean): number {
   const indices: number[] = [];
-  for (let row = 0; row + 1 < v.length; row++) {
-    for (let column = 0; column + 1 < u.length; column++) {
-      const a = row * u.length + column;
-      const [b, c, d] = [a + 1, a + u.length + 1, a + u.length];
-      indices.push(...(isVerso ? [a, c, b, a, d, c] : [a, b, c, a, c, d]));
+  for (const [a = 0, ...others] of faces) {
+    for (const [k, b] of others.slice(0, -1).entries()) {
+      const c = others[k + 1] ?? 0;
+      indices.push(...(isVerso ? [a, c, b] : [a, b, c]));
     }
   }
-  const isSmall = u.length * v.length <= 65535;
+  const isSmall = points.length <= 65535;
   const data = isSmall ? Uint16Array.from(indices) : Uint32Array.from(indices);
   const view = parts.view(data, { target: 34963 });
   return parts.accessor(view, isSmall ? unsignedShort : unsignedInt, indices.length, {

@@ -1,7 +1,8 @@
 /** A turn as OBJ files, one per frame, for programs that read nothing else. */
 
 import { basename } from "node:path";
-import { type Frame, normalsOf, type Points } from "./baked_turn.ts";
+import type { BakedMesh } from "./baked_mesh.ts";
+import type { Frame } from "./baked_turn.ts";
 
 /** A file to be written: its name's suffix after that of the turn, and its text. */
 export interface NamedText {
@@ -12,19 +13,19 @@ export interface NamedText {
 /** Returns one OBJ per frame and the materials of them all; y is up, lengths are metres. */
 export function* writeObj(
   name: string,
-  points: Points,
+  mesh: BakedMesh,
   frames: readonly Frame[],
   pictures: { readonly front: string | undefined; readonly back: string | undefined },
 ): Generator<NamedText> {
   yield { ending: ".mtl", text: materials(pictures) };
-  const faces = facesOf(points);
+  const faces = facesOf(mesh);
   for (const [at, { positions }] of frames.entries()) {
-    const normals = normalsOf(points, positions);
+    const normals = mesh.normals(positions);
     const lines = [
       `# Turnleaf, frame ${at + 1} of ${frames.length}`,
       `mtllib ${basename(name)}.mtl`,
       ...vectors("v", positions, 1),
-      ...picturePlaces(points),
+      ...picturePlaces(mesh),
       ...vectors("vn", normals, 1),
       ...vectors("vn", normals, -1),
       ...faces,
@@ -46,26 +47,25 @@ function vectors(kind: string, values: Float32Array, sign: 1 | -1): string[] {
  * Returns the texture coordinates of the recto, then those of the verso, whose
  * spine is at its right.
  */
-function picturePlaces({ u, v }: Points): string[] {
+function picturePlaces({ places }: BakedMesh): string[] {
   const side = (isVerso: boolean) =>
-    [...v].flatMap((y) => [...u].map((x) => `vt ${short(isVerso ? 1 - x : x)} ${short(y)}`));
+    Array.from({ length: places.length / 2 }, (_, vertex) => {
+      const [x = 0, y = 0] = places.subarray(2 * vertex, 2 * vertex + 2);
+      return `vt ${short(isVerso ? 1 - x : x)} ${short(y)}`;
+    });
   return [...side(false), ...side(true)];
 }
 
-function facesOf({ u, v }: Points): string[] {
-  const count = u.length * v.length;
+/** Returns faces over the points, with the texture coordinates and normals of their vertices. */
+function facesOf({ points, faces }: BakedMesh): string[] {
   const side = (isVerso: boolean): string[] => {
-    const corner = (at: number) => {
-      const own = at + 1 + (isVerso ? count : 0);
-      return `${at + 1}/${own}/${own}`;
+    const corner = (vertex: number) => {
+      const own = vertex + 1 + (isVerso ? points.length : 0);
+      return `${(points[vertex] ?? 0) + 1}/${own}/${own}`;
     };
     const lines = [`usemtl ${isVerso ? "verso" : "recto"}`];
-    for (let row = 0; row + 1 < v.length; row++) {
-      for (let column = 0; column + 1 < u.length; column++) {
-        const a = row * u.length + column;
-        const cell = [a, a + 1, a + u.length + 1, a + u.length];
-        lines.push(`f ${(isVerso ? cell.reverse() : cell).map(corner).join(" ")}`);
-      }
+    for (const face of faces) {
+      lines.push(`f ${(isVerso ? [...face].reverse() : face).map(corner).join(" ")}`);
     }
     return lines;
   };

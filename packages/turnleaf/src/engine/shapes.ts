@@ -5,6 +5,10 @@
  * the pages at y = 0.
  */
 
+import type { CreasedMesh } from "../creased_mesh.ts";
+
+export type { CreasedMesh };
+
 /** The drawn mesh of a leaf in flight, row by row from the foot; a row runs from the spine to the fore-edge. */
 export interface Surface {
   /** Points along a row. */
@@ -21,16 +25,6 @@ export interface Surface {
   readonly thickness?: number;
   /** Where its points lie on the flat paper, if the leaf is creased; another object when that changes. */
   readonly creased?: CreasedMesh | undefined;
-}
-
-/** How the mesh of a creased leaf lies on its flat paper: points are moved onto its creases. */
-export interface CreasedMesh {
-  /** u and v of each point, 0 to 1. */
-  readonly places: Float32Array;
-  /** The points of each triangle, three by three; no triangle reaches over a crease. */
-  readonly triangles: Uint32Array;
-  /** The part of the leaf between creases that each triangle belongs to. */
-  readonly parts: Uint16Array;
 }
 
 /** A straight crease, from edge to edge of a leaf. */

@@ -1,3 +1,4 @@
+import type { CreasedMesh } from "../creased_mesh.ts";
 import { models } from "../model_names.ts";
 import { BitReader } from "./bits.ts";
 import {
@@ -6,21 +7,23 @@ import {
   commonHeader,
   expected,
   leastPackedFrame,
+  meshHeader,
   mostAlong,
   mostMultiple,
   mostPoints,
   packedHeader,
   TurnError,
 } from "./file.ts";
+import { unpackMesh } from "./packed_mesh.ts";
 import { PolynomialBasis } from "./polynomial_basis.ts";
 import { RecordedTurn, type TurnRecord } from "./recorded_turn.ts";
 
-const newest = 2;
+const newest = 3;
 /** Settings of the model that the header can name: its own, the paper's of 2014, a book's. */
 const presets = 3;
 
 /**
- * Decodes a recorded turn from the bytes of its file, of version 1 or 2.
+ * Decodes a recorded turn from the bytes of its file, of version 1, 2 or 3.
  *
  * @throws TurnError unless they are a complete and unchanged file
  */
@@ -35,14 +38,14 @@ export function decodeTurn(bytes: Uint8Array): RecordedTurn {
       `This turn is recorded in version ${version}, and this program reads versions 1 to ${newest}.`,
     );
   }
-  const header = version === 1 ? commonHeader : packedHeader;
+  const header = [commonHeader, packedHeader, meshHeader][version - 1];
   if (bytes.length < header + checksumLength) {
     throw new TurnError("This recorded turn ends early.");
   }
-  return new RecordedTurn(version === 1 ? readWhole(view) : readPacked(view));
+  return new RecordedTurn(version === 1 ? readWhole(view) : readPacked(view, header));
 }
 
-/** Reads the header of either version. */
+/** Reads what the headers of all versions have. */
 function readHeader(view: DataView, most: number) {
   const model = models[view.getUint32(8, true) - 1];
   const [width, height] = [view.getFloat32(16, true), view.getFloat32(20, true)];
@@ -102,26 +105,41 @@ function readWhole(view: DataView): TurnRecord {
   return { model, width, height, u, v, error: Number.NaN, times, positions };
 }
 
-function readPacked(view: DataView): TurnRecord {
+/** Reads versions 2 and 3, which differ by the length of their header and what it adds. */
+function readPacked(view: DataView, header: number): TurnRecord {
   const { model, width, height, columns, rows, frames } = readHeader(view, mostAlong);
-  const packedAt = packedHeader + 4 * (columns + rows + frames);
+  const meshAt = header + 4 * (columns + rows + frames);
   const packedLength = view.getUint32(44, true);
-  requireWhole(view, packedAt + packedLength + checksumLength);
+  const meshLength = header === meshHeader ? view.getUint32(52, true) : 0;
+  requireWhole(view, meshAt + meshLength + packedLength + checksumLength);
   if (packedLength < leastPackedFrame * frames) throw badFrame();
   const [quantum, error] = floats(view, commonHeader, 2);
   if (!(quantum > 0 && quantum < 1e6 && error >= 0 && error <= 1e6)) {
     throw new TurnError("The header of this recorded turn cannot be.");
   }
-  const u = readPlaces(view, packedHeader, columns);
-  const v = readPlaces(view, packedHeader + 4 * columns, rows);
-  const times = readTimes(view, packedHeader + 4 * (columns + rows), frames);
-  const packed = new Uint8Array(
-    view.buffer,
-    view.byteOffset + packedAt,
-    view.byteLength - checksumLength - packedAt,
-  );
-  const positions = unpack(packed, u, v, times, quantum);
-  return { model, width, height, u, v, error, times, positions };
+  const u = readPlaces(view, header, columns);
+  const v = readPlaces(view, header + 4 * columns, rows);
+  const times = readTimes(view, header + 4 * (columns + rows), frames);
+  const bytes = (at: number, length: number) =>
+    new Uint8Array(view.buffer, view.byteOffset + at, length);
+  const creased =
+    header === meshHeader ? readMesh(bytes(meshAt, meshLength), u, v, view) : undefined;
+  const positions = unpack(bytes(meshAt + meshLength, packedLength), u, v, times, quantum);
+  return { model, width, height, u, v, error, times, positions, creased };
+}
+
+function readMesh(
+  packed: Uint8Array,
+  u: Float32Array,
+  v: Float32Array,
+  view: DataView,
+): CreasedMesh {
+  try {
+    return unpackMesh(packed, u, v, view.getUint32(48, true));
+  } catch (error) {
+    if (!(error instanceof RangeError)) throw error;
+    throw new TurnError("The mesh of this recorded turn cannot be.");
+  }
 }
 
 function readPlaces(view: DataView, at: number, count: number): Float32Array {

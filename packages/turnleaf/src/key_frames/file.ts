@@ -9,15 +9,16 @@ export class TurnError extends Error {
 }
 
 /**
- * Length of the header common to both versions, of the whole header of version
- * 2, and of the checksum.
+ * Length of the header common to all versions, of the whole headers of versions 2
+ * and 3, and of the checksum.
  */
 export const commonHeader = 36;
 export const packedHeader = 48;
+export const meshHeader = 56;
 export const checksumLength = 8;
 
 /**
- * Bounds of version 2: points along a side, points of all frames, and a
+ * Bounds of versions 2 and 3: points along a side, points of all frames, and a
  * multiple of the quantum.
  */
 export const mostAlong = 256;

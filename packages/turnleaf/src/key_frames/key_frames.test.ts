@@ -2,13 +2,17 @@ import { describe, expect, it } from "vitest";
 import cornerSamples from "../../../../engine/tests/fixtures/corner.samples?raw";
 import cornerFile from "../../../../engine/tests/fixtures/corner.tlkf?inline";
 import wholeFile from "../../../../engine/tests/fixtures/corner-whole.tlkf?inline";
+import foldedFile from "../../../../engine/tests/fixtures/folded.tlkf?inline";
+import foldedWholeFile from "../../../../engine/tests/fixtures/folded-whole.tlkf?inline";
 import scriptFile from "../../../../engine/tests/fixtures/recorded-in-script.tlkf?inline";
 import { checksum } from "./file.ts";
 import {
   decodeTurn,
   type RecordedTurn,
+  splitMesh,
   TurnRecorder,
   turnName,
+  writeMeshNormals,
   writeNormals,
 } from "./key_frames.ts";
 
@@ -197,6 +201,95 @@ describe("recording", () => {
   });
 });
 
+describe("a fold", () => {
+  const folded = decodeTurn(bytesOf(foldedFile));
+  const { creased } = folded;
+
+  it("says how its points lie on the paper and hang together", () => {
+    if (!creased) throw new Error("It has no mesh.");
+    const { places, triangles, parts } = creased;
+    expect([places.length, triangles.length, parts.length]).toEqual([162, 384, 128]);
+    let area = 0;
+    for (let at = 0; at < triangles.length; at += 3) {
+      const [a, b, c] = [0, 1, 2].map((k) => places.subarray(2 * triangles[at + k]));
+      const twice = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+      expect(twice).toBeGreaterThan(0);
+      area += twice / 2;
+    }
+    expect(area).toBeCloseTo(1, 4);
+    expect([...new Set(parts)].sort()).toEqual([0, 1]);
+    // It lies flat at first, where its places say.
+    const flat = sample(folded, 0);
+    for (let point = 0; point < 81; point++) {
+      expect(flat[3 * point]).toBeCloseTo(0.14 * places[2 * point], 3);
+      expect(flat[3 * point + 1]).toBeCloseTo(0.21 * places[2 * point + 1], 3);
+    }
+  });
+
+  it("is drawn with a normal for each side of its crease, on a larger page too", () => {
+    if (!creased) throw new Error("It has no mesh.");
+    const { points, index } = splitMesh(creased);
+    expect(points.length).toBeGreaterThan(81);
+    for (const turn of [folded, folded.scaled(0.28, 0.42)]) {
+      const end = sample(turn, turn.duration);
+      const positions = Float32Array.from(points, (p) => end[3 * p]);
+      const all = new Float32Array(3 * points.length);
+      for (const [vertex, p] of points.entries()) {
+        all.set(end.subarray(3 * p, 3 * p + 3), 3 * vertex);
+      }
+      expect(positions.every(Number.isFinite)).toBe(true);
+      const normals = new Float32Array(all.length);
+      writeMeshNormals(index, all, normals);
+      for (let vertex = 81; vertex < points.length; vertex++) {
+        const [a, b] = [3 * vertex, 3 * points[vertex]];
+        const cosine = [0, 1, 2].reduce((sum, k) => sum + normals[a + k] * normals[b + k], 0);
+        // Folded by more than a right angle.
+        expect(cosine).toBeLessThan(0);
+      }
+    }
+  });
+
+  it("is encoded as the engine does", () => {
+    const whole = decodeTurn(bytesOf(foldedWholeFile));
+    const { width, height, u, v, model } = whole;
+    const recorder = new TurnRecorder({ width, height, u, v, model, creased });
+    for (const time of whole.times) recorder.add(time, sample(whole, time));
+    const { bytes } = recorder.finish(0.001);
+    const encoded = (file: Uint8Array) => [...file.slice(0, 40), ...file.slice(44, -8)];
+    expect(encoded(bytes)).toEqual(encoded(bytesOf(foldedFile)));
+  });
+
+  it("is rejected if its mesh is none of its points", () => {
+    if (!creased) throw new Error("It has no mesh.");
+    const leaf = { width: 0.1, height: 0.2, u: even(9), v: even(9) };
+    const beyond = { ...creased, triangles: creased.triangles.map((p) => p + 1) };
+    const outside = { ...creased, places: creased.places.map((place) => 1.1 * place) };
+    const fewer = { ...creased, parts: creased.parts.slice(1) };
+    for (const bad of [beyond, outside, fewer]) {
+      expect(() => new TurnRecorder({ ...leaf, creased: bad })).toThrow(RangeError);
+    }
+    expect(() => new TurnRecorder({ ...leaf, u: even(8), creased })).toThrow(RangeError);
+  });
+
+  it("is rejected if its mesh is forged, before anything is made of it", () => {
+    const sound = bytesOf(foldedFile);
+    const view = new DataView(sound.buffer);
+    for (const [at, count] of [
+      [48, 0],
+      [48, 129],
+      [48, 2 ** 32 - 1],
+      [52, view.getUint32(52, true) - 1],
+      [52, 2 ** 32 - 1],
+    ] as const) {
+      const forged = sound.slice();
+      new DataView(forged.buffer).setUint32(at, count, true);
+      const end = forged.length - 8;
+      forged.set(checksum(forged.subarray(0, end)), end);
+      expect(() => decodeTurn(forged), `${count} at ${at}`).toThrow(/\.$/);
+    }
+  });
+});
+
 describe("what is no recorded turn", () => {
   const bytes = bytesOf(cornerFile);
 
@@ -246,8 +339,8 @@ describe("what is no recorded turn", () => {
     whole[6] = 0;
     expect(() => decodeTurn(whole)).toThrow("only recorded surfaces can be played");
     const newer = bytes.slice();
-    newer[4] = 3;
-    expect(() => decodeTurn(newer)).toThrow("is recorded in version 3");
+    newer[4] = 4;
+    expect(() => decodeTurn(newer)).toThrow("is recorded in version 4");
   });
 });
 

@@ -4,6 +4,12 @@
  * in Node.
  */
 
+export {
+  type CreasedMesh,
+  type SplitMesh,
+  splitMesh,
+  writeMeshNormals,
+} from "../creased_mesh.ts";
 export { type Model, models } from "../model_names.ts";
 export { decodeTurn } from "./decode.ts";
 export { TurnError } from "./file.ts";

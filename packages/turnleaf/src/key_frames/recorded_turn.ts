@@ -1,3 +1,4 @@
+import type { CreasedMesh } from "../creased_mesh.ts";
 import type { Model } from "../model_names.ts";
 import { blend, mixAt } from "./blend.ts";
 
@@ -17,6 +18,8 @@ export interface TurnRecord {
   readonly times: Float32Array;
   /** Frame after frame x, y, z of each point, metres, row by row from the foot. */
   readonly positions: Float32Array;
+  /** How the points lie on the flat paper if the leaf is creased. */
+  readonly creased?: CreasedMesh | undefined;
 }
 
 /** How a recording is played. */
@@ -73,6 +76,14 @@ export class RecordedTurn {
   /** v of each row, from 0 at the foot to 1. */
   get v(): Float32Array {
     return this.#record.v;
+  }
+
+  /**
+   * How the points lie on the flat paper and hang together if the leaf is creased; undefined if
+   * it is a grid's at `u` and `v`. `splitMesh` returns the vertices to be drawn of it.
+   */
+  get creased(): CreasedMesh | undefined {
+    return this.#record.creased;
   }
 
   /** Width of the leaf, metres. */

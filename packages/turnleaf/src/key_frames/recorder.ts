@@ -1,7 +1,17 @@
+import type { CreasedMesh } from "../creased_mesh.ts";
 import { models } from "../model_names.ts";
 import { BitWriter, costOf } from "./bits.ts";
 import { blend, mixAt } from "./blend.ts";
-import { checksum, expected, mostAlong, mostMultiple, mostPoints, packedHeader } from "./file.ts";
+import {
+  checksum,
+  expected,
+  meshHeader,
+  mostAlong,
+  mostMultiple,
+  mostPoints,
+  packedHeader,
+} from "./file.ts";
+import { packMesh, requireMesh } from "./packed_mesh.ts";
 import { PolynomialBasis } from "./polynomial_basis.ts";
 import type { TurnRecord } from "./recorded_turn.ts";
 
@@ -15,6 +25,8 @@ export interface RecordedLeaf {
   readonly v: ArrayLike<number>;
   /** The model that moves it. The default is "sheet". */
   readonly model?: TurnRecord["model"];
+  /** How the points lie on the flat paper if the leaf is creased: the same in every frame. */
+  readonly creased?: CreasedMesh | undefined;
 }
 
 /** A turn in a file. */
@@ -48,7 +60,7 @@ export class TurnRecorder {
   readonly #times: number[] = [];
   readonly #frames: Float32Array[] = [];
 
-  /** @throws RangeError if the size, `u` or `v` are invalid */
+  /** @throws RangeError if the size, `u`, `v` or the mesh are invalid */
   constructor(leaf: RecordedLeaf) {
     this.#leaf = leaf;
     this.#u = placesOf(leaf.u);
@@ -56,6 +68,7 @@ export class TurnRecorder {
     if (!(leaf.width > 0 && leaf.height > 0 && leaf.width < 1e6 && leaf.height < 1e6)) {
       throw new RangeError("A leaf's width and height are above 0.");
     }
+    if (leaf.creased) requireMesh(leaf.creased, this.#u.length, this.#v.length);
     this.#basis = new PolynomialBasis(this.#u, this.#v);
   }
 
@@ -139,14 +152,16 @@ export class TurnRecorder {
     quantum: number,
     error: number,
   ) {
+    const { width, height, model = "sheet", creased } = this.#leaf;
     const packed = pack(multiples, times, this.#basis.order);
+    const mesh = creased ? packMesh(creased, this.#u, this.#v) : new Uint8Array();
     const reals = [...this.#u, ...this.#v, ...times];
-    const end = packedHeader + 4 * reals.length + packed.length;
+    const header = creased ? meshHeader : packedHeader;
+    const end = header + 4 * reals.length + mesh.length + packed.length;
     const bytes = new Uint8Array(end + 8);
     const view = new DataView(bytes.buffer);
-    const { width, height, model = "sheet" } = this.#leaf;
     view.setUint32(0, 0x544c4b46);
-    view.setUint16(4, 2, true);
+    view.setUint16(4, creased ? 3 : 2, true);
     view.setUint16(6, 1, true);
     view.setUint32(8, models.indexOf(model) + 1, true);
     view.setFloat32(16, width, true);
@@ -156,7 +171,12 @@ export class TurnRecorder {
     view.setFloat32(36, quantum, true);
     view.setFloat32(40, error, true);
     view.setUint32(44, packed.length, true);
-    for (const [i, real] of reals.entries()) view.setFloat32(packedHeader + 4 * i, real, true);
+    if (creased) {
+      view.setUint32(48, creased.parts.length, true);
+      view.setUint32(52, mesh.length, true);
+    }
+    for (const [i, real] of reals.entries()) view.setFloat32(header + 4 * i, real, true);
+    bytes.set(mesh, header + 4 * reals.length);
     bytes.set(packed, end - packed.length);
     bytes.set(checksum(bytes.subarray(0, end)), end);
     return bytes;

@@ -2,13 +2,14 @@
 import { expect, it } from "vitest";
 import corner from "../../../../engine/tests/fixtures/corner.tlkf?inline";
 import cornerWhole from "../../../../engine/tests/fixtures/corner-whole.tlkf?inline";
+import folded from "../../../../engine/tests/fixtures/folded.tlkf?inline";
 import usual from "../../../../engine/tests/fixtures/mutated.verdicts?raw";
 import inScript from "../../../../engine/tests/fixtures/recorded-in-script.tlkf?inline";
 import { fuzz, Random, seed } from "../for_tests/random_numbers.ts";
 import { checksum, checksumLength } from "./file.ts";
 import { decodeTurn, TurnError } from "./key_frames.ts";
 
-const files = [corner, cornerWhole, inScript].map((file) =>
+const files = [corner, cornerWhole, inScript, folded].map((file) =>
   Uint8Array.from(atob(file.slice(file.indexOf(",") + 1)), (c) => c.charCodeAt(0)),
 );
 

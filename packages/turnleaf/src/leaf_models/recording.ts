@@ -49,9 +49,12 @@ export class Recording {
    * @param turn from either side to the other
    *
    * @param name its name in errors
-   * @throws BookError if it turns a leaf less far
+   * @throws BookError if it turns a leaf less far, or one that is creased
    */
   constructor(turn: RecordedTurn, name: string) {
+    if (turn.creased) {
+      throw new BookError(`${name} is of a creased leaf, which a book's leaves are not drawn as.`);
+    }
     this.model = turn.model;
     this.#frame = new Float32Array(3 * turn.columns * turn.rows);
     const fraction = (of: RecordedTurn, time: number): number => {

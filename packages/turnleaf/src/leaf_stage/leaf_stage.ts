@@ -8,6 +8,7 @@
  */
 
 import type { Texture } from "three";
+import type { CreasedMesh } from "../creased_mesh.ts";
 import type { Ray, Vec3 } from "../engine/shapes.ts";
 import { pickSurface } from "../picking/pick.ts";
 import { handAt } from "../picking/reach.ts";
@@ -24,7 +25,7 @@ export interface LeafSize {
   readonly height: number;
 }
 
-/** Points of a leaf in evenly spaced columns and rows. */
+/** Points of a leaf in evenly spaced columns and rows, or moved onto its creases. */
 export interface ShownLeaf {
   /** Points along a row, from the spine. */
   readonly columns: number;
@@ -34,6 +35,8 @@ export interface ShownLeaf {
   readonly positions: Float32Array;
   /** Unit normal of each, up where the leaf lies on the right. */
   readonly normals: Float32Array;
+  /** How the points lie on the flat paper if the leaf is creased. */
+  readonly creased?: CreasedMesh | undefined;
 }
 
 /** A place on a leaf: u from 0 at the spine to 1 at the fore-edge, v from 0 at the foot to 1 at the head. */

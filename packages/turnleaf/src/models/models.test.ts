@@ -81,6 +81,38 @@ test("a record is a file of key frames", async () => {
   leaf.destroy();
 });
 
+test("a sheet is creased, folded and drawn with its crease", async () => {
+  const leaf = await LooseLeaf.create({ model: "sheet", points: [25, 33] });
+  expect(leaf.surface().creased).toBeUndefined();
+  expect(leaf.creaseState(0)).toBeNull();
+  leaf.crease([{ through: [0.6, 0, 1, 0.3], rest: 0 }]);
+  const { creased } = leaf.surface();
+  expect([creased?.places.length, creased?.parts.length]).toEqual([1650, 1536]);
+  for (let step = 1; step <= 60; step++) {
+    leaf.press(0, (step / 60) * 2.5);
+    leaf.advance(1 / 120);
+  }
+  leaf.advance(1);
+  leaf.update();
+  const state = leaf.creaseState(0);
+  expect(state?.rest).toBeCloseTo(2.5, 5);
+  expect(Math.abs((state?.angle ?? 0) - 2.5)).toBeLessThan(0.3);
+  // The moment is that of the difference: what the flap weighs opens or shuts it.
+  expect(Math.sign(state?.moment ?? 0)).toBe(Math.sign((state?.angle ?? 0) - 2.5));
+  const { positions } = leaf.surface();
+  expect(positions[3 * 24]).toBeLessThan(0.135);
+  expect(positions[3 * 24 + 2]).toBeGreaterThan(0);
+  expect(leaf.surface().creased).toBe(creased);
+  expect(() => leaf.crease([{ through: [0, 0.5, 1, 0.5], rest: 1 }])).toThrow("spine");
+  expect(leaf.surface().creased).toBe(creased);
+  leaf.crease([]);
+  expect(leaf.surface().creased).toBeUndefined();
+  leaf.destroy();
+  const cone = await LooseLeaf.create({ model: "cone" });
+  expect(() => cone.crease([{ through: [0.6, 0, 1, 0.3], rest: 0 }])).toThrow("only the sheet");
+  cone.destroy();
+});
+
 test("what makes no leaf is rejected in one sentence", async () => {
   await expect(LooseLeaf.create({ model: "cone", width: 0 })).rejects.toThrow(/lies between/);
   await expect(LooseLeaf.create({ model: "none" as Model })).rejects.toThrow("no model number 0");

@@ -9,11 +9,12 @@
  * spine to 1 at the fore-edge, v from 0 at the foot to 1 at the head.
  */
 
+import type { CreasedMesh } from "../creased_mesh.ts";
 import { type Model, models } from "../model_names.ts";
 import { unpack } from "../packed.ts";
 import code from "./models.wasm";
 
-export { type Model, models };
+export { type CreasedMesh, type Model, models };
 
 /** A paper's figures: kg/m^2, m, and N m of stiffness along and across the grain. */
 export interface LeafStock {
@@ -135,7 +136,35 @@ export interface LeafGrid {
 export interface LeafSurface extends LeafGrid {
   /** Unit normal of each point; up for a leaf that lies on the right. */
   readonly normals: Float32Array;
+  /**
+   * How the points lie on the flat paper if the leaf is creased; another object when that
+   * changes. Normals are then those of a leaf that is bent there: see `splitMesh` of
+   * `turnleaf/keyframes` for those of either side of a crease.
+   */
+  readonly creased?: CreasedMesh | undefined;
 }
+
+/** A straight crease of a leaf, from edge to edge, that does not meet the spine. */
+export interface LeafCrease {
+  /** u, v, u, v of two places on its line, each 0 to 1. */
+  readonly through: readonly [number, number, number, number];
+  /** Angle at which it rests, radians: 0 is flat; above it the parts turn toward the recto. */
+  readonly rest: number;
+}
+
+/** A crease as it is now. */
+export interface CreaseState {
+  /** Its angle, radians as `LeafCrease.rest`: the mean over its length. */
+  readonly angle: number;
+  /** The angle at which it bears no moment, likewise. */
+  readonly rest: number;
+  /** Moment per length, N: its stiffness times the angle less the rest. */
+  readonly moment: number;
+}
+
+/** Maximum of creases of a leaf, and the numbers that the engine reads of each. */
+const mostCreases = 16;
+const numbersOfCrease = 5;
 
 /** The nodes of a leaf. */
 export interface LeafNodes extends LeafGrid {
@@ -155,6 +184,14 @@ interface Exports {
   tl_leaf_lay(leaf: number, side: number): void;
   tl_leaf_samples(leaf: number, columns: number, rows: number): number;
   tl_leaf_draw(leaf: number, columns: number): number;
+  tl_leaf_creases(leaf: number): number;
+  tl_leaf_crease(leaf: number, count: number): number;
+  tl_leaf_press(leaf: number, crease: number, rest: number): void;
+  tl_leaf_crease_state(leaf: number, crease: number): number;
+  tl_leaf_places(leaf: number): number;
+  tl_leaf_corners(leaf: number): number;
+  tl_leaf_parts(leaf: number): number;
+  tl_leaf_triangles(leaf: number): number;
   tl_leaf_play(leaf: number, by: number, from: number, seconds: number): void;
   tl_leaf_playing(leaf: number): number;
   tl_leaf_grab(leaf: number, u: number, v: number): void;
@@ -236,6 +273,7 @@ export class LooseLeaf {
   readonly options: LeafOptions;
   readonly #wasm: Exports;
   readonly #leaf: number;
+  #creased: CreasedMesh | undefined;
 
   private constructor(wasm: Exports, options: LeafOptions) {
     this.#wasm = wasm;
@@ -244,14 +282,7 @@ export class LooseLeaf {
     const figures = figuresOf(options);
     new Float64Array(wasm.memory.buffer, room, figures.length).set(figures);
     this.#leaf = wasm.tl_leaf_new(room);
-    if (this.#leaf === 0) {
-      const bytes = new Uint8Array(
-        wasm.memory.buffer,
-        wasm.tl_leaf_error(),
-        wasm.tl_leaf_error_length(),
-      );
-      throw new Error(new TextDecoder().decode(bytes));
-    }
+    if (this.#leaf === 0) throw this.#error();
   }
 
   /**
@@ -273,7 +304,7 @@ export class LooseLeaf {
     return new LooseLeaf(this.#wasm, options);
   }
 
-  /** Lays the leaf flat and at rest on a side, held by nothing. */
+  /** Lays the leaf flat, but for its creases, and at rest on a side, held by nothing. */
   lay(side: LeafSide): void {
     this.#wasm.tl_leaf_lay(this.#leaf, sideNumber(side));
   }
@@ -283,16 +314,49 @@ export class LooseLeaf {
    * numbers that rise within 0 to 1. Mass-spring without interpolation still
    * draws its nodes. Ends a running record.
    *
-   * @throws RangeError if they are invalid
+   * @throws RangeError if they are invalid, or if a creased leaf's do not reach from 0 to 1 or
+   * are too few for its creases
    */
   drawAt(u: ArrayLike<number>, v: ArrayLike<number>): void {
     const [wasm, leaf] = [this.#wasm, this.#leaf];
     const places = [...Array.from(u), ...Array.from(v)];
     const room = wasm.tl_leaf_samples(leaf, u.length, v.length);
     new Float32Array(wasm.memory.buffer, room, places.length).set(places);
-    if (wasm.tl_leaf_draw(leaf, u.length) === 0) {
-      throw new RangeError("A leaf is drawn at 2 to 1024 places a side that rise from 0 to 1.");
-    }
+    if (wasm.tl_leaf_draw(leaf, u.length) === 0) throw new RangeError(this.#error().message);
+    this.#creased = this.#mesh();
+  }
+
+  /**
+   * Creases a sheet along lines, pressed by hand, in place of the creases that it has. It stays
+   * where it is. Creases yield while the leaf is held: a grab opens them. Ends a running record;
+   * `record` does nothing for a creased leaf, which `TurnRecorder` records.
+   *
+   * @param creases 16 at most, none for a leaf without
+   * @throws Error if the leaf is of another model or synchronised, a line meets the spine or is
+   * otherwise invalid, or there are too many for the leaf's nodes; it is then as it was
+   */
+  crease(creases: readonly LeafCrease[]): void {
+    const [wasm, leaf] = [this.#wasm, this.#leaf];
+    const numbers = creases.slice(0, mostCreases).flatMap(({ through, rest }) => {
+      const own = [...through, rest];
+      return own.length === numbersOfCrease ? own : Array(numbersOfCrease).fill(Number.NaN);
+    });
+    new Float64Array(wasm.memory.buffer, wasm.tl_leaf_creases(leaf), numbers.length).set(numbers);
+    if (wasm.tl_leaf_crease(leaf, creases.length) === 0) throw this.#error();
+    this.#creased = this.#mesh();
+  }
+
+  /** Turns the rest of a crease, counted from 0, to an angle, radians. */
+  press(crease: number, rest: number): void {
+    this.#wasm.tl_leaf_press(this.#leaf, crease, rest);
+  }
+
+  /** Returns a crease as it is now, counted from 0; null if there is none of that number. */
+  creaseState(crease: number): CreaseState | null {
+    const at = this.#wasm.tl_leaf_crease_state(this.#leaf, crease);
+    if (at === 0) return null;
+    const [angle = 0, rest = 0, moment = 0] = new Float64Array(this.#wasm.memory.buffer, at, 3);
+    return { angle, rest, moment };
   }
 
   /** Lays the leaf on a side and starts a turn to the other one that takes `seconds`, 0.01 to 3600. */
@@ -354,6 +418,7 @@ export class LooseLeaf {
       rows,
       positions: floats(wasm.tl_leaf_positions(leaf)),
       normals: floats(wasm.tl_leaf_normals(leaf)),
+      creased: this.#creased,
     };
   }
 
@@ -397,6 +462,28 @@ export class LooseLeaf {
   /** Frees the leaf. Nothing may be called afterwards. */
   destroy(): void {
     this.#wasm.tl_leaf_drop(this.#leaf);
+  }
+
+  /** Returns why the last leaf could not be made, drawn or creased. */
+  #error(): Error {
+    const wasm = this.#wasm;
+    const [at, length] = [wasm.tl_leaf_error(), wasm.tl_leaf_error_length()];
+    return new Error(new TextDecoder().decode(new Uint8Array(wasm.memory.buffer, at, length)));
+  }
+
+  /** Returns a copy of the mesh of a creased leaf, as the engine's memory moves. */
+  #mesh(): CreasedMesh | undefined {
+    const [wasm, leaf] = [this.#wasm, this.#leaf];
+    const [at, count] = [wasm.tl_leaf_places(leaf), wasm.tl_leaf_triangles(leaf)];
+    if (at === 0) return undefined;
+    wasm.tl_leaf_update(leaf);
+    const points = wasm.tl_leaf_columns(leaf) * wasm.tl_leaf_rows(leaf);
+    const { buffer } = wasm.memory;
+    return {
+      places: new Float32Array(buffer, at, 2 * points).slice(),
+      triangles: new Uint32Array(buffer, wasm.tl_leaf_corners(leaf), 3 * count).slice(),
+      parts: new Uint16Array(buffer, wasm.tl_leaf_parts(leaf), count).slice(),
+    };
   }
 }
 

@@ -1,6 +1,7 @@
 /** The vertices of a creased leaf: a point on a crease has one for each part of the leaf beside it. */
 
-import type { CreasedMesh, Surface } from "../engine/shapes.ts";
+import { type CreasedMesh, splitMesh, vertexKey, writeMeshNormals } from "../creased_mesh.ts";
+import type { Surface } from "../engine/shapes.ts";
 
 /** The vertices of a flap's corners: both ends of its crease, as vertices of the rest of the leaf, and what is farthest from it. */
 type FlapCorners = readonly [from: number, to: number, tip: number];
@@ -11,11 +12,21 @@ const stepsBack = 5;
 /** For each point of a mesh that is folded over or on a crease, the last before it on its row that is neither. */
 const folded = new WeakMap<CreasedMesh, readonly (readonly [point: number, from: number])[]>();
 
+/** The length to which `cutOff` shortens what is folded over: seen as none. */
+const sliver = 1e-3;
+
+/** Returns a leaf as if what is folded over were not there, for the shadow on what lies under it. */
+export function cutOff(leaf: Surface): Surface {
+  return straightened(leaf, sliver);
+}
+
 /**
  * Returns a leaf with what is folded over laid straight on from its rows, which light knows how
  * to go by: they never come back over themselves.
+ *
+ * @param length of what is laid on, over its own
  */
-export function straightened(leaf: Surface): Surface {
+export function straightened(leaf: Surface, length = 1): Surface {
   const { creased, columns } = leaf;
   if (!creased) return leaf;
   let points = folded.get(creased);
@@ -39,7 +50,7 @@ export function straightened(leaf: Surface): Surface {
     const steps = (u(point) - u(from)) / Math.max(u(from) - u(back), Number.EPSILON);
     for (let axis = 0; axis < 3; axis++) {
       const [last, before] = [positions[3 * from + axis], positions[3 * back + axis]];
-      positions[3 * point + axis] = last + steps * (last - before);
+      positions[3 * point + axis] = last + length * steps * (last - before);
       normals[3 * point + axis] = normals[3 * back + axis];
     }
   }
@@ -56,29 +67,20 @@ export class CreasedVertices {
   /** Each is smooth within its part of the leaf, and differs from the next part's. */
   readonly normals: Float32Array;
   /** The point of each vertex after the points. */
-  readonly #further: number[] = [];
+  readonly #further: Uint32Array;
   /** The vertices of what is folded over. */
   readonly #flaps: readonly number[];
   readonly #corners: readonly FlapCorners[];
 
-  constructor({ places, triangles, parts }: CreasedMesh) {
-    const count = places.length / 2;
-    const vertices = new Map<number, number>();
-    const taken = new Uint8Array(count);
-    this.index = Uint16Array.from(triangles, (point, corner) => {
-      const key = point * 0x10000 + parts[Math.floor(corner / 3)];
-      let vertex = vertices.get(key);
-      if (vertex === undefined) {
-        vertex = taken[point] === 0 ? point : count + this.#further.push(point) - 1;
-        taken[point] = 1;
-        vertices.set(key, vertex);
-      }
-      return vertex;
-    });
+  constructor(mesh: CreasedMesh) {
+    const { places } = mesh;
+    const { points, index, vertices } = splitMesh(mesh);
+    this.index = Uint16Array.from(index);
+    this.#further = points.subarray(places.length / 2);
     this.#flaps = [...vertices].flatMap(([key, vertex]) => (key % 0x10000 === 0 ? [] : [vertex]));
-    const points = [...Array(count).keys(), ...this.#further];
     this.#corners = flapCorners(places, vertices);
-    this.uv = Float32Array.from(points.flatMap((k) => [places[2 * k], 1 - places[2 * k + 1]]));
+    const uv = [...points].flatMap((k) => [places[2 * k], 1 - places[2 * k + 1]]);
+    this.uv = Float32Array.from(uv);
     this.positions = new Float32Array(3 * points.length);
     this.normals = new Float32Array(3 * points.length);
   }
@@ -92,7 +94,7 @@ export class CreasedVertices {
   shape({ positions }: Surface): void {
     this.positions.set(positions);
     this.repeat(this.positions, 3);
-    this.#findNormals();
+    writeMeshNormals(this.index, this.positions, this.normals);
   }
 
   /** Repeats the numbers of each point, so many, for its further vertices. */
@@ -148,26 +150,6 @@ export class CreasedVertices {
     }
     return count;
   }
-
-  /** Finds the mean normals of each vertex's triangles, by their areas. */
-  #findNormals(): void {
-    const [p, n] = [this.positions, this.normals.fill(0)];
-    for (let at = 0; at < this.index.length; at += 3) {
-      const [a, b, c] = [3 * this.index[at], 3 * this.index[at + 1], 3 * this.index[at + 2]];
-      const [ux, uy, uz] = [p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]];
-      const [vx, vy, vz] = [p[c] - p[a], p[c + 1] - p[a + 1], p[c + 2] - p[a + 2]];
-      const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-      for (const corner of [a, b, c]) {
-        n[corner] += x;
-        n[corner + 1] += y;
-        n[corner + 2] += z;
-      }
-    }
-    for (let at = 0; at < n.length; at += 3) {
-      const length = Math.hypot(n[at], n[at + 1], n[at + 2]) || 1;
-      for (let axis = 0; axis < 3; axis++) n[at + axis] /= length;
-    }
-  }
 }
 
 /**
@@ -191,14 +173,14 @@ function flapCorners(
   const farthest = (from: number, points: readonly number[]): number =>
     points.reduce((best, one) => (away(from, one) > away(from, best) ? one : best));
   return [...parts].flatMap(([part, points]): FlapCorners[] => {
-    const crease = points.filter((point) => vertices.has(point * 0x10000));
+    const crease = points.filter((point) => vertices.has(vertexKey(point, 0)));
     if (part === 0 || crease.length < 2) return [];
     const from = farthest(crease[0], crease);
     const to = farthest(from, crease);
     const ofCrease = (one: number): number => Math.min(away(one, from), away(one, to));
     const tip = points.reduce((best, one) => (ofCrease(one) > ofCrease(best) ? one : best));
     const vertex = (point: number, of: number): number =>
-      vertices.get(point * 0x10000 + of) as number;
+      vertices.get(vertexKey(point, of)) as number;
     return [[vertex(from, 0), vertex(to, 0), vertex(tip, part)]];
   });
 }

@@ -211,7 +211,7 @@ export class DrawnBook {
       this.#leaves.push(mesh);
     }
     const piles = [this.#left.pile, this.#right.pile] as const;
-    const solid = leaves.map(straightened);
+    const solid = leaves.map((leaf) => straightened(leaf));
     for (const [k, mesh] of this.#leaves.entries()) {
       mesh.recto.visible = mesh.verso.visible = mesh.rim.mesh.visible = k < leaves.length;
       if (k >= leaves.length) continue;
@@ -292,7 +292,7 @@ export class DrawnBook {
     if (this.#isDim) return;
     // The outermost leaf on a side is nearest to its page.
     // One that lies creased on it hides it, but for what is folded away, and throws no shadow.
-    const over = leaves.filter((leaf) => !lying.includes(leaf)).map(straightened);
+    const over = leaves.filter((leaf) => !lying.includes(leaf)).map((leaf) => straightened(leaf));
     castOver(left.over, left.pile, nextTo(Side.left, over));
     castOver(right.over, right.pile, nextTo(Side.right, over));
     if (left.pile.present) {

@@ -8,6 +8,7 @@ import type { LeafSide, PageFace } from "../stage/book_stage.ts";
 import { axesOf, fieldOfView, fitPoints } from "./camera.ts";
 import { restingCase } from "./case_shape.ts";
 import { ContextWatch, openContext } from "./context.ts";
+import { cutOff, straightened } from "./creased_vertices.ts";
 import { dropFromCard } from "./drop_from_gpu.ts";
 import { shadowOfLeaves } from "./footprint.ts";
 import { Ground } from "./ground.ts";
@@ -146,9 +147,10 @@ export class LeafScene {
     const stride = strideOf(leaf.columns);
     const [left, right] = [this.#left, this.#right];
     this.#leaf.shape(surface, 1, 1);
-    this.#leaf.light(surface, left.pile, right.pile, undefined, undefined);
+    this.#leaf.light(straightened(surface), left.pile, right.pile, undefined, undefined);
+    const shading = cutOff(surface);
     for (const { over, pile, page } of [left, right]) {
-      castOver(over, pile, surface, stride);
+      castOver(over, pile, shading, stride);
       page.light(pile, over);
     }
     shadowOfLeaves(this.#ground, this.#shape, [surface], left.pile, right.pile);

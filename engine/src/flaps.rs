@@ -1,9 +1,16 @@
 //! The parts of a creased leaf between its creases, and where they meet each other.
 
-use super::book_space_leaf::BookSpaceLeaf;
-use super::tolerance::{CURLED, DEEPEST, GAP};
-use crate::models::sheet::Sheet;
+use crate::models::sheet::{CONTACTS, Sheet};
+use crate::tolerance::{CURLED, DEEPEST, GAP};
 use crate::vector::{cross, dot, sub, unit};
+
+/// How firm a part of a leaf is at most for another that lies upon it: below 1, so that none is
+/// put where it would be by its plane alone, as over piles.
+const FIRM: f32 = 0.9;
+
+/// Which contacts of a node are those with other parts of its own creased leaf: it may lie
+/// between two.
+pub const PARTS: [usize; 2] = [3, CONTACTS - 1];
 
 /// How far beyond a triangle's sides, as part of its size, what lies over it still does.
 const BESIDE: f32 = 0.05;
@@ -53,16 +60,31 @@ pub struct Flaps {
 }
 
 /// A node of one part over a triangle of another.
-pub struct Touch {
-    pub node: usize,
+struct Touch {
+    node: usize,
     /// The triangle's nodes.
-    pub under: [usize; 3],
+    under: [usize; 3],
     /// The parts of the node and of the triangle.
-    pub parts: [u16; 2],
+    parts: [u16; 2],
     /// The direction from the triangle to the node's side of it.
-    pub normal: [f32; 3],
+    normal: [f32; 3],
     /// How far the node is from where it touches, metres.
+    gap: f32,
+}
+
+/// What keeps a node of one part off another part.
+pub struct PartContact {
+    pub node: usize,
+    /// Which of the node's contacts it is, of [`PARTS`].
+    pub slot: usize,
+    /// The direction in which the node is kept off.
+    pub normal: [f32; 3],
+    /// How far it will be from the other part at the end of the step, metres.
     pub gap: f32,
+    /// Velocity of the other part there, m/s.
+    pub velocity: [f32; 3],
+    /// As [`Contact::firmness`](crate::Contact::firmness).
+    pub firmness: f32,
 }
 
 impl Flaps {
@@ -200,23 +222,74 @@ impl Flaps {
         (side, if is_over { CURLED } else { DEEPEST })
     }
 
+    /// Finds the contacts of the parts with each other, of a leaf of `columns` whose nodes are
+    /// at `points` and move at `velocities`: a node with the triangle that it lies upon, and
+    /// that one's nodes with it. As among leaves, what lies upon another yields to it; both
+    /// stand where they will be in so many seconds. The column at the spine has none. Of two
+    /// for the same contact of a node the later counts.
+    pub fn contacts(
+        &self,
+        points: &[[f32; 3]],
+        velocities: &[[f32; 3]],
+        columns: usize,
+        seconds: f32,
+    ) -> Vec<PartContact> {
+        // For each node the parts that it touches, and by how much it is off them.
+        let mut known = vec![[(0, f32::INFINITY); PARTS.len()]; points.len()];
+        let mut found = Vec::new();
+        for touch in self.touches(points) {
+            let out = touch.normal;
+            let back = out.map(|n| -n);
+            let [a, b, c] = touch.under;
+            let [own, other] = touch.parts;
+            for (node, normal, part, other) in [
+                (touch.node, out, other, a),
+                (a, back, own, touch.node),
+                (b, back, own, touch.node),
+                (c, back, own, touch.node),
+            ] {
+                let gaps = &mut known[node];
+                // Its own, or in place of the part that it is farthest off.
+                let same = gaps
+                    .iter()
+                    .position(|(of, gap)| *of == part && gap.is_finite());
+                let farthest = usize::from(gaps[1].1 >= gaps[0].1);
+                let at = same.unwrap_or(farthest);
+                if node % columns == 0 || touch.gap >= gaps[at].1 {
+                    continue;
+                }
+                gaps[at] = (part, touch.gap);
+                let velocity = velocities[other];
+                found.push(PartContact {
+                    node,
+                    slot: PARTS[at],
+                    normal,
+                    gap: touch.gap - seconds * dot(normal, velocity),
+                    velocity,
+                    firmness: (0.5 + normal[2]).clamp(1.0 - FIRM, FIRM),
+                });
+            }
+        }
+        found
+    }
+
     /// Finds where nodes of the leaf are over triangles of other parts of it, or in them: for
     /// each node and each other part at most one. A flap stays on the side to which its crease
     /// folds it.
-    pub fn touches(&self, leaf: &BookSpaceLeaf) -> Vec<Touch> {
+    fn touches(&self, points: &[[f32; 3]]) -> Vec<Touch> {
         let mut found: Vec<Touch> = Vec::new();
         for (node, part) in self.parts.iter().enumerate() {
             let Some(part) = *part else { continue };
-            let point = leaf.points[node];
+            let point = points[node];
             let first = found.len();
             for other in &self.triangles {
-                let away = sub(point, leaf.points[other.nodes[0]]);
+                let away = sub(point, points[other.nodes[0]]);
                 if other.part == part || dot(away, away) > other.reach {
                     continue;
                 }
                 let parts = [part, other.part];
                 let Some(touch) = touch(
-                    leaf,
+                    points,
                     node,
                     other.nodes,
                     parts,
@@ -238,14 +311,14 @@ impl Flaps {
 /// How a node touches a triangle of its leaf, if it lies over it on a side (1 the recto's) or
 /// not deeper in it than `deepest`. `parts` are those of the node and of the triangle.
 fn touch(
-    leaf: &BookSpaceLeaf,
+    points: &[[f32; 3]],
     node: usize,
     under: [usize; 3],
     parts: [u16; 2],
     (side, deepest): (f32, f32),
 ) -> Option<Touch> {
-    let point = leaf.points[node];
-    let [a, b, c] = under.map(|corner| leaf.points[corner]);
+    let point = points[node];
+    let [a, b, c] = under.map(|corner| points[corner]);
     let away = sub(point, a);
     let [u, v] = [sub(b, a), sub(c, a)];
     let across = cross(u, v);
