@@ -200,6 +200,14 @@ impl Flaps {
         (side, if is_over { CURLED } else { DEEPEST })
     }
 
+    /// The side of a drawn triangle's part on which another part lies, 1 for that of its normal or
+    /// -1; None where the first crease between them is not folded by more than a right angle: it
+    /// may be on either.
+    pub fn drawn_side(&self, under: u16, part: u16) -> Option<f32> {
+        let (side, deepest) = self.side_of(under, part);
+        (deepest == CURLED).then_some(side)
+    }
+
     /// Finds where nodes of the leaf are over triangles of other parts of it, or in them: for
     /// each node and each other part at most one. A flap stays on the side to which its crease
     /// folds it.
