@@ -6,7 +6,7 @@ use crate::models::sheet::Sheet;
 use crate::vector::{cross, dot, sub, unit};
 
 /// How far beyond a triangle's sides, as part of its size, what lies over it still does.
-const BESIDE: f32 = 0.05;
+pub const BESIDE: f32 = 0.05;
 
 /// How much longer than at rest a triangle's sides may be, and what lies over it still be found.
 const STRETCHED: f32 = 1.1;

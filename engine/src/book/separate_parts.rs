@@ -6,6 +6,7 @@
 //! projections as leaves are kept clear of each other by ([`separate`](super::separate)). Of two
 //! parts the one that is farther up moves, as the other lies on something.
 
+use super::flaps::BESIDE;
 use super::tolerance::{NOT_UPON, OVER_PILE, SLACK};
 use crate::vector::{cross, dot, sub};
 
@@ -212,10 +213,10 @@ fn overlap(
     let weights = [1.0 - on_b - on_c, on_b, on_c];
     weights
         .iter()
-        .all(|weight| *weight >= 0.0)
+        .all(|weight| *weight > -BESIDE)
         .then(|| Overlap {
             corners,
-            weights,
+            weights: weights.map(|weight| weight.max(0.0)),
             normal: across.map(|x| x * inverse),
             missing,
         })
