@@ -273,13 +273,15 @@ async function measure(done) {
     textures: held.textureBytes / 2 ** 20,
   };
   measured.push({ done, processes, inPage, holders });
-  const { rests, hues, prints, undone } = await browser.evaluate(() => globalThis.operations.checked);
+  const { rests, hues, prints, folds, tears, undone } = await browser.evaluate(
+    () => globalThis.operations.checked,
+  );
   const list = (sizes) =>
     Object.entries(sizes)
       .map(([name, size]) => `${name} ${size.toFixed(1)}`)
       .join(", ");
   const seconds = Math.round((Date.now() - start) / 1000);
-  console.log(`${done} operations, ${seconds} s; ${rests} rests, ${hues} coloured and ${prints} printed pages checked; all undone ${undone} times; ${wrong.length} complaints; ${held.workers} workers, ${held.contexts} contexts, ${held.urls} URLs, ${held.nodes} nodes, ${held.listeners} listeners
+  console.log(`${done} operations, ${seconds} s; ${rests} rests, ${hues} coloured and ${prints} printed pages checked; ${folds} changes of folds, ${tears} leaves torn out, all undone ${undone} times; ${wrong.length} complaints; ${held.workers} workers, ${held.contexts} contexts, ${held.urls} URLs, ${held.nodes} nodes, ${held.listeners} listeners
   MB by process: ${list(processes)}
   MB in the page: ${list(inPage)}
   MB by the browser's count: ${list(holders)}`);

@@ -59,6 +59,7 @@ test(`all pages are back in their places once folds and tears are undone (seed $
     expect(await commands.webglComplaints(), `seed ${seed}, ${operations.state}`).toEqual([]);
   }
   expect(operations.errors).toEqual([]);
-  expect(operations.checked.undone).toBeGreaterThan(2);
+  const { undone, folds, tears } = operations.checked;
+  expect(Math.min(undone, folds, tears)).toBeGreaterThan(2);
   operations.end();
 });

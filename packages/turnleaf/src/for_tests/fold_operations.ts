@@ -86,7 +86,8 @@ export function foldOperations(host: FoldHost): Readonly<Record<string, () => Pr
     },
     tearByHand: async () => {
       await page();
-      if (element().pageCount > leastPages) await pull(element(), random() < 0.5 ? 1 : -1, random());
+      if (element().pageCount > leastPages)
+        await pull(element(), random() < 0.5 ? 1 : -1, random());
     },
     putBack: host.putBack,
     putAllBack: async () => {

@@ -1,4 +1,4 @@
-/** Pages of one hue each, which are told from each other wherever they are seen. */
+/** Pages of one hue each, which differ wherever they are seen. */
 
 /** What a page should show: one hue in degrees, or the print of a PDF's page. */
 export type Content = number | "print";

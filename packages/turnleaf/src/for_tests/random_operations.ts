@@ -29,6 +29,9 @@ export interface Checked {
   rests: number;
   hues: number;
   prints: number;
+  /** Changes of the folds that are listed, and leaves that came off. */
+  folds: number;
+  tears: number;
   /** Times that all folds and tears were undone and each page was looked for. */
   undone: number;
 }
@@ -76,7 +79,7 @@ export function randomNumbers(seed: number): () => number {
 
 /** One book after another in an element, and what is done to them. */
 export class RandomOperations {
-  readonly checked: Checked = { rests: 0, hues: 0, prints: 0, undone: 0 };
+  readonly checked: Checked = { rests: 0, hues: 0, prints: 0, folds: 0, tears: 0, undone: 0 };
   /** Names of the last operations. */
   readonly recent: string[] = [];
   /** Errors that the element has reported. */
@@ -284,8 +287,10 @@ export class RandomOperations {
       search: () => this.#search(),
     };
     const books: Group = {
-      images: () => this.#other(this.#hues.take(this.#whole(4, 60)), (made) => this.#hues.images(made)),
-      manifest: () => this.#other(this.#hues.take(this.#whole(4, 60)), (made) => this.#hues.manifest(made)),
+      images: () =>
+        this.#other(this.#hues.take(this.#whole(4, 60)), (made) => this.#hues.images(made)),
+      manifest: () =>
+        this.#other(this.#hues.take(this.#whole(4, 60)), (made) => this.#hues.manifest(made)),
       pdf: () => this.#other(this.#prints(), () => this.#options.pdf),
       away: async () => {
         const loaded = this.#loaded();
@@ -332,9 +337,13 @@ export class RandomOperations {
       });
     }
     element.addEventListener("torn", ({ detail: { pages } }) => {
+      this.checked.tears++;
       const at = pages[0] - 1;
       this.#torn.push({ at, pages: this.#pages.splice(at, pages.length) });
     });
+    for (const name of ["foldchange", "dogearchange"] as const) {
+      element.addEventListener(name, () => this.checked.folds++);
+    }
     // A book that is opened has all of its pages.
     element.addEventListener("load", () => this.#torn.splice(0));
     this.#element = element;
