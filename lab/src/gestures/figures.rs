@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde::Serialize;
 
 use super::crease_figures::CreaseFigures;
+use super::overlap::TOO_DEEP;
 use super::played::Played;
 use super::scene::Outcome;
 use super::world::STOCKS;
@@ -13,9 +14,6 @@ use crate::table::Table;
 /// What is drawn farther than this behind the paper is counted as behind; millimetres on a
 /// page 140 mm wide, as all lengths here.
 const BEHIND: f32 = 1.0;
-
-/// What is drawn deeper than this in anything is too deep.
-pub const TOO_DEEP: f32 = 0.1;
 
 /// A figure of some gestures.
 type Figure = fn(&Figures) -> f64;

@@ -2,6 +2,7 @@
 //! to the paper: strain, penetration, time of a frame.
 
 mod crease_figures;
+mod crease_table;
 mod creasing;
 mod facets;
 mod figures;
@@ -139,7 +140,7 @@ impl Report {
         if self.folds.is_empty() {
             [&self.stocks, &self.kinds].map(|parts| figures::table(self.seed, &self.all, parts))
         } else {
-            let table = |parts| crease_figures::table(self.seed, &self.all, parts);
+            let table = |parts| crease_table::table(self.seed, &self.all, parts);
             [&self.stocks, &self.folds].map(table)
         }
     }

@@ -9,6 +9,9 @@ use turnleaf_engine::book::{Book, Pile};
 use super::facets::{Facets, Near};
 use super::triangle::Point;
 
+/// What is drawn deeper than this in anything is too deep, millimetres on a page 140 mm wide.
+pub const TOO_DEEP: f32 = 0.1;
+
 /// Farther than this from another leaf a point is not looked at, as a part of the width,
 /// but no edge is longer.
 const WITHIN: f32 = 0.086;
