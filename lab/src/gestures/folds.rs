@@ -107,22 +107,4 @@ mod tests {
             assert!(inside_itself(&leaf, 0.012) < 1e-4);
         }
     }
-
-    /// A flap that is drawn into its page goes through it.
-    #[test]
-    fn a_flap_in_its_page_is_found() {
-        let line = FoldLine::pressed([[0.6, 0.0], [0.6, 1.0]], 3.0, &Stock::BOOK, PAGE[0]);
-        let mut book = Book::new(PAGE[0], PAGE[1], 40, 0.004).expect("a book's figures");
-        book.lay(5);
-        assert!(book.crease(5, &[line]));
-        let mut surface = book.surface(0).expect("it is drawn").clone();
-        let mesh = book.creased_mesh(0).expect("it is folded");
-        let places = mesh.places.as_chunks::<2>().0;
-        let points = surface.positions.as_chunks_mut::<3>().0;
-        for (point, [_, v]) in points.iter_mut().zip(places).filter(|(_, [u, _])| *u > 0.8) {
-            point[2] -= if *v > 0.5 { 0.05 } else { 0.0 };
-        }
-        let leaf = Facets::folded(&surface, mesh);
-        assert!(inside_itself(&leaf, 0.012) > 1e-3);
-    }
 }
