@@ -14,7 +14,7 @@ MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 RUST_SOURCES = $(shell find Cargo.toml Cargo.lock rust-toolchain.toml engine/Cargo.toml wasm/Cargo.toml engine/src wasm/src -type f)
 
-.PHONY: read build wasm unpacker test test-rust test-js check check-rust check-js check-licences size bench bench-peers gestures soak fuzz playground examples pictures methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-epub
+.PHONY: read build wasm unpacker test test-rust test-js check check-rust check-js check-licences size bench bench-peers gestures gestures-creases soak soak-folds fuzz playground examples pictures methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-epub
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -127,6 +127,13 @@ gestures: tools-rust
 	cargo run --release --quiet -p lab -- gestures --count 20000 --worst 5 --jobs $(JOBS) --into docs/data
 	node scripts/docs_tables.mjs
 
+# The same over leaves that are folded and torn out, 5,000 times: the tables in docs/folding.md. Takes
+# some hours on two cores; CREASED=300 is a sample.
+CREASED ?= 5000
+gestures-creases: tools-rust
+	cargo run --release --quiet -p lab -- gestures --creases --count $(CREASED) --worst 5 --jobs $(JOBS) --into docs/data
+	node scripts/docs_tables.mjs
+
 # Ten thousand random operations on a book in Chromium, by SEED: no warning of WebGL, no blank page at
 # rest, no memory that grows. Writes the table in docs/performance.md. Takes about twenty minutes on two
 # cores, on Linux.
@@ -135,6 +142,13 @@ SEED ?= $(shell date +%s | tail -c 7)
 soak: build chromium
 	node tests/soak/run.mjs --operations $(OPERATIONS) --seed $(SEED) --undrawn --write
 	node tests/soak/run.mjs --operations $(OPERATIONS) --seed $(SEED) --write
+
+# Random folds, tears and what undoes them in Chromium, by SEED: as `make soak`, and every page is back in
+# its place once all is undone.
+FOLDS ?= 2000
+soak-folds: build chromium
+	node tests/soak/run.mjs --only folds --operations $(FOLDS) --seed $(SEED) --undrawn
+	node tests/soak/run.mjs --only folds --operations $(FOLDS) --seed $(SEED)
 
 # Every parser with what mutated files and texts say, FUZZ times as much of it as `make test` has, by SEED.
 FUZZ ?= 50

@@ -13,7 +13,7 @@ const FIRM: f32 = 0.9;
 pub const PARTS: [usize; 2] = [3, CONTACTS - 1];
 
 /// How far beyond a triangle's sides, as part of its size, what lies over it still does.
-const BESIDE: f32 = 0.05;
+pub const BESIDE: f32 = 0.05;
 
 /// How much longer than at rest a triangle's sides may be, and what lies over it still be found.
 const STRETCHED: f32 = 1.1;
@@ -271,6 +271,14 @@ impl Flaps {
             }
         }
         found
+    }
+
+    /// The side of a drawn triangle's part on which another part lies, 1 for that of its normal or
+    /// -1; None where the first crease between them is not folded by more than a right angle: it
+    /// may be on either.
+    pub fn drawn_side(&self, under: u16, part: u16) -> Option<f32> {
+        let (side, deepest) = self.side_of(under, part);
+        (deepest == CURLED).then_some(side)
     }
 
     /// Finds where nodes of the leaf are over triangles of other parts of it, or in them: for

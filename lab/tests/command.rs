@@ -36,6 +36,7 @@ fn wrong_arguments_are_rejected_in_one_sentence() {
         &["models", "--into", "Cargo.toml/folder"],
         &["models", "--plot", "Cargo.toml/plot.svg"],
         &["gestures", "--into", "Cargo.toml/folder"],
+        &["gestures", "--creases=maps"],
         &["interpolation", "--runs", "3"],
     ];
     for arguments in wrong {

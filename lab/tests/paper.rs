@@ -289,6 +289,18 @@ fn gestures_of_every_kind_on_any_page_stay_finite_come_to_rest_and_out_of_each_o
     }
 }
 
+/// Folded and torn leaves; what they keep of the bounds of whole ones is in docs/folding.md.
+#[test]
+fn gestures_fold_and_tear_leaves_and_all_stays_finite() {
+    let line = "gestures --creases --count 6 --seed 1 --page usual --stock presets --kind hands";
+    let found = lab(line);
+    assert_eq!(found["finite"], Value::Bool(true));
+    assert!(figure(&found, "folds_made") >= 6.0);
+    assert!(figure(&found, "torn_work_off") < 1e-3);
+    assert!(figure(&found, "torn_strain_worst") < 0.01);
+    assert!(found["folds"]["dog-ears"].is_object());
+}
+
 /// A leaf that lies on the other side than it is bound for is turned over: these were once
 /// put down through the spine.
 #[test]

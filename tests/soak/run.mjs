@@ -3,14 +3,17 @@
  * Fails where WebGL complains, an error is not caught, or a page in sight is blank
  * at rest.
  *
- *   node tests/soak/run.mjs [--operations 10000] [--seed N] [--undrawn] [--write]
+ *   node tests/soak/run.mjs [--operations 10000] [--seed N] [--only folds] [--undrawn] [--write]
  *
  * It fails too where the memory of all the browser's processes has grown by more
- * than a bound since the first thousand operations. Where it draws, the machine code
+ * than a bound since the first thousand operations, or the first half of fewer. Where it draws, the machine code
  * of software GL, which draws here, is left out: it is kept for every new combination
  * of shader and state, which no graphics card needs. With --undrawn no draw call
  * reaches WebGL, and nothing is left out; all else happens: contexts, programs,
  * buffers and textures are made, filled and deleted.
+ *
+ * With --only folds, pages are folded, leaves torn out and both undone, and nothing else. Every
+ * so many operations all of it is undone, and every page must be where it was.
  *
  * With --write the table of memory is written into the docs. Pictures of what is
  * blank are left in target/soak.
@@ -33,13 +36,15 @@ import {
 const root = join(import.meta.dirname, "../..");
 const pictures = join(root, "target/soak");
 
-/** Operations after which the memory is what later memory is compared with, and how much more it may become. */
-const first = 1000;
+/** How much more the memory may become than it is after the first operations. */
 const mostGrowth = 0.15;
 
 /** Operations between two checks at rest, and how many of them, the last, are drawn. */
 const between = 10;
 const drawnOperations = 4;
+
+/** Operations between two times that all folds and tears are undone. */
+const betweenUndone = 50;
 
 /** Of the frames of a movement that is drawn, one in so many is. */
 const drawnFrames = 6;
@@ -51,11 +56,16 @@ const { values } = parseArgs({
   options: {
     operations: { type: "string", default: "10000" },
     seed: { type: "string", default: String(Date.now() % 1_000_000) },
+    only: { type: "string" },
     undrawn: { type: "boolean", default: false },
     write: { type: "boolean", default: false },
   },
 });
-const [operations, seed] = [Number(values.operations), Number(values.seed)];
+const [operations, seed, only] = [Number(values.operations), Number(values.seed), values.only];
+if (only !== undefined && only !== "folds") throw new Error("--only takes folds.");
+if (only && values.write) throw new Error("The table in the docs is that of all operations.");
+/** Operations after which the memory is what later memory is compared with. */
+const first = Math.max(Math.min(1000, Math.floor(operations / 2)), 1);
 const isDrawn = !values.undrawn;
 
 const html = `<!doctype html><title>Soak</title><link rel="icon" href="data:,">
@@ -146,7 +156,7 @@ function driveFrames(drawnFrames) {
 }
 
 /** Runs in the page: makes the operations, with a first book. */
-async function prepare(seed) {
+async function prepare([seed, only]) {
   const { RandomOperations } = await import("/source/for_tests/random_operations.ts");
   const picture = async () => {
     const png = await fetch(`data:image/png;base64,${await globalThis.takePicture()}`);
@@ -157,7 +167,10 @@ async function prepare(seed) {
     bitmap.close();
     return pen.getImageData(0, 0, canvas.width, canvas.height);
   };
-  globalThis.operations = new RandomOperations({ seed, pdf: "/books/moby-dick.pdf", picture });
+  globalThis.operations = new RandomOperations({
+    ...{ seed, pdf: "/books/moby-dick.pdf", picture },
+    ...(only ? { only } : {}),
+  });
   await globalThis.operations.start();
 }
 
@@ -165,7 +178,7 @@ async function prepare(seed) {
  * Runs in the page: the operations from one number up to another. Returns what was
  * wrong. At every check the book comes to rest; what it shows is judged where it is drawn.
  */
-async function soak([from, to, between, drawnOperations, isDrawn]) {
+async function soak([from, to, between, drawnOperations, isDrawn, betweenUndone]) {
   const { operations, clock } = globalThis;
   const wrong = [];
   for (let k = from; k < to; k++) {
@@ -176,6 +189,10 @@ async function soak([from, to, between, drawnOperations, isDrawn]) {
     }
     await operations.next();
     if (k % between < between - 1) continue;
+    if (betweenUndone && (k + 1) % betweenUndone === 0) {
+      const moved = await operations.undoAll();
+      if (moved.length > 0) wrong.push(`Not undone: ${moved.join(", ")}: ${operations.state}`);
+    }
     const blank = await operations.check();
     if (!isDrawn || blank.length === 0) continue;
     await globalThis.keepPicture();
@@ -217,7 +234,7 @@ await browser.expose("keepPicture", async () => {
   writeFileSync(join(pictures, `${seed}-${++kept}.png`), picture);
 });
 await browser.goTo(site.url);
-await browser.evaluate(prepare, seed);
+await browser.evaluate(prepare, [seed, only]);
 
 const start = Date.now();
 /** Megabytes after so many operations: of all processes, of each, and by what holds them. */
@@ -256,13 +273,15 @@ async function measure(done) {
     textures: held.textureBytes / 2 ** 20,
   };
   measured.push({ done, processes, inPage, holders });
-  const { rests, hues, prints } = await browser.evaluate(() => globalThis.operations.checked);
+  const { rests, hues, prints, folds, tears, undone } = await browser.evaluate(
+    () => globalThis.operations.checked,
+  );
   const list = (sizes) =>
     Object.entries(sizes)
       .map(([name, size]) => `${name} ${size.toFixed(1)}`)
       .join(", ");
   const seconds = Math.round((Date.now() - start) / 1000);
-  console.log(`${done} operations, ${seconds} s; ${rests} rests, ${hues} coloured and ${prints} printed pages checked; ${wrong.length} complaints; ${held.workers} workers, ${held.contexts} contexts, ${held.urls} URLs, ${held.nodes} nodes, ${held.listeners} listeners
+  console.log(`${done} operations, ${seconds} s; ${rests} rests, ${hues} coloured and ${prints} printed pages checked; ${folds} changes of folds, ${tears} leaves torn out, all undone ${undone} times; ${wrong.length} complaints; ${held.workers} workers, ${held.contexts} contexts, ${held.urls} URLs, ${held.nodes} nodes, ${held.listeners} listeners
   MB by process: ${list(processes)}
   MB in the page: ${list(inPage)}
   MB by the browser's count: ${list(holders)}`);
@@ -282,9 +301,9 @@ function table() {
 
 try {
   const batch = 250;
-  for (let done = 0; done < operations; done += batch) {
-    const to = Math.min(done + batch, operations);
-    const range = [done, to, between, drawnOperations, isDrawn];
+  for (let done = 0, to = 0; done < operations; done = to) {
+    to = Math.min(done + batch, operations, first * Math.floor(done / first + 1));
+    const range = [done, to, between, drawnOperations, isDrawn, only && betweenUndone];
     for (const text of await browser.evaluate(soak, range)) complain(text);
     if (to % first === 0 || to === operations) await measure(to);
   }

@@ -55,6 +55,16 @@ pub fn push_off(positions: &mut [f32], piles: [&Pile; 2], over: [f32; 2]) {
 /// ends: over a ridge two points may lie clear of the pile and what is drawn between
 /// them not.
 pub fn push_edges_off(positions: &mut [f32], piles: [&Pile; 2], over: [f32; 2]) {
+    push_edges_off_where(positions, piles, over, |_| true);
+}
+
+/// The same, of edges both of whose ends lie where something `is_over` a pile.
+pub fn push_edges_off_where(
+    positions: &mut [f32],
+    piles: [&Pile; 2],
+    over: [f32; 2],
+    is_over: impl Fn([f32; 3]) -> bool,
+) {
     let highest = highest(piles, over);
     let columns = piles[0].columns();
     let points = positions.as_chunks_mut::<3>().0;
@@ -68,7 +78,7 @@ pub fn push_edges_off(positions: &mut [f32], piles: [&Pile; 2], over: [f32; 2]) 
                 continue;
             }
             let (a, b) = (points[node], points[node + step]);
-            if a[2] > highest && b[2] > highest {
+            if (a[2] > highest && b[2] > highest) || !is_over(a) || !is_over(b) {
                 continue;
             }
             let most = below.missing([a, b], over);

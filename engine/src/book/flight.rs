@@ -10,10 +10,11 @@ use super::mesh::{Folds, Mesh, find_falling};
 use super::phase::Phase;
 use super::pile::Pile;
 use super::separate::{DrawnLeaf, find_bends, separate};
-use super::tolerance::{AT_FACET, DEEP, OVER_PILE, PAST_AT_SPINE};
+use super::separate_parts::DrawnParts;
+use super::tolerance::{AT_FACET, DEEP, PAST_AT_SPINE};
 use super::work::Work;
 use crate::grid::Side;
-use crate::models::sheet::{CAN_CREASE, FoldLine, Part};
+use crate::models::sheet::{CAN_CREASE, FoldLine};
 use crate::surface::Surface;
 use crate::vector::{dot, sub};
 
@@ -33,10 +34,9 @@ pub struct CreasedMesh {
     pub triangles: Vec<u32>,
     /// The part of the leaf that each triangle belongs to: see [`Sheet::drawn_triangles`](crate::Sheet::drawn_triangles).
     pub parts: Vec<u16>,
-    /// What each point belongs to.
-    point_parts: Vec<Part>,
     /// See [`Folds::falling`].
     falling: Vec<bool>,
+    drawn_parts: DrawnParts,
 }
 
 /// One leaf in flight; it may stand for several.
@@ -134,13 +134,14 @@ impl Flight {
         self.creased = sheet.drawn_places().map(|places| {
             let triangles = sheet.drawn_triangles();
             let corners = triangles.iter().flat_map(|(corners, _)| corners);
+            let columns = self.surface.columns;
             let cells = triangles.iter().map(|(corners, _)| *corners);
             CreasedMesh {
-                falling: find_falling(cells, self.surface.columns, places.len()),
+                falling: find_falling(cells, columns, places.len()),
+                drawn_parts: DrawnParts::new(columns, places.len(), &triangles),
                 places: places.into_flattened(),
                 triangles: corners.map(|corner| *corner as u32).collect(),
                 parts: triangles.iter().map(|(_, part)| *part).collect(),
-                point_parts: sheet.drawn_parts(),
             }
         });
         self.surface.topology = self.surface.topology.wrapping_add(1);
@@ -238,7 +239,7 @@ impl Flight {
         let Some(creased) = self.creased.as_ref().filter(|_| shut != 0) else {
             return;
         };
-        self.turned_over.resize(creased.point_parts.len(), true);
+        self.turned_over.resize(creased.places.len() / 2, true);
         let triangles = creased.triangles.as_chunks::<3>().0;
         for (corners, part) in triangles.iter().zip(&creased.parts) {
             if !is_turned_over(*part, shut) {
@@ -327,14 +328,10 @@ impl Flight {
         let scale = self.scale();
         let over = over.map(|over| over * scale);
         push_off(&mut self.surface.positions, piles, over);
-        if let Some(creased) = &self.creased {
-            lift_off_flaps(
-                &mut self.surface.positions,
-                creased,
-                piles,
-                over,
-                OVER_PILE * scale,
-            );
+        if let (Some(creased), Some(flaps)) = (&mut self.creased, self.leaf.flaps()) {
+            let points = self.surface.positions.as_chunks_mut::<3>().0;
+            let side = |under, part| flaps.drawn_side(under, part);
+            creased.drawn_parts.separate(points, scale, side);
         }
         if !matches!(self.phase(), Phase::Resting(_)) {
             push_edges_off(&mut self.surface.positions, piles, over);
@@ -508,39 +505,6 @@ fn folds<'a>(creased: Option<&'a CreasedMesh>, turned_over: &'a [bool]) -> Folds
     Folds {
         turned_over,
         falling: creased.map_or(&[], |creased| &creased.falling),
-    }
-}
-
-/// Raises what lies upon another part of its own creased leaf to `apart` metres more over the
-/// piles (right and left) than that: flaps upon the rest, or the rest upon flaps. The creases,
-/// where both meet, stay `over` them.
-fn lift_off_flaps(
-    positions: &mut [f32],
-    creased: &CreasedMesh,
-    piles: [&Pile; 2],
-    over: [f32; 2],
-    apart: f32,
-) {
-    let before = positions.to_vec();
-    push_off(positions, piles, over.map(|over| over + apart));
-    let has_flap = [false, true].map(|on_recto| {
-        let flap = Part::Flap { on_recto };
-        creased.point_parts.contains(&flap)
-    });
-    let points = positions.as_chunks_mut::<3>().0;
-    let known = before.as_chunks::<3>().0;
-    let all = points.iter_mut().zip(known).zip(&creased.point_parts);
-    for ((point, before), part) in all {
-        // The recto faces up on the right.
-        let recto_is_up = point[0] >= 0.0;
-        let lies_upon = match part {
-            Part::Crease => false,
-            Part::Flap { on_recto } => *on_recto == recto_is_up,
-            Part::Rest => has_flap[usize::from(!recto_is_up)],
-        };
-        if !lies_upon {
-            *point = *before;
-        }
     }
 }
 

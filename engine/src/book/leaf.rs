@@ -247,8 +247,24 @@ impl Leaf {
 
     /// The creases that are folded beyond a right angle, as a set of bits.
     pub fn shut_creases(&self) -> u16 {
-        let flaps = self.flaps.as_ref().filter(|_| CAN_CREASE);
-        flaps.map_or(0, |flaps| flaps.shut(&self.in_book.points))
+        self.flaps()
+            .map_or(0, |flaps| flaps.shut(&self.in_book.points))
+    }
+
+    /// Its parts between creases; None where it has none.
+    pub fn flaps(&self) -> Option<&Flaps> {
+        self.flaps.as_ref().filter(|_| CAN_CREASE)
+    }
+
+    /// Notes how creases rest that the hand which holds the leaf has opened: what is folded over
+    /// lies on that side from then on.
+    fn follow_rests(&mut self) {
+        let Some(flaps) = self.flaps.as_mut().filter(|_| CAN_CREASE) else {
+            return;
+        };
+        for (number, crease) in self.sheet.creases().iter().enumerate() {
+            flaps.press(number, crease.rest as f32);
+        }
     }
 
     /// Turns the rest of a crease to an angle, radians as [`FoldLine::rest`].
@@ -472,7 +488,10 @@ impl Leaf {
         self.sheet.let_yield(self.phase == Phase::Held);
         match self.phase {
             Phase::Resting(_) => return,
-            Phase::Held => self.step_held(),
+            Phase::Held => {
+                self.step_held();
+                self.follow_rests();
+            }
             Phase::Falling(side) => self.step_falling(side, supported, has_way),
             Phase::Playing(side) => self.step_playing(side),
         }

@@ -27,6 +27,7 @@ mod phase;
 mod pile;
 mod pile_table;
 mod separate;
+mod separate_parts;
 mod surroundings;
 #[cfg(test)]
 mod tests;

@@ -3,9 +3,8 @@
 use super::*;
 use crate::vector::{cross, dot, sub, unit};
 
-/// How deep in each other parts of a leaf that lies are drawn at most, metres. A tenth of it is
-/// wanted, and is kept in most turns: docs/folding.md.
-const DEEP: f32 = 1e-3;
+/// How deep in each other parts of a leaf that lies are drawn at most, metres.
+const DEEP: f32 = 1e-4;
 
 /// Farther off each other than this, metres, parts of a leaf that lies are not looked at.
 const NEAR: f32 = 0.01;

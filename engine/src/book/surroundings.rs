@@ -6,6 +6,7 @@
 //! beside it then nowhere cuts the block's own edge.
 
 use super::Book;
+use super::bend_into_gutter::push_edges_off_where;
 use super::pile::Pile;
 use super::tolerance::{FAR, OVER_PILE, PUSHED_AT_ONCE};
 use crate::grid::Side;
@@ -127,6 +128,13 @@ impl<'a> Surroundings<'a> {
                 point[2] = point[2].max(floor);
             }
         }
+        // The pages are round at the gutter: an edge may cut them between its ends.
+        let is_over = |[x, y, z]: [f32; 3]| {
+            let [width, height] = self.size;
+            let is_above = || self.floor([x, y, z]) - z < PUSHED_AT_ONCE;
+            x.abs() < width && y > 0.0 && y < height && is_above()
+        };
+        push_edges_off_where(positions, self.piles, [OVER_PILE; 2], is_over);
     }
 
     /// Height of what lies under a point, metres.

@@ -1,8 +1,10 @@
 //! A drawn leaf as flat facets, and what of it is next to a point.
 
 use turnleaf_engine::Surface;
+use turnleaf_engine::book::{Book, CreasedMesh};
 
-pub type Point = [f32; 3];
+use super::folds::Folds;
+use super::triangle::{Crossing, Point, cross, crossing, dot, nearest_of_triangle, sub};
 
 /// Cells along a side of a block of facets that one box bounds, and blocks along
 /// a side of a group.
@@ -14,27 +16,22 @@ const GROUP: usize = 4;
 pub struct Near {
     /// Distance to the nearest facet, metres.
     pub distance: f32,
-    /// Whether the point lies on the side of the recto of that facet.
+    /// Whether the point lies on the side of the recto of that facet, or of its verso where it is
+    /// folded over: what is next to a leaf is on one side of all of it.
     pub recto: bool,
     /// Whether the nearest place is on the rim, so that the point has no side.
     pub rim: bool,
 }
 
-/// Where an edge goes through a facet.
-#[derive(Clone, Copy, Debug)]
-pub struct Crossing {
-    /// Where along the edge, 0 to 1.
-    pub at: f32,
-    /// Whether the edge begins on the side of the facet's recto.
-    pub from_recto: bool,
-}
-
 /// A surface cut into its facets, as the viewer draws it: each cell's diagonal
-/// runs from its corner next to the spine and the foot.
+/// runs from its corner next to the spine and the foot, or where a fold has it run otherwise
+/// from the corner above that.
 pub struct Facets<'a> {
     columns: usize,
     rows: usize,
     points: &'a [Point],
+    /// What folds change; None of a leaf without any.
+    folds: Option<Folds>,
     blocks: Vec<Block>,
     groups: Vec<(Bounds, core::ops::Range<usize>)>,
 }
@@ -104,7 +101,26 @@ impl Bounds {
 }
 
 impl<'a> Facets<'a> {
-    /// Of a drawn surface.
+    /// Of the leaf that a book draws at `index`, counted from the left; None where it draws none.
+    pub fn of(book: &'a Book, index: usize) -> Option<Facets<'a>> {
+        let surface = book.surface(index)?;
+        Some(match book.creased_mesh(index) {
+            Some(mesh) => Facets::folded(surface, mesh),
+            None => Facets::new(surface),
+        })
+    }
+
+    /// Of a drawn surface with folds.
+    pub fn folded(surface: &'a Surface, mesh: &CreasedMesh) -> Facets<'a> {
+        let facets = Facets::new(surface);
+        let folds = Folds::of(facets.columns, facets.points, mesh);
+        Facets {
+            folds: Some(folds),
+            ..facets
+        }
+    }
+
+    /// Of a drawn surface without folds.
     pub fn new(surface: &'a Surface) -> Facets<'a> {
         let (columns, rows) = (surface.columns, surface.rows);
         let points = surface.positions.as_chunks::<3>().0;
@@ -145,6 +161,7 @@ impl<'a> Facets<'a> {
             columns,
             rows,
             points,
+            folds: None,
             blocks,
             groups,
         }
@@ -154,30 +171,63 @@ impl<'a> Facets<'a> {
         self.points
     }
 
+    #[cfg(test)]
+    pub fn folds(&self) -> Option<&Folds> {
+        self.folds.as_ref()
+    }
+
     pub fn columns(&self) -> usize {
         self.columns
     }
 
     /// Every edge of every facet, as numbers of points.
-    pub fn edges(&self) -> impl Iterator<Item = [usize; 2]> + use<> {
+    pub fn edges(&self) -> impl Iterator<Item = [usize; 2]> {
         let (columns, rows) = (self.columns, self.rows);
         (0..columns * rows).flat_map(move |node| {
             let (right, up) = (node % columns + 1 < columns, node / columns + 1 < rows);
             [
                 right.then_some([node, node + 1]),
                 up.then_some([node, node + columns]),
-                (right && up).then_some([node, node + columns + 1]),
+                (right && up).then(|| self.diagonal(node)),
             ]
             .into_iter()
             .flatten()
         })
     }
 
+    /// Whether the diagonal of the cell whose first point is `here` runs the other way.
+    fn is_falling(&self, here: usize) -> bool {
+        self.folds.as_ref().is_some_and(|folds| folds.falling[here])
+    }
+
+    /// The diagonal of the cell whose first point is `here`.
+    fn diagonal(&self, here: usize) -> [usize; 2] {
+        let above = here + self.columns;
+        if self.is_falling(here) {
+            [here + 1, above]
+        } else {
+            [here, above + 1]
+        }
+    }
+
     /// The two facets of a cell, each turning left as the recto sees it.
     fn cell(&self, row: usize, column: usize) -> [[usize; 3]; 2] {
         let here = row * self.columns + column;
         let above = here + self.columns;
-        [[here, here + 1, above + 1], [here, above + 1, above]]
+        if self.is_falling(here) {
+            [[here, here + 1, above], [here + 1, above + 1, above]]
+        } else {
+            [[here, here + 1, above + 1], [here, above + 1, above]]
+        }
+    }
+
+    /// The same, each with whether it is folded over.
+    fn sided_cell(&self, row: usize, column: usize) -> [([usize; 3], bool); 2] {
+        let here = row * self.columns + column;
+        let folds = self.folds.as_ref();
+        let turned_over = folds.map_or([false; 2], |folds| folds.turned_over[here]);
+        let facets = self.cell(row, column);
+        [0, 1].map(|k| (facets[k], turned_over[k]))
     }
 
     /// What is next to a point, where that is nearer than `within` metres.
@@ -194,7 +244,7 @@ impl<'a> Facets<'a> {
                 }
                 for row in block.rows.clone() {
                     for column in block.columns.clone() {
-                        for facet in self.cell(row, column) {
+                        for facet in self.sided_cell(row, column) {
                             self.nearer(point, facet, &mut least, &mut best);
                         }
                     }
@@ -209,7 +259,7 @@ impl<'a> Facets<'a> {
     fn nearer(
         &self,
         point: Point,
-        facet: [usize; 3],
+        (facet, is_turned_over): ([usize; 3], bool),
         least: &mut f32,
         best: &mut Option<(f32, f32, Near)>,
     ) {
@@ -227,7 +277,7 @@ impl<'a> Facets<'a> {
         if clearer {
             let near = Near {
                 distance: d.sqrt(),
-                recto: height >= 0.0,
+                recto: (height >= 0.0) != is_turned_over,
                 rim: self.is_on_rim(facet, parts),
             };
             *best = Some((d, height.abs(), near));
@@ -265,8 +315,19 @@ impl<'a> Facets<'a> {
         found
     }
 
+    /// Whether an edge of either goes through a facet of the other.
+    pub fn goes_through(&self, other: &Facets<'_>) -> bool {
+        let meets = |own: &Facets<'_>, other: &Facets<'_>| {
+            own.edges_near(other).into_iter().any(|edge| {
+                let [p, q] = edge.map(|node| own.points[node]);
+                !other.crossings(p, q).is_empty()
+            })
+        };
+        meets(self, other) || meets(other, self)
+    }
+
     /// Edges of the facets of a block, those on its first row and column included.
-    fn edges_of(&self, block: &Block) -> impl Iterator<Item = [usize; 2]> + use<> {
+    fn edges_of(&self, block: &Block) -> impl Iterator<Item = [usize; 2]> {
         let columns = self.columns;
         // The last of a leaf have no block beyond them.
         let last = [
@@ -283,7 +344,7 @@ impl<'a> Facets<'a> {
                 [
                     (right && (up || last[1])).then_some([here, here + 1]),
                     (up && (right || last[0])).then_some([here, here + columns]),
-                    (right && up).then_some([here, here + columns + 1]),
+                    (right && up).then(|| self.diagonal(here)),
                 ]
                 .into_iter()
                 .flatten()
@@ -397,9 +458,12 @@ impl<'a> Facets<'a> {
                 }
                 for row in block.rows.clone() {
                     for column in block.columns.clone() {
-                        for facet in self.cell(row, column) {
+                        for (facet, is_turned_over) in self.sided_cell(row, column) {
                             let corners = facet.map(|node| self.points[node]);
-                            found.extend(crossing(p, q, corners));
+                            found.extend(crossing(p, q, corners).map(|crossing| Crossing {
+                                from_recto: crossing.from_recto != is_turned_over,
+                                ..crossing
+                            }));
                         }
                     }
                 }
@@ -414,88 +478,6 @@ fn places(rows: usize, columns: usize, size: usize) -> impl Iterator<Item = (usi
     (0..rows)
         .step_by(size)
         .flat_map(move |row| (0..columns).step_by(size).map(move |column| (row, column)))
-}
-
-/// Where along p q it goes through the inside of a triangle (Moeller and
-/// Trumbore 1997).
-fn crossing(p: Point, q: Point, [a, b, c]: [Point; 3]) -> Option<Crossing> {
-    let (direction, u, v) = (sub(q, p), sub(b, a), sub(c, a));
-    let h = cross(direction, v);
-    let determinant = dot(u, h);
-    if determinant.abs() < 1e-16 {
-        return None;
-    }
-    let s = sub(p, a);
-    let x = dot(s, h) / determinant;
-    let k = cross(s, u);
-    let y = dot(direction, k) / determinant;
-    let at = dot(v, k) / determinant;
-    // The determinant is that of the direction against the facet's normal.
-    (x >= 0.0 && y >= 0.0 && x + y <= 1.0 && at > 0.0 && at < 1.0).then_some(Crossing {
-        at,
-        from_recto: determinant > 0.0,
-    })
-}
-
-/// The place of a triangle nearest to a point, and its parts of the corners
-/// (Ericson, Real-Time Collision Detection, 5.1.5).
-fn nearest_of_triangle(p: Point, a: Point, b: Point, c: Point) -> (Point, [f32; 3]) {
-    let parts = nearest_parts(p, a, b, c);
-    let place = core::array::from_fn(|i| parts[0] * a[i] + parts[1] * b[i] + parts[2] * c[i]);
-    (place, parts)
-}
-
-fn nearest_parts(p: Point, a: Point, b: Point, c: Point) -> [f32; 3] {
-    let (ab, ac, ap) = (sub(b, a), sub(c, a), sub(p, a));
-    let (d1, d2) = (dot(ab, ap), dot(ac, ap));
-    if d1 <= 0.0 && d2 <= 0.0 {
-        return [1.0, 0.0, 0.0];
-    }
-    let bp = sub(p, b);
-    let (d3, d4) = (dot(ab, bp), dot(ac, bp));
-    if d3 >= 0.0 && d4 <= d3 {
-        return [0.0, 1.0, 0.0];
-    }
-    let vc = d1 * d4 - d3 * d2;
-    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
-        let v = d1 / (d1 - d3).max(1e-30);
-        return [1.0 - v, v, 0.0];
-    }
-    let cp = sub(p, c);
-    let (d5, d6) = (dot(ab, cp), dot(ac, cp));
-    if d6 >= 0.0 && d5 <= d6 {
-        return [0.0, 0.0, 1.0];
-    }
-    let vb = d5 * d2 - d1 * d6;
-    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
-        let w = d2 / (d2 - d6).max(1e-30);
-        return [1.0 - w, 0.0, w];
-    }
-    let va = d3 * d6 - d5 * d4;
-    let (e, f) = (d4 - d3, d5 - d6);
-    if va <= 0.0 && e >= 0.0 && f >= 0.0 {
-        let w = e / (e + f).max(1e-30);
-        return [0.0, 1.0 - w, w];
-    }
-    let whole = 1.0 / (va + vb + vc).max(1e-30);
-    let (v, w) = (vb * whole, vc * whole);
-    [1.0 - v - w, v, w]
-}
-
-pub fn dot(a: Point, b: Point) -> f32 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub fn sub(a: Point, b: Point) -> Point {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn cross(a: Point, b: Point) -> Point {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
 }
 
 #[cfg(test)]

@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::Serialize;
 
+use super::crease_figures::CreaseFigures;
+use super::overlap::TOO_DEEP;
 use super::played::Played;
 use super::scene::Outcome;
 use super::world::STOCKS;
@@ -12,9 +14,6 @@ use crate::table::Table;
 /// What is drawn farther than this behind the paper is counted as behind; millimetres on a
 /// page 140 mm wide, as all lengths here.
 const BEHIND: f32 = 1.0;
-
-/// What is drawn deeper than this in anything is too deep.
-const TOO_DEEP: f32 = 0.1;
 
 /// A figure of some gestures.
 type Figure = fn(&Figures) -> f64;
@@ -183,15 +182,41 @@ const WORST: [(&str, Ranked); 15] = [
     ("cpu_of_an_update", |outcome| outcome.update as f32),
 ];
 
+/// Those of folds and tears.
+const WORST_CREASES: [(&str, Ranked); 6] = [
+    ("folded_in_itself_at_rest", |outcome| {
+        outcome
+            .creases
+            .map_or(0.0, |creases| creases.at_rest.itself)
+    }),
+    ("folds_off_their_rest", |outcome| {
+        outcome.creases.map_or(0.0, |creases| creases.rests_off)
+    }),
+    ("torn_strain", |outcome| {
+        outcome.creases.map_or(0.0, |creases| creases.torn.strain)
+    }),
+    ("torn_in_piles", |outcome| {
+        outcome.creases.map_or(0.0, |creases| creases.torn.pile)
+    }),
+    ("torn_in_itself", |outcome| {
+        outcome.creases.map_or(0.0, |creases| creases.torn.itself)
+    }),
+    ("work_of_tearing", |outcome| {
+        outcome
+            .creases
+            .map_or(0.0, |creases| creases.torn.work_off as f32)
+    }),
+];
+
 /// The figures of some gestures.
 #[derive(Serialize)]
 pub struct Figures {
-    count: usize,
+    pub count: usize,
     edge_strain_median: f32,
-    edge_strain_p99: f32,
-    edge_strain_worst: f32,
+    pub edge_strain_p99: f32,
+    pub edge_strain_worst: f32,
     edge_strain_after_release: f32,
-    edge_strain_eased: f32,
+    pub edge_strain_eased: f32,
     shear_p99_degrees: f32,
     shear_worst_degrees: f32,
     shear_played_degrees: f32,
@@ -201,36 +226,38 @@ pub struct Figures {
     drawn_penetration_mm: f32,
     drawn_penetration_median_mm: f32,
     drawn_penetration_p99_mm: f32,
-    drawn_penetration_in_piles_mm: f32,
-    drawn_penetration_in_leaves_mm: f32,
-    drawn_penetration_in_itself_mm: f32,
+    pub drawn_penetration_in_piles_mm: f32,
+    pub drawn_penetration_in_leaves_mm: f32,
+    pub drawn_penetration_in_itself_mm: f32,
     drawn_too_deep_fraction: f64,
     edges_through_facets: usize,
     solver_penetration_mm: f32,
     solver_penetration_median_mm: f32,
     solver_penetration_p90_mm: f32,
     solver_penetration_p99_mm: f32,
-    frames_behind_fraction: f64,
+    pub frames_behind_fraction: f64,
     drawn_behind_p99_mm: f32,
     drawn_behind_worst_mm: f32,
-    seconds_to_rest_median: f32,
-    seconds_to_rest_worst: f32,
+    pub seconds_to_rest_median: f32,
+    pub seconds_to_rest_worst: f32,
     seconds_to_rest_from_start_median: f32,
     seconds_to_rest_from_start_worst: f32,
     landed: u32,
     put_down: u32,
-    put_down_fraction: f64,
-    at_rest: bool,
-    finite: bool,
+    pub put_down_fraction: f64,
+    pub at_rest: bool,
+    pub finite: bool,
     leaves: usize,
     us_per_frame_p50: f32,
-    us_per_frame_p99: f32,
+    pub us_per_frame_p99: f32,
     us_per_frame_by_leaves: Vec<FrameTimes>,
-    cpu_ms_per_frame_worst: f32,
+    pub cpu_ms_per_frame_worst: f32,
     cpu_ms_per_update_worst: f32,
     update_work_worst: usize,
-    work_per_frame_worst: usize,
+    pub work_per_frame_worst: usize,
     cpu_ms_per_tick_worst: f32,
+    #[serde(flatten)]
+    pub creases: Option<CreaseFigures>,
 }
 
 /// Times of the frames in which so many leaves were in flight.
@@ -322,6 +349,7 @@ impl Figures {
             update_work_worst: highest(|outcome| outcome.update_work as usize),
             work_per_frame_worst: highest(|outcome| outcome.frame_work as usize),
             cpu_ms_per_tick_worst: most(|outcome| 1e3 * outcome.tick as f32),
+            creases: CreaseFigures::of(played.iter().map(|one| &one.outcome)),
         }
     }
 }
@@ -354,7 +382,9 @@ pub type Worst = (u64, &'static str, &'static str, f32);
 
 /// The worst gestures by each figure.
 pub fn worst(all: &[&Played], count: usize) -> BTreeMap<&'static str, Vec<Worst>> {
-    let by = |(name, value): (&'static str, Ranked)| {
+    let has_creases = all.iter().any(|one| one.outcome.creases.is_some());
+    let creases = if has_creases { &WORST_CREASES[..] } else { &[] };
+    let by = |&(name, value): &(&'static str, Ranked)| {
         let mut order: Vec<&&Played> = all.iter().collect();
         order.sort_by(|a, b| value(&b.outcome).total_cmp(&value(&a.outcome)));
         let row = |one: &&Played| {
@@ -363,7 +393,7 @@ pub fn worst(all: &[&Played], count: usize) -> BTreeMap<&'static str, Vec<Worst>
         };
         (name, order.into_iter().take(count).map(row).collect())
     };
-    WORST.into_iter().map(by).collect()
+    WORST.iter().chain(creases).map(by).collect()
 }
 
 /// Values from the least to the most.

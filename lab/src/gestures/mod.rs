@@ -1,13 +1,21 @@
 //! `lab gestures`: random pointers on the leaves of a bound book, and what they do
 //! to the paper: strain, penetration, time of a frame.
 
+mod crease_figures;
+mod crease_table;
+mod creasing;
 mod facets;
 mod figures;
+mod folding;
+mod folds;
 mod overlap;
+mod parts;
 mod played;
 mod pointer;
 mod random;
 mod scene;
+mod tearing;
+mod triangle;
 mod world;
 
 use std::collections::BTreeMap;
@@ -20,7 +28,9 @@ use clap::Args;
 use serde::Serialize;
 
 use crate::options::{between, make_folder};
+use crate::table::Table;
 use figures::{Figures, Worst};
+use folding::Fold;
 use played::Played;
 use world::{Choice, Description, Kind, STOCKS, World};
 
@@ -42,13 +52,17 @@ pub struct Options {
     /// Usual: 140 x 210 mm, still air, the usual binding and frames; any: all of them at random.
     #[arg(long, default_value = "any", value_parser = ["any", "usual"])]
     page: String,
+    /// Fold and tear leaves at random too, in this way.
+    #[arg(long, value_name = "FOLD", num_args = 0..=1, default_missing_value = "all", require_equals = true, value_parser = folding::folds())]
+    creases: Option<folding::Folds>,
     /// List the seeds of so many of the worst.
     #[arg(long, default_value_t = 0, value_parser = between(0usize, 1000))]
     worst: usize,
     /// Gestures played at once; times of a frame are then longer.
     #[arg(long, default_value_t = 1, value_parser = between(1usize, 256))]
     jobs: usize,
-    /// Write the tables into a folder, as gestures_stocks.json and gestures_kinds.json.
+    /// Write the tables into a folder, as gestures_stocks.json and gestures_kinds.json, with
+    /// --creases as gestures_creases.json and gestures_folds.json.
     #[arg(long)]
     into: Option<PathBuf>,
     /// The leaves' model; there is no other in a book.
@@ -64,6 +78,9 @@ pub struct Report {
     all: Figures,
     stocks: BTreeMap<&'static str, Figures>,
     kinds: BTreeMap<&'static str, Figures>,
+    /// By how leaves are folded.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    folds: BTreeMap<&'static str, Figures>,
     /// Of a single gesture, the book that it was played on.
     #[serde(skip_serializing_if = "Option::is_none")]
     world: Option<Description>,
@@ -78,6 +95,7 @@ pub fn run(options: &Options) -> Result<Report, String> {
         stocks: options.stock.clone(),
         kinds: options.kind.clone(),
         is_usual: options.page == "usual",
+        folds: options.creases.clone(),
     };
     let played = play(options.seed, options.count, &choice, options.jobs);
     let all: Vec<&Played> = played.iter().collect();
@@ -87,11 +105,13 @@ pub fn run(options: &Options) -> Result<Report, String> {
     };
     let by_stock = |&stock: &usize| (STOCKS[stock], part(&|one| one.stock == stock));
     let by_kind = |&kind: &Kind| (kind.name(), part(&|one| one.kind == kind));
+    let by_fold = |&fold: &Fold| (fold.name(), part(&|one| one.fold == Some(fold)));
     let report = Report {
         seed: options.seed,
         all: Figures::of(&all),
         stocks: choice.stocks.iter().map(by_stock).collect(),
         kinds: choice.kinds.iter().map(by_kind).collect(),
+        folds: choice.folds.iter().flatten().map(by_fold).collect(),
         world: match all[..] {
             [one] => Some(World::new(one.seed, one.stock, &choice).describe()),
             _ => None,
@@ -102,18 +122,36 @@ pub fn run(options: &Options) -> Result<Report, String> {
         },
     };
     if let Some(folder) = &options.into {
-        let table = |parts| figures::table(report.seed, &report.all, parts);
-        table(&report.stocks).write(folder, "gestures_stocks")?;
-        table(&report.kinds).write(folder, "gestures_kinds")?;
+        let [by_stock, other] = report.tables();
+        let names = if report.folds.is_empty() {
+            ["gestures_stocks", "gestures_kinds"]
+        } else {
+            ["gestures_creases", "gestures_folds"]
+        };
+        by_stock.write(folder, names[0])?;
+        other.write(folder, names[1])?;
     }
     Ok(report)
 }
 
+impl Report {
+    /// The tables by stock, and by what pointers do, or by how leaves are folded.
+    fn tables(&self) -> [Table; 2] {
+        if self.folds.is_empty() {
+            [&self.stocks, &self.kinds].map(|parts| figures::table(self.seed, &self.all, parts))
+        } else {
+            let table = |parts| crease_table::table(self.seed, &self.all, parts);
+            [&self.stocks, &self.folds].map(table)
+        }
+    }
+}
+
 impl Display for Report {
     fn fmt(&self, out: &mut Formatter) -> fmt::Result {
-        figures::table(self.seed, &self.all, &self.stocks).fmt(out)?;
+        let [by_stock, other] = self.tables();
+        by_stock.fmt(out)?;
         writeln!(out)?;
-        figures::table(self.seed, &self.all, &self.kinds).fmt(out)?;
+        other.fmt(out)?;
         for (name, worst) in &self.worst {
             writeln!(out, "\nworst by {}", name.replace('_', " "))?;
             for (seed, stock, kind, figure) in worst {
@@ -142,6 +180,7 @@ fn play(seed: u64, count: u64, choice: &Choice, jobs: usize) -> Vec<Played> {
                 seed,
                 stock,
                 kind: world.kind,
+                fold: world.fold,
                 outcome,
             });
         }

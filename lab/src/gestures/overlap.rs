@@ -3,10 +3,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use turnleaf_engine::Side;
 use turnleaf_engine::book::{Book, Pile};
-use turnleaf_engine::{Side, Surface};
 
-use super::facets::{Facets, Near, Point};
+use super::facets::{Facets, Near};
+use super::triangle::Point;
+
+/// What is drawn deeper than this in anything is too deep, millimetres on a page 140 mm wide.
+pub const TOO_DEEP: f32 = 0.1;
 
 /// Farther than this from another leaf a point is not looked at, as a part of the width,
 /// but no edge is longer.
@@ -61,14 +65,10 @@ impl Overlap {
 
 /// Measures what a book draws whose pages have this width and height, metres.
 pub fn measure(book: &Book, page: [f32; 2]) -> Overlap {
-    let surfaces: Vec<&Surface> = (0..book.flights())
-        .filter_map(|index| book.surface(index))
+    let facets: Vec<Facets<'_>> = (0..book.drawn_leaves())
+        .filter_map(|index| Facets::of(book, index))
         .collect();
-    let facets: Vec<Facets<'_>> = surfaces
-        .iter()
-        .map(|surface| Facets::new(surface))
-        .collect();
-    let within = (WITHIN * page[0]).max(1.5 * page[1] / (book.rows() - 1) as f32);
+    let within = within(book, page);
     let mut worst = Overlap::default();
     for leaf in &facets {
         worst.pile = worst.pile.max(inside_piles(book, leaf));
@@ -85,6 +85,11 @@ pub fn measure(book: &Book, page: [f32; 2]) -> Overlap {
         }
     }
     worst
+}
+
+/// How far from another leaf a point of a book is looked at, metres.
+pub fn within(book: &Book, page: [f32; 2]) -> f32 {
+    (WITHIN * page[0]).max(1.5 * page[1] / (book.rows() - 1) as f32)
 }
 
 /// How far a leaf is past the one on its right where all of its root is, so that no edge
@@ -108,7 +113,7 @@ fn passed(left: &Facets<'_>, right: &Facets<'_>, within: f32) -> f32 {
 /// How deep a leaf goes through itself, metres: where it cuts a piece of itself off, as
 /// when a corner pokes through, how far that comes beyond the other part; elsewhere how
 /// far an edge that goes through a facet comes out of its plane.
-fn inside_itself(leaf: &Facets<'_>, within: f32) -> f32 {
+pub fn inside_itself(leaf: &Facets<'_>, within: f32) -> f32 {
     let found = leaf.own_crossings();
     if found.is_empty() {
         return 0.0;

@@ -1,5 +1,6 @@
 //! One gesture that was played.
 
+use super::folding::Fold;
 use super::scene::Outcome;
 use super::world::Kind;
 
@@ -8,5 +9,7 @@ pub struct Played {
     pub seed: u64,
     pub stock: usize,
     pub kind: Kind,
+    /// How its leaves were folded; None where they were whole.
+    pub fold: Option<Fold>,
     pub outcome: Outcome,
 }

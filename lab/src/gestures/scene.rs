@@ -1,13 +1,14 @@
 //! A random gesture: a book, pointers on its leaves, what they do, and afterwards.
 
 use cpu_time::ThreadTime;
-use turnleaf_engine::book::{Book, Phase, TICK};
+use turnleaf_engine::book::{Phase, TICK};
 use turnleaf_engine::{Side, Surface};
 
+use super::creasing::{CreaseOutcome, Creasing, in_flight};
 use super::overlap::{Overlap, measure};
 use super::pointer::{self, Pointer, Style, any_style};
 use super::random::Random;
-use super::world::{Kind, Pace, USUAL, World};
+use super::world::{Kind, Opened, Pace, USUAL, World};
 
 /// Ticks for which pointers are at work, at most, and where frames are long.
 const LONGEST: u32 = 130;
@@ -70,6 +71,8 @@ pub struct Outcome {
     /// Leaves that came to rest, and those of them that were put down.
     pub landed: u32,
     pub put_down: u32,
+    /// What folds and tears did; None where leaves are whole.
+    pub creases: Option<CreaseOutcome>,
 }
 
 /// What is known of a flight.
@@ -81,10 +84,12 @@ struct Known {
     was_held: bool,
 }
 
-struct Scene {
-    book: Book,
+struct Scene<'a> {
+    opened: Opened,
     random: Random,
-    kind: Kind,
+    world: &'a World,
+    /// Folds and tears; None where leaves are whole.
+    creasing: Option<Creasing>,
     /// Width and height of a page, metres.
     page: [f32; 2],
     pointers: Vec<Pointer>,
@@ -96,11 +101,13 @@ struct Scene {
 /// Plays the gesture of a seed in a world.
 pub fn play(seed: u64, world: &World) -> Outcome {
     let mut random = Random::new(seed);
-    let book = world.open(&mut random);
+    let mut opened = world.open(&mut random);
+    let begin = |fold| Creasing::begin(seed, fold, &mut opened, world.page);
     let mut scene = Scene {
-        book,
+        creasing: world.fold.map(begin),
+        opened,
         random,
-        kind: world.kind,
+        world,
         page: world.page.map(|side| side as f32),
         pointers: Vec::new(),
         known: Vec::new(),
@@ -121,7 +128,7 @@ pub fn play(seed: u64, world: &World) -> Outcome {
         _ => LONGEST,
     };
     while ticks < longest {
-        if scene.random.once_in(busy) || scene.book.flights() == 0 {
+        if scene.random.once_in(busy) || scene.opened.book.flights() == 0 {
             scene.begin();
         }
         let now = match world.pace {
@@ -135,41 +142,62 @@ pub fn play(seed: u64, world: &World) -> Outcome {
         ticks += now.max(1);
     }
     for pointer in std::mem::take(&mut scene.pointers) {
-        scene.book.release(pointer.flight, pointer.number);
+        scene.opened.book.release(pointer.flight, pointer.number);
+    }
+    if let Some(creasing) = &mut scene.creasing {
+        creasing.let_go(&mut scene.opened.book);
     }
     let mut let_go = 0;
     for _ in 0..(HALF_A_SECOND + BEYOND) / 2 {
         let_go += 2;
         scene.frame(2);
     }
-    while scene.book.flights() > 0 && let_go < MOST_TO_REST {
-        scene.book.step(1);
+    while scene.moves() && let_go < MOST_TO_REST {
+        scene.press();
+        scene.opened.book.step(1);
         let_go += 1;
         scene.look();
+        scene.step_torn(1);
     }
     scene.outcome.rest = let_go as f32 * TICK;
     scene.outcome.rest_from_start = (ticks + let_go) as f32 * TICK;
-    scene.outcome.at_rest = scene.book.flights() == 0;
-    [scene.outcome.landed, scene.outcome.put_down] = scene.book.landed();
+    scene.outcome.at_rest = !scene.moves();
+    scene.count_landed();
+    scene.look_at_rest();
     scene.outcome
 }
 
-impl Scene {
+impl Scene<'_> {
+    /// Whether leaves are in flight, or what is torn out has not come to rest.
+    fn moves(&self) -> bool {
+        self.opened.book.flights() > 0 || self.creasing.as_ref().is_some_and(Creasing::moves)
+    }
+
     /// Begins something: a pointer takes a leaf, or a turn is played.
     fn begin(&mut self) {
         let side = [Side::Right, Side::Left][self.random.below(2) as usize];
-        if self.kind == Kind::Riffle {
+        if let Some(creasing) = &mut self.creasing {
+            if !creasing.lets_turn(&self.opened.book) {
+                return;
+            }
+            if self.random.once_in(4) {
+                return creasing.act(&mut self.opened, side);
+            }
+        }
+        if self.world.kind == Kind::Riffle {
             return self.riffle(side);
         }
-        let known = self.random.below(self.book.flights() as u32 + 1) as usize;
-        let known = self.book.flight_id(known);
+        let drawn = self.opened.book.drawn_leaves();
+        let known = self.random.below(drawn as u32 + 1) as usize;
+        // What lies folded upon a pile has no number.
+        let known = self.opened.book.flight_id(known).filter(|id| *id != 0);
         let picked = if self.random.once_in(2) || known.is_none() {
             self.pick_up(side)
         } else {
             known
         };
         let Some(flight) = picked else { return };
-        let kind = match self.kind {
+        let kind = match self.world.kind {
             Kind::Mixed => Kind::ALL[self.random.below(6) as usize],
             kind => kind,
         };
@@ -211,35 +239,35 @@ impl Scene {
         for _ in 0..1 + self.random.below(3) {
             if let Some(flight) = self.pick_up(from) {
                 let seconds = self.random.between(0.2, 1.5);
-                self.book.play(flight, to, seconds);
+                self.opened.book.play(flight, to, seconds);
             }
         }
-        let flights = self.book.flights() as u32;
+        let drawn = self.opened.book.drawn_leaves() as u32;
         if self.random.once_in(6)
-            && flights > 0
-            && let Some(flight) = self.book.flight_id(self.random.below(flights) as usize)
+            && drawn > 0
+            && let Some(flight) = self
+                .opened
+                .book
+                .flight_id(self.random.below(drawn) as usize)
+            && flight != 0
         {
             self.grab(flight, 2, any_style);
         }
     }
 
     fn pick_up(&mut self, side: Side) -> Option<u32> {
-        let read = self.book.read();
+        let read = self.opened.book.read();
         let many = if self.random.once_in(6) { 3 } else { 1 };
         match side {
             Side::Right => {
-                let low = read + self.in_flight();
-                self.book.pick_up(side, low, low + many)
+                let low = read + in_flight(&self.opened.book);
+                self.opened.book.pick_up(side, low, low + many)
             }
-            Side::Left => self.book.pick_up(side, read.checked_sub(many)?, read),
+            Side::Left => self
+                .opened
+                .book
+                .pick_up(side, read.checked_sub(many)?, read),
         }
-    }
-
-    /// Leaves of paper in flight.
-    fn in_flight(&self) -> u32 {
-        (0..self.book.flights())
-            .filter_map(|index| self.book.leaves(index))
-            .sum()
     }
 
     fn play(&mut self, flight: u32) {
@@ -247,7 +275,7 @@ impl Scene {
         let seconds = [0.8, 0.5, 0.3, f32::NAN, self.random.between(0.1, 2.0)];
         let seconds = seconds[self.random.below(5) as usize];
         self.pointers.retain(|pointer| pointer.flight != flight);
-        self.book.play(flight, side, seconds);
+        self.opened.book.play(flight, side, seconds);
     }
 
     /// A pointer takes hold somewhere, where at most so many are at work.
@@ -268,7 +296,8 @@ impl Scene {
         } else {
             self.random.between(0.0, 1.0)
         };
-        self.book.grab(flight, number, u, v);
+        let [u, v] = self.flap_of(flight).unwrap_or([u, v]);
+        self.opened.book.grab(flight, number, u, v);
         let style = style(&mut self.random);
         let ticks = 10 + self.random.below(LONGEST);
         let held = [u, v];
@@ -281,36 +310,46 @@ impl Scene {
         ));
     }
 
+    /// A place of a flight that is folded over, if a pointer is to take hold there, and notes that
+    /// one does.
+    fn flap_of(&mut self, flight: u32) -> Option<[f32; 2]> {
+        let creasing = self.creasing.as_mut()?;
+        creasing.hold(&self.opened.book, flight);
+        creasing.flap_of(&self.opened.book, flight)
+    }
+
     /// A frame of `ticks`, or as many of them as the work of a frame allows, and an update.
     fn frame(&mut self, ticks: u32) {
         for index in (0..self.pointers.len()).rev() {
             self.work(index, ticks);
         }
-        let leaves = self.book.flights();
+        let leaves = self.opened.book.flights();
         let (mut seconds, mut work) = (0.0, 0);
-        self.book.begin_frame();
+        self.opened.book.begin_frame();
         for _ in 0..ticks {
+            self.press();
             let start = ThreadTime::now();
-            if self.book.step_frame(1) == 0 {
+            if self.opened.book.step_frame(1) == 0 {
                 break;
             }
             let tick = start.elapsed().as_secs_f64();
             self.outcome.tick = self.outcome.tick.max(tick);
             seconds += tick;
-            work += self.book.tick_work();
+            work += self.opened.book.tick_work();
             self.look();
         }
         let start = ThreadTime::now();
-        self.book.update();
+        self.opened.book.update();
         let update = start.elapsed().as_secs_f64();
+        seconds += self.step_torn(ticks);
         self.outcome.update = self.outcome.update.max(update);
-        self.outcome.update_work = self.outcome.update_work.max(self.book.update_work());
+        self.outcome.update_work = self.outcome.update_work.max(self.opened.book.update_work());
         seconds += update;
         if ticks == 2 && leaves > 0 {
             self.outcome.frames.push((leaves, seconds));
         }
         self.outcome.frame = self.outcome.frame.max(seconds);
-        let work = work + self.book.update_work();
+        let work = work + self.opened.book.update_work();
         self.outcome.frame_work = self.outcome.frame_work.max(work);
         self.outcome.leaves = self.outcome.leaves.max(leaves);
         self.look_at_picture();
@@ -320,24 +359,24 @@ impl Scene {
     fn work(&mut self, index: usize, ticks: u32) {
         let pointer = &mut self.pointers[index];
         if !pointer.holds(ticks) {
-            self.book.release(pointer.flight, pointer.number);
+            self.opened.book.release(pointer.flight, pointer.number);
             self.pointers.swap_remove(index);
             return;
         }
         if let Some(place) = pointer.pull(&mut self.random, ticks, self.page) {
-            self.book.hold(pointer.flight, pointer.number, place);
+            self.opened.book.hold(pointer.flight, pointer.number, place);
         }
     }
 
     /// Looks at the leaves after a tick.
     fn look(&mut self) {
         let before = std::mem::take(&mut self.known);
-        for index in 0..self.book.flights() {
-            let Some(id) = self.book.flight_id(index) else {
+        for index in 0..self.opened.book.drawn_leaves() {
+            let Some(id) = self.opened.book.flight_id(index) else {
                 continue;
             };
             let known = before.iter().find(|known| known.id == id);
-            let phase = self.book.phase(id);
+            let phase = self.opened.book.phase(id);
             let free = match phase {
                 Some(Phase::Held | Phase::Playing(_)) => 0,
                 _ => known.map_or(0, |known| known.free) + 1,
@@ -345,17 +384,17 @@ impl Scene {
             let was_held = phase == Some(Phase::Held) || known.is_some_and(|known| known.was_held);
             self.known.push(Known { id, free, was_held });
             let of = |figure: Option<f32>| figure.unwrap_or(0.0);
-            let strain = of(self.book.strain(index));
-            let depth = of(self.book.depth(index));
-            let shear = of(self.book.shear(index));
-            let diagonal = of(self.book.diagonal_stretch(index));
+            let strain = of(self.opened.book.strain(index));
+            let depth = of(self.opened.book.depth(index));
+            let shear = of(self.opened.book.shear(index));
+            let diagonal = of(self.opened.book.diagonal_stretch(index));
             let outcome = &mut self.outcome;
             // No maximum of what is no number would show it.
             outcome.finite &= [strain, depth, shear, diagonal]
                 .iter()
                 .all(|x| x.is_finite());
             outcome.depth = outcome.depth.max(depth * USUAL[0] as f32 / self.page[0]);
-            if self.book.is_settling(index) == Some(true) {
+            if self.opened.book.is_settling(index) == Some(true) {
                 outcome.strain_eased = outcome.strain_eased.max(strain);
                 continue;
             }
@@ -374,22 +413,72 @@ impl Scene {
 
     /// Looks at what is drawn.
     fn look_at_picture(&mut self) {
-        let flights = self.book.flights();
-        let drawn = (0..flights).filter_map(|index| self.book.surface(index));
+        let drawn_leaves = self.opened.book.drawn_leaves();
+        let drawn = (0..drawn_leaves).filter_map(|index| self.opened.book.surface(index));
         let finite = |surface: &Surface| {
             let all = surface.positions.iter().chain(&surface.normals);
             { all }.all(|x| x.is_finite())
         };
         self.outcome.finite &= { drawn }.all(finite);
-        let lag = |index: usize| self.book.lag(index).unwrap_or(0.0);
-        let lag = (0..flights).map(lag).fold(0.0, f32::max);
+        let lag = |index: usize| self.opened.book.lag(index).unwrap_or(0.0);
+        let lag = (0..drawn_leaves).map(lag).fold(0.0, f32::max);
         let scale = USUAL[0] as f32 / self.page[0];
         self.outcome.lags.push(lag * scale);
         self.pictures += 1;
-        if flights <= FEW || self.pictures.is_multiple_of(4) {
-            let overlap = measure(&self.book, self.page).scaled(scale);
+        if drawn_leaves <= FEW || self.pictures.is_multiple_of(4) {
+            let overlap = measure(&self.opened.book, self.page).scaled(scale);
             self.outcome.drawn = self.outcome.drawn.worse(overlap);
+            if let Some(creasing) = &mut self.creasing {
+                self.outcome.finite &= creasing.look(&self.opened.book);
+            }
         }
+    }
+
+    /// Presses what is being folded by a tick.
+    fn press(&mut self) {
+        if let Some(creasing) = &mut self.creasing {
+            creasing.press(&mut self.opened.book);
+        }
+    }
+
+    /// Steps and draws what is torn by `ticks`. Returns the seconds of CPU that took.
+    fn step_torn(&mut self, ticks: u32) -> f64 {
+        let Some(creasing) = &mut self.creasing else {
+            return 0.0;
+        };
+        let start = ThreadTime::now();
+        let landed = self.opened.book.landed();
+        let is_bound_anew = creasing.step(&mut self.opened, ticks, self.world);
+        let seconds = start.elapsed().as_secs_f64();
+        if !is_bound_anew {
+            return seconds;
+        }
+        // A new book counts anew, and its leaves have other numbers.
+        self.outcome.landed += landed[0];
+        self.outcome.put_down += landed[1];
+        self.pointers.clear();
+        self.known.clear();
+        // Binding is not part of a frame: the viewer does it between two.
+        0.0
+    }
+
+    fn count_landed(&mut self) {
+        let [landed, put_down] = self.opened.book.landed();
+        self.outcome.landed += landed;
+        self.outcome.put_down += put_down;
+    }
+
+    /// Looks at folds and what is drawn of them once all lies at rest.
+    fn look_at_rest(&mut self) {
+        let Some(mut creasing) = self.creasing.take() else {
+            return;
+        };
+        self.opened.book.update();
+        self.look_at_picture();
+        creasing.look_at_rest(&self.opened.book);
+        creasing.compare_rests(&self.opened.book);
+        self.outcome.finite &= creasing.look(&self.opened.book);
+        self.outcome.creases = Some(creasing.outcome);
     }
 }
 

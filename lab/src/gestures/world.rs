@@ -6,6 +6,7 @@ use serde::Serialize;
 use turnleaf_engine::book::{Board, Book, Paper};
 use turnleaf_engine::{Grain, Side, Stock};
 
+use super::folding::{Fold, Folds};
 use super::random::Random;
 
 /// The page of most tests, metres. Distances are reported as if every page were as wide.
@@ -93,6 +94,8 @@ pub struct World {
     pub page: [f64; 2],
     /// How its frames come.
     pub pace: Pace,
+    /// How its leaves are folded; None where they are whole.
+    pub fold: Option<Fold>,
     paper: Paper,
 }
 
@@ -131,12 +134,16 @@ pub struct Choice {
     pub kinds: Kinds,
     /// Whether pages, air, binding and frames are the usual ones.
     pub is_usual: bool,
+    /// How leaves are folded, in turn; None where they are whole.
+    pub folds: Option<Folds>,
 }
 
 /// A world in figures.
 #[derive(Serialize)]
 pub struct Description {
     kind: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    folds: Option<&'static str>,
     page_mm: [f64; 2],
     frames: String,
     grammage: f64,
@@ -162,11 +169,15 @@ impl World {
             stock,
             ..Paper::default()
         };
+        // In turn with the stocks, so that each is folded in every way.
+        let turn = (seed / choice.stocks.len() as u64) as usize;
+        let fold = { choice.folds.as_ref() }.map(|folds| folds[turn % folds.len()]);
         if choice.is_usual {
             return World {
                 kind,
                 page: USUAL,
                 pace: Pace::Usual,
+                fold,
                 paper,
             };
         }
@@ -179,6 +190,7 @@ impl World {
                 2 => Pace::Slow,
                 _ => Pace::Usual,
             },
+            fold,
             paper: Paper {
                 grain: match random.below(4) {
                     0 => Grain::AcrossSpine,
@@ -206,6 +218,7 @@ impl World {
         } = self.paper;
         Description {
             kind: self.kind.name(),
+            folds: self.fold.map(Fold::name),
             page_mm: self.page.map(|side| 1e3 * side),
             frames: format!("{:?}", self.pace).to_lowercase(),
             grammage: stock.grammage,
@@ -219,27 +232,56 @@ impl World {
     }
 
     /// Opens the book somewhere, also at its first and its last leaf.
-    pub fn open(&self, random: &mut Random) -> Book {
+    pub fn open(&self, random: &mut Random) -> Opened {
         let leaves = match self.kind {
             Kind::Riffle => [24, 40, 100, 300][random.below(4) as usize],
             _ => [1, 2, 8, 40, 100, 300][random.below(6) as usize],
         };
         let thickness = random.between(0.5e-4, 1.2e-4) * leaves as f32;
-        let [width, height] = self.page;
-        let mut book =
-            Book::new(width, height, leaves, f64::from(thickness)).expect("these are a book's");
-        *book.board_mut(0) = Board::new(Side::Left);
-        let is_paper = book.set_paper(&Paper {
+        let paper = Paper {
             assist: !random.once_in(8),
             ..self.paper
-        });
-        assert!(is_paper, "these are a paper's figures");
-        book.lay(match random.below(4) {
+        };
+        let mut opened = Opened {
+            book: self.bind(leaves, f64::from(thickness), &paper),
+            leaves,
+            thickness: f64::from(thickness),
+        };
+        opened.book.lay(match random.below(4) {
             0 => 0,
             1 => leaves,
             _ => random.below(leaves + 1),
         });
+        opened
+    }
+
+    /// Binds a book of leaves of a paper, that are so thick together, metres.
+    fn bind(&self, leaves: u32, thickness: f64, paper: &Paper) -> Book {
+        let [width, height] = self.page;
+        let mut book = Book::new(width, height, leaves, thickness).expect("these are a book's");
+        *book.board_mut(0) = Board::new(Side::Left);
+        assert!(book.set_paper(paper), "these are a paper's figures");
         book
+    }
+}
+
+/// An open book.
+pub struct Opened {
+    pub book: Book,
+    /// Its leaves of paper, and how thick these are together, metres.
+    pub leaves: u32,
+    thickness: f64,
+}
+
+impl Opened {
+    /// Binds the book anew without a leaf, and lays it open where that was.
+    pub fn bind_without(&mut self, leaf: u32, world: &World) {
+        let left = self.leaves - 1;
+        self.thickness *= f64::from(left) / f64::from(self.leaves);
+        self.leaves = left;
+        let paper = *self.book.paper();
+        self.book = world.bind(self.leaves, self.thickness, &paper);
+        self.book.lay(leaf);
     }
 }
 

@@ -45,3 +45,21 @@ test(`at rest every page in sight is seen, whatever was asked before (seed ${see
   expect(Math.min(operations.checked.hues, operations.checked.prints)).toBeGreaterThan(3);
   operations.end();
 });
+
+test(`all pages are back in their places once folds and tears are undone (seed ${seed})`, {
+  timeout: 1_000_000,
+}, async () => {
+  const operations = new RandomOperations({ seed, pdf, picture, only: "folds" });
+  await operations.start();
+  for (let k = 1; k <= count / 5; k++) {
+    await operations.next();
+    if (k % 10 > 0) continue;
+    expect(await operations.undoAll(), `seed ${seed}, ${operations.state}`).toEqual([]);
+    expect(await operations.check(), `seed ${seed}, ${operations.state}`).toEqual([]);
+    expect(await commands.webglComplaints(), `seed ${seed}, ${operations.state}`).toEqual([]);
+  }
+  expect(operations.errors).toEqual([]);
+  const { undone, folds, tears } = operations.checked;
+  expect(Math.min(undone, folds, tears)).toBeGreaterThan(2);
+  operations.end();
+});

@@ -13,17 +13,6 @@ use super::system::System;
 use crate::grid::Side;
 use core::f64::consts::PI;
 
-/// What a point of a creased sheet belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
-    /// A crease.
-    Crease,
-    /// What is folded over, to the recto's side or to the verso's.
-    Flap { on_recto: bool },
-    /// All else.
-    Rest,
-}
-
 impl Sheet {
     /// Creases the sheet along lines, in place of those along which it was creased before:
     /// it stays where it is, its nodes moved along it onto the lines.
@@ -278,32 +267,6 @@ impl Sheet {
         lines.map_or_else(Vec::new, |lines| triangles(&self.material, lines))
     }
 
-    /// What each drawn point of a creased sheet belongs to; none of a sheet without creases.
-    pub(crate) fn drawn_parts(&self) -> Vec<Part> {
-        let drawn = self
-            .creased()
-            .and_then(|creased| Some((creased.patches.as_ref()?, &creased.lines)));
-        let Some((patches, lines)) = drawn else {
-            return Vec::new();
-        };
-        let turns = turns(&patches.drawn, lines);
-        let part = |place: &[f64; 2]| {
-            let mut part = Part::Rest;
-            for turn in &turns {
-                let reach = turn.reach(*place);
-                if reach.abs() < ON_CREASE {
-                    return Part::Crease;
-                }
-                if reach > 0.0 {
-                    let on_recto = turn.rest[1] > 0.0;
-                    part = Part::Flap { on_recto };
-                }
-            }
-            part
-        };
-        patches.drawn.places.iter().map(part).collect()
-    }
-
     /// Angle of a crease now and its rest, radians as [`FoldLine::rest`]: means over its
     /// length. None where there is no such crease.
     pub fn crease_angle(&self, crease: usize) -> Option<[f32; 2]> {
@@ -318,9 +281,6 @@ impl Sheet {
         }
     }
 }
-
-/// Nearer to a crease than this, metres, a point lies on it.
-const ON_CREASE: f64 = 1e-7;
 
 /// Where a sheet's nodes are that lies flat on the right but for its creases, each turned to
 /// its rest angle, metres. Of two creases the one that lies beyond the other turns first.

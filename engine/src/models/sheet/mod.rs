@@ -33,7 +33,6 @@ mod tether;
 
 pub use contact::{CONTACTS, Contact};
 pub use crease::FoldLine;
-pub(crate) use creasing::Part;
 pub(crate) use settings::CAN_CREASE;
 pub use settings::{InvalidSheet, Root, SheetSettings};
 pub(crate) use sweep::Apart;

@@ -5,10 +5,10 @@
 
 import type { TurnleafBook } from "../element.ts";
 import { turnModels } from "../leaf_models/model_choice.ts";
+import { differences, foldOperations } from "./fold_operations.ts";
+import { type Content, HuePages, hueCount } from "./hue_pages.ts";
+import { contrastIn, hues, partOf, textBoxes } from "./picture_measures.ts";
 import { TestPointer } from "./test_pointer.ts";
-
-/** What a page should show: one hue in degrees, or the print of a PDF's page. */
-type Content = number | "print";
 
 export interface OperationsOptions {
   readonly seed: number;
@@ -16,6 +16,8 @@ export interface OperationsOptions {
   readonly pdf: string;
   /** Returns what is seen of an element, one pixel for each CSS pixel. */
   readonly picture: (element: TurnleafBook) => Promise<ImageData>;
+  /** Draws only folds, tears and what undoes them, of a book whose pages all have other hues. */
+  readonly only?: "folds";
 }
 
 /** Operations by their names, all as likely as each other. */
@@ -27,15 +29,16 @@ export interface Checked {
   rests: number;
   hues: number;
   prints: number;
+  /** Changes of the folds that are listed, and leaves that came off. */
+  folds: number;
+  tears: number;
+  /** Times that all folds and tears were undone and each page was looked for. */
+  undone: number;
 }
 
 /** Small, as drawing is in software. CSS pixels. */
 const [width, height] = [120, 90];
 const size = `width: ${width}px; height: ${height}px; min-height: 0`;
-
-/** Steps of hue, and how many of them lie between pages that follow each other: no two in sight are alike. */
-const hueCount = 36;
-const hueStep = 7;
 
 /**
  * Least part of the element that a page of one hue takes at rest: two thirds of
@@ -48,10 +51,6 @@ const leastHue = 0.01;
  * what the book's pages have, which is 10 to 25.
  */
 const leastPrint = 1.5;
-
-/** A page of fewer lines is a picture's or nearly empty, and one whose lines are shorter is too small to tell, CSS pixels. */
-const leastLines = 8;
-const leastPrintWidth = 30;
 
 /** Longest that anything asked of a book may take, milliseconds. */
 const patience = 30_000;
@@ -80,14 +79,14 @@ export function randomNumbers(seed: number): () => number {
 
 /** One book after another in an element, and what is done to them. */
 export class RandomOperations {
-  readonly checked: Checked = { rests: 0, hues: 0, prints: 0 };
+  readonly checked: Checked = { rests: 0, hues: 0, prints: 0, folds: 0, tears: 0, undone: 0 };
   /** Names of the last operations. */
   readonly recent: string[] = [];
   /** Errors that the element has reported. */
   readonly errors: string[] = [];
   readonly #options: OperationsOptions;
   readonly #random: () => number;
-  readonly #pictures = new Map<string, string>();
+  readonly #hues = new HuePages();
   readonly #operations: readonly Group[];
   #element = document.createElement("turnleaf-book");
   #pages: Content[] = [];
@@ -96,7 +95,6 @@ export class RandomOperations {
   /** What the open book's input holds: the book opens with it again. */
   #given: readonly Content[] = [];
   #pdfPages = 0;
-  #madeHues = 0;
 
   constructor(options: OperationsOptions) {
     this.#options = options;
@@ -104,14 +102,23 @@ export class RandomOperations {
     this.#operations = this.#all();
   }
 
-  /** Opens the PDF in a new element, as at first: measurements are to be of the same book. */
+  /** Opens the first book in a new element: measurements are to be of the same one. */
   async start(): Promise<void> {
     this.end();
     this.#make();
-    this.#element.src = this.#options.pdf;
-    await this.#loaded();
-    this.#pdfPages = this.#element.pageCount;
-    this.#given = this.#prints();
+    if (this.#options.only === "folds") {
+      this.#element.setAttribute("tearable", "perforated");
+      // Of each hue one, from the same one on.
+      this.#hues.restart();
+      this.#given = this.#hues.take(hueCount);
+      this.#element.pages = this.#hues.images(this.#given);
+      await this.#loaded();
+    } else {
+      this.#element.src = this.#options.pdf;
+      await this.#loaded();
+      this.#pdfPages = this.#element.pageCount;
+      this.#given = this.#prints();
+    }
     this.#pages = [...this.#given];
     await this.#until(
       () => this.#element.ready,
@@ -161,8 +168,10 @@ export class RandomOperations {
       await wait(5);
     }
     const { left, right } = element.spread;
-    const open = [left, right].filter((page) => page !== null);
-    const texts = await this.#texts(open);
+    // What is folded over hides pages.
+    const open = this.#hasFoldInSight ? [] : [left, right].filter((page) => page !== null);
+    const prints = open.filter((page) => this.#pages[page - 1] === "print");
+    const texts = await textBoxes(element, prints);
     const picture = await this.#options.picture(element);
     const counts = hues(picture);
     this.checked.rests++;
@@ -180,6 +189,20 @@ export class RandomOperations {
       const contrast = contrastIn(picture, box);
       return contrast > leastPrint ? [] : [`${where} shows ${contrast} of its print`];
     });
+  }
+
+  /** Undoes all tears and folds. Returns a sentence for each thing that is not as it was before them. */
+  async undoAll(): Promise<string[]> {
+    const element = this.#element;
+    while (element.tornLeaves > 0) await this.#inTime("putBack", this.#putBack());
+    const folded = new Set([...element.folds, ...element.dogEars].map(({ page }) => page));
+    for (const page of folded) await this.#inTime("unfold", element.unfold(page));
+    // Other operations change the pages of the book.
+    const before = this.#options.only === "folds" ? this.#given : this.#pages;
+    const wrong = await differences(element, before);
+    if (this.#torn.length > 0) wrong.push(`${this.#torn.length} leaves were not put back`);
+    this.checked.undone++;
+    return wrong;
   }
 
   /** Draws the book as it stands. */
@@ -254,11 +277,6 @@ export class RandomOperations {
           await this.#change(this.#whole(1, this.#pages.length - 3), 2, 0);
       },
       replace: () => this.#change(this.#whole(1, this.#pages.length), 1, 1),
-      tear: async () => {
-        // A leaf that something else turns meanwhile is not torn out.
-        if (this.#pages.length > 8) await Promise.race([element().tearOut(), wait(patience)]);
-      },
-      putBack: () => this.#putBack(),
       draw: async () => {
         if (element().pageCount === 0) return;
         const page = await element()
@@ -269,8 +287,10 @@ export class RandomOperations {
       search: () => this.#search(),
     };
     const books: Group = {
-      images: () => this.#other(this.#hues(4, 60), (made) => this.#images(made)),
-      manifest: () => this.#other(this.#hues(4, 60), (made) => this.#manifest(made)),
+      images: () =>
+        this.#other(this.#hues.take(this.#whole(4, 60)), (made) => this.#hues.images(made)),
+      manifest: () =>
+        this.#other(this.#hues.take(this.#whole(4, 60)), (made) => this.#hues.manifest(made)),
       pdf: () => this.#other(this.#prints(), () => this.#options.pdf),
       away: async () => {
         const loaded = this.#loaded();
@@ -287,11 +307,19 @@ export class RandomOperations {
       },
       loseContext: () => this.#loseContext(),
     };
+    const folds: Group = foldOperations({
+      element,
+      random: this.#random,
+      turns: this.#options.only === "folds",
+      putBack: () => this.#putBack(),
+    });
+    if (this.#options.only === "folds") return [folds];
     const all: [Group, number][] = [
       [turns, 10],
       [places, 5],
       [modes, 5],
-      [pages, 3],
+      [pages, 2],
+      [folds, 2],
       [books, 1],
     ];
     return all.flatMap(([group, times]) => Array<Group>(times).fill(group));
@@ -309,9 +337,13 @@ export class RandomOperations {
       });
     }
     element.addEventListener("torn", ({ detail: { pages } }) => {
+      this.checked.tears++;
       const at = pages[0] - 1;
       this.#torn.push({ at, pages: this.#pages.splice(at, pages.length) });
     });
+    for (const name of ["foldchange", "dogearchange"] as const) {
+      element.addEventListener(name, () => this.checked.folds++);
+    }
     // A book that is opened has all of its pages.
     element.addEventListener("load", () => this.#torn.splice(0));
     this.#element = element;
@@ -343,14 +375,14 @@ export class RandomOperations {
   async #change(at: number, count: number, added: number): Promise<void> {
     // Else what is out would be counted from other pages.
     while (this.#torn.length > 0 && this.#element.tornLeaves > 0) await this.#putBack();
-    const hues = Array.from({ length: added }, () => this.#hue());
+    const hues = this.#hues.take(added);
     const element = this.#element;
     const isDone =
       added === 0
         ? await element.removePages(at, count)
         : count === 0
-          ? await element.insertPages(at, this.#images(hues))
-          : await element.replacePage(at, this.#images(hues));
+          ? await element.insertPages(at, this.#hues.images(hues))
+          : await element.replacePage(at, this.#hues.images(hues));
     if (isDone) this.#pages.splice(at - 1, count, ...hues);
   }
 
@@ -418,32 +450,11 @@ export class RandomOperations {
     );
   }
 
-  /** The places of the texts of the PDF's pages among those that lie open, from the element's upper left corner. */
-  async #texts(open: readonly number[]): Promise<Map<number, DOMRect>> {
-    const boxes = new Map<number, DOMRect>();
-    const home = this.#element.getBoundingClientRect();
-    for (const page of open) {
-      if (this.#pages[page - 1] !== "print") continue;
-      const spans = () => {
-        const label = this.#element.label(page);
-        const groups = this.#element.shadowRoot?.querySelectorAll(".text > [role=group]") ?? [];
-        const group = [...groups].find(({ ariaLabel }) => ariaLabel?.split(" ").includes(label));
-        return [...(group?.querySelectorAll<HTMLElement>(".print > span:not([hidden])") ?? [])];
-      };
-      // A page of few lines has no more later either.
-      for (let k = 0; k < 20 && spans().length < leastLines; k++) await wait(20);
-      const seen = spans().map((span) => span.getBoundingClientRect());
-      if (seen.length < leastLines) continue;
-      const [left, top] = [
-        Math.min(...seen.map((s) => s.left)),
-        Math.min(...seen.map((s) => s.top)),
-      ];
-      const right = Math.max(...seen.map((s) => s.right));
-      const bottom = Math.max(...seen.map((s) => s.bottom));
-      if (right - left < leastPrintWidth) continue;
-      boxes.set(page, new DOMRect(left - home.left, top - home.top, right - left, bottom - top));
-    }
-    return boxes;
+  /** Whether a page of the leaves that lie open is folded along a line. */
+  get #hasFoldInSight(): boolean {
+    const { left, right } = this.#element.spread;
+    const open = [left, right].filter((page) => page !== null);
+    return this.#element.folds.some(({ page }) => open.some((one) => Math.abs(one - page) <= 1));
   }
 
   async #inTime(name: string, work: unknown): Promise<void> {
@@ -473,81 +484,6 @@ export class RandomOperations {
   #prints(): Content[] {
     return Array.from({ length: this.#pdfPages }, () => "print");
   }
-
-  #hues(least: number, most: number): Content[] {
-    return Array.from({ length: this.#whole(least, most) }, () => this.#hue());
-  }
-
-  #hue(): number {
-    return (360 / hueCount) * ((this.#madeHues++ * hueStep) % hueCount);
-  }
-
-  #images(hues: readonly Content[]): { src: string }[] {
-    return hues.map((hue) => ({ src: this.#image(Number(hue), Number(hue) % 50 === 30) }));
-  }
-
-  /** A manifest, as a file, of images with a text. */
-  #manifest(hues: readonly Content[]): Blob {
-    const place = { x: 10, y: 10, width: 60, height: 12 };
-    const pages = this.#images(hues).map((page) => ({
-      ...page,
-      text: [{ ...place, text: "hue" }],
-    }));
-    return new Blob([JSON.stringify({ title: "Hues", pages })], { type: "application/json" });
-  }
-
-  /** A page of one hue; those of other proportions are fitted to their leaves. */
-  #image(hue: number, isWide: boolean): string {
-    const key = `${hue} ${isWide}`;
-    const known = this.#pictures.get(key);
-    if (known) return known;
-    const canvas = document.createElement("canvas");
-    [canvas.width, canvas.height] = isWide ? [120, 120] : [90, 120];
-    const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
-    pen.fillStyle = `hsl(${hue} 100% 50%)`;
-    pen.fillRect(0, 0, canvas.width, canvas.height);
-    const address = canvas.toDataURL("image/png");
-    canvas.width = canvas.height = 0;
-    this.#pictures.set(key, address);
-    return address;
-  }
 }
 
 type BookInput = NonNullable<TurnleafBook["pages"]> | string;
-
-/** Part of a picture by hue, in steps of 10 degrees, of the pixels that have one. */
-function hues({ data, width, height }: ImageData): number[] {
-  const counts = Array.from({ length: 36 }, () => 0);
-  for (let k = 0; k < data.length; k += 4) {
-    const [r, g, b] = data.subarray(k, k + 3);
-    const [most, least] = [Math.max(r, g, b), Math.min(r, g, b)];
-    if (most < 60 || (most - least) / most < 0.7) continue;
-    const sixth =
-      most === r
-        ? (g - b) / (most - least)
-        : most === g
-          ? 2 + (b - r) / (most - least)
-          : 4 + (r - g) / (most - least);
-    counts[Math.floor((60 * sixth + 360 + 5) / 10) % 36] += 1 / (width * height);
-  }
-  return counts;
-}
-
-/** The part of a picture that has about a hue. */
-function partOf(counts: readonly number[], hue: number): number {
-  const middle = Math.floor((hue + 5) / 10);
-  return [-1, 0, 1].reduce((sum, by) => sum + counts[(middle + by + 36) % 36], 0);
-}
-
-/** Mean difference of brightness, of 255, between a pixel in a box and the one below it. */
-function contrastIn({ data, width, height }: ImageData, box: DOMRect): number {
-  const bright = (x: number, y: number): number => data[4 * (y * width + x) + 1];
-  let [sum, count] = [0, 0];
-  for (let y = Math.max(Math.ceil(box.top), 0); y < Math.min(box.bottom, height - 1) - 1; y++) {
-    for (let x = Math.max(Math.ceil(box.left), 0); x < Math.min(box.right, width) - 1; x++) {
-      sum += Math.abs(bright(x, y) - bright(x, y + 1));
-      count++;
-    }
-  }
-  return sum / Math.max(count, 1);
-}

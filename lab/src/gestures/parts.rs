@@ -1,0 +1,119 @@
+//! How deep parts of a folded leaf that lies are drawn in each other, by the sides to which its
+//! creases are folded.
+
+use std::f64::consts::FRAC_PI_2;
+
+use turnleaf_engine::book::CreasedMesh;
+use turnleaf_engine::{FoldLine, Surface};
+
+use super::triangle::{Point, cross, dot, sub};
+
+/// Farther off each other than this, as a part of the page's width, parts are not looked at: what
+/// is drawn so far on the wrong side of a fold has been folded there.
+const NEAR: f32 = 0.07;
+
+/// Farther from a point than this, in page widths, no triangle reaches over it.
+const REACH: f32 = 0.22;
+
+/// The deepest that a drawn point of one part of a leaf is in a triangle of another, metres. Only
+/// what is folded by more than a right angle is looked at: less may lie on either side.
+pub fn inside_parts(
+    surface: &Surface,
+    mesh: &CreasedMesh,
+    creases: &[FoldLine],
+    width: f32,
+) -> f32 {
+    let points = surface.positions.as_chunks::<3>().0;
+    let corners = mesh.triangles.as_chunks::<3>().0;
+    let triangles = || corners.iter().zip(&mesh.parts);
+    // Those on creases belong to no part.
+    let mut parts: Vec<Option<Option<u16>>> = vec![None; points.len()];
+    for (corners, part) in triangles() {
+        for corner in corners {
+            let own = parts[*corner as usize].get_or_insert(Some(*part));
+            if *own != Some(*part) {
+                *own = None;
+            }
+        }
+    }
+    let mut deepest = 0.0f32;
+    for (point, own) in points.iter().zip(parts.iter().map(|part| part.flatten())) {
+        let Some(own) = own else { continue };
+        for (corners, part) in triangles() {
+            let away = sub(*point, points[corners[0] as usize]);
+            if *part == own || dot(away, away) > (REACH * width).powi(2) {
+                continue;
+            }
+            if let Some(side) = side(creases, *part, own) {
+                let height = height(*point, corners.map(|corner| points[corner as usize]));
+                if let Some(height) = height.filter(|height| height.abs() < NEAR * width) {
+                    deepest = deepest.max(-side * height);
+                }
+            }
+        }
+    }
+    deepest
+}
+
+/// The side of a triangle of the part `under` on which another part lies, 1 that of its normal or
+/// -1; None where it may lie on either: where neither lies beyond the other, or the first crease
+/// between them, as seen from the spine, is not folded by more than a right angle.
+fn side(creases: &[FoldLine], under: u16, part: u16) -> Option<f32> {
+    let [own, other] = [part & !under, under & !part];
+    if own != 0 && other != 0 {
+        return None;
+    }
+    let between = (own | other).trailing_zeros() as usize;
+    let rest = creases.get(between)?.rest;
+    (rest.abs() > FRAC_PI_2).then_some(rest.signum() as f32)
+}
+
+/// Height of a point over a triangle that it lies over, on the side of its normal, metres.
+fn height(point: Point, [a, b, c]: [Point; 3]) -> Option<f32> {
+    let (u, v, away) = (sub(b, a), sub(c, a), sub(point, a));
+    let across = cross(u, v);
+    let all = dot(across, across).max(1e-30);
+    let on_b = dot(cross(away, v), across) / all;
+    let on_c = dot(cross(u, away), across) / all;
+    let is_over = on_b > 0.0 && on_c > 0.0 && on_b + on_c < 1.0;
+    is_over.then(|| dot(away, across) / all.sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use turnleaf_engine::Stock;
+    use turnleaf_engine::book::Book;
+
+    /// A page folded in two lies clear of itself; its flap pushed 1 mm down lies about as deep
+    /// in it.
+    #[test]
+    fn a_flap_pushed_into_its_page_is_found_there() {
+        let lines = [FoldLine::pressed(
+            [[0.6, 0.0], [0.6, 1.0]],
+            3.0,
+            &Stock::BOOK,
+            0.14,
+        )];
+        let mut book = Book::new(0.14, 0.21, 40, 0.004).expect("a book's figures");
+        book.lay(5);
+        assert!(book.crease(5, &lines));
+        let (surface, mesh) = (book.surface(0).unwrap(), book.creased_mesh(0).unwrap());
+        assert!(inside_parts(surface, mesh, &lines, 0.14) < 1e-4);
+        let mut sunken = surface.clone();
+        let points = sunken.positions.as_chunks_mut::<3>().0;
+        let flap = mesh.places.as_chunks::<2>().0.iter();
+        let lowest = points.iter().map(|point| point[2]).fold(f32::MAX, f32::min);
+        let mut most = 0.0f32;
+        for (point, _) in points
+            .iter_mut()
+            .zip(flap)
+            .filter(|(_, place)| place[0] > 0.61)
+        {
+            most = most.max(point[2] - lowest);
+            point[2] -= 0.02;
+        }
+        assert!(most < 0.02, "the flap stands {most} m high");
+        assert!(inside_parts(&sunken, mesh, &lines, 0.14) > 1e-3);
+    }
+}
