@@ -9,12 +9,12 @@
 
 use super::Book;
 use super::limits::{NODES, TICK};
+use super::stillness::Stillness;
 use super::surroundings::{Surroundings, TableAround};
 use crate::grid::Side;
 use crate::models::sheet::{Root, Sheet, SheetSettings, Tether};
 use crate::surface::Surface;
 use crate::turn::TurnModel;
-use crate::vector::dot;
 
 #[cfg(test)]
 mod tests;
@@ -51,12 +51,6 @@ const PULL: [f32; 2] = [200.0, 20.0];
 /// The number of the hand: there is one.
 const HAND: u32 = 0;
 
-/// Speed of the nodes, root of the mean square, m/s, below which a sheet lies still, the ticks
-/// for which it does, and those after which it is left as it lies.
-const STILL: f32 = 1e-3;
-const STILL_TICKS: u32 = 24;
-const LONGEST_FALL: u32 = 480;
-
 /// Ticks in which what was drawn of the bound leaf becomes what is drawn of the torn one: the
 /// sheet's cells are coarser than the bend out of the gutter.
 const BLENDED: u32 = 12;
@@ -82,9 +76,7 @@ pub struct TornLeaf {
     is_held: bool,
     /// Where the hand pulls.
     pulled: [f32; 3],
-    /// Ticks since it was let go, and since it lies still.
-    fallen: u32,
-    still: u32,
+    stillness: Stillness,
     surface: Surface,
     /// By how much what was drawn at first differed from the sheet, metres, and for how many
     /// more ticks it does.
@@ -138,8 +130,7 @@ impl TornLeaf {
             torn: 0.0,
             is_held: false,
             pulled: [f32::NAN; 3],
-            fallen: 0,
-            still: 0,
+            stillness: Stillness::default(),
             surface,
         };
         torn.tie();
@@ -199,7 +190,7 @@ impl TornLeaf {
     /// Whether it does not move until the next command: it lies or is held still, or has been let
     /// go for so long that it is left as it is.
     pub fn is_asleep(&self) -> bool {
-        self.still >= STILL_TICKS || self.fallen >= LONGEST_FALL
+        self.stillness.is_asleep()
     }
 
     fn surroundings<'a>(&self, book: &'a Book) -> Surroundings<'a> {
@@ -223,14 +214,7 @@ impl TornLeaf {
                 self.tear_rows();
             }
             self.blend = self.blend.saturating_sub(1);
-            let v = self.sheet.velocities();
-            let square = dot3(v) / (v.len() / 3) as f32;
-            self.still = if square < STILL * STILL {
-                self.still + 1
-            } else {
-                0
-            };
-            self.fallen += u32::from(!self.is_held);
+            self.stillness.count(self.sheet.velocities(), self.is_held);
         }
     }
 
@@ -264,7 +248,7 @@ impl TornLeaf {
     }
 
     fn wake(&mut self) {
-        (self.still, self.fallen) = (0, 0);
+        self.stillness.wake();
     }
 
     /// Ties the sheet by the rows that hold.
@@ -368,9 +352,4 @@ fn nodes_of(drawn: &Surface, u: &[f32]) -> Vec<[f32; 3]> {
         }
     }
     nodes
-}
-
-/// Sum of the squares.
-fn dot3(v: &[f32]) -> f32 {
-    v.as_chunks::<3>().0.iter().map(|v| dot(*v, *v)).sum()
 }
