@@ -3,7 +3,8 @@
 import type { BoundRows, LeafTearing, TearOptions, TornSheet } from "./book_engine.ts";
 import { areFinite, clamp, whole, wholeTicks } from "./numbers.ts";
 import { type Surface, tearLines, type Vec3 } from "./shapes.ts";
-import { type Exports, visibleThickness } from "./wasm_book.ts";
+import { SheetSurface, type SurfaceGrid } from "./sheet_surface.ts";
+import type { Exports } from "./wasm_book.ts";
 
 /** What the engine exports for torn leaves. */
 export interface TearingExports extends Exports {
@@ -47,7 +48,7 @@ export function tearingOf(
   wasm: TearingExports,
   book: number,
   tick: number,
-  grid: { readonly columns: number; readonly rows: number },
+  grid: SurfaceGrid,
 ): LeafTearing {
   return {
     tear: (id, { line, bound = [0, nodeRows], table, rim }: TearOptions) => {
@@ -66,17 +67,12 @@ export function tearingOf(
 class WasmTornSheet implements TornSheet {
   readonly #wasm: TearingExports;
   readonly #leaf: number;
-  readonly #grid: { readonly columns: number; readonly rows: number };
-  #surface: Surface | null = null;
+  readonly #surface: SheetSurface;
 
-  constructor(
-    wasm: TearingExports,
-    leaf: number,
-    grid: { readonly columns: number; readonly rows: number },
-  ) {
+  constructor(wasm: TearingExports, leaf: number, grid: SurfaceGrid) {
     this.#wasm = wasm;
     this.#leaf = leaf;
-    this.#grid = grid;
+    this.#surface = new SheetSurface(wasm.memory, grid);
   }
 
   /** @param book address of the book on and beside which it lies */
@@ -93,22 +89,13 @@ class WasmTornSheet implements TornSheet {
   }
 
   get surface(): Surface {
-    const { buffer } = this.#wasm.memory;
-    const version = this.#wasm.tl_torn_version(this.#leaf);
-    const known = this.#surface;
-    if (known?.positions.buffer === buffer && known.version === version) return known;
-    const { columns, rows } = this.#grid;
-    const caliper = this.#wasm.tl_torn_caliper(this.#leaf);
-    const view = (at: number) => new Float32Array(buffer, at, 3 * columns * rows);
-    this.#surface = {
-      columns,
-      rows,
-      positions: view(this.#wasm.tl_torn_positions(this.#leaf)),
-      normals: view(this.#wasm.tl_torn_normals(this.#leaf)),
-      version,
-      thickness: caliper < visibleThickness ? 0 : caliper,
-    };
-    return this.#surface;
+    const wasm = this.#wasm;
+    const [positions, normals] = [
+      wasm.tl_torn_positions(this.#leaf),
+      wasm.tl_torn_normals(this.#leaf),
+    ];
+    const version = wasm.tl_torn_version(this.#leaf);
+    return this.#surface.at(positions, normals, version, wasm.tl_torn_caliper(this.#leaf));
   }
 
   grab(u: number, v: number): void {

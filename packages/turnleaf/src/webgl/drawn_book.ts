@@ -157,7 +157,12 @@ export class DrawnBook {
     const edge = this.framing.flapEdge;
     const before = edge.join();
     edge.length = 0;
-    if (flap) edge.push(...[0, 2].map((axis) => flap.positions[3 * (flap.columns - 1) + axis]));
+    if (flap) {
+      const { positions, columns, rows } = flap;
+      for (const corner of [columns, columns * rows]) {
+        edge.push(positions[3 * corner - 3], positions[3 * corner - 1]);
+      }
+    }
     return edge.join() !== before;
   }
 
