@@ -72,6 +72,12 @@ const pictures = {
     },
   },
   ...Object.fromEntries(
+    [0, 350, 640].map((unfold, k) => [
+      `fold-out-${k + 1}`,
+      { example: "20-fold-outs.html", viewport: { width: 900, height: 480 }, page: 5, unfold },
+    ]),
+  ),
+  ...Object.fromEntries(
     ["bible", "book", "office", "coated", "card"].map((stock) => [
       `stock-${stock}`,
       { page: 18, viewport: small, stock, drag: [0.86, 0.83, 0.66, 0.5] },
@@ -154,6 +160,7 @@ async function take(browser, reader, examples, name) {
     riffle,
     drag,
     strip,
+    unfold,
   } = pictures[name];
   const page = await browser.newPage({ viewport, deviceScaleFactor: scale });
   page.setDefaultTimeout(180_000);
@@ -227,6 +234,15 @@ async function take(browser, reader, examples, name) {
     await page.mouse.down();
     await page.mouse.move(x1, y1, { steps: 8 });
     await page.evaluate(() => window.clock.pass(700));
+  }
+  if (unfold) {
+    // Its flap is there before the clock goes on.
+    await page.evaluate(
+      (number) => void document.querySelector("turnleaf-book").unfold(number),
+      number,
+    );
+    await page.waitForTimeout(3000);
+    await page.evaluate((milliseconds) => window.clock.pass(milliseconds), unfold);
   }
   const file = join(out, `${name}.png`);
   if (strip) {

@@ -16,7 +16,7 @@ pub(crate) const STIFFNESS: f64 = 30.0;
 
 /// Greatest force of any hand, N, and in weights of the leaf: a finger that would
 /// lift book paper easily would tear bible paper.
-const STRONGEST: f64 = 0.5;
+pub(crate) const STRONGEST: f64 = 0.5;
 const WEIGHTS: f64 = 14.0;
 
 /// Greatest force of a hand, N, on a leaf that weighs `weight` N.

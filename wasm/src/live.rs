@@ -79,3 +79,21 @@ impl<T> Nothing for *const T {
 impl<T> Nothing for *mut T {
     const NOTHING: Self = core::ptr::null_mut();
 }
+
+/// Declares exported functions on what a [`Live`] keeps, each a call to the engine.
+#[cfg(any(feature = "creases", test))]
+macro_rules! live_functions {
+    ($live:ident: $kind:ty; $($(#[$doc:meta])* fn $name:ident($own:ident $(, $arg:ident: $type:ty)*) $(-> $result:ty)? $body:block)*) => {$(
+        $(#[$doc])*
+        #[unsafe(no_mangle)]
+        pub unsafe extern "C" fn $name($own: *mut $kind $(, $arg: $type)*) $(-> $result)? {
+            // SAFETY: from one thread by the crate's contract, so that no other call uses it.
+            let Some($own) = (unsafe { $live.get($own) }) else {
+                return $crate::live::Nothing::NOTHING;
+            };
+            $body
+        }
+    )*};
+}
+#[cfg(any(feature = "creases", test))]
+pub(crate) use live_functions;

@@ -356,6 +356,51 @@ fn a_torn_leaf_takes_any_number() {
     }
 }
 
+#[test]
+fn a_flap_takes_any_number() {
+    use crate::fold_outs::*;
+    let mut random = random();
+    for _ in 0..100 {
+        let book = tl_book_new(0.148, 0.21, 40, 0.004);
+        // SAFETY: handles of this thread, or none.
+        unsafe {
+            tl_book_lay(book, random.whole(41));
+            let (fold, width) = (random.single(0.4, 1.1), random.single(0.0, 1.1));
+            let (table, rim) = (random.single(-0.01, 0.0), random.single(0.0, 0.01));
+            let on = random.whole(2);
+            let flap = tl_flap_new(book, on, fold.into(), width.into(), table, rim);
+            let is_place = (0.5..=1.0).contains(&fold) && (0.05..=fold).contains(&width);
+            assert!(is_place || flap.is_null());
+            let books = [book, core::ptr::null_mut(), flap.cast()];
+            for _ in 0..60 {
+                let [x, y, z] = [0, 1, 2].map(|_| random.single(-0.5, 0.5));
+                match random.below(8) {
+                    0 => tl_flap_grab(flap, x + 0.5, y + 0.5),
+                    1 => tl_flap_release(flap),
+                    2 => tl_flap_turn(flap, random.whole(2)),
+                    3 | 4 => tl_flap_pull(flap, x, y, z),
+                    5 => assert!(tl_flap_angle(flap).is_finite()),
+                    _ => {
+                        let on = books[random.below(books.len())];
+                        tl_flap_step(flap, on, random.whole(20).min(40));
+                    }
+                }
+                if let Some(alive) = FLAPS.get(flap) {
+                    let surface = alive.surface();
+                    let mut numbers = surface.positions.iter().chain(&surface.normals);
+                    assert!(numbers.all(|x| x.is_finite()));
+                    assert!(tl_flap_caliper(flap) > 0.0);
+                }
+            }
+            tl_flap_drop(flap);
+            assert_eq!(tl_flap_asleep(flap), 0);
+            assert!(tl_flap_positions(flap).is_null() && tl_flap_normals(flap).is_null());
+            assert_eq!(tl_flap_version(flap), 0);
+            tl_book_drop(book);
+        }
+    }
+}
+
 /// The figures of a leaf by `tl_leaf_new`: kind, size, stock and so on, each right or any.
 fn figures(random: &mut Random) -> [f64; 21] {
     let mut usual = [

@@ -6,7 +6,7 @@
 use turnleaf_engine::book::{Book, TableAround, TearLine, TornLeaf};
 
 use crate::books::{BOOKS, MOST_TICKS};
-use crate::live::{Live, Nothing};
+use crate::live::{Live, live_functions};
 
 /// The torn leaves that are alive.
 pub(crate) static TORN: Live<TornLeaf> = Live::new();
@@ -58,22 +58,8 @@ pub unsafe extern "C" fn tl_torn_step(leaf: *mut TornLeaf, book: *mut Book, tick
     }
 }
 
-/// Declares exported functions on a torn leaf, each a call to the engine.
-macro_rules! torn_functions {
-    ($($(#[$doc:meta])* fn $name:ident($leaf:ident $(, $arg:ident: $type:ty)*) $(-> $result:ty)? $body:block)*) => {$(
-        $(#[$doc])*
-        #[unsafe(no_mangle)]
-        pub unsafe extern "C" fn $name($leaf: *mut TornLeaf $(, $arg: $type)*) $(-> $result)? {
-            // SAFETY: from one thread by the crate's contract, so that no other call uses it.
-            let Some($leaf) = (unsafe { TORN.get($leaf) }) else {
-                return Nothing::NOTHING;
-            };
-            $body
-        }
-    )*};
-}
-
-torn_functions! {
+live_functions! {
+    TORN: TornLeaf;
     /// A hand takes hold at (u, v), each 0 to 1 or the nearer of these. Nothing happens where
     /// one is not finite.
     fn tl_torn_grab(leaf, u: f32, v: f32) { leaf.grab(u, v) }

@@ -13,6 +13,7 @@ mod crossing;
 mod draw;
 mod flight;
 mod flights;
+mod fold_out;
 #[cfg(all(test, feature = "creases"))]
 mod folding_tests;
 mod gutter;
@@ -28,6 +29,7 @@ mod pile;
 mod pile_table;
 mod separate;
 mod separate_parts;
+mod stillness;
 mod surroundings;
 #[cfg(test)]
 mod tests;
@@ -37,6 +39,7 @@ mod work;
 pub use bend_into_gutter::bend_into_gutter;
 pub use board::Board;
 pub use flight::CreasedMesh;
+pub use fold_out::{FlapPlace, FoldOut};
 pub use leaf::Leaf;
 use limits::MOST_STEPPING;
 pub use limits::{MAX_GRABS, MOST_FLIGHTS, TICK};

@@ -141,7 +141,7 @@ impl<'a> Surroundings<'a> {
     fn floor(&self, [x, y, _]: [f32; 3]) -> f32 {
         let [width, height] = self.size;
         let side = usize::from(x < 0.0);
-        let over = |rim: f32| x.abs() < width + rim && y > -rim && y < height + rim;
+        let over = |rim: f32| x.abs() < width + rim && y >= -rim && y <= height + rim;
         if over(0.0) {
             let pile = self.piles[side];
             pile.height_and_slope(x.abs(), pile.column_before(x.abs(), 0))

@@ -9,6 +9,7 @@
 
 use super::Book;
 use super::limits::{NODES, TICK};
+use super::stillness::{STILL, Stillness};
 use super::surroundings::{Surroundings, TableAround};
 use crate::grid::Side;
 use crate::interpolate::uniform_samples;
@@ -16,7 +17,6 @@ use crate::models::sheet::{Root, Sheet, SheetSettings, Tether};
 use crate::stock::GRAVITY;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
-use crate::vector::dot;
 
 mod ball;
 #[cfg(test)]
@@ -60,13 +60,7 @@ const PULL: [f32; 2] = [200.0, 20.0];
 /// The number of the hand: there is one.
 const HAND: u32 = 0;
 
-/// Speed of the nodes, root of the mean square, m/s, below which a sheet lies still, the ticks
-/// for which it does, and those after which it is left as it lies.
-const STILL: f32 = 1e-3;
-const STILL_TICKS: u32 = 24;
-const LONGEST_FALL: u32 = 480;
-
-/// That speed of a ball: a tenth of what gravity gives it in a tick, which its contacts take from
+/// Speed of the nodes of a ball, root of the mean square, m/s, below which it lies still: a tenth of what gravity gives it in a tick, which its contacts take from
 /// it again, node by node.
 const BALL_STILL: f32 = 0.1 * GRAVITY as f32 * TICK;
 
@@ -104,9 +98,7 @@ pub struct TornLeaf {
     is_held: bool,
     /// Where the hand pulls.
     pulled: [f32; 3],
-    /// Ticks since it was let go, and since it lies still.
-    fallen: u32,
-    still: u32,
+    stillness: Stillness,
     surface: Surface,
     /// By how much what was drawn at first differed from the sheet, metres, and for how many
     /// more ticks it does.
@@ -161,8 +153,7 @@ impl TornLeaf {
             torn: 0.0,
             is_held: false,
             pulled: [f32::NAN; 3],
-            fallen: 0,
-            still: 0,
+            stillness: Stillness::default(),
             surface,
             crumpled: None,
         };
@@ -270,7 +261,7 @@ impl TornLeaf {
     /// Whether it does not move until the next command: it lies or is held still, or has been let
     /// go for so long that it is left as it is.
     pub fn is_asleep(&self) -> bool {
-        self.still >= STILL_TICKS || self.fallen >= LONGEST_FALL
+        self.stillness.is_asleep()
     }
 
     fn surroundings<'a>(&self, book: &'a Book) -> Surroundings<'a> {
@@ -297,19 +288,13 @@ impl TornLeaf {
             if let Some(Crumpled::Pressed(_)) = &self.crumpled {
                 continue;
             }
-            let v = self.sheet.velocities();
-            let square = dot3(v) / (v.len() / 3) as f32;
-            let most = if self.is_crumpled() {
+            let slowest = if self.is_crumpled() {
                 BALL_STILL
             } else {
                 STILL
             };
-            self.still = if square < most * most {
-                self.still + 1
-            } else {
-                0
-            };
-            self.fallen += u32::from(!self.is_held);
+            let velocities = self.sheet.velocities();
+            self.stillness.count(velocities, self.is_held, slowest);
         }
     }
 
@@ -362,7 +347,7 @@ impl TornLeaf {
     }
 
     fn wake(&mut self) {
-        (self.still, self.fallen) = (0, 0);
+        self.stillness.wake();
     }
 
     /// Ties the sheet by the rows that hold.
@@ -476,9 +461,4 @@ fn nodes_of(drawn: &Surface, u: &[f32], [columns, rows]: [usize; 2]) -> Vec<[f32
         }
     }
     nodes
-}
-
-/// Sum of the squares.
-fn dot3(v: &[f32]) -> f32 {
-    v.as_chunks::<3>().0.iter().map(|v| dot(*v, *v)).sum()
 }

@@ -215,7 +215,7 @@ impl Tear {
         let is_over = self.ticks >= self.lasting;
         match self.motion {
             Motion::Tears { flight, .. } if self.leaf.bound().is_empty() => {
-                let work = f64::from(self.leaf.take_torn());
+                let work = f64::from(self.leaf.take_work());
                 let wanted = self.work(book);
                 torn.work_off = torn.work_off.max((work / wanted - 1.0).abs());
                 torn.off += 1;

@@ -321,3 +321,15 @@ it("19: coupons are torn out but for one that has expired", { timeout: 240_000 }
   await expect.poll(said, patience).toBe("One coffee is back.");
   expect(await ask((book) => book.pageCount)).toBe(4);
 });
+
+it("20: a map is unfolded and folded in again", {
+  timeout: 240_000,
+}, async () => {
+  await open("20-fold-outs", { width: 760, height: 520 });
+  const said = page.locator("output");
+  await page.getByRole("button", { name: "Unfold" }).click();
+  await expect.poll(() => said.textContent(), patience).toBe("Page 5 is open");
+  await page.getByRole("button", { name: "Fold in" }).click();
+  await expect.poll(() => said.textContent(), patience).toBe("Folded in");
+  expect(await ask((book) => [book.page, book.state])).toEqual([4, "resting"]);
+});

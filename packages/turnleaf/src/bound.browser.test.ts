@@ -258,6 +258,28 @@ test("a fold-out is folded in, unfolds beside the book, and folds in before a tu
   expect(await hueAt(element, 0.65, 0.6)).toBeNull();
 });
 
+test("a pointer opens a fold-out by its flap, shuts it again, and turns its leaf by any other pull", async () => {
+  const sheets = pages(12);
+  sheets[4] = wide(5, 30);
+  const element = book(sheets, { duration: "80", page: "4", cover: "none" });
+  [element.style.width, element.style.height] = ["560px", "300px"];
+  await happens(element, "load");
+  await settled(element);
+  await drag(element, [0.58, 0.55], [0.86, 0.55]);
+  await expectPage(element, 5, 0.5, 0.6);
+  await expectPage(element, 30, 0.8, 0.6);
+  expect([element.page, element.state]).toEqual([4, "resting"]);
+  await drag(element, [0.8, 0.55], [0.55, 0.55]);
+  await expectPage(element, 5, 0.52, 0.6);
+  expect(await hueAt(element, 0.65, 0.6)).toBeNull();
+  // Let go where it was taken, it falls shut.
+  await drag(element, [0.58, 0.55], [0.61, 0.55]);
+  expect(await hueAt(element, 0.65, 0.6)).toBeNull();
+  await drag(element, [0.68, 0.6], [0.3, 0.6]);
+  expect(element.page).toBe(6);
+  await expectPage(element, 7, 0.6, 0.6);
+});
+
 test("a smaller page lies at the spine, and beside it the page beneath is seen", async () => {
   const sheets = pages(12);
   sheets[4] = plain(5, 50, 120);

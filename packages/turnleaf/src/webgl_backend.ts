@@ -12,6 +12,8 @@ export function webglBackend(code: Promise<WebAssembly.Module>): Backend {
   return {
     engine: (size) => WasmBook.create(size, code),
     stage: (canvas, shape) => new WebGLStage(canvas, shape),
+    creasable: async (size) =>
+      (await import("./engine/creasable_book.ts")).CreasableBook.creasable(size),
     folds: () => import("./viewer/folds.ts"),
     tearing: () => import("./viewer/tearing.ts"),
     models: () => import("./leaf_models/leaf_models.ts"),

@@ -1,4 +1,5 @@
 use super::*;
+use crate::book::stillness::LONGEST_FALL;
 use crate::book::{Board, Book};
 use crate::grid::Side;
 use crate::stock::Stock;

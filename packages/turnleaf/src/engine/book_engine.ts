@@ -106,6 +106,44 @@ export interface LeafTearing {
   step(sheet: TornSheet, ticks: number): void;
 }
 
+/** Where the flap of a fold-out is, on the uppermost page of a side. */
+export interface FlapPlace {
+  readonly side: Side;
+  /** Distance of the fold from the spine, in page widths, 0.5 to 1. */
+  readonly fold: number;
+  /** Width of the flap, in page widths: 0.05 to `fold`. */
+  readonly width: number;
+  /** Height of the table, metres: 0 if the pages lie on it, less if boards do. */
+  readonly table: number;
+  /** How far boards reach beyond the pages, metres; 0 if there are none. */
+  readonly rim: number;
+}
+
+/**
+ * The flap of a fold-out: the part of a leaf beyond its fold, while the leaf lies uppermost. One
+ * grab holds it. It ends before its book's engine does.
+ */
+export interface FlapSheet {
+  /** Whether it does not move until the next command. */
+  readonly isAsleep: boolean;
+  /** Angle at which its edge is seen from the fold, radians: 0 open and level, pi shut. */
+  readonly angle: number;
+  /** What is drawn of it, a row from the fold outward; valid until the next step. */
+  readonly surface: Surface;
+  /** Grabs it at (u, v), u from the fold. */
+  grab(u: number, v: number): void;
+  /** Pulls the grab to a place in book space, metres. */
+  pull(place: Vec3): void;
+  /** Releases the grab: it falls, and its fold is pressed open or shut. */
+  release(): void;
+  /** Turns it by its edge, open or shut, and releases it. */
+  turn(isToOpen: boolean): void;
+  /** Advances it by whole ticks. */
+  step(ticks: number): void;
+  /** Frees it. Nothing may be called afterwards. */
+  destroy(): void;
+}
+
 /**
  * One bound book with several leaves of paper in flight. A flight is identified
  * by the number that `lift` returns; a command to one that is over changes
@@ -127,6 +165,11 @@ export interface BookEngine {
   readonly creases?: CreasedLeaves;
   /** Tears its leaves out; missing where they cannot be torn. */
   readonly tearing?: LeafTearing;
+  /**
+   * Makes the flap of a fold-out, shut; null if no leaf lies there. Missing where fold-outs
+   * cannot be opened.
+   */
+  readonly flap?: (place: FlapPlace) => FlapSheet | null;
 
   /**
    * Makes another book beside this one, in the same memory if it has one.

@@ -1,11 +1,19 @@
 /**
- * A book in the engine whose leaves can be creased and torn out: loaded when a book has its first
- * crease or may be torn, as its WASM is nearly twice as large.
+ * A book in the engine whose leaves can be creased, torn out and folded out: loaded when a book
+ * has its first crease, may be torn or opens a fold-out, as its WASM is nearly twice as large.
  */
 
 import { unpack } from "../packed.ts";
-import type { BookEngine, BookSize, CreasedLeaves, LeafTearing } from "./book_engine.ts";
+import type {
+  BookEngine,
+  BookSize,
+  CreasedLeaves,
+  FlapPlace,
+  FlapSheet,
+  LeafTearing,
+} from "./book_engine.ts";
 import code from "./creases.wasm";
+import { type FlapExports, flapsOf } from "./flap_sheets.ts";
 import { areFinite, whole } from "./numbers.ts";
 import type { Side } from "./phases.ts";
 import type { Crease, CreasedMesh, Surface } from "./shapes.ts";
@@ -13,7 +21,7 @@ import { type TearingExports, tearingOf } from "./torn_sheets.ts";
 import { WasmBook } from "./wasm_book.ts";
 
 /** What the engine exports beside the functions of all books. */
-interface CreasingExports extends TearingExports {
+interface CreasingExports extends TearingExports, FlapExports {
   tl_creases(): number;
   tl_book_crease(book: number, leaf: number, count: number): number;
   tl_book_press(book: number, leaf: number, crease: number, rest: number): void;
@@ -32,17 +40,20 @@ const numbersOfCrease = 5;
 
 const mostLeaves = 1e6;
 
-/** A book whose leaves can be creased and torn out. */
+/** A book whose leaves can be creased, torn out and folded out. */
 export class CreasableBook extends WasmBook {
   readonly creases: CreasedLeaves;
   readonly tearing: LeafTearing;
+  readonly flap: (place: FlapPlace) => FlapSheet | null;
   /** The meshes of creased leaves, each with its version, by the address of their positions. */
   readonly #meshes = new Map<number, readonly [version: number, mesh: CreasedMesh]>();
 
   private constructor(wasm: CreasingExports, size: BookSize) {
     super(wasm, size);
     const { book } = this;
-    this.tearing = tearingOf(wasm, book, this.tick);
+    const grid = { columns: wasm.tl_book_columns(book), rows: wasm.tl_book_rows(book) };
+    this.tearing = tearingOf(wasm, book, this.tick, grid);
+    this.flap = flapsOf(wasm, book, this.tick, grid);
     this.creases = {
       crease: (leaf, creases) => {
         const numbers = creases.flatMap(numbersOf);

@@ -3,8 +3,9 @@
 import type { BoundRows, LeafTearing, TearOptions, TornSheet } from "./book_engine.ts";
 import { facetsOf } from "./facets.ts";
 import { areFinite, clamp, whole, wholeTicks } from "./numbers.ts";
-import { type CreasedMesh, type Surface, tearLines, type Vec3 } from "./shapes.ts";
-import { type Exports, visibleThickness } from "./wasm_book.ts";
+import { type Surface, tearLines, type Vec3 } from "./shapes.ts";
+import { SheetSurface, type SurfaceGrid } from "./sheet_surface.ts";
+import type { Exports } from "./wasm_book.ts";
 
 /** What the engine exports for torn leaves. */
 export interface TearingExports extends Exports {
@@ -48,14 +49,19 @@ const farthest = 1000;
  *
  * @param book the book's address there
  */
-export function tearingOf(wasm: TearingExports, book: number, tick: number): LeafTearing {
+export function tearingOf(
+  wasm: TearingExports,
+  book: number,
+  tick: number,
+  grid: SurfaceGrid,
+): LeafTearing {
   return {
     tear: (id, { line, bound = [0, nodeRows], table, rim }: TearOptions) => {
       if (!areFinite([table, rim])) return null;
       const [low, high] = bound.map((row) => whole(row, nodeRows));
       const number = tearLines.indexOf(line);
       const at = wasm.tl_torn_new(book, whole(id, mostIds), number, low, high, table, rim);
-      return at === 0 ? null : new WasmTornSheet(wasm, at);
+      return at === 0 ? null : new WasmTornSheet(wasm, at, grid);
     },
     step: (sheet, ticks) => {
       if (sheet instanceof WasmTornSheet) sheet.step(book, wholeTicks(ticks, tick));
@@ -66,12 +72,12 @@ export function tearingOf(wasm: TearingExports, book: number, tick: number): Lea
 class WasmTornSheet implements TornSheet {
   readonly #wasm: TearingExports;
   readonly #leaf: number;
-  #surface: Surface | null = null;
-  #facets: CreasedMesh | undefined;
+  #surface: SheetSurface;
 
-  constructor(wasm: TearingExports, leaf: number) {
+  constructor(wasm: TearingExports, leaf: number, grid: SurfaceGrid) {
     this.#wasm = wasm;
     this.#leaf = leaf;
+    this.#surface = new SheetSurface(wasm.memory, grid);
   }
 
   /** @param book address of the book on and beside which it lies */
@@ -88,26 +94,13 @@ class WasmTornSheet implements TornSheet {
   }
 
   get surface(): Surface {
-    const { buffer } = this.#wasm.memory;
-    const version = this.#wasm.tl_torn_version(this.#leaf);
-    const known = this.#surface;
-    if (known?.positions.buffer === buffer && known.version === version) return known;
-    const [columns, rows] = [this.#wasm.tl_torn_columns, this.#wasm.tl_torn_rows].map((count) =>
-      count(this.#leaf),
-    );
-    if (this.isCrumpled) this.#facets ??= facetsOf(columns, rows);
-    const caliper = this.#wasm.tl_torn_caliper(this.#leaf);
-    const view = (at: number) => new Float32Array(buffer, at, 3 * columns * rows);
-    this.#surface = {
-      columns,
-      rows,
-      positions: view(this.#wasm.tl_torn_positions(this.#leaf)),
-      normals: view(this.#wasm.tl_torn_normals(this.#leaf)),
-      version,
-      thickness: caliper < visibleThickness ? 0 : caliper,
-      creased: this.#facets,
-    };
-    return this.#surface;
+    const wasm = this.#wasm;
+    const [positions, normals] = [
+      wasm.tl_torn_positions(this.#leaf),
+      wasm.tl_torn_normals(this.#leaf),
+    ];
+    const version = wasm.tl_torn_version(this.#leaf);
+    return this.#surface.at(positions, normals, version, wasm.tl_torn_caliper(this.#leaf));
   }
 
   grab(u: number, v: number): void {
@@ -129,7 +122,12 @@ class WasmTornSheet implements TornSheet {
   }
 
   crumple(): boolean {
-    return this.#wasm.tl_torn_crumple(this.#leaf) !== 0;
+    const wasm = this.#wasm;
+    if (wasm.tl_torn_crumple(this.#leaf) === 0) return false;
+    const columns = wasm.tl_torn_columns(this.#leaf);
+    const rows = wasm.tl_torn_rows(this.#leaf);
+    this.#surface = new SheetSurface(wasm.memory, { columns, rows }, facetsOf(columns, rows));
+    return true;
   }
 
   get isCrumpled(): boolean {

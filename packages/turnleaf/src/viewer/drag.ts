@@ -37,17 +37,30 @@ export interface Dragged {
   doubleTap?(): void;
 }
 
-/** A sheet that was torn out, where a pointer can grab it. */
+/** A sheet that was torn out or is the flap of a fold-out, where a pointer can grab it. */
 export interface LooseHit {
   readonly isLoose: true;
   /** Grabs it. */
   grab(): Dragged;
 }
 
-/** Finds sheets that were torn out. */
+/** Finds sheets that were torn out, or the flap of a fold-out. */
 export interface LooseSheets {
   /** Returns the nearest of them on a line of sight, or null. */
   pick(ray: Ray): (Hit & { readonly on: LooseHit }) | null;
+}
+
+/** The flap of the fold-out that is open, opens or closes, and those that are shut. */
+export interface FoldOutSheets extends LooseSheets {
+  /** Whether one is open, opens or closes. */
+  readonly isVisible: boolean;
+  /**
+   * Grabs the flap that lies shut at (u, v) of a page (from 1) on a side. Returns what moves it
+   * with a pointer; null if no flap lies there.
+   */
+  take(page: number, side: Side, u: number, v: number): Dragged | null;
+  /** Folds in the open fold-out. Resolves once it is folded in. */
+  foldIn(): Promise<void>;
 }
 
 /** A place on a leaf that is bound in the book. */
@@ -106,6 +119,8 @@ export class Drags {
   #closed = false;
   /** The sheets that were torn out, once one may be. */
   loose: LooseSheets | null = null;
+  /** The fold-outs, where they can be opened. */
+  foldOut: FoldOutSheets | null = null;
 
   constructor(book: DragContext) {
     this.#book = book;
@@ -126,8 +141,11 @@ export class Drags {
         best = { ...hit, on: flight };
       }
     }
-    const sheet = this.loose?.pick(ray) ?? null;
-    if (sheet && (best === null || sheet.distance < best.distance + preference)) return sheet;
+    for (const sheets of [this.foldOut, this.loose]) {
+      const sheet = sheets?.pick(ray) ?? null;
+      if (sheet && (best === null || sheet.distance < best.distance + preference)) best = sheet;
+    }
+    if (best && !isOnLeaf(best)) return best;
     // Beside a lifted corner a pointer grabs that leaf, not the one under it.
     return best && peek.flight && best.on === peek.side ? { ...best, on: peek.flight } : best;
   }
@@ -156,7 +174,8 @@ export class Drags {
 
   /**
    * Grabs what `pick` found, in flight or at rest. Returns the drag, or null if
-   * that cannot be picked up or a listener took the book away.
+   * that cannot be picked up or a listener took the book away: where a fold-out is open it is
+   * folded in first.
    *
    * @param pull how far the pointer has moved since, CSS pixels
    */
@@ -164,10 +183,16 @@ export class Drags {
     const number = this.#freeGrab;
     if (this.#closed || number === undefined) return null;
     const { turning, peek } = this.#book;
+    const flap = this.#takeFlap(found, pull);
+    if (flap) return flap;
     const hit = this.#pulled(found, pull);
     if (!isOnLeaf(hit)) {
       peek.end();
       return (hit.on as LooseHit).grab();
+    }
+    if (this.foldOut?.isVisible) {
+      void this.foldOut.foldIn();
+      return null;
     }
     const { on, u, v } = hit;
     const side = typeof on === "number" ? on : on === peek.flight ? peek.side : null;
@@ -185,6 +210,18 @@ export class Drags {
     peek.end();
     peek.becomeTurn(flight);
     return this.#closed ? null : drag;
+  }
+
+  /** Grabs the shut flap of a fold-out that is pulled away from the spine; null for anything else. */
+  #takeFlap({ on, u, v }: DragHit, { x, y }: Place): Dragged | null {
+    const { binding, turning, peek, shape } = this.#book;
+    if (typeof on !== "number" || turning.moving || shape.quarterTurned) return null;
+    const outward = on === Side.right ? x : -x;
+    const page = (on === Side.right ? rightPage : leftPage)(binding, turning.spread);
+    if (page === null || outward <= Math.abs(y) || this.foldOut?.isVisible) return null;
+    const flap = this.foldOut?.take(page, on, u, v) ?? null;
+    if (flap) peek.end();
+    return flap;
   }
 
   get #freeGrab(): number | undefined {

@@ -15,6 +15,7 @@ import {
 } from "../book/faces.ts";
 import { type Binding, leftPage, pagesAt, rightPage } from "../book/spreads.ts";
 import type { Turning } from "../book/turning.ts";
+import { Side } from "../engine/phases.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import { isTrimmed } from "../pages/page_place.ts";
 import type { PagePicture } from "../sources/page_source.ts";
@@ -120,9 +121,12 @@ export class FaceTextures {
       this.#stage.setFace(face, note(under ?? this.#pictureOf(face, page)));
     }
     if (flap) {
-      const [front, back] = flap.sign === 1 ? [flap.flap, flap.back] : [flap.back, flap.flap];
-      this.#stage.setLeaf(0, "recto", note(front));
-      this.#stage.setLeaf(0, "verso", note(back));
+      const isRight = flap.side === Side.right;
+      const [front, back] = isRight ? [flap.flap, flap.back] : [flap.back, flap.flap];
+      // The flap is drawn after those that lie folded.
+      const index = this.#turning.leaves.length;
+      this.#stage.setLeaf(index, "recto", note(front));
+      this.#stage.setLeaf(index, "verso", note(back));
     }
     const { low, high } = this.#turning.under;
     for (const [side, page, behind, next] of [

@@ -1,12 +1,35 @@
-/** The open fold-out, or the one that opens or closes. There is at most one. */
+/**
+ * The open fold-out, or the one that opens or closes: its flap is a sheet in the engine, hinged on
+ * the page, that pointers and commands turn. There is at most one. A fold-out that is shut is one
+ * bitmap on its page.
+ */
 
-import { columnPlace, type Pile, type Surface } from "../engine/shapes.ts";
+import type { Turning } from "../book/turning.ts";
+import type { BookEngine, FlapSheet } from "../engine/book_engine.ts";
+import { Side } from "../engine/phases.ts";
+import type { Ray, Surface, Vec3 } from "../engine/shapes.ts";
 import type { OpenFoldOut, PageBitmaps } from "../pages/page_bitmaps.ts";
-import { foldAt } from "../pages/page_place.ts";
-import type { BookPose, BookShape } from "../stage/book_pose.ts";
+import { foldAt, isFoldOut } from "../pages/page_place.ts";
+import { type Hit, pickSurface } from "../picking/pick.ts";
+import { handAt } from "../picking/reach.ts";
+import type { BookShape } from "../stage/book_pose.ts";
+import type { Place } from "../stage/book_stage.ts";
+import { tableHeight } from "../stage/case_sizes.ts";
+import type { Dragged, FoldOutSheets, LooseHit } from "./drag.ts";
+import { mostSheetTicks } from "./frame_timing.ts";
 
-/** Time in which a flap opens, seconds. */
-const openTime = 0.6;
+/** Minimum distance from its fold at which a flap is held, as a fraction of its width. */
+const nearestHeld = 0.3;
+
+/** Movement in CSS pixels up to which a press on an open flap is a tap. */
+const tapSize = 8;
+
+/** What fold-outs need of a bound book. */
+export interface FoldOutBook {
+  readonly engine: BookEngine;
+  readonly shape: BookShape;
+  readonly turning: Pick<Turning, "moving">;
+}
 
 /** The dependencies and callbacks of fold-outs. */
 export interface FoldOutHooks {
@@ -14,28 +37,42 @@ export interface FoldOutHooks {
   readonly unfolds: boolean;
   /** Width of a leaf, device pixels. */
   readonly width: () => number;
+  /** The book as it is bound now. */
+  readonly bound: () => FoldOutBook;
+  /** Has the book bound by an engine whose fold-outs open. Resolves once that is tried. */
+  readonly ready: () => Promise<void>;
+  /** Returns the line of sight through a place on the canvas. */
+  readonly rayAt: (x: number, y: number) => Ray;
   /** Called when the faces show other bitmaps than before. */
   readonly changed: () => void;
+  /** Called when something moves. */
+  readonly moved: () => void;
 }
 
-/** A fold-out and how far it is open. */
+/** A fold-out whose flap is a sheet. */
 interface Flap {
   readonly page: number;
-  readonly sign: 1 | -1;
+  readonly side: Side;
   readonly parts: OpenFoldOut;
-  open: number;
-  to: 0 | 1;
+  readonly sheet: FlapSheet;
+  /** Whether it is to lie open. */
+  isToOpen: boolean;
+}
+
+/** The pointer that holds the flap. */
+interface PointerGrab {
+  readonly u: number;
+  at: Place;
 }
 
 /** Unfolds and folds in a fold-out. */
-export class FoldOut {
+export class FoldOut implements FoldOutSheets {
   readonly #pictures: PageBitmaps;
   readonly #hooks: FoldOutHooks;
   #flap: Flap | null = null;
+  #grab: PointerGrab | null = null;
   #drawing: AbortController | null = null;
   #waiting: ((done: boolean) => void)[] = [];
-  #surface: { open: number; surface: Surface } | null = null;
-  #version = 0;
 
   constructor(pictures: PageBitmaps, hooks: FoldOutHooks) {
     this.#pictures = pictures;
@@ -44,164 +81,178 @@ export class FoldOut {
 
   /** The page (from 1) that lies open or opens; null if none does. */
   get page(): number | null {
-    return this.#flap?.to === 1 ? this.#flap.page : null;
+    return this.#flap?.isToOpen ? this.#flap.page : null;
+  }
+
+  get isVisible(): boolean {
+    return this.#flap !== null;
   }
 
   /**
    * The bitmaps on the flap, and the side of the book that it belongs to; null
    * if no flap is visible.
    */
-  get parts(): (OpenFoldOut & { readonly sign: 1 | -1 }) | null {
-    return this.#flap && { ...this.#flap.parts, sign: this.#flap.sign };
+  get parts(): (OpenFoldOut & { readonly side: Side }) | null {
+    return this.#flap && { ...this.#flap.parts, side: this.#flap.side };
+  }
+
+  /** The flap as it is drawn; null if there is none. */
+  get surface(): Surface | null {
+    return this.#flap?.sheet.surface ?? null;
   }
 
   /**
-   * Opens the fold-out of a page on a side (1 right, -1 left). Resolves, once
-   * it lies open, to whether it does.
+   * Opens the fold-out of a page on a side. Resolves, once it lies open, to
+   * whether it does.
    */
-  async unfold(page: number, sign: 1 | -1): Promise<boolean> {
-    if (!this.#hooks.unfolds) return false;
-    this.close();
-    const drawing = new AbortController();
-    this.#drawing = drawing;
-    const width = this.#hooks.width();
-    const parts = await this.#pictures.unfold(page, width, drawing.signal).catch(() => null);
-    if (drawing.signal.aborted || parts === null) {
-      if (parts) this.#pictures.foldIn();
-      return false;
-    }
-    this.#flap = { page, sign, parts, open: 0, to: 1 };
-    this.#hooks.changed();
+  async unfold(page: number, side: Side): Promise<boolean> {
+    const flap = await this.#make(page, side);
+    if (flap === null) return false;
+    flap.sheet.turn(true);
+    this.#hooks.moved();
     return await new Promise((resolve) => this.#waiting.push(resolve));
   }
 
-  /** Folds in the open fold-out. Resolves once it is folded in. */
   async foldIn(): Promise<void> {
     this.#drawing?.abort();
-    if (this.#flap === null) return;
+    const flap = this.#flap;
+    if (flap === null) return;
     this.#tell(false);
-    this.#flap.to = 0;
+    this.#grab = null;
+    if (flap.isToOpen) flap.sheet.turn(false);
+    flap.isToOpen = false;
+    this.#hooks.moved();
     await new Promise((resolve) => this.#waiting.push(resolve));
   }
 
-  /** Advances the motion. Returns whether anything moves. */
-  step(seconds: number): boolean {
+  pick(ray: Ray): (Hit & { readonly on: LooseHit }) | null {
     const flap = this.#flap;
-    if (flap === null || (flap.to === 1 && flap.open === 1)) return false;
-    const way = seconds / openTime;
-    flap.open = flap.to === 1 ? Math.min(flap.open + way, 1) : Math.max(flap.open - way, 0);
-    if (flap.open !== flap.to) return true;
-    if (flap.to === 0) this.close();
-    else this.#tell(true);
-    return false;
+    const hit = flap && pickSurface(ray, flap.sheet.surface, this.#hooks.bound().engine.columns);
+    if (!hit) return null;
+    return { ...hit, on: { isLoose: true, grab: () => this.#carry(hit.u, hit.v, flap) } };
   }
 
-  /** Returns the flap over the pages of a pose. */
-  surface(pose: BookPose, { width, height }: BookShape): Surface | null {
+  take(page: number, side: Side, u: number, v: number): Dragged | null {
+    const place = this.#pictures.placeOfDrawn(page);
+    if (!this.#hooks.unfolds || !isFoldOut(place)) return null;
+    const out = (foldAt - u) / (place.width - foldAt);
+    if (out < 0 || out > 1) return null;
+    return this.#carry(out, v, this.#make(page, side));
+  }
+
+  /** Advances the motion by whole ticks. Returns whether anything moves. */
+  step(ticks: number): boolean {
     const flap = this.#flap;
-    const pile = flap?.sign === 1 ? pose.right : pose.left;
-    if (flap === null || pile === null) return null;
-    const { sign, open } = flap;
-    if (this.#surface?.open !== open) {
-      const place = { sign, open, fold: foldAt, fraction: flap.parts.place.width - foldAt };
-      this.#surface = {
-        open,
-        surface: flapSurface(place, pile, width, height, ++this.#version),
-      };
-    }
-    return this.#surface.surface;
+    if (flap === null) return false;
+    const { sheet } = flap;
+    // Where the book is seen may have changed.
+    this.#follow();
+    if (!sheet.isAsleep) sheet.step(Math.min(ticks, mostSheetTicks));
+    if (!sheet.isAsleep) return true;
+    if (this.#grab) return false;
+    if (flap.isToOpen && sheet.angle < Math.PI / 2) this.#tell(true);
+    else this.close();
+    return false;
   }
 
   /** Removes everything at once. */
   close(): void {
     this.#drawing?.abort();
-    this.#surface = null;
-    if (this.#flap === null) return;
-    this.#flap = null;
+    const flap = this.#flap;
+    if (flap === null) return;
+    this.#flap = this.#grab = null;
+    flap.sheet.destroy();
     this.#pictures.foldIn();
     this.#hooks.changed();
     this.#tell(false);
   }
 
+  /** Draws the fold-out of a page on a side and makes its flap, shut. Resolves to null if it cannot be. */
+  async #make(page: number, side: Side): Promise<Flap | null> {
+    const { unfolds, ready, bound, width, changed } = this.#hooks;
+    if (!unfolds || !isFoldOut(this.#pictures.placeOfDrawn(page))) return null;
+    await ready();
+    this.close();
+    if (bound().turning.moving || !bound().engine.flap) return null;
+    const drawing = new AbortController();
+    this.#drawing = drawing;
+    const parts = await this.#pictures.unfold(page, width(), drawing.signal).catch(() => null);
+    if (parts === null) return null;
+    const { engine, shape } = bound();
+    const around = { table: tableHeight(shape), rim: shape.rim };
+    const place = { side, fold: foldAt, width: parts.place.width - foldAt, ...around };
+    const sheet = drawing.signal.aborted ? null : engine.flap?.(place);
+    if (!sheet) {
+      this.#pictures.foldIn();
+      return null;
+    }
+    this.#flap = { page, side, parts, sheet, isToOpen: true };
+    changed();
+    return this.#flap;
+  }
+
+  /** Grabs the flap at (u, v), once it is made. Returns what moves it with a pointer. */
+  #carry(u: number, v: number, flap: Flap | Promise<Flap | null>): Dragged {
+    let from: Place | null = null;
+    let at: Place = { x: 0, y: 0 };
+    let isTap = !(flap instanceof Promise);
+    let isOver = false;
+    let held: Flap | null = null;
+    let grabbed: PointerGrab | null = null;
+    const grab = (made: Flap | null) => {
+      if (made === null || made !== this.#flap) return;
+      held = made;
+      if (isOver) made.sheet.turn(true);
+      else {
+        grabbed = { u: Math.max(u, nearestHeld), at };
+        this.#grab = grabbed;
+        made.sheet.grab(grabbed.u, v);
+        if (from) this.#follow();
+      }
+      this.#hooks.moved();
+    };
+    if (flap instanceof Promise) void flap.then(grab);
+    else grab(flap);
+    return {
+      canFlick: false,
+      move: (x, y) => {
+        at = { x, y };
+        from ??= at;
+        if (Math.hypot(x - from.x, y - from.y) > tapSize) isTap = false;
+        if (grabbed) grabbed.at = at;
+        this.#follow();
+        this.#hooks.moved();
+      },
+      release: () => {
+        isOver = true;
+        if (grabbed === null || this.#grab !== grabbed || held === null) return;
+        this.#grab = null;
+        if (isTap) return void this.foldIn();
+        held.isToOpen = held.sheet.angle < Math.PI / 2;
+        held.sheet.release();
+        this.#hooks.moved();
+      },
+    };
+  }
+
+  /** Pulls the held flap to where its pointer is. */
+  #follow(): void {
+    if (this.#flap && this.#grab) this.#flap.sheet.pull(this.#placeOf(this.#flap, this.#grab));
+  }
+
+  /** Returns where a pointer is in space: on an arch over the fold, or on the table beyond. */
+  #placeOf({ side, parts, sheet }: Flap, { u, at }: PointerGrab): Vec3 {
+    const { shape } = this.#hooks.bound();
+    const { origin, direction } = this.#hooks.rayAt(at.x, at.y);
+    const [x, , z] = sheet.surface.positions;
+    const reach = u * (parts.place.width - foldAt) * shape.width;
+    const outward = side === Side.right ? 1 : -1;
+    const over = { origin: [origin[0] - x, origin[1], origin[2] - z] as const, direction };
+    const place = handAt(over, reach, (x) => (x * outward > 0 ? tableHeight(shape) - z : 0));
+    return [place[0] + x, place[1], place[2] + z];
+  }
+
   #tell(done: boolean): void {
     for (const resolve of this.#waiting.splice(0)) resolve(done);
   }
-}
-
-/** Where a flap is. */
-interface FlapPlace {
-  /** 1 on the page on the right, -1 on the left. */
-  readonly sign: 1 | -1;
-  /** 0 folded in, 1 lying open. */
-  readonly open: number;
-  /**
-   * Position of the fold, as a fraction of the page from the spine, and the
-   * width of the flap, likewise.
-   */
-  readonly fold: number;
-  readonly fraction: number;
-}
-
-/** Rows of a flap: as fine as a leaf in flight, which is drawn in its place. */
-const rows = 25;
-
-/** Height of a folded flap over its page, metres. */
-const clear = 0.0006;
-
-/** The last part of its way down in which a flap takes the page's shape. */
-const settling = 0.3;
-
-/**
- * Returns the flap as a sheet: a row runs from the fold outward.
- *
- * @param pile that the page lies on
- * @param width,height of the book's page, metres
- * @param version of the sheet
- */
-function flapSurface(
-  { sign, open, fold, fraction }: FlapPlace,
-  pile: Pile,
-  width: number,
-  height: number,
-  version: number,
-): Surface {
-  const { columns } = pile;
-  const positions = new Float32Array(3 * columns * rows);
-  const normals = new Float32Array(positions.length);
-  const eased = open * open * (3 - 2 * open);
-  // From the page's own side over the top to the far side, seen as on the right.
-  const angle = Math.PI * (1 - eased);
-  const lying = Math.max(0, 1 - eased / settling) ** 2;
-  const [hingeX, hingeZ] = placeOn(pile, fold);
-  const line = new Float32Array(2 * columns);
-  for (let column = 0; column < columns; column++) {
-    const out = fraction * columnPlace(column, columns);
-    const x = hingeX + sign * width * out * Math.cos(angle);
-    const z = hingeZ + clear + width * out * Math.sin(angle);
-    const [pageX, pageZ] = placeOn(pile, Math.max(fold - out, 0));
-    line[2 * column] = x + (pageX - x) * lying;
-    line[2 * column + 1] = z + (pageZ + clear - z) * lying;
-  }
-  for (let column = 0; column < columns; column++) {
-    const [from, to] = [2 * Math.max(column - 1, 0), 2 * Math.min(column + 1, columns - 1)];
-    const [dx, dz] = [line[to] - line[from], line[to + 1] - line[from + 1]];
-    const length = Math.hypot(dx, dz) || 1;
-    for (let row = 0; row < rows; row++) {
-      const at = 3 * (row * columns + column);
-      positions.set([line[2 * column], (height * row) / (rows - 1), line[2 * column + 1]], at);
-      normals.set([-dz / length, 0, dx / length], at);
-    }
-  }
-  return { columns, rows, positions, normals, version };
-}
-
-/** Returns x and z of a pile's uppermost page at u, metres. */
-function placeOn({ curves, columns }: Pile, u: number): [x: number, z: number] {
-  let k = 0;
-  while (k + 2 < columns && columnPlace(k + 1, columns) < u) k++;
-  const [from, to] = [columnPlace(k, columns), columnPlace(k + 1, columns)];
-  const t = (u - from) / (to - from);
-  const at = (axis: number): number =>
-    curves[2 * k + axis] + (curves[2 * k + 2 + axis] - curves[2 * k + axis]) * t;
-  return [at(0), at(1)];
 }

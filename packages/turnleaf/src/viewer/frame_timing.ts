@@ -16,6 +16,12 @@ const mostSlack = 0.2;
 /** Maximum time of one frame, in seconds: a page that was hidden comes back to a turn that has ended. */
 const longestFrame = 1;
 
+/**
+ * Ticks in a frame, at most, of a sheet that was torn out or is the flap of a fold-out: on a machine
+ * that is slower it moves slower.
+ */
+export const mostSheetTicks = 12;
+
 /** Counts the whole ticks from frame to frame while something moves. */
 export class TickCounter {
   readonly #tick: number;

@@ -30,7 +30,7 @@ export class LeafCommands {
    */
   peek(hit: DragHit | null): boolean {
     // An unfolded page keeps its corners.
-    if (this.#closed || (hit !== null && this.#foldOut.parts !== null)) return false;
+    if (this.#closed || (hit !== null && this.#foldOut.isVisible)) return false;
     const { peek, engine, turning } = this.#rebinder.bound;
     if (hit === null) peek.end();
     const lifts =
@@ -68,14 +68,12 @@ export class LeafCommands {
     const { binding, turning } = this.#rebinder.bound;
     const face = this.#closed || turning.moving ? null : faceOf(binding, turning.spread, page);
     if (face !== "left" && face !== "right") return Promise.resolve(false);
-    return this.#foldOut.unfold(page, face === "right" ? 1 : -1);
+    return this.#foldOut.unfold(page, face === "right" ? Side.right : Side.left);
   }
 
   /** Folds in the unfolded page. Resolves once it is folded in. */
   foldIn(): Promise<void> {
-    const folded = this.#foldOut.foldIn();
-    this.#moved();
-    return folded;
+    return this.#foldOut.foldIn();
   }
 
   /**
@@ -85,7 +83,7 @@ export class LeafCommands {
   tap(x: number, y: number): void {
     const { binding, turning } = this.#rebinder.bound;
     if (this.#closed || turning.moving) return;
-    if (this.#foldOut.page !== null) return void this.foldIn();
+    if (this.#foldOut.isVisible) return void this.foldIn();
     const on = this.#rebinder.bound.drags.pick(x, y)?.on;
     if (typeof on !== "number") return;
     const page = (on === Side.right ? rightPage : leftPage)(binding, turning.spread);
@@ -115,7 +113,7 @@ export class LeafCommands {
     turns: (flight: Flight) => boolean,
   ): Promise<boolean> {
     if (this.#closed) return false;
-    if (this.#foldOut.page !== null) {
+    if (this.#foldOut.isVisible) {
       await this.foldIn();
       return await this.#command(order, turns);
     }

@@ -11,10 +11,8 @@ import type { PagePicture } from "../sources/page_source.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import { tableHeight } from "../stage/case_sizes.ts";
 import type { Dragged, LooseHit } from "./drag.ts";
+import { mostSheetTicks } from "./frame_timing.ts";
 import type { Rebinder } from "./rebinder.ts";
-
-/** Ticks of a sheet in a frame at most: on a machine that is slower it moves slower. */
-export const mostTicks = 12;
 
 /** Sheets that are kept at most: the one torn out first is taken away for the next. */
 const mostSheets = 8;
@@ -119,7 +117,7 @@ export class LooseSheetPile {
   /** Steps what moves by whole ticks. Returns whether anything goes on moving. */
   step(ticks: number): boolean {
     const { tearing, tick } = this.#rebinder.bound.engine;
-    const bounded = Math.min(ticks, mostTicks);
+    const bounded = Math.min(ticks, mostSheetTicks);
     for (const one of this.#sheets) {
       if (one.sheet.isAsleep || ticks === 0) continue;
       this.#move(one, bounded * tick);

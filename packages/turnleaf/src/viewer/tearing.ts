@@ -18,7 +18,8 @@ import type { BookPose } from "../stage/book_pose.ts";
 import type { BookStage, Place } from "../stage/book_stage.ts";
 import { tableHeight } from "../stage/case_sizes.ts";
 import type { Drag } from "./drag.ts";
-import { LooseSheetPile, mostTicks } from "./loose_sheets.ts";
+import { mostSheetTicks } from "./frame_timing.ts";
+import { LooseSheetPile } from "./loose_sheets.ts";
 import type { Rebinder } from "./rebinder.ts";
 import type { TearOwner } from "./viewer_options.ts";
 
@@ -142,7 +143,7 @@ export class Tearing {
   /** Advances by whole ticks. Returns whether anything goes on moving. */
   step(ticks: number): boolean {
     const isFalling = this.#loose.step(ticks);
-    return this.#stepTear(Math.min(ticks, mostTicks)) || isFalling;
+    return this.#stepTear(Math.min(ticks, mostSheetTicks)) || isFalling;
   }
 
   /** Shows the pictures of the loose sheets. */

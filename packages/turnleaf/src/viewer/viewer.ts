@@ -125,7 +125,11 @@ export class Viewer {
     this.#foldOut = new FoldOut(this.#bitmaps, {
       unfolds: stage.unfolds,
       width: () => this.#pictureWidth,
+      bound: () => this.#bound,
+      ready: () => this.#readyFoldOuts(),
+      rayAt: (x, y) => stage.rayAt(x, y),
       changed: () => this.#show(),
+      moved: arrived,
     });
     this.#modelSwitch = new ModelSwitch(backend.models, failed);
     if (options.model) void this.setModel(options.model());
@@ -144,6 +148,7 @@ export class Viewer {
     };
     const tools = { book, stage, pictures: this.#bitmaps, options, events };
     this.#rebinder = new Rebinder(tools, plan, engine);
+    this.#bound.drags.foldOut = this.#foldOut;
     this.commands = new LeafCommands(this.#rebinder, this.#foldOut, arrived);
   }
 
@@ -546,11 +551,10 @@ export class Viewer {
     peek.step(seconds);
     const isHeldStill = this.#pressCorner(seconds);
     if (this.#destroyed) return;
-    const folding = this.#foldOut.step(seconds);
+    const folding = this.#foldOut.step(passed);
     const stepping = this.#camera.step(seconds) || folding;
     const posed = this.#bound.pose();
-    const flap = this.#foldOut.surface(posed, this.#bound.shape);
-    const modelled = { ...this.#modelSwitch.pose(posed), flap };
+    const modelled = { ...this.#modelSwitch.pose(posed), flap: this.#foldOut.surface };
     const pose = this.#loadedTearing?.pose(modelled) ?? modelled;
     if (stepping) this.#bound.drags.follow();
     // A leaf held still takes no more frames until its pointer moves.
@@ -561,7 +565,7 @@ export class Viewer {
     // While fingers move the view, the next frame comes with their next event.
     if (moving) this.#frameQuality.frame(now);
     else this.#frameQuality.rest();
-    const isFlat = this.#foldOut.parts === null && !folding;
+    const isFlat = !this.#foldOut.isVisible;
     this.#setStill(!turning && isFlat && !this.#crossFade.isOn);
     const { pixels, roughly } = this.#frameQuality.quality;
     this.#stage.pose(pose, roughly && !resting);
@@ -626,6 +630,7 @@ export class Viewer {
     this.#sharpness.close();
     const before = this.binding;
     this.#rebinder.bindAnew(this.#cssWidth, this.#cssHeight);
+    this.#bound.drags.foldOut = this.#foldOut;
     this.#loadedFolds?.bound();
     this.#loadedTearing?.bound();
     this.#viewHistory.forget();
@@ -633,6 +638,20 @@ export class Viewer {
     const { edge, layout } = this.binding;
     if (edge !== before.edge || layout !== before.layout) this.#options.onLayout?.();
     this.#show();
+  }
+
+  /** Has the book bound by an engine whose fold-outs open, as soon as it rests. */
+  async #readyFoldOuts(): Promise<void> {
+    if (this.#bound.engine.flap) return;
+    try {
+      const engine = await this.#backend.creasable?.(this.#bound.shape);
+      if (engine === undefined) return;
+      if (this.#destroyed) return engine.destroy();
+      this.#rebinder.useEngine(engine);
+      this.#bindSoon();
+    } catch (error) {
+      this.#options.onMissingPart?.(error);
+    }
   }
 
   async #loadFolds(): Promise<Folds | null> {

@@ -14,6 +14,8 @@ import type { BindingOptions } from "./bound_book.ts";
 export interface Backend {
   engine(size: BookSize): Promise<BookEngine>;
   stage(canvas: HTMLCanvasElement, shape: BookShape): BookStage;
+  /** Makes an engine whose leaves can be creased, torn and folded out; undefined if there is none. */
+  readonly creasable?: (size: BookSize) => Promise<BookEngine>;
   /** Loads what folds pages; undefined if leaves cannot be creased. */
   readonly folds?: () => Promise<typeof import("./folds.ts")>;
   /** Loads what tears leaves out; undefined if they cannot be torn. */

@@ -77,7 +77,7 @@ export interface Framing {
   middle: number;
   /** x, z of the outer edges of the boards, which stay in the picture as they swing. */
   boardEdges: number[];
-  /** x, z of the outer edge of an open fold-out; empty if there is none. */
+  /** x, z of the outer corners of an open fold-out; empty if there is none. */
   flapEdge: number[];
 }
 

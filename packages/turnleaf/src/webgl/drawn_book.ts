@@ -157,7 +157,12 @@ export class DrawnBook {
     const edge = this.framing.flapEdge;
     const before = edge.join();
     edge.length = 0;
-    if (flap) edge.push(...[0, 2].map((axis) => flap.positions[3 * (flap.columns - 1) + axis]));
+    if (flap) {
+      const { positions, columns, rows } = flap;
+      for (const corner of [columns, columns * rows]) {
+        edge.push(positions[3 * corner - 3], positions[3 * corner - 1]);
+      }
+    }
     return edge.join() !== before;
   }
 
@@ -203,7 +208,8 @@ export class DrawnBook {
     this.framing.closedLeft = this.#case.closedLeft;
   }
 
-  #placeLeaves(leaves: readonly Surface[]): void {
+  /** @param flap the last of the leaves, if it is the flap of a fold-out: seen from above it may show either side */
+  #placeLeaves(leaves: readonly Surface[], flap: Surface | null): void {
     while (this.#leaves.length < leaves.length) {
       const { recto, verso } = this.#materials.leaf(this.#leaves.length);
       const mesh = new LeafMesh(recto, verso, this.#materials.leafEdges);
@@ -216,7 +222,8 @@ export class DrawnBook {
       mesh.recto.visible = mesh.verso.visible = mesh.rim.mesh.visible = k < leaves.length;
       if (k >= leaves.length) continue;
       mesh.shape(leaves[k], k + 1, leaves.length - k);
-      if (this.#folded) mesh.lieOpen();
+      if (leaves[k] === flap) mesh.lieLoose();
+      else if (this.#folded) mesh.lieOpen();
       else if (!this.#isDim) mesh.light(solid[k], ...piles, solid[k - 1], solid[k + 1]);
     }
   }
@@ -276,7 +283,7 @@ export class DrawnBook {
    * no shadow on its page
    */
   #light(
-    { leaves, lying = [], loose = [] }: BookPose,
+    { leaves, lying = [], loose = [], flap = null }: BookPose,
     sheets: readonly Surface[],
     pilesMoved: boolean,
     still: boolean,
@@ -288,7 +295,7 @@ export class DrawnBook {
     if (still && same && this.#isLit) return;
     this.#lit = casting;
     this.#isLit = !this.#isDim;
-    this.#placeLeaves(sheets);
+    this.#placeLeaves(sheets, flap);
     if (this.#isDim) return;
     // The outermost leaf on a side is nearest to its page.
     // One that lies creased on it hides it, but for what is folded away, and throws no shadow.

@@ -1,0 +1,384 @@
+//! The flap of a fold-out: the part of a leaf beyond its fold, while the leaf lies uppermost.
+//!
+//! A flap is a leaf whose spine is the fold: a sheet that leaves the page through a hinge, and
+//! meets the pages, the boards and the table as any loose sheet does. The hinge is a crease as
+//! [`FoldLine`] describes it. Its rest angle is the sheet's clamp angle, which follows where the
+//! fold is turned further than it yields. The page itself lies still under it.
+//!
+//! Angles of the fold are 0 where the flap lies open, level beside the page, and pi where it is
+//! shut upon it, on either side of the book.
+
+use super::Book;
+use super::limits::{NODES, TICK};
+use super::paper::Paper;
+use super::stillness::{STILL, Stillness};
+use super::surroundings::{Surroundings, TableAround};
+use crate::grab::{STIFFNESS, STRONGEST, strongest};
+use crate::grid::Side;
+use crate::models::sheet::{FoldLine, Root, Sheet, SheetSettings};
+use crate::rigidity::Rigidity;
+use crate::stock::GRAVITY;
+use crate::surface::Surface;
+use crate::turn::TurnModel;
+use crate::vector::dot;
+use core::f32::consts::{FRAC_PI_2, PI};
+
+#[cfg(test)]
+mod tests;
+
+/// Least distance of a fold from the spine, and least width of a flap, as fractions of the page.
+const NEAREST: f64 = 0.5;
+const NARROWEST: f64 = 0.05;
+
+/// Angle to which a reader presses a fold that is left open, radians: as a page's corner that was
+/// folded and opened, it keeps a line.
+const AJAR: f32 = PI / 9.0;
+
+/// Speed at which a fold is pressed, radians a second: a half turn takes as long as the folding of
+/// a page.
+const PRESSING: f32 = PI / 0.5;
+
+/// Seconds in which a hand turns a flap over, and how near to its end it lets go, radians.
+const TURN: f32 = 0.6;
+const LETS_GO: f32 = 0.1;
+
+/// Part of its speed that a flap keeps in a tick once it is down: what trembles on the edge of the
+/// pages is smoothed.
+const SMOOTHED: f32 = 0.9;
+
+/// How many times the force at the flap's edge that makes its fold yield a hand has: a finger that
+/// lifts a page is too weak for a fold of card.
+const FIRM: f64 = 4.0;
+
+/// The number of the hand: a flap has one.
+const HAND: u32 = 0;
+
+/// Where a flap is, on the uppermost page of a side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlapPlace {
+    /// The side on which the page lies.
+    pub side: Side,
+    /// Distance of the fold from the spine, as a fraction of the page's width, 0.5 to 1.
+    pub fold: f64,
+    /// Width of the flap, likewise: 0.05 to `fold`, as it lies upon its page when it is shut.
+    pub width: f64,
+}
+
+impl FlapPlace {
+    fn is_sound(&self) -> bool {
+        (NEAREST..=1.0).contains(&self.fold) && (NARROWEST..=self.fold).contains(&self.width)
+    }
+}
+
+/// A turn by a hand of the flap's own.
+#[derive(Clone, Copy, Debug)]
+struct Turn {
+    /// Angles of the flap's edge at the start and at the end, radians.
+    from: f32,
+    to: f32,
+    /// Fraction of it that is over.
+    part: f32,
+}
+
+/// The flap of a fold-out.
+#[derive(Clone, Debug)]
+pub struct FoldOut {
+    /// Over its fold: the fold's foot is at its origin.
+    sheet: Sheet,
+    steps: u32,
+    side: Side,
+    around: TableAround,
+    /// The fold's foot in book space, metres.
+    foot: [f32; 3],
+    /// Where the nodes are in book space: x, y, z of each, metres.
+    nodes: Vec<f32>,
+    /// Angle at which the fold rests, and angle off it beyond which it yields, radians.
+    rest: f32,
+    yields: f32,
+    /// Part of the turn of the first cell off the fold's rest that is the fold's own: the paper
+    /// beside it bends by what is left.
+    own: f32,
+    /// Stiffness of the hand, N/m, and its greatest force, N.
+    hand: [f32; 2],
+    turn: Option<Turn>,
+    is_held: bool,
+    /// Where the hand pulls, in book space.
+    pulled: [f32; 3],
+    stillness: Stillness,
+    surface: Surface,
+}
+
+impl FoldOut {
+    /// The flap at a place of a book at rest, shut upon its page.
+    ///
+    /// None where a figure is out of bounds, or no leaf lies on that side.
+    pub fn new(book: &Book, place: FlapPlace, around: TableAround) -> Option<FoldOut> {
+        let FlapPlace { side, fold, width } = place;
+        let on_left = book.read();
+        let leaf = match side {
+            Side::Right => (on_left < book.leaves).then_some(on_left),
+            Side::Left => on_left.checked_sub(1),
+        }?;
+        if !place.is_sound() || !around.is_sound() {
+            return None;
+        }
+        let [page_width, height] = book.size();
+        let paper = Paper {
+            stock: book.stock_of(leaf),
+            ..*book.paper()
+        };
+        let rest = PI - AJAR;
+        let line = FoldLine::pressed([[0.0; 2]; 2], f64::from(rest), &paper.stock, page_width);
+        let settings = SheetSettings {
+            root: Root::Hinged(line.stiffness),
+            ..paper.sheet([width * page_width, height], 1)
+        };
+        let beside = 2.0 * Rigidity::of(&settings.stock, settings.grain).d11 / settings.cell()[0];
+        let hand = hand_for(&settings, &line);
+        let mut sheet = Sheet::new(settings).ok()?;
+        let rows = (0..book.rows()).map(|row| row as f32 / (book.rows() - 1) as f32);
+        sheet.draw_samples(book.columns(), &rows.collect::<Vec<_>>());
+        let foot = place_on_page(book, side, fold as f32);
+        let across = sheet.settings().columns;
+        let mut nodes = Vec::with_capacity(3 * NODES[0] * NODES[1]);
+        for node in 0..across * sheet.settings().rows {
+            let out = (node % across) as f64 / (across - 1) as f64 * width;
+            let [x, _, z] = place_on_page(book, side, (fold - out) as f32);
+            let y = (node / across) as f64 * sheet.settings().cell()[1];
+            nodes.extend([x - foot[0], y as f32, z - foot[2]]);
+        }
+        sheet.place(nodes.iter().copied());
+        let mut flap = FoldOut {
+            steps: libm::roundf(TICK / sheet.time_step()).max(1.0) as u32,
+            own: (beside / (beside + line.stiffness)) as f32,
+            yields: line.yields as f32,
+            surface: Surface::new(book.columns().len(), book.rows()),
+            sheet,
+            side,
+            around,
+            foot,
+            nodes,
+            rest,
+            hand,
+            turn: None,
+            is_held: false,
+            pulled: [f32::NAN; 3],
+            stillness: Stillness::default(),
+        };
+        flap.set_rest(rest);
+        flap.update(book);
+        Some(flap)
+    }
+
+    /// A hand takes hold at (`u`, `v`), each 0 to 1 or the nearer of these, u from the fold, in
+    /// place of where one did. Nothing happens where one is not finite.
+    pub fn grab(&mut self, u: f32, v: f32) {
+        if !(u.is_finite() && v.is_finite()) {
+            return;
+        }
+        self.sheet.grab_firmly(HAND, [u, v], self.hand);
+        (self.is_held, self.turn, self.pulled) = (true, None, [f32::NAN; 3]);
+        self.stillness.wake();
+    }
+
+    /// The hand pulls to a place in book space, metres: within a kilometre, or to the nearest
+    /// place that is. Nothing happens where no hand holds it or the place is not finite.
+    pub fn pull(&mut self, to: [f32; 3]) {
+        let is_new = to != self.pulled && to.iter().all(|x| x.is_finite());
+        if !is_new || !self.is_held || self.turn.is_some() {
+            return;
+        }
+        self.pulled = to;
+        let local = core::array::from_fn(|axis| to[axis] - self.foot[axis]);
+        self.sheet.pull(HAND, local);
+        self.stillness.wake();
+    }
+
+    /// The hand lets go. The flap falls, and its fold is pressed as readers do: open, or shut
+    /// where the flap's edge is over the page.
+    pub fn release(&mut self) {
+        self.sheet.release(HAND);
+        (self.is_held, self.turn) = (false, None);
+        self.stillness.wake();
+    }
+
+    /// A hand takes the middle of its edge, turns it open or shut, and lets go.
+    pub fn turn(&mut self, is_to_open: bool) {
+        self.grab(1.0, 0.5);
+        let to = if is_to_open { LETS_GO } else { PI - LETS_GO };
+        let from = self.angle();
+        self.turn = Some(Turn {
+            from,
+            to,
+            part: 0.0,
+        });
+    }
+
+    /// Angle at which its edge is seen from the fold, radians.
+    pub fn angle(&self) -> f32 {
+        self.angle_of(self.sheet.settings().columns - 1)
+    }
+
+    /// Whether it does not move until the next command.
+    pub fn is_asleep(&self) -> bool {
+        self.stillness.is_asleep()
+    }
+
+    /// Steps by `ticks` of [`TICK`] seconds on and beside the book, as that is drawn.
+    pub fn step(&mut self, book: &Book, ticks: u32) {
+        let around = self.surroundings(book);
+        for _ in 0..ticks {
+            if self.is_asleep() {
+                return;
+            }
+            self.go_on();
+            for left in (1..=self.steps).rev() {
+                self.find_contacts(&around);
+                self.sheet.step_of(left);
+                self.settle();
+            }
+            if self.stillness.is_down() {
+                self.sheet.slow(SMOOTHED);
+            }
+            self.stillness
+                .count(self.sheet.velocities(), self.is_held, STILL);
+        }
+    }
+
+    /// Brings the drawn surface up to date, on and beside the book as that is drawn.
+    pub fn update(&mut self, book: &Book) {
+        self.sheet.write_surface(&mut self.surface);
+        for point in self.surface.positions.as_chunks_mut::<3>().0 {
+            for axis in 0..3 {
+                point[axis] += self.foot[axis];
+            }
+        }
+        self.surroundings(book)
+            .push_off(&mut self.surface.positions);
+        self.surface.update_normals();
+    }
+
+    /// What is drawn, as of the last update: u from the fold outward, at the book's columns.
+    pub fn surface(&self) -> &Surface {
+        &self.surface
+    }
+
+    /// Thickness of the paper, metres.
+    pub fn caliper(&self) -> f32 {
+        self.sheet.settings().stock.caliper as f32
+    }
+
+    fn surroundings<'a>(&self, book: &'a Book) -> Surroundings<'a> {
+        let settings = self.sheet.settings();
+        let [du, dv] = settings.cell().map(|cell| cell as f32);
+        let margin = (du * du + dv * dv).sqrt();
+        Surroundings::new(book, self.around, margin, settings.stock.friction as f32)
+    }
+
+    /// Moves the flap's own hand on, and presses the fold once no hand holds the flap.
+    fn go_on(&mut self) {
+        if let Some(turn) = &mut self.turn {
+            turn.part = (turn.part + TICK / TURN).min(1.0);
+            let eased = turn.part * turn.part * (3.0 - 2.0 * turn.part);
+            let (sin, cos) = libm::sincosf(turn.from + eased * (turn.to - turn.from));
+            let is_over = turn.part >= 1.0;
+            let [width, height] = {
+                let settings = self.sheet.settings();
+                [settings.width as f32, settings.height as f32]
+            };
+            let place = [
+                self.side.sign() * width * cos,
+                0.5 * height,
+                width * sin.max(0.0),
+            ];
+            self.sheet.pull(HAND, place);
+            if is_over {
+                self.release();
+            }
+        }
+        if !self.is_held {
+            let to = if self.angle() > FRAC_PI_2 { PI } else { AJAR };
+            let way = (to - self.rest).clamp(-PRESSING * TICK, PRESSING * TICK);
+            // A fold that rests flatter than readers press it stays so.
+            if way > 0.0 && to == AJAR {
+                return;
+            }
+            self.set_rest(self.rest + way);
+        }
+    }
+
+    fn find_contacts(&mut self, around: &Surroundings) {
+        let (positions, contacts) = self.sheet.contact_state();
+        for (node, x) in self.nodes.iter_mut().zip(positions) {
+            *node = *x;
+        }
+        for node in self.nodes.as_chunks_mut::<3>().0 {
+            for axis in 0..3 {
+                node[axis] += self.foot[axis];
+            }
+        }
+        around.write_contacts(&self.nodes, contacts);
+        for contact in contacts.as_flattened_mut() {
+            contact.offset -= dot(contact.normal, self.foot);
+        }
+    }
+
+    /// The fold's rest follows where it is turned further than it yields.
+    fn settle(&mut self) {
+        let off = self.own * (self.angle_of(1) - self.rest);
+        let beyond = off.abs() - self.yields;
+        if beyond > 0.0 {
+            self.set_rest(self.rest + beyond.copysign(off));
+        }
+    }
+
+    fn set_rest(&mut self, rest: f32) {
+        self.rest = rest.clamp(0.0, PI);
+        self.sheet.set_clamp_angle(match self.side {
+            Side::Right => self.rest,
+            Side::Left => PI - self.rest,
+        });
+    }
+
+    /// Angle at which a column is seen from the fold, radians, -pi/2 to 3/2 pi; the mean of its
+    /// rows.
+    fn angle_of(&self, column: usize) -> f32 {
+        let columns = self.sheet.settings().columns;
+        let nodes = self.sheet.positions().as_chunks::<3>().0;
+        let [mut out, mut up] = [0.0; 2];
+        for row in nodes.chunks(columns) {
+            out += self.side.sign() * (row[column][0] - row[0][0]);
+            up += row[column][2] - row[0][2];
+        }
+        let angle = libm::atan2f(up, out);
+        if angle < -FRAC_PI_2 {
+            angle + 2.0 * PI
+        } else {
+            angle
+        }
+    }
+}
+
+/// Stiffness, N/m, and greatest force, N, of a hand on a flap with such a fold: as of any hand on
+/// a leaf of its weight, or as much firmer as its fold needs.
+fn hand_for(settings: &SheetSettings, line: &FoldLine) -> [f32; 2] {
+    let SheetSettings { width, height, .. } = *settings;
+    let weight = settings.stock.grammage * GRAVITY * width * height;
+    let to_yield = line.stiffness * line.yields * height / width;
+    let force = strongest(weight).max(FIRM * to_yield);
+    [STIFFNESS * (force / STRONGEST).max(1.0), force].map(|figure| figure as f32)
+}
+
+/// A place at the foot of the uppermost page of a side, at `u` of its width, in book space.
+fn place_on_page(book: &Book, side: Side, u: f32) -> [f32; 3] {
+    let columns = book.columns();
+    let at = columns.partition_point(|column| *column <= u);
+    let k = at.clamp(1, columns.len() - 1) - 1;
+    let part = (u - columns[k]) / (columns[k + 1] - columns[k]);
+    let [[x0, z0], [x1, z1]] = [k, k + 1].map(|column| book.pile(side).place(column));
+    [
+        side.sign() * (x0 + part * (x1 - x0)),
+        0.0,
+        z0 + part * (z1 - z0),
+    ]
+}
