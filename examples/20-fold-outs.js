@@ -31,8 +31,8 @@ function drawMap(pen, across, number) {
     pen.beginPath();
     for (let step = 0; step <= 120; step++) {
       const angle = (step * Math.PI) / 60;
-      const wave = Math.sin(3 * angle + number) + 0.5 * Math.sin(7 * angle + level / 2);
-      const reach = (1 - level / 8) * (1 + 0.12 * wave);
+      const swell = Math.sin(3 * angle + number) + 0.5 * Math.sin(7 * angle + level / 2);
+      const reach = (1 - level / 8) * (1 + 0.12 * swell);
       const x = across / 2 + 0.42 * across * reach * Math.cos(angle) + 8 * level;
       const y = 360 + 290 * reach * Math.sin(angle) - 4 * level;
       pen.lineTo(x, y);
