@@ -121,17 +121,17 @@ pub fn inside_itself(leaf: &Facets<'_>, within: f32) -> f32 {
     let crossed: BTreeSet<[usize; 2]> = found.iter().map(|(edge, _)| *edge).collect();
     let mut known: BTreeMap<usize, Option<f32>> = BTreeMap::new();
     let mut deepest = 0.0f32;
-    for (edge, facet) in found {
+    for (edge, facet) in &found {
+        let (edge, facet) = (*edge, *facet);
         let heights = edge.map(|node| leaf.height_over(node, facet));
         let beyond = edge.map(|end| {
             if let Some(known) = known.get(&end) {
                 return *known;
             }
             let piece = piece(leaf, end, &crossed);
-            let far = piece.as_ref().map(|piece| {
-                let far = |node: &usize| leaf.distance_to_part(*node, facet, PART);
-                piece.iter().map(far).fold(0.0, f32::max).min(within)
-            });
+            let far = piece
+                .as_ref()
+                .map(|piece| beyond_part(leaf, piece, &found).min(within));
             let all = piece.into_iter().flatten().chain([end]);
             known.extend(all.map(|node| (node, far)));
             far
@@ -144,6 +144,19 @@ pub fn inside_itself(leaf: &Facets<'_>, within: f32) -> f32 {
         deepest = deepest.max(heights[0].min(heights[1])).max(beyond);
     }
     deepest
+}
+
+/// How far a piece that is cut off comes beyond the other part, metres: each point is as far
+/// as the nearest of where the piece is cut off is, all along it.
+fn beyond_part(leaf: &Facets<'_>, piece: &[usize], found: &[([usize; 2], [usize; 3])]) -> f32 {
+    let cut = |(edge, _): &&([usize; 2], [usize; 3])| edge.iter().any(|end| piece.contains(end));
+    let facets: BTreeSet<[usize; 3]> = found.iter().filter(cut).map(|(_, facet)| *facet).collect();
+    let far = |node: &usize| {
+        let parts = facets.iter();
+        let distances = parts.map(|facet| leaf.distance_to_part(*node, *facet, PART));
+        distances.fold(f32::MAX, f32::min)
+    };
+    piece.iter().map(far).fold(0.0, f32::max)
 }
 
 /// The points of a leaf that can be reached from one without going through the leaf; None

@@ -28,6 +28,7 @@ impl Flights {
     /// lets those at rest join their piles.
     pub fn step(&mut self, gutter: &Gutter, piles: [&Pile; 2]) {
         self.wake();
+        self.part_overdue();
         let flying = self.order.len();
         for flight in &mut self.order {
             flight.leaf_mut().set_flying(flying);
@@ -239,6 +240,25 @@ impl Flights {
                 && (!self.is_supported(index) || self.is_pressed(index))
             {
                 self.order[index].leaf_mut().wake();
+            }
+        }
+    }
+
+    /// Sends two leaves that have both fallen for as long as leaves may, and are headed for each
+    /// other's side, to the side that they are over. Without help each falls where its own swing
+    /// takes it, and each of these would wait for the other to be down.
+    fn part_overdue(&mut self) {
+        let on_left = on_left(&self.order);
+        for right in 1..self.order.len() {
+            let pair = &mut self.order[right - 1..=right];
+            let sides = [&pair[0], &pair[1]].map(|flight| flight.phase().side());
+            let are_overdue = pair.iter().all(|flight| flight.leaf().is_overdue());
+            if are_overdue && sides == [Some(Side::Right), Some(Side::Left)] {
+                for (index, flight) in (right - 1..).zip(pair) {
+                    let is_left = index < on_left;
+                    let side = if is_left { Side::Left } else { Side::Right };
+                    flight.leaf_mut().head_for(side);
+                }
             }
         }
     }

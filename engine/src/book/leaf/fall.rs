@@ -58,7 +58,7 @@ impl Leaf {
             return;
         }
         self.settling = None;
-        let side = if self.paper.assist {
+        let side = if self.paper.assist || self.is_overdue() {
             side
         } else {
             self.side_ahead()
@@ -79,12 +79,26 @@ impl Leaf {
             let near = NEAR * (self.sheet.settings().width as f32 / WIDE).max(1.0);
             self.height_over_rest(side) < near && self.sheet.greatest_speed() < SLOW
         };
-        if supported && (landed || self.fallen > LONGEST_FALL) {
+        if supported && (landed || self.is_overdue()) {
             self.landed.copy_from_slice(self.sheet.positions());
             self.find_rest(side, landed);
             self.settling = Some(0.0);
             self.put_down = !landed;
             self.sheet.loads_mut().fill(0.0);
+        }
+    }
+
+    /// Whether it has fallen for as long as a leaf may: it is put down as soon as what lies
+    /// under it is down, on the side that it is headed for by then.
+    pub fn is_overdue(&self) -> bool {
+        matches!(self.phase, Phase::Falling(_)) && self.fallen > LONGEST_FALL
+    }
+
+    /// Turns a falling leaf toward a side. It has fallen for as long as before.
+    pub fn head_for(&mut self, side: Side) {
+        if matches!(self.phase, Phase::Falling(to) if to != side) {
+            self.settling = None;
+            self.phase = Phase::Falling(side);
         }
     }
 

@@ -501,3 +501,30 @@ fn a_leaf_held_still_sleeps_until_a_hand_moves() {
         }
     }
 }
+
+/// Without help each leaf falls where its swing takes it. Two that have passed each other swing
+/// to each other's sides, and neither is ever over what it would lie upon.
+#[test]
+fn leaves_that_have_passed_each_other_are_put_down_in_their_order() {
+    let mut book = book();
+    book.set_paper(&Paper {
+        assist: false,
+        ..Paper::default()
+    });
+    for (low, turned) in [(40, 0.3), (41, 0.6)] {
+        let id = book.pick_up(Side::Right, low, low + 1).unwrap();
+        let leaf = book.flights.get_mut(id).unwrap().leaf_mut();
+        leaf.clamp = core::f32::consts::PI * turned;
+        let (sin, cos) = leaf.clamp.sin_cos();
+        let flat = leaf.flat.as_chunks::<3>().0.iter();
+        let turned_over = flat.flat_map(|[x, y, _]| [x * cos, *y, x * sin]);
+        let at: Vec<f32> = turned_over.collect();
+        leaf.sheet.put_back(&at);
+        leaf.turned = turned;
+        leaf.fall(leaf.side_ahead(), 1.0);
+    }
+    let ticks = rest(&mut book, |_| {});
+    assert!(ticks as f32 * TICK < 4.0, "{ticks} ticks");
+    assert_eq!(book.read(), 40);
+    assert_eq!(book.landed()[0], 2);
+}
