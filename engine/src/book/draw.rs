@@ -9,7 +9,7 @@
 //! also where the work that one picture may take is spent. Lengths are those of a page 0.14 m
 //! wide, and in proportion for others.
 
-use super::flight::{Flight, Tolerance};
+use super::flight::{CUTTING, Flight, MOVING, Tolerance};
 use super::limits::MOST_FLIGHTS;
 use super::pile::Pile;
 use super::tolerance::{GRAZING, OVER_PILE, ROUNDING, TOUCHING};
@@ -23,10 +23,6 @@ const FEW: usize = 3;
 /// nanoseconds; what was begun is ended.
 const SEPARATING: u32 = 2_000_000;
 const SEARCHING: u32 = 1_500_000;
-
-/// Work of moving a flight a part of the way and of cutting it, nanoseconds.
-const MOVING: u32 = 40_000;
-const CUTTING: u32 = 10_000;
 
 /// Every flight, as a set of bits.
 const ALL: u16 = u16::MAX;
@@ -286,9 +282,13 @@ impl Crossings {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::book::Book;
+    use crate::book::crossing::Tiles;
     use crate::book::leaf::Leaf;
     use crate::book::limits::NODES;
+    use crate::book::mesh::Mesh;
     use crate::book::paper::Paper;
+    use crate::tolerance::AT_FACET;
 
     const WIDTH: f32 = 0.14;
 
@@ -338,5 +338,40 @@ mod tests {
                 assert!(top[0] > middle[1], "{top:?} over {middle:?} on the {side}");
             }
         }
+    }
+
+    /// Wind folds a leaf of more than a metre that no hand has held, and it is not drawn through
+    /// itself.
+    #[test]
+    fn a_leaf_that_the_wind_folds_is_not_drawn_through_itself() {
+        let [width, height] = [1.189, 0.759];
+        let mut book = Book::new(width, height, 100, 8e-3).expect("a book's figures");
+        let paper = Paper {
+            wind: [-8.16, -9.52, 9.58],
+            binding: 1.0,
+            assist: false,
+            ..Paper::default()
+        };
+        assert!(book.set_paper(&paper), "these are a paper's figures");
+        book.lay(100);
+        let flight = { book.pick_up(Side::Left, 99, 100) }.expect("it lies uppermost");
+        book.play(flight, Side::Right, 0.8);
+        let mut tiles = Tiles::default();
+        let mut sharpest = 1.0f32;
+        while book.flights() > 0 {
+            book.step(2);
+            book.update();
+            let Some(surface) = book.surface(0) else {
+                break;
+            };
+            let normals = surface.normals.as_chunks::<3>().0;
+            let middle = normals[normals.len() / 2];
+            let along = |n: &[f32; 3]| n[0] * middle[0] + n[1] * middle[1] + n[2] * middle[2];
+            sharpest = normals.iter().map(along).fold(sharpest, f32::min);
+            tiles.cut(Mesh::of(surface));
+            let apart = AT_FACET * width as f32 / WIDTH;
+            assert!(!tiles.cross_themselves(apart, &mut Work::new(u32::MAX)));
+        }
+        assert!(sharpest < -0.9, "it was folded: {sharpest}");
     }
 }

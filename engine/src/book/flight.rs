@@ -22,6 +22,10 @@ use crate::vector::{dot, sub};
 /// has crumpled one, and where they are smooth.
 pub type Tolerance = [f32; 2];
 
+/// Work of moving what is drawn of a flight, and of cutting it, nanoseconds.
+pub const MOVING: u32 = 40_000;
+pub const CUTTING: u32 = 10_000;
+
 /// The number of what is not in flight but lies creased upon a pile.
 pub const LYING: u32 = 0;
 
@@ -65,10 +69,10 @@ pub struct Flight {
     full_precision: bool,
     /// Whether the surface holds what is to be drawn in the sheet's place.
     overridden: bool,
-    /// Whether it may have been bent back on itself: by a grab, by others, or as it is
-    /// drawn in the sheet's place.
+    /// Whether it may have been bent back on itself: by a grab, by others, by its own weight, or
+    /// as it is drawn in the sheet's place.
     may_be_folded: bool,
-    /// Whether it is then bent so far that it may reach round others.
+    /// Whether it was so by a grab, by others or as it is drawn: it may then reach round others.
     is_bent_back: bool,
     was_driven: bool,
     /// Whether it was found to go through a neighbour since it was taken up: where its paper
@@ -77,6 +81,9 @@ pub struct Flight {
     /// Whether its paper went through itself after the last tick, and room to find out.
     was_through: bool,
     spare: Surface,
+    /// Work of looking for where its paper goes through itself or another since it was last
+    /// taken, nanoseconds.
+    searching: u32,
     creased: Option<CreasedMesh>,
     /// Which points are folded over; empty where none is.
     turned_over: Vec<bool>,
@@ -109,6 +116,7 @@ impl Flight {
             had_crossing: false,
             was_through: false,
             spare: Surface::new(u.len(), rows),
+            searching: 0,
             creased: None,
             turned_over: Vec::new(),
             cells: u.iter().map(cell).collect(),
@@ -207,10 +215,11 @@ impl Flight {
             core::mem::take(&mut self.overridden) && self.surface.positions.iter().all(is_place);
         self.needs_crossing_test |=
             is_crumpled || is_overridden || needs_crossing_test || self.had_crossing;
-        self.is_bent_back = is_overridden
-            || ((is_crumpled || self.was_driven) && self.leaf.in_book_space().is_bent_back());
-        // A creased one is folded where it may be.
-        self.may_be_folded = (is_crumpled || self.is_bent_back) && self.creased.is_none();
+        let is_bent_back = is_overridden || self.leaf.in_book_space().is_bent_back();
+        self.is_bent_back = is_bent_back && (is_overridden || is_crumpled || self.was_driven);
+        // A large page folds by its own weight, or by the wind. A creased one is folded where it
+        // may be.
+        self.may_be_folded = (is_crumpled || is_bent_back) && self.creased.is_none();
         if !is_overridden {
             self.leaf.write_surface(&mut self.surface);
         }
@@ -400,23 +409,35 @@ impl Flight {
 
     /// Says that its paper may be tested: see [`is_through`](Self::is_through).
     pub fn cut(&mut self) {
+        self.searching += CUTTING;
         self.tiles.cut(self.leaf.in_book_space().mesh());
     }
 
     /// Whether its paper goes through that of the one on its right, both as they were
     /// when they were last [cut](Self::cut).
-    pub fn is_through(&self, right: &Flight) -> bool {
-        let [own, other] = [self, right].map(|flight| flight.leaf.in_book_space().mesh());
-        let work = &mut Work::new(u32::MAX);
+    pub fn is_through(&mut self, right: &Flight) -> bool {
         let deep = DEEP * self.scale();
-        is_past(own, other, deep) || self.tiles.cross(&right.tiles, deep, work)
+        let [own, other] = [&*self, right].map(|flight| flight.leaf.in_book_space().mesh());
+        let work = &mut Work::new(u32::MAX);
+        let is_through = is_past(own, other, deep) || self.tiles.cross(&right.tiles, deep, work);
+        self.searching = self.searching.saturating_add(work.done());
+        is_through
+    }
+
+    /// Returns the work since it was last asked, nanoseconds as counted: its leaf's, and that of
+    /// looking for where its paper goes through itself or another.
+    pub fn take_work(&mut self) -> u32 {
+        let searching = core::mem::take(&mut self.searching);
+        self.leaf.take_work().saturating_add(searching)
     }
 
     /// Takes back what a tick did to it where its paper would be drawn through itself after
-    /// it, and would not have been before. Leaves that no grab has crumpled are not looked at.
+    /// it, and would not have been before. Leaves that no grab has crumpled and that are not
+    /// bent back on themselves are not looked at.
     pub fn keep_from_itself(&mut self, gutter: &Gutter, deepest: f32) {
         let was_through = core::mem::take(&mut self.was_through);
-        if !self.leaf.was_held() || self.leaf.is_creased() {
+        let may_be_folded = self.leaf.was_held() || self.leaf.in_book_space().is_bent_back();
+        if !may_be_folded || self.leaf.is_creased() {
             return;
         }
         self.was_through = self.is_paper_through_itself();
@@ -432,7 +453,10 @@ impl Flight {
         self.tiles.cut(Mesh::of(&self.spare));
         let tolerance = AT_FACET * self.scale();
         let work = &mut Work::new(u32::MAX);
-        self.tiles.cross_themselves(tolerance, work)
+        work.spend(MOVING + CUTTING);
+        let is_through = self.tiles.cross_themselves(tolerance, work);
+        self.searching = self.searching.saturating_add(work.done());
+        is_through
     }
 
     /// Keeps what is drawn now as what is wanted.

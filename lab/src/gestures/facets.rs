@@ -444,8 +444,8 @@ impl<'a> Facets<'a> {
         dot(sub(self.points[node], a), normal).abs() / dot(normal, normal).sqrt().max(1e-30)
     }
 
-    /// Where the edge from `p` to `q` goes through facets.
-    pub fn crossings(&self, p: Point, q: Point) -> Vec<Crossing> {
+    /// Where the edge from `p` to `q` goes through facets, and through which.
+    pub fn crossings(&self, p: Point, q: Point) -> Vec<(Crossing, [usize; 3])> {
         let mut found = Vec::new();
         let edge = Bounds::of([p, q]);
         for (bounds, blocks) in &self.groups {
@@ -460,9 +460,13 @@ impl<'a> Facets<'a> {
                     for column in block.columns.clone() {
                         for (facet, is_turned_over) in self.sided_cell(row, column) {
                             let corners = facet.map(|node| self.points[node]);
-                            found.extend(crossing(p, q, corners).map(|crossing| Crossing {
-                                from_recto: crossing.from_recto != is_turned_over,
-                                ..crossing
+                            found.extend(crossing(p, q, corners).map(|crossing| {
+                                let from_recto = crossing.from_recto != is_turned_over;
+                                let through = Crossing {
+                                    from_recto,
+                                    ..crossing
+                                };
+                                (through, facet)
                             }));
                         }
                     }
@@ -511,7 +515,7 @@ mod tests {
         let facets = Facets::new(&surface);
         let through = facets.crossings([0.031, 0.022, -0.001], [0.031, 0.022, 0.003]);
         assert_eq!(through.len(), 1);
-        assert!((through[0].at - 0.25).abs() < 1e-6 && !through[0].from_recto);
+        assert!((through[0].0.at - 0.25).abs() < 1e-6 && !through[0].0.from_recto);
         assert!(
             facets
                 .crossings([0.031, 0.022, 0.001], [0.03, 0.02, 0.003])

@@ -76,12 +76,9 @@ pub fn measure(book: &Book, page: [f32; 2]) -> Overlap {
     }
     for (k, left) in facets.iter().enumerate() {
         for right in &facets[k + 1..] {
-            // The left one lies on the recto's side of the right one.
-            let (a, crossed) = inside_leaf(left, right, false, within);
-            let (b, crossed_back) = inside_leaf(right, left, true, within);
-            let passed = passed(left, right, within);
-            worst.leaf = worst.leaf.max(a).max(b).max(passed);
-            worst.crossings = worst.crossings.max(crossed + crossed_back);
+            let (depth, crossed) = inside_each_other(left, right, within);
+            worst.leaf = worst.leaf.max(depth).max(passed(left, right, within));
+            worst.crossings = worst.crossings.max(crossed);
         }
     }
     worst
@@ -232,66 +229,157 @@ fn under([right, left]: [&Pile; 2], [x, _, z]: Point) -> f32 {
     ((height - z) / (1.0 + slope * slope).sqrt()).max(0.0)
 }
 
-/// Deepest point of a leaf that went through another, that of its recto or not,
-/// and how many of its edges go through the other.
+/// How deep two leaves that share their spine are in each other, metres, and how many edges of
+/// either go through the other: the left one lies on the recto's side of the right one.
 ///
-/// Two leaves that share their spine in the right order lie inside each other
-/// only where one goes through the other. A point that has a leaf on its wrong
-/// side without that has come round a rim, or lies under a flap that is folded
-/// over: so depth is looked for from where edges come out of facets on the wrong
-/// side, up to where the leaf comes back through or is on the right side again.
-fn inside_leaf(leaf: &Facets<'_>, other: &Facets<'_>, recto: bool, within: f32) -> (f32, usize) {
-    let points = leaf.points();
-    let mut known: Vec<Option<Option<Near>>> = vec![None; points.len()];
-    // The column at the spine is everyone's.
-    let mut near = |node: usize| {
-        let found = || other.near(points[node], within);
-        *known[node].get_or_insert_with(|| (!node.is_multiple_of(leaf.columns())).then(found)?)
-    };
-    let wrong = |near: &Option<Near>| match near {
-        Some(near) if near.recto == recto && !near.rim => near.distance,
-        _ => 0.0,
-    };
-    let mut deepest = 0.0f32;
-    let mut crossed = BTreeSet::new();
-    let mut open = Vec::new();
-    for [a, b] in leaf.edges_near(other) {
-        let (p, q) = (points[a], points[b]);
-        let through = other.crossings(p, q);
-        let ends = [
-            through.iter().min_by(|x, y| x.at.total_cmp(&y.at)),
-            through.iter().max_by(|x, y| x.at.total_cmp(&y.at)),
-        ];
-        let [Some(first), Some(last)] = ends else {
-            continue;
+/// Of two pieces that went through each other it is the less deep one that did. What is bent
+/// over under another leaf so that its rim dips into that has all of that one on its wrong side,
+/// which is no deeper for it than the rim is.
+fn inside_each_other(left: &Facets<'_>, right: &Facets<'_>, within: f32) -> (f32, usize) {
+    let own = Through::find(left, right, false, within);
+    let other = Through::find(right, left, true, within);
+    let depth = own.deepest(&other).max(other.deepest(&own));
+    (depth, own.crossed.len() + other.crossed.len())
+}
+
+/// What of a leaf went through another.
+///
+/// Two leaves lie inside each other only where one goes through the other. A point that has a
+/// leaf on its wrong side without that has come round a rim, or lies under a flap that is folded
+/// over: so depth is looked for from where edges come out of facets on the wrong side, up to
+/// where the leaf comes back through or is on the right side again.
+struct Through {
+    /// Edges that go through the other leaf.
+    crossed: BTreeSet<[usize; 2]>,
+    /// Points that came out on the wrong side, and the facet of the other leaf that they did by.
+    out: Vec<(usize, [usize; 3])>,
+    /// The pieces that points on the wrong side belong to, and how deep each is, metres.
+    pieces: BTreeMap<usize, usize>,
+    depths: Vec<f32>,
+    /// How deep an edge is between two facets that it goes through, metres.
+    between: f32,
+}
+
+impl Through {
+    /// What of a leaf went through another that has it on its recto or not.
+    fn find(leaf: &Facets<'_>, other: &Facets<'_>, recto: bool, within: f32) -> Through {
+        let points = leaf.points();
+        let mut known: Vec<Option<Option<Near>>> = vec![None; points.len()];
+        // The column at the spine is everyone's.
+        let mut near = |node: usize| {
+            let found = || other.near(points[node], within);
+            *known[node]
+                .get_or_insert_with(|| (!node.is_multiple_of(leaf.columns())).then(found)?)
         };
-        if near(a).is_none() || near(b).is_none() {
-            continue;
+        let wrong = |near: &Option<Near>| match near {
+            Some(near) if near.recto == recto && !near.rim => near.distance,
+            _ => 0.0,
+        };
+        let mut found = Through {
+            crossed: BTreeSet::new(),
+            out: Vec::new(),
+            pieces: BTreeMap::new(),
+            depths: Vec::new(),
+            between: 0.0,
+        };
+        for [a, b] in leaf.edges_near(other) {
+            let (p, q) = (points[a], points[b]);
+            let through = other.crossings(p, q);
+            let ends = [
+                through.iter().min_by(|x, y| x.0.at.total_cmp(&y.0.at)),
+                through.iter().max_by(|x, y| x.0.at.total_cmp(&y.0.at)),
+            ];
+            let [Some((first, by_first)), Some((last, by_last))] = ends else {
+                continue;
+            };
+            if near(a).is_none() || near(b).is_none() {
+                continue;
+            }
+            found.crossed.insert([a, b]);
+            // An end that a facet has on its wrong side went through it.
+            if first.from_recto == recto {
+                found.out.push((a, *by_first));
+            }
+            if last.from_recto != recto {
+                found.out.push((b, *by_last));
+            }
+            // Between its ends, an edge is deepest about half-way from one facet
+            // that it goes through to the next.
+            let at = 0.5 * (first.at + last.at);
+            let middle = core::array::from_fn(|i| p[i] + at * (q[i] - p[i]));
+            found.between = found.between.max(wrong(&other.near(middle, within)));
         }
-        crossed.insert([a, b]);
-        // An end that a facet has on its wrong side went through it.
-        if first.from_recto == recto {
-            open.push(a);
+        for &(from, _) in &found.out {
+            let piece = found.depths.len();
+            let mut deepest = 0.0f32;
+            let mut open = vec![from];
+            while let Some(node) = open.pop() {
+                let depth = wrong(&near(node));
+                if depth == 0.0 || found.pieces.contains_key(&node) {
+                    continue;
+                }
+                found.pieces.insert(node, piece);
+                deepest = deepest.max(depth);
+                let whole = |to: &usize| !found.crossed.contains(&[node.min(*to), node.max(*to)]);
+                open.extend(beside(node, leaf.columns(), points.len()).filter(whole));
+            }
+            found.depths.push(deepest);
         }
-        if last.from_recto != recto {
-            open.push(b);
-        }
-        // Between its ends, an edge is deepest about half-way from one facet
-        // that it goes through to the next.
-        let at = 0.5 * (first.at + last.at);
-        let middle = core::array::from_fn(|i| p[i] + at * (q[i] - p[i]));
-        deepest = deepest.max(wrong(&other.near(middle, within)));
+        found
     }
-    let mut reached = vec![false; points.len()];
-    while let Some(node) = open.pop() {
-        let depth = wrong(&near(node));
-        if reached[node] || depth == 0.0 {
-            continue;
-        }
-        reached[node] = true;
-        deepest = deepest.max(depth);
-        let whole = |to: &usize| !crossed.contains(&[node.min(*to), node.max(*to)]);
-        open.extend(beside(node, leaf.columns(), points.len()).filter(whole));
+
+    /// How deep the piece of a point is, metres; None where it belongs to none.
+    fn depth(&self, node: usize) -> Option<f32> {
+        self.pieces.get(&node).map(|piece| self.depths[*piece])
     }
-    (deepest, crossed.len())
+
+    /// The deepest of its pieces in the other leaf, of which `other` tells the same, metres.
+    fn deepest(&self, other: &Through) -> f32 {
+        let depth = |(end, facet): &(usize, [usize; 3])| {
+            let own = self.depth(*end).unwrap_or(0.0);
+            let others = facet.iter().filter_map(|corner| other.depth(*corner));
+            own.min(others.reduce(f32::max).unwrap_or(f32::MAX))
+        };
+        self.out.iter().map(depth).fold(self.between, f32::max)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use turnleaf_engine::Surface;
+
+    use super::*;
+
+    const WITHIN: f32 = 0.012;
+
+    /// A surface of 25 x 7 points 5 mm apart with these places along x and z for each column.
+    fn surface(place: impl Fn(usize) -> [f32; 2]) -> Surface {
+        let mut surface = Surface::new(25, 7);
+        for (node, point) in surface.positions.chunks_exact_mut(3).enumerate() {
+            let [x, z] = place(node % 25);
+            point.copy_from_slice(&[x, (node / 25) as f32 * 0.005, z]);
+        }
+        surface
+    }
+
+    /// A leaf over another whose outer third is bent down under the rest and back, so that its
+    /// rim is `deep` in the other one: what lies under the flap has the flap's recto next to it,
+    /// far from its rim too, and is not inside it by that.
+    #[test]
+    fn a_rim_that_is_folded_under_is_as_deep_as_it_is() {
+        for deep in [0.4e-6, 0.2e-3, 1.1e-3] {
+            let under = surface(|column| [column as f32 * 0.005, 0.0]);
+            let over = surface(|column| match column {
+                0..16 => [column as f32 * 0.005, 0.006],
+                16 => [0.08, 0.003],
+                _ => {
+                    let back = (column - 16) as f32;
+                    [0.08 - 0.005 * back, 0.003 - back * (0.003 + deep) / 8.0]
+                }
+            });
+            let [left, right] = [&over, &under].map(Facets::new);
+            let (depth, _) = inside_each_other(&left, &right, WITHIN);
+            assert!((depth - deep).abs() < 0.01 * deep, "{deep}: {depth}");
+        }
+    }
 }

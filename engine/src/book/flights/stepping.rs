@@ -6,7 +6,6 @@ use crate::book::contacts::Neighbour;
 use crate::book::draw::on_left;
 use crate::book::flight::Flight;
 use crate::book::gutter::Gutter;
-use crate::book::leaf::Leaf;
 use crate::book::limits::{MOST_FLIGHTS, TICK};
 use crate::book::phase::Phase;
 use crate::book::pile::Pile;
@@ -56,8 +55,8 @@ impl Flights {
         if self.order.iter().any(Flight::may_have_tunnelled) {
             self.take_back(gutter);
         }
-        let leaves = self.order.iter_mut().map(|flight| flight.leaf_mut());
-        self.tick_work = leaves.map(Leaf::take_work).fold(0, u32::saturating_add);
+        let work = self.order.iter_mut().map(Flight::take_work);
+        self.tick_work = work.fold(0, u32::saturating_add);
         self.join_piles();
     }
 
@@ -178,14 +177,15 @@ impl Flights {
             }
             flight.cut();
         }
-        let through = |order: &[Flight], back: &[bool]| {
-            let mut pairs = order.windows(2).zip(back.windows(2));
-            pairs.position(|(pair, back)| {
+        let through = |order: &mut [Flight], back: &[bool]| {
+            (1..order.len()).find_map(|right| {
+                let (pair, back) = (&mut order[right - 1..=right], &back[right - 1..=right]);
                 let is_tested = pair.iter().any(Flight::may_have_tunnelled) || back.contains(&true);
-                is_tested && back != [true; 2] && pair[0].is_through(&pair[1])
+                let [left, other] = pair else { return None };
+                (is_tested && back != [true; 2] && left.is_through(other)).then_some(right - 1)
             })
         };
-        while let Some(index) = through(&self.order, &back) {
+        while let Some(index) = through(&mut self.order, &back) {
             for index in [index, index + 1] {
                 if !back[index] {
                     back[index] = true;
