@@ -282,12 +282,12 @@ impl Crossings {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::book::Book;
     use crate::book::crossing::Tiles;
     use crate::book::leaf::Leaf;
     use crate::book::limits::NODES;
     use crate::book::mesh::Mesh;
     use crate::book::paper::Paper;
+    use crate::book::{Board, Book};
     use crate::tolerance::AT_FACET;
 
     const WIDTH: f32 = 0.14;
@@ -344,17 +344,17 @@ mod tests {
     /// itself.
     #[test]
     fn a_leaf_that_the_wind_folds_is_not_drawn_through_itself() {
-        let [width, height] = [1.189, 0.759];
-        let mut book = Book::new(width, height, 100, 8e-3).expect("a book's figures");
+        let [width, height] = [1.2, 0.76];
+        let mut book = Book::new(width, height, 8, 0.8e-3).expect("a book's figures");
         let paper = Paper {
-            wind: [-8.16, -9.52, 9.58],
-            binding: 1.0,
+            wind: [-8.0, -9.5, 9.5],
             assist: false,
             ..Paper::default()
         };
         assert!(book.set_paper(&paper), "these are a paper's figures");
-        book.lay(100);
-        let flight = { book.pick_up(Side::Left, 99, 100) }.expect("it lies uppermost");
+        *book.board_mut(0) = Board::new(Side::Left);
+        book.lay(5);
+        let flight = { book.pick_up(Side::Left, 4, 5) }.expect("it lies uppermost");
         book.play(flight, Side::Right, 0.8);
         let mut tiles = Tiles::default();
         let mut sharpest = 1.0f32;
