@@ -200,8 +200,9 @@ impl Flaps {
 
     /// The side of a triangle's part on which another part lies, 1 for the recto's or -1, and
     /// how deep that may be in it, metres, and still be brought out of it: what is folded over
-    /// by more than a right angle is there, and nothing else.
-    fn side_of(&self, under: u16, part: u16) -> (f32, f32) {
+    /// by more than a right angle is there, and nothing else. `is_alike` says that the rectos of
+    /// both face the same way.
+    fn side_of(&self, under: u16, part: u16, is_alike: bool) -> (f32, f32) {
         // The first crease between the two says on which, as seen from the spine: where both
         // are flaps, neither beyond the other's crease, the second lies upon the first.
         let first = |set: u16| {
@@ -213,13 +214,30 @@ impl Flaps {
         let crease = other.or(own);
         let rest = crease.map_or(0.0, |crease| self.creases[crease].1);
         let is_upon_flap = own.is_some() && other.is_some() && own > other;
-        let side = if (rest > 0.0) != is_upon_flap {
+        // What is folded over twice is on either side of what it lies upon by how far: a letter's
+        // end stands with its recto toward the page and lies in it with its verso.
+        let is_turned_back = own.is_none() && (under & !part).count_ones() > 1 && is_alike;
+        let side = if (rest > 0.0) != (is_upon_flap || is_turned_back) {
             1.0
         } else {
             -1.0
         };
         let is_over = rest.abs() > core::f32::consts::FRAC_PI_2;
         (side, if is_over { CURLED } else { DEEPEST })
+    }
+
+    /// The way that the recto of each part faces, by parts; none where no part is folded over
+    /// more than once, as nothing depends on it.
+    fn facing(&self, points: &[[f32; 3]]) -> Vec<(u16, [f32; 3])> {
+        let mut found: Vec<(u16, [f32; 3])> = Vec::new();
+        if !self.overlap() {
+            return found;
+        }
+        for triangle in &self.triangles {
+            let [a, b, c] = triangle.nodes.map(|node| points[node]);
+            add_facing(&mut found, triangle.part, cross(sub(b, a), sub(c, a)));
+        }
+        found
     }
 
     /// Finds the contacts of the parts with each other, of a leaf of `columns` whose nodes are
@@ -275,9 +293,9 @@ impl Flaps {
 
     /// The side of a drawn triangle's part on which another part lies, 1 for that of its normal or
     /// -1; None where the first crease between them is not folded by more than a right angle: it
-    /// may be on either.
-    pub fn drawn_side(&self, under: u16, part: u16) -> Option<f32> {
-        let (side, deepest) = self.side_of(under, part);
+    /// may be on either. `is_alike` says that the rectos of both face the same way.
+    pub fn drawn_side(&self, under: u16, part: u16, is_alike: bool) -> Option<f32> {
+        let (side, deepest) = self.side_of(under, part, is_alike);
         (deepest == CURLED).then_some(side)
     }
 
@@ -286,23 +304,21 @@ impl Flaps {
     /// folds it.
     fn touches(&self, points: &[[f32; 3]]) -> Vec<Touch> {
         let mut found: Vec<Touch> = Vec::new();
+        let facing = self.facing(points);
         for (node, part) in self.parts.iter().enumerate() {
             let Some(part) = *part else { continue };
             let point = points[node];
             let first = found.len();
+            let faces = facing_of(&facing, part);
             for other in &self.triangles {
                 let away = sub(point, points[other.nodes[0]]);
                 if other.part == part || dot(away, away) > other.reach {
                     continue;
                 }
                 let parts = [part, other.part];
-                let Some(touch) = touch(
-                    points,
-                    node,
-                    other.nodes,
-                    parts,
-                    self.side_of(other.part, part),
-                ) else {
+                let is_alike = dot(faces, facing_of(&facing, other.part)) > 0.0;
+                let side = self.side_of(other.part, part, is_alike);
+                let Some(touch) = touch(points, node, other.nodes, parts, side) else {
                     continue;
                 };
                 match found[first..].iter_mut().find(|known| known.parts == parts) {
@@ -314,6 +330,24 @@ impl Flaps {
         }
         found
     }
+}
+
+/// Adds the normal of a triangle to those of its part.
+pub fn add_facing(facing: &mut Vec<(u16, [f32; 3])>, part: u16, normal: [f32; 3]) {
+    let known = facing.iter().position(|(of, _)| *of == part);
+    let at = known.unwrap_or_else(|| {
+        facing.push((part, [0.0; 3]));
+        facing.len() - 1
+    });
+    for (sum, x) in facing[at].1.iter_mut().zip(normal) {
+        *sum += x;
+    }
+}
+
+/// The sum of the normals of a part; 0 where it has none.
+pub fn facing_of(facing: &[(u16, [f32; 3])], part: u16) -> [f32; 3] {
+    let known = facing.iter().find(|(of, _)| *of == part);
+    known.map_or([0.0; 3], |(_, normal)| *normal)
 }
 
 /// How a node touches a triangle of its leaf, if it lies over it on a side (1 the recto's) or
@@ -348,4 +382,73 @@ fn touch(
         normal: normal.map(|n| side * n),
         gap,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::book::Paper;
+    use crate::grid::Side;
+    use crate::models::sheet::FoldLine;
+    use crate::stock::Stock;
+
+    /// Whatever is folded upon what, each part lies on the side of every other where it is once
+    /// all creases are folded as they rest: as a letter with its end inside, in a zigzag, with
+    /// two corners upon each other.
+    #[test]
+    fn parts_lie_where_their_creases_fold_them() {
+        let page = [0.14, 0.21];
+        let upright = |u: f64| [[u, 0.0], [u, 1.0]];
+        let corners = [[[0.3, 0.0], [1.0, 0.6]], [[0.4, 1.0], [1.0, 0.5]]];
+        let letter = [upright(0.36), upright(0.7)];
+        let folds = [
+            (letter, [160.0, 175.0]),
+            (letter, [-160.0, -175.0]),
+            (letter, [170.0, -160.0]),
+            (letter, [-170.0, 160.0]),
+            (corners, [165.0, 150.0]),
+            (corners, [-165.0, -150.0]),
+        ];
+        for (lines, degrees) in folds {
+            let mut sheet = Sheet::new(Paper::default().sheet(page, 1)).expect("a leaf's sheet");
+            let creases = [0, 1].map(|k| {
+                FoldLine::pressed(lines[k], f64::to_radians(degrees[k]), &Stock::BOOK, page[0])
+            });
+            sheet.crease(&creases).expect("these can be creased");
+            sheet.lay_folded(Side::Right);
+            let flaps = Flaps::of(&sheet).expect("it has parts");
+            let points = sheet.positions().as_chunks::<3>().0;
+            let facing = flaps.facing(points);
+            let (mut found, mut parts) = (0, 0);
+            for (node, part) in flaps.parts.iter().enumerate() {
+                let Some(part) = *part else { continue };
+                for other in flaps.triangles.iter().filter(|other| other.part != part) {
+                    let [a, b, c] = other.nodes.map(|node| points[node]);
+                    let normal = unit(cross(sub(b, a), sub(c, a)));
+                    let away = sub(points[node], a);
+                    let height = dot(away, normal);
+                    let level: [f32; 3] =
+                        core::array::from_fn(|axis| away[axis] - height * normal[axis]);
+                    // Near to its middle, and off it.
+                    if dot(level, level) > 1e-4 || !(1e-3..0.03).contains(&height.abs()) {
+                        continue;
+                    }
+                    let [own, beside] = [part, other.part].map(|of| facing_of(&facing, of));
+                    let side = flaps.drawn_side(other.part, part, dot(own, beside) > 0.0);
+                    assert_eq!(
+                        side,
+                        Some(height.signum()),
+                        "{degrees:?}: {part} over {} by {height}",
+                        other.part
+                    );
+                    found += 1;
+                    parts |= 1 << (4 * other.part + part);
+                }
+            }
+            assert!(
+                found > 50 && u32::count_ones(parts) >= 4,
+                "{degrees:?}: {found}, {parts:b}"
+            );
+        }
+    }
 }

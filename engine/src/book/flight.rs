@@ -339,7 +339,7 @@ impl Flight {
         push_off(&mut self.surface.positions, piles, over);
         if let (Some(creased), Some(flaps)) = (&mut self.creased, self.leaf.flaps()) {
             let points = self.surface.positions.as_chunks_mut::<3>().0;
-            let side = |under, part| flaps.drawn_side(under, part);
+            let side = |under, part, is_alike| flaps.drawn_side(under, part, is_alike);
             creased.drawn_parts.separate(points, scale, side);
         }
         if !matches!(self.phase(), Phase::Resting(_)) {

@@ -1,6 +1,7 @@
 //! Leaves folded along whole pages in a book: across, and in three as a letter.
 
 use super::*;
+use crate::flaps::{add_facing, facing_of};
 use crate::vector::{cross, dot, sub, unit};
 
 /// How deep in each other parts of a leaf that lies are drawn at most, metres.
@@ -68,6 +69,11 @@ fn depth(book: &Book, creases: &[FoldLine]) -> f32 {
             }
         }
     }
+    let mut facing = Vec::new();
+    for (corners, part) in corners.iter().zip(&mesh.parts) {
+        let [a, b, c] = corners.map(|corner| points[corner as usize]);
+        add_facing(&mut facing, *part, cross(sub(b, a), sub(c, a)));
+    }
     let mut deepest: f32 = 0.0;
     for (point, own) in points.iter().zip(parts.iter().map(|part| part.flatten())) {
         let Some(own) = own else { continue };
@@ -76,7 +82,11 @@ fn depth(book: &Book, creases: &[FoldLine]) -> f32 {
                 continue;
             }
             let between = (part ^ own).trailing_zeros() as usize;
-            let side = creases[between].rest.signum() as f32;
+            // What is folded twice, and faces as the page does, lies in it with its other side.
+            let is_alike = dot(facing_of(&facing, own), facing_of(&facing, *part)) > 0.0;
+            let is_beyond = own & !part == 0 && (part & !own).count_ones() > 1;
+            let turned = if is_beyond && is_alike { -1.0 } else { 1.0 };
+            let side = turned * creases[between].rest.signum() as f32;
             let [a, b, c] = corners.map(|corner| points[corner as usize]);
             if dot(sub(*point, a), sub(*point, a)) > REACH * REACH {
                 continue;

@@ -6,7 +6,7 @@
 //! projections as leaves are kept clear of each other by ([`separate`](super::separate)). Of two
 //! parts the one that is farther up moves, as the other lies on something.
 
-use super::flaps::BESIDE;
+use super::flaps::{BESIDE, add_facing, facing_of};
 use super::tolerance::{NOT_UPON, OVER_PILE, SLACK};
 use crate::vector::{cross, dot, sub};
 
@@ -114,19 +114,21 @@ impl DrawnParts {
     }
 
     /// Moves parts out of each other that overlap. `side` says on which side of a triangle of a
-    /// part another lies, 1 that of its normal or -1; None where it may lie on either. Lengths
-    /// are those of a page 0.14 m wide; its own is wider by `scale`.
+    /// part another lies, 1 that of its normal or -1, if the normals of both are along each other
+    /// or not; None where it may lie on either. Lengths are those of a page 0.14 m wide; its own
+    /// is wider by `scale`.
     pub fn separate(
         &mut self,
         points: &mut [[f32; 3]],
         scale: f32,
-        side: impl Fn(u16, u16) -> Option<f32>,
+        side: impl Fn(u16, u16, bool) -> Option<f32>,
     ) {
         let within = NOT_UPON * scale;
         for _ in 0..ROUNDS {
             for block in &mut self.blocks {
                 block.bound(points, &self.triangles);
             }
+            let facing = self.facing(points);
             let mut moved = false;
             for node in 0..self.points.len() {
                 let Some(part) = self.points[node] else {
@@ -138,7 +140,8 @@ impl DrawnParts {
                     if block.part == part || !block.is_near(points[node], within) {
                         continue;
                     }
-                    let Some(side) = side(block.part, part) else {
+                    let [own, other] = [part, block.part].map(|part| facing_of(&facing, part));
+                    let Some(side) = side(block.part, part, dot(own, other) > 0.0) else {
                         continue;
                     };
                     for corners in &self.triangles[block.triangles.clone()] {
@@ -162,6 +165,18 @@ impl DrawnParts {
                 return;
             }
         }
+    }
+
+    /// The way that the normals of each part are, by parts.
+    fn facing(&self, points: &[[f32; 3]]) -> Vec<(u16, [f32; 3])> {
+        let mut found = Vec::new();
+        for block in &self.blocks {
+            for corners in &self.triangles[block.triangles.clone()] {
+                let [a, b, c] = corners.map(|corner| points[corner]);
+                add_facing(&mut found, block.part, cross(sub(b, a), sub(c, a)));
+            }
+        }
+        found
     }
 
     fn push_apart(&self, points: &mut [[f32; 3]], node: usize, overlap: &Overlap) {
@@ -266,7 +281,7 @@ mod tests {
     fn a_flap_that_is_drawn_into_its_page_is_raised_out_of_it() {
         for over in [5e-5f32, 0.0, -1e-3] {
             let (mut points, mut parts) = folded(over);
-            parts.separate(&mut points, 1.0, |_, _| Some(1.0));
+            parts.separate(&mut points, 1.0, |_, _, _| Some(1.0));
             assert_eq!(heights(&points, 0..5), [0.0; 2], "the page stays");
             let [low, _] = heights(&points, 5..9);
             assert!(low > 0.5 * OVER_PILE, "{low} from {over}");
@@ -276,7 +291,7 @@ mod tests {
     #[test]
     fn a_page_is_raised_off_a_flap_that_lies_under_it() {
         let (mut points, mut parts) = folded(5e-4);
-        parts.separate(&mut points, 1.0, |_, _| Some(-1.0));
+        parts.separate(&mut points, 1.0, |_, _, _| Some(-1.0));
         let [low, high] = heights(&points, 5..9);
         assert_eq!([low, high], [5e-4; 2], "the flap stays");
         let middle = heights(&points, 2..4)[0];
@@ -287,11 +302,11 @@ mod tests {
     fn what_lies_clear_or_on_either_side_stays() {
         let (before, mut parts) = folded(1e-3);
         let mut points = before.clone();
-        parts.separate(&mut points, 1.0, |_, _| Some(1.0));
+        parts.separate(&mut points, 1.0, |_, _, _| Some(1.0));
         assert_eq!(points, before);
         let (before, mut parts) = folded(-1e-3);
         let mut points = before.clone();
-        parts.separate(&mut points, 1.0, |_, _| None);
+        parts.separate(&mut points, 1.0, |_, _, _| None);
         assert_eq!(points, before);
     }
 }

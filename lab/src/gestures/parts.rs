@@ -1,6 +1,7 @@
 //! How deep parts of a folded leaf that lies are drawn in each other, by the sides to which its
 //! creases are folded.
 
+use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 
 use turnleaf_engine::book::CreasedMesh;
@@ -36,6 +37,13 @@ pub fn inside_parts(
             }
         }
     }
+    let mut facing: BTreeMap<u16, Point> = BTreeMap::new();
+    for (corners, part) in triangles() {
+        let [a, b, c] = corners.map(|corner| points[corner as usize]);
+        let normal = cross(sub(b, a), sub(c, a));
+        let sum = facing.entry(*part).or_default();
+        *sum = [0, 1, 2].map(|axis| sum[axis] + normal[axis]);
+    }
     let mut deepest = 0.0f32;
     for (point, own) in points.iter().zip(parts.iter().map(|part| part.flatten())) {
         let Some(own) = own else { continue };
@@ -44,7 +52,8 @@ pub fn inside_parts(
             if *part == own || dot(away, away) > (REACH * width).powi(2) {
                 continue;
             }
-            if let Some(side) = side(creases, *part, own) {
+            let is_alike = dot(facing[part], facing[&own]) > 0.0;
+            if let Some(side) = side(creases, *part, own, is_alike) {
                 let height = height(*point, corners.map(|corner| points[corner as usize]));
                 if let Some(height) = height.filter(|height| height.abs() < NEAR * width) {
                     deepest = deepest.max(-side * height);
@@ -57,15 +66,18 @@ pub fn inside_parts(
 
 /// The side of a triangle of the part `under` on which another part lies, 1 that of its normal or
 /// -1; None where it may lie on either: where neither lies beyond the other, or the first crease
-/// between them, as seen from the spine, is not folded by more than a right angle.
-fn side(creases: &[FoldLine], under: u16, part: u16) -> Option<f32> {
+/// between them, as seen from the spine, is not folded by more than a right angle. What is folded
+/// over twice has the page on its recto's side until the rectos of both face alike.
+fn side(creases: &[FoldLine], under: u16, part: u16, is_alike: bool) -> Option<f32> {
     let [own, other] = [part & !under, under & !part];
     if own != 0 && other != 0 {
         return None;
     }
     let between = (own | other).trailing_zeros() as usize;
     let rest = creases.get(between)?.rest;
-    (rest.abs() > FRAC_PI_2).then_some(rest.signum() as f32)
+    let is_turned_back = other.count_ones() > 1 && is_alike;
+    let side = rest.signum() as f32;
+    (rest.abs() > FRAC_PI_2).then_some(if is_turned_back { -side } else { side })
 }
 
 /// Height of a point over a triangle that it lies over, on the side of its normal, metres.
