@@ -36,6 +36,11 @@ const zoomSeconds = 0.25;
 export interface TurnOptions {
   /** If false, they change at once, without motion. The default is true. */
   readonly motion?: boolean;
+  /**
+   * How far down the page, as a fraction of its height from its head, where the page is scrolled.
+   * The default is 0.
+   */
+  readonly top?: number;
 }
 
 /**
@@ -57,7 +62,7 @@ export class TurnleafBook extends ReaderElement {
     options: (source) => this.#options(source),
     turn: (by) => void this.press(by),
     calm: () => this.#calm,
-    goTo: (page) => void this.turnTo(page),
+    goTo: (page, top) => void this.turnTo(page, { top }),
     password: () => this.password,
     askPassword: async (isWrong) =>
       this.controls ? await this.#controls.askPassword(this, isWrong) : null,
@@ -274,6 +279,8 @@ export class TurnleafBook extends ReaderElement {
     this.#reported = null;
     const viewer = this.#viewer;
     if (viewer === undefined) return Promise.resolve(false);
+    const top = options?.top;
+    if (top !== undefined && Number.isFinite(top)) this.#life.book?.roll?.aim(page, top);
     const spread = spreadOf(viewer.binding, page);
     const motion = options?.motion === false ? "none" : this.#motion;
     if (motion === "turn") return viewer.commands.goTo(spread);

@@ -47,8 +47,8 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
    * repeats ends soon after its release.
    */
   press(by: 1 | -1): Promise<boolean>;
-  /** Turns to a page of the open book for its reader. */
-  turnTo(page: number): Promise<boolean>;
+  /** Turns to a page of the open book for its reader, and to a place so far down it. */
+  turnTo(page: number, options?: { readonly top?: number }): Promise<boolean>;
   zoomTo(level: number): void;
   search(query: string, options?: { signal?: AbortSignal }): Promise<readonly Hit[]>;
   showHit(hit: Hit | null): Promise<boolean>;

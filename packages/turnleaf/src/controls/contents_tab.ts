@@ -115,7 +115,7 @@ export class ContentsTab implements PanelTab {
     return list;
   }
 
-  #line({ title, page, href }: OutlineEntry): HTMLElement {
+  #line({ title, page, top = 0, href }: OutlineEntry): HTMLElement {
     if (page === null) {
       // Only addresses of the web and of mail are followed.
       if (!href || !/^(https?|mailto):/i.test(href)) return make("span", { class: "line" }, title);
@@ -132,7 +132,7 @@ export class ContentsTab implements PanelTab {
       make("span", { class: "label" }, this.#book.label(page)),
     );
     button.addEventListener("click", () => {
-      void this.#book.turnTo(page);
+      void this.#book.turnTo(page, { top });
       this.#picked();
     });
     this.#lines.push({ page, button });

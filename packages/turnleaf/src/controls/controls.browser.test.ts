@@ -108,7 +108,7 @@ test("the panel takes the focus and gives it back", async () => {
 
   button.click();
   [...root.querySelectorAll<HTMLElement>(".contents .line")][2]?.click();
-  expect(book.asked).toEqual(["turnTo 9"]);
+  expect(book.asked).toEqual(["turnTo 9 at 0.25"]);
   // Only web links are links.
   const links = [...root.querySelectorAll<HTMLAnchorElement>(".contents a")];
   expect(links.map(({ href, rel }) => [href, rel])).toEqual([

@@ -41,8 +41,8 @@ export interface LifecycleHooks {
   options(source: PageSource): ViewerOptions;
   /** Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers. */
   readonly turn: (by: 1 | -1) => void;
-  /** Turns the open book to a page (from 1). */
-  readonly goTo: (page: number) => void;
+  /** Turns the open book to a page (from 1), and to a place so far down it, as `top` of `LinkTarget`. */
+  readonly goTo: (page: number, top?: number) => void;
   /** The open book is about to close, to be opened again where it lies. */
   leaving(): void;
   /** The password of a protected file; "" if none is known. */
@@ -326,7 +326,7 @@ export class BookElements {
   readonly #element: HTMLElement;
   readonly #stage: HTMLElement;
   readonly #source: PageList;
-  readonly #goTo: (page: number) => void;
+  readonly #goTo: LifecycleHooks["goTo"];
   #live: LivePages | null = null;
   #isEnded = false;
   #viewer: Viewer | null = null;
@@ -335,7 +335,7 @@ export class BookElements {
     element: HTMLElement,
     stage: HTMLElement,
     source: PageList,
-    goTo: (page: number) => void,
+    goTo: LifecycleHooks["goTo"],
   ) {
     this.#element = element;
     this.#stage = stage;

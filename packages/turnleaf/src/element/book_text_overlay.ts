@@ -20,8 +20,8 @@ export interface TextTarget {
   readonly canvas: HTMLCanvasElement;
   /** The pages that are scrolled; null if all are turned. */
   readonly roll: RollView | null;
-  /** Turns to a page (from 1). */
-  readonly goTo: (page: number) => void;
+  /** Turns to a page (from 1), and to a place so far down it, as `top` of `LinkTarget`. */
+  readonly goTo: (page: number, top?: number) => void;
   /** Returns the tag of the element's language. */
   readonly language: () => string;
 }
@@ -49,10 +49,7 @@ export class BookTextOverlay {
     const options: TextLayerOptions = {
       source,
       name: (page) => fill(elementTexts(language()).pageNamed, { label: source.label(page - 1) }),
-      goTo: (page, top) => {
-        roll?.aim(page, top);
-        goTo(page);
-      },
+      goTo: (page, top) => goTo(page, top ?? 0),
       leaving: (address) => {
         const texts = elementTexts(language());
         // Languages may have been added before these texts were.

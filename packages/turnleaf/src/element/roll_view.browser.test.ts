@@ -134,13 +134,14 @@ test("continuous chapters are one roll, with links, marks of a search, another t
   await expect.poll(() => (sheetsOf(element)[0] as HTMLElement).offsetWidth).toBe(2 * wide);
 });
 
-test("a link leads to its line, on another page and on the one that is read", async () => {
+test("a link and a line of the contents lead to their line, on another page and on the one that is read", async () => {
   const line = `<p id="deep">Deepline <a href="#far">farther</a></p>`;
   const chapters = [
     '<p><a href="c2.xhtml#deep">on</a></p>',
     `${prose(6)}${line}<p>1</p><p>2</p><p>3</p><p id="far">Farline</p>${prose(12)}`,
   ];
-  const element = await opened({ chapters, metadata: flow("scrolled-doc") });
+  const toc = '<li><a href="c1.xhtml">One</a></li><li><a href="c2.xhtml#far">Far</a></li>';
+  const element = await opened({ chapters, metadata: flow("scrolled-doc"), toc });
   const roll = rollOf(element);
   const follow = async (title: string): Promise<void> => {
     const link = (): HTMLElement | undefined =>
@@ -172,6 +173,13 @@ test("a link leads to its line, on another page and on the one that is read", as
   element.style.width = "420px";
   await expect.poll(() => roll.clientWidth).toBe(420);
   await expect.poll(() => isAtHead("Farline"), { timeout: 10_000 }).toBe(true);
+  const [one, far] = await element.outline();
+  expect(await element.goTo(one?.page ?? 0)).toBe(true);
+  expect(far?.page).toBe(page);
+  expect(await element.goTo(page, { top: far?.top ?? 0 })).toBe(true);
+  await expect.poll(() => isAtHead("Farline"), { timeout: 10_000 }).toBe(true);
+  expect(await element.goTo(page, { top: Number.NaN })).toBe(true);
+  expect(isAtHead("Farline")).toBe(true);
 });
 
 test("pages of fixed layout among them are turned, and those of a roll as wide as the window", async () => {

@@ -46,7 +46,8 @@ export class FakeBook extends HTMLElement implements ControlledBook {
 
   press = (by: 1 | -1): Promise<boolean> =>
     this.#turn(by === 1 ? "next" : "previous", this.page + 2 * by);
-  turnTo = (page: number): Promise<boolean> => this.#turn(`turnTo ${page}`, page);
+  turnTo = (page: number, { top = 0 }: { readonly top?: number } = {}): Promise<boolean> =>
+    this.#turn(`turnTo ${page}${top === 0 ? "" : ` at ${top}`}`, page);
 
   async readAloud(): Promise<void> {
     this.asked.push("readAloud");
@@ -82,7 +83,7 @@ export class FakeBook extends HTMLElement implements ControlledBook {
       {
         title: "The Carpet-Bag",
         page: 7,
-        children: [{ title: "The Inn", page: 9, children: [] }],
+        children: [{ title: "The Inn", page: 9, top: 0.25, children: [] }],
       },
       { title: "Elsewhere", page: null, href: "https://example.org/", children: [] },
       { title: "A trap", page: null, href: "javascript:alert(1)", children: [] },

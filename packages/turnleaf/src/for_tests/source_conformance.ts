@@ -147,6 +147,7 @@ function checkOutline(source: PageSource, entries: readonly OutlineEntry[]): voi
   for (const entry of entries) {
     expect(entry.title, "a line of outline()").toBe(cleanText(entry.title));
     if (entry.page !== null) checkPageNumber(source, entry.page, "the page of a line");
+    expect(Number.isFinite(entry.top ?? 0), "how far down its page a line leads").toBe(true);
     checkOutline(source, entry.children);
   }
 }

@@ -108,6 +108,8 @@ export interface OutlineEntry {
   readonly title: string;
   /** The page that it leads to, from 1; null if it leads nowhere in this book. */
   readonly page: number | null;
+  /** How far down that page, as `top` of `LinkTarget`; the default is its head. */
+  readonly top?: number;
   /** An address of the web that it leads to instead. */
   readonly href?: string;
   /** The lines beneath it. */

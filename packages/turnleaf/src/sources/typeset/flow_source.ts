@@ -200,9 +200,7 @@ export class FlowSource implements PageSource {
           .catch(() => signal.throwIfAborted());
         if (isNote) note = there?.note(target.id) ?? "";
       }
-      const top = this.#edition.mapOf(target.section)?.tops.get(target.id);
-      const to = { page: this.#pageOf(target), ...(top === undefined ? {} : { top }) };
-      links.push({ ...link, to, ...(note === "" ? {} : { note }) });
+      links.push({ ...link, to: this.#placeOf(target), ...(note === "" ? {} : { note }) });
     }
     return links;
   }
@@ -224,8 +222,8 @@ export class FlowSource implements PageSource {
       if (depth > limits.outlineDepth) return [];
       return lines.slice(0, left).map(({ title, target, children }) => {
         left -= 1;
-        const page = target && this.#pageOf(target);
-        return { title: cleanText(title), page, children: entries(children, depth + 1) };
+        const place = target === null ? { page: null } : this.#placeOf(target);
+        return { title: cleanText(title), ...place, children: entries(children, depth + 1) };
       });
     };
     return entries(this.#book.outline, 1);
@@ -396,9 +394,12 @@ export class FlowSource implements PageSource {
   }
 
   /** Returns the page (from 1) of a place; of its section, while no more is known. */
-  #pageOf({ section, id }: FlowTarget): number {
-    const page = this.#edition.mapOf(section)?.ids.get(id) ?? 0;
-    return this.#numbers.indexOf(section, page) + 1;
+  /** Returns the page (from 1) of a target, and how far down that it is where it is scrolled. */
+  #placeOf({ section, id }: FlowTarget): { page: number; top?: number } {
+    const map = this.#edition.mapOf(section);
+    const page = this.#numbers.indexOf(section, map?.ids.get(id) ?? 0) + 1;
+    const top = map?.tops.get(id);
+    return top === undefined ? { page } : { page, top };
   }
 }
 
