@@ -226,7 +226,7 @@ impl FoldOut {
 
     /// Steps by `ticks` of [`TICK`] seconds on and beside the book, as that is drawn.
     pub fn step(&mut self, book: &Book, ticks: u32) {
-        let around = self.surroundings(book);
+        let around = Surroundings::new(book, self.around, &self.sheet);
         for _ in 0..ticks {
             if self.is_asleep() {
                 return;
@@ -253,8 +253,7 @@ impl FoldOut {
                 point[axis] += self.foot[axis];
             }
         }
-        self.surroundings(book)
-            .push_off(&mut self.surface.positions);
+        Surroundings::new(book, self.around, &self.sheet).push_off(&mut self.surface.positions);
         self.surface.update_normals();
     }
 
@@ -266,13 +265,6 @@ impl FoldOut {
     /// Thickness of the paper, metres.
     pub fn caliper(&self) -> f32 {
         self.sheet.settings().stock.caliper as f32
-    }
-
-    fn surroundings<'a>(&self, book: &'a Book) -> Surroundings<'a> {
-        let settings = self.sheet.settings();
-        let [du, dv] = settings.cell().map(|cell| cell as f32);
-        let margin = (du * du + dv * dv).sqrt();
-        Surroundings::new(book, self.around, margin, settings.stock.friction as f32)
     }
 
     /// Moves the flap's own hand on, and presses the fold once no hand holds the flap.

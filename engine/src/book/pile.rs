@@ -268,7 +268,6 @@ impl Pile {
 
     /// Height in metres of the uppermost page at a distance `x` >= 0 from the
     /// gutter; beyond the fore-edge, the fore-edge's.
-    #[cfg(test)]
     pub fn height(&self, x: f32) -> f32 {
         self.height_and_slope(x, self.column_before(x, 0)).0
     }

@@ -10,7 +10,7 @@ use super::bend_into_gutter::push_edges_off_where;
 use super::pile::Pile;
 use super::tolerance::{FAR, OVER_PILE, PUSHED_AT_ONCE};
 use crate::grid::Side;
-use crate::models::sheet::{CONTACTS, Contact};
+use crate::models::sheet::{CONTACTS, Contact, Sheet};
 use crate::vector::dot;
 
 /// Which contact of a node is whose; the others are free.
@@ -46,13 +46,16 @@ pub(super) struct Surroundings<'a> {
     /// Whether a board lies open on either side, right and left.
     has_board: [bool; 2],
     around: TableAround,
+    /// The diagonal of the sheet's cells, metres.
     margin: f32,
     friction: f32,
 }
 
 impl<'a> Surroundings<'a> {
-    /// The surroundings of a sheet with a cell's diagonal of `margin` metres.
-    pub fn new(book: &'a Book, around: TableAround, margin: f32, friction: f32) -> Self {
+    /// The surroundings of a sheet.
+    pub fn new(book: &'a Book, around: TableAround, sheet: &Sheet) -> Self {
+        let settings = sheet.settings();
+        let [du, dv] = settings.cell().map(|cell| cell as f32);
         let [front, back] = [0, 1].map(|board| book.boards[board].angle());
         let lies = [back < OPEN, front > core::f32::consts::PI - OPEN];
         Self {
@@ -60,8 +63,8 @@ impl<'a> Surroundings<'a> {
             piles: [book.pile(Side::Right), book.pile(Side::Left)],
             has_board: lies.map(|lies| lies && around.rim > 0.0),
             around,
-            margin,
-            friction,
+            margin: (du * du + dv * dv).sqrt(),
+            friction: settings.stock.friction as f32,
         }
     }
 
@@ -143,9 +146,7 @@ impl<'a> Surroundings<'a> {
         let side = usize::from(x < 0.0);
         let over = |rim: f32| x.abs() < width + rim && y >= -rim && y <= height + rim;
         if over(0.0) {
-            let pile = self.piles[side];
-            pile.height_and_slope(x.abs(), pile.column_before(x.abs(), 0))
-                .0
+            self.piles[side].height(x.abs())
         } else if self.has_board[side] && over(self.around.rim) {
             0.0
         } else {

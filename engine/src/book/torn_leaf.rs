@@ -136,7 +136,10 @@ impl TornLeaf {
         sheet.draw_samples(book.columns(), &rows.collect::<Vec<_>>());
         let mut nodes = nodes_of(drawn, book.columns(), NODES);
         for node in &mut nodes {
-            node[2] = node[2].max(height_of_pages(book, node[0]));
+            // Cells are too coarse to follow the pages down into the gutter.
+            let [x, _, z] = *node;
+            let side = if x < 0.0 { Side::Left } else { Side::Right };
+            node[2] = z.max(book.pile(side).height(x.abs()));
         }
         sheet.place(nodes.into_iter().flatten());
         let mut surface = Surface::new(drawn.columns, drawn.rows);
@@ -264,16 +267,9 @@ impl TornLeaf {
         self.stillness.is_asleep()
     }
 
-    fn surroundings<'a>(&self, book: &'a Book) -> Surroundings<'a> {
-        let settings = self.sheet.settings();
-        let [du, dv] = settings.cell().map(|cell| cell as f32);
-        let margin = (du * du + dv * dv).sqrt();
-        Surroundings::new(book, self.around, margin, settings.stock.friction as f32)
-    }
-
     /// Steps by `ticks` of [`TICK`] seconds on and beside a book as it is drawn.
     pub fn step(&mut self, book: &Book, ticks: u32) {
-        let around = self.surroundings(book);
+        let around = Surroundings::new(book, self.around, &self.sheet);
         for _ in 0..ticks {
             if self.is_asleep() {
                 return;
@@ -307,8 +303,7 @@ impl TornLeaf {
                 *x += part * apart;
             }
         }
-        self.surroundings(book)
-            .push_off(&mut self.surface.positions);
+        Surroundings::new(book, self.around, &self.sheet).push_off(&mut self.surface.positions);
         self.surface.update_normals();
     }
 
@@ -417,14 +412,6 @@ fn bound_rows(sheet: &Sheet, line: TearLine, range: core::ops::Range<usize>) -> 
             (work > 0.0).then_some(BoundRow { tether, work })
         })
         .collect()
-}
-
-/// Height of the pages at a distance from the spine, metres: the sheet's cells are too coarse to
-/// follow them down into the gutter.
-fn height_of_pages(book: &Book, x: f32) -> f32 {
-    let pile = book.pile(if x < 0.0 { Side::Left } else { Side::Right });
-    let column = pile.column_before(x.abs(), 0);
-    pile.height_and_slope(x.abs(), column).0
 }
 
 /// Where the nodes of a finer grid are on a sheet: between those of its own.

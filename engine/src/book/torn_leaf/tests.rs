@@ -71,7 +71,8 @@ fn deepest(leaf: &TornLeaf, book: &Book) -> f32 {
         let over_board =
             x.abs() < width + AROUND.rim && (-AROUND.rim..height + AROUND.rim).contains(y);
         let floor = if over_pages {
-            height_of_pages(book, *x)
+            let side = if *x < 0.0 { Side::Left } else { Side::Right };
+            book.pile(side).height(x.abs())
         } else if over_board {
             0.0
         } else {
