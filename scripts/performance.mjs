@@ -178,8 +178,10 @@ function sizes() {
     .map((name) => ({ name: name.replace(/-[\w-]{8}\.js$/, ".js"), file: join(dist, name) }))
     .sort((a, b) => (a.name === "index.js" ? -1 : a.name < b.name ? -1 : 1))
     .map(({ name, file }) => [name, kilobytes(statSync(file).size), kilobytes(gzip(file))]);
-  const viewer = ["what shows and turns a book", "", kilobytes(viewerSize().gzip)];
-  return [["file of the package", "kB", "kB gzip"], ...rows, viewer];
+  const { parts, gzip: all } = viewerSize();
+  const together = [...parts, { name: "the viewer without what is apart", gzip: all }];
+  const ofParts = together.map(({ name, gzip }) => [`together: ${name}`, "", kilobytes(gzip)]);
+  return [["file of the package", "kB", "kB gzip"], ...rows, ...ofParts];
 }
 
 const tables = {
