@@ -192,7 +192,7 @@ impl Flaps {
         for (_, own) in self
             .creases
             .iter_mut()
-            .filter(|(set, _)| *set == 1 << crease)
+            .filter(|(set, _)| set.trailing_zeros() as usize == crease)
         {
             *own = rest;
         }

@@ -44,10 +44,6 @@ book_functions! {
     /// Turns the rest of a crease of a leaf to an angle, radians, -pi to pi. Nothing happens
     /// where it is beyond, or there is no such crease or the leaf is not drawn by itself.
     fn tl_book_press(book, leaf: u32, crease: usize, rest: f32) { book.press(leaf, crease, rest) }
-    /// Angle at which a crease of a leaf rests, radians; 0 where there is none.
-    fn tl_book_crease_rest(book, leaf: u32, crease: usize) -> f32 {
-        book.creases(leaf).get(crease).map_or(0.0, |crease| crease.rest as f32)
-    }
     /// Whether a creased leaf lies upon the pile of a side: the first of those drawn on the
     /// left, the last on the right.
     fn tl_book_lies_creased(book, on: u32) -> u32 { book.lies_creased(side(on)).into() }

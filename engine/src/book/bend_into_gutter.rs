@@ -55,18 +55,18 @@ pub fn push_off(positions: &mut [f32], piles: [&Pile; 2], over: [f32; 2]) {
 /// ends: over a ridge two points may lie clear of the pile and what is drawn between
 /// them not.
 pub fn push_edges_off(positions: &mut [f32], piles: [&Pile; 2], over: [f32; 2]) {
-    push_edges_off_where(positions, piles, over, |_| true);
+    push_edges_off_where((positions, piles[0].columns()), piles, over, |_| true);
 }
 
-/// The same, of edges both of whose ends lie where something `is_over` a pile.
+/// The same of points in so many columns, and of edges both of whose ends lie where something
+/// `is_over` a pile.
 pub fn push_edges_off_where(
-    positions: &mut [f32],
+    (positions, columns): (&mut [f32], usize),
     piles: [&Pile; 2],
     over: [f32; 2],
     is_over: impl Fn([f32; 3]) -> bool,
 ) {
     let highest = highest(piles, over);
-    let columns = piles[0].columns();
     let points = positions.as_chunks_mut::<3>().0;
     let mut below = Below { piles, column: 0 };
     for node in 0..points.len() - 1 {

@@ -1,5 +1,7 @@
 //! One leaf in flight: its leaf of paper, and what is drawn of it.
 
+use core::sync::atomic::{AtomicU32, Ordering};
+
 use super::bend_into_gutter::{bend_into_gutter, is_clear, push_edges_off, push_off};
 use super::crossing::{Tiles, is_past};
 use super::flaps::is_turned_over;
@@ -21,6 +23,10 @@ use crate::vector::{dot, sub};
 /// By how much drawn leaves of a page 0.14 m wide may go through each other and only touch, metres: where a grab
 /// has crumpled one, and where they are smooth.
 pub type Tolerance = [f32; 2];
+
+/// Leaves that were ever creased: each has a mesh of another number, also where it takes the
+/// place of one that is gone.
+static CREASINGS: AtomicU32 = AtomicU32::new(0);
 
 /// Work of moving what is drawn of a flight, and of cutting it, nanoseconds.
 pub const MOVING: u32 = 40_000;
@@ -152,7 +158,7 @@ impl Flight {
                 parts: triangles.iter().map(|(_, part)| *part).collect(),
             }
         });
-        self.surface.topology = self.surface.topology.wrapping_add(1);
+        self.surface.topology = CREASINGS.fetch_add(1, Ordering::Relaxed).wrapping_add(1);
         true
     }
 

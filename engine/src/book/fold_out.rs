@@ -253,7 +253,7 @@ impl FoldOut {
                 point[axis] += self.foot[axis];
             }
         }
-        Surroundings::new(book, self.around, &self.sheet).push_off(&mut self.surface.positions);
+        Surroundings::new(book, self.around, &self.sheet).push_off(&mut self.surface);
         self.surface.update_normals();
     }
 

@@ -11,6 +11,7 @@ use super::pile::Pile;
 use super::tolerance::{FAR, OVER_PILE, PUSHED_AT_ONCE};
 use crate::grid::Side;
 use crate::models::sheet::{CONTACTS, Contact, Sheet};
+use crate::surface::Surface;
 use crate::vector::dot;
 
 /// Which contact of a node is whose; the others are free.
@@ -121,10 +122,10 @@ impl<'a> Surroundings<'a> {
         (inside > 0.0).then_some((normal, (z - top) * inverse))
     }
 
-    /// Lifts drawn points off what lies under them, by what keeps surfaces apart in a picture:
-    /// contact holds the nodes, and the paper between them bends. x, y, z of each, metres.
-    pub fn push_off(&self, positions: &mut [f32]) {
-        for point in positions.as_chunks_mut::<3>().0 {
+    /// Lifts what is drawn off what lies under them, by what keeps surfaces apart in a picture:
+    /// contact holds the nodes, and the paper between them bends.
+    pub fn push_off(&self, surface: &mut Surface) {
+        for point in surface.positions.as_chunks_mut::<3>().0 {
             let floor = self.floor(*point) + OVER_PILE;
             // What is far below the top of a block is beside it.
             if floor - point[2] < PUSHED_AT_ONCE {
@@ -137,7 +138,8 @@ impl<'a> Surroundings<'a> {
             let is_above = || self.floor([x, y, z]) - z < PUSHED_AT_ONCE;
             x.abs() < width && y > 0.0 && y < height && is_above()
         };
-        push_edges_off_where(positions, self.piles, [OVER_PILE; 2], is_over);
+        let grid = (&mut surface.positions[..], surface.columns);
+        push_edges_off_where(grid, self.piles, [OVER_PILE; 2], is_over);
     }
 
     /// Height of what lies under a point, metres.

@@ -303,7 +303,7 @@ impl TornLeaf {
                 *x += part * apart;
             }
         }
-        Surroundings::new(book, self.around, &self.sheet).push_off(&mut self.surface.positions);
+        Surroundings::new(book, self.around, &self.sheet).push_off(&mut self.surface);
         self.surface.update_normals();
     }
 

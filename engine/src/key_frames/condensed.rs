@@ -45,6 +45,9 @@ const MOST_POINTS: u64 = 1 << 22;
 /// Points along a side.
 const MOST_ALONG: u32 = 256;
 
+/// A quantum is below this, metres.
+const MOST_QUANTUM: f32 = 1e6;
+
 /// The largest multiple of the quantum.
 const MOST: f64 = (1 << 24) as f64;
 
@@ -82,7 +85,7 @@ impl Condensed {
     ///
     /// # Errors
     /// Where there is nothing recorded, more than a file may hold, or what cannot
-    /// be stated so finely.
+    /// be stated so finely or so coarsely.
     ///
     /// # Panics
     /// If `u` and `v` are not as many as columns and rows, or the tolerance is
@@ -100,6 +103,11 @@ impl Condensed {
         if all == 0 || all as u64 > MOST_POINTS {
             return Err(reject("number of points", all as f64));
         }
+        for (field, count) in [("columns", recording.columns), ("rows", recording.rows)] {
+            if count > MOST_ALONG as usize {
+                return Err(reject(field, count as f64));
+            }
+        }
         let points = recording.columns * recording.rows;
         let basis = basis(u, v)?;
         let tolerance = tolerance * recording.size[0];
@@ -110,6 +118,9 @@ impl Condensed {
             })
             .collect();
         let mut quantum = 4.0 * tolerance;
+        if quantum.is_nan() || quantum >= MOST_QUANTUM {
+            return Err(reject("tolerance", f64::from(tolerance)));
+        }
         let (multiples, rounded) = loop {
             let multiples = round(&coefficients, quantum);
             let multiples = multiples.ok_or(reject("tolerance", f64::from(tolerance)))?;
@@ -226,7 +237,7 @@ impl Condensed {
         let real = |at: usize| f32::from_le_bytes(words[at]);
         let reals = |from: usize, count: usize| (from..from + count).map(real).collect();
         let (quantum, error) = (real(0), real(1));
-        if !(quantum > 0.0 && quantum < 1e6) {
+        if !(quantum > 0.0 && quantum < MOST_QUANTUM) {
             return Err(reject("quantum", f64::from(quantum)));
         }
         if !(0.0..=1e6).contains(&error) {

@@ -1,4 +1,4 @@
-//! What the files of key frames of either version have in common: the first
+//! What the files of key frames of any version have in common: the first
 //! bytes, the checksum at the end, and what can be wrong with them.
 
 use super::{FrameKind, KeyFrames};

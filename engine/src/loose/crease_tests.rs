@@ -146,6 +146,7 @@ fn what_cannot_be_creased_is_rejected_and_stays_as_it_was() {
         (vec![EAR, beside], "too near each other"),
         (vec![HALF; 17], "16 creases"),
         (vec![[[0.5, f64::NAN], [0.5, 1.0]]], "two places"),
+        (vec![[[0.5, 0.5], [0.5, 0.5]]], "two places"),
     ] {
         let lines: Vec<_> = lines.into_iter().map(|line| (line, 1.0)).collect();
         let error = leaf.crease(&lines).unwrap_err().to_string();
@@ -165,4 +166,39 @@ fn what_cannot_be_creased_is_rejected_and_stays_as_it_was() {
     let mut rigid = LooseLeaf::new(LooseSettings::leaf(*rigid, SIZE, Stock::BOOK)).unwrap();
     let error = rigid.crease(&[(EAR, 1.0)]).unwrap_err().to_string();
     assert!(error.contains("only the sheet"), "{error}");
+}
+
+/// A crease of a number that there is not is none, of any number; one that is pressed shut can be
+/// made anew as it says that it is.
+#[test]
+fn what_a_crease_says_can_be_given_back() {
+    let mut leaf = creased(&[HALF]);
+    leaf.press(0, 2.5);
+    for none in [1, 16, 32, usize::MAX - 15] {
+        leaf.press(none, -2.5);
+    }
+    let flaps = leaf.body.sheet().unwrap().flaps.as_ref().unwrap();
+    assert_eq!(flaps.drawn_side(0, 1, false), Some(1.0));
+    leaf.press(0, core::f32::consts::PI);
+    let rest = leaf.crease_state(0).unwrap().rest;
+    leaf.crease(&[(HALF, f64::from(rest))]).unwrap();
+}
+
+/// A leaf that is held as it is creased shut has its crease opened by the hand at once, and what
+/// is beyond that may then lie on either side.
+#[test]
+fn parts_follow_a_crease_that_a_hand_opens() {
+    let settings = LooseSettings::leaf(ModelKind::Sheet, SIZE, Stock::BOOK);
+    let mut leaf = LooseLeaf::new(settings).unwrap();
+    leaf.grab(1.0, 0.5);
+    leaf.crease(&[(HALF, 2.0)]).unwrap();
+    let side = |leaf: &LooseLeaf| {
+        let flaps = leaf.body.sheet().unwrap().flaps.as_ref().unwrap();
+        flaps.drawn_side(0, 1, false)
+    };
+    assert_eq!(side(&leaf), Some(1.0));
+    leaf.step();
+    let rest = leaf.crease_state(0).unwrap().rest;
+    assert!(rest < 1.5, "{rest}");
+    assert_eq!(side(&leaf), None);
 }

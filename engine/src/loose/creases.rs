@@ -62,7 +62,7 @@ impl LooseLeaf {
     /// Says whether creases yield, as in a hand.
     pub(super) fn let_yield(&mut self, may_yield: bool) {
         if let Some(sheet) = self.body.sheet_mut() {
-            sheet.sheet.let_yield(may_yield);
+            sheet.let_yield(may_yield);
         }
     }
 }

@@ -3,6 +3,8 @@
 //! What holds for a book's creased leaves holds here: creases are pressed by hand, yield in a
 //! hand alone, and the parts between them keep off each other.
 
+use core::f32::consts::PI;
+
 use super::settings::{InvalidLoose, LooseSettings};
 use crate::air::Air;
 use crate::flaps::{Flaps, PARTS};
@@ -34,7 +36,9 @@ pub struct CreaseState {
 pub(super) struct TableSheet {
     pub sheet: Sheet,
     /// What keeps its parts apart once it is creased.
-    flaps: Option<Flaps>,
+    pub(super) flaps: Option<Flaps>,
+    /// Whether a hand holds it, in which alone creases yield.
+    may_yield: bool,
 }
 
 impl TableSheet {
@@ -65,7 +69,11 @@ impl TableSheet {
                 ..Contact::default()
             };
         }
-        Ok(Self { sheet, flaps: None })
+        Ok(Self {
+            sheet,
+            flaps: None,
+            may_yield: false,
+        })
     }
 
     /// Creases it along lines in place of those that it has, where it is.
@@ -96,7 +104,7 @@ impl TableSheet {
                 contacts[slot] = Contact::default();
             }
         }
-        self.sheet.let_yield(false);
+        self.sheet.let_yield(self.may_yield);
         Ok(())
     }
 
@@ -125,6 +133,7 @@ impl TableSheet {
     /// A crease as it is now; None where there is none of that number.
     pub fn crease_state(&self, crease: usize) -> Option<CreaseState> {
         let [angle, rest] = self.sheet.crease_angle(crease)?;
+        let rest = rest.clamp(-PI, PI);
         let stiffness = self.sheet.creases().get(crease)?.stiffness as f32;
         Some(CreaseState {
             angle,
@@ -136,7 +145,13 @@ impl TableSheet {
     /// Lays it still on a side, flat but for its creases, nothing holding it.
     pub fn lay(&mut self, side: Side) {
         self.sheet.lay_folded(side);
-        self.sheet.let_yield(false);
+        self.let_yield(false);
+    }
+
+    /// Says whether creases yield, as in a hand; those made later too.
+    pub fn let_yield(&mut self, may_yield: bool) {
+        self.may_yield = may_yield;
+        self.sheet.let_yield(may_yield);
     }
 
     /// The u at which a played turn takes the row at `v`: at the fore-edge, or before what is
@@ -153,6 +168,20 @@ impl TableSheet {
             self.keep_apart();
         }
         self.sheet.step();
+        if self.may_yield {
+            self.follow_rests();
+        }
+    }
+
+    /// Notes how creases rest that a hand has opened: what is folded over lies on that side from
+    /// then on.
+    fn follow_rests(&mut self) {
+        let Some(flaps) = &mut self.flaps else { return };
+        let mut number = 0;
+        while let Some([_, rest]) = self.sheet.crease_angle(number) {
+            flaps.press(number, rest);
+            number += 1;
+        }
     }
 
     /// Finds what parts of it touch of each other.

@@ -19,18 +19,23 @@ export function printable(text: string): string {
   return line.length <= 200 ? line.join("") : `${line.slice(0, 199).join("")}…`;
 }
 
-/** Returns the sentence for an error of the file system at `path`. */
-export function fileProblem(path: string, error: unknown): Problem {
+/** Returns the sentence for an error of the file system at `path`, where it was read or written. */
+export function fileProblem(
+  path: string,
+  error: unknown,
+  work: "read" | "written" = "read",
+): Problem {
   const name = printable(path);
   const code = (error as NodeJS.ErrnoException | null)?.code;
   if (code === "ENOENT" || code === "ENOTDIR") {
     return new Problem(`${name} was not found; check its name and folder.`);
   }
   if (code === "EACCES" || code === "EPERM") {
-    return new Problem(`${name} may not be read; give yourself the permission to read it.`);
+    const to = work === "read" ? "read" : "write";
+    return new Problem(`${name} may not be ${work}; give yourself the permission to ${to} it.`);
   }
   if (code === "ELOOP") return new Problem(`${name} is a link that leads to itself; correct it.`);
   return new Problem(
-    `${name} could not be read (${code ?? "unknown error"}); check the disk it is on.`,
+    `${name} could not be ${work} (${code ?? "unknown error"}); check the disk it is on.`,
   );
 }

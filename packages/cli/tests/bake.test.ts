@@ -1,4 +1,4 @@
-import { readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { type Accessor, type Node, NodeIO } from "@gltf-transform/core";
 import { KHRMeshQuantization } from "@gltf-transform/extensions";
@@ -324,6 +324,15 @@ describe("what cannot be baked ends with one sentence", () => {
     [["--out", "a.glb", "--gesture", "fold"], "A leaf is folded along a --crease"],
   ])("%j", (args, sentence) => {
     expect(() => parseCommand(["bake", ...args])).toThrow(sentence);
+  });
+
+  it("a recording with more points and frames than a file may have", async () => {
+    const args = ["--model", "rigid", "--points", "200x200", "--seconds", "1"];
+    const ended = await run("bake", ...args, "--out", at("long.tlkf"));
+    expect(ended.status).toBe(1);
+    expect(ended.stderr).toMatch(/long\.tlkf cannot be written: .* Take fewer --points/);
+    expect(ended.stderr).not.toContain("    at ");
+    expect(existsSync(at("long.tlkf"))).toBe(false);
   });
 
   it("a crease that meets the spine", async () => {

@@ -256,6 +256,14 @@ test("a fold-out is folded in, unfolds beside the book, and folds in before a tu
   expect(await element.previous()).toBe(true);
   await settled(element);
   expect(await hueAt(element, 0.65, 0.6)).toBeNull();
+  // Commands that come while it is folded in for the one before wait for that together.
+  expect(await element.unfold(5)).toBe(true);
+  expect(await Promise.all([element.next(), element.foldIn(), element.next()])).toEqual([
+    true,
+    undefined,
+    true,
+  ]);
+  expect(element.page).toBe(8);
 });
 
 test("a pointer opens a fold-out by its flap, shuts it again, and turns its leaf by any other pull", async () => {

@@ -609,7 +609,7 @@ export class TurnleafBook extends ReaderElement {
     this.#describe();
     this.#updateState();
     this.foldOpened();
-    this.#torn.clear();
+    this.#torn.opened(source);
     void viewer.allowTearing();
     this.emit("load", { pageCount: source.pageCount, title: source.title });
   }

@@ -58,7 +58,9 @@ impl FoldLine {
     pub(crate) fn is_valid(&self) -> bool {
         let within = |at: &f64| (0.0..=1.0).contains(at);
         self.through.as_flattened().iter().all(within)
-            && self.rest.abs() <= core::f64::consts::PI
+            && self.through[0] != self.through[1]
+            // What rests at half a turn in single precision does too.
+            && self.rest.abs() <= f64::from(core::f32::consts::PI)
             && self.stiffness > 0.0
             && self.yields > 0.0
     }

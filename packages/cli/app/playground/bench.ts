@@ -159,7 +159,7 @@ export class Bench {
     const leaves = this.#leaves;
     if (!leaves || this.#recording) return;
     const both = new BothPictures(this.#pictures.map(({ canvas }) => canvas));
-    this.#recording = new Recording(both, leaves.pair, leafSize);
+    this.#recording = new Recording(both, leaves.pair, this.#variants, leafSize);
     this.show();
     this.#recording.frame(leaves.time);
   }
@@ -173,7 +173,7 @@ export class Bench {
   async finishRecording(): Promise<MadeFile[]> {
     const recording = this.#recording;
     this.#recording = null;
-    return (await recording?.finish(this.#variants)) ?? [];
+    return (await recording?.finish()) ?? [];
   }
 
   get #variants(): readonly Variant[] {
@@ -211,9 +211,9 @@ export class Bench {
   /** Creases the sheets as the settings say; if they cannot be, the setting is what it was. */
   #crease(leaves: TwoLeaves, before: string): void {
     try {
-      leaves.crease(readCreases(this.#settings.creases) ?? []);
+      const isOther = leaves.crease(readCreases(this.#settings.creases) ?? []);
       // Frames of another mesh do not belong to the recording.
-      if (this.#recording && leaves.areCreasable) this.#report.full();
+      if (this.#recording && isOther && leaves.areCreasable) this.#report.full();
       if (leaves.areCreasable) this.#go();
       this.#report.fault("");
     } catch (error) {

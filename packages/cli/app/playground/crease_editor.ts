@@ -1,7 +1,14 @@
 /** The flat page, on which creases are drawn, and a row for each with its angle and its moment. */
 
 import type { CreaseState } from "turnleaf/models";
-import { type DrawnCrease, endsOf, mostCreases, readCreases, writeCreases } from "./creases.ts";
+import {
+  type DrawnCrease,
+  endsOf,
+  mostAngle,
+  mostCreases,
+  readCreases,
+  writeCreases,
+} from "./creases.ts";
 import { make } from "./make.ts";
 import type { Settings } from "./settings.ts";
 import { fill, type Texts } from "./texts.ts";
@@ -47,6 +54,8 @@ export class CreaseEditor {
   #creases: readonly DrawnCrease[] = [];
   /** Where the stroke that is being drawn begins. */
   #start: Place | null = null;
+  /** The pointer that draws it. */
+  #pointer = 0;
 
   /** @param change called with the changed setting */
   constructor(texts: Texts, change: (creases: string) => void) {
@@ -124,7 +133,13 @@ export class CreaseEditor {
 
   #makeRow(k: number): Row {
     const id = `crease-${k}`;
-    const input = make("input", { type: "range", id, min: "-175", max: "175", step: "5" });
+    const input = make("input", {
+      type: "range",
+      id,
+      min: `${-mostAngle}`,
+      max: `${mostAngle}`,
+      step: "5",
+    });
     input.addEventListener("input", () => {
       const angle = input.valueAsNumber;
       this.#set(this.#creases.map((one, at) => (at === k ? { ...one, angle } : one)));
@@ -155,13 +170,19 @@ export class CreaseEditor {
     page.addEventListener("pointerdown", (event) => {
       if (!event.isPrimary || event.button !== 0) return;
       this.#start = this.#placeAt(event);
+      this.#pointer = event.pointerId;
       page.setPointerCapture(event.pointerId);
     });
+    const isAnother = ({ pointerId }: PointerEvent): boolean => pointerId !== this.#pointer;
     page.addEventListener("pointermove", (event) => {
+      if (isAnother(event)) return;
       if (this.#start) this.#drawStroke(this.#start, this.#placeAt(event));
     });
-    page.addEventListener("pointercancel", () => this.#endStroke());
+    page.addEventListener("pointercancel", (event) => {
+      if (!isAnother(event)) this.#endStroke();
+    });
     page.addEventListener("pointerup", (event) => {
+      if (isAnother(event)) return;
       const [start, end] = [this.#start, this.#placeAt(event)];
       this.#endStroke();
       if (!start) return;

@@ -11,6 +11,9 @@ export interface DrawnCrease {
 /** Maximum number: more lie too near each other on the sheet's own nodes. */
 export const mostCreases = 4;
 
+/** Greatest angle, degrees, as of the sliders: further folds lie in themselves. */
+export const mostAngle = 175;
+
 /** Returns creases as a text: numbers with points between them, creases with underscores. */
 export function writeCreases(creases: readonly DrawnCrease[]): string {
   return creases.map(({ through, angle }) => [...through, angle].join(".")).join("_");
@@ -24,7 +27,7 @@ export function readCreases(text: string): readonly DrawnCrease[] | null {
     if (!match) return null;
     const [a, b, c, d, angle] = match.slice(1).map(Number);
     const isOnPage = Math.max(a, b, c, d) <= 100 && (a !== c || b !== d);
-    return isOnPage && Math.abs(angle) <= 180 ? { through: [a, b, c, d], angle } : null;
+    return isOnPage && Math.abs(angle) <= mostAngle ? { through: [a, b, c, d], angle } : null;
   });
   const found = creases.filter((one) => one !== null);
   return found.length === creases.length && found.length <= mostCreases ? found : null;

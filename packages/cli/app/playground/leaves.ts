@@ -172,27 +172,30 @@ export class TwoLeaves {
    * Creases what can be, in place of the creases there were. New creases are folded from flat to
    * their angles, others from where they rest.
    *
+   * @returns whether they lie on other lines than before
    * @throws Error if a sheet cannot be creased so; both are then as they were
    */
-  crease(creases: readonly DrawnCrease[]): void {
+  crease(creases: readonly DrawnCrease[]): boolean {
     const before = this.#creases;
     const isSame =
       creases.length === before.length && creases.every((one, k) => isSameLine(one, before[k]));
+    const old = this.creaseStates();
+    // A hand may have turned them since.
+    const rests = creases.map((one) => {
+      const at = before.findIndex((other) => isSameLine(one, other));
+      return old[at]?.rest ?? this.#rests[at] ?? 0;
+    });
     if (!isSame) {
-      const old = this.creaseStates();
-      const rests = creases.map((one) => {
-        const at = before.findIndex((other) => isSameLine(one, other));
-        return old[at]?.rest ?? this.#rests[at] ?? 0;
-      });
       const lines = creases.map(({ through: [a, b, c, d] }, k) => ({
         through: [a / 100, b / 100, c / 100, d / 100] as const,
         rest: rests[k],
       }));
       for (const { creasable } of this.pair) creasable?.crease(lines);
-      this.#rests = rests;
     }
+    this.#rests = rests;
     this.#creases = creases;
     if (this.areCreasable) this.#wake();
+    return !isSame;
   }
 
   /** Returns the creases of the first leaf that can be creased, as they are now. */

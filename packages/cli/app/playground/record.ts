@@ -57,6 +57,8 @@ export class BothPictures {
 export class Recording {
   readonly #both: BothPictures;
   readonly #leaves: readonly BenchLeaf[];
+  /** What the files of the leaves are named after. */
+  readonly #names: readonly string[];
   readonly #turns: readonly TurnRecorder[];
   readonly #film: MediaRecorder | null;
   readonly #parts: Blob[] = [];
@@ -66,9 +68,11 @@ export class Recording {
   constructor(
     both: BothPictures,
     leaves: readonly BenchLeaf[],
+    names: readonly string[],
     size: { width: number; height: number },
   ) {
     this.#both = both;
+    this.#names = names;
     this.#leaves = leaves;
     this.#turns = leaves.map(({ leaf }) => {
       const { columns, rows, creased } = leaf.surface();
@@ -100,7 +104,7 @@ export class Recording {
   }
 
   /** Ends it. Returns the recorded files, without those that have no frame. */
-  async finish(names: readonly string[]): Promise<MadeFile[]> {
+  async finish(): Promise<MadeFile[]> {
     const files: MadeFile[] = [];
     const film = await this.#endFilm();
     if (film)
@@ -108,7 +112,7 @@ export class Recording {
     if (this.#first === null) return files;
     for (const [k, turn] of this.#turns.entries()) {
       const { bytes, error } = turn.finish();
-      files.push({ name: `${k + 1}-${names[k]}.tlkf`, blob: new Blob([bytes]), error });
+      files.push({ name: `${k + 1}-${this.#names[k]}.tlkf`, blob: new Blob([bytes]), error });
     }
     return files;
   }

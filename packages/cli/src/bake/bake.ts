@@ -1,5 +1,5 @@
 import { writeFile } from "node:fs/promises";
-import { TurnRecorder } from "turnleaf/keyframes";
+import { type TurnFile, TurnRecorder } from "turnleaf/keyframes";
 import packageJson from "../../package.json" with { type: "json" };
 import { fileProblem, Problem, printable } from "../problem.ts";
 import { Progress } from "../progress.ts";
@@ -48,9 +48,7 @@ export async function bake(command: BakeCommand, signal: AbortSignal): Promise<v
     await write(out, bytes);
     report(`${kept.length - 1} morph targets, ${kilobytes(bytes)}`);
   } else if (format === "tlkf") {
-    const recorder = new TurnRecorder({ ...command, ...points, creased });
-    for (const { time, positions } of frames) recorder.add(time, positions);
-    const { bytes, error, frames: kept } = recorder.finish(command.tolerance);
+    const { bytes, error, frames: kept } = keyFrames(command, turn);
     await write(out, bytes);
     report(
       `${kept} key frames, ${kilobytes(bytes)}, error ${(100 * error).toFixed(3)} % of the width`,
@@ -61,11 +59,26 @@ export async function bake(command: BakeCommand, signal: AbortSignal): Promise<v
     else {
       const name = out.replace(/\.obj$/i, "");
       for (const { ending, text } of writeObj(name, mesh, steady, command)) {
-        signal.throwIfAborted();
+        if (signal.aborted) throw new Problem("Stopped; some of the files were written.");
         await write(name + ending, text);
       }
     }
     report(`${steady.length} frames`);
+  }
+}
+
+/** Returns the file of key frames of a turn. */
+function keyFrames(command: BakeCommand, { frames, creased }: Turn): TurnFile {
+  const recorder = new TurnRecorder({ ...command, ...pointsOf(command), creased });
+  try {
+    for (const { time, positions } of frames) recorder.add(time, positions);
+    return recorder.finish(command.tolerance);
+  } catch (error) {
+    // Too many points and frames, or a tolerance that no file has.
+    if (!(error instanceof RangeError)) throw error;
+    throw new Problem(
+      `${printable(command.out)} cannot be written: ${error.message} Take fewer --points or --seconds, or another --tolerance.`,
+    );
   }
 }
 
@@ -93,6 +106,6 @@ function kilobytes(bytes: Uint8Array): string {
 
 async function write(file: string, content: Uint8Array | string): Promise<void> {
   await writeFile(file, content).catch((error: unknown) => {
-    throw fileProblem(file, error);
+    throw fileProblem(file, error, "written");
   });
 }

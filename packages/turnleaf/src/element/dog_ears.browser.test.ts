@@ -54,6 +54,26 @@ test("a corner is folded and seen, bookmarks its page, and is opened again", asy
   expect(difference(flat, cornerOf(element))).toBeGreaterThan(8);
 });
 
+test("a corner that is opened while it is folded is opened, and one whose page is left stays folded", async () => {
+  const element = await bookOverDark();
+  const flat = cornerOf(element);
+  expect(await Promise.all([element.dogEar(5, "head", 0.3), element.unfold(5)])).toEqual([
+    true,
+    true,
+  ]);
+  expect(element.dogEars).toEqual([]);
+  await settled(element);
+  await expect.poll(() => differing(flat, cornerOf(element))).toBeLessThan(0.05);
+  const page = element.page;
+  const folded = element.dogEar(5, "head", 0.3);
+  await new Promise((resolve) => setTimeout(resolve, 100));
+  expect(await element.goTo(page + 6, { motion: false })).toBe(true);
+  expect(await folded).toBe(true);
+  expect(await element.goTo(page, { motion: false })).toBe(true);
+  await settled(element);
+  await expect.poll(() => differing(flat, cornerOf(element))).toBeGreaterThan(0.1);
+});
+
 test("a folded leaf is turned, and folding is no turn", async () => {
   const element = await bookOverDark();
   const turns: string[] = [];

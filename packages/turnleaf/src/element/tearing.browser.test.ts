@@ -127,7 +127,28 @@ test("nothing is torn without the attribute, and no page that does not lie open"
   expect(element.pageCount).toBe(12);
   element.tearable = "sewn";
   expect(element.tearable).toBe("sewn");
-  expect(await element.tearOut(9)).toBe(false);
+  // Of the leaves beside 4 and 5 their other pages are not in sight.
+  for (const page of [9, 3, 6]) expect(await element.tearOut(page)).toBe(false);
+  expect(element.pageCount).toBe(12);
+});
+
+test("what is out goes back after the page before it, or after what has that one's place", async () => {
+  const element = await opened();
+  expect(await element.tearOut(5)).toBe(true);
+  expect(await element.removePages(4)).toBe(true);
+  expect([element.tornLeaves, element.pageCount]).toEqual([1, 9]);
+  expect(await element.putBack()).toBe(true);
+  expect([element.page, element.pageCount]).toEqual([4, 11]);
+});
+
+test("a loose sheet is moved and comes to rest in a book whose pages are folded after it was torn", async () => {
+  const element = await opened();
+  expect(await element.tearOut(5)).toBe(true);
+  await settled(element);
+  expect(await element.dogEar(5, "foot", 0.2)).toBe(true);
+  expect(await element.crumple()).toBe(true);
+  await settled(element);
+  expect(element.dogEars).toEqual([{ page: 5, corner: "foot", size: 0.2 }]);
 });
 
 test("a book keeps its last leaf", async () => {

@@ -1,7 +1,7 @@
 /** The pages of an element's book that were torn out, and may be put back. */
 
-import type { TakenPages } from "../sources/page_list.ts";
-import { BookError, type NewIndex } from "../sources/page_source.ts";
+import type { PageList, TakenPages } from "../sources/page_list.ts";
+import { BookError, type NewIndex, placeOf } from "../sources/page_source.ts";
 import type { TearOwner } from "../viewer/viewer_options.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
 
@@ -35,6 +35,8 @@ interface TornLeaf {
 export class TornPages implements TearOwner {
   readonly #host: TornPagesHost;
   #leaves: TornLeaf[] = [];
+  /** The pages of the book that they are out of. */
+  #source: PageList | null = null;
   #lastId = 0;
   /** Whether a change of pages is this one's own: others move what is out. */
   #isOwn = false;
@@ -43,9 +45,9 @@ export class TornPages implements TearOwner {
     this.#host = host;
   }
 
-  /** Number of leaves that are out. */
+  /** Number of leaves that are out of the open book. */
   get count(): number {
-    return this.#leaves.length;
+    return this.#host.book() === null ? 0 : this.#leaves.length;
   }
 
   line(): ReturnType<TearOwner["line"]> {
@@ -63,10 +65,11 @@ export class TornPages implements TearOwner {
   takeOut(pages: readonly number[]): number | null {
     const book = this.#host.book();
     if (book === null) return null;
-    const at = pages[0] - 1;
+    const place = book.source.track(pages[0] - 1);
     const id = ++this.#lastId;
-    // The viewer lies at rest: the change is made at once.
+    // The viewer lies at rest: the change is made at once, after those that waited for that.
     const isOut = this.#change(book, () => {
+      const at = place();
       const { pages: taken, moved } = book.source.take(at, pages.length);
       this.#leaves.push({ id, pages: taken, at });
       return moved;
@@ -81,12 +84,17 @@ export class TornPages implements TearOwner {
     const leaf = this.#leaves.pop();
     if (book === null || leaf === undefined) return false;
     let moved = null as NewIndex | null;
-    await book.viewer.changePages(() => {
-      moved = book.elements.after(
-        () => book.source.putBack(leaf.at, leaf.pages) ?? ((index) => index),
-      );
-      return moved;
-    });
+    try {
+      await book.viewer.changePages(() => {
+        moved = book.elements.after(
+          () => book.source.putBack(leaf.at, leaf.pages) ?? ((index) => index),
+        );
+        return moved;
+      });
+    } finally {
+      // It stays out.
+      if (moved === null && this.#host.book()?.source === this.#source) this.#leaves.push(leaf);
+    }
     if (moved === null) return false;
     book.viewer.removeSheet(leaf.id);
     this.#changed(book, moved);
@@ -97,13 +105,17 @@ export class TornPages implements TearOwner {
   /** Follows other changes of the pages: what is out stays after the page that it followed. */
   move(moved: NewIndex): void {
     if (this.#isOwn) return;
-    const place = moved.placeOf ?? moved;
-    for (const leaf of this.#leaves) leaf.at = leaf.at === 0 ? 0 : (place(leaf.at - 1) ?? -1) + 1;
+    for (const leaf of this.#leaves) {
+      const before = leaf.at - 1;
+      // Where the page before it was removed, what has its place comes after it.
+      if (leaf.at > 0) leaf.at = placeOf(moved, before) + (moved(before) === null ? 0 : 1);
+    }
   }
 
-  /** Forgets what is out: another book is open. */
-  clear(): void {
-    this.#leaves = [];
+  /** Call it when a book is open: forgets what is out of another. */
+  opened(source: PageList): void {
+    if (source !== this.#source) this.#leaves = [];
+    this.#source = source;
   }
 
   #change(book: OpenBook, change: () => NewIndex): boolean {

@@ -43,8 +43,6 @@ export interface CreasedLeaves {
    * Nothing happens unless the leaf is in flight or lies uppermost.
    */
   press(leaf: number, crease: number, rest: number): void;
-  /** Returns the angle at which one of its creases rests now, radians; 0 if there is none. */
-  rest(leaf: number, crease: number): number;
   /** Returns whether a creased leaf lies uppermost on a side. */
   lies(side: Side): boolean;
 }

@@ -11,6 +11,7 @@ import {
   mostAlong,
   mostMultiple,
   mostPoints,
+  mostQuantum,
   packedHeader,
   TurnError,
 } from "./file.ts";
@@ -114,7 +115,7 @@ function readPacked(view: DataView, header: number): TurnRecord {
   requireWhole(view, meshAt + meshLength + packedLength + checksumLength);
   if (packedLength < leastPackedFrame * frames) throw badFrame();
   const [quantum, error] = floats(view, commonHeader, 2);
-  if (!(quantum > 0 && quantum < 1e6 && error >= 0 && error <= 1e6)) {
+  if (!(quantum > 0 && quantum < mostQuantum && error >= 0 && error <= 1e6)) {
     throw new TurnError("The header of this recorded turn cannot be.");
   }
   const u = readPlaces(view, header, columns);

@@ -25,6 +25,9 @@ export const mostAlong = 256;
 export const mostPoints: number = 2 ** 22;
 export const mostMultiple: number = 2 ** 24;
 
+/** A quantum of versions 2 and 3 is below this, metres. */
+export const mostQuantum = 1e6;
+
 /**
  * Minimum bytes of the packed coefficients of a frame: for each axis 2 bits for
  * the prediction, and 22 for the start of a run.

@@ -195,6 +195,9 @@ describe("recording", () => {
     recorder.add(0, new Float32Array(18));
     expect(() => recorder.add(0, new Float32Array(18))).toThrow("after the one before");
     expect(() => recorder.finish(0)).toThrow("The tolerance is above 0.");
+    for (const tolerance of [Number.POSITIVE_INFINITY, 3e38, 3e6]) {
+      expect(() => recorder.finish(tolerance)).toThrow("The tolerance is too large.");
+    }
     const one = decodeTurn(recorder.finish().bytes);
     expect([one.frames, one.duration]).toEqual([1, 0]);
     expect(sample(one, 3)).toEqual(new Float32Array(18));

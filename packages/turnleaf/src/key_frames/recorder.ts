@@ -9,6 +9,7 @@ import {
   mostAlong,
   mostMultiple,
   mostPoints,
+  mostQuantum,
   packedHeader,
 } from "./file.ts";
 import { packMesh, requireMesh } from "./packed_mesh.ts";
@@ -41,6 +42,9 @@ export interface TurnFile {
 
 /** The fraction of the tolerance for rounding; the rest is the blend's. */
 const rounding = 0.4;
+
+/** Returns the coarsest quantum that is tried for points that may be so far off, metres. */
+const firstQuantum = (most: number): number => Math.fround(4 * most);
 
 /**
  * Records a turn frame by frame, from any source, and keeps what a replay
@@ -104,13 +108,14 @@ export class TurnRecorder {
    *
    * @param tolerance maximum distance of a replay from it, over the width
    * @throws RangeError if nothing was recorded, or the tolerance is too small
-   * for it
+   * for it or so large that no file has it
    */
   finish(tolerance = 0.001): TurnFile {
     if (this.#times.length === 0) throw new RangeError("Nothing was recorded.");
     if (!(tolerance > 0)) throw new RangeError("The tolerance is above 0.");
     // In single precision, as the engine's encoder has it.
     const most = Math.fround(Math.fround(tolerance) * Math.fround(this.#leaf.width));
+    if (!(firstQuantum(most) < mostQuantum)) throw new RangeError("The tolerance is too large.");
     const { quantum, multiples, rounded } = this.#round(most);
     const { keys, error } = chooseKeys(this.#times, this.#frames, rounded, most);
     const kept = keys.flatMap((key) => multiples.slice(3 * key, 3 * key + 3));
@@ -126,7 +131,7 @@ export class TurnRecorder {
       [0, 1, 2].map((axis) => this.#basis.coefficients(frame, axis)),
     );
     const rounded = new Float32Array(length * this.#frames.length);
-    for (let quantum = Math.fround(4 * most); ; quantum = Math.fround(Math.fround(0.8) * quantum)) {
+    for (let quantum = firstQuantum(most); ; quantum = Math.fround(Math.fround(0.8) * quantum)) {
       const multiples = coefficients.map((axis) =>
         Int32Array.from(axis, (coefficient) => Math.round(coefficient / quantum)),
       );

@@ -57,6 +57,13 @@ it("says in one sentence what cannot be fetched, and asks again the next time", 
   expect((await cache.fetch("/none.tlkf")).columns).toBe(2);
   serve(new Uint8Array(17 << 20));
   await expect(new TurnCache({ name }).fetch("/large.tlkf")).rejects.toThrow("too large");
+  // What is left of a file, and the end of giving it up, may never come.
+  const endless = new ReadableStream({
+    pull: (stream) => stream.enqueue(new Uint8Array(1 << 20)),
+    cancel: () => new Promise(() => {}),
+  });
+  serve(endless);
+  await expect(new TurnCache({ name }).fetch("/endless.tlkf")).rejects.toThrow("too large");
 });
 
 it("records a turn once, in this visit and the next", async () => {

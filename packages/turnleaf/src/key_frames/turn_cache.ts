@@ -46,11 +46,11 @@ export class TurnCache {
       const kept = await store?.match(url);
       const response = kept ?? (await fetch(url).catch(() => null));
       if (!response?.ok) throw new TurnError(`The recorded turn at ${url} could not be fetched.`);
-      const bytes = await bytesOf(response.clone());
+      const bytes = await bytesOf(response);
       await requireName(url, bytes);
       const turn = decodeTurn(bytes);
       // Only a file named by its content is kept beyond the visit; otherwise the server is asked.
-      if (!kept && nameIn(url)) await store?.put(url, response).catch(() => {});
+      if (!kept && nameIn(url)) await store?.put(url, new Response(bytes)).catch(() => {});
       return turn;
     });
   }
@@ -141,7 +141,8 @@ async function bytesOf(response: Response): Promise<Uint8Array<ArrayBuffer>> {
     if (done) break;
     length += value.length;
     if (length > mostBytes) {
-      await reader.cancel();
+      // Not awaited: what is left may never come.
+      reader.cancel().catch(() => {});
       throw new TurnError("The file is too large for a recorded turn.");
     }
     parts.push(value);

@@ -66,6 +66,9 @@ test("a leaf is drawn where it is asked to be", async () => {
   expect(positions[3 * 6]).toBeCloseTo(0.7 * 0.148, 6);
   expect(positions[3 * 6 + 1]).toBeCloseTo(0.4 * 0.21, 6);
   expect(() => leaf.drawAt([0, 0], [0, 1])).toThrow(RangeError);
+  const many = new Float32Array(1025);
+  expect(() => leaf.drawAt(many, [0, 1])).toThrow("at 1024 columns and rows at most");
+  expect(() => leaf.drawAt([0, 1], many)).toThrow(RangeError);
   leaf.destroy();
 });
 

@@ -321,6 +321,7 @@ export class LooseLeaf {
     const [wasm, leaf] = [this.#wasm, this.#leaf];
     const places = [...Array.from(u), ...Array.from(v)];
     const room = wasm.tl_leaf_samples(leaf, u.length, v.length);
+    if (room === 0) throw new RangeError("A leaf is drawn at 1024 columns and rows at most.");
     new Float32Array(wasm.memory.buffer, room, places.length).set(places);
     if (wasm.tl_leaf_draw(leaf, u.length) === 0) throw new RangeError(this.#error().message);
     this.#creased = this.#mesh();

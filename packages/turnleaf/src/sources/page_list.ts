@@ -260,6 +260,15 @@ export class PageList implements PageSource {
   }
 
   /**
+   * Returns what says where the page that is page `at` (from 0) now lies after later changes; -1
+   * once it is not in the list.
+   */
+  track(at: number): () => number {
+    const entry = this.#entries[at];
+    return () => (entry ? this.#entries.indexOf(entry) : -1);
+  }
+
+  /**
    * Takes `count` pages from `at` (from 0) on out of the list, which still owns their sources.
    * Returns them, and where the others lie now.
    *

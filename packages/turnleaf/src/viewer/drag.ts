@@ -231,13 +231,15 @@ export class Drags {
   /**
    * Returns what a pull from a hit moves. If a page stands alone, a pull away
    * from its spine, from the page or from beside the spine, brings the previous
-   * page back.
+   * page back; where there is none and leaves may be torn out, it pulls at the page itself.
    */
   #pulled(hit: DragHit, { x, y }: Place): DragHit {
     const { alone, quarterTurned } = this.#book.shape;
     const isOutward = (quarterTurned ? y : x) * alone > 0;
     if (!isOutward || typeof hit.on !== "number") return hit;
-    return { ...hit, on: alone === 1 ? Side.left : Side.right, u: 1 };
+    const on = alone === 1 ? Side.left : Side.right;
+    if (this.loose && !this.#book.turning.hasLeaf(on)) return hit;
+    return { ...hit, on, u: 1 };
   }
 
   /** Returns the corner of the page at which a leaf that lay on a side is held, if it is. */

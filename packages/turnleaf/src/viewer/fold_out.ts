@@ -117,9 +117,12 @@ export class FoldOut implements FoldOutSheets {
     this.#drawing?.abort();
     const flap = this.#flap;
     if (flap === null) return;
-    this.#tell(false);
     this.#grab = null;
-    if (flap.isToOpen) flap.sheet.turn(false);
+    // What waits for it to shut goes on waiting: two commands would else wake each other for ever.
+    if (flap.isToOpen) {
+      this.#tell(false);
+      flap.sheet.turn(false);
+    }
     flap.isToOpen = false;
     this.#hooks.moved();
     await new Promise((resolve) => this.#waiting.push(resolve));
@@ -150,7 +153,9 @@ export class FoldOut implements FoldOutSheets {
     if (!sheet.isAsleep) sheet.step(Math.min(ticks, mostSheetTicks));
     if (!sheet.isAsleep) return true;
     if (this.#grab) return false;
-    if (flap.isToOpen && sheet.angle < Math.PI / 2) this.#tell(true);
+    // Let go near the middle it may have fallen to the other side.
+    flap.isToOpen = sheet.angle < Math.PI / 2;
+    if (flap.isToOpen) this.#tell(true);
     else this.close();
     return false;
   }
@@ -227,7 +232,11 @@ export class FoldOut implements FoldOutSheets {
         isOver = true;
         if (grabbed === null || this.#grab !== grabbed || held === null) return;
         this.#grab = null;
-        if (isTap) return void this.foldIn();
+        if (isTap) {
+          // The grab ended its way in.
+          if (!held.isToOpen) held.sheet.turn(false);
+          return void this.foldIn();
+        }
         held.isToOpen = held.sheet.angle < Math.PI / 2;
         held.sheet.release();
         this.#hooks.moved();

@@ -5,7 +5,6 @@
 
 import { creasesOf, type LeafFold } from "../book/creases.ts";
 import { leafOf, paperOnLeft } from "../book/spreads.ts";
-import type { CreasedLeaves } from "../engine/book_engine.ts";
 import { CreasableBook } from "../engine/creasable_book.ts";
 import { Side } from "../engine/phases.ts";
 import type { Crease } from "../engine/shapes.ts";
@@ -35,6 +34,8 @@ export class Folds {
   #opened: readonly LeafFold[] = [];
   #pageCount: number;
   #motion: Motion | null = null;
+  /** The last call of `fold`. */
+  #last: Promise<boolean> = Promise.resolve(true);
   /** What waits for the book to be bound by an engine whose leaves can be creased. */
   #waiting: (() => void)[] = [];
 
@@ -45,7 +46,11 @@ export class Folds {
 
   /** Has the book bound anew, as soon as it rests, by an engine whose leaves can be creased. */
   static async create(rebinder: Rebinder): Promise<Folds> {
-    rebinder.useEngine(await CreasableBook.creasable(rebinder.bound.shape));
+    // Sheets that are torn out belong to the engine that they were torn by.
+    if (!rebinder.bound.engine.creases) {
+      const engine = await CreasableBook.creasable(rebinder.bound.shape);
+      if (!rebinder.bound.engine.creases) rebinder.useEngine(engine);
+    }
     return new Folds(rebinder);
   }
 
@@ -55,13 +60,20 @@ export class Folds {
    *
    * @param isSeen whether a leaf that lies open is seen to be folded, and what is opened keeps
    * its line
+   * @param begun called once what is seen of it begins: frames are needed then
    */
-  async fold(folds: readonly LeafFold[], isSeen: boolean): Promise<boolean> {
+  fold(folds: readonly LeafFold[], isSeen: boolean, begun: () => void): Promise<boolean> {
+    const fold = (): Promise<boolean> => this.#fold(folds, isSeen, begun);
+    // One after another: each begins from what the one before it leaves.
+    this.#last = this.#last.then(fold, fold);
+    return this.#last;
+  }
+
+  async #fold(folds: readonly LeafFold[], isSeen: boolean, begun: () => void): Promise<boolean> {
     if (!this.#rebinder.bound.engine.creases) {
       await new Promise<void>((bound) => this.#waiting.push(bound));
     }
-    const { creases } = this.#rebinder.bound.engine;
-    if (!creases) return false;
+    if (!this.#rebinder.bound.engine.creases) return false;
     const before = this.#creases();
     const foldsBefore = this.#folds;
     const opened = foldsBefore.filter((old) => !folds.some((fold) => isSameFold(fold, old)));
@@ -72,11 +84,11 @@ export class Folds {
     const leaves = new Set([...before.keys(), ...after.keys()]);
     const results = [...leaves].map(async (leaf) => {
       const own = before.get(leaf) ?? [];
-      if (await this.#foldLeaf(creases, leaf, own, after.get(leaf) ?? [], isSeen)) return true;
+      if (await this.#foldLeaf(leaf, own, after.get(leaf) ?? [], isSeen, begun)) return true;
       // The lines of what was opened may be in the way.
       this.#opened = this.#opened.filter((fold) => this.#leafOf(fold) !== leaf);
       const without = this.#creases().get(leaf) ?? [];
-      if (await this.#foldLeaf(creases, leaf, own, without, isSeen)) return true;
+      if (await this.#foldLeaf(leaf, own, without, isSeen, begun)) return true;
       const ofOthers = this.#folds.filter((fold) => this.#leafOf(fold) !== leaf);
       const asBefore = foldsBefore.filter((fold) => this.#leafOf(fold) === leaf);
       this.#folds = [...ofOthers, ...asBefore];
@@ -134,17 +146,17 @@ export class Folds {
   }
 
   async #foldLeaf(
-    engine: CreasedLeaves,
     leaf: number,
     before: readonly Crease[],
     after: readonly Crease[],
     isSeen: boolean,
+    begun: () => void,
   ): Promise<boolean> {
     if (before.map(key).join() === after.map(key).join()) return true;
     const drag = this.#pressOn(leaf);
     const canBeSeen = isSeen && this.#motion === null && this.#foldsUp(leaf, [...before, ...after]);
     const isFolded = canBeSeen && (drag !== null || this.#pickUp(leaf));
-    if (!isFolded) return engine.crease(leaf, after);
+    if (!isFolded) return this.#crease(leaf, after);
     // What is to be opened keeps its crease until it is.
     const opened = before.filter((old) => !after.some((one) => line(one) === line(old)));
     const lines = [...after, ...opened];
@@ -153,11 +165,27 @@ export class Folds {
     const from = lines.map(restBefore);
     const to = [...after.map(({ rest }) => rest), ...opened.map(() => 0)];
     const creased = lines.map((one, k) => ({ ...one, rest: from[k] }));
-    if (!engine.crease(leaf, creased)) return engine.crease(leaf, after);
+    if (!this.#crease(leaf, creased)) return this.#crease(leaf, after);
     await new Promise<void>((done) => {
       this.#motion = { leaf, from, to, done, drag, part: 0 };
+      begun();
     });
-    return opened.length === 0 || engine.crease(leaf, after);
+    // Nothing pressed it where its page was left meanwhile.
+    const isPressed = opened.length === 0 && this.#isDrawn(leaf);
+    return isPressed || this.#crease(leaf, after);
+  }
+
+  /** Creases a leaf of the book as it is bound now. Returns whether it can be. */
+  #crease(leaf: number, creases: readonly Crease[]): boolean {
+    return this.#rebinder.bound.engine.creases?.crease(leaf, creases) ?? false;
+  }
+
+  /** Returns whether a leaf is in flight or lies uppermost in the book. */
+  #isDrawn(leaf: number): boolean {
+    const { binding, turning } = this.#rebinder.bound;
+    const paper = (spread: number): number => paperOnLeft(binding, spread);
+    const flies = turning.flights.some((one) => paper(one.low) <= leaf && leaf < paper(one.high));
+    return flies || this.#sideOf(leaf) !== null;
   }
 
   /** Returns the drag that presses a corner of a leaf, if one does. */

@@ -6,7 +6,7 @@
 
 import { facesOfLeaf } from "../book/faces.ts";
 import { sideBefore } from "../book/leaf_order.ts";
-import { type Binding, leafOf, paperOnLeft } from "../book/spreads.ts";
+import { type Binding, leafOf, pagesAt, paperOnLeft } from "../book/spreads.ts";
 import type { Flight } from "../book/turning.ts";
 import type { BoundRows, TornSheet } from "../engine/book_engine.ts";
 import { CreasableBook } from "../engine/creasable_book.ts";
@@ -99,7 +99,10 @@ export class Tearing {
     hooks: TearHooks,
   ): Promise<Tearing> {
     const { engine, shape } = rebinder.bound;
-    if (!engine.tearing) rebinder.useEngine(await CreasableBook.creasable(shape));
+    if (!engine.tearing) {
+      const made = await CreasableBook.creasable(shape);
+      if (!rebinder.bound.engine.tearing) rebinder.useEngine(made);
+    }
     const loose = new LooseSheetPile(rebinder, {
       moved: hooks.moved,
       rayAt: (x, y) => stage.rayAt(x, y),
@@ -107,6 +110,7 @@ export class Tearing {
       heard: (work) => hooks.heard(work),
       drop: (picture) => bitmaps.drop(picture),
     });
+    rebinder.bound.drags.loose = loose;
     return new Tearing(rebinder, bitmaps, loose, hooks);
   }
 
@@ -369,6 +373,7 @@ export class Tearing {
 
 /** Returns the side on which a page lies open, on a leaf of paper; null if it does not. */
 function sideOf(binding: Binding, spread: number, page: number): Side | null {
+  if (!pagesAt(binding, spread).includes(page)) return null;
   const leaf = paperOnLeft(binding, leafOf(binding, page));
   const onLeft = paperOnLeft(binding, spread);
   if (leaf === onLeft) return Side.right;

@@ -330,7 +330,7 @@ export class Viewer {
     const loaded = await this.#folds;
     if (this.#destroyed || loaded === null) return null;
     this.#bindSoon();
-    const folded = loaded.fold(folds, isSeen);
+    const folded = loaded.fold(folds, isSeen, () => this.#show());
     this.#show();
     return await folded;
   }
@@ -342,7 +342,6 @@ export class Viewer {
     await this.#tearing;
     if (this.#destroyed) return;
     this.#bindSoon();
-    this.#loadedTearing?.bound();
   }
 
   /**
@@ -569,7 +568,7 @@ export class Viewer {
     this.#setStill(!turning && isFlat && !this.#crossFade.isOn);
     const { pixels, roughly } = this.#frameQuality.quality;
     this.#stage.pose(pose, roughly && !resting);
-    this.#options.onMotion?.(posed, seconds, turning && !still);
+    this.#options.onMotion?.(posed, seconds, (turning && !still) || tearing);
     // Where the processor draws, a frame that is soon drawn again is not worth all its pixels.
     this.#isPlain = resting && this.#stage.isSoftware && !this.#bitmaps.settled;
     this.#stage.draw({ resting: resting && !this.#isPlain, pixels });

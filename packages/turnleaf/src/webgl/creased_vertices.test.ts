@@ -3,6 +3,7 @@
 import { expect, test } from "vitest";
 import type { Surface } from "../engine/shapes.ts";
 import { CreasedVertices } from "./creased_vertices.ts";
+import { vertexNumbers } from "./vertex_numbers.ts";
 
 /** A square whose corner at (1, 0) can be folded along the line from (0.7, 0) to (1, 0.3). */
 const mesh = {
@@ -50,4 +51,10 @@ test.each([
 
 test("there are never more flaps than there is room for", () => {
   expect(folded(3).writeFlaps(1, new Float32Array(0))).toBe(0);
+});
+
+test("vertices beyond those of 16 bits have numbers of their own", () => {
+  expect(vertexNumbers(65535, [65534])).toEqual(Uint16Array.of(65534));
+  expect(vertexNumbers(65536, [65535])).toEqual(Uint32Array.of(65535));
+  expect(vertexNumbers(90000, 6)).toEqual(new Uint32Array(6));
 });

@@ -2,6 +2,7 @@
 
 import { type CreasedMesh, splitMesh, vertexKey, writeMeshNormals } from "../creased_mesh.ts";
 import type { Surface } from "../engine/shapes.ts";
+import { type VertexNumbers, vertexNumbers } from "./vertex_numbers.ts";
 
 /** The vertices of a flap's corners: both ends of its crease, as vertices of the rest of the leaf, and what is farthest from it. */
 type FlapCorners = readonly [from: number, to: number, tip: number];
@@ -62,7 +63,7 @@ export class CreasedVertices {
   /** u and v of each vertex, as textures have them: v begins at the head. */
   readonly uv: Float32Array;
   /** The vertices of each triangle. */
-  readonly index: Uint16Array;
+  readonly index: VertexNumbers;
   readonly positions: Float32Array;
   /** Each is smooth within its part of the leaf, and differs from the next part's. */
   readonly normals: Float32Array;
@@ -75,7 +76,7 @@ export class CreasedVertices {
   constructor(mesh: CreasedMesh) {
     const { places } = mesh;
     const { points, index, vertices } = splitMesh(mesh);
-    this.index = Uint16Array.from(index);
+    this.index = vertexNumbers(points.length, index);
     this.#further = points.subarray(places.length / 2);
     this.#flaps = [...vertices].flatMap(([key, vertex]) => (key % 0x10000 === 0 ? [] : [vertex]));
     this.#corners = flapCorners(places, vertices);

@@ -6,6 +6,7 @@ import type { LeafSection } from "./leaf_section.ts";
 import { compassToRadians, gapsOfRow, keyAngle, leftEndUnder, penumbra } from "./light.ts";
 import type { PaperMaterial } from "./paper_material.ts";
 import { obstacleStride, type PileShape } from "./pile_shape.ts";
+import { type VertexNumbers, vertexNumbers } from "./vertex_numbers.ts";
 
 const noPoints = new Float32Array(0);
 
@@ -156,7 +157,7 @@ export function sheetGeometry(
   place: typeof columnPlace = columnPlace,
 ): BufferGeometry {
   const uv = new Float32Array(2 * columns * rows);
-  const index = new Uint16Array(6 * (columns - 1) * (rows - 1));
+  const index = vertexNumbers(columns * rows, 6 * (columns - 1) * (rows - 1));
   for (let row = 0, at = 0; row < rows; row++) {
     for (let column = 0; column < columns; column++) {
       const here = row * columns + column;
@@ -173,7 +174,7 @@ export function sheetGeometry(
 }
 
 /** Returns triangles of vertices that have such texture coordinates. */
-export function geometryOf(uv: Float32Array, index: Uint16Array): BufferGeometry {
+export function geometryOf(uv: Float32Array, index: VertexNumbers): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute("uv", new BufferAttribute(uv, 2));
   geometry.setIndex(new BufferAttribute(index, 1));
