@@ -37,6 +37,11 @@ fn as_letter() -> Vec<FoldLine> {
     vec![along(0.4, 160.0), along(0.7, 175.0)]
 }
 
+/// Folded in three, each fold against the other.
+fn as_zigzag() -> Vec<FoldLine> {
+    vec![along(0.35, 165.0), along(0.68, -165.0)]
+}
+
 fn toward_verso(creases: &[FoldLine]) -> Vec<FoldLine> {
     let turn = |crease: &FoldLine| FoldLine {
         rest: -crease.rest,
@@ -169,6 +174,11 @@ fn a_page_folded_across_turns_over_and_back_and_stays_folded() {
 #[test]
 fn a_page_folded_as_a_letter_turns_over_and_back_and_stays_folded() {
     turns_over_and_back(&as_letter());
+}
+
+#[test]
+fn a_page_folded_as_a_zigzag_turns_over_and_back_and_stays_folded() {
+    turns_over_and_back(&as_zigzag());
 }
 
 #[test]

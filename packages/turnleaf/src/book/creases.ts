@@ -27,6 +27,8 @@ export function creasesOf(
 ): Map<number, Crease[]> {
   const creases = new Map<number, Map<string, Crease>>();
   for (const fold of folds) {
+    // Beyond the last page leaves of a book from right to left carry others.
+    if (fold.page > binding.pageCount) continue;
     const leaf = leafOf(binding, fold.page);
     if (isBoard(binding, leaf)) continue;
     const isRecto = rightPage(binding, leaf) === fold.page;

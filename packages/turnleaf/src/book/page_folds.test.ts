@@ -61,3 +61,12 @@ it("a line that meets the spine, on the page or where it goes on, is distinguish
   // It meets the spine's line beyond the end of the spine.
   expect(met([0.5, 0.1, 1, 0.6], "left")).toBe(false);
 });
+
+it.each<Edge>(["left", "right"])(
+  "no leaf is folded for a page beyond the last, bound at the %s",
+  (edge) => {
+    const binding = bind(11, "none", { edge });
+    const beyond = [12, 13, 99].map((page) => fold(page, [0.5, 0, 0.5, 1]));
+    expect(creasesOf(beyond, binding, shape).size).toBe(0);
+  },
+);

@@ -117,6 +117,12 @@ test("what is no folded corner is left out", async () => {
   expect(element.dogEars).toHaveLength(1);
 });
 
+test("no corner of a board is folded", async () => {
+  const element = await bookOverDark({ cover: "hard" });
+  expect(await element.dogEar(1)).toBe(false);
+  expect([element.dogEars, element.bookmarks]).toEqual([[], []]);
+});
+
 /** Draws the upper corner of the right page in over it, so many CSS pixels across and down. */
 async function drawCornerIn(element: TurnleafBook, across: number, down: number) {
   const pointer = new TestPointer(element);

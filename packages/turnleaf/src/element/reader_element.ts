@@ -173,7 +173,9 @@ export abstract class ReaderElement extends ReflectingElement {
    */
   dogEar(page: number = this.page, corner: Corner = "head", size?: number): Promise<boolean> {
     const [ear] = cleanDogEars([{ page, corner, size: dogEarSize(size) }]);
-    if (ear === undefined || page > this.pageCount) return Promise.resolve(false);
+    const binding = this.book?.viewer.binding;
+    const isBoard = binding !== undefined && spineOf(binding, page) === "board";
+    if (ear === undefined || page > this.pageCount || isBoard) return Promise.resolve(false);
     const others = this.#dogEars.filter((other) => other.page !== page);
     return this.#bookmarkDogEars(cleanDogEars([...others, ear]), true);
   }
