@@ -78,7 +78,7 @@ pub struct Flight {
     /// Whether it may have been bent back on itself: by a grab, by others, by its own weight, or
     /// as it is drawn in the sheet's place.
     may_be_folded: bool,
-    /// Whether it was so by a grab, by others or as it is drawn: it may then reach round others.
+    /// Whether it is then bent so far that it may reach round others.
     is_bent_back: bool,
     was_driven: bool,
     /// Whether it was found to go through a neighbour since it was taken up: where its paper
@@ -221,11 +221,13 @@ impl Flight {
             core::mem::take(&mut self.overridden) && self.surface.positions.iter().all(is_place);
         self.needs_crossing_test |=
             is_crumpled || is_overridden || needs_crossing_test || self.had_crossing;
-        let is_bent_back = is_overridden || self.leaf.in_book_space().is_bent_back();
-        self.is_bent_back = is_bent_back && (is_overridden || is_crumpled || self.was_driven);
+        self.is_bent_back = is_overridden
+            || ((is_crumpled || self.was_driven) && self.leaf.in_book_space().is_bent_back());
         // A large page folds by its own weight, or by the wind. A creased one is folded where it
         // may be.
-        self.may_be_folded = (is_crumpled || is_bent_back) && self.creased.is_none();
+        let is_curled = self.leaf.in_book_space().is_curled();
+        self.may_be_folded =
+            (is_crumpled || self.is_bent_back || is_curled) && self.creased.is_none();
         if !is_overridden {
             self.leaf.write_surface(&mut self.surface);
         }
@@ -439,10 +441,10 @@ impl Flight {
 
     /// Takes back what a tick did to it where its paper would be drawn through itself after
     /// it, and would not have been before. Leaves that no grab has crumpled and that are not
-    /// bent back on themselves are not looked at.
+    /// curled are not looked at.
     pub fn keep_from_itself(&mut self, gutter: &Gutter, deepest: f32) {
         let was_through = core::mem::take(&mut self.was_through);
-        let may_be_folded = self.leaf.was_held() || self.leaf.in_book_space().is_bent_back();
+        let may_be_folded = self.leaf.was_held() || self.leaf.in_book_space().is_curled();
         if !may_be_folded || self.leaf.is_creased() {
             return;
         }
