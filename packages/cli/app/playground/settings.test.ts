@@ -16,7 +16,7 @@ test("a link carries every setting at either end of its bounds", () => {
       Object.entries(bounds).map(([name, bound]) => {
         if (bound.kind === "switch") return [name, end === 0];
         if (bound.kind === "creases") {
-          return [name, end === 0 ? "62.0.100.27.150" : "50.0.50.100.-180_100.0.60.100.0"];
+          return [name, end === 0 ? "62.0.100.27.150" : "50.0.50.100.-175_100.0.60.100.0"];
         }
         if (bound.kind === "range") return [name, end === 0 ? bound.least : bound.most];
         return [name, bound.of.at(end)];
