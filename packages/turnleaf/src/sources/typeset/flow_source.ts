@@ -393,8 +393,10 @@ export class FlowSource implements PageSource {
     return new PageNumbers(edition.counts());
   }
 
-  /** Returns the page (from 1) of a place; of its section, while no more is known. */
-  /** Returns the page (from 1) of a target, and how far down that it is where it is scrolled. */
+  /**
+   * Returns the page (from 1) of a target, and how far down that it is where it is scrolled; the
+   * first page of its section, while no more is known.
+   */
   #placeOf({ section, id }: FlowTarget): { page: number; top?: number } {
     const map = this.#edition.mapOf(section);
     const page = this.#numbers.indexOf(section, map?.ids.get(id) ?? 0) + 1;
