@@ -83,6 +83,17 @@ test("lines that no page can be folded along are rejected in one sentence", asyn
   expect(element.folds).toHaveLength(1);
 });
 
+test("folds that a leaf does not take are not listed, and later ones are made", async () => {
+  const element = await bookOverDark();
+  const fits = { page: 7, from: at(0.5, 0), to: at(0.5, 1), angle: 160 };
+  const near = [0.6, 0.62].map((x) => ({ page: 5, from: at(x, 0), to: at(x, 1), angle: 160 }));
+  element.folds = [...near, fits];
+  expect(element.folds).toHaveLength(3);
+  await expect.poll(() => element.folds, { timeout: 20_000 }).toEqual([fits]);
+  expect(await element.fold(5, ...upright)).toBe(true);
+  expect(element.folds).toHaveLength(2);
+});
+
 test("folds stay over a reload, on both sides of a leaf, and what is no fold is left out", async () => {
   const first = await bookOverDark({ remember: "" });
   const folds = [

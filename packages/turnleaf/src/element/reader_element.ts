@@ -313,23 +313,45 @@ export abstract class ReaderElement extends ReflectingElement {
     return folded;
   }
 
-  async #foldCorners(ears: readonly DogEar[], isSeen: boolean): Promise<boolean> {
-    if (JSON.stringify(ears) === JSON.stringify(this.#dogEars)) return true;
+  #foldCorners(ears: readonly DogEar[], isSeen: boolean): Promise<boolean> {
+    return this.#listDogEars(ears) ? this.#refold(isSeen) : Promise.resolve(true);
+  }
+
+  #foldPages(folds: readonly PageFold[], isSeen: boolean): Promise<boolean> {
+    return this.#listFolds(folds) ? this.#refold(isSeen) : Promise.resolve(true);
+  }
+
+  /** Takes a list of folded corners over. Returns whether it is another. */
+  #listDogEars(ears: readonly DogEar[]): boolean {
+    if (JSON.stringify(ears) === JSON.stringify(this.#dogEars)) return false;
     this.#dogEars = ears;
     this.emit("dogearchange", { dogEars: ears });
-    return (await this.#refold(isSeen)) ?? false;
+    return true;
   }
 
-  async #foldPages(folds: readonly PageFold[], isSeen: boolean): Promise<boolean> {
-    if (JSON.stringify(folds) === JSON.stringify(this.#folds)) return true;
+  /** Takes a list of folds over. Returns whether it is another. */
+  #listFolds(folds: readonly PageFold[]): boolean {
+    if (JSON.stringify(folds) === JSON.stringify(this.#folds)) return false;
     this.#folds = folds;
     this.emit("foldchange", { folds });
-    return (await this.#refold(isSeen)) ?? false;
+    return true;
   }
 
-  /** Folds pages as the lists say. Resolves as `Viewer.fold` does; to null while no book is open. */
-  async #refold(isSeen: boolean, folds = this.#folds): Promise<boolean | null> {
-    return (await this.book?.viewer.fold([...this.#dogEars, ...folds], isSeen)) ?? null;
+  /**
+   * Folds pages as the lists say; what cannot be folded is taken out of them. Resolves to whether
+   * all is folded.
+   */
+  async #refold(isSeen: boolean): Promise<boolean> {
+    const [ears, folds] = [this.#dogEars, this.#folds];
+    const asked = [...ears, ...folds];
+    const found = await this.book?.viewer.fold(asked, isSeen);
+    if (!found) return false;
+    // Others may have been set, or another book opened.
+    if (this.#dogEars === ears && this.#folds === folds) {
+      this.#listDogEars(cleanDogEars(found));
+      this.#listFolds(cleanFolds(found));
+    }
+    return asked.every((fold) => found.includes(fold));
   }
 
   async #foldLine(asked: PageFold): Promise<boolean> {
@@ -342,12 +364,12 @@ export abstract class ReaderElement extends ReflectingElement {
     if (meetsSpine(fold, spine)) throw new BookError(atSpine);
     const before = this.#folds;
     const folds = cleanFolds([...before, { ...fold, angle: asked.angle }]);
-    const isFolded = await this.#refold(true, folds);
-    if (isFolded === false) throw new BookError(tooNear);
+    const found = await viewer.fold([...this.#dogEars, ...folds], true);
+    if (!found) return false;
+    if (!folds.every((one) => found.includes(one))) throw new BookError(tooNear);
     // Others may have been set, or another book opened.
-    if (isFolded === null || this.#folds !== before) return false;
-    this.#folds = folds;
-    this.emit("foldchange", { folds });
+    if (this.#folds !== before) return false;
+    this.#listFolds(folds);
     return true;
   }
 

@@ -66,35 +66,41 @@ function pickStrip(
 }
 
 /**
- * Returns where a line of sight intersects a leaf in flight, from either side
- * (Moeller and Trumbore 1997 for each half of a cell).
+ * Returns where a line of sight intersects a leaf in flight or a loose sheet, from either side
+ * (Moeller and Trumbore 1997 for each triangle: those of its mesh if it is creased, else the
+ * halves of each cell).
  *
- * @param u u of the surface's columns
+ * @param u u of the surface's columns, if it is not creased
  */
 export function pickSurface(ray: Ray, surface: Surface, u: Float32Array): Hit | null {
-  const { columns, rows } = surface;
+  const { columns, rows, positions, creased } = surface;
   let best: Hit | null = null;
+  const placeOf = (point: number): readonly [u: number, v: number] =>
+    creased
+      ? [creased.places[2 * point], creased.places[2 * point + 1]]
+      : [u[point % columns], Math.floor(point / columns) / (rows - 1)];
+  const pick = (a: number, b: number, c: number): void => {
+    const hit = pickTriangle(ray, positions, a, b, c);
+    if (hit === null || (best !== null && hit.distance >= best.distance)) return;
+    const [[ua, va], [ub, vb], [uc, vc]] = [placeOf(a), placeOf(b), placeOf(c)];
+    best = {
+      u: ua + hit.b * (ub - ua) + hit.c * (uc - ua),
+      v: va + hit.b * (vb - va) + hit.c * (vc - va),
+      distance: hit.distance,
+    };
+  };
+  if (creased) {
+    const { triangles } = creased;
+    for (let k = 0; k < triangles.length; k += 3) {
+      pick(triangles[k], triangles[k + 1], triangles[k + 2]);
+    }
+    return best;
+  }
   for (let row = 0; row + 1 < rows; row++) {
     for (let column = 0; column + 1 < columns; column++) {
       const here = row * columns + column;
-      const cell = [here, here + 1, here + columns, here + columns + 1];
-      for (const [corner, flip] of [
-        [0, 1],
-        [3, -1],
-      ] as const) {
-        const a = cell[corner];
-        const b = flip === 1 ? cell[1] : cell[2];
-        const c = flip === 1 ? cell[2] : cell[1];
-        const hit = pickTriangle(ray, surface.positions, a, b, c);
-        if (hit === null || (best !== null && hit.distance >= best.distance)) continue;
-        const s = corner === 0 ? hit.b : 1 - hit.b;
-        const t = corner === 0 ? hit.c : 1 - hit.c;
-        best = {
-          u: u[column] + (u[column + 1] - u[column]) * s,
-          v: (row + t) / (rows - 1),
-          distance: hit.distance,
-        };
-      }
+      pick(here, here + 1, here + columns);
+      pick(here + columns + 1, here + columns, here + 1);
     }
   }
   return best;

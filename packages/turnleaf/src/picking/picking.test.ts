@@ -73,6 +73,31 @@ test("a leaf in flight is met from above and from below", () => {
   expect(pickSurface(down(0.09, 0.1), surface, u)).toBeNull();
 });
 
+test("a creased leaf is met where its points lie on the paper", () => {
+  // Folded over at half its width: its outer half lies on the inner one, 2 mm above it.
+  const places = [0, 0, 0.5, 0, 1, 0, 0, 1, 0.5, 1, 1, 1];
+  const xz = [0, 0, 0.5, 0, 0, 0.002];
+  const positions = [0, 1].flatMap((y) =>
+    [0, 1, 2].flatMap((k) => [width * xz[2 * k], height * y, xz[2 * k + 1]]),
+  );
+  const surface: Surface = {
+    columns: 3,
+    rows: 2,
+    positions: Float32Array.from(positions),
+    normals: new Float32Array(positions.length),
+    version: 1,
+    creased: {
+      places: Float32Array.from(places),
+      triangles: Uint32Array.from([0, 1, 3, 4, 3, 1, 1, 2, 4, 5, 4, 2]),
+      parts: Uint16Array.from([0, 0, 1, 1]),
+    },
+  };
+  const above = pickSurface(down(width / 4, height / 3), surface, u);
+  expect([above?.u, above?.v]).toEqual([expect.closeTo(0.75, 5), expect.closeTo(1 / 3, 5)]);
+  const below = { origin: [width / 4, height / 3, -1], direction: [0, 0, 1] } as const;
+  expect(pickSurface(below, surface, u)?.u).toBeCloseTo(0.25, 5);
+});
+
 test("the held point arches over the spine and comes down at its reach", () => {
   const flat = () => 0;
   expect(handAt(down(0, 0.1), width, flat)[2]).toBeCloseTo(0.62 * width, 6);

@@ -5,7 +5,6 @@
 
 import { creasesOf, type LeafFold } from "../book/creases.ts";
 import { leafOf, paperOnLeft } from "../book/spreads.ts";
-import { CreasableBook } from "../engine/creasable_book.ts";
 import { Side } from "../engine/phases.ts";
 import type { Crease } from "../engine/shapes.ts";
 import type { Drag } from "./drag.ts";
@@ -29,51 +28,49 @@ interface Motion {
 /** The folded pages of one viewer's book. */
 export class Folds {
   readonly #rebinder: Rebinder;
+  readonly #begun: () => void;
   #folds: readonly LeafFold[] = [];
   /** What was opened before the reader's eyes, by pages of a book of so many. */
   #opened: readonly LeafFold[] = [];
   #pageCount: number;
   #motion: Motion | null = null;
   /** The last call of `fold`. */
-  #last: Promise<boolean> = Promise.resolve(true);
+  #last: Promise<unknown> = Promise.resolve();
   /** What waits for the book to be bound by an engine whose leaves can be creased. */
   #waiting: (() => void)[] = [];
 
-  private constructor(rebinder: Rebinder) {
+  /**
+   * @param rebinder of a book that is bound, or will be as soon as it rests, by an engine whose
+   * leaves can be creased
+   * @param begun called once what is seen of a fold begins: frames are needed then
+   */
+  constructor(rebinder: Rebinder, begun: () => void) {
     this.#rebinder = rebinder;
+    this.#begun = begun;
     this.#pageCount = rebinder.bound.binding.pageCount;
-  }
-
-  /** Has the book bound anew, as soon as it rests, by an engine whose leaves can be creased. */
-  static async create(rebinder: Rebinder): Promise<Folds> {
-    // Sheets that are torn out belong to the engine that they were torn by.
-    if (!rebinder.bound.engine.creases) {
-      const engine = await CreasableBook.creasable(rebinder.bound.shape);
-      if (!rebinder.bound.engine.creases) rebinder.useEngine(engine);
-    }
-    return new Folds(rebinder);
   }
 
   /**
    * Folds pages, in place of what was folded before, which is opened. Resolves, once that is
-   * done, to whether all are: a leaf that cannot be folded so stays as it was.
+   * done, to the folds that there are: those of a leaf that cannot be folded so stay as they were.
+   * Null once the viewer is closed.
    *
    * @param isSeen whether a leaf that lies open is seen to be folded, and what is opened keeps
    * its line
-   * @param begun called once what is seen of it begins: frames are needed then
    */
-  fold(folds: readonly LeafFold[], isSeen: boolean, begun: () => void): Promise<boolean> {
-    const fold = (): Promise<boolean> => this.#fold(folds, isSeen, begun);
+  fold(folds: readonly LeafFold[], isSeen: boolean): Promise<readonly LeafFold[] | null> {
+    const fold = (): Promise<readonly LeafFold[] | null> => this.#fold(folds, isSeen);
     // One after another: each begins from what the one before it leaves.
-    this.#last = this.#last.then(fold, fold);
-    return this.#last;
+    const folded = this.#last.then(fold, fold);
+    this.#last = folded;
+    return folded;
   }
 
-  async #fold(folds: readonly LeafFold[], isSeen: boolean, begun: () => void): Promise<boolean> {
+  async #fold(folds: readonly LeafFold[], isSeen: boolean): Promise<readonly LeafFold[] | null> {
     if (!this.#rebinder.bound.engine.creases) {
       await new Promise<void>((bound) => this.#waiting.push(bound));
     }
-    if (!this.#rebinder.bound.engine.creases) return false;
+    if (!this.#rebinder.bound.engine.creases) return null;
     const before = this.#creases();
     const foldsBefore = this.#folds;
     const opened = foldsBefore.filter((old) => !folds.some((fold) => isSameFold(fold, old)));
@@ -84,17 +81,17 @@ export class Folds {
     const leaves = new Set([...before.keys(), ...after.keys()]);
     const results = [...leaves].map(async (leaf) => {
       const own = before.get(leaf) ?? [];
-      if (await this.#foldLeaf(leaf, own, after.get(leaf) ?? [], isSeen, begun)) return true;
+      if (await this.#foldLeaf(leaf, own, after.get(leaf) ?? [], isSeen)) return;
       // The lines of what was opened may be in the way.
       this.#opened = this.#opened.filter((fold) => this.#leafOf(fold) !== leaf);
       const without = this.#creases().get(leaf) ?? [];
-      if (await this.#foldLeaf(leaf, own, without, isSeen, begun)) return true;
+      if (await this.#foldLeaf(leaf, own, without, isSeen)) return;
       const ofOthers = this.#folds.filter((fold) => this.#leafOf(fold) !== leaf);
       const asBefore = foldsBefore.filter((fold) => this.#leafOf(fold) === leaf);
       this.#folds = [...ofOthers, ...asBefore];
-      return false;
     });
-    return (await Promise.all(results)).every((isFolded) => isFolded);
+    await Promise.all(results);
+    return this.#folds;
   }
 
   /** Call it when the book was bound anew: creases its leaves. */
@@ -150,7 +147,6 @@ export class Folds {
     before: readonly Crease[],
     after: readonly Crease[],
     isSeen: boolean,
-    begun: () => void,
   ): Promise<boolean> {
     if (before.map(key).join() === after.map(key).join()) return true;
     const drag = this.#pressOn(leaf);
@@ -168,7 +164,7 @@ export class Folds {
     if (!this.#crease(leaf, creased)) return this.#crease(leaf, after);
     await new Promise<void>((done) => {
       this.#motion = { leaf, from, to, done, drag, part: 0 };
-      begun();
+      this.#begun();
     });
     // Nothing pressed it where its page was left meanwhile.
     const isPressed = opened.length === 0 && this.#isDrawn(leaf);

@@ -134,8 +134,7 @@ export class LooseSheetPile {
     const { columns } = this.#rebinder.bound.engine;
     let best: (Hit & { readonly on: LooseHit }) | null = null;
     for (const { id, sheet } of this.#sheets) {
-      const { surface } = sheet;
-      const hit = pickSurface(ray, surface, surface.creased ? evenly(surface.columns) : columns);
+      const hit = pickSurface(ray, sheet.surface, columns);
       if (hit === null || (best && best.distance <= hit.distance)) continue;
       best = { ...hit, on: { isLoose: true, grab: () => this.grab(id, hit.u, hit.v) } };
     }
@@ -256,11 +255,6 @@ function asideOf(shape: BookShape, [x, y]: Vec3): Vec3 {
     height / 2 + (y < height / 2 ? -1 : 1) * (height + beyond),
     table,
   ];
-}
-
-/** Returns u of columns that are spaced evenly. */
-function evenly(columns: number): Float32Array {
-  return Float32Array.from({ length: columns }, (_, column) => column / (columns - 1));
 }
 
 /** Returns the middle of a surface. */

@@ -2,7 +2,7 @@
 
 import { applyPaper, type Paper } from "../book/paper.ts";
 import { type Layout, pageOf, pagesAt, spineOf, spreadOf } from "../book/spreads.ts";
-import type { BookEngine } from "../engine/book_engine.ts";
+import type { BookEngine, BookSize } from "../engine/book_engine.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import { type NewIndex, placeOf } from "../sources/page_source.ts";
 import type { BookStage } from "../stage/book_stage.ts";
@@ -69,8 +69,19 @@ export class Rebinder {
     this.#mustBind = true;
   }
 
-  /** Has the book, when it is bound next, and all later ones made by another engine, whose book is not used. */
-  useEngine(engine: BookEngine): void {
+  /**
+   * Has the book, when it is bound next, and all later ones made by an engine whose leaves can be
+   * creased, torn out and folded out, unless they can be already. Rejects as `make` does.
+   *
+   * @param make makes a book of such an engine, which itself is not used
+   */
+  async useCreasable(make: (size: BookSize) => Promise<BookEngine>): Promise<void> {
+    const isThere = (): boolean =>
+      this.#nextEngine !== null || this.#bound.engine.creases !== undefined;
+    if (isThere()) return;
+    const engine = await make(this.#bound.shape);
+    // Sheets that are torn out belong to the engine that they were torn by: it is not changed again.
+    if (this.#closed || isThere()) return engine.destroy();
     this.#nextEngine = engine;
     this.#mustBind = true;
   }

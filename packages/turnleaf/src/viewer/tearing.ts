@@ -9,7 +9,6 @@ import { sideBefore } from "../book/leaf_order.ts";
 import { type Binding, leafOf, pagesAt, paperOnLeft } from "../book/spreads.ts";
 import type { Flight } from "../book/turning.ts";
 import type { BoundRows, TornSheet } from "../engine/book_engine.ts";
-import { CreasableBook } from "../engine/creasable_book.ts";
 import { maxGrabs, Side } from "../engine/phases.ts";
 import { pileHeight, type Surface, type Vec3 } from "../engine/shapes.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
@@ -79,39 +78,22 @@ export class Tearing {
   #drawn: { readonly surface: Surface; readonly sheet: Surface; readonly part: number } | null =
     null;
 
-  private constructor(
-    rebinder: Rebinder,
-    bitmaps: PageBitmaps,
-    loose: LooseSheetPile,
-    hooks: TearHooks,
-  ) {
+  /**
+   * @param rebinder of a book that is bound, or will be as soon as it rests, by an engine whose
+   * leaves can be torn
+   */
+  constructor(rebinder: Rebinder, bitmaps: PageBitmaps, stage: BookStage, hooks: TearHooks) {
     this.#rebinder = rebinder;
     this.#bitmaps = bitmaps;
-    this.#loose = loose;
     this.#hooks = hooks;
-  }
-
-  /** Has the book bound anew, as soon as it rests, by an engine whose leaves can be torn. */
-  static async create(
-    rebinder: Rebinder,
-    bitmaps: PageBitmaps,
-    stage: BookStage,
-    hooks: TearHooks,
-  ): Promise<Tearing> {
-    const { engine, shape } = rebinder.bound;
-    if (!engine.tearing) {
-      const made = await CreasableBook.creasable(shape);
-      if (!rebinder.bound.engine.tearing) rebinder.useEngine(made);
-    }
-    const loose = new LooseSheetPile(rebinder, {
+    this.#loose = new LooseSheetPile(rebinder, {
       moved: hooks.moved,
       rayAt: (x, y) => stage.rayAt(x, y),
       isSeen: (point) => hooks.isSeen(stage.project(point)),
       heard: (work) => hooks.heard(work),
       drop: (picture) => bitmaps.drop(picture),
     });
-    rebinder.bound.drags.loose = loose;
-    return new Tearing(rebinder, bitmaps, loose, hooks);
+    rebinder.bound.drags.loose = this.#loose;
   }
 
   /** Call it when the book was bound anew: what was being torn is bound again. */

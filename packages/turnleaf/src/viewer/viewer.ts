@@ -320,17 +320,18 @@ export class Viewer {
   }
 
   /**
-   * Folds pages, in place of what was folded before. Resolves, once that is done, to whether
-   * all are, or to null where leaves cannot be creased, and if what folds them cannot be loaded.
+   * Folds pages, in place of what was folded before. Resolves, once that is done, to the folds
+   * that there are: those of a leaf that cannot be folded so stay as they were. Null where leaves
+   * cannot be creased, and if what folds them cannot be loaded.
    *
    * @param isSeen whether a leaf that lies open is seen to be folded
    */
-  async fold(folds: readonly LeafFold[], isSeen: boolean): Promise<boolean | null> {
+  async fold(folds: readonly LeafFold[], isSeen: boolean): Promise<readonly LeafFold[] | null> {
     this.#folds ??= this.#loadFolds();
     const loaded = await this.#folds;
     if (this.#destroyed || loaded === null) return null;
     this.#bindSoon();
-    const folded = loaded.fold(folds, isSeen, () => this.#show());
+    const folded = loaded.fold(folds, isSeen);
     this.#show();
     return await folded;
   }
@@ -641,22 +642,23 @@ export class Viewer {
 
   /** Has the book bound by an engine whose fold-outs open, as soon as it rests. */
   async #readyFoldOuts(): Promise<void> {
-    if (this.#bound.engine.flap) return;
     try {
-      const engine = await this.#backend.creasable?.(this.#bound.shape);
-      if (engine === undefined) return;
-      if (this.#destroyed) return engine.destroy();
-      this.#rebinder.useEngine(engine);
+      await this.#useCreasable();
       this.#bindSoon();
     } catch (error) {
       this.#options.onMissingPart?.(error);
     }
   }
 
+  async #useCreasable(): Promise<void> {
+    const { creasable } = this.#backend;
+    if (creasable) await this.#rebinder.useCreasable(creasable);
+  }
+
   async #loadFolds(): Promise<Folds | null> {
     try {
-      const loaded = await this.#backend.folds?.();
-      this.#loadedFolds = loaded ? await loaded.Folds.create(this.#rebinder) : null;
+      const [loaded] = await Promise.all([this.#backend.folds?.(), this.#useCreasable()]);
+      if (loaded) this.#loadedFolds = new loaded.Folds(this.#rebinder, () => this.#show());
     } catch (error) {
       this.#options.onMissingPart?.(error);
     }
@@ -666,7 +668,7 @@ export class Viewer {
   async #loadTearing(): Promise<Tearing | null> {
     const owner = this.#options.tearing;
     try {
-      const loaded = await this.#backend.tearing?.();
+      const [loaded] = await Promise.all([this.#backend.tearing?.(), this.#useCreasable()]);
       if (loaded && owner) {
         const hooks = {
           line: () => owner.line(),
@@ -678,7 +680,7 @@ export class Viewer {
             x >= 0 && y >= 0 && x <= this.#cssWidth && y <= this.#cssHeight,
         };
         const [rebinder, bitmaps] = [this.#rebinder, this.#bitmaps];
-        this.#loadedTearing = await loaded.Tearing.create(rebinder, bitmaps, this.#stage, hooks);
+        this.#loadedTearing = new loaded.Tearing(rebinder, bitmaps, this.#stage, hooks);
       }
     } catch (error) {
       this.#options.onMissingPart?.(error);
