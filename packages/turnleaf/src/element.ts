@@ -64,8 +64,8 @@ export class TurnleafBook extends ReaderElement {
     calm: () => this.#calm,
     goTo: (page, top) => void this.turnTo(page, { top }),
     password: () => this.password,
-    askPassword: async (isWrong) =>
-      this.controls ? await this.#controls.askPassword(this, isWrong) : null,
+    askPassword: async (isWrong, signal) =>
+      this.controls ? await this.#controls.askPassword(this, isWrong, signal) : null,
     leaving: () => this.#leave(),
     opened: (book) => this.#opened(book),
     changing: (change) => void this.#followSource(change),
@@ -444,6 +444,7 @@ export class TurnleafBook extends ReaderElement {
     keepPlace: () => void this.#keepPlace(),
     updateControls: () => this.#updateControls(),
     stopSound: () => this.#soundAndHaptics.close(),
+    allowFolding: () => this.foldOpened(),
     allowTearing: () => void this.#viewer?.allowTearing(),
   };
 

@@ -12,6 +12,9 @@ export class BookmarksTab implements PanelTab {
   readonly #book: ControlledBook;
   readonly #wording: Wording;
   readonly #picked: () => void;
+  /** The names of the pages that are listed, and the buttons that go there. */
+  #names: readonly string[] = [];
+  #buttons: readonly HTMLElement[] = [];
 
   /** @param picked called when the reader went to a page */
   constructor(book: ControlledBook, wording: Wording, picked: () => void) {
@@ -27,8 +30,21 @@ export class BookmarksTab implements PanelTab {
   hide(): void {}
 
   refresh(): void {
-    const { texts } = this.#wording;
     const { bookmarks, page } = this.#book;
+    const names = bookmarks.map((marked) => namePage(this.#wording, this.#book, marked));
+    // Rows that stay keep the focus.
+    if (names.length === 0 || names.join("\n") !== this.#names.join("\n")) this.#list(names);
+    for (const [k, button] of this.#buttons.entries()) {
+      if (bookmarks[k] === page) button.setAttribute("aria-current", "true");
+      else button.removeAttribute("aria-current");
+    }
+  }
+
+  #list(names: readonly string[]): void {
+    const { texts } = this.#wording;
+    const { bookmarks } = this.#book;
+    this.#names = names;
+    this.#buttons = [];
     if (bookmarks.length === 0) {
       const add = make("button", { type: "button", class: "plain" }, texts.addBookmark);
       add.addEventListener("click", () => {
@@ -39,10 +55,9 @@ export class BookmarksTab implements PanelTab {
       return;
     }
     const list = make("ul", { class: "rows" });
-    for (const marked of bookmarks) {
-      const name = namePage(this.#wording, this.#book, marked);
+    this.#buttons = bookmarks.map((marked, k) => {
+      const name = names[k];
       const there = make("button", { type: "button", class: "line" }, name);
-      if (marked === page) there.setAttribute("aria-current", "true");
       there.addEventListener("click", () => {
         void this.#book.turnTo(marked);
         this.#picked();
@@ -53,7 +68,8 @@ export class BookmarksTab implements PanelTab {
         this.focus();
       });
       list.append(make("li", { class: "row" }, there, remove));
-    }
+      return there;
+    });
     this.element.replaceChildren(list);
   }
 

@@ -79,7 +79,15 @@ export class ContentsTab implements PanelTab {
     const current = this.#current();
     for (const { button } of this.#lines) button.removeAttribute("aria-current");
     current?.setAttribute("aria-current", "true");
-    current?.scrollIntoView({ block: "nearest" });
+    if (current) this.#reveal(current);
+  }
+
+  /** Scrolls the list until a line is in sight; `scrollIntoView` would scroll the web page too. */
+  #reveal(line: HTMLElement): void {
+    const [list, { top, bottom }] = [this.element, line.getBoundingClientRect()];
+    const frame = list.getBoundingClientRect();
+    if (top < frame.top) list.scrollTop -= frame.top - top;
+    else if (bottom > frame.bottom) list.scrollTop += bottom - frame.bottom;
   }
 
   focus(): void {

@@ -358,15 +358,21 @@ test("the print dialog asks for pages and closes when they are printed", async (
 test("the password dialog returns what is typed, or null, and says that one was wrong", async () => {
   const { book, root } = addFakeBook();
   const dialog = () => root.querySelector<HTMLDialogElement>("dialog");
-  const given = askPassword(book, false);
+  const opening = new AbortController();
+  const given = askPassword(book, false, opening.signal);
   expect(dialog()?.textContent).toContain("protected by a password");
   await userEvent.keyboard("secret{Enter}");
   expect(await given).toBe("secret");
   expect(dialog()).toBeNull();
-  const none = askPassword(book, true);
+  const none = askPassword(book, true, opening.signal);
   expect(dialog()?.textContent).toContain("not its password");
   await userEvent.keyboard("{Escape}");
   expect(await none).toBeNull();
+  // Another book is opened meanwhile.
+  const left = askPassword(book, false, opening.signal);
+  opening.abort();
+  expect([await left, dialog()]).toEqual([null, null]);
+  expect(await askPassword(book, false, opening.signal)).toBeNull();
 });
 
 test("it speaks Chinese, and what it is taught", async () => {

@@ -35,9 +35,13 @@ export class ControlsLoader {
   }
 
   /** Asks the reader for the password of a protected file; null if they give none. */
-  async askPassword(book: HTMLElement, isWrong: boolean): Promise<string | null> {
+  async askPassword(
+    book: HTMLElement,
+    isWrong: boolean,
+    signal: AbortSignal,
+  ): Promise<string | null> {
     const { askPassword } = await loadPart(import("./controls.ts"));
-    return await askPassword(book, isWrong);
+    return await askPassword(book, isWrong, signal);
   }
 
   async #load<Hit extends FoundPlace>(

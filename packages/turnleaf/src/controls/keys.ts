@@ -13,7 +13,7 @@ export interface KeyCommands {
 /**
  * Listens on the element until the signal aborts. Keys with Ctrl, Alt or Meta
  * belong to the browser, but for the one that puts a torn leaf back; those typed
- * into a field, or meant for a button, stay there.
+ * into a field or a dialog, or meant for a button, stay there.
  */
 export function listenToKeys(
   book: ControlledBook,
@@ -24,7 +24,8 @@ export function listenToKeys(
 }
 
 function handle(event: KeyboardEvent, book: ControlledBook, commands: KeyCommands): void {
-  if (event.defaultPrevented || event.altKey) return;
+  const isDialogs = event.composedPath().some((at) => at instanceof HTMLDialogElement);
+  if (event.defaultPrevented || event.altKey || isDialogs) return;
   if (event.ctrlKey || event.metaKey) {
     const undoes = event.key === "z" && !event.shiftKey && book.tornLeaves > 0;
     if (!undoes || isTyping(event.composedPath()[0])) return;

@@ -80,7 +80,8 @@ export class PagesBar {
     const values = { page: number(page), n: number(pageCount) };
     this.#count.textContent = fill(label === String(page) ? texts.of : texts.pageOf, values);
     this.#previous.ariaDisabled = String(page <= 1);
-    this.#next.ariaDisabled = String(page >= pageCount);
+    const { left, right } = this.#book.spread;
+    this.#next.ariaDisabled = String(Math.max(page, left ?? 0, right ?? 0) >= pageCount);
   }
 
   #listen(form: HTMLFormElement): void {

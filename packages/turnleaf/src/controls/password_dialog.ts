@@ -6,11 +6,16 @@ import { wordingFor } from "./wording.ts";
 
 /**
  * Opens the dialog in an element's shadow tree; it removes itself. Resolves to
- * the password; to null if the reader gives none.
+ * the password; to null if the reader gives none, or once the signal aborts.
  *
  * @param isWrong whether the last one was not the file's
  */
-export function askPassword(book: HTMLElement, isWrong: boolean): Promise<string | null> {
+export function askPassword(
+  book: HTMLElement,
+  isWrong: boolean,
+  signal: AbortSignal,
+): Promise<string | null> {
+  if (signal.aborted) return Promise.resolve(null);
   const { texts } = wordingFor(languageOf(book));
   const input = make("input", {
     class: "entry",
@@ -41,8 +46,11 @@ export function askPassword(book: HTMLElement, isWrong: boolean): Promise<string
   cancel.addEventListener("click", () => dialog.close());
   (book.shadowRoot?.querySelector(".frame") ?? book).append(dialog);
   dialog.showModal();
+  const close = (): void => dialog.close();
+  signal.addEventListener("abort", close);
   return new Promise((resolve) => {
     dialog.addEventListener("close", () => {
+      signal.removeEventListener("abort", close);
       dialog.remove();
       resolve(password);
     });

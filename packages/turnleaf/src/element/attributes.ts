@@ -65,6 +65,8 @@ export interface AttributeEffects {
   allowTearing(): void;
   /** Stops the sound until a leaf moves that should be heard. */
   stopSound(): void;
+  /** Loads what folds pages, where they may be folded. */
+  allowFolding(): void;
 }
 
 /** Every observed attribute and the effect of its change. */
@@ -93,6 +95,7 @@ export const attributes: Readonly<
   remember: (effects) => effects.keepPlace(),
   controls: (effects) => effects.updateControls(),
   sound: (effects) => effects.stopSound(),
+  "fold-bookmarks": (effects) => effects.allowFolding(),
   tearable: (effects) => effects.allowTearing(),
 };
 

@@ -47,8 +47,8 @@ export interface LifecycleHooks {
   leaving(): void;
   /** The password of a protected file; "" if none is known. */
   readonly password: () => string;
-  /** Asks the reader for the password of a protected file; null if there is none. */
-  readonly askPassword: (isWrong: boolean) => Promise<string | null>;
+  /** Asks the reader for the password of a protected file; null if there is none, or once `signal` aborts. */
+  readonly askPassword: (isWrong: boolean, signal: AbortSignal) => Promise<string | null>;
   /** Returns whether the reader prefers reduced motion. */
   readonly calm: () => boolean;
   /** A book lies open. */
@@ -181,7 +181,7 @@ export class BookLifecycle {
       pdfWorker: pdfWorkerOf(this.#element),
       typography: typographyOf(this.#element),
       password: this.#hooks.password(),
-      askPassword: this.#hooks.askPassword,
+      askPassword: (isWrong) => this.#hooks.askPassword(isWrong, signal),
     });
     // A context makes the page wait for the process that draws: once what reads the book is under way.
     if (!signal.aborted && this.#canvas === null) this.#prepareCanvas();

@@ -1,5 +1,6 @@
 /** A film of what the book shows, recorded as it is drawn. */
 
+import { nameAndMessage } from "../sources/failures.ts";
 import { BookError } from "../sources/page_source.ts";
 
 /** How a film is recorded. */
@@ -42,6 +43,7 @@ export class FilmRecorder {
   #recorder: MediaRecorder | null = null;
   /** The requested animation frame. */
   #next = 0;
+  #isOver = false;
   /** Frames until it ends, once it is stopped. */
   #left = 0;
 
@@ -74,8 +76,13 @@ export class FilmRecorder {
   frame(): void {
     // In the same task: later the canvas may be cleared already.
     queueMicrotask(() => {
-      this.#paint();
-      this.#recorder ??= this.#begin();
+      if (this.#isOver) return;
+      try {
+        this.#paint();
+        this.#recorder ??= this.#begin();
+      } catch (error) {
+        this.#fail(`The film could not be recorded (${nameAndMessage(error)}).`);
+      }
     });
   }
 
@@ -83,13 +90,21 @@ export class FilmRecorder {
   stop(): void {
     clearTimeout(this.#timer);
     if (this.#recorder === null) {
-      this.#ended.reject(new BookError("The film was ended before the book was drawn."));
+      this.#fail("The film was ended before the book was drawn.");
     } else if (document.hidden) this.#recorder.stop();
     else this.#left ||= lastFrames;
   }
 
+  #fail(sentence: string): void {
+    this.#isOver = true;
+    this.#ended.reject(new BookError(sentence));
+  }
+
   #begin(): MediaRecorder {
-    const stream = this.#canvas.captureStream(0);
+    // Firefox does not take single pictures, but each that is drawn.
+    const takesPictures =
+      "requestFrame" in (globalThis.CanvasCaptureMediaStreamTrack?.prototype ?? {});
+    const stream = takesPictures ? this.#canvas.captureStream(0) : this.#canvas.captureStream();
     const track = stream.getVideoTracks()[0] as CanvasCaptureMediaStreamTrack;
     const options = { mimeType: this.#type, videoBitsPerSecond: bitsPerSecond };
     const recorder = new MediaRecorder(stream, options);
@@ -103,11 +118,12 @@ export class FilmRecorder {
     recorder.ondataavailable = ({ data }) => void parts.push(data);
     recorder.onstop = () => {
       end();
+      this.#isOver = true;
       this.#ended.resolve(new Blob(parts, { type: this.#type.split(";")[0] }));
     };
     recorder.onerror = () => {
       end();
-      this.#ended.reject(new BookError("The film could not be recorded."));
+      this.#fail("The film could not be recorded.");
     };
     recorder.start(handOver);
     if (this.#seconds !== undefined) {
@@ -117,7 +133,7 @@ export class FilmRecorder {
     // A resting book is filmed too, frame by frame: a film lasts as long as it was recorded.
     const go = (): void => {
       this.#canvas.getContext("2d")?.drawImage(this.#canvas, 0, 0);
-      track.requestFrame();
+      if (takesPictures) track.requestFrame();
       this.#next = requestAnimationFrame(() => {
         // On a busy machine the encoder has no data yet when a short film should end.
         const isMade = parts.some(({ size }) => size > 0) || waited >= longestWait;

@@ -5,7 +5,8 @@
 
 import { type Corner, type DogEar, dogEarSize, foldedDegrees } from "../book/dog_ears.ts";
 import { meetsSpine, type PageFold, type PagePlace } from "../book/page_folds.ts";
-import { spineOf } from "../book/spreads.ts";
+import { leafOf, spineOf } from "../book/spreads.ts";
+import type { BookState } from "../book/turning.ts";
 import type { Reading } from "../read_aloud/reading.ts";
 import { loadPart } from "../sources/load_part.ts";
 import {
@@ -48,6 +49,7 @@ export abstract class ReaderElement extends ReflectingElement {
   abstract turnTo(page: number): Promise<boolean>;
   abstract next(): Promise<boolean>;
   abstract readonly spread: { left: number | null; right: number | null };
+  abstract readonly state: BookState;
   /**
    * The open book.
    *
@@ -174,9 +176,12 @@ export abstract class ReaderElement extends ReflectingElement {
   dogEar(page: number = this.page, corner: Corner = "head", size?: number): Promise<boolean> {
     const [ear] = cleanDogEars([{ page, corner, size: dogEarSize(size) }]);
     const binding = this.book?.viewer.binding;
-    const isBoard = binding !== undefined && spineOf(binding, page) === "board";
-    if (ear === undefined || page > this.pageCount || isBoard) return Promise.resolve(false);
-    const others = this.#dogEars.filter((other) => other.page !== page);
+    if (ear === undefined || !binding || page > this.pageCount) return Promise.resolve(false);
+    if (spineOf(binding, page) === "board") return Promise.resolve(false);
+    // On the other side of its leaf the same corner cannot be folded too.
+    const isSameCorner = (other: DogEar): boolean =>
+      other.corner === ear.corner && leafOf(binding, other.page) === leafOf(binding, page);
+    const others = this.#dogEars.filter((other) => other.page !== page && !isSameCorner(other));
     return this.#bookmarkDogEars(cleanDogEars([...others, ear]), true);
   }
 
@@ -364,12 +369,15 @@ export abstract class ReaderElement extends ReflectingElement {
     if (meetsSpine(fold, spine)) throw new BookError(atSpine);
     const before = this.#folds;
     const folds = cleanFolds([...before, { ...fold, angle: asked.angle }]);
-    const found = await viewer.fold([...this.#dogEars, ...folds], true);
+    const ears = this.#dogEars;
+    const found = await viewer.fold([...ears, ...folds], true);
     if (!found) return false;
     if (!folds.every((one) => found.includes(one))) throw new BookError(tooNear);
     // Others may have been set, or another book opened.
     if (this.#folds !== before) return false;
     this.#listFolds(folds);
+    // Corners that were folded meanwhile were folded without this one.
+    if (this.#dogEars !== ears) void this.#refold(false);
     return true;
   }
 

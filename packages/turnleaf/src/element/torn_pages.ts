@@ -81,8 +81,8 @@ export class TornPages implements TearOwner {
   /** Puts the pages that were torn out last back. They lie open then. Resolves to whether there were any. */
   async putBack(): Promise<boolean> {
     const book = this.#host.book();
-    const leaf = this.#leaves.pop();
-    if (book === null || leaf === undefined) return false;
+    const leaf = book && this.#leaves.pop();
+    if (!leaf) return false;
     let moved = null as NewIndex | null;
     try {
       await book.viewer.changePages(() => {

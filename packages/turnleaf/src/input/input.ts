@@ -288,7 +288,9 @@ export class Input {
 
   #touch(event: TouchEvent): void {
     const isPinch = event.touches.length >= 2 && this.#target.allows("zoom");
-    if (!event.cancelable || !(isPinch || this.#viewer.zoomLevel > 1)) return;
+    // What is caught follows the finger in every direction.
+    const holds = [...this.#presses.values()].some(({ drag }) => drag !== null);
+    if (!event.cancelable || !(isPinch || holds || this.#viewer.zoomLevel > 1)) return;
     event.preventDefault();
   }
 

@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
+import type { BookState } from "../book/turning.ts";
 import type { NarratedClip, Narration } from "../sources/page_source.ts";
 import { Reading } from "./reading.ts";
 
@@ -54,6 +55,7 @@ class FakeAudio extends EventTarget {
 class Book extends EventTarget {
   page = 1;
   bookTitle = "A book";
+  state: BookState = "resting";
   get spread(): { left: null; right: number } {
     return { left: null, right: this.page };
   }
@@ -200,6 +202,23 @@ describe("reading aloud", () => {
     await isMarked(2);
     await expect.poll(() => sound.starts).toEqual([0, 50]);
     expect(book.page).toBe(5);
+    reading.stop();
+    await done;
+  });
+
+  test("does not turn against a reader whose leaves are still turning", async () => {
+    const long = [0, 1].map((page) => ({ page, from: page / 2 }));
+    const { book, reading, done, sound, isMarked } = begin(clip(1, 0, 10, { pages: long }));
+    await isMarked(0);
+    await expect.poll(() => sound.starts).toEqual([0]);
+    book.state = "turning";
+    sound.passTo(6);
+    expect(book.page).toBe(1);
+    // They have come to rest where the clip is not read.
+    book.state = "resting";
+    book.page = 1;
+    book.dispatchEvent(new CustomEvent("pagechange"));
+    await expect.poll(() => book.page).toBe(2);
     reading.stop();
     await done;
   });

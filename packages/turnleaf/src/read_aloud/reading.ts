@@ -1,5 +1,6 @@
 /** Reads a book aloud: its recordings or its text, with what is read marked, and turns the pages as it goes. */
 
+import type { BookState } from "../book/turning.ts";
 import { unknownFailure } from "../sources/failures.ts";
 import type { NarratedClip, Narration } from "../sources/page_source.ts";
 import { RecordingPlayer } from "./recording_player.ts";
@@ -17,6 +18,8 @@ export interface BookReadAloud extends EventTarget {
   readonly bookTitle: string;
   /** The open pages. */
   readonly spread: { readonly left: number | null; readonly right: number | null };
+  /** Whether its leaves turn, or rest. */
+  readonly state: BookState;
   turnTo(page: number): Promise<boolean>;
 }
 
@@ -38,6 +41,8 @@ export class Reading {
   #number: number | null = null;
   /** Aborts when the reader leaves that clip. */
   #left = new AbortController();
+  /** The fraction of it that has been heard. */
+  #heard = 0;
   /** The page that a turn under way leads to. */
   #turningTo: number | null = null;
 
@@ -117,11 +122,13 @@ export class Reading {
     return this.#narration.clipFrom(this.#book.page - 1, this.#ended.signal);
   }
 
-  /** Leaves the clip where the reader has turned away from it. */
+  /** Leaves the clip where the reader has turned away from it; else turns as far as it is heard. */
   #follow(): void {
-    if (this.#clip?.pages.some(({ page }) => this.#isOpen(page))) return;
-    this.#player.pause();
-    this.#left.abort();
+    if (this.#clip?.pages.some(({ page }) => this.#isOpen(page))) this.#show(this.#heard);
+    else {
+      this.#player.pause();
+      this.#left.abort();
+    }
   }
 
   /** Finds where the clip stands once the pages are others. */
@@ -163,6 +170,9 @@ export class Reading {
 
   /** Turns to the page on which the text stands once some fraction of the clip has been heard. */
   #show(fraction: number): void {
+    this.#heard = fraction;
+    // A reader who jumps is followed once the book rests: `#follow` is called then.
+    if (this.#book.state === "turning" && this.#turningTo === null) return;
     const pages = this.#clip?.pages ?? [];
     const page = (pages.findLast(({ from }) => from <= fraction) ?? pages[0])?.page;
     if (page === undefined || page === this.#turningTo || this.#isOpen(page)) return;

@@ -6,7 +6,7 @@
 
 import { facesOfLeaf } from "../book/faces.ts";
 import { sideBefore } from "../book/leaf_order.ts";
-import { type Binding, leafOf, pagesAt, paperOnLeft } from "../book/spreads.ts";
+import { type Binding, isBoard, leafOf, pagesAt, paperOnLeft } from "../book/spreads.ts";
 import type { Flight } from "../book/turning.ts";
 import type { BoundRows, TornSheet } from "../engine/book_engine.ts";
 import { maxGrabs, Side } from "../engine/phases.ts";
@@ -43,6 +43,8 @@ const longestPull = 2;
 export interface TearHooks extends TearOwner {
   /** Something moves: a frame should show it. */
   readonly moved: () => void;
+  /** Lays the book open at a spread, where its place is from then on. */
+  readonly lay: (spread: number) => void;
   /** Returns whether a place is on the canvas. */
   readonly isSeen: (place: Place) => boolean;
 }
@@ -275,12 +277,12 @@ export class Tearing {
    * @param isSeen whether the sheet is shown
    */
   #finish(tear: Tear, isSeen = true): boolean {
-    const { binding, turning } = this.#rebinder.bound;
+    const { binding } = this.#rebinder.bound;
     const { recto, verso } = facesOfLeaf(binding, tear.flight);
     const take = (page: number | null) => (page === null ? null : this.#bitmaps.take(page));
     this.#tear = null;
-    // Without the leaf the book lies as it did between the pages beside it.
-    turning.lay(tear.flight.low);
+    // Without the leaf the book lies between the pages beside it, which may be elsewhere than where it last rested.
+    this.#hooks.lay(tear.flight.low);
     const pictures = { recto: take(recto), verso: take(verso) };
     const id = this.#hooks.takeOut(tear.pages);
     if (id === null) {
@@ -355,8 +357,9 @@ export class Tearing {
 
 /** Returns the side on which a page lies open, on a leaf of paper; null if it does not. */
 function sideOf(binding: Binding, spread: number, page: number): Side | null {
-  if (!pagesAt(binding, spread).includes(page)) return null;
-  const leaf = paperOnLeft(binding, leafOf(binding, page));
+  const at = leafOf(binding, page);
+  if (!pagesAt(binding, spread).includes(page) || isBoard(binding, at)) return null;
+  const leaf = paperOnLeft(binding, at);
   const onLeft = paperOnLeft(binding, spread);
   if (leaf === onLeft) return Side.right;
   return leaf === onLeft - 1 ? Side.left : null;

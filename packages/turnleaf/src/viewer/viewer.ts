@@ -592,8 +592,10 @@ export class Viewer {
   /** Folds a corner that is held still over its page for long enough. Returns whether one is, or may be. */
   #pressCorner(seconds: number): boolean {
     const { foldsByHand, onPress } = this.#options;
-    const { drags } = this.#bound;
-    const ear = foldsByHand?.() && onPress ? drags.step(seconds) : false;
+    const { drags, engine } = this.#bound;
+    // The book is bound by an engine that creases once it rests, which a leaf that is pressed does not.
+    const mayFold = foldsByHand?.() && engine.creases !== undefined;
+    const ear = mayFold && onPress ? drags.step(seconds) : false;
     if (typeof ear === "boolean") return ear;
     void onPress?.(ear).finally(() => drags.letGo());
     return true;
@@ -676,6 +678,12 @@ export class Viewer {
           takeOut: (pages: readonly number[]) => owner.takeOut(pages),
           heard: (work: number) => owner.heard(work),
           moved: () => this.#show(),
+          lay: (spread: number) => {
+            const from = this.turning.restedAt;
+            this.turning.lay(spread);
+            this.#rebinder.rested(this.#cssWidth, this.#cssHeight);
+            if (from !== spread) this.#options.onRest(from, spread);
+          },
           isSeen: ({ x, y }: Place) =>
             x >= 0 && y >= 0 && x <= this.#cssWidth && y <= this.#cssHeight,
         };

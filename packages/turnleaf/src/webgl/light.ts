@@ -93,9 +93,12 @@ export function gapsOfRow(
     if (normal > 1) normal -= 4;
     let left = Math.max(-1, normal - 1);
     let right = Math.min(1, normal + 1);
+    // What lies below on the left, as most of what a rising leaf looks back on does, is beyond the
+    // left end already: it needs no direction.
     for (let k = 0; k < opposite.length; k += 2) {
       const dx = opposite[k] - px;
       const dz = opposite[k + 1] - pz;
+      if (dx < 0 && dz <= 0) continue;
       if (Math.abs(dx) + Math.abs(dz) < 1e-6) continue;
       left = Math.max(left, near(compass(dx, dz), normal - 1));
     }
@@ -106,11 +109,18 @@ export function gapsOfRow(
       // It rises on the left and may reach over the point and beyond.
       left = Math.max(left, near(compass(dx, dz), normal));
     }
-    for (let k = 0; k < count; k += stride) {
-      if (k === i) continue;
-      const c = compass(x[k] - px, z[k] - pz);
-      if (k < i) left = Math.max(left, near(c, normal - 1));
-      else right = Math.min(right, near(c, normal + 1));
+    for (let k = 0; k < i; k += stride) {
+      const dx = x[k] - px;
+      const dz = z[k] - pz;
+      if (dx < 0 && dz <= 0) continue;
+      left = Math.max(left, near(compass(dx, dz), normal - 1));
+    }
+    for (let k = (Math.floor(i / stride) + 1) * stride; k < count; k += stride) {
+      const dx = x[k] - px;
+      const dz = z[k] - pz;
+      // Below on the right, likewise.
+      if (dx > 0 && dz <= 0 && normal >= -1) continue;
+      right = Math.min(right, near(compass(dx, dz), normal + 1));
     }
     // A gap beyond closed makes shadows no darker, but would pull their edges outward.
     out[2 * i] = Math.min(left, normal + 1);
@@ -129,13 +139,17 @@ export function gapsOfRow(
 export function leftEndUnder(px: number, pz: number, points: Float32Array, count: number): number {
   // The direction farthest to the right of those above the horizon: products tell which of
   // two it is, without a division for each of very many points.
-  let [x, z] = [-1, 0];
+  let x = -1;
+  let z = 0;
   let below = 1;
   for (let k = 0; k < count; k += 2) {
     const dx = points[k] - px;
     const dz = points[k + 1] - pz;
     if (dz >= 0) {
-      if (dx * z > x * dz) [x, z] = [dx, dz];
+      if (dx * z > x * dz) {
+        x = dx;
+        z = dz;
+      }
     } else if (dx > 0) below = Math.max(below, compass(dx, dz));
   }
   return below > 1 ? Math.min(below, 1.05) : compass(x, z);
