@@ -25,7 +25,12 @@ import { nameAndMessage } from "./sources/failures.ts";
 import { pagesIn } from "./sources/html/child_pages.ts";
 import { loadPart } from "./sources/load_part.ts";
 import type { BookInput } from "./sources/open.ts";
-import { BookError, type NewIndex, type PageSource } from "./sources/page_source.ts";
+import {
+  BookError,
+  type NewIndex,
+  type PageSource,
+  type Typography,
+} from "./sources/page_source.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
 import { elementTexts, fill, languageOf } from "./words/languages.ts";
 
@@ -63,6 +68,7 @@ export class TurnleafBook extends ReaderElement {
     turn: (by) => void this.press(by),
     calm: () => this.#calm,
     goTo: (page, top) => void this.turnTo(page, { top }),
+    typography: () => this.#takeTypography(),
     password: () => this.password,
     askPassword: async (isWrong, signal) =>
       this.controls ? await this.#controls.askPassword(this, isWrong, signal) : null,
@@ -103,6 +109,8 @@ export class TurnleafBook extends ReaderElement {
   #connected = false;
   /** Whether the attributes of the text are being set for a book that is not open yet. */
   #isRestoring = false;
+  /** What the book that opens was set and bound by, as text: it is asked for anew where it is other by then. */
+  #openedBy = { typography: "", binding: "" };
   /** Opens a book of the element's children when the first of them comes. */
   readonly #children = new MutationObserver(() => {
     if (this.#life.isIdle && this.#childPages() !== "") this.#reopen();
@@ -553,8 +561,17 @@ export class TurnleafBook extends ReaderElement {
 
   async #restore(source: PageSource, src: string): Promise<void> {
     this.#isRestoring = true;
+    const before = JSON.stringify(typographyOf(this));
     await this.restorePlace(source, src);
     this.#isRestoring = false;
+    // Set anew, by all that attributes say now.
+    if (JSON.stringify(typographyOf(this)) !== before) this.#takeTypography();
+  }
+
+  #takeTypography(): Typography {
+    const typography = typographyOf(this);
+    this.#openedBy.typography = JSON.stringify(typography);
+    return typography;
   }
 
   /** Returns the book that the element's children are; "" if there are none yet. */
@@ -568,8 +585,10 @@ export class TurnleafBook extends ReaderElement {
   }
 
   #options(source: PageSource): ViewerOptions {
+    const binding = bindingOptionsOf(this);
+    this.#openedBy.binding = JSON.stringify(binding);
     return {
-      ...bindingOptionsOf(this),
+      ...binding,
       shifts: this.shifts,
       paper: () => this.#leaves,
       page: () => this.#firstPage(source),
@@ -609,10 +628,18 @@ export class TurnleafBook extends ReaderElement {
     this.#tree.fit(viewer.placeRatio);
     this.#describe();
     this.#updateState();
+    this.#follow(viewer);
     this.foldOpened();
     this.#torn.opened(source);
     void viewer.allowTearing();
     this.emit("load", { pageCount: source.pageCount, title: source.title });
+  }
+
+  /** Binds and sets a book that has just opened as attributes say that were changed meanwhile. */
+  #follow(viewer: Viewer): void {
+    const binding = bindingOptionsOf(this);
+    if (JSON.stringify(binding) !== this.#openedBy.binding) viewer.rebind(binding);
+    if (JSON.stringify(typographyOf(this)) !== this.#openedBy.typography) void this.#typeset();
   }
 
   #started(low: number, high: number, toLeft: boolean): void {

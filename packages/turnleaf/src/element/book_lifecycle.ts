@@ -15,7 +15,7 @@ import {
 import { loadPart } from "../sources/load_part.ts";
 import type { BookInput } from "../sources/open.ts";
 import type { PageList } from "../sources/page_list.ts";
-import type { NewIndex, OutlineEntry, PageSource } from "../sources/page_source.ts";
+import type { NewIndex, OutlineEntry, PageSource, Typography } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
 import type { Viewer, ViewerOptions } from "../viewer/viewer.ts";
 import { elementTexts, fill, languageOf } from "../words/languages.ts";
@@ -23,7 +23,6 @@ import { allowsGesture, swipeDistanceOf } from "./attributes.ts";
 import type { BookTextOverlay, TextTarget } from "./book_text_overlay.ts";
 import type { LivePages } from "./live_pages.ts";
 import type { RollView } from "./roll_view.ts";
-import { typographyOf } from "./typography.ts";
 
 /** The callbacks between an element and the life of its book. */
 export interface LifecycleHooks {
@@ -45,6 +44,8 @@ export interface LifecycleHooks {
   readonly goTo: (page: number, top?: number) => void;
   /** The open book is about to close, to be opened again where it lies. */
   leaving(): void;
+  /** How the text of a book is set that is about to be read. */
+  readonly typography: () => Typography;
   /** The password of a protected file; "" if none is known. */
   readonly password: () => string;
   /** Asks the reader for the password of a protected file; null if there is none, or once `signal` aborts. */
@@ -179,7 +180,7 @@ export class BookLifecycle {
     const listing = openList(input, {
       signal,
       pdfWorker: pdfWorkerOf(this.#element),
-      typography: typographyOf(this.#element),
+      typography: this.#hooks.typography(),
       password: this.#hooks.password(),
       askPassword: (isWrong) => this.#hooks.askPassword(isWrong, signal),
     });

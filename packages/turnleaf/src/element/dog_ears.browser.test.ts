@@ -167,3 +167,29 @@ test("a corner that is only drawn across, or in a book that does not ask for it,
     element.remove();
   }
 });
+
+test("a corner is folded by hand too in a book that asks for it only once it is open", async () => {
+  const element = await bookOverDark();
+  element.setAttribute("fold-bookmarks", "");
+  const pointer = await drawCornerIn(element, 30, 30);
+  await new Promise((resolve) => setTimeout(resolve, 700));
+  pointer.point("pointerup", 0, 0);
+  // Pressed before what folds it was there, it would be held for ever.
+  await expect.poll(() => element.state, patient).toBe("resting");
+  await expect
+    .poll(async () => {
+      if (element.dogEars.length > 0) return 1;
+      const again = await drawCornerIn(element, 30, 30);
+      await new Promise((resolve) => setTimeout(resolve, 1500));
+      again.point("pointerup", 0, 0);
+      return element.dogEars.length;
+    }, patient)
+    .toBe(1);
+});
+
+test("of one leaf a corner is folded to one side", async () => {
+  const element = await bookOverDark();
+  expect(await element.dogEar(4)).toBe(true);
+  expect(await element.dogEar(3)).toBe(true);
+  expect(element.dogEars.map(({ page }) => page)).toEqual([3]);
+});

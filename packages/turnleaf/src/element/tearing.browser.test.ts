@@ -1,8 +1,9 @@
 /** Leaves torn out by command and by hand: their pages leave the book, lie beside it, and are put back. */
 
-import { afterEach, expect, test } from "vitest";
+import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { book, happens, keepWhatIsDrawn, scans, settled } from "../for_tests/element_books.ts";
+import { TestClock } from "../for_tests/test_clock.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 
 keepWhatIsDrawn();
@@ -274,4 +275,34 @@ test("a double tap crumples a loose sheet", async () => {
   }
   await expect.poll(() => besideBook(element), { timeout: 20_000 }).toBeLessThan(0.5 * flat);
   expect([element.zoom, element.tornLeaves]).toEqual([1, 1]);
+});
+
+test("the leaf beside a board is not torn out in the board's place", async () => {
+  const element = await opened({ cover: "hard", page: "2" });
+  expect(element.page).toBe(2);
+  expect(await element.tearOut(2)).toBe(false);
+  expect([element.page, element.pageCount]).toEqual([2, 12]);
+});
+
+test("a leaf torn off while the one before it turns leaves the book open behind both", async () => {
+  const element = await opened({ page: "3", duration: "2000" });
+  const pages: number[] = [];
+  element.addEventListener("pagechange", ({ detail }) => pages.push(detail.to));
+  const clock = new TestClock();
+  void element.next();
+  // It is over the left page, and not yet down.
+  clock.frames(80);
+  const pointer = new TestPointer(element);
+  const { right, top } = element.bookBounds as DOMRect;
+  pointer.point("pointerdown", right - 6, top + 8);
+  for (let k = 1; element.tornLeaves === 0 && k <= 60; k++) {
+    pointer.point("pointermove", right - 6 + 8 * k, top + 8, { buttons: 1 });
+    clock.frames(1);
+  }
+  pointer.point("pointerup", 0, 0);
+  await clock.until(() => element.settled);
+  vi.restoreAllMocks();
+  // Pages 5 and 6 are out: beside 4 lies what was 7.
+  const { pageCount, spread } = element;
+  expect([pageCount, spread, pages]).toEqual([10, { left: 4, right: 5 }, [4]]);
 });

@@ -133,6 +133,7 @@ export class DrawnBook {
     if (!still && this.#hard) this.#placeBoards();
     const flapMoved = this.#followFlap(pose.flap ?? null);
     const sheets = pose.flap ? [...pose.leaves, pose.flap] : pose.leaves;
+    const hadLoose = this.#looseShown.length > 0;
     this.#placeLoose(pose.loose ?? []);
     this.#isDim =
       roughly &&
@@ -145,8 +146,10 @@ export class DrawnBook {
     if (!this.#hard) shadowOfLeaves(this.#ground, this.#shape, pose.leaves, left, right);
     else if (!still) shadowOfCase(this.#ground, this.#shape, this.#case, left, right);
     if (pose.above instanceof Object3D) this.group.add(pose.above);
-    if (flapMoved) shadowOfFlap(this.#ground, this.#shape, pose.flap ?? null);
     const loose = pose.loose?.at(-1);
+    if (flapMoved || (hadLoose && !loose)) {
+      shadowOfFlap(this.#ground, this.#shape, pose.flap ?? null);
+    }
     if (loose) shadowOfSheet(this.#ground, loose, this.#table);
     for (const page of Object.values(this.#materials.pages)) page.coverBy(loose ?? null);
     return caseMoved || flapMoved;
