@@ -1,6 +1,6 @@
 import { realpath, stat } from "node:fs/promises";
 import { basename, resolve } from "node:path";
-import { bookType, isArchiveType, rejectionOf, sniffLength } from "./file_types.ts";
+import { bookType, isArchiveType, isKindleType, rejectionOf, sniffLength } from "./file_types.ts";
 import { booksIn, imagePages, listFolder } from "./folder.ts";
 import { inspectPdf } from "./inspect_pdf.ts";
 import { fileProblem, Problem, printable } from "./problem.ts";
@@ -21,7 +21,7 @@ export interface ServedBook {
   readonly files: ReadonlyMap<string, ServedFile>;
 }
 
-/** Maximum of bytes of a PDF, an image, an archive and text: the bounds of the viewer. */
+/** Maximum of bytes of a PDF, an image, an archive or a Kindle book, and text: the bounds of the viewer. */
 const mostPdfBytes = 2_000_000_000;
 const mostImageBytes = 100_000_000;
 const mostArchiveBytes = 1_000_000_000;
@@ -49,6 +49,26 @@ export async function openBook(
 }
 
 /**
+ * Opens the images of a folder as one book, whatever books lie beside them.
+ *
+ * @throws Problem
+ */
+export async function openImages(
+  path: string,
+  warn: (sentence: string) => void,
+): Promise<ServedBook> {
+  const { real } = await findBook(path, path);
+  return await imageBook(real, (await listFolder(real, path, warn)).image);
+}
+
+/** A book by its name. */
+export interface BookName {
+  readonly path: string;
+  /** Whether the images of a folder are meant, and none of the books beside them. */
+  readonly isImages?: true;
+}
+
+/**
  * Returns the books that a name stands for: those of a folder that has several,
  * its images being one more; the name itself otherwise.
  *
@@ -58,16 +78,17 @@ export async function openBook(
 export async function booksAt(
   path: string,
   warn: (sentence: string) => void,
-): Promise<readonly string[]> {
+): Promise<readonly BookName[]> {
   const { real, isFolder } = await findBook(path, path);
-  if (!isFolder) return [path];
+  if (!isFolder) return [{ path }];
   const warnings: string[] = [];
   const content = await listFolder(real, path, (sentence) => warnings.push(sentence));
-  const books = booksIn(content);
+  const books: BookName[] = booksIn(content).map((book) => ({ path: book }));
+  if (content.image.length > 0) books.push({ path, isImages: true });
   // One book, or images: `openBook` warns.
-  if (books.length < 2) return [path];
+  if (books.length < 2) return [{ path }];
   for (const sentence of warnings) warn(sentence);
-  return content.image.length > 0 ? [...books, path] : books;
+  return books;
 }
 
 /** Finds a file or folder, without links. */
@@ -99,7 +120,7 @@ async function openFile(file: string, given: string): Promise<ServedBook> {
 
 function mostBytes(type: string): number {
   if (type === "application/pdf") return mostPdfBytes;
-  if (isArchiveType(type)) return mostArchiveBytes;
+  if (isArchiveType(type) || isKindleType(type)) return mostArchiveBytes;
   return type.startsWith("text/") ? mostTextBytes : mostImageBytes;
 }
 
@@ -132,9 +153,13 @@ async function openFolder(
           `${name} holds no pages; put images (PNG, JPEG, WebP, AVIF, GIF) or books into it.`,
         );
   }
+  return await imageBook(folder, content.image);
+}
+
+async function imageBook(folder: string, images: readonly string[]): Promise<ServedBook> {
   const name = basename(resolve(folder)) || "book";
   const files = new Map<string, ServedFile>();
-  const pages = await imagePages(content.image);
+  const pages = await imagePages(images);
   const listed = pages.map(({ file, type, size }, index) => {
     const page = `pages/${index + 1}/${encodeName(basename(file))}`;
     files.set(`/${page}`, { type, path: file });

@@ -22,6 +22,7 @@ const archives: readonly (readonly [string, string])[] = [
 
 /** A Kindle book: the type of its database, after its name, its dates and the like. */
 const [kindle, kindleAt] = ["BOOKMOBI", 60];
+const kindleType = "application/x-mobipocket-ebook";
 
 /** The root of a FictionBook, after what may stand before it. */
 const fictionBook =
@@ -53,6 +54,11 @@ export function isArchiveType(type: string): boolean {
   return archives.some(([one]) => one === type);
 }
 
+/** Returns whether a media type is of Kindle books. */
+export function isKindleType(type: string): boolean {
+  return type === kindleType;
+}
+
 /**
  * Returns the media type of a book by its first bytes (latin-1), of text by its
  * name too; undefined if it cannot be served. What an archive holds is the
@@ -64,7 +70,7 @@ export function bookType(start: string, name: string): string | undefined {
   if (archive) return archive[0];
   const image = imageType(start);
   if (image !== undefined) return image;
-  if (start.startsWith(kindle, kindleAt)) return "application/x-mobipocket-ebook";
+  if (start.startsWith(kindle, kindleAt)) return kindleType;
   if (isFictionBook(start)) return "application/x-fictionbook+xml";
   if (!isText(start, name)) return undefined;
   // Markdown may begin as a web page or JSON does.

@@ -60,6 +60,14 @@ onUnix("read", () => {
     expect(ended.stderr).toMatch(sentence);
   });
 
+  it("reads a Kindle book as large as an archive", async () => {
+    const folder = folderOf({ "a.mobi": `${"a".padEnd(60, "\0")}BOOKMOBI` });
+    truncateSync(join(folder.path, "a.mobi"), 200_000_000);
+    const { src } = await openBook(join(folder.path, "a.mobi"), () => {});
+    expect(src).toBe("/book/a.mobi");
+    folder.remove();
+  });
+
   it("leaves pipes and devices out of a folder", async () => {
     const book = await openBook(folder.path, () => {}).catch((error: Error) => error.message);
     // The one PDF of the folder is the book, and it is too large; nothing waits for a pipe.

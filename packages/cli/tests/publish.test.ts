@@ -1,9 +1,22 @@
 /** Runs of `turnleaf publish`: with faults, in shards, after a kill, of many books. */
 
-import { cpSync, existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import {
+  chmodSync,
+  cpSync,
+  existsSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
 import { join } from "node:path";
 import type { TurnleafBook } from "turnleaf";
 import { expect, test } from "vitest";
+import { findChromium } from "../../../scripts/chromium.mjs";
+import { parseCommand } from "../src/arguments.ts";
+import { Problem } from "../src/problem.ts";
+import { publish as publishHere } from "../src/publish/publish.ts";
+import type { PublishCommand } from "../src/publish/publish_arguments.ts";
 import { pdfOf, png, protectedPdf, textPdf } from "./books.ts";
 import {
   bookCount,
@@ -64,21 +77,88 @@ test("a broken book is reported and the others are published", { timeout: patien
   );
 });
 
-test("a page that takes too long is given up, and the next is drawn", {
-  timeout: patience,
+test("a book that fails stays as it was published before, in a site and in a merge", {
+  timeout: 2 * patience,
+}, async () => {
+  const path = folder({ "a.pdf": textPdf({ title: "A", pages: [["first"]] }) });
+  const [book, shard, site, merged] = ["a.pdf", "shard", "site", "merged"].map((name) =>
+    join(path, name),
+  ) as [string, string, string, string];
+  const asShard = [book, "--out", shard, "--shard", "1/1", ...small];
+  expect((await publish([book, "--out", site, ...small])).status).toBe(0);
+  expect((await publish(asShard)).status).toBe(0);
+  expect((await publish(["--merge", shard, "--out", merged])).status).toBe(0);
+  const before = filesOf(join(site, "books"));
+  rmSync(book);
+  rmSync(join(shard, "books/a"), { recursive: true });
+  const again = await publish([book, "--out", site, ...small]);
+  expect([again.status, again.stderr]).toEqual([
+    1,
+    expect.stringMatching(/a\.pdf was not found.*\n1 failure; the rest was published\.\n$/s),
+  ]);
+  expect((await publish(asShard)).status).toBe(1);
+  expect((await publish(["--merge", shard, "--out", merged])).status).toBe(1);
+  for (const out of [site, merged]) {
+    expect(filesOf(join(out, "books"))).toEqual(before);
+    expect(readFileSync(join(out, "index.html"), "utf8")).toContain("books/a/");
+    const { failures } = JSON.parse(readFileSync(join(out, "report.json"), "utf8"));
+    expect(failures).toEqual([expect.objectContaining({ id: "a" })]);
+  }
+});
+
+test("stopped in a merge, or unable to write, it says so in a sentence", async () => {
+  const path = folder({
+    "shard/shard.json": '{"number": 1, "count": 1, "ids": ["a"], "failures": []}',
+    "site/report.json/in the way": "",
+  });
+  const [shard, site] = ["shard", "site"].map((name) => join(path, name)) as [string, string];
+  const merging = parseCommand(["publish", "--merge", shard, "--out", site]) as PublishCommand;
+  await expect(publishHere(merging, AbortSignal.abort())).rejects.toThrow(
+    new Problem("Stopped; the same command goes on from here."),
+  );
+  const { status, stderr } = await publish(["--merge", shard, "--out", site]);
+  expect([status, stderr]).toEqual([1, expect.stringMatching(/^\S+site could not be written/)]);
+  expect(stderr.trim().split("\n")).toHaveLength(1);
+});
+
+test("stopped while a second browser starts, it leaves none", { timeout: patience }, async () => {
+  const path = folder({
+    chromium: `#!/bin/sh
+mkdir "$0.first" 2>/dev/null || { echo $$ > "$0.pid"; sleep 3; }
+exec "${findChromium()}" "$@"
+`,
+  });
+  const program = join(path, "chromium");
+  chmodSync(program, 0o755);
+  const args = [...manyBooks(2), "--out", join(path, "site"), "--chromium", program, ...small];
+  const { status, stderr } = await publish(args, (child) => {
+    const look = setInterval(() => {
+      if (!existsSync(`${program}.pid`)) return;
+      clearInterval(look);
+      child.kill("SIGINT");
+    }, 5);
+    child.on("close", () => clearInterval(look));
+  });
+  expect([status, stderr]).toEqual([1, "Stopped; the same command goes on from here.\n"]);
+  const id = Number(readFileSync(`${program}.pid`, "utf8"));
+  expect(() => process.kill(id, 0)).toThrow("ESRCH");
+});
+
+test("a page that takes too long is given up, and the next is drawn; the next run draws the book again", {
+  timeout: 2 * patience,
 }, async () => {
   // A picture that is a web page's whole day of work: nested forms, each of which draws the next ten times.
   const slow = slowPdf();
   const path = folder({ "slow.pdf": slow });
   const site = join(path, "site");
-  const { status, stderr } = await publish([
-    ...[join(path, "slow.pdf"), "--out", site, "--page-seconds", "5", ...small],
-  ]);
+  const args = [join(path, "slow.pdf"), "--out", site, "--page-seconds", "5", ...small];
+  const { status, stderr } = await publish(args);
   expect(stderr).toContain("Page 1 took longer than 5 s and was given up.");
   expect(status).toBe(1);
   const { failures } = JSON.parse(readFileSync(join(site, "report.json"), "utf8"));
   expect(failures).toEqual([expect.objectContaining({ id: "slow", page: 1 })]);
   expect(existsSync(join(site, "books/slow/iiif/2/full/max/0/default.jpg"))).toBe(true);
+  expect((await publish(args)).stdout).toContain("1 book, 1 drawn, 0 unchanged");
 });
 
 test(`${bookCount} books in two shards are the same bytes as in one run`, {

@@ -188,6 +188,15 @@ export class TurnleafBook extends ReaderElement {
     return this.#viewer?.ready ?? false;
   }
 
+  /**
+   * Whether a book is being read, or about to be shown.
+   *
+   * @internal
+   */
+  get isOpening(): boolean {
+    return this.#life.isOpening;
+  }
+
   /** The open pages, by the side they are seen on: left, or above the spine; right, or below it. */
   get spread(): { left: number | null; right: number | null } {
     const viewer = this.#viewer;

@@ -1,4 +1,4 @@
-import { afterEach, expect, test } from "vitest";
+import { afterEach, expect, test, vi } from "vitest";
 import "./index.ts";
 import { userEvent } from "vitest/browser";
 import type { TurnleafBook } from "./element.ts";
@@ -162,6 +162,58 @@ test("pages that are added, removed and moved are followed", async () => {
   const fewer = happens<{ pageCount: number }>(element, "pageschange");
   more.remove();
   expect((await fewer).pageCount).toBe(5);
+});
+
+test("a page that is taken away is followed no longer, and once when it comes back", async () => {
+  const [page, other] = sections("<p>Here</p>", "<p>There</p>");
+  const parent = document.createElement("section");
+  parent.append(page, other);
+  document.body.append(parent);
+  const listening = vi.spyOn(page, "addEventListener");
+  const source = new HtmlPages([page, other], parent);
+  const changes: (() => unknown)[] = [];
+  source.watchPages((change) => changes.push(change));
+  const follow = async (): Promise<void> => {
+    await expect.poll(() => changes.length).toBe(1);
+    changes.pop()?.();
+  };
+  const open = (): number =>
+    listening.mock.calls.filter(
+      ([, , options]) => !(options as AddEventListenerOptions).signal?.aborted,
+    ).length;
+  source.close();
+  expect(open()).toBe(0);
+  const again = new HtmlPages([page, other], parent);
+  again.watchPages((change) => changes.push(change));
+  const once = open();
+  page.remove();
+  await follow();
+  expect(open()).toBe(0);
+  parent.append(page);
+  await follow();
+  expect(open()).toBe(once);
+  again.close();
+});
+
+test("a picture that is given up while it is drawn is closed", async () => {
+  const [page] = sections("<p>Quiet</p>");
+  document.body.append(page);
+  const source = new HtmlPages([page]);
+  const giving = new AbortController();
+  const bitmaps: ImageBitmap[] = [];
+  const { transferToImageBitmap } = OffscreenCanvas.prototype;
+  vi.spyOn(OffscreenCanvas.prototype, "transferToImageBitmap").mockImplementation(function (
+    this: OffscreenCanvas,
+  ) {
+    giving.abort();
+    const bitmap = transferToImageBitmap.call(this);
+    bitmaps.push(bitmap);
+    return bitmap;
+  });
+  await expect(source.draw(0, 100, giving.signal)).rejects.toThrow();
+  expect(bitmaps.map(({ width }) => width)).toEqual([0]);
+  vi.restoreAllMocks();
+  source.close();
 });
 
 test("a page whose content changes is drawn again", async () => {

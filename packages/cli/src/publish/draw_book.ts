@@ -41,31 +41,33 @@ export interface BookTask {
 }
 
 /**
- * Draws a book into a new folder.
+ * Draws a book into a new folder. Returns the indices of the pages that were
+ * given up for their time.
  *
  * @throws Problem if it cannot be opened, or takes too long
  */
-export async function drawBook(folder: string, task: BookTask): Promise<void> {
-  const { book, name, drawer, options } = task;
-  const opened = await drawer.open(book, name);
+export async function drawBook(folder: string, task: BookTask): Promise<number[]> {
+  const { book, name, drawer, options, until } = task;
+  const opened = await drawer.open(book, name, until);
   const original = options.keepFile ? singleFile(book) : null;
   if (original) await copyFile(original.path, await fileIn(folder, original.name));
   const pages: SitePage[] = [];
   const terms = new Map<string, number[]>();
   let part: SiteText[] = [];
   let hasText = false;
-  let late = 0;
+  const late: number[] = [];
   for (let index = 0; index < opened.pageCount; index++) {
     task.signal.throwIfAborted();
-    if (Date.now() > task.until) throw new Problem(`${name} took too long and was given up.`);
+    if (Date.now() > until) throw new Problem(`${name} took too long and was given up.`);
     const pictures = original === null || index === 0;
     let page: DrawnPage;
     try {
       page = await drawer.draw(index, { ...options, pictures });
     } catch (error) {
-      if (!(error instanceof TookTooLong) || ++late > mostLatePages) throw error;
+      if (!(error instanceof TookTooLong) || late.length === mostLatePages) throw error;
+      late.push(index);
       page = failedPage(index, error.message);
-      await drawer.open(book, name);
+      await drawer.open(book, name, until);
     }
     pages.push(await savePage(folder, index, page, options.format));
     const text = paragraphsOf(page.runs);
@@ -89,6 +91,7 @@ export async function drawBook(folder: string, task: BookTask): Promise<void> {
     ...{ format: options.format, file: original?.name ?? null, hasText, pages },
   };
   await writeJson(folder, "book.json", about);
+  return late;
 }
 
 /**

@@ -1,7 +1,7 @@
 /** Shards of a site, published on several machines, merged into one. */
 
 import { constants } from "node:fs";
-import { copyFile, mkdir, readdir, rm } from "node:fs/promises";
+import { copyFile, mkdir, readdir } from "node:fs/promises";
 import { join } from "node:path";
 import { Problem, printable } from "../problem.ts";
 import { makeFolder } from "./draw_book.ts";
@@ -56,11 +56,11 @@ export async function mergeShards(
   return { ids, failures: shards.flatMap(({ note }) => note.failures) };
 }
 
-/** Copies a book that is not there yet as it is in the shard. One that failed is removed. */
+/** Copies a book that is not there yet as it is in the shard. One that failed there stays as it was merged before. */
 async function takeBook(from: string, out: string, id: string): Promise<void> {
   const record = await readRecord(from);
+  if (!record) return;
   const folder = join(out, "books", id);
-  if (!record) return await rm(folder, { recursive: true, force: true });
   const there = await readRecord(folder);
   if (there?.drawn === record.drawn && there.written === record.written) return;
   await makeFolder(folder, join(out, `.part-${id}`), (part) => copyAll(from, part));

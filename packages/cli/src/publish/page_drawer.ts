@@ -27,11 +27,12 @@ export class TookTooLong extends Problem {}
 /** One browser, which has one book open at a time. */
 export class PageDrawer {
   readonly #chromium: string;
-  /** Milliseconds that opening a book or drawing a page may take. */
+  /** Milliseconds that drawing a page may take. */
   readonly #patience: number;
   #page: ChromiumPage | null = null;
   #serving: Serving | null = null;
   #count = 0;
+  #isClosed = false;
 
   constructor(chromium: string, patience: number) {
     this.#chromium = chromium;
@@ -41,15 +42,21 @@ export class PageDrawer {
   /**
    * Opens a book.
    *
+   * @param until wall-clock time at which it is given up: of text, all has to be laid out
    * @throws Problem if it cannot be opened
    */
-  async open(book: ServedBook, name: string): Promise<OpenedBook> {
+  async open(book: ServedBook, name: string, until: number): Promise<OpenedBook> {
     await this.#closeBook();
     const app = await appFiles("publish/draw.html").catch(() => new Map<string, ServedFile>());
     if (!app.has("/")) throw new Problem("The reader is not built; run: npm run build");
     // The page's own address has no name that a book may have.
     this.#serving = await serve(new Map([...book.files, ...app]), 0);
     this.#page ??= await ChromiumPage.start(this.#chromium, 800, 600, flags);
+    if (this.#isClosed) {
+      // Closed while it started.
+      await this.#end();
+      throw new Problem("The browser has ended.");
+    }
     const token = ++this.#count;
     const { url } = this.#serving;
     await this.#within(startingTime, "The browser", async (page) => {
@@ -60,7 +67,7 @@ export class PageDrawer {
       })`);
     });
     const config = JSON.stringify({ src: book.src, name });
-    const opened = await this.#within(this.#patience, name, (page) =>
+    const opened = await this.#within(Math.max(until - Date.now(), 0), name, (page) =>
       page.evaluate<OpenedBook | { readonly failed: string }>(`drawing.open(${config})`),
     );
     if ("failed" in opened) throw new Problem(opened.failed);
@@ -78,8 +85,14 @@ export class PageDrawer {
     );
   }
 
-  /** Ends the browser. Whatever is under way rejects. */
+  /** Ends the browser for good. Whatever is under way rejects. */
   async close(): Promise<void> {
+    this.#isClosed = true;
+    await this.#end();
+  }
+
+  /** Ends the browser; the next book gets another. */
+  async #end(): Promise<void> {
     const page = this.#page;
     this.#page = null;
     await page?.close();
@@ -112,7 +125,7 @@ export class PageDrawer {
     } catch (error) {
       working.catch(() => {});
       // One that hangs or has crashed is of no further use.
-      if (error instanceof TookTooLong || page.isGone) await this.close();
+      if (error instanceof TookTooLong || page.isGone) await this.#end();
       throw error;
     } finally {
       clearTimeout(timer);

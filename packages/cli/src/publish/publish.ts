@@ -22,14 +22,22 @@ import { type Failure, shardNoteName, writeSite } from "./write_site.ts";
  * Publishes books as a web site. A book that fails is reported, and the others
  * are published all the same.
  *
- * @throws Problem if anything failed
+ * @throws Problem if anything failed, or the signal aborts
  */
 export async function publish(command: PublishCommand, signal: AbortSignal): Promise<void> {
+  try {
+    await publishBooks(command, signal);
+  } catch (error) {
+    if (signal.aborted) throw new Problem("Stopped; the same command goes on from here.");
+    const isOfFileSystem = error instanceof Error && "syscall" in error;
+    throw isOfFileSystem ? fileProblem(command.out, error, "written") : error;
+  }
+}
+
+async function publishBooks(command: PublishCommand, signal: AbortSignal): Promise<void> {
   const { out, site } = command;
   const assets = await readAssets();
-  await mkdir(out, { recursive: true }).catch((error: unknown) => {
-    throw fileProblem(out, error);
-  });
+  await mkdir(out, { recursive: true });
   if (command.merge) {
     const { ids, failures } = await mergeShards(command.paths, out, signal);
     const count = await writeSite(out, { site, assets, ids, failures });
@@ -109,7 +117,8 @@ class Publishing {
     };
     this.#signal.addEventListener("abort", stop, { once: true });
     try {
-      await Promise.all(drawers.map((drawer) => this.#work(drawer)));
+      const ends = await Promise.allSettled(drawers.map((drawer) => this.#work(drawer)));
+      for (const end of ends) if (end.status === "rejected") throw end.reason;
     } finally {
       this.#signal.removeEventListener("abort", stop);
       this.#progress.clear();
@@ -126,8 +135,8 @@ class Publishing {
       try {
         this.#failures[index] = await this.#publish(index, listed, drawer);
       } catch (error) {
-        if (this.#signal.aborted) throw new Problem("Stopped; the same command goes on from here.");
-        await rm(this.#folder(listed), { recursive: true, force: true });
+        if (this.#signal.aborted) throw error;
+        // What was published of it before stays: its file may be out of reach for this run alone.
         const { id, given } = listed;
         this.#failures[index] = [{ id, book: printable(given), message: sentenceOf(error) }];
       }
@@ -160,7 +169,7 @@ class Publishing {
     let record = await readRecord(folder);
     if (record?.drawn !== drawn) {
       await makeFolder(folder, join(out, `.part-${listed.id}`), async (part) => {
-        await drawBook(part, {
+        const late = await drawBook(part, {
           ...{ book, name: printable(name), drawer, options, signal: this.#signal },
           until: Date.now() + 60_000 * bookMinutes,
           progress: (fraction) => {
@@ -168,7 +177,9 @@ class Publishing {
             this.#show(listed);
           },
         });
-        record = await this.#write(part, listed, drawn, written);
+        // With pages given up for their time it is not the book that was asked for: the next run draws it again.
+        const asDrawn = late.length > 0 ? hashOf(drawn, late) : drawn;
+        record = await this.#write(part, listed, asDrawn, written);
       });
       this.done.drawn++;
     } else {

@@ -3,7 +3,7 @@
 import { mkdir, mkdtemp, open, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { booksAt, openBook, type ServedBook } from "../book.ts";
+import { type BookName, booksAt, openBook, openImages, type ServedBook } from "../book.ts";
 import { isJson, sniffLength } from "../file_types.ts";
 import { fileProblem, Problem, printable } from "../problem.ts";
 import { Progress } from "../progress.ts";
@@ -52,7 +52,7 @@ export class NamedBooks {
     const work = async (): Promise<void> => {
       while (next < all.length) {
         const index = next++;
-        const name = all[index] as string | Problem;
+        const name = all[index] as BookName | Problem;
         found[index] = name instanceof Problem ? name : await this.#open(name).catch(asProblem);
       }
     };
@@ -71,10 +71,10 @@ export class NamedBooks {
   }
 
   /** Returns the names with those of a folder's books in its place, and what is wrong with others. */
-  async #expand(names: readonly string[]): Promise<readonly (string | Problem)[]> {
-    const all: (string | Problem)[] = [];
+  async #expand(names: readonly string[]): Promise<readonly (BookName | Problem)[]> {
+    const all: (BookName | Problem)[] = [];
     for (const name of names) {
-      if (isAddress(name)) all.push(name);
+      if (isAddress(name)) all.push({ path: name });
       else {
         const warn = (sentence: string): void => this.#warn(sentence);
         const books = await booksAt(name, warn).catch(asProblem);
@@ -85,9 +85,10 @@ export class NamedBooks {
     return all;
   }
 
-  async #open(name: string): Promise<readonly NamedBook[]> {
-    if (isAddress(name)) return await this.#fetch(name);
-    const book = await openBook(name, (sentence) => this.#warn(sentence));
+  async #open({ path, isImages }: BookName): Promise<readonly NamedBook[]> {
+    if (isAddress(path)) return await this.#fetch(path);
+    const open = isImages ? openImages : openBook;
+    const book = await open(path, (sentence) => this.#warn(sentence));
     return [{ ...book, isOnline: false }];
   }
 

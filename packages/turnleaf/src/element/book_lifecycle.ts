@@ -111,6 +111,11 @@ export class BookLifecycle {
     return this.#showing === null && !this.isReading;
   }
 
+  /** Whether a book is being read, or about to be shown. */
+  get isOpening(): boolean {
+    return this.isReading || (this.#showing !== null && this.#book === null);
+  }
+
   /** Whether a book is being read that is to replace the open one, if there is one. */
   get isReading(): boolean {
     return this.#reading !== null;

@@ -224,6 +224,29 @@ test("images as pages, and others in their place", async () => {
   });
 });
 
+test("pages that cannot be loaded leave the book as it was; no pages clear it", async () => {
+  const { book, host } = make(PageFlip, { startPage: 2 });
+  const opens = new Promise((resolve) => book.on("init", resolve));
+  const pages = htmlPages(6);
+  book.loadFromHTML(pages);
+  await opens;
+  const style = pages[2]?.getAttribute("style");
+  const fails = new Promise((resolve) => book.getBook()?.addEventListener("error", resolve));
+  book.updateFromImages(["none.png"]);
+  book.flipNext();
+  await fails;
+  expect([book.getPageCount(), book.getCurrentPageIndex()]).toEqual([6, 2]);
+  expect(pages[2]?.getAttribute("style")).toBe(style);
+  const element = book.getBook();
+  expect([element?.pageCount, element?.page]).toEqual([6, 3]);
+  book.turnToPage(4);
+  await expect.poll(() => element?.page, patient).toBe(5);
+  book.updateFromHtml([]);
+  expect([book.getPageCount(), book.getCurrentPageIndex()]).toEqual([0, 0]);
+  await expect.poll(() => element?.ready, patient).toBe(false);
+  expect([...host.querySelectorAll(":scope > .page")]).toEqual(pages);
+});
+
 test("a host that gets narrower shows one page", async () => {
   await compare(async (made) => {
     const { book, log, around } = await opened(made, { startPage: 3 });

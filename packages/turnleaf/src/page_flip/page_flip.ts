@@ -41,6 +41,17 @@ const dragStart = 5;
 /** page-flip's fraction of a page's diagonal that counts as a corner. */
 const cornerFraction = 1 / 5;
 
+/** Pages of an open book. */
+interface ShownPages {
+  readonly count: number;
+  readonly index: number;
+  /** The elements that are its pages; none of images. */
+  readonly items: HTMLElement[];
+  readonly hardPages: TurnleafBook["hardPages"];
+}
+
+const noPages: ShownPages = { count: 0, index: 0, items: [], hardPages: "" };
+
 /** A book with the interface of page-flip: its pages are images, or elements of the web page. */
 export class PageFlip {
   readonly #host: HTMLElement;
@@ -53,6 +64,9 @@ export class PageFlip {
   #itemStyles: (string | null)[] = [];
   #count = 0;
   #index = 0;
+  /** The pages that are shown while others are loaded, and after these could not be. */
+  #shown: ShownPages | null = null;
+  #loading = new AbortController();
   #state: FlippingState = "read";
   #isOpen = false;
   /** The commands that came before the book was open. */
@@ -101,8 +115,12 @@ export class PageFlip {
 
   /** Removes the pages; elements go back to the host. */
   clear(): void {
+    this.#loading.abort();
     this.#isOpen = false;
+    this.#shown = null;
+    this.#waiting = [];
     this.#count = 0;
+    this.#index = 0;
     // First, as elements in the book are its pages if it has no others.
     this.#giveBack(this.#host);
     if (this.#book) this.#book.pages = null;
@@ -116,7 +134,9 @@ export class PageFlip {
   /** Removes the book and its listeners. The host stays, as it was, with the elements in it. */
   destroy(): void {
     this.#ended.abort();
+    this.#loading.abort();
     this.#isOpen = false;
+    this.#shown = null;
     this.#waiting = [];
     const book = this.#book;
     this.#book = null;
@@ -237,36 +257,72 @@ export class PageFlip {
 
   #load(pages: BookInput, count: number, items: HTMLElement[], event: "init" | "update"): void {
     const book = this.#book ?? this.#open();
+    if (count === 0) {
+      this.clear();
+      return;
+    }
+    this.#loading.abort();
+    this.#loading = new AbortController();
+    const { signal } = this.#loading;
+    if (this.#isOpen) {
+      this.#shown = {
+        count: this.#count,
+        index: this.#index,
+        items: this.#items,
+        hardPages: book.hardPages,
+      };
+    }
     this.#isOpen = false;
     this.#waiting = [];
     this.#giveBack(null);
     this.#count = count;
-    this.#items = items;
-    this.#itemStyles = items.map((item) => item.getAttribute("style"));
+    this.#take(items);
     const asked = event === "init" ? this.#settings.startPage : this.#index;
     const isHard = Array.from({ length: count }, (_, k) => items[k]?.dataset.density === "hard");
     book.hardPages = hardPages(isHard, this.#settings.showCover);
     this.#fit();
     this.#index = 0;
-    book.setAttribute("page", String(this.#hasPage(asked) ? asked + 1 : 1));
-    if (count === 0) return;
+    const failed = (): void => {
+      // An error may be about a part of the book that it can be read without.
+      if (!book.isOpening) this.#fail(book);
+    };
+    book.addEventListener("error", failed, { signal });
     book.addEventListener(
       "load",
       () => {
+        this.#loading.abort();
+        this.#shown = null;
         this.#isOpen = true;
         this.#place?.measure();
         for (const command of this.#waiting.splice(0)) command(book);
         const page = event === "init" ? asked : this.#index;
         this.#emit(event, { page, mode: this.getOrientation() });
       },
-      { once: true, signal: this.#ended.signal },
+      { signal },
     );
     book.pages = pages;
+    // After the pages: it is one of theirs, and not of those that are shown meanwhile.
+    book.setAttribute("page", String(this.#hasPage(asked) ? asked + 1 : 1));
     if (this.#hasPage(asked)) {
       const spreads = this.#spreads;
       this.#index = spreads[spreadWith(spreads, asked)]?.[0] ?? asked;
       this.#emit("flip", this.#index);
     }
+  }
+
+  /** Goes on with the pages from before, if the element still shows them, as others could not be loaded. */
+  #fail(book: TurnleafBook): void {
+    this.#loading.abort();
+    this.#waiting = [];
+    this.#isOpen = this.#shown !== null && book.pageCount > 0;
+    this.#giveBack(this.#isOpen ? null : this.#host);
+    const { count, index, items, hardPages } = (this.#isOpen && this.#shown) || noPages;
+    this.#shown = null;
+    this.#count = count;
+    this.#index = index;
+    this.#take(items);
+    book.hardPages = hardPages;
+    this.#fit();
   }
 
   /** Makes the element, and puts it into the host. */
@@ -369,6 +425,12 @@ export class PageFlip {
     if (words[state] === this.#state) return;
     this.#state = words[state];
     this.#emit("changeState", this.#state);
+  }
+
+  /** Keeps elements that become pages. */
+  #take(items: HTMLElement[]): void {
+    this.#items = items;
+    this.#itemStyles = items.map((item) => item.getAttribute("style"));
   }
 
   /** Makes elements that are pages no longer look as they did; puts them into the host if there is one. */

@@ -70,9 +70,11 @@ const eventOf = {
   onUpdate: "update",
 } as const;
 
-/** Returns the options among the properties. */
+/** Returns the options among the properties, without the first page: that may follow the page that is open. */
 function settingsIn(props: HTMLFlipBookProps): Partial<FlipSetting> {
-  const others = new Set(["className", "style", "children", "renderOnlyPageLengthChange"]);
+  const others = new Set([
+    ...["className", "style", "children", "renderOnlyPageLengthChange", "startPage"],
+  ]);
   const settings = Object.entries(props).filter(
     ([name]) => !others.has(name) && !Object.hasOwn(eventOf, name),
   );
@@ -115,7 +117,7 @@ function FlipBook(props: HTMLFlipBookProps, ref: ForwardedRef<HTMLFlipBookRef>):
     const options: Partial<FlipSetting> = JSON.parse(settings);
     const flip = new PageFlip(host.current, {
       ...options,
-      startPage: place.current ?? options.startPage ?? 0,
+      startPage: place.current ?? latest.current.startPage ?? 0,
     });
     for (const [property, event] of Object.entries(eventOf)) {
       flip.on(event, (said) => {

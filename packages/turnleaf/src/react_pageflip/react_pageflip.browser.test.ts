@@ -109,6 +109,21 @@ test("pages change in place, come and go, and the book stays where it is", async
   expect(faults).not.toHaveBeenCalled();
 });
 
+test("a first page that follows the open one makes no other book", async () => {
+  const ref = createRef<HTMLFlipBookRef>();
+  let times = 0;
+  const props = { ref, onInit: () => times++ };
+  show(flipBook({ ...props, startPage: 2 }, six));
+  await expect.poll(() => times, patient).toBe(1);
+  const book = ref.current?.pageFlip();
+  expect(book?.getCurrentPageIndex()).toBe(2);
+  show(flipBook({ ...props, startPage: 4, className: "later" }, six));
+  await expect.poll(() => document.querySelector(".later"), patient).not.toBeNull();
+  // Effects come after what is rendered.
+  await new Promise((done) => setTimeout(done, 200));
+  expect(ref.current?.pageFlip()).toBe(book);
+});
+
 test("other options make another book, at the same page", async () => {
   const ref = createRef<HTMLFlipBookRef>();
   let times = 0;

@@ -46,7 +46,8 @@ export async function openComic(archive: Archive, file: Blob, name: string): Pro
     }
     const info = await readInfo(archive);
     const scans = await measureAll(archive, files, info);
-    const pages = scans.flatMap((scan) => pagesOf(scan, info.direction, usualRatio(scans)));
+    const ratio = usualRatio(scans);
+    const pages = scans.flatMap((scan) => pagesOf(scan, info.direction, ratio));
     if (pages.length === 0) throw new BookError(`${name} marks all its pages as deleted.`);
     return new ImageSource({
       name,

@@ -252,6 +252,21 @@ describe("its files", () => {
 });
 
 describe("the package", () => {
+  test("has what is beside the way of reading last, unless it comes before all of it", async () => {
+    const source = await laidOut({
+      chapters: ["<p>One.</p>", "<p>Two.</p>"],
+      raw: {
+        "OEBPS/package.opf": `<package xmlns="http://www.idpf.org/2007/opf" version="3.0"><metadata/><manifest>${["cover", "note", "c1", "c2"].map((id) => `<item id="${id}" href="${id}.xhtml" media-type="application/xhtml+xml"/>`).join("")}</manifest><spine><itemref idref="cover" linear="no"/><itemref idref="c1"/><itemref idref="note" linear="no"/><itemref idref="c2"/></spine></package>`,
+        "OEBPS/cover.xhtml":
+          '<html xmlns="http://www.w3.org/1999/xhtml"><body><p>Cover.</p></body></html>',
+        "OEBPS/note.xhtml":
+          '<html xmlns="http://www.w3.org/1999/xhtml"><body><p>Note.</p></body></html>',
+      },
+    });
+    const texts = await Promise.all([0, 1, 2, 3].map((index) => textOf(source, index)));
+    expect(texts.map((text) => text.trim())).toEqual(["Cover.", "One.", "Two.", "Note."]);
+  });
+
   test("names its authors in order, and the directions of them and of its title", async () => {
     const source = await open({
       chapters: ["<p>One.</p>"],

@@ -113,10 +113,16 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
       const side = isRoll ? undefined : sideOf(has, isFixed);
       return [{ ...item, isFixed, isAside: linear === "no", side, flow }];
     });
-  // What is beside the way of reading comes last.
+  // What is beside the way of reading comes last; but a cover before all of it is the first page.
+  const start = Math.max(
+    chapters.findIndex((one) => !one.isAside),
+    0,
+  );
+  const rest = chapters.slice(start);
   const ordered = [
-    ...chapters.filter((one) => !one.isAside),
-    ...chapters.filter((one) => one.isAside),
+    ...chapters.slice(0, start),
+    ...rest.filter((one) => !one.isAside),
+    ...rest.filter((one) => one.isAside),
   ];
   if (ordered.length === 0) throw new BookError(`${name} has no chapters; get it again.`);
   const rolls = rollsOf(ordered);

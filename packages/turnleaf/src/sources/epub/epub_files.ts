@@ -3,7 +3,7 @@ import { dataUrl } from "../data_url.ts";
 import { fontType } from "../font_type.ts";
 import { claimedSize } from "../image_header.ts";
 import { limits } from "../limits.ts";
-import { cleanCss } from "../markup/clean_css.ts";
+import { cleanCss, joinSheets } from "../markup/clean_css.ts";
 import type { MarkupFiles } from "../markup/clean_markup.ts";
 import { checkedData } from "../markup/data_address.ts";
 import { imageType, sniffLength } from "../sniff.ts";
@@ -116,13 +116,19 @@ export class EpubFiles {
     return this.#keep(`${path} ${depth}`, async () => {
       if (depth === 0) return "";
       const css = await this.text(path).catch(() => "");
-      const imported: string[] = [];
+      const targets = new Set<string>();
       for (const [, double, single, bare] of css.matchAll(importRule)) {
         const target = this.resolve(double ?? single ?? bare ?? "", path);
-        if (target !== null) imported.push((await this.#style(target, depth - 1)) ?? "");
+        if (target === null) continue;
+        // Of several imports of one sheet the last one counts.
+        targets.delete(target);
+        targets.add(target);
       }
       const files = this.about(path);
-      return [...imported, await cleanCss(css, (address) => files.data(address))].join("\n");
+      return await joinSheets([
+        ...[...targets].map((target) => async () => (await this.#style(target, depth - 1)) ?? ""),
+        () => cleanCss(css, (address) => files.data(address)),
+      ]);
     });
   }
 

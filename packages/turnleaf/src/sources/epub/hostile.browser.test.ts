@@ -169,6 +169,59 @@ test("a style sheet of thousands of imports, none of which ends, is read", async
   }
 });
 
+test("style sheets that import each other many times, and links to large ones, come to an end", async () => {
+  const style = vi.spyOn(CSSStyleSheet.prototype, "replaceSync");
+  const longest = (): number => Math.max(...style.mock.calls.map(([css]) => css.length));
+  const times = (name: string, count: number): string => `@import "${name}";\n`.repeat(count);
+  const files = {
+    "b.css": times("c.css", 1) + times("d.css", 600),
+    "c.css": times("d.css", 600) + times("e.css", 600),
+    "d.css": "p { color: red; }\n".repeat(50),
+    "e.css": "p { color: blue; }\n".repeat(50),
+  };
+  await readAll({ chapters: ["Here."], css: times("b.css", 600), files });
+  expect(longest()).toBeLessThan(100_000);
+  style.mockClear();
+  const large = `p::before { content: "${"x".repeat(1_000_000)}" }`;
+  const links = Array.from({ length: 30 }, (_, k) => `<link rel="stylesheet" href="l.css?${k}"/>`);
+  const chapter = `<html xmlns="http://www.w3.org/1999/xhtml"><head>${links.join("")}</head><body>Here.</body></html>`;
+  expect(await readAll({ chapters: [chapter], files: { "l.css": large } })).toContain("Here.");
+  expect(longest()).toBeLessThan(limits.markupBytes + 100);
+});
+
+test.each([
+  ["screen", "9px"],
+  ["screen, &quot;", "9px"],
+  ["(foo &quot;", "0px"],
+  ["screen, (x: '", "0px"],
+  ["all { p { color: red } } @media all", "0px"],
+])("the media %s of a link to a style sheet do not reach into the sheet", async (media, margin) => {
+  const link = `<link rel="stylesheet" href="quoted.css" media="${media}"/>`;
+  const source = await openSource(
+    tinyEpub({
+      chapters: [
+        `<html xmlns="http://www.w3.org/1999/xhtml"><head>${link}</head><body><p>Here.</p></body></html>`,
+      ],
+      files: {
+        "quoted.css": `p { margin-left: 9px } i::before { content: "{ p { color: red } }" } i::after { content: "' { p { color: red } }" }`,
+      },
+    }),
+  );
+  await source.draw(0, 50, never);
+  const paragraph = document.querySelector("iframe")?.contentDocument?.querySelector("p");
+  const { color, marginLeft } = getComputedStyle(paragraph as Element);
+  expect([color === "rgb(255, 0, 0)", marginLeft]).toEqual([false, margin]);
+  source.close();
+});
+
+test("millions of spaces between two words are passed over in few steps", async () => {
+  const start = performance.now();
+  const spaces = " ".repeat(4_000_000);
+  expect(await readAll({ chapters: [`<p>One${spaces}two.</p>`] })).toContain("One");
+  // A step for each took 20 seconds, and the rest takes one.
+  expect(performance.now() - start).toBeLessThan(8000);
+});
+
 test("a chapter of hundreds of pictures, each another, is read", async () => {
   const picture = (k: number): string =>
     `<img alt="" src="data:image/gif;base64,R0lGODlhAQABAAAAACH5BAEKAAEALAAAAAABAAEAAAICTAEAOw${String(k).padStart(1200, "A")}"/>`;

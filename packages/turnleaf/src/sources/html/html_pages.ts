@@ -44,6 +44,8 @@ export class HtmlPages implements PageSource {
   readonly #ended = new AbortController();
   readonly #content: MutationObserver;
   readonly #sizes: ResizeObserver;
+  /** What ends following each page. */
+  readonly #watched = new Map<HTMLElement, AbortController>();
   /** The size of each page as it was last seen. */
   readonly #seen = new WeakMap<Element, string>();
   #outdated = new Set<HTMLElement>();
@@ -119,6 +121,7 @@ export class HtmlPages implements PageSource {
       const { svg, size } = await this.#copyOf(page, name);
       signal.throwIfAborted();
       const picture = await drawMarkup(svg, size, region, width);
+      if (signal.aborted || this.#ended.signal.aborted) picture.close();
       signal.throwIfAborted();
       this.#throwIfClosed();
       return picture;
@@ -154,6 +157,7 @@ export class HtmlPages implements PageSource {
     this.#ended.abort();
     this.#content.disconnect();
     this.#sizes.disconnect();
+    for (const page of [...this.#watched.keys()]) this.#unwatch(page);
     clearTimeout(this.#timer);
     this.#copies.clear();
     this.#onDrawing = this.#onPages = null;
@@ -192,10 +196,19 @@ export class HtmlPages implements PageSource {
       characterData: true,
     });
     this.#sizes.observe(page);
-    const { signal } = this.#ended;
+    const watching = new AbortController();
+    this.#watched.set(page, watching);
+    const { signal } = watching;
     for (const name of changingEvents) {
       page.addEventListener(name, () => this.#outdate(page), { capture: true, signal });
     }
+  }
+
+  /** Ends following a page; what a mutation observer reports of it until the page comes back is passed over. */
+  #unwatch(page: HTMLElement): void {
+    this.#watched.get(page)?.abort();
+    this.#watched.delete(page);
+    this.#sizes.unobserve(page);
   }
 
   #changed(changes: readonly MutationRecord[]): void {
@@ -244,8 +257,9 @@ export class HtmlPages implements PageSource {
     const before = this.#pages;
     const now = this.#parent ? pagesIn(this.#parent).slice(0, limits.pages) : [];
     if (now.length > 0) this.#pages = now;
-    for (const page of this.#pages) if (!before.includes(page)) this.#watch(page);
     const places = new Map(this.#pages.map((page, index) => [page, index]));
+    for (const page of before) if (!places.has(page)) this.#unwatch(page);
+    for (const page of this.#pages) if (!this.#watched.has(page)) this.#watch(page);
     return (index) => places.get(before[index] as HTMLElement) ?? null;
   }
 }

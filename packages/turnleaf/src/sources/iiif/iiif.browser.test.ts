@@ -187,6 +187,33 @@ test("ranges are the contents, of both versions", async () => {
     { title: "One", page: 2 },
     { title: "Round", page: null },
   ]);
+  // As in the specification's own example: a range with canvases, and one within it.
+  const nested = [
+    {
+      "@id": "r1",
+      "@type": "sc:Range",
+      label: "Introduction",
+      ranges: ["r1-1"],
+      canvases: ["a", "b", "c"].map((name) => `${server}/canvas/${name}`),
+    },
+    {
+      "@id": "r1-1",
+      "@type": "sc:Range",
+      label: "Objectives and Scope",
+      canvases: [`${server}/canvas/b#xywh=0,0,500,500`],
+    },
+    { "@id": "r2", "@type": "sc:Range", label: "Bibliography", canvases: [`${server}/canvas/d`] },
+  ];
+  const third = await open(
+    manifest2(
+      names.map((name) => canvas2(name)),
+      { structures: nested },
+    ),
+  );
+  expect(await third.source.outline!(never)).toMatchObject([
+    { title: "Introduction", page: 1, children: [{ title: "Objectives and Scope", page: 2 }] },
+    { title: "Bibliography", page: 4 },
+  ]);
 });
 
 test("labels, statement, rights and provider are in the reader's language", async () => {
@@ -411,6 +438,28 @@ test("an image without a service, and one whose service is gone, are shown", asy
   expect(await colours(source, 0)).toEqual(whole);
   expect(await colours(source, 1)).toEqual(whole);
   expect(asked).not.toContain("a/info.json");
+});
+
+test.each([
+  [
+    "1.1",
+    {
+      "@context": "http://library.stanford.edu/iiif/image-api/1.1/context.json",
+      profile: "http://library.stanford.edu/iiif/image-api/1.1/compliance.html#level2",
+    },
+  ],
+  [
+    "1.0",
+    {
+      "@context": undefined,
+      profile: "http://library.stanford.edu/iiif/image-api/compliance.html#level2",
+    },
+  ],
+])("a server of version %s of the Image API is asked for its native images", async (_, info) => {
+  const old = { ...info, type: undefined, id: undefined, "@id": `${server}/a` };
+  const { source, asked } = await open(manifest2([canvas2("a")]), { a: { ...image, info: old } });
+  expect(await colours(source, 0)).toEqual(whole);
+  expect(asked.at(-1)).toBe("a/full/40,/0/native.jpg");
 });
 
 test("an image server that fails fails that page alone, and is asked again", async () => {

@@ -1,4 +1,4 @@
-/** IIIF's Image API 2 and 3: which addresses have the pixels that are wanted. */
+/** IIIF's Image API 1 to 3: which addresses have the pixels that are wanted. */
 
 import { limits } from "../limits.ts";
 import { isRecord } from "../manifest_checks.ts";
@@ -9,7 +9,7 @@ import { idOf, objectsIn, pixelsOf, stringsIn, typeOf, type Value } from "./valu
 export interface ImageInfo extends PageSize {
   /** Its address, without a slash at its end. */
   readonly id: string;
-  readonly version: 2 | 3;
+  readonly version: 1 | 2 | 3;
   /** 0 if it has only the sizes and tiles that it lists. */
   readonly level: 0 | 1;
   /** Maximum of pixels across and of all pixels that the server sends. */
@@ -56,9 +56,6 @@ export function parseInfo(value: unknown, id: string): ImageInfo | null {
   if (!isRecord(value)) return null;
   const [width, height] = [pixelsOf(value.width), pixelsOf(value.height)];
   if (width === 0 || height === 0) return null;
-  const is3 =
-    stringsIn(value["@context"]).some((context) => context.includes("image/3")) ||
-    typeOf(value) === "ImageService3";
   const profiles = Array.isArray(value.profile) ? value.profile : [value.profile];
   const more = objectsIn(profiles, 10);
   const bound = (name: string): number =>
@@ -68,7 +65,7 @@ export function parseInfo(value: unknown, id: string): ImageInfo | null {
   const mostDown = bound("maxHeight") || mostAcross;
   return {
     id,
-    version: is3 ? 3 : 2,
+    version: versionOf(value),
     level: stringsIn(profiles).some((profile) => /level0/.test(profile)) ? 0 : 1,
     width,
     height,
@@ -83,6 +80,13 @@ export function parseInfo(value: unknown, id: string): ImageInfo | null {
       .sort((a, b) => a.width - b.width),
     tiles: tilesIn(value),
   };
+}
+
+function versionOf(info: Value): ImageInfo["version"] {
+  const marks = [...stringsIn(info["@context"]), ...stringsIn(info.profile), typeOf(info)];
+  if (marks.some((mark) => /image\/3|^ImageService3$/.test(mark))) return 3;
+  // Version 1.0 has no context, and its profile is at the same place as that of 1.1.
+  return marks.some((mark) => /image-api\/|api\/image\/1/.test(mark)) ? 1 : 2;
 }
 
 function tilesIn(value: Value): Tiles | null {
@@ -127,7 +131,12 @@ function whole(info: ImageInfo, size: PageSize | null): ImagePart {
   const full = info.version === 3 ? "max" : "full";
   const isFull = size === null || (size.width >= info.width && info.level === 0);
   const named = isFull ? full : sizeName(info, size.width, size.height);
-  return { url: `${info.id}/full/${named}/0/default.jpg`, box };
+  return { url: addressOf(info, "full", named), box };
+}
+
+/** Returns the address of an upright JPEG of a region, both by their names in addresses. */
+function addressOf({ id, version }: ImageInfo, region: string, size: string): string {
+  return `${id}/${region}/${size}/0/${version === 1 ? "native" : "default"}.jpg`;
 }
 
 function sizeName({ version }: ImageInfo, width: number, height: number): string {
@@ -139,7 +148,7 @@ function regionOf(info: ImageInfo, box: PageBox, across: number): ImagePart {
   const y = Math.floor(box.y);
   const width = Math.min(Math.ceil(box.x + box.width), info.width) - x;
   const height = Math.min(Math.ceil(box.y + box.height), info.height) - y;
-  const url = `${info.id}/${x},${y},${width},${height}/${Math.max(across, 1)},/0/default.jpg`;
+  const url = addressOf(info, `${x},${y},${width},${height}`, `${Math.max(across, 1)},`);
   return { url, box: { x, y, width, height } };
 }
 
@@ -160,7 +169,7 @@ function tiled(info: ImageInfo, tiles: Tiles, box: PageBox, scale: number): Imag
       const region = isAll ? "full" : `${x},${y},${width},${height}`;
       const size = sizeName(info, Math.ceil(width / factor), Math.ceil(height / factor));
       parts.push({
-        url: `${info.id}/${region}/${size}/0/default.jpg`,
+        url: addressOf(info, region, size),
         box: { x, y, width, height },
       });
     }

@@ -299,8 +299,9 @@ function readRanges(
 ): OutlineEntry[] {
   const listed = objectsIn(structures ?? [], limits.outlineEntries);
   const byId = new Map(listed.map((range) => [idOf(range), range]));
+  // Its own canvases before the ranges in it: version 2 lists them apart, and the first one is its page.
   const within = (range: Value): unknown[] =>
-    [range.items, range.members, range.ranges, range.canvases].flatMap((list) =>
+    [range.items, range.members, range.canvases, range.ranges].flatMap((list) =>
       Array.isArray(list) ? list.slice(0, limits.outlineEntries) : [],
     );
   const inner = new Set(listed.flatMap(within).map(idOf));

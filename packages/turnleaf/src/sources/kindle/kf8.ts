@@ -75,11 +75,16 @@ export async function openKf8(book: KindleParts): Promise<KindleText> {
     const whole = drawing.replace(embedded, (_, one: string) => inner.get(one) ?? "data:,");
     return await dataUrl(new TextEncoder().encode(whole), "image/svg+xml");
   };
+  const styles = new Map<number, Promise<string>>();
   const files: MarkupFiles = {
     data,
     style: async (address) => {
       const [, kind, digits = ""] = resource.exec(address) ?? [];
-      return kind?.toLowerCase() === "flow" ? await cleanCss(flow(digits), data) : "";
+      if (kind?.toLowerCase() !== "flow") return "";
+      const number = Number.parseInt(digits, 32);
+      const style = styles.get(number) ?? cleanCss(flow(digits), data);
+      styles.set(number, style);
+      return await style;
     },
   };
   const size = header.isFixed ? sizeOf(header.resolution) : null;

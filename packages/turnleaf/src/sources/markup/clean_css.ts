@@ -1,5 +1,6 @@
 /** Style sheets of books: what could fetch anything is taken out or put in as data. */
 
+import { limits } from "../limits.ts";
 import { withoutPrefixes } from "./prefixed_css.ts";
 
 /** Functions that name something to load, in any of their spellings. */
@@ -7,6 +8,9 @@ const loading = /(url|src|image|image-set|-webkit-image-set|cross-fade|-webkit-c
 
 /** An address as the browser writes it, in double quotes. */
 const address = /url\("((?:[^"\\]|\\.)*)"\)/g;
+
+/** A picture or a font in a clean style sheet. */
+const dataAddress = /url\("data:[^"]*"\)/g;
 
 /** Returns the data of an address of a style sheet, null if there are none. */
 export type ResolveCss = (address: string) => Promise<string | null>;
@@ -20,6 +24,23 @@ export async function cleanCss(css: string, resolve: ResolveCss): Promise<string
   const sheet = new CSSStyleSheet();
   sheet.replaceSync(withoutPrefixes(css));
   return await cleanRules(sheet.cssRules, resolve);
+}
+
+/**
+ * Joins clean style sheets, each of which is read when its turn comes. The first
+ * one that is too much for a chapter, and all after it, are left out.
+ */
+export async function joinSheets(sheets: Iterable<() => Promise<string>>): Promise<string> {
+  const joined: string[] = [];
+  let [length, rules] = [0, 0];
+  for (const read of sheets) {
+    const css = await read();
+    length += css.length;
+    rules += css.replace(dataAddress, "").length;
+    if (length > limits.chapterBytes || rules > limits.markupBytes) break;
+    joined.push(css);
+  }
+  return joined.join("\n");
 }
 
 /** Returns the declarations of a style attribute, cleaned alike. */

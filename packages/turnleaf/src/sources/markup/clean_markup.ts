@@ -10,7 +10,7 @@ import {
   mediumKindAttribute,
   styleAttribute,
 } from "../typeset/flow_book.ts";
-import { cleanCss, cleanDeclarations } from "./clean_css.ts";
+import { cleanCss, cleanDeclarations, joinSheets } from "./clean_css.ts";
 import { framePicture, frameSize } from "./frame_picture.ts";
 import { withoutPrefixes } from "./prefixed_css.ts";
 
@@ -116,24 +116,33 @@ function inHtml(document: Document): Element {
 
 /** Returns a document's style sheets in order, cleaned. */
 async function stylesOf(document: Document, files: MarkupFiles): Promise<string> {
-  const sheets: string[] = [];
+  const sheets: (() => Promise<string>)[] = [];
   for (const node of document.childNodes) {
     if (!(node instanceof ProcessingInstruction) || node.target !== "xml-stylesheet") continue;
     const href = /href\s*=\s*["']([^"']+)/.exec(node.data)?.[1];
-    if (href) sheets.push(await files.style(href));
+    if (href) sheets.push(() => files.style(href));
   }
   for (const element of document.querySelectorAll("style, link[rel][href]")) {
     if (element.localName === "style") {
-      sheets.push(await cleanCss(element.textContent ?? "", (to) => files.data(to)));
+      sheets.push(() => cleanCss(element.textContent ?? "", (to) => files.data(to)));
       continue;
     }
     const relations = element.getAttribute("rel")?.toLowerCase().split(/\s+/) ?? [];
     if (!relations.includes("stylesheet") || relations.includes("alternate")) continue;
-    const sheet = await files.style(element.getAttribute("href") ?? "");
-    const media = element.getAttribute("media");
-    sheets.push(media ? `@media ${media.replace(/[{};]/g, "")} { ${sheet} }` : sheet);
+    sheets.push(async () => {
+      const sheet = await files.style(element.getAttribute("href") ?? "");
+      const media = mediaOf(element);
+      return media === "" ? sheet : `@media ${media} { ${sheet} }`;
+    });
   }
-  return sheets.join("\n");
+  return await joinSheets(sheets);
+}
+
+/** Returns the media of a style sheet's link as the browser understands them; "" for all. */
+function mediaOf(link: Element): string {
+  const { mediaText } = new CSSStyleSheet({ media: link.getAttribute("media") ?? "" }).media;
+  // What a browser keeps though it does not know it could end the rule, or a string in it.
+  return /["'{};\\]/.test(mediaText) ? "not all" : mediaText;
 }
 
 /**

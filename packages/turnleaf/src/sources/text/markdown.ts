@@ -1,6 +1,6 @@
 /** GitHub's Markdown, read in bounded time and depth. */
 
-import { Lexer, marked, type Token, type Tokens } from "marked";
+import { Lexer, marked, Renderer, type Token, type Tokens } from "marked";
 
 /** Lists and quotations within each other, as many as a page is wide; deeper ones are shown as their text. */
 const deepest = 8;
@@ -13,9 +13,20 @@ export function readMarkdown(text: string): Token[] {
   return new BoundedLexer({ ...marked.defaults, gfm: true }).lex(text);
 }
 
-/** Returns tokens as HTML. */
-export function htmlOf(tokens: Token[]): string {
-  return marked.parser(tokens);
+/**
+ * Returns tokens as HTML.
+ *
+ * @param ids of headings, by their tokens, of letters, digits, hyphens and underscores; others get none
+ */
+export function htmlOf(tokens: Token[], ids: ReadonlyMap<Token, string> = new Map()): string {
+  const renderer = new Renderer();
+  renderer.heading = function (heading: Tokens.Heading): string {
+    const { depth, tokens } = heading;
+    const id = ids.get(heading);
+    const own = id === undefined ? "" : ` id="${id}"`;
+    return `<h${depth}${own}>${this.parser.parseInline(tokens)}</h${depth}>\n`;
+  };
+  return marked.parser(tokens, { ...marked.defaults, renderer });
 }
 
 class BoundedLexer extends Lexer {

@@ -81,6 +81,16 @@ test("Markdown has headings, contents, lists, tables, code and links", async () 
   source.close();
 });
 
+test("lines of the contents lead to their headings, whatever headings stand in its HTML", async () => {
+  const text = `<h1 align="center">Tool</h1>\n\n## Install\n\n${plain}\n\n### Linux\n\n[there](#linux)`;
+  const source = await open(text, "README.md");
+  const [install] = (await source.outline?.(never)) ?? [];
+  expect(install).toMatchObject({ title: "Install", page: 1 });
+  const [linux] = install?.children ?? [];
+  expect(linux).toEqual({ title: "Linux", page: source.pageCount, children: [] });
+  source.close();
+});
+
 test("Markdown that begins with a link is Markdown, and no JSON", async () => {
   const source = await open("[Read this](https://example.org) first.\n\n# A", "a.md");
   expect(await textOf(source)).toContain("Read this first.");

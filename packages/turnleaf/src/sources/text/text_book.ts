@@ -77,12 +77,9 @@ function bookOf(chapters: readonly Chapter[], file: Blob, name: string): FlowBoo
   };
 }
 
-function sectionOf({ html, headings }: Chapter, name: string): FlowSection {
+function sectionOf({ html }: Chapter, name: string): FlowSection {
   const load = async (): Promise<FlowContent> => {
     const document = parseMarkup(`<html><body>${html}</body></html>`, "text/html");
-    document.querySelectorAll("h1, h2, h3").forEach((heading, k) => {
-      heading.id = headings[k]?.id ?? "";
-    });
     const files = { data: checkedData, style: async () => "" };
     const content = await cleanMarkup(document, files, name);
     return { root: content.root, css: `${style}${content.css}` };
@@ -143,13 +140,16 @@ function chaptersIn(text: string): Chapter[] {
     parts.at(-1)?.push(token);
   }
   const used = new Map<string, number>();
-  return parts.slice(0, limits.pages).map((part) => ({
-    html: htmlOf(part),
-    headings: headingsIn(part).map((heading) => {
+  return parts.slice(0, limits.pages).map((part) => {
+    const ids = new Map<Token, string>();
+    const headings = headingsIn(part).map((heading) => {
       const title = cleanText(textOf(heading)) || "–";
-      return { title, depth: heading.depth, id: slugOf(title, used) };
-    }),
-  }));
+      const id = slugOf(title, used);
+      ids.set(heading, id);
+      return { title, depth: heading.depth, id };
+    });
+    return { html: htmlOf(part, ids), headings };
+  });
 }
 
 const isHeading =

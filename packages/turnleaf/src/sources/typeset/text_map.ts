@@ -123,16 +123,31 @@ export class TextMap {
 
   /** Returns the place of the first character from `at` on that has one. */
   #rectFrom(node: Text, at: number): DOMRect | null {
-    for (let k = at; k < node.length; k++) {
-      const rect = this.#rectOf(node, k, k + 1);
-      if (rect) return rect;
+    const k = this.#firstPlaced(node, at);
+    return this.#rectOf(node, k, k + 1);
+  }
+
+  /**
+   * Returns the first character from `at` on that has a place; the text's length
+   * if there is none. Millions of collapsed spaces are passed over in stretches.
+   */
+  #firstPlaced(node: Text, at: number): number {
+    let [from, step] = [at, 1];
+    while (from < node.length && !this.#rectOf(node, from, from + step)) {
+      from += step;
+      step *= 2;
     }
-    return null;
+    while (step > 1) {
+      step /= 2;
+      if (!this.#rectOf(node, from, from + step)) from += step;
+    }
+    return Math.min(from, node.length);
   }
 
   #rectOf(node: Text, from: number, to: number): DOMRect | null {
+    if (from >= node.length) return null;
     this.#range.setStart(node, from);
-    this.#range.setEnd(node, to);
+    this.#range.setEnd(node, Math.min(to, node.length));
     const rects = this.#range.getClientRects();
     for (const rect of rects) if (rect.width > 0 && rect.height > 0) return rect;
     return null;
@@ -149,20 +164,24 @@ export class TextMap {
     for (let k = from; k < text.length; ) {
       const next = k + (/[\ud800-\udbff]/.test(text[k] as string) ? 2 : 1);
       const rect = this.#rectOf(node, k, next);
-      if (rect !== null) {
-        const on = pageOfRect(this.#flow, rect);
-        if (on > page) break;
-        const letters = cleanRun(text.slice(k, next));
-        if (on === page && letters !== "") {
-          const box = this.#onPage(rect, page);
-          if (line === null || !continues(line, box, isVertical)) {
-            line = { text: "", box, boxes: [] };
-            lines.push(line);
-          }
-          line.text += letters;
-          for (let unit = 0; unit < letters.length; unit++) line.boxes.push(box);
-          line.box = union(line.box, box);
+      if (rect === null) {
+        k = this.#firstPlaced(node, next);
+        // Not between the halves of a character.
+        if (k > next && /[\udc00-\udfff]/.test(text[k] ?? "")) k -= 1;
+        continue;
+      }
+      const on = pageOfRect(this.#flow, rect);
+      if (on > page) break;
+      const letters = cleanRun(text.slice(k, next));
+      if (on === page && letters !== "") {
+        const box = this.#onPage(rect, page);
+        if (line === null || !continues(line, box, isVertical)) {
+          line = { text: "", box, boxes: [] };
+          lines.push(line);
         }
+        line.text += letters;
+        for (let unit = 0; unit < letters.length; unit++) line.boxes.push(box);
+        line.box = union(line.box, box);
       }
       k = next;
     }
