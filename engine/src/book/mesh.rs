@@ -187,7 +187,7 @@ impl<'a> Mesh<'a> {
             let high = at + usize::from(bends || forward || at == 0);
             low.min(count - 2)..high.min(count - 1)
         };
-        let mut best: Option<Facet> = None;
+        let mut best: Option<Seen> = None;
         let mut least = f32::MAX;
         for row in cells(v, node / self.columns, self.rows()) {
             for column in cells(u, node % self.columns, self.columns) {
@@ -199,32 +199,54 @@ impl<'a> Mesh<'a> {
                     [above + 1, here]
                 };
                 for corners in [[here, here + 1, last], [first, above + 1, above]] {
-                    let (facet, square) = self.facet(point, corners);
-                    // Of those equally near, as at a common edge, the one that the
-                    // point is most clearly beside.
-                    let clearer = best.as_ref().is_none_or(|known| {
-                        square < least * 0.9999 || facet.height.abs() > known.height.abs()
-                    });
-                    if square < least * 1.0001 + 1e-14 && clearer {
-                        best = Some(facet);
+                    let at = corners.map(|node| self.points[node]);
+                    let parts = nearest_parts(point, at);
+                    let away = sub(point, place_at(parts, at));
+                    let square = dot(away, away);
+                    // Most are farther, and nothing more needs to be known of them.
+                    if square < least * 1.0001 + 1e-14 {
+                        let seen = self.see(corners, parts, away);
+                        // Of those equally near, as at a common edge, the one that the
+                        // point is most clearly beside.
+                        let clearer = best.as_ref().is_none_or(|known| {
+                            square < least * 0.9999 || seen.height.abs() > known.height.abs()
+                        });
+                        if clearer {
+                            best = Some(seen);
+                        }
                     }
                     least = least.min(square);
                 }
             }
         }
-        best.expect("a node has a cell beside it")
+        self.facet(best.expect("a node has a cell beside it"))
     }
 
-    /// A facet as seen from a point, and the square of the distance to it.
-    fn facet(&self, point: [f32; 3], corners: [usize; 3]) -> (Facet, f32) {
+    /// A facet of these corners as seen from a point that is `away` from the nearest place on it.
+    fn see(&self, corners: [usize; 3], parts: [f32; 3], away: [f32; 3]) -> Seen {
         let [a, b, c] = corners.map(|node| self.points[node]);
-        let parts = nearest_parts(point, a, b, c);
-        let place = core::array::from_fn(|i| parts[0] * a[i] + parts[1] * b[i] + parts[2] * c[i]);
-        let away = sub(point, place);
         let mut normal = unit(cross(sub(b, a), sub(c, a)));
         if corners.iter().any(|node| self.is_turned_over(*node)) {
             normal = normal.map(|n| -n);
         }
+        Seen {
+            corners,
+            parts,
+            away,
+            normal,
+            height: dot(away, normal),
+        }
+    }
+
+    /// The facet that a point sees.
+    fn facet(&self, seen: Seen) -> Facet {
+        let Seen {
+            corners,
+            parts,
+            away,
+            normal,
+            height,
+        } = seen;
         let on = |is: &dyn Fn(usize) -> bool| {
             let mut used = corners.iter().zip(parts).filter(|(_, part)| *part > 0.0);
             used.all(|(node, _)| is(*node))
@@ -233,16 +255,25 @@ impl<'a> Mesh<'a> {
         let at_rim = on(&|node| node < columns)
             || on(&|node| node / columns + 1 == rows)
             || on(&|node| node % columns + 1 == columns);
-        let (height, square) = (dot(away, normal), dot(away, away));
-        let facet = Facet {
+        let square = dot(away, away);
+        Facet {
             corners,
             parts,
             height,
             normal,
             beyond: at_rim && square - height * height > BEYOND_RIM * BEYOND_RIM,
-        };
-        (facet, square)
+        }
     }
+}
+
+/// A facet as a point sees it, before it is known whether the point lies beyond the rim.
+struct Seen {
+    corners: [usize; 3],
+    parts: [f32; 3],
+    /// From the facet's place nearest to the point to the point, metres.
+    away: [f32; 3],
+    normal: [f32; 3],
+    height: f32,
 }
 
 /// A facet of a mesh as seen from a point.
@@ -261,7 +292,7 @@ pub struct Facet {
 
 /// The parts of a triangle's corners of its place nearest to a point (Ericson,
 /// Real-Time Collision Detection, 2005, 5.1.5).
-fn nearest_parts(p: [f32; 3], a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> [f32; 3] {
+fn nearest_parts(p: [f32; 3], [a, b, c]: [[f32; 3]; 3]) -> [f32; 3] {
     let (ab, ac, ap) = (sub(b, a), sub(c, a), sub(p, a));
     let (d1, d2) = (dot(ab, ap), dot(ac, ap));
     if d1 <= 0.0 && d2 <= 0.0 {
@@ -297,6 +328,11 @@ fn nearest_parts(p: [f32; 3], a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> [f32; 3]
     let whole = 1.0 / (va + vb + vc).max(1e-30);
     let (v, w) = (vb * whole, vc * whole);
     [1.0 - v - w, v, w]
+}
+
+/// The place on a triangle that is made of these parts of its corners.
+fn place_at(parts: [f32; 3], [a, b, c]: [[f32; 3]; 3]) -> [f32; 3] {
+    core::array::from_fn(|i| parts[0] * a[i] + parts[1] * b[i] + parts[2] * c[i])
 }
 
 /// Tangents at a node of a grid, a cell long along u and along v.

@@ -5,54 +5,132 @@
 //! brought to the side of the triangles of another on which its creases have it lie, by the same
 //! projections as leaves are kept clear of each other by ([`separate`](super::separate)). Of two
 //! parts the one that is farther up moves, as the other lies on something.
+//!
+//! Few points overlap anything. So the triangles are gathered in blocks, and only those points are
+//! looked at that are near a block of another part and not on their side of all its triangles.
 
 use super::flaps::{BESIDE, add_facing, facing_of};
 use super::tolerance::{NOT_UPON, OVER_PILE, SLACK};
-use crate::vector::{cross, dot, sub};
+use crate::vector::{cross, dot, sub, unit};
+use core::ops::Range;
 
 /// Rounds of projections, at most.
 const ROUNDS: usize = 4;
 
 /// Cells along a side of a block of triangles that one box bounds.
-const BLOCK: usize = 6;
+const BLOCK: usize = 3;
 
 /// The triangles of a folded leaf's drawn mesh, by the parts between its creases.
 #[derive(Clone, Debug, Default)]
 pub struct DrawnParts {
-    /// The part of each point; None for those on creases and at the spine.
-    points: Vec<Option<u16>>,
+    /// The block of each point; None for those on creases and at the spine.
+    points: Vec<Option<usize>>,
     triangles: Vec<[usize; 3]>,
+    /// The points of the blocks, of one after the other.
+    corners: Vec<usize>,
     blocks: Vec<Block>,
+    /// What the points of the blocks may overlap, of one after the other.
+    pairs: Vec<Pair>,
     columns: usize,
+    /// Whether any part is folded over more than once.
+    has_overlap: bool,
 }
 
 /// Triangles of one part that are near each other.
 #[derive(Clone, Debug)]
 struct Block {
     part: u16,
-    triangles: core::ops::Range<usize>,
+    /// Its triangles, and their points, each once.
+    triangles: Range<usize>,
+    corners: Range<usize>,
     /// The box around them now.
     low: [f32; 3],
     high: [f32; 3],
+    /// Where it lies between two planes; found where it is asked for.
+    slab: Option<Slab>,
+    /// The blocks that its points may overlap.
+    pairs: Range<usize>,
+}
+
+/// A block of another part that points may overlap, and on which side of it they lie, 1 that of
+/// its normals or -1.
+#[derive(Clone, Copy, Debug)]
+struct Pair {
+    under: usize,
+    side: f32,
+}
+
+/// Two parallel planes between which triangles lie, as far beyond their sides as points still
+/// count as over them.
+#[derive(Clone, Copy, Debug)]
+struct Slab {
+    /// The planes' unit normal: the mean of the triangles'.
+    normal: [f32; 3],
+    low: f32,
+    high: f32,
+    /// Whether all triangles face along the normal. What is outside of the slab is then at least
+    /// as far from each triangle that it is over.
+    is_even: bool,
 }
 
 impl Block {
     /// Finds the box around its triangles.
-    fn bound(&mut self, points: &[[f32; 3]], triangles: &[[usize; 3]]) {
+    fn bound(&mut self, points: &[[f32; 3]], corners: &[usize]) {
         (self.low, self.high) = ([f32::MAX; 3], [f32::MIN; 3]);
-        for node in triangles[self.triangles.clone()].as_flattened() {
+        for node in &corners[self.corners.clone()] {
             for axis in 0..3 {
                 self.low[axis] = self.low[axis].min(points[*node][axis]);
                 self.high[axis] = self.high[axis].max(points[*node][axis]);
             }
         }
+        self.slab = None;
     }
 
-    fn is_near(&self, point: [f32; 3], within: f32) -> bool {
+    fn is_near(&self, [low, high]: [[f32; 3]; 2], within: f32) -> bool {
         (0..3).all(|axis| {
-            let x = point[axis];
-            x > self.low[axis] - within && x < self.high[axis] + within
+            high[axis] > self.low[axis] - within && low[axis] < self.high[axis] + within
         })
+    }
+}
+
+impl Slab {
+    fn around(points: &[[f32; 3]], triangles: &[[usize; 3]]) -> Slab {
+        let normal_of = |corners: &[usize; 3]| {
+            let [a, b, c] = corners.map(|corner| points[corner]);
+            cross(sub(b, a), sub(c, a))
+        };
+        let normals = triangles.iter().map(normal_of);
+        let sum = normals.clone().fold([0.0; 3], |sum: [f32; 3], normal| {
+            core::array::from_fn(|axis| sum[axis] + normal[axis])
+        });
+        let normal = unit(sum);
+        let heights = triangles.as_flattened().iter();
+        let heights = heights.map(|node| dot(points[*node], normal));
+        let [low, high] = heights.fold([f32::MAX, f32::MIN], |[low, high], height| {
+            [low.min(height), high.max(height)]
+        });
+        // A corner's weight is up to twice as much beyond 1 as the others' are below 0.
+        let beyond = 2.0 * BESIDE * (high - low);
+        Slab {
+            normal,
+            low: low - beyond,
+            high: high + beyond,
+            is_even: normals.into_iter().all(|own| dot(own, normal) > 0.0),
+        }
+    }
+
+    /// How far a box is outside of it on a side, metres; less than 0 where it is not, or nothing
+    /// is known by that.
+    fn distance(&self, [low, high]: [[f32; 3]; 2], side: f32) -> f32 {
+        if !self.is_even {
+            return f32::MIN;
+        }
+        let along = |axis: usize| {
+            let normal = side * self.normal[axis];
+            normal * if normal > 0.0 { low[axis] } else { high[axis] }
+        };
+        let nearest = along(0) + along(1) + along(2);
+        nearest - if side > 0.0 { self.high } else { -self.low }
     }
 }
 
@@ -78,11 +156,6 @@ impl DrawnParts {
                 }
             }
         }
-        // The column at the spine is everyone's.
-        let of = |(node, part): (usize, Option<Option<u16>>)| {
-            part.flatten().filter(|_| !node.is_multiple_of(columns))
-        };
-        let points = points.into_iter().enumerate().map(of).collect();
         let block_of = |corners: &[usize; 3]| {
             let [a, ..] = *corners;
             (a / columns / BLOCK, a % columns / BLOCK)
@@ -100,15 +173,38 @@ impl DrawnParts {
                 _ => blocks.push(Block {
                     part: *part,
                     triangles: at..at + 1,
+                    corners: 0..0,
                     low: [0.0; 3],
                     high: [0.0; 3],
+                    slab: None,
+                    pairs: 0..0,
                 }),
             }
         }
+        let triangles: Vec<[usize; 3]> = order.into_iter().map(|(corners, _)| *corners).collect();
+        let mut corners = Vec::new();
+        let mut homes = vec![None; count];
+        for (number, block) in blocks.iter_mut().enumerate() {
+            let mut own = triangles[block.triangles.clone()].as_flattened().to_vec();
+            own.sort_unstable();
+            own.dedup();
+            for corner in &own {
+                // The column at the spine is everyone's.
+                let is_free = !corner.is_multiple_of(columns);
+                if is_free && points[*corner].flatten() == Some(block.part) {
+                    homes[*corner] = Some(number);
+                }
+            }
+            block.corners = corners.len()..corners.len() + own.len();
+            corners.extend(own);
+        }
         DrawnParts {
-            points,
-            triangles: order.into_iter().map(|(corners, _)| *corners).collect(),
+            points: homes,
+            has_overlap: blocks.iter().any(|block| block.part.count_ones() > 1),
+            triangles,
+            corners,
             blocks,
+            pairs: Vec::new(),
             columns,
         }
     }
@@ -123,29 +219,22 @@ impl DrawnParts {
         scale: f32,
         side: impl Fn(u16, u16, bool) -> Option<f32>,
     ) {
-        let within = NOT_UPON * scale;
         for _ in 0..ROUNDS {
-            for block in &mut self.blocks {
-                block.bound(points, &self.triangles);
-            }
-            let facing = self.facing(points);
+            self.find_pairs(points, scale, &side);
             let mut moved = false;
             for node in 0..self.points.len() {
-                let Some(part) = self.points[node] else {
+                let Some(home) = self.points[node] else {
                     continue;
                 };
                 let mut under = None;
                 // Of each part at most one triangle is next to the point.
-                for block in &self.blocks {
-                    if block.part == part || !block.is_near(points[node], within) {
+                for pair in &self.pairs[self.blocks[home].pairs.clone()] {
+                    let block = &self.blocks[pair.under];
+                    if !may_overlap(block, [points[node]; 2], pair.side, scale) {
                         continue;
                     }
-                    let [own, other] = [part, block.part].map(|part| facing_of(&facing, part));
-                    let Some(side) = side(block.part, part, dot(own, other) > 0.0) else {
-                        continue;
-                    };
                     for corners in &self.triangles[block.triangles.clone()] {
-                        let found = overlap(points, node, *corners, side, scale);
+                        let found = overlap(points, node, *corners, pair.side, scale);
                         let is_nearer = |found: &Overlap| {
                             under
                                 .as_ref()
@@ -167,9 +256,50 @@ impl DrawnParts {
         }
     }
 
-    /// The way that the normals of each part are, by parts.
+    /// Finds which blocks may overlap each other where the points are now.
+    fn find_pairs(
+        &mut self,
+        points: &[[f32; 3]],
+        scale: f32,
+        side: &impl Fn(u16, u16, bool) -> Option<f32>,
+    ) {
+        for block in &mut self.blocks {
+            block.bound(points, &self.corners);
+        }
+        let facing = self.facing(points);
+        self.pairs.clear();
+        for home in 0..self.blocks.len() {
+            let Block {
+                part, low, high, ..
+            } = self.blocks[home];
+            let start = self.pairs.len();
+            for (under, block) in self.blocks.iter_mut().enumerate() {
+                if block.part == part || !block.is_near([low, high], NOT_UPON * scale) {
+                    continue;
+                }
+                let [own, other] = [part, block.part].map(|part| facing_of(&facing, part));
+                let Some(side) = side(block.part, part, dot(own, other) > 0.0) else {
+                    continue;
+                };
+                let triangles = &self.triangles[block.triangles.clone()];
+                block
+                    .slab
+                    .get_or_insert_with(|| Slab::around(points, triangles));
+                if may_overlap(block, [low, high], side, scale) {
+                    self.pairs.push(Pair { under, side });
+                }
+            }
+            self.blocks[home].pairs = start..self.pairs.len();
+        }
+    }
+
+    /// The way that the normals of each part are, by parts; none where no part is folded over
+    /// more than once, as nothing depends on it.
     fn facing(&self, points: &[[f32; 3]]) -> Vec<(u16, [f32; 3])> {
         let mut found = Vec::new();
+        if !self.has_overlap {
+            return found;
+        }
         for block in &self.blocks {
             for corners in &self.triangles[block.triangles.clone()] {
                 let [a, b, c] = corners.map(|corner| points[corner]);
@@ -203,6 +333,12 @@ impl DrawnParts {
             push(*corner, (up - 1.0) * weight / whole.max(0.1));
         }
     }
+}
+
+/// Whether anything in a box may be too low over triangles of a block, or in them.
+fn may_overlap(block: &Block, bounds: [[f32; 3]; 2], side: f32, scale: f32) -> bool {
+    let is_clear = |slab: &Slab| slab.distance(bounds, side) > (OVER_PILE - SLACK) * scale;
+    block.is_near(bounds, NOT_UPON * scale) && !block.slab.as_ref().is_some_and(is_clear)
 }
 
 /// How a point lies too low over a triangle, or in it; None where it does not lie over it.

@@ -83,17 +83,28 @@ impl Patches {
             });
         }
         let half = triangles.len() / 2;
+        let boxes: Vec<Bounds> = triangles
+            .iter()
+            .map(|nodes| bounds(nodes.map(|node| material.places[node])))
+            .collect();
         let samples = drawn
             .places
             .iter()
             .map(|place| {
                 [0, half].map(|first| {
-                    let ways = triangles[first..first + half].iter().enumerate();
-                    let (at, weights) = ways
-                        .map(|(k, nodes)| (k, material.weights(nodes, *place)))
-                        .max_by(|a, b| least(&a.1).total_cmp(&least(&b.1)))
+                    let best_of = |numbers: &mut dyn Iterator<Item = usize>| {
+                        numbers
+                            .map(|number| (number, material.weights(&triangles[number], *place)))
+                            .max_by(|a, b| least(&a.1).total_cmp(&least(&b.1)))
+                    };
+                    let mut all = first..first + half;
+                    let mut around = all.clone().filter(|at| is_in(*place, &boxes[*at]));
+                    // Beside all of them by rounding, it belongs to the nearest.
+                    let (at, weights) = best_of(&mut around)
+                        .filter(|(_, weights)| least(weights) >= 0.0)
+                        .or_else(|| best_of(&mut all))
                         .expect("a grid has triangles");
-                    (first + at, weights.map(|weight| weight as f32))
+                    (at, weights.map(|weight| weight as f32))
                 })
             })
             .collect();
@@ -216,6 +227,20 @@ fn side(nodes: &[usize; 3], k: usize) -> [usize; 2] {
 
 fn least(weights: &[f64; 3]) -> f64 {
     weights[0].min(weights[1]).min(weights[2])
+}
+
+/// The least and the greatest of places along u and v, metres.
+type Bounds = [[f64; 2]; 2];
+
+fn bounds([a, b, c]: [[f64; 2]; 3]) -> Bounds {
+    [0, 1].map(|axis| {
+        let [a, b, c] = [a[axis], b[axis], c[axis]];
+        [a.min(b).min(c), a.max(b).max(c)]
+    })
+}
+
+fn is_in(place: [f64; 2], bounds: &Bounds) -> bool {
+    (0..2).all(|axis| (bounds[axis][0]..=bounds[axis][1]).contains(&place[axis]))
 }
 
 /// A third of the way from a place to another, brought into the plane across its normal.
