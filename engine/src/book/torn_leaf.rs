@@ -13,11 +13,14 @@ use super::stillness::{STILL, Stillness};
 use super::surroundings::{Surroundings, TableAround};
 use crate::grid::Side;
 use crate::interpolate::uniform_samples;
-use crate::models::sheet::{Root, Sheet, SheetSettings, Tether};
+use crate::models::sheet::{Root, Sheet, SheetSettings, Tether, TornMesh};
 use crate::stock::GRAVITY;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
 
+mod across;
+#[cfg(test)]
+mod across_tests;
 mod ball;
 #[cfg(test)]
 mod crumpling_tests;
@@ -25,6 +28,7 @@ mod press;
 #[cfg(test)]
 mod tests;
 
+use across::BoundTie;
 use ball::Ball;
 use press::Press;
 
@@ -57,8 +61,8 @@ const OPENING: f64 = 0.5;
 /// pull, and is as strong as finger and thumb.
 const PULL: [f32; 2] = [200.0, 20.0];
 
-/// The number of the hand: there is one.
-const HAND: u32 = 0;
+/// Grabs that a sheet tells apart, numbered from 0: two tear it across.
+pub const HANDS: usize = 2;
 
 /// Speed of the nodes of a ball, root of the mean square, m/s, below which it lies still: a tenth of what gravity gives it in a tick, which its contacts take from
 /// it again, node by node.
@@ -95,9 +99,9 @@ pub struct TornLeaf {
     bound: Vec<BoundRow>,
     /// Work done in tearing since it was last asked for, J.
     torn: f32,
-    is_held: bool,
-    /// Where the hand pulls.
-    pulled: [f32; 3],
+    /// Whether each grab holds it, and where it pulls.
+    is_held: [bool; HANDS],
+    pulled: [[f32; 3]; HANDS],
     stillness: Stillness,
     surface: Surface,
     /// By how much what was drawn at first differed from the sheet, metres, and for how many
@@ -105,6 +109,10 @@ pub struct TornLeaf {
     differing: Vec<f32>,
     blend: u32,
     crumpled: Option<Crumpled>,
+    /// What holds one that is torn across, from the end of the path to the tip of the tear.
+    across: Vec<BoundTie>,
+    /// How what is drawn of a sheet that is torn across lies on its page.
+    mesh: TornMesh,
 }
 
 impl TornLeaf {
@@ -154,49 +162,56 @@ impl TornLeaf {
             steps,
             around,
             torn: 0.0,
-            is_held: false,
-            pulled: [f32::NAN; 3],
+            is_held: [false; HANDS],
+            pulled: [[f32::NAN; 3]; HANDS],
             stillness: Stillness::default(),
             surface,
             crumpled: None,
+            across: Vec::new(),
+            mesh: TornMesh::default(),
         };
         torn.tie();
         torn.update(book);
         Some(torn)
     }
 
-    /// A hand takes hold at (`u`, `v`), each 0 to 1 or the nearer of these, in place of where it
-    /// did. Nothing happens where one is not finite.
-    pub fn grab(&mut self, u: f32, v: f32) {
-        if !(u.is_finite() && v.is_finite()) {
+    /// A grab of a number takes hold at (`u`, `v`) of the page, each 0 to 1 or the nearer of these,
+    /// in place of where it did. Nothing happens where one is not finite or there is no such
+    /// grab; a ball has the first alone.
+    pub fn grab(&mut self, grab: usize, u: f32, v: f32) {
+        if grab >= HANDS || !(u.is_finite() && v.is_finite()) {
             return;
         }
         match &mut self.crumpled {
-            None => self.sheet.grab_firmly(HAND, [u, v], PULL),
-            Some(Crumpled::Pressed(_)) => return,
-            Some(Crumpled::Ball(ball)) => ball.grab([u, v].map(|at| at.clamp(0.0, 1.0))),
+            None => self.sheet.grab_firmly(grab as u32, [u, v], PULL),
+            Some(Crumpled::Ball(ball)) if grab == 0 => {
+                ball.grab([u, v].map(|at| at.clamp(0.0, 1.0)));
+            }
+            Some(_) => return,
         }
-        (self.is_held, self.pulled) = (true, [f32::NAN; 3]);
+        (self.is_held[grab], self.pulled[grab]) = (true, [f32::NAN; 3]);
         self.wake();
     }
 
-    /// The hand pulls to a place in book space, metres: within a kilometre, or to the nearest
+    /// A grab pulls to a place in book space, metres: within a kilometre, or to the nearest
     /// place that is. Nothing happens where it holds nothing or the place is not finite.
-    pub fn pull(&mut self, to: [f32; 3]) {
-        if to.iter().all(|x| x.is_finite()) && to != self.pulled {
-            self.sheet.pull(HAND, to);
-            self.pulled = to;
+    pub fn pull(&mut self, grab: usize, to: [f32; 3]) {
+        if grab < HANDS && to.iter().all(|x| x.is_finite()) && to != self.pulled[grab] {
+            self.sheet.pull(grab as u32, to);
+            self.pulled[grab] = to;
             self.wake();
         }
     }
 
-    /// The hand lets go.
+    /// All grabs are released.
     pub fn release(&mut self) {
-        self.sheet.release(HAND);
+        for grab in 0..HANDS {
+            self.sheet.release(grab as u32);
+        }
         if let Some(Crumpled::Ball(ball)) = &mut self.crumpled {
             ball.release();
         }
-        self.is_held = false;
+        self.is_held = [false; HANDS];
         self.wake();
     }
 
@@ -209,19 +224,21 @@ impl TornLeaf {
         }
     }
 
-    /// Tears what still binds it, without work: it is off.
+    /// Tears what still holds at the spine or across, without work: it is off, or torn through.
     pub fn cut(&mut self) {
         self.bound.clear();
+        self.across.clear();
         self.tie();
+        self.tie_across();
         self.wake();
     }
 
     /// Crumples the sheet: it is pressed into a ball, for a little over a second of its own
     /// time, over the place where it is. A hand that held it lets go. From then on it keeps every
     /// sharp bend, and its surface is one of flat facets, of another size. Returns whether it is
-    /// crumpled: one that is still bound is not, nor one that has been.
+    /// crumpled: one that is still bound is not, nor one that has been or is torn across.
     pub fn crumple(&mut self) -> bool {
-        if !self.bound.is_empty() || self.is_crumpled() {
+        if !self.bound.is_empty() || self.is_crumpled() || self.sheet.is_torn() {
             return false;
         }
         let leaf = self.sheet.settings();
@@ -275,7 +292,7 @@ impl TornLeaf {
                 return;
             }
             if let Some(Crumpled::Ball(ball)) = &mut self.crumpled {
-                ball.step(TICK, &around, self.pulled);
+                ball.step(TICK, &around, self.pulled[0]);
                 ball.write_nodes(&mut self.sheet);
             } else {
                 self.step_sheet(&around);
@@ -290,7 +307,8 @@ impl TornLeaf {
                 STILL
             };
             let velocities = self.sheet.velocities();
-            self.stillness.count(velocities, self.is_held, slowest);
+            let is_held = self.is_held.contains(&true);
+            self.stillness.count(velocities, is_held, slowest);
         }
     }
 
@@ -310,6 +328,11 @@ impl TornLeaf {
     /// What is drawn, as of the last update.
     pub fn surface(&self) -> &Surface {
         &self.surface
+    }
+
+    /// How what is drawn of one that is torn across lies on its page; nothing of any other.
+    pub fn mesh(&self) -> &TornMesh {
+        &self.mesh
     }
 
     /// The sheet itself.
@@ -333,6 +356,7 @@ impl TornLeaf {
             }
             self.sheet.step_of(left);
             self.tear_rows();
+            self.tear_tip();
         }
         if let Some(Crumpled::Pressed(press)) = &mut self.crumpled
             && !press.tick(&mut self.sheet)
@@ -430,22 +454,26 @@ fn finer(sheet: &Sheet, [columns, rows]: [usize; 2]) -> Vec<[f32; 3]> {
 fn nodes_of(drawn: &Surface, u: &[f32], [columns, rows]: [usize; 2]) -> Vec<[f32; 3]> {
     let mut nodes = Vec::with_capacity(columns * rows);
     for row in 0..rows {
-        let v = row as f32 / (rows - 1) as f32 * (drawn.rows - 1) as f32;
-        let low = (v as usize).min(drawn.rows - 2);
         for column in 0..columns {
-            let at = column as f32 / (columns - 1) as f32;
-            let left = u.partition_point(|u| *u <= at).clamp(1, u.len() - 1) - 1;
-            let part = (at - u[left]) / (u[left + 1] - u[left]);
-            let along = |row: usize| {
-                let [a, b] = [left, left + 1].map(|column| drawn.position(column, row));
-                core::array::from_fn::<f32, 3, _>(|axis| a[axis] + part * (b[axis] - a[axis]))
-            };
-            let [a, b] = [along(low), along(low + 1)];
-            let part = v - low as f32;
-            nodes.push(core::array::from_fn(|axis| {
-                a[axis] + part * (b[axis] - a[axis])
-            }));
+            let at = [(column, columns), (row, rows)].map(|(k, of)| k as f32 / (of - 1) as f32);
+            nodes.push(point_at(drawn, u, at));
         }
     }
     nodes
+}
+
+/// Where a place of a leaf is that is drawn at the columns `u` and even rows: between its points.
+fn point_at(drawn: &Surface, columns: &[f32], [u, v]: [f32; 2]) -> [f32; 3] {
+    let v = v * (drawn.rows - 1) as f32;
+    let low = (v as usize).min(drawn.rows - 2);
+    let left = columns.partition_point(|column| *column <= u);
+    let left = left.clamp(1, columns.len() - 1) - 1;
+    let part = (u - columns[left]) / (columns[left + 1] - columns[left]);
+    let along = |row: usize| {
+        let [a, b] = [left, left + 1].map(|column| drawn.position(column, row));
+        core::array::from_fn::<f32, 3, _>(|axis| a[axis] + part * (b[axis] - a[axis]))
+    };
+    let [a, b] = [along(low), along(low + 1)];
+    let part = v - low as f32;
+    core::array::from_fn(|axis| a[axis] + part * (b[axis] - a[axis]))
 }
