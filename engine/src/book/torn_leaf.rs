@@ -12,7 +12,6 @@ use super::limits::{NODES, TICK};
 use super::stillness::{STILL, Stillness};
 use super::surroundings::{Surroundings, TableAround};
 use crate::grid::Side;
-use crate::interpolate::uniform_samples;
 use crate::models::sheet::{Root, Sheet, SheetSettings, Tether, TornMesh};
 use crate::stock::GRAVITY;
 use crate::surface::Surface;
@@ -24,12 +23,16 @@ mod across_tests;
 mod ball;
 #[cfg(test)]
 mod crumpling_tests;
+mod fracture;
+mod nodes;
 mod press;
 #[cfg(test)]
 mod tests;
 
-use across::BoundTie;
+use across::Across;
 use ball::Ball;
+use fracture::{stiffness_of, work_of};
+use nodes::{finer, nodes_of};
 use press::Press;
 
 /// How a leaf is bound, which says what there is to tear.
@@ -43,9 +46,6 @@ pub enum TearLine {
     Perforated,
 }
 
-/// Work of fracture of paper, J/m^2: typical of 5 to 20 kJ/m^2.
-const FRACTURE: f64 = 1e4;
-
 /// Part of a perforated line that is paper: cuts of 2.5 mm with 1 mm between them.
 const TIES: f64 = 0.3;
 
@@ -53,16 +53,12 @@ const TIES: f64 = 0.3;
 const STAPLE: f64 = 0.012;
 const STAPLES: [f64; 2] = [0.25, 0.75];
 
-/// Of the height of a cell, how far a torn row opens before it parts: a tear is no sharper than
-/// the nodes are apart.
-const OPENING: f64 = 0.5;
-
 /// Stiffness of a hand that tears, N/m, and its greatest force, N: it feels some centimetres of
 /// pull, and is as strong as finger and thumb.
 const PULL: [f32; 2] = [200.0, 20.0];
 
 /// Grabs that a sheet tells apart, numbered from 0: two tear it across.
-pub const HANDS: usize = 2;
+pub const MAX_PULLS: usize = 2;
 
 /// Speed of the nodes of a ball, root of the mean square, m/s, below which it lies still: a tenth of what gravity gives it in a tick, which its contacts take from
 /// it again, node by node.
@@ -100,8 +96,8 @@ pub struct TornLeaf {
     /// Work done in tearing since it was last asked for, J.
     torn: f32,
     /// Whether each grab holds it, and where it pulls.
-    is_held: [bool; HANDS],
-    pulled: [[f32; 3]; HANDS],
+    is_held: [bool; MAX_PULLS],
+    pulled: [[f32; 3]; MAX_PULLS],
     stillness: Stillness,
     surface: Surface,
     /// By how much what was drawn at first differed from the sheet, metres, and for how many
@@ -109,8 +105,8 @@ pub struct TornLeaf {
     differing: Vec<f32>,
     blend: u32,
     crumpled: Option<Crumpled>,
-    /// What holds one that is torn across, from the end of the path to the tip of the tear.
-    across: Vec<BoundTie>,
+    /// What holds one that is torn across.
+    across: Across,
     /// How what is drawn of a sheet that is torn across lies on its page.
     mesh: TornMesh,
 }
@@ -162,12 +158,12 @@ impl TornLeaf {
             steps,
             around,
             torn: 0.0,
-            is_held: [false; HANDS],
-            pulled: [[f32::NAN; 3]; HANDS],
+            is_held: [false; MAX_PULLS],
+            pulled: [[f32::NAN; 3]; MAX_PULLS],
             stillness: Stillness::default(),
             surface,
             crumpled: None,
-            across: Vec::new(),
+            across: Across::default(),
             mesh: TornMesh::default(),
         };
         torn.tie();
@@ -179,7 +175,7 @@ impl TornLeaf {
     /// in place of where it did. Nothing happens where one is not finite or there is no such
     /// grab; a ball has the first alone.
     pub fn grab(&mut self, grab: usize, u: f32, v: f32) {
-        if grab >= HANDS || !(u.is_finite() && v.is_finite()) {
+        if grab >= MAX_PULLS || !(u.is_finite() && v.is_finite()) {
             return;
         }
         match &mut self.crumpled {
@@ -196,7 +192,7 @@ impl TornLeaf {
     /// A grab pulls to a place in book space, metres: within a kilometre, or to the nearest
     /// place that is. Nothing happens where it holds nothing or the place is not finite.
     pub fn pull(&mut self, grab: usize, to: [f32; 3]) {
-        if grab < HANDS && to.iter().all(|x| x.is_finite()) && to != self.pulled[grab] {
+        if grab < MAX_PULLS && to.iter().all(|x| x.is_finite()) && to != self.pulled[grab] {
             self.sheet.pull(grab as u32, to);
             self.pulled[grab] = to;
             self.wake();
@@ -205,13 +201,13 @@ impl TornLeaf {
 
     /// All grabs are released.
     pub fn release(&mut self) {
-        for grab in 0..HANDS {
+        for grab in 0..MAX_PULLS {
             self.sheet.release(grab as u32);
         }
         if let Some(Crumpled::Ball(ball)) = &mut self.crumpled {
             ball.release();
         }
-        self.is_held = [false; HANDS];
+        self.is_held = [false; MAX_PULLS];
         self.wake();
     }
 
@@ -227,9 +223,8 @@ impl TornLeaf {
     /// Tears what still holds at the spine or across, without work: it is off, or torn through.
     pub fn cut(&mut self) {
         self.bound.clear();
-        self.across.clear();
         self.tie();
-        self.tie_across();
+        self.across.cut(&mut self.sheet);
         self.wake();
     }
 
@@ -265,6 +260,53 @@ impl TornLeaf {
         self.sheet.write_surface(&mut self.surface);
         self.surface.update_normals();
         true
+    }
+
+    /// Begins to tear the sheet across, along a path on its page: u and v of places, from the edge
+    /// next to the first, where the tear begins, to the edge next to the last. All grabs are
+    /// released. The sheet is where it was, and its surface has another size.
+    ///
+    /// Returns whether it does: not one that is bound, crumpled, torn across already or a piece,
+    /// and not along a path that leaves the page, has both its ends on one edge, or parts a piece
+    /// narrower than a cell or more crooked than a grid can be.
+    pub fn tear_across(&mut self, path: &[[f64; 2]]) -> bool {
+        if !self.bound.is_empty() || self.is_crumpled() || self.sheet.is_torn() {
+            return false;
+        }
+        let Some((sheet, across)) = Across::begin(&self.sheet, path) else {
+            return false;
+        };
+        self.across = across;
+        self.take_sheet(sheet);
+        true
+    }
+
+    /// Number of nodes of the path at which a sheet that is torn across still holds.
+    pub fn ties(&self) -> usize {
+        self.across.count()
+    }
+
+    /// How far along its path a sheet is torn across, metres: from the first place of the path
+    /// on. Infinite once it is torn through; 0 of any other sheet.
+    pub fn opened(&self) -> f32 {
+        match self.across.tip() {
+            Some(tip) => tip,
+            None if self.sheet.is_torn() => f32::INFINITY,
+            None => 0.0,
+        }
+    }
+
+    /// Parts a sheet that is torn through: this is what lies to the right of the path from then
+    /// on, and what is returned is the piece to the left of it, where it was. Right and left are
+    /// those of the path toward rising u, or toward rising v of a path that is steeper. All grabs
+    /// are released. None of any other sheet.
+    pub fn part(&mut self) -> Option<TornLeaf> {
+        let [foot, head] = self.sheet.parted()?;
+        let mut other = self.clone();
+        self.take_sheet(foot);
+        other.take_sheet(head);
+        other.torn = 0.0;
+        Some(other)
     }
 
     /// Whether it is crumpled, or being crumpled.
@@ -356,13 +398,24 @@ impl TornLeaf {
             }
             self.sheet.step_of(left);
             self.tear_rows();
-            self.tear_tip();
+            self.torn += self.across.tear(&mut self.sheet);
         }
         if let Some(Crumpled::Pressed(press)) = &mut self.crumpled
             && !press.tick(&mut self.sheet)
         {
             self.crumpled = Some(Crumpled::Ball(Ball::of(&self.sheet)));
         }
+    }
+
+    /// Goes on as another sheet, which is drawn at once. All grabs are released.
+    fn take_sheet(&mut self, sheet: Sheet) {
+        self.steps = libm::roundf(TICK / sheet.time_step()).max(1.0) as u32;
+        self.mesh = sheet.torn_mesh();
+        self.sheet = sheet;
+        self.release();
+        self.blend = 0;
+        self.sheet.write_surface(&mut self.surface);
+        self.surface.update_normals();
     }
 
     fn wake(&mut self) {
@@ -422,58 +475,17 @@ fn bound_rows(sheet: &Sheet, line: TearLine, range: core::ops::Range<usize>) -> 
                 }
         }
     };
-    let opening = OPENING * cell;
     range
         .filter_map(|row| {
-            let work = FRACTURE * settings.stock.caliper * length_at(row);
+            let work = work_of(settings.stock.caliper, length_at(row));
             let node = row * settings.columns;
             let tether = Tether {
                 node,
                 place: places[node],
-                stiffness: (2.0 * work / (opening * opening)) as f32,
+                stiffness: stiffness_of(work, cell),
             };
             let work = work as f32;
             (work > 0.0).then_some(BoundRow { tether, work })
         })
         .collect()
-}
-
-/// Where the nodes of a finer grid are on a sheet: between those of its own.
-fn finer(sheet: &Sheet, [columns, rows]: [usize; 2]) -> Vec<[f32; 3]> {
-    let settings = sheet.settings();
-    let coarse = Surface {
-        positions: sheet.positions().to_vec(),
-        ..Surface::new(settings.columns, settings.rows)
-    };
-    let even: Vec<f32> = uniform_samples(settings.columns);
-    nodes_of(&coarse, &even, [columns, rows])
-}
-
-/// Where so many columns and rows of nodes of a leaf are that is drawn at the columns `u` and
-/// even rows: between its points.
-fn nodes_of(drawn: &Surface, u: &[f32], [columns, rows]: [usize; 2]) -> Vec<[f32; 3]> {
-    let mut nodes = Vec::with_capacity(columns * rows);
-    for row in 0..rows {
-        for column in 0..columns {
-            let at = [(column, columns), (row, rows)].map(|(k, of)| k as f32 / (of - 1) as f32);
-            nodes.push(point_at(drawn, u, at));
-        }
-    }
-    nodes
-}
-
-/// Where a place of a leaf is that is drawn at the columns `u` and even rows: between its points.
-fn point_at(drawn: &Surface, columns: &[f32], [u, v]: [f32; 2]) -> [f32; 3] {
-    let v = v * (drawn.rows - 1) as f32;
-    let low = (v as usize).min(drawn.rows - 2);
-    let left = columns.partition_point(|column| *column <= u);
-    let left = left.clamp(1, columns.len() - 1) - 1;
-    let part = (u - columns[left]) / (columns[left + 1] - columns[left]);
-    let along = |row: usize| {
-        let [a, b] = [left, left + 1].map(|column| drawn.position(column, row));
-        core::array::from_fn::<f32, 3, _>(|axis| a[axis] + part * (b[axis] - a[axis]))
-    };
-    let [a, b] = [along(low), along(low + 1)];
-    let part = v - low as f32;
-    core::array::from_fn(|axis| a[axis] + part * (b[axis] - a[axis]))
 }

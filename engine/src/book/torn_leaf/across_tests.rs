@@ -162,7 +162,7 @@ fn both_pieces_keep_their_paper_and_come_to_rest() {
             let torn = tear_across(leaf.clone(), &book, path);
             let mut pieces = torn.pieces;
             let work = f64::from(pieces[0].take_work());
-            let wanted = FRACTURE * stock.caliper * path_length(&leaf, path);
+            let wanted = work_of(stock.caliper, path_length(&leaf, path));
             assert!((work / wanted - 1.0).abs() < 1e-4, "{work} J for {wanted}");
             assert_eq!(pieces[1].take_work(), 0.0);
             let mut worst = torn.worst;

@@ -105,8 +105,8 @@ fn a_leaf_comes_off_from_the_end_at_which_it_is_pulled() {
 #[test]
 fn the_work_of_tearing_is_that_of_the_paper_which_binds_it() {
     for stock in [Stock::BIBLE, Stock::BOOK, Stock::COATED] {
-        let along = FRACTURE * stock.caliper * 0.21;
-        let wanted = [along * TIES, FRACTURE * stock.caliper * 2.0 * STAPLE, along];
+        let along = work_of(stock.caliper, 0.21);
+        let wanted = [along * TIES, work_of(stock.caliper, 2.0 * STAPLE), along];
         let mut pulls = [0.0; 3];
         for (k, line) in LINES.into_iter().enumerate() {
             let at = [0.95, 0.95];

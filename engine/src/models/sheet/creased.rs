@@ -3,7 +3,7 @@
 use super::crease::FoldLine;
 use super::hinges::Hinges;
 use super::patches::Patches;
-use super::tearing::Torn;
+use super::torn::Torn;
 
 /// The creases of a sheet, and what bends and draws it once it has some.
 #[derive(Clone, Debug)]

@@ -6,6 +6,7 @@
 //! same rows, for contacts, grabs and drawing.
 
 use super::crease::FoldLine;
+use super::flat::{distance, twice_area};
 use super::settings::{CAN_CREASE, CAN_TEAR, SheetSettings};
 use super::torn_grid::TornGrid;
 use core::ops::Range;
@@ -264,8 +265,9 @@ impl Material {
     pub fn cells(&self) -> impl Iterator<Item = usize> + use<> {
         let columns = self.columns;
         let [before, beyond] = self.runs();
-        let is_cell =
-            move |foot: &usize| (foot + 1) % columns != 0 && foot / columns + 1 != before.end;
+        let is_cell = move |foot: &usize| {
+            !(foot + 1).is_multiple_of(columns) && foot / columns + 1 != before.end
+        };
         (0..columns * beyond.end.saturating_sub(1)).filter(is_cell)
     }
 
@@ -621,14 +623,4 @@ pub(super) fn cut(material: &Material, foot: usize, rising: bool) -> [[usize; 3]
     } else {
         [[foot, foot + 1, head], [foot + 1, head + 1, head]]
     }
-}
-
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    let d = [a[0] - b[0], a[1] - b[1]];
-    (d[0] * d[0] + d[1] * d[1]).sqrt()
-}
-
-/// Twice the area of a triangle, above 0 where its corners go around as u to v does.
-pub(super) fn twice_area(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
-    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }

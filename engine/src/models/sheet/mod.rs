@@ -15,6 +15,7 @@ mod creased;
 mod creasing;
 mod crumpling;
 mod facets;
+mod flat;
 #[cfg(test)]
 mod folding_tests;
 mod grabs;
@@ -31,6 +32,7 @@ mod tearing;
 #[cfg(test)]
 mod tests;
 mod tether;
+mod torn;
 mod torn_grid;
 
 pub use contact::{CONTACTS, Contact};
@@ -47,8 +49,8 @@ use material::Material;
 use membrane::Membrane;
 use sweep::Sweep;
 use system::System;
-pub use tearing::TornMesh;
 pub(crate) use tether::{Tether, Tie};
+pub use torn::TornMesh;
 
 use crate::band::Band;
 use crate::grid::{Grid, Side};

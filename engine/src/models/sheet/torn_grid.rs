@@ -5,7 +5,7 @@
 //! and columns for solver and sweeps, and is two sheets once nothing ties those rows. Each
 //! piece is mapped onto its rectangle of nodes from its four sides (Coons 1967).
 
-use super::material::twice_area;
+use super::flat::{distance, length, twice_area};
 
 /// Fewest and most columns: the path's nodes, no farther apart than paper needs to bend along
 /// it, and no more than a frame has time for.
@@ -446,15 +446,6 @@ pub(super) fn spread_evenly(line: &[Place], count: usize) -> Vec<Place> {
     let mut places: Vec<Place> = (0..count).map(place).collect();
     places[count - 1] = line[line.len() - 1];
     places
-}
-
-/// Length of a line through places, metres.
-pub(super) fn length(line: &[Place]) -> f64 {
-    line.windows(2).map(|pair| distance(pair[0], pair[1])).sum()
-}
-
-fn distance(a: Place, b: Place) -> f64 {
-    libm::hypot(a[0] - b[0], a[1] - b[1])
 }
 
 #[cfg(test)]
