@@ -77,8 +77,8 @@ const pictures = {
     page: 1,
     strip: {
       act: tearOutAndAcross,
-      after: [500, 250, 300, 1600],
-      clip: { x: 820, y: 40, width: 380, height: 400 },
+      after: [430, 220, 550, 500],
+      clip: { x: 790, y: 0, width: 410, height: 480 },
     },
   },
   ...Object.fromEntries(

@@ -146,16 +146,28 @@ impl TornLeaf {
             node[2] = z.max(book.pile(side).height(x.abs()));
         }
         sheet.place(nodes.into_iter().flatten());
-        let mut surface = Surface::new(drawn.columns, drawn.rows);
+        let bound = bound_rows(&sheet, line, bound);
+        let mut torn = TornLeaf::of(sheet, around);
+        let apart = drawn.positions.iter().zip(&torn.surface.positions);
+        torn.differing = apart.map(|(drawn, own)| drawn - own).collect();
+        (torn.bound, torn.blend) = (bound, BLENDED);
+        torn.tie();
+        torn.update(book);
+        Some(torn)
+    }
+
+    /// A loose sheet.
+    fn of(mut sheet: Sheet, around: TableAround) -> TornLeaf {
+        let mut surface = Surface::new(2, 2);
         sheet.write_surface(&mut surface);
-        let apart = drawn.positions.iter().zip(&surface.positions);
-        let steps = libm::roundf(TICK / sheet.time_step()).max(1.0) as u32;
-        let mut torn = TornLeaf {
-            differing: apart.map(|(drawn, own)| drawn - own).collect(),
-            blend: BLENDED,
-            bound: bound_rows(&sheet, line, bound),
+        surface.update_normals();
+        TornLeaf {
+            steps: libm::roundf(TICK / sheet.time_step()).max(1.0) as u32,
+            mesh: sheet.torn_mesh(),
+            differing: Vec::new(),
+            blend: 0,
+            bound: Vec::new(),
             sheet,
-            steps,
             around,
             torn: 0.0,
             is_held: [false; MAX_PULLS],
@@ -164,11 +176,7 @@ impl TornLeaf {
             surface,
             crumpled: None,
             across: Across::default(),
-            mesh: TornMesh::default(),
-        };
-        torn.tie();
-        torn.update(book);
-        Some(torn)
+        }
     }
 
     /// A grab of a number takes hold at (`u`, `v`) of the page, each 0 to 1 or the nearer of these,
@@ -302,11 +310,8 @@ impl TornLeaf {
     /// are released. None of any other sheet.
     pub fn part(&mut self) -> Option<TornLeaf> {
         let [foot, head] = self.sheet.parted()?;
-        let mut other = self.clone();
         self.take_sheet(foot);
-        other.take_sheet(head);
-        other.torn = 0.0;
-        Some(other)
+        Some(TornLeaf::of(head, self.around))
     }
 
     /// Whether it is crumpled, or being crumpled.
@@ -409,13 +414,13 @@ impl TornLeaf {
 
     /// Goes on as another sheet, which is drawn at once. All grabs are released.
     fn take_sheet(&mut self, sheet: Sheet) {
-        self.steps = libm::roundf(TICK / sheet.time_step()).max(1.0) as u32;
-        self.mesh = sheet.torn_mesh();
-        self.sheet = sheet;
-        self.release();
-        self.blend = 0;
-        self.sheet.write_surface(&mut self.surface);
-        self.surface.update_normals();
+        let version = self.surface.version;
+        *self = TornLeaf {
+            torn: self.torn,
+            across: core::mem::take(&mut self.across),
+            ..TornLeaf::of(sheet, self.around)
+        };
+        self.surface.version = version.wrapping_add(1);
     }
 
     fn wake(&mut self) {

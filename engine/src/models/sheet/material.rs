@@ -127,23 +127,29 @@ impl Material {
         }
     }
 
-    /// The grid of some of its rows, which hang together.
+    /// The grid of some of a torn page's rows, which hang together.
     pub fn piece(&self, rows: Range<usize>) -> Self {
         let nodes = rows.start * self.columns..rows.end * self.columns;
         let is_in = |edge: &&[usize; 2]| nodes.contains(&edge[0]) && nodes.contains(&edge[1]);
         let diagonals = self.diagonals.iter().filter(is_in);
         Self {
+            columns: self.columns,
             rows: rows.len(),
             places: self.places[nodes.clone()].to_vec(),
+            is_even: false,
+            crumples: false,
+            cell: self.cell,
+            size: self.size,
+            folds: Vec::new(),
             diagonals: diagonals
                 .map(|edge| edge.map(|node| node - nodes.start))
                 .collect(),
+            is_torn: true,
             seam: None,
-            ..self.clone()
         }
     }
 
-    /// The same paper with `parts` cells in place of each along u and along v.
+    /// The same torn page with `parts` cells in place of each along u and along v.
     pub fn refined(&self, parts: usize) -> Self {
         let columns = parts * (self.columns - 1) + 1;
         let refined = |rows: usize| parts * (rows - 1) + 1;
@@ -170,10 +176,14 @@ impl Material {
             columns,
             rows: places.len() / columns,
             places,
+            is_even: false,
+            crumples: false,
             cell: self.cell.map(|side| side / parts as f64),
+            size: self.size,
+            folds: Vec::new(),
             diagonals: Vec::new(),
+            is_torn: true,
             seam: self.seam.map(refined),
-            ..self.clone()
         }
     }
 

@@ -338,14 +338,15 @@ fn perimeter(from: Place, to: Place, [width, height]: [f64; 2]) -> Vec<Place> {
     };
     let end = beyond(to);
     let corners = [[width, 0.0], [width, height], [0.0, height], [0.0, 0.0]];
-    let mut between: Vec<Place> = corners
-        .into_iter()
-        .filter(|corner| (1e-9..end - 1e-9).contains(&beyond(*corner)))
-        .collect();
-    between.sort_by(|a, b| beyond(*a).total_cmp(&beyond(*b)));
-    between.insert(0, from);
-    between.push(to);
-    between
+    // Counterclockwise from the first one beyond `from`.
+    let first = (0..4)
+        .min_by(|a, b| beyond(corners[*a]).total_cmp(&beyond(corners[*b])))
+        .unwrap_or(0);
+    let on = (0..4).map(|k| corners[(first + k) % 4]);
+    let mut places = vec![from];
+    places.extend(on.filter(|corner| (1e-9..end - 1e-9).contains(&beyond(*corner))));
+    places.push(to);
+    places
 }
 
 /// Moves a place to the edge of the page that is next to it.

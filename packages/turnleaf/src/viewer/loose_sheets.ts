@@ -44,8 +44,9 @@ const tearRaising = 0.3;
 const tearSpeed = 1;
 const longestTear = 3;
 
-/** How far a command lays either piece off where it lay on the page, in page widths. */
+/** How far a command lays either piece off where it lay on the page, and goes around the other, in page widths. */
 const piecesApart = 0.06;
+const piecesAround = 0.3;
 
 /** Between which parts of its columns a piece is held that is laid down. */
 const laidBetween = [0.2, 0.8] as const;
@@ -106,6 +107,8 @@ interface LooseSheet {
 interface AsideMotion {
   /** Where each of its grabs goes. */
   readonly ways: readonly { readonly from: Vec3; readonly to: Vec3 }[];
+  /** How far it goes to a side on its way, metres: pieces that turn back would lie over each other. */
+  readonly around: readonly [x: number, y: number];
   /** Fraction of its way that is done. */
   part: number;
 }
@@ -377,7 +380,8 @@ export class LooseSheetPile {
 
   /** Lays a piece that a command has torn off down where it lay, but for a gap beside the other. */
   #layDown(piece: LooseSheet, { apart, lay }: TearMotion, isSecond: boolean): void {
-    const by = (isSecond ? 1 : -1) * piecesApart * this.#size.width;
+    const way = (isSecond ? 1 : -1) * this.#size.width;
+    const by = piecesApart * way;
     const { surface } = piece.sheet;
     piece.aside = {
       ways: laidBetween.map((part, grab) => {
@@ -386,6 +390,7 @@ export class LooseSheetPile {
         const [x, y, z] = pointAt(lay, place);
         return { from: pointAt(surface, place), to: [x + by * apart[0], y + by * apart[1], z] };
       }),
+      around: [piecesAround * way * apart[0], piecesAround * way * apart[1]],
       part: 0,
     };
   }
@@ -421,7 +426,7 @@ export class LooseSheetPile {
     } else {
       const to = asideOf(shape, at ?? middle);
       one.sheet.grab(...middlePlace(one.sheet.surface));
-      one.aside = { ways: [{ from: middle, to }], part: 0 };
+      one.aside = { ways: [{ from: middle, to }], around: [0, 0], part: 0 };
     }
     this.#hooks.moved();
   }
@@ -435,9 +440,11 @@ export class LooseSheetPile {
     const eased = aside.part * aside.part * (3 - 2 * aside.part);
     // Level until it is past the book, then down.
     const sunk = aside.part ** 4;
+    const beside = 4 * aside.part * (1 - aside.part);
     for (const [grab, { from, to }] of aside.ways.entries()) {
       const at = (axis: number, part: number) => from[axis] + part * (to[axis] - from[axis]);
-      one.sheet.pull([at(0, eased), at(1, eased), at(2, sunk)], grab as 0 | 1);
+      const [x, y] = aside.around.map((way, axis) => at(axis, eased) + beside * way);
+      one.sheet.pull([x, y, at(2, sunk)], grab as 0 | 1);
     }
     if (aside.part < 1) return;
     one.aside = null;
