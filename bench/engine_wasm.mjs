@@ -127,13 +127,13 @@ function tornFrames(wasm) {
     wasm.tl_book_step(book, 40);
     wasm.tl_book_update(book);
     const leaf = wasm.tl_torn_new(book, id, 0, 0, 14, 0, 0);
-    wasm.tl_torn_grab(leaf, 0.95, 0.95);
+    wasm.tl_torn_grab(leaf, 0, 0.95, 0.95);
     for (let frame = 0; frame < 60; frame++) {
       const away = 0.003 * frame;
       const start = performance.now();
       wasm.tl_book_step(book, 2);
       wasm.tl_book_update(book);
-      wasm.tl_torn_pull(leaf, 0.13 + 0.8 * away, 0.2, 0.02 + 0.6 * away);
+      wasm.tl_torn_pull(leaf, 0, 0.13 + 0.8 * away, 0.2, 0.02 + 0.6 * away);
       wasm.tl_torn_step(leaf, book, 2);
       frames.push(1000 * (performance.now() - start));
     }

@@ -71,6 +71,16 @@ const pictures = {
       clip: { x: 860, y: 90, width: 340, height: 320 },
     },
   },
+  "tear-across": {
+    example: "18-tear-off.html",
+    viewport: { width: 1200, height: 480 },
+    page: 1,
+    strip: {
+      act: tearOutAndAcross,
+      after: [430, 220, 550, 500],
+      clip: { x: 790, y: 0, width: 410, height: 480 },
+    },
+  },
   ...Object.fromEntries(
     [0, 350, 640].map((unfold, k) => [
       `fold-out-${k + 1}`,
@@ -107,6 +117,15 @@ async function tearAndCrumple(page) {
   await page.evaluate(() => {
     window.clock.pass(2600);
     document.querySelector("turnleaf-book").crumple();
+  });
+}
+
+/** Tears out, and begins to tear across what lies beside the book then. */
+async function tearOutAndAcross(page) {
+  await tearOut(page);
+  await page.evaluate(() => {
+    window.clock.pass(2600);
+    document.querySelector("turnleaf-book").tearAcross({ x: 0, y: 0.42 }, { x: 1, y: 0.55 });
   });
 }
 

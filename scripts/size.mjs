@@ -33,8 +33,9 @@ const parts = {
   // Folds along any line, kept as folded corners are, and a drawing that is begun while the book is
   // read added 1. That leaves may be torn out added 2: pages that leave the book and come back, and how a loose
   // sheet is drawn, picked and shades its book; what tears it is not in every book. Flaps of
-  // fold-outs that a pointer opens, and the double tap that crumples, added 1.
-  "shows and turns a book": { limit: 137 },
+  // fold-outs that a pointer opens, and the double tap that crumples, added 1. How the
+  // ragged edge of a sheet that is torn across is drawn, and its command, added 1.
+  "shows and turns a book": { limit: 138 },
   "the text over the pages, once they show": { files: ["book_text_overlay.js"], limit: 8 },
   "zoomed in, pages of other sizes, fold-outs, the place kept": {
     files: ["detail_pictures.js", "fit.js", "place_keeper.js"],
@@ -68,10 +69,11 @@ const parts = {
   // out, loads none of it. 4 kB of it are folds along any line, whose parts lie upon parts, and 4 folds of leaves that
   // lie upon each other. 17 came with what crumples a sheet into a ball, the flaps of fold-outs,
   // and what keeps folded parts out of each other in what is drawn; 1 with folds that wait for
-  // each other and parts that lie by how they face.
+  // each other and parts that lie by how they face; 13 with what tears a loose sheet across: a grid
+  // on each piece, its drawing, and the motions of pointers and command.
   "folded pages, leaves torn out": {
     files: ["creasable_book.js", "folds.js", "tearing.js"],
-    limit: 169,
+    limit: 183,
     isApart: true,
   },
   // Only a browser that draws elements on canvases loads it.

@@ -45,7 +45,7 @@ pub(crate) fn pad<T: Real>(
     size: [f64; 2],
 ) -> Vec<Pressed<T>> {
     let cell = [size[0] / (columns - 1) as f64, size[1] / (rows - 1) as f64];
-    pad_over(at, (columns, rows), size, |node| {
+    pad_over(at, (columns, rows), [size, cell], |node| {
         [
             (node % columns) as f64 * cell[0],
             (node / columns) as f64 * cell[1],
@@ -53,14 +53,14 @@ pub(crate) fn pad<T: Real>(
     })
 }
 
-/// The same where nodes lie on the flat leaf as `place` says, metres.
+/// The same where cells have about such sides, and nodes lie on the flat leaf as `place` says,
+/// metres.
 pub(crate) fn pad_over<T: Real>(
     (u, v): (f64, f64),
     (columns, rows): (usize, usize),
-    size: [f64; 2],
+    [size, cell]: [[f64; 2]; 2],
     place: impl Fn(usize) -> [f64; 2],
 ) -> Vec<Pressed<T>> {
-    let cell = [size[0] / (columns - 1) as f64, size[1] / (rows - 1) as f64];
     let middle = [u.clamp(0.0, 1.0) * size[0], v.clamp(0.0, 1.0) * size[1]];
     // Wide enough for the four corners of a cell to share the pull smoothly.
     let radius = RADIUS.max(1.2 * cell[0]).max(1.2 * cell[1]);

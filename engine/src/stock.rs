@@ -27,6 +27,16 @@ pub enum Grain {
     AcrossSpine,
 }
 
+impl Grain {
+    /// The grain of the same paper turned by a quarter.
+    pub(crate) fn turned(self) -> Self {
+        match self {
+            Grain::AlongSpine => Grain::AcrossSpine,
+            Grain::AcrossSpine => Grain::AlongSpine,
+        }
+    }
+}
+
 /// A paper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stock {

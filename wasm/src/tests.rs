@@ -328,11 +328,17 @@ fn a_torn_leaf_takes_any_number() {
             let books = [book, core::ptr::null_mut(), leaf.cast()];
             for _ in 0..60 {
                 let [x, y, z] = [0, 1, 2].map(|_| random.single(-0.5, 0.5));
-                match random.below(8) {
-                    0 => tl_torn_grab(leaf, x + 0.5, y + 0.5),
+                let grab = random.below(3);
+                match random.below(9) {
+                    0 => tl_torn_grab(leaf, grab, x + 0.5, y + 0.5),
                     1 => tl_torn_release(leaf),
                     2 if random.below(8) == 0 => tl_torn_cut(leaf),
-                    3 | 4 => tl_torn_pull(leaf, x, y, z),
+                    3 | 4 => tl_torn_pull(leaf, grab, x, y, z),
+                    6 => {
+                        let [u0, v0, u1, v1] = [0; 4].map(|_| random.float(-0.2, 1.2));
+                        tl_torn_across(leaf, u0, v0, u1, v1);
+                        tl_torn_drop(tl_torn_part(leaf));
+                    }
                     5 => assert!(tl_torn_work(leaf) >= 0.0),
                     _ => {
                         let on = books[random.below(books.len())];
@@ -345,6 +351,9 @@ fn a_torn_leaf_takes_any_number() {
                     assert!(numbers.all(|x| x.is_finite()));
                     assert!(tl_torn_bound_low(leaf) <= tl_torn_bound_high(leaf));
                     assert!(tl_torn_caliper(leaf) > 0.0);
+                    assert!(tl_torn_opened(leaf) >= 0.0);
+                    let points = torn.mesh().places.len();
+                    assert!(points == 0 || 3 * points == surface.positions.len());
                 }
             }
             tl_torn_drop(leaf);

@@ -58,17 +58,44 @@ pub unsafe extern "C" fn tl_torn_step(leaf: *mut TornLeaf, book: *mut Book, tick
     }
 }
 
+/// Begins to tear a loose sheet across, from (`u0`, `v0`) to (`u1`, `v1`) on its page. Returns
+/// whether it does: 0 or 1.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_torn_across(
+    leaf: *mut TornLeaf,
+    u0: f64,
+    v0: f64,
+    u1: f64,
+    v1: f64,
+) -> u32 {
+    // SAFETY: from one thread by the crate's contract, so that no other call uses it.
+    let leaf = unsafe { TORN.get(leaf) };
+    leaf.is_some_and(|leaf| leaf.tear_across(&[[u0, v0], [u1, v1]]))
+        .into()
+}
+
+/// Parts a sheet that is torn through: returns the piece on the left of the path, and leaves the
+/// other in its place. 0 where it is not torn through.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_torn_part(leaf: *mut TornLeaf) -> *mut TornLeaf {
+    // SAFETY: from one thread by the crate's contract, so that no other call uses it.
+    match unsafe { TORN.get(leaf) }.and_then(TornLeaf::part) {
+        Some(piece) => TORN.keep(piece),
+        None => core::ptr::null_mut(),
+    }
+}
+
 live_functions! {
     TORN: TornLeaf;
-    /// A hand takes hold at (u, v), each 0 to 1 or the nearer of these. Nothing happens where
-    /// one is not finite.
-    fn tl_torn_grab(leaf, u: f32, v: f32) { leaf.grab(u, v) }
-    /// The hand pulls to a place in book space, metres, each -1000 to 1000 or the nearer of
-    /// these. Nothing happens where one is not finite.
-    fn tl_torn_pull(leaf, x: f32, y: f32, z: f32) { leaf.pull([x, y, z]) }
-    /// The hand lets go.
+    /// A grab, 0 or 1, takes hold at (u, v), each 0 to 1 or the nearer of these. Nothing happens
+    /// where one is not finite.
+    fn tl_torn_grab(leaf, grab: usize, u: f32, v: f32) { leaf.grab(grab, u, v) }
+    /// A grab, 0 or 1, pulls to a place in book space, metres, each -1000 to 1000 or the nearer
+    /// of these. Nothing happens where one is not finite.
+    fn tl_torn_pull(leaf, grab: usize, x: f32, y: f32, z: f32) { leaf.pull(grab, [x, y, z]) }
+    /// All grabs are released.
     fn tl_torn_release(leaf) { leaf.release() }
-    /// Tears what still binds it, without work.
+    /// Tears what still holds at the spine or across, without work.
     fn tl_torn_cut(leaf) { leaf.cut() }
     /// The rows between which it is bound, from the foot: both 0 once it is off.
     fn tl_torn_bound_low(leaf) -> usize { leaf.bound().start }
@@ -77,6 +104,14 @@ live_functions! {
     fn tl_torn_crumple(leaf) -> u32 { leaf.crumple().into() }
     /// Whether it is crumpled: its surface is one of facets then.
     fn tl_torn_crumpled(leaf) -> u32 { leaf.is_crumpled().into() }
+    /// How far it is torn across, metres along the path; infinite once it is torn through.
+    fn tl_torn_opened(leaf) -> f32 { leaf.opened() }
+    /// Of one that is torn across: for each point u, v on its page, and its place by the tear in
+    /// three numbers (`TornMesh`), f32; the points of each triangle, u32; how many of these.
+    fn tl_torn_places(leaf) -> *const f32 { leaf.mesh().places.as_flattened().as_ptr() }
+    fn tl_torn_tears(leaf) -> *const f32 { leaf.mesh().tears.as_flattened().as_ptr() }
+    fn tl_torn_corners(leaf) -> *const u32 { leaf.mesh().triangles.as_flattened().as_ptr() }
+    fn tl_torn_triangles(leaf) -> usize { leaf.mesh().triangles.len() }
     /// Work done in tearing and crumpling since it was last asked for, J.
     fn tl_torn_work(leaf) -> f32 { leaf.take_work() }
     /// Whether it does not move until the next command.

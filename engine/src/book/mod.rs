@@ -36,6 +36,7 @@ mod tests;
 mod torn_leaf;
 mod work;
 
+pub use crate::models::sheet::TornMesh;
 pub use bend_into_gutter::bend_into_gutter;
 pub use board::Board;
 pub use flight::CreasedMesh;

@@ -39,6 +39,12 @@ impl Stillness {
         self.fallen += u32::from(!is_held);
     }
 
+    /// Whether it lies or is held still.
+    #[cfg(test)]
+    pub fn is_still(self) -> bool {
+        self.still >= STILL_TICKS
+    }
+
     /// Whether it was let go for so long that what still moves only trembles.
     pub fn is_down(self) -> bool {
         self.fallen >= DOWN

@@ -12,20 +12,27 @@ use super::limits::{NODES, TICK};
 use super::stillness::{STILL, Stillness};
 use super::surroundings::{Surroundings, TableAround};
 use crate::grid::Side;
-use crate::interpolate::uniform_samples;
-use crate::models::sheet::{Root, Sheet, SheetSettings, Tether};
+use crate::models::sheet::{Root, Sheet, SheetSettings, Tether, TornMesh};
 use crate::stock::GRAVITY;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
 
+mod across;
+#[cfg(test)]
+mod across_tests;
 mod ball;
 #[cfg(test)]
 mod crumpling_tests;
+mod fracture;
+mod nodes;
 mod press;
 #[cfg(test)]
 mod tests;
 
+use across::Across;
 use ball::Ball;
+use fracture::{stiffness_of, work_of};
+use nodes::{finer, nodes_of};
 use press::Press;
 
 /// How a leaf is bound, which says what there is to tear.
@@ -39,9 +46,6 @@ pub enum TearLine {
     Perforated,
 }
 
-/// Work of fracture of paper, J/m^2: typical of 5 to 20 kJ/m^2.
-const FRACTURE: f64 = 1e4;
-
 /// Part of a perforated line that is paper: cuts of 2.5 mm with 1 mm between them.
 const TIES: f64 = 0.3;
 
@@ -49,16 +53,12 @@ const TIES: f64 = 0.3;
 const STAPLE: f64 = 0.012;
 const STAPLES: [f64; 2] = [0.25, 0.75];
 
-/// Of the height of a cell, how far a torn row opens before it parts: a tear is no sharper than
-/// the nodes are apart.
-const OPENING: f64 = 0.5;
-
 /// Stiffness of a hand that tears, N/m, and its greatest force, N: it feels some centimetres of
 /// pull, and is as strong as finger and thumb.
 const PULL: [f32; 2] = [200.0, 20.0];
 
-/// The number of the hand: there is one.
-const HAND: u32 = 0;
+/// Grabs that a sheet tells apart, numbered from 0: two tear it across.
+pub const MAX_PULLS: usize = 2;
 
 /// Speed of the nodes of a ball, root of the mean square, m/s, below which it lies still: a tenth of what gravity gives it in a tick, which its contacts take from
 /// it again, node by node.
@@ -95,9 +95,9 @@ pub struct TornLeaf {
     bound: Vec<BoundRow>,
     /// Work done in tearing since it was last asked for, J.
     torn: f32,
-    is_held: bool,
-    /// Where the hand pulls.
-    pulled: [f32; 3],
+    /// Whether each grab holds it, and where it pulls.
+    is_held: [bool; MAX_PULLS],
+    pulled: [[f32; 3]; MAX_PULLS],
     stillness: Stillness,
     surface: Surface,
     /// By how much what was drawn at first differed from the sheet, metres, and for how many
@@ -105,6 +105,10 @@ pub struct TornLeaf {
     differing: Vec<f32>,
     blend: u32,
     crumpled: Option<Crumpled>,
+    /// What holds one that is torn across.
+    across: Across,
+    /// How what is drawn of a sheet that is torn across lies on its page.
+    mesh: TornMesh,
 }
 
 impl TornLeaf {
@@ -142,61 +146,76 @@ impl TornLeaf {
             node[2] = z.max(book.pile(side).height(x.abs()));
         }
         sheet.place(nodes.into_iter().flatten());
-        let mut surface = Surface::new(drawn.columns, drawn.rows);
-        sheet.write_surface(&mut surface);
-        let apart = drawn.positions.iter().zip(&surface.positions);
-        let steps = libm::roundf(TICK / sheet.time_step()).max(1.0) as u32;
-        let mut torn = TornLeaf {
-            differing: apart.map(|(drawn, own)| drawn - own).collect(),
-            blend: BLENDED,
-            bound: bound_rows(&sheet, line, bound),
-            sheet,
-            steps,
-            around,
-            torn: 0.0,
-            is_held: false,
-            pulled: [f32::NAN; 3],
-            stillness: Stillness::default(),
-            surface,
-            crumpled: None,
-        };
+        let bound = bound_rows(&sheet, line, bound);
+        let mut torn = TornLeaf::of(sheet, around);
+        let apart = drawn.positions.iter().zip(&torn.surface.positions);
+        torn.differing = apart.map(|(drawn, own)| drawn - own).collect();
+        (torn.bound, torn.blend) = (bound, BLENDED);
         torn.tie();
         torn.update(book);
         Some(torn)
     }
 
-    /// A hand takes hold at (`u`, `v`), each 0 to 1 or the nearer of these, in place of where it
-    /// did. Nothing happens where one is not finite.
-    pub fn grab(&mut self, u: f32, v: f32) {
-        if !(u.is_finite() && v.is_finite()) {
+    /// A loose sheet.
+    fn of(mut sheet: Sheet, around: TableAround) -> TornLeaf {
+        let mut surface = Surface::new(2, 2);
+        sheet.write_surface(&mut surface);
+        surface.update_normals();
+        TornLeaf {
+            steps: libm::roundf(TICK / sheet.time_step()).max(1.0) as u32,
+            mesh: sheet.torn_mesh(),
+            differing: Vec::new(),
+            blend: 0,
+            bound: Vec::new(),
+            sheet,
+            around,
+            torn: 0.0,
+            is_held: [false; MAX_PULLS],
+            pulled: [[f32::NAN; 3]; MAX_PULLS],
+            stillness: Stillness::default(),
+            surface,
+            crumpled: None,
+            across: Across::default(),
+        }
+    }
+
+    /// A grab of a number takes hold at (`u`, `v`) of the page, each 0 to 1 or the nearer of these,
+    /// in place of where it did. Nothing happens where one is not finite or there is no such
+    /// grab; a ball has the first alone.
+    pub fn grab(&mut self, grab: usize, u: f32, v: f32) {
+        if grab >= MAX_PULLS || !(u.is_finite() && v.is_finite()) {
             return;
         }
         match &mut self.crumpled {
-            None => self.sheet.grab_firmly(HAND, [u, v], PULL),
-            Some(Crumpled::Pressed(_)) => return,
-            Some(Crumpled::Ball(ball)) => ball.grab([u, v].map(|at| at.clamp(0.0, 1.0))),
+            None => self.sheet.grab_firmly(grab as u32, [u, v], PULL),
+            Some(Crumpled::Ball(ball)) if grab == 0 => {
+                ball.grab([u, v].map(|at| at.clamp(0.0, 1.0)));
+            }
+            Some(_) => return,
         }
-        (self.is_held, self.pulled) = (true, [f32::NAN; 3]);
+        (self.is_held[grab], self.pulled[grab]) = (true, [f32::NAN; 3]);
         self.wake();
     }
 
-    /// The hand pulls to a place in book space, metres: within a kilometre, or to the nearest
+    /// A grab pulls to a place in book space, metres: within a kilometre, or to the nearest
     /// place that is. Nothing happens where it holds nothing or the place is not finite.
-    pub fn pull(&mut self, to: [f32; 3]) {
-        if to.iter().all(|x| x.is_finite()) && to != self.pulled {
-            self.sheet.pull(HAND, to);
-            self.pulled = to;
+    pub fn pull(&mut self, grab: usize, to: [f32; 3]) {
+        if grab < MAX_PULLS && to.iter().all(|x| x.is_finite()) && to != self.pulled[grab] {
+            self.sheet.pull(grab as u32, to);
+            self.pulled[grab] = to;
             self.wake();
         }
     }
 
-    /// The hand lets go.
+    /// All grabs are released.
     pub fn release(&mut self) {
-        self.sheet.release(HAND);
+        for grab in 0..MAX_PULLS {
+            self.sheet.release(grab as u32);
+        }
         if let Some(Crumpled::Ball(ball)) = &mut self.crumpled {
             ball.release();
         }
-        self.is_held = false;
+        self.is_held = [false; MAX_PULLS];
         self.wake();
     }
 
@@ -209,19 +228,20 @@ impl TornLeaf {
         }
     }
 
-    /// Tears what still binds it, without work: it is off.
+    /// Tears what still holds at the spine or across, without work: it is off, or torn through.
     pub fn cut(&mut self) {
         self.bound.clear();
         self.tie();
+        self.across.cut(&mut self.sheet);
         self.wake();
     }
 
     /// Crumples the sheet: it is pressed into a ball, for a little over a second of its own
     /// time, over the place where it is. A hand that held it lets go. From then on it keeps every
     /// sharp bend, and its surface is one of flat facets, of another size. Returns whether it is
-    /// crumpled: one that is still bound is not, nor one that has been.
+    /// crumpled: one that is still bound is not, nor one that has been or is torn across.
     pub fn crumple(&mut self) -> bool {
-        if !self.bound.is_empty() || self.is_crumpled() {
+        if !self.bound.is_empty() || self.is_crumpled() || self.sheet.is_torn() {
             return false;
         }
         let leaf = self.sheet.settings();
@@ -250,6 +270,50 @@ impl TornLeaf {
         true
     }
 
+    /// Begins to tear the sheet across, along a path on its page: u and v of places, from the edge
+    /// next to the first, where the tear begins, to the edge next to the last. All grabs are
+    /// released. The sheet is where it was, and its surface has another size.
+    ///
+    /// Returns whether it does: not one that is bound, crumpled, torn across already or a piece,
+    /// and not along a path that leaves the page, has both its ends on one edge, or parts a piece
+    /// narrower than a cell or more crooked than a grid can be.
+    pub fn tear_across(&mut self, path: &[[f64; 2]]) -> bool {
+        if !self.bound.is_empty() || self.is_crumpled() || self.sheet.is_torn() {
+            return false;
+        }
+        let Some((sheet, across)) = Across::begin(&self.sheet, path) else {
+            return false;
+        };
+        self.across = across;
+        self.take_sheet(sheet);
+        true
+    }
+
+    /// Number of nodes of the path at which a sheet that is torn across still holds.
+    pub fn ties(&self) -> usize {
+        self.across.count()
+    }
+
+    /// How far along its path a sheet is torn across, metres: from the first place of the path
+    /// on. Infinite once it is torn through; 0 of any other sheet.
+    pub fn opened(&self) -> f32 {
+        match self.across.tip() {
+            Some(tip) => tip,
+            None if self.sheet.is_torn() => f32::INFINITY,
+            None => 0.0,
+        }
+    }
+
+    /// Parts a sheet that is torn through: this is what lies to the right of the path from then
+    /// on, and what is returned is the piece to the left of it, where it was. Right and left are
+    /// those of the path toward rising u, or toward rising v of a path that is steeper. All grabs
+    /// are released. None of any other sheet.
+    pub fn part(&mut self) -> Option<TornLeaf> {
+        let [foot, head] = self.sheet.parted()?;
+        self.take_sheet(foot);
+        Some(TornLeaf::of(head, self.around))
+    }
+
     /// Whether it is crumpled, or being crumpled.
     pub fn is_crumpled(&self) -> bool {
         self.crumpled.is_some()
@@ -275,7 +339,7 @@ impl TornLeaf {
                 return;
             }
             if let Some(Crumpled::Ball(ball)) = &mut self.crumpled {
-                ball.step(TICK, &around, self.pulled);
+                ball.step(TICK, &around, self.pulled[0]);
                 ball.write_nodes(&mut self.sheet);
             } else {
                 self.step_sheet(&around);
@@ -290,7 +354,8 @@ impl TornLeaf {
                 STILL
             };
             let velocities = self.sheet.velocities();
-            self.stillness.count(velocities, self.is_held, slowest);
+            let is_held = self.is_held.contains(&true);
+            self.stillness.count(velocities, is_held, slowest);
         }
     }
 
@@ -310,6 +375,11 @@ impl TornLeaf {
     /// What is drawn, as of the last update.
     pub fn surface(&self) -> &Surface {
         &self.surface
+    }
+
+    /// How what is drawn of one that is torn across lies on its page; nothing of any other.
+    pub fn mesh(&self) -> &TornMesh {
+        &self.mesh
     }
 
     /// The sheet itself.
@@ -333,12 +403,24 @@ impl TornLeaf {
             }
             self.sheet.step_of(left);
             self.tear_rows();
+            self.torn += self.across.tear(&mut self.sheet);
         }
         if let Some(Crumpled::Pressed(press)) = &mut self.crumpled
             && !press.tick(&mut self.sheet)
         {
             self.crumpled = Some(Crumpled::Ball(Ball::of(&self.sheet)));
         }
+    }
+
+    /// Goes on as another sheet, which is drawn at once. All grabs are released.
+    fn take_sheet(&mut self, sheet: Sheet) {
+        let version = self.surface.version;
+        *self = TornLeaf {
+            torn: self.torn,
+            across: core::mem::take(&mut self.across),
+            ..TornLeaf::of(sheet, self.around)
+        };
+        self.surface.version = version.wrapping_add(1);
     }
 
     fn wake(&mut self) {
@@ -398,54 +480,17 @@ fn bound_rows(sheet: &Sheet, line: TearLine, range: core::ops::Range<usize>) -> 
                 }
         }
     };
-    let opening = OPENING * cell;
     range
         .filter_map(|row| {
-            let work = FRACTURE * settings.stock.caliper * length_at(row);
+            let work = work_of(settings.stock.caliper, length_at(row));
             let node = row * settings.columns;
             let tether = Tether {
                 node,
                 place: places[node],
-                stiffness: (2.0 * work / (opening * opening)) as f32,
+                stiffness: stiffness_of(work, cell),
             };
             let work = work as f32;
             (work > 0.0).then_some(BoundRow { tether, work })
         })
         .collect()
-}
-
-/// Where the nodes of a finer grid are on a sheet: between those of its own.
-fn finer(sheet: &Sheet, [columns, rows]: [usize; 2]) -> Vec<[f32; 3]> {
-    let settings = sheet.settings();
-    let coarse = Surface {
-        positions: sheet.positions().to_vec(),
-        ..Surface::new(settings.columns, settings.rows)
-    };
-    let even: Vec<f32> = uniform_samples(settings.columns);
-    nodes_of(&coarse, &even, [columns, rows])
-}
-
-/// Where so many columns and rows of nodes of a leaf are that is drawn at the columns `u` and
-/// even rows: between its points.
-fn nodes_of(drawn: &Surface, u: &[f32], [columns, rows]: [usize; 2]) -> Vec<[f32; 3]> {
-    let mut nodes = Vec::with_capacity(columns * rows);
-    for row in 0..rows {
-        let v = row as f32 / (rows - 1) as f32 * (drawn.rows - 1) as f32;
-        let low = (v as usize).min(drawn.rows - 2);
-        for column in 0..columns {
-            let at = column as f32 / (columns - 1) as f32;
-            let left = u.partition_point(|u| *u <= at).clamp(1, u.len() - 1) - 1;
-            let part = (at - u[left]) / (u[left + 1] - u[left]);
-            let along = |row: usize| {
-                let [a, b] = [left, left + 1].map(|column| drawn.position(column, row));
-                core::array::from_fn::<f32, 3, _>(|axis| a[axis] + part * (b[axis] - a[axis]))
-            };
-            let [a, b] = [along(low), along(low + 1)];
-            let part = v - low as f32;
-            nodes.push(core::array::from_fn(|axis| {
-                a[axis] + part * (b[axis] - a[axis])
-            }));
-        }
-    }
-    nodes
 }

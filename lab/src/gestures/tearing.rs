@@ -101,7 +101,7 @@ impl Tear {
         let (u, v) = (random.between(0.3, 1.0), random.between(0.0, 1.0));
         book.grab(flight, GRAB, u, v);
         let mut leaf = TornLeaf::tear(book, flight, line, 0..ROWS, AROUND)?;
-        leaf.grab(u, v);
+        leaf.grab(0, u, v);
         let [width, height] = book.size().map(|side| side as f32);
         let pile = book.pile(side);
         let floor = pile.height_and_slope(u * width, pile.column_before(u * width, 0));
@@ -206,7 +206,7 @@ impl Tear {
             }
             Motion::Released => return,
         }
-        self.leaf.pull(self.at);
+        self.leaf.pull(0, self.at);
     }
 
     /// Goes on to what the pointer does next.
@@ -241,7 +241,7 @@ impl Tear {
             }
             Motion::Released if is_over => {
                 let (u, v) = (random.between(0.0, 1.0), random.between(0.0, 1.0));
-                self.leaf.grab(u, v);
+                self.leaf.grab(0, u, v);
                 let columns = book.columns();
                 let column = columns
                     .partition_point(|own| *own < u)

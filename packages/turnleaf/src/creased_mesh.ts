@@ -8,6 +8,11 @@ export interface CreasedMesh {
   readonly triangles: Uint32Array;
   /** The part of the leaf between creases that each triangle belongs to. */
   readonly parts: Uint16Array;
+  /**
+   * Of a sheet that is torn across, for each point how far it lies on its own side of the tear,
+   * and how far along that from where it begins, metres; then 1 for the piece on the left, and -1.
+   */
+  readonly tears?: Float32Array | undefined;
 }
 
 /**

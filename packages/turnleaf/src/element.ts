@@ -1,5 +1,6 @@
 /** `<turnleaf-book>`: a book on a web page. */
 
+import type { PagePlace } from "./book/page_folds.ts";
 import type { Paper } from "./book/paper.ts";
 import { directionOf, forward, leftPage, pageOf, rightPage, spreadOf } from "./book/spreads.ts";
 import type { BookState } from "./book/turning.ts";
@@ -14,6 +15,7 @@ import {
   turnSecondsOf,
 } from "./element/attributes.ts";
 import { BookLifecycle, type OpenBook, pdfWorkerOf } from "./element/book_lifecycle.ts";
+import { placeOf } from "./element/fold_lists.ts";
 import type { PageChanges } from "./element/page_changes.ts";
 import { pageNumber, RequestedPage } from "./element/page_numbers.ts";
 import { ReaderElement } from "./element/reader_element.ts";
@@ -371,6 +373,21 @@ export class TurnleafBook extends ReaderElement {
    */
   crumple(): boolean {
     return this.#viewer?.crumple() ?? false;
+  }
+
+  /**
+   * Tears the loose sheet across that was torn out last, as two fingers do that pull it apart:
+   * from a place on an edge of the page that it shows to a place on another edge. It opens from
+   * the first, and takes about a second; `from` and `to` are moved to the edges next to them.
+   * Each piece is a loose sheet then, and `putBack()` makes a whole page of both again.
+   *
+   * Returns whether it is torn: false if no loose sheet is neither crumpled nor torn across, if a
+   * place is not on the page, or if a piece would be narrower than some 16 mm.
+   */
+  tearAcross(from: PagePlace, to: PagePlace): boolean {
+    const [start, end] = [from, to].map(placeOf);
+    if (!start || !end) return false;
+    return this.#viewer?.tearAcross(start, end) ?? false;
   }
 
   /** Number of leaves that were torn out and can be put back. */

@@ -12,9 +12,10 @@ fn lying(stock: Stock) -> (Book, TornLeaf) {
     let [from, to] = [pulled(Side::Right, at, away), [0.4, 0.2, 0.02]];
     for tick in 0..240 {
         let part = (tick as f32 / 200.0).min(1.0);
-        leaf.pull(core::array::from_fn(|axis| {
-            from[axis] + part * (to[axis] - from[axis])
-        }));
+        leaf.pull(
+            0,
+            core::array::from_fn(|axis| from[axis] + part * (to[axis] - from[axis])),
+        );
         leaf.step(&book, 1);
     }
     leaf.release();
@@ -115,10 +116,10 @@ fn a_ball_is_carried_and_thrown() {
     assert!(leaf.crumple());
     settle(&mut leaf, &book);
     let before = spread(&leaf);
-    leaf.grab(0.5, 0.5);
+    leaf.grab(0, 0.5, 0.5);
     for tick in 0..240 {
         let part = (tick as f32 / 120.0).min(1.0);
-        leaf.pull([0.4, 0.2 - 0.3 * part, 0.1]);
+        leaf.pull(0, [0.4, 0.2 - 0.3 * part, 0.1]);
         leaf.step(&book, 1);
     }
     let held = leaf.sheet().positions().as_chunks::<3>().0;

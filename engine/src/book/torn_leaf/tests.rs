@@ -47,11 +47,11 @@ pub(super) fn tear_off(
     (side, at): (Side, [f32; 2]),
 ) -> (TornLeaf, f32, Vec<core::ops::Range<usize>>) {
     let mut leaf = TornLeaf::tear(book, id, line, 0..NODES[1], AROUND).unwrap();
-    leaf.grab(at[0], at[1]);
+    leaf.grab(0, at[0], at[1]);
     let mut bound = vec![leaf.bound()];
     for tick in 1..400 {
         let away = 0.0005 * tick as f32;
-        leaf.pull(pulled(side, at, away));
+        leaf.pull(0, pulled(side, at, away));
         leaf.step(book, 1);
         leaf.update(book);
         bound.push(leaf.bound());
@@ -63,7 +63,7 @@ pub(super) fn tear_off(
 }
 
 /// How far the lowest place of a sheet's edges and nodes is inside what it lies on, metres.
-fn deepest(leaf: &TornLeaf, book: &Book) -> f32 {
+pub(super) fn deepest(leaf: &TornLeaf, book: &Book) -> f32 {
     let x = leaf.surface().positions.as_chunks::<3>().0;
     let inside = x.iter().map(|[x, y, z]| {
         let [width, height] = book.size().map(|side| side as f32);
@@ -105,8 +105,8 @@ fn a_leaf_comes_off_from_the_end_at_which_it_is_pulled() {
 #[test]
 fn the_work_of_tearing_is_that_of_the_paper_which_binds_it() {
     for stock in [Stock::BIBLE, Stock::BOOK, Stock::COATED] {
-        let along = FRACTURE * stock.caliper * 0.21;
-        let wanted = [along * TIES, FRACTURE * stock.caliper * 2.0 * STAPLE, along];
+        let along = work_of(stock.caliper, 0.21);
+        let wanted = [along * TIES, work_of(stock.caliper, 2.0 * STAPLE), along];
         let mut pulls = [0.0; 3];
         for (k, line) in LINES.into_iter().enumerate() {
             let at = [0.95, 0.95];
@@ -126,9 +126,9 @@ fn a_gentle_pull_tears_nothing() {
     let at = [0.95, 0.5];
     let (book, id) = held(Side::Right, Stock::BOOK, at);
     let mut leaf = TornLeaf::tear(&book, id, TearLine::Sewn, 0..NODES[1], AROUND).unwrap();
-    leaf.grab(at[0], at[1]);
+    leaf.grab(0, at[0], at[1]);
     for _ in 0..240 {
-        leaf.pull(pulled(Side::Right, at, 0.004));
+        leaf.pull(0, pulled(Side::Right, at, 0.004));
         leaf.step(&book, 1);
     }
     assert_eq!(leaf.bound(), 0..NODES[1]);
@@ -156,9 +156,10 @@ fn a_sheet_that_is_off_keeps_its_lengths_and_comes_to_rest_on_what_lies_there() 
             let mut worst = 0.0f32;
             for tick in 0..240 {
                 let part = (tick as f32 / 120.0).min(1.0);
-                leaf.pull(core::array::from_fn(|axis| {
-                    from[axis] + part * (to[axis] - from[axis])
-                }));
+                leaf.pull(
+                    0,
+                    core::array::from_fn(|axis| from[axis] + part * (to[axis] - from[axis])),
+                );
                 leaf.step(&book, 1);
                 worst = worst.max(leaf.sheet().max_edge_strain());
             }

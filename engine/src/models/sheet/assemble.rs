@@ -11,6 +11,7 @@ impl Sheet {
         let (columns, rows) = (self.settings.columns, self.settings.rows);
         let x = self.positions.as_chunks::<3>().0;
         for row in 0..rows {
+            let run = self.material.run_of(row);
             for column in 0..columns {
                 let node = row * columns + column;
                 let (left, right) = (
@@ -18,8 +19,8 @@ impl Sheet {
                     node + usize::from(column + 1 < columns),
                 );
                 let (below, above) = (
-                    node - if row > 0 { columns } else { 0 },
-                    node + if row + 1 < rows { columns } else { 0 },
+                    node - if row > run.start { columns } else { 0 },
+                    node + if row + 1 < run.end { columns } else { 0 },
                 );
                 let u: [f32; 3] = core::array::from_fn(|axis| x[right][axis] - x[left][axis]);
                 let v: [f32; 3] = core::array::from_fn(|axis| x[above][axis] - x[below][axis]);
@@ -106,7 +107,7 @@ impl Sheet {
         }
     }
 
-    /// Adds contacts, pins and tethers.
+    /// Adds contacts, pins, tethers and ties.
     fn add_bounds(&mut self) {
         let gravity = self.settings.gravity.map(|g| g as f32);
         let x = self.positions.as_chunks::<3>().0;
@@ -137,6 +138,9 @@ impl Sheet {
         if CAN_TEAR {
             for tether in &self.tethers {
                 tether.add_to(&mut self.system, &self.positions);
+            }
+            for tie in &self.ties {
+                tie.add_to(&mut self.system, &self.positions);
             }
         }
     }

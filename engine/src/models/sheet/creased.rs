@@ -3,6 +3,7 @@
 use super::crease::FoldLine;
 use super::hinges::Hinges;
 use super::patches::Patches;
+use super::torn::Torn;
 
 /// The creases of a sheet, and what bends and draws it once it has some.
 #[derive(Clone, Debug)]
@@ -12,4 +13,6 @@ pub(super) struct Creased {
     pub hinges: Hinges,
     /// What draws it in the place of splines; None where it is crumpled, and drawn as facets.
     pub patches: Option<Patches>,
+    /// How it is torn across, if it is.
+    pub torn: Option<Torn>,
 }

@@ -37,6 +37,7 @@ impl Sheet {
                 lines: lines.to_vec(),
                 hinges: Hinges::new(&self.settings, &material, lines),
                 patches: Some(patches),
+                torn: None,
             }))
         };
         self.take(material);

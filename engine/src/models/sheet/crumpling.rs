@@ -26,6 +26,7 @@ impl Sheet {
             lines: Vec::new(),
             hinges: Hinges::new(&self.settings, &material, &[]),
             patches: None,
+            torn: None,
         }));
         self.take(material);
     }

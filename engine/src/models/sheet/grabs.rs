@@ -52,15 +52,18 @@ impl Grab {
         material: &Material,
         positions: &[f32],
     ) -> Grab {
-        let size = [settings.width, settings.height];
+        let size = material.paper(settings);
         let (u, v) = (u.clamp(0.0, 1.0), v.clamp(0.0, 1.0));
         let grid = (settings.columns, settings.rows);
         let mut grab = Grab {
             id,
             place: [u * size[0] as f32, v * size[1] as f32],
-            pad: pad_over((f64::from(u), f64::from(v)), grid, size, |node| {
-                material.places[node]
-            }),
+            pad: pad_over(
+                (f64::from(u), f64::from(v)),
+                grid,
+                [size, settings.cell()],
+                |node| material.places[node],
+            ),
             wanted: [0.0; 3],
             target: [0.0; 3],
             stiffness: STIFFNESS as f32,
@@ -85,11 +88,15 @@ impl Grab {
 
     /// Takes hold anew of the same place, where the nodes lie otherwise on the sheet.
     pub fn take_anew(&mut self, settings: &SheetSettings, material: &Material, positions: &[f32]) {
-        let size = [settings.width as f32, settings.height as f32];
+        let size = material.paper(settings).map(|side| side as f32);
         let at = [0, 1].map(|axis| self.place[axis] / size[axis]);
         let pulled = (self.wanted, self.target, self.pace);
         let new = Grab::new(self.id, at, settings, material, positions);
-        *self = new.pulling(self.stiffness, self.strength);
+        *self = Grab {
+            stiffness: self.stiffness,
+            strength: self.strength,
+            ..new
+        };
         (self.wanted, self.target, self.pace) = pulled;
     }
 
@@ -178,8 +185,15 @@ impl Grab {
 }
 
 /// Moves the grabs' targets toward where they are wanted, for the `h` seconds of the
-/// first of `count` steps in which they shall come there.
-pub(super) fn follow(grabs: &mut [Grab], settings: &SheetSettings, h: f32, count: u32) {
+/// first of `count` steps in which they shall come there. Where the paper between them tears they
+/// go as far apart as they want.
+pub(super) fn follow(
+    grabs: &mut [Grab],
+    settings: &SheetSettings,
+    h: f32,
+    count: u32,
+    tears: bool,
+) {
     for grab in grabs.iter_mut() {
         let away = distance(grab.wanted, grab.target);
         let part = (grab.pace * FASTEST * h / away.max(1e-9)).min(1.0 / count as f32);
@@ -190,7 +204,7 @@ pub(super) fn follow(grabs: &mut [Grab], settings: &SheetSettings, h: f32, count
     }
     // Each limit may undo another a little; two rounds settle them.
     for _ in 0..2 {
-        for i in 1..grabs.len() {
+        for i in 1..if tears { 0 } else { grabs.len() } {
             for k in 0..i {
                 draw_together(grabs, k, i);
             }

@@ -6,7 +6,10 @@
 //! same rows, for contacts, grabs and drawing.
 
 use super::crease::FoldLine;
-use super::settings::{CAN_CREASE, SheetSettings};
+use super::flat::{distance, twice_area};
+use super::settings::{CAN_CREASE, CAN_TEAR, SheetSettings};
+use super::torn_grid::TornGrid;
+use core::ops::Range;
 
 /// Least area of a triangle, over that which half of its cell has without creases.
 const LEAST_AREA: f64 = 0.08;
@@ -38,6 +41,12 @@ pub(super) struct Material {
     /// Edges of the grid and diagonals of cells that lie on creases: two nodes, the
     /// lower first, and the number of the crease.
     pub folds: Vec<([usize; 2], usize)>,
+    /// Other diagonals along which cells are cut, and not along both.
+    diagonals: Vec<[usize; 2]>,
+    /// Whether it is a page that is torn across, or a piece of one.
+    is_torn: bool,
+    /// Of paper that is torn across, how many rows from the foot lie before the tear.
+    seam: Option<usize>,
 }
 
 /// A line over the paper, from edge to edge.
@@ -95,6 +104,113 @@ impl Material {
             cell: [mean(&columns), mean(&rows)],
             size: [last(&columns), last(&rows)],
             folds: Vec::new(),
+            diagonals: Vec::new(),
+            is_torn: false,
+            seam: None,
+        }
+    }
+
+    /// The grid of a page that is torn across.
+    pub fn torn(grid: &TornGrid) -> Self {
+        Self {
+            columns: grid.columns,
+            rows: grid.rows[0] + grid.rows[1],
+            places: grid.places.clone(),
+            is_even: false,
+            crumples: false,
+            cell: grid.cell(),
+            size: grid.frame.size(),
+            folds: Vec::new(),
+            diagonals: grid.diagonals.clone(),
+            is_torn: true,
+            seam: Some(grid.rows[0]),
+        }
+    }
+
+    /// The grid of some of a torn page's rows, which hang together.
+    pub fn piece(&self, rows: Range<usize>) -> Self {
+        let nodes = rows.start * self.columns..rows.end * self.columns;
+        let is_in = |edge: &&[usize; 2]| nodes.contains(&edge[0]) && nodes.contains(&edge[1]);
+        let diagonals = self.diagonals.iter().filter(is_in);
+        Self {
+            columns: self.columns,
+            rows: rows.len(),
+            places: self.places[nodes.clone()].to_vec(),
+            is_even: false,
+            crumples: false,
+            cell: self.cell,
+            size: self.size,
+            folds: Vec::new(),
+            diagonals: diagonals
+                .map(|edge| edge.map(|node| node - nodes.start))
+                .collect(),
+            is_torn: true,
+            seam: None,
+        }
+    }
+
+    /// The same torn page with `parts` cells in place of each along u and along v.
+    pub fn refined(&self, parts: usize) -> Self {
+        let columns = parts * (self.columns - 1) + 1;
+        let refined = |rows: usize| parts * (rows - 1) + 1;
+        let runs = self.runs().into_iter().filter(|run| !run.is_empty());
+        let mut places = Vec::new();
+        for run in runs {
+            for row in 0..refined(run.len()) {
+                let low = (row / parts).min(run.len() - 2);
+                let t = row as f64 / parts as f64 - low as f64;
+                for column in 0..columns {
+                    let left = (column / parts).min(self.columns - 2);
+                    let s = column as f64 / parts as f64 - left as f64;
+                    let foot = (run.start + low) * self.columns + left;
+                    let head = foot + self.columns;
+                    let [a, b, c, d] = [foot, foot + 1, head, head + 1].map(|n| self.places[n]);
+                    places.push([0, 1].map(|k| {
+                        let [near, far] = [a[k] + s * (b[k] - a[k]), c[k] + s * (d[k] - c[k])];
+                        near + t * (far - near)
+                    }));
+                }
+            }
+        }
+        Self {
+            columns,
+            rows: places.len() / columns,
+            places,
+            is_even: false,
+            crumples: false,
+            cell: self.cell.map(|side| side / parts as f64),
+            size: self.size,
+            folds: Vec::new(),
+            diagonals: Vec::new(),
+            is_torn: true,
+            seam: self.seam.map(refined),
+        }
+    }
+
+    /// The rows that hang together: all, or those before and those beyond a tear.
+    pub fn runs(&self) -> [Range<usize>; 2] {
+        let seam = if CAN_TEAR { self.seam } else { None };
+        let seam = seam.unwrap_or(self.rows);
+        [0..seam, seam..self.rows]
+    }
+
+    /// The rows that hang together with one.
+    pub fn run_of(&self, row: usize) -> Range<usize> {
+        let [before, beyond] = self.runs();
+        if before.contains(&row) {
+            before
+        } else {
+            beyond
+        }
+    }
+
+    /// Width and height that u and v of grabs are parts of, metres.
+    pub fn paper(&self, settings: &SheetSettings) -> [f64; 2] {
+        // Those of the grid of a sheet that is not torn differ by rounding.
+        if CAN_TEAR && self.is_torn {
+            self.size
+        } else {
+            [settings.width, settings.height]
         }
     }
 
@@ -158,18 +274,23 @@ impl Material {
     /// The nodes at the foot and by the spine of all cells.
     pub fn cells(&self) -> impl Iterator<Item = usize> + use<> {
         let columns = self.columns;
-        (0..columns * (self.rows - 1)).filter(move |foot| (foot + 1) % columns != 0)
+        let [before, beyond] = self.runs();
+        let is_cell = move |foot: &usize| {
+            !(foot + 1).is_multiple_of(columns) && foot / columns + 1 != before.end
+        };
+        (0..columns * beyond.end.saturating_sub(1)).filter(is_cell)
     }
 
-    /// The diagonal along which a cell is folded, two nodes, the lower first.
+    /// The diagonal along which a cell is folded or cut alone, two nodes, the lower first.
     pub fn folded_diagonal(&self, foot: usize) -> Option<[usize; 2]> {
         if self.is_even() {
             return None;
         }
         let head = foot + self.columns;
         let ends = [[foot, head + 1], [foot + 1, head]];
-        let is_end = |(edge, _): &&([usize; 2], usize)| ends.contains(edge);
-        self.folds.iter().find(is_end).map(|(edge, _)| *edge)
+        let folds = self.folds.iter().map(|(edge, _)| edge);
+        let mut edges = folds.chain(&self.diagonals);
+        edges.find(|edge| ends.contains(edge)).copied()
     }
 
     /// By how much the square of a cell's rising diagonal is more than that of its falling
@@ -204,12 +325,13 @@ impl Material {
 
     /// Area that belongs to a node, m^2: a quarter of each cell that it is a corner of.
     pub fn area_at(&self, node: usize) -> f64 {
-        let (columns, rows) = (self.columns, self.rows);
+        let columns = self.columns;
         let (column, row) = (node % columns, node / columns);
         let left = column.checked_sub(1);
         let right = (column + 1 < columns).then_some(column);
-        let below = row.checked_sub(1);
-        let above = (row + 1 < rows).then_some(row);
+        let run = self.run_of(row);
+        let below = (row > run.start).then(|| row - 1);
+        let above = (row + 1 < run.end).then_some(row);
         let feet = [(left, below), (right, below), (left, above), (right, above)];
         let feet = feet
             .iter()
@@ -511,14 +633,4 @@ pub(super) fn cut(material: &Material, foot: usize, rising: bool) -> [[usize; 3]
     } else {
         [[foot, foot + 1, head], [foot + 1, head + 1, head]]
     }
-}
-
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    let d = [a[0] - b[0], a[1] - b[1]];
-    (d[0] * d[0] + d[1] * d[1]).sqrt()
-}
-
-/// Twice the area of a triangle, above 0 where its corners go around as u to v does.
-fn twice_area(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
-    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }

@@ -16,7 +16,7 @@ impl Sheet {
             if node % columns + 1 < columns {
                 most = most.max(strain(node + 1, self.material.along_u(node)));
             }
-            if node / columns + 1 < rows {
+            if node / columns + 1 < self.material.run_of(node / columns).end {
                 most = most.max(strain(node + columns, self.material.along_v(node)));
             }
         }

@@ -8,6 +8,7 @@ use super::material::Material;
 use super::settings::{CAN_CREASE, SheetSettings};
 use super::system::System;
 use crate::vector::{dot, sub};
+use core::ops::Range;
 
 /// An edge: what it rests at, metres, and its stiffness, N/m.
 #[derive(Clone, Copy, Debug, Default)]
@@ -56,8 +57,8 @@ impl Membrane {
             diagonals: Vec::new(),
             slack: Vec::new(),
         };
-        let rim = |i: usize, count: usize| {
-            if i == 0 || i + 1 == count {
+        let rim = |i: usize, run: &Range<usize>| {
+            if i == run.start || i + 1 == run.end {
                 0.5f64
             } else {
                 1.0
@@ -70,11 +71,13 @@ impl Membrane {
         };
         for node in 0..nodes {
             let (column, row) = (node % columns, node / columns);
+            let run = material.run_of(row);
             if column + 1 < columns {
-                membrane.along_u[node] = spring(rim(row, rows), dv, material.along_u(node));
+                membrane.along_u[node] = spring(rim(row, &run), dv, material.along_u(node));
             }
-            if row + 1 < rows {
-                membrane.along_v[node] = spring(rim(column, columns), du, material.along_v(node));
+            if row + 1 < run.end {
+                let part = rim(column, &(0..columns));
+                membrane.along_v[node] = spring(part, du, material.along_v(node));
             }
         }
         let along_diagonal = |foot: usize, square: f64| Spring {

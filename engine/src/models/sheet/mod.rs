@@ -15,6 +15,7 @@ mod creased;
 mod creasing;
 mod crumpling;
 mod facets;
+mod flat;
 #[cfg(test)]
 mod folding_tests;
 mod grabs;
@@ -27,9 +28,12 @@ mod plates;
 mod settings;
 mod sweep;
 mod system;
+mod tearing;
 #[cfg(test)]
 mod tests;
 mod tether;
+mod torn;
+mod torn_grid;
 
 pub use contact::{CONTACTS, Contact};
 pub use crease::FoldLine;
@@ -45,7 +49,8 @@ use material::Material;
 use membrane::Membrane;
 use sweep::Sweep;
 use system::System;
-pub(crate) use tether::Tether;
+pub(crate) use tether::{Tether, Tie};
+pub use torn::TornMesh;
 
 use crate::band::Band;
 use crate::grid::{Grid, Side};
@@ -53,7 +58,7 @@ use crate::interpolate::{Local, uniform_samples};
 use crate::surface::Surface;
 use crate::synchronise::{Synchronise, Synchroniser};
 use crate::turn::TurnModel;
-use settings::CAN_SYNCHRONISE;
+use settings::{CAN_SYNCHRONISE, CAN_TEAR};
 
 /// Greatest speed of a node, m/s: nothing that a grab does to paper is faster.
 const FASTEST: f32 = 12.0;
@@ -106,6 +111,7 @@ pub struct Sheet {
     contacts: Vec<[Contact; CONTACTS]>,
     pins: Vec<Option<[f32; 3]>>,
     tethers: Vec<Tether>,
+    ties: Vec<Tie>,
     grabs: Vec<Grab>,
     /// The values of u and v at which it is drawn.
     samples: [Vec<f32>; 2],
@@ -157,6 +163,7 @@ impl Sheet {
             contacts: vec![[Contact::default(); CONTACTS]; nodes],
             pins: vec![None; nodes],
             tethers: Vec::new(),
+            ties: Vec::new(),
             grabs: Vec::new(),
             interpolation: Local::b_spline((columns, rows), &samples[0], &samples[1]),
             samples,
@@ -248,7 +255,8 @@ impl Sheet {
     /// Advances by a step, the first of `count` in which its grabs shall go the way
     /// to where they pull.
     pub(crate) fn step_of(&mut self, count: u32) {
-        grabs::follow(&mut self.grabs, &self.settings, self.h, count);
+        let tears = CAN_TEAR && !self.ties.is_empty();
+        grabs::follow(&mut self.grabs, &self.settings, self.h, count, tears);
         self.advance();
     }
 
@@ -383,8 +391,9 @@ impl Sheet {
     pub fn grab(&mut self, grab: u32, u: f32, v: f32) {
         self.release(grab);
         if u.is_finite() && v.is_finite() {
+            let at = self.in_frame([u, v]);
             let (settings, material) = (&self.settings, &self.material);
-            let grab = Grab::new(grab, [u, v], settings, material, &self.positions);
+            let grab = Grab::new(grab, at, settings, material, &self.positions);
             self.grabs.push(grab);
         }
     }

@@ -51,6 +51,12 @@ impl Patches {
         creases: &[FoldLine],
     ) -> Option<Self> {
         let drawn = Material::over(columns, rows).creased(creases)?;
+        Some(Self::over(material, drawn))
+    }
+
+    /// Draws the sheet of a material at the points of another on the same paper, in as many runs
+    /// of rows.
+    pub fn over(material: &Material, drawn: Material) -> Self {
         let mut triangles: Vec<[usize; 3]> = Vec::new();
         for rising in [false, true] {
             triangles.extend(
@@ -87,17 +93,22 @@ impl Patches {
             .iter()
             .map(|nodes| bounds(nodes.map(|node| material.places[node])))
             .collect();
+        // A point beside a tear is of the piece of its row, also where it lies beyond it.
+        let seam = material.columns * material.run_of(0).end;
+        let drawn_seam = drawn.columns * drawn.run_of(0).end;
         let samples = drawn
             .places
             .iter()
-            .map(|place| {
+            .enumerate()
+            .map(|(point, place)| {
+                let is_of_piece = |nodes: &[usize; 3]| (nodes[0] < seam) == (point < drawn_seam);
                 [0, half].map(|first| {
                     let best_of = |numbers: &mut dyn Iterator<Item = usize>| {
                         numbers
                             .map(|number| (number, material.weights(&triangles[number], *place)))
                             .max_by(|a, b| least(&a.1).total_cmp(&least(&b.1)))
                     };
-                    let mut all = first..first + half;
+                    let mut all = (first..first + half).filter(|at| is_of_piece(&triangles[*at]));
                     let mut around = all.clone().filter(|at| is_in(*place, &boxes[*at]));
                     // Beside all of them by rounding, it belongs to the nearest.
                     let (at, weights) = best_of(&mut around)
@@ -109,7 +120,7 @@ impl Patches {
             })
             .collect();
         let count = normals.iter().max().map_or(0, |last| last + 1);
-        Some(Self {
+        Self {
             drawn,
             normals: vec![[0.0; 3]; count],
             sides: vec![[[0.0; 3]; 2]; edges.len()],
@@ -117,7 +128,7 @@ impl Patches {
             patch_counts,
             samples,
             patches,
-        })
+        }
     }
 
     /// Writes x, y, z of every drawn point of a sheet whose nodes are at `positions`.

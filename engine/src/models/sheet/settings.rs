@@ -141,6 +141,18 @@ impl SheetSettings {
         self
     }
 
+    /// The same paper over another grid, as stiff in its plane for the mass of a node.
+    pub(crate) fn over(mut self, columns: usize, rows: usize, cell: [f64; 2]) -> SheetSettings {
+        let before = self.cell();
+        (self.columns, self.rows) = (columns, rows);
+        self.width = cell[0] * (columns - 1) as f64;
+        self.height = cell[1] * (rows - 1) as f64;
+        let more = (cell[0] * cell[1]) / (before[0] * before[1]);
+        self.stretch *= more;
+        self.shear *= more;
+        self
+    }
+
     /// Seconds of damping in proportion to stiffness that give the stock's loss at
     /// the first frequency of the leaf clamped at the spine.
     pub(super) fn damping_time(&self) -> f64 {

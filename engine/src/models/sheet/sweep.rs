@@ -17,6 +17,7 @@ use super::contact::{CONTACTS, Contact};
 use super::material::Material;
 use super::settings::{CAN_CREASE, SheetSettings};
 use crate::vector::{dot, sub};
+use core::ops::Range;
 
 /// Sweeps go on until no edge is longer or shorter by more than this part.
 const TOLERANCE: f32 = 2e-4;
@@ -58,6 +59,8 @@ const MOST: usize = 160;
 pub(super) struct Sweep {
     columns: usize,
     rows: usize,
+    /// The rows that hang together.
+    runs: [Range<usize>; 2],
     first: usize,
     /// Width of a cell, metres: depths are judged by it.
     cell: f32,
@@ -113,6 +116,7 @@ impl Sweep {
         let mut sweep = Sweep {
             columns,
             rows,
+            runs: material.runs(),
             first,
             cell: settings.cell()[0] as f32,
             along_u: vec![0.0; nodes],
@@ -131,7 +135,7 @@ impl Sweep {
             if (node + 1) % columns != 0 {
                 sweep.along_u[node] = material.along_u(node) as f32;
             }
-            if node + columns < nodes {
+            if node / columns + 1 < material.run_of(node / columns).end {
                 sweep.along_v[node] = material.along_v(node) as f32;
             }
         }
@@ -207,18 +211,20 @@ impl Sweep {
                     }
                 }
             }
-            for column in self.first..columns {
-                let chain = Chain {
-                    start: column,
-                    step: columns,
-                    count: rows,
-                };
-                off = off.max(chain.restore(
-                    positions,
-                    &self.along_v,
-                    &self.mobility,
-                    &mut self.links,
-                ));
+            for run in self.runs.iter().filter(|run| !run.is_empty()) {
+                for column in self.first..columns {
+                    let chain = Chain {
+                        start: run.start * columns + column,
+                        step: columns,
+                        count: run.len(),
+                    };
+                    off = off.max(chain.restore(
+                        positions,
+                        &self.along_v,
+                        &self.mobility,
+                        &mut self.links,
+                    ));
+                }
             }
             for row in 0..rows {
                 let chain = Chain {

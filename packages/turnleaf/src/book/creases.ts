@@ -59,9 +59,16 @@ function throughPage(
   binding: Binding,
   isRecto: boolean,
 ): Crease["through"] {
-  const place = ({ x, y }: PagePlace): [number, number] => {
-    const [across, down] = binding.quarterTurned ? [y, 1 - x] : [x, y];
-    return [isRecto ? across : 1 - across, 1 - down];
-  };
+  const place = (at: PagePlace) => placeOnLeaf(at, binding.quarterTurned, isRecto);
   return [...place(from), ...place(to)];
+}
+
+/** Returns u and v on a leaf of a place on one of its pages. */
+export function placeOnLeaf(
+  { x, y }: PagePlace,
+  quarterTurned: boolean,
+  isRecto: boolean,
+): [u: number, v: number] {
+  const [across, down] = quarterTurned ? [y, 1 - x] : [x, y];
+  return [isRecto ? across : 1 - across, 1 - down];
 }

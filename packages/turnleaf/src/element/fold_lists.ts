@@ -49,7 +49,7 @@ export function cleanFolds(value: unknown): readonly PageFold[] {
 }
 
 /** Returns a value that is a place on a page as one; null if it is none. */
-function placeOf(value: Partial<PagePlace> | null | undefined): PagePlace | null {
+export function placeOf(value: Partial<PagePlace> | null | undefined): PagePlace | null {
   const { x, y } = value ?? {};
   return isPart(x) && isPart(y) ? { x, y } : null;
 }

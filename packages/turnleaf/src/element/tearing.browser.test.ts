@@ -306,3 +306,71 @@ test("a leaf torn off while the one before it turns leaves the book open behind 
   const { pageCount, spread } = element;
   expect([pageCount, spread, pages]).toEqual([10, { left: 4, right: 5 }, [4]]);
 });
+
+test("a loose sheet is torn across by command; both pieces stay, and its pages are put back whole", async () => {
+  const element = await opened();
+  const [from, to] = [
+    { x: 0, y: 0.5 },
+    { x: 1, y: 0.45 },
+  ];
+  expect(element.tearAcross(from, to)).toBe(false);
+  await element.tearOut(5);
+  await settled(element);
+  await expect.poll(() => besideBook(element), { timeout: 20_000 }).toBeGreaterThan(0.2);
+  const whole = besideBook(element);
+  // Along an edge, off the page, nowhere.
+  expect(element.tearAcross(from, { x: 0, y: 0.9 })).toBe(false);
+  expect(element.tearAcross(from, { x: 1.2, y: 0.5 })).toBe(false);
+  expect(element.tearAcross(from, { x: Number.NaN, y: 0.5 })).toBe(false);
+  expect(element.tearAcross(from, to)).toBe(true);
+  // One that is torn is not torn again, nor crumpled.
+  expect(element.tearAcross(from, to)).toBe(false);
+  expect(element.crumple()).toBe(false);
+  await settled(element);
+  await expect
+    .poll(() => Math.abs(besideBook(element) / whole - 1), { timeout: 20_000 })
+    .toBeLessThan(0.1);
+  expect([element.pageCount, element.tornLeaves]).toEqual([10, 1]);
+  expect(await element.putBack()).toBe(true);
+  await settled(element);
+  expect([element.pageCount, element.tornLeaves]).toEqual([12, 0]);
+  await expect.poll(() => besideBook(element)).toBe(0);
+});
+
+test("two fingers that pull a loose sheet apart tear it, and each carries its piece", async () => {
+  const element = await opened();
+  await element.tearOut(5);
+  await settled(element);
+  await expect.poll(() => besideBook(element), { timeout: 20_000 }).toBeGreaterThan(0.2);
+  const pointer = new TestPointer(element);
+  const finger = (pointerId: number, name: string, y: number) =>
+    pointer.point(name, x, y, { pointerId, pointerType: "touch", buttons: 1 });
+  const x = (element.bookBounds as DOMRect).right + 60;
+  finger(1, "pointerdown", 110);
+  finger(2, "pointerdown", 200);
+  for (let k = 1; k <= 60; k++) {
+    finger(1, "pointermove", 110 - 4 * k);
+    finger(2, "pointermove", 200 + 4 * k);
+    await new Promise((resolve) => requestAnimationFrame(resolve));
+  }
+  for (const [id, y] of [
+    [1, 60],
+    [2, 260],
+  ] as const) {
+    finger(id, "pointermove", y);
+  }
+  await settled(element);
+  finger(1, "pointerup", 60);
+  await settled(element);
+  const both = besideBook(element);
+  // The other is still held; thrown out of sight it goes alone.
+  finger(2, "pointermove", 1500);
+  await new Promise((resolve) => setTimeout(resolve, 400));
+  finger(2, "pointerup", 1500);
+  await settled(element);
+  await expect.poll(() => besideBook(element), { timeout: 20_000 }).toBeLessThan(0.75 * both);
+  expect(element.zoom).toBe(1);
+  expect(besideBook(element)).toBeGreaterThan(0.02);
+  expect(await element.putBack()).toBe(true);
+  expect(element.pageCount).toBe(12);
+});

@@ -58,11 +58,14 @@ export interface TearOptions {
   readonly rim: number;
 }
 
+/** u and v of a place on a leaf, each 0 to 1. */
+export type UV = readonly [u: number, v: number];
+
 /** Rows of a leaf that the spine holds, counted from the foot; equal if it holds none. */
 export type BoundRows = readonly [from: number, to: number];
 
 /**
- * A leaf that is being torn out, or is a loose sheet. One grab holds it. It outlives its book's
+ * A leaf that is being torn out, or is a loose sheet. A grab holds it, or two. It outlives its book's
  * engine where that makes another.
  */
 export interface TornSheet {
@@ -72,14 +75,28 @@ export interface TornSheet {
   readonly isAsleep: boolean;
   /** What is drawn of it; valid until the next step. */
   readonly surface: Surface;
-  /** Grabs it at (u, v). */
-  grab(u: number, v: number): void;
-  /** Pulls the grab to a place in book space, metres. */
-  pull(place: Vec3): void;
-  /** Releases the grab. */
+  /** Grabs it at (u, v), by the first grab or, to tear it across, by the second (1). */
+  grab(u: number, v: number, grab?: 0 | 1): void;
+  /** Pulls a grab to a place in book space, metres. */
+  pull(place: Vec3, grab?: 0 | 1): void;
+  /** Releases all grabs. */
   release(): void;
-  /** Tears what still binds it, at once. */
+  /** Tears what still holds at the spine or across, at once. */
   cut(): void;
+  /**
+   * Begins to tear it across from (u, v) to (u, v), each on an edge of its page: it holds along
+   * that line, and its tear opens from the first as two grabs pull it apart. All grabs are
+   * released. Returns whether it does: not if it is bound, crumpled or torn across, and not if
+   * the line leaves a piece narrower than some 16 mm.
+   */
+  tearAcross(from: UV, to: UV): boolean;
+  /** Whether it is being torn across, and something holds. */
+  readonly holdsAcross: boolean;
+  /**
+   * Parts it once it is torn through: it is what lies to the right of the line from then on, and
+   * what is returned is what lies to the left. Null if it is not torn through.
+   */
+  part(): TornSheet | null;
   /** Whether it is crumpled, or being crumpled. */
   readonly isCrumpled: boolean;
   /**

@@ -25,6 +25,8 @@ export interface Surface {
   readonly thickness?: number;
   /** Where its points lie on the flat paper, if the leaf is creased; another object when that changes. */
   readonly creased?: CreasedMesh | undefined;
+  /** How far a sheet is torn across, metres along the tear; infinite if it is a piece. */
+  readonly opened?: number | undefined;
 }
 
 /** A straight crease, from edge to edge of a leaf. */

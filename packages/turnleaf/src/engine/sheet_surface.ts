@@ -27,8 +27,16 @@ export class SheetSurface {
    *
    * @param positions,normals their addresses
    * @param caliper thickness of the paper, metres
+   *
+   * @param opened how far it is torn across
    */
-  at(positions: number, normals: number, version: number, caliper: number): Surface {
+  at(
+    positions: number,
+    normals: number,
+    version: number,
+    caliper: number,
+    opened?: number,
+  ): Surface {
     const { buffer } = this.#memory;
     const known = this.#surface;
     if (known?.positions.buffer === buffer && known.version === version) return known;
@@ -42,6 +50,7 @@ export class SheetSurface {
       version,
       thickness: caliper < visibleThickness ? 0 : caliper,
       creased: this.#creased,
+      opened,
     };
     return this.#surface;
   }

@@ -1,6 +1,6 @@
 /** Leaves that are torn out of a book in the engine through WASM. */
 
-import type { BoundRows, LeafTearing, TearOptions, TornSheet } from "./book_engine.ts";
+import type { BoundRows, LeafTearing, TearOptions, TornSheet, UV } from "./book_engine.ts";
 import { facetsOf } from "./facets.ts";
 import { areFinite, clamp, whole, wholeTicks } from "./numbers.ts";
 import { type Surface, tearLines, type Vec3 } from "./shapes.ts";
@@ -20,14 +20,21 @@ export interface TearingExports extends Exports {
   ): number;
   tl_torn_drop(leaf: number): void;
   tl_torn_step(leaf: number, book: number, ticks: number): void;
-  tl_torn_grab(leaf: number, u: number, v: number): void;
-  tl_torn_pull(leaf: number, x: number, y: number, z: number): void;
+  tl_torn_grab(leaf: number, grab: number, u: number, v: number): void;
+  tl_torn_pull(leaf: number, grab: number, x: number, y: number, z: number): void;
   tl_torn_release(leaf: number): void;
   tl_torn_cut(leaf: number): void;
   tl_torn_bound_low(leaf: number): number;
   tl_torn_bound_high(leaf: number): number;
   tl_torn_crumple(leaf: number): number;
   tl_torn_crumpled(leaf: number): number;
+  tl_torn_across(leaf: number, u0: number, v0: number, u1: number, v1: number): number;
+  tl_torn_part(leaf: number): number;
+  tl_torn_opened(leaf: number): number;
+  tl_torn_places(leaf: number): number;
+  tl_torn_tears(leaf: number): number;
+  tl_torn_corners(leaf: number): number;
+  tl_torn_triangles(leaf: number): number;
   tl_torn_work(leaf: number): number;
   tl_torn_asleep(leaf: number): number;
   tl_torn_columns(leaf: number): number;
@@ -73,6 +80,7 @@ class WasmTornSheet implements TornSheet {
   readonly #wasm: TearingExports;
   readonly #leaf: number;
   #surface: SheetSurface;
+  #isAcross = false;
 
   constructor(wasm: TearingExports, leaf: number, grid: SurfaceGrid) {
     this.#wasm = wasm;
@@ -100,17 +108,20 @@ class WasmTornSheet implements TornSheet {
       wasm.tl_torn_normals(this.#leaf),
     ];
     const version = wasm.tl_torn_version(this.#leaf);
-    return this.#surface.at(positions, normals, version, wasm.tl_torn_caliper(this.#leaf));
+    const opened = this.#isAcross ? wasm.tl_torn_opened(this.#leaf) : undefined;
+    const caliper = wasm.tl_torn_caliper(this.#leaf);
+    return this.#surface.at(positions, normals, version, caliper, opened);
   }
 
-  grab(u: number, v: number): void {
-    if (areFinite([u, v])) this.#wasm.tl_torn_grab(this.#leaf, clamp(u, 0, 1), clamp(v, 0, 1));
+  grab(u: number, v: number, grab: 0 | 1 = 0): void {
+    if (!areFinite([u, v])) return;
+    this.#wasm.tl_torn_grab(this.#leaf, grab, clamp(u, 0, 1), clamp(v, 0, 1));
   }
 
-  pull(place: Vec3): void {
+  pull(place: Vec3, grab: 0 | 1 = 0): void {
     if (!areFinite(place)) return;
     const [x, y, z] = place.map((metres) => clamp(metres, -farthest, farthest));
-    this.#wasm.tl_torn_pull(this.#leaf, x, y, z);
+    this.#wasm.tl_torn_pull(this.#leaf, grab, x, y, z);
   }
 
   release(): void {
@@ -119,6 +130,47 @@ class WasmTornSheet implements TornSheet {
 
   cut(): void {
     this.#wasm.tl_torn_cut(this.#leaf);
+  }
+
+  tearAcross(from: UV, to: UV): boolean {
+    const [u0, v0, u1, v1] = [...from, ...to].map((at) => clamp(at, 0, 1));
+    if (!areFinite([u0, v0, u1, v1])) return false;
+    if (this.#wasm.tl_torn_across(this.#leaf, u0, v0, u1, v1) === 0) return false;
+    this.#drawAcross();
+    return true;
+  }
+
+  get holdsAcross(): boolean {
+    return this.#isAcross && this.#wasm.tl_torn_opened(this.#leaf) < Infinity;
+  }
+
+  part(): TornSheet | null {
+    const at = this.#wasm.tl_torn_part(this.#leaf);
+    if (at === 0) return null;
+    this.#drawAcross();
+    const other = new WasmTornSheet(this.#wasm, at, { columns: 0, rows: 0 });
+    other.#drawAcross();
+    return other;
+  }
+
+  /** Draws it from now on by the mesh of a sheet that is torn across. */
+  #drawAcross(): void {
+    const [wasm, leaf] = [this.#wasm, this.#leaf];
+    const { buffer } = wasm.memory;
+    const columns = wasm.tl_torn_columns(leaf);
+    const rows = wasm.tl_torn_rows(leaf);
+    const count = wasm.tl_torn_triangles(leaf);
+    const floats = (at: number, each: number) =>
+      new Float32Array(buffer, at, each * columns * rows).slice();
+    // Copied, as the engine's memory moves when it grows.
+    const mesh = {
+      places: floats(wasm.tl_torn_places(leaf), 2),
+      triangles: new Uint32Array(buffer, wasm.tl_torn_corners(leaf), 3 * count).slice(),
+      parts: new Uint16Array(count),
+      tears: floats(wasm.tl_torn_tears(leaf), 3),
+    };
+    this.#surface = new SheetSurface(wasm.memory, { columns, rows }, mesh);
+    this.#isAcross = true;
   }
 
   crumple(): boolean {

@@ -4,8 +4,10 @@
  * its pages are no longer the book's, and it is a loose sheet. Loaded when a book may be torn.
  */
 
+import { placeOnLeaf } from "../book/creases.ts";
 import { facesOfLeaf } from "../book/faces.ts";
 import { sideBefore } from "../book/leaf_order.ts";
+import type { PagePlace } from "../book/page_folds.ts";
 import { type Binding, isBoard, leafOf, pagesAt, paperOnLeft } from "../book/spreads.ts";
 import type { Flight } from "../book/turning.ts";
 import type { BoundRows, TornSheet } from "../engine/book_engine.ts";
@@ -145,6 +147,19 @@ export class Tearing {
   /** Crumples the loose sheet that was torn out last and is not crumpled. Returns whether there is one. */
   crumple(): boolean {
     return this.#loose.crumple();
+  }
+
+  /**
+   * Tears the loose sheet across that was torn out last and is neither crumpled nor torn, from a
+   * place on an edge of the page that it shows to another. Returns whether there is one that can
+   * be torn so.
+   */
+  tearAcross(from: PagePlace, to: PagePlace): boolean {
+    const { quarterTurned } = this.#rebinder.bound.binding;
+    return this.#loose.tearAcross((isRecto) => [
+      placeOnLeaf(from, quarterTurned, isRecto),
+      placeOnLeaf(to, quarterTurned, isRecto),
+    ]);
   }
 
   /** Takes a loose sheet away; `id` is what `takeOut` returned. */

@@ -7,6 +7,7 @@
 
 import type { LeafFold } from "../book/creases.ts";
 import { faceOf } from "../book/faces.ts";
+import type { PagePlace } from "../book/page_folds.ts";
 import type { Paper } from "../book/paper.ts";
 import { type Binding, clampSpread, pagesAt } from "../book/spreads.ts";
 import type { BookState, Turning } from "../book/turning.ts";
@@ -361,6 +362,15 @@ export class Viewer {
   /** Crumples the loose sheet that was torn out last and is not crumpled. Returns whether there is one. */
   crumple(): boolean {
     return this.#loadedTearing?.crumple() ?? false;
+  }
+
+  /**
+   * Tears the loose sheet across that was torn out last and is neither crumpled nor torn, from a
+   * place on an edge of the page that it shows to another. Returns whether there is one that can
+   * be torn so.
+   */
+  tearAcross(from: PagePlace, to: PagePlace): boolean {
+    return this.#loadedTearing?.tearAcross(from, to) ?? false;
   }
 
   /** Takes a loose sheet away: the one that the owner of the pages has given a number. */

@@ -62,6 +62,8 @@ export function straightened(leaf: Surface, length = 1): Surface {
 export class CreasedVertices {
   /** u and v of each vertex, as textures have them: v begins at the head. */
   readonly uv: Float32Array;
+  /** Where each vertex lies by a tear, as `CreasedMesh.tears`. */
+  readonly tears: Float32Array | undefined;
   /** The vertices of each triangle. */
   readonly index: VertexNumbers;
   readonly positions: Float32Array;
@@ -82,6 +84,9 @@ export class CreasedVertices {
     this.#corners = flapCorners(places, vertices);
     const uv = [...points].flatMap((k) => [places[2 * k], 1 - places[2 * k + 1]]);
     this.uv = Float32Array.from(uv);
+    const { tears } = mesh;
+    this.tears =
+      tears && Float32Array.from([...points].flatMap((k) => [...tears.subarray(3 * k, 3 * k + 3)]));
     this.positions = new Float32Array(3 * points.length);
     this.normals = new Float32Array(3 * points.length);
   }

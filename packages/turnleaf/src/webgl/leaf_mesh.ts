@@ -70,6 +70,7 @@ export class LeafMesh {
       [this.recto, 1],
       [this.verso, -1],
     ] as const) {
+      material.opened = leaf.opened ?? null;
       material.flapCount = this.#creased?.writeFlaps(sign, material.flaps) ?? 0;
     }
     this.rim.shape(leaf);
@@ -163,6 +164,8 @@ export class LeafMesh {
       geometry.setAttribute("gapSky", near);
       geometry.setAttribute("gapKey", near);
       geometry.setAttribute("gapBehind", far);
+      const tears = this.#creased?.tears;
+      if (tears) geometry.setAttribute("tear", new BufferAttribute(tears, 3));
       mesh.geometry = geometry;
     }
   }

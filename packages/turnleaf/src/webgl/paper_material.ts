@@ -14,6 +14,9 @@ varying vec2 vUv;
 varying vec2 vGapSky;
 varying vec4 vGapKey;
 varying vec2 vGapBehind;
+#ifdef TORN
+varying vec3 vTear;
+#endif
 `;
 
 const vertexShader = /* glsl */ `
@@ -23,6 +26,9 @@ attribute vec2 gapBehind;
 uniform float lit;
 uniform vec2 ahead;
 uniform float thick;
+#ifdef TORN
+attribute vec3 tear;
+#endif
 ${varyings}
 void main() {
   vNormal = normal * lit;
@@ -31,6 +37,9 @@ void main() {
   vGapSky = gapSky;
   vGapKey = gapKey;
   vGapBehind = gapBehind;
+  #ifdef TORN
+  vTear = tear;
+  #endif
   vec4 seen = viewMatrix * vec4(vPlace, 1.0);
   gl_Position = projectionMatrix * seen;
   // Only the depth comes nearer, not the picture.
@@ -49,6 +58,9 @@ uniform float ceiling;
 uniform float pool;
 uniform float shadows;
 uniform vec2 size;
+#ifdef TORN
+uniform float opened;
+#endif
 ${varyings}
 ${lightChunk}
 ${gapChunk}
@@ -108,12 +120,29 @@ float wander(float at) {
   return mix(ends.x, ends.y, smoothstep(0.0, 1.0, fract(at)));
 }
 
-// Cuts the edge at the spine, from which it is "from" metres, and bares its fibres.
-vec3 tearEdge(vec3 ink, float from, float along) {
-  float edge = 0.0012 * wander(along / 0.005) + 0.0005 * wander(1000.0 + along / 0.0009);
-  if (from < edge) discard;
-  float fibres = 1.0 - smoothstep(0.0, 0.0012, from - edge - 0.0006 * wander(2000.0 + along / 0.0006));
+// Cuts what is "from" metres off a ragged edge, and bares fibres so far beside it.
+vec3 fibresAt(vec3 ink, float from, float along, float reach) {
+  if (from < 0.0) discard;
+  float fibres = 1.0 - smoothstep(0.0, reach, from - 0.5 * reach * wander(2000.0 + along / 0.0006));
   return mix(ink, vec3(0.985, 0.965, 0.93), 0.8 * fibres);
+}
+
+float raggedness(float along) {
+  return 0.0012 * wander(along / 0.005) + 0.0005 * wander(1000.0 + along / 0.0009);
+}
+
+// The edge at the spine, from which it is "from" metres.
+vec3 tearEdge(vec3 ink, float from, float along) {
+  return fibresAt(ink, from - raggedness(along), along, 0.0012);
+}
+
+// The edge where a sheet is torn across: one line cuts both pieces, and one has more of its
+// fibres bared on this side of the paper, the other on that.
+vec3 tearAcross(vec3 ink) {
+  if (vTear.y > opened) return ink;
+  float edge = vTear.z * (raggedness(5.0 + vTear.y) - 0.00085);
+  float reach = vTear.z * (1.0 - 2.0 * mirrored) > 0.0 ? 0.0022 : 0.0009;
+  return fibresAt(ink, vTear.x - edge, vTear.y, reach);
 }
 #endif
 
@@ -132,6 +161,7 @@ void main() {
   if (print.a < 0.99) ink = besidePrint(print, uv);
   #ifdef TORN
   ink = tearEdge(ink, vUv.x * size.x, vUv.y * size.y);
+  ink = tearAcross(ink);
   #endif
   vec3 sky = vec3(0.5 + 0.5 * normal.z);
   float key = 1.0;
@@ -199,8 +229,15 @@ export class PaperMaterial extends ShaderMaterial {
         sheet: { value: new Float32Array(12) },
         sheetCount: { value: 0 },
         size: { value: [width, height] },
+        opened: { value: -1 },
       },
     });
+  }
+
+  /** How far the sheet is torn across, metres; null if it is not. */
+  set opened(metres: number | null) {
+    // Shaders have no infinity.
+    this.uniforms.opened.value = Math.min(metres ?? -1, 1e3);
   }
 
   /** The picture on this side. */

@@ -1,0 +1,17 @@
+//! Lengths and areas on the flat paper, in metres.
+
+/// Distance between two places.
+pub(super) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    let d = [a[0] - b[0], a[1] - b[1]];
+    (d[0] * d[0] + d[1] * d[1]).sqrt()
+}
+
+/// Twice the area of a triangle, above 0 where its corners go around as u to v does.
+pub(super) fn twice_area(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+}
+
+/// Length of a line through places.
+pub(super) fn length(line: &[[f64; 2]]) -> f64 {
+    line.windows(2).map(|pair| distance(pair[0], pair[1])).sum()
+}
