@@ -1,5 +1,4 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
-import type { BookState } from "../book/turning.ts";
 import type { NarratedClip, Narration } from "../sources/page_source.ts";
 import { Reading } from "./reading.ts";
 
@@ -55,7 +54,7 @@ class FakeAudio extends EventTarget {
 class Book extends EventTarget {
   page = 1;
   bookTitle = "A book";
-  state: BookState = "resting";
+  state = "resting";
   get spread(): { left: null; right: number } {
     return { left: null, right: this.page };
   }

@@ -1,6 +1,5 @@
 /** Reads a book aloud: its recordings or its text, with what is read marked, and turns the pages as it goes. */
 
-import type { BookState } from "../book/turning.ts";
 import { unknownFailure } from "../sources/failures.ts";
 import type { NarratedClip, Narration } from "../sources/page_source.ts";
 import { RecordingPlayer } from "./recording_player.ts";
@@ -18,8 +17,8 @@ export interface BookReadAloud extends EventTarget {
   readonly bookTitle: string;
   /** The open pages. */
   readonly spread: { readonly left: number | null; readonly right: number | null };
-  /** Whether its leaves turn, or rest. */
-  readonly state: BookState;
+  /** "turning" while its leaves turn. */
+  readonly state: string;
   turnTo(page: number): Promise<boolean>;
 }
 
