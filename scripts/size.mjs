@@ -34,8 +34,7 @@ const parts = {
   // read added 1. That leaves may be torn out added 2: pages that leave the book and come back, and how a loose
   // sheet is drawn, picked and shades its book; what tears it is not in every book. Flaps of
   // fold-outs that a pointer opens, and the double tap that crumples, added 1. How the
-  // ragged edge of a sheet that is torn across is drawn, and its command, added 1; lists of folds
-  // that follow what leaves take, and what attributes say that change while a book opens, 1.
+  // ragged edge of a sheet that is torn across is drawn, and its command, added 1.
   "shows and turns a book": { limit: 139 },
   "the text over the pages, once they show": { files: ["book_text_overlay.js"], limit: 8 },
   "zoomed in, pages of other sizes, fold-outs, the place kept": {
@@ -46,7 +45,8 @@ const parts = {
   "on the flat, where there is no WebGL": { files: ["canvas2d_backend.js"], limit: 10 },
   // Counted by themselves, as page sources are: a book without the attribute `model`
   // loads none of them. Live models have machine code of their own; that its sheet can be creased,
-  // for baked folds and the playground, is 50 of it.
+  // for baked folds and the playground, is 49 of it; that it may be torn across, which takes rows
+  // that hang together for granted no more, 1.
   "another model of turning, live": {
     files: ["leaf_models.js", "lying_sheet.js", "loose_leaf.js"],
     limit: 191,
@@ -70,9 +70,9 @@ const parts = {
   // out, loads none of it. 4 kB of it are folds along any line, whose parts lie upon parts, and 4 folds of leaves that
   // lie upon each other. 17 came with what crumples a sheet into a ball, the flaps of fold-outs,
   // and what keeps folded parts out of each other in what is drawn; 1 with folds that wait for
-  // each other and parts that lie by how they face; 13 with what tears a loose sheet across: a grid
-  // on each piece, its drawing, and the motions of pointers and command; 3 with the boxes by which parts
-  // of folded leaves find what is near, for a fifth of their cost.
+  // each other and parts that lie by how they face; 16 with what tears a loose sheet across, a grid
+  // on each piece, its drawing, and the motions of pointers and command, and with what places drawn
+  // points by boxes.
   "folded pages, leaves torn out": {
     files: ["creasable_book.js", "folds.js", "tearing.js"],
     limit: 186,
