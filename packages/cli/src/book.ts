@@ -70,7 +70,7 @@ export interface BookName {
 
 /**
  * Returns the books that a name stands for: those of a folder that has several,
- * its images being one more; the name itself otherwise.
+ * its images being one more, but for the cover of a single book; the name itself otherwise.
  *
  * @param warn receives a sentence about something that is left out
  * @throws Problem
@@ -84,7 +84,9 @@ export async function booksAt(
   const warnings: string[] = [];
   const content = await listFolder(real, path, (sentence) => warnings.push(sentence));
   const books: BookName[] = booksIn(content).map((book) => ({ path: book }));
-  if (content.image.length > 0) books.push({ path, isImages: true });
+  // A single image beside a single book is its cover.
+  const isCover = books.length === 1 && content.image.length === 1;
+  if (content.image.length > 0 && !isCover) books.push({ path, isImages: true });
   // One book, or images: `openBook` warns.
   if (books.length < 2) return [{ path }];
   for (const sentence of warnings) warn(sentence);

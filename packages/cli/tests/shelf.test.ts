@@ -73,7 +73,8 @@ describe("several books", () => {
     const [one, two, images] = await titles({ ...pdfs, "a.png": png(3, 4), "b.png": png(3, 4) });
     expect([one, two]).toEqual(["One", "Two"]);
     expect(images).toMatch(/^turnleaf-test-/);
-    const beside = await titles({ "1.pdf": pdf(1, "One"), "a.png": png(3, 4) });
+    const scans = { "a.png": png(3, 4), "b.png": png(3, 4) };
+    const beside = await titles({ "1.pdf": pdf(1, "One"), ...scans });
     expect(beside).toEqual(["One", expect.stringMatching(/^turnleaf-test-/)]);
     expect(await titles({ "b.md": "# B", "a.txt": "Ay." })).toEqual(["a.txt", "b.md"]);
   });

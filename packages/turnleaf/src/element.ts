@@ -95,6 +95,10 @@ export class TurnleafBook extends ReaderElement {
     ask: (pages) => this.ask("tear", { pages }),
     torn: (pages) => this.emit("torn", { pages }),
     changed: (moved) => this.#pagesChanged(moved),
+    bookmarks: () => this.bookmarks,
+    bookmark: (pages) => {
+      this.bookmarks = [...this.bookmarks, ...pages];
+    },
     show: (page) => void this.turnTo(page, { motion: false }),
     heard: (work) => this.#soundAndHaptics.tear(work),
   });

@@ -91,6 +91,15 @@ test("a leaf is torn out by command, lies beside the book, and is put back", asy
   expect(await element.putBack()).toBe(false);
 });
 
+test("pages that are put back are bookmarked as they were", async () => {
+  const element = await opened();
+  element.bookmarks = [2, 6, 9];
+  expect(await element.tearOut(5)).toBe(true);
+  expect(element.bookmarks).toEqual([2, 7]);
+  expect(await element.putBack()).toBe(true);
+  expect(element.bookmarks).toEqual([2, 6, 9]);
+});
+
 test("a leaf on the left is torn out too, and several are put back from the last one on", async () => {
   const element = await opened({ page: "7", tearable: "stapled" });
   expect(element.spread).toEqual({ left: 6, right: 7 });
@@ -322,14 +331,14 @@ test("a loose sheet is torn across by command; both pieces stay, and its pages a
   expect(element.tearAcross(from, { x: 0, y: 0.9 })).toBe(false);
   expect(element.tearAcross(from, { x: 1.2, y: 0.5 })).toBe(false);
   expect(element.tearAcross(from, { x: Number.NaN, y: 0.5 })).toBe(false);
+  const clock = new TestClock();
   expect(element.tearAcross(from, to)).toBe(true);
   // One that is torn is not torn again, nor crumpled.
   expect(element.tearAcross(from, to)).toBe(false);
   expect(element.crumple()).toBe(false);
-  await settled(element);
-  await expect
-    .poll(() => Math.abs(besideBook(element) / whole - 1), { timeout: 20_000 })
-    .toBeLessThan(0.1);
+  await clock.until(() => element.settled);
+  vi.restoreAllMocks();
+  expect(Math.abs(besideBook(element) / whole - 1)).toBeLessThan(0.1);
   expect([element.pageCount, element.tornLeaves]).toEqual([10, 1]);
   expect(await element.putBack()).toBe(true);
   await settled(element);
@@ -346,12 +355,13 @@ test("two fingers that pull a loose sheet apart tear it, and each carries its pi
   const finger = (pointerId: number, name: string, y: number) =>
     pointer.point(name, x, y, { pointerId, pointerType: "touch", buttons: 1 });
   const x = (element.bookBounds as DOMRect).right + 60;
+  const clock = new TestClock();
   finger(1, "pointerdown", 110);
   finger(2, "pointerdown", 200);
   for (let k = 1; k <= 60; k++) {
     finger(1, "pointermove", 110 - 4 * k);
     finger(2, "pointermove", 200 + 4 * k);
-    await new Promise((resolve) => requestAnimationFrame(resolve));
+    clock.frames(1);
   }
   for (const [id, y] of [
     [1, 60],
@@ -359,16 +369,18 @@ test("two fingers that pull a loose sheet apart tear it, and each carries its pi
   ] as const) {
     finger(id, "pointermove", y);
   }
-  await settled(element);
+  const atRest = () => clock.until(() => element.settled);
+  await atRest();
   finger(1, "pointerup", 60);
-  await settled(element);
+  await atRest();
   const both = besideBook(element);
   // The other is still held; thrown out of sight it goes alone.
   finger(2, "pointermove", 1500);
-  await new Promise((resolve) => setTimeout(resolve, 400));
+  clock.frames(24);
   finger(2, "pointerup", 1500);
-  await settled(element);
-  await expect.poll(() => besideBook(element), { timeout: 20_000 }).toBeLessThan(0.75 * both);
+  await atRest();
+  vi.restoreAllMocks();
+  expect(besideBook(element)).toBeLessThan(0.75 * both);
   expect(element.zoom).toBe(1);
   expect(besideBook(element)).toBeGreaterThan(0.02);
   expect(await element.putBack()).toBe(true);

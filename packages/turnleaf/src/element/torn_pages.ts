@@ -17,6 +17,10 @@ export interface TornPagesHost {
   readonly torn: (pages: readonly number[]) => void;
   /** The book's pages lie elsewhere. */
   readonly changed: (moved: NewIndex) => void;
+  /** Returns the bookmarked pages (from 1). */
+  readonly bookmarks: () => readonly number[];
+  /** Bookmarks pages (from 1) besides those that are bookmarked. */
+  readonly bookmark: (pages: readonly number[]) => void;
   /** Turns to a page (from 1) without motion. */
   readonly show: (page: number) => void;
   /** Work was done in tearing, J. */
@@ -27,6 +31,8 @@ export interface TornPagesHost {
 interface TornLeaf {
   readonly id: number;
   readonly pages: TakenPages;
+  /** Which of its pages were bookmarked, from 0. */
+  readonly bookmarked: readonly number[];
   /** Index (from 0) before which they belong. */
   at: number;
 }
@@ -67,11 +73,13 @@ export class TornPages implements TearOwner {
     if (book === null) return null;
     const place = book.source.track(pages[0] - 1);
     const id = ++this.#lastId;
+    const marks = this.#host.bookmarks();
+    const bookmarked = [...pages.keys()].filter((k) => marks.includes(pages[k]));
     // The viewer lies at rest: the change is made at once, after those that waited for that.
     const isOut = this.#change(book, () => {
       const at = place();
       const { pages: taken, moved } = book.source.take(at, pages.length);
-      this.#leaves.push({ id, pages: taken, at });
+      this.#leaves.push({ id, pages: taken, bookmarked, at });
       return moved;
     });
     if (isOut) this.#host.torn(pages);
@@ -98,6 +106,9 @@ export class TornPages implements TearOwner {
     if (moved === null) return false;
     book.viewer.removeSheet(leaf.id);
     this.#changed(book, moved);
+    // Text that was set anew meanwhile may have fewer pages there.
+    const back = leaf.bookmarked.filter((k) => k < leaf.pages.length);
+    if (back.length > 0) this.#host.bookmark(back.map((k) => leaf.at + 1 + k));
     this.#host.show(leaf.at + 1);
     return true;
   }

@@ -72,11 +72,9 @@ const eventOf = {
 
 /** Returns the options among the properties, without the first page: that may follow the page that is open. */
 function settingsIn(props: HTMLFlipBookProps): Partial<FlipSetting> {
-  const others = new Set([
-    ...["className", "style", "children", "renderOnlyPageLengthChange", "startPage"],
-  ]);
+  const others = ["className", "style", "children", "renderOnlyPageLengthChange", "startPage"];
   const settings = Object.entries(props).filter(
-    ([name]) => !others.has(name) && !Object.hasOwn(eventOf, name),
+    ([name]) => !others.includes(name) && !Object.hasOwn(eventOf, name),
   );
   return Object.fromEntries(settings);
 }

@@ -29,6 +29,12 @@ const carried = 0.4;
 const asideSeconds = 0.6;
 const apart = 0.2;
 
+/**
+ * Ticks from one place of a command's motion to the next, as many as a frame at 60 Hz has. Moved on
+ * by those of a late frame at once, a sheet would be thrown.
+ */
+const moveTicks = 2;
+
 /** How far beyond their distance on the paper two pointers pull a sheet apart before it tears, in page widths. */
 const taut = 0.05;
 
@@ -181,18 +187,23 @@ export class LooseSheetPile {
 
   /** Steps what moves by whole ticks. Returns whether anything goes on moving. */
   step(ticks: number): boolean {
+    for (let left = Math.min(ticks, mostSheetTicks); left > 0; left -= moveTicks) {
+      this.#advance(Math.min(left, moveTicks));
+    }
+    return this.#sheets.some(({ sheet }) => !sheet.isAsleep);
+  }
+
+  #advance(ticks: number): void {
     const { tearing, tick } = this.#rebinder.bound.engine;
-    const bounded = Math.min(ticks, mostSheetTicks);
     for (const one of [...this.#sheets]) {
-      if (one.sheet.isAsleep || ticks === 0) continue;
-      this.#move(one, bounded * tick);
-      tearing?.step(one.sheet, bounded);
+      if (one.sheet.isAsleep) continue;
+      this.#move(one, ticks * tick);
+      tearing?.step(one.sheet, ticks);
       const work = one.sheet.takeWork();
       if (work > 0) this.#hooks.heard(work);
       if (one.tear && !one.sheet.holdsAcross) this.#part(one, one.tear);
       if (one.isCrumpling && one.sheet.isAsleep) this.#crumpled(one);
     }
-    return this.#sheets.some(({ sheet }) => !sheet.isAsleep);
   }
 
   /** Returns the nearest of them on a line of sight, or null. */
