@@ -22,6 +22,12 @@ const longestFrame = 1;
  */
 export const mostSheetTicks = 12;
 
+/**
+ * Ticks from one place of a sheet's motion to the next where a command moves it, as many as a frame
+ * at 60 Hz has. Moved on by those of a late frame at once it would be thrown.
+ */
+export const moveTicks = 2;
+
 /** Counts the whole ticks from frame to frame while something moves. */
 export class TickCounter {
   readonly #tick: number;

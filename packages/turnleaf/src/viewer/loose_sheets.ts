@@ -12,7 +12,7 @@ import type { PagePicture } from "../sources/page_source.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import { tableHeight } from "../stage/case_sizes.ts";
 import type { Dragged, LooseHit } from "./drag.ts";
-import { mostSheetTicks } from "./frame_timing.ts";
+import { mostSheetTicks, moveTicks } from "./frame_timing.ts";
 import type { Rebinder } from "./rebinder.ts";
 import { holdsBeside, isOnParted, type PageSize, pathBetween, type TearPath } from "./tear_path.ts";
 
@@ -28,12 +28,6 @@ const carried = 0.4;
  */
 const asideSeconds = 0.6;
 const apart = 0.2;
-
-/**
- * Ticks from one place of a command's motion to the next, as many as a frame at 60 Hz has. Moved on
- * by those of a late frame at once, a sheet would be thrown.
- */
-const moveTicks = 2;
 
 /** How far beyond their distance on the paper two pointers pull a sheet apart before it tears, in page widths. */
 const taut = 0.05;

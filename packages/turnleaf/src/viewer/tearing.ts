@@ -19,7 +19,7 @@ import type { BookPose } from "../stage/book_pose.ts";
 import type { BookStage, Place } from "../stage/book_stage.ts";
 import { tableHeight } from "../stage/case_sizes.ts";
 import type { Drag } from "./drag.ts";
-import { mostSheetTicks } from "./frame_timing.ts";
+import { mostSheetTicks, moveTicks } from "./frame_timing.ts";
 import { LooseSheetPile } from "./loose_sheets.ts";
 import type { Rebinder } from "./rebinder.ts";
 import type { TearOwner } from "./viewer_options.ts";
@@ -133,7 +133,12 @@ export class Tearing {
   /** Advances by whole ticks. Returns whether anything goes on moving. */
   step(ticks: number): boolean {
     const isFalling = this.#loose.step(ticks);
-    return this.#stepTear(Math.min(ticks, mostSheetTicks)) || isFalling;
+    let isTearing = this.#stepTear(Math.min(ticks, moveTicks));
+    for (let left = Math.min(ticks, mostSheetTicks) - moveTicks; this.#tear && left > 0; ) {
+      isTearing = this.#stepTear(Math.min(left, moveTicks));
+      left -= moveTicks;
+    }
+    return isTearing || isFalling;
   }
 
   /** Shows the pictures of the loose sheets. */
