@@ -27,8 +27,7 @@ export class SheetSurface {
    *
    * @param positions,normals their addresses
    * @param caliper thickness of the paper, metres
-   *
-   * @param opened how far it is torn across
+   * @param opened how far it is torn across, metres, if it is
    */
   at(
     positions: number,

@@ -12,7 +12,6 @@ import type { PagePicture } from "../sources/page_source.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import { tableHeight } from "../stage/case_sizes.ts";
 import type { Dragged, LooseHit } from "./drag.ts";
-import { mostSheetTicks, moveTicks } from "./frame_timing.ts";
 import type { Rebinder } from "./rebinder.ts";
 import { holdsBeside, isOnParted, type PageSize, pathBetween, type TearPath } from "./tear_path.ts";
 
@@ -179,18 +178,11 @@ export class LooseSheetPile {
     this.#hooks.moved();
   }
 
-  /** Steps what moves by whole ticks. Returns whether anything goes on moving. */
+  /** Steps what moves by whole ticks, at most `moveTicks`. Returns whether anything goes on moving. */
   step(ticks: number): boolean {
-    for (let left = Math.min(ticks, mostSheetTicks); left > 0; left -= moveTicks) {
-      this.#advance(Math.min(left, moveTicks));
-    }
-    return this.#sheets.some(({ sheet }) => !sheet.isAsleep);
-  }
-
-  #advance(ticks: number): void {
     const { tearing, tick } = this.#rebinder.bound.engine;
     for (const one of [...this.#sheets]) {
-      if (one.sheet.isAsleep) continue;
+      if (one.sheet.isAsleep || ticks === 0) continue;
       this.#move(one, ticks * tick);
       tearing?.step(one.sheet, ticks);
       const work = one.sheet.takeWork();
@@ -198,6 +190,7 @@ export class LooseSheetPile {
       if (one.tear && !one.sheet.holdsAcross) this.#part(one, one.tear);
       if (one.isCrumpling && one.sheet.isAsleep) this.#crumpled(one);
     }
+    return this.#sheets.some(({ sheet }) => !sheet.isAsleep);
   }
 
   /** Returns the nearest of them on a line of sight, or null. */

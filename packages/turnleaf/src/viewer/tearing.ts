@@ -132,13 +132,15 @@ export class Tearing {
 
   /** Advances by whole ticks. Returns whether anything goes on moving. */
   step(ticks: number): boolean {
-    const isFalling = this.#loose.step(ticks);
-    let isTearing = this.#stepTear(Math.min(ticks, moveTicks));
-    for (let left = Math.min(ticks, mostSheetTicks) - moveTicks; this.#tear && left > 0; ) {
-      isTearing = this.#stepTear(Math.min(left, moveTicks));
-      left -= moveTicks;
-    }
-    return isTearing || isFalling;
+    let left = Math.min(ticks, mostSheetTicks);
+    let goesOn: boolean;
+    do {
+      const some = Math.min(left, moveTicks);
+      const isFalling = this.#loose.step(some);
+      goesOn = this.#stepTear(some) || isFalling;
+      left -= some;
+    } while (left > 0);
+    return goesOn;
   }
 
   /** Shows the pictures of the loose sheets. */
