@@ -1,4 +1,4 @@
-use super::tests::{AROUND, deepest, held, pulled, tear_off};
+use super::tests::{AROUND, deepest, held, lying, settle};
 use super::*;
 use crate::stock::Stock;
 use crate::vector::{dot, sub};
@@ -14,35 +14,6 @@ const PATHS: [[[f64; 2]; 2]; 5] = [
 
 /// Width and height of the page, metres.
 const SIZE: [f64; 2] = [0.148, 0.21];
-
-/// A sheet of a stock that was torn out and lies on the table beside the book.
-fn lying(stock: Stock) -> (Book, TornLeaf) {
-    let at = [0.95, 0.9];
-    let (book, id) = held(Side::Right, stock, at);
-    let (mut leaf, away, _) = tear_off(&book, id, TearLine::Perforated, (Side::Right, at));
-    let [from, to] = [pulled(Side::Right, at, away), [0.42, 0.2, 0.02]];
-    for tick in 0..240 {
-        let part = (tick as f32 / 200.0).min(1.0);
-        let to = core::array::from_fn(|axis| from[axis] + part * (to[axis] - from[axis]));
-        leaf.pull(0, to);
-        leaf.step(&book, 1);
-    }
-    leaf.release();
-    settle(&mut leaf, &book);
-    leaf.take_work();
-    (book, leaf)
-}
-
-/// Steps until it lies still. Returns the greatest edge strain on the way.
-fn settle(leaf: &mut TornLeaf, book: &Book) -> f32 {
-    let mut worst = 0.0f32;
-    while !leaf.is_asleep() {
-        leaf.step(book, 1);
-        worst = worst.max(leaf.sheet().max_edge_strain());
-    }
-    leaf.update(book);
-    worst
-}
 
 /// Where two grabs hold a page to tear it along a path: to the right of where that begins, and
 /// to the left, u and v of each.
@@ -157,7 +128,7 @@ fn path_length(leaf: &TornLeaf, path: [[f64; 2]; 2]) -> f64 {
 #[test]
 fn both_pieces_keep_their_paper_and_come_to_rest() {
     for stock in [Stock::BIBLE, Stock::BOOK, Stock::CARD] {
-        let (book, leaf) = lying(stock);
+        let (book, leaf) = lying(stock, 0.42);
         for path in PATHS {
             let torn = tear_across(leaf.clone(), &book, path);
             let mut pieces = torn.pieces;
@@ -196,7 +167,7 @@ fn both_pieces_keep_their_paper_and_come_to_rest() {
 
 #[test]
 fn a_tear_opens_from_the_edge_at_which_it_begins() {
-    let (book, leaf) = lying(Stock::BOOK);
+    let (book, leaf) = lying(Stock::BOOK, 0.42);
     for path in [PATHS[0], PATHS[1], PATHS[2]] {
         let torn = tear_across(leaf.clone(), &book, path);
         assert!(torn.opened.is_sorted(), "{:?}", torn.opened);
@@ -209,7 +180,7 @@ fn a_tear_opens_from_the_edge_at_which_it_begins() {
 
 #[test]
 fn the_same_pulls_tear_the_same_bits() {
-    let (book, leaf) = lying(Stock::BOOK);
+    let (book, leaf) = lying(Stock::BOOK, 0.42);
     let hash = || {
         let mut hash = crate::hash::BitHash::new();
         for piece in tear_across(leaf.clone(), &book, PATHS[1]).pieces {
@@ -222,7 +193,7 @@ fn the_same_pulls_tear_the_same_bits() {
 
 #[test]
 fn a_gentle_pull_tears_no_further() {
-    let (book, mut leaf) = lying(Stock::BOOK);
+    let (book, mut leaf) = lying(Stock::BOOK, 0.42);
     assert!(leaf.tear_across(&PATHS[0]));
     leaf.update(&book);
     let count = leaf.ties();
@@ -252,7 +223,7 @@ fn what_cannot_be_torn_across_stays_as_it_is() {
     let (book, id) = held(Side::Right, Stock::BOOK, [0.95, 0.9]);
     let mut bound = TornLeaf::tear(&book, id, TearLine::Sewn, 0..NODES[1], AROUND).unwrap();
     assert!(!bound.tear_across(&PATHS[0]));
-    let (_, leaf) = lying(Stock::BOOK);
+    let (_, leaf) = lying(Stock::BOOK, 0.42);
     let mut ball = leaf.clone();
     assert!(ball.crumple() && !ball.tear_across(&PATHS[0]));
     let mut torn = leaf.clone();

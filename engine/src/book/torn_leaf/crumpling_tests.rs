@@ -1,39 +1,8 @@
 use super::ball::Ball;
-use super::tests::{AROUND, held, pulled, tear_off};
+use super::tests::{AROUND, held, lying, settle};
 use super::*;
 use crate::stock::Stock;
 use crate::vector::{dot, sub};
-
-/// A sheet of a stock that was torn out and lies on the table beside the book.
-fn lying(stock: Stock) -> (Book, TornLeaf) {
-    let at = [0.95, 0.9];
-    let (book, id) = held(Side::Right, stock, at);
-    let (mut leaf, away, _) = tear_off(&book, id, TearLine::Perforated, (Side::Right, at));
-    let [from, to] = [pulled(Side::Right, at, away), [0.4, 0.2, 0.02]];
-    for tick in 0..240 {
-        let part = (tick as f32 / 200.0).min(1.0);
-        leaf.pull(
-            0,
-            core::array::from_fn(|axis| from[axis] + part * (to[axis] - from[axis])),
-        );
-        leaf.step(&book, 1);
-    }
-    leaf.release();
-    settle(&mut leaf, &book);
-    leaf.take_work();
-    (book, leaf)
-}
-
-/// Steps until it lies still. Returns the greatest edge strain on the way.
-fn settle(leaf: &mut TornLeaf, book: &Book) -> f32 {
-    let mut worst = 0.0f32;
-    while !leaf.is_asleep() {
-        leaf.step(book, 1);
-        worst = worst.max(leaf.sheet().max_edge_strain());
-    }
-    leaf.update(book);
-    worst
-}
 
 /// Root of the mean square distance of the nodes from their middle, metres.
 fn spread(leaf: &TornLeaf) -> f32 {
@@ -50,7 +19,7 @@ fn spread(leaf: &TornLeaf) -> f32 {
 #[test]
 fn a_sheet_that_is_crumpled_stays_a_ball() {
     for stock in [Stock::BIBLE, Stock::BOOK, Stock::COATED] {
-        let (book, mut leaf) = lying(stock);
+        let (book, mut leaf) = lying(stock, 0.4);
         let flat = spread(&leaf);
         assert!(leaf.crumple() && leaf.is_crumpled());
         assert!(!leaf.crumple());
@@ -83,7 +52,7 @@ fn a_sheet_that_is_crumpled_stays_a_ball() {
 
 #[test]
 fn a_ball_turns_as_a_rigid_body_does() {
-    let (_, mut leaf) = lying(Stock::BOOK);
+    let (_, mut leaf) = lying(Stock::BOOK, 0.4);
     assert!(leaf.crumple());
     let mut ball = Ball::of(&leaf.sheet);
     // A flat sheet of 148 x 210 mm about its own plane's normal: m (a^2 + b^2) / 12.
@@ -112,7 +81,7 @@ fn a_leaf_that_is_still_bound_is_not_crumpled() {
 
 #[test]
 fn a_ball_is_carried_and_thrown() {
-    let (book, mut leaf) = lying(Stock::BOOK);
+    let (book, mut leaf) = lying(Stock::BOOK, 0.4);
     assert!(leaf.crumple());
     settle(&mut leaf, &book);
     let before = spread(&leaf);

@@ -62,6 +62,36 @@ pub(super) fn tear_off(
     panic!("{line:?} holds at {:?}", leaf.bound());
 }
 
+/// A sheet of a stock that was torn out and lies on the table beside the book, where it was let
+/// go `x` metres from the spine.
+pub(super) fn lying(stock: Stock, x: f32) -> (Book, TornLeaf) {
+    let at = [0.95, 0.9];
+    let (book, id) = held(Side::Right, stock, at);
+    let (mut leaf, away, _) = tear_off(&book, id, TearLine::Perforated, (Side::Right, at));
+    let [from, to] = [pulled(Side::Right, at, away), [x, 0.2, 0.02]];
+    for tick in 0..240 {
+        let part = (tick as f32 / 200.0).min(1.0);
+        let to = core::array::from_fn(|axis| from[axis] + part * (to[axis] - from[axis]));
+        leaf.pull(0, to);
+        leaf.step(&book, 1);
+    }
+    leaf.release();
+    settle(&mut leaf, &book);
+    leaf.take_work();
+    (book, leaf)
+}
+
+/// Steps until it lies still. Returns the greatest edge strain on the way.
+pub(super) fn settle(leaf: &mut TornLeaf, book: &Book) -> f32 {
+    let mut worst = 0.0f32;
+    while !leaf.is_asleep() {
+        leaf.step(book, 1);
+        worst = worst.max(leaf.sheet().max_edge_strain());
+    }
+    leaf.update(book);
+    worst
+}
+
 /// How far the lowest place of a sheet's edges and nodes is inside what it lies on, metres.
 pub(super) fn deepest(leaf: &TornLeaf, book: &Book) -> f32 {
     let x = leaf.surface().positions.as_chunks::<3>().0;

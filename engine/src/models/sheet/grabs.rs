@@ -204,9 +204,11 @@ pub(super) fn follow(
     }
     // Each limit may undo another a little; two rounds settle them.
     for _ in 0..2 {
-        for i in 1..if tears { 0 } else { grabs.len() } {
-            for k in 0..i {
-                draw_together(grabs, k, i);
+        if !tears {
+            for i in 1..grabs.len() {
+                for k in 0..i {
+                    draw_together(grabs, k, i);
+                }
             }
         }
         if settings.root != Root::Free {

@@ -34,6 +34,7 @@ mod tests;
 mod tether;
 mod torn;
 mod torn_grid;
+mod torn_material;
 
 pub use contact::{CONTACTS, Contact};
 pub use crease::FoldLine;
