@@ -105,19 +105,26 @@ for (const leaves of [1, 3]) {
     );
   }
 }
-const [torn, crumpled] = tornFrames(await load(creasable));
+const [torn, crumpled, across, begun, parted] = tornFrames(await load(creasable));
 results["a leaf torn out and carried, a frame"] = torn;
 results["a sheet crumpled and let fall, a frame"] = crumpled;
+results["a sheet torn across, a frame"] = across;
+results["its tear begun"] = begun;
+results["its pieces parted"] = parted;
 
 /**
- * Microseconds of a frame at 60 Hz in which a sewn leaf is torn out of a book and then carried, and
- * of one in which it is crumpled after that: two ticks of the book and of the sheet, and what is
- * drawn of both. All frames of 20 such leaves.
+ * Microseconds of a frame at 60 Hz in which a sewn leaf is torn out of a book and then carried, of
+ * one in which it is crumpled after that, and of one in which it is torn across by two grabs: two
+ * ticks of the book and of the sheet, and what is drawn of both. All frames of 40 such leaves, half
+ * of which are crumpled; then how long a tear takes to begin and its pieces to part.
  */
 function tornFrames(wasm) {
   const frames = [];
   const ofBall = [];
-  for (let k = 0; k < 20; k++) {
+  const ofTear = [];
+  const begun = [];
+  const parted = [];
+  for (let k = 0; k < 40; k++) {
     const book = wasm.tl_book_new(0.14, 0.21, 100, 0.009);
     wasm.tl_board_lay(book, 0, 1);
     wasm.tl_book_lay(book, 50);
@@ -138,18 +145,41 @@ function tornFrames(wasm) {
       frames.push(1000 * (performance.now() - start));
     }
     if (wasm.tl_torn_bound_high(leaf) !== 0) throw new Error("The leaf is not off.");
-    if (wasm.tl_torn_crumple(leaf) === 0) throw new Error("The sheet is not crumpled.");
-    while (wasm.tl_torn_asleep(leaf) === 0) {
+    const step = (to, pull = () => {}) => {
       const start = performance.now();
       wasm.tl_book_step(book, 2);
       wasm.tl_book_update(book);
+      pull();
       wasm.tl_torn_step(leaf, book, 2);
-      ofBall.push(1000 * (performance.now() - start));
+      to.push(1000 * (performance.now() - start));
+    };
+    if (k % 2 === 1) {
+      let start = performance.now();
+      if (wasm.tl_torn_across(leaf, 0, 0.5, 1, 0.45) === 0) throw new Error("It is not torn.");
+      begun.push(1000 * (performance.now() - start));
+      wasm.tl_torn_grab(leaf, 0, 0.2, 0.35);
+      wasm.tl_torn_grab(leaf, 1, 0.2, 0.65);
+      for (let frame = 0; wasm.tl_torn_opened(leaf) < 1; frame++) {
+        if (frame > 600) throw new Error("The sheet is not torn through.");
+        const away = 0.0025 * frame;
+        step(ofTear, () => {
+          wasm.tl_torn_pull(leaf, 0, 0.3, 0.1 - away, 0.15);
+          wasm.tl_torn_pull(leaf, 1, 0.3, 0.1 + away, 0.15);
+        });
+      }
+      start = performance.now();
+      wasm.tl_torn_drop(wasm.tl_torn_part(leaf));
+      parted.push(1000 * (performance.now() - start));
+      wasm.tl_torn_drop(leaf);
+      wasm.tl_book_drop(book);
+      continue;
     }
+    if (wasm.tl_torn_crumple(leaf) === 0) throw new Error("The sheet is not crumpled.");
+    while (wasm.tl_torn_asleep(leaf) === 0) step(ofBall);
     wasm.tl_torn_drop(leaf);
     wasm.tl_book_drop(book);
   }
-  return [frames, ofBall].map((times) => {
+  return [frames, ofBall, ofTear, begun, parted].map((times) => {
     times.sort((a, b) => a - b);
     const at = (part) => times[Math.floor(part * (times.length - 1))];
     return { median_us: at(0.5), p5_us: at(0.05), p95_us: at(0.95), worst_us: at(1) };

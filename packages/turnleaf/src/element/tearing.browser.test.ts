@@ -361,9 +361,11 @@ test("two fingers that pull a loose sheet apart tear it, and each carries its pi
   const x = (element.bookBounds as DOMRect).right + 60;
   finger(1, "pointerdown", 110);
   finger(2, "pointerdown", 200);
-  for (let k = 1; k <= 60; k++) {
-    finger(1, "pointermove", 110 - 4 * k);
-    finger(2, "pointermove", 200 + 4 * k);
+  // A second out, and held there until it is torn through.
+  for (let k = 1; k <= 150; k++) {
+    const away = Math.min(4 * k, 240);
+    finger(1, "pointermove", 110 - away);
+    finger(2, "pointermove", 200 + away);
     clock.frames(1);
   }
   for (const [id, y] of [

@@ -5,15 +5,24 @@
  */
 
 import type { TornSheet, UV } from "../engine/book_engine.ts";
-import { columnAt, type Ray, type Surface, surfaceBounds, type Vec3 } from "../engine/shapes.ts";
+import { type Ray, type Surface, surfaceBounds, type Vec3 } from "../engine/shapes.ts";
 import { type Hit, pickSurface } from "../picking/pick.ts";
 import { onPlane } from "../picking/reach.ts";
 import type { PagePicture } from "../sources/page_source.ts";
-import type { BookShape } from "../stage/book_pose.ts";
 import { tableHeight } from "../stage/case_sizes.ts";
 import type { Dragged, LooseHit } from "./drag.ts";
 import type { Rebinder } from "./rebinder.ts";
-import { holdsBeside, isOnParted, type PageSize, pathBetween, type TearPath } from "./tear_path.ts";
+import {
+  type AsideMotion,
+  beginTear,
+  layDown,
+  moveAside,
+  moveTear,
+  putAside,
+  type TearMotion,
+} from "./sheet_motions.ts";
+import { facesUp, middleOf } from "./sheet_places.ts";
+import { isOnParted, type PageSize, pathBetween, type TearPath } from "./tear_path.ts";
 
 /** Sheets that are kept at most: the one torn out first is taken away for the next. */
 const mostSheets = 8;
@@ -21,34 +30,8 @@ const mostSheets = 8;
 /** Height over the table at which a pointer carries a sheet, as a fraction of its width. */
 const carried = 0.4;
 
-/**
- * Seconds in which a sheet is put aside, and how far beside the pages it then lies, in page widths:
- * more than contact keeps it away from their block.
- */
-const asideSeconds = 0.6;
-const apart = 0.2;
-
 /** How far beyond their distance on the paper two pointers pull a sheet apart before it tears, in page widths. */
 const taut = 0.05;
-
-/**
- * A sheet torn across by command: how high it is raised for that, so that most of it stays where it
- * lies, and by how much more one side of it, as fractions of its width; seconds of that; the speed
- * at which either side is pulled, page widths a second; and seconds after which what has not torn
- * is cut.
- */
-const tearRaised = 0.12;
-const tearAskew = 0.08;
-const tearRaising = 0.3;
-const tearSpeed = 1;
-const longestTear = 3;
-
-/** How far a command lays either piece off where it lay on the page, and goes around the other, in page widths. */
-const piecesApart = 0.06;
-const piecesAround = 0.3;
-
-/** Between which parts of its columns a piece is held that is laid down. */
-const laidBetween = [0.2, 0.8] as const;
 
 /** What a sheet shows. */
 export interface SheetPictures {
@@ -73,19 +56,6 @@ interface Tear {
   readonly command: TearMotion | null;
 }
 
-/** The motion of a command that tears a sheet across. */
-interface TearMotion {
-  /** Where the sheet is held, to the right of its path and to the left, and where that was at first. */
-  readonly places: readonly [UV, UV];
-  readonly starts: readonly [Vec3, Vec3];
-  /** The direction from the first to the second, level and of unit length. */
-  readonly apart: Vec3;
-  /** The sheet as it lay at first. */
-  readonly lay: Surface;
-  /** Seconds since it began. */
-  since: number;
-}
-
 /** One loose sheet, or a piece of one. */
 interface LooseSheet {
   /** The leaf's, which its pieces have in common. */
@@ -100,16 +70,6 @@ interface LooseSheet {
   tear: Tear | null;
   /** Whether it is pressed into a ball, or falls after that. */
   isCrumpling: boolean;
-}
-
-/** The motion by which the viewer puts a sheet aside. */
-interface AsideMotion {
-  /** Where each of its grabs goes. */
-  readonly ways: readonly { readonly from: Vec3; readonly to: Vec3 }[];
-  /** How far it goes to a side on its way, metres: pieces that turn back would lie over each other. */
-  readonly around: readonly [x: number, y: number];
-  /** Fraction of its way that is done. */
-  part: number;
 }
 
 /** The dependencies of loose sheets. */
@@ -312,43 +272,12 @@ export class LooseSheetPile {
 
   #tearByCommand(one: LooseSheet, path: TearPath): boolean {
     if (!one.sheet.tearAcross(...path)) return false;
-    const size = this.#size;
-    const places = holdsBeside(path, size);
-    const { surface } = one.sheet;
-    const [a, b] = places.map((place) => pointAt(surface, place)) as [Vec3, Vec3];
-    const long = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
+    const command = beginTear(one.sheet, path, this.#size);
     one.aside = null;
     one.holds = [null, null];
-    one.tear = {
-      path,
-      command: {
-        places,
-        starts: [a, b],
-        apart: [(b[0] - a[0]) / long, (b[1] - a[1]) / long, 0],
-        // What the engine draws is overwritten by the next step.
-        lay: { ...surface, positions: surface.positions.slice() },
-        since: 0,
-      },
-    };
-    for (const grab of [0, 1] as const) one.sheet.grab(...places[grab], grab);
+    one.tear = { path, command };
     this.#hooks.moved();
     return true;
-  }
-
-  /** Moves what a command tears on. */
-  #moveTear({ sheet }: LooseSheet, motion: TearMotion, seconds: number): void {
-    motion.since += seconds;
-    const { width } = this.#rebinder.bound.shape;
-    const raised = tearRaised * width * Math.min(motion.since / tearRaising, 1);
-    const away = tearSpeed * width * Math.max(motion.since - tearRaising, 0);
-    for (const grab of [0, 1] as const) {
-      const sign = grab === 0 ? -1 : 1;
-      const [x, y, z] = motion.starts[grab].map(
-        (at, axis) => at + sign * away * motion.apart[axis],
-      );
-      sheet.pull([x, y, z + raised + sign * Math.min(away, tearAskew * width)], grab);
-    }
-    if (motion.since > longestTear) sheet.cut();
   }
 
   /** A sheet is torn through: each piece goes on by itself, held by what held it. */
@@ -368,29 +297,12 @@ export class LooseSheetPile {
       this.#holdAnew(piece);
       // The second hold is on the left of the way in which it is torn.
       const isSecond = command && isOnParted(command.places[1], path, size) === (k === 1);
-      if (command) this.#layDown(piece, command, isSecond === true);
+      if (command) piece.aside = layDown(piece.sheet, command, isSecond === true, size);
       else if (own.length === 0) this.#letGo(piece, null);
     }
     while (this.#sheets.length > mostSheets) this.remove(this.#sheets[0].id);
     // Both show their pictures, each by its place in the list.
     this.#hooks.moved();
-  }
-
-  /** Lays a piece that a command has torn off down where it lay, but for a gap beside the other. */
-  #layDown(piece: LooseSheet, { apart, lay }: TearMotion, isSecond: boolean): void {
-    const way = (isSecond ? 1 : -1) * this.#size.width;
-    const by = piecesApart * way;
-    const { surface } = piece.sheet;
-    piece.aside = {
-      ways: laidBetween.map((part, grab) => {
-        const place = placeOnPage(surface, [part, 0.5]);
-        piece.sheet.grab(...place, grab as 0 | 1);
-        const [x, y, z] = pointAt(lay, place);
-        return { from: pointAt(surface, place), to: [x + by * apart[0], y + by * apart[1], z] };
-      }),
-      around: [piecesAround * way * apart[0], piecesAround * way * apart[1]],
-      part: 0,
-    };
   }
 
   #isOverBook({ sheet }: LooseSheet): boolean {
@@ -422,29 +334,15 @@ export class LooseSheetPile {
       // What was thrown out of sight is gone.
       if (at && !this.#hooks.isSeen(at) && !this.#hooks.isSeen(middle)) this.#discard(one);
     } else {
-      const to = asideOf(shape, at ?? middle);
-      one.sheet.grab(...middlePlace(one.sheet.surface));
-      one.aside = { ways: [{ from: middle, to }], around: [0, 0], part: 0 };
+      one.aside = putAside(one.sheet, shape, at ?? middle);
     }
     this.#hooks.moved();
   }
 
   /** Moves a sheet on that is put aside or torn by a command. */
   #move(one: LooseSheet, seconds: number): void {
-    if (one.tear?.command) this.#moveTear(one, one.tear.command, seconds);
-    const { aside } = one;
-    if (aside === null) return;
-    aside.part = Math.min(aside.part + seconds / asideSeconds, 1);
-    const eased = aside.part * aside.part * (3 - 2 * aside.part);
-    // Level until it is past the book, then down.
-    const sunk = aside.part ** 4;
-    const beside = 4 * aside.part * (1 - aside.part);
-    for (const [grab, { from, to }] of aside.ways.entries()) {
-      const at = (axis: number, part: number) => from[axis] + part * (to[axis] - from[axis]);
-      const [x, y] = aside.around.map((way, axis) => at(axis, eased) + beside * way);
-      one.sheet.pull([x, y, at(2, sunk)], grab as 0 | 1);
-    }
-    if (aside.part < 1) return;
+    if (one.tear?.command) moveTear(one.sheet, one.tear.command, this.#size, seconds);
+    if (one.aside === null || moveAside(one.sheet, one.aside, seconds)) return;
     one.aside = null;
     one.sheet.release();
   }
@@ -463,58 +361,6 @@ function isWhole({ sheet }: LooseSheet): boolean {
   return sheet.surface.creased === undefined;
 }
 
-/**
- * Returns where the middle of a sheet lies that is put aside: on the screen left or right of the
- * book, on the side of a place.
- */
-function asideOf(shape: BookShape, [x, y]: Vec3): Vec3 {
-  const { width, height, rim, quarterTurned } = shape;
-  const [table, beyond] = [tableHeight(shape), rim + apart * width];
-  if (!quarterTurned) return [(x < 0 ? -1 : 1) * (1.5 * width + beyond), height / 2, table];
-  return [
-    (Math.sign(x) * width) / 2,
-    height / 2 + (y < height / 2 ? -1 : 1) * (height + beyond),
-    table,
-  ];
-}
-
-/** Returns u and v on the page of a place on a surface, in parts of its rows and columns if these are even. */
-function placeOnPage({ creased, columns, rows }: Surface, [u, v]: UV): UV {
-  if (!creased) return [u, v];
-  const point = Math.round(v * (rows - 1)) * columns + Math.round(u * (columns - 1));
-  return [creased.places[2 * point], creased.places[2 * point + 1]];
-}
-
-/** Returns where the point of a torn sheet is that lies next to a place on the page. */
-function pointAt({ positions, creased }: Surface, [u, v]: UV): Vec3 {
-  const places = creased?.places ?? [];
-  let [best, least] = [0, Infinity];
-  for (let point = 0; 2 * point < places.length; point++) {
-    const away = Math.hypot(places[2 * point] - u, places[2 * point + 1] - v);
-    if (away < least) [best, least] = [point, away];
-  }
-  return [positions[3 * best], positions[3 * best + 1], positions[3 * best + 2]];
-}
-
-/** Returns the place on its page of a sheet's middle. */
-function middlePlace(surface: Surface): UV {
-  return placeOnPage(surface, [0.5, 0.5]);
-}
-
-/** Returns whether a sheet shows its recto from above. */
-function facesUp({ normals }: Surface): boolean {
-  let sum = 0;
-  for (let at = 2; at < normals.length; at += 3) sum += normals[at];
-  return sum >= 0;
-}
-
 function distance(a: Vec3, b: Vec3): number {
   return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
-/** Returns the middle of a surface. */
-function middleOf({ positions, columns, rows, creased }: Surface): Vec3 {
-  const column = creased ? columns >> 1 : Math.round(columnAt(0.5, columns));
-  const at = 3 * ((rows >> 1) * columns + column);
-  return [positions[at], positions[at + 1], positions[at + 2]];
 }
