@@ -21,6 +21,8 @@ import { type Layout, layOut, magnified, panelOf, shutness, sightOf } from "./ca
 import { drawBoard } from "./draw_board.ts";
 import { type Brush, drawCase, drawPage, drawStack, thicknessOf } from "./draw_book.ts";
 import { drawFlat, drawFolded } from "./draw_leaf.ts";
+import { DrawnPage } from "./drawn_page.ts";
+import { KeptDrawing } from "./kept_drawing.ts";
 import type { PeeledSurface } from "./peeled_book.ts";
 
 /**
@@ -62,6 +64,12 @@ export class Canvas2DStage implements BookStage {
   readonly #zooming = new ZoomState(() =>
     sightOf(this.#shape, this.#pose, this.#width, this.#height),
   );
+  /** What lies under the leaves in flight, while something moves. */
+  readonly #still: KeptDrawing;
+  /** The two pages of each leaf in flight, by its number: the one that it lay with, and the other. */
+  readonly #drawnPages = new Map<number, readonly [up: DrawnPage, under: DrawnPage]>();
+  /** Changes when the content of a picture does. */
+  #version = 0;
   #pose = lying;
   #layout: Layout = { scale: 1, x: 0, y: 0 };
   #width = 1;
@@ -75,6 +83,7 @@ export class Canvas2DStage implements BookStage {
     this.#canvas = canvas;
     this.#pen = pen;
     this.#shape = shape;
+    this.#still = new KeptDrawing(canvas.ownerDocument);
   }
 
   bind(shape: BookShape): void {
@@ -134,8 +143,9 @@ export class Canvas2DStage implements BookStage {
     this.#shown.set(`beneath ${side}`, beneath);
   }
 
-  /** Every frame draws the bitmaps themselves. */
-  refresh(): void {}
+  refresh(): void {
+    this.#version++;
+  }
 
   forget(picture: PagePicture): void {
     for (const [face, shown] of this.#shown) if (shown === picture) this.#shown.set(face, null);
@@ -155,17 +165,21 @@ export class Canvas2DStage implements BookStage {
       this.#canvas.width = width;
       this.#canvas.height = height;
     }
-    const pen = this.#pen;
     const { scale, x, y } = this.#layout;
-    pen.setTransform(1, 0, 0, 1, 0, 0);
-    pen.clearRect(0, 0, width, height);
     const unit = scale * ratio;
-    if (this.#shape.quarterTurned) {
-      pen.setTransform(0, unit, -unit, 0, x * ratio + unit * this.#shape.height, y * ratio);
-    } else pen.setTransform(unit, 0, 0, unit, x * ratio, y * ratio);
-    pen.imageSmoothingQuality = options?.resting ? "high" : "medium";
-    this.#paint(unit);
+    const toCanvas = this.#shape.quarterTurned
+      ? new DOMMatrix([0, unit, -unit, 0, x * ratio + unit * this.#shape.height, y * ratio])
+      : new DOMMatrix([unit, 0, 0, unit, x * ratio, y * ratio]);
+    const brush: Brush = { pen: this.#pen, shape: this.#shape, unit, toCanvas };
+    this.#pen.setTransform(1, 0, 0, 1, 0, 0);
+    this.#pen.clearRect(0, 0, width, height);
+    if (options?.resting) this.#paintStill(brush);
+    else this.#copyStill(brush);
+    this.#pen.setTransform(toCanvas);
+    this.#pen.imageSmoothingQuality = options?.resting ? "high" : "medium";
+    this.#paintMoving(brush);
     this.#fadeBeyondSpine(ratio);
+    if (options?.resting) this.#freeDrawings();
   }
 
   rayAt(x: number, y: number): Ray {
@@ -196,6 +210,7 @@ export class Canvas2DStage implements BookStage {
 
   destroy(): boolean {
     this.#shown.clear();
+    this.#freeDrawings();
     // Frees the pixels at once.
     this.#canvas.width = this.#canvas.height = 0;
     // The next book may be one that the graphics card draws.
@@ -228,17 +243,38 @@ export class Canvas2DStage implements BookStage {
     pen.globalCompositeOperation = "source-over";
   }
 
-  #paint(unit: number): void {
-    const brush = { pen: this.#pen, shape: this.#shape, unit };
+  /** Copies what lies still, which is drawn anew only once it has changed. */
+  #copyStill(brush: Brush): void {
+    const { width, height } = this.#canvas;
+    const { left, right, frontBoard, backBoard } = this.#pose;
+    const sides = ["left", "right", "beneath left", "beneath right"] as const;
+    const insides = ["frontInside", "backInside"] as const;
+    const shows = [
+      this.#shape,
+      this.#version,
+      ...Object.values(this.#layout),
+      left && thicknessOf(this.#pose, "left"),
+      right && thicknessOf(this.#pose, "right"),
+      frontBoard >= Math.PI,
+      backBoard <= 0,
+      ...[...sides, ...insides].map((name) => this.#shown.get(name)),
+      ...(["left", "right", ...insides] as const).map((face) => this.#details.get(face)),
+    ];
+    this.#still.update(width, height, shows, (pen) => this.#paintStill({ ...brush, pen }));
+    this.#pen.drawImage(this.#still.canvas, 0, 0);
+  }
+
+  /** Draws what lies under the leaves in flight. */
+  #paintStill(brush: Brush): void {
     const pose = this.#pose;
-    const { frontBoard, backBoard } = pose;
     const isHard = this.#shape.cover === "hard";
     const show = (name: BitmapTarget) => this.#shown.get(name) ?? null;
     const detail = (face: Face) => this.#details.get(face) ?? null;
+    brush.pen.setTransform(brush.toCanvas);
     drawCase(brush, pose);
     for (const [sign, side, inside, lies] of [
-      [-1, "left", "frontInside", frontBoard >= Math.PI],
-      [1, "right", "backInside", backBoard <= 0],
+      [-1, "left", "frontInside", pose.frontBoard >= Math.PI],
+      [1, "right", "backInside", pose.backBoard <= 0],
     ] as const) {
       if (pose[side]) {
         drawStack(brush, sign, thicknessOf(pose, side));
@@ -246,30 +282,65 @@ export class Canvas2DStage implements BookStage {
         drawPage(brush, sign, show(side), detail(side));
       } else if (isHard && lies) drawPage(brush, sign, show(inside), detail(inside));
     }
-    const leaves = pose.leaves as readonly PeeledSurface[];
+  }
+
+  #paintMoving(brush: Brush): void {
+    const { frontBoard, backBoard } = this.#pose;
+    const show = (name: BitmapTarget) => this.#shown.get(name) ?? null;
+    const leaves = this.#pose.leaves as readonly PeeledSurface[];
     const order = leaves
       .map((leaf, index) => ({ leaf, index }))
       .sort((a, b) => a.leaf.id - b.leaf.id);
-    const up = ({ leaf, index }: (typeof order)[number]) =>
-      show(leaf.side === Side.right ? `recto ${index}` : `verso ${index}`);
-    const under = ({ leaf, index }: (typeof order)[number]) =>
-      show(leaf.side === Side.right ? `verso ${index}` : `recto ${index}`);
+    for (const [id, pages] of this.#drawnPages) {
+      if (leaves.some((leaf) => leaf.id === id)) continue;
+      for (const page of pages) page.free();
+      this.#drawnPages.delete(id);
+    }
     // The leaf picked up later lay beneath, and is folded over the earlier one.
-    for (const item of order.toReversed()) {
-      if (!isBoard(item.leaf)) drawFlat(brush, item.leaf, up(item));
+    for (const { leaf, index } of order.toReversed()) {
+      if (isBoard(leaf)) continue;
+      drawFlat(brush, leaf, this.#pagesOf(brush, leaf, index)[0]);
     }
     const isScan = this.#shape.kind === "scan";
-    for (const item of order) {
-      if (isBoard(item.leaf)) {
-        const angle = angleOf(item.leaf);
-        const picture = show(angle < Math.PI / 2 ? `recto ${item.index}` : `verso ${item.index}`);
+    for (const { leaf, index } of order) {
+      if (isBoard(leaf)) {
+        const angle = angleOf(leaf);
+        const picture = show(angle < Math.PI / 2 ? `recto ${index}` : `verso ${index}`);
         drawBoard(brush, { side: "leaf", angle, picture, detail: null });
-      } else drawFolded(brush, item.leaf, under(item), isScan ? null : up(item));
+      } else {
+        const [up, under] = this.#pagesOf(brush, leaf, index);
+        const hasInk =
+          show(leaf.side === Side.right ? `recto ${index}` : `verso ${index}`) !== null;
+        drawFolded(brush, leaf, under, hasInk && !isScan ? up : null);
+      }
     }
-    if (isHard) {
+    if (this.#shape.cover === "hard") {
       if (frontBoard < Math.PI) this.#paintCover(brush, "front", frontBoard);
       if (backBoard > 0) this.#paintCover(brush, "back", backBoard);
     }
+  }
+
+  /** Returns the pages of a leaf in flight as they lie: the one that it lay with, and the other. */
+  #pagesOf(brush: Brush, { id, side }: PeeledSurface, index: number) {
+    let pages = this.#drawnPages.get(id);
+    if (pages === undefined) {
+      const document = this.#canvas.ownerDocument;
+      pages = [new DrawnPage(document), new DrawnPage(document)];
+      this.#drawnPages.set(id, pages);
+    }
+    const [sign, up, under] =
+      side === Side.right
+        ? ([1, `recto ${index}`, `verso ${index}`] as const)
+        : ([-1, `verso ${index}`, `recto ${index}`] as const);
+    pages[0].show(brush, sign, this.#shown.get(up) ?? null, this.#version);
+    pages[1].show(brush, sign === 1 ? -1 : 1, this.#shown.get(under) ?? null, this.#version);
+    return pages;
+  }
+
+  #freeDrawings(): void {
+    this.#still.free();
+    for (const pages of this.#drawnPages.values()) for (const page of pages) page.free();
+    this.#drawnPages.clear();
   }
 
   #paintCover(brush: Brush, name: "front" | "back", angle: number): void {
