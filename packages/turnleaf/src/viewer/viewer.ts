@@ -172,6 +172,11 @@ export class Viewer {
     backend: Backend,
     signal: AbortSignal,
   ): Promise<Viewer> {
+    const first = options.page() - 1;
+    for (const index of [first, first + 1].filter((index) => index < source.pageCount)) {
+      // Images begin to load beside the one that tells the leaf's size; failures are told when they are drawn.
+      source.size(index, signal).catch(() => {});
+    }
     const leaf = await leafSize(source, signal);
     const book = { source, leaf, aspect: leaf.width / leaf.height };
     const { clientWidth, clientHeight } = canvas;
