@@ -320,7 +320,10 @@ export class Canvas2DStage implements BookStage {
     }
   }
 
-  /** Returns the pages of a leaf in flight as they lie: the one that it lay with, and the other. */
+  /**
+   * Returns the pages of a leaf in flight as they lie: the one that it lay with, which is copied
+   * pixel for pixel, and the other, which is turned and so keeps the pixels of its bitmap.
+   */
   #pagesOf(brush: Brush, { id, side }: PeeledSurface, index: number) {
     let pages = this.#drawnPages.get(id);
     if (pages === undefined) {
@@ -332,8 +335,11 @@ export class Canvas2DStage implements BookStage {
       side === Side.right
         ? ([1, `recto ${index}`, `verso ${index}`] as const)
         : ([-1, `verso ${index}`, `recto ${index}`] as const);
-    pages[0].show(brush, sign, this.#shown.get(up) ?? null, this.#version);
-    pages[1].show(brush, sign === 1 ? -1 : 1, this.#shown.get(under) ?? null, this.#version);
+    pages[0].show(brush, sign, this.#shown.get(up) ?? null, this.#version, 1);
+    const other = this.#shown.get(under) ?? null;
+    const width = brush.unit * (this.#shape.quarterTurned ? this.#shape.height : this.#shape.width);
+    const density = Math.max(1, (other?.width ?? 0) / width);
+    pages[1].show(brush, sign === 1 ? -1 : 1, other, this.#version, density);
     return pages;
   }
 

@@ -20,8 +20,15 @@ export class DrawnPage {
    * makes the page larger than that.
    *
    * @param version a number that changes when the content of a picture does
+   * @param density its pixels across one of the canvas
    */
-  show(brush: Brush, sign: 1 | -1, picture: PagePicture | null, version: number): void {
+  show(
+    brush: Brush,
+    sign: 1 | -1,
+    picture: PagePicture | null,
+    version: number,
+    density: number,
+  ): void {
     const { pen, toCanvas, shape } = brush;
     const [left, top, right, bottom] = pageBox(shape, sign);
     const a = toCanvas.transformPoint({ x: left, y: top });
@@ -30,11 +37,11 @@ export class DrawnPage {
     const width = Math.max(1, Math.ceil(Math.max(a.x, b.x)) - x);
     const height = Math.max(1, Math.ceil(Math.max(a.y, b.y)) - y);
     const most = pen.canvas.width * pen.canvas.height;
-    const reduction = Math.min(1, Math.sqrt(most / (width * height)));
-    const toPixels = new DOMMatrix().scale(reduction).translate(-x, -y).multiply(toCanvas);
+    const scale = Math.min(density, Math.sqrt(most / (width * height)));
+    const toPixels = new DOMMatrix().scale(scale).translate(-x, -y).multiply(toCanvas);
     this.#toBook = toPixels.inverse();
     const shows = [shape, sign, picture, version, ...matrixOf(toPixels)];
-    const size = [width, height].map((length) => Math.ceil(length * reduction));
+    const size = [width, height].map((length) => Math.ceil(length * scale));
     this.#drawing.update(size[0], size[1], shows, (pen) => {
       pen.setTransform(toPixels);
       drawPage({ ...brush, pen }, sign, picture);
