@@ -568,6 +568,9 @@ export class Viewer {
     if (this.#destroyed) return;
     const folding = this.#foldOut.step(passed);
     const stepping = this.#camera.step(seconds) || folding;
+    // What has asked for a frame since this one began, such as a leaf that landed, is seen in it.
+    this.#window.cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
     const posed = this.#bound.pose();
     const modelled = { ...this.#modelSwitch.pose(posed), flap: this.#foldOut.surface };
     const pose = this.#loadedTearing?.pose(modelled) ?? modelled;
