@@ -174,6 +174,31 @@ test("nothing runs at rest, and a removed book is gone", async () => {
   }
 });
 
+test("the frame in which a leaf lands is the last one", async () => {
+  const element = book(scans(12), { page: "3", duration: "80" });
+  await happens(element, "load");
+  await expect.poll(() => element.ready).toBe(true);
+  const request = globalThis.requestAnimationFrame;
+  const drawn = { before: 0, after: 0 };
+  let hasLanded = false;
+  element.addEventListener("pagechange", () => {
+    hasLanded = true;
+  });
+  globalThis.requestAnimationFrame = (call) =>
+    request((now) => {
+      drawn[hasLanded ? "after" : "before"]++;
+      call(now);
+    });
+  try {
+    await element.next();
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    expect(drawn.before).toBeGreaterThan(0);
+    expect(drawn.after).toBe(0);
+  } finally {
+    globalThis.requestAnimationFrame = request;
+  }
+});
+
 test.each(["left", "right", "top", "bottom"] as const)("it is bound at the %s", async (binding) => {
   const look = { binding, cover: "none", layout: "spread" };
   const element = book(scans(12), { page: "6", duration: "80", ...look });

@@ -49,6 +49,10 @@ void main() {
 }
 `;
 
+/**
+ * What only some pages need is compiled in, or not: drawn in software a pixel takes the time of both
+ * ways of a branch, and the light that flaps and sheets keep off would be a third of a frame.
+ */
 const fragmentShader = /* glsl */ `
 uniform sampler2D pictureBehind;
 uniform sampler2D beneath;
@@ -80,13 +84,13 @@ vec3 throughLeaf(vec3 normal, vec2 uv) {
 
 // A page on its pile has one end of its gap for each of three places on the key light.
 float keyHere() {
-  if (thin > 0.5) return keyFraction(vGapKey.xy);
-  float other = vGapKey.w;
-  vec3 ends = vGapKey.xyz;
-  if (mirrored > 0.5) {
-    return (keyFraction(vec2(other, ends.x)) + keyFraction(vec2(other, ends.y)) + keyFraction(vec2(other, ends.z))) / 3.0;
+  vec3 left = mix(vGapKey.xyz, vGapKey.www, mirrored);
+  vec3 right = mix(vGapKey.www, vGapKey.xyz, mirrored);
+  if (thin > 0.5) {
+    left = vGapKey.xxx;
+    right = vGapKey.yyy;
   }
-  return (keyFraction(vec2(ends.x, other)) + keyFraction(vec2(ends.y, other)) + keyFraction(vec2(ends.z, other))) / 3.0;
+  return dot(keyFractions(left, right), vec3(1.0 / 3.0));
 }
 
 const vec3 BARE = vec3(0.965, 0.913, 0.807);
@@ -168,8 +172,10 @@ void main() {
   if (shadows > 0.0) {
     sky = mix(sky, skyHere(normal), shadows);
     key = mix(key, keyHere(), shadows);
+    #ifdef SHADED
     shadeByFlaps(vPlace, shadows, sky, key);
     shadeBySheet(vPlace, shadows, sky, key);
+    #endif
   }
   vec3 light = arriving(normal, sky, key);
   if (thin > 0.5) light += throughLeaf(normal, uv);
@@ -263,17 +269,27 @@ export class PaperMaterial extends ShaderMaterial {
   /** How many of the flaps there are. */
   set flapCount(count: number) {
     this.uniforms.flapCount.value = count;
+    this.#shade();
   }
 
   /** The loose sheet that shades it; null for none. */
   coverBy(sheet: Surface | null): void {
     this.uniforms.sheetCount.value = sheet ? 1 : 0;
+    this.#shade();
     if (sheet === null) return;
     const { positions, columns, rows } = sheet;
     const last = columns * (rows - 1);
     for (const [k, point] of [0, columns - 1, last + columns - 1, last].entries()) {
       this.uniforms.sheet.value.set(positions.subarray(3 * point, 3 * point + 3), 3 * k);
     }
+  }
+
+  /** Compiles in what flaps and sheets shade, once there are any. */
+  #shade(): void {
+    const { flapCount, sheetCount } = this.uniforms;
+    if ("SHADED" in this.defines || (flapCount.value === 0 && sheetCount.value === 0)) return;
+    this.defines.SHADED = "";
+    this.needsUpdate = true;
   }
 
   /** The picture of the page visible beside this one where its leaf is trimmed. */

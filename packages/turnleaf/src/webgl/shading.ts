@@ -69,9 +69,15 @@ float skyFraction(vec2 gap, vec3 normal) {
   return max(0.0, 0.5 * (edgeSine(gap.y, across) - edgeSine(gap.x, across)));
 }
 
+const float PENUMBRA = ${glslNumber(penumbra)};
+
+// Of three gaps, by their left and right ends.
+vec3 keyFractions(vec3 left, vec3 right) {
+  return smoothstep(-PENUMBRA, PENUMBRA, KEY_ANGLE - left) * smoothstep(-PENUMBRA, PENUMBRA, right - KEY_ANGLE);
+}
+
 float keyFraction(vec2 gap) {
-  return smoothstep(-${glslNumber(penumbra)}, ${glslNumber(penumbra)}, KEY_ANGLE - gap.x)
-       * smoothstep(-${glslNumber(penumbra)}, ${glslNumber(penumbra)}, gap.y - KEY_ANGLE);
+  return keyFractions(gap.xxx, gap.yyy).x;
 }
 `;
 
