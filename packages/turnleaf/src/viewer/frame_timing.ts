@@ -13,6 +13,13 @@ const lateFrame = 0.1;
  */
 const mostSlack = 0.2;
 
+/**
+ * Maximum time, in milliseconds, for which a book's first frame waits for the bitmaps of its open
+ * pages where the processor draws. A frame without them takes longer than that, and they would wait
+ * for it.
+ */
+export const firstFrameWait: number = 1000 * mostSlack;
+
 /** Maximum time of one frame, in seconds: a page that was hidden comes back to a turn that has ended. */
 const longestFrame = 1;
 

@@ -33,7 +33,7 @@ import type { Drags } from "./drag.ts";
 import { bitmapWidth } from "./face_textures.ts";
 import { FoldOut } from "./fold_out.ts";
 import type { Folds } from "./folds.ts";
-import { FrameQuality } from "./frame_timing.ts";
+import { FrameQuality, firstFrameWait } from "./frame_timing.ts";
 import { LeafCommands } from "./leaf_commands.ts";
 import { Rebinder } from "./rebinder.ts";
 import { Sharpness } from "./sharpness.ts";
@@ -82,6 +82,8 @@ export class Viewer {
   #tearing: Promise<Tearing | null> | null = null;
   #loadedTearing: Tearing | null = null;
   readonly #backend: Backend;
+  /** Time of the first animation frame, milliseconds, until one is drawn; then long ago. */
+  #waitsSince = Number.NaN;
   /** Whether the last frame has fewer pixels than at rest, as pictures of it are missing. */
   #isPlain = false;
   /** Whether no leaf is in flight and no flap open, so that elements may lie over their pages. */
@@ -545,8 +547,20 @@ export class Viewer {
     this.#frame = this.#window.requestAnimationFrame((now) => this.#draw(now));
   }
 
+  /** Returns whether the first frame waits for its bitmaps. */
+  #waits(now: number): boolean {
+    if (!this.#stage.isSoftware || this.turning.moving || this.#bitmaps.settled) return false;
+    if (Number.isNaN(this.#waitsSince)) this.#waitsSince = now;
+    return now - this.#waitsSince < firstFrameWait;
+  }
+
   #draw(now: number): void {
     this.#frame = 0;
+    if (this.#waits(now)) {
+      this.#askForFrame();
+      return;
+    }
+    this.#waitsSince = Number.NEGATIVE_INFINITY;
     const { ticks, engine } = this.#bound;
     const passed = ticks.count(now);
     const seconds = passed * engine.tick;
