@@ -176,7 +176,7 @@ export class Viewer {
   ): Promise<Viewer> {
     const first = options.page() - 1;
     for (const index of [first, first + 1].filter((index) => index < source.pageCount)) {
-      // Images begin to load beside the one that tells the leaf's size; failures are told when they are drawn.
+      // Images begin to load beside the one of which the leaf has its size; what fails is reported when it is drawn.
       source.size(index, signal).catch(() => {});
     }
     const leaf = await leafSize(source, signal);
