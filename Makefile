@@ -14,7 +14,7 @@ MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 RUST_SOURCES = $(shell find Cargo.toml Cargo.lock rust-toolchain.toml engine/Cargo.toml wasm/Cargo.toml engine/src wasm/src -type f)
 
-.PHONY: read build wasm unpacker test test-rust test-js check check-rust check-js check-licences size bench bench-peers gestures gestures-creases soak soak-folds fuzz playground examples pictures methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-epub
+.PHONY: read build wasm unpacker test test-rust test-js check check-rust check-js check-licences size bench bench-peers bench-hanging gestures gestures-creases soak soak-folds fuzz playground examples pictures methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-epub
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -96,6 +96,21 @@ bench: build chromium tools-rust
 bench-peers: build chromium
 	npm ci --prefix bench/flipbooks --no-audit --no-fund
 	node bench/flipbooks/run.mjs --write
+
+# A hanging page by the engine, by Jolt Physics and by Newton's vertex block descent, on the processor:
+# bench/results and tables of docs/performance.md. Newton is a Python package, installed into
+# target/newton for this alone; where that fails it is left out, and its stored results stay. Takes
+# about 20 minutes of a processor's time.
+PYTHON ?= python3
+bench-hanging: $(MODULES) tools-rust
+	node scripts/build_wasm.mjs --trials
+	node bench/peers/jolt_sheet.mjs --write
+	@mkdir -p target
+	@if $(PYTHON) -m venv target/newton >target/newton.log 2>&1 && \
+	  target/newton/bin/pip install --quiet -r bench/peers/requirements.txt >>target/newton.log 2>&1; \
+	then target/newton/bin/python bench/peers/vbd_sheet.py --write >target/newton.log; \
+	else echo "Newton is left out: it needs Python 3.11 with venv, and the packages of bench/peers/requirements.txt (target/newton.log says why)." >&2; fi
+	node bench/peers/sheet_tables.mjs
 
 # The steps that three engines go through, with versions and times: a table in docs/browsers.md.
 engines: build browsers

@@ -1,37 +1,27 @@
 /**
  * A hanging page in Jolt Physics and in the engine: cost of a frame, and error.
  *
- *   node bench/peers/jolt_sheet.mjs [FILE.wasm] [--json] [--write]
+ *   node bench/peers/jolt_sheet.mjs [FILE.wasm] [--json] [--write] [--again]
  *
  * Prints Markdown tables; --json prints JSON, --write keeps it in
  * bench/results/jolt-sheet.json. Takes some minutes: it searches Jolt's settings
  * first, then times the best of them in turn with ours. An engine without
- * exports for the sheet is left out. How to read it: bench/README.md.
+ * exports for the sheet is left out. --again takes the search from that file, and
+ * times anew. How to read it: bench/README.md.
  */
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { cpus } from "node:os";
 import { join } from "node:path";
 import { FRAME, hangSheet, loadJolt } from "./jolt.mjs";
+import { exactTip, GAMMA, LONGEST_SETTLING, ourSheet, PAGE } from "./our_sheet.mjs";
 
 const root = join(import.meta.dirname, "../..");
-const engineFile = join(root, "target/trials.wasm");
 const stock = readFileSync(join(root, "engine/src/stock.rs"), "utf8");
 const GRAVITY = Number(/const GRAVITY: f64 = ([\d.]+);/.exec(stock)[1]);
-const PAGE = { width: 0.148, height: 0.21, columns: 12, rows: 16, grammage: 0.07 };
-const GAMMA = 10;
 const ALLOWED = 0.02;
-const LONGEST_SETTLING = 20 / FRAME;
 const SECOND = Math.round(1 / FRAME);
 const CONVERGED = 64;
 const ITERATIONS = [5, 8, 9, 10, 12, 16, 24, 32, 48, 64];
-
-/** Exact reach and drop of a clamped strip under a load. */
-function exactTip(gamma) {
-  const table = readFileSync(join(root, "engine/tests/anchors/heavy_elastica.csv"), "utf8");
-  const row = table.split("\n").find((line) => Number(line.split(",")[0]) === gamma);
-  const [, reach, drop] = row.split(",").map(Number);
-  return { reach, drop };
-}
 
 /** The compliance of a hinge of this page by its bending stiffness. */
 function paperCompliance() {
@@ -121,28 +111,15 @@ function search(jolt) {
   return rows;
 }
 
-/** The engine's sheet, if this WASM has one. */
-async function ourSheet() {
-  const file = process.argv.slice(2).find((argument) => !argument.startsWith("--"));
-  const { instance } = await WebAssembly.instantiate(readFileSync(file ?? engineFile), {});
-  const engine = instance.exports;
-  if (!engine.tl_bench_sheet_new) return undefined;
-  const handle = engine.tl_bench_sheet_new(PAGE.columns, PAGE.rows, GAMMA);
-  const frame = () => engine.tl_bench_sheet_frame(handle);
-  for (let count = 0; count < LONGEST_SETTLING; count++) frame();
-  const drop = engine.tl_bench_sheet_drop(handle);
-  const dropError = drop / exactTip(GAMMA).drop - 1;
-  return { name: "turnleaf", drop, dropError, frame };
-}
-
-/** Microseconds a frame of every contestant, batches taken in turn. */
+/** The processor's microseconds a frame of every contestant, batches taken in turn. */
 function time(contestants) {
   const batches = contestants.map(() => []);
   for (let batch = 0; batch < 41; batch++) {
     contestants.forEach(({ frame }, index) => {
-      const start = performance.now();
+      const start = process.cpuUsage();
       for (let count = 0; count < 20; count++) frame();
-      if (batch > 0) batches[index].push(((performance.now() - start) * 1000) / 20);
+      const { user, system } = process.cpuUsage(start);
+      if (batch > 0) batches[index].push((user + system) / 20);
     });
   }
   return batches.map((values) => {
@@ -189,7 +166,9 @@ function table(results) {
 
 const jolt = await loadJolt("simd");
 const plain = await loadJolt("plain");
-const tried = search(jolt);
+const resultsFile = join(root, "bench/results/jolt-sheet.json");
+const isAgain = process.argv.includes("--again");
+const tried = isAgain ? JSON.parse(readFileSync(resultsFile, "utf8")).tried : search(jolt);
 const withStiffness = (name) => tried.filter((row) => row.stiffness === name);
 const fitted = (bend) => withStiffness("fitted").filter((row) => row.bend === bend);
 const chosen = [
@@ -199,7 +178,8 @@ const chosen = [
   ["the same, build without SIMD", choose(fitted("dihedral")), plain],
   ["jolt, bending by distance, fitted", choose(fitted("distance")), jolt],
 ];
-const ours = await ourSheet();
+const engineFile = process.argv.slice(2).find((argument) => !argument.startsWith("--"));
+const ours = await ourSheet(engineFile);
 const settings = ({ bend, compliance, iterations, attachments, damping }) => ({
   bend,
   compliance,
@@ -249,9 +229,6 @@ const results = {
 };
 if (process.argv.includes("--write")) {
   mkdirSync(join(root, "bench/results"), { recursive: true });
-  writeFileSync(
-    join(root, "bench/results/jolt-sheet.json"),
-    `${JSON.stringify(results, null, 2)}\n`,
-  );
+  writeFileSync(resultsFile, `${JSON.stringify(results, null, 2)}\n`);
 }
 console.log(process.argv.includes("--json") ? JSON.stringify(results, null, 2) : table(results));
