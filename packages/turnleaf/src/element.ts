@@ -1,5 +1,6 @@
 /** `<turnleaf-book>`: a book on a web page. */
 
+import { faceIn } from "./book/layout.ts";
 import type { PagePlace } from "./book/page_folds.ts";
 import type { Paper } from "./book/paper.ts";
 import { directionOf, forward, leftPage, pageOf, rightPage, spreadOf } from "./book/spreads.ts";
@@ -21,18 +22,14 @@ import { pageNumber, RequestedPage } from "./element/page_numbers.ts";
 import { ReaderElement } from "./element/reader_element.ts";
 import { openPages, ShadowTree } from "./element/shadow_tree.ts";
 import { SoundAndHaptics } from "./element/sound_and_haptics.ts";
-import { TornPages } from "./element/torn_pages.ts";
+import { type TornLeafNotes, TornPages } from "./element/torn_pages.ts";
 import { typographyOf } from "./element/typography.ts";
 import { nameAndMessage } from "./sources/failures.ts";
 import { pagesIn } from "./sources/html/child_pages.ts";
 import { loadPart } from "./sources/load_part.ts";
 import type { BookInput } from "./sources/open.ts";
-import {
-  BookError,
-  type NewIndex,
-  type PageSource,
-  type Typography,
-} from "./sources/page_source.ts";
+import type { PageList } from "./sources/page_list.ts";
+import { BookError, type NewIndex, type Typography } from "./sources/page_source.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
 import { elementTexts, fill, languageOf } from "./words/languages.ts";
 
@@ -77,6 +74,7 @@ export class TurnleafBook extends ReaderElement {
     leaving: () => this.#leave(),
     opened: (book) => this.#opened(book),
     changing: (change) => void this.#followSource(change),
+    renumbered: (moved, pageCount) => this.moveLists(moved.placeOf ?? moved, pageCount),
     missingPart: (error) => this.#reportMissingPart(error),
     failed: (error) => this.#fail(error),
   });
@@ -94,11 +92,11 @@ export class TurnleafBook extends ReaderElement {
     line: () => tearLineOf(this),
     ask: (pages) => this.ask("tear", { pages }),
     torn: (pages) => this.emit("torn", { pages }),
-    changed: (moved) => this.#pagesChanged(moved),
-    bookmarks: () => this.bookmarks,
-    bookmark: (pages) => {
-      this.bookmarks = [...this.bookmarks, ...pages];
-    },
+    changed: () => this.#pagesChanged(),
+    notesOf: (pages) => this.notesOf(pages),
+    faceOf: (page) => (this.shownLayout === "spread" ? faceIn(this.placedPages, page) % 2 : null),
+    shift: (page) => this.moveShift(page),
+    note: (notes, pages) => this.note(notes, pages),
     show: (page) => void this.turnTo(page, { motion: false }),
     heard: (work) => this.#soundAndHaptics.tear(work),
   });
@@ -276,7 +274,7 @@ export class TurnleafBook extends ReaderElement {
    * Turns to a page (from 1, clamped to the book), or changes to it at once.
    * Resolves, once the book is at rest, to whether it lies there. While a book
    * is opening, that book opens there: resolves once it has, to false if it
-   * cannot be opened or the element is removed from its document. Rejects with
+   * cannot be opened, or is given up without another in its place. Rejects with
    * a `TypeError` if the page is not a number.
    *
    * @param options whether the book turns there with motion
@@ -454,7 +452,11 @@ export class TurnleafBook extends ReaderElement {
     this.#connected = false;
     this.#children.disconnect();
     this.#updateControls();
+    // Inserted again it opens the whole book, without the pages that were added.
+    if (this.#left) this.#left = { ...this.#left, page: this.homePlace.page };
+    if (this.#life.book) this.returnLists();
     this.#life.close();
+    this.reportLists();
     this.#updateState();
   }
 
@@ -467,7 +469,11 @@ export class TurnleafBook extends ReaderElement {
     open: () => {
       if (this.#input === null) this.#openAnew();
     },
-    rebind: () => this.#viewer?.rebind(bindingOptionsOf(this)),
+    rebind: () => this.#viewer?.rebind(this.#binding),
+    listPages: (name, list) => {
+      this.listPages(name, list);
+      this.#viewer?.rebind(this.#binding);
+    },
     setPage: (value) => {
       this.page = value as unknown as number;
     },
@@ -491,6 +497,11 @@ export class TurnleafBook extends ReaderElement {
     return this.#life.book;
   }
 
+  /** @internal */
+  protected override get tornLeafNotes(): readonly TornLeafNotes[] {
+    return this.#torn.leaves;
+  }
+
   get #viewer(): Viewer | undefined {
     return this.#life.book?.viewer;
   }
@@ -499,7 +510,7 @@ export class TurnleafBook extends ReaderElement {
    * Returns the page at which a book opens, or would: the requested one,
    * otherwise the source's.
    */
-  #firstPage(source?: PageSource): number {
+  #firstPage(source?: PageList): number {
     const said = pageNumber(this.getAttribute("page")) ?? source?.openingPage ?? 1;
     const page = this.#asked.page ?? this.keptPage(source, this.#left?.page ?? null) ?? said;
     return Math.min(Math.max(Math.round(page) || 1, 1), source?.pageCount ?? page);
@@ -574,6 +585,7 @@ export class TurnleafBook extends ReaderElement {
       this.#soundAndHaptics.close();
       this.#forget();
       this.#life.close();
+      this.#asked.failed();
     } else if (!this.#life.book) this.#forget();
     this.#reopen();
   }
@@ -589,7 +601,7 @@ export class TurnleafBook extends ReaderElement {
     this.#updateState();
   }
 
-  async #restore(source: PageSource, src: string): Promise<void> {
+  async #restore(source: PageList, src: string): Promise<void> {
     this.#isRestoring = true;
     const before = JSON.stringify(typographyOf(this));
     await this.restorePlace(source, src);
@@ -614,12 +626,17 @@ export class TurnleafBook extends ReaderElement {
     };
   }
 
-  #options(source: PageSource): ViewerOptions {
-    const binding = bindingOptionsOf(this);
+  /** The options in the attributes: lists of pages name them as they lie now. */
+  get #binding() {
+    const { shifts, hardPages, stocks } = this.lists;
+    return { ...bindingOptionsOf(this), shifts, hardPages, stocks };
+  }
+
+  #options(source: PageList): ViewerOptions {
+    const binding = this.#binding;
     this.#openedBy.binding = JSON.stringify(binding);
     return {
       ...binding,
-      shifts: this.shifts,
       paper: () => this.#leaves,
       page: () => this.#firstPage(source),
       turnSeconds: () => turnSecondsOf(this),
@@ -667,7 +684,7 @@ export class TurnleafBook extends ReaderElement {
 
   /** Binds and sets a book that has just opened as attributes say that were changed meanwhile. */
   #follow(viewer: Viewer): void {
-    const binding = bindingOptionsOf(this);
+    const binding = this.#binding;
     if (JSON.stringify(binding) !== this.#openedBy.binding) viewer.rebind(binding);
     if (JSON.stringify(typographyOf(this)) !== this.#openedBy.typography) void this.#typeset();
   }
@@ -699,22 +716,14 @@ export class TurnleafBook extends ReaderElement {
       ({ PageChanges }) => new PageChanges(),
     );
     const changes = await this.#pageChanges;
-    const moved = await changes.change(book, at, count, input, worker);
-    // If other pages replace one, its bookmark moves to them.
-    if (moved) this.#pagesChanged((index) => moved(index) ?? (input ? index : null));
-    return moved !== null;
+    const isMade = await changes.change(book, at, count, input, worker);
+    if (isMade) this.#pagesChanged();
+    return isMade;
   }
 
   /** Makes a change of the pages that their source asks for, once the book is at rest. */
   async #followSource(change: () => NewIndex): Promise<void> {
-    const book = this.#life.book;
-    let moved: NewIndex | null = null;
-    await book?.viewer.changePages(() => {
-      moved = change();
-      return moved;
-    });
-    book?.reading.changed();
-    if (moved) this.#pagesChanged(moved);
+    if (await this.#life.book?.changePages(change)) this.#pagesChanged();
   }
 
   async #typeset(): Promise<void> {
@@ -725,10 +734,9 @@ export class TurnleafBook extends ReaderElement {
     }
   }
 
-  #pagesChanged(moved: NewIndex): void {
+  #pagesChanged(): void {
     if (this.#life.book === null) return;
-    this.movePages(moved);
-    this.#torn.move(moved);
+    this.reportLists();
     this.#describe();
     this.emit("pageschange", { pageCount: this.pageCount });
   }

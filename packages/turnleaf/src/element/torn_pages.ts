@@ -1,9 +1,10 @@
 /** The pages of an element's book that were torn out, and may be put back. */
 
-import type { PageList, TakenPages } from "../sources/page_list.ts";
-import { BookError, type NewIndex, placeOf } from "../sources/page_source.ts";
+import type { ListedPages, PageList } from "../sources/page_list.ts";
+import { BookError } from "../sources/page_source.ts";
 import type { TearOwner } from "../viewer/viewer_options.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
+import { numbersOf, type PageNotes } from "./page_lists.ts";
 
 /** What torn pages need of their element. */
 export interface TornPagesHost {
@@ -15,26 +16,36 @@ export interface TornPagesHost {
   readonly ask: (pages: readonly number[]) => boolean;
   /** Pages are torn out. */
   readonly torn: (pages: readonly number[]) => void;
-  /** The book's pages lie elsewhere. */
-  readonly changed: (moved: NewIndex) => void;
-  /** Returns the bookmarked pages (from 1). */
-  readonly bookmarks: () => readonly number[];
-  /** Bookmarks pages (from 1) besides those that are bookmarked. */
-  readonly bookmark: (pages: readonly number[]) => void;
+  /** The book has other pages. */
+  readonly changed: () => void;
+  /** Returns what lists say of pages (from 1). */
+  readonly notesOf: (pages: readonly number[]) => PageNotes;
+  /**
+   * Returns on which face of its leaf a page (from 1) lies, 0 or 1 in the order of reading; null
+   * where each leaf has one page.
+   */
+  readonly faceOf: (page: number) => number | null;
+  /** Shifts the offset at a page (from 1), or undoes that. */
+  readonly shift: (page: number) => void;
+  /** Has lists say it of pages again: the number (from 1) of each, null for one that is not there. */
+  readonly note: (notes: PageNotes, pages: readonly (number | null)[]) => void;
   /** Turns to a page (from 1) without motion. */
   readonly show: (page: number) => void;
   /** Work was done in tearing, J. */
   readonly heard: (work: number) => void;
 }
 
-/** A leaf that is out: its pages, and where they were. */
-interface TornLeaf {
+/** What lists said of the pages of a leaf that is out. */
+export interface TornLeafNotes {
+  readonly pages: ListedPages;
+  readonly notes: PageNotes;
+}
+
+/** A leaf that is out. */
+interface TornLeaf extends TornLeafNotes {
   readonly id: number;
-  readonly pages: TakenPages;
-  /** Which of its pages were bookmarked, from 0. */
-  readonly bookmarked: readonly number[];
-  /** Index (from 0) before which they belong. */
-  at: number;
+  /** Whether the pages after it lie on the faces where they lay. */
+  readonly keepsFaces: boolean;
 }
 
 /** Keeps the torn leaves of one book, the last one torn last. */
@@ -44,8 +55,6 @@ export class TornPages implements TearOwner {
   /** The pages of the book that they are out of. */
   #source: PageList | null = null;
   #lastId = 0;
-  /** Whether a change of pages is this one's own: others move what is out. */
-  #isOwn = false;
 
   constructor(host: TornPagesHost) {
     this.#host = host;
@@ -53,7 +62,12 @@ export class TornPages implements TearOwner {
 
   /** Number of leaves that are out of the open book. */
   get count(): number {
-    return this.#host.book() === null ? 0 : this.#leaves.length;
+    return this.leaves.length;
+  }
+
+  /** The leaves that are out of the open book. */
+  get leaves(): readonly TornLeafNotes[] {
+    return this.#host.book() === null ? [] : this.#leaves;
   }
 
   line(): ReturnType<TearOwner["line"]> {
@@ -71,19 +85,30 @@ export class TornPages implements TearOwner {
   takeOut(pages: readonly number[]): number | null {
     const book = this.#host.book();
     if (book === null) return null;
-    const place = book.source.track(pages[0] - 1);
+    const leaf = book.source.pagesAt(pages.map((page) => page - 1));
     const id = ++this.#lastId;
-    const marks = this.#host.bookmarks();
-    const bookmarked = [...pages.keys()].filter((k) => marks.includes(pages[k]));
+    const notes = this.#host.notesOf(pages);
+    let isOut = false;
+    let keepFaces = noFaces;
     // The viewer lies at rest: the change is made at once, after those that waited for that.
-    const isOut = this.#change(book, () => {
-      const at = place();
-      const { pages: taken, moved } = book.source.take(at, pages.length);
-      this.#leaves.push({ id, pages: taken, bookmarked, at });
-      return moved;
+    const made = book.changePages(
+      () => {
+        keepFaces = this.#facesAfter(book.source, leaf);
+        const moved = book.source.takeOut(leaf);
+        this.#leaves.push({ id, pages: leaf, notes, keepsFaces: keepFaces !== noFaces });
+        isOut = true;
+        return moved;
+      },
+      () => keepFaces(),
+    );
+    // A book keeps its last page, and the leaf's own may have been removed meanwhile.
+    made.catch((error: unknown) => {
+      if (!(error instanceof BookError)) throw error;
     });
-    if (isOut) this.#host.torn(pages);
-    return isOut ? id : null;
+    if (!isOut) return null;
+    this.#host.changed();
+    this.#host.torn(pages);
+    return id;
   }
 
   /** Puts the pages that were torn out last back. They lie open then. Resolves to whether there were any. */
@@ -91,36 +116,32 @@ export class TornPages implements TearOwner {
     const book = this.#host.book();
     const leaf = book && this.#leaves.pop();
     if (!leaf) return false;
-    let moved = null as NewIndex | null;
+    const { source, viewer } = book;
+    let isBack = false;
+    let keepFaces = noFaces;
+    // Text that was set anew meanwhile may have fewer pages there.
+    const numbers = () => numbersOf(leaf.pages.map((page) => source.indexOf(page)));
     try {
-      await book.viewer.changePages(() => {
-        moved = book.elements.after(
-          () => book.source.putBack(leaf.at, leaf.pages) ?? ((index) => index),
-        );
-        return moved;
-      });
+      isBack = await book.changePages(
+        () => {
+          if (leaf.keepsFaces) keepFaces = this.#facesAfter(source, leaf.pages);
+          return source.putBack(leaf.pages);
+        },
+        () => {
+          this.#host.note(leaf.notes, numbers());
+          keepFaces();
+        },
+      );
     } finally {
       // It stays out.
-      if (moved === null && this.#host.book()?.source === this.#source) this.#leaves.push(leaf);
+      if (!isBack && this.#host.book()?.source === this.#source) this.#leaves.push(leaf);
     }
-    if (moved === null) return false;
-    book.viewer.removeSheet(leaf.id);
-    this.#changed(book, moved);
-    // Text that was set anew meanwhile may have fewer pages there.
-    const back = leaf.bookmarked.filter((k) => k < leaf.pages.length);
-    if (back.length > 0) this.#host.bookmark(back.map((k) => leaf.at + 1 + k));
-    this.#host.show(leaf.at + 1);
+    if (!isBack) return false;
+    viewer.removeSheet(leaf.id);
+    this.#host.changed();
+    const first = numbers().find((page) => page !== null);
+    if (first !== undefined) this.#host.show(first);
     return true;
-  }
-
-  /** Follows other changes of the pages: what is out stays after the page that it followed. */
-  move(moved: NewIndex): void {
-    if (this.#isOwn) return;
-    for (const leaf of this.#leaves) {
-      const before = leaf.at - 1;
-      // Where the page before it was removed, what has its place comes after it.
-      if (leaf.at > 0) leaf.at = placeOf(moved, before) + (moved(before) === null ? 0 : 1);
-    }
   }
 
   /** Call it when a book is open: forgets what is out of another. */
@@ -129,25 +150,24 @@ export class TornPages implements TearOwner {
     this.#source = source;
   }
 
-  #change(book: OpenBook, change: () => NewIndex): boolean {
-    let moved = null as NewIndex | null;
-    const made = book.viewer.changePages(() => {
-      moved = book.elements.after(change);
-      return moved;
-    });
-    // A book keeps its last page: that one stays bound.
-    made.catch((error: unknown) => {
-      if (!(error instanceof BookError)) throw error;
-    });
-    if (moved === null) return false;
-    this.#changed(book, moved);
-    return true;
-  }
-
-  #changed(book: OpenBook, moved: NewIndex): void {
-    book.reading.changed();
-    this.#isOwn = true;
-    this.#host.changed(moved);
-    this.#isOwn = false;
+  /**
+   * Returns what keeps the pages after a leaf on the faces of theirs where they lie now: a leaf
+   * with a bare face takes two faces along, and one page.
+   */
+  #facesAfter(source: PageList, leaf: ListedPages): () => void {
+    const next = source.after(leaf);
+    const faceOfNext = (): number | null => {
+      const index = next && source.indexOf(next);
+      return typeof index === "number" ? this.#host.faceOf(index + 1) : null;
+    };
+    const before = faceOfNext();
+    if (before === null) return noFaces;
+    return () => {
+      if (faceOfNext() !== before)
+        this.#host.shift((source.indexOf(next as ListedPages[number]) ?? 0) + 1);
+    };
   }
 }
+
+/** Keeps no faces. */
+const noFaces = (): void => undefined;

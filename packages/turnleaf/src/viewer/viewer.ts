@@ -246,7 +246,8 @@ export class Viewer {
 
   /**
    * Changes the book's pages as soon as it is at rest. The visible page stays
-   * in sight, or the one that lies in its place.
+   * in sight, or the one that lies in its place; options of the binding go on
+   * to name the same pages.
    *
    * Resolves to whether the change was made: false if the book was closed
    * before. Rejects with what `change` throws.
@@ -268,7 +269,10 @@ export class Viewer {
     this.#cssWidth = cssWidth;
     this.#cssHeight = cssHeight;
     this.#stage.resize(cssWidth, cssHeight, pixelRatio);
-    if (!this.#rebinder.suits(cssWidth, cssHeight)) this.rebind({});
+    if (!this.#rebinder.suits(cssWidth, cssHeight)) {
+      this.#rebinder.bindSoon();
+      this.#bindSoon();
+    }
     this.#show();
   }
 
