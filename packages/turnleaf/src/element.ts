@@ -1,6 +1,5 @@
 /** `<turnleaf-book>`: a book on a web page. */
 
-import { faceIn } from "./book/layout.ts";
 import type { PagePlace } from "./book/page_folds.ts";
 import type { Paper } from "./book/paper.ts";
 import { directionOf, forward, leftPage, pageOf, rightPage, spreadOf } from "./book/spreads.ts";
@@ -94,7 +93,7 @@ export class TurnleafBook extends ReaderElement {
     torn: (pages) => this.emit("torn", { pages }),
     changed: () => this.#pagesChanged(),
     notesOf: (pages) => this.notesOf(pages),
-    faceOf: (page) => (this.shownLayout === "spread" ? faceIn(this.placedPages, page) % 2 : null),
+    faceOf: (page) => (this.shownLayout === "spread" ? this.pageFaces()(page) % 2 : null),
     shift: (page) => this.moveShift(page),
     note: (notes, pages) => this.note(notes, pages),
     show: (page) => void this.turnTo(page, { motion: false }),

@@ -22,8 +22,6 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   readonly direction: "ltr" | "rtl";
   /** The pages that lie open. */
   readonly spread: { readonly left: number | null; readonly right: number | null };
-  /** 1 if the first page stands alone. */
-  readonly offset: 0 | 1;
   readonly shownLayout: "spread" | "single";
   /** Whether the open page is scrolled and not turned. */
   readonly scrolled: boolean;
@@ -42,6 +40,11 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   readonly titleDirection: "ltr" | "rtl" | "auto";
   readonly details: readonly BookDetail[];
   label(page: number): string;
+  /**
+   * Returns what says on which face a page (from 1) lies where two are shown side by side, in the
+   * order of reading: an odd face and the next one face each other.
+   */
+  pageFaces(): (page: number) => number;
   /**
    * Turns one leaf forward (1) or back (-1) for the reader: what a held key
    * repeats ends soon after its release.

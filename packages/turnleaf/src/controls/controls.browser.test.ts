@@ -309,6 +309,27 @@ test("of 5,000 small pages only those in sight exist, and one is drawn at a time
   await expect.poll(() => book.drawing).toBe(0);
 });
 
+test("thumbnails of pages that face each other are in one row, wherever the offset is shifted", async () => {
+  const { book, root } = addFakeBook();
+  named(root, "Thumbnails").click();
+  const rows = (): string[] => {
+    const found = new Map<number, string[]>();
+    for (const item of root.querySelectorAll<HTMLElement>(".sheet li")) {
+      const { top, left } = item.getBoundingClientRect();
+      const isLeft = left < (item.parentElement as HTMLElement).getBoundingClientRect().left + 20;
+      const row = found.get(top) ?? ["-", "-"];
+      row[isLeft ? 0 : 1] = item.textContent ?? "";
+      found.set(top, row);
+    }
+    return [...found.values()].map((row) => row.join(" ")).slice(0, 4);
+  };
+  expect(rows()).toEqual(["- i", "ii iii", "iv v", "vi 1"]);
+  book.toggleShift(3);
+  expect(rows()).toEqual(["- i", "ii -", "iii iv", "v vi"]);
+  book.toggleShift(1);
+  expect(rows()).toEqual(["i ii", "iii iv", "v vi", "1 2"]);
+});
+
 test("the menu works by key and chooses a theme", async () => {
   const { book, root } = addFakeBook();
   const more = named(root, "More");

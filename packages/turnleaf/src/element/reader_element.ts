@@ -4,7 +4,7 @@
  */
 
 import { type Corner, type DogEar, dogEarSize, foldedDegrees } from "../book/dog_ears.ts";
-import { type PlacedPages, placePages } from "../book/layout.ts";
+import { faceIn, placePages } from "../book/layout.ts";
 import type { PageMove } from "../book/moved_lists.ts";
 import { meetsSpine, type PageFold, type PagePlace } from "../book/page_folds.ts";
 import { leafOf, spineOf } from "../book/spreads.ts";
@@ -342,14 +342,17 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   /**
-   * How pages lie where two are shown side by side.
+   * Returns what says on which face a page (from 1) lies where two are shown side by side, in the
+   * order of reading: an odd face and the next one face each other.
    *
    * @internal
    */
-  get placedPages(): PlacedPages {
+  pageFaces(): (page: number) => number {
     const { source, shifts } = this;
     const { offset } = bindingOptionsOf(this);
-    return placePages(source?.pageCount ?? 0, { offset, shifts }, source?.inSpread?.bind(source));
+    const inSpread = source?.inSpread.bind(source);
+    const placed = placePages(this.pageCount, { offset, shifts }, inSpread);
+    return (page) => faceIn(placed, page);
   }
 
   /**

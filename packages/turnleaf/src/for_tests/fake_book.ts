@@ -1,5 +1,6 @@
 /** A test double of a book, which records what it was asked to do, under the controls. */
 
+import { faceIn, placePages } from "../book/layout.ts";
 import type { ControlledBook, FoundPlace } from "../controls/book.ts";
 import { addControls } from "../controls/controls.ts";
 import { addStyle, style } from "../element/shadow_tree.ts";
@@ -12,7 +13,6 @@ export class FakeBook extends HTMLElement implements ControlledBook {
   bookTitle = "A Book";
   direction: "ltr" | "rtl" = "ltr";
   spread = { left: 4, right: 5 };
-  offset: 0 | 1 = 1;
   shownLayout: "spread" | "single" = "spread";
   scrolled = false;
   zoom = 1;
@@ -35,6 +35,11 @@ export class FakeBook extends HTMLElement implements ControlledBook {
 
   label(page: number): string {
     return page <= 6 ? (["i", "ii", "iii", "iv", "v", "vi"][page - 1] ?? "") : String(page - 6);
+  }
+
+  pageFaces(): (page: number) => number {
+    const placed = placePages(this.pageCount, { offset: 1, shifts: this.shifts });
+    return (page) => faceIn(placed, page);
   }
 
   async #turn(name: string, page: number): Promise<boolean> {
