@@ -357,7 +357,7 @@ export class Viewer {
    */
   async tearOut(page: number, isSeen: boolean): Promise<boolean> {
     await this.allowTearing();
-    if (this.#destroyed) return false;
+    if (this.#destroyed || !(await this.commands.dropCorner())) return false;
     const torn = this.#loadedTearing?.tearOut(page, isSeen) ?? false;
     this.invalidate();
     return await torn;
@@ -660,6 +660,7 @@ export class Viewer {
   async #readyFoldOuts(): Promise<void> {
     try {
       await this.#useCreasable();
+      await this.commands.dropCorner();
       this.#bindSoon();
     } catch (error) {
       this.#options.onMissingPart?.(error);
