@@ -345,18 +345,19 @@ test("a leaf whose corner is lifted under a mouse is torn out by command", async
 test("in a book of single pages a page is torn out by its outer edge, and elsewhere the one before it comes back", async () => {
   const element = await opened({ layout: "single" });
   expect(element.spread).toEqual({ left: null, right: 5 });
-  const { left, right, top, height } = element.bookBounds as DOMRect;
+  const { left, right, top } = element.bookBounds as DOMRect;
   const clock = new TestClock();
   const pointer = new TestPointer(element);
-  /** Pulls from a place across the page outward. */
+  /** Pulls from a place at the head of the page outward. */
   const pullFrom = (x: number): void => {
-    pointer.point("pointerdown", x, top + height / 3);
-    for (let k = 1; k <= 40; k++) {
-      pointer.point("pointermove", x + 6 * k, top + height / 3, { buttons: 1 });
+    pointer.point("pointerdown", x, top + 8);
+    for (let k = 1; element.tornLeaves === 0 && k <= 60; k++) {
+      pointer.point("pointermove", x + 6 * k, top + 8 - 1.8 * k, { buttons: 1 });
       clock.frames(1);
     }
   };
   pullFrom((left + right) / 2);
+  pointer.wait(1000);
   expect([element.tornLeaves, element.state]).toEqual([0, "dragged"]);
   pointer.point("pointerup", 0, 0);
   await clock.until(() => element.settled);
