@@ -314,6 +314,29 @@ test("a fold-out whose corner is lifted under a mouse unfolds, by command and by
   expect([element.page, element.state]).toEqual([4, "resting"]);
 });
 
+test("Enter on the book unfolds a fold-out, and folds it in", async () => {
+  const sheets = pages(12);
+  sheets[4] = wide(5, 30);
+  const element = book(sheets, { duration: "80", page: "4", cover: "none" });
+  [element.style.width, element.style.height] = ["560px", "300px"];
+  await happens(element, "load");
+  await settled(element);
+  const pointer = new TestPointer(element);
+  expect(element.foldOut).toBe("shut");
+  pointer.key("Enter");
+  await expect.poll(() => element.foldOut, { timeout: 20_000 }).toBe("open");
+  await expectPage(element, 30, 0.8, 0.6);
+  pointer.key("Enter");
+  await expect.poll(() => element.foldOut, { timeout: 20_000 }).toBe("shut");
+  await expectPage(element, 5, 0.52, 0.6);
+  await settled(element);
+  expect(await hueAt(element, 0.65, 0.6)).toBeNull();
+  expect(await element.next()).toBe(true);
+  const key = new KeyboardEvent("keydown", { key: "Enter", bubbles: true, cancelable: true });
+  // Where nothing folds out the key is not the book's.
+  expect([element.page, element.dispatchEvent(key)]).toEqual([6, true]);
+});
+
 test("a smaller page lies at the spine, and beside it the page beneath is seen", async () => {
   const sheets = pages(12);
   sheets[4] = plain(5, 50, 120);

@@ -391,6 +391,42 @@ export class TurnleafBook extends ReaderElement {
     return this.#viewer?.tearAcross(start, end) ?? false;
   }
 
+  /**
+   * Whether a page that lies open is a fold-out, and is unfolded.
+   *
+   * @internal
+   */
+  get foldOut(): "none" | "shut" | "open" {
+    return this.#viewer?.commands.foldOut ?? "none";
+  }
+
+  /**
+   * Unfolds the open page that is a fold-out, or folds it in. Returns whether there is one.
+   *
+   * @internal
+   */
+  toggleFoldOut(): boolean {
+    return this.#viewer?.commands.toggleFoldOut() ?? false;
+  }
+
+  /**
+   * The first open page (from 1) whose leaf may be torn out; null if none may.
+   *
+   * @internal
+   */
+  get tearablePage(): number | null {
+    return this.#viewer?.tearablePage ?? null;
+  }
+
+  /**
+   * Whether a loose sheet is neither crumpled nor torn across.
+   *
+   * @internal
+   */
+  get hasWholeSheet(): boolean {
+    return this.#viewer?.hasWholeSheet ?? false;
+  }
+
   /** Number of leaves that were torn out and can be put back. */
   get tornLeaves(): number {
     return this.#torn.count;

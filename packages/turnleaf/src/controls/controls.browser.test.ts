@@ -357,6 +357,43 @@ test("the menu works by key and chooses a theme", async () => {
   expect(seen).toEqual(["Stop the slide-show"]);
 });
 
+test("the menu folds out, tears and crumples where there is something to", async () => {
+  const { book, root } = addFakeBook();
+  const more = named(root, "More");
+  const items = () =>
+    [...root.querySelectorAll<HTMLElement>("[role=menuitem]")]
+      .filter((item) => item.offsetParent)
+      .map((item) => item.textContent);
+  const choose = async (name: string): Promise<void> => {
+    more.focus();
+    await userEvent.keyboard("{Enter}");
+    for (let k = 0; active(root) !== name && k < 20; k++) await userEvent.keyboard("{ArrowDown}");
+    expect(active(root)).toBe(name);
+    await userEvent.keyboard("{Enter}");
+    expect(root.activeElement).toBe(more);
+  };
+  more.click();
+  expect(items()).toEqual(["Start the slide-show", "Print", "Download"]);
+  more.click();
+  Object.assign(book, { foldOut: "shut", tearablePage: 5 });
+  await choose("Unfold this page");
+  book.foldOut = "open";
+  await choose("Fold this page in");
+  await choose("Tear this page out");
+  Object.assign(book, { tornLeaves: 1, hasWholeSheet: true });
+  await choose("Crumple the torn page");
+  await choose("Tear the torn page across");
+  await choose("Put the torn page back");
+  expect(book.asked).toEqual([
+    "fold-out",
+    "fold-out",
+    "tear out 5",
+    "crumple",
+    "tear across",
+    "put back",
+  ]);
+});
+
 test("the print dialog asks for pages and closes when they are printed", async () => {
   const { book, root } = addFakeBook();
   named(root, "More").click();

@@ -117,7 +117,29 @@ export class FakeBook extends HTMLElement implements ControlledBook {
     this.dispatchEvent(new CustomEvent("shiftchange"));
   }
 
+  foldOut: "none" | "shut" | "open" = "none";
+  toggleFoldOut(): boolean {
+    this.asked.push("fold-out");
+    return true;
+  }
+
+  tearablePage: number | null = null;
+  async tearOut(page: number): Promise<boolean> {
+    this.asked.push(`tear out ${page}`);
+    return true;
+  }
+
   tornLeaves = 0;
+  hasWholeSheet = false;
+  crumple(): boolean {
+    this.asked.push("crumple");
+    return true;
+  }
+
+  tearAcross(): boolean {
+    this.asked.push("tear across");
+    return true;
+  }
 
   async putBack(): Promise<boolean> {
     this.asked.push("put back");

@@ -182,10 +182,14 @@ export class FoldOut implements FoldOutSheets {
     this.#tell(false);
   }
 
+  /** Returns whether a page (from 1) is a fold-out that can be opened: known once it has been drawn. */
+  unfolds(page: number): boolean {
+    return this.#hooks.unfolds && isFoldOut(this.#pictures.placeOfDrawn(page));
+  }
+
   /** Draws the fold-out of a page on a side and makes its flap, shut. Resolves to null if it cannot be. */
   async #make(page: number, side: Side): Promise<Flap | null> {
-    const { unfolds } = this.#hooks;
-    if (!unfolds || !isFoldOut(this.#pictures.placeOfDrawn(page))) return null;
+    if (!this.unfolds(page)) return null;
     this.#making++;
     try {
       return await this.#makeFlap(page, side);

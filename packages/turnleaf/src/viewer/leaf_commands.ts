@@ -2,7 +2,7 @@
 
 import { faceOf } from "../book/faces.ts";
 import { sideBefore } from "../book/leaf_order.ts";
-import { leftPage, rightPage } from "../book/spreads.ts";
+import { leftPage, pagesAt, rightPage } from "../book/spreads.ts";
 import type { Flight, Turning } from "../book/turning.ts";
 import { Side } from "../engine/phases.ts";
 import { pileHeight } from "../engine/shapes.ts";
@@ -84,6 +84,29 @@ export class LeafCommands {
     const face = faceOf(binding, turning.spread, page);
     if (face !== "left" && face !== "right") return false;
     return await this.#foldOut.unfold(page, face === "right" ? Side.right : Side.left);
+  }
+
+  /** Whether a page that lies open is a fold-out, and is unfolded. */
+  get foldOut(): "none" | "shut" | "open" {
+    if (this.#foldOut.page !== null) return "open";
+    return this.#foldOutPage === null ? "none" : "shut";
+  }
+
+  /** Unfolds the open page that is a fold-out, or folds it in. Returns whether there is one. */
+  toggleFoldOut(): boolean {
+    if (this.#closed) return false;
+    const page = this.#foldOutPage;
+    if (this.#foldOut.isVisible) void this.foldIn();
+    else if (page === null) return false;
+    else void this.unfold(page);
+    return true;
+  }
+
+  /** The first open page (from 1) that is a fold-out; null if none is. */
+  get #foldOutPage(): number | null {
+    const { binding, turning } = this.#rebinder.bound;
+    const pages = pagesAt(binding, turning.spread);
+    return pages.find((page) => this.#foldOut.unfolds(page)) ?? null;
   }
 
   /** Folds in the unfolded page. Resolves once it is folded in. */

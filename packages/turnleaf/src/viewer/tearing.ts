@@ -158,6 +158,11 @@ export class Tearing {
     }
   }
 
+  /** Whether a loose sheet is neither crumpled nor torn across. */
+  get hasWholeSheet(): boolean {
+    return this.#loose.hasWhole;
+  }
+
   /** Crumples the loose sheet that was torn out last and is not crumpled. Returns whether there is one. */
   crumple(): boolean {
     return this.#loose.crumple();

@@ -9,7 +9,7 @@ import type { LeafFold } from "../book/creases.ts";
 import { faceOf } from "../book/faces.ts";
 import type { PagePlace } from "../book/page_folds.ts";
 import type { Paper } from "../book/paper.ts";
-import { type Binding, clampSpread, pagesAt } from "../book/spreads.ts";
+import { type Binding, clampSpread, pagesAt, spineOf } from "../book/spreads.ts";
 import type { BookState, Turning } from "../book/turning.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
@@ -361,6 +361,19 @@ export class Viewer {
     const torn = this.#loadedTearing?.tearOut(page, isSeen) ?? false;
     this.invalidate();
     return await torn;
+  }
+
+  /** The first open page (from 1) whose leaf may be torn out; null if none may. */
+  get tearablePage(): number | null {
+    const { binding } = this;
+    if (!this.#backend.tearing || !this.#options.tearing?.line()) return null;
+    const pages = pagesAt(binding, this.turning.spread);
+    return pages.find((page) => spineOf(binding, page) !== "board") ?? null;
+  }
+
+  /** Whether a loose sheet is neither crumpled nor torn across. */
+  get hasWholeSheet(): boolean {
+    return this.#loadedTearing?.hasWholeSheet ?? false;
   }
 
   /** Crumples the loose sheet that was torn out last and is not crumpled. Returns whether there is one. */
