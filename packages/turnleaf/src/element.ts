@@ -17,11 +17,12 @@ import {
 import { BookLifecycle, type OpenBook, pdfWorkerOf } from "./element/book_lifecycle.ts";
 import { placeOf } from "./element/fold_lists.ts";
 import type { PageChanges } from "./element/page_changes.ts";
+import type { PageLists } from "./element/page_lists.ts";
 import { pageNumber, RequestedPage } from "./element/page_numbers.ts";
 import { ReaderElement } from "./element/reader_element.ts";
 import { openPages, ShadowTree } from "./element/shadow_tree.ts";
 import { SoundAndHaptics } from "./element/sound_and_haptics.ts";
-import { type TornLeafNotes, TornPages } from "./element/torn_pages.ts";
+import type { TornPages } from "./element/torn_pages.ts";
 import { typographyOf } from "./element/typography.ts";
 import { nameAndMessage } from "./sources/failures.ts";
 import { pagesIn } from "./sources/html/child_pages.ts";
@@ -85,20 +86,9 @@ export class TurnleafBook extends ReaderElement {
     () => this.#leaves.stock ?? "book",
     (error) => this.#reportMissingPart(error),
   );
-  /** The pages that were torn out of the open book. */
-  readonly #torn = new TornPages({
-    book: () => this.#life.book,
-    line: () => tearLineOf(this),
-    ask: (pages) => this.ask("tear", { pages }),
-    torn: (pages) => this.emit("torn", { pages }),
-    changed: () => this.#pagesChanged(),
-    notesOf: (pages) => this.notesOf(pages),
-    faceOf: (page) => (this.shownLayout === "spread" ? this.pageFaces()(page) % 2 : null),
-    shift: (page) => this.moveShift(page),
-    note: (notes, pages) => this.note(notes, pages),
-    show: (page) => void this.turnTo(page, { motion: false }),
-    heard: (work) => this.#soundAndHaptics.tear(work),
-  });
+  /** The pages that were torn out of the open book, once some may be, and what loads that. */
+  #torn: TornPages | null = null;
+  #loadingTorn: Promise<void> | null = null;
   #input: BookInput | null = null;
   #paper: Paper | null = null;
   readonly #asked = new RequestedPage();
@@ -355,9 +345,11 @@ export class TurnleafBook extends ReaderElement {
    * moved or thrown out of sight; without motion it is gone at once. Resolves, once it is off, to whether it is: false on the flat,
    * for a board, if the page does not lie open, and if a listener cancels `tear`.
    */
-  tearOut(page: number = this.page): Promise<boolean> {
-    if (tearLineOf(this) === null) return Promise.resolve(false);
-    return this.#viewer?.tearOut(page, this.#motion === "turn") ?? Promise.resolve(false);
+  async tearOut(page: number = this.page): Promise<boolean> {
+    const viewer = this.#viewer;
+    await this.#allowTearing();
+    if (tearLineOf(this) === null || viewer !== this.#viewer) return false;
+    return (await viewer?.tearOut(page, this.#motion === "turn")) ?? false;
   }
 
   /**
@@ -365,7 +357,7 @@ export class TurnleafBook extends ReaderElement {
    * and they are in it, to whether there were any.
    */
   putBack(): Promise<boolean> {
-    return this.#torn.putBack();
+    return this.#torn?.putBack() ?? Promise.resolve(false);
   }
 
   /**
@@ -429,7 +421,7 @@ export class TurnleafBook extends ReaderElement {
 
   /** Number of leaves that were torn out and can be put back. */
   get tornLeaves(): number {
-    return this.#torn.count;
+    return this.#torn?.count ?? 0;
   }
 
   /** The zoom level: 1 for the whole book, to 8. Setting it zooms about the middle. */
@@ -524,7 +516,7 @@ export class TurnleafBook extends ReaderElement {
     updateControls: () => this.#updateControls(),
     stopSound: () => this.#soundAndHaptics.close(),
     allowFolding: () => this.foldOpened(),
-    allowTearing: () => void this.#viewer?.allowTearing(),
+    allowTearing: () => void this.#allowTearing(),
   };
 
   /** @internal */
@@ -533,8 +525,8 @@ export class TurnleafBook extends ReaderElement {
   }
 
   /** @internal */
-  protected override get tornLeafNotes(): readonly TornLeafNotes[] {
-    return this.#torn.leaves;
+  protected override addTornPages(lists: PageLists): PageLists {
+    return this.#torn?.addTo(lists) ?? lists;
   }
 
   get #viewer(): Viewer | undefined {
@@ -691,7 +683,13 @@ export class TurnleafBook extends ReaderElement {
       },
       foldsByHand: () => this.foldBookmarks,
       onPress: ({ page, corner, size }) => this.dogEar(page, corner, size),
-      tearing: this.#torn,
+      tearing: {
+        // A leaf that comes off needs what keeps its pages.
+        line: () => (this.#torn ? tearLineOf(this) : null),
+        mayTear: (pages) => this.ask("tear", { pages }),
+        takeOut: (pages) => this.#torn?.takeOut(pages) ?? null,
+        heard: (work) => this.#soundAndHaptics.tear(work),
+      },
       onMissingPart: (error) => this.#reportMissingPart(error),
       onZoom: (zoom) => this.emit("zoomchange", { zoom }),
     };
@@ -712,8 +710,8 @@ export class TurnleafBook extends ReaderElement {
     this.#updateState();
     this.#follow(viewer);
     this.foldOpened();
-    this.#torn.opened(source);
-    void viewer.allowTearing();
+    this.#torn?.opened(source);
+    void this.#allowTearing();
     this.emit("load", { pageCount: source.pageCount, title: source.title });
   }
 
@@ -759,6 +757,37 @@ export class TurnleafBook extends ReaderElement {
   /** Makes a change of the pages that their source asks for, once the book is at rest. */
   async #followSource(change: () => NewIndex): Promise<void> {
     if (await this.#life.book?.changePages(change)) this.#pagesChanged();
+  }
+
+  /** Loads what tears leaves out and what keeps their pages, where they may be torn. */
+  async #allowTearing(): Promise<void> {
+    if (tearLineOf(this) === null || !this.#viewer) return;
+    this.#loadingTorn ??= this.#loadTornPages();
+    await this.#loadingTorn;
+    await this.#viewer?.allowTearing();
+  }
+
+  async #loadTornPages(): Promise<void> {
+    try {
+      const { TornPages } = await loadPart(import("./element/torn_pages.ts"));
+      const element = this;
+      this.#torn = new TornPages({
+        get lists() {
+          return element.lists;
+        },
+        set lists(lists) {
+          element.lists = lists;
+        },
+        book: () => this.#life.book,
+        torn: (pages) => this.emit("torn", { pages }),
+        changed: () => this.#pagesChanged(),
+        faceOf: (page) => (this.shownLayout === "spread" ? this.pageFaces()(page) % 2 : null),
+        show: (page) => void this.turnTo(page, { motion: false }),
+      });
+      if (this.#life.book) this.#torn.opened(this.#life.book.source);
+    } catch (error) {
+      this.#reportMissingPart(error);
+    }
   }
 
   async #typeset(): Promise<void> {

@@ -50,22 +50,16 @@ export function movedLayout<Options extends LayoutLists>(
 
 function movedRange(from: number, to: number, move: PageMove, pageCount: number): string | null {
   if (from > pageCount) return rangeText(from, to);
-  const inside: number[] = [];
+  let [first, last] = [Number.POSITIVE_INFINITY, 0];
   for (let page = from; page <= Math.min(to, pageCount); page++) {
     const index = move(page - 1);
-    if (index !== null) inside.push(index + 1);
+    if (index === null) continue;
+    first = Math.min(first, index + 1);
+    last = Math.max(last, index + 1);
   }
   const isOpen = to > pageCount;
-  if (inside.length === 0 && !isOpen) return null;
-  const first = inside.length > 0 ? Math.min(...inside) : afterPages(from, move);
-  return rangeText(first, Math.max(first, ...inside, isOpen ? to : 1));
-}
-
-/** Returns the number of a page that comes after all pages before page `end`. */
-function afterPages(end: number, move: PageMove): number {
-  let after = 1;
-  for (let index = 0; index < end - 1; index++) after = Math.max(after, (move(index) ?? -1) + 2);
-  return after;
+  if (last === 0) return isOpen ? rangeText(from, to) : null;
+  return rangeText(first, isOpen ? Math.max(last, to) : last);
 }
 
 const rangeText = (from: number, to: number): string => (from === to ? `${from}` : `${from}-${to}`);

@@ -143,7 +143,7 @@ export function actionsOf(
       hidden: () => !book.hasWholeSheet,
     },
     tearAcross: {
-      icon: () => "tearAcross",
+      icon: () => "tearOut",
       label: () => texts.tearAcross,
       run: () => book.tearAcross({ x: 0, y: 0.5 }, { x: 1, y: 0.5 }),
       hidden: () => !book.hasWholeSheet,

@@ -6,7 +6,7 @@
 import { type Corner, type DogEar, dogEarSize, foldedDegrees } from "../book/dog_ears.ts";
 import { faceIn, placePages } from "../book/layout.ts";
 import type { PageMove } from "../book/moved_lists.ts";
-import { meetsSpine, type PageFold, type PagePlace } from "../book/page_folds.ts";
+import type { PageFold, PagePlace } from "../book/page_folds.ts";
 import { leafOf, spineOf } from "../book/spreads.ts";
 import type { BookState } from "../book/turning.ts";
 import type { Reading } from "../read_aloud/reading.ts";
@@ -23,27 +23,12 @@ import { bindingOptionsOf } from "./attributes.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
 import type { FilmRecorder, RecordOptions } from "./film_recorder.ts";
 import { cleanDogEars, cleanFolds, withDogEars } from "./fold_lists.ts";
-import {
-  emptyLists,
-  movedLists,
-  notesOf,
-  numbersOf,
-  type PageLists,
-  type PageNotes,
-  withNotes,
-} from "./page_lists.ts";
+import { emptyLists, movedLists, type PageLists } from "./page_lists.ts";
 import { cleanPages } from "./page_numbers.ts";
 import type { HomePlace, PlaceKeeper } from "./place_keeper.ts";
 import type { PrintOptions } from "./printing.ts";
 import { ReflectingElement } from "./reflecting_element.ts";
 import { SlideShow } from "./slide_show.ts";
-import type { TornLeafNotes } from "./torn_pages.ts";
-
-/** Why a page is not folded. */
-const noFold =
-  "A fold needs a page, two places on it (x and y from 0 to 1) and an angle from -180 to 180 degrees.";
-const atSpine = "A page cannot be folded along a line that meets its spine.";
-const tooNear = "This line is too near to other folds of the page, or to its edges.";
 
 /** Maximum width of a page drawn for a caller, pixels. */
 const widestDrawn = 2048;
@@ -69,11 +54,11 @@ export abstract class ReaderElement extends ReflectingElement {
    */
   protected abstract get book(): OpenBook | null;
   /**
-   * The leaves that are torn out, and what lists said of their pages.
+   * Returns lists of the pages of the whole book with what they said of those that are torn out.
    *
    * @internal
    */
-  protected abstract get tornLeafNotes(): readonly TornLeafNotes[];
+  protected abstract addTornPages(lists: PageLists): PageLists;
 
   /** Keeps the place, once an attribute has asked for it. */
   #place: PlaceKeeper | null = null;
@@ -304,12 +289,16 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   /**
-   * The lists that name pages, as they lie now.
+   * The lists that name pages, as they lie now. Once they are set, `reportLists` is to follow.
    *
    * @internal
    */
   protected get lists(): PageLists {
     return this.#lists;
+  }
+
+  protected set lists(lists: PageLists) {
+    this.#lists = lists;
   }
 
   /**
@@ -333,15 +322,6 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   /**
-   * Returns what the lists say of pages (from 1).
-   *
-   * @internal
-   */
-  protected notesOf(pages: readonly number[]): PageNotes {
-    return notesOf(this.#lists, pages, this.pageCount);
-  }
-
-  /**
    * Returns what says on which face a page (from 1) lies where two are shown side by side, in the
    * order of reading: an odd face and the next one face each other.
    *
@@ -353,26 +333,6 @@ export abstract class ReaderElement extends ReflectingElement {
     const inSpread = source?.inSpread.bind(source);
     const placed = placePages(this.pageCount, { offset, shifts }, inSpread);
     return (page) => faceIn(placed, page);
-  }
-
-  /**
-   * Shifts the offset at a page (from 1), or undoes that; `reportLists` is to follow.
-   *
-   * @internal
-   */
-  protected moveShift(page: number): void {
-    this.#lists = { ...this.#lists, shifts: cleanPages(toggled(this.#lists.shifts, page)) };
-  }
-
-  /**
-   * Has the lists say of pages what notes say; `reportLists` is to follow.
-   *
-   * @param pages the number (from 1) of each page of the notes; null for one that is not there
-   *
-   * @internal
-   */
-  protected note(notes: PageNotes, pages: readonly (number | null)[]): void {
-    this.#lists = withNotes(this.#lists, notes, pages);
   }
 
   /**
@@ -405,11 +365,7 @@ export abstract class ReaderElement extends ReflectingElement {
     const { source } = this;
     if (source === undefined) return { page: this.page, lists: this.#lists };
     const home = (index: number): number | null => source.homeOf(source.pagesAt([index])[0]);
-    let lists = movedLists(this.#lists, home, source.pageCount);
-    for (const { notes, pages } of this.tornLeafNotes) {
-      const homes = pages.map((page) => source.homeOf(page));
-      lists = withNotes(lists, notes, numbersOf(homes));
-    }
+    const lists = this.addTornPages(movedLists(this.#lists, home, source.pageCount));
     // A page that was added has the place of the one before it.
     let at = this.page - 1;
     while (at > 0 && home(at) === null) at--;
@@ -483,24 +439,16 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   async #foldLine(asked: PageFold): Promise<boolean> {
+    const { foldAlong } = await loadPart(import("./line_folds.ts"));
     const viewer = this.book?.viewer;
-    if (viewer === undefined || asked.page > this.pageCount) return false;
-    const [fold] = cleanFolds([{ ...asked, angle: asked.angle === 0 ? 1 : asked.angle }]);
-    if (fold === undefined) throw new BookError(noFold);
-    const spine = spineOf(viewer.binding, fold.page);
-    if (spine === "board") return false;
-    if (meetsSpine(fold, spine)) throw new BookError(atSpine);
-    const before = this.folds;
-    const folds = cleanFolds([...before, { ...fold, angle: asked.angle }]);
-    const ears = this.dogEars;
-    const found = await viewer.fold([...ears, ...folds], true);
-    if (!found) return false;
-    if (!folds.every((one) => found.includes(one))) throw new BookError(tooNear);
+    if (viewer === undefined) return false;
+    const { folds: before, dogEars } = this.#lists;
+    const folds = await foldAlong(asked, viewer, this.#lists);
     // Others may have been set, or another book opened.
-    if (this.folds !== before) return false;
+    if (folds === null || this.folds !== before) return false;
     this.#listFolds(folds);
     // Corners that were folded meanwhile were folded without this one.
-    if (this.dogEars !== ears) void this.#refold(false);
+    if (this.dogEars !== dogEars) void this.#refold(false);
     return true;
   }
 

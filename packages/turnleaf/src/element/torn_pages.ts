@@ -1,55 +1,46 @@
-/** The pages of an element's book that were torn out, and may be put back. */
+/**
+ * The pages of an element's book that were torn out, and may be put back. Loaded when a book may be
+ * torn.
+ */
 
 import type { ListedPages, PageList } from "../sources/page_list.ts";
 import { BookError } from "../sources/page_source.ts";
-import type { TearOwner } from "../viewer/viewer_options.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
-import { numbersOf, type PageNotes } from "./page_lists.ts";
+import type { PageLists } from "./page_lists.ts";
+import { notesOf, numbersOf, type PageNotes, withNotes } from "./page_notes.ts";
+import { cleanPages } from "./page_numbers.ts";
 
 /** What torn pages need of their element. */
 export interface TornPagesHost {
   /** Returns the open book. */
   readonly book: () => OpenBook | null;
-  /** Returns how leaves are bound; null if none may be torn out. */
-  readonly line: TearOwner["line"];
-  /** Asks listeners whether pages (from 1) may be torn out. */
-  readonly ask: (pages: readonly number[]) => boolean;
   /** Pages are torn out. */
   readonly torn: (pages: readonly number[]) => void;
   /** The book has other pages. */
   readonly changed: () => void;
-  /** Returns what lists say of pages (from 1). */
-  readonly notesOf: (pages: readonly number[]) => PageNotes;
+  /** What names pages. A change is reported with the next of the pages. */
+  lists: PageLists;
   /**
    * Returns on which face of its leaf a page (from 1) lies, 0 or 1 in the order of reading; null
    * where each leaf has one page.
    */
   readonly faceOf: (page: number) => number | null;
-  /** Shifts the offset at a page (from 1), or undoes that. */
-  readonly shift: (page: number) => void;
-  /** Has lists say it of pages again: the number (from 1) of each, null for one that is not there. */
-  readonly note: (notes: PageNotes, pages: readonly (number | null)[]) => void;
   /** Turns to a page (from 1) without motion. */
   readonly show: (page: number) => void;
-  /** Work was done in tearing, J. */
-  readonly heard: (work: number) => void;
-}
-
-/** What lists said of the pages of a leaf that is out. */
-export interface TornLeafNotes {
-  readonly pages: ListedPages;
-  readonly notes: PageNotes;
 }
 
 /** A leaf that is out. */
-interface TornLeaf extends TornLeafNotes {
+interface TornLeaf {
   readonly id: number;
+  readonly pages: ListedPages;
+  /** What lists said of them. */
+  readonly notes: PageNotes;
   /** Whether the pages after it lie on the faces where they lay. */
   readonly keepsFaces: boolean;
 }
 
 /** Keeps the torn leaves of one book, the last one torn last. */
-export class TornPages implements TearOwner {
+export class TornPages {
   readonly #host: TornPagesHost;
   #leaves: TornLeaf[] = [];
   /** The pages of the book that they are out of. */
@@ -62,32 +53,26 @@ export class TornPages implements TearOwner {
 
   /** Number of leaves that are out of the open book. */
   get count(): number {
-    return this.leaves.length;
+    return this.#host.book() === null ? 0 : this.#leaves.length;
   }
 
-  /** The leaves that are out of the open book. */
-  get leaves(): readonly TornLeafNotes[] {
-    return this.#host.book() === null ? [] : this.#leaves;
+  /** Returns lists of the pages of the source that the book was opened from, with those that are out of it. */
+  addTo(lists: PageLists): PageLists {
+    const source = this.#source;
+    if (this.#host.book() === null || source === null) return lists;
+    return this.#leaves.reduce((all, { notes, pages }) => {
+      const homes = pages.map((page) => source.homeOf(page));
+      return withNotes(all, notes, numbersOf(homes));
+    }, lists);
   }
 
-  line(): ReturnType<TearOwner["line"]> {
-    return this.#host.line();
-  }
-
-  mayTear(pages: readonly number[]): boolean {
-    return this.#host.ask(pages);
-  }
-
-  heard(work: number): void {
-    this.#host.heard(work);
-  }
-
+  /** Takes pages (from 1) out of the book, as `TearOwner` says. */
   takeOut(pages: readonly number[]): number | null {
     const book = this.#host.book();
     if (book === null) return null;
     const leaf = book.source.pagesAt(pages.map((page) => page - 1));
     const id = ++this.#lastId;
-    const notes = this.#host.notesOf(pages);
+    const notes = notesOf(this.#host.lists, pages, book.source.pageCount);
     let isOut = false;
     let keepFaces = noFaces;
     // The viewer lies at rest: the change is made at once, after those that waited for that.
@@ -128,7 +113,7 @@ export class TornPages implements TearOwner {
           return source.putBack(leaf.pages);
         },
         () => {
-          this.#host.note(leaf.notes, numbers());
+          this.#host.lists = withNotes(this.#host.lists, leaf.notes, numbers());
           keepFaces();
         },
       );
@@ -161,10 +146,14 @@ export class TornPages implements TearOwner {
       return typeof index === "number" ? this.#host.faceOf(index + 1) : null;
     };
     const before = faceOfNext();
-    if (before === null) return noFaces;
+    if (next === undefined || before === null) return noFaces;
     return () => {
-      if (faceOfNext() !== before)
-        this.#host.shift((source.indexOf(next as ListedPages[number]) ?? 0) + 1);
+      if (faceOfNext() === before) return;
+      const page = (source.indexOf(next) ?? 0) + 1;
+      const { lists } = this.#host;
+      const others = lists.shifts.filter((shift) => shift !== page);
+      const isShifted = others.length < lists.shifts.length;
+      this.#host.lists = { ...lists, shifts: isShifted ? others : cleanPages([...others, page]) };
     };
   }
 }

@@ -17,7 +17,7 @@ import { handAt } from "../picking/reach.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import type { BookStage, Place } from "../stage/book_stage.ts";
 import type { CornerPeek } from "./corner_peek.ts";
-import { CornerPress } from "./corner_press.ts";
+import type { CornerPress } from "./corner_press.ts";
 
 /** What a pointer can grab. */
 export interface DragHit extends Hit {
@@ -125,6 +125,8 @@ export class Drags {
   #closed = false;
   /** The sheets that were torn out, once one may be. */
   loose: LooseSheets | null = null;
+  /** Returns the corner at which a leaf is held, once corners may be folded by hand. */
+  cornerAt: typeof CornerPress.at | null = null;
   /** The fold-outs, where they can be opened. */
   foldOut: FoldOutSheets | null = null;
 
@@ -259,7 +261,7 @@ export class Drags {
     if (side === null || flight.part !== "leaf") return null;
     const isRight = side === Side.right;
     const page = isRight ? rightPage(binding, flight.low) : leftPage(binding, flight.high);
-    const press = CornerPress.at(shape, side, u, v);
+    const press = this.cornerAt?.(shape, side, u, v) ?? null;
     return press && page !== null ? { side, page, press } : null;
   }
 
