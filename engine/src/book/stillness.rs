@@ -10,14 +10,15 @@ const STILL_TICKS: u32 = 24;
 /// Ticks after which a sheet that was let go has come down, if nothing trembles.
 const DOWN: u32 = 120;
 
-/// Ticks after which it is left as it lies.
+/// Ticks after which it is left as it lies, or as grabs that do not move hold it.
 pub(super) const LONGEST_FALL: u32 = 480;
 
-/// For how many ticks a sheet lies still, and falls.
+/// For how many ticks a sheet lies still, falls, and is held by grabs that do not move.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Stillness {
     still: u32,
     fallen: u32,
+    held: u32,
 }
 
 impl Stillness {
@@ -37,6 +38,7 @@ impl Stillness {
             0
         };
         self.fallen += u32::from(!is_held);
+        self.held += u32::from(is_held);
     }
 
     /// Whether it lies or is held still.
@@ -51,8 +53,8 @@ impl Stillness {
     }
 
     /// Whether it does not move until the next command: it lies or is held still, or has been let
-    /// go for so long that it is left as it is.
+    /// go or held by grabs that do not move for so long that it is left as it is.
     pub fn is_asleep(self) -> bool {
-        self.still >= STILL_TICKS || self.fallen >= LONGEST_FALL
+        self.still >= STILL_TICKS || self.fallen.max(self.held) >= LONGEST_FALL
     }
 }

@@ -326,7 +326,7 @@ impl TornLeaf {
     }
 
     /// Whether it does not move until the next command: it lies or is held still, or has been let
-    /// go for so long that it is left as it is.
+    /// go, or held by grabs that do not move, for so long that it is left as it is.
     pub fn is_asleep(&self) -> bool {
         self.stillness.is_asleep()
     }
@@ -402,8 +402,12 @@ impl TornLeaf {
                 press.keep_apart(&mut self.sheet);
             }
             self.sheet.step_of(left);
+            let torn = self.torn;
             self.tear_rows();
             self.torn += self.across.tear(&mut self.sheet);
+            if self.torn > torn {
+                self.wake();
+            }
         }
         if let Some(Crumpled::Pressed(press)) = &mut self.crumpled
             && !press.tick(&mut self.sheet)

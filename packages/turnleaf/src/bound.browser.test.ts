@@ -6,6 +6,7 @@
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
 import { book, happens, keepWhatIsDrawn, settled } from "./for_tests/element_books.ts";
+import { TestPointer } from "./for_tests/test_pointer.ts";
 import { openSource } from "./sources/open_source.ts";
 import type { PageSource } from "./sources/page_source.ts";
 
@@ -286,6 +287,54 @@ test("a pointer opens a fold-out by its flap, shuts it again, and turns its leaf
   await drag(element, [0.68, 0.6], [0.3, 0.6]);
   expect(element.page).toBe(6);
   await expectPage(element, 7, 0.6, 0.6);
+});
+
+test("a fold-out whose corner is lifted under a mouse unfolds, by command and by a pull at that corner", async () => {
+  const sheets = pages(12);
+  sheets[4] = wide(5, 30);
+  const element = book(sheets, { duration: "80", page: "4", cover: "none" });
+  [element.style.width, element.style.height] = ["560px", "300px"];
+  await happens(element, "load");
+  await settled(element);
+  const pointer = new TestPointer(element);
+  const { right, top } = element.bookBounds as DOMRect;
+  const lift = async (): Promise<void> => {
+    pointer.point("pointermove", right - 5, top + 5);
+    await expect.poll(() => element.state).toBe("lifting");
+  };
+  await lift();
+  expect(await element.unfold(5)).toBe(true);
+  expect(element.state).toBe("resting");
+  pointer.point("pointermove", right - 80, top + 80);
+  await element.foldIn();
+  await settled(element);
+  await lift();
+  await drag(element, [(right - 14) / 560, (top + 14) / 300], [0.97, (top + 18) / 300]);
+  await expectPage(element, 30, 0.8, 0.6);
+  expect([element.page, element.state]).toEqual([4, "resting"]);
+});
+
+test("Enter on the book unfolds a fold-out, and folds it in", async () => {
+  const sheets = pages(12);
+  sheets[4] = wide(5, 30);
+  const element = book(sheets, { duration: "80", page: "4", cover: "none" });
+  [element.style.width, element.style.height] = ["560px", "300px"];
+  await happens(element, "load");
+  await settled(element);
+  const pointer = new TestPointer(element);
+  expect(element.foldOut).toBe("shut");
+  pointer.key("Enter");
+  await expect.poll(() => element.foldOut, { timeout: 20_000 }).toBe("open");
+  await expectPage(element, 30, 0.8, 0.6);
+  pointer.key("Enter");
+  await expect.poll(() => element.foldOut, { timeout: 20_000 }).toBe("shut");
+  await expectPage(element, 5, 0.52, 0.6);
+  await settled(element);
+  expect(await hueAt(element, 0.65, 0.6)).toBeNull();
+  expect(await element.next()).toBe(true);
+  const key = new KeyboardEvent("keydown", { key: "Enter", bubbles: true, cancelable: true });
+  // Where nothing folds out the key is not the book's.
+  expect([element.page, element.dispatchEvent(key)]).toEqual([6, true]);
 });
 
 test("a smaller page lies at the spine, and beside it the page beneath is seen", async () => {

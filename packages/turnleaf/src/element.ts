@@ -17,22 +17,19 @@ import {
 import { BookLifecycle, type OpenBook, pdfWorkerOf } from "./element/book_lifecycle.ts";
 import { placeOf } from "./element/fold_lists.ts";
 import type { PageChanges } from "./element/page_changes.ts";
+import type { PageLists } from "./element/page_lists.ts";
 import { pageNumber, RequestedPage } from "./element/page_numbers.ts";
 import { ReaderElement } from "./element/reader_element.ts";
 import { openPages, ShadowTree } from "./element/shadow_tree.ts";
 import { SoundAndHaptics } from "./element/sound_and_haptics.ts";
-import { TornPages } from "./element/torn_pages.ts";
+import type { TornPages } from "./element/torn_pages.ts";
 import { typographyOf } from "./element/typography.ts";
 import { nameAndMessage } from "./sources/failures.ts";
 import { pagesIn } from "./sources/html/child_pages.ts";
 import { loadPart } from "./sources/load_part.ts";
 import type { BookInput } from "./sources/open.ts";
-import {
-  BookError,
-  type NewIndex,
-  type PageSource,
-  type Typography,
-} from "./sources/page_source.ts";
+import type { PageList } from "./sources/page_list.ts";
+import { BookError, type NewIndex, type Typography } from "./sources/page_source.ts";
 import type { Viewer, ViewerOptions, Zoom } from "./viewer/viewer.ts";
 import { elementTexts, fill, languageOf } from "./words/languages.ts";
 
@@ -77,6 +74,7 @@ export class TurnleafBook extends ReaderElement {
     leaving: () => this.#leave(),
     opened: (book) => this.#opened(book),
     changing: (change) => void this.#followSource(change),
+    renumbered: (moved, pageCount) => this.moveLists(moved.placeOf ?? moved, pageCount),
     missingPart: (error) => this.#reportMissingPart(error),
     failed: (error) => this.#fail(error),
   });
@@ -88,20 +86,9 @@ export class TurnleafBook extends ReaderElement {
     () => this.#leaves.stock ?? "book",
     (error) => this.#reportMissingPart(error),
   );
-  /** The pages that were torn out of the open book. */
-  readonly #torn = new TornPages({
-    book: () => this.#life.book,
-    line: () => tearLineOf(this),
-    ask: (pages) => this.ask("tear", { pages }),
-    torn: (pages) => this.emit("torn", { pages }),
-    changed: (moved) => this.#pagesChanged(moved),
-    bookmarks: () => this.bookmarks,
-    bookmark: (pages) => {
-      this.bookmarks = [...this.bookmarks, ...pages];
-    },
-    show: (page) => void this.turnTo(page, { motion: false }),
-    heard: (work) => this.#soundAndHaptics.tear(work),
-  });
+  /** The pages that were torn out of the open book, once some may be, and what loads that. */
+  #torn: TornPages | null = null;
+  #loadingTorn: Promise<void> | null = null;
   #input: BookInput | null = null;
   #paper: Paper | null = null;
   readonly #asked = new RequestedPage();
@@ -276,7 +263,7 @@ export class TurnleafBook extends ReaderElement {
    * Turns to a page (from 1, clamped to the book), or changes to it at once.
    * Resolves, once the book is at rest, to whether it lies there. While a book
    * is opening, that book opens there: resolves once it has, to false if it
-   * cannot be opened or the element is removed from its document. Rejects with
+   * cannot be opened, or is given up without another in its place. Rejects with
    * a `TypeError` if the page is not a number.
    *
    * @param options whether the book turns there with motion
@@ -358,9 +345,11 @@ export class TurnleafBook extends ReaderElement {
    * moved or thrown out of sight; without motion it is gone at once. Resolves, once it is off, to whether it is: false on the flat,
    * for a board, if the page does not lie open, and if a listener cancels `tear`.
    */
-  tearOut(page: number = this.page): Promise<boolean> {
-    if (tearLineOf(this) === null) return Promise.resolve(false);
-    return this.#viewer?.tearOut(page, this.#motion === "turn") ?? Promise.resolve(false);
+  async tearOut(page: number = this.page): Promise<boolean> {
+    const viewer = this.#viewer;
+    await this.#allowTearing();
+    if (tearLineOf(this) === null || viewer !== this.#viewer) return false;
+    return (await viewer?.tearOut(page, this.#motion === "turn")) ?? false;
   }
 
   /**
@@ -368,7 +357,7 @@ export class TurnleafBook extends ReaderElement {
    * and they are in it, to whether there were any.
    */
   putBack(): Promise<boolean> {
-    return this.#torn.putBack();
+    return this.#torn?.putBack() ?? Promise.resolve(false);
   }
 
   /**
@@ -394,9 +383,45 @@ export class TurnleafBook extends ReaderElement {
     return this.#viewer?.tearAcross(start, end) ?? false;
   }
 
+  /**
+   * Whether a page that lies open is a fold-out, and is unfolded.
+   *
+   * @internal
+   */
+  get foldOut(): "none" | "shut" | "open" {
+    return this.#viewer?.commands.foldOut ?? "none";
+  }
+
+  /**
+   * Unfolds the open page that is a fold-out, or folds it in. Returns whether there is one.
+   *
+   * @internal
+   */
+  toggleFoldOut(): boolean {
+    return this.#viewer?.commands.toggleFoldOut() ?? false;
+  }
+
+  /**
+   * The first open page (from 1) whose leaf may be torn out; null if none may.
+   *
+   * @internal
+   */
+  get tearablePage(): number | null {
+    return this.#viewer?.tearablePage ?? null;
+  }
+
+  /**
+   * Whether a loose sheet is neither crumpled nor torn across.
+   *
+   * @internal
+   */
+  get hasWholeSheet(): boolean {
+    return this.#viewer?.hasWholeSheet ?? false;
+  }
+
   /** Number of leaves that were torn out and can be put back. */
   get tornLeaves(): number {
-    return this.#torn.count;
+    return this.#torn?.count ?? 0;
   }
 
   /** The zoom level: 1 for the whole book, to 8. Setting it zooms about the middle. */
@@ -454,7 +479,11 @@ export class TurnleafBook extends ReaderElement {
     this.#connected = false;
     this.#children.disconnect();
     this.#updateControls();
+    // Inserted again it opens the whole book, without the pages that were added.
+    if (this.#left) this.#left = { ...this.#left, page: this.homePlace.page };
+    if (this.#life.book) this.returnLists();
     this.#life.close();
+    this.reportLists();
     this.#updateState();
   }
 
@@ -467,7 +496,11 @@ export class TurnleafBook extends ReaderElement {
     open: () => {
       if (this.#input === null) this.#openAnew();
     },
-    rebind: () => this.#viewer?.rebind(bindingOptionsOf(this)),
+    rebind: () => this.#viewer?.rebind(this.#binding),
+    listPages: (name, list) => {
+      this.listPages(name, list);
+      this.#viewer?.rebind(this.#binding);
+    },
     setPage: (value) => {
       this.page = value as unknown as number;
     },
@@ -483,12 +516,17 @@ export class TurnleafBook extends ReaderElement {
     updateControls: () => this.#updateControls(),
     stopSound: () => this.#soundAndHaptics.close(),
     allowFolding: () => this.foldOpened(),
-    allowTearing: () => void this.#viewer?.allowTearing(),
+    allowTearing: () => void this.#allowTearing(),
   };
 
   /** @internal */
   protected override get book(): OpenBook | null {
     return this.#life.book;
+  }
+
+  /** @internal */
+  protected override addTornPages(lists: PageLists): PageLists {
+    return this.#torn?.addTo(lists) ?? lists;
   }
 
   get #viewer(): Viewer | undefined {
@@ -499,7 +537,7 @@ export class TurnleafBook extends ReaderElement {
    * Returns the page at which a book opens, or would: the requested one,
    * otherwise the source's.
    */
-  #firstPage(source?: PageSource): number {
+  #firstPage(source?: PageList): number {
     const said = pageNumber(this.getAttribute("page")) ?? source?.openingPage ?? 1;
     const page = this.#asked.page ?? this.keptPage(source, this.#left?.page ?? null) ?? said;
     return Math.min(Math.max(Math.round(page) || 1, 1), source?.pageCount ?? page);
@@ -574,6 +612,7 @@ export class TurnleafBook extends ReaderElement {
       this.#soundAndHaptics.close();
       this.#forget();
       this.#life.close();
+      this.#asked.failed();
     } else if (!this.#life.book) this.#forget();
     this.#reopen();
   }
@@ -589,7 +628,7 @@ export class TurnleafBook extends ReaderElement {
     this.#updateState();
   }
 
-  async #restore(source: PageSource, src: string): Promise<void> {
+  async #restore(source: PageList, src: string): Promise<void> {
     this.#isRestoring = true;
     const before = JSON.stringify(typographyOf(this));
     await this.restorePlace(source, src);
@@ -614,12 +653,17 @@ export class TurnleafBook extends ReaderElement {
     };
   }
 
-  #options(source: PageSource): ViewerOptions {
-    const binding = bindingOptionsOf(this);
+  /** The options in the attributes: lists of pages name them as they lie now. */
+  get #binding() {
+    const { shifts, hardPages, stocks } = this.lists;
+    return { ...bindingOptionsOf(this), shifts, hardPages, stocks };
+  }
+
+  #options(source: PageList): ViewerOptions {
+    const binding = this.#binding;
     this.#openedBy.binding = JSON.stringify(binding);
     return {
       ...binding,
-      shifts: this.shifts,
       paper: () => this.#leaves,
       page: () => this.#firstPage(source),
       turnSeconds: () => turnSecondsOf(this),
@@ -639,7 +683,13 @@ export class TurnleafBook extends ReaderElement {
       },
       foldsByHand: () => this.foldBookmarks,
       onPress: ({ page, corner, size }) => this.dogEar(page, corner, size),
-      tearing: this.#torn,
+      tearing: {
+        // A leaf that comes off needs what keeps its pages.
+        line: () => (this.#torn ? tearLineOf(this) : null),
+        mayTear: (pages) => this.ask("tear", { pages }),
+        takeOut: (pages) => this.#torn?.takeOut(pages) ?? null,
+        heard: (work) => this.#soundAndHaptics.tear(work),
+      },
       onMissingPart: (error) => this.#reportMissingPart(error),
       onZoom: (zoom) => this.emit("zoomchange", { zoom }),
     };
@@ -660,14 +710,14 @@ export class TurnleafBook extends ReaderElement {
     this.#updateState();
     this.#follow(viewer);
     this.foldOpened();
-    this.#torn.opened(source);
-    void viewer.allowTearing();
+    this.#torn?.opened(source);
+    void this.#allowTearing();
     this.emit("load", { pageCount: source.pageCount, title: source.title });
   }
 
   /** Binds and sets a book that has just opened as attributes say that were changed meanwhile. */
   #follow(viewer: Viewer): void {
-    const binding = bindingOptionsOf(this);
+    const binding = this.#binding;
     if (JSON.stringify(binding) !== this.#openedBy.binding) viewer.rebind(binding);
     if (JSON.stringify(typographyOf(this)) !== this.#openedBy.typography) void this.#typeset();
   }
@@ -699,22 +749,45 @@ export class TurnleafBook extends ReaderElement {
       ({ PageChanges }) => new PageChanges(),
     );
     const changes = await this.#pageChanges;
-    const moved = await changes.change(book, at, count, input, worker);
-    // If other pages replace one, its bookmark moves to them.
-    if (moved) this.#pagesChanged((index) => moved(index) ?? (input ? index : null));
-    return moved !== null;
+    const isMade = await changes.change(book, at, count, input, worker);
+    if (isMade) this.#pagesChanged();
+    return isMade;
   }
 
   /** Makes a change of the pages that their source asks for, once the book is at rest. */
   async #followSource(change: () => NewIndex): Promise<void> {
-    const book = this.#life.book;
-    let moved: NewIndex | null = null;
-    await book?.viewer.changePages(() => {
-      moved = change();
-      return moved;
-    });
-    book?.reading.changed();
-    if (moved) this.#pagesChanged(moved);
+    if (await this.#life.book?.changePages(change)) this.#pagesChanged();
+  }
+
+  /** Loads what tears leaves out and what keeps their pages, where they may be torn. */
+  async #allowTearing(): Promise<void> {
+    if (tearLineOf(this) === null || !this.#viewer) return;
+    this.#loadingTorn ??= this.#loadTornPages();
+    await this.#loadingTorn;
+    await this.#viewer?.allowTearing();
+  }
+
+  async #loadTornPages(): Promise<void> {
+    try {
+      const { TornPages } = await loadPart(import("./element/torn_pages.ts"));
+      const element = this;
+      this.#torn = new TornPages({
+        get lists() {
+          return element.lists;
+        },
+        set lists(lists) {
+          element.lists = lists;
+        },
+        book: () => this.#life.book,
+        torn: (pages) => this.emit("torn", { pages }),
+        changed: () => this.#pagesChanged(),
+        faceOf: (page) => (this.shownLayout === "spread" ? this.pageFaces()(page) % 2 : null),
+        show: (page) => void this.turnTo(page, { motion: false }),
+      });
+      if (this.#life.book) this.#torn.opened(this.#life.book.source);
+    } catch (error) {
+      this.#reportMissingPart(error);
+    }
   }
 
   async #typeset(): Promise<void> {
@@ -725,10 +798,9 @@ export class TurnleafBook extends ReaderElement {
     }
   }
 
-  #pagesChanged(moved: NewIndex): void {
+  #pagesChanged(): void {
     if (this.#life.book === null) return;
-    this.movePages(moved);
-    this.#torn.move(moved);
+    this.reportLists();
     this.#describe();
     this.emit("pageschange", { pageCount: this.pageCount });
   }

@@ -1,5 +1,6 @@
 use super::tests::{AROUND, deepest, held, lying, settle};
 use super::*;
+use crate::book::stillness::LONGEST_FALL;
 use crate::stock::Stock;
 use crate::vector::{dot, sub};
 
@@ -216,6 +217,60 @@ fn a_gentle_pull_tears_no_further() {
     leaf.cut();
     assert_eq!((leaf.opened(), leaf.take_work()), (f32::INFINITY, 0.0));
     assert!(leaf.part().is_some() && leaf.part().is_none());
+}
+
+/// Tears a sheet across by two grabs that go apart until it is open over a part of its path, and
+/// holds it there. Returns it once it is left as it is.
+fn held_half_torn(mut leaf: TornLeaf, book: &Book, path: [[f64; 2]; 2], part: f32) -> TornLeaf {
+    let long = path_length(&leaf, path) as f32;
+    assert!(leaf.tear_across(&path));
+    leaf.update(book);
+    let holds = holds(path);
+    let starts = holds.map(|at| drawn_at(&leaf, at));
+    for (grab, at) in holds.iter().enumerate() {
+        leaf.grab(grab, at[0], at[1]);
+    }
+    let between = sub(starts[1], starts[0]);
+    let apart = between.map(|x| x / dot(between, between).sqrt());
+    for tick in 1..400 {
+        let seconds = tick as f32 * TICK;
+        let away = 0.15 * (seconds - 0.3).max(0.0);
+        for (grab, start) in starts.iter().enumerate() {
+            let sign = if grab == 0 { -1.0 } else { 1.0 };
+            let mut to: [f32; 3] =
+                core::array::from_fn(|axis| start[axis] + sign * away * apart[axis]);
+            to[2] += 0.06 * (seconds / 0.4).min(1.0) + 0.5 * sign * away.min(0.08);
+            leaf.pull(grab, to);
+        }
+        leaf.step(book, 1);
+        if leaf.opened() >= part * long {
+            break;
+        }
+    }
+    for _ in 0..LONGEST_FALL {
+        leaf.step(book, 1);
+    }
+    leaf
+}
+
+#[test]
+fn a_half_torn_sheet_that_two_grabs_hold_still_comes_to_rest() {
+    let mut moving = Vec::new();
+    for stock in [Stock::BIBLE, Stock::CARD] {
+        let (book, leaf) = lying(stock, 0.42);
+        for path in [PATHS[0], PATHS[2]] {
+            for part in [0.2, 0.5] {
+                let leaf = held_half_torn(leaf.clone(), &book, path, part);
+                if !leaf.is_asleep() {
+                    let speeds = leaf.sheet().velocities().as_chunks::<3>().0;
+                    let square = speeds.iter().map(|v| dot(*v, *v)).sum::<f32>();
+                    let speed = (square / speeds.len() as f32).sqrt();
+                    moving.push((stock.grammage, path, part, speed));
+                }
+            }
+        }
+    }
+    assert!(moving.is_empty(), "{moving:#?}");
 }
 
 #[test]

@@ -5,7 +5,7 @@
 
 import { expect, test } from "vitest";
 import { fuzz, Random, seed } from "../for_tests/random_numbers.ts";
-import { edgeFor, layoutFor, pagesNamed, placePages } from "./layout.ts";
+import { edgeFor, faceIn, layoutFor, pagesNamed, placePages } from "./layout.ts";
 import {
   type Binding,
   type BindOptions,
@@ -94,6 +94,14 @@ test("page 1 stands alone, or beside page 2", () => {
   const bare = bind(4, "hard", { offset: 0 });
   expect([0, 1, 2, 3, 4, 5].map((s) => pagesAt(bare, s))).toEqual([[], [], [1, 2], [3, 4], [], []]);
   expect([bare.first, bare.last, leafCount(bare), paperLeaves(bare)]).toEqual([0, 5, 5, 3]);
+});
+
+test("boards without pages stay so where page 1 is shifted to have nothing beside it", () => {
+  const places = placePages(4, { offset: 0, shifts: [1] });
+  const bare = bind(4, "hard", places);
+  expect([0, 1, 2, 3, 4, 5].map((s) => pagesAt(bare, s))).toEqual([[], [1], [2, 3], [4], [], []]);
+  expect([1, 2, 3, 4].map((page) => faceIn(places, page))).toEqual([0, 1, 2, 3]);
+  expect(paperLeaves(bare)).toBe(2);
 });
 
 test("bound on the right, the second page lies left of the third, and on goes to the right", () => {

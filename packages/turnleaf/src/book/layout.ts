@@ -1,6 +1,6 @@
 /** Chooses how a book is bound and laid out, from the options and the available space. */
 
-import type { CoverKind, Edge, Layout } from "./spreads.ts";
+import { type CoverKind, countUpTo, type Edge, type Layout } from "./spreads.ts";
 
 /** The requested layout; "auto" leaves the choice to the book or to the space. */
 export interface LayoutOptions {
@@ -25,6 +25,24 @@ export function edgeFor(
   return edge ?? (direction === "rtl" ? "right" : "left");
 }
 
+/** Where pages lie in spreads: how a book is bound for that. */
+export interface PlacedPages {
+  /** 1 if page 1 has nothing beside it. */
+  readonly offset: 0 | 1;
+  /** Pages (from 2, in order) before which a face is left bare; one named twice has two before it. */
+  readonly bareBefore: readonly number[];
+  /** Whether no page lies on the boards of a hard cover. */
+  readonly bareBoards: boolean;
+}
+
+/**
+ * Returns the face on which a page (from 1) lies, in the order of reading: an even one on its own or
+ * first on its leaf, an odd one and the next face each other. Boards without pages are not counted.
+ */
+export function faceIn({ offset, bareBefore }: PlacedPages, page: number): number {
+  return page - offset + countUpTo(bareBefore, page);
+}
+
 /** The place of a page in its spread, as `PageSource.inSpread` returns it. */
 type PlaceInSpread = "first" | "second" | "alone" | "single" | undefined;
 
@@ -40,7 +58,7 @@ export function placePages(
   pageCount: number,
   { offset, shifts }: Pick<LayoutOptions, "offset" | "shifts">,
   inSpread?: (index: number) => PlaceInSpread,
-): { offset: 0 | 1; bareBefore: number[] } {
+): PlacedPages {
   const shifted = new Set(shifts);
   const bareBefore: number[] = [];
   let start = offset;
@@ -61,7 +79,7 @@ export function placePages(
     face += bare + 1;
     before = place;
   }
-  return { offset: start, bareBefore };
+  return { offset: start, bareBefore, bareBoards: start === 0 || (offset === 0 && shifted.has(1)) };
 }
 
 /**
@@ -117,15 +135,25 @@ export function turnOfKey(key: string, edge: Edge): 1 | 0 | -1 {
 const mostNumbers = 10_000;
 
 /**
+ * Returns the ranges of pages, first and last, that a list such as "1-2,9" names. Invalid entries
+ * are ignored.
+ */
+export function rangesIn(list: string): (readonly [from: number, to: number])[] {
+  return list.split(",", mostNumbers).flatMap((part) => {
+    const [, from, to = from] = /^\s*(\d+)\s*(?:-\s*(\d+)\s*)?$/.exec(part) ?? [];
+    const first = Math.max(Number(from), 1);
+    return Number(to) >= first ? [[first, Number(to)] as const] : [];
+  });
+}
+
+/**
  * Returns the pages that a list such as "1-2,9" names in a book of `pageCount`
  * pages. Invalid entries are ignored.
  */
 export function pagesNamed(list: string, pageCount: number): number[] {
   const pages = new Set<number>();
-  for (const part of list.split(",", mostNumbers)) {
-    const [, from, to = from] = /^\s*(\d+)\s*(?:-\s*(\d+)\s*)?$/.exec(part) ?? [];
-    const last = Math.min(Number(to), pageCount);
-    for (let page = Math.max(Number(from), 1); page <= last; page++) pages.add(page);
+  for (const [from, to] of rangesIn(list)) {
+    for (let page = from; page <= Math.min(to, pageCount); page++) pages.add(page);
   }
   return [...pages];
 }

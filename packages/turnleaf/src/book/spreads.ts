@@ -27,6 +27,11 @@ export interface BindOptions {
   readonly layout?: Layout;
   /** 1, the default: page 1 has nothing beside it; 0: pages 1 and 2 face each other. */
   readonly offset?: 0 | 1;
+  /**
+   * Whether the boards of a hard cover have no pages; by default where pages 1 and 2 face each
+   * other. It has no effect if each leaf has one page.
+   */
+  readonly bareBoards?: boolean;
   /** Pages (from 1) on leaves of board. */
   readonly hardPages?: Iterable<number>;
   /**
@@ -78,9 +83,9 @@ export function bind(pageCount: number, cover: CoverKind, options: BindOptions =
   const { edge = "left", layout = "spread", offset = 1, hardPages = [] } = options;
   const step = layout === "single" ? 2 : 1;
   const shifted = step === 1 && offset === 0;
-  // If no page is left for the boards they are bare, and page 1 has the back of its leaf to itself.
-  const bareBoards = shifted && cover === "hard";
-  const lead = bareBoards ? 3 : shifted ? 1 : 0;
+  // If page 1 faces page 2, it has the back of its leaf to itself, and no page is left for a board.
+  const bareBoards = step === 1 && (options.bareBoards ?? shifted) && cover === "hard";
+  const lead = (bareBoards ? 2 : 0) + (shifted ? 1 : 0);
   const bareBefore = step === 1 ? (options.bareBefore ?? []) : [];
   const faces = lead + step * (pageCount - 1) + bareBefore.length + 1;
   const leaves = Math.ceil(faces / 2) + (bareBoards ? 1 : 0);
@@ -217,7 +222,7 @@ function pageOnFace(binding: Binding, face: number): number | null {
 }
 
 /** Returns how many numbers of an ascending list are at most `most`. */
-function countUpTo(list: readonly number[], most: number): number {
+export function countUpTo(list: readonly number[], most: number): number {
   let [low, high] = [0, list.length];
   while (low < high) {
     const middle = (low + high) >> 1;

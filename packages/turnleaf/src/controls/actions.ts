@@ -32,6 +32,11 @@ export type ActionName =
   | "play"
   | "readAloud"
   | "sound"
+  | "foldOut"
+  | "tearOut"
+  | "crumple"
+  | "tearAcross"
+  | "putBack"
   | "print"
   | "download";
 
@@ -117,6 +122,38 @@ export function actionsOf(
       label: () => texts.sound,
       run: () => void book.toggleAttribute("sound"),
       pressed: () => book.hasAttribute("sound"),
+    },
+    foldOut: {
+      icon: () => "foldOut",
+      label: () => (book.foldOut === "open" ? texts.foldIn : texts.unfold),
+      key: "Enter",
+      run: () => book.toggleFoldOut(),
+      hidden: () => book.foldOut === "none",
+    },
+    tearOut: {
+      icon: () => "tearOut",
+      label: () => texts.tearOut,
+      run: () => void book.tearOut(book.tearablePage ?? undefined),
+      hidden: () => book.tearablePage === null,
+    },
+    crumple: {
+      icon: () => "crumple",
+      label: () => texts.crumple,
+      run: () => book.crumple(),
+      hidden: () => !book.hasWholeSheet,
+    },
+    tearAcross: {
+      icon: () => "tearOut",
+      label: () => texts.tearAcross,
+      run: () => book.tearAcross({ x: 0, y: 0.5 }, { x: 1, y: 0.5 }),
+      hidden: () => !book.hasWholeSheet,
+    },
+    putBack: {
+      icon: () => "putBack",
+      label: () => texts.putBack,
+      key: "Control+Z",
+      run: () => void book.putBack(),
+      hidden: () => book.tornLeaves === 0,
     },
     print: {
       icon: () => "print",

@@ -14,6 +14,12 @@ export interface FoundPlace {
   readonly after: string;
 }
 
+/** A place on a page: fractions of it from its upper left corner. */
+interface PlaceOnPage {
+  readonly x: number;
+  readonly y: number;
+}
+
 /** A `<turnleaf-book>` as its controls see it. */
 export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTMLElement {
   readonly page: number;
@@ -22,8 +28,6 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   readonly direction: "ltr" | "rtl";
   /** The pages that lie open. */
   readonly spread: { readonly left: number | null; readonly right: number | null };
-  /** 1 if the first page stands alone. */
-  readonly offset: 0 | 1;
   readonly shownLayout: "spread" | "single";
   /** Whether the open page is scrolled and not turned. */
   readonly scrolled: boolean;
@@ -43,6 +47,11 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   readonly details: readonly BookDetail[];
   label(page: number): string;
   /**
+   * Returns what says on which face a page (from 1) lies where two are shown side by side, in the
+   * order of reading: an odd face and the next one face each other.
+   */
+  pageFaces(): (page: number) => number;
+  /**
    * Turns one leaf forward (1) or back (-1) for the reader: what a held key
    * repeats ends soon after its release.
    */
@@ -56,9 +65,20 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   drawPage(page: number, width: number, signal?: AbortSignal): Promise<PagePicture>;
   toggleBookmark(page?: number): void;
   toggleShift(page?: number): void;
+  /** Whether a page that lies open is a fold-out, and is unfolded. */
+  readonly foldOut: "none" | "shut" | "open";
+  /** Unfolds the open page that is a fold-out, or folds it in. Returns whether there is one. */
+  toggleFoldOut(): boolean;
+  /** The first open page (from 1) whose leaf may be torn out; null if none may. */
+  readonly tearablePage: number | null;
+  tearOut(page?: number): Promise<boolean>;
   /** Number of leaves that were torn out, and what puts the last one back. */
   readonly tornLeaves: number;
   putBack(): Promise<boolean>;
+  /** Whether one of them is to be seen that is neither crumpled nor torn across, and what does that. */
+  readonly hasWholeSheet: boolean;
+  crumple(): boolean;
+  tearAcross(from: PlaceOnPage, to: PlaceOnPage): boolean;
   print(options?: PrintOptions): Promise<boolean>;
   download(): Promise<boolean>;
   toggleFullscreen(): Promise<boolean>;

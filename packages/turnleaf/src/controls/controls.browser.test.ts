@@ -309,6 +309,27 @@ test("of 5,000 small pages only those in sight exist, and one is drawn at a time
   await expect.poll(() => book.drawing).toBe(0);
 });
 
+test("thumbnails of pages that face each other are in one row, wherever the offset is shifted", async () => {
+  const { book, root } = addFakeBook();
+  named(root, "Thumbnails").click();
+  const rows = (): string[] => {
+    const found = new Map<number, string[]>();
+    for (const item of root.querySelectorAll<HTMLElement>(".sheet li")) {
+      const { top, left } = item.getBoundingClientRect();
+      const isLeft = left < (item.parentElement as HTMLElement).getBoundingClientRect().left + 20;
+      const row = found.get(top) ?? ["-", "-"];
+      row[isLeft ? 0 : 1] = item.textContent ?? "";
+      found.set(top, row);
+    }
+    return [...found.values()].map((row) => row.join(" ")).slice(0, 4);
+  };
+  expect(rows()).toEqual(["- i", "ii iii", "iv v", "vi 1"]);
+  book.toggleShift(3);
+  expect(rows()).toEqual(["- i", "ii -", "iii iv", "v vi"]);
+  book.toggleShift(1);
+  expect(rows()).toEqual(["i ii", "iii iv", "v vi", "1 2"]);
+});
+
 test("the menu works by key and chooses a theme", async () => {
   const { book, root } = addFakeBook();
   const more = named(root, "More");
@@ -334,6 +355,43 @@ test("the menu works by key and chooses a theme", async () => {
   const items = [...root.querySelectorAll<HTMLElement>("[role=menuitem]")];
   const seen = items.filter((item) => item.offsetParent).map((item) => item.textContent);
   expect(seen).toEqual(["Stop the slide-show"]);
+});
+
+test("the menu folds out, tears and crumples where there is something to", async () => {
+  const { book, root } = addFakeBook();
+  const more = named(root, "More");
+  const items = () =>
+    [...root.querySelectorAll<HTMLElement>("[role=menuitem]")]
+      .filter((item) => item.offsetParent)
+      .map((item) => item.textContent);
+  const choose = async (name: string): Promise<void> => {
+    more.focus();
+    await userEvent.keyboard("{Enter}");
+    for (let k = 0; active(root) !== name && k < 20; k++) await userEvent.keyboard("{ArrowDown}");
+    expect(active(root)).toBe(name);
+    await userEvent.keyboard("{Enter}");
+    expect(root.activeElement).toBe(more);
+  };
+  more.click();
+  expect(items()).toEqual(["Start the slide-show", "Print", "Download"]);
+  more.click();
+  Object.assign(book, { foldOut: "shut", tearablePage: 5 });
+  await choose("Unfold this page");
+  book.foldOut = "open";
+  await choose("Fold this page in");
+  await choose("Tear this page out");
+  Object.assign(book, { tornLeaves: 1, hasWholeSheet: true });
+  await choose("Crumple the torn page");
+  await choose("Tear the torn page across");
+  await choose("Put the torn page back");
+  expect(book.asked).toEqual([
+    "fold-out",
+    "fold-out",
+    "tear out 5",
+    "crumple",
+    "tear across",
+    "put back",
+  ]);
 });
 
 test("the print dialog asks for pages and closes when they are printed", async () => {

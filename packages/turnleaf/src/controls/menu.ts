@@ -9,7 +9,18 @@ const themes = ["auto", "light", "dark", "paper"] as const;
 
 /** The menu's order; those of the first line have a button of their own if there is space. */
 const inBar: readonly ActionName[] = ["zoomIn", "zoomOut", "layout", "fullscreen"];
-const always: readonly ActionName[] = ["play", "sound", "shift", "print", "download"];
+const always: readonly ActionName[] = [
+  "play",
+  "sound",
+  "shift",
+  "foldOut",
+  "tearOut",
+  "crumple",
+  "tearAcross",
+  "putBack",
+  "print",
+  "download",
+];
 
 /**
  * A menu under its button.

@@ -27,6 +27,8 @@ export class ThumbnailsTab implements PanelTab {
   readonly #list: HTMLElement;
   readonly #pictures: ThumbnailCache;
   readonly #cells = new Map<number, Cell>();
+  /** On which face each page lies. */
+  #faceOf: (page: number) => number = (page) => page;
   readonly #observer = new ResizeObserver(() => this.#fill());
   /** The page that has the keyboard focus. */
   #at = 1;
@@ -49,7 +51,7 @@ export class ThumbnailsTab implements PanelTab {
     this.#observer.observe(this.element);
     this.#at = this.#book.page;
     this.#list.dir = this.#book.direction;
-    this.#list.style.height = `${(this.#rowOf(this.#book.pageCount) + 1) * rowHeight}px`;
+    this.#place();
     this.#reveal(this.#at);
     this.refresh();
   }
@@ -69,6 +71,7 @@ export class ThumbnailsTab implements PanelTab {
 
   refresh(): void {
     if (!this.#isShown) return;
+    this.#place();
     const { page } = this.#book;
     if (!this.element.contains((this.element.getRootNode() as ShadowRoot).activeElement)) {
       this.#at = page;
@@ -92,9 +95,35 @@ export class ThumbnailsTab implements PanelTab {
     this.#focusPage(this.#book.page);
   }
 
+  /** Places the cells as the pages lie now. */
+  #place(): void {
+    this.#faceOf = this.#book.pageFaces();
+    this.#list.style.height = `${(this.#rowOf(this.#book.pageCount) + 1) * rowHeight}px`;
+    for (const [page, { button }] of this.#cells) this.#placeCell(page, button.parentElement);
+  }
+
+  #placeCell(page: number, item: HTMLElement | null): void {
+    if (item === null) return;
+    item.style.top = `${this.#rowOf(page) * rowHeight}px`;
+    const column = (this.#faceOf(page) + 1) % perRow;
+    item.style.insetInlineStart = `${(column * 100) / perRow}%`;
+  }
+
   /** Returns the row of a page, from 0: pages that face each other are in one. */
   #rowOf(page: number): number {
-    return Math.floor((page - 1 + this.#book.offset) / perRow);
+    const row = (of: number): number => Math.floor((this.#faceOf(of) + 1) / perRow);
+    return row(page) - row(1);
+  }
+
+  /** Returns the first page that is in a row or after it; the one after the last if none is. */
+  #firstFrom(row: number): number {
+    let [low, high] = [1, this.#book.pageCount + 1];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.#rowOf(middle) < row) low = middle + 1;
+      else high = middle;
+    }
+    return low;
   }
 
   /** Scrolls the row of a page into view. */
@@ -110,11 +139,9 @@ export class ThumbnailsTab implements PanelTab {
   #fill(): void {
     if (!this.#isShown) return;
     const { scrollTop, clientHeight } = this.element;
-    const { offset, pageCount } = this.#book;
     const above = Math.floor(scrollTop / rowHeight) - spare;
     const below = Math.ceil((scrollTop + clientHeight) / rowHeight) + spare;
-    const first = Math.max(above * perRow + 1 - offset, 1);
-    const last = Math.min(below * perRow - offset, pageCount);
+    const [first, last] = [this.#firstFrom(above), this.#firstFrom(below) - 1];
     for (const page of [...this.#cells.keys()]) {
       if ((page < first || page > last) && page !== this.#at) this.#remove(page);
     }
@@ -140,8 +167,7 @@ export class ThumbnailsTab implements PanelTab {
       this.#picked();
     });
     const item = make("li", { "aria-setsize": pageCount, "aria-posinset": page }, button);
-    item.style.top = `${this.#rowOf(page) * rowHeight}px`;
-    item.style.insetInlineStart = `${(((page - 1 + this.#book.offset) % perRow) * 100) / perRow}%`;
+    this.#placeCell(page, item);
     const cell = { button, removed: new AbortController() };
     this.#cells.set(page, cell);
     // In the book's order, for screen readers.

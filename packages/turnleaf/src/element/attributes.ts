@@ -47,6 +47,8 @@ export interface AttributeEffects {
   open(): void;
   /** The same book, bound again, where it lay. */
   rebind(): void;
+  /** A list of pages of board or of stocks is another: it names pages as they lie now. */
+  listPages(name: "hardPages" | "stocks", list: string): void;
   /** The attribute of the page has another value: the book turns there if it is a number. */
   setPage(value: string | null): void;
   /** The leaves are made of another paper. */
@@ -81,10 +83,11 @@ export const attributes: Readonly<
   ...Object.fromEntries(
     typographyAttributes.map((name) => [name, (to: AttributeEffects) => to.typeset()]),
   ),
+  "hard-pages": (effects, value) => effects.listPages("hardPages", value ?? ""),
   stocks: (effects, value) => {
     for (const error of readStocks(value ?? "").errors)
       console.warn(`turnleaf-book: stocks: ${error}`);
-    effects.rebind();
+    effects.listPages("stocks", value ?? "");
   },
   duration: (effects) => effects.changePace(),
   stock: (effects) => effects.changePaper(),

@@ -33,11 +33,11 @@ export interface LifecycleHooks {
    *
    * @param src the element's address of it
    */
-  restore(source: PageSource, src: string): Promise<void>;
+  restore(source: PageList, src: string): Promise<void>;
   /** The open book is about to close for another, which has been read. */
   replacing(): void;
   /** How a book is shown. */
-  options(source: PageSource): ViewerOptions;
+  options(source: PageList): ViewerOptions;
   /** Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers. */
   readonly turn: (by: 1 | -1) => void;
   /** Turns the open book to a page (from 1), and to a place so far down it, as `top` of `LinkTarget`. */
@@ -56,6 +56,8 @@ export interface LifecycleHooks {
   opened(book: OpenBook): void;
   /** The open book's source is about to change its pages, by calling `change`. */
   changing(change: () => NewIndex): void;
+  /** The pages of the open book, so many before, lie elsewhere: it is about to be bound anew. */
+  renumbered(moved: NewIndex, pageCount: number): void;
   /** An optional part of the viewer could not be loaded. */
   readonly missingPart: (error: unknown) => void;
   /** A book could not be opened; another may still be open. */
@@ -272,7 +274,7 @@ export class BookLifecycle {
     this.#hooks.opened(this.#book);
     source.watchPages((change) => {
       const book = this.#book;
-      if (book?.source === source) this.#hooks.changing(() => book.elements.after(change));
+      if (book?.source === source) this.#hooks.changing(change);
     });
     source.watchDrawings((index) => {
       if (this.#book?.source !== source) return;
@@ -435,14 +437,17 @@ export class OpenBook {
   readonly #element: HTMLElement;
   readonly #stage: HTMLElement;
   readonly #input: Input;
+  readonly #renumbered: LifecycleHooks["renumbered"];
   readonly #ended = new AbortController();
 
   constructor(
     element: HTMLElement,
     stage: HTMLElement,
     { canvas, source, viewer, elements, roll }: OpenBookParts,
-    { turn, calm, goTo, missingPart }: LifecycleHooks,
+    hooks: LifecycleHooks,
   ) {
+    const { turn, calm, goTo, missingPart } = hooks;
+    this.#renumbered = (moved, pageCount) => hooks.renumbered(moved, pageCount);
     this.source = source;
     this.viewer = viewer;
     this.canvas = canvas;
@@ -456,6 +461,27 @@ export class OpenBook {
     this.reading = new ReadableBook({ source, viewer, canvas, roll, goTo, language }, missingPart);
     this.#element = element;
     this.#stage = stage;
+  }
+
+  /**
+   * Changes the pages as soon as the book is at rest: at once if it is. Resolves to whether the
+   * change was made: false if the book was closed before. Rejects with what `change` throws.
+   *
+   * @param change changes the source and returns where its pages lie now
+   *
+   * @param followed called once what names pages has followed them, before the book is bound anew
+   */
+  async changePages(change: () => NewIndex, followed?: () => void): Promise<boolean> {
+    const isMade = await this.viewer.changePages(() => {
+      const { pageCount } = this.source;
+      const moved = this.elements.after(change);
+      // Changes that wait for the same rest are made one after the other, and then reported.
+      this.#renumbered(moved, pageCount);
+      followed?.();
+      return moved;
+    });
+    if (isMade) this.reading.changed();
+    return isMade;
   }
 
   /**

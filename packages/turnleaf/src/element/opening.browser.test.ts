@@ -56,3 +56,18 @@ test("an element that is removed before its book is read gets no canvas", async 
   await expect.poll(() => canvasOf(later)).not.toBeNull();
   expect(canvasOf(other)).toBeNull();
 });
+
+test("a page that is requested while a book opens is no page once the element is to show none", async () => {
+  for (const close of ["pages", "src"]) {
+    const { element } = await reading();
+    const asked = element.goTo(3);
+    if (close === "pages") element.pages = null;
+    else {
+      element.src = "book.pdf";
+      element.pages = null;
+      element.src = "";
+    }
+    expect(await asked).toBe(false);
+    element.remove();
+  }
+});

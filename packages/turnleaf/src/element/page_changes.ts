@@ -2,7 +2,7 @@
 
 import { loadPart } from "../sources/load_part.ts";
 import type { BookInput } from "../sources/open.ts";
-import type { NewIndex, PageSource } from "../sources/page_source.ts";
+import type { PageSource } from "../sources/page_source.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
 
 /** How many pages of an addition are drawn before it is inserted, and how wide, pixels. */
@@ -18,9 +18,8 @@ export class PageChanges {
 
   /**
    * Replaces `count` pages from `at` (from 1) on by others. Resolves, once they
-   * are there, to a function that returns where the others lie now; to null if
-   * the book was closed before. Rejects with a `BookError`, and changes nothing
-   * then.
+   * are there, to whether they are: false if the book was closed before. Rejects
+   * with a `BookError`, and changes nothing then.
    *
    * @param book the open book when it is this change's turn
    * @param input the source of the pages; null for none
@@ -32,7 +31,7 @@ export class PageChanges {
     count: number,
     input: BookInput | null,
     pdfWorker?: string,
-  ): Promise<NewIndex | null> {
+  ): Promise<boolean> {
     const changed = this.#last.then(() => apply(book(), at, count, input, pdfWorker));
     this.#last = changed.catch(() => {});
     return changed;
@@ -45,28 +44,24 @@ async function apply(
   count: number,
   input: BookInput | null,
   pdfWorker: string | undefined,
-): Promise<NewIndex | null> {
-  if (book === null) return null;
+): Promise<boolean> {
+  if (book === null) return false;
   const { openSource } = await loadPart(import("../sources/open.ts"));
   const added = input === null ? null : await openSource(input, { pdfWorker });
-  let moved = null as NewIndex | null;
+  let isMade = false;
   try {
     if (added !== null) {
       await book.elements.adopt(added);
       await check(added);
     }
-    await book.viewer.changePages(() => {
-      moved = book.elements.after(() => book.source.splice(at - 1, count, added));
-      return moved;
-    });
+    isMade = await book.changePages(() => book.source.splice(at - 1, count, added));
   } finally {
-    if (moved) book.reading.changed();
-    else {
+    if (!isMade) {
       added?.close();
       book.elements.refresh();
     }
   }
-  return moved;
+  return isMade;
 }
 
 /**

@@ -7,8 +7,9 @@
 
 import type { DogEar } from "../book/dog_ears.ts";
 import type { PageFold } from "../book/page_folds.ts";
-import type { PageSource } from "../sources/page_source.ts";
+import type { PageList } from "../sources/page_list.ts";
 import { cleanDogEars, cleanFolds } from "./fold_lists.ts";
+import type { PageLists } from "./page_lists.ts";
 import { cleanPages, isPage } from "./page_numbers.ts";
 import { typographyAttributes, typographyOf } from "./typography.ts";
 
@@ -26,23 +27,34 @@ interface PlacedBook extends HTMLElement {
   folds: readonly PageFold[];
 }
 
+/** A place in a book by the pages that the book has when it is opened: all, and no other. */
+export interface HomePlace {
+  readonly page: number;
+  readonly lists: PageLists;
+}
+
 /** Follows one element for as long as it is in a document. */
 export class PlaceKeeper {
   readonly #book: PlacedBook;
-  readonly #source: () => PageSource | undefined;
+  readonly #source: () => PageList | undefined;
+  readonly #home: () => HomePlace;
   #ended: AbortController | null = null;
   /** Whether a book is open whose place is worth keeping. */
   #isOpen = false;
 
   /** What was kept of a book that is about to open, its pages as they lie now. */
-  #restored: { readonly source: PageSource; readonly place: SavedPlace } | null = null;
+  #restored: { readonly source: PageList; readonly place: SavedPlace } | null = null;
   /** The element's address of each book: it names another while the next book opens. */
-  readonly #addresses = new WeakMap<PageSource, string>();
+  readonly #addresses = new WeakMap<PageList, string>();
 
-  /** @param source returns the open book's pages */
-  constructor(book: PlacedBook, source: () => PageSource | undefined) {
+  /**
+   * @param source returns the open book's pages
+   * @param home returns where the book lies open and what names its pages, as it will be opened again
+   */
+  constructor(book: PlacedBook, source: () => PageList | undefined, home: () => HomePlace) {
     this.#book = book;
     this.#source = source;
+    this.#home = home;
   }
 
   /** Starts listening: to the element, to the address, and to the page's unloading. */
@@ -85,7 +97,7 @@ export class PlaceKeeper {
    *
    * @param src the element's address of it
    */
-  async restore(source: PageSource, src: string): Promise<void> {
+  async restore(source: PageList, src: string): Promise<void> {
     this.#addresses.set(source, src);
     if (!source.findAnchors || !this.#book.hasAttribute("remember")) return;
     const kept = loadPlace(this.#name(source));
@@ -124,7 +136,7 @@ export class PlaceKeeper {
    *
    * @param left where this element left it, if it was open before
    */
-  opening(source: PageSource | undefined, left: number | null): number | null {
+  opening(source: PageList | undefined, left: number | null): number | null {
     const remembers = source !== undefined && this.#book.hasAttribute("remember");
     const kept = remembers ? this.#loaded(source) : null;
     return this.#asked ?? left ?? kept?.page ?? null;
@@ -150,11 +162,14 @@ export class PlaceKeeper {
   }
 
   #keep(): void {
-    const { page, zoom, bookmarks, shifts, dogEars, folds: pageFolds } = this.#book;
     const source = this.#source();
     if (!this.#isOpen || !source || !this.#book.hasAttribute("remember")) return;
+    const { zoom } = this.#book;
+    const { page, lists } = this.#home();
+    const { bookmarks, shifts, dogEars, folds: pageFolds } = lists;
+    const { first } = source;
     const pages = [page, ...bookmarks, ...pageFolds.map((fold) => fold.page)];
-    const anchors = source.anchor && pages.map((one) => source.anchor?.(one - 1) ?? "");
+    const anchors = first.anchor && pages.map((one) => first.anchor?.(one - 1) ?? "");
     const text = anchors ? { text: { anchors, typography: this.#typography() } } : {};
     const folds = dogEars.map(
       ({ page, corner, size }): Fold => [bookmarks.indexOf(page), corner === "head" ? 1 : 0, size],
@@ -168,14 +183,14 @@ export class PlaceKeeper {
     return Object.fromEntries(said.filter(([, value]) => value !== ""));
   }
 
-  #loaded(source: PageSource): SavedPlace | null {
+  #loaded(source: PageList): SavedPlace | null {
     if (this.#restored?.source === source) return this.#restored.place;
     return loadPlace(this.#name(source));
   }
 
-  /** Returns what identifies a book: its address, its title, its length unless text flows in it. */
-  #name(source: PageSource): string {
-    const { title, pageCount, anchor } = source;
+  /** Returns what identifies a book: its address, its title, its length as it opens unless text flows in it. */
+  #name(source: PageList): string {
+    const { title, pageCount, anchor } = source.first;
     return `${this.#addresses.get(source) ?? this.#book.src} ${anchor ? "text" : pageCount} ${title}`;
   }
 }

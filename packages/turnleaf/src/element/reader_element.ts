@@ -4,34 +4,31 @@
  */
 
 import { type Corner, type DogEar, dogEarSize, foldedDegrees } from "../book/dog_ears.ts";
-import { meetsSpine, type PageFold, type PagePlace } from "../book/page_folds.ts";
+import { faceIn, placePages } from "../book/layout.ts";
+import type { PageMove } from "../book/moved_lists.ts";
+import type { PageFold, PagePlace } from "../book/page_folds.ts";
 import { leafOf, spineOf } from "../book/spreads.ts";
 import type { BookState } from "../book/turning.ts";
 import type { Reading } from "../read_aloud/reading.ts";
 import { loadPart } from "../sources/load_part.ts";
+import type { PageList } from "../sources/page_list.ts";
 import {
   type BookDetail,
   BookError,
-  type NewIndex,
   type OutlineEntry,
   type PagePicture,
-  type PageSource,
 } from "../sources/page_source.ts";
 import type { SearchHit } from "../text/searching.ts";
+import { bindingOptionsOf } from "./attributes.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
 import type { FilmRecorder, RecordOptions } from "./film_recorder.ts";
 import { cleanDogEars, cleanFolds, withDogEars } from "./fold_lists.ts";
+import { emptyLists, movedLists, type PageLists } from "./page_lists.ts";
 import { cleanPages } from "./page_numbers.ts";
-import type { PlaceKeeper } from "./place_keeper.ts";
+import type { HomePlace, PlaceKeeper } from "./place_keeper.ts";
 import type { PrintOptions } from "./printing.ts";
 import { ReflectingElement } from "./reflecting_element.ts";
 import { SlideShow } from "./slide_show.ts";
-
-/** Why a page is not folded. */
-const noFold =
-  "A fold needs a page, two places on it (x and y from 0 to 1) and an angle from -180 to 180 degrees.";
-const atSpine = "A page cannot be folded along a line that meets its spine.";
-const tooNear = "This line is too near to other folds of the page, or to its edges.";
 
 /** Maximum width of a page drawn for a caller, pixels. */
 const widestDrawn = 2048;
@@ -56,16 +53,22 @@ export abstract class ReaderElement extends ReflectingElement {
    * @internal
    */
   protected abstract get book(): OpenBook | null;
+  /**
+   * Returns lists of the pages of the whole book with what they said of those that are torn out.
+   *
+   * @internal
+   */
+  protected abstract addTornPages(lists: PageLists): PageLists;
 
   /** Keeps the place, once an attribute has asked for it. */
   #place: PlaceKeeper | null = null;
   readonly #show = new SlideShow(this, () =>
     this.emit("playchange", { playing: this.#show.playing }),
   );
-  #bookmarks: readonly number[] = [];
-  #shifts: readonly number[] = [];
-  #dogEars: readonly DogEar[] = [];
-  #folds: readonly PageFold[] = [];
+  /** What names pages, as they lie now. */
+  #lists: PageLists = emptyLists;
+  /** The lists of which listeners know. */
+  #reportedLists: PageLists = emptyLists;
   /** The last fold that was asked for: they are made one after the other. */
   #folding: Promise<unknown> = Promise.resolve();
   #film: FilmRecorder | null = null;
@@ -140,14 +143,15 @@ export abstract class ReaderElement extends ReflectingElement {
 
   /** The bookmarked pages, from 1, in order; at most 500. */
   get bookmarks(): readonly number[] {
-    return this.#bookmarks;
+    return this.#lists.bookmarks;
   }
 
   set bookmarks(pages: readonly number[]) {
-    this.#bookmarks = cleanPages(pages);
-    const ears = this.#dogEars.filter(({ page }) => this.#bookmarks.includes(page));
-    void this.#foldCorners(this.foldBookmarks ? withDogEars(ears, this.#bookmarks) : ears, true);
-    this.emit("bookmarkchange", { bookmarks: this.#bookmarks });
+    const bookmarks = cleanPages(pages);
+    this.#list({ bookmarks });
+    const ears = this.#lists.dogEars.filter(({ page }) => bookmarks.includes(page));
+    void this.#foldCorners(this.foldBookmarks ? withDogEars(ears, bookmarks) : ears, true);
+    this.emit("bookmarkchange", { bookmarks: this.#lists.bookmarks });
   }
 
   /**
@@ -156,7 +160,7 @@ export abstract class ReaderElement extends ReflectingElement {
    * `remember` keeps them. Entries that are none are left out. A book on the flat shows none.
    */
   get dogEars(): readonly DogEar[] {
-    return this.#dogEars;
+    return this.#lists.dogEars;
   }
 
   set dogEars(ears: readonly DogEar[]) {
@@ -181,7 +185,7 @@ export abstract class ReaderElement extends ReflectingElement {
     // On the other side of its leaf the same corner cannot be folded too.
     const isSameCorner = (other: DogEar): boolean =>
       other.corner === ear.corner && leafOf(binding, other.page) === leafOf(binding, page);
-    const others = this.#dogEars.filter((other) => other.page !== page && !isSameCorner(other));
+    const others = this.dogEars.filter((other) => other.page !== page && !isSameCorner(other));
     return this.#bookmarkDogEars(cleanDogEars([...others, ear]), true);
   }
 
@@ -192,7 +196,7 @@ export abstract class ReaderElement extends ReflectingElement {
    * none.
    */
   get folds(): readonly PageFold[] {
-    return this.#folds;
+    return this.#lists.folds;
   }
 
   set folds(folds: readonly PageFold[]) {
@@ -233,19 +237,19 @@ export abstract class ReaderElement extends ReflectingElement {
   protected openFolds(page: number): Promise<boolean> | null {
     const has = (folds: readonly { readonly page: number }[]) =>
       folds.some((fold) => fold.page === page);
-    const [hasCorner, hasFolds] = [has(this.#dogEars), has(this.#folds)];
+    const [hasCorner, hasFolds] = [has(this.dogEars), has(this.folds)];
     if (!hasCorner && !hasFolds) return null;
-    const others = this.#folds.filter((fold) => fold.page !== page);
+    const others = this.folds.filter((fold) => fold.page !== page);
     // Of two that are opened at once the second would not be seen.
-    if (hasCorner && hasFolds) this.#folds = others;
+    if (hasCorner && hasFolds) this.#list({ folds: others });
     const opened = hasCorner
       ? this.#foldCorners(
-          this.#dogEars.filter((ear) => ear.page !== page),
+          this.dogEars.filter((ear) => ear.page !== page),
           true,
         )
       : this.#foldPages(others, true);
     if (hasCorner && hasFolds) this.emit("foldchange", { folds: others });
-    if (this.#bookmarks.includes(page) && hasCorner) this.toggleBookmark(page);
+    if (this.bookmarks.includes(page) && hasCorner) this.toggleBookmark(page);
     return opened;
   }
 
@@ -256,7 +260,7 @@ export abstract class ReaderElement extends ReflectingElement {
    * @internal
    */
   protected foldOpened(): void {
-    if (this.#dogEars.length > 0 || this.#folds.length > 0 || this.foldBookmarks)
+    if (this.dogEars.length > 0 || this.folds.length > 0 || this.foldBookmarks)
       void this.#refold(false);
   }
 
@@ -268,52 +272,127 @@ export abstract class ReaderElement extends ReflectingElement {
    * they are of the open book, and `remember` keeps them.
    */
   get shifts(): readonly number[] {
-    return this.#shifts;
+    return this.#lists.shifts;
   }
 
   set shifts(pages: readonly number[]) {
     const shifts = cleanPages(pages);
-    if (shifts.join() === this.#shifts.join()) return;
-    this.#shifts = shifts;
+    if (shifts.join() === this.shifts.join()) return;
+    this.#list({ shifts });
     this.book?.viewer.rebind({ shifts });
     this.emit("shiftchange", { shifts });
   }
 
   /** Shifts the offset at a page (from 1), by default the first visible one, or undoes that. */
   toggleShift(page: number = this.page): void {
-    this.shifts = toggled(this.#shifts, page);
+    this.shifts = toggled(this.shifts, page);
   }
 
   /**
-   * Moves bookmarks, folds and shifts with their pages.
+   * The lists that name pages, as they lie now. Once they are set, `reportLists` is to follow.
    *
    * @internal
    */
-  protected movePages(moved: NewIndex): void {
-    const place = moved.placeOf ?? moved;
-    const follow = (pages: readonly number[]): number[] =>
-      pages.flatMap((page) => {
-        const index = place(page - 1);
-        return index === null ? [] : [index + 1];
-      });
-    const ears = this.#dogEars.flatMap((ear) =>
-      follow([ear.page]).map((page) => ({ ...ear, page })),
-    );
-    void this.#foldCorners(ears, false);
-    const folds = this.#folds.flatMap((fold) =>
-      follow([fold.page]).map((page) => ({ ...fold, page })),
-    );
-    void this.#foldPages(folds, false);
-    const bookmarks = follow(this.#bookmarks);
-    if (bookmarks.join() !== this.#bookmarks.join()) this.bookmarks = bookmarks;
-    this.shifts = follow(this.#shifts);
+  protected get lists(): PageLists {
+    return this.#lists;
+  }
+
+  protected set lists(lists: PageLists) {
+    this.#lists = lists;
+  }
+
+  /**
+   * Takes over what an attribute says of pages as they lie now.
+   *
+   * @internal
+   */
+  protected listPages(name: "hardPages" | "stocks", list: string): void {
+    this.#list({ [name]: list });
+  }
+
+  /**
+   * Has the lists follow the pages; `reportLists` is to follow.
+   *
+   * @param pageCount of the book before
+   *
+   * @internal
+   */
+  protected moveLists(move: PageMove, pageCount: number): void {
+    this.#lists = movedLists(this.#lists, move, pageCount);
+  }
+
+  /**
+   * Returns what says on which face a page (from 1) lies where two are shown side by side, in the
+   * order of reading: an odd face and the next one face each other.
+   *
+   * @internal
+   */
+  pageFaces(): (page: number) => number {
+    const { source, shifts } = this;
+    const { offset } = bindingOptionsOf(this);
+    const inSpread = source?.inSpread.bind(source);
+    const placed = placePages(this.pageCount, { offset, shifts }, inSpread);
+    return (page) => faceIn(placed, page);
+  }
+
+  /**
+   * Reports the lists that have followed their pages, and shows the open book by them.
+   *
+   * @internal
+   */
+  protected reportLists(): void {
+    const [before, now] = [this.#reportedLists, this.#lists];
+    this.#reportedLists = now;
+    const { bookmarks, dogEars, folds, shifts, hardPages, stocks } = now;
+    const isOther = (name: keyof PageLists): boolean =>
+      JSON.stringify(now[name]) !== JSON.stringify(before[name]);
+    this.book?.viewer.rebind({ shifts, hardPages, stocks });
+    if (isOther("dogEars") || isOther("folds")) void this.#refold(false);
+    if (isOther("dogEars")) this.emit("dogearchange", { dogEars });
+    if (isOther("folds")) this.emit("foldchange", { folds });
+    if (isOther("shifts")) this.emit("shiftchange", { shifts });
+    // A bookmark that has come back may want its corner folded.
+    if (isOther("bookmarks")) this.bookmarks = bookmarks;
+  }
+
+  /**
+   * Where the open book lies and what names its pages, by the pages that it has when it is opened
+   * again: without those that were added, and with those that were removed or torn out.
+   *
+   * @internal
+   */
+  protected get homePlace(): HomePlace {
+    const { source } = this;
+    if (source === undefined) return { page: this.page, lists: this.#lists };
+    const home = (index: number): number | null => source.homeOf(source.pagesAt([index])[0]);
+    const lists = this.addTornPages(movedLists(this.#lists, home, source.pageCount));
+    // A page that was added has the place of the one before it.
+    let at = this.page - 1;
+    while (at > 0 && home(at) === null) at--;
+    return { page: (home(at) ?? 0) + 1, lists };
+  }
+
+  /**
+   * Has the lists name the pages of the book as it is opened again; `reportLists` is to follow.
+   *
+   * @internal
+   */
+  protected returnLists(): void {
+    const { hardPages, stocks } = this;
+    this.#lists = { ...this.homePlace.lists, hardPages, stocks };
+  }
+
+  /** Takes lists over, of which listeners know or are about to. */
+  #list(lists: Partial<PageLists>): void {
+    this.#lists = { ...this.#lists, ...lists };
+    this.#reportedLists = { ...this.#reportedLists, ...lists };
   }
 
   #bookmarkDogEars(ears: readonly DogEar[], isSeen: boolean): Promise<boolean> {
     const folded = this.#foldCorners(ears, isSeen);
     const pages = ears.map(({ page }) => page);
-    if (pages.some((page) => !this.#bookmarks.includes(page))) {
-      this.bookmarks = [...this.#bookmarks, ...pages];
+    if (pages.some((page) => !this.bookmarks.includes(page))) {
+      this.bookmarks = [...this.bookmarks, ...pages];
     }
     return folded;
   }
@@ -328,16 +407,16 @@ export abstract class ReaderElement extends ReflectingElement {
 
   /** Takes a list of folded corners over. Returns whether it is another. */
   #listDogEars(ears: readonly DogEar[]): boolean {
-    if (JSON.stringify(ears) === JSON.stringify(this.#dogEars)) return false;
-    this.#dogEars = ears;
+    if (JSON.stringify(ears) === JSON.stringify(this.dogEars)) return false;
+    this.#list({ dogEars: ears });
     this.emit("dogearchange", { dogEars: ears });
     return true;
   }
 
   /** Takes a list of folds over. Returns whether it is another. */
   #listFolds(folds: readonly PageFold[]): boolean {
-    if (JSON.stringify(folds) === JSON.stringify(this.#folds)) return false;
-    this.#folds = folds;
+    if (JSON.stringify(folds) === JSON.stringify(this.folds)) return false;
+    this.#list({ folds });
     this.emit("foldchange", { folds });
     return true;
   }
@@ -347,12 +426,12 @@ export abstract class ReaderElement extends ReflectingElement {
    * all is folded.
    */
   async #refold(isSeen: boolean): Promise<boolean> {
-    const [ears, folds] = [this.#dogEars, this.#folds];
+    const { dogEars: ears, folds } = this.#lists;
     const asked = [...ears, ...folds];
     const found = await this.book?.viewer.fold(asked, isSeen);
     if (!found) return false;
     // Others may have been set, or another book opened.
-    if (this.#dogEars === ears && this.#folds === folds) {
+    if (this.dogEars === ears && this.folds === folds) {
       this.#listDogEars(cleanDogEars(found));
       this.#listFolds(cleanFolds(found));
     }
@@ -360,30 +439,22 @@ export abstract class ReaderElement extends ReflectingElement {
   }
 
   async #foldLine(asked: PageFold): Promise<boolean> {
+    const { foldAlong } = await loadPart(import("./line_folds.ts"));
     const viewer = this.book?.viewer;
-    if (viewer === undefined || asked.page > this.pageCount) return false;
-    const [fold] = cleanFolds([{ ...asked, angle: asked.angle === 0 ? 1 : asked.angle }]);
-    if (fold === undefined) throw new BookError(noFold);
-    const spine = spineOf(viewer.binding, fold.page);
-    if (spine === "board") return false;
-    if (meetsSpine(fold, spine)) throw new BookError(atSpine);
-    const before = this.#folds;
-    const folds = cleanFolds([...before, { ...fold, angle: asked.angle }]);
-    const ears = this.#dogEars;
-    const found = await viewer.fold([...ears, ...folds], true);
-    if (!found) return false;
-    if (!folds.every((one) => found.includes(one))) throw new BookError(tooNear);
+    if (viewer === undefined) return false;
+    const { folds: before, dogEars } = this.#lists;
+    const folds = await foldAlong(asked, viewer, this.#lists);
     // Others may have been set, or another book opened.
-    if (this.#folds !== before) return false;
+    if (folds === null || this.folds !== before) return false;
     this.#listFolds(folds);
     // Corners that were folded meanwhile were folded without this one.
-    if (this.#dogEars !== ears) void this.#refold(false);
+    if (this.dogEars !== dogEars) void this.#refold(false);
     return true;
   }
 
   /** Bookmarks a page (from 1), by default the first visible one, or removes its bookmark. */
   toggleBookmark(page: number = this.page): void {
-    this.bookmarks = toggled(this.#bookmarks, page);
+    this.bookmarks = toggled(this.bookmarks, page);
   }
 
   /** Whether a leaf or a board is moving or held. */
@@ -572,7 +643,7 @@ export abstract class ReaderElement extends ReflectingElement {
    * The open book's pages.
    * @internal
    */
-  protected get source(): PageSource | undefined {
+  protected get source(): PageList | undefined {
     return this.book?.source;
   }
 
@@ -587,7 +658,8 @@ export abstract class ReaderElement extends ReflectingElement {
     const { PlaceKeeper } = await loadPart(import("./place_keeper.ts"));
     // Both attributes may have asked.
     if (this.#place) return;
-    this.#place = new PlaceKeeper(this, () => this.source);
+    const source = () => this.source;
+    this.#place = new PlaceKeeper(this, source, () => this.homePlace);
     if (this.isConnected) this.#place.follow();
   }
 
@@ -621,10 +693,8 @@ export abstract class ReaderElement extends ReflectingElement {
     this.pause();
     this.stopReadingAloud();
     this.#place?.closed();
-    this.#bookmarks = [];
-    this.#dogEars = [];
-    this.#folds = [];
-    this.#shifts = [];
+    const { hardPages, stocks } = this;
+    this.#list({ ...emptyLists, hardPages, stocks });
   }
 
   /**
@@ -635,7 +705,7 @@ export abstract class ReaderElement extends ReflectingElement {
    *
    * @internal
    */
-  protected async restorePlace(source: PageSource, src: string): Promise<void> {
+  protected async restorePlace(source: PageList, src: string): Promise<void> {
     await this.#place?.restore(source, src);
   }
 
@@ -645,7 +715,7 @@ export abstract class ReaderElement extends ReflectingElement {
    *
    * @internal
    */
-  protected keptPage(source: PageSource | undefined, left: number | null): number | null {
+  protected keptPage(source: PageList | undefined, left: number | null): number | null {
     return this.#place ? this.#place.opening(source, left) : left;
   }
 }

@@ -346,7 +346,8 @@ export class ReflectingElement extends Base {
   }
 
   /**
-   * Pages of board, as numbers and ranges from 1, such as "1-2,9".
+   * Pages of board, as numbers and ranges from 1, such as "1-2,9". They are pages of the book as
+   * it lies when the list is set, and stay of board as others come and go.
    * @attribute hard-pages
    * @default ""
    */
@@ -364,8 +365,9 @@ export class ReflectingElement extends Base {
    * number alone is of the stock before it. A leaf whose two pages are of
    * different stocks is of the one named last. All others are of `stock`, but for
    * those of `hard-pages`, which are board, and a soft cover's, which are card.
-   * Pages beyond the last count for nothing: "board 1-999" is a book of board. An
-   * open book is bound anew where it lies open.
+   * Pages beyond the last count for nothing: "board 1-999" is a book of board. As
+   * other pages come and go, those of the list keep their stock, and what comes between two of a
+   * range has theirs. An open book is bound anew where it lies open.
    *
    * @attribute stocks
    * @default ""

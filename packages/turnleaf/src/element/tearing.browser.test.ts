@@ -7,7 +7,10 @@ import { TestClock } from "../for_tests/test_clock.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 
 keepWhatIsDrawn();
-afterEach(() => document.body.replaceChildren());
+afterEach(() => {
+  vi.restoreAllMocks();
+  document.body.replaceChildren();
+});
 
 async function opened(attributes: Record<string, string> = {}, count = 12): Promise<TurnleafBook> {
   const element = book(scans(count), {
@@ -322,6 +325,47 @@ test("a leaf torn off while the one before it turns leaves the book open behind 
   // Pages 5 and 6 are out: beside 4 lies what was 7.
   const { pageCount, spread } = element;
   expect([pageCount, spread, pages]).toEqual([10, { left: 4, right: 5 }, [4]]);
+});
+
+test("a leaf whose corner is lifted under a mouse is torn out by command", async () => {
+  const element = await opened();
+  const pointer = new TestPointer(element);
+  const { right, top } = element.bookBounds as DOMRect;
+  const clock = new TestClock();
+  pointer.point("pointermove", right - 5, top + 5);
+  clock.frames(6);
+  expect(element.state).toBe("lifting");
+  const torn = element.tearOut(5);
+  await clock.until(() => element.tornLeaves === 1 || element.settled);
+  await clock.until(() => element.settled);
+  vi.restoreAllMocks();
+  expect([await torn, element.pageCount]).toEqual([true, 10]);
+});
+
+test("in a book of single pages a page is torn out by its outer edge, and elsewhere the one before it comes back", async () => {
+  const element = await opened({ layout: "single" });
+  expect(element.spread).toEqual({ left: null, right: 5 });
+  const { left, right, top } = element.bookBounds as DOMRect;
+  const clock = new TestClock();
+  const pointer = new TestPointer(element);
+  /** Pulls from a place at the head of the page outward. */
+  const pullFrom = (x: number): void => {
+    pointer.point("pointerdown", x, top + 8);
+    for (let k = 1; element.tornLeaves === 0 && k <= 60; k++) {
+      pointer.point("pointermove", x + 6 * k, top + 8 - 1.8 * k, { buttons: 1 });
+      clock.frames(1);
+    }
+  };
+  pullFrom((left + right) / 2);
+  pointer.wait(1000);
+  expect([element.tornLeaves, element.state]).toEqual([0, "dragged"]);
+  pointer.point("pointerup", 0, 0);
+  await clock.until(() => element.settled);
+  expect([element.page, element.pageCount]).toEqual([4, 12]);
+  pullFrom(right - 6);
+  pointer.point("pointerup", 0, 0);
+  await clock.until(() => element.settled);
+  expect([element.tornLeaves, element.pageCount]).toEqual([1, 11]);
 });
 
 test("a loose sheet is torn across by command; both pieces stay, and its pages are put back whole", async () => {

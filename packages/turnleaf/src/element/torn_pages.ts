@@ -1,51 +1,51 @@
-/** The pages of an element's book that were torn out, and may be put back. */
+/**
+ * The pages of an element's book that were torn out, and may be put back. Loaded when a book may be
+ * torn.
+ */
 
-import type { PageList, TakenPages } from "../sources/page_list.ts";
-import { BookError, type NewIndex, placeOf } from "../sources/page_source.ts";
-import type { TearOwner } from "../viewer/viewer_options.ts";
+import type { ListedPages, PageList } from "../sources/page_list.ts";
+import { BookError } from "../sources/page_source.ts";
 import type { OpenBook } from "./book_lifecycle.ts";
+import type { PageLists } from "./page_lists.ts";
+import { notesOf, numbersOf, type PageNotes, withNotes } from "./page_notes.ts";
+import { cleanPages } from "./page_numbers.ts";
 
 /** What torn pages need of their element. */
 export interface TornPagesHost {
   /** Returns the open book. */
   readonly book: () => OpenBook | null;
-  /** Returns how leaves are bound; null if none may be torn out. */
-  readonly line: TearOwner["line"];
-  /** Asks listeners whether pages (from 1) may be torn out. */
-  readonly ask: (pages: readonly number[]) => boolean;
   /** Pages are torn out. */
   readonly torn: (pages: readonly number[]) => void;
-  /** The book's pages lie elsewhere. */
-  readonly changed: (moved: NewIndex) => void;
-  /** Returns the bookmarked pages (from 1). */
-  readonly bookmarks: () => readonly number[];
-  /** Bookmarks pages (from 1) besides those that are bookmarked. */
-  readonly bookmark: (pages: readonly number[]) => void;
+  /** The book has other pages. */
+  readonly changed: () => void;
+  /** What names pages. A change is reported with the next of the pages. */
+  lists: PageLists;
+  /**
+   * Returns on which face of its leaf a page (from 1) lies, 0 or 1 in the order of reading; null
+   * where each leaf has one page.
+   */
+  readonly faceOf: (page: number) => number | null;
   /** Turns to a page (from 1) without motion. */
   readonly show: (page: number) => void;
-  /** Work was done in tearing, J. */
-  readonly heard: (work: number) => void;
 }
 
-/** A leaf that is out: its pages, and where they were. */
+/** A leaf that is out. */
 interface TornLeaf {
   readonly id: number;
-  readonly pages: TakenPages;
-  /** Which of its pages were bookmarked, from 0. */
-  readonly bookmarked: readonly number[];
-  /** Index (from 0) before which they belong. */
-  at: number;
+  readonly pages: ListedPages;
+  /** What lists said of them. */
+  readonly notes: PageNotes;
+  /** Whether the pages after it lie on the faces where they lay. */
+  readonly keepsFaces: boolean;
 }
 
 /** Keeps the torn leaves of one book, the last one torn last. */
-export class TornPages implements TearOwner {
+export class TornPages {
   readonly #host: TornPagesHost;
   #leaves: TornLeaf[] = [];
   /** The pages of the book that they are out of. */
   #source: PageList | null = null;
   #lastId = 0;
-  /** Whether a change of pages is this one's own: others move what is out. */
-  #isOwn = false;
 
   constructor(host: TornPagesHost) {
     this.#host = host;
@@ -56,34 +56,44 @@ export class TornPages implements TearOwner {
     return this.#host.book() === null ? 0 : this.#leaves.length;
   }
 
-  line(): ReturnType<TearOwner["line"]> {
-    return this.#host.line();
+  /** Returns lists of the pages of the source that the book was opened from, with those that are out of it. */
+  addTo(lists: PageLists): PageLists {
+    const source = this.#source;
+    if (this.#host.book() === null || source === null) return lists;
+    return this.#leaves.reduce((all, { notes, pages }) => {
+      const homes = pages.map((page) => source.homeOf(page));
+      return withNotes(all, notes, numbersOf(homes));
+    }, lists);
   }
 
-  mayTear(pages: readonly number[]): boolean {
-    return this.#host.ask(pages);
-  }
-
-  heard(work: number): void {
-    this.#host.heard(work);
-  }
-
+  /** Takes pages (from 1) out of the book, as `TearOwner` says. */
   takeOut(pages: readonly number[]): number | null {
     const book = this.#host.book();
     if (book === null) return null;
-    const place = book.source.track(pages[0] - 1);
+    const leaf = book.source.pagesAt(pages.map((page) => page - 1));
     const id = ++this.#lastId;
-    const marks = this.#host.bookmarks();
-    const bookmarked = [...pages.keys()].filter((k) => marks.includes(pages[k]));
+    const notes = notesOf(this.#host.lists, pages, book.source.pageCount);
+    let isOut = false;
+    let keepFaces = noFaces;
     // The viewer lies at rest: the change is made at once, after those that waited for that.
-    const isOut = this.#change(book, () => {
-      const at = place();
-      const { pages: taken, moved } = book.source.take(at, pages.length);
-      this.#leaves.push({ id, pages: taken, bookmarked, at });
-      return moved;
+    const made = book.changePages(
+      () => {
+        keepFaces = this.#facesAfter(book.source, leaf);
+        const moved = book.source.takeOut(leaf);
+        this.#leaves.push({ id, pages: leaf, notes, keepsFaces: keepFaces !== noFaces });
+        isOut = true;
+        return moved;
+      },
+      () => keepFaces(),
+    );
+    // A book keeps its last page, and the leaf's own may have been removed meanwhile.
+    made.catch((error: unknown) => {
+      if (!(error instanceof BookError)) throw error;
     });
-    if (isOut) this.#host.torn(pages);
-    return isOut ? id : null;
+    if (!isOut) return null;
+    this.#host.changed();
+    this.#host.torn(pages);
+    return id;
   }
 
   /** Puts the pages that were torn out last back. They lie open then. Resolves to whether there were any. */
@@ -91,36 +101,32 @@ export class TornPages implements TearOwner {
     const book = this.#host.book();
     const leaf = book && this.#leaves.pop();
     if (!leaf) return false;
-    let moved = null as NewIndex | null;
+    const { source, viewer } = book;
+    let isBack = false;
+    let keepFaces = noFaces;
+    // Text that was set anew meanwhile may have fewer pages there.
+    const numbers = () => numbersOf(leaf.pages.map((page) => source.indexOf(page)));
     try {
-      await book.viewer.changePages(() => {
-        moved = book.elements.after(
-          () => book.source.putBack(leaf.at, leaf.pages) ?? ((index) => index),
-        );
-        return moved;
-      });
+      isBack = await book.changePages(
+        () => {
+          if (leaf.keepsFaces) keepFaces = this.#facesAfter(source, leaf.pages);
+          return source.putBack(leaf.pages);
+        },
+        () => {
+          this.#host.lists = withNotes(this.#host.lists, leaf.notes, numbers());
+          keepFaces();
+        },
+      );
     } finally {
       // It stays out.
-      if (moved === null && this.#host.book()?.source === this.#source) this.#leaves.push(leaf);
+      if (!isBack && this.#host.book()?.source === this.#source) this.#leaves.push(leaf);
     }
-    if (moved === null) return false;
-    book.viewer.removeSheet(leaf.id);
-    this.#changed(book, moved);
-    // Text that was set anew meanwhile may have fewer pages there.
-    const back = leaf.bookmarked.filter((k) => k < leaf.pages.length);
-    if (back.length > 0) this.#host.bookmark(back.map((k) => leaf.at + 1 + k));
-    this.#host.show(leaf.at + 1);
+    if (!isBack) return false;
+    viewer.removeSheet(leaf.id);
+    this.#host.changed();
+    const first = numbers().find((page) => page !== null);
+    if (first !== undefined) this.#host.show(first);
     return true;
-  }
-
-  /** Follows other changes of the pages: what is out stays after the page that it followed. */
-  move(moved: NewIndex): void {
-    if (this.#isOwn) return;
-    for (const leaf of this.#leaves) {
-      const before = leaf.at - 1;
-      // Where the page before it was removed, what has its place comes after it.
-      if (leaf.at > 0) leaf.at = placeOf(moved, before) + (moved(before) === null ? 0 : 1);
-    }
   }
 
   /** Call it when a book is open: forgets what is out of another. */
@@ -129,25 +135,28 @@ export class TornPages implements TearOwner {
     this.#source = source;
   }
 
-  #change(book: OpenBook, change: () => NewIndex): boolean {
-    let moved = null as NewIndex | null;
-    const made = book.viewer.changePages(() => {
-      moved = book.elements.after(change);
-      return moved;
-    });
-    // A book keeps its last page: that one stays bound.
-    made.catch((error: unknown) => {
-      if (!(error instanceof BookError)) throw error;
-    });
-    if (moved === null) return false;
-    this.#changed(book, moved);
-    return true;
-  }
-
-  #changed(book: OpenBook, moved: NewIndex): void {
-    book.reading.changed();
-    this.#isOwn = true;
-    this.#host.changed(moved);
-    this.#isOwn = false;
+  /**
+   * Returns what keeps the pages after a leaf on the faces of theirs where they lie now: a leaf
+   * with a bare face takes two faces along, and one page.
+   */
+  #facesAfter(source: PageList, leaf: ListedPages): () => void {
+    const next = source.after(leaf);
+    const faceOfNext = (): number | null => {
+      const index = next && source.indexOf(next);
+      return typeof index === "number" ? this.#host.faceOf(index + 1) : null;
+    };
+    const before = faceOfNext();
+    if (next === undefined || before === null) return noFaces;
+    return () => {
+      if (faceOfNext() === before) return;
+      const page = (source.indexOf(next) ?? 0) + 1;
+      const { lists } = this.#host;
+      const others = lists.shifts.filter((shift) => shift !== page);
+      const isShifted = others.length < lists.shifts.length;
+      this.#host.lists = { ...lists, shifts: isShifted ? others : cleanPages([...others, page]) };
+    };
   }
 }
+
+/** Keeps no faces. */
+const noFaces = (): void => undefined;

@@ -12,7 +12,6 @@ export class FakeBook extends HTMLElement implements ControlledBook {
   bookTitle = "A Book";
   direction: "ltr" | "rtl" = "ltr";
   spread = { left: 4, right: 5 };
-  offset: 0 | 1 = 1;
   shownLayout: "spread" | "single" = "spread";
   scrolled = false;
   zoom = 1;
@@ -35,6 +34,10 @@ export class FakeBook extends HTMLElement implements ControlledBook {
 
   label(page: number): string {
     return page <= 6 ? (["i", "ii", "iii", "iv", "v", "vi"][page - 1] ?? "") : String(page - 6);
+  }
+
+  pageFaces(): (page: number) => number {
+    return (page) => page - 1 + this.shifts.filter((shift) => shift <= page).length;
   }
 
   async #turn(name: string, page: number): Promise<boolean> {
@@ -114,7 +117,29 @@ export class FakeBook extends HTMLElement implements ControlledBook {
     this.dispatchEvent(new CustomEvent("shiftchange"));
   }
 
+  foldOut: "none" | "shut" | "open" = "none";
+  toggleFoldOut(): boolean {
+    this.asked.push("fold-out");
+    return true;
+  }
+
+  tearablePage: number | null = null;
+  async tearOut(page: number): Promise<boolean> {
+    this.asked.push(`tear out ${page}`);
+    return true;
+  }
+
   tornLeaves = 0;
+  hasWholeSheet = false;
+  crumple(): boolean {
+    this.asked.push("crumple");
+    return true;
+  }
+
+  tearAcross(): boolean {
+    this.asked.push("tear across");
+    return true;
+  }
 
   async putBack(): Promise<boolean> {
     this.asked.push("put back");

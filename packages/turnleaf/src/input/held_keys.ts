@@ -1,4 +1,4 @@
-/** Keys of the book itself: they turn one leaf, zoom, and pan while zoomed. */
+/** Keys of the book itself: they turn one leaf, unfold a page, zoom, and pan while zoomed. */
 
 import { turnOfKey } from "../book/layout.ts";
 import type { Place } from "../stage/book_stage.ts";
@@ -35,21 +35,25 @@ export class Keys {
   /** Handles a key that goes down. Keys with Ctrl, Alt or Meta belong to the browser. */
   press(event: KeyboardEvent): void {
     if (event.defaultPrevented || event.altKey || event.ctrlKey || event.metaKey) return;
-    if (!this.#isMeant(event.composedPath()[0])) return;
-    const done = this.#zoom(event.key) || this.#pan(event.key);
+    if (!this.#isBook(event.composedPath()[0]) && !this.#isOnPage(event.composedPath()[0])) return;
+    const done = this.#zoom(event.key) || this.#pan(event.key) || this.#toggleFoldOut(event);
     const by = done ? 0 : turnOfKey(event.key, this.#target.viewer.binding.edge);
     if (!done && by === 0) return;
     event.preventDefault();
     if (by !== 0) this.#target.turn(by);
   }
 
-  /**
-   * Returns whether a key pressed there is the book's: not a field's on a page,
-   * nor one of the controls beside it.
-   */
-  #isMeant(target: EventTarget | undefined): boolean {
+  /** Returns whether the book itself has the focus. */
+  #isBook(target: EventTarget | undefined): boolean {
     // The frame around the stage and the controls takes the focus for the book.
-    if (target === this.#element || target === this.#stage.parentElement) return true;
+    return target === this.#element || target === this.#stage.parentElement;
+  }
+
+  /**
+   * Returns whether a key pressed on a page is the book's: not a field's, nor one of the controls
+   * beside it.
+   */
+  #isOnPage(target: EventTarget | undefined): boolean {
     if (keepsKeys(target)) return false;
     // Elements that are pages are children of the element itself.
     return this.#stage.contains(target as Node) || this.#element.contains(target as Node);
@@ -61,6 +65,13 @@ export class Keys {
     const level = Math.max(this.#target.viewer.zoomLevel * factor, 1);
     this.#glide(level, this.#middle);
     return true;
+  }
+
+  /** Unfolds the open page that is a fold-out, or folds it in: on a page the key is for what is there. */
+  #toggleFoldOut(event: KeyboardEvent): boolean {
+    if (event.key !== "Enter" || event.repeat || !this.#isBook(event.composedPath()[0]))
+      return false;
+    return this.#target.viewer.commands.toggleFoldOut();
   }
 
   /** Pans a zoomed book: the view goes where the arrows point. */

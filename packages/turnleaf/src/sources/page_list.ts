@@ -17,14 +17,19 @@ import {
   type TextRun,
 } from "./page_source.ts";
 
-/** A page of a list: which page (from 0) of which source it is. */
+/**
+ * A page of a list: which page (from 0) of which source it is. It is the same object for as long
+ * as the list has the page.
+ */
 interface Entry {
   readonly source: PageSource;
-  readonly index: number;
+  index: number;
+  /** Whether it is taken out, and may be put back. */
+  isOut: boolean;
 }
 
-/** Pages that were taken out of a list and may be put back. */
-export type TakenPages = readonly Entry[];
+/** Pages of a list, however others are added, removed or taken out. */
+export type ListedPages = readonly Entry[];
 
 /** Maximum of pages in a list: far more than a book has, few enough to keep in memory. */
 const mostPages = 100_000;
@@ -35,16 +40,18 @@ const mostPages = 100_000;
  * its pages is left.
  */
 export class PageList implements PageSource {
-  readonly #first: PageSource;
-  #entries: Entry[];
-  /** What was taken out: its sources stay open. */
-  readonly #taken = new Set<Entry[]>();
+  /** The source that the book was opened from. */
+  readonly first: PageSource;
+  /** The pages, in order, and among them those that are taken out, each where it belongs. */
+  #all: readonly Entry[] = [];
+  /** The pages, without those. */
+  #entries: readonly Entry[] = [];
   #listener: ((change: () => NewIndex) => void) | null = null;
   #onDrawing: ((index: number) => void) | null = null;
 
   constructor(source: PageSource) {
-    this.#first = source;
-    this.#entries = entriesOf(source);
+    this.first = source;
+    this.#set(entriesOf(source));
   }
 
   watchPages(listener: (change: () => NewIndex) => void): void {
@@ -64,19 +71,19 @@ export class PageList implements PageSource {
   }
 
   get title(): string {
-    return this.#first.title;
+    return this.first.title;
   }
 
   get language(): string {
-    return this.#first.language;
+    return this.first.language;
   }
 
   get direction(): "ltr" | "rtl" {
-    return this.#first.direction;
+    return this.first.direction;
   }
 
   get kind(): "typeset" | "scan" {
-    return this.#first.kind;
+    return this.first.kind;
   }
 
   get pageCount(): number {
@@ -84,32 +91,32 @@ export class PageList implements PageSource {
   }
 
   get openingPage(): number | undefined {
-    return this.#first.openingPage;
+    return this.first.openingPage;
   }
 
   get edge(): PageSource["edge"] {
-    return this.#first.edge;
+    return this.first.edge;
   }
 
   get layout(): PageSource["layout"] {
-    return this.#first.layout;
+    return this.first.layout;
   }
 
   get titleDirection(): PageSource["titleDirection"] {
-    return this.#first.titleDirection;
+    return this.first.titleDirection;
   }
 
   get details(): PageSource["details"] {
-    return this.#first.details;
+    return this.first.details;
   }
 
   get allows(): PageSource["allows"] {
-    return this.#first.allows;
+    return this.first.allows;
   }
 
   /** The first source's anchors; a page of another has that of the page before it. */
   get anchor(): PageSource["anchor"] {
-    const first = this.#first;
+    const first = this.first;
     if (!first.anchor) return undefined;
     return (index) => {
       const before = this.#entries.slice(0, index + 1).findLast(({ source }) => source === first);
@@ -119,25 +126,25 @@ export class PageList implements PageSource {
 
   /** Finds anchors of the first source, before it is watched. */
   get findAnchors(): PageSource["findAnchors"] {
-    const first = this.#first;
+    const first = this.first;
     if (!first.findAnchors) return undefined;
     return async (anchors) => {
       const found = (await first.findAnchors?.(anchors)) ?? [];
       // Its pages are counted anew.
-      if (this.#listener === null) this.#entries = entriesOf(first);
+      if (this.#listener === null) this.#set(entriesOf(first));
       return found;
     };
   }
 
   /** Sets the first source's text anew, if it can be. */
   get typeset(): PageSource["typeset"] {
-    const first = this.#first;
+    const first = this.first;
     return first.typeset?.bind(first);
   }
 
   /** The first source's file, while the book has no other pages. */
   get file(): (() => Promise<Blob>) | undefined {
-    const first = this.#first;
+    const first = this.first;
     const isWhole =
       this.#entries.length === first.pageCount &&
       this.#entries.every(({ source, index }, k) => source === first && index === k);
@@ -146,7 +153,7 @@ export class PageList implements PageSource {
 
   /** What is read aloud of the first source, on its pages that are left. */
   get narration(): Narration | undefined {
-    const first = this.#first;
+    const first = this.first;
     const { narration } = first;
     if (narration === undefined) return undefined;
     return {
@@ -228,90 +235,119 @@ export class PageList implements PageSource {
     const moved = (entries: readonly OutlineEntry[]): readonly OutlineEntry[] =>
       entries.map((entry) => ({
         ...entry,
-        page: entry.page && this.#pageOf(this.#first, entry.page),
+        page: entry.page && this.#pageOf(this.first, entry.page),
         children: moved(entry.children),
       }));
-    return moved((await this.#first.outline?.(signal)) ?? []);
+    return moved((await this.first.outline?.(signal)) ?? []);
   }
 
   /** Closes every source. */
   close(): void {
-    const kept = [this.#entries, ...this.#taken].flat();
-    const sources = new Set(kept.map(({ source }) => source)).add(this.#first);
-    this.#entries = [];
-    this.#taken.clear();
+    const sources = this.#sources;
+    this.#set([]);
     for (const source of sources) source.close();
   }
 
   /**
    * Replaces `count` pages from `at` (from 0) on by another source's pages; at
-   * the end, appends them. The list owns the source from then on.
+   * the end, appends them. The list owns the source from then on. Pages that are taken out stay
+   * after the page that they followed.
    *
    * @throws BookError if there are no such pages, or if none or too many would
    * be left; nothing has changed then
    */
   splice(at: number, count: number, source: PageSource | null): NewIndex {
-    const moved = this.#replace(at, count, source ? entriesOf(source) : []);
+    const { length } = this.#entries;
+    if (!Number.isInteger(at) || !(at >= 0 && count >= 0 && at + count <= length)) {
+      throw new BookError(`${this.title} has pages 1 to ${length} alone; name those.`);
+    }
+    const added = source ? entriesOf(source) : [];
+    const removed = new Set(this.#entries.slice(at, at + count));
+    const next = this.#entries[at];
+    const place = next === undefined ? this.#all.length : this.#all.indexOf(next);
+    const kept = (entry: Entry): boolean => !removed.has(entry);
+    const [before, after] = [this.#all.slice(0, place), this.#all.slice(place)];
+    checkCount(length - count + added.length);
+    const moved = this.#change([...before, ...added, ...after.filter(kept)]);
     if (source) {
       this.#watch(source);
       this.#watchDrawings(source);
     }
-    return moved;
+    if (added.length === 0 || count === 0) return moved;
+    // What replaces a page has its place.
+    const follow = (index: number): number =>
+      index >= at && index < at + count
+        ? at + Math.min(index - at, added.length - 1)
+        : (moved(index) as number);
+    return Object.assign((index: number) => moved(index), { placeOf: follow });
+  }
+
+  /** Returns pages (from 0), to be taken out wherever they lie by then. */
+  pagesAt(indices: readonly number[]): ListedPages {
+    return indices.flatMap((index) => this.#entries[index] ?? []);
+  }
+
+  /** Returns the page that follows others, in the list or taken out; undefined if none does. */
+  after(pages: ListedPages): ListedPages[number] | undefined {
+    const last = this.#all.findLastIndex((entry) => pages.includes(entry));
+    return this.#all.slice(last + 1).find(({ isOut }) => !isOut);
+  }
+
+  /** Returns which page (from 0) of the source that the book was opened from a page is; null for another's. */
+  homeOf(page: ListedPages[number] | undefined): number | null {
+    return page?.source === this.first ? page.index : null;
+  }
+
+  /** Returns where a page lies (from 0); null if it is taken out or no longer in the list. */
+  indexOf(page: ListedPages[number]): number | null {
+    const index = this.#entries.indexOf(page);
+    return index < 0 ? null : index;
   }
 
   /**
-   * Returns what says where the page that is page `at` (from 0) now lies after later changes; -1
-   * once it is not in the list.
-   */
-  track(at: number): () => number {
-    const entry = this.#entries[at];
-    return () => (entry ? this.#entries.indexOf(entry) : -1);
-  }
-
-  /**
-   * Takes `count` pages from `at` (from 0) on out of the list, which still owns their sources.
-   * Returns them, and where the others lie now.
+   * Takes pages out of the list, which still owns their sources, as far as they are in it. Returns
+   * where the others lie now.
    *
-   * @throws BookError as `splice` does
+   * @throws BookError if none of them is in the list, or no other; nothing has changed then
    */
-  take(at: number, count: number): { readonly pages: TakenPages; readonly moved: NewIndex } {
-    const pages = this.#entries.slice(at, at + count);
-    this.#taken.add(pages);
-    try {
-      return { pages, moved: this.#replace(at, count, []) };
-    } catch (error) {
-      this.#taken.delete(pages);
-      throw error;
-    }
+  takeOut(pages: ListedPages): NewIndex {
+    const present = pages.filter((page) => this.indexOf(page) !== null);
+    if (present.length === 0) throw new BookError("These pages were removed; name others.");
+    checkCount(this.pageCount - present.length);
+    for (const page of present) page.isOut = true;
+    return this.#change(this.#all);
   }
 
   /**
-   * Puts pages that were taken out back before page `at` (from 0, clamped to the list). Returns
-   * where the others lie now; null if they are not out.
+   * Puts pages that are taken out back where they belong. Returns where the others lie now.
+   *
+   * @throws BookError if there would be too many; nothing has changed then
    */
-  putBack(at: number, pages: TakenPages): NewIndex | null {
-    if (!this.#taken.delete(pages as Entry[])) return null;
-    return this.#replace(Math.min(Math.max(at, 0), this.pageCount), 0, pages);
+  putBack(pages: ListedPages): NewIndex {
+    const back = pages.filter((page) => page.isOut && this.#all.includes(page));
+    checkCount(this.pageCount + back.length);
+    for (const page of back) page.isOut = false;
+    return this.#change(this.#all);
   }
 
-  #replace(at: number, count: number, added: readonly Entry[]): NewIndex {
-    const before = this.#entries;
-    const left = before.length - count + added.length;
-    if (!Number.isInteger(at) || !(at >= 0 && count >= 0 && at + count <= before.length)) {
-      throw new BookError(`${this.title} has pages 1 to ${before.length} alone; name those.`);
-    }
-    if (left === 0) throw new BookError("A book needs a page; leave one of them.");
-    if (left > mostPages) throw new BookError(`A book has ${mostPages} pages at most; add fewer.`);
-    this.#entries = [...before.slice(0, at), ...added, ...before.slice(at + count)];
-    const kept = [this.#entries, ...this.#taken].flat();
-    const inUse = new Set(kept.map((entry) => entry.source)).add(this.#first);
-    for (const used of new Set(before.map((entry) => entry.source))) {
-      if (!inUse.has(used)) used.close();
-    }
-    return (index) => {
-      if (index < at) return index;
-      return index < at + count ? null : index - count + added.length;
-    };
+  /** The sources of all pages, those that are taken out too, and the first one. */
+  get #sources(): ReadonlySet<PageSource> {
+    return new Set(this.#all.map(({ source }) => source)).add(this.first);
+  }
+
+  #set(all: readonly Entry[]): void {
+    this.#all = all;
+    this.#entries = all.filter(({ isOut }) => !isOut);
+  }
+
+  /** Changes the pages, and closes sources without any. Returns where those from before lie now. */
+  #change(all: readonly Entry[]): NewIndex {
+    const [before, sources] = [this.#entries, this.#sources];
+    this.#set(all);
+    const inUse = this.#sources;
+    for (const source of sources) if (!inUse.has(source)) source.close();
+    const places = new Map(this.#entries.map((entry, index) => [entry, index]));
+    return (index) => places.get(before[index] as Entry) ?? null;
   }
 
   #watch(source: PageSource): void {
@@ -329,44 +365,50 @@ export class PageList implements PageSource {
 
   /**
    * Follows a source that has changed its pages. Pages of other sources stay
-   * after the page that they followed; pages that were removed stay away, and those that were
+   * after the page that they followed; pages that were removed stay away, and those that are
    * taken out are what has become of them.
    */
   #renumber(source: PageSource, change: () => NewIndex): NewIndex {
     const before = this.#entries;
     const count = source.pageCount;
+    const own = this.#all.filter((entry) => entry.source === source);
+    const ownIndex = new Map(own.map((entry) => [entry, entry.index]));
     const moved = change();
-    const placeIn = (own: number): number => Math.min(placeOf(moved, own), source.pageCount - 1);
-    const left = new Set(before.flatMap((entry) => (entry.source === source ? entry.index : [])));
-    const removed = new Set<number | null>();
-    for (let own = 0; own < count; own++) if (!left.has(own)) removed.add(moved(own));
+    const placeIn = (index: number): number =>
+      Math.min(placeOf(moved, index), source.pageCount - 1);
+    const removed = removedPages(new Set(ownIndex.values()), count, moved);
+    // The page that each of the source's pages now is. Where one is taken out, it stays out.
+    const pages = new Map<number, Entry>();
+    for (const entry of [...own].sort((a, b) => Number(b.isOut) - Number(a.isOut))) {
+      const index = moved(entry.index);
+      if (index !== null && !pages.has(index)) pages.set(index, entry);
+    }
     const after: Entry[] = [];
-    const newIndices: number[] = [];
     let next = 0;
     const addUntil = (end: number): void => {
-      for (; next < end; next++) if (!removed.has(next)) after.push({ source, index: next });
+      for (; next < end; next++) {
+        const page = pages.get(next);
+        if (removed.has(next) && !page?.isOut) continue;
+        after.push(page ?? { source, index: next, isOut: false });
+      }
     };
-    const last = before.findLastIndex((entry) => entry.source === source);
-    before.forEach((entry, k) => {
-      if (entry.source !== source) newIndices[k] = after.push(entry) - 1;
-      else addUntil(k === last ? source.pageCount : placeIn(entry.index) + 1);
-    });
-    this.#entries = after;
-    for (const taken of this.#taken) {
-      const kept = taken.flatMap((entry) => {
-        const index = entry.source === source ? moved(entry.index) : entry.index;
-        return index === null ? [] : [{ source: entry.source, index }];
-      });
-      const isFirst = (entry: Entry, k: number): boolean =>
-        kept.findIndex((one) => one.source === entry.source && one.index === entry.index) === k;
-      taken.splice(0, taken.length, ...kept.filter(isFirst));
+    for (const entry of this.#all) {
+      const index = ownIndex.get(entry);
+      if (index === undefined) after.push(entry);
+      else addUntil(entry === own.at(-1) ? source.pageCount : placeIn(index) + 1);
     }
-    const find = (own: number | null): number =>
-      after.findIndex((entry) => entry.source === source && entry.index === own);
-    const follow = (k: number, own: (index: number) => number | null): number | null => {
-      const entry = before[k];
-      const index = entry?.source === source ? find(own(entry.index)) : newIndices[k];
-      return index === undefined || index < 0 ? null : index;
+    for (const [index, page] of pages) page.index = index;
+    this.#set(after);
+    const places = new Map(this.#entries.map((entry, index) => [entry, index]));
+    const placeOfOwn = (index: number): number | null =>
+      places.get(pages.get(index) as Entry) ??
+      this.#entries.findIndex((entry) => entry.source === source && entry.index === index);
+    const follow = (k: number, move: (index: number) => number | null): number | null => {
+      const entry = before[k] as Entry;
+      const index = ownIndex.get(entry);
+      const now = index === undefined ? undefined : move(index);
+      const place = now === undefined ? places.get(entry) : now === null ? null : placeOfOwn(now);
+      return place === undefined || place === null || place < 0 ? null : place;
     };
     return Object.assign((k: number) => follow(k, moved), {
       placeOf: (k: number) => follow(k, placeIn) ?? 0,
@@ -395,6 +437,24 @@ export class PageList implements PageSource {
   }
 }
 
+/** @throws BookError if a list may not have so many pages */
+function checkCount(pages: number): void {
+  if (pages === 0) throw new BookError("A book needs a page; leave one of them.");
+  if (pages > mostPages) throw new BookError(`A book has ${mostPages} pages at most; add fewer.`);
+}
+
+/** Returns a source's pages as those of a list. */
 function entriesOf(source: PageSource): Entry[] {
-  return Array.from({ length: source.pageCount }, (_, index) => ({ source, index }));
+  return Array.from({ length: source.pageCount }, (_, index) => ({ source, index, isOut: false }));
+}
+
+/** Returns where the pages of a source now are that a list does not have, of so many before a change. */
+function removedPages(
+  listed: ReadonlySet<number>,
+  count: number,
+  moved: NewIndex,
+): ReadonlySet<number | null> {
+  const removed = new Set<number | null>();
+  for (let index = 0; index < count; index++) if (!listed.has(index)) removed.add(moved(index));
+  return removed;
 }

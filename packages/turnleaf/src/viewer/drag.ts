@@ -17,7 +17,7 @@ import { handAt } from "../picking/reach.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import type { BookStage, Place } from "../stage/book_stage.ts";
 import type { CornerPeek } from "./corner_peek.ts";
-import { CornerPress } from "./corner_press.ts";
+import type { CornerPress } from "./corner_press.ts";
 
 /** What a pointer can grab. */
 export interface DragHit extends Hit {
@@ -110,6 +110,12 @@ const beyondSpine = 0.12;
  */
 const nearSpine = 0.35;
 
+/**
+ * From this u on a page that stands alone is itself pulled away from its spine where leaves may be
+ * torn out: closer to the spine such a pull brings the previous page back.
+ */
+const outerEdge = 0.8;
+
 /** The drags on one bound book. */
 export class Drags {
   readonly #book: DragContext;
@@ -119,6 +125,8 @@ export class Drags {
   #closed = false;
   /** The sheets that were torn out, once one may be. */
   loose: LooseSheets | null = null;
+  /** Returns the corner at which a leaf is held, once corners may be folded by hand. */
+  cornerAt: typeof CornerPress.at | null = null;
   /** The fold-outs, where they can be opened. */
   foldOut: FoldOutSheets | null = null;
 
@@ -215,11 +223,14 @@ export class Drags {
   /** Grabs the shut flap of a fold-out that is pulled away from the spine; null for anything else. */
   #takeFlap({ on, u, v }: DragHit, { x, y }: Place): Dragged | null {
     const { binding, turning, peek, shape } = this.#book;
-    if (typeof on !== "number" || turning.moving || shape.quarterTurned) return null;
-    const outward = on === Side.right ? x : -x;
-    const page = (on === Side.right ? rightPage : leftPage)(binding, turning.spread);
+    const isLifted = peek.flight !== null && on === peek.flight;
+    const side = isLifted ? peek.side : on;
+    if (typeof side !== "number" || (turning.moving && !isLifted) || shape.quarterTurned)
+      return null;
+    const outward = side === Side.right ? x : -x;
+    const page = (side === Side.right ? rightPage : leftPage)(binding, turning.spread);
     if (page === null || outward <= Math.abs(y) || this.foldOut?.isVisible) return null;
-    const flap = this.foldOut?.take(page, on, u, v) ?? null;
+    const flap = this.foldOut?.take(page, side, u, v) ?? null;
     if (flap) peek.end();
     return flap;
   }
@@ -231,14 +242,16 @@ export class Drags {
   /**
    * Returns what a pull from a hit moves. If a page stands alone, a pull away
    * from its spine, from the page or from beside the spine, brings the previous
-   * page back; where there is none and leaves may be torn out, it pulls at the page itself.
+   * page back; where there is none, or at the outer edge, it pulls at the page itself if leaves
+   * may be torn out.
    */
   #pulled(hit: DragHit, { x, y }: Place): DragHit {
     const { alone, quarterTurned } = this.#book.shape;
     const isOutward = (quarterTurned ? y : x) * alone > 0;
     if (!isOutward || typeof hit.on !== "number") return hit;
     const on = alone === 1 ? Side.left : Side.right;
-    if (this.loose && !this.#book.turning.hasLeaf(on)) return hit;
+    const isAtEdge = hit.on !== on && hit.u >= outerEdge;
+    if (this.loose && (isAtEdge || !this.#book.turning.hasLeaf(on))) return hit;
     return { ...hit, on, u: 1 };
   }
 
@@ -248,7 +261,7 @@ export class Drags {
     if (side === null || flight.part !== "leaf") return null;
     const isRight = side === Side.right;
     const page = isRight ? rightPage(binding, flight.low) : leftPage(binding, flight.high);
-    const press = CornerPress.at(shape, side, u, v);
+    const press = this.cornerAt?.(shape, side, u, v) ?? null;
     return press && page !== null ? { side, page, press } : null;
   }
 

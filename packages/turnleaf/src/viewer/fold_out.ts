@@ -39,7 +39,10 @@ export interface FoldOutHooks {
   readonly width: () => number;
   /** The book as it is bound now. */
   readonly bound: () => FoldOutBook;
-  /** Has the book bound by an engine whose fold-outs open. Resolves once that is tried. */
+  /**
+   * Has the book bound by an engine whose fold-outs open, and a lifted corner fall back. Resolves
+   * once that is tried.
+   */
   readonly ready: () => Promise<void>;
   /** Returns the line of sight through a place on the canvas. */
   readonly rayAt: (x: number, y: number) => Ray;
@@ -72,6 +75,8 @@ export class FoldOut implements FoldOutSheets {
   #flap: Flap | null = null;
   #grab: PointerGrab | null = null;
   #drawing: AbortController | null = null;
+  /** Number of flaps that are being made. */
+  #making = 0;
   #waiting: ((done: boolean) => void)[] = [];
 
   constructor(pictures: PageBitmaps, hooks: FoldOutHooks) {
@@ -86,6 +91,11 @@ export class FoldOut implements FoldOutSheets {
 
   get isVisible(): boolean {
     return this.#flap !== null;
+  }
+
+  /** Whether a flap is visible, or about to be. */
+  get isBusy(): boolean {
+    return this.#flap !== null || this.#making > 0;
   }
 
   /**
@@ -172,10 +182,24 @@ export class FoldOut implements FoldOutSheets {
     this.#tell(false);
   }
 
+  /** Returns whether a page (from 1) is a fold-out that can be opened: known once it has been drawn. */
+  unfolds(page: number): boolean {
+    return this.#hooks.unfolds && isFoldOut(this.#pictures.placeOfDrawn(page));
+  }
+
   /** Draws the fold-out of a page on a side and makes its flap, shut. Resolves to null if it cannot be. */
   async #make(page: number, side: Side): Promise<Flap | null> {
-    const { unfolds, ready, bound, width, changed } = this.#hooks;
-    if (!unfolds || !isFoldOut(this.#pictures.placeOfDrawn(page))) return null;
+    if (!this.unfolds(page)) return null;
+    this.#making++;
+    try {
+      return await this.#makeFlap(page, side);
+    } finally {
+      this.#making--;
+    }
+  }
+
+  async #makeFlap(page: number, side: Side): Promise<Flap | null> {
+    const { ready, bound, width, changed } = this.#hooks;
     await ready();
     this.close();
     if (bound().turning.moving || !bound().engine.flap) return null;

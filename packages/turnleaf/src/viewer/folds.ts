@@ -7,6 +7,7 @@ import { creasesOf, type LeafFold } from "../book/creases.ts";
 import { leafOf, paperOnLeft } from "../book/spreads.ts";
 import { Side } from "../engine/phases.ts";
 import type { Crease } from "../engine/shapes.ts";
+import { CornerPress } from "./corner_press.ts";
 import type { Drag } from "./drag.ts";
 import type { Rebinder } from "./rebinder.ts";
 
@@ -48,6 +49,7 @@ export class Folds {
     this.#rebinder = rebinder;
     this.#begun = begun;
     this.#pageCount = rebinder.bound.binding.pageCount;
+    rebinder.bound.drags.cornerAt = CornerPress.at;
   }
 
   /**
@@ -97,7 +99,8 @@ export class Folds {
   /** Call it when the book was bound anew: creases its leaves. */
   bound(): void {
     this.#end();
-    const { engine, binding } = this.#rebinder.bound;
+    const { engine, binding, drags } = this.#rebinder.bound;
+    drags.cornerAt = CornerPress.at;
     // The pages have other numbers.
     if (binding.pageCount !== this.#pageCount) this.#opened = [];
     this.#pageCount = binding.pageCount;

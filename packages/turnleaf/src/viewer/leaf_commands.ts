@@ -2,7 +2,7 @@
 
 import { faceOf } from "../book/faces.ts";
 import { sideBefore } from "../book/leaf_order.ts";
-import { leftPage, rightPage } from "../book/spreads.ts";
+import { leftPage, pagesAt, rightPage } from "../book/spreads.ts";
 import type { Flight, Turning } from "../book/turning.ts";
 import { Side } from "../engine/phases.ts";
 import { pileHeight } from "../engine/shapes.ts";
@@ -29,8 +29,8 @@ export class LeafCommands {
    * Returns whether it does.
    */
   peek(hit: DragHit | null): boolean {
-    // An unfolded page keeps its corners.
-    if (this.#closed || (hit !== null && this.#foldOut.isVisible)) return false;
+    // An unfolded page keeps its corners, and one that is about to be.
+    if (this.#closed || (hit !== null && this.#foldOut.isBusy)) return false;
     const { peek, engine, turning } = this.#rebinder.bound;
     if (hit === null) peek.end();
     const lifts =
@@ -61,14 +61,52 @@ export class LeafCommands {
   }
 
   /**
+   * Lets a corner that is only lifted fall back. Resolves, once it lies, to whether all leaves lie
+   * at rest: at once if no corner is lifted.
+   */
+  async dropCorner(): Promise<boolean> {
+    const { peek, turning } = this.#rebinder.bound;
+    if (!this.#closed && peek.flight !== null) {
+      peek.end();
+      this.#moved();
+      await turning.goTo(turning.spread);
+    }
+    return !this.#closed && !this.#rebinder.bound.turning.moving;
+  }
+
+  /**
    * Unfolds an open page (from 1) that is wider than the book. Resolves, once
    * it lies unfolded, to whether it does.
    */
-  unfold(page: number): Promise<boolean> {
+  async unfold(page: number): Promise<boolean> {
+    if (!(await this.dropCorner())) return false;
     const { binding, turning } = this.#rebinder.bound;
-    const face = this.#closed || turning.moving ? null : faceOf(binding, turning.spread, page);
-    if (face !== "left" && face !== "right") return Promise.resolve(false);
-    return this.#foldOut.unfold(page, face === "right" ? Side.right : Side.left);
+    const face = faceOf(binding, turning.spread, page);
+    if (face !== "left" && face !== "right") return false;
+    return await this.#foldOut.unfold(page, face === "right" ? Side.right : Side.left);
+  }
+
+  /** Whether a page that lies open is a fold-out, and is unfolded. */
+  get foldOut(): "none" | "shut" | "open" {
+    if (this.#foldOut.page !== null) return "open";
+    return this.#foldOutPage === null ? "none" : "shut";
+  }
+
+  /** Unfolds the open page that is a fold-out, or folds it in. Returns whether there is one. */
+  toggleFoldOut(): boolean {
+    if (this.#closed) return false;
+    const page = this.#foldOutPage;
+    if (this.#foldOut.isVisible) void this.foldIn();
+    else if (page === null) return false;
+    else void this.unfold(page);
+    return true;
+  }
+
+  /** The first open page (from 1) that is a fold-out; null if none is. */
+  get #foldOutPage(): number | null {
+    const { binding, turning } = this.#rebinder.bound;
+    const pages = pagesAt(binding, turning.spread);
+    return pages.find((page) => this.#foldOut.unfolds(page)) ?? null;
   }
 
   /** Folds in the unfolded page. Resolves once it is folded in. */

@@ -172,6 +172,11 @@ export class LooseSheetPile {
     return one ? this.#grab(one, [u, v]) : noDrag;
   }
 
+  /** Whether one of them is neither crumpled nor torn across. */
+  get hasWhole(): boolean {
+    return this.#sheets.some(isWhole);
+  }
+
   /** Crumples the sheet that was torn out last and is not crumpled. Returns whether there is one. */
   crumple(): boolean {
     return this.#crumple(this.#sheets.findLast(isWhole));

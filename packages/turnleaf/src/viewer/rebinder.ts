@@ -1,5 +1,6 @@
 /** Binds one book: at first, and again when its pages or its options change. */
 
+import { movedLayout } from "../book/moved_lists.ts";
 import { applyPaper, type Paper } from "../book/paper.ts";
 import { type Layout, pageOf, pagesAt, spineOf, spreadOf } from "../book/spreads.ts";
 import type { BookEngine, BookSize } from "../engine/book_engine.ts";
@@ -65,7 +66,14 @@ export class Rebinder {
 
   /** Changes options of the binding. Options left out stay as they were. */
   setOptions(changes: Partial<BindingOptions>): void {
-    this.#options = { ...this.#options, ...changes };
+    const before: BindingOptions = this.#options;
+    const names = Object.keys(changes) as (keyof BindingOptions)[];
+    this.#options = { ...before, ...changes };
+    this.#mustBind ||= names.some((name) => String(before[name]) !== String(changes[name]));
+  }
+
+  /** Binds the book anew, with the options that it has, as soon as it rests. */
+  bindSoon(): void {
     this.#mustBind = true;
   }
 
@@ -86,15 +94,20 @@ export class Rebinder {
     this.#mustBind = true;
   }
 
-  /** Queues a change of the pages, as `Viewer.changePages` describes. */
+  /**
+   * Queues a change of the pages, as `Viewer.changePages` describes. Options that name pages follow
+   * them.
+   */
   change(change: () => NewIndex): Promise<boolean> {
     if (this.#closed) return Promise.resolve(false);
     return new Promise((resolve, reject) => {
       this.#changes.push(() => {
         if (this.#closed) return resolve(false);
         try {
+          const { pageCount } = this.#parts.book.source;
           const moved = change();
           this.#parts.pictures.renumber(moved);
+          this.#options = movedLayout(this.#options, moved.placeOf ?? moved, pageCount);
           this.#place = placeOf(moved, this.#place - 1) + 1;
           this.#mustBind = true;
           resolve(true);

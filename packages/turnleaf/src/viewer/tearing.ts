@@ -8,7 +8,14 @@ import { placeOnLeaf } from "../book/creases.ts";
 import { facesOfLeaf } from "../book/faces.ts";
 import { sideBefore } from "../book/leaf_order.ts";
 import type { PagePlace } from "../book/page_folds.ts";
-import { type Binding, isBoard, leafOf, pagesAt, paperOnLeft } from "../book/spreads.ts";
+import {
+  type Binding,
+  isBoard,
+  leafOf,
+  pagesAt,
+  paperLeaves,
+  paperOnLeft,
+} from "../book/spreads.ts";
 import type { Flight } from "../book/turning.ts";
 import type { BoundRows, TornSheet } from "../engine/book_engine.ts";
 import { maxGrabs, Side } from "../engine/phases.ts";
@@ -151,6 +158,11 @@ export class Tearing {
     }
   }
 
+  /** Whether a loose sheet is neither crumpled nor torn across. */
+  get hasWholeSheet(): boolean {
+    return this.#loose.hasWhole;
+  }
+
   /** Crumples the loose sheet that was torn out last and is not crumpled. Returns whether there is one. */
   crumple(): boolean {
     return this.#loose.crumple();
@@ -245,6 +257,8 @@ export class Tearing {
     const { recto, verso } = facesOfLeaf(binding, flight);
     const pages = [recto, verso].filter((page) => page !== null).sort((a, b) => a - b);
     if (line === null || pages.length === 0 || pages.length === binding.pageCount) return false;
+    // Boards are no book without a leaf between them.
+    if (paperLeaves(binding) < 2) return false;
     // What is drawn of a folded leaf is no grid of even rows.
     const { turning } = this.#rebinder.bound;
     if (engine.surface(turning.leaves.indexOf(flight)).creased) return false;

@@ -9,7 +9,7 @@ import type { LeafFold } from "../book/creases.ts";
 import { faceOf } from "../book/faces.ts";
 import type { PagePlace } from "../book/page_folds.ts";
 import type { Paper } from "../book/paper.ts";
-import { type Binding, clampSpread, pagesAt } from "../book/spreads.ts";
+import { type Binding, clampSpread, pagesAt, spineOf } from "../book/spreads.ts";
 import type { BookState, Turning } from "../book/turning.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
@@ -253,7 +253,8 @@ export class Viewer {
 
   /**
    * Changes the book's pages as soon as it is at rest. The visible page stays
-   * in sight, or the one that lies in its place.
+   * in sight, or the one that lies in its place; options of the binding go on
+   * to name the same pages.
    *
    * Resolves to whether the change was made: false if the book was closed
    * before. Rejects with what `change` throws.
@@ -275,7 +276,10 @@ export class Viewer {
     this.#cssWidth = cssWidth;
     this.#cssHeight = cssHeight;
     this.#stage.resize(cssWidth, cssHeight, pixelRatio);
-    if (!this.#rebinder.suits(cssWidth, cssHeight)) this.rebind({});
+    if (!this.#rebinder.suits(cssWidth, cssHeight)) {
+      this.#rebinder.bindSoon();
+      this.#bindSoon();
+    }
     this.#show();
   }
 
@@ -360,10 +364,23 @@ export class Viewer {
    */
   async tearOut(page: number, isSeen: boolean): Promise<boolean> {
     await this.allowTearing();
-    if (this.#destroyed) return false;
+    if (this.#destroyed || !(await this.commands.dropCorner())) return false;
     const torn = this.#loadedTearing?.tearOut(page, isSeen) ?? false;
     this.invalidate();
     return await torn;
+  }
+
+  /** The first open page (from 1) whose leaf may be torn out; null if none may. */
+  get tearablePage(): number | null {
+    const { binding } = this;
+    if (!this.#backend.tearing || !this.#options.tearing?.line()) return null;
+    const pages = pagesAt(binding, this.turning.spread);
+    return pages.find((page) => spineOf(binding, page) !== "board") ?? null;
+  }
+
+  /** Whether a loose sheet is neither crumpled nor torn across. */
+  get hasWholeSheet(): boolean {
+    return this.#loadedTearing?.hasWholeSheet ?? false;
   }
 
   /** Crumples the loose sheet that was torn out last and is not crumpled. Returns whether there is one. */
@@ -678,6 +695,7 @@ export class Viewer {
   async #readyFoldOuts(): Promise<void> {
     try {
       await this.#useCreasable();
+      await this.commands.dropCorner();
       this.#bindSoon();
     } catch (error) {
       this.#options.onMissingPart?.(error);

@@ -2,7 +2,7 @@
 
 import { expect, test } from "vitest";
 import type { Surface } from "../engine/shapes.ts";
-import { CreasedVertices } from "./creased_vertices.ts";
+import { CreasedVertices, cutOff } from "./creased_vertices.ts";
 import { vertexNumbers } from "./vertex_numbers.ts";
 
 /** A square whose corner at (1, 0) can be folded along the line from (0.7, 0) to (1, 0.3). */
@@ -47,6 +47,46 @@ test.each([
   expect(corners).toContainEqual([Math.fround(0.7), 0]);
   expect(corners).toContainEqual([1, Math.fround(0.3)]);
   expect(Math.sign(out[8])).toBe(Math.sign(degrees));
+});
+
+/** A strip of four columns and two rows, creased at its second and third, that rises by angles there. */
+function strip(...degrees: readonly [number, number]): Surface {
+  const places: number[] = [];
+  const positions: number[] = [];
+  const normals: number[] = [];
+  for (const v of [0, 1]) {
+    let [x, z] = [0, 0];
+    for (let column = 0; column < 4; column++) {
+      const turned = degrees.slice(0, column).reduce((sum, angle) => sum + angle, 0);
+      places.push(column / 3, v);
+      positions.push(x, v, z);
+      normals.push(0, 0, 1);
+      x += Math.cos((turned / 180) * Math.PI) / 3;
+      z += Math.sin((turned / 180) * Math.PI) / 3;
+    }
+  }
+  const cells = [0, 1, 2].flatMap((k) => [k, k + 1, k + 5, k, k + 5, k + 4]);
+  const creased = {
+    places: Float32Array.from(places),
+    triangles: Uint32Array.from(cells),
+    parts: Uint16Array.from([0, 0, 1, 1, 2, 2]),
+  };
+  const at = { positions: Float32Array.from(positions), normals: Float32Array.from(normals) };
+  return { ...at, columns: 4, rows: 2, creased, version: 1 } as Surface;
+}
+
+/** Returns how far the columns of a strip are seen from above, to hundredths. */
+const reach = ({ positions }: Surface): number[] =>
+  [0, 1, 2, 3].map((column) => Math.round(100 * positions[3 * column]));
+
+test("what is beyond a crease is cut off for shadows where it comes back over the rest alone", () => {
+  // Opened, both creases hide nothing of what is beyond them.
+  expect(reach(cutOff(strip(0, 0)))).toEqual([0, 33, 67, 100]);
+  expect(reach(cutOff(strip(60, -60)))).toEqual([0, 33, 50, 83]);
+  // Folded shut, what is beyond the last column before the crease is a sliver.
+  expect(reach(cutOff(strip(0, 170)))).toEqual([0, 33, 33, 33]);
+  // A part beyond one that is folded lies on it, however it faces.
+  expect(reach(cutOff(strip(170, -170)))).toEqual([0, 33, 33, 33]);
 });
 
 test("there are never more flaps than there is room for", () => {

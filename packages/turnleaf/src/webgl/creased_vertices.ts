@@ -10,52 +10,162 @@ type FlapCorners = readonly [from: number, to: number, tip: number];
 /** Steps along a row by which its direction is known. */
 const stepsBack = 5;
 
-/** For each point of a mesh that is folded over or on a crease, the last before it on its row that is neither. */
-const folded = new WeakMap<CreasedMesh, readonly (readonly [point: number, from: number])[]>();
+/** A point beyond a crease or on one, and the last before it on its row that is neither. */
+type BeyondCrease = readonly [point: number, from: number];
+
+/** Those of each mesh, by the parts beyond the creases. */
+const beyondCreases = new WeakMap<CreasedMesh, Map<string, readonly BeyondCrease[]>>();
+
+/** A part of a leaf, the one that it is creased to on the way to the spine, and triangles on both sides of the crease. */
+interface Hinge {
+  readonly part: number;
+  readonly parent: number;
+  readonly sides: readonly (readonly [own: number, parents: number])[];
+}
+
+/** The hinges of each mesh, each after that of its parent. */
+const hinges = new WeakMap<CreasedMesh, readonly Hinge[]>();
 
 /** The length to which `cutOff` shortens what is folded over: seen as none. */
 const sliver = 1e-3;
 
-/** Returns a leaf as if what is folded over were not there, for the shadow on what lies under it. */
+/**
+ * Returns a leaf as if what is folded over were not there, for the shadow on what lies under it.
+ * What is beyond a crease that stands open by more than a right angle stays.
+ */
 export function cutOff(leaf: Surface): Surface {
-  return straightened(leaf, sliver);
+  return leaf.creased ? laidOn(leaf, leaf.creased, foldedParts(leaf, leaf.creased), sliver) : leaf;
 }
 
 /**
- * Returns a leaf with what is folded over laid straight on from its rows, which light knows how
+ * Returns a leaf with what is beyond its creases laid straight on from its rows, which light knows how
  * to go by: they never come back over themselves.
- *
- * @param length of what is laid on, over its own
  */
-export function straightened(leaf: Surface, length = 1): Surface {
-  const { creased, columns } = leaf;
+export function straightened(leaf: Surface): Surface {
+  const { creased } = leaf;
   if (!creased) return leaf;
-  let points = folded.get(creased);
-  if (points === undefined) {
-    // Points on a crease too: their normals are the means of both parts'.
-    const ofFlaps = (_: number, corner: number) => creased.parts[Math.floor(corner / 3)] !== 0;
-    const flaps = new Set(creased.triangles.filter(ofFlaps));
-    points = [...Array(creased.places.length / 2).keys()].flatMap((point) => {
-      let from = point;
-      while (from % columns > 1 && flaps.has(from)) from--;
-      return from < point ? [[point, from] as const] : [];
-    });
-    folded.set(creased, points);
-  }
+  return laidOn(
+    leaf,
+    creased,
+    [...new Set(creased.parts)].filter((part) => part !== 0),
+    1,
+  );
+}
+
+/** Returns a leaf with parts laid straight on from its rows, each to a length over its own. */
+function laidOn(
+  leaf: Surface,
+  creased: CreasedMesh,
+  parts: readonly number[],
+  length: number,
+): Surface {
+  if (parts.length === 0) return leaf;
+  const { columns } = leaf;
   const positions = leaf.positions.slice();
   const normals = leaf.normals.slice();
-  for (const [point, from] of points) {
+  for (const [point, from] of beyondCrease(creased, columns, parts)) {
     // On in the direction of several steps: points next to a crease may lie close together.
     const back = Math.max(from - (from % columns), from - stepsBack);
     const u = (k: number) => creased.places[2 * k];
     const steps = (u(point) - u(from)) / Math.max(u(from) - u(back), Number.EPSILON);
     for (let axis = 0; axis < 3; axis++) {
-      const [last, before] = [positions[3 * from + axis], positions[3 * back + axis]];
+      const [last, before] = [leaf.positions[3 * from + axis], leaf.positions[3 * back + axis]];
       positions[3 * point + axis] = last + length * steps * (last - before);
-      normals[3 * point + axis] = normals[3 * back + axis];
+      normals[3 * point + axis] = leaf.normals[3 * back + axis];
     }
   }
   return { ...leaf, positions, normals };
+}
+
+/** Returns the points of some parts of a mesh. */
+function beyondCrease(
+  creased: CreasedMesh,
+  columns: number,
+  parts: readonly number[],
+): readonly BeyondCrease[] {
+  const known = beyondCreases.get(creased) ?? new Map<string, readonly BeyondCrease[]>();
+  beyondCreases.set(creased, known);
+  const key = parts.join();
+  let points = known.get(key);
+  if (points === undefined) {
+    // Points on a crease too: their normals are the means of both parts'.
+    const ofParts = (_: number, corner: number) =>
+      parts.includes(creased.parts[Math.floor(corner / 3)]);
+    const beyond = new Set(creased.triangles.filter(ofParts));
+    points = [...Array(creased.places.length / 2).keys()].flatMap((point) => {
+      let from = point;
+      while (from % columns > 1 && beyond.has(from)) from--;
+      return from < point ? [[point, from] as const] : [];
+    });
+    known.set(key, points);
+  }
+  return points;
+}
+
+/** Returns the parts of a leaf that come back over the rest of it, and all that are beyond them. */
+function foldedParts({ positions }: Surface, creased: CreasedMesh): readonly number[] {
+  let known = hinges.get(creased);
+  if (known === undefined) {
+    known = hingesOf(creased);
+    hinges.set(creased, known);
+  }
+  const folded: number[] = [];
+  for (const { part, parent, sides } of known) {
+    let facing = 0;
+    for (const [own, parents] of sides) {
+      const [a, b] = [own, parents].map((triangle) => normalOf(creased, positions, triangle));
+      facing +=
+        (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) / Math.hypot(...a) / Math.hypot(...b) || 0;
+    }
+    if (facing <= 0 || folded.includes(parent)) folded.push(part);
+  }
+  return folded;
+}
+
+/** Returns the normal of a triangle, of no particular length. */
+function normalOf(
+  { triangles }: CreasedMesh,
+  positions: Float32Array,
+  triangle: number,
+): readonly [number, number, number] {
+  const [a, b, c] = triangles.subarray(3 * triangle, 3 * triangle + 3);
+  const side = (to: number, axis: number) => positions[3 * to + axis] - positions[3 * a + axis];
+  const [bx, by, bz] = [side(b, 0), side(b, 1), side(b, 2)];
+  const [cx, cy, cz] = [side(c, 0), side(c, 1), side(c, 2)];
+  return [by * cz - bz * cy, bz * cx - bx * cz, bx * cy - by * cx];
+}
+
+/** Finds the hinges between the parts of a mesh, from the part at the spine outward. */
+function hingesOf({ triangles, parts }: CreasedMesh): readonly Hinge[] {
+  const edges = new Map<string, number>();
+  const sides = new Map<string, [number, number][]>();
+  for (let triangle = 0; triangle < parts.length; triangle++) {
+    for (let k = 0; k < 3; k++) {
+      const [a, b] = [triangles[3 * triangle + k], triangles[3 * triangle + ((k + 1) % 3)]];
+      const edge = `${Math.min(a, b)} ${Math.max(a, b)}`;
+      const other = edges.get(edge);
+      edges.set(edge, triangle);
+      if (other === undefined || parts[other] === parts[triangle]) continue;
+      for (const [own, parents] of [
+        [triangle, other],
+        [other, triangle],
+      ] as const) {
+        const between = `${parts[own]} ${parts[parents]}`;
+        sides.set(between, [...(sides.get(between) ?? []), [own, parents]]);
+      }
+    }
+  }
+  const found: Hinge[] = [];
+  const reached = [0];
+  for (const parent of reached) {
+    for (const part of new Set(parts)) {
+      const between = sides.get(`${part} ${parent}`);
+      if (between === undefined || reached.includes(part)) continue;
+      reached.push(part);
+      found.push({ part, parent, sides: between });
+    }
+  }
+  return found;
 }
 
 /** The vertices of a creased leaf's mesh: its points in their order, and after them the further ones of those on creases. */

@@ -66,6 +66,15 @@ export interface ControlTexts {
   readonly readAloud: string;
   readonly stopReadingAloud: string;
   readonly sound: string;
+  /** Opens the fold-out that lies open, and shuts it. */
+  readonly unfold: string;
+  readonly foldIn: string;
+  /** Tears the leaf of the open page out. */
+  readonly tearOut: string;
+  /** Of the sheet that was torn out last: into a ball, in two pieces, back into the book. */
+  readonly crumple: string;
+  readonly tearAcross: string;
+  readonly putBack: string;
   readonly theme: string;
   readonly themeAuto: string;
   readonly themeLight: string;
