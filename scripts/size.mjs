@@ -104,7 +104,7 @@ const parts = {
  * and for the question before a link leads out of an EPUB, five for folded corners, two for leaves that are torn out,
  * two for folds along any line and for opening sooner, and four for the flaps of fold-outs and for
  * sheets that are crumpled: loaded with what folds and tears pages; one for lists that follow their
- * pages and for folding out, tearing and crumpling by the menu.
+ * pages and for folding out, tearing and crumpling by the menu, and one for what a flat book keeps drawn.
  */
 const limit = 182;
 
