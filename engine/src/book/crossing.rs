@@ -418,6 +418,68 @@ mod tests {
         }
     }
 
+    /// Whether any edge of one of two surfaces goes through any triangle of the other.
+    fn any_edge_pierces(left: &Surface, right: &Surface, tolerance: f32) -> bool {
+        let of = [left, right].map(|surface| surface.positions.as_chunks::<3>().0);
+        let triangles: Vec<[usize; 3]> = (0..6 * 9)
+            .filter(|here| here % 9 < 8)
+            .flat_map(|here| [[here, here + 1, here + 10], [here, here + 10, here + 9]])
+            .collect();
+        let pierces = |own: &[Point], other: &[Point]| {
+            let edges = triangles
+                .iter()
+                .flat_map(|[a, b, c]| [[*a, *b], [*b, *c], [*c, *a]]);
+            edges.into_iter().any(|edge| {
+                let [p, q] = edge.map(|node| own[node]);
+                triangles.iter().any(|corners| {
+                    let facet = corners.map(|node| other[node]);
+                    let normal = cross(sub(facet[1], facet[0]), sub(facet[2], facet[0]));
+                    let length = dot(normal, normal).sqrt();
+                    let [h, g] = [p, q].map(|end| dot(normal, sub(end, facet[0])) / length);
+                    let way = h / (h - g);
+                    let place = core::array::from_fn(|i| p[i] + way * (q[i] - p[i]));
+                    h.min(g) < -tolerance && h.max(g) > tolerance && holds(facet, normal, place)
+                })
+            })
+        };
+        pierces(of[0], of[1]) || pierces(of[1], of[0])
+    }
+
+    /// Leaves folded back at a column each, over each other and nearly touching.
+    #[test]
+    fn what_goes_through_what_is_found_as_by_looking_at_every_edge_and_triangle() {
+        let mut state = 1u32;
+        let mut random = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 8) as f32 / (1 << 24) as f32
+        };
+        let mut found = [0; 2];
+        for _ in 0..400 {
+            let gap = 8e-3 * random();
+            let [left, right] = [0.0, gap].map(|over| {
+                let (fold, slant) = (3.0 + 4.0 * random(), 0.4 * random());
+                let mut surface = Surface::new(9, 7);
+                for (node, point) in surface.positions.chunks_exact_mut(3).enumerate() {
+                    let (u, v) = ((node % 9) as f32, (node / 9) as f32);
+                    let beyond = u - fold - slant * v;
+                    let x = if beyond > 0.0 { u - 2.0 * beyond } else { u };
+                    let z = over + 1e-3 * random() + if beyond > 0.0 { 3e-3 } else { 0.0 };
+                    point.copy_from_slice(&[0.01 * x, 0.01 * v, z]);
+                }
+                surface.update_normals();
+                surface
+            });
+            let tolerance = 5e-5;
+            let [mut a, mut b] = [Tiles::default(), Tiles::default()];
+            a.cut(Mesh::of(&left));
+            b.cut(Mesh::of(&right));
+            let crosses = a.cross(&b, tolerance, &mut Work::new(u32::MAX));
+            assert_eq!(crosses, any_edge_pierces(&left, &right, tolerance));
+            found[usize::from(crosses)] += 1;
+        }
+        assert!(found.iter().all(|count| *count > 80), "{found:?}");
+    }
+
     #[test]
     fn a_leaf_rolled_up_is_clear_of_itself_until_it_goes_through_itself() {
         // A spiral that comes round in 6 cells, and one of the same turn that shrinks

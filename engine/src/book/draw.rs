@@ -38,6 +38,9 @@ pub fn draw(order: &mut [Flight], piles: [&Pile; 2], last: [&Pile; 2]) -> (bool,
     for flight in order.iter_mut() {
         flight.draw(piles, last, are_few);
     }
+    if has_folds(order) {
+        order.iter_mut().for_each(Flight::find_parts);
+    }
     let separating = &mut Work::new(SEPARATING);
     resolve(order, ALL, piles, separating);
     let mut searching = Work::new(SEARCHING);
@@ -51,8 +54,10 @@ pub fn draw(order: &mut [Flight], piles: [&Pile; 2], last: [&Pile; 2]) -> (bool,
             flight.draw_again(met >> index & 1 == 1);
         }
         resolve(order, ALL, piles, separating);
-        separate_outward(order, separating);
-        push_off_piles(order, ALL, piles);
+        separate_outward(order, piles, separating);
+        if !has_folds(order) {
+            push_off_piles(order, ALL, piles);
+        }
         order.iter_mut().for_each(Flight::want);
         is_followed = hold_back(order, [piles, last], separating, &mut searching);
     }
@@ -70,12 +75,20 @@ pub fn on_left(order: &[Flight]) -> usize {
 
 /// Moves flights, of a set of them, off each other and out of the piles.
 fn resolve(order: &mut [Flight], set: u16, piles: [&Pile; 2], work: &mut Work) {
-    separate(order, set, work);
-    push_off_piles(order, set, piles);
+    separate(order, set, piles, work);
+    if !has_folds(order) {
+        push_off_piles(order, set, piles);
+    }
+}
+
+/// Whether any flight is creased. Then each is moved off what it lies upon, the pile and its own
+/// parts at once: any of these may push it into another.
+fn has_folds(order: &[Flight]) -> bool {
+    order.iter().any(Flight::is_creased)
 }
 
 /// Moves each flight, of a set of them, off the one that it lies upon.
-fn separate(order: &mut [Flight], set: u16, work: &mut Work) {
+fn separate(order: &mut [Flight], set: u16, piles: [&Pile; 2], work: &mut Work) {
     let (on_left, count) = (on_left(order), order.len());
     let on_right = (on_left..count).rev().map(|index| (index, Side::Right));
     // Last, the two that meet in the middle.
@@ -83,26 +96,28 @@ fn separate(order: &mut [Flight], set: u16, work: &mut Work) {
     let on_left = (0..on_left).map(|index| (index, Side::Left));
     for (index, side) in on_left.chain(on_right).chain([middle]) {
         if index < count && set >> index & 1 == 1 {
-            move_off(order, index, side, work);
+            move_off(order, index, side, piles, work);
         }
     }
 }
 
 /// Moves flights off each other from the middle outward, where of the two that meet there
 /// one was pushed into the next.
-fn separate_outward(order: &mut [Flight], work: &mut Work) {
+fn separate_outward(order: &mut [Flight], piles: [&Pile; 2], work: &mut Work) {
     let on_left = on_left(order);
     for index in on_left + 1..order.len() {
-        move_off(order, index, Side::Left, work);
+        move_off(order, index, Side::Left, piles, work);
     }
     for index in (1..on_left).rev() {
-        move_off(order, index - 1, Side::Right, work);
+        move_off(order, index - 1, Side::Right, piles, work);
     }
 }
 
 /// Moves a flight off its neighbour on a side, if there is one.
 #[inline(never)]
-fn move_off(order: &mut [Flight], index: usize, side: Side, work: &mut Work) {
+fn move_off(order: &mut [Flight], index: usize, side: Side, piles: [&Pile; 2], work: &mut Work) {
+    let has_folds = has_folds(order);
+    let over = over_piles(order, index);
     let (left, rest) = order.split_at_mut(index);
     let Some((own, right)) = rest.split_first_mut() else {
         return;
@@ -111,26 +126,39 @@ fn move_off(order: &mut [Flight], index: usize, side: Side, work: &mut Work) {
         Side::Left => left.last(),
         Side::Right => right.first(),
     };
-    if let Some(neighbour) = neighbour {
+    let is_creased = own.is_creased();
+    let [folded, whole] = [true, false]
+        .map(|is_folded| neighbour.filter(|other| (is_creased || other.is_creased()) == is_folded));
+    if let Some(neighbour) = whole {
         own.separate_from(neighbour, side, work);
+    }
+    if has_folds {
+        let neighbour = folded.map(|neighbour| (neighbour, side));
+        own.separate_folded(neighbour, piles, over, work);
     }
 }
 
 /// Pushes flights, of a set of them, out of the piles (right and left), each over those that
 /// fly between it and a pile.
 fn push_off_piles(order: &mut [Flight], set: u16, piles: [&Pile; 2]) {
+    for index in 0..order.len() {
+        if set >> index & 1 == 1 {
+            let over = over_piles(order, index);
+            order[index].push_off_piles(piles, over);
+        }
+    }
+}
+
+/// How far a flight is kept over the piles (right and left), by how many fly between it and each.
+fn over_piles(order: &[Flight], index: usize) -> [f32; 2] {
     let down = |flight: &&Flight| flight.leaf().is_down();
     let right = order.len() - order.iter().rev().take_while(down).count();
     let left = order.iter().take_while(down).count();
-    for (index, flight) in order.iter_mut().enumerate() {
-        if set >> index & 1 == 1 {
-            let ranks = [
-                right.saturating_sub(index),
-                (index + 1).saturating_sub(left),
-            ];
-            flight.push_off_piles(piles, ranks.map(|rank| OVER_PILE * rank as f32));
-        }
-    }
+    let ranks = [
+        right.saturating_sub(index),
+        (index + 1).saturating_sub(left),
+    ];
+    ranks.map(|rank| OVER_PILE * rank as f32)
 }
 
 /// Draws flights that would go through each other, or through themselves, only a part of the
@@ -247,6 +275,10 @@ impl Crossings {
         tolerance: Tolerance,
         work: &mut Work,
     ) -> bool {
+        let [own, other] = [left, right].map(|index| &order[index]);
+        if left + 1 == right && own.is_known_clear_of(other) {
+            return own.is_drawn_past(other);
+        }
         for index in [left, right] {
             if self.cut >> index & 1 == 0 {
                 self.cut |= 1 << index;
@@ -330,7 +362,9 @@ mod tests {
                 .map(|height| level(Side::Left, *height))
                 .chain(right.iter().rev().map(|height| level(Side::Right, *height)))
                 .collect();
-            separate(&mut order, ALL, &mut Work::new(u32::MAX));
+            let book = Book::new(f64::from(WIDTH), 0.21, 10, 0.001).unwrap();
+            let [right, left] = &book.piles;
+            separate(&mut order, ALL, [right, left], &mut Work::new(u32::MAX));
             for (piled, side) in [([0, 1, 2], "left"), ([5, 4, 3], "right")] {
                 let [low, middle, top] = piled.map(|index| heights(&order[index]));
                 assert_eq!(low, [1e-3; 2], "the lowest on the {side}");

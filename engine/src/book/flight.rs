@@ -12,7 +12,8 @@ use super::mesh::{Folds, Mesh, find_falling};
 use super::phase::Phase;
 use super::pile::Pile;
 use super::separate::{DrawnLeaf, find_bends, separate};
-use super::separate_parts::DrawnParts;
+use super::separate_folded::{MovedLeaf, Outcome, PartedLeaf, PlacedBlocks, push_off_leaf};
+use super::separate_parts::{DrawnParts, ROUNDS};
 use super::tolerance::{AT_FACET, DEEP, PAST_AT_SPINE};
 use super::work::Work;
 use crate::grid::Side;
@@ -46,7 +47,6 @@ pub struct CreasedMesh {
     pub parts: Vec<u16>,
     /// See [`Folds::falling`].
     falling: Vec<bool>,
-    drawn_parts: DrawnParts,
 }
 
 /// One leaf in flight; it may stand for several.
@@ -91,8 +91,17 @@ pub struct Flight {
     /// taken, nanoseconds.
     searching: u32,
     creased: Option<CreasedMesh>,
+    /// The parts of what is drawn; of a whole leaf none until a creased one is next to it.
+    parts: DrawnParts,
+    /// The creases that are shut as it is drawn: see [`Flaps::shut`](super::flaps::Flaps::shut).
+    shut: u16,
     /// Which points are folded over; empty where none is.
     turned_over: Vec<bool>,
+    /// Rises whenever what is to be drawn of it moves.
+    revision: u32,
+    /// The revisions of it and of its left and its right neighbour at which it was found to lie
+    /// clear of that in this picture.
+    clear_of: [Option<[u32; 2]>; 2],
 }
 
 impl Flight {
@@ -124,7 +133,11 @@ impl Flight {
             spare: Surface::new(u.len(), rows),
             searching: 0,
             creased: None,
+            parts: DrawnParts::default(),
+            shut: 0,
             turned_over: Vec::new(),
+            revision: 0,
+            clear_of: [None; 2],
             cells: u.iter().map(cell).collect(),
         }
     }
@@ -147,17 +160,20 @@ impl Flight {
         let sheet = self.leaf.sheet();
         self.creased = sheet.drawn_places().map(|places| {
             let triangles = sheet.drawn_triangles();
+            self.parts = DrawnParts::new(self.surface.columns, places.len(), &triangles);
             let corners = triangles.iter().flat_map(|(corners, _)| corners);
             let columns = self.surface.columns;
             let cells = triangles.iter().map(|(corners, _)| *corners);
             CreasedMesh {
                 falling: find_falling(cells, columns, places.len()),
-                drawn_parts: DrawnParts::new(columns, places.len(), &triangles),
                 places: places.into_flattened(),
                 triangles: corners.map(|corner| *corner as u32).collect(),
                 parts: triangles.iter().map(|(_, part)| *part).collect(),
             }
         });
+        if self.creased.is_none() {
+            self.parts = DrawnParts::default();
+        }
         self.surface.topology = CREASINGS.fetch_add(1, Ordering::Relaxed).wrapping_add(1);
         true
     }
@@ -214,6 +230,7 @@ impl Flight {
     /// (right and left); `needs_crossing_test` says that it may be drawn through a neighbour. `last` are the
     /// piles that were drawn last.
     pub fn draw(&mut self, [right, left]: [&Pile; 2], last: [&Pile; 2], needs_crossing_test: bool) {
+        self.clear_of = [None; 2];
         let is_crumpled = core::mem::take(&mut self.held_back) || self.leaf.was_held();
         // What else was written would be drawn as nothing, or as nothing but itself.
         let is_place = |x: &f32| x.abs() <= FARTHEST;
@@ -253,6 +270,7 @@ impl Flight {
     fn find_turned_over(&mut self) {
         self.turned_over.clear();
         let shut = self.leaf.shut_creases();
+        self.shut = shut;
         let Some(creased) = self.creased.as_ref().filter(|_| shut != 0) else {
             return;
         };
@@ -294,6 +312,7 @@ impl Flight {
     pub fn draw_again(&mut self, met: bool) {
         self.surface.positions.clone_from(&self.wanted);
         self.surface.update_normals();
+        self.revision += 1;
         self.had_crossing |= met;
         self.needs_crossing_test |= met;
         if met || self.is_crumpled() {
@@ -310,6 +329,7 @@ impl Flight {
 
     /// Moves what is drawn of it off the neighbour on a side.
     pub fn separate_from(&mut self, neighbour: &Flight, side: Side, work: &mut Work) {
+        self.revision += 1;
         // A leaf lies on the recto's side of the one on its right.
         let (slot, sign) = match side {
             Side::Left => (0, -1.0),
@@ -342,16 +362,105 @@ impl Flight {
     /// Pushes what others moved into the piles (right and left) out of them, so far over
     /// each, metres for a page 0.14 m wide.
     pub fn push_off_piles(&mut self, piles: [&Pile; 2], over: [f32; 2]) {
+        self.revision += 1;
         let scale = self.scale();
         let over = over.map(|over| over * scale);
         push_off(&mut self.surface.positions, piles, over);
-        if let (Some(creased), Some(flaps)) = (&mut self.creased, self.leaf.flaps()) {
-            let points = self.surface.positions.as_chunks_mut::<3>().0;
-            let side = |under, part, is_alike| flaps.drawn_side(under, part, is_alike);
-            creased.drawn_parts.separate(points, scale, side);
-        }
+        self.separate_own_parts(ROUNDS);
         if !matches!(self.phase(), Phase::Resting(_)) {
             push_edges_off(&mut self.surface.positions, piles, over);
+        }
+    }
+
+    /// Moves its own parts off each other, in so many rounds at most. Returns whether any were in
+    /// the last.
+    fn separate_own_parts(&mut self, rounds: usize) -> bool {
+        let scale = self.scale();
+        let Some(flaps) = self.leaf.flaps() else {
+            return false;
+        };
+        let points = self.surface.positions.as_chunks_mut::<3>().0;
+        let side = |under, part, is_alike| flaps.drawn_side(under, part, is_alike);
+        self.parts.separate(points, (scale, rounds), side)
+    }
+
+    /// Whether it is creased.
+    pub fn is_creased(&self) -> bool {
+        CAN_CREASE && self.creased.is_some()
+    }
+
+    /// Finds the parts of what is drawn of it, to be kept clear of a creased neighbour.
+    pub fn find_parts(&mut self) {
+        if self.parts.blocks.is_empty() {
+            self.parts = DrawnParts::whole(self.surface.columns, self.surface.rows);
+        }
+    }
+
+    /// Moves what is drawn of it out of the piles (right and left), so far over each, its parts
+    /// off each other, and all of it off the neighbour on a side, until it is clear of all.
+    /// One of the two is creased, and the [parts](Self::find_parts) of both are known.
+    pub fn separate_folded(
+        &mut self,
+        neighbour: Option<(&Flight, Side)>,
+        piles: [&Pile; 2],
+        over: [f32; 2],
+        work: &mut Work,
+    ) {
+        let scale = self.scale();
+        let over = over.map(|over| over * scale);
+        let before = self.surface.positions.clone();
+        let mut seen = Vec::new();
+        let mut placed = neighbour.map(|(flight, _)| PlacedBlocks::of(&flight.parted()));
+        // A round looks only at what moved since the one before it.
+        let (mut is_clear, mut crosses) = (false, false);
+        for _ in 0..ROUNDS {
+            push_off(&mut self.surface.positions, piles, over);
+            if !matches!(self.phase(), Phase::Resting(_)) {
+                push_edges_off(&mut self.surface.positions, piles, over);
+            }
+            let are_parts_clear = !self.is_creased() || !self.separate_own_parts(1);
+            if let (Some((neighbour, side)), Some(placed)) = (neighbour, &mut placed) {
+                if work.is_spent() {
+                    is_clear = false;
+                    break;
+                }
+                let side = if side == Side::Left { -1.0 } else { 1.0 };
+                let mut own = MovedLeaf {
+                    points: self.surface.positions.as_chunks_mut::<3>().0,
+                    parts: &self.parts,
+                    shut: self.shut,
+                    seen: &mut seen,
+                };
+                let other = neighbour.parted();
+                let outcome = push_off_leaf(&mut own, &other, placed, [side, scale], work);
+                crosses |= outcome == Outcome::Crosses;
+                is_clear = outcome == Outcome::Clear;
+            }
+            if are_parts_clear && (is_clear || neighbour.is_none()) {
+                break;
+            }
+        }
+        if self.surface.positions != before {
+            self.revision += 1;
+            self.surface.update_normals();
+        }
+        if let Some((neighbour, side)) = neighbour.filter(|_| is_clear && !crosses) {
+            let slot = usize::from(side == Side::Right);
+            self.clear_of[slot] = Some([self.revision, neighbour.revision]);
+        }
+    }
+
+    /// Whether it was found to lie clear of the one on its right as both are to be drawn.
+    pub fn is_known_clear_of(&self, right: &Flight) -> bool {
+        let [own, other] = [self.revision, right.revision];
+        self.clear_of[1] == Some([own, other]) || right.clear_of[0] == Some([other, own])
+    }
+
+    fn parted(&self) -> PartedLeaf<'_> {
+        PartedLeaf {
+            points: self.surface.positions.as_chunks::<3>().0,
+            parts: &self.parts,
+            shut: self.shut,
         }
     }
 
@@ -394,9 +503,14 @@ impl Flight {
             smooth
         };
         let scale = self.scale();
-        let [own, other] = [&self.surface, &right.surface].map(Mesh::of);
-        (is_neighbour && is_past(own, other, PAST_AT_SPINE * scale))
+        (is_neighbour && self.is_drawn_past(right))
             || self.tiles.cross(&right.tiles, tolerance * scale, work)
+    }
+
+    /// Whether what is drawn of it has passed its neighbour on its right at the spine.
+    pub fn is_drawn_past(&self, right: &Flight) -> bool {
+        let [own, other] = [&self.surface, &right.surface].map(Mesh::of);
+        is_past(own, other, PAST_AT_SPINE * self.scale())
     }
 
     /// Whether it may be drawn through itself.
@@ -474,6 +588,7 @@ impl Flight {
 
     /// Draws a part of the way from what was drawn last to what is wanted.
     pub fn draw_part(&mut self, part: f32) {
+        self.revision += 1;
         (self.held_back, self.needs_crossing_test) = (true, true);
         let ways = self.shown.iter().zip(&self.wanted);
         for (place, (from, to)) in self.surface.positions.iter_mut().zip(ways) {

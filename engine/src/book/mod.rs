@@ -28,6 +28,7 @@ mod phase;
 mod pile;
 mod pile_table;
 mod separate;
+mod separate_folded;
 mod separate_parts;
 mod stillness;
 mod surroundings;

@@ -15,20 +15,25 @@ use crate::vector::{cross, dot, sub, unit};
 use core::ops::Range;
 
 /// Rounds of projections, at most.
-const ROUNDS: usize = 4;
+pub const ROUNDS: usize = 4;
 
 /// Cells along a side of a block of triangles that one box bounds.
-const BLOCK: usize = 3;
+pub const BLOCK: usize = 3;
 
 /// The triangles of a folded leaf's drawn mesh, by the parts between its creases.
 #[derive(Clone, Debug, Default)]
 pub struct DrawnParts {
     /// The block of each point; None for those on creases and at the spine.
     points: Vec<Option<usize>>,
-    triangles: Vec<[usize; 3]>,
+    pub triangles: Vec<[usize; 3]>,
     /// The points of the blocks, of one after the other.
-    corners: Vec<usize>,
-    blocks: Vec<Block>,
+    pub corners: Vec<usize>,
+    /// The same without those at the spine, and each in one block alone.
+    pub own_points: Vec<usize>,
+    /// The edges of the blocks, each in one block alone, between two of its points by their places
+    /// among these.
+    pub edges: Vec<[u8; 2]>,
+    pub blocks: Vec<Block>,
     /// What the points of the blocks may overlap, of one after the other.
     pairs: Vec<Pair>,
     columns: usize,
@@ -38,11 +43,14 @@ pub struct DrawnParts {
 
 /// Triangles of one part that are near each other.
 #[derive(Clone, Debug)]
-struct Block {
-    part: u16,
+pub struct Block {
+    pub part: u16,
     /// Its triangles, and their points, each once.
-    triangles: Range<usize>,
-    corners: Range<usize>,
+    pub triangles: Range<usize>,
+    pub corners: Range<usize>,
+    /// Its own points and edges: see [`DrawnParts::own_points`].
+    pub own_points: Range<usize>,
+    pub edges: Range<usize>,
     /// The box around them now.
     low: [f32; 3],
     high: [f32; 3],
@@ -63,9 +71,9 @@ struct Pair {
 /// Two parallel planes between which triangles lie, as far beyond their sides as points still
 /// count as over them.
 #[derive(Clone, Copy, Debug)]
-struct Slab {
+pub struct Slab {
     /// The planes' unit normal: the mean of the triangles'.
-    normal: [f32; 3],
+    pub normal: [f32; 3],
     low: f32,
     high: f32,
     /// Whether all triangles face along the normal. What is outside of the slab is then at least
@@ -79,8 +87,11 @@ impl Block {
         (self.low, self.high) = ([f32::MAX; 3], [f32::MIN; 3]);
         for node in &corners[self.corners.clone()] {
             for axis in 0..3 {
-                self.low[axis] = self.low[axis].min(points[*node][axis]);
-                self.high[axis] = self.high[axis].max(points[*node][axis]);
+                // Compared by hand, as a library's least and most are slow.
+                let x = points[*node][axis];
+                let [low, high] = [self.low[axis], self.high[axis]];
+                self.low[axis] = if x < low { x } else { low };
+                self.high[axis] = if x > high { x } else { high };
             }
         }
         self.slab = None;
@@ -94,7 +105,7 @@ impl Block {
 }
 
 impl Slab {
-    fn around(points: &[[f32; 3]], triangles: &[[usize; 3]]) -> Slab {
+    pub fn around(points: &[[f32; 3]], triangles: &[[usize; 3]]) -> Slab {
         let normal_of = |corners: &[usize; 3]| {
             let [a, b, c] = corners.map(|corner| points[corner]);
             cross(sub(b, a), sub(c, a))
@@ -106,8 +117,12 @@ impl Slab {
         let normal = unit(sum);
         let heights = triangles.as_flattened().iter();
         let heights = heights.map(|node| dot(points[*node], normal));
+        // Compared by hand, as a library's least and most are slow.
         let [low, high] = heights.fold([f32::MAX, f32::MIN], |[low, high], height| {
-            [low.min(height), high.max(height)]
+            [
+                if height < low { height } else { low },
+                if height > high { height } else { high },
+            ]
         });
         // A corner's weight is up to twice as much beyond 1 as the others' are below 0.
         let beyond = 2.0 * BESIDE * (high - low);
@@ -119,9 +134,18 @@ impl Slab {
         }
     }
 
+    /// How far a point is outside of it on a side, metres; less than 0 where it is not, or nothing
+    /// is known by that.
+    pub fn distance_of(&self, point: [f32; 3], side: f32) -> f32 {
+        if !self.is_even {
+            return f32::MIN;
+        }
+        side * dot(point, self.normal) - if side > 0.0 { self.high } else { -self.low }
+    }
+
     /// How far a box is outside of it on a side, metres; less than 0 where it is not, or nothing
     /// is known by that.
-    fn distance(&self, [low, high]: [[f32; 3]; 2], side: f32) -> f32 {
+    pub fn distance(&self, [low, high]: [[f32; 3]; 2], side: f32) -> f32 {
         if !self.is_even {
             return f32::MIN;
         }
@@ -174,6 +198,8 @@ impl DrawnParts {
                     part: *part,
                     triangles: at..at + 1,
                     corners: 0..0,
+                    own_points: 0..0,
+                    edges: 0..0,
                     low: [0.0; 3],
                     high: [0.0; 3],
                     slab: None,
@@ -184,10 +210,38 @@ impl DrawnParts {
         let triangles: Vec<[usize; 3]> = order.into_iter().map(|(corners, _)| *corners).collect();
         let mut corners = Vec::new();
         let mut homes = vec![None; count];
+        let (mut own_points, mut edges) = (Vec::new(), Vec::new());
+        let mut is_taken = vec![false; count];
+        // Of each edge only one block's.
+        let mut is_known = vec![0u8; count];
         for (number, block) in blocks.iter_mut().enumerate() {
+            let first = [own_points.len(), edges.len()];
             let mut own = triangles[block.triangles.clone()].as_flattened().to_vec();
             own.sort_unstable();
             own.dedup();
+            let place = |node: usize| own.partition_point(|known| *known < node) as u8;
+            for &[a, b, c] in &triangles[block.triangles.clone()] {
+                for node in [a, b, c] {
+                    if !node.is_multiple_of(columns) && !is_taken[node] {
+                        is_taken[node] = true;
+                        own_points.push(node);
+                    }
+                }
+                for [p, q] in [[a, b], [b, c], [a, c]] {
+                    let [from, to] = [p.min(q), p.max(q)];
+                    // An edge leads a column on, or a row on and at most a column back or on.
+                    let way = match to - from {
+                        1 => 1,
+                        step => 2 << (step + 1 - columns),
+                    };
+                    if is_known[from] & way == 0 {
+                        is_known[from] |= way;
+                        edges.push([from, to].map(place));
+                    }
+                }
+            }
+            block.own_points = first[0]..own_points.len();
+            block.edges = first[1]..edges.len();
             for corner in &own {
                 // The column at the spine is everyone's.
                 let is_free = !corner.is_multiple_of(columns);
@@ -203,25 +257,46 @@ impl DrawnParts {
             has_overlap: blocks.iter().any(|block| block.part.count_ones() > 1),
             triangles,
             corners,
+            own_points,
+            edges,
             blocks,
             pairs: Vec::new(),
             columns,
         }
     }
 
-    /// Moves parts out of each other that overlap. `side` says on which side of a triangle of a
+    /// The one part of a whole leaf's mesh of so many columns and rows.
+    pub fn whole(columns: usize, rows: usize) -> DrawnParts {
+        let cells = (0..(rows - 1) * columns).filter(|cell| cell % columns + 1 < columns);
+        let triangles: Vec<_> = cells
+            .flat_map(|here| {
+                let above = here + columns;
+                [[here, here + 1, above + 1], [here, above + 1, above]].map(|corners| (corners, 0))
+            })
+            .collect();
+        DrawnParts::new(columns, columns * rows, &triangles)
+    }
+
+    /// Whether a point is bound at the spine.
+    pub fn is_bound(&self, node: usize) -> bool {
+        node.is_multiple_of(self.columns)
+    }
+
+    /// Moves parts out of each other that overlap, in so many rounds at most; returns whether any
+    /// did in the last. `side` says on which side of a triangle of a
     /// part another lies, 1 that of its normal or -1, if the normals of both are along each other
     /// or not; None where it may lie on either. Lengths are those of a page 0.14 m wide; its own
     /// is wider by `scale`.
     pub fn separate(
         &mut self,
         points: &mut [[f32; 3]],
-        scale: f32,
+        (scale, rounds): (f32, usize),
         side: impl Fn(u16, u16, bool) -> Option<f32>,
-    ) {
-        for _ in 0..ROUNDS {
+    ) -> bool {
+        let mut moved = false;
+        for _ in 0..rounds {
             self.find_pairs(points, scale, &side);
-            let mut moved = false;
+            moved = false;
             for node in 0..self.points.len() {
                 let Some(home) = self.points[node] else {
                     continue;
@@ -251,9 +326,10 @@ impl DrawnParts {
                 }
             }
             if !moved {
-                return;
+                break;
             }
         }
+        moved
     }
 
     /// Finds which blocks may overlap each other where the points are now.
@@ -359,22 +435,29 @@ fn overlap(
     if missing < SLACK * scale || missing > NOT_UPON * scale {
         return None;
     }
+    weights_over(points[node], [a, b, c]).map(|weights| Overlap {
+        corners,
+        weights,
+        normal: across.map(|x| x * inverse),
+        missing,
+    })
+}
+
+/// How near a point is to each corner of a triangle that it lies over or under, 0 to 1; None where
+/// it does not.
+pub fn weights_over(point: [f32; 3], [a, b, c]: [[f32; 3]; 3]) -> Option<[f32; 3]> {
+    let (away, u, v) = (sub(point, a), sub(b, a), sub(c, a));
+    let across = cross(u, v);
+    let square = dot(across, across).max(f32::MIN_POSITIVE);
     let on_b = dot(cross(away, v), across) / square;
     let on_c = dot(cross(u, away), across) / square;
     let weights = [1.0 - on_b - on_c, on_b, on_c];
-    weights
-        .iter()
-        .all(|weight| *weight > -BESIDE)
-        .then(|| Overlap {
-            corners,
-            weights: weights.map(|weight| weight.max(0.0)),
-            normal: across.map(|x| x * inverse),
-            missing,
-        })
+    let is_over = weights.iter().all(|weight| *weight > -BESIDE);
+    is_over.then(|| weights.map(|weight| weight.max(0.0)))
 }
 
 #[cfg(test)]
-mod tests {
+pub mod tests {
     use super::*;
 
     const COLUMNS: usize = 9;
@@ -382,7 +465,7 @@ mod tests {
 
     /// Two level parts of points a centimetre apart, the second folded over the first: what is
     /// folded at column 4 comes back to 20 mm, `over` metres above it.
-    fn folded(over: f32) -> (Vec<[f32; 3]>, DrawnParts) {
+    pub fn folded(over: f32) -> (Vec<[f32; 3]>, DrawnParts) {
         let points = (0..COLUMNS * ROWS).map(|node| {
             let (column, y) = (node % COLUMNS, (node / COLUMNS) as f32 * 0.01);
             match column {
@@ -417,7 +500,7 @@ mod tests {
     fn a_flap_that_is_drawn_into_its_page_is_raised_out_of_it() {
         for over in [5e-5f32, 0.0, -1e-3] {
             let (mut points, mut parts) = folded(over);
-            parts.separate(&mut points, 1.0, |_, _, _| Some(1.0));
+            parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| Some(1.0));
             assert_eq!(heights(&points, 0..5), [0.0; 2], "the page stays");
             let [low, _] = heights(&points, 5..9);
             assert!(low > 0.5 * OVER_PILE, "{low} from {over}");
@@ -427,7 +510,7 @@ mod tests {
     #[test]
     fn a_page_is_raised_off_a_flap_that_lies_under_it() {
         let (mut points, mut parts) = folded(5e-4);
-        parts.separate(&mut points, 1.0, |_, _, _| Some(-1.0));
+        parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| Some(-1.0));
         let [low, high] = heights(&points, 5..9);
         assert_eq!([low, high], [5e-4; 2], "the flap stays");
         let middle = heights(&points, 2..4)[0];
@@ -438,11 +521,11 @@ mod tests {
     fn what_lies_clear_or_on_either_side_stays() {
         let (before, mut parts) = folded(1e-3);
         let mut points = before.clone();
-        parts.separate(&mut points, 1.0, |_, _, _| Some(1.0));
+        parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| Some(1.0));
         assert_eq!(points, before);
         let (before, mut parts) = folded(-1e-3);
         let mut points = before.clone();
-        parts.separate(&mut points, 1.0, |_, _, _| None);
+        parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| None);
         assert_eq!(points, before);
     }
 }

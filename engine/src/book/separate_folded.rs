@@ -1,0 +1,662 @@
+//! Leaves of which at least one is creased, kept clear of each other as they are drawn.
+//!
+//! A whole leaf is one surface: next to a point of another it has one nearest facet, and points
+//! and middles of edges are enough ([`separate`](super::separate)). A folded one lies in layers,
+//! and ends in folds and rims over the middle of its neighbour. So every part of it counts by
+//! itself: points of either leaf are kept on their side of the triangles of each part of the
+//! other, and edges that still go through a triangle are moved off it where they are deepest,
+//! which is where they pass its rim.
+
+use super::separate_parts::{BLOCK, Block, DrawnParts, Slab, weights_over};
+use super::tolerance::{NOT_UPON, ROOM_FROM_SPINE, SLACK, SLIVER};
+use super::work::Work;
+use crate::flaps::{BESIDE, is_turned_over};
+use crate::vector::{cross, dot, sub};
+
+/// Work of looking at two blocks, at a point beside a block or a triangle, and at a triangle,
+/// nanoseconds.
+const BLOCKS: u32 = 3;
+const POINT: u32 = 2;
+const TRIANGLE: u32 = 10;
+
+/// Corners of a block, at most.
+const CORNERS: usize = (BLOCK + 1) * (BLOCK + 1);
+
+/// A drawn leaf and its parts.
+#[derive(Clone, Copy)]
+pub struct PartedLeaf<'a> {
+    pub points: &'a [[f32; 3]],
+    pub parts: &'a DrawnParts,
+    /// Its creases that are [shut](crate::flaps::Flaps::shut).
+    pub shut: u16,
+}
+
+/// Where the blocks of a leaf are.
+pub struct PlacedBlocks {
+    boxes: Vec<[[f32; 3]; 2]>,
+    slabs: Vec<Option<Slab>>,
+}
+
+impl PlacedBlocks {
+    pub fn of(leaf: &PartedLeaf<'_>) -> PlacedBlocks {
+        let blocks = leaf.parts.blocks.iter();
+        let boxes: Vec<_> = blocks.map(|block| leaf.box_of(block)).collect();
+        PlacedBlocks {
+            slabs: vec![None; boxes.len()],
+            boxes,
+        }
+    }
+
+    fn slab(&mut self, leaf: &PartedLeaf<'_>, block: usize) -> Slab {
+        *self.slabs[block].get_or_insert_with(|| {
+            let triangles = leaf.parts.blocks[block].triangles.clone();
+            Slab::around(leaf.points, &leaf.parts.triangles[triangles])
+        })
+    }
+
+    /// The box around all.
+    fn around(&self) -> [[f32; 3]; 2] {
+        box_around(self.boxes.as_flattened().iter().copied())
+    }
+
+    /// Whether a box reaches over triangles of a block or under them, by less than overlaps.
+    fn is_beside(&self, [low, high]: [[f32; 3]; 2], block: usize, slab: &Slab, scale: f32) -> bool {
+        let [own_low, own_high] = self.boxes[block];
+        let size = sub(own_high, own_low);
+        let beyond = BESIDE * dot(size, size).sqrt();
+        (0..3).any(|i| {
+            let within = NOT_UPON * scale * slab.normal[i].abs() + beyond;
+            low[i] > own_high[i] + within || high[i] < own_low[i] - within
+        })
+    }
+}
+
+impl PartedLeaf<'_> {
+    fn box_of(&self, block: &Block) -> [[f32; 3]; 2] {
+        let corners = self.parts.corners[block.corners.clone()].iter();
+        box_around(corners.map(|node| self.points[*node]))
+    }
+
+    /// 1 where the normals of a block's triangles point to the side to which the recto of what is
+    /// not folded over faces, or -1.
+    fn facing(&self, block: usize) -> f32 {
+        if is_turned_over(self.parts.blocks[block].part, self.shut) {
+            -1.0
+        } else {
+            1.0
+        }
+    }
+
+    /// Whether every corner of a block is so far from the triangles in a slab, on a side.
+    fn is_clear_of(
+        &self,
+        block: usize,
+        bounds: [[f32; 3]; 2],
+        slab: &Slab,
+        side: f32,
+        gap: f32,
+    ) -> bool {
+        let corners = &self.parts.corners[self.parts.blocks[block].corners.clone()];
+        slab.distance(bounds, side) >= gap
+            || corners
+                .iter()
+                .all(|node| slab.distance_of(self.points[*node], side) >= gap)
+    }
+}
+
+/// The box around points. Compared by hand: a library's least and most mind what is no number, and
+/// are slow.
+fn box_around(points: impl Iterator<Item = [f32; 3]>) -> [[f32; 3]; 2] {
+    let mut bounds = [[f32::MAX; 3], [f32::MIN; 3]];
+    for point in points {
+        for (axis, x) in point.into_iter().enumerate() {
+            let [low, high] = [bounds[0][axis], bounds[1][axis]];
+            bounds[0][axis] = if x < low { x } else { low };
+            bounds[1][axis] = if x > high { x } else { high };
+        }
+    }
+    bounds
+}
+
+fn touch([low, high]: [[f32; 3]; 2], [other_low, other_high]: [[f32; 3]; 2]) -> bool {
+    (0..3).all(|i| low[i] <= other_high[i] && high[i] >= other_low[i])
+}
+
+/// The plane of a triangle.
+struct Plane {
+    from: [f32; 3],
+    /// Its unit normal, to the side on which others lie.
+    normal: [f32; 3],
+}
+
+impl Plane {
+    fn of([a, b, c]: [[f32; 3]; 3], side: f32) -> Plane {
+        let across = cross(sub(b, a), sub(c, a));
+        let inverse = side / dot(across, across).max(f32::MIN_POSITIVE).sqrt();
+        Plane {
+            from: a,
+            normal: across.map(|x| x * inverse),
+        }
+    }
+
+    fn height(&self, point: [f32; 3]) -> f32 {
+        dot(sub(point, self.from), self.normal)
+    }
+}
+
+/// Where a place is too low over a triangle, or in it.
+#[derive(Clone, Copy)]
+struct Overlap {
+    corners: [usize; 3],
+    weights: [f32; 3],
+    /// The side of the triangle on which the place is to be, the direction in which it is to go,
+    /// and by how much, metres.
+    side: f32,
+    normal: [f32; 3],
+    missing: f32,
+}
+
+/// Distance that is kept at a place: all leaves meet in one line at the spine.
+fn room_at(place: [f32; 3], scale: f32) -> f32 {
+    let away = (place[0] * place[0] + place[2] * place[2]).sqrt();
+    let most = ROOM_FROM_SPINE * scale;
+    if away < most {
+        away / most * scale
+    } else {
+        scale
+    }
+}
+
+/// By how much a place at a height over a triangle is too low, metres; None where it is not, or
+/// where it was never over it.
+fn missing(place: [f32; 3], height: f32, scale: f32) -> Option<f32> {
+    if height >= SLIVER * scale || height < -NOT_UPON * scale {
+        return None;
+    }
+    let room = room_at(place, scale);
+    let missing = SLIVER * room - height;
+    (missing > SLACK * room).then_some(missing)
+}
+
+/// The part of an edge from one end to the other at which it is lowest over a triangle in a plane,
+/// the weights of the triangle's corners there, and by how much it is too low, metres, if it was ever
+/// over it; None where it is nowhere under the triangle.
+fn lowest_over(
+    ends: [[f32; 3]; 2],
+    plane: &Plane,
+    at: [[f32; 3]; 3],
+    scale: f32,
+) -> Option<(f32, [f32; 3], Option<f32>)> {
+    let heights = ends.map(|end| plane.height(end));
+    let across = cross(sub(at[1], at[0]), sub(at[2], at[0]));
+    let square = dot(across, across).max(f32::MIN_POSITIVE);
+    let weights: [[f32; 2]; 3] = core::array::from_fn(|k| {
+        let (b, c) = (at[(k + 1) % 3], at[(k + 2) % 3]);
+        ends.map(|end| dot(across, cross(sub(c, b), sub(end, b))) / square)
+    });
+    // The part of the way on which none is below 0.
+    let (mut first, mut last) = (0.0f32, 1.0f32);
+    for [a, b] in weights {
+        match (a < 0.0, b < 0.0) {
+            (true, true) => return None,
+            (true, false) if a / (a - b) > first => first = a / (a - b),
+            (false, true) if a / (a - b) < last => last = a / (a - b),
+            _ => {}
+        }
+    }
+    let way = if heights[0] < heights[1] { first } else { last };
+    let height = heights[0] + way * (heights[1] - heights[0]);
+    if first > last || height >= 0.0 {
+        return None;
+    }
+    let place = core::array::from_fn(|i| ends[0][i] + way * (ends[1][i] - ends[0][i]));
+    let weights = weights.map(|[a, b]| (a + way * (b - a)).max(0.0));
+    Some((way, weights, missing(place, height, scale)))
+}
+
+/// A leaf that is moved.
+pub struct MovedLeaf<'a> {
+    pub points: &'a mut [[f32; 3]],
+    pub parts: &'a DrawnParts,
+    pub shut: u16,
+    /// Where its points were when they were looked at last; empty where they never were.
+    pub seen: &'a mut Vec<[f32; 3]>,
+}
+
+impl MovedLeaf<'_> {
+    fn parted(&self) -> PartedLeaf<'_> {
+        PartedLeaf {
+            points: self.points,
+            parts: self.parts,
+            shut: self.shut,
+        }
+    }
+
+    fn at(&self, corners: [usize; 3]) -> [[f32; 3]; 3] {
+        corners.map(|corner| self.points[corner])
+    }
+
+    /// Whether any corner of each block has moved since it was looked at last; all that are now
+    /// count as looked at.
+    fn find_moved(&mut self) -> Vec<bool> {
+        let blocks = self.parts.blocks.iter();
+        let has_moved = |node: &usize| self.seen.get(*node) != Some(&self.points[*node]);
+        let moved = blocks.map(|block| {
+            let mut corners = self.parts.corners[block.corners.clone()].iter();
+            corners.any(has_moved)
+        });
+        let moved = moved.collect();
+        self.seen.clear();
+        self.seen.extend_from_slice(self.points);
+        moved
+    }
+
+    /// Moves nodes along a normal so that the place that has these weights of theirs moves by
+    /// so much. The column at the spine stays.
+    fn push<const N: usize>(
+        &mut self,
+        nodes: [usize; N],
+        weights: [f32; N],
+        normal: [f32; 3],
+        by: f32,
+    ) {
+        let parts = self.parts;
+        let of_free = nodes.into_iter().zip(weights);
+        let of_free = of_free.filter(|(node, _)| !parts.is_bound(*node));
+        let whole: f32 = of_free.clone().map(|(_, weight)| weight * weight).sum();
+        for (node, weight) in of_free {
+            for axis in 0..3 {
+                self.points[node][axis] += by * weight / whole.max(0.1) * normal[axis];
+            }
+        }
+    }
+}
+
+/// Moves a leaf off another, once. `side` is 1 where it lies on the recto's side of the other, or
+/// -1; lengths are those of a page 0.14 m wide, and its own is wider by `scale`. Only what has
+/// moved since it was looked at last is looked at.
+pub fn push_off_leaf(
+    own: &mut MovedLeaf<'_>,
+    other: &PartedLeaf<'_>,
+    placed: &mut PlacedBlocks,
+    [side, scale]: [f32; 2],
+    work: &mut Work,
+) -> Outcome {
+    let has_moved = own.find_moved();
+    let [over, under] = find_pairs(
+        &own.parted(),
+        &has_moved,
+        other,
+        placed,
+        [side, scale],
+        work,
+    );
+    let mut outcome = Outcome::Clear;
+    // Its points off the other's triangles.
+    for pairs in over.chunk_by(|a, b| a[0] == b[0]) {
+        let found = deepest(&own.parted(), pairs, other, [side, scale], placed, work);
+        for (node, found) in found {
+            own.push([node], [1.0], found.normal, found.missing);
+            outcome = Outcome::Moved;
+        }
+    }
+    // Its triangles off the other's points. What was pushed off one may be off the next.
+    let mut own_placed = PlacedBlocks::of(&own.parted());
+    for pairs in under.chunk_by(|a, b| a[0] == b[0]) {
+        let facing = [-side, scale];
+        let found = deepest(other, pairs, &own.parted(), facing, &mut own_placed, work);
+        for (node, found) in found {
+            let place = other.points[node];
+            let plane = Plane::of(own.at(found.corners), found.side);
+            if let Some(missing) = missing(place, plane.height(place), scale) {
+                own.push(found.corners, found.weights, plane.normal, -missing);
+                outcome = Outcome::Moved;
+            }
+        }
+    }
+    // Edges that still go through triangles.
+    for pair in over {
+        let [block, other_block] = pair;
+        if under.binary_search(&[other_block, block]).is_err() {
+            continue;
+        }
+        let facing = side * other.facing(other_block);
+        let slab = placed.slab(other, other_block);
+        let bounds = own.parted().box_of(&own.parts.blocks[block]);
+        if own.parted().is_clear_of(block, bounds, &slab, facing, 0.0) {
+            continue;
+        }
+        outcome = outcome.max(push_edges_off(own, other, pair, [facing, scale], work));
+        let facing = -side * own.parted().facing(block);
+        outcome = outcome.max(push_off_edges(own, other, pair, [facing, scale], work));
+    }
+    outcome
+}
+
+/// What was found when a leaf was moved off another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Outcome {
+    /// It goes through the other nowhere, and lies clear of it.
+    Clear,
+    /// Some of it was moved.
+    Moved,
+    /// It goes through the other, and was never upon it there.
+    Crosses,
+}
+
+impl Outcome {
+    /// Of an edge that goes through a triangle, and is moved by so much if it is.
+    fn of_edge(missing: Option<f32>) -> Outcome {
+        missing.map_or(Outcome::Crosses, |_| Outcome::Moved)
+    }
+}
+
+/// The blocks of a leaf whose points may be too low over a block of another, with that; and the
+/// blocks of the other with those of the leaf.
+fn find_pairs(
+    own: &PartedLeaf<'_>,
+    has_moved: &[bool],
+    other: &PartedLeaf<'_>,
+    placed: &mut PlacedBlocks,
+    [side, scale]: [f32; 2],
+    work: &mut Work,
+) -> [Vec<[usize; 2]>; 2] {
+    let mut own_placed = PlacedBlocks::of(own);
+    let [mut over, mut under] = [Vec::new(), Vec::new()];
+    let (within, gap) = (NOT_UPON * scale, SLIVER * scale);
+    let all = placed.around();
+    let blocks = (0..own.parts.blocks.len()).filter(|block| has_moved[*block]);
+    for block in blocks {
+        let bounds = own_placed.boxes[block];
+        let [low, high] = bounds;
+        if (0..3).any(|i| high[i] < all[0][i] - within || low[i] > all[1][i] + within) {
+            continue;
+        }
+        work.spend(BLOCKS * other.parts.blocks.len() as u32);
+        for other_block in 0..other.parts.blocks.len() {
+            let others = placed.boxes[other_block];
+            let is_near =
+                (0..3).all(|i| high[i] > others[0][i] - within && low[i] < others[1][i] + within);
+            if !is_near {
+                continue;
+            }
+            work.spend(POINT * CORNERS as u32);
+            // What a plane parts is clear, from either side.
+            let slab = placed.slab(other, other_block);
+            let facing = side * other.facing(other_block);
+            if own.is_clear_of(block, bounds, &slab, facing, gap) {
+                continue;
+            }
+            let own_slab = own_placed.slab(own, block);
+            let facing = -side * own.facing(block);
+            work.spend(POINT * CORNERS as u32);
+            if other.is_clear_of(other_block, others, &own_slab, facing, gap) {
+                continue;
+            }
+            if !placed.is_beside(bounds, other_block, &slab, scale) {
+                over.push([block, other_block]);
+            }
+            if !own_placed.is_beside(others, block, &own_slab, scale) {
+                under.push([other_block, block]);
+            }
+        }
+    }
+    under.sort_unstable();
+    [over, under]
+}
+
+/// How points of a block, the first of all these pairs, are too low over triangles of another leaf
+/// in the second blocks: of each part that over which one is too low by least, and of the parts the
+/// one over which it is so by most.
+fn deepest(
+    leaf: &PartedLeaf<'_>,
+    pairs: &[[usize; 2]],
+    other: &PartedLeaf<'_>,
+    [side, scale]: [f32; 2],
+    placed: &mut PlacedBlocks,
+    work: &mut Work,
+) -> Vec<(usize, Overlap)> {
+    // By points and parts.
+    let mut found: Vec<(usize, u16, Overlap)> = Vec::new();
+    let own_points = leaf.parts.blocks[pairs[0][0]].own_points.clone();
+    let nodes = &leaf.parts.own_points[own_points];
+    let mut near = Vec::with_capacity(CORNERS);
+    for [_, block] in pairs {
+        let facing = side * other.facing(*block);
+        let slab = placed.slab(other, *block);
+        let is_near = |node: &usize| slab.distance_of(leaf.points[*node], facing) < SLIVER * scale;
+        near.clear();
+        near.extend(nodes.iter().copied().filter(is_near));
+        let Block {
+            part, triangles, ..
+        } = &other.parts.blocks[*block];
+        work.spend(POINT * nodes.len() as u32);
+        if near.is_empty() {
+            continue;
+        }
+        work.spend((TRIANGLE + POINT * near.len() as u32) * triangles.len() as u32);
+        for corners in &other.parts.triangles[triangles.clone()] {
+            let at = corners.map(|corner| other.points[corner]);
+            let plane = Plane::of(at, facing);
+            for node in near.iter().copied() {
+                let point = leaf.points[node];
+                let Some(missing) = missing(point, plane.height(point), scale) else {
+                    continue;
+                };
+                let known = found
+                    .iter_mut()
+                    .find(|(of, on, _)| (*of, on) == (node, part));
+                if known
+                    .as_ref()
+                    .is_some_and(|known| known.2.missing <= missing)
+                {
+                    continue;
+                }
+                let Some(weights) = weights_over(point, at) else {
+                    continue;
+                };
+                let here = Overlap {
+                    corners: *corners,
+                    weights,
+                    side: facing,
+                    normal: plane.normal,
+                    missing,
+                };
+                match known {
+                    Some(known) => known.2 = here,
+                    None => found.push((node, *part, here)),
+                }
+            }
+        }
+    }
+    let mut of_points: Vec<(usize, Overlap)> = Vec::with_capacity(found.len());
+    for (node, _, overlap) in found {
+        match of_points.iter_mut().find(|(of, _)| *of == node) {
+            Some(known) if known.1.missing < overlap.missing => known.1 = overlap,
+            Some(_) => {}
+            None => of_points.push((node, overlap)),
+        }
+    }
+    of_points
+}
+
+/// Moves edges of a block of a leaf off the triangles of a block of another that they go through.
+fn push_edges_off(
+    own: &mut MovedLeaf<'_>,
+    other: &PartedLeaf<'_>,
+    [block, other_block]: [usize; 2],
+    [side, scale]: [f32; 2],
+    work: &mut Work,
+) -> Outcome {
+    let mut found = Outcome::Clear;
+    let triangles = other.parts.blocks[other_block].triangles.clone();
+    let bounds = own.parted().box_of(&own.parts.blocks[block]);
+    for corners in &other.parts.triangles[triangles] {
+        let at = corners.map(|corner| other.points[corner]);
+        let around = box_around(at.into_iter());
+        if !touch(around, bounds) {
+            continue;
+        }
+        let plane = Plane::of(at, side);
+        for edge in edges_through(&plane, &own.parted(), block, work) {
+            let ends = edge.map(|node| own.points[node]);
+            if !touch(around, box_around(ends.into_iter())) {
+                continue;
+            }
+            if let Some((way, _, missing)) = lowest_over(ends, &plane, at, scale) {
+                if let Some(missing) = missing {
+                    own.push(edge, [1.0 - way, way], plane.normal, missing);
+                }
+                found = found.max(Outcome::of_edge(missing));
+            }
+        }
+    }
+    found
+}
+
+/// Moves triangles of a block of a leaf off the edges of a block of another that go through them.
+fn push_off_edges(
+    own: &mut MovedLeaf<'_>,
+    other: &PartedLeaf<'_>,
+    [block, other_block]: [usize; 2],
+    [side, scale]: [f32; 2],
+    work: &mut Work,
+) -> Outcome {
+    let mut found = Outcome::Clear;
+    let parts = own.parts;
+    let triangles = parts.blocks[block].triangles.clone();
+    let bounds = other.box_of(&other.parts.blocks[other_block]);
+    for corners in &parts.triangles[triangles] {
+        let around = box_around(own.at(*corners).into_iter());
+        if !touch(around, bounds) {
+            continue;
+        }
+        let plane = Plane::of(own.at(*corners), side);
+        for edge in edges_through(&plane, other, other_block, work) {
+            let ends = edge.map(|node| other.points[node]);
+            if !touch(around, box_around(ends.into_iter())) {
+                continue;
+            }
+            let at = own.at(*corners);
+            let plane = Plane::of(at, side);
+            if let Some((_, weights, missing)) = lowest_over(ends, &plane, at, scale) {
+                if let Some(missing) = missing {
+                    own.push(*corners, weights, plane.normal, -missing);
+                }
+                found = found.max(Outcome::of_edge(missing));
+            }
+        }
+    }
+    found
+}
+
+/// The edges of a block that go through a plane.
+fn edges_through(
+    plane: &Plane,
+    leaf: &PartedLeaf<'_>,
+    block: usize,
+    work: &mut Work,
+) -> Vec<[usize; 2]> {
+    let block = &leaf.parts.blocks[block];
+    let corners = &leaf.parts.corners[block.corners.clone()];
+    work.spend(TRIANGLE + POINT * corners.len() as u32);
+    let is_under = |set: u32, (k, node): (usize, &usize)| {
+        set | u32::from(plane.height(leaf.points[*node]) < 0.0) << k
+    };
+    let under = corners.iter().enumerate().fold(0, is_under);
+    if under == 0 || under.count_ones() as usize == corners.len() {
+        return Vec::new();
+    }
+    let edges = leaf.parts.edges[block.edges.clone()].iter();
+    let through = edges.filter(|[p, q]| (under >> p ^ under >> q) & 1 == 1);
+    through
+        .map(|edge| edge.map(|end| corners[usize::from(end)]))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::book::separate_parts::{ROUNDS, tests::folded};
+
+    const COLUMNS: usize = 9;
+    const ROWS: usize = 7;
+
+    /// Points a centimetre apart, from a place on, at a height by column and row.
+    fn points(from: [f32; 2], height: impl Fn(usize, usize) -> f32) -> Vec<[f32; 3]> {
+        let place = |node: usize| {
+            let (column, row) = (node % COLUMNS, node / COLUMNS);
+            let [x, y] = [column, row].map(|k| k as f32 * 0.01);
+            [x + from[0], y + from[1], height(column, row)]
+        };
+        (0..COLUMNS * ROWS).map(place).collect()
+    }
+
+    /// Moves a whole leaf up, off another that is under it. Returns what was found in the end.
+    fn move_off(own: &mut [[f32; 3]], other: &PartedLeaf<'_>) -> Outcome {
+        let parts = DrawnParts::whole(COLUMNS, ROWS);
+        let mut placed = PlacedBlocks::of(other);
+        let (mut seen, mut found) = (Vec::new(), Outcome::Clear);
+        for _ in 0..ROUNDS {
+            let leaf = &mut MovedLeaf {
+                points: own,
+                parts: &parts,
+                shut: 0,
+                seen: &mut seen,
+            };
+            found = push_off_leaf(leaf, other, &mut placed, [1.0; 2], &mut Work::new(u32::MAX));
+        }
+        found
+    }
+
+    /// No point of either is near the other's triangles.
+    #[test]
+    fn a_valley_is_moved_off_a_ridge_across_it_between_the_points_of_both() {
+        let mut own = points([0.0; 2], |_, row| if row == 3 { -1e-4 } else { 2e-3 });
+        let ridge = points([5e-3; 2], |column, _| if column == 4 { 0.0 } else { -2e-3 });
+        let other = PartedLeaf {
+            points: &ridge,
+            parts: &DrawnParts::whole(COLUMNS, ROWS),
+            shut: 0,
+        };
+        assert_eq!(move_off(&mut own, &other), Outcome::Clear);
+        let [before, after] = [4, 5].map(|column| own[3 * COLUMNS + column][2]);
+        assert!(0.5 * (before + after) > 0.0, "{before} {after}");
+        assert_eq!(own[3 * COLUMNS + 1][2], -1e-4, "the rest stays");
+    }
+
+    /// Of the page under the flap it is clear, and nearer to that.
+    #[test]
+    fn a_leaf_between_a_page_and_its_flap_is_moved_over_both() {
+        let (under, parts) = folded(1e-3);
+        let other = PartedLeaf {
+            points: &under,
+            parts: &parts,
+            shut: 1,
+        };
+        let mut own = points([0.0; 2], |_, _| 3e-4);
+        assert_eq!(move_off(&mut own, &other), Outcome::Clear);
+        for row in 0..ROWS {
+            // The flap reaches from the fold, at 40 mm, to 5 mm.
+            for column in 1..=3 {
+                let height = own[row * COLUMNS + column][2];
+                assert!(height > 1e-3, "{height} at column {column}, row {row}");
+            }
+            assert_eq!(own[row * COLUMNS + 6][2], 3e-4, "beyond the fold it stays");
+        }
+    }
+
+    #[test]
+    fn a_leaf_that_lies_clear_of_a_folded_one_stays() {
+        let (under, parts) = folded(1e-3);
+        let other = PartedLeaf {
+            points: &under,
+            parts: &parts,
+            shut: 1,
+        };
+        let before = points([0.0; 2], |_, _| 1.1e-3);
+        let mut own = before.clone();
+        assert_eq!(move_off(&mut own, &other), Outcome::Clear);
+        assert_eq!(own, before);
+    }
+}
