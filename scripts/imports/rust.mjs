@@ -42,7 +42,7 @@ export function modulesOf(folder) {
 
 function read(file, path) {
   const whole = readFileSync(file, "utf8").replace(/\/\/.*$/gm, "");
-  const text = whole.split(/#\[cfg\(test\)\]\s*\n\s*mod \w+ \{/)[0];
+  const text = whole.split(/#\[cfg\(test\)\]\s*\n\s*(?:pub(?:\([^)]*\))?\s+)?mod \w+ \{/)[0];
   const forTests = new Set([...text.matchAll(/#\[cfg\(test\)\]\s*mod (\w+);/g)].map((m) => m[1]));
   const children = new Set(
     [...text.matchAll(/(?:^|\n)\s*(?:pub(?:\([^)]*\))?\s+)?mod (\w+);/g)].map((m) => m[1]),

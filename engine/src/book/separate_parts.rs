@@ -457,7 +457,7 @@ pub fn weights_over(point: [f32; 3], [a, b, c]: [[f32; 3]; 3]) -> Option<[f32; 3
 }
 
 #[cfg(test)]
-pub mod tests {
+pub(super) mod tests {
     use super::*;
 
     const COLUMNS: usize = 9;
