@@ -89,6 +89,8 @@ export class TurnleafBook extends ReaderElement {
   /** The pages that were torn out of the open book, once some may be, and what loads that. */
   #torn: TornPages | null = null;
   #loadingTorn: Promise<void> | null = null;
+  /** How many calls wait for what tears leaves out. */
+  #loadingTears = 0;
   #input: BookInput | null = null;
   #paper: Paper | null = null;
   readonly #asked = new RequestedPage();
@@ -174,11 +176,12 @@ export class TurnleafBook extends ReaderElement {
   }
 
   /**
-   * Whether the book is settled and the pages that the next turn brings into
-   * view are drawn, as far as memory allows.
+   * Whether the book is settled, the pages that the next turn brings into
+   * view are drawn, as far as memory allows, and where leaves may be torn out, what tears them is
+   * loaded.
    */
   get ready(): boolean {
-    return this.#viewer?.ready ?? false;
+    return this.#loadingTears === 0 && (this.#viewer?.ready ?? false);
   }
 
   /**
@@ -762,9 +765,14 @@ export class TurnleafBook extends ReaderElement {
   /** Loads what tears leaves out and what keeps their pages, where they may be torn. */
   async #allowTearing(): Promise<void> {
     if (tearLineOf(this) === null || !this.#viewer) return;
-    this.#loadingTorn ??= this.#loadTornPages();
-    await this.#loadingTorn;
-    await this.#viewer?.allowTearing();
+    this.#loadingTears++;
+    try {
+      this.#loadingTorn ??= this.#loadTornPages();
+      await this.#loadingTorn;
+      await this.#viewer?.allowTearing();
+    } finally {
+      this.#loadingTears--;
+    }
   }
 
   async #loadTornPages(): Promise<void> {

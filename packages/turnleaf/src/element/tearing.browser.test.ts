@@ -23,7 +23,8 @@ async function opened(attributes: Record<string, string> = {}, count = 12): Prom
   // With room on the table beside the book.
   element.style.cssText = "width: 760px; height: 320px";
   await happens(element, "load");
-  await settled(element);
+  // A pull tears nothing until what tears is loaded.
+  await expect.poll(() => element.ready, { timeout: 20_000 }).toBe(true);
   return element;
 }
 
