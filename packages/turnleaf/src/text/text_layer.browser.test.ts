@@ -360,7 +360,7 @@ test("scans say what they show and what stands on them, from right to left too",
   expect((root().querySelector(".text") as HTMLElement).lang).toBe("ja");
   expect(first.querySelector("[role=img]")?.ariaLabel).toBe("A whale");
   // It is laid over the pages once these are drawn.
-  await expect.poll(() => element.settled, { timeout: 20_000 }).toBe(true);
+  await settled(element);
   // The page that is read first lies on the right, and its letters stand below each other.
   const [one, two] = [first, second].map((group) => group.querySelector("span") as HTMLElement);
   const [high, wide] = [one.getBoundingClientRect(), two.getBoundingClientRect()];
