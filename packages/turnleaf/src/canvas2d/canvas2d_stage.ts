@@ -296,22 +296,22 @@ export class Canvas2DStage implements BookStage {
       for (const page of pages) page.free();
       this.#drawnPages.delete(id);
     }
+    for (const { leaf, index } of order) if (!isBoard(leaf)) this.#drawPages(brush, leaf, index);
     // The leaf picked up later lay beneath, and is folded over the earlier one.
-    for (const { leaf, index } of order.toReversed()) {
-      if (isBoard(leaf)) continue;
-      drawFlat(brush, leaf, this.#pagesOf(brush, leaf, index)[0]);
+    for (const { leaf } of order.toReversed()) {
+      const pages = this.#drawnPages.get(leaf.id);
+      if (pages) drawFlat(brush, leaf, pages[0]);
     }
     const isScan = this.#shape.kind === "scan";
     for (const { leaf, index } of order) {
-      if (isBoard(leaf)) {
+      const pages = this.#drawnPages.get(leaf.id);
+      if (pages) {
+        const [up, under] = pages;
+        drawFolded(brush, leaf, under, up.hasInk && !isScan ? up : null);
+      } else {
         const angle = angleOf(leaf);
         const picture = show(angle < Math.PI / 2 ? `recto ${index}` : `verso ${index}`);
         drawBoard(brush, { side: "leaf", angle, picture, detail: null });
-      } else {
-        const [up, under] = this.#pagesOf(brush, leaf, index);
-        const hasInk =
-          show(leaf.side === Side.right ? `recto ${index}` : `verso ${index}`) !== null;
-        drawFolded(brush, leaf, under, hasInk && !isScan ? up : null);
       }
     }
     if (this.#shape.cover === "hard") {
@@ -321,10 +321,10 @@ export class Canvas2DStage implements BookStage {
   }
 
   /**
-   * Returns the pages of a leaf in flight as they lie: the one that it lay with, which is copied
+   * Draws the pages of a leaf in flight as they lie: the one that it lay with, which is copied
    * pixel for pixel, and the other, which is turned and so keeps the pixels of its bitmap.
    */
-  #pagesOf(brush: Brush, { id, side }: PeeledSurface, index: number) {
+  #drawPages(brush: Brush, { id, side }: PeeledSurface, index: number): void {
     let pages = this.#drawnPages.get(id);
     if (pages === undefined) {
       const document = this.#canvas.ownerDocument;
@@ -340,7 +340,6 @@ export class Canvas2DStage implements BookStage {
     const width = brush.unit * (this.#shape.quarterTurned ? this.#shape.height : this.#shape.width);
     const density = Math.max(1, (other?.width ?? 0) / width);
     pages[1].show(brush, sign === 1 ? -1 : 1, other, this.#version, density);
-    return pages;
   }
 
   #freeDrawings(): void {

@@ -10,9 +10,15 @@ export class DrawnPage {
   readonly #drawing: KeptDrawing;
   /** From its pixels to the space of the brush. */
   #toBook = new DOMMatrix();
+  #hasInk = false;
 
   constructor(document: Document) {
     this.#drawing = new KeptDrawing(document);
+  }
+
+  /** Whether it shows a picture, and not bare paper. */
+  get hasInk(): boolean {
+    return this.#hasInk;
   }
 
   /**
@@ -30,6 +36,7 @@ export class DrawnPage {
     density: number,
   ): void {
     const { pen, toCanvas, shape } = brush;
+    this.#hasInk = picture !== null;
     const [left, top, right, bottom] = pageBox(shape, sign);
     const a = toCanvas.transformPoint({ x: left, y: top });
     const b = toCanvas.transformPoint({ x: right, y: bottom });

@@ -50,8 +50,8 @@ void main() {
 `;
 
 /**
- * What only some pages need is compiled in, or not: drawn in software a pixel takes the time of both
- * ways of a branch, and the light that flaps and sheets keep off would be a third of a frame.
+ * What only some pages need is compiled in, or not: drawn in software, the light that flaps and
+ * sheets keep off would cost each pixel much of its time also where no branch leads there.
  */
 const fragmentShader = /* glsl */ `
 uniform sampler2D pictureBehind;
