@@ -94,6 +94,7 @@ pub fn creased(creases: usize) -> Sheet {
         rest,
         stiffness: 6.0 * Stock::BOOK.stiffness_across / PAGE[0],
         yields: 0.2,
+        creep: 0.0,
     };
     let lines = [
         line([[0.7, 0.0], [1.0, 0.2]], 2.5),

@@ -213,6 +213,7 @@ fn by_sheet(strip: &CreasedElastica, settings: Settings) -> Result<Rested, Strin
         rest: strip.rest,
         stiffness: strip.stiffness * piece.stiffness / length,
         yields: f64::INFINITY,
+        creep: 0.0,
     };
     sheet.crease(&[crease]).map_err(|error| error.to_string())?;
     let (sin, cos) = strip.rest.sin_cos();

@@ -100,6 +100,7 @@ pub fn run(options: &Options) -> Result<Lines<Folded>, String> {
             rest: 0.0,
             stiffness: PRESSED * stock.stiffness_across / PAGE[0],
             yields: f64::INFINITY,
+            creep: 0.0,
         })
         .collect();
     sheet.crease(&lines).map_err(|error| error.to_string())?;

@@ -4,7 +4,8 @@
 //! crease is a line whose moment is `stiffness * (angle - rest)` a length
 //! (Lechenault, Thiria and Adda-Bedia 2014, "Mechanical response of a creased
 //! sheet"). Turned further from its rest than it yields, it keeps the difference:
-//! its rest angle follows, as that of a fold that is pressed.
+//! its rest angle follows, as that of a fold that is pressed. It may creep too (see
+//! `plastic_hinge.rs`).
 
 use crate::stock::Stock;
 
@@ -23,6 +24,9 @@ pub struct FoldLine {
     /// Angle off its rest beyond which it yields, radians; infinite where it never
     /// does.
     pub yields: f64,
+    /// Angle by which its rest creeps toward where it is held in a time that grows e-fold,
+    /// radians, from 1 s on at its yield; 0 where it does not.
+    pub creep: f64,
 }
 
 /// Stiffness of a crease over that of the paper across a width of the page: k L / D, where
@@ -42,6 +46,7 @@ impl FoldLine {
             rest,
             stiffness: PRESSED * stock.stiffness_across / width,
             yields: YIELDS,
+            creep: 0.0,
         }
     }
 
@@ -63,5 +68,7 @@ impl FoldLine {
             && self.rest.abs() <= f64::from(core::f32::consts::PI)
             && self.stiffness > 0.0
             && self.yields > 0.0
+            // What creeps has a yield to count from.
+            && (self.creep == 0.0 || (self.creep > 0.0 && (self.creep + self.yields).is_finite()))
     }
 }

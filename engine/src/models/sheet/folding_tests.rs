@@ -17,6 +17,7 @@ fn line(from: [f64; 2], to: [f64; 2], rest: f64) -> FoldLine {
         rest: rest.to_radians(),
         stiffness: PRESSED,
         yields: f64::INFINITY,
+        creep: 0.0,
     }
 }
 
@@ -208,6 +209,64 @@ fn a_fold_that_is_turned_further_than_it_yields_keeps_the_rest() {
     assert!(sheet.max_edge_strain() < 0.01);
 }
 
+/// A page bent along a crease by an angle and held there, and how far its crease is turned off
+/// its rest after each of some times, with the part of the turn that the crease takes.
+fn turned_off_rest(crease: FoldLine, angle: f64, seconds: &[f64]) -> Vec<[f64; 2]> {
+    let mut sheet = Sheet::new(leaf()).unwrap();
+    sheet.crease(&[crease]).unwrap();
+    let bent = FoldLine {
+        rest: angle,
+        ..crease
+    };
+    fold(&mut sheet, &bent);
+    let (held, still) = (
+        sheet.positions().to_vec(),
+        vec![0.0; sheet.positions().len()],
+    );
+    let mut found = Vec::new();
+    let mut time = 0.0;
+    for until in seconds {
+        while time < *until {
+            sheet.step();
+            sheet.write_nodes(&held, &still);
+            time += f64::from(sheet.time_step());
+        }
+        let [own, rest] = sheet.crease_angle(0).unwrap().map(f64::from);
+        found.push([own - rest, (own - rest) / (angle - rest)]);
+    }
+    found
+}
+
+#[test]
+fn a_crease_that_is_held_creeps_with_the_logarithm_of_time() {
+    let crease = FoldLine {
+        yields: 0.5,
+        creep: 0.02,
+        ..line([0.5, 0.0], [0.5, 1.0], 0.0)
+    };
+    let still = FoldLine {
+        creep: 0.0,
+        ..crease
+    };
+    let times = [0.1, 1.0, 10.0];
+    let [start, ..] = turned_off_rest(still, 0.5, &times)[..] else {
+        panic!("no angle");
+    };
+    assert_eq!(
+        turned_off_rest(still, 0.5, &times),
+        [start; 3],
+        "without creep"
+    );
+    for (seconds, [turned, part]) in times.iter().zip(turned_off_rest(crease, 0.5, &times)) {
+        let from = ((crease.yields - start[0]) / crease.creep).exp();
+        let exact = crease.yields - crease.creep * (from + part * seconds).ln();
+        assert!(
+            (turned - exact).abs() < 5e-4,
+            "{turned} rad after {seconds} s, not {exact}"
+        );
+    }
+}
+
 #[test]
 fn a_creased_strip_hangs_as_the_creased_elastica() {
     let anchors = creased_strips();
@@ -233,6 +292,7 @@ fn a_creased_strip_hangs_as_the_creased_elastica() {
             rest: rest.to_radians(),
             stiffness: stiffness * stock.stiffness_across / PAGE[0],
             yields: f64::INFINITY,
+            creep: 0.0,
         };
         sheet.crease(&[crease]).unwrap();
         fold(&mut sheet, &crease);

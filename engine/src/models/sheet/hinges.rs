@@ -13,6 +13,7 @@
 
 use super::crease::FoldLine;
 use super::material::{Material, cut};
+use super::plastic_hinge::Plasticity;
 use super::plates::{plate_at, weights};
 use super::settings::{Root, SheetSettings};
 use super::system::System;
@@ -55,9 +56,9 @@ struct Fold {
     fraction: f32,
     /// Energy in the crease is half of this times the square of that part, N m.
     stiffness: f32,
-    /// Moment of the crease by its angle from rest, N m, and the angle beyond which it yields.
+    /// Moment of the crease by its angle from rest, N m.
     spring: f32,
-    yields: f32,
+    plasticity: Plasticity,
     /// Greatest angle at which it comes to rest by yielding, radians.
     tightest: f32,
 }
@@ -312,7 +313,10 @@ impl Hinges {
             fraction: (1.0 / (1.0 + paper / spring)) as f32,
             stiffness: (paper * paper / spring) as f32,
             spring: spring as f32,
-            yields: line.yields as f32,
+            plasticity: Plasticity {
+                yields: line.yields as f32,
+                creep: line.creep as f32,
+            },
             tightest: f32::INFINITY,
         }
     }
@@ -374,19 +378,21 @@ impl Hinges {
     }
 
     /// Creases that are turned further from their rest than they yield keep what is
-    /// beyond, where they may.
-    pub fn settle(&mut self, positions: &[f32], tangents: &[f32]) {
+    /// beyond, where they may; those that creep do so for so many seconds.
+    pub fn settle(&mut self, positions: &[f32], tangents: &[f32], seconds: f32) {
         let (x, tangents) = (positions.as_chunks::<3>().0, tangents.as_chunks::<3>().0);
         for fold in &mut self.folds {
             let hinge = &self.hinges[fold.hinge];
             let angle = measure(&vertices(hinge, x, tangents, self.columns)).value;
             fold.last = unwrapped(angle, fold.last);
             let turned = fold.crease_angle() - fold.rest;
-            let beyond = turned.abs() - fold.yields;
-            if beyond > 0.0 && self.may_yield {
-                let rest = fold.rest + beyond.copysign(turned);
+            let plasticity = &fold.plasticity;
+            let beyond = plasticity.follow(turned, self.may_yield, seconds);
+            if beyond != 0.0 {
+                let rest = fold.rest + beyond;
                 let rest = rest.clamp(-fold.tightest, fold.tightest);
-                self.yielded += fold.spring * fold.yields * (rest - fold.rest).abs();
+                let moment = fold.spring * turned.abs().min(plasticity.yields);
+                self.yielded += moment * (rest - fold.rest).abs();
                 fold.rest = rest;
             }
         }

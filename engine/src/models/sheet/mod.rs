@@ -24,6 +24,7 @@ mod material;
 mod measure;
 mod membrane;
 mod patches;
+mod plastic_hinge;
 mod plates;
 mod settings;
 mod sweep;
@@ -500,7 +501,9 @@ impl Sheet {
             v.copy_from_slice(&new.map(|v| v * slower));
         }
         if let (true, Some(creased)) = (CAN_CREASE, &mut self.creased) {
-            creased.hinges.settle(&self.positions, &self.tangents);
+            creased
+                .hinges
+                .settle(&self.positions, &self.tangents, self.h);
         }
         self.last_tangents.copy_from_slice(&self.tangents);
         self.time += f64::from(self.h);
