@@ -80,6 +80,9 @@ pub struct Leaf {
     turned_over: bool,
     /// Whether the limit on its fall, and not its own motion, brought it to rest.
     put_down: bool,
+    /// Angle by which it is lowered about the spine while it is eased to rest, radians; 0 where
+    /// its nodes go there straight.
+    lowering: f32,
     /// Fraction of the half turn done and its rate of change, 1/s.
     turned: f32,
     turn_rate: f32,
@@ -146,6 +149,7 @@ impl Leaf {
             fallen: 0,
             turned_over: false,
             put_down: false,
+            lowering: 0.0,
             turned: 0.0,
             turn_rate: 0.0,
             clamp: 0.0,

@@ -118,8 +118,10 @@ impl Leaf {
     }
 
     /// Finds where the leaf, which has landed on a side or not, is eased to rest: flat on the
-    /// pile; with creases, where it landed, or folded as they rest.
+    /// pile; with creases, where it landed, or folded as they rest. Where its folds lie upon folds,
+    /// whose shape is not known beforehand, it is lowered about the spine as it is.
     fn find_rest(&mut self, side: Side, landed: bool) {
+        self.lowering = 0.0;
         if !self.sheet.is_creased() {
             for (k, (rest, flat)) in self.rest.iter_mut().zip(&self.flat).enumerate() {
                 *rest = if k % 3 == 0 {
@@ -128,8 +130,14 @@ impl Leaf {
                     *flat
                 };
             }
-        } else if landed || self.flaps.as_ref().is_some_and(Flaps::overlap) {
+        } else if landed {
             self.rest.copy_from_slice(&self.landed);
+        } else if self.flaps.as_ref().is_some_and(Flaps::overlap) {
+            self.lowering = lowest_angle(&self.landed, side);
+            let lowered = lowered(&self.landed, side, self.lowering);
+            for (rest, x) in self.rest.iter_mut().zip(lowered) {
+                *rest = x;
+            }
         } else {
             self.sheet.lay_folded(side);
             self.rest.copy_from_slice(self.sheet.positions());
@@ -199,6 +207,11 @@ impl Leaf {
             return;
         }
         let eased = t * t * (3.0 - 2.0 * t);
+        if self.lowering > 0.0 {
+            let lowered = lowered(&self.landed, side, eased * self.lowering);
+            self.sheet.place(lowered);
+            return;
+        }
         let states = self.landed.iter().zip(&self.rest);
         let eased = states.map(|(landed, rest)| landed + (rest - landed) * eased);
         self.sheet.place(eased);
@@ -217,4 +230,23 @@ impl Leaf {
         });
         apart.fold(0.0, f32::max)
     }
+}
+
+/// Angle by which nodes can be turned about the spine toward a side until one of them is on the
+/// table, radians, 0 or more. Those on the spine stay where they are.
+fn lowest_angle(nodes: &[f32], side: Side) -> f32 {
+    let nodes = nodes.as_chunks::<3>().0.iter().enumerate();
+    let free = nodes.filter(|(node, _)| node % NODES[0] > 0);
+    let angles = free.map(|(_, [x, _, z])| libm::atan2f(*z, side.sign() * x));
+    angles.fold(core::f32::consts::PI, f32::min).max(0.0)
+}
+
+/// Nodes turned about the spine toward a side by an angle, radians.
+fn lowered(nodes: &[f32], side: Side, angle: f32) -> impl Iterator<Item = f32> {
+    let (sin, cos) = libm::sincosf(angle);
+    let sign = side.sign();
+    nodes.as_chunks::<3>().0.iter().flat_map(move |[x, y, z]| {
+        let ahead = sign * x;
+        [sign * (ahead * cos + z * sin), *y, z * cos - ahead * sin]
+    })
 }

@@ -528,3 +528,42 @@ fn leaves_that_have_passed_each_other_are_put_down_in_their_order() {
     assert_eq!(book.read(), 40);
     assert_eq!(book.landed()[0], 2);
 }
+
+#[test]
+#[cfg(feature = "creases")]
+fn a_leaf_folded_upon_its_folds_that_stays_upright_is_put_down_on_its_side() {
+    use crate::models::sheet::FoldLine;
+    for side in [Side::Right, Side::Left] {
+        let drawn = crate::interpolate::uniform_samples(27);
+        let size = [f64::from(WIDTH), 0.21];
+        let mut leaf = Leaf::new(size, &crate::book::Paper::default(), 0.0, (&drawn, 27));
+        let along = |u: f64, degrees: f64| {
+            let through = [[u, 0.0], [u, 1.0]];
+            FoldLine::pressed(through, degrees.to_radians(), &Stock::BOOK, size[0])
+        };
+        assert!(leaf.crease(&[along(0.7, 175.0), along(0.4, 160.0)]));
+        leaf.sheet.lay_folded(side);
+        leaf.lie(side);
+        let laid = leaf.measure_fraction();
+        let sign = side.sign();
+        let nodes = leaf.sheet.positions().as_chunks::<3>().0;
+        let upright: Vec<f32> = nodes
+            .iter()
+            .flat_map(|[x, y, z]| [-sign * z, *y, sign * x])
+            .collect();
+        leaf.sheet.put_back(&upright);
+        leaf.turned = leaf.measure_fraction();
+        leaf.wake();
+        leaf.fallen = 1000;
+        let mut strain = 0.0f32;
+        for _ in 0..60 {
+            leaf.step(true, false);
+            strain = strain.max(leaf.sheet.max_edge_strain());
+        }
+        assert_eq!(leaf.phase(), Phase::Resting(side));
+        // As it lay folded, which is not flat.
+        let off = (leaf.fraction_turned() - laid).abs();
+        assert!(off < 0.01, "{off} of the half turn off");
+        assert!(strain < 0.01, "{strain}");
+    }
+}
