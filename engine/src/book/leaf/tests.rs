@@ -552,6 +552,7 @@ fn a_leaf_folded_upon_its_folds_that_stays_upright_is_put_down_on_its_side() {
             .flat_map(|[x, y, z]| [-sign * z, *y, sign * x])
             .collect();
         leaf.sheet.put_back(&upright);
+        leaf.clamp = core::f32::consts::FRAC_PI_2;
         leaf.turned = leaf.measure_fraction();
         leaf.wake();
         leaf.fallen = 1000;
