@@ -554,12 +554,17 @@ impl Flight {
     }
 
     /// Takes back what a tick did to it where its paper would be drawn through itself after
-    /// it, and would not have been before. Leaves that no grab has crumpled and that are not
-    /// curled are not looked at.
+    /// it, and would not have been before; of a creased one, where its paper goes through itself
+    /// deeper than contact between its parts brings out again. Whole leaves that no grab has
+    /// crumpled and that are not curled, and what lies still, are not looked at.
     pub fn keep_from_itself(&mut self, gutter: &Gutter, deepest: f32) {
         let was_through = core::mem::take(&mut self.was_through);
-        let may_be_folded = self.leaf.was_held() || self.leaf.in_book_space().is_curled();
-        if !may_be_folded || self.leaf.is_creased() {
+        let may_be_folded = if self.leaf.is_creased() {
+            !matches!(self.leaf.phase(), Phase::Resting(_))
+        } else {
+            self.leaf.was_held() || self.leaf.in_book_space().is_curled()
+        };
+        if !may_be_folded {
             return;
         }
         self.was_through = self.is_paper_through_itself();
@@ -570,13 +575,25 @@ impl Flight {
     }
 
     fn is_paper_through_itself(&mut self) -> bool {
-        self.leaf.write_surface(&mut self.spare);
-        self.spare.update_normals();
-        self.tiles.cut(Mesh::of(&self.spare));
-        let tolerance = AT_FACET * self.scale();
         let work = &mut Work::new(u32::MAX);
-        work.spend(MOVING + CUTTING);
-        let is_through = self.tiles.cross_themselves(tolerance, work);
+        // Parts that lie upon each other are drawn apart, to the side to which they are folded.
+        let apart = if self.leaf.is_creased() {
+            work.spend(CUTTING);
+            // Over the flat table: what is put back is there as it was, whatever the gutter did.
+            let points = self.leaf.sheet().positions().as_chunks::<3>().0;
+            self.tiles.cut(Mesh {
+                points,
+                ..self.leaf.in_book_space().mesh()
+            });
+            -DEEP
+        } else {
+            work.spend(MOVING + CUTTING);
+            self.leaf.write_surface(&mut self.spare);
+            self.spare.update_normals();
+            self.tiles.cut(Mesh::of(&self.spare));
+            AT_FACET
+        };
+        let is_through = self.tiles.cross_themselves(apart * self.scale(), work);
         self.searching = self.searching.saturating_add(work.done());
         is_through
     }

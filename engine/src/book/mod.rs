@@ -17,6 +17,8 @@ mod fold_out;
 #[cfg(all(test, feature = "creases"))]
 mod folding_tests;
 mod gutter;
+#[cfg(all(test, feature = "creases"))]
+mod held_folds_tests;
 mod leaf;
 mod leaf_stocks;
 mod limits;

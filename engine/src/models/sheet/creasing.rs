@@ -8,14 +8,15 @@ use super::material::{Material, cut};
 use super::membrane::Membrane;
 use super::patches::Patches;
 use super::settings::{CAN_CREASE, InvalidSheet};
-use super::sweep::Sweep;
+use super::sweep::{Sweep, TOLERANCE};
 use super::system::System;
 use crate::grid::Side;
 use core::f64::consts::PI;
 
 impl Sheet {
     /// Creases the sheet along lines, in place of those along which it was creased before:
-    /// it stays where it is, its nodes moved along it onto the lines.
+    /// it stays where it is, its nodes moved along it onto the lines. Edges that reach over a
+    /// fold which is none any more would be its chords, and too short: they get their lengths.
     ///
     /// # Errors
     /// Where a line is none, or its nodes are too few for so many or so near lines; the
@@ -41,6 +42,9 @@ impl Sheet {
             }))
         };
         self.take(material);
+        if self.max_edge_strain() > TOLERANCE {
+            self.sweep.run(&mut self.positions, &[]);
+        }
         Ok(())
     }
 

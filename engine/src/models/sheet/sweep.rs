@@ -20,7 +20,7 @@ use crate::vector::{dot, sub};
 use core::ops::Range;
 
 /// Sweeps go on until no edge is longer or shorter by more than this part.
-const TOLERANCE: f32 = 2e-4;
+pub(super) const TOLERANCE: f32 = 2e-4;
 
 /// Shear of a cell, radians, beyond which sweeps take it back, and how much more of it is
 /// no reason to go on.
