@@ -5,7 +5,7 @@ const said = document.querySelector("output");
 const [width, height] = [600, 800];
 
 /** Widths of the pages that are wider, by their numbers. */
-const wide = { 5: 1.9, 8: 1.5 };
+const wide = { 5: 1.9, 8: 1.5, 11: 3.8 };
 
 /** A page as an image, so many pages wide; all that makes it a fold-out is its size. */
 async function page(number, across = 1) {
@@ -17,7 +17,8 @@ async function page(number, across = 1) {
   pen.textAlign = "center";
   pen.font = "30px Georgia, serif";
   pen.fillText(String(number), width / 2, height - 40);
-  if (across > 1) drawMap(pen, canvas.width, number);
+  if (across > 2) drawPanorama(pen, canvas.width);
+  else if (across > 1) drawMap(pen, canvas.width, number);
   return { src: await canvas.convertToBlob(), width: canvas.width, height };
 }
 
@@ -39,6 +40,27 @@ function drawMap(pen, across, number) {
     }
     pen.fill();
     pen.stroke();
+  }
+}
+
+/** Hills behind hills, along a road with milestones. */
+function drawPanorama(pen, across) {
+  pen.fillStyle = "#dfe7ea";
+  pen.fillRect(30, 30, across - 60, height - 110);
+  for (let range = 0; range < 5; range++) {
+    pen.fillStyle = `hsl(${195 - 22 * range} ${18 + 6 * range}% ${74 - 9 * range}%)`;
+    pen.beginPath();
+    pen.moveTo(30, height - 80);
+    for (let x = 30; x <= across - 30; x += 5) {
+      const hill = Math.sin(x / (170 - 18 * range) + range) + 0.5 * Math.sin(x / 61 + 3 * range);
+      pen.lineTo(x, 220 + 100 * range - (70 - 8 * range) * hill);
+    }
+    pen.lineTo(across - 30, height - 80);
+    pen.fill();
+  }
+  pen.fillStyle = "#fbf7ec";
+  for (let mile = 1; mile * 150 < across; mile++) {
+    pen.fillText(String(mile), mile * 150, height - 100);
   }
 }
 

@@ -88,6 +88,12 @@ const pictures = {
     ]),
   ),
   ...Object.fromEntries(
+    [0, 400, 1000, 2600].map((unfold, k) => [
+      `leporello-${k + 1}`,
+      { example: "20-fold-outs.html", viewport: { width: 900, height: 480 }, page: 11, unfold },
+    ]),
+  ),
+  ...Object.fromEntries(
     ["bible", "book", "office", "coated", "card"].map((stock) => [
       `stock-${stock}`,
       { page: 18, viewport: small, stock, drag: [0.86, 0.83, 0.66, 0.5] },

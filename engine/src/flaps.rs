@@ -20,7 +20,7 @@ const STRETCHED: f32 = 1.1;
 
 /// Distance that parts of a leaf keep, metres: both bend between their nodes, and each is drawn
 /// as it bends.
-const PARTS_GAP: f32 = 2.0 * GAP;
+pub const PARTS_GAP: f32 = 2.0 * GAP;
 
 /// A triangle of a creased leaf.
 #[derive(Clone, Debug)]

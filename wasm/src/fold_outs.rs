@@ -13,8 +13,8 @@ use crate::side;
 pub(crate) static FLAPS: Live<FoldOut> = Live::new();
 
 /// Makes the flap of a fold-out on the uppermost page of a side (0 right), shut: with its fold so
-/// far from the spine (0.5 to 1 of the page's width) and so wide (0.05 to the fold's distance);
-/// over a table at a height (-1 to 0 m), with boards that reach so far beyond the pages (0 to
+/// far from the spine (0.5 to 1 of the page's width) and so wide, in so many panels (1 to 3), each 0.05
+/// to the fold's distance wide; over a table at a height (-1 to 0 m), with boards that reach so far beyond the pages (0 to
 /// 1 m). 0 where no leaf lies there or a number is another.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tl_flap_new(
@@ -22,6 +22,7 @@ pub unsafe extern "C" fn tl_flap_new(
     on: u32,
     fold: f64,
     width: f64,
+    panels: usize,
     table: f32,
     rim: f32,
 ) -> *mut FoldOut {
@@ -31,6 +32,7 @@ pub unsafe extern "C" fn tl_flap_new(
         side: side(on),
         fold,
         width,
+        panels,
     };
     let around = TableAround { table, rim };
     match book.and_then(|book| FoldOut::new(book, place, around)) {
@@ -69,7 +71,7 @@ live_functions! {
     fn tl_flap_release(flap) { flap.release() }
     /// A hand turns it open, or shut (0), and lets go.
     fn tl_flap_turn(flap, is_to_open: u32) { flap.turn(is_to_open != 0) }
-    /// Angle at which its edge is seen from the fold, radians: 0 open and level, pi shut.
+    /// Angle at which the end of its first panel is seen from the fold, radians: 0 open and level, pi shut.
     fn tl_flap_angle(flap) -> f32 { flap.angle() }
     /// Whether it does not move until the next command.
     fn tl_flap_asleep(flap) -> u32 { flap.is_asleep().into() }
@@ -77,6 +79,17 @@ live_functions! {
     fn tl_flap_positions(flap) -> *const f32 { flap.surface().positions.as_ptr() }
     fn tl_flap_normals(flap) -> *const f32 { flap.surface().normals.as_ptr() }
     fn tl_flap_version(flap) -> u32 { flap.surface().version }
+    /// As `tl_book_places` and what follows it, of one with several panels; 0 of another.
+    fn tl_flap_places(flap) -> *const f32 {
+        flap.creased_mesh().map_or(core::ptr::null(), |mesh| mesh.places.as_ptr())
+    }
+    fn tl_flap_corners(flap) -> *const u32 {
+        flap.creased_mesh().map_or(core::ptr::null(), |mesh| mesh.triangles.as_ptr())
+    }
+    fn tl_flap_parts(flap) -> *const u16 {
+        flap.creased_mesh().map_or(core::ptr::null(), |mesh| mesh.parts.as_ptr())
+    }
+    fn tl_flap_triangles(flap) -> usize { flap.creased_mesh().map_or(0, |mesh| mesh.parts.len()) }
     /// Thickness of its paper, metres.
     fn tl_flap_caliper(flap) -> f32 { flap.caliper() }
 }

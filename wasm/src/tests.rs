@@ -374,11 +374,13 @@ fn a_flap_takes_any_number() {
         // SAFETY: handles of this thread, or none.
         unsafe {
             tl_book_lay(book, random.whole(41));
-            let (fold, width) = (random.single(0.4, 1.1), random.single(0.0, 1.1));
+            let (fold, width) = (random.single(0.4, 1.1), random.single(0.0, 3.3));
+            let panels = random.below(5);
             let (table, rim) = (random.single(-0.01, 0.0), random.single(0.0, 0.01));
             let on = random.whole(2);
-            let flap = tl_flap_new(book, on, fold.into(), width.into(), table, rim);
-            let is_place = (0.5..=1.0).contains(&fold) && (0.05..=fold).contains(&width);
+            let flap = tl_flap_new(book, on, fold.into(), width.into(), panels, table, rim);
+            let panel = width / panels as f32;
+            let is_place = (0.5..=1.0).contains(&fold) && (0.05..=fold).contains(&panel);
             assert!(is_place || flap.is_null());
             let books = [book, core::ptr::null_mut(), flap.cast()];
             for _ in 0..60 {
@@ -401,6 +403,7 @@ fn a_flap_takes_any_number() {
                     assert!(tl_flap_caliper(flap) > 0.0);
                 }
             }
+            assert_eq!(tl_flap_places(flap).is_null(), tl_flap_triangles(flap) == 0);
             tl_flap_drop(flap);
             assert_eq!(tl_flap_asleep(flap), 0);
             assert!(tl_flap_positions(flap).is_null() && tl_flap_normals(flap).is_null());

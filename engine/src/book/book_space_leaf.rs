@@ -7,7 +7,7 @@ use crate::models::sheet::CAN_CREASE;
 use crate::vector::{dot, sub};
 
 /// Width of the page for which lengths of drawing are given, metres.
-const WIDTH: f32 = 0.14;
+pub const WIDTH: f32 = 0.14;
 
 /// Cosine of the angle between normals at nodes of a leaf that may reach round others; less
 /// than a right angle, as a fold between nodes is sharper.

@@ -17,7 +17,7 @@ use super::separate_parts::{DrawnParts, ROUNDS};
 use super::tolerance::{AT_FACET, DEEP, PAST_AT_SPINE};
 use super::work::Work;
 use crate::grid::Side;
-use crate::models::sheet::{CAN_CREASE, FoldLine};
+use crate::models::sheet::{CAN_CREASE, FoldLine, Sheet};
 use crate::surface::Surface;
 use crate::vector::{dot, sub};
 
@@ -47,6 +47,25 @@ pub struct CreasedMesh {
     pub parts: Vec<u16>,
     /// See [`Folds::falling`].
     falling: Vec<bool>,
+}
+
+impl CreasedMesh {
+    /// The mesh of a creased sheet, and its parts between the creases; None of another sheet.
+    pub(super) fn of(sheet: &Sheet) -> Option<(CreasedMesh, DrawnParts)> {
+        let places = sheet.drawn_places()?;
+        let triangles = sheet.drawn_triangles();
+        let columns = sheet.drawn_columns();
+        let corners = triangles.iter().flat_map(|(corners, _)| corners);
+        let cells = triangles.iter().map(|(corners, _)| *corners);
+        let mesh = CreasedMesh {
+            falling: find_falling(cells, columns, places.len()),
+            triangles: corners.map(|corner| *corner as u32).collect(),
+            parts: triangles.iter().map(|(_, part)| *part).collect(),
+            places: places.iter().flatten().copied().collect(),
+        };
+        let parts = DrawnParts::new(columns, places.len(), &triangles);
+        Some((mesh, parts))
+    }
 }
 
 /// One leaf in flight; it may stand for several.
@@ -157,23 +176,11 @@ impl Flight {
         if !self.leaf.crease(creases) {
             return false;
         }
-        let sheet = self.leaf.sheet();
-        self.creased = sheet.drawn_places().map(|places| {
-            let triangles = sheet.drawn_triangles();
-            self.parts = DrawnParts::new(self.surface.columns, places.len(), &triangles);
-            let corners = triangles.iter().flat_map(|(corners, _)| corners);
-            let columns = self.surface.columns;
-            let cells = triangles.iter().map(|(corners, _)| *corners);
-            CreasedMesh {
-                falling: find_falling(cells, columns, places.len()),
-                places: places.into_flattened(),
-                triangles: corners.map(|corner| *corner as u32).collect(),
-                parts: triangles.iter().map(|(_, part)| *part).collect(),
-            }
-        });
-        if self.creased.is_none() {
-            self.parts = DrawnParts::default();
-        }
+        let made = CreasedMesh::of(self.leaf.sheet());
+        (self.creased, self.parts) = match made {
+            Some((mesh, parts)) => (Some(mesh), parts),
+            None => (None, DrawnParts::default()),
+        };
         self.surface.topology = CREASINGS.fetch_add(1, Ordering::Relaxed).wrapping_add(1);
         true
     }

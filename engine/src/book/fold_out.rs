@@ -5,17 +5,23 @@
 //! [`FoldLine`] describes it. Its rest angle is the sheet's clamp angle, which follows where the
 //! fold is turned further than it yields. The page itself lies still under it.
 //!
+//! A wide flap is folded again, so that shut it lies within its page. It is one sheet all the same,
+//! with creases at its further folds, whose panels keep off each other as those of a creased leaf.
+//!
 //! Angles of the fold are 0 where the flap lies open, level beside the page, and pi where it is
 //! shut upon it, on either side of the book.
 
 use super::Book;
+use super::book_space_leaf::WIDTH;
+use super::flight::CreasedMesh;
 use super::limits::{NODES, TICK};
 use super::paper::Paper;
 use super::stillness::{STILL, Stillness};
 use super::surroundings::{Surroundings, TableAround};
 use crate::grab::{STIFFNESS, STRONGEST, strongest};
 use crate::grid::Side;
-use crate::models::sheet::{FoldLine, Root, Sheet, SheetSettings};
+use crate::interpolate::uniform_samples;
+use crate::models::sheet::{CAN_CREASE, FoldLine, Root, Sheet, SheetSettings};
 use crate::rigidity::Rigidity;
 use crate::stock::GRAVITY;
 use crate::surface::Surface;
@@ -23,12 +29,19 @@ use crate::turn::TurnModel;
 use crate::vector::dot;
 use core::f32::consts::{FRAC_PI_2, PI};
 
+mod creased_flap;
+#[cfg(test)]
+mod folded_tests;
+mod panels;
 #[cfg(test)]
 mod tests;
+mod turning;
 
-/// Least distance of a fold from the spine, and least width of a flap, as fractions of the page.
-const NEAREST: f64 = 0.5;
-const NARROWEST: f64 = 0.05;
+pub use panels::FlapPlace;
+
+use creased_flap::CreasedFlap;
+use panels::Panels;
+use turning::{Drawn, Turn};
 
 /// Angle to which a reader presses a fold that is left open, radians: as a page's corner that was
 /// folded and opened, it keeps a line.
@@ -38,10 +51,6 @@ const AJAR: f32 = PI / 9.0;
 /// a page.
 const PRESSING: f32 = PI / 0.5;
 
-/// Seconds in which a hand turns a flap over, and how near to its end it lets go, radians.
-const TURN: f32 = 0.6;
-const LETS_GO: f32 = 0.1;
-
 /// Part of its speed that a flap keeps in a tick once it is down: what trembles on the edge of the
 /// pages is smoothed.
 const SMOOTHED: f32 = 0.9;
@@ -50,35 +59,8 @@ const SMOOTHED: f32 = 0.9;
 /// lifts a page is too weak for a fold of card.
 const FIRM: f64 = 4.0;
 
-/// The number of the hand: a flap has one.
+/// The number of the hand that a pointer moves.
 const HAND: u32 = 0;
-
-/// Where a flap is, on the uppermost page of a side.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FlapPlace {
-    /// The side on which the page lies.
-    pub side: Side,
-    /// Distance of the fold from the spine, as a fraction of the page's width, 0.5 to 1.
-    pub fold: f64,
-    /// Width of the flap, likewise: 0.05 to `fold`, as it lies upon its page when it is shut.
-    pub width: f64,
-}
-
-impl FlapPlace {
-    fn is_sound(&self) -> bool {
-        (NEAREST..=1.0).contains(&self.fold) && (NARROWEST..=self.fold).contains(&self.width)
-    }
-}
-
-/// A turn by a hand of the flap's own.
-#[derive(Clone, Copy, Debug)]
-struct Turn {
-    /// Angles of the flap's edge at the start and at the end, radians.
-    from: f32,
-    to: f32,
-    /// Fraction of it that is over.
-    part: f32,
-}
 
 /// The flap of a fold-out.
 #[derive(Clone, Debug)]
@@ -87,6 +69,11 @@ pub struct FoldOut {
     sheet: Sheet,
     steps: u32,
     side: Side,
+    panels: Panels,
+    /// What its further folds are, if it has any.
+    creased: Option<CreasedFlap>,
+    /// Width of the page, metres.
+    page_width: f64,
     around: TableAround,
     /// The fold's foot in book space, metres.
     foot: [f32; 3],
@@ -101,6 +88,8 @@ pub struct FoldOut {
     /// Stiffness of the hand, N/m, and its greatest force, N.
     hand: [f32; 2],
     turn: Option<Turn>,
+    /// How a pointer draws it where it has further folds.
+    drawn: Option<Drawn>,
     is_held: bool,
     /// Where the hand pulls, in book space.
     pulled: [f32; 3],
@@ -113,7 +102,9 @@ impl FoldOut {
     ///
     /// None where a figure is out of bounds, or no leaf lies on that side.
     pub fn new(book: &Book, place: FlapPlace, around: TableAround) -> Option<FoldOut> {
-        let FlapPlace { side, fold, width } = place;
+        let FlapPlace {
+            side, fold, width, ..
+        } = place;
         let on_left = book.read();
         let leaf = match side {
             Side::Right => (on_left < book.leaves).then_some(on_left),
@@ -122,6 +113,7 @@ impl FoldOut {
         if !place.is_sound() || !around.is_sound() {
             return None;
         }
+        let panels = place.layout();
         let [page_width, height] = book.size();
         let paper = Paper {
             stock: book.stock_of(leaf),
@@ -129,25 +121,33 @@ impl FoldOut {
         };
         let rest = PI - AJAR;
         let line = FoldLine::pressed([[0.0; 2]; 2], f64::from(rest), &paper.stock, page_width);
+        let nodes = [panels.columns(), NODES[1]];
         let settings = SheetSettings {
             root: Root::Hinged(line.stiffness),
-            ..paper.sheet([width * page_width, height], 1)
+            ..paper.sheet_of(nodes, [width * page_width, height], 1)
         };
         let beside = 2.0 * Rigidity::of(&settings.stock, settings.grain).d11 / settings.cell()[0];
-        let hand = hand_for(&settings, &line);
+        let hand = hand_for(&settings, &line, panels.count);
         let mut sheet = Sheet::new(settings).ok()?;
         let rows = (0..book.rows()).map(|row| row as f32 / (book.rows() - 1) as f32);
-        sheet.draw_samples(book.columns(), &rows.collect::<Vec<_>>());
+        let rows: Vec<f32> = rows.collect();
+        let creased = if panels.count == 1 {
+            sheet.draw_samples(book.columns(), &rows);
+            None
+        } else {
+            // Every fold needs columns near it, not the first alone.
+            sheet.draw_samples(&uniform_samples(book.columns().len()), &rows);
+            Some(CreasedFlap::new(&mut sheet, (panels, side), &line)?)
+        };
         let foot = place_on_page(book, side, fold as f32);
         let across = sheet.settings().columns;
-        let mut nodes = Vec::with_capacity(3 * NODES[0] * NODES[1]);
+        let mut nodes = Vec::with_capacity(3 * across * NODES[1]);
         for node in 0..across * sheet.settings().rows {
-            let out = (node % across) as f64 / (across - 1) as f64 * width;
-            let [x, _, z] = place_on_page(book, side, (fold - out) as f32);
+            let (inward, over) = panels.shut(node % across);
+            let [x, _, z] = place_on_page(book, side, (fold - inward) as f32);
             let y = (node / across) as f64 * sheet.settings().cell()[1];
-            nodes.extend([x - foot[0], y as f32, z - foot[2]]);
+            nodes.extend([x - foot[0], y as f32, z - foot[2] + over]);
         }
-        sheet.place(nodes.iter().copied());
         let mut flap = FoldOut {
             steps: libm::roundf(TICK / sheet.time_step()).max(1.0) as u32,
             own: (beside / (beside + line.stiffness)) as f32,
@@ -155,17 +155,22 @@ impl FoldOut {
             surface: Surface::new(book.columns().len(), book.rows()),
             sheet,
             side,
+            panels,
+            creased,
+            page_width,
             around,
             foot,
             nodes,
             rest,
             hand,
             turn: None,
+            drawn: None,
             is_held: false,
             pulled: [f32::NAN; 3],
             stillness: Stillness::default(),
         };
         flap.set_rest(rest);
+        flap.sheet.place_folded(flap.nodes.iter().copied());
         flap.update(book);
         Some(flap)
     }
@@ -176,9 +181,12 @@ impl FoldOut {
         if !(u.is_finite() && v.is_finite()) {
             return;
         }
-        self.sheet.grab_firmly(HAND, [u, v], self.hand);
-        (self.is_held, self.turn, self.pulled) = (true, None, [f32::NAN; 3]);
-        self.stillness.wake();
+        self.let_go();
+        if self.creased.is_some() {
+            self.draw_from(u);
+        } else {
+            self.take_hold(HAND, [u, v]);
+        }
     }
 
     /// The hand pulls to a place in book space, metres: within a kilometre, or to the nearest
@@ -189,39 +197,38 @@ impl FoldOut {
             return;
         }
         self.pulled = to;
+        if self.drawn.is_some() {
+            return self.stillness.wake();
+        }
         let local = core::array::from_fn(|axis| to[axis] - self.foot[axis]);
         self.sheet.pull(HAND, local);
         self.stillness.wake();
     }
 
     /// The hand lets go. The flap falls, and its fold is pressed as readers do: open, or shut
-    /// where the flap's edge is over the page.
+    /// where the flap's edge is over the page. One with further folds is turned open or shut so.
     pub fn release(&mut self) {
-        self.sheet.release(HAND);
-        (self.is_held, self.turn) = (false, None);
+        if self.drawn.is_some() {
+            return self.turn(self.angle() < FRAC_PI_2);
+        }
+        self.let_go();
         self.stillness.wake();
     }
 
-    /// A hand takes the middle of its edge, turns it open or shut, and lets go.
-    pub fn turn(&mut self, is_to_open: bool) {
-        self.grab(1.0, 0.5);
-        let to = if is_to_open { LETS_GO } else { PI - LETS_GO };
-        let from = self.angle();
-        self.turn = Some(Turn {
-            from,
-            to,
-            part: 0.0,
-        });
+    /// Angle at which the outer end of its first panel is seen from the fold, radians: the flap is
+    /// open where that is less than a right angle.
+    pub fn angle(&self) -> f32 {
+        inward(self.direction([0, self.panels.last_column(0)]))
     }
 
-    /// Angle at which its edge is seen from the fold, radians.
-    pub fn angle(&self) -> f32 {
-        self.angle_of(self.sheet.settings().columns - 1)
+    /// How its drawn mesh lies on the flat paper where it has further folds.
+    pub fn creased_mesh(&self) -> Option<&CreasedMesh> {
+        self.creased.as_ref().map(|creased| &creased.mesh)
     }
 
     /// Whether it does not move until the next command.
     pub fn is_asleep(&self) -> bool {
-        self.stillness.is_asleep()
+        self.turn.is_none() && self.stillness.is_asleep()
     }
 
     /// Steps by `ticks` of [`TICK`] seconds on and beside the book, as that is drawn.
@@ -254,6 +261,9 @@ impl FoldOut {
             }
         }
         Surroundings::new(book, self.around, &self.sheet).push_off(&mut self.surface);
+        if let (true, Some(creased)) = (CAN_CREASE, &mut self.creased) {
+            creased.separate(&mut self.surface, self.page_width as f32 / WIDTH);
+        }
         self.surface.update_normals();
     }
 
@@ -267,35 +277,30 @@ impl FoldOut {
         self.sheet.settings().stock.caliper as f32
     }
 
-    /// Moves the flap's own hand on, and presses the fold once no hand holds the flap.
-    fn go_on(&mut self) {
-        if let Some(turn) = &mut self.turn {
-            turn.part = (turn.part + TICK / TURN).min(1.0);
-            let eased = turn.part * turn.part * (3.0 - 2.0 * turn.part);
-            let (sin, cos) = libm::sincosf(turn.from + eased * (turn.to - turn.from));
-            let is_over = turn.part >= 1.0;
-            let [width, height] = {
-                let settings = self.sheet.settings();
-                [settings.width as f32, settings.height as f32]
-            };
-            let place = [
-                self.side.sign() * width * cos,
-                0.5 * height,
-                width * sin.max(0.0),
-            ];
-            self.sheet.pull(HAND, place);
-            if is_over {
-                self.release();
-            }
+    fn take_hold(&mut self, hand: u32, at: [f32; 2]) {
+        self.sheet.grab_firmly(hand, at, self.hand);
+        (self.is_held, self.turn, self.pulled) = (true, None, [f32::NAN; 3]);
+        self.stillness.wake();
+    }
+
+    fn let_go(&mut self) {
+        for hand in 0..self.last_hand() {
+            self.sheet.release(hand);
         }
+        (self.is_held, self.turn, self.drawn) = (false, None, None);
+    }
+
+    /// Moves the flap's own hands on, and presses the folds once no hand holds the flap.
+    fn go_on(&mut self) {
+        self.move_hands();
         if !self.is_held {
             let to = if self.angle() > FRAC_PI_2 { PI } else { AJAR };
             let way = (to - self.rest).clamp(-PRESSING * TICK, PRESSING * TICK);
             // A fold that rests flatter than readers press it stays so.
-            if way > 0.0 && to == AJAR {
-                return;
+            if way <= 0.0 || to != AJAR {
+                self.set_rest(self.rest + way);
             }
-            self.set_rest(self.rest + way);
+            self.press_further(to == PI);
         }
     }
 
@@ -313,11 +318,44 @@ impl FoldOut {
         for contact in contacts.as_flattened_mut() {
             contact.offset -= dot(contact.normal, self.foot);
         }
+        if let (true, Some(creased)) = (CAN_CREASE, &self.creased) {
+            creased.find_contacts(&mut self.sheet);
+        }
+    }
+
+    /// Presses the further folds: shut where all of the flap is shut or they are, else open.
+    fn press_further(&mut self, is_shut: bool) {
+        let Some(creased) = &mut self.creased else {
+            return;
+        };
+        creased.press(&mut self.sheet, |_, angle, rest| {
+            let to = if is_shut || angle > FRAC_PI_2 {
+                PI
+            } else {
+                AJAR
+            };
+            let way = (to - rest).clamp(-PRESSING * TICK, PRESSING * TICK);
+            if way > 0.0 && to == AJAR {
+                rest
+            } else {
+                rest + way
+            }
+        });
+    }
+
+    /// Angle by which a further fold turns what is beyond it inward, radians.
+    fn crease_angle(&self, fold: usize) -> Option<f32> {
+        let [angle, _] = self.creased.as_ref()?.angle(&self.sheet, fold - 1)?;
+        Some(Panels::way(fold) * angle)
     }
 
     /// The fold's rest follows where it is turned further than it yields.
     fn settle(&mut self) {
-        let off = self.own * (self.angle_of(1) - self.rest);
+        // Where there are further folds, hands press them all.
+        if self.creased.is_some() {
+            return;
+        }
+        let off = self.own * (self.first_angle() - self.rest);
         let beyond = off.abs() - self.yields;
         if beyond > 0.0 {
             self.set_rest(self.rest + beyond.copysign(off));
@@ -332,31 +370,40 @@ impl FoldOut {
         });
     }
 
-    /// Angle at which a column is seen from the fold, radians, -pi/2 to 3/2 pi; the mean of its
-    /// rows.
-    fn angle_of(&self, column: usize) -> f32 {
+    /// Angle at which the first column beyond the fold is seen from it, radians, -pi/2 to 3/2 pi.
+    fn first_angle(&self) -> f32 {
+        inward(self.direction([0, 1]))
+    }
+
+    /// Direction in which a column is seen from another, radians, -pi to pi: 0 outward, pi / 2 up;
+    /// the mean of the rows.
+    fn direction(&self, [from, to]: [usize; 2]) -> f32 {
         let columns = self.sheet.settings().columns;
         let nodes = self.sheet.positions().as_chunks::<3>().0;
         let [mut out, mut up] = [0.0; 2];
         for row in nodes.chunks(columns) {
-            out += self.side.sign() * (row[column][0] - row[0][0]);
-            up += row[column][2] - row[0][2];
+            out += self.side.sign() * (row[to][0] - row[from][0]);
+            up += row[to][2] - row[from][2];
         }
-        let angle = libm::atan2f(up, out);
-        if angle < -FRAC_PI_2 {
-            angle + 2.0 * PI
-        } else {
-            angle
-        }
+        libm::atan2f(up, out)
+    }
+}
+
+/// The same direction within -pi/2 to 3/2 pi, as a flap is seen that lies open or over its page.
+fn inward(direction: f32) -> f32 {
+    if direction < -FRAC_PI_2 {
+        direction + 2.0 * PI
+    } else {
+        direction
     }
 }
 
 /// Stiffness, N/m, and greatest force, N, of a hand on a flap with such a fold: as of any hand on
-/// a leaf of its weight, or as much firmer as its fold needs.
-fn hand_for(settings: &SheetSettings, line: &FoldLine) -> [f32; 2] {
+/// a leaf of its weight, or as much firmer as folds between so many panels need.
+fn hand_for(settings: &SheetSettings, line: &FoldLine, panels: usize) -> [f32; 2] {
     let SheetSettings { width, height, .. } = *settings;
     let weight = settings.stock.grammage * GRAVITY * width * height;
-    let to_yield = line.stiffness * line.yields * height / width;
+    let to_yield = line.stiffness * line.yields * height / width * panels as f64;
     let force = strongest(weight).max(FIRM * to_yield);
     [STIFFNESS * (force / STRONGEST).max(1.0), force].map(|figure| figure as f32)
 }

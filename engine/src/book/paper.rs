@@ -71,7 +71,17 @@ impl Default for Paper {
 impl Paper {
     /// The settings of a leaf of it in a book, `width` x `height` metres, while `flying`
     /// leaves are in the air.
-    pub fn sheet(&self, [width, height]: [f64; 2], flying: usize) -> SheetSettings {
+    pub fn sheet(&self, size: [f64; 2], flying: usize) -> SheetSettings {
+        self.sheet_of(NODES, size, flying)
+    }
+
+    /// As [`sheet`](Self::sheet), of so many columns and rows of nodes.
+    pub(super) fn sheet_of(
+        &self,
+        [columns, rows]: [usize; 2],
+        [width, height]: [f64; 2],
+        flying: usize,
+    ) -> SheetSettings {
         let steps = self.steps(width, flying);
         let sheet = SheetSettings::leaf(width, height, self.stock);
         let (shear_sweeps, stiffest) = match flying {
@@ -80,8 +90,8 @@ impl Paper {
             _ => (sheet.shear_sweeps, STIFFEST),
         };
         let settings = SheetSettings {
-            columns: NODES[0],
-            rows: NODES[1],
+            columns,
+            rows,
             time_step: f64::from(TICK) / f64::from(steps),
             shear_sweeps,
             grain: self.grain,

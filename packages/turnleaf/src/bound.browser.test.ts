@@ -314,6 +314,56 @@ test("a fold-out whose corner is lifted under a mouse unfolds, by command and by
   expect([element.page, element.state]).toEqual([4, "resting"]);
 });
 
+/** A page folded out in two panels more, each of another page's colour. */
+function leporello(...numbers: readonly number[]): { src: string } {
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [78 + 76 * (numbers.length - 1), 120];
+  const pen = canvas.getContext("2d") as CanvasRenderingContext2D;
+  for (const [k, number] of numbers.entries()) {
+    pen.fillStyle = `hsl(${hueOf(number)} 90% 60%)`;
+    pen.fillRect(k === 0 ? 0 : 78 + 76 * (k - 1), 0, 80, 120);
+  }
+  return { src: canvas.toDataURL("image/png") };
+}
+
+/** Returns the pages whose colours are seen along a line across the element, from its middle on. */
+async function seenAcross(element: TurnleafBook, numbers: readonly number[]): Promise<number[]> {
+  const seen: number[] = [];
+  for (let x = 0.4; x < 1; x += 0.01) {
+    const hue = await hueAt(element, x, 0.55);
+    const number = numbers.find((page) => {
+      const off = Math.abs((hue ?? 1000) - hueOf(page));
+      return Math.min(off, 360 - off) < 12;
+    });
+    if (number !== undefined && seen.at(-1) !== number) seen.push(number);
+  }
+  return seen;
+}
+
+test("a leporello opens panel by panel, by command and by a pull, shuts and turns with its page", async () => {
+  const sheets = pages(12);
+  sheets[4] = leporello(5, 30, 34);
+  const element = book(sheets, { duration: "80", page: "4", cover: "none" });
+  [element.style.width, element.style.height] = ["560px", "300px"];
+  await happens(element, "load");
+  await settled(element);
+  const seen = () => seenAcross(element, [5, 30, 34]);
+  // The last panel lies uppermost, its face up.
+  expect(await seen()).toEqual([5, 34]);
+  expect(await element.unfold(5)).toBe(true);
+  expect(await seen()).toEqual([5, 30, 34]);
+  await element.foldIn();
+  expect(await seen()).toEqual([5, 34]);
+  await drag(element, [0.66, 0.55], [0.97, 0.55]);
+  expect(await seen()).toEqual([5, 30, 34]);
+  expect([element.page, element.state, element.foldOut]).toEqual([4, "resting", "open"]);
+  expect(await element.next()).toBe(true);
+  expect([element.page, element.foldOut]).toEqual([6, "none"]);
+  await expectPage(element, 7, 0.6, 0.6);
+  expect(await element.previous()).toBe(true);
+  expect(await seen()).toEqual([5, 34]);
+});
+
 test("Enter on the book unfolds a fold-out, and folds it in", async () => {
   const sheets = pages(12);
   sheets[4] = wide(5, 30);

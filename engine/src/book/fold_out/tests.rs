@@ -3,18 +3,18 @@ use crate::book::stillness::LONGEST_FALL;
 use crate::book::{Board, Book};
 use crate::stock::Stock;
 
-const AROUND: TableAround = TableAround {
+pub(super) const AROUND: TableAround = TableAround {
     table: -0.004,
     rim: 0.003,
 };
 
-const FOLD: f64 = 0.98;
+pub(super) const FOLD: f64 = 0.98;
 
 /// Width of the gutter, metres: where the page sinks behind its hump.
-const GUTTER: f32 = 0.03;
+pub(super) const GUTTER: f32 = 0.03;
 
 /// A book of A5 pages that lies open in the middle.
-fn open_book(stock: Stock, thickness: f64) -> Book {
+pub(super) fn open_book(stock: Stock, thickness: f64) -> Book {
     let mut book = Book::new(0.148, 0.21, 100, thickness).unwrap();
     let mut paper = *book.paper();
     paper.stock = stock;
@@ -29,21 +29,22 @@ fn flap(book: &Book, side: Side, width: f64) -> FoldOut {
         side,
         fold: FOLD,
         width,
+        panels: 1,
     };
     FoldOut::new(book, place, AROUND).unwrap()
 }
 
 /// What happens to a flap while it moves.
 #[derive(Debug, Default)]
-struct Course {
-    strain: f32,
+pub(super) struct Course {
+    pub strain: f32,
     /// Greatest depth of a drawn point in what lies there, metres.
-    depth: f32,
-    ticks: u32,
+    pub depth: f32,
+    pub ticks: u32,
 }
 
 impl Course {
-    fn step(&mut self, flap: &mut FoldOut, book: &Book) {
+    pub fn step(&mut self, flap: &mut FoldOut, book: &Book) {
         flap.step(book, 1);
         flap.update(book);
         self.strain = self.strain.max(flap.sheet.max_edge_strain());
@@ -53,7 +54,7 @@ impl Course {
         assert!(x.iter().all(|x| x.is_finite()));
     }
 
-    fn until_asleep(&mut self, flap: &mut FoldOut, book: &Book) {
+    pub fn until_asleep(&mut self, flap: &mut FoldOut, book: &Book) {
         while !flap.is_asleep() {
             self.step(flap, book);
         }
@@ -74,7 +75,7 @@ fn floor(book: &Book, [x, y, _]: [f32; 3]) -> f32 {
     }
 }
 
-fn deepest(flap: &FoldOut, book: &Book) -> f32 {
+pub(super) fn deepest(flap: &FoldOut, book: &Book) -> f32 {
     let points = flap.surface().positions.as_chunks::<3>().0.iter();
     points.map(|x| floor(book, *x) - x[2]).fold(0.0, f32::max)
 }
@@ -109,7 +110,7 @@ fn carry(
     }
 }
 
-const SIDES: [Side; 2] = [Side::Right, Side::Left];
+pub(super) const SIDES: [Side; 2] = [Side::Right, Side::Left];
 const WIDTHS: [f64; 2] = [0.52, 0.97];
 
 #[test]
@@ -130,7 +131,7 @@ fn a_flap_begins_shut_upon_its_page() {
 }
 
 /// Papers, each in a book so thick, metres.
-const BOOKS: [(Stock, f64); 3] = [
+pub(super) const BOOKS: [(Stock, f64); 3] = [
     (Stock::BIBLE, 0.002),
     (Stock::BOOK, 0.03),
     (Stock::CARD, 0.01),
@@ -210,7 +211,13 @@ fn a_command_turns_it_open_and_shut() {
 fn what_is_no_place_of_a_flap_is_rejected() {
     let mut book = open_book(Stock::BOOK, 0.01);
     let make = |book: &Book, side, fold, width, around| {
-        FoldOut::new(book, FlapPlace { side, fold, width }, around).is_some()
+        let place = FlapPlace {
+            side,
+            fold,
+            width,
+            panels: 1,
+        };
+        FoldOut::new(book, place, around).is_some()
     };
     assert!(make(&book, Side::Left, 0.98, 0.5, AROUND));
     for [fold, width] in [[0.4, 0.3], [1.1, 0.5], [0.9, 0.95], [0.9, 0.01]] {

@@ -147,6 +147,16 @@ impl Sheet {
         }
     }
 
+    /// As [`place`](Self::place), for one that is folded there as its creases rest.
+    pub(crate) fn place_folded(&mut self, positions: impl Iterator<Item = f32>) {
+        self.place(positions);
+        let (positions, tangents) = (&self.positions, &self.tangents);
+        if let (true, Some(creased)) = (CAN_CREASE, &mut self.creased) {
+            creased.hinges.expect(1.0);
+            creased.hinges.settle(positions, tangents);
+        }
+    }
+
     /// Stands the sheet still and unfolded, upright over the spine, nothing holding it.
     pub(crate) fn stand_unfolded(&mut self) {
         self.lay_flat(Side::Right);
@@ -220,6 +230,11 @@ impl Sheet {
     /// The values of u and v at which it is drawn.
     fn drawn_at(&self) -> [&[f32]; 2] {
         self.samples.each_ref().map(Vec::as_slice)
+    }
+
+    /// Columns at which it is drawn.
+    pub(crate) fn drawn_columns(&self) -> usize {
+        self.samples[0].len()
     }
 
     /// Whether its creases, if it has any, can be drawn at other values of u and v.

@@ -126,8 +126,10 @@ export interface FlapPlace {
   readonly side: Side;
   /** Distance of the fold from the spine, in page widths, 0.5 to 1. */
   readonly fold: number;
-  /** Width of the flap, in page widths: 0.05 to `fold`. */
+  /** Width of the flap, in page widths: of each of its panels 0.05 to `fold`. */
   readonly width: number;
+  /** Panels of one width into which it is folded to both sides by turns, 1 to 3. */
+  readonly panels: number;
   /** Height of the table, metres: 0 if the pages lie on it, less if boards do. */
   readonly table: number;
   /** How far boards reach beyond the pages, metres; 0 if there are none. */
@@ -141,7 +143,7 @@ export interface FlapPlace {
 export interface FlapSheet {
   /** Whether it does not move until the next command. */
   readonly isAsleep: boolean;
-  /** Angle at which its edge is seen from the fold, radians: 0 open and level, pi shut. */
+  /** Angle at which the end of its first panel is seen from the fold, radians: 0 open and level, pi shut. */
   readonly angle: number;
   /** What is drawn of it, a row from the fold outward; valid until the next step. */
   readonly surface: Surface;

@@ -1,8 +1,8 @@
 /** Flaps of fold-outs in the engine through WASM. */
 
 import type { FlapPlace, FlapSheet } from "./book_engine.ts";
-import { areFinite, clamp, wholeTicks } from "./numbers.ts";
-import type { Surface, Vec3 } from "./shapes.ts";
+import { areFinite, clamp, whole, wholeTicks } from "./numbers.ts";
+import type { CreasedMesh, Surface, Vec3 } from "./shapes.ts";
 import { SheetSurface, type SurfaceGrid } from "./sheet_surface.ts";
 import type { Exports } from "./wasm_book.ts";
 
@@ -13,6 +13,7 @@ export interface FlapExports extends Exports {
     on: number,
     fold: number,
     width: number,
+    panels: number,
     table: number,
     rim: number,
   ): number;
@@ -27,10 +28,17 @@ export interface FlapExports extends Exports {
   tl_flap_positions(flap: number): number;
   tl_flap_normals(flap: number): number;
   tl_flap_version(flap: number): number;
+  tl_flap_places(flap: number): number;
+  tl_flap_corners(flap: number): number;
+  tl_flap_parts(flap: number): number;
+  tl_flap_triangles(flap: number): number;
   tl_flap_caliper(flap: number): number;
 }
 
 const farthest = 1000;
+
+/** More panels than the engine folds are asked for as this many. */
+const mostPanels = 255;
 
 /**
  * Returns what makes flaps on the pages of a book.
@@ -43,10 +51,25 @@ export function flapsOf(
   tick: number,
   grid: SurfaceGrid,
 ): (place: FlapPlace) => FlapSheet | null {
-  return ({ side, fold, width, table, rim }) => {
+  return ({ side, fold, width, panels, table, rim }) => {
     if (!areFinite([fold, width, table, rim])) return null;
-    const flap = wasm.tl_flap_new(book, side, fold, width, table, rim);
+    const count = whole(panels, mostPanels);
+    const flap = wasm.tl_flap_new(book, side, fold, width, count, table, rim);
     return flap === 0 ? null : new WasmFlap(wasm, book, flap, tick, grid);
+  };
+}
+
+/** Returns how the mesh of a flap with several panels lies on its flat paper. */
+function meshOf(wasm: FlapExports, flap: number, grid: SurfaceGrid): CreasedMesh | undefined {
+  const count = wasm.tl_flap_triangles(flap);
+  if (count === 0) return undefined;
+  const { buffer } = wasm.memory;
+  const numbers = 2 * grid.columns * grid.rows;
+  // Copied, as the engine's memory moves when it grows.
+  return {
+    places: new Float32Array(buffer, wasm.tl_flap_places(flap), numbers).slice(),
+    triangles: new Uint32Array(buffer, wasm.tl_flap_corners(flap), 3 * count).slice(),
+    parts: new Uint16Array(buffer, wasm.tl_flap_parts(flap), count).slice(),
   };
 }
 
@@ -62,7 +85,7 @@ class WasmFlap implements FlapSheet {
     this.#book = book;
     this.#flap = flap;
     this.#tick = tick;
-    this.#surface = new SheetSurface(wasm.memory, grid);
+    this.#surface = new SheetSurface(wasm.memory, grid, meshOf(wasm, flap, grid));
   }
 
   get isAsleep(): boolean {

@@ -1,7 +1,7 @@
 /** Fits pictures of pages of other sizes onto the book's leaf. Loaded with the first such page. */
 
 import type { PageBox, PagePicture } from "../sources/page_source.ts";
-import { foldAt, isFoldOut, isTrimmed } from "./page_place.ts";
+import { foldAt, isFoldOut, isTrimmed, panelsOf } from "./page_place.ts";
 
 const paper = "#fbf5e8";
 
@@ -27,7 +27,7 @@ export function fitToLeaf(
     pen.fillRect(0, 0, canvas.width, canvas.height);
   }
   drawOn(pen, picture, place);
-  if (isFoldOut(place)) drawFolded(pen, place);
+  if (isFoldOut(place)) drawFolded(pen, picture, place);
   return canvas;
 }
 
@@ -85,16 +85,22 @@ function drawOn(
   pen.drawImage(picture, x * across, y * down, width * across, height * down);
 }
 
-/** Draws the back of a fold-out's flap over its page, with the shadow of its free edge. */
-function drawFolded(pen: CanvasRenderingContext2D, place: PageBox): void {
+/**
+ * Draws the uppermost panel of a shut fold-out over its page, with the shadow that the flap throws
+ * there: the bare back of an odd one, the face of an even one.
+ */
+function drawFolded(pen: CanvasRenderingContext2D, picture: PagePicture, place: PageBox): void {
   const { width, height } = pen.canvas;
+  const { panels, across } = panelsOf(place);
+  const isFace = panels % 2 === 0;
   const isRight = place.x < 0;
+  pen.save();
   // Mirrored for a page whose spine is on its right.
   if (isRight) {
     pen.translate(width, 0);
     pen.scale(-1, 1);
   }
-  const [free, fold] = [(2 * foldAt - place.width) * width, foldAt * width];
+  const [free, fold] = [(foldAt - across) * width, foldAt * width];
   const [top, tall] = [place.y * height, place.height * height];
   pen.clearRect(fold, 0, width - fold, height);
   const shadow = pen.createLinearGradient(free - 0.03 * width, 0, free, 0);
@@ -104,10 +110,40 @@ function drawFolded(pen: CanvasRenderingContext2D, place: PageBox): void {
   pen.fillRect(free - 0.03 * width, top, 0.03 * width, tall);
   pen.fillStyle = paper;
   pen.fillRect(free, top, fold - free, tall);
-  // The round of the fold receives less light.
-  const bend = pen.createLinearGradient(fold - 0.03 * width, 0, fold, 0);
+  if (isFace) drawLastPanel(pen, picture, place, fold - free);
+  // The round of the fold that the uppermost panel hangs on receives less light.
+  const [round, away] = isFace ? [free, free + 0.03 * width] : [fold, fold - 0.03 * width];
+  const bend = pen.createLinearGradient(away, 0, round, 0);
   bend.addColorStop(0, "rgb(60 45 25 / 0)");
   bend.addColorStop(1, "rgb(60 45 25 / 0.14)");
   pen.fillStyle = bend;
-  pen.fillRect(fold - 0.03 * width, top, 0.03 * width, tall);
+  pen.fillRect(Math.min(away, round), top, 0.03 * width, tall);
+  pen.restore();
+}
+
+/** Draws the last panel of a picture, `wide` pixels across, beside a fold-out's fold. */
+function drawLastPanel(
+  pen: CanvasRenderingContext2D,
+  picture: PagePicture,
+  place: PageBox,
+  wide: number,
+): void {
+  const { width, height } = pen.canvas;
+  const from = (wide / (place.width * width)) * picture.width;
+  const isRight = place.x < 0;
+  const at = (isRight ? 1 - foldAt : foldAt) * width - (isRight ? 0 : wide);
+  pen.save();
+  pen.resetTransform();
+  pen.drawImage(
+    picture,
+    isRight ? 0 : picture.width - from,
+    0,
+    from,
+    picture.height,
+    at,
+    place.y * height,
+    wide,
+    place.height * height,
+  );
+  pen.restore();
 }

@@ -2,7 +2,7 @@
 
 import { loadPart } from "../sources/load_part.ts";
 import type { PageBox, PagePicture, PageSize, PageSource } from "../sources/page_source.ts";
-import { foldAt, isFoldOut, type PrintedOn, placeOnLeaf, wholeLeaf } from "./page_place.ts";
+import { foldAt, isFoldOut, type PrintedOn, panelsOf, placeOnLeaf, wholeLeaf } from "./page_place.ts";
 import { closePicture, PagePool, type PagePoolOptions, type PoolSource } from "./page_pool.ts";
 import { barePage, failedPage, slowPage, waitingPage, whitePage } from "./stand_in.ts";
 
@@ -196,7 +196,7 @@ export class PageBitmaps {
   isBare(page: number, x: number): boolean {
     const place = this.placeOfDrawn(page);
     if (!isFoldOut(place) || this.#unfolded?.number === page) return true;
-    const free = 2 * foldAt - place.width;
+    const free = foldAt - panelsOf(place).across;
     return place.x < 0 ? x > 1 - free : x < free;
   }
 

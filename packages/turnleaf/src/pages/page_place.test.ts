@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { foldAt, isFoldOut, isTrimmed, type PrintedOn, placeOnLeaf } from "./page_place.ts";
+import { foldAt, isFoldOut, isTrimmed, type PrintedOn, panelsOf, placeOnLeaf } from "./page_place.ts";
 
 const leaf = { width: 400, height: 600 };
 const onLeaf = (width: number, height: number, on: PrintedOn = "left", isTrue = true) =>
@@ -53,8 +53,20 @@ test("a page clearly wider than the book folds out at the fore-edge, never at he
   expect(right).toEqual({ x: 0, y: 0, width: 1.5, height: 1 });
   expect(isFoldOut(right)).toBe(true);
   expect(onLeaf(600, 600, "right")).toEqual({ x: -0.5, y: 0, width: 1.5, height: 1 });
-  // One flap is no wider than the page that it lies on.
-  expect(onLeaf(9000, 600).width).toBeLessThan(2 * foldAt);
+  // No panel is wider than the page that it lies on.
+  expect(panelsOf(right)).toEqual({ panels: 1, across: 1.5 - foldAt });
+  for (const [width, panels] of [
+    [780, 1],
+    [784, 2],
+    [1168, 2],
+    [1172, 3],
+    [9000, 3],
+  ]) {
+    const found = panelsOf(onLeaf(width, 600));
+    expect(found.panels, `${width}`).toBe(panels);
+    expect(found.across).toBeLessThan(foldAt);
+  }
+  expect(onLeaf(9000, 600).width).toBeCloseTo(3.89);
   expect(isFoldOut(onLeaf(440, 600))).toBe(false);
   expect(isFoldOut(onLeaf(800, 600, "top"))).toBe(false);
 });

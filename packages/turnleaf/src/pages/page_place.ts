@@ -24,17 +24,27 @@ const margin = 0.08;
 const foldFrom = 1.2;
 
 /**
- * Position of a fold-out's fold, as a fraction of the leaf from the spine; the
- * flap beyond is no wider.
+ * Position of a fold-out's fold, as a fraction of the leaf from the spine; no
+ * panel beyond is wider, so that shut it lies on its page.
  */
 export const foldAt = 0.98;
+
+/**
+ * Maximum width of a panel of a fold-out, as a fraction of the leaf, and of
+ * panels, as the engine folds no more.
+ */
+const widestPanel = 0.97;
+const mostPanels = 3;
 
 /**
  * Maximum width of a page, in widths of the book; and the minimum fraction of a
  * leaf that a page has in the longer direction.
  */
-const widest = 1.95;
+const widest = foldAt + mostPanels * widestPanel;
 const least = 0.5;
+
+/** Far below a pixel: widths that rounding makes larger count as they were. */
+const rounded = 1e-6;
 
 /** Difference of proportions up to which a cover is cropped to its board rather than set on it. */
 const mostCut = 0.2;
@@ -103,6 +113,17 @@ function placeOnBoard(aspect: number): PageBox {
  */
 export function isTrimmed({ width, height }: PageBox): boolean {
   return Math.min(width, height) < 1 - margin;
+}
+
+/**
+ * Returns into how many panels the flap of a fold-out is folded, as few as
+ * there can be, and how wide each is, as a fraction of the leaf. More than one
+ * are folded to both sides by turns.
+ */
+export function panelsOf({ width }: PageBox): { readonly panels: number; readonly across: number } {
+  const flap = width - foldAt;
+  const panels = Math.max(Math.ceil(flap / widestPanel - rounded), 1);
+  return { panels, across: flap / panels };
 }
 
 /** Returns whether a page that covers a part of a leaf reaches beyond it, folded. */

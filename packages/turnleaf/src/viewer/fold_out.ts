@@ -9,9 +9,9 @@ import type { BookEngine, FlapSheet } from "../engine/book_engine.ts";
 import { Side } from "../engine/phases.ts";
 import type { Ray, Surface, Vec3 } from "../engine/shapes.ts";
 import type { OpenFoldOut, PageBitmaps } from "../pages/page_bitmaps.ts";
-import { foldAt, isFoldOut } from "../pages/page_place.ts";
+import { foldAt, isFoldOut, panelsOf } from "../pages/page_place.ts";
 import { type Hit, pickSurface } from "../picking/pick.ts";
-import { handAt } from "../picking/reach.ts";
+import { handAt, onPlane } from "../picking/reach.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import type { Place } from "../stage/book_stage.ts";
 import { tableHeight } from "../stage/case_sizes.ts";
@@ -148,9 +148,11 @@ export class FoldOut implements FoldOutSheets {
   take(page: number, side: Side, u: number, v: number): Dragged | null {
     const place = this.#pictures.placeOfDrawn(page);
     if (!this.#hooks.unfolds || !isFoldOut(place)) return null;
-    const out = (foldAt - u) / (place.width - foldAt);
+    const { panels, across } = panelsOf(place);
+    const out = (foldAt - u) / across;
     if (out < 0 || out > 1) return null;
-    return this.#carry(out, v, this.#make(page, side));
+    // Folded more than once, it is drawn out by its edge.
+    return this.#carry(panels === 1 ? out : 1, v, this.#make(page, side));
   }
 
   /** Advances the motion by whole ticks. Returns whether anything moves. */
@@ -208,8 +210,9 @@ export class FoldOut implements FoldOutSheets {
     const parts = await this.#pictures.unfold(page, width(), drawing.signal).catch(() => null);
     if (parts === null) return null;
     const { engine, shape } = bound();
+    const { panels } = panelsOf(parts.place);
     const around = { table: tableHeight(shape), rim: shape.rim };
-    const place = { side, fold: foldAt, width: parts.place.width - foldAt, ...around };
+    const place = { side, fold: foldAt, width: parts.place.width - foldAt, panels, ...around };
     const sheet = drawing.signal.aborted ? null : engine.flap?.(place);
     if (!sheet) {
       this.#pictures.foldIn();
@@ -273,11 +276,15 @@ export class FoldOut implements FoldOutSheets {
     if (this.#flap && this.#grab) this.#flap.sheet.pull(this.#placeOf(this.#flap, this.#grab));
   }
 
-  /** Returns where a pointer is in space: on an arch over the fold, or on the table beyond. */
+  /**
+   * Returns where a pointer is in space: on an arch over the fold, or on the table beyond; level
+   * with the fold for a flap that is folded more than once, whose edge goes there by no arch.
+   */
   #placeOf({ side, parts, sheet }: Flap, { u, at }: PointerGrab): Vec3 {
     const { shape } = this.#hooks.bound();
     const { origin, direction } = this.#hooks.rayAt(at.x, at.y);
     const [x, , z] = sheet.surface.positions;
+    if (panelsOf(parts.place).panels > 1) return onPlane({ origin, direction }, z);
     const reach = u * (parts.place.width - foldAt) * shape.width;
     const outward = side === Side.right ? 1 : -1;
     const over = { origin: [origin[0] - x, origin[1], origin[2] - z] as const, direction };

@@ -161,9 +161,14 @@ export class DrawnBook {
     const before = edge.join();
     edge.length = 0;
     if (flap) {
-      const { positions, columns, rows } = flap;
-      for (const corner of [columns, columns * rows]) {
-        edge.push(positions[3 * corner - 3], positions[3 * corner - 1]);
+      const { positions, columns, rows, creased } = flap;
+      // While it opens fold by fold its edge is not what is farthest.
+      const first = creased ? 1 : columns;
+      for (const row of [0, rows - 1]) {
+        for (let column = first; column <= columns; column++) {
+          const at = 3 * (row * columns + column) - 3;
+          edge.push(positions[at], positions[at + 2]);
+        }
       }
     }
     return edge.join() !== before;

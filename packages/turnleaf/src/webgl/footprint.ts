@@ -76,9 +76,9 @@ export function shadowOfFlap(ground: Ground, book: BookShape, flap: Surface | nu
     return;
   }
   const { positions, columns } = flap;
-  const [fold, edge] = [positions[0], positions[3 * (columns - 1)]];
-  const high = (positions[2] + positions[3 * columns - 1]) / 2;
-  ground.raise(Math.min(fold, edge), 0, Math.max(fold, edge), book.height, high);
+  const { low, high } = surfaceBounds(flap);
+  const lift = (positions[2] + positions[3 * columns - 1]) / 2;
+  ground.raise(low[0], 0, high[0], book.height, lift);
 }
 
 /** Draws the shadow of a loose sheet over the table, whose height is given in metres. */
