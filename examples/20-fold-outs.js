@@ -59,7 +59,7 @@ function drawPanorama(pen, across) {
     pen.fill();
   }
   pen.fillStyle = "#fbf7ec";
-  for (let mile = 1; mile * 150 < across; mile++) {
+  for (let mile = 1; mile * 150 + 60 < across; mile++) {
     pen.fillText(String(mile), mile * 150, height - 100);
   }
 }

@@ -88,7 +88,7 @@ const pictures = {
     ]),
   ),
   ...Object.fromEntries(
-    [0, 400, 1000, 2600].map((unfold, k) => [
+    [0, 400, 1000, 1600].map((unfold, k) => [
       `leporello-${k + 1}`,
       { example: "20-fold-outs.html", viewport: { width: 900, height: 480 }, page: 11, unfold },
     ]),

@@ -32,6 +32,7 @@ use core::f32::consts::{FRAC_PI_2, PI};
 mod creased_flap;
 #[cfg(test)]
 mod folded_tests;
+mod own_grabs;
 mod panels;
 #[cfg(test)]
 mod tests;
@@ -244,7 +245,9 @@ impl FoldOut {
                 self.sheet.step_of(left);
                 self.settle();
             }
-            if self.stillness.is_down() {
+            // Grabs lay a flap with further folds down where it lies shut.
+            let is_laid = self.creased.is_some() && !self.is_held && self.angle() > FRAC_PI_2;
+            if is_laid || self.stillness.is_down() {
                 self.sheet.slow(SMOOTHED);
             }
             self.stillness
@@ -284,15 +287,15 @@ impl FoldOut {
     }
 
     fn let_go(&mut self) {
-        for hand in 0..self.last_hand() {
+        for hand in 0..self.last_grab() {
             self.sheet.release(hand);
         }
         (self.is_held, self.turn, self.drawn) = (false, None, None);
     }
 
-    /// Moves the flap's own hands on, and presses the folds once no hand holds the flap.
+    /// Moves the flap's own grabs on, and presses the folds once no hand holds the flap.
     fn go_on(&mut self) {
-        self.move_hands();
+        self.move_grabs();
         if !self.is_held {
             let to = if self.angle() > FRAC_PI_2 { PI } else { AJAR };
             let way = (to - self.rest).clamp(-PRESSING * TICK, PRESSING * TICK);
@@ -351,7 +354,7 @@ impl FoldOut {
 
     /// The fold's rest follows where it is turned further than it yields.
     fn settle(&mut self) {
-        // Where there are further folds, hands press them all.
+        // Where there are further folds, all are pressed by hand.
         if self.creased.is_some() {
             return;
         }

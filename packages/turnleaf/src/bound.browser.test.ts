@@ -331,8 +331,9 @@ async function seenAcross(element: TurnleafBook, numbers: readonly number[]): Pr
   const seen: number[] = [];
   for (let x = 0.4; x < 1; x += 0.01) {
     const hue = await hueAt(element, x, 0.55);
+    if (hue === null) continue;
     const number = numbers.find((page) => {
-      const off = Math.abs((hue ?? 1000) - hueOf(page));
+      const off = Math.abs(hue - hueOf(page));
       return Math.min(off, 360 - off) < 12;
     });
     if (number !== undefined && seen.at(-1) !== number) seen.push(number);

@@ -153,7 +153,7 @@ impl Sheet {
         let (positions, tangents) = (&self.positions, &self.tangents);
         if let (true, Some(creased)) = (CAN_CREASE, &mut self.creased) {
             creased.hinges.expect(1.0);
-            creased.hinges.settle(positions, tangents);
+            creased.hinges.settle(positions, tangents, 0.0);
         }
     }
 

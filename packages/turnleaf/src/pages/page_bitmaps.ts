@@ -2,7 +2,14 @@
 
 import { loadPart } from "../sources/load_part.ts";
 import type { PageBox, PagePicture, PageSize, PageSource } from "../sources/page_source.ts";
-import { foldAt, isFoldOut, type PrintedOn, panelsOf, placeOnLeaf, wholeLeaf } from "./page_place.ts";
+import {
+  foldAt,
+  isFoldOut,
+  type PrintedOn,
+  panelsOf,
+  placeOnLeaf,
+  wholeLeaf,
+} from "./page_place.ts";
 import { closePicture, PagePool, type PagePoolOptions, type PoolSource } from "./page_pool.ts";
 import { barePage, failedPage, slowPage, waitingPage, whitePage } from "./stand_in.ts";
 

@@ -1,5 +1,12 @@
 import { expect, test } from "vitest";
-import { foldAt, isFoldOut, isTrimmed, type PrintedOn, panelsOf, placeOnLeaf } from "./page_place.ts";
+import {
+  foldAt,
+  isFoldOut,
+  isTrimmed,
+  type PrintedOn,
+  panelsOf,
+  placeOnLeaf,
+} from "./page_place.ts";
 
 const leaf = { width: 400, height: 600 };
 const onLeaf = (width: number, height: number, on: PrintedOn = "left", isTrue = true) =>
