@@ -561,13 +561,14 @@ impl Flight {
     }
 
     /// Takes back what a tick did to it where its paper would be drawn through itself after
-    /// it, and would not have been before; of a creased one, where its paper goes through itself
-    /// deeper than contact between its parts brings out again. Whole leaves that no grab has
-    /// crumpled and that are not curled, and what lies still, are not looked at.
+    /// it, and would not have been before; of a creased one that a grab holds, where its paper goes
+    /// through itself deeper than contact between its parts brings out again. Whole leaves that no
+    /// grab has crumpled and that are not curled are not looked at, and creased ones that no grab
+    /// holds neither: contact moves their parts, which taken back in a turn stay caught.
     pub fn keep_from_itself(&mut self, gutter: &Gutter, deepest: f32) {
         let was_through = core::mem::take(&mut self.was_through);
         let may_be_folded = if self.leaf.is_creased() {
-            !matches!(self.leaf.phase(), Phase::Resting(_))
+            self.leaf.phase() == Phase::Held
         } else {
             self.leaf.was_held() || self.leaf.in_book_space().is_curled()
         };
