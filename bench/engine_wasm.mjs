@@ -41,9 +41,8 @@ function measure(work, count) {
     work(count);
     batches.push(((performance.now() - start) * 1000) / count);
   }
-  batches.sort((a, b) => a - b);
-  const at = (part) => batches[Math.floor(part * (batches.length - 1))];
-  return { median_us: at(0.5), p5_us: at(0.05), p95_us: at(0.95) };
+  const { median_us, p5_us, p95_us } = percentiles(batches);
+  return { median_us, p5_us, p95_us };
 }
 
 const paper = engine.tl_bench_new(PAPER);
@@ -111,6 +110,34 @@ results["a sheet crumpled and let fall, a frame"] = crumpled;
 results["a sheet torn across, a frame"] = across;
 results["its tear begun"] = begun;
 results["its pieces parted"] = parted;
+for (const panels of [1, 2, 3]) {
+  results[`a fold-out of ${panels} panels opened and shut, a frame`] = flapFrames(
+    await load(creasable),
+    panels,
+  );
+}
+
+/** Microseconds of a frame at 60 Hz of a fold-out's flap that opens and shuts ten times: two ticks and what is drawn. */
+function flapFrames(wasm, panels) {
+  const frames = [];
+  const book = wasm.tl_book_new(0.148, 0.21, 100, 0.01);
+  wasm.tl_board_lay(book, 0, 1);
+  wasm.tl_book_lay(book, 50);
+  wasm.tl_book_update(book);
+  const flap = wasm.tl_flap_new(book, 0, 0.98, 0.97 * panels, panels, -0.004, 0.003);
+  if (flap === 0) throw new Error("There is no flap.");
+  for (let turn = 0; turn < 20; turn++) {
+    wasm.tl_flap_turn(flap, 1 - (turn % 2));
+    while (wasm.tl_flap_asleep(flap) === 0) {
+      const start = performance.now();
+      wasm.tl_flap_step(flap, book, 2);
+      frames.push(1000 * (performance.now() - start));
+    }
+  }
+  wasm.tl_flap_drop(flap);
+  wasm.tl_book_drop(book);
+  return percentiles(frames);
+}
 
 /**
  * Microseconds of a frame at 60 Hz in which a sewn leaf is torn out of a book and then carried, of
@@ -179,11 +206,14 @@ function tornFrames(wasm) {
     wasm.tl_torn_drop(leaf);
     wasm.tl_book_drop(book);
   }
-  return [frames, ofBall, ofTear, begun, parted].map((times) => {
-    times.sort((a, b) => a - b);
-    const at = (part) => times[Math.floor(part * (times.length - 1))];
-    return { median_us: at(0.5), p5_us: at(0.05), p95_us: at(0.95), worst_us: at(1) };
-  });
+  return [frames, ofBall, ofTear, begun, parted].map(percentiles);
+}
+
+/** The median, the 5th and 95th percentile and the worst of some times. */
+function percentiles(times) {
+  times.sort((a, b) => a - b);
+  const at = (part) => times[Math.floor(part * (times.length - 1))];
+  return { median_us: at(0.5), p5_us: at(0.05), p95_us: at(0.95), worst_us: at(1) };
 }
 
 if (process.argv.includes("--json")) {

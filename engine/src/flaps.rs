@@ -1,7 +1,8 @@
 //! The parts of a creased leaf between its creases, and where they meet each other.
 
-use crate::models::sheet::{CONTACTS, Sheet};
-use crate::tolerance::{CURLED, DEEPEST, GAP};
+use crate::models::sheet::{CONTACTS, Contact, Sheet};
+use crate::tolerance::{CURLED, DEEPEST, GAP, PUSHED_AT_ONCE};
+use crate::turn::TurnModel;
 use crate::vector::{cross, dot, sub, unit};
 
 /// How firm a part of a leaf is at most for another that lies upon it: below 1, so that none is
@@ -238,6 +239,32 @@ impl Flaps {
             add_facing(&mut found, triangle.part, cross(sub(b, a), sub(c, a)));
         }
         found
+    }
+
+    /// Writes the [contacts](Self::contacts) of the parts of a loose sheet, the one that these are
+    /// of, in place of those of the last time.
+    pub fn write_contacts(&self, sheet: &mut Sheet) {
+        let settings = sheet.settings();
+        let (columns, friction) = (settings.columns, settings.stock.friction as f32);
+        let points = sheet.positions().as_chunks::<3>().0;
+        let velocities = sheet.velocities().as_chunks::<3>().0;
+        let found = self.contacts(points, velocities, columns, sheet.time_step());
+        let (positions, contacts) = sheet.contact_state();
+        for contacts in contacts.iter_mut() {
+            for slot in PARTS {
+                contacts[slot] = Contact::default();
+            }
+        }
+        for part in found {
+            let place = positions.as_chunks::<3>().0[part.node];
+            contacts[part.node][part.slot] = Contact {
+                normal: part.normal,
+                offset: dot(part.normal, place) - part.gap.max(-PUSHED_AT_ONCE),
+                velocity: part.velocity,
+                friction,
+                firmness: part.firmness,
+            };
+        }
     }
 
     /// Finds the contacts of the parts with each other, of a leaf of `columns` whose nodes are

@@ -13,9 +13,9 @@ use crate::side;
 pub(crate) static FLAPS: Live<FoldOut> = Live::new();
 
 /// Makes the flap of a fold-out on the uppermost page of a side (0 right), shut: with its fold so
-/// far from the spine (0.5 to 1 of the page's width) and so wide, in so many panels (1 to 3), each 0.05
-/// to the fold's distance wide; over a table at a height (-1 to 0 m), with boards that reach so far beyond the pages (0 to
-/// 1 m). 0 where no leaf lies there or a number is another.
+/// far from the spine (0.5 to 1 of the page's width) and so wide, in so many panels (1 to 3), each
+/// 0.05 to the fold's distance wide; over a table at a height (-1 to 0 m), with boards that reach so
+/// far beyond the pages (0 to 1 m). 0 where no leaf lies there or a number is another.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tl_flap_new(
     book: *mut Book,

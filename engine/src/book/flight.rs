@@ -3,12 +3,13 @@
 use core::sync::atomic::{AtomicU32, Ordering};
 
 use super::bend_into_gutter::{bend_into_gutter, is_clear, push_edges_off, push_off};
+use super::creased_mesh::CreasedMesh;
 use super::crossing::{Tiles, is_past};
 use super::flaps::is_turned_over;
 use super::gutter::Gutter;
 use super::leaf::Leaf;
 use super::limits::{FARTHEST, NODES};
-use super::mesh::{Folds, Mesh, find_falling};
+use super::mesh::{Folds, Mesh};
 use super::phase::Phase;
 use super::pile::Pile;
 use super::separate::{DrawnLeaf, find_bends, separate};
@@ -17,7 +18,7 @@ use super::separate_parts::{DrawnParts, ROUNDS};
 use super::tolerance::{AT_FACET, DEEP, PAST_AT_SPINE};
 use super::work::Work;
 use crate::grid::Side;
-use crate::models::sheet::{CAN_CREASE, FoldLine, Sheet};
+use crate::models::sheet::{CAN_CREASE, FoldLine};
 use crate::surface::Surface;
 use crate::vector::{dot, sub};
 
@@ -35,38 +36,6 @@ pub const CUTTING: u32 = 10_000;
 
 /// The number of what is not in flight but lies creased upon a pile.
 pub const LYING: u32 = 0;
-
-/// How the drawn mesh of a creased leaf lies on its flat paper.
-#[derive(Clone, Debug, Default)]
-pub struct CreasedMesh {
-    /// u and v of each point, row by row from the foot.
-    pub places: Vec<f32>,
-    /// The points of each triangle, three by three; no triangle reaches over a crease.
-    pub triangles: Vec<u32>,
-    /// The part of the leaf that each triangle belongs to: see [`Sheet::drawn_triangles`](crate::Sheet::drawn_triangles).
-    pub parts: Vec<u16>,
-    /// See [`Folds::falling`].
-    falling: Vec<bool>,
-}
-
-impl CreasedMesh {
-    /// The mesh of a creased sheet, and its parts between the creases; None of another sheet.
-    pub(super) fn of(sheet: &Sheet) -> Option<(CreasedMesh, DrawnParts)> {
-        let places = sheet.drawn_places()?;
-        let triangles = sheet.drawn_triangles();
-        let columns = sheet.drawn_columns();
-        let corners = triangles.iter().flat_map(|(corners, _)| corners);
-        let cells = triangles.iter().map(|(corners, _)| *corners);
-        let mesh = CreasedMesh {
-            falling: find_falling(cells, columns, places.len()),
-            triangles: corners.map(|corner| *corner as u32).collect(),
-            parts: triangles.iter().map(|(_, part)| *part).collect(),
-            places: places.iter().flatten().copied().collect(),
-        };
-        let parts = DrawnParts::new(columns, places.len(), &triangles);
-        Some((mesh, parts))
-    }
-}
 
 /// One leaf in flight; it may stand for several.
 pub struct Flight {

@@ -13,7 +13,7 @@
 
 use super::Book;
 use super::book_space_leaf::WIDTH;
-use super::flight::CreasedMesh;
+use super::creased_mesh::CreasedMesh;
 use super::limits::{NODES, TICK};
 use super::paper::Paper;
 use super::stillness::{STILL, Stillness};
@@ -297,13 +297,9 @@ impl FoldOut {
     fn go_on(&mut self) {
         self.move_grabs();
         if !self.is_held {
-            let to = if self.angle() > FRAC_PI_2 { PI } else { AJAR };
-            let way = (to - self.rest).clamp(-PRESSING * TICK, PRESSING * TICK);
-            // A fold that rests flatter than readers press it stays so.
-            if way <= 0.0 || to != AJAR {
-                self.set_rest(self.rest + way);
-            }
-            self.press_further(to == PI);
+            let is_shut = self.angle() > FRAC_PI_2;
+            self.set_rest(pressed(self.rest, is_shut));
+            self.press_further(is_shut);
         }
     }
 
@@ -332,17 +328,7 @@ impl FoldOut {
             return;
         };
         creased.press(&mut self.sheet, |_, angle, rest| {
-            let to = if is_shut || angle > FRAC_PI_2 {
-                PI
-            } else {
-                AJAR
-            };
-            let way = (to - rest).clamp(-PRESSING * TICK, PRESSING * TICK);
-            if way > 0.0 && to == AJAR {
-                rest
-            } else {
-                rest + way
-            }
+            pressed(rest, is_shut || angle > FRAC_PI_2)
         });
     }
 
@@ -390,6 +376,13 @@ impl FoldOut {
         }
         libm::atan2f(up, out)
     }
+}
+
+/// The rest angle of a fold after a tick in which it is pressed open or shut, radians. One that
+/// rests flatter than readers press it stays so.
+fn pressed(rest: f32, is_shut: bool) -> f32 {
+    let to = if is_shut { PI } else { AJAR.min(rest) };
+    rest + (to - rest).clamp(-PRESSING * TICK, PRESSING * TICK)
 }
 
 /// The same direction within -pi/2 to 3/2 pi, as a flap is seen that lies open or over its page.

@@ -10,9 +10,7 @@ use crate::air::Air;
 use crate::flaps::{Flaps, PARTS};
 use crate::grid::Side;
 use crate::models::sheet::{Contact, FoldLine, Root, Sheet, SheetSettings};
-use crate::tolerance::PUSHED_AT_ONCE;
 use crate::turn::TurnModel;
-use crate::vector::dot;
 
 /// Creases of a leaf, at most, as in a book.
 const MOST_CREASES: usize = 16;
@@ -187,26 +185,6 @@ impl TableSheet {
     /// Finds what parts of it touch of each other.
     fn keep_apart(&mut self) {
         let Some(flaps) = &self.flaps else { return };
-        let settings = self.sheet.settings();
-        let (columns, friction) = (settings.columns, settings.stock.friction as f32);
-        let points = self.sheet.positions().as_chunks::<3>().0;
-        let velocities = self.sheet.velocities().as_chunks::<3>().0;
-        let found = flaps.contacts(points, velocities, columns, self.sheet.time_step());
-        let (positions, contacts) = self.sheet.contact_state();
-        for contacts in contacts.iter_mut() {
-            for slot in PARTS {
-                contacts[slot] = Contact::default();
-            }
-        }
-        for part in found {
-            let place = positions.as_chunks::<3>().0[part.node];
-            contacts[part.node][part.slot] = Contact {
-                normal: part.normal,
-                offset: dot(part.normal, place) - part.gap.max(-PUSHED_AT_ONCE),
-                velocity: part.velocity,
-                friction,
-                firmness: part.firmness,
-            };
-        }
+        flaps.write_contacts(&mut self.sheet);
     }
 }

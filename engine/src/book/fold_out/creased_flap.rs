@@ -1,13 +1,12 @@
 //! The further folds of a flap: creases of its sheet, and the panels between them.
 
 use super::panels::Panels;
+use crate::book::creased_mesh::CreasedMesh;
 use crate::book::flaps::Flaps;
-use crate::book::flight::CreasedMesh;
 use crate::book::separate_parts::{DrawnParts, ROUNDS};
 use crate::grid::Side;
-use crate::models::sheet::{Contact, FoldLine, Sheet};
+use crate::models::sheet::{FoldLine, Sheet};
 use crate::surface::Surface;
-use crate::vector::dot;
 
 /// What a flap with further folds has beside any other.
 #[derive(Clone, Debug)]
@@ -69,26 +68,7 @@ impl CreasedFlap {
 
     /// Finds the contacts of the panels with each other.
     pub fn find_contacts(&self, sheet: &mut Sheet) {
-        let [columns, seconds, friction] = {
-            let settings = sheet.settings();
-            let stock = &settings.stock;
-            [settings.columns as f64, settings.time_step, stock.friction]
-        };
-        let velocities = sheet.velocities().as_chunks::<3>().0.to_vec();
-        let (positions, contacts) = sheet.contact_state();
-        let points = positions.as_chunks::<3>().0;
-        let found = self
-            .flaps
-            .contacts(points, &velocities, columns as usize, seconds as f32);
-        for part in found {
-            contacts[part.node][part.slot] = Contact {
-                normal: part.normal,
-                offset: dot(part.normal, points[part.node]) - part.gap,
-                velocity: part.velocity,
-                friction: friction as f32,
-                firmness: part.firmness,
-            };
-        }
+        self.flaps.write_contacts(sheet);
     }
 
     /// Moves the drawn panels off each other.

@@ -18,6 +18,20 @@ fn folded(book: &Book, side: Side, (width, panels): (f64, usize)) -> FoldOut {
     FoldOut::new(book, place, AROUND).unwrap()
 }
 
+/// Calls with each book and its paper, and a shut flap on each side of it, folded in each way.
+fn each_flap(mut call: impl FnMut(&Book, &str, FoldOut, (f64, usize))) {
+    for (stock, thickness) in BOOKS {
+        let book = open_book(stock, thickness);
+        for side in SIDES {
+            for folding in FOLDINGS {
+                let grammage = stock.grammage;
+                let what = format!("{grammage} kg/m2 {thickness} m {side:?} {folding:?}");
+                call(&book, &what, folded(&book, side, folding), folding);
+            }
+        }
+    }
+}
+
 /// How far the drawn points of each panel of a shut flap are at most under the one that it lies upon,
 /// metres, but over the gutter: there points next to each other differ in height by more.
 fn sunk(flap: &FoldOut) -> f32 {
@@ -69,47 +83,32 @@ fn assert_sound(course: &Course, what: &str) {
 
 #[test]
 fn a_folded_flap_begins_shut_panel_upon_panel() {
-    for (stock, thickness) in BOOKS {
-        let book = open_book(stock, thickness);
-        for side in SIDES {
-            for folding in FOLDINGS {
-                let flap = folded(&book, side, folding);
-                assert!(is_turned(&flap, false), "{:?}", flap.fold_angles());
-                assert!(sunk(&flap) < 1e-4, "{} {folding:?}", sunk(&flap));
-            }
-        }
-    }
+    each_flap(|_, what, flap, _| {
+        assert!(is_turned(&flap, false), "{what}: {:?}", flap.fold_angles());
+        assert!(sunk(&flap) < 1e-4, "{what}: {}", sunk(&flap));
+    });
 }
 
 #[test]
-fn hands_open_every_fold_and_shut_it_again() {
-    for (stock, thickness) in BOOKS {
-        let book = open_book(stock, thickness);
-        for side in SIDES {
-            for folding in FOLDINGS {
-                let mut flap = folded(&book, side, folding);
-                for is_to_open in [true, false] {
-                    let mut course = Course::default();
-                    flap.turn(is_to_open);
-                    course.until_asleep(&mut flap, &book);
-                    let grammage = stock.grammage;
-                    let what = format!(
-                        "{grammage} kg/m2 {thickness} m {side:?} {folding:?} {is_to_open}: {:.0?}",
-                        flap.fold_angles().map(f32::to_degrees)
-                    );
-                    println!("{what} {course:?}");
-                    assert_sound(&course, &what);
-                    assert!(is_turned(&flap, is_to_open), "{what}");
-                    // Two stages and what the fall may take.
-                    assert!(course.ticks < 180 + LONGEST_FALL + 1, "{what}: {course:?}");
-                    if !is_to_open {
-                        println!("  sunk by {} m", sunk(&flap));
-                        assert!(sunk(&flap) < 1e-4, "{what}: {}", sunk(&flap));
-                    }
-                }
+fn every_fold_opens_and_shuts_again() {
+    each_flap(|book, what, mut flap, _| {
+        for is_to_open in [true, false] {
+            let mut course = Course::default();
+            flap.turn(is_to_open);
+            course.until_asleep(&mut flap, book);
+            let angles = flap.fold_angles().map(f32::to_degrees);
+            let what = format!("{what} {is_to_open}: {angles:.0?}");
+            println!("{what} {course:?}");
+            assert_sound(&course, &what);
+            assert!(is_turned(&flap, is_to_open), "{what}");
+            // Two stages and what the fall may take.
+            assert!(course.ticks < 180 + LONGEST_FALL + 1, "{what}: {course:?}");
+            if !is_to_open {
+                println!("  sunk by {} m", sunk(&flap));
+                assert!(sunk(&flap) < 1e-4, "{what}: {}", sunk(&flap));
             }
         }
-    }
+    });
 }
 
 /// Carries what a hand holds at the edge over an arch, from one distance beyond the fold to another,
@@ -129,30 +128,20 @@ fn carry(flap: &mut FoldOut, book: &Book, width: f64, [from, to]: [f32; 2], cour
 
 #[test]
 fn a_hand_draws_it_open_by_its_edge_and_pushes_it_shut() {
-    for (stock, thickness) in BOOKS {
-        let book = open_book(stock, thickness);
-        for side in SIDES {
-            for folding in FOLDINGS {
-                let mut flap = folded(&book, side, folding);
-                let what = format!(
-                    "{} kg/m2 {thickness} m {side:?} {folding:?}",
-                    stock.grammage
-                );
-                let shut = if folding.1 == 2 { 0.0 } else { -0.33 };
-                for ways in [[shut, 0.97], [0.95, shut]] {
-                    let mut course = Course::default();
-                    carry(&mut flap, &book, folding.0, ways, &mut course);
-                    flap.release();
-                    course.until_asleep(&mut flap, &book);
-                    let is_open = ways[1] > 0.5;
-                    let what = format!("{what} {ways:?}: {:.2?}", flap.fold_angles());
-                    println!("{what} {course:?}");
-                    assert_sound(&course, &what);
-                    assert!(is_turned(&flap, is_open), "{what}");
-                }
-            }
+    each_flap(|book, what, mut flap, (width, panels)| {
+        let shut = if panels == 2 { 0.0 } else { -0.33 };
+        for ways in [[shut, 0.97], [0.95, shut]] {
+            let mut course = Course::default();
+            carry(&mut flap, book, width, ways, &mut course);
+            flap.release();
+            course.until_asleep(&mut flap, book);
+            let is_open = ways[1] > 0.5;
+            let what = format!("{what} {ways:?}: {:.2?}", flap.fold_angles());
+            println!("{what} {course:?}");
+            assert_sound(&course, &what);
+            assert!(is_turned(&flap, is_open), "{what}");
         }
-    }
+    });
 }
 
 #[test]

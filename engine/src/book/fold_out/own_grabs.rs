@@ -83,12 +83,12 @@ impl FoldOut {
         } else {
             stages + PRESSED
         };
+        let width = (self.panels.width() * self.page_width) as f32;
         let (angles, is_over) = if let Some(turn) = &mut self.turn {
             turn.part = (turn.part + TICK / TURN).min(end);
             (turn.angles(self.panels), turn.part >= end)
         } else if let Some(drawn) = &mut self.drawn {
             let out = self.side.sign() * (self.pulled[0] - self.foot[0]);
-            let width = (self.panels.width() * self.page_width) as f32;
             drawn.follow(out, (self.panels, width));
             (drawn.angles, false)
         } else {
@@ -96,7 +96,6 @@ impl FoldOut {
         };
         let height = self.sheet.settings().height as f32;
         let [mut out, mut up, mut angle] = [0.0; 3];
-        let width = (self.panels.width() * self.page_width) as f32;
         for panel in 0..self.panels.count {
             angle += angles[panel];
             let (sin, cos) = libm::sincosf(angle);

@@ -140,16 +140,17 @@ impl Sheet {
             let raised = [sign * (x * cos - z * sin), y, x * sin + z * cos];
             own.copy_from_slice(&raised.map(|x| x as f32));
         }
-        let (positions, tangents) = (&self.positions, &self.tangents);
-        if let (true, Some(creased)) = (CAN_CREASE, &mut self.creased) {
-            creased.hinges.expect(1.0);
-            creased.hinges.settle(positions, tangents, 0.0);
-        }
+        self.expect_rests();
     }
 
     /// As [`place`](Self::place), for one that is folded there as its creases rest.
     pub(crate) fn place_folded(&mut self, positions: impl Iterator<Item = f32>) {
         self.place(positions);
+        self.expect_rests();
+    }
+
+    /// Takes the creases' angles for those next to their rests: whole turns more look the same.
+    fn expect_rests(&mut self) {
         let (positions, tangents) = (&self.positions, &self.tangents);
         if let (true, Some(creased)) = (CAN_CREASE, &mut self.creased) {
             creased.hinges.expect(1.0);
