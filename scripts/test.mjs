@@ -1,5 +1,5 @@
 /**
- * Runs the tests, part after part, and says at the end how long each took.
+ * Runs the tests, part after part, and says at the end how long each took and what failed.
  *
  *   node scripts/test.mjs [rust] [js]
  *
@@ -13,7 +13,7 @@ import { join } from "node:path";
 
 const root = join(import.meta.dirname, "..");
 const folder = mkdtempSync(join(tmpdir(), "turnleaf-tests-"));
-const timesOfProjects = join(folder, "projects.json");
+const summaryPath = join(folder, "summary.json");
 
 const parts = {
   rust: [["Rust", "cargo", "test", "--release", "--workspace", "--no-fail-fast", "--quiet"]],
@@ -23,38 +23,51 @@ const parts = {
     [
       "TypeScript",
       ...["npx", "vitest", "run", "--reporter=default"],
-      `--reporter=${join(root, "scripts/project_times.mjs")}`,
+      `--reporter=${join(root, "scripts/test_summary.mjs")}`,
     ],
   ],
 };
 
 const asked = process.argv.slice(2);
 const times = [];
+const failures = [];
 let status = 0;
 for (const [name, command, ...args] of (asked.length > 0 ? asked : Object.keys(parts)).flatMap(
   (part) => parts[part],
 )) {
   const start = performance.now();
-  const env = { ...process.env, TURNLEAF_PROJECT_TIMES: timesOfProjects };
+  const env = { ...process.env, TURNLEAF_TEST_SUMMARY: summaryPath };
   const ended = spawnSync(command, args, { cwd: root, env, stdio: "inherit" });
   times.push([name, performance.now() - start]);
-  if (name === "TypeScript") times.push(...projectTimes());
+  if (ended.status !== 0)
+    failures.push({ name, messages: ended.error ? [ended.error.message] : [] });
+  if (name === "TypeScript") {
+    const summary = testSummary();
+    for (const [project, milliseconds] of Object.entries(summary.times)) {
+      times.push([`  files of ${project}`, milliseconds]);
+    }
+    failures.push(...summary.failures);
+  }
   status ||= ended.status ?? 1;
 }
 rmSync(folder, { recursive: true });
 
 console.log("\nHow long it took:");
 for (const [name, milliseconds] of times) console.log(`${name.padEnd(32)}${inWords(milliseconds)}`);
+// At the end, where it is found in a long output.
+if (failures.length > 0) console.log("\nFailed:");
+for (const { name, messages } of failures) {
+  console.log(name);
+  for (const message of messages) console.log(`    ${message.replaceAll("\n", "\n    ")}`);
+}
 process.exit(status);
 
-function projectTimes() {
+function testSummary() {
   try {
-    return Object.entries(JSON.parse(readFileSync(timesOfProjects, "utf8"))).map(
-      ([project, milliseconds]) => [`  files of ${project}`, milliseconds],
-    );
+    return JSON.parse(readFileSync(summaryPath, "utf8"));
   } catch {
     // Vitest ended before its tests did.
-    return [];
+    return { times: {}, failures: [] };
   }
 }
 
