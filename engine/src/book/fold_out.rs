@@ -12,7 +12,6 @@
 //! shut upon it, on either side of the book.
 
 use super::Book;
-use super::book_space_leaf::WIDTH;
 use super::creased_mesh::CreasedMesh;
 use super::limits::{NODES, TICK};
 use super::paper::Paper;
@@ -224,7 +223,7 @@ impl FoldOut {
 
     /// How its drawn mesh lies on the flat paper where it has further folds.
     pub fn creased_mesh(&self) -> Option<&CreasedMesh> {
-        self.creased.as_ref().map(|creased| &creased.mesh)
+        self.creased.as_ref().map(|creased| &creased.folded.mesh)
     }
 
     /// Whether it does not move until the next command.
@@ -265,7 +264,9 @@ impl FoldOut {
         }
         Surroundings::new(book, self.around, &self.sheet).push_off(&mut self.surface);
         if let (true, Some(creased)) = (CAN_CREASE, &mut self.creased) {
-            creased.separate(&mut self.surface, self.page_width as f32 / WIDTH);
+            creased
+                .folded
+                .separate(&mut self.surface, self.page_width as f32);
         }
         self.surface.update_normals();
     }
@@ -318,7 +319,7 @@ impl FoldOut {
             contact.offset -= dot(contact.normal, self.foot);
         }
         if let (true, Some(creased)) = (CAN_CREASE, &self.creased) {
-            creased.find_contacts(&mut self.sheet);
+            creased.folded.find_contacts(&mut self.sheet);
         }
     }
 

@@ -15,6 +15,7 @@ mod draw;
 mod flight;
 mod flights;
 mod fold_out;
+mod folded_sheet;
 #[cfg(all(test, feature = "creases"))]
 mod folding_tests;
 mod gutter;
@@ -27,6 +28,8 @@ mod mesh;
 #[cfg(all(test, feature = "creases"))]
 mod page_folds_tests;
 mod paper;
+#[cfg(test)]
+mod parts_depth;
 mod phase;
 mod pile;
 mod pile_table;

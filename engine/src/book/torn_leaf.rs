@@ -8,11 +8,14 @@
 //! paper gives way where it is notched, as at its rims, long before it does elsewhere.
 
 use super::Book;
+use super::creased_mesh::CreasedMesh;
+use super::flight::Flight;
+use super::folded_sheet::FoldedSheet;
 use super::limits::{NODES, TICK};
 use super::stillness::{STILL, Stillness};
 use super::surroundings::{Surroundings, TableAround};
 use crate::grid::Side;
-use crate::models::sheet::{Root, Sheet, SheetSettings, Tether, TornMesh};
+use crate::models::sheet::{CAN_CREASE, Root, Sheet, SheetSettings, Tether, TornMesh};
 use crate::stock::GRAVITY;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
@@ -23,6 +26,8 @@ mod across_tests;
 mod ball;
 #[cfg(test)]
 mod crumpling_tests;
+#[cfg(test)]
+mod folded_tests;
 mod fracture;
 mod nodes;
 mod press;
@@ -105,6 +110,8 @@ pub struct TornLeaf {
     differing: Vec<f32>,
     blend: u32,
     crumpled: Option<Crumpled>,
+    /// Its parts, of one that was folded when it was torn out.
+    folded: Option<FoldedSheet>,
     /// What holds one that is torn across.
     across: Across,
     /// How what is drawn of a sheet that is torn across lies on its page.
@@ -129,28 +136,14 @@ impl TornLeaf {
         if bound.start > bound.end || bound.end > NODES[1] || !around.is_sound() {
             return None;
         }
-        let leaf = flight.leaf().sheet().settings();
-        let settings = SheetSettings {
-            root: Root::Free,
-            ..leaf.clone()
-        };
-        let mut sheet = Sheet::new(settings).ok()?;
         let drawn = flight.surface();
-        let rows = (0..drawn.rows).map(|row| row as f32 / (drawn.rows - 1) as f32);
-        sheet.draw_samples(book.columns(), &rows.collect::<Vec<_>>());
-        let mut nodes = nodes_of(drawn, book.columns(), NODES);
-        for node in &mut nodes {
-            // Cells are too coarse to follow the pages down into the gutter.
-            let [x, _, z] = *node;
-            let side = if x < 0.0 { Side::Left } else { Side::Right };
-            node[2] = z.max(book.pile(side).height(x.abs()));
-        }
-        sheet.place(nodes.into_iter().flatten());
+        let sheet = sheet_of(flight, book)?;
         let bound = bound_rows(&sheet, line, bound);
         let mut torn = TornLeaf::of(sheet, around);
         let apart = drawn.positions.iter().zip(&torn.surface.positions);
         torn.differing = apart.map(|(drawn, own)| drawn - own).collect();
         (torn.bound, torn.blend) = (bound, BLENDED);
+        torn.folded = FoldedSheet::of(&torn.sheet);
         torn.tie();
         torn.update(book);
         Some(torn)
@@ -164,6 +157,7 @@ impl TornLeaf {
         TornLeaf {
             steps: libm::roundf(TICK / sheet.time_step()).max(1.0) as u32,
             mesh: sheet.torn_mesh(),
+            folded: None,
             differing: Vec::new(),
             blend: 0,
             bound: Vec::new(),
@@ -238,8 +232,9 @@ impl TornLeaf {
 
     /// Crumples the sheet: it is pressed into a ball, for a little over a second of its own
     /// time, over the place where it is. A hand that held it lets go. From then on it keeps every
-    /// sharp bend, and its surface is one of flat facets, of another size. Returns whether it is
-    /// crumpled: one that is still bound is not, nor one that has been or is torn across.
+    /// sharp bend, and its surface is one of flat facets, of another size; folds that it had are
+    /// among these. Returns whether it is crumpled: one that is still bound is not, nor one that
+    /// has been or is torn across.
     pub fn crumple(&mut self) -> bool {
         if !self.bound.is_empty() || self.is_crumpled() || self.sheet.is_torn() {
             return false;
@@ -261,6 +256,7 @@ impl TornLeaf {
         sheet.crumple();
         let press = Press::about(&sheet, self.around.table);
         self.crumpled = Some(Crumpled::Pressed(press));
+        self.folded = None;
         self.sheet = sheet;
         self.release();
         self.blend = 0;
@@ -274,11 +270,15 @@ impl TornLeaf {
     /// next to the first, where the tear begins, to the edge next to the last. All grabs are
     /// released. The sheet is where it was, and its surface has another size.
     ///
-    /// Returns whether it does: not one that is bound, crumpled, torn across already or a piece,
+    /// Returns whether it does: not one that is bound, folded, crumpled, torn across already or a piece,
     /// and not along a path that leaves the page, has both its ends on one edge, or parts a piece
     /// narrower than a cell or more crooked than a grid can be.
     pub fn tear_across(&mut self, path: &[[f64; 2]]) -> bool {
-        if !self.bound.is_empty() || self.is_crumpled() || self.sheet.is_torn() {
+        if !self.bound.is_empty()
+            || self.is_crumpled()
+            || self.folded.is_some()
+            || self.sheet.is_torn()
+        {
             return false;
         }
         let Some((sheet, across)) = Across::begin(&self.sheet, path) else {
@@ -369,7 +369,16 @@ impl TornLeaf {
             }
         }
         Surroundings::new(book, self.around, &self.sheet).push_off(&mut self.surface);
+        if let (true, Some(folded)) = (CAN_CREASE, &mut self.folded) {
+            folded.separate(&mut self.surface, self.sheet.settings().width as f32);
+        }
         self.surface.update_normals();
+    }
+
+    /// How what is drawn of one that was folded when it was torn out lies on its page; None of any
+    /// other, and once it is crumpled.
+    pub fn folded_mesh(&self) -> Option<&CreasedMesh> {
+        self.folded.as_ref().map(|folded| &folded.mesh)
     }
 
     /// What is drawn, as of the last update.
@@ -397,7 +406,11 @@ impl TornLeaf {
         for left in (1..=self.steps).rev() {
             let (positions, contacts) = self.sheet.contact_state();
             around.write_contacts(positions, contacts);
+            if let (true, Some(folded)) = (CAN_CREASE, &self.folded) {
+                folded.find_contacts(&mut self.sheet);
+            }
             if let Some(Crumpled::Pressed(press)) = &self.crumpled {
+                let (positions, contacts) = self.sheet.contact_state();
                 press.write_contacts(positions, contacts);
                 press.keep_apart(&mut self.sheet);
             }
@@ -458,6 +471,32 @@ impl TornLeaf {
             self.tie();
         }
     }
+}
+
+/// The sheet of a flight with nothing that binds it, folded as that is, where it is drawn.
+fn sheet_of(flight: &Flight, book: &Book) -> Option<Sheet> {
+    let (leaf, drawn) = (flight.leaf(), flight.surface());
+    let mut sheet = Sheet::new(SheetSettings {
+        root: Root::Free,
+        ..leaf.sheet().settings().clone()
+    })
+    .ok()?;
+    let rows = (0..drawn.rows).map(|row| row as f32 / (drawn.rows - 1) as f32);
+    sheet.draw_samples(book.columns(), &rows.collect::<Vec<_>>());
+    let mut nodes = if CAN_CREASE && leaf.is_creased() {
+        sheet.crease(&leaf.sheet().creases()).ok()?;
+        leaf.in_book_space().points.clone()
+    } else {
+        nodes_of(drawn, book.columns(), NODES)
+    };
+    for node in &mut nodes {
+        // Cells are too coarse to follow the pages down into the gutter.
+        let [x, _, z] = *node;
+        let side = if x < 0.0 { Side::Left } else { Side::Right };
+        node[2] = z.max(book.pile(side).height(x.abs()));
+    }
+    sheet.place_folded(nodes.into_iter().flatten());
+    Some(sheet)
 }
 
 /// The rows of the spine between `range` (from the foot) that bind a leaf, at rest where it is.

@@ -1,20 +1,15 @@
 //! The further folds of a flap: creases of its sheet, and the panels between them.
 
 use super::panels::Panels;
-use crate::book::creased_mesh::CreasedMesh;
-use crate::book::flaps::Flaps;
-use crate::book::separate_parts::{DrawnParts, ROUNDS};
+use crate::book::folded_sheet::FoldedSheet;
 use crate::grid::Side;
 use crate::models::sheet::{FoldLine, Sheet};
-use crate::surface::Surface;
 
 /// What a flap with further folds has beside any other.
 #[derive(Clone, Debug)]
 pub(super) struct CreasedFlap {
-    /// Which panel lies upon which.
-    flaps: Flaps,
-    parts: DrawnParts,
-    pub mesh: CreasedMesh,
+    /// Its panels.
+    pub folded: FoldedSheet,
     /// For each fold the direction in which it is shut: 1 toward the recto, or -1.
     ways: Vec<f32>,
 }
@@ -39,11 +34,8 @@ impl CreasedFlap {
         });
         sheet.crease(&folds.collect::<Vec<_>>()).ok()?;
         sheet.let_yield(false);
-        let (mesh, parts) = CreasedMesh::of(sheet)?;
         Some(CreasedFlap {
-            flaps: Flaps::of(sheet)?,
-            parts,
-            mesh,
+            folded: FoldedSheet::of(sheet)?,
             ways,
         })
     }
@@ -61,21 +53,8 @@ impl CreasedFlap {
             if let Some([angle, before]) = self.angle(sheet, crease) {
                 let rest = self.ways[crease] * rest(crease, angle, before);
                 sheet.press(crease, rest);
-                self.flaps.press(crease, rest);
+                self.folded.press(crease, rest);
             }
         }
-    }
-
-    /// Finds the contacts of the panels with each other.
-    pub fn find_contacts(&self, sheet: &mut Sheet) {
-        self.flaps.write_contacts(sheet);
-    }
-
-    /// Moves the drawn panels off each other.
-    pub fn separate(&mut self, surface: &mut Surface, scale: f32) {
-        let flaps = &self.flaps;
-        let side = |under, part, is_alike| flaps.drawn_side(under, part, is_alike);
-        let points = surface.positions.as_chunks_mut::<3>().0;
-        self.parts.separate(points, (scale, ROUNDS), side);
     }
 }

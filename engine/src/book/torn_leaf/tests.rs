@@ -2,6 +2,7 @@ use super::*;
 use crate::book::stillness::LONGEST_FALL;
 use crate::book::{Board, Book};
 use crate::grid::Side;
+use crate::models::sheet::FoldLine;
 use crate::stock::Stock;
 
 pub(super) const AROUND: TableAround = TableAround {
@@ -13,7 +14,17 @@ const LINES: [TearLine; 3] = [TearLine::Perforated, TearLine::Stapled, TearLine:
 
 /// A book of A5 pages open in the middle, with the uppermost leaf of a side in flight and held
 /// at a place, a little off its page.
-pub(super) fn held(side: Side, stock: Stock, [u, v]: [f32; 2]) -> (Book, u32) {
+pub(super) fn held(side: Side, stock: Stock, at: [f32; 2]) -> (Book, u32) {
+    held_folded(side, stock, at, &[])
+}
+
+/// The same, of a leaf that is folded along lines before.
+pub(super) fn held_folded(
+    side: Side,
+    stock: Stock,
+    [u, v]: [f32; 2],
+    lines: &[FoldLine],
+) -> (Book, u32) {
     let mut book = Book::new(0.148, 0.21, 100, 0.01).unwrap();
     let mut paper = *book.paper();
     paper.stock = stock;
@@ -21,6 +32,10 @@ pub(super) fn held(side: Side, stock: Stock, [u, v]: [f32; 2]) -> (Book, u32) {
     *book.board_mut(0) = Board::new(Side::Left);
     book.lay(50);
     let low = if side == Side::Right { 50 } else { 49 };
+    if !lines.is_empty() {
+        assert!(book.crease(low, lines));
+        book.step(120);
+    }
     let id = book.pick_up(side, low, low + 1).unwrap();
     book.grab(id, 0, u, v);
     for tick in 0..60 {

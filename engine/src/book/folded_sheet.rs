@@ -1,0 +1,45 @@
+//! A creased sheet beside the book's leaves: its parts between creases meet each other, and what
+//! is drawn of them is kept apart.
+
+use super::book_space_leaf::WIDTH;
+use super::creased_mesh::CreasedMesh;
+use super::separate_parts::{DrawnParts, ROUNDS};
+use crate::flaps::Flaps;
+use crate::models::sheet::Sheet;
+use crate::surface::Surface;
+
+/// What a creased sheet has beside any other.
+#[derive(Clone, Debug)]
+pub(super) struct FoldedSheet {
+    flaps: Flaps,
+    parts: DrawnParts,
+    /// How its drawn mesh lies on the flat paper.
+    pub mesh: CreasedMesh,
+}
+
+impl FoldedSheet {
+    /// What a creased sheet has; None of another.
+    pub fn of(sheet: &Sheet) -> Option<FoldedSheet> {
+        let (mesh, parts) = CreasedMesh::of(sheet)?;
+        let flaps = Flaps::of(sheet)?;
+        Some(FoldedSheet { flaps, parts, mesh })
+    }
+
+    /// Says that a crease rests at another angle, radians: what is folded over lies on that side.
+    pub fn press(&mut self, crease: usize, rest: f32) {
+        self.flaps.press(crease, rest);
+    }
+
+    /// Finds the contacts of the parts of the sheet, the one that this is of, with each other.
+    pub fn find_contacts(&self, sheet: &mut Sheet) {
+        self.flaps.write_contacts(sheet);
+    }
+
+    /// Moves the drawn parts off each other, of a page `width` metres wide.
+    pub fn separate(&mut self, surface: &mut Surface, width: f32) {
+        let flaps = &self.flaps;
+        let side = |under, part, is_alike| flaps.drawn_side(under, part, is_alike);
+        let points = surface.positions.as_chunks_mut::<3>().0;
+        self.parts.separate(points, (width / WIDTH, ROUNDS), side);
+    }
+}

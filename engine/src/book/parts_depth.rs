@@ -1,0 +1,66 @@
+//! How deep the parts of a creased sheet are drawn in each other, for tests.
+
+use super::creased_mesh::CreasedMesh;
+use crate::flaps::{add_facing, facing_of};
+use crate::models::sheet::FoldLine;
+use crate::surface::Surface;
+use crate::vector::{cross, dot, sub, unit};
+
+/// Farther off each other than this, metres, parts of a leaf that lies are not looked at.
+const NEAR: f32 = 0.01;
+
+/// Farther from a point than this, metres, no triangle of the drawn leaf reaches over it.
+const REACH: f32 = 0.03;
+
+/// The deepest that a drawn point of one part of a sheet is in a triangle of another, metres.
+/// `creases` are those of the sheet.
+pub(super) fn depth_of_parts(surface: &Surface, mesh: &CreasedMesh, creases: &[FoldLine]) -> f32 {
+    let points = surface.positions.as_chunks::<3>().0;
+    let corners = mesh.triangles.as_chunks::<3>().0;
+    let mut parts: Vec<Option<Option<u16>>> = vec![None; points.len()];
+    for (corners, part) in corners.iter().zip(&mesh.parts) {
+        for corner in corners {
+            let own = parts[*corner as usize].get_or_insert(Some(*part));
+            if *own != Some(*part) {
+                *own = None;
+            }
+        }
+    }
+    let mut facing = Vec::new();
+    for (corners, part) in corners.iter().zip(&mesh.parts) {
+        let [a, b, c] = corners.map(|corner| points[corner as usize]);
+        add_facing(&mut facing, *part, cross(sub(b, a), sub(c, a)));
+    }
+    let mut deepest: f32 = 0.0;
+    for (point, own) in points.iter().zip(parts.iter().map(|part| part.flatten())) {
+        let Some(own) = own else { continue };
+        for (corners, part) in corners.iter().zip(&mesh.parts) {
+            if *part == own {
+                continue;
+            }
+            let between = (part ^ own).trailing_zeros() as usize;
+            // What is folded twice, and faces as the page does, lies in it with its other side.
+            let is_alike = dot(facing_of(&facing, own), facing_of(&facing, *part)) > 0.0;
+            let is_beyond = own & !part == 0 && (part & !own).count_ones() > 1;
+            let turned = if is_beyond && is_alike { -1.0 } else { 1.0 };
+            let side = turned * creases[between].rest.signum() as f32;
+            let [a, b, c] = corners.map(|corner| points[corner as usize]);
+            if dot(sub(*point, a), sub(*point, a)) > REACH * REACH {
+                continue;
+            }
+            let (u, v, away) = (sub(b, a), sub(c, a), sub(*point, a));
+            let across = cross(u, v);
+            let height = side * dot(away, unit(across));
+            if height.abs() > NEAR {
+                continue;
+            }
+            let all = 1.0 / dot(across, across);
+            let on_b = all * dot(cross(away, v), across);
+            let on_c = all * dot(cross(u, away), across);
+            if on_b > 0.0 && on_c > 0.0 && on_b + on_c < 1.0 {
+                deepest = deepest.max(-height);
+            }
+        }
+    }
+    deepest
+}
