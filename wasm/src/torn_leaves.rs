@@ -106,12 +106,30 @@ live_functions! {
     fn tl_torn_crumpled(leaf) -> u32 { leaf.is_crumpled().into() }
     /// How far it is torn across, metres along the path; infinite once it is torn through.
     fn tl_torn_opened(leaf) -> f32 { leaf.opened() }
-    /// Of one that is torn across: for each point u, v on its page, and its place by the tear in
-    /// three numbers (`TornMesh`), f32; the points of each triangle, u32; how many of these.
-    fn tl_torn_places(leaf) -> *const f32 { leaf.mesh().places.as_flattened().as_ptr() }
+    /// Of one that is folded or torn across: for each point u, v on its page, f32; the points of
+    /// each triangle, u32; how many of these.
+    fn tl_torn_places(leaf) -> *const f32 {
+        match leaf.folded_mesh() {
+            Some(mesh) => mesh.places.as_ptr(),
+            None => leaf.mesh().places.as_flattened().as_ptr(),
+        }
+    }
+    fn tl_torn_corners(leaf) -> *const u32 {
+        match leaf.folded_mesh() {
+            Some(mesh) => mesh.triangles.as_ptr(),
+            None => leaf.mesh().triangles.as_flattened().as_ptr(),
+        }
+    }
+    fn tl_torn_triangles(leaf) -> usize {
+        leaf.folded_mesh().map_or(leaf.mesh().triangles.len(), |mesh| mesh.parts.len())
+    }
+    /// Of one that is folded, the part that each triangle belongs to, u16; 0 of any other.
+    fn tl_torn_parts(leaf) -> *const u16 {
+        leaf.folded_mesh().map_or(core::ptr::null(), |mesh| mesh.parts.as_ptr())
+    }
+    /// Of one that is torn across, for each point its place by the tear in three numbers
+    /// (`TornMesh`), f32.
     fn tl_torn_tears(leaf) -> *const f32 { leaf.mesh().tears.as_flattened().as_ptr() }
-    fn tl_torn_corners(leaf) -> *const u32 { leaf.mesh().triangles.as_flattened().as_ptr() }
-    fn tl_torn_triangles(leaf) -> usize { leaf.mesh().triangles.len() }
     /// Work done in tearing and crumpling since it was last asked for, J.
     fn tl_torn_work(leaf) -> f32 { leaf.take_work() }
     /// Whether it does not move until the next command.

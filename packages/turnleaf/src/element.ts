@@ -422,6 +422,15 @@ export class TurnleafBook extends ReaderElement {
     return this.#viewer?.hasWholeSheet ?? false;
   }
 
+  /**
+   * Whether a loose sheet is neither crumpled, torn across nor folded.
+   *
+   * @internal
+   */
+  get hasFlatSheet(): boolean {
+    return this.#viewer?.hasFlatSheet ?? false;
+  }
+
   /** Number of leaves that were torn out and can be put back. */
   get tornLeaves(): number {
     return this.#torn?.count ?? 0;

@@ -64,7 +64,10 @@ export async function openViewer(
     signal.throwIfAborted();
     // Without its pages there is no book; without a graphics card there is a plainer one.
     if (error instanceof BookError) throw error;
-    console.warn("turnleaf-book: the book is shown on the flat, as it cannot be drawn in 3D:", error);
+    console.warn(
+      "turnleaf-book: the book is shown on the flat, as it cannot be drawn in 3D:",
+      error,
+    );
     return await open(freshCanvas(), false);
   }
 

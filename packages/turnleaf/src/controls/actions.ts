@@ -146,7 +146,7 @@ export function actionsOf(
       icon: () => "tearOut",
       label: () => texts.tearAcross,
       run: () => book.tearAcross({ x: 0, y: 0.5 }, { x: 1, y: 0.5 }),
-      hidden: () => !book.hasWholeSheet,
+      hidden: () => !book.hasFlatSheet,
     },
     putBack: {
       icon: () => "putBack",

@@ -174,6 +174,26 @@ test("a loose sheet is moved and comes to rest in a book whose pages are folded 
   expect(element.dogEars).toEqual([{ page: 5, corner: "foot", size: 0.2 }]);
 });
 
+test("a page with a folded corner is torn out as it is, crumpled, and put back folded", async () => {
+  const element = await opened();
+  expect(await element.dogEar(5, "head", 0.3)).toBe(true);
+  await settled(element);
+  const dogEars = [{ page: 5, corner: "head", size: 0.3 }];
+  expect(element.dogEars).toEqual(dogEars);
+  let clock = await tearOutByClock(element);
+  expect([element.pageCount, element.dogEars]).toEqual([10, []]);
+  expect(besideBook(element)).toBeGreaterThan(0.2);
+  expect([element.hasWholeSheet, element.hasFlatSheet]).toEqual([true, false]);
+  expect(element.tearAcross({ x: 0, y: 0.5 }, { x: 1, y: 0.5 })).toBe(false);
+  expect(await element.putBack()).toBe(true);
+  await clock.until(() => element.settled);
+  expect([element.pageCount, element.dogEars]).toEqual([12, dogEars]);
+  clock = await tearOutByClock(element);
+  expect(element.crumple()).toBe(true);
+  await clock.until(() => element.settled);
+  expect([element.hasWholeSheet, element.hasFlatSheet]).toEqual([false, false]);
+});
+
 test("a book keeps its last leaf", async () => {
   const element = await opened({ page: "1" }, 2);
   expect(await element.tearOut(1)).toBe(false);

@@ -3,7 +3,7 @@
 import type { BoundRows, LeafTearing, TearOptions, TornSheet, UV } from "./book_engine.ts";
 import { facetsOf } from "./facets.ts";
 import { areFinite, clamp, whole, wholeTicks } from "./numbers.ts";
-import { type Surface, tearLines, type Vec3 } from "./shapes.ts";
+import { type CreasedMesh, type Surface, tearLines, type Vec3 } from "./shapes.ts";
 import { SheetSurface, type SurfaceGrid } from "./sheet_surface.ts";
 import type { Exports } from "./wasm_book.ts";
 
@@ -35,6 +35,7 @@ export interface TearingExports extends Exports {
   tl_torn_tears(leaf: number): number;
   tl_torn_corners(leaf: number): number;
   tl_torn_triangles(leaf: number): number;
+  tl_torn_parts(leaf: number): number;
   tl_torn_work(leaf: number): number;
   tl_torn_asleep(leaf: number): number;
   tl_torn_columns(leaf: number): number;
@@ -85,7 +86,9 @@ class WasmTornSheet implements TornSheet {
   constructor(wasm: TearingExports, leaf: number, grid: SurfaceGrid) {
     this.#wasm = wasm;
     this.#leaf = leaf;
-    this.#surface = new SheetSurface(wasm.memory, grid);
+    // Drawn by even rows and columns but where the leaf was folded when it was torn out.
+    const mesh = wasm.tl_torn_triangles(leaf) > 0 ? this.#mesh() : undefined;
+    this.#surface = new SheetSurface(wasm.memory, grid, mesh);
   }
 
   /** @param book address of the book on and beside which it lies */
@@ -155,22 +158,28 @@ class WasmTornSheet implements TornSheet {
 
   /** Draws it from now on by the mesh of a sheet that is torn across. */
   #drawAcross(): void {
+    const columns = this.#wasm.tl_torn_columns(this.#leaf);
+    const rows = this.#wasm.tl_torn_rows(this.#leaf);
+    this.#surface = new SheetSurface(this.#wasm.memory, { columns, rows }, this.#mesh());
+    this.#isAcross = true;
+  }
+
+  /** The mesh of a sheet that is folded or torn across: copied, as the engine's memory moves when it grows. */
+  #mesh(): CreasedMesh {
     const [wasm, leaf] = [this.#wasm, this.#leaf];
     const { buffer } = wasm.memory;
-    const columns = wasm.tl_torn_columns(leaf);
-    const rows = wasm.tl_torn_rows(leaf);
+    const points = wasm.tl_torn_columns(leaf) * wasm.tl_torn_rows(leaf);
     const count = wasm.tl_torn_triangles(leaf);
+    const parts = wasm.tl_torn_parts(leaf);
     const floats = (at: number, each: number) =>
-      new Float32Array(buffer, at, each * columns * rows).slice();
-    // Copied, as the engine's memory moves when it grows.
-    const mesh = {
+      new Float32Array(buffer, at, each * points).slice();
+    return {
       places: floats(wasm.tl_torn_places(leaf), 2),
       triangles: new Uint32Array(buffer, wasm.tl_torn_corners(leaf), 3 * count).slice(),
-      parts: new Uint16Array(count),
-      tears: floats(wasm.tl_torn_tears(leaf), 3),
+      ...(parts === 0
+        ? { parts: new Uint16Array(count), tears: floats(wasm.tl_torn_tears(leaf), 3) }
+        : { parts: new Uint16Array(buffer, parts, count).slice() }),
     };
-    this.#surface = new SheetSurface(wasm.memory, { columns, rows }, mesh);
-    this.#isAcross = true;
   }
 
   crumple(): boolean {

@@ -131,6 +131,7 @@ export class FakeBook extends HTMLElement implements ControlledBook {
 
   tornLeaves = 0;
   hasWholeSheet = false;
+  hasFlatSheet = false;
   crumple(): boolean {
     this.asked.push("crumple");
     return true;

@@ -177,17 +177,22 @@ export class LooseSheetPile {
     return this.#sheets.some(isWhole);
   }
 
+  /** Whether one of them is neither crumpled, torn across nor folded. */
+  get hasFlat(): boolean {
+    return this.#sheets.some(isFlat);
+  }
+
   /** Crumples the sheet that was torn out last and is not crumpled. Returns whether there is one. */
   crumple(): boolean {
     return this.#crumple(this.#sheets.findLast(isWhole));
   }
 
   /**
-   * Tears the sheet across that was torn out last and is neither crumpled nor torn, from (u, v) to
+   * Tears the sheet across that was torn out last and is neither crumpled, torn nor folded, from (u, v) to
    * (u, v) on its page, each on an edge. Returns whether there is one that can be torn so.
    */
   tearAcross(path: (isRectoUp: boolean) => TearPath): boolean {
-    const one = this.#sheets.findLast(isWhole);
+    const one = this.#sheets.findLast(isFlat);
     return one !== undefined && this.#tearByCommand(one, path(facesUp(one.sheet.surface)));
   }
 
@@ -363,6 +368,11 @@ function loose(id: number, sheet: TornSheet, pictures: SheetPictures): LooseShee
 
 /** Returns whether a sheet is neither crumpled nor torn across. */
 function isWhole({ sheet }: LooseSheet): boolean {
+  return !sheet.isCrumpled && sheet.surface.creased?.tears === undefined;
+}
+
+/** Returns whether a sheet is whole, and was not folded when it was torn out. */
+function isFlat({ sheet }: LooseSheet): boolean {
   return sheet.surface.creased === undefined;
 }
 

@@ -163,13 +163,18 @@ export class Tearing {
     return this.#loose.hasWhole;
   }
 
+  /** Whether a loose sheet is neither crumpled, torn across nor folded. */
+  get hasFlatSheet(): boolean {
+    return this.#loose.hasFlat;
+  }
+
   /** Crumples the loose sheet that was torn out last and is not crumpled. Returns whether there is one. */
   crumple(): boolean {
     return this.#loose.crumple();
   }
 
   /**
-   * Tears the loose sheet across that was torn out last and is neither crumpled nor torn, from a
+   * Tears the loose sheet across that was torn out last and is neither crumpled, torn nor folded, from a
    * place on an edge of the page that it shows to another. Returns whether there is one that can
    * be torn so.
    */
@@ -259,9 +264,6 @@ export class Tearing {
     if (line === null || pages.length === 0 || pages.length === binding.pageCount) return false;
     // Boards are no book without a leaf between them.
     if (paperLeaves(binding) < 2) return false;
-    // What is drawn of a folded leaf is no grid of even rows.
-    const { turning } = this.#rebinder.bound;
-    if (engine.surface(turning.leaves.indexOf(flight)).creased) return false;
     const bound = this.#begun.get(pages[0]);
     const table = { table: tableHeight(shape), rim: shape.rim };
     const sheet = engine.tearing?.tear(flight.id, { line, bound, ...table });

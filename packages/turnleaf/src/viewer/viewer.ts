@@ -383,6 +383,11 @@ export class Viewer {
     return this.#loadedTearing?.hasWholeSheet ?? false;
   }
 
+  /** Whether a loose sheet is neither crumpled, torn across nor folded. */
+  get hasFlatSheet(): boolean {
+    return this.#loadedTearing?.hasFlatSheet ?? false;
+  }
+
   /** Crumples the loose sheet that was torn out last and is not crumpled. Returns whether there is one. */
   crumple(): boolean {
     return this.#loadedTearing?.crumple() ?? false;
