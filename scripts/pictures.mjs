@@ -81,6 +81,16 @@ const pictures = {
       clip: { x: 790, y: 0, width: 410, height: 480 },
     },
   },
+  "tear-out-folded": {
+    example: "18-tear-off.html",
+    viewport: { width: 1200, height: 480 },
+    page: 1,
+    strip: {
+      act: foldAndTearOut,
+      after: [300, 120, 160, 420],
+      clip: { x: 400, y: 0, width: 700, height: 480 },
+    },
+  },
   ...Object.fromEntries(
     [0, 350, 640].map((unfold, k) => [
       `fold-out-${k + 1}`,
@@ -133,6 +143,20 @@ async function tearOutAndAcross(page) {
     window.clock.pass(2600);
     document.querySelector("turnleaf-book").tearAcross({ x: 0, y: 0.42 }, { x: 1, y: 0.55 });
   });
+}
+
+/** Folds the right page in two, then tears it out. */
+async function foldAndTearOut(page) {
+  await page.evaluate(
+    () =>
+      void document.querySelector("turnleaf-book").fold(1, { x: 0, y: 0.6 }, { x: 1, y: 0.6 }, 160),
+  );
+  // What folds pages is loaded, then the page is folded and comes to rest.
+  for (let k = 0; k < 8; k++) {
+    await page.waitForTimeout(500);
+    await page.evaluate(() => window.clock.pass(400));
+  }
+  await tearOut(page);
 }
 
 /** Draws the foot corner of the right page in over it. */

@@ -299,6 +299,8 @@ export abstract class ReaderElement extends ReflectingElement {
 
   protected set lists(lists: PageLists) {
     this.#lists = lists;
+    // The book is about to be bound anew, with the folds of its pages as they lie then.
+    this.book?.viewer.keepFolds([...lists.dogEars, ...lists.folds]);
   }
 
   /**
@@ -318,7 +320,7 @@ export abstract class ReaderElement extends ReflectingElement {
    * @internal
    */
   protected moveLists(move: PageMove, pageCount: number): void {
-    this.#lists = movedLists(this.#lists, move, pageCount);
+    this.lists = movedLists(this.#lists, move, pageCount);
   }
 
   /**

@@ -2,6 +2,7 @@
 
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
+import { CreasableBook } from "../engine/creasable_book.ts";
 import { book, happens, keepWhatIsDrawn, scans, settled } from "../for_tests/element_books.ts";
 import { TestClock } from "../for_tests/test_clock.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
@@ -180,18 +181,50 @@ test("a page with a folded corner is torn out as it is, crumpled, and put back f
   await settled(element);
   const dogEars = [{ page: 5, corner: "head", size: 0.3 }];
   expect(element.dogEars).toEqual(dogEars);
-  let clock = await tearOutByClock(element);
+  const clock = await tearOutByClock(element);
   expect([element.pageCount, element.dogEars]).toEqual([10, []]);
   expect(besideBook(element)).toBeGreaterThan(0.2);
   expect([element.hasWholeSheet, element.hasFlatSheet]).toEqual([true, false]);
   expect(element.tearAcross({ x: 0, y: 0.5 }, { x: 1, y: 0.5 })).toBe(false);
+  expect(element.crumple()).toBe(true);
+  expect([element.hasWholeSheet, element.hasFlatSheet]).toEqual([false, false]);
+  await clock.until(() => element.settled);
   expect(await element.putBack()).toBe(true);
   await clock.until(() => element.settled);
   expect([element.pageCount, element.dogEars]).toEqual([12, dogEars]);
-  clock = await tearOutByClock(element);
-  expect(element.crumple()).toBe(true);
+});
+
+test("a book whose folded leaf is torn out, or put back, is bound with the folds that its pages have then", async () => {
+  const bound: number[][] = [];
+  const { another } = CreasableBook.prototype;
+  vi.spyOn(CreasableBook.prototype, "another").mockImplementation(function (
+    this: CreasableBook,
+    size,
+  ) {
+    const engine = another.call(this, size);
+    const creased: number[] = [];
+    bound.push(creased);
+    const { creases } = engine;
+    const crease = creases?.crease;
+    if (creases && crease) {
+      Object.assign(creases, {
+        crease: (...of: Parameters<typeof crease>) => {
+          creased.push(of[0]);
+          return crease(...of);
+        },
+      });
+    }
+    return engine;
+  });
+  const element = await opened();
+  expect(await element.dogEar(5, "head", 0.3)).toBe(true);
+  await settled(element);
+  const clock = await tearOutByClock(element);
+  expect(bound.at(-1)).toEqual([]);
+  const before = bound.length;
+  expect(await element.putBack()).toBe(true);
   await clock.until(() => element.settled);
-  expect([element.hasWholeSheet, element.hasFlatSheet]).toEqual([false, false]);
+  expect(bound.slice(before).map((leaves) => leaves[0])).toEqual([2]);
 });
 
 test("a book keeps its last leaf", async () => {

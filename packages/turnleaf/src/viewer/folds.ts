@@ -96,6 +96,11 @@ export class Folds {
     return this.#folds;
   }
 
+  /** Takes over the folds of pages that lie elsewhere once the book is bound anew. */
+  keep(folds: readonly LeafFold[]): void {
+    this.#folds = folds;
+  }
+
   /** Call it when the book was bound anew: creases its leaves. */
   bound(): void {
     this.#end();

@@ -348,6 +348,11 @@ export class Viewer {
     return await folded;
   }
 
+  /** Takes over the folds of pages that are about to lie elsewhere: the book is bound anew by them. */
+  keepFolds(folds: readonly LeafFold[]): void {
+    this.#loadedFolds?.keep(folds);
+  }
+
   /** Loads what tears leaves out, where they may be. Resolves once it is there, or cannot be. */
   async allowTearing(): Promise<void> {
     if (!this.#options.tearing?.line()) return;
