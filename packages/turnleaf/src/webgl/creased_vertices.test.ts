@@ -39,14 +39,18 @@ test.each([
   ["to the recto, but not past a right angle", 80, 0, 0],
 ])("a corner that is folded %s shades that side alone", (_, degrees, recto, verso) => {
   const vertices = folded((degrees / 180) * Math.PI);
-  const out = new Float32Array(9);
+  const out = new Float32Array(12);
   expect(vertices.writeFlaps(1, out)).toBe(recto);
   expect(vertices.writeFlaps(-1, out)).toBe(verso);
   if (recto + verso === 0) return;
-  const corners = [0, 1, 2].map((k) => Array.from(out.subarray(3 * k, 3 * k + 2)));
+  const corners = [0, 1, 2, 3].map((k) => Array.from(out.subarray(3 * k, 3 * k + 2)));
   expect(corners).toContainEqual([Math.fround(0.7), 0]);
   expect(corners).toContainEqual([1, Math.fround(0.3)]);
-  expect(Math.sign(out[8])).toBe(Math.sign(degrees));
+  // A triangle repeats its last corner; the tip stands off the page.
+  expect(corners[3]).toEqual(corners[2]);
+  const heights = [0, 1, 2, 3].map((k) => out[3 * k + 2]);
+  const highest = heights.reduce((a, b) => (Math.abs(b) > Math.abs(a) ? b : a));
+  expect(Math.sign(highest)).toBe(Math.sign(degrees));
 });
 
 /** A strip of four columns and two rows, creased at its second and third, that rises by angles there. */
