@@ -17,26 +17,31 @@ const out = join(root, "docs/films");
 const books = join(root, "target/films");
 const novel = join(root, "books/moby-dick.pdf");
 
-/** How the pages of the calendar are bound. */
-const calendar = ["binding=top", "layout=single", "cover=none", "offset=0", "tearable=perforated"];
+/** A calendar: how its pages are bound, and a picture wide enough for one of them beside it. */
+const calendar = {
+  example: "18-tear-off.html",
+  page: 1,
+  bound: ["binding=top", "layout=single", "cover=none", "offset=0", "tearable=perforated"],
+  size: "512x208",
+};
 
-/** Each film: its book, the page at which it begins, what is done, and how the book is bound. */
+/** Each film: its book, the page at which it begins, what is done, how the book is bound, and its size. */
 const films = {
   "dog-ear": { page: 18, does: "dog-ear 19 foot, next, previous, unfold 19" },
   letter: { page: 18, does: "fold 19 letter, unfold 19" },
-  map: { example: "20-fold-outs.html", page: 10, does: "unfold 11, fold-in", bound: ["cover=none"] },
-  "tear-off": { example: "18-tear-off.html", page: 1, does: "tear-out", bound: calendar },
-  "tear-across": {
-    example: "18-tear-off.html",
-    page: 1,
-    does: "tear-out, tear-across 0,0.42 1,0.55",
-    bound: calendar,
+  map: {
+    example: "20-fold-outs.html",
+    page: 10,
+    does: "unfold 11, fold-in",
+    bound: ["cover=none"],
   },
-  crumple: { example: "18-tear-off.html", page: 1, does: "tear-out, crumple", bound: calendar },
+  "tear-off": { ...calendar, does: "tear-out" },
+  "tear-across": { ...calendar, does: "tear-out, tear-across 0,0.42 1,0.55" },
+  crumple: { ...calendar, does: "tear-out, crumple" },
 };
 
-/** The size and rate of every film, and how long a turn takes and the book lies still. */
-const look = ["--size", "480x256", "--fps", "25", "--seconds-per-turn", "0.8", "--pause", "0.3"];
+/** The rate of every film, and how long a turn takes and the book lies still. */
+const look = ["--fps", "25", "--seconds-per-turn", "0.8", "--pause", "0.3"];
 
 /** Returns the folder of the pages of an example, drawn on a day that is always the same. */
 async function pagesOf(browser, address, name) {
@@ -73,11 +78,12 @@ const executablePath = findChromium();
 const browser = await chromium.launch({ executablePath, args: chromiumArguments });
 try {
   for (const name of names) {
-    const { example, page, does, bound = [] } = films[name];
+    const { example, page, does, bound = [], size = "480x288" } = films[name];
     const book = example ? await pagesOf(browser, examples.url, example) : novel;
     const attributes = bound.flatMap((attribute) => ["--attribute", attribute]);
     const file = join(out, `${name}.webm`);
-    const how = ["--pages", String(page), "--do", does, ...attributes, ...look, "--out", file];
+    const shown = ["--pages", String(page), "--size", size, ...look, ...attributes];
+    const how = [...shown, "--do", does, "--out", file];
     const { status } = spawnSync(process.execPath, [command, "film", book, ...how], {
       stdio: "inherit",
       env: { ...process.env, CHROMIUM: executablePath },

@@ -168,12 +168,12 @@ class Film {
     for (let count = 0; this.#isPending && count < steady; ) {
       if (Date.now() > end) throw new Error("What an action needs was not loaded within a minute.");
       count = clock.isAsked ? count + 1 : 0;
-      if (clock.isAsked) clock.stand();
+      if (clock.isAsked) clock.stand(false);
       await new Promise((resolve) => setTimeout(resolve, look));
     }
     this.#throwFailure();
     // The first frame of a motion has no time: it is this one, whatever came before it.
-    if (clock.isAsked) clock.stand();
+    if (clock.isAsked) clock.stand(true);
     return this.#isPending || clock.isAsked;
   }
 

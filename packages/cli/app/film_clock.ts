@@ -64,9 +64,14 @@ export class FilmClock {
     }
   }
 
-  /** Calls what waits for a frame while no time passes: what moves asks for another, and nothing else does. */
-  stand(): void {
-    this.#isUnseen = true;
+  /**
+   * Calls what waits for a frame while no time passes: what moves asks for another, and nothing
+   * else does.
+   *
+   * @param isSeen as in `pass`: a frame that is not drawn leaves the picture empty
+   */
+  stand(isSeen: boolean): void {
+    this.#isUnseen = !isSeen;
     this.#call();
   }
 

@@ -88,7 +88,7 @@ interface Opened {
 }
 
 /** Advances the film's page, and saves its pictures. */
-class Taking {
+export class Taking {
   readonly #page: ChromiumPage;
   readonly #command: FilmCommand;
   readonly #frames: Frames;

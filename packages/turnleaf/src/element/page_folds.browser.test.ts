@@ -64,6 +64,36 @@ test("a letter is folded in three, at once or one after the other, and turns as 
   expect([element.page, element.folds.length]).toEqual([4, 2]);
 });
 
+test("a second fold of a page is seen to be made, once the first lies", async () => {
+  const element = await bookOverDark();
+  expect(await element.fold(5, at(0.7, 0), at(0.7, 1), 175)).toBe(true);
+  expect(element.state).toBe("resting");
+  const begun = performance.now();
+  expect(await element.fold(5, at(0.4, 0), at(0.4, 1))).toBe(true);
+  // Half a second of its own, without the frames before the first tick.
+  expect(performance.now() - begun).toBeGreaterThan(400);
+});
+
+test("what lies under a fold is lit while the leaf is in flight as it is at rest", async () => {
+  const element = await bookOverDark();
+  const greys: number[] = [];
+  const mean = (): number => outerThird(element).reduce((sum, grey) => sum + grey) / 1600;
+  let isFolded = false;
+  const folded = element.fold(5, ...upright).then(() => {
+    isFolded = true;
+  });
+  while (!isFolded) {
+    await new Promise(requestAnimationFrame);
+    greys.push(mean());
+  }
+  await folded;
+  await settled(element);
+  const lying = mean();
+  console.log("GREYS", lying, greys.map(Math.round).join(" "));
+  // The last frames before it lies are those of a leaf that is folded already.
+  expect(Math.min(...greys.slice(-3))).toBeGreaterThan(0.9 * lying);
+});
+
 test("lines that no page can be folded along are rejected in one sentence", async () => {
   const element = await bookOverDark();
   expect(await element.fold(5, ...upright)).toBe(true);
