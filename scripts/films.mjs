@@ -5,7 +5,7 @@
  *   node scripts/films.mjs [name ...]
  */
 import { spawnSync } from "node:child_process";
-import { existsSync, mkdirSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, existsSync, mkdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { chromium } from "playwright-core";
 import { serve as serveExamples } from "../examples/serve.mjs";
@@ -14,7 +14,8 @@ import { chromiumArguments, findChromium } from "./chromium.mjs";
 const root = join(import.meta.dirname, "..");
 const command = join(root, "packages/cli/dist/main.js");
 const out = join(root, "docs/films");
-const books = join(root, "target/films");
+/** Where pages and films are made. */
+const made = join(root, "target/films");
 const novel = join(root, "books/moby-dick.pdf");
 
 /** A calendar: how its pages are bound, and a picture wide enough for one of them beside it. */
@@ -45,7 +46,7 @@ const look = ["--fps", "25", "--seconds-per-turn", "0.8", "--pause", "0.3"];
 
 /** Returns the folder of the pages of an example, drawn on a day that is always the same. */
 async function pagesOf(browser, address, name) {
-  const folder = join(books, name.replace(/\.html$/, ""));
+  const folder = join(made, name.replace(/\.html$/, ""));
   if (existsSync(folder)) return folder;
   mkdirSync(folder, { recursive: true });
   const page = await browser.newPage({ locale: "en-GB", timezoneId: "UTC" });
@@ -70,8 +71,8 @@ async function pagesOf(browser, address, name) {
   return folder;
 }
 
-mkdirSync(out, { recursive: true });
-rmSync(books, { recursive: true, force: true });
+rmSync(made, { recursive: true, force: true });
+for (const folder of [out, made]) mkdirSync(folder, { recursive: true });
 const names = process.argv.length > 2 ? process.argv.slice(2) : Object.keys(films);
 const examples = await serveExamples();
 const executablePath = findChromium();
@@ -81,7 +82,7 @@ try {
     const { example, page, does, bound = [], size = "480x288" } = films[name];
     const book = example ? await pagesOf(browser, examples.url, example) : novel;
     const attributes = bound.flatMap((attribute) => ["--attribute", attribute]);
-    const file = join(out, `${name}.webm`);
+    const file = join(made, `${name}.webm`);
     const shown = ["--pages", String(page), "--size", size, ...look, ...attributes];
     const how = [...shown, "--do", does, "--out", file];
     const { status } = spawnSync(process.execPath, [command, "film", book, ...how], {
@@ -89,6 +90,7 @@ try {
       env: { ...process.env, CHROMIUM: executablePath },
     });
     if (status !== 0) throw new Error(`The film ${name} was not made.`);
+    copyFileSync(file, join(out, `${name}.webm`));
   }
 } finally {
   await browser.close();

@@ -6,17 +6,14 @@ import { type VertexNumbers, vertexNumbers } from "./vertex_numbers.ts";
 
 /**
  * What throws the shadow of a flap: an end of its crease, as a vertex of the rest of the leaf, the
- * vertex that is farthest from the crease, and the four corners of the flap in turn, of which a
- * triangle repeats the last.
+ * vertex that is farthest from the crease, and the four corners of the flap in turn: a triangle
+ * repeats the last.
  */
 interface FlapOutline {
   readonly from: number;
   readonly tip: number;
   readonly corners: readonly number[];
 }
-
-/** The area, of the page's, up to which three points of an outline count as on one line. */
-const leastArea = 1e-5;
 
 /** Steps along a row by which its direction is known. */
 const stepsBack = 5;
@@ -310,40 +307,16 @@ function flapOutlines(
     const tip = points.reduce((best, one) => (ofCrease(one) > ofCrease(best) ? one : best));
     const vertex = (point: number, of: number): number =>
       vertices.get(vertexKey(point, of)) as number;
-    const corners = cornersOf(places, points).map((point) => vertex(point, part));
-    const last = corners.at(-1) as number;
-    return [
-      { from: vertex(from, 0), tip: vertex(tip, part), corners: [...corners, last].slice(0, 4) },
-    ];
+    const [x, y] = [0, 1].map((axis) => places[2 * to + axis] - places[2 * from + axis]);
+    // The corner beyond either end: what is far from the crease, and on that side.
+    const beyond = (side: 1 | -1): number => {
+      const far = (one: number): number => {
+        const [dx, dy] = [0, 1].map((axis) => places[2 * one + axis] - places[2 * from + axis]);
+        return Math.abs(x * dy - y * dx) + (side / 2) * (x * dx + y * dy);
+      };
+      return points.reduce((best, one) => (far(one) > far(best) ? one : best));
+    };
+    const corners = [from, to, beyond(1), beyond(-1)].map((point) => vertex(point, part));
+    return [{ from: vertex(from, 0), tip: vertex(tip, part), corners }];
   });
-}
-
-/** Returns three or four points that are the corners of a part, in turn: those of its hull on the flat paper that hold most of it. */
-function cornersOf(places: Float32Array, points: readonly number[]): readonly number[] {
-  const [x, y] = [(k: number) => places[2 * k], (k: number) => places[2 * k + 1]];
-  const area = (a: number, b: number, c: number): number =>
-    ((x(b) - x(a)) * (y(c) - y(a)) - (x(c) - x(a)) * (y(b) - y(a))) / 2;
-  const sorted = [...points].sort((a, b) => x(a) - x(b) || y(a) - y(b));
-  const halfOf = (side: readonly number[]): number[] => {
-    const half: number[] = [];
-    for (const point of side) {
-      while (half.length > 1 && area(half.at(-2) as number, half.at(-1) as number, point) <= 0) {
-        half.pop();
-      }
-      half.push(point);
-    }
-    return half.slice(0, -1);
-  };
-  const hull = [...halfOf(sorted), ...halfOf(sorted.reverse())];
-  const held = (k: number): number => {
-    const at = (by: number): number => hull[(k + by + hull.length) % hull.length];
-    return area(at(-1), hull[k], at(1));
-  };
-  while (hull.length > 3) {
-    const all = hull.map((_, k) => held(k));
-    const least = Math.min(...all);
-    if (hull.length === 4 && least > leastArea) break;
-    hull.splice(all.indexOf(least), 1);
-  }
-  return hull;
 }
