@@ -15,7 +15,7 @@ const reasons: Readonly<Record<Performed["name"], string>> = {
   fold: "this page does not fold",
   unfold: "this page is neither folded nor an open page that is wider than the book",
   "fold-in": "no fold-out lies open",
-  "tear-out": "only the leaf of an open page that is neither a board nor folded is torn out",
+  "tear-out": "only a leaf of paper of which a page lies open can be torn out",
   "tear-across": "no loose sheet is whole, or a piece would be narrower than some 16 mm",
   crumple: "no loose sheet is whole",
   "put-back": "nothing is torn out",
