@@ -14,7 +14,7 @@ MODULES = node_modules/.package-lock.json
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 RUST_SOURCES = $(shell find Cargo.toml Cargo.lock rust-toolchain.toml engine/Cargo.toml wasm/Cargo.toml engine/src wasm/src -type f)
 
-.PHONY: read build wasm unpacker test test-rust test-js check check-rust check-js check-licences size bench bench-peers bench-hanging gestures gestures-creases soak soak-folds fuzz playground examples pictures methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-epub
+.PHONY: read build wasm unpacker test test-rust test-js check check-rust check-js check-licences size bench bench-peers bench-hanging gestures gestures-creases soak soak-folds fuzz playground examples pictures films methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-epub
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -198,6 +198,10 @@ pictures: build chromium tools-rust
 	cargo run --release --quiet -p lab -- picture --preset book --gesture corner --out target/pictures
 	cp target/pictures/paper-2014-column.png target/pictures/book-corner.png docs/pictures/
 	for fold in dog-ear letter map; do cargo run --release --quiet -p lab -- fold --fold $$fold --out docs/pictures; done
+
+# Films of folds and tears in docs/films, from the real thing. Needs ffmpeg.
+films: build chromium
+	node scripts/films.mjs
 
 # Every way of turning a page measured: tables, plot and pictures of docs/methods.md, and the table of
 # sheet against shell in docs/physics.md, and those of creased strips and of tears in docs/folding.md. Takes some

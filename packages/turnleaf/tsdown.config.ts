@@ -1,6 +1,7 @@
 import { defineConfig } from "tsdown";
 import { packedFiles } from "./packed_files.js";
 import { slimMaps } from "./slim_maps.js";
+import { slimShaders } from "./slim_shaders.js";
 import { threeInside } from "./three_inside.js";
 import { turnInline } from "./turn_inline.js";
 import { wasmInline } from "./wasm_inline.js";
@@ -27,6 +28,7 @@ const viewer = defineConfig({
     turnInline(),
     packedFiles(),
     workerInline(),
+    slimShaders(),
     slimMaps(),
   ],
   copy: [
@@ -95,6 +97,7 @@ const leafStage = defineConfig({
   ...common,
   entry: { "leaf-stage": "src/leaf_stage/leaf_stage.ts" },
   clean: false,
+  plugins: [slimShaders()],
   deps: { neverBundle: ["three"] },
 });
 

@@ -1,8 +1,10 @@
-/** The page that `turnleaf film` films: one book, turned as the command says. */
+/** The page that `turnleaf film` films: one book, turned, folded and torn as the command says. */
 
 import "turnleaf";
 import type { TurnleafBook } from "turnleaf";
+import type { FilmAction } from "../src/film/film_actions.ts";
 import { FilmClock } from "./film_clock.ts";
+import { type Performed, perform, tears } from "./perform.ts";
 
 /** The command's configuration of the film. */
 interface Config {
@@ -11,23 +13,48 @@ interface Config {
   readonly turnSeconds: number;
   readonly stock: string;
   readonly theme: string;
+  /** Attributes of the book. */
+  readonly attributes: Readonly<Record<string, string>>;
+}
+
+/** Where the film begins or goes on. */
+interface FilmRequest {
+  /** The first page and the last one (from 1); null for the book's last. */
+  readonly from: number;
+  readonly to: number | null;
+  /** Turns or actions of the film that are done already. */
+  readonly done: number;
+  /** What is done in place of turns to the last page. */
+  readonly actions?: readonly FilmAction[];
 }
 
 /** Interval of the polls whether the pages are drawn, milliseconds. */
 const look = 20;
+
+/** How often in a row a frame is asked for, while no time passes, by something that moves. */
+const steady = 3;
+
+/** Maximum time, milliseconds, in which what an action needs is loaded or drawn. */
+const patience = 60_000;
 
 const clock = new FilmClock();
 
 class Film {
   readonly #book: TurnleafBook;
   readonly #frame: number;
-  #isTurning = false;
+  /** Whether an action or a turn is not done yet. */
+  #isPending = false;
+  /** Why the action cannot be done. */
+  #failure: unknown = null;
 
   constructor(config: Config) {
     const book = document.createElement("turnleaf-book");
     book.setAttribute("stock", config.stock);
     book.setAttribute("theme", config.theme);
     book.setAttribute("duration", String(1000 * config.turnSeconds));
+    for (const [name, value] of Object.entries(config.attributes)) book.setAttribute(name, value);
+    // The clock waits for every frame.
+    Object.assign(book, { fullQuality: true });
     this.#book = book;
     this.#frame = 1000 / config.fps;
     this.#src = config.src;
@@ -37,15 +64,12 @@ class Film {
 
   /**
    * Opens the book where the film begins or goes on. Returns the number of
-   * turns in the whole film.
-   *
-   * @param from,to the first page and the last one (from 1); null for the
-   * book's last
-   * @param done turns of the film that are done already
+   * turns in the whole film, if it has no actions.
    */
-  async open(request: { from: number; to: number | null; done: number }) {
+  async open(request: FilmRequest) {
     const book = this.#book;
-    const { from, to, done } = request;
+    const { from, to, done, actions } = request;
+    if (actions?.some(tears) && !book.hasAttribute("tearable")) book.setAttribute("tearable", "");
     const loaded = new Promise<void>((resolve, reject) => {
       book.addEventListener("load", () => resolve(), { once: true });
       book.addEventListener("error", ({ detail }) => reject(new Error(detail.message)));
@@ -55,10 +79,16 @@ class Film {
     document.getElementById("desk")?.append(book);
     await loaded;
     const last = to ?? book.pageCount;
-    if (last > book.pageCount) {
-      throw new Error(`The book has ${book.pageCount} pages; page ${last} is none of them.`);
+    const pages = actions?.map((action) => ("page" in action ? action.page : undefined)) ?? [];
+    const beyond = [last, ...pages].find((page) => page !== undefined && page > book.pageCount);
+    if (beyond !== undefined) {
+      throw new Error(`The book has ${book.pageCount} pages; page ${beyond} is none of them.`);
     }
     await this.rest();
+    if (actions) {
+      for (const action of actions.slice(0, done)) await this.#repeat(action);
+      return { pages: book.pageCount, turns: 0 };
+    }
     // Only the end shows how a book's pages lie in spreads: walked without a turn.
     const places = [from];
     const step = book.shownLayout === "single" ? 1 : 2;
@@ -74,24 +104,81 @@ class Film {
       await new Promise((resolve) => setTimeout(resolve, look));
     }
     clock.free = false;
-    this.#isTurning = false;
+    this.#isPending = false;
   }
 
-  /** Starts turning a leaf. */
-  turn(): void {
-    this.#isTurning = true;
+  /** Starts turning a leaf. Returns whether it moves. */
+  turn(): boolean {
+    this.#isPending = true;
     clock.begin();
     void this.#book.next().then(() => {
-      this.#isTurning = false;
+      this.#isPending = false;
     });
+    return true;
   }
 
-  /** Advances by one frame. Returns whether something still moves. */
-  async step(): Promise<boolean> {
-    clock.pass(this.#frame);
-    // Promises that waited for the end of the turn resolve.
+  /**
+   * Begins an action. Resolves, once what it needs is there and it has begun to
+   * move, to whether anything moves.
+   */
+  async begin(action: Performed): Promise<boolean> {
+    this.#isPending = true;
+    this.#failure = null;
+    clock.begin();
+    const failed = (error: unknown): void => {
+      this.#failure = error;
+    };
+    void perform(this.#book, action)
+      .catch(failed)
+      .then(() => {
+        this.#isPending = false;
+      });
+    return await this.#isMoving();
+  }
+
+  /**
+   * Advances by one frame. Returns whether something still moves.
+   *
+   * @param isSeen whether the frame is drawn in any case
+   */
+  async step(isSeen = true): Promise<boolean> {
+    clock.pass(this.#frame, isSeen);
+    // Promises that waited for the end of the motion resolve.
     await new Promise((resolve) => setTimeout(resolve));
-    return this.#isTurning || clock.isAsked;
+    if (this.#isPending && !clock.isAsked) return await this.#isMoving();
+    this.#throwFailure();
+    return this.#isPending || clock.isAsked;
+  }
+
+  /** Does an action again that is in the film already. */
+  async #repeat(action: FilmAction): Promise<void> {
+    if (action.name === "wait") return;
+    let isMoving = await this.begin(action);
+    while (isMoving) isMoving = await this.step(false);
+    await this.rest();
+  }
+
+  /**
+   * Waits while no time passes until the action is done or something moves: what it needs is
+   * loaded and drawn in a time that is another on every machine, and that no frame shows. Returns
+   * whether anything moves.
+   */
+  async #isMoving(): Promise<boolean> {
+    const end = Date.now() + patience;
+    for (let count = 0; this.#isPending && count < steady; ) {
+      if (Date.now() > end) throw new Error("What an action needs was not loaded within a minute.");
+      count = clock.isAsked ? count + 1 : 0;
+      if (clock.isAsked) clock.stand(false);
+      await new Promise((resolve) => setTimeout(resolve, look));
+    }
+    this.#throwFailure();
+    // The first frame of a motion has no time: it is this one, whatever came before it.
+    if (clock.isAsked) clock.stand(true);
+    return this.#isPending || clock.isAsked;
+  }
+
+  #throwFailure(): void {
+    if (this.#failure !== null) throw this.#failure;
   }
 
   async #layAt(page: number): Promise<void> {

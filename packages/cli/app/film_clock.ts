@@ -50,23 +50,42 @@ export class FilmClock {
     return this.#start + Math.round(this.#passed * 1024) / 1024;
   }
 
-  /** Advances by a time, milliseconds; only its last frame is drawn. */
-  pass(milliseconds: number): void {
+  /**
+   * Advances by a time, milliseconds; only its last frame is drawn.
+   *
+   * @param isSeen false if that is drawn only where everything comes to rest in it
+   */
+  pass(milliseconds: number, isSeen = true): void {
     const frames = Math.ceil(milliseconds / longest);
     for (let frame = 1; frame <= frames; frame++) {
       this.#passed += milliseconds / frames;
-      this.#isUnseen = frame < frames;
-      const calls = [...this.#waiting.values()];
-      this.#waiting.clear();
-      const call = (): void => {
-        for (const each of calls) each(this.#now);
-      };
-      call();
-      if (!this.#isUnseen || this.isAsked) continue;
-      // Everything came to rest in a frame that was not drawn, and nobody will request another.
-      this.#isUnseen = false;
-      call();
+      this.#isUnseen = frame < frames || !isSeen;
+      this.#call();
     }
+  }
+
+  /**
+   * Calls what waits for a frame while no time passes: what moves asks for another, and nothing
+   * else does.
+   *
+   * @param isSeen as in `pass`: a frame that is not drawn leaves the picture empty
+   */
+  stand(isSeen: boolean): void {
+    this.#isUnseen = !isSeen;
+    this.#call();
+  }
+
+  #call(): void {
+    const calls = [...this.#waiting.values()];
+    this.#waiting.clear();
+    const call = (): void => {
+      for (const each of calls) each(this.#now);
+    };
+    call();
+    if (!this.#isUnseen || this.isAsked) return;
+    // Everything came to rest in a frame that was not drawn, and nobody will request another.
+    this.#isUnseen = false;
+    call();
   }
 
   /** Software rendering takes a second per frame: frames without a picture are not drawn. */

@@ -158,6 +158,9 @@ describe("a film", () => {
         nb_read_frames: String(frames),
       });
       expect(existsSync(`${out}.frames`)).toBe(false);
+      const again = join(folder.path, `again.${format}`);
+      await film([book, ...small, "--pages", "3-5", "--out", again]);
+      expect(readFileSync(again).equals(readFileSync(out)), "the same to the last bit").toBe(true);
     },
     240_000,
   );

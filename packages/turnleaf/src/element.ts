@@ -78,6 +78,13 @@ export class TurnleafBook extends ReaderElement {
     missingPart: (error) => this.#reportMissingPart(error),
     failed: (error) => this.#fail(error),
   });
+  /**
+   * If true when a book opens, every frame of it is drawn as one at rest is, however long that
+   * takes.
+   *
+   * @internal
+   */
+  fullQuality = false;
   /** Changes the book's pages, once they are to be changed. */
   #pageChanges: Promise<PageChanges> | null = null;
   readonly #controls = new ControlsLoader((error) => this.#reportMissingPart(error));
@@ -679,6 +686,7 @@ export class TurnleafBook extends ReaderElement {
       paper: () => this.#leaves,
       page: () => this.#firstPage(source),
       turnSeconds: () => turnSecondsOf(this),
+      fullQuality: this.fullQuality,
       model: () => this,
       onStart: (low, high, forward) => this.#started(low, high, forward),
       onRest: (from, to) => this.#rested(from, to),

@@ -51,7 +51,9 @@ export async function encodeFilm(
 ): Promise<void> {
   const part = join(dirname(out), `.${Date.now()}${process.pid}${extname(out)}`);
   const input = ["-hide_banner", "-loglevel", "error", "-y", "-framerate", String(fps)];
-  const args = [...input, "-i", frames.pattern, ...codecs[format], part];
+  // No random numbers or versions in the file: the same film is the same to the last bit.
+  const output = [...codecs[format], "-fflags", "+bitexact", part];
+  const args = [...input, "-i", frames.pattern, ...output];
   const child = spawn(ffmpeg, args, { stdio: ["ignore", "ignore", "pipe"], signal });
   let complaint = "";
   child.stderr.on("data", (data: Buffer) => {

@@ -9,11 +9,18 @@ import { fileProblem, Problem, printable } from "../problem.ts";
 import { Progress } from "../progress.ts";
 import { type Serving, serve } from "../server.ts";
 import { encodeFilm, findFfmpeg } from "./encode.ts";
+import type { FilmAction } from "./film_actions.ts";
 import type { FilmCommand } from "./film_arguments.ts";
-import { Frames, requestName } from "./frames.ts";
+import { Frames, mostPictures, requestName } from "./frames.ts";
 
 /**
- * Films a book as its pages turn. Frame by frame: the page's clock advances by
+ * Maximum time of a motion beyond that of a turn, seconds of the film: several times as long as
+ * anything takes to come to rest.
+ */
+const longestMotion = 30;
+
+/**
+ * Films a book as its pages turn, or as the actions of `--do` say. Frame by frame: the page's clock advances by
  * one frame when that has been taken, so the film is as smooth on a slow
  * machine. Stopped by `signal`, it goes on from there the next time.
  *
@@ -43,8 +50,8 @@ export async function film(command: FilmCommand, signal: AbortSignal): Promise<v
     throw new Problem("Stopped; the same command goes on from here.");
   }
   const seconds = (frames.count / fps).toFixed(1);
-  const turns = frames.parts - 1;
-  console.log(`${printable(out)}: ${frames.count} frames, ${turns} turns, ${seconds} s`);
+  const parts = `${frames.parts - 1} ${command.actions ? "actions" : "turns"}`;
+  console.log(`${printable(out)}: ${frames.count} frames, ${parts}, ${seconds} s`);
 }
 
 /** Draws every frame that is missing. */
@@ -81,7 +88,7 @@ interface Opened {
 }
 
 /** Advances the film's page, and saves its pictures. */
-class Taking {
+export class Taking {
   readonly #page: ChromiumPage;
   readonly #command: FilmCommand;
   readonly #frames: Frames;
@@ -106,18 +113,22 @@ class Taking {
 
   async run(): Promise<void> {
     const frames = this.#frames;
-    const { from, to } = this.#command;
+    const { from, to, actions, pauseSeconds } = this.#command;
     const done = Math.max(frames.parts - 1, 0);
     await this.#loaded();
-    const asked = JSON.stringify({ from, to, done });
+    const asked = JSON.stringify({ from, to, done, actions });
     const { turns } = await this.#page.evaluate<Opened>(`film.open(${asked})`);
-    if (frames.parts === 0) await this.#part(() => this.#pause());
-    for (let turn = done; turn < turns; turn++) {
-      const tell = (fraction: number): void => {
-        const text = `turn ${turn + 1} of ${turns}, ${this.#number} frames`;
-        this.#progress.show((turn + fraction) / turns, text, done / turns);
+    if (frames.parts === 0) await this.#part(() => this.#pause(pauseSeconds));
+    const count = actions?.length ?? turns;
+    for (let part = done; part < count; part++) {
+      const action = actions?.[part];
+      const name = action ? "action" : "turn";
+      const which = action ? `Action ${part + 1}, "${action.text}",` : `Turn ${part + 1}`;
+      const show = (fraction: number): void => {
+        const text = `${name} ${part + 1} of ${count}, ${this.#number} frames`;
+        this.#progress.show((part + fraction) / count, text, done / count);
       };
-      await this.#part(() => this.#turn(tell));
+      await this.#part(() => this.#film(action, which, show));
     }
   }
 
@@ -135,25 +146,44 @@ class Taking {
     await this.#frames.endPart(this.#number - before);
   }
 
-  async #turn(tell: (fraction: number) => void): Promise<void> {
-    const { fps, turnSeconds } = this.#command;
+  /**
+   * Films an action, or a turn if there is none, and the pause after it.
+   *
+   * @param which the action as the subject of a sentence
+   * @throws Problem if it does not come to rest
+   */
+  async #film(
+    action: FilmAction | undefined,
+    which: string,
+    show: (fraction: number) => void,
+  ): Promise<void> {
+    const { fps, turnSeconds, pauseSeconds } = this.#command;
+    if (action?.name === "wait") return await this.#pause(action.seconds);
     const before = this.#number;
-    await this.#page.evaluate("film.turn()");
-    for (let isMoving = true; isMoving; ) {
+    const longest = turnSeconds + longestMotion;
+    let isMoving = await this.#page.evaluate<boolean>(
+      action ? `film.begin(${JSON.stringify(action)})` : "film.turn()",
+    );
+    while (isMoving) {
       isMoving = await this.#page.evaluate<boolean>("film.step()");
       if (isMoving) await this.#take();
-      tell(Math.min((this.#number - before) / (fps * (turnSeconds + 0.5)), 0.99));
+      const seconds = (this.#number - before) / fps;
+      if (seconds > longest) {
+        throw new Problem(`${which} has not come to rest after ${longest} s of the film.`);
+      }
+      show(Math.min(seconds / (turnSeconds + 0.5), 0.99));
     }
-    await this.#pause();
+    await this.#pause(pauseSeconds);
   }
 
-  /** Films the resting book: one picture, repeated for the length of the pause. */
-  async #pause(): Promise<void> {
-    const count = Math.max(Math.round(this.#command.pauseSeconds * this.#command.fps), 1);
+  /** Films the resting book: one picture, repeated for some seconds. */
+  async #pause(seconds: number): Promise<void> {
+    const count = Math.max(Math.round(seconds * this.#command.fps), 1);
     const first = this.#number;
     await this.#page.evaluate("film.rest()");
     await this.#take();
     for (let k = 1; k < count; k++) {
+      this.#checkLength();
       if (!(await this.#frames.has(this.#number))) await this.#frames.repeat(this.#number, first);
       this.#number++;
     }
@@ -161,10 +191,17 @@ class Taking {
 
   async #take(): Promise<void> {
     this.#signal.throwIfAborted();
+    this.#checkLength();
     if (!(await this.#frames.has(this.#number))) {
       await this.#frames.write(this.#number, await this.#page.picture());
     }
     this.#number++;
+  }
+
+  /** @throws Problem if the film has as many pictures as one may have */
+  #checkLength(): void {
+    if (this.#number < mostPictures) return;
+    throw new Problem(`A film has at most ${mostPictures} frames; film less of it.`);
   }
 }
 
@@ -172,8 +209,8 @@ class Taking {
 async function serveFilm(command: FilmCommand, book: ServedBook): Promise<Serving> {
   const app = await appFiles("index.html").catch(() => new Map<string, ServedFile>());
   if (!app.has("/film.html")) throw new Problem("The reader is not built; run: npm run build");
-  const { fps, turnSeconds, stock, theme } = command;
-  const config = JSON.stringify({ src: book.src, fps, turnSeconds, stock, theme });
+  const { fps, turnSeconds, stock, theme, attributes } = command;
+  const config = JSON.stringify({ src: book.src, fps, turnSeconds, stock, theme, attributes });
   const files = new Map([
     ...app,
     ...book.files,

@@ -2,6 +2,8 @@ import { extname } from "node:path";
 import { oneOf, parseNumber, parseOptions, parseSize } from "../options.ts";
 import { UsageProblem } from "../problem.ts";
 import { type FilmFormat, filmFormats } from "./encode.ts";
+import { type FilmAction, parseActions } from "./film_actions.ts";
+import { parseAttributes } from "./film_attributes.ts";
 
 /** The options of a film. */
 export interface FilmCommand {
@@ -10,6 +12,10 @@ export interface FilmCommand {
   /** Pages from 1; `to` is null for the book's last. */
   readonly from: number;
   readonly to: number | null;
+  /** What is done from page `from` on; undefined if pages turn from there to `to`. */
+  readonly actions: readonly FilmAction[] | undefined;
+  /** Attributes of the book. */
+  readonly attributes: Readonly<Record<string, string>>;
   /** A file, or a folder for pictures. */
   readonly out: string;
   readonly format: FilmFormat;
@@ -32,11 +38,23 @@ numbered pictures. Stopped, the same command goes on where it was.
 
   --out FILE             book.mp4, book.webm or book.gif; or a folder, which gets
                          numbered PNG pictures
-  --pages A-B            from the spread of page A to that of page B (all)
+  --pages A-B            from the spread of page A to that of page B (all); with
+                         --do the page at which the film begins
+  --do "ACTION, …"       what is done in place of turning from page to page, one
+                         after the other; may be given several times:
+                         next, previous, go-to PAGE
+                         dog-ear [PAGE] [head|foot] [SIZE]
+                         fold PAGE X,Y X,Y [ANGLE], fold PAGE letter
+                         unfold PAGE (its folds, or a fold-out), fold-in
+                         tear-out [PAGE], tear-across X,Y X,Y, crumple, put-back
+                         wait SECONDS
+  --attribute NAME=VALUE how the book is bound, as an attribute of
+                         <turnleaf-book>: binding, layout, cover, offset, cloth,
+                         shadows, hard-pages, stocks or tearable; once for each
   --size WxH             pixels (1280x720)
   --fps N                frames a second, 1 to 120 (30)
   --seconds-per-turn S   how long a leaf is in the air (1)
-  --pause S              how long the book lies still between turns (1)
+  --pause S              how long the book lies still between turns or actions (1)
   --stock NAME           bible, book, office, coated or card (book)
   --theme NAME           light, dark or paper: the desk (paper)
   --chromium PATH        the browser; else CHROMIUM, else one on the PATH
@@ -48,10 +66,11 @@ numbered pictures. Stopped, the same command goes on where it was.
  * @throws UsageProblem
  */
 export function parseFilm(args: readonly string[]): FilmCommand {
-  const { values, positionals } = parseOptions(args, [
+  const names = [
     ...["out", "pages", "size", "fps", "seconds-per-turn", "pause"],
     ...["stock", "theme", "chromium"],
-  ]);
+  ];
+  const { values, lists, positionals } = parseOptions(args, names, [], ["do", "attribute"]);
   const [path] = positionals;
   if (path === undefined || path === "") throw new UsageProblem("Name the book to film.");
   if (positionals.length > 1) {
@@ -64,10 +83,17 @@ export function parseFilm(args: readonly string[]): FilmCommand {
   if ((format === "mp4" || format === "webm") && (width % 2 || height % 2)) {
     throw new UsageProblem("A film's width and height are even numbers.");
   }
+  const { do: texts = [], attribute = [] } = lists;
+  const actions = texts.length > 0 ? parseActions(texts) : undefined;
+  if (actions && values.pages?.includes("-")) {
+    throw new UsageProblem("With --do, --pages is the one page at which the film begins.");
+  }
   return {
     name: "film",
     path,
     ...parsePages(values.pages),
+    actions,
+    attributes: parseAttributes(attribute),
     out,
     format,
     width,

@@ -11,9 +11,10 @@ import { fileProblem, Problem, printable } from "../problem.ts";
 import { readRegular } from "../regular_file.ts";
 
 const noteName = "film.json";
-/** Maximum of bytes of a note, and of pictures of a film: more than any film has. */
+/** Maximum of bytes of a note: more than that of any film has. */
 const longestNote = 1_000_000;
-const mostPictures = 999_999;
+/** Maximum of pictures of a film: their numbers have six digits. */
+export const mostPictures = 999_999;
 
 /** The state of a film besides its pictures. */
 interface Note {
@@ -23,8 +24,8 @@ interface Note {
   readonly width: number;
   readonly height: number;
   /**
-   * Pictures of the pause before the first turn, and of each complete turn with
-   * the pause after it.
+   * Pictures of the pause before the first turn or action, and of each complete
+   * one with the pause after it.
    */
   parts: number[];
   whole: boolean;
@@ -76,7 +77,7 @@ export class Frames {
     }
   }
 
-  /** Complete parts: the pause at the beginning and the turns after it. */
+  /** Complete parts: the pause at the beginning and the turns or actions after it. */
   get parts(): number {
     return this.#note.parts.length;
   }

@@ -2,7 +2,14 @@
 
 import { afterEach, beforeEach, expect, test } from "vitest";
 import type { TurnleafBook } from "../element.ts";
-import { bookOverDark, happens, keepWhatIsDrawn, settled } from "../for_tests/element_books.ts";
+import {
+  book,
+  bookOverDark,
+  happens,
+  keepWhatIsDrawn,
+  scans,
+  settled,
+} from "../for_tests/element_books.ts";
 
 keepWhatIsDrawn();
 
@@ -62,6 +69,39 @@ test("a letter is folded in three, at once or one after the other, and turns as 
   expect(await element.next()).toBe(true);
   expect(await element.previous()).toBe(true);
   expect([element.page, element.folds.length]).toEqual([4, 2]);
+});
+
+test("a second fold of a page is seen to be made, once the first lies", async () => {
+  const element = await bookOverDark();
+  expect(await element.fold(5, at(0.7, 0), at(0.7, 1), 175)).toBe(true);
+  expect(element.state).toBe("resting");
+  const begun = performance.now();
+  expect(await element.fold(5, at(0.4, 0), at(0.4, 1))).toBe(true);
+  // Half a second of its own, without the frames before the first tick.
+  expect(performance.now() - begun).toBeGreaterThan(400);
+});
+
+test("what lies under a fold is lit while the leaf is in flight as it is at rest", async () => {
+  const element = book(scans(12), { page: "5", cover: "none", duration: "300" });
+  await happens(element, "load");
+  await settled(element);
+  const mean = (): number => {
+    const greys = outerThird(element);
+    return greys.reduce((sum, grey) => sum + grey) / greys.length;
+  };
+  const greys: number[] = [];
+  let isFolded = false;
+  const folded = element.fold(5, ...upright).then(() => {
+    isFolded = true;
+  });
+  while (!isFolded) {
+    await new Promise(requestAnimationFrame);
+    greys.push(mean());
+  }
+  await folded;
+  await settled(element);
+  // The last frames before it lies are those of a leaf that is folded already.
+  expect(Math.min(...greys.slice(-3))).toBeGreaterThan(0.9 * mean());
 });
 
 test("lines that no page can be folded along are rejected in one sentence", async () => {

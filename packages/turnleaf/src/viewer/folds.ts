@@ -123,6 +123,10 @@ export class Folds {
   step(seconds: number): boolean {
     const motion = this.#motion;
     if (motion === null) return false;
+    if (motion.part === 1) {
+      if (!this.#isFalling) this.#end();
+      return this.#motion !== null;
+    }
     // Where frames are late it may have come to rest in between.
     if (motion.drag === null) this.#pickUp(motion.leaf);
     motion.part = Math.min(motion.part + seconds / foldSeconds, 1);
@@ -132,8 +136,15 @@ export class Folds {
       this.#rebinder.bound.engine.creases?.press(motion.leaf, crease, rest);
     }
     motion.drag?.press(eased);
-    if (motion.part === 1) this.#end();
+    // Released, it falls back first: the next fold of it begins where it lies.
+    if (motion.part === 1 && motion.drag !== null) this.#end();
     return this.#motion !== null;
+  }
+
+  /** Whether one leaf is in flight, and no pointer holds it. */
+  get #isFalling(): boolean {
+    const { turning } = this.#rebinder.bound;
+    return turning.flights.length === 1 && !turning.hasHeld;
   }
 
   #stopWaiting(): void {

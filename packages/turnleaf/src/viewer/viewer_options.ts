@@ -47,6 +47,11 @@ export interface ViewerOptions extends Partial<BindingOptions> {
   readonly page: () => number;
   /** Returns the length of a played turn in seconds; called likewise. */
   readonly turnSeconds: () => number;
+  /**
+   * If true, every frame is drawn as one at rest is, however long that takes: for a clock that
+   * waits for it. The default is no.
+   */
+  readonly fullQuality?: boolean;
   /** Returns the model that turns the leaves; called likewise. The default is sheets. */
   readonly model?: () => ModelChoice;
   /** A turn begins between two spreads. */

@@ -1,6 +1,7 @@
 /** What is folded over a leaf, for light and shadow. */
 
 import { expect, test } from "vitest";
+import type { CreasedMesh } from "../creased_mesh.ts";
 import type { Surface } from "../engine/shapes.ts";
 import { CreasedVertices, cutOff } from "./creased_vertices.ts";
 import { vertexNumbers } from "./vertex_numbers.ts";
@@ -39,14 +40,18 @@ test.each([
   ["to the recto, but not past a right angle", 80, 0, 0],
 ])("a corner that is folded %s shades that side alone", (_, degrees, recto, verso) => {
   const vertices = folded((degrees / 180) * Math.PI);
-  const out = new Float32Array(9);
+  const out = new Float32Array(12);
   expect(vertices.writeFlaps(1, out)).toBe(recto);
   expect(vertices.writeFlaps(-1, out)).toBe(verso);
   if (recto + verso === 0) return;
-  const corners = [0, 1, 2].map((k) => Array.from(out.subarray(3 * k, 3 * k + 2)));
+  const corners = [0, 1, 2, 3].map((k) => Array.from(out.subarray(3 * k, 3 * k + 2)));
   expect(corners).toContainEqual([Math.fround(0.7), 0]);
   expect(corners).toContainEqual([1, Math.fround(0.3)]);
-  expect(Math.sign(out[8])).toBe(Math.sign(degrees));
+  // A triangle repeats its last corner; the tip stands off the page.
+  expect(corners[3]).toEqual(corners[2]);
+  const heights = [0, 1, 2, 3].map((k) => out[3 * k + 2]);
+  const highest = heights.reduce((a, b) => (Math.abs(b) > Math.abs(a) ? b : a));
+  expect(Math.sign(highest)).toBe(Math.sign(degrees));
 });
 
 /** A strip of four columns and two rows, creased at its second and third, that rises by angles there. */
@@ -87,6 +92,27 @@ test("what is beyond a crease is cut off for shadows where it comes back over th
   expect(reach(cutOff(strip(0, 170)))).toEqual([0, 33, 33, 33]);
   // A part beyond one that is folded lies on it, however it faces.
   expect(reach(cutOff(strip(170, -170)))).toEqual([0, 33, 33, 33]);
+});
+
+test("a panel shades with all of its four corners, and the part beyond it is no place for its shadow", () => {
+  const leaf = strip(170, -170);
+  const vertices = new CreasedVertices(leaf.creased as CreasedMesh);
+  vertices.shape(leaf);
+  const out = new Float32Array(24);
+  expect(vertices.writeFlaps(1, out)).toBe(1);
+  const corners = [0, 1, 2, 3].map((k) =>
+    Array.from(out.subarray(3 * k, 3 * k + 2), (x) => Math.round(100 * x)),
+  );
+  const back = Math.round(100 * leaf.positions[6]);
+  expect(corners.sort((a, b) => a[0] - b[0] || a[1] - b[1])).toEqual([
+    [back, 0],
+    [back, 100],
+    [33, 0],
+    [33, 100],
+  ]);
+  // Two columns of the first part, and two each of the others.
+  expect(vertices.folded.reduce((sum, one) => sum + one)).toBe(8);
+  expect([0, 1, 4, 5].map((point) => vertices.folded[point])).toEqual([0, 0, 0, 0]);
 });
 
 test("there are never more flaps than there is room for", () => {

@@ -4,8 +4,16 @@ import { type CreasedMesh, splitMesh, vertexKey, writeMeshNormals } from "../cre
 import type { Surface } from "../engine/shapes.ts";
 import { type VertexNumbers, vertexNumbers } from "./vertex_numbers.ts";
 
-/** The vertices of a flap's corners: both ends of its crease, as vertices of the rest of the leaf, and what is farthest from it. */
-type FlapCorners = readonly [from: number, to: number, tip: number];
+/**
+ * What throws the shadow of a flap: an end of its crease, as a vertex of the rest of the leaf, the
+ * vertex that is farthest from the crease, and the four corners of the flap in turn: a triangle
+ * repeats the last.
+ */
+interface FlapOutline {
+  readonly from: number;
+  readonly tip: number;
+  readonly corners: readonly number[];
+}
 
 /** Steps along a row by which its direction is known. */
 const stepsBack = 5;
@@ -174,6 +182,8 @@ export class CreasedVertices {
   readonly uv: Float32Array;
   /** Where each vertex lies by a tear, as `CreasedMesh.tears`. */
   readonly tears: Float32Array | undefined;
+  /** 1 for each vertex of what is folded over, 0 for the others. */
+  readonly folded: Float32Array;
   /** The vertices of each triangle. */
   readonly index: VertexNumbers;
   readonly positions: Float32Array;
@@ -183,7 +193,7 @@ export class CreasedVertices {
   readonly #further: Uint32Array;
   /** The vertices of what is folded over. */
   readonly #flaps: readonly number[];
-  readonly #corners: readonly FlapCorners[];
+  readonly #outlines: readonly FlapOutline[];
 
   constructor(mesh: CreasedMesh) {
     const { places } = mesh;
@@ -191,7 +201,9 @@ export class CreasedVertices {
     this.index = vertexNumbers(points.length, index);
     this.#further = points.subarray(places.length / 2);
     this.#flaps = [...vertices].flatMap(([key, vertex]) => (key % 0x10000 === 0 ? [] : [vertex]));
-    this.#corners = flapCorners(places, vertices);
+    this.#outlines = flapOutlines(places, vertices);
+    this.folded = new Float32Array(points.length);
+    for (const vertex of this.#flaps) this.folded[vertex] = 1;
     const uv = [...points].flatMap((k) => [places[2 * k], 1 - places[2 * k + 1]]);
     this.uv = Float32Array.from(uv);
     const { tears } = mesh;
@@ -244,13 +256,12 @@ export class CreasedVertices {
    * the shadows that it throws there. Returns how many flaps there are.
    *
    * @param sign 1 for the recto, -1 for the verso
-   * @param out x, y, z of three corners each
+   * @param out x, y, z of four corners each
    */
   writeFlaps(sign: 1 | -1, out: Float32Array): number {
     const { positions, normals } = this;
     let count = 0;
-    for (const corners of this.#corners) {
-      const [from, , tip] = corners;
+    for (const { from, tip, corners } of this.#outlines) {
       let [rise, facing] = [0, 0];
       for (let axis = 0; axis < 3; axis++) {
         const normal = normals[3 * from + axis];
@@ -258,9 +269,9 @@ export class CreasedVertices {
         facing += normals[3 * tip + axis] * normal;
       }
       // One that stands open is on the side that it would shade: bent, it would shade itself.
-      if (facing >= 0 || rise * sign <= 0 || 9 * count === out.length) continue;
+      if (facing >= 0 || rise * sign <= 0 || 12 * count === out.length) continue;
       for (const [k, vertex] of corners.entries()) {
-        out.set(positions.subarray(3 * vertex, 3 * vertex + 3), 9 * count + 3 * k);
+        out.set(positions.subarray(3 * vertex, 3 * vertex + 3), 12 * count + 3 * k);
       }
       count++;
     }
@@ -269,15 +280,14 @@ export class CreasedVertices {
 }
 
 /**
- * Returns the corners of each flap of a leaf: of a corner that is folded over they are all that
- * it has.
+ * Returns the outline of each flap of a leaf that is creased to the part at its spine.
  *
  * @param vertices by point and part, as the constructor numbers them
  */
-function flapCorners(
+function flapOutlines(
   places: Float32Array,
   vertices: ReadonlyMap<number, number>,
-): readonly FlapCorners[] {
+): readonly FlapOutline[] {
   const parts = new Map<number, number[]>();
   for (const key of vertices.keys()) {
     const points = parts.get(key % 0x10000) ?? [];
@@ -288,7 +298,7 @@ function flapCorners(
     Math.hypot(places[2 * a] - places[2 * b], places[2 * a + 1] - places[2 * b + 1]);
   const farthest = (from: number, points: readonly number[]): number =>
     points.reduce((best, one) => (away(from, one) > away(from, best) ? one : best));
-  return [...parts].flatMap(([part, points]): FlapCorners[] => {
+  return [...parts].flatMap(([part, points]): FlapOutline[] => {
     const crease = points.filter((point) => vertices.has(vertexKey(point, 0)));
     if (part === 0 || crease.length < 2) return [];
     const from = farthest(crease[0], crease);
@@ -297,6 +307,16 @@ function flapCorners(
     const tip = points.reduce((best, one) => (ofCrease(one) > ofCrease(best) ? one : best));
     const vertex = (point: number, of: number): number =>
       vertices.get(vertexKey(point, of)) as number;
-    return [[vertex(from, 0), vertex(to, 0), vertex(tip, part)]];
+    const [x, y] = [0, 1].map((axis) => places[2 * to + axis] - places[2 * from + axis]);
+    // The corner beyond either end: what is far from the crease, and on that side.
+    const beyond = (side: 1 | -1): number => {
+      const far = (one: number): number => {
+        const [dx, dy] = [0, 1].map((axis) => places[2 * one + axis] - places[2 * from + axis]);
+        return Math.abs(x * dy - y * dx) + (side / 2) * (x * dx + y * dy);
+      };
+      return points.reduce((best, one) => (far(one) > far(best) ? one : best));
+    };
+    const corners = [from, to, beyond(1), beyond(-1)].map((point) => vertex(point, part));
+    return [{ from: vertex(from, 0), tip: vertex(tip, part), corners }];
   });
 }

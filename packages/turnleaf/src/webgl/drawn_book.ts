@@ -13,7 +13,7 @@ import { caseSizes, tableHeight } from "../stage/case_sizes.ts";
 import { BoardMesh } from "./board_mesh.ts";
 import type { Framing } from "./camera.ts";
 import { placeCase, restingCase } from "./case_shape.ts";
-import { straightened } from "./creased_vertices.ts";
+import { cutOff, straightened } from "./creased_vertices.ts";
 import { EndpaperMesh } from "./endpaper_mesh.ts";
 import { shadowOfCase, shadowOfFlap, shadowOfLeaves, shadowOfSheet } from "./footprint.ts";
 import { Ground } from "./ground.ts";
@@ -307,7 +307,7 @@ export class DrawnBook {
     if (this.#isDim) return;
     // The outermost leaf on a side is nearest to its page.
     // One that lies creased on it hides it, but for what is folded away, and throws no shadow.
-    const over = leaves.filter((leaf) => !lying.includes(leaf)).map((leaf) => straightened(leaf));
+    const over = leaves.filter((leaf) => !lying.includes(leaf)).map((leaf) => cutOff(leaf));
     castOver(left.over, left.pile, nextTo(Side.left, over));
     castOver(right.over, right.pile, nextTo(Side.right, over));
     if (left.pile.present) {

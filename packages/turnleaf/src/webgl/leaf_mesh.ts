@@ -166,6 +166,8 @@ export class LeafMesh {
       geometry.setAttribute("gapBehind", far);
       const tears = this.#creased?.tears;
       if (tears) geometry.setAttribute("tear", new BufferAttribute(tears, 3));
+      const folded = this.#creased?.folded;
+      if (folded) geometry.setAttribute("folded", new BufferAttribute(folded, 1));
       mesh.geometry = geometry;
     }
   }

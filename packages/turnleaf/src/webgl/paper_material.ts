@@ -4,7 +4,14 @@ import { BackSide, FrontSide, ShaderMaterial, type Texture } from "three";
 import type { Surface } from "../engine/shapes.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import { inkChunk, inkUniforms } from "./ink.ts";
-import { flapChunk, gapChunk, lightChunk, mostFlaps, pictureChunk } from "./shading.ts";
+import {
+  flapChunk,
+  flapCorners,
+  gapChunk,
+  lightChunk,
+  mostFlaps,
+  pictureChunk,
+} from "./shading.ts";
 
 /** Values passed from the vertex to the fragment shader. */
 const varyings = /* glsl */ `
@@ -16,6 +23,9 @@ varying vec4 vGapKey;
 varying vec2 vGapBehind;
 #ifdef TORN
 varying vec3 vTear;
+#endif
+#ifdef SHADED
+varying float vFolded;
 #endif
 `;
 
@@ -29,6 +39,9 @@ uniform float thick;
 #ifdef TORN
 attribute vec3 tear;
 #endif
+#ifdef SHADED
+attribute float folded;
+#endif
 ${varyings}
 void main() {
   vNormal = normal * lit;
@@ -39,6 +52,9 @@ void main() {
   vGapBehind = gapBehind;
   #ifdef TORN
   vTear = tear;
+  #endif
+  #ifdef SHADED
+  vFolded = folded;
   #endif
   vec4 seen = viewMatrix * vec4(vPlace, 1.0);
   gl_Position = projectionMatrix * seen;
@@ -173,7 +189,8 @@ void main() {
     sky = mix(sky, skyHere(normal), shadows);
     key = mix(key, keyHere(), shadows);
     #ifdef SHADED
-    shadeByFlaps(vPlace, shadows, sky, key);
+    // What is folded over lies on a flap, or is one: none lies on it.
+    if (vFolded < 0.5) shadeByFlaps(vPlace, shadows, sky, key);
     shadeBySheet(vPlace, shadows, sky, key);
     #endif
   }
@@ -230,7 +247,7 @@ export class PaperMaterial extends ShaderMaterial {
         ceiling: { value: kind === "scan" ? 1 : 1.03 },
         pool: { value: kind === "scan" ? 0 : 0.024 },
         shadows: { value: shadows },
-        flaps: { value: new Float32Array(9 * mostFlaps) },
+        flaps: { value: new Float32Array(3 * flapCorners * mostFlaps) },
         flapCount: { value: 0 },
         sheet: { value: new Float32Array(12) },
         sheetCount: { value: 0 },
@@ -261,7 +278,7 @@ export class PaperMaterial extends ShaderMaterial {
     this.uniforms.ahead.value = [leadOverOne * left, leadOverOne * right];
   }
 
-  /** Corners of what is folded over onto this side and shades it: x, y, z of three each, metres, book space. */
+  /** Corners of what is folded over onto this side and shades it: x, y, z of four each, metres, book space. */
   get flaps(): Float32Array {
     return this.uniforms.flaps.value;
   }

@@ -84,62 +84,61 @@ float keyFraction(vec2 gap) {
 /** Flaps that shade a side of a leaf, at most: a corner at its head and one at its foot. */
 export const mostFlaps = 2;
 
+/** Corners of each flap: those of a triangle repeat the last. */
+export const flapCorners = 4;
+
 /**
- * `shadeByFlaps(place, strength, sky, key)`: takes away the light that triangles folded over onto
+ * `shadeByFlaps(place, strength, sky, key)`: takes away the light that parts folded over onto
  * a leaf keep from a place on it, metres. A shadow's edge softens with the distance of what
  * throws it: of the key light by its penumbra, of the sky over half of it.
  */
 export const flapChunk: string = /* glsl */ `
-uniform vec3 flaps[${3 * mostFlaps}];
+uniform vec3 flaps[${flapCorners * mostFlaps}];
 uniform int flapCount;
 
-// How far inside an edge of a triangle a point of its plane is; the third corner is inside.
-float insideEdge(vec3 point, vec3 from, vec3 to, vec3 third) {
-  vec3 along = normalize(to - from);
-  vec3 inward = third - from;
+// How far inside an edge of a part a point of its plane is; its middle is inside.
+float insideEdge(vec3 point, vec3 from, vec3 to, vec3 middle) {
+  vec3 along = to - from;
+  float far = length(along);
+  // The corner of a triangle that is repeated: any place is inside of it, by more than a book is wide.
+  if (far < 1e-6) return 1e3;
+  along /= far;
+  vec3 inward = middle - from;
   inward = normalize(inward - dot(inward, along) * along);
   return dot(point - from, inward);
 }
 
-float hiddenBy(vec3 a, vec3 b, vec3 c, vec3 place, vec3 direction, float softness) {
-  vec3 normal = cross(b - a, c - a);
-  float far = dot(a - place, normal) / dot(direction, normal);
+// How much of the light from a direction is hidden by what has four corners in turn, as far as they lie in a plane.
+float hiddenBy(vec3 a, vec3 b, vec3 c, vec3 d, vec3 place, vec3 direction, float softness) {
+  vec3 middle = 0.25 * (a + b + c + d);
+  vec3 normal = cross(c - a, d - b);
+  float far = dot(middle - place, normal) / dot(direction, normal);
   if (!(far > 0.0)) return 0.0;
   vec3 point = place + far * direction;
-  float inside = min(insideEdge(point, a, b, c), min(insideEdge(point, b, c, a), insideEdge(point, c, a, b)));
+  float inside = min(
+    min(insideEdge(point, a, b, middle), insideEdge(point, b, c, middle)),
+    min(insideEdge(point, c, d, middle), insideEdge(point, d, a, middle)));
   return smoothstep(-softness * far, softness * far, inside);
 }
 
 uniform vec3 sheet[4];
 uniform float sheetCount;
 
-// As hiddenBy, by a loose sheet: of its four corners in turn, as far as they lie in a plane.
-float hiddenBySheet(vec3 place, vec3 direction, float softness) {
-  vec3 middle = 0.25 * (sheet[0] + sheet[1] + sheet[2] + sheet[3]);
-  vec3 normal = cross(sheet[2] - sheet[0], sheet[3] - sheet[1]);
-  float far = dot(middle - place, normal) / dot(direction, normal);
-  if (!(far > 0.0)) return 0.0;
-  vec3 point = place + far * direction;
-  float inside = min(
-    min(insideEdge(point, sheet[0], sheet[1], middle), insideEdge(point, sheet[1], sheet[2], middle)),
-    min(insideEdge(point, sheet[2], sheet[3], middle), insideEdge(point, sheet[3], sheet[0], middle)));
-  return smoothstep(-softness * far, softness * far, inside);
-}
-
 void shadeByFlaps(vec3 place, float strength, inout vec3 sky, inout float key) {
   for (int k = 0; k < ${mostFlaps}; k++) {
     if (k >= flapCount) return;
-    vec3 a = flaps[3 * k];
-    vec3 b = flaps[3 * k + 1];
-    vec3 c = flaps[3 * k + 2];
-    key *= 1.0 - strength * hiddenBy(a, b, c, place, KEY_DIRECTION, ${glslNumber(penumbra)});
-    sky *= 1.0 - strength * 0.5 * hiddenBy(a, b, c, place, vec3(0.0, 0.0, 1.0), 1.0);
+    vec3 a = flaps[4 * k];
+    vec3 b = flaps[4 * k + 1];
+    vec3 c = flaps[4 * k + 2];
+    vec3 d = flaps[4 * k + 3];
+    key *= 1.0 - strength * hiddenBy(a, b, c, d, place, KEY_DIRECTION, ${glslNumber(penumbra)});
+    sky *= 1.0 - strength * 0.5 * hiddenBy(a, b, c, d, place, vec3(0.0, 0.0, 1.0), 1.0);
   }
 }
 
 void shadeBySheet(vec3 place, float strength, inout vec3 sky, inout float key) {
   if (sheetCount < 0.5) return;
-  key *= 1.0 - strength * hiddenBySheet(place, KEY_DIRECTION, ${glslNumber(penumbra)});
-  sky *= 1.0 - strength * 0.5 * hiddenBySheet(place, vec3(0.0, 0.0, 1.0), 1.0);
+  key *= 1.0 - strength * hiddenBy(sheet[0], sheet[1], sheet[2], sheet[3], place, KEY_DIRECTION, ${glslNumber(penumbra)});
+  sky *= 1.0 - strength * 0.5 * hiddenBy(sheet[0], sheet[1], sheet[2], sheet[3], place, vec3(0.0, 0.0, 1.0), 1.0);
 }
 `;

@@ -1,0 +1,244 @@
+/** What is done in a film: arguments, and films of folds and tears by the built command. */
+
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { PNG } from "pngjs";
+import { afterAll, beforeAll, describe, expect, it, test } from "vitest";
+import { parseCommand } from "../src/arguments.ts";
+import type { ChromiumPage } from "../src/chromium/devtools.ts";
+import { Taking } from "../src/film/film.ts";
+import { mostActions } from "../src/film/film_actions.ts";
+import type { FilmCommand } from "../src/film/film_arguments.ts";
+import { type Frames, mostPictures } from "../src/film/frames.ts";
+import { Progress } from "../src/progress.ts";
+import { page as coloured } from "./books.ts";
+import { type Ended, folderOf, runWithChromium } from "./command.ts";
+
+const parse = (...args: string[]): FilmCommand =>
+  parseCommand(["film", "a.pdf", "--out", "a", ...args]) as FilmCommand;
+
+describe("arguments", () => {
+  test("actions are named after the methods of the element, in one list or several", () => {
+    const { actions } = parse(
+      "--do",
+      "dog-ear 8 foot 0.3,next;fold 3 0.7,0 0.7,1 -90,  go-to 4, tear-out",
+      "--do",
+      "wait 1.5,tear-across 0,.5 1,.25, dog-ear 0.1, fold 5 letter,",
+    );
+    expect(actions).toEqual([
+      { text: "dog-ear 8 foot 0.3", name: "dog-ear", page: 8, corner: "foot", size: 0.3 },
+      { text: "next", name: "next" },
+      {
+        text: "fold 3 0.7,0 0.7,1 -90",
+        name: "fold",
+        page: 3,
+        fold: { from: { x: 0.7, y: 0 }, to: { x: 0.7, y: 1 }, angle: -90 },
+      },
+      { text: "go-to 4", name: "go-to", page: 4 },
+      { text: "tear-out", name: "tear-out" },
+      { text: "wait 1.5", name: "wait", seconds: 1.5 },
+      {
+        text: "tear-across 0,.5 1,.25",
+        name: "tear-across",
+        from: { x: 0, y: 0.5 },
+        to: { x: 1, y: 0.25 },
+      },
+      { text: "dog-ear 0.1", name: "dog-ear", size: 0.1 },
+      { text: "fold 5 letter", name: "fold", page: 5, fold: "letter" },
+    ]);
+  });
+
+  test("without any, pages turn", () => {
+    expect(parse().actions).toBeUndefined();
+    expect(parse("--pages", "3-5")).toMatchObject({ from: 3, to: 5 });
+  });
+
+  test("attributes bind the book", () => {
+    const { attributes } = parse("--attribute", "binding=top", "--attribute", "stocks=1-4 card");
+    expect(attributes).toEqual({ binding: "top", stocks: "1-4 card" });
+  });
+
+  it.each([
+    [["--do", "next, turn"], '"turn" in --do was not understood; an action is next, previous, '],
+    [["--do", "constructor"], '"constructor" in --do was not understood; an action is next, '],
+    [
+      ["--do", "dog-ear 8 top"],
+      '"top" in "dog-ear 8 top" was not understood; it is written dog-ear [PAGE] [head|foot] [SIZE], its size 0.05 to 0.5.',
+    ],
+    [["--do", "dog-ear 0"], '"0" in "dog-ear 0" was not understood; it is written dog-ear '],
+    [["--do", "go-to"], '"go-to" in --do is not complete; it is written go-to PAGE.'],
+    [
+      ["--do", "fold 3 0.5,0"],
+      '"fold 3 0.5,0" in --do is not complete; it is written fold PAGE X,Y X,Y [ANGLE] ',
+    ],
+    [["--do", "fold 3 0.5,0 0.5,1 200"], '"200" in "fold 3 0.5,0 0.5,1 200" was not understood'],
+    [["--do", "fold 3 0,1 0,1"], "A fold in --do goes through two places that are not the same."],
+    [["--do", "tear-across 0,1 0.5,2"], '"0.5,2" in "tear-across 0,1 0.5,2" was not understood'],
+    [["--do", "wait 61"], '"61" in "wait 61" was not understood; it is written wait SECONDS, 0 to'],
+    [["--do", "crumple hard"], '"hard" in "crumple hard" was not understood; it is written crum'],
+    [["--do", " ,; "], "--do is a list of actions: next, previous, go-to PAGE, "],
+    [
+      ["--do", "next", "--pages", "1-9"],
+      "With --do, --pages is the one page at which the film begins.",
+    ],
+    [["--attribute", "src=b.pdf"], '"src=b.pdf" is no --attribute; it is NAME=VALUE, with a name'],
+    [["--attribute", "binding"], '"binding" is no --attribute; it is NAME=VALUE, with a name of'],
+    [
+      ["--attribute", "layout=wide"],
+      '"wide" in --attribute layout was not understood; it is auto, spread or single.',
+    ],
+  ])("%j", (args, sentence) => {
+    expect(() => parse(...args)).toThrow(sentence);
+  });
+
+  test("too many actions", () => {
+    const sentence = "--do takes at most 500 actions; these are 501.";
+    expect(() => parse("--do", "next,".repeat(mostActions + 1))).toThrow(sentence);
+    expect(parse("--do", "next,".repeat(mostActions)).actions).toHaveLength(mostActions);
+  });
+});
+
+describe("bounds", () => {
+  const command = parse("--fps", "1", "--do", "crumple");
+
+  /** Takes a film of a page in which everything moves on for ever. */
+  const take = (frames: Partial<Frames>, restless: FilmCommand = command): Promise<void> => {
+    const page = {
+      evaluate: async (expression: string) =>
+        expression.startsWith("film.open") ? { pages: 9, turns: 1 } : true,
+      picture: async () => Buffer.of(1),
+    } as unknown as ChromiumPage;
+    const all = { has: async () => true, endPart: async () => {}, ...frames } as Frames;
+    const signal = new AbortController().signal;
+    return new Taking(page, restless, all, new Progress(), signal).run();
+  };
+
+  test("an action that never comes to rest ends the film", async () => {
+    await expect(take({ count: 0, parts: 0 })).rejects.toThrow(
+      'Action 1, "crumple", has not come to rest after 31 s of the film.',
+    );
+    await expect(take({ count: 0, parts: 0 }, parse("--fps", "1"))).rejects.toThrow(
+      "Turn 1 has not come to rest after 31 s of the film.",
+    );
+  });
+
+  test("a film has no more pictures than there are numbers for", async () => {
+    await expect(take({ count: mostPictures - 5, parts: 1 })).rejects.toThrow(
+      "A film has at most 999999 frames; film less of it.",
+    );
+  });
+});
+
+describe("films", () => {
+  let folder: ReturnType<typeof folderOf>;
+  beforeAll(() => {
+    const colours = [200, 170, 140, 110, 80, 50, 30, 10].map((red) => coloured([red, 90, 60]));
+    folder = folderOf(Object.fromEntries(colours.map((png, k) => [`book/${k + 1}.png`, png])));
+  });
+  afterAll(() => folder.remove());
+
+  const size = { width: 160, height: 96 };
+  const small = ["--size", "160x96", "--fps", "8", "--seconds-per-turn", "0.5", "--pause", "0.25"];
+
+  const film = (
+    name: string,
+    does: string,
+    watch?: Parameters<typeof runWithChromium>[1],
+  ): Promise<Ended> => {
+    const out = join(folder.path, name);
+    const args = [join(folder.path, "book"), ...small, "--pages", "2", "--do", does, "--out", out];
+    return runWithChromium(["film", ...args], watch);
+  };
+  const pictures = (name: string): Buffer[] =>
+    readdirSync(join(folder.path, name))
+      .filter((file) => file.endsWith(".png"))
+      .sort()
+      .map((file) => readFileSync(join(folder.path, name, file)));
+
+  /** Returns the mean difference of two pictures between two columns, of 255. */
+  const difference = (a: Buffer, b: Buffer, from: number, to: number): number => {
+    const [before, after] = [PNG.sync.read(a).data, PNG.sync.read(b).data];
+    let sum = 0;
+    for (let y = 0; y < size.height; y++) {
+      for (let k = 4 * (y * size.width + from); k < 4 * (y * size.width + to); k++) {
+        sum += Math.abs((before[k] as number) - (after[k] as number));
+      }
+    }
+    return sum / (3 * size.height * (to - from));
+  };
+
+  it("shows folds and tears, ends by itself, and is the same pictures where it was stopped", async () => {
+    const does = "fold 3 0.6,0 0.6,1, unfold 3, next, tear-out 5, crumple";
+    const done = await film("whole", does);
+    expect(done).toMatchObject({
+      status: 0,
+      stdout: expect.stringMatching(/: \d+ frames, 5 actions, \d+\.\d s\n$/),
+    });
+    const whole = pictures("whole");
+    const note = JSON.parse(readFileSync(join(folder.path, "whole", "film.json"), "utf8"));
+    const ends: number[] = note.parts.map((_: number, part: number) =>
+      note.parts.slice(0, part + 1).reduce((sum: number, count: number) => sum + count, -1),
+    );
+    expect(ends).toHaveLength(6);
+    const [flat, folded, unfolded, turned, torn, ball] = ends.map((end) => whole[end] as Buffer);
+    const middle = size.width / 2;
+    const right = (a?: Buffer, b?: Buffer): number =>
+      difference(a as Buffer, b as Buffer, middle + 4, size.width);
+    const left = (a?: Buffer, b?: Buffer): number =>
+      difference(a as Buffer, b as Buffer, 0, middle - 4);
+    // The page on the right is folded, and nothing on the left.
+    expect(right(flat, folded)).toBeGreaterThan(5);
+    expect(left(flat, folded)).toBeLessThan(1);
+    expect(right(flat, unfolded)).toBeLessThan(right(flat, folded) / 2);
+    expect(right(turned, torn)).toBeGreaterThan(5);
+    expect(right(torn, ball)).toBeGreaterThan(1);
+    // No frame is empty: the page on the left lies there in each until it turns.
+    for (const [k, picture] of whole.slice(0, (ends[2] as number) + 1).entries()) {
+      expect(left(flat, picture), `frame ${k + 1}`).toBeLessThan(8);
+    }
+
+    const half = (ends[3] as number) + 3;
+    const stopped = await film("stopped", does, (child) => {
+      const timer = setInterval(() => {
+        const path = join(folder.path, "stopped");
+        if (!existsSync(path) || pictures("stopped").length < half) return;
+        clearInterval(timer);
+        child.kill("SIGINT");
+      }, 5);
+      child.on("exit", () => clearInterval(timer));
+    });
+    expect(stopped.status).toBe(1);
+    expect(pictures("stopped").length).toBeLessThan(whole.length);
+    expect((await film("stopped", does)).status).toBe(0);
+    const again = pictures("stopped");
+    expect(again).toHaveLength(whole.length);
+    for (const [k, picture] of again.entries()) {
+      expect(picture.equals(whole[k] as Buffer), `frame ${k + 1}`).toBe(true);
+    }
+  }, 240_000);
+
+  it("another action is another film", async () => {
+    const first = await film("other", "wait 0.25");
+    expect(first.stdout).toMatch(/: 4 frames, 1 actions, 0\.5 s\n$/);
+    const second = await film("other", "wait 0.5");
+    expect(second.stderr).toContain("holds other files or another film");
+  }, 60_000);
+
+  it.each([
+    ["next, crumple", '"crumple" cannot be done: no loose sheet is whole.\n'],
+    [
+      "fold 3 0,0 1,1",
+      '"fold 3 0,0 1,1" cannot be done: A page cannot be folded along a line that',
+    ],
+    ["fold 6 letter", '"fold 6 letter" cannot be done: the page does not lie open.\n'],
+    ["wait 1, go-to 90", "The book has 8 pages; page 90 is none of them.\n"],
+  ])(
+    "what cannot be done ends with one sentence: %s",
+    async (does, sentence) => {
+      const ended = await film(`not ${does.replaceAll(/\W+/g, "-")}`, does);
+      expect(ended.stderr).toContain(sentence);
+      expect(ended.status).toBe(1);
+    },
+    60_000,
+  );
+});
