@@ -290,3 +290,40 @@ fn what_cannot_be_torn_across_stays_as_it_is() {
     let mut other = torn.part().unwrap();
     assert!(!other.tear_across(&PATHS[2]));
 }
+
+#[test]
+fn a_sheet_that_is_torn_through_goes_on_where_it_is() {
+    let (book, mut leaf) = lying(Stock::BOOK, 0.36);
+    assert!(leaf.tear_across(&PATHS[1]));
+    leaf.update(&book);
+    let holds = holds(PATHS[1]);
+    let starts = holds.map(|at| drawn_at(&leaf, at));
+    for (grab, at) in holds.iter().enumerate() {
+        leaf.grab(grab, at[0], at[1]);
+    }
+    let between = sub(starts[1], starts[0]);
+    let apart = between.map(|x| x / dot(between, between).sqrt());
+    let mut through = 0;
+    for tick in 1..600 {
+        let away = 0.15 * tick as f32 * TICK;
+        for (grab, start) in starts.iter().enumerate() {
+            let away = if grab == 0 { -away } else { away };
+            let [x, y, z]: [f32; 3] = core::array::from_fn(|k| start[k] + away * apart[k]);
+            leaf.pull(grab, [x, y, z + 0.02]);
+        }
+        let before = leaf.sheet().positions().to_vec();
+        leaf.step(&book, 1);
+        through += usize::from(leaf.ties() == 0);
+        if through > 1 {
+            // The viewer parts it after as many ticks as a frame has.
+            let moved = leaf.sheet().positions().iter().zip(&before);
+            let most = moved.fold(0.0f32, |most, (a, b)| most.max((a - b).abs()));
+            assert!(most < 0.02, "{tick}: {most} m in a tick");
+        }
+        if through == 8 {
+            assert!(leaf.part().is_some());
+            return;
+        }
+    }
+    panic!("it holds at {} nodes", leaf.ties());
+}

@@ -257,7 +257,8 @@ impl Sheet {
     /// Advances by a step, the first of `count` in which its grabs shall go the way
     /// to where they pull.
     pub(crate) fn step_of(&mut self, count: u32) {
-        let tears = CAN_TEAR && !self.ties.is_empty();
+        // Torn through, pieces that are not parted yet go where their grabs do.
+        let tears = CAN_TEAR && self.is_both_pieces();
         grabs::follow(&mut self.grabs, &self.settings, self.h, count, tears);
         self.advance();
     }

@@ -42,7 +42,7 @@ impl Sheet {
     /// Parts a torn sheet of which nothing is tied any more: returns the piece on the right of the
     /// path and the one on the left, each as it moves. None of any other.
     pub(crate) fn parted(&self) -> Option<[Sheet; 2]> {
-        let torn = self.torn().filter(|torn| torn.piece.is_none())?;
+        let torn = self.torn().filter(|_| self.is_both_pieces())?;
         if !self.ties.is_empty() {
             return None;
         }
@@ -85,6 +85,11 @@ impl Sheet {
     /// How it is torn across, if it is.
     pub(super) fn torn(&self) -> Option<&Torn> {
         self.creased()?.torn.as_ref()
+    }
+
+    /// Whether it is torn across, and is both pieces: what holds one holds the other by ties alone.
+    pub(super) fn is_both_pieces(&self) -> bool {
+        self.torn().is_some_and(|torn| torn.piece.is_none())
     }
 
     /// Whether it is torn across, or a piece of a torn sheet.
