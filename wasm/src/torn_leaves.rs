@@ -58,8 +58,8 @@ pub unsafe extern "C" fn tl_torn_step(leaf: *mut TornLeaf, book: *mut Book, tick
     }
 }
 
-/// Begins to tear a loose sheet across, from (`u0`, `v0`) to (`u1`, `v1`) on its page. Returns
-/// whether it does: 0 or 1.
+/// Begins to tear a loose sheet across, from (`u0`, `v0`) to (`u1`, `v1`) on its page; the path
+/// turns with the pull of both grabs unless `turns` is 0. Returns whether it does: 0 or 1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tl_torn_across(
     leaf: *mut TornLeaf,
@@ -67,10 +67,11 @@ pub unsafe extern "C" fn tl_torn_across(
     v0: f64,
     u1: f64,
     v1: f64,
+    turns: u32,
 ) -> u32 {
     // SAFETY: from one thread by the crate's contract, so that no other call uses it.
     let leaf = unsafe { TORN.get(leaf) };
-    leaf.is_some_and(|leaf| leaf.tear_across(&[[u0, v0], [u1, v1]]))
+    leaf.is_some_and(|leaf| leaf.tear_across(&[[u0, v0], [u1, v1]], turns != 0))
         .into()
 }
 
@@ -112,6 +113,8 @@ live_functions! {
     fn tl_torn_tears(leaf) -> *const f32 { leaf.mesh().tears.as_flattened().as_ptr() }
     fn tl_torn_corners(leaf) -> *const u32 { leaf.mesh().triangles.as_flattened().as_ptr() }
     fn tl_torn_triangles(leaf) -> usize { leaf.mesh().triangles.len() }
+    /// Changes whenever these do.
+    fn tl_torn_mesh_version(leaf) -> u32 { leaf.mesh_version() }
     /// Work done in tearing and crumpling since it was last asked for, J.
     fn tl_torn_work(leaf) -> f32 { leaf.take_work() }
     /// Whether it does not move until the next command.

@@ -28,6 +28,9 @@ mod nodes;
 mod press;
 #[cfg(test)]
 mod tests;
+mod turning;
+#[cfg(test)]
+mod turning_tests;
 
 use across::Across;
 use ball::Ball;
@@ -65,8 +68,10 @@ pub const MAX_PULLS: usize = 2;
 const BALL_STILL: f32 = 0.1 * GRAVITY as f32 * TICK;
 
 /// Ticks in which what was drawn of the bound leaf becomes what is drawn of the torn one: the
-/// sheet's cells are coarser than the bend out of the gutter.
+/// sheet's cells are coarser than the bend out of the gutter. Where the path of a tear turns, paper
+/// that comes to the other piece moves by up to what a tear opens, in twice as many.
 const BLENDED: u32 = 12;
+const TURNED: u32 = 2 * BLENDED;
 
 /// A row of the spine that holds.
 #[derive(Clone, Copy, Debug)]
@@ -74,6 +79,38 @@ struct BoundRow {
     tether: Tether,
     /// Work of tearing it, J.
     work: f32,
+}
+
+/// By how much what is drawn differs from the sheet, less from tick to tick.
+#[derive(Clone, Debug, Default)]
+struct Differing {
+    /// At first, x, y, z of each point, metres.
+    by: Vec<f32>,
+    /// Ticks for which it does in all, and for how many more.
+    ticks: u32,
+    left: u32,
+}
+
+impl Differing {
+    /// What is drawn at `shown` by a sheet that is at `own`, for so many ticks.
+    fn new(shown: &[f32], own: &[f32], ticks: u32) -> Self {
+        let by = shown.iter().zip(own).map(|(shown, own)| shown - own);
+        Self {
+            by: by.collect(),
+            ticks,
+            left: ticks,
+        }
+    }
+
+    /// Moves drawn points of the sheet to where they are drawn.
+    fn add_to(&self, positions: &mut [f32]) {
+        if self.left > 0 {
+            let part = self.left as f32 / self.ticks as f32;
+            for (x, by) in positions.iter_mut().zip(&self.by) {
+                *x += part * by;
+            }
+        }
+    }
 }
 
 /// How far a sheet is crumpled.
@@ -100,15 +137,14 @@ pub struct TornLeaf {
     pulled: [[f32; 3]; MAX_PULLS],
     stillness: Stillness,
     surface: Surface,
-    /// By how much what was drawn at first differed from the sheet, metres, and for how many
-    /// more ticks it does.
-    differing: Vec<f32>,
-    blend: u32,
+    differing: Differing,
     crumpled: Option<Crumpled>,
     /// What holds one that is torn across.
     across: Across,
-    /// How what is drawn of a sheet that is torn across lies on its page.
+    /// How what is drawn of a sheet that is torn across lies on its page, and how often that has
+    /// changed.
     mesh: TornMesh,
+    mesh_version: u32,
 }
 
 impl TornLeaf {
@@ -148,9 +184,8 @@ impl TornLeaf {
         sheet.place(nodes.into_iter().flatten());
         let bound = bound_rows(&sheet, line, bound);
         let mut torn = TornLeaf::of(sheet, around);
-        let apart = drawn.positions.iter().zip(&torn.surface.positions);
-        torn.differing = apart.map(|(drawn, own)| drawn - own).collect();
-        (torn.bound, torn.blend) = (bound, BLENDED);
+        torn.differing = Differing::new(&drawn.positions, &torn.surface.positions, BLENDED);
+        torn.bound = bound;
         torn.tie();
         torn.update(book);
         Some(torn)
@@ -164,8 +199,8 @@ impl TornLeaf {
         TornLeaf {
             steps: libm::roundf(TICK / sheet.time_step()).max(1.0) as u32,
             mesh: sheet.torn_mesh(),
-            differing: Vec::new(),
-            blend: 0,
+            mesh_version: 0,
+            differing: Differing::default(),
             bound: Vec::new(),
             sheet,
             around,
@@ -194,6 +229,7 @@ impl TornLeaf {
             Some(_) => return,
         }
         (self.is_held[grab], self.pulled[grab]) = (true, [f32::NAN; 3]);
+        self.across.hold_anew();
         self.wake();
     }
 
@@ -215,7 +251,8 @@ impl TornLeaf {
         if let Some(Crumpled::Ball(ball)) = &mut self.crumpled {
             ball.release();
         }
-        self.is_held = [false; MAX_PULLS];
+        (self.is_held, self.pulled) = ([false; MAX_PULLS], [[f32::NAN; 3]; MAX_PULLS]);
+        self.across.hold_anew();
         self.wake();
     }
 
@@ -263,7 +300,7 @@ impl TornLeaf {
         self.crumpled = Some(Crumpled::Pressed(press));
         self.sheet = sheet;
         self.release();
-        self.blend = 0;
+        self.differing = Differing::default();
         // What is drawn is of facets from now on.
         self.sheet.write_surface(&mut self.surface);
         self.surface.update_normals();
@@ -277,11 +314,15 @@ impl TornLeaf {
     /// Returns whether it does: not one that is bound, crumpled, torn across already or a piece,
     /// and not along a path that leaves the page, has both its ends on one edge, or parts a piece
     /// narrower than a cell or more crooked than a grid can be.
-    pub fn tear_across(&mut self, path: &[[f64; 2]]) -> bool {
+    ///
+    /// If `turns`, the path ahead of the tip turns with the pull of both grabs as it goes on: across
+    /// the way from one to the other, as that swings on the paper from where they first
+    /// pulled.
+    pub fn tear_across(&mut self, path: &[[f64; 2]], turns: bool) -> bool {
         if !self.bound.is_empty() || self.is_crumpled() || self.sheet.is_torn() {
             return false;
         }
-        let Some((sheet, across)) = Across::begin(&self.sheet, path) else {
+        let Some((sheet, across)) = Across::begin(&self.sheet, path, turns) else {
             return false;
         };
         self.across = across;
@@ -310,8 +351,17 @@ impl TornLeaf {
     /// are released. None of any other sheet.
     pub fn part(&mut self) -> Option<TornLeaf> {
         let [foot, head] = self.sheet.parted()?;
+        // Both go on as they were drawn.
+        let mut of_foot = core::mem::take(&mut self.differing);
         self.take_sheet(foot);
-        Some(TornLeaf::of(head, self.around))
+        let mut parted = TornLeaf::of(head, self.around);
+        let seam = self.surface.positions.len().min(of_foot.by.len());
+        parted.differing = Differing {
+            by: of_foot.by.split_off(seam),
+            ..of_foot
+        };
+        self.differing = of_foot;
+        Some(parted)
     }
 
     /// Whether it is crumpled, or being crumpled.
@@ -344,7 +394,7 @@ impl TornLeaf {
             } else {
                 self.step_sheet(&around);
             }
-            self.blend = self.blend.saturating_sub(1);
+            self.differing.left = self.differing.left.saturating_sub(1);
             if let Some(Crumpled::Pressed(_)) = &self.crumpled {
                 continue;
             }
@@ -362,12 +412,7 @@ impl TornLeaf {
     /// Brings the drawn surface up to date, on and beside a book as it is drawn.
     pub fn update(&mut self, book: &Book) {
         self.sheet.write_surface(&mut self.surface);
-        let part = self.blend as f32 / BLENDED as f32;
-        if part > 0.0 {
-            for (x, apart) in self.surface.positions.iter_mut().zip(&self.differing) {
-                *x += part * apart;
-            }
-        }
+        self.differing.add_to(&mut self.surface.positions);
         Surroundings::new(book, self.around, &self.sheet).push_off(&mut self.surface);
         self.surface.update_normals();
     }
@@ -380,6 +425,11 @@ impl TornLeaf {
     /// How what is drawn of one that is torn across lies on its page; nothing of any other.
     pub fn mesh(&self) -> &TornMesh {
         &self.mesh
+    }
+
+    /// Changes whenever the mesh does.
+    pub fn mesh_version(&self) -> u32 {
+        self.mesh_version
     }
 
     /// The sheet itself.
@@ -409,6 +459,7 @@ impl TornLeaf {
                 self.wake();
             }
         }
+        self.turn_tear();
         if let Some(Crumpled::Pressed(press)) = &mut self.crumpled
             && !press.tick(&mut self.sheet)
         {
@@ -416,11 +467,29 @@ impl TornLeaf {
         }
     }
 
+    /// Turns a tear with the pull of its grabs. What is drawn goes on from where it was.
+    fn turn_tear(&mut self) {
+        let (differing, surface) = (&self.differing, &mut self.surface);
+        let drawn = |sheet: &mut Sheet| {
+            sheet.write_surface(surface);
+            differing.add_to(&mut surface.positions);
+            surface.positions.clone()
+        };
+        let Some(shown) = self.across.turn(&mut self.sheet, self.pulled, drawn) else {
+            return;
+        };
+        self.mesh = self.sheet.torn_mesh();
+        self.mesh_version = self.mesh_version.wrapping_add(1);
+        self.sheet.write_surface(&mut self.surface);
+        self.differing = Differing::new(&shown, &self.surface.positions, TURNED);
+    }
+
     /// Goes on as another sheet, which is drawn at once. All grabs are released.
     fn take_sheet(&mut self, sheet: Sheet) {
         let version = self.surface.version;
         *self = TornLeaf {
             torn: self.torn,
+            mesh_version: self.mesh_version.wrapping_add(1),
             across: core::mem::take(&mut self.across),
             ..TornLeaf::of(sheet, self.around)
         };

@@ -24,6 +24,7 @@ mod material;
 mod measure;
 mod membrane;
 mod patches;
+mod piece_outline;
 mod plastic_hinge;
 mod plates;
 mod settings;
@@ -36,6 +37,10 @@ mod tether;
 mod torn;
 mod torn_grid;
 mod torn_material;
+mod torn_path;
+mod turned_path;
+mod turned_sheet;
+mod grid_walk;
 
 pub use contact::{CONTACTS, Contact};
 pub use crease::FoldLine;
@@ -53,6 +58,8 @@ use sweep::Sweep;
 use system::System;
 pub(crate) use tether::{Tether, Tie};
 pub use torn::TornMesh;
+pub(crate) use torn_grid::TornGrid;
+pub(crate) use turned_path::wrapped;
 
 use crate::band::Band;
 use crate::grid::{Grid, Side};

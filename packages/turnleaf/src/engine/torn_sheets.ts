@@ -28,13 +28,21 @@ export interface TearingExports extends Exports {
   tl_torn_bound_high(leaf: number): number;
   tl_torn_crumple(leaf: number): number;
   tl_torn_crumpled(leaf: number): number;
-  tl_torn_across(leaf: number, u0: number, v0: number, u1: number, v1: number): number;
+  tl_torn_across(
+    leaf: number,
+    u0: number,
+    v0: number,
+    u1: number,
+    v1: number,
+    turns: number,
+  ): number;
   tl_torn_part(leaf: number): number;
   tl_torn_opened(leaf: number): number;
   tl_torn_places(leaf: number): number;
   tl_torn_tears(leaf: number): number;
   tl_torn_corners(leaf: number): number;
   tl_torn_triangles(leaf: number): number;
+  tl_torn_mesh_version(leaf: number): number;
   tl_torn_work(leaf: number): number;
   tl_torn_asleep(leaf: number): number;
   tl_torn_columns(leaf: number): number;
@@ -81,6 +89,7 @@ class WasmTornSheet implements TornSheet {
   readonly #leaf: number;
   #surface: SheetSurface;
   #isAcross = false;
+  #meshVersion = 0;
 
   constructor(wasm: TearingExports, leaf: number, grid: SurfaceGrid) {
     this.#wasm = wasm;
@@ -103,6 +112,10 @@ class WasmTornSheet implements TornSheet {
 
   get surface(): Surface {
     const wasm = this.#wasm;
+    // The path of a tear that turns has turned.
+    if (this.#isAcross && wasm.tl_torn_mesh_version(this.#leaf) !== this.#meshVersion) {
+      this.#drawAcross();
+    }
     const [positions, normals] = [
       wasm.tl_torn_positions(this.#leaf),
       wasm.tl_torn_normals(this.#leaf),
@@ -132,10 +145,11 @@ class WasmTornSheet implements TornSheet {
     this.#wasm.tl_torn_cut(this.#leaf);
   }
 
-  tearAcross(from: UV, to: UV): boolean {
+  tearAcross(from: UV, to: UV, turns = false): boolean {
     const [u0, v0, u1, v1] = [...from, ...to].map((at) => clamp(at, 0, 1));
     if (!areFinite([u0, v0, u1, v1])) return false;
-    if (this.#wasm.tl_torn_across(this.#leaf, u0, v0, u1, v1) === 0) return false;
+    const begins = this.#wasm.tl_torn_across(this.#leaf, u0, v0, u1, v1, turns ? 1 : 0);
+    if (begins === 0) return false;
     this.#drawAcross();
     return true;
   }
@@ -171,6 +185,7 @@ class WasmTornSheet implements TornSheet {
     };
     this.#surface = new SheetSurface(wasm.memory, { columns, rows }, mesh);
     this.#isAcross = true;
+    this.#meshVersion = wasm.tl_torn_mesh_version(leaf);
   }
 
   crumple(): boolean {

@@ -21,7 +21,7 @@ import {
   putAside,
   type TearMotion,
 } from "./sheet_motions.ts";
-import { facesUp, middleOf } from "./sheet_places.ts";
+import { facesUp, middleOf, pointAt } from "./sheet_places.ts";
 import { isOnParted, type PageSize, pathBetween, type TearPath } from "./tear_path.ts";
 
 /** Sheets that are kept at most: the one torn out first is taken away for the next. */
@@ -234,7 +234,7 @@ export class LooseSheetPile {
     const flat = Math.hypot((a[0] - b[0]) * size.width, (a[1] - b[1]) * size.height);
     if (distance(first.at, second.at) < flat + taut * size.width) return;
     const path = pathBetween(a, b, size);
-    if (path === null || !one.sheet.tearAcross(...path)) return;
+    if (path === null || !one.sheet.tearAcross(...path, true)) return;
     one.tear = { path, command: null };
     this.#holdAnew(one);
   }
@@ -296,7 +296,7 @@ export class LooseSheetPile {
     const holds = one.holds.filter((hold) => hold !== null);
     const pieces = [one, other] as const;
     for (const [k, piece] of pieces.entries()) {
-      const own = holds.filter(({ place }) => isOnParted(place, path, size) === (k === 1));
+      const own = holds.filter((hold) => pieceOf(hold, pieces) === piece);
       for (const hold of own) hold.sheet = piece;
       piece.holds = [own[0] ?? null, own[1] ?? null];
       this.#holdAnew(piece);
@@ -351,6 +351,13 @@ export class LooseSheetPile {
     one.aside = null;
     one.sheet.release();
   }
+}
+
+/** Returns the piece that a pointer holds: the one that has the place nearest to where it pulls. */
+function pieceOf({ place, at }: Hold, pieces: readonly LooseSheet[]): LooseSheet {
+  const away = ({ sheet }: LooseSheet): number =>
+    at ? distance(pointAt(sheet.surface, place), at) : 0;
+  return pieces.reduce((best, piece) => (away(piece) < away(best) ? piece : best));
 }
 
 /** What moves nothing. */
