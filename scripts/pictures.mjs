@@ -81,6 +81,17 @@ const pictures = {
       clip: { x: 790, y: 0, width: 410, height: 480 },
     },
   },
+  "tear-bent": {
+    example: "18-tear-off.html",
+    viewport: { width: 1200, height: 480 },
+    page: 1,
+    strip: {
+      act: tearOutAndHold,
+      move: swingApart,
+      after: [0, 0, 0, 900],
+      clip: { x: 790, y: 0, width: 410, height: 480 },
+    },
+  },
   ...Object.fromEntries(
     [0, 350, 640].map((unfold, k) => [
       `fold-out-${k + 1}`,
@@ -135,6 +146,46 @@ async function tearOutAndAcross(page) {
   });
 }
 
+/** Has two fingers take what was torn out where it lies, beside the middle of its upper edge. */
+async function tearOutAndHold(page) {
+  await tearOut(page);
+  await page.evaluate(() => {
+    window.clock.pass(2600);
+    const element = document.querySelector("turnleaf-book");
+    const canvas = element.shadowRoot.querySelector("canvas");
+    // Pointers without a device cannot be captured.
+    canvas.setPointerCapture = () => {};
+    window.fingers = (name, places) => {
+      for (const [k, [clientX, clientY]] of places.entries()) {
+        const who = { pointerId: k + 1, pointerType: "touch", isPrimary: k === 0, buttons: 1 };
+        const how = { bubbles: true, composed: true, cancelable: true, clientX, clientY };
+        canvas.dispatchEvent(new PointerEvent(name, { ...who, ...how }));
+      }
+    };
+    window.fingersAt = (away, degrees) => {
+      const angle = (degrees * Math.PI) / 180;
+      const [x, y] = [away * Math.cos(angle), away * Math.sin(angle)];
+      return [
+        [985 - x, 190 - y],
+        [985 + x, 190 + y],
+      ];
+    };
+    window.fingers("pointerdown", window.fingersAt(45, 0));
+  });
+}
+
+/** Has both fingers go apart, and swing as they do; at last they let go. */
+async function swingApart(page, k) {
+  await page.evaluate((k) => {
+    if (k === 3) return window.fingers("pointerup", window.fingersAt(130, 60));
+    for (let frame = 1; frame <= 24; frame++) {
+      const part = (24 * k + frame) / 72;
+      window.fingers("pointermove", window.fingersAt(45 + 85 * part, 60 * part));
+      window.clock.pass(1000 / 60);
+    }
+  }, k);
+}
+
 /** Draws the foot corner of the right page in over it. */
 async function drawCornerIn(page, { width, height }) {
   // What folds pages is loaded, and the book bound by it, before the corner is grabbed.
@@ -159,11 +210,12 @@ async function drawCornerIn(page, { width, height }) {
 }
 
 /** Takes the frames of a film strip. */
-async function takeStrip(page, viewport, { act, after, release, clip }) {
+async function takeStrip(page, viewport, { act, move, after, release, clip }) {
   const frames = [];
   await act(page, viewport);
   for (const [k, milliseconds] of after.entries()) {
     if (k === release) await page.mouse.up();
+    await move?.(page, k);
     await page.evaluate((milliseconds) => window.clock.pass(milliseconds), milliseconds);
     // What is loaded for it comes in real time.
     await page.waitForTimeout(500);

@@ -40,6 +40,18 @@ pub unsafe extern "C" fn tl_torn_new(
     }
 }
 
+/// A loose sheet of a book's paper, which nothing was torn to make: over a table at a height (-1 to
+/// 0 m), with boards that reach so far beyond the pages (0 to 1 m). 0 where a number is another.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_torn_blank(book: *mut Book, table: f32, rim: f32) -> *mut TornLeaf {
+    // SAFETY: from one thread by the crate's contract, so that no other call uses it.
+    let book = unsafe { BOOKS.get(book) };
+    match book.and_then(|book| TornLeaf::blank(book, TableAround { table, rim })) {
+        Some(leaf) => TORN.keep(leaf),
+        None => core::ptr::null_mut(),
+    }
+}
+
 /// Frees a torn leaf.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tl_torn_drop(leaf: *mut TornLeaf) {

@@ -191,6 +191,17 @@ impl TornLeaf {
         Some(torn)
     }
 
+    /// A loose sheet of the paper of a book, which lies flat beside it: what is torn in play, so that
+    /// what tears has run once before a reader waits for it.
+    pub fn blank(book: &Book, around: TableAround) -> Option<TornLeaf> {
+        let settings = SheetSettings {
+            root: Root::Free,
+            ..book.paper().sheet(book.size(), 1)
+        };
+        let sheet = around.is_sound().then(|| Sheet::new(settings).ok())??;
+        Some(TornLeaf::of(sheet, around))
+    }
+
     /// A loose sheet.
     fn of(mut sheet: Sheet, around: TableAround) -> TornLeaf {
         let mut surface = Surface::new(2, 2);

@@ -7,6 +7,7 @@ use super::fracture::{stiffness_of, work_of};
 use super::nodes::at_places;
 use super::turning::Turning;
 use crate::book::limits::TICK;
+use crate::grab::RADIUS;
 use crate::models::sheet::{Sheet, SheetSettings, Tie, TornGrid};
 
 /// Ticks between two turns of a path, each of which costs as much as the beginning of a tear.
@@ -94,6 +95,11 @@ impl Across {
         }
         let heading = turn.turning.follow(pulled, sheet)?;
         let grid = turn.grid.turned(tip, heading)?;
+        // Paper under a finger does not tear.
+        let [before, after] = [&turn.grid, &grid].map(|grid| sheet.nearest_grab(grid));
+        if after < RADIUS.min(before) {
+            return None;
+        }
         let mut shown = shown(sheet);
         sheet.turn_tear(&grid, &turn.paper, f64::from(TICK), &mut shown);
         turn.wait = TURNING;

@@ -20,22 +20,27 @@ const IN_PLANE: f64 = 0.5;
 /// move on the paper by that times their distance from the tip.
 const MOST_AT_ONCE: f64 = 3.0 * LEAST_SWING;
 
+/// How far a path turns at most from the heading with which its tear began, radians: so it goes on
+/// away from where that was, and never comes back to itself.
+const MOST_TURN: f64 = core::f64::consts::FRAC_PI_3;
+
 /// Where a tear goes by the pull of its grabs.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Turning {
-    /// Heading of the path where the grabs pulled first, radians in the sheet's frame, and the one
-    /// that it was given last.
-    straight: f64,
+    /// Heading of the path where its tear began, radians in the sheet's frame; the one that the
+    /// pull asks for; and the one that it was given last.
+    begun: f64,
     asked: f64,
-    /// How they pulled first; None before.
-    first: Option<Pull>,
+    given: f64,
+    /// How the grabs pulled last; None before both did.
+    last: Option<Pull>,
 }
 
-/// How two grabs pulled a sheet.
+/// How two grabs pull a sheet.
 #[derive(Clone, Copy, Debug)]
 struct Pull {
-    /// Two directions across each other in the plane in which the sheet lay then, along u of its
-    /// frame and about along v, of unit length.
+    /// Two directions across each other in the plane in which the sheet lay when they pulled first,
+    /// along u of its frame and about along v, of unit length.
     plane: [[f64; 3]; 2],
     /// The direction of the pull there, radians from u toward v.
     angle: f64,
@@ -45,32 +50,39 @@ impl Turning {
     /// Of a tear that begins with a heading, radians.
     pub fn from(heading: f64) -> Turning {
         Turning {
-            straight: heading,
+            begun: heading,
             asked: heading,
-            first: None,
+            given: heading,
+            last: None,
         }
     }
 
     /// Grabs have changed: swings count from where they pull next.
     pub fn hold_anew(&mut self) {
-        *self = Turning::from(self.asked);
+        (self.asked, self.last) = (self.given, None);
     }
 
     /// Returns the heading of the path for grabs that pull to two places, if that is another than
     /// before.
     pub fn follow(&mut self, pulled: [[f32; 3]; 2], sheet: &Sheet) -> Option<f64> {
         let way = sub(pulled[1], pulled[0]).map(f64::from);
-        let Some(first) = self.first else {
-            self.first = Pull::of(way, sheet.lies_along()?);
+        if !way.iter().all(|x| x.is_finite()) {
+            return None;
+        }
+        let Some(last) = &mut self.last else {
+            self.last = Pull::of(way, sheet.lies_along()?);
             return None;
         };
-        let swing = wrapped(first.angle_of(way)? - first.angle);
-        let more = wrapped(self.straight + swing - self.asked);
+        let angle = last.angle_of(way)?;
+        self.asked += wrapped(angle - last.angle);
+        last.angle = angle;
+        let bounded = self.asked.clamp(self.begun - MOST_TURN, self.begun + MOST_TURN);
+        let more = bounded - self.given;
         if more.abs() < LEAST_SWING {
             return None;
         }
-        self.asked += more.clamp(-MOST_AT_ONCE, MOST_AT_ONCE);
-        Some(self.asked)
+        self.given += more.clamp(-MOST_AT_ONCE, MOST_AT_ONCE);
+        Some(self.given)
     }
 }
 

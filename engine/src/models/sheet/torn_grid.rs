@@ -224,6 +224,20 @@ impl TornGrid {
         [along / count, area * count / along]
     }
 
+    /// Area of all its cells, m^2.
+    #[cfg(test)]
+    pub fn area(&self) -> f64 {
+        let columns = self.columns;
+        let feet = (0..columns * (self.rows[0] + self.rows[1] - 1))
+            .filter(|foot| (foot + 1) % columns != 0 && foot / columns + 1 != self.rows[0]);
+        let of = |foot: usize| {
+            let nodes = [foot, foot + 1, foot + columns + 1, foot + columns];
+            let [a, b, c, d] = nodes.map(|node| self.places[node]);
+            twice_area(a, b, c).midpoint(twice_area(a, c, d))
+        };
+        feet.map(of).sum()
+    }
+
     /// Whether no cell is turned over or nearly flat, whichever way it is cut.
     fn is_sound(&self) -> bool {
         let columns = self.columns;

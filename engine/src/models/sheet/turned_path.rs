@@ -4,14 +4,10 @@
 use super::flat::{Place, distance, length};
 use super::torn_grid::TornGrid;
 use super::torn_path::{STRAYS_OVER, stray};
-use core::f64::consts::{FRAC_PI_3, PI};
+use core::f64::consts::PI;
 
 /// Least radius of a path, in cells: nodes follow it with a few along a quarter of a circle.
 const LEAST_RADIUS: f64 = 2.0;
-
-/// How far a path turns at most from the way in which its tear began, radians: so it never comes
-/// back to itself.
-const MOST_TURN: f64 = FRAC_PI_3;
 
 /// Points of a bend over the length over which a hand strays.
 const POINTS: f64 = 12.0;
@@ -92,11 +88,9 @@ impl TornGrid {
     fn turned_course(&self, tip: Place, heading: f64) -> Option<(Vec<Place>, Vec<Place>)> {
         let (mut course, from, now) = nearest_on(&self.course, tip);
         course.push(from);
-        let straight = self.first_heading();
-        let bounded = straight + wrapped(heading - straight).clamp(-MOST_TURN, MOST_TURN);
         let beyond = arc_to_edge(
             from,
-            [now, now + wrapped(bounded - now)],
+            [now, now + wrapped(heading - now)],
             LEAST_RADIUS * self.spacing,
             self.frame.size(),
         )?;
@@ -256,4 +250,78 @@ fn strayed_from(from: Place, before: f64, line: &[Place], size: [f64; 2]) -> Vec
     }
     places[line.len() - 1] = line[line.len() - 1];
     places
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PAGE: [f64; 2] = [0.148, 0.21];
+    const CELL: f64 = 0.0164;
+    const PATHS: [[[f64; 2]; 2]; 6] = [
+        [[0.0, 0.5], [1.0, 0.5]],
+        [[1.0, 0.35], [0.0, 0.6]],
+        [[0.5, 1.0], [0.45, 0.0]],
+        [[0.45, 0.0], [0.5, 1.0]],
+        [[0.5, 1.0], [1.0, 0.6]],
+        [[0.0, 0.5], [0.6, 0.0]],
+    ];
+
+    /// Where the nodes of the path lie from where it begins, metres.
+    fn nodes(grid: &TornGrid) -> Vec<Place> {
+        let row = grid.rows[0] * grid.columns;
+        let mut nodes = grid.places[row..row + grid.columns].to_vec();
+        if grid.is_from_end {
+            nodes.reverse();
+        }
+        nodes
+    }
+
+    #[test]
+    fn a_turn_keeps_what_is_torn_and_fills_the_page() {
+        let (mut turned, mut rejected) = (0, 0);
+        for path in PATHS {
+            let first = TornGrid::new(PAGE, &path, CELL).unwrap();
+            let straight = first.first_heading();
+            for degrees in [-50, -20, -5, 5, 20, 50] {
+                let mut grid = first.clone();
+                for tip in [0, 2, 5, 6] {
+                    let heading = straight + f64::from(degrees) * PI / 180.0;
+                    let Some(next) = grid.turned(tip, heading) else {
+                        rejected += 1;
+                        continue;
+                    };
+                    turned += 1;
+                    let [before, after] = [&grid, &next].map(nodes);
+                    for (a, b) in before.iter().zip(&after).take(tip + 1) {
+                        assert!(distance(*a, *b) < 1e-12, "{path:?}, {degrees}: {a:?} {b:?}");
+                    }
+                    assert!(next.torn_stations().is_sorted_by(|a, b| a < b));
+                    let size = next.frame.size();
+                    for place in &next.path {
+                        assert!((0..2).all(|k| (0.0..=size[k]).contains(&place[k])), "{place:?}");
+                    }
+                    let [x, y] = after[after.len() - 1];
+                    assert!(x == 0.0 || x == size[0] || y == 0.0 || y == size[1]);
+                    let area = next.area() / (PAGE[0] * PAGE[1]);
+                    assert!((area - 1.0).abs() < 1e-9, "{path:?}, {degrees}: {area}");
+                    let long: f64 = next.torn_stations()[next.columns - 1];
+                    assert!((long / length(&next.path) - 1.0).abs() < 1e-9);
+                    grid = next;
+                }
+            }
+        }
+        assert!(turned > 5 * rejected, "{turned} turned, {rejected} not");
+    }
+
+    #[test]
+    fn a_path_turned_back_goes_straight_on_beside_where_it_was() {
+        let first = TornGrid::new(PAGE, &PATHS[0], CELL).unwrap();
+        let straight = first.first_heading();
+        let bent = first.turned(3, straight + 0.5).unwrap();
+        let back = bent.turned(3, straight).unwrap();
+        for (a, b) in nodes(&first).iter().zip(nodes(&back)) {
+            assert!(distance(*a, b) < 1e-3, "{a:?} {b:?}");
+        }
+    }
 }

@@ -81,6 +81,18 @@ impl Sheet {
         self.sweep.run(&mut self.positions, &[]);
     }
 
+    /// Returns how near the path of a grid comes to a place that a grab holds, metres; infinite where
+    /// none does.
+    pub(crate) fn nearest_grab(&self, grid: &TornGrid) -> f64 {
+        let mut nearest = f64::INFINITY;
+        for grab in &self.grabs {
+            for place in &grid.path {
+                nearest = nearest.min(distance(*place, grab.place()));
+            }
+        }
+        nearest
+    }
+
     /// How the paper of a torn sheet lies in space: the ways there, of about unit length, along u and
     /// along v of its frame, by the plane that fits its nodes best. None where these lie on a line.
     pub(crate) fn lies_along(&self) -> Option<[[f64; 3]; 2]> {

@@ -121,6 +121,11 @@ export interface LeafTearing {
    * it is. Returns null if there is no such flight.
    */
   tear(id: number, options: TearOptions): TornSheet | null;
+  /**
+   * Tears a sheet across that nobody sees, a part of that whenever its iterator goes on: the first
+   * tear afterwards takes no longer than others.
+   */
+  rehearse(): Iterator<void>;
   /** Steps a torn sheet of this book, or of one that it came from, by whole ticks on and beside this book. */
   step(sheet: TornSheet, ticks: number): void;
 }

@@ -18,6 +18,7 @@ export interface TearingExports extends Exports {
     table: number,
     rim: number,
   ): number;
+  tl_torn_blank(book: number, table: number, rim: number): number;
   tl_torn_drop(leaf: number): void;
   tl_torn_step(leaf: number, book: number, ticks: number): void;
   tl_torn_grab(leaf: number, grab: number, u: number, v: number): void;
@@ -78,10 +79,31 @@ export function tearingOf(
       const at = wasm.tl_torn_new(book, whole(id, mostIds), number, low, high, table, rim);
       return at === 0 ? null : new WasmTornSheet(wasm, at, grid);
     },
+    rehearse: () => rehearsed(wasm, book, grid),
     step: (sheet, ticks) => {
       if (sheet instanceof WasmTornSheet) sheet.step(book, wholeTicks(ticks, tick));
     },
   };
+}
+
+/**
+ * Tears a blank sheet across that nobody sees, a part of that whenever it is asked to go on: the code
+ * of what tears is compiled when it first runs, which takes longer than a frame has.
+ *
+ * @param book the book's address
+ */
+function* rehearsed(wasm: TearingExports, book: number, grid: SurfaceGrid): Generator<void> {
+  const at = wasm.tl_torn_blank(book, 0, 0);
+  if (at === 0) return;
+  const sheet = new WasmTornSheet(wasm, at, grid);
+  yield;
+  sheet.tearAcross([0, 0.5], [1, 0.5]);
+  yield;
+  sheet.step(book, 1);
+  yield;
+  sheet.cut();
+  sheet.part()?.destroy();
+  sheet.destroy();
 }
 
 class WasmTornSheet implements TornSheet {

@@ -91,6 +91,8 @@ export class LooseSheetPile {
   readonly #rebinder: Rebinder;
   readonly #hooks: LooseSheetHooks;
   #sheets: LooseSheet[] = [];
+  /** Whether a tear has been rehearsed. */
+  #isRehearsed = false;
 
   constructor(rebinder: Rebinder, hooks: LooseSheetHooks) {
     this.#rebinder = rebinder;
@@ -150,7 +152,21 @@ export class LooseSheetPile {
       if (one.tear && !one.sheet.holdsAcross) this.#part(one, one.tear);
       if (one.isCrumpling && one.sheet.isAsleep) this.#crumpled(one);
     }
-    return this.#sheets.some(({ sheet }) => !sheet.isAsleep);
+    const moves = this.#sheets.some(({ sheet }) => !sheet.isAsleep);
+    if (!moves && this.hasWhole) this.#rehearse();
+    return moves;
+  }
+
+  /** Has the engine tear once unseen, part by part while nothing else is to be done, before a reader does. */
+  #rehearse(): void {
+    const { tearing } = this.#rebinder.bound.engine;
+    if (this.#isRehearsed || !tearing) return;
+    this.#isRehearsed = true;
+    const parts = tearing.rehearse();
+    const next = (): void => {
+      if (!parts.next().done) whenIdle(next);
+    };
+    whenIdle(next);
   }
 
   /** Returns the nearest of them on a line of sight, or null. */
@@ -358,6 +374,12 @@ function pieceOf({ place, at }: Hold, pieces: readonly LooseSheet[]): LooseSheet
   const away = ({ sheet }: LooseSheet): number =>
     at ? distance(pointAt(sheet.surface, place), at) : 0;
   return pieces.reduce((best, piece) => (away(piece) < away(best) ? piece : best));
+}
+
+/** Calls a function once nothing else is to be done, or soon. */
+function whenIdle(call: () => void): void {
+  if ("requestIdleCallback" in globalThis) requestIdleCallback(call);
+  else setTimeout(call);
 }
 
 /** What moves nothing. */
