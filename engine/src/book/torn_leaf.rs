@@ -26,9 +26,9 @@ mod crumpling_tests;
 mod fracture;
 mod nodes;
 mod press;
+mod tear_heading;
 #[cfg(test)]
 mod tests;
-mod turning;
 #[cfg(test)]
 mod turning_tests;
 
@@ -83,7 +83,7 @@ struct BoundRow {
 
 /// By how much what is drawn differs from the sheet, less from tick to tick.
 #[derive(Clone, Debug, Default)]
-struct Differing {
+struct DrawnOffset {
     /// At first, x, y, z of each point, metres.
     by: Vec<f32>,
     /// Ticks for which it does in all, and for how many more.
@@ -91,7 +91,7 @@ struct Differing {
     left: u32,
 }
 
-impl Differing {
+impl DrawnOffset {
     /// What is drawn at `shown` by a sheet that is at `own`, for so many ticks.
     fn new(shown: &[f32], own: &[f32], ticks: u32) -> Self {
         let by = shown.iter().zip(own).map(|(shown, own)| shown - own);
@@ -137,7 +137,7 @@ pub struct TornLeaf {
     pulled: [[f32; 3]; MAX_PULLS],
     stillness: Stillness,
     surface: Surface,
-    differing: Differing,
+    drawn_offset: DrawnOffset,
     crumpled: Option<Crumpled>,
     /// What holds one that is torn across.
     across: Across,
@@ -184,7 +184,7 @@ impl TornLeaf {
         sheet.place(nodes.into_iter().flatten());
         let bound = bound_rows(&sheet, line, bound);
         let mut torn = TornLeaf::of(sheet, around);
-        torn.differing = Differing::new(&drawn.positions, &torn.surface.positions, BLENDED);
+        torn.drawn_offset = DrawnOffset::new(&drawn.positions, &torn.surface.positions, BLENDED);
         torn.bound = bound;
         torn.tie();
         torn.update(book);
@@ -211,7 +211,7 @@ impl TornLeaf {
             steps: libm::roundf(TICK / sheet.time_step()).max(1.0) as u32,
             mesh: sheet.torn_mesh(),
             mesh_version: 0,
-            differing: Differing::default(),
+            drawn_offset: DrawnOffset::default(),
             bound: Vec::new(),
             sheet,
             around,
@@ -311,7 +311,7 @@ impl TornLeaf {
         self.crumpled = Some(Crumpled::Pressed(press));
         self.sheet = sheet;
         self.release();
-        self.differing = Differing::default();
+        self.drawn_offset = DrawnOffset::default();
         // What is drawn is of facets from now on.
         self.sheet.write_surface(&mut self.surface);
         self.surface.update_normals();
@@ -363,15 +363,15 @@ impl TornLeaf {
     pub fn part(&mut self) -> Option<TornLeaf> {
         let [foot, head] = self.sheet.parted()?;
         // Both go on as they were drawn.
-        let mut of_foot = core::mem::take(&mut self.differing);
+        let mut of_foot = core::mem::take(&mut self.drawn_offset);
         self.take_sheet(foot);
         let mut parted = TornLeaf::of(head, self.around);
         let seam = self.surface.positions.len().min(of_foot.by.len());
-        parted.differing = Differing {
+        parted.drawn_offset = DrawnOffset {
             by: of_foot.by.split_off(seam),
             ..of_foot
         };
-        self.differing = of_foot;
+        self.drawn_offset = of_foot;
         Some(parted)
     }
 
@@ -405,7 +405,7 @@ impl TornLeaf {
             } else {
                 self.step_sheet(&around);
             }
-            self.differing.left = self.differing.left.saturating_sub(1);
+            self.drawn_offset.left = self.drawn_offset.left.saturating_sub(1);
             if let Some(Crumpled::Pressed(_)) = &self.crumpled {
                 continue;
             }
@@ -423,7 +423,7 @@ impl TornLeaf {
     /// Brings the drawn surface up to date, on and beside a book as it is drawn.
     pub fn update(&mut self, book: &Book) {
         self.sheet.write_surface(&mut self.surface);
-        self.differing.add_to(&mut self.surface.positions);
+        self.drawn_offset.add_to(&mut self.surface.positions);
         Surroundings::new(book, self.around, &self.sheet).push_off(&mut self.surface);
         self.surface.update_normals();
     }
@@ -480,10 +480,10 @@ impl TornLeaf {
 
     /// Turns a tear with the pull of its grabs. What is drawn goes on from where it was.
     fn turn_tear(&mut self) {
-        let (differing, surface) = (&self.differing, &mut self.surface);
+        let (offset, surface) = (&self.drawn_offset, &mut self.surface);
         let drawn = |sheet: &mut Sheet| {
             sheet.write_surface(surface);
-            differing.add_to(&mut surface.positions);
+            offset.add_to(&mut surface.positions);
             surface.positions.clone()
         };
         let Some(shown) = self.across.turn(&mut self.sheet, self.pulled, drawn) else {
@@ -492,7 +492,7 @@ impl TornLeaf {
         self.mesh = self.sheet.torn_mesh();
         self.mesh_version = self.mesh_version.wrapping_add(1);
         self.sheet.write_surface(&mut self.surface);
-        self.differing = Differing::new(&shown, &self.surface.positions, TURNED);
+        self.drawn_offset = DrawnOffset::new(&shown, &self.surface.positions, TURNED);
     }
 
     /// Goes on as another sheet, which is drawn at once. All grabs are released.

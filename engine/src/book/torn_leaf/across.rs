@@ -5,7 +5,7 @@
 
 use super::fracture::{stiffness_of, work_of};
 use super::nodes::at_places;
-use super::turning::Turning;
+use super::tear_heading::TearHeading;
 use crate::book::limits::TICK;
 use crate::grab::RADIUS;
 use crate::models::sheet::{Sheet, SheetSettings, Tie, TornGrid};
@@ -28,17 +28,17 @@ struct BoundTie {
 pub(super) struct Across {
     /// From the end of the path to the tip of the tear.
     bound: Vec<BoundTie>,
-    /// How it turns; None where its path is fixed.
-    turn: Option<Box<Turn>>,
+    /// What turns its path; None where that is fixed.
+    steered: Option<Box<SteeredPath>>,
 }
 
-/// What a tear needs whose path turns.
+/// A path that turns with the pull of the grabs.
 #[derive(Clone, Debug)]
-struct Turn {
+struct SteeredPath {
     grid: TornGrid,
     /// The settings of the whole sheet.
     paper: SheetSettings,
-    turning: Turning,
+    heading: TearHeading,
     /// Ticks until it may turn again.
     wait: u32,
 }
@@ -63,12 +63,12 @@ impl Across {
         });
         let mut across = Across {
             bound: ties.collect(),
-            turn: None,
+            steered: None,
         };
         across.bound.reverse();
         if turns {
-            across.turn = Some(Box::new(Turn {
-                turning: Turning::from(grid.first_heading()),
+            across.steered = Some(Box::new(SteeredPath {
+                heading: TearHeading::from(grid.first_heading()),
                 paper: whole.settings().clone(),
                 grid,
                 wait: 0,
@@ -78,32 +78,33 @@ impl Across {
         Some((sheet, across))
     }
 
-    /// Turns the path ahead of its tip as two grabs pull, at most once in [`TURNING`] ticks. `shown` returns the points at which the sheet is drawn. Returns where those
-    /// were drawn that are drawn from then on, if the path has turned.
+    /// Turns the path ahead of its tip as two grabs pull, at most once in [`TURNING`] ticks. `shown`
+    /// returns the points at which the sheet is drawn. Returns where those were drawn that are
+    /// drawn from then on, if the path has turned.
     pub fn turn(
         &mut self,
         sheet: &mut Sheet,
         pulled: [[f32; 3]; 2],
         shown: impl FnOnce(&mut Sheet) -> Vec<f32>,
     ) -> Option<Vec<f32>> {
-        let turn = self.turn.as_mut()?;
-        turn.wait = turn.wait.saturating_sub(1);
-        let columns = turn.grid.columns;
+        let steered = self.steered.as_mut()?;
+        steered.wait = steered.wait.saturating_sub(1);
+        let columns = steered.grid.columns;
         let tip = columns - self.bound.len();
-        if self.bound.is_empty() || turn.wait > 0 {
+        if self.bound.is_empty() || steered.wait > 0 {
             return None;
         }
-        let heading = turn.turning.follow(pulled, sheet)?;
-        let grid = turn.grid.turned(tip, heading)?;
+        let heading = steered.heading.follow(pulled, sheet)?;
+        let grid = steered.grid.turned(tip, heading)?;
         // Paper under a finger does not tear.
-        let [before, after] = [&turn.grid, &grid].map(|grid| sheet.nearest_grab(grid));
+        let [before, after] = [&steered.grid, &grid].map(|grid| sheet.nearest_grab(grid));
         if after < RADIUS.min(before) {
             return None;
         }
         let mut shown = shown(sheet);
-        sheet.turn_tear(&grid, &turn.paper, f64::from(TICK), &mut shown);
-        turn.wait = TURNING;
-        let caliper = turn.paper.stock.caliper;
+        sheet.turn_tear(&grid, &steered.paper, f64::from(TICK), &mut shown);
+        steered.wait = TURNING;
+        let caliper = steered.paper.stock.caliper;
         let stations = grid.torn_stations();
         let mut from = self.bound.last().map_or(0.0, |tip| tip.from);
         self.bound.clear();
@@ -117,22 +118,22 @@ impl Across {
             from = to;
         }
         self.bound.reverse();
-        turn.grid = grid;
+        steered.grid = grid;
         self.tie(sheet);
         Some(shown)
     }
 
     /// Grabs have changed.
     pub fn hold_anew(&mut self) {
-        if let Some(turn) = &mut self.turn {
-            turn.turning.hold_anew();
+        if let Some(steered) = &mut self.steered {
+            steered.heading.hold_anew();
         }
     }
 
     /// The grid of a sheet whose path turns.
     #[cfg(test)]
     pub fn grid(&self) -> Option<&TornGrid> {
-        self.turn.as_ref().map(|turn| &turn.grid)
+        self.steered.as_ref().map(|steered| &steered.grid)
     }
 
     /// Number of nodes of the path that hold.

@@ -8,7 +8,7 @@ use crate::vector::{dot, sub};
 use core::f32::consts::PI;
 
 /// A tear by two grabs that rise and go apart, in a direction that swings about the upright.
-struct Swung {
+struct SwungTear {
     pieces: [TornLeaf; 2],
     seconds: f32,
     /// The greatest edge strain on the way.
@@ -32,7 +32,7 @@ fn tear_swung(
     path: [[f64; 2]; 2],
     turns: bool,
     swing: impl Fn(f32) -> f32,
-) -> Swung {
+) -> SwungTear {
     assert!(leaf.tear_across(&path, turns));
     leaf.update(book);
     let holds = holds(path);
@@ -64,8 +64,10 @@ fn tear_swung(
         if leaf.mesh_version() != version {
             count += 1;
             cost = cost.max(began.elapsed().as_secs_f64());
-            let most = leaf.differing.by.as_chunks::<3>().0;
-            jump = most.iter().fold(jump, |most, d| most.max(dot(*d, *d).sqrt()));
+            let most = leaf.drawn_offset.by.as_chunks::<3>().0;
+            jump = most
+                .iter()
+                .fold(jump, |most, d| most.max(dot(*d, *d).sqrt()));
         }
         worst = worst.max(leaf.sheet().max_edge_strain());
         assert!(leaf.sheet().positions().iter().all(|x| x.is_finite()));
@@ -73,7 +75,7 @@ fn tear_swung(
         let grid = leaf.across.grid();
         let length = grid.map_or(0.0, |grid| grid.torn_stations()[grid.columns - 1]);
         if let Some(other) = leaf.part() {
-            return Swung {
+            return SwungTear {
                 pieces: [leaf, other],
                 seconds,
                 worst,
@@ -170,7 +172,10 @@ fn a_swing_before_the_tear_opens_bends_it_by_an_arc() {
             };
             from[1] + side * up
         };
-        let off = torn.line.iter().map(|at| (at[1] - exact(at[0])).abs() * libm::cos(angle));
+        let off = torn
+            .line
+            .iter()
+            .map(|at| (at[1] - exact(at[0])).abs() * libm::cos(angle));
         let off = off.fold(0.0, f64::max);
         eprintln!("{angle}: {:.2} mm off, {:?}", 1e3 * off, torn.line.last());
         // A hand strays by 2.5 mm.

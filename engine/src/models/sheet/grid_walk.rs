@@ -6,14 +6,14 @@ use core::ops::Range;
 
 /// Where a place lies on a material.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Located {
+pub(super) struct LocatedPlace {
     /// The nodes of the triangle in which it lies, or next to which.
     pub corners: [usize; 3],
     /// The weights with which these have it as their mean.
     pub weights: [f64; 3],
 }
 
-impl Located {
+impl LocatedPlace {
     /// The least of its weights: below 0 beside the triangle.
     pub fn least(&self) -> f64 {
         let [a, b, c] = self.weights;
@@ -25,7 +25,9 @@ impl Located {
         let of = |node: usize, axis: usize| f64::from(values[3 * node + axis]);
         core::array::from_fn(|axis| {
             let parts = self.corners.iter().zip(self.weights);
-            parts.map(|(corner, weight)| weight * of(*corner, axis)).sum::<f64>() as f32
+            parts
+                .map(|(corner, weight)| weight * of(*corner, axis))
+                .sum::<f64>() as f32
         })
     }
 }
@@ -37,11 +39,11 @@ pub(super) fn locate(
     run: &Range<usize>,
     place: Place,
     near: usize,
-) -> Located {
+) -> LocatedPlace {
     let columns = material.columns;
     let mut column = (near % columns).min(columns - 2);
     let mut row = (near / columns).clamp(run.start, run.end - 2);
-    let mut best: Option<Located> = None;
+    let mut best: Option<LocatedPlace> = None;
     // A cell is passed once on the way to any other.
     for _ in 0..columns + run.len() {
         let foot = row * columns + column;
@@ -53,8 +55,8 @@ pub(super) fn locate(
         if best.is_some_and(|best| best.least() >= 0.0) {
             break;
         }
-        let [a, b, c, d] = [foot, foot + 1, foot + columns, foot + columns + 1]
-            .map(|node| material.places[node]);
+        let [a, b, c, d] =
+            [foot, foot + 1, foot + columns, foot + columns + 1].map(|node| material.places[node]);
         let is_right_of = |from: Place, to: Place| twice_area(from, to, place) < 0.0;
         let (from_column, from_row) = (column, row);
         if is_right_of(b, d) {
@@ -71,14 +73,18 @@ pub(super) fn locate(
             break;
         }
     }
-    best.unwrap_or(Located {
+    best.unwrap_or(LocatedPlace {
         corners: [near; 3],
         weights: [1.0, 0.0, 0.0],
     })
 }
 
 /// Where a place lies by each triangle into which a cell may be cut that is none too flat for that.
-fn in_cell(material: &Material, foot: usize, place: Place) -> impl Iterator<Item = Located> + '_ {
+fn in_cell(
+    material: &Material,
+    foot: usize,
+    place: Place,
+) -> impl Iterator<Item = LocatedPlace> + '_ {
     let head = foot + material.columns;
     let triangles = [
         [foot, foot + 1, head + 1],
@@ -91,7 +97,7 @@ fn in_cell(material: &Material, foot: usize, place: Place) -> impl Iterator<Item
     let most = areas.iter().fold(0.0, |most: f64, area| most.max(*area));
     (0..4).filter_map(move |k| {
         let [a, b, c] = places[k];
-        (areas[k] > FLAT * most).then(|| Located {
+        (areas[k] > FLAT * most).then(|| LocatedPlace {
             corners: triangles[k],
             weights: [(b, c), (c, a), (a, b)].map(|(p, q)| twice_area(place, p, q) / areas[k]),
         })

@@ -19,6 +19,7 @@ mod flat;
 #[cfg(test)]
 mod folding_tests;
 mod grabs;
+mod grid_walk;
 mod hinges;
 mod material;
 mod measure;
@@ -40,7 +41,6 @@ mod torn_material;
 mod torn_path;
 mod turned_path;
 mod turned_sheet;
-mod grid_walk;
 
 pub use contact::{CONTACTS, Contact};
 pub use crease::FoldLine;

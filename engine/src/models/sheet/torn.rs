@@ -4,7 +4,7 @@
 use super::flat::length;
 use super::material::Material;
 use super::torn_grid::{Frame, TornGrid};
-use super::torn_path::{places_along, even_stations};
+use super::torn_path::{even_stations, places_along};
 
 /// Drawn cells along a side of one of the grid.
 const PARTS: usize = 3;

@@ -5,7 +5,7 @@
 //! and columns for solver and sweeps, and is two sheets once nothing ties those rows. Each
 //! piece is mapped onto its rectangle of nodes from its four sides (Coons 1967).
 
-use super::flat::{Place, distance, length, twice_area};
+use super::flat::{Place, length, twice_area};
 use super::piece_outline::Outline;
 use super::torn_path::{even_stations, onto_edge, places_along, smooth, strayed};
 
@@ -269,6 +269,7 @@ impl TornGrid {
 
 #[cfg(test)]
 mod tests {
+    use super::super::flat::distance;
     use super::super::torn_path::POINTS;
     use super::*;
 

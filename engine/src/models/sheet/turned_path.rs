@@ -116,7 +116,8 @@ fn part_until(line: &[Place], along: f64) -> (Vec<Place>, Place) {
         part.push(pair[0]);
         let long = distance(pair[0], pair[1]);
         if left < long {
-            let at = [0, 1].map(|axis| pair[0][axis] + left / long * (pair[1][axis] - pair[0][axis]));
+            let at =
+                [0, 1].map(|axis| pair[0][axis] + left / long * (pair[1][axis] - pair[0][axis]));
             if left <= 0.0 {
                 part.pop();
             }
@@ -299,7 +300,10 @@ mod tests {
                     assert!(next.torn_stations().is_sorted_by(|a, b| a < b));
                     let size = next.frame.size();
                     for place in &next.path {
-                        assert!((0..2).all(|k| (0.0..=size[k]).contains(&place[k])), "{place:?}");
+                        assert!(
+                            (0..2).all(|k| (0.0..=size[k]).contains(&place[k])),
+                            "{place:?}"
+                        );
                     }
                     let [x, y] = after[after.len() - 1];
                     assert!(x == 0.0 || x == size[0] || y == 0.0 || y == size[1]);

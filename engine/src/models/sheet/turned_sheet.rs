@@ -7,7 +7,7 @@
 
 use super::creased::Creased;
 use super::flat::distance;
-use super::grid_walk::{Located, locate};
+use super::grid_walk::{LocatedPlace, locate};
 use super::hinges::Hinges;
 use super::material::Material;
 use super::patches::Patches;
@@ -21,14 +21,14 @@ use crate::vector::sub;
 const ROUNDING: f64 = 1e-6;
 
 /// Where a node of the new grid lies on the old one.
-struct Moved {
-    at: Located,
+struct MovedNode {
+    at: LocatedPlace,
     /// If it changes its piece, the column next to which it does so and how far it lies from
     /// there to the next; and 1 where it comes to the piece at the head.
     changes: Option<(usize, f64, f32)>,
 }
 
-impl Moved {
+impl MovedNode {
     /// Returns the node's three numbers of those of the old nodes.
     fn of(&self, material: &Material, values: &[f32]) -> [f32; 3] {
         let own = self.at.mean(values);
@@ -67,7 +67,10 @@ impl Sheet {
         }
         let moved = moved_nodes(&self.material, &material);
         for values in [&mut self.positions, &mut self.velocities] {
-            let new: Vec<[f32; 3]> = moved.iter().map(|at| at.of(&self.material, values)).collect();
+            let new: Vec<[f32; 3]> = moved
+                .iter()
+                .map(|at| at.of(&self.material, values))
+                .collect();
             values.copy_from_slice(new.as_flattened());
         }
         self.settings = settings_over(paper, grid, material.rows, tick);
@@ -143,25 +146,27 @@ pub(super) fn settings_over(
     if grid.frame.is_turned() {
         settings.grain = settings.grain.turned();
     }
-    settings.over(grid.columns, rows, grid.cell()).bearable(tick)
+    settings
+        .over(grid.columns, rows, grid.cell())
+        .bearable(tick)
 }
 
 /// Where each node of a torn material lies on another of the same page and as many nodes.
-fn moved_nodes(from: &Material, to: &Material) -> Vec<Moved> {
+fn moved_nodes(from: &Material, to: &Material) -> Vec<MovedNode> {
     let move_of = |node: usize| {
         let (own, other) = pieces_of(from, node);
         let place = to.places[node];
         let at = locate(from, &own, place, node);
         if at.least() >= -ROUNDING {
-            return Moved { at, changes: None };
+            return MovedNode { at, changes: None };
         }
         let beyond = locate(from, &other, place, node);
         if beyond.least() <= at.least() {
-            return Moved { at, changes: None };
+            return MovedNode { at, changes: None };
         }
         let (column, part) = nearest_column(from, place);
         let sign = if own.start > 0 { 1.0 } else { -1.0 };
-        Moved {
+        MovedNode {
             at: beyond,
             changes: Some((column, part, sign)),
         }
@@ -180,7 +185,11 @@ fn carried_points(from: &Material, to: &Material, shown: &[f32]) -> Vec<f32> {
             return at.mean(shown);
         }
         let beyond = locate(from, &other, place, point);
-        let nearer = if beyond.least() > at.least() { beyond } else { at };
+        let nearer = if beyond.least() > at.least() {
+            beyond
+        } else {
+            at
+        };
         nearer.mean(shown)
     };
     let points: Vec<[f32; 3]> = (0..to.places.len()).map(place_of).collect();

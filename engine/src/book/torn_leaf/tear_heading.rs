@@ -26,7 +26,7 @@ const MOST_TURN: f64 = core::f64::consts::FRAC_PI_3;
 
 /// Where a tear goes by the pull of its grabs.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Turning {
+pub(super) struct TearHeading {
     /// Heading of the path where its tear began, radians in the sheet's frame; the one that the
     /// pull asks for; and the one that it was given last.
     begun: f64,
@@ -46,10 +46,10 @@ struct Pull {
     angle: f64,
 }
 
-impl Turning {
+impl TearHeading {
     /// Of a tear that begins with a heading, radians.
-    pub fn from(heading: f64) -> Turning {
-        Turning {
+    pub fn from(heading: f64) -> TearHeading {
+        TearHeading {
             begun: heading,
             asked: heading,
             given: heading,
@@ -76,7 +76,9 @@ impl Turning {
         let angle = last.angle_of(way)?;
         self.asked += wrapped(angle - last.angle);
         last.angle = angle;
-        let bounded = self.asked.clamp(self.begun - MOST_TURN, self.begun + MOST_TURN);
+        let bounded = self
+            .asked
+            .clamp(self.begun - MOST_TURN, self.begun + MOST_TURN);
         let more = bounded - self.given;
         if more.abs() < LEAST_SWING {
             return None;
