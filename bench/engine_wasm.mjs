@@ -186,7 +186,8 @@ function tornFrames(wasm, turns = false) {
     };
     if (k % 2 === 1) {
       let start = performance.now();
-      if (wasm.tl_torn_across(leaf, 0, 0.5, 1, 0.45, turns) === 0) throw new Error("It is not torn.");
+      if (wasm.tl_torn_across(leaf, 0, 0.5, 1, 0.45, turns) === 0)
+        throw new Error("It is not torn.");
       begun.push(1000 * (performance.now() - start));
       wasm.tl_torn_grab(leaf, 0, 0.2, 0.35);
       wasm.tl_torn_grab(leaf, 1, 0.2, 0.65);
