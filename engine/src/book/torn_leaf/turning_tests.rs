@@ -13,11 +13,9 @@ struct SwungTear {
     seconds: f32,
     /// The greatest edge strain on the way.
     worst: f32,
-    /// The farthest that a drawn point moved when the path turned, metres.
+    /// The farthest that a drawn point was off the sheet when the path turned, metres.
     jump: f32,
     turns: u32,
-    /// How long a turn took in this build, seconds: printed alone.
-    cost: f64,
     /// The tear's line on the page at last, metres, from where it began.
     line: Vec<[f64; 2]>,
     /// Length of its path, metres; 0 where that is fixed.
@@ -43,7 +41,7 @@ fn tear_swung(
     let middle: [f32; 3] = core::array::from_fn(|axis| starts[0][axis].midpoint(starts[1][axis]));
     let [x, y, z] = sub(starts[1], starts[0]).map(|way| 0.5 * way);
     let long = (x * x + y * y + z * z).sqrt();
-    let (mut worst, mut jump, mut count, mut cost) = (0.0f32, 0.0f32, 0, 0.0f64);
+    let (mut worst, mut jump, mut count) = (0.0f32, 0.0f32, 0);
     for tick in 1..400 {
         let seconds = tick as f32 * TICK;
         let raised = 0.06 * (seconds / 0.4).min(1.0);
@@ -59,11 +57,9 @@ fn tear_swung(
         }
         let version = leaf.mesh_version();
         leaf.update(book);
-        let began = std::time::Instant::now();
         leaf.step(book, 1);
         if leaf.mesh_version() != version {
             count += 1;
-            cost = cost.max(began.elapsed().as_secs_f64());
             let most = leaf.drawn_offset.by.as_chunks::<3>().0;
             jump = most
                 .iter()
@@ -81,7 +77,6 @@ fn tear_swung(
                 worst,
                 jump,
                 turns: count,
-                cost,
                 line,
                 length,
             };
@@ -214,7 +209,7 @@ fn both_pieces_keep_their_paper_where_a_tear_turns() {
             }
             eprintln!(
                 "{:.0} g/m2, {path:?}, {rate} degrees/s: {:.2} s, {} turns, drawn {:.1} mm off, strain {worst:.4}, \
-                 work {:.6}, areas {:.4} and {:.4}, drawn {drawn:.5?}, {:.1} ms, from {:.3?} to {:.3?}, bent {:.1} mm",
+                 work {:.6}, areas {:.4} and {:.4}, drawn {drawn:.5?}, from {:.3?} to {:.3?}, bent {:.1} mm",
                 1e3 * stock.grammage,
                 torn.seconds,
                 torn.turns,
@@ -222,7 +217,6 @@ fn both_pieces_keep_their_paper_where_a_tear_turns() {
                 work / wanted,
                 parts[0],
                 parts[1],
-                1e3 * torn.cost,
                 torn.line[0],
                 torn.line[torn.line.len() - 1],
                 1e3 * bend(&torn.line),
