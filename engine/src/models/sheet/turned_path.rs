@@ -67,6 +67,8 @@ impl TornGrid {
         for (k, station) in stations[tip + 1..].iter_mut().enumerate() {
             *station = from + step * (k + 1) as f64;
         }
+        // On the edge, not beside it by rounding.
+        stations[last] = all;
         if self.is_from_end {
             path.reverse();
             stations.reverse();
