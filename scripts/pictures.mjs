@@ -146,7 +146,7 @@ async function tearOutAndAcross(page) {
   });
 }
 
-/** Has two fingers take what was torn out where it lies, beside the middle of its upper edge. */
+/** Has two fingers take what was torn out where it lies, on either side of the middle of its left edge. */
 async function tearOutAndHold(page) {
   await tearOut(page);
   await page.evaluate(() => {
@@ -162,27 +162,30 @@ async function tearOutAndHold(page) {
         canvas.dispatchEvent(new PointerEvent(name, { ...who, ...how }));
       }
     };
+    // The sheet lies askew, and that edge with it.
     window.fingersAt = (away, degrees) => {
-      const angle = (degrees * Math.PI) / 180;
+      const angle = ((111 + degrees) * Math.PI) / 180;
       const [x, y] = [away * Math.cos(angle), away * Math.sin(angle)];
       return [
-        [985 - x, 190 - y],
-        [985 + x, 190 + y],
+        [945 - x, 221 - y],
+        [945 + x, 221 + y],
       ];
     };
-    window.fingers("pointerdown", window.fingersAt(45, 0));
+    window.fingers("pointerdown", window.fingersAt(70, 0));
   });
 }
 
-/** Has both fingers go apart, and swing as they do; at last they let go. */
+/** Has both fingers go apart, and swing as they do; at last they come back and let go. */
 async function swingApart(page, k) {
   await page.evaluate((k) => {
-    if (k === 3) return window.fingers("pointerup", window.fingersAt(130, 60));
-    for (let frame = 1; frame <= 24; frame++) {
-      const part = (24 * k + frame) / 72;
-      window.fingers("pointermove", window.fingersAt(45 + 85 * part, 60 * part));
+    for (let frame = 1; frame <= 16; frame++) {
+      const part = (16 * k + frame) / 48;
+      // Torn through, each brings its piece back beside the other's.
+      const places = k < 3 ? [70 + 260 * part, 50 * part] : [330 - 14 * frame, 50];
+      window.fingers("pointermove", window.fingersAt(...places));
       window.clock.pass(1000 / 60);
     }
+    if (k === 3) window.fingers("pointerup", window.fingersAt(106, 50));
   }, k);
 }
 
