@@ -88,8 +88,8 @@ const pictures = {
     strip: {
       act: tearOutAndHold,
       move: swingApart,
-      after: [0, 0, 0, 900],
-      clip: { x: 790, y: 0, width: 410, height: 480 },
+      after: [0, 0, 0, 250],
+      clip: { x: 480, y: 0, width: 720, height: 480 },
     },
   },
   ...Object.fromEntries(
