@@ -105,9 +105,11 @@ for (const leaves of [1, 3]) {
   }
 }
 const [torn, crumpled, across, begun, parted] = tornFrames(await load(creasable));
+const turning = tornFrames(await load(creasable), true)[2];
 results["a leaf torn out and carried, a frame"] = torn;
 results["a sheet crumpled and let fall, a frame"] = crumpled;
 results["a sheet torn across, a frame"] = across;
+results["along a path that turns, a frame"] = turning;
 results["its tear begun"] = begun;
 results["its pieces parted"] = parted;
 for (const panels of [1, 2, 3]) {
@@ -144,8 +146,10 @@ function flapFrames(wasm, panels) {
  * one in which it is crumpled after that, and of one in which it is torn across by two grabs: two
  * ticks of the book and of the sheet, and what is drawn of both. All frames of 40 such leaves, half
  * of which are crumpled; then how long a tear takes to begin and its pieces to part.
+ *
+ * @param turns whether the grabs swing as they tear a leaf across, and its path turns with them
  */
-function tornFrames(wasm) {
+function tornFrames(wasm, turns = false) {
   const frames = [];
   const ofBall = [];
   const ofTear = [];
@@ -182,16 +186,20 @@ function tornFrames(wasm) {
     };
     if (k % 2 === 1) {
       let start = performance.now();
-      if (wasm.tl_torn_across(leaf, 0, 0.5, 1, 0.45) === 0) throw new Error("It is not torn.");
+      if (wasm.tl_torn_across(leaf, 0, 0.5, 1, 0.45, turns) === 0)
+        throw new Error("It is not torn.");
       begun.push(1000 * (performance.now() - start));
       wasm.tl_torn_grab(leaf, 0, 0.2, 0.35);
       wasm.tl_torn_grab(leaf, 1, 0.2, 0.65);
       for (let frame = 0; wasm.tl_torn_opened(leaf) < 1; frame++) {
         if (frame > 600) throw new Error("The sheet is not torn through.");
         const away = 0.0025 * frame;
+        // A quarter of a circle a second.
+        const swing = turns ? (Math.PI / 2) * (frame / 60) : 0;
+        const [x, y] = [away * Math.sin(swing), away * Math.cos(swing)];
         step(ofTear, () => {
-          wasm.tl_torn_pull(leaf, 0, 0.3, 0.1 - away, 0.15);
-          wasm.tl_torn_pull(leaf, 1, 0.3, 0.1 + away, 0.15);
+          wasm.tl_torn_pull(leaf, 0, 0.3 + x, 0.1 - y, 0.15);
+          wasm.tl_torn_pull(leaf, 1, 0.3 - x, 0.1 + y, 0.15);
         });
       }
       start = performance.now();

@@ -91,6 +91,17 @@ const pictures = {
       clip: { x: 400, y: 0, width: 700, height: 480 },
     },
   },
+  "tear-bent": {
+    example: "18-tear-off.html",
+    viewport: { width: 1200, height: 480 },
+    page: 1,
+    strip: {
+      act: tearOutAndHold,
+      move: swingApart,
+      after: [0, 0, 0, 250],
+      clip: { x: 480, y: 0, width: 720, height: 480 },
+    },
+  },
   ...Object.fromEntries(
     [0, 350, 640].map((unfold, k) => [
       `fold-out-${k + 1}`,
@@ -159,6 +170,49 @@ async function foldAndTearOut(page) {
   await tearOut(page);
 }
 
+/** Has two fingers take what was torn out where it lies, on either side of the middle of its left edge. */
+async function tearOutAndHold(page) {
+  await tearOut(page);
+  await page.evaluate(() => {
+    window.clock.pass(2600);
+    const element = document.querySelector("turnleaf-book");
+    const canvas = element.shadowRoot.querySelector("canvas");
+    // Pointers without a device cannot be captured.
+    canvas.setPointerCapture = () => {};
+    window.fingers = (name, places) => {
+      for (const [k, [clientX, clientY]] of places.entries()) {
+        const who = { pointerId: k + 1, pointerType: "touch", isPrimary: k === 0, buttons: 1 };
+        const how = { bubbles: true, composed: true, cancelable: true, clientX, clientY };
+        canvas.dispatchEvent(new PointerEvent(name, { ...who, ...how }));
+      }
+    };
+    // The sheet lies askew, and that edge with it.
+    window.fingersAt = (away, degrees) => {
+      const angle = ((111 + degrees) * Math.PI) / 180;
+      const [x, y] = [away * Math.cos(angle), away * Math.sin(angle)];
+      return [
+        [945 - x, 221 - y],
+        [945 + x, 221 + y],
+      ];
+    };
+    window.fingers("pointerdown", window.fingersAt(70, 0));
+  });
+}
+
+/** Has both fingers go apart, and swing as they do; at last they come back and let go. */
+async function swingApart(page, k) {
+  await page.evaluate((k) => {
+    for (let frame = 1; frame <= 16; frame++) {
+      const part = (16 * k + frame) / 48;
+      // Torn through, each brings its piece back beside the other's.
+      const places = k < 3 ? [70 + 260 * part, 50 * part] : [330 - 14 * frame, 50];
+      window.fingers("pointermove", window.fingersAt(...places));
+      window.clock.pass(1000 / 60);
+    }
+    if (k === 3) window.fingers("pointerup", window.fingersAt(106, 50));
+  }, k);
+}
+
 /** Draws the foot corner of the right page in over it. */
 async function drawCornerIn(page, { width, height }) {
   // What folds pages is loaded, and the book bound by it, before the corner is grabbed.
@@ -183,11 +237,12 @@ async function drawCornerIn(page, { width, height }) {
 }
 
 /** Takes the frames of a film strip. */
-async function takeStrip(page, viewport, { act, after, release, clip }) {
+async function takeStrip(page, viewport, { act, move, after, release, clip }) {
   const frames = [];
   await act(page, viewport);
   for (const [k, milliseconds] of after.entries()) {
     if (k === release) await page.mouse.up();
+    await move?.(page, k);
     await page.evaluate((milliseconds) => window.clock.pass(milliseconds), milliseconds);
     // What is loaded for it comes in real time.
     await page.waitForTimeout(500);

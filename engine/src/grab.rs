@@ -9,7 +9,7 @@
 use crate::real::Real;
 
 /// Radius of a finger pad, metres.
-const RADIUS: f64 = 0.02;
+pub(crate) const RADIUS: f64 = 0.02;
 
 /// Stiffness of all springs of a hand together, N/m.
 pub(crate) const STIFFNESS: f64 = 30.0;

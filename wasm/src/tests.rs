@@ -336,7 +336,7 @@ fn a_torn_leaf_takes_any_number() {
                     3 | 4 => tl_torn_pull(leaf, grab, x, y, z),
                     6 => {
                         let [u0, v0, u1, v1] = [0; 4].map(|_| random.float(-0.2, 1.2));
-                        tl_torn_across(leaf, u0, v0, u1, v1);
+                        tl_torn_across(leaf, u0, v0, u1, v1, random.below(2) as u32);
                         tl_torn_drop(tl_torn_part(leaf));
                     }
                     5 => assert!(tl_torn_work(leaf) >= 0.0),
@@ -388,7 +388,7 @@ fn a_flap_takes_any_number() {
                 match random.below(8) {
                     0 => tl_flap_grab(flap, x + 0.5, y + 0.5),
                     1 => tl_flap_release(flap),
-                    2 => tl_flap_turn(flap, random.whole(2)),
+                    2 => tl_flap_turn(flap, random.below(2) as u32),
                     3 | 4 => tl_flap_pull(flap, x, y, z),
                     5 => assert!(tl_flap_angle(flap).is_finite()),
                     _ => {

@@ -40,6 +40,18 @@ pub unsafe extern "C" fn tl_torn_new(
     }
 }
 
+/// A loose sheet of a book's paper, which nothing was torn to make: over a table at a height (-1 to
+/// 0 m), with boards that reach so far beyond the pages (0 to 1 m). 0 where a number is another.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_torn_blank(book: *mut Book, table: f32, rim: f32) -> *mut TornLeaf {
+    // SAFETY: from one thread by the crate's contract, so that no other call uses it.
+    let book = unsafe { BOOKS.get(book) };
+    match book.and_then(|book| TornLeaf::blank(book, TableAround { table, rim })) {
+        Some(leaf) => TORN.keep(leaf),
+        None => core::ptr::null_mut(),
+    }
+}
+
 /// Frees a torn leaf.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tl_torn_drop(leaf: *mut TornLeaf) {
@@ -58,8 +70,8 @@ pub unsafe extern "C" fn tl_torn_step(leaf: *mut TornLeaf, book: *mut Book, tick
     }
 }
 
-/// Begins to tear a loose sheet across, from (`u0`, `v0`) to (`u1`, `v1`) on its page. Returns
-/// whether it does: 0 or 1.
+/// Begins to tear a loose sheet across, from (`u0`, `v0`) to (`u1`, `v1`) on its page; the path
+/// turns with the pull of both grabs unless `turns` is 0. Returns whether it does: 0 or 1.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn tl_torn_across(
     leaf: *mut TornLeaf,
@@ -67,10 +79,11 @@ pub unsafe extern "C" fn tl_torn_across(
     v0: f64,
     u1: f64,
     v1: f64,
+    turns: u32,
 ) -> u32 {
     // SAFETY: from one thread by the crate's contract, so that no other call uses it.
     let leaf = unsafe { TORN.get(leaf) };
-    leaf.is_some_and(|leaf| leaf.tear_across(&[[u0, v0], [u1, v1]]))
+    leaf.is_some_and(|leaf| leaf.tear_across(&[[u0, v0], [u1, v1]], turns != 0))
         .into()
 }
 
@@ -130,6 +143,8 @@ live_functions! {
     /// Of one that is torn across, for each point its place by the tear in three numbers
     /// (`TornMesh`), f32.
     fn tl_torn_tears(leaf) -> *const f32 { leaf.mesh().tears.as_flattened().as_ptr() }
+    /// Changes whenever the mesh does.
+    fn tl_torn_mesh_version(leaf) -> u32 { leaf.mesh_version() }
     /// Work done in tearing and crumpling since it was last asked for, J.
     fn tl_torn_work(leaf) -> f32 { leaf.take_work() }
     /// Whether it does not move until the next command.

@@ -31,8 +31,11 @@ mod folded_tests;
 mod fracture;
 mod nodes;
 mod press;
+mod tear_heading;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod turning_tests;
 
 use across::Across;
 use ball::Ball;
@@ -70,8 +73,10 @@ pub const MAX_PULLS: usize = 2;
 const BALL_STILL: f32 = 0.1 * GRAVITY as f32 * TICK;
 
 /// Ticks in which what was drawn of the bound leaf becomes what is drawn of the torn one: the
-/// sheet's cells are coarser than the bend out of the gutter.
+/// sheet's cells are coarser than the bend out of the gutter. Where the path of a tear turns, paper
+/// that comes to the other piece moves by up to what a tear opens, in twice as many.
 const BLENDED: u32 = 12;
+const TURNED: u32 = 2 * BLENDED;
 
 /// A row of the spine that holds.
 #[derive(Clone, Copy, Debug)]
@@ -79,6 +84,38 @@ struct BoundRow {
     tether: Tether,
     /// Work of tearing it, J.
     work: f32,
+}
+
+/// By how much what is drawn differs from the sheet, less from tick to tick.
+#[derive(Clone, Debug, Default)]
+struct DrawnOffset {
+    /// At first, x, y, z of each point, metres.
+    by: Vec<f32>,
+    /// Ticks for which it does in all, and for how many more.
+    ticks: u32,
+    left: u32,
+}
+
+impl DrawnOffset {
+    /// What is drawn at `shown` by a sheet that is at `own`, for so many ticks.
+    fn new(shown: &[f32], own: &[f32], ticks: u32) -> Self {
+        let by = shown.iter().zip(own).map(|(shown, own)| shown - own);
+        Self {
+            by: by.collect(),
+            ticks,
+            left: ticks,
+        }
+    }
+
+    /// Moves drawn points of the sheet to where they are drawn.
+    fn add_to(&self, positions: &mut [f32]) {
+        if self.left > 0 {
+            let part = self.left as f32 / self.ticks as f32;
+            for (x, by) in positions.iter_mut().zip(&self.by) {
+                *x += part * by;
+            }
+        }
+    }
 }
 
 /// How far a sheet is crumpled.
@@ -105,17 +142,16 @@ pub struct TornLeaf {
     pulled: [[f32; 3]; MAX_PULLS],
     stillness: Stillness,
     surface: Surface,
-    /// By how much what was drawn at first differed from the sheet, metres, and for how many
-    /// more ticks it does.
-    differing: Vec<f32>,
-    blend: u32,
+    drawn_offset: DrawnOffset,
     crumpled: Option<Crumpled>,
     /// Its parts, of one that was folded when it was torn out.
     folded: Option<FoldedSheet>,
     /// What holds one that is torn across.
     across: Across,
-    /// How what is drawn of a sheet that is torn across lies on its page.
+    /// How what is drawn of a sheet that is torn across lies on its page, and how often that has
+    /// changed.
     mesh: TornMesh,
+    mesh_version: u32,
 }
 
 impl TornLeaf {
@@ -140,13 +176,23 @@ impl TornLeaf {
         let sheet = sheet_of(flight, book)?;
         let bound = bound_rows(&sheet, line, bound);
         let mut torn = TornLeaf::of(sheet, around);
-        let apart = drawn.positions.iter().zip(&torn.surface.positions);
-        torn.differing = apart.map(|(drawn, own)| drawn - own).collect();
-        (torn.bound, torn.blend) = (bound, BLENDED);
+        torn.drawn_offset = DrawnOffset::new(&drawn.positions, &torn.surface.positions, BLENDED);
+        torn.bound = bound;
         torn.folded = FoldedSheet::of(&torn.sheet);
         torn.tie();
         torn.update(book);
         Some(torn)
+    }
+
+    /// A loose sheet of the paper of a book, which lies flat beside it: what is torn in play, so that
+    /// what tears has run once before a reader waits for it.
+    pub fn blank(book: &Book, around: TableAround) -> Option<TornLeaf> {
+        let settings = SheetSettings {
+            root: Root::Free,
+            ..book.paper().sheet(book.size(), 1)
+        };
+        let sheet = around.is_sound().then(|| Sheet::new(settings).ok())??;
+        Some(TornLeaf::of(sheet, around))
     }
 
     /// A loose sheet.
@@ -158,8 +204,8 @@ impl TornLeaf {
             steps: libm::roundf(TICK / sheet.time_step()).max(1.0) as u32,
             mesh: sheet.torn_mesh(),
             folded: None,
-            differing: Vec::new(),
-            blend: 0,
+            mesh_version: 0,
+            drawn_offset: DrawnOffset::default(),
             bound: Vec::new(),
             sheet,
             around,
@@ -188,6 +234,7 @@ impl TornLeaf {
             Some(_) => return,
         }
         (self.is_held[grab], self.pulled[grab]) = (true, [f32::NAN; 3]);
+        self.across.hold_anew();
         self.wake();
     }
 
@@ -209,7 +256,8 @@ impl TornLeaf {
         if let Some(Crumpled::Ball(ball)) = &mut self.crumpled {
             ball.release();
         }
-        self.is_held = [false; MAX_PULLS];
+        (self.is_held, self.pulled) = ([false; MAX_PULLS], [[f32::NAN; 3]; MAX_PULLS]);
+        self.across.hold_anew();
         self.wake();
     }
 
@@ -259,7 +307,7 @@ impl TornLeaf {
         self.folded = None;
         self.sheet = sheet;
         self.release();
-        self.blend = 0;
+        self.drawn_offset = DrawnOffset::default();
         // What is drawn is of facets from now on.
         self.sheet.write_surface(&mut self.surface);
         self.surface.update_normals();
@@ -273,7 +321,11 @@ impl TornLeaf {
     /// Returns whether it does: not one that is bound, folded, crumpled, torn across already or a piece,
     /// and not along a path that leaves the page, has both its ends on one edge, or parts a piece
     /// narrower than a cell or more crooked than a grid can be.
-    pub fn tear_across(&mut self, path: &[[f64; 2]]) -> bool {
+    ///
+    /// If `turns`, the path ahead of the tip turns with the pull of both grabs as it goes on: across
+    /// the way from one to the other, as that swings on the paper from where they first
+    /// pulled.
+    pub fn tear_across(&mut self, path: &[[f64; 2]], turns: bool) -> bool {
         if !self.bound.is_empty()
             || self.is_crumpled()
             || self.folded.is_some()
@@ -281,7 +333,7 @@ impl TornLeaf {
         {
             return false;
         }
-        let Some((sheet, across)) = Across::begin(&self.sheet, path) else {
+        let Some((sheet, across)) = Across::begin(&self.sheet, path, turns) else {
             return false;
         };
         self.across = across;
@@ -310,8 +362,17 @@ impl TornLeaf {
     /// are released. None of any other sheet.
     pub fn part(&mut self) -> Option<TornLeaf> {
         let [foot, head] = self.sheet.parted()?;
+        // Both go on as they were drawn.
+        let mut of_foot = core::mem::take(&mut self.drawn_offset);
         self.take_sheet(foot);
-        Some(TornLeaf::of(head, self.around))
+        let mut parted = TornLeaf::of(head, self.around);
+        let seam = self.surface.positions.len().min(of_foot.by.len());
+        parted.drawn_offset = DrawnOffset {
+            by: of_foot.by.split_off(seam),
+            ..of_foot
+        };
+        self.drawn_offset = of_foot;
+        Some(parted)
     }
 
     /// Whether it is crumpled, or being crumpled.
@@ -344,7 +405,7 @@ impl TornLeaf {
             } else {
                 self.step_sheet(&around);
             }
-            self.blend = self.blend.saturating_sub(1);
+            self.drawn_offset.left = self.drawn_offset.left.saturating_sub(1);
             if let Some(Crumpled::Pressed(_)) = &self.crumpled {
                 continue;
             }
@@ -362,12 +423,7 @@ impl TornLeaf {
     /// Brings the drawn surface up to date, on and beside a book as it is drawn.
     pub fn update(&mut self, book: &Book) {
         self.sheet.write_surface(&mut self.surface);
-        let part = self.blend as f32 / BLENDED as f32;
-        if part > 0.0 {
-            for (x, apart) in self.surface.positions.iter_mut().zip(&self.differing) {
-                *x += part * apart;
-            }
-        }
+        self.drawn_offset.add_to(&mut self.surface.positions);
         Surroundings::new(book, self.around, &self.sheet).push_off(&mut self.surface);
         if let (true, Some(folded)) = (CAN_CREASE, &mut self.folded) {
             folded.separate(&mut self.surface, self.sheet.settings().width as f32);
@@ -389,6 +445,11 @@ impl TornLeaf {
     /// How what is drawn of one that is torn across lies on its page; nothing of any other.
     pub fn mesh(&self) -> &TornMesh {
         &self.mesh
+    }
+
+    /// Changes whenever the mesh does.
+    pub fn mesh_version(&self) -> u32 {
+        self.mesh_version
     }
 
     /// The sheet itself.
@@ -422,6 +483,7 @@ impl TornLeaf {
                 self.wake();
             }
         }
+        self.turn_tear();
         if let Some(Crumpled::Pressed(press)) = &mut self.crumpled
             && !press.tick(&mut self.sheet)
         {
@@ -429,11 +491,29 @@ impl TornLeaf {
         }
     }
 
+    /// Turns a tear with the pull of its grabs. What is drawn goes on from where it was.
+    fn turn_tear(&mut self) {
+        let (offset, surface) = (&self.drawn_offset, &mut self.surface);
+        let drawn = |sheet: &mut Sheet| {
+            sheet.write_surface(surface);
+            offset.add_to(&mut surface.positions);
+            surface.positions.clone()
+        };
+        let Some(shown) = self.across.turn(&mut self.sheet, self.pulled, drawn) else {
+            return;
+        };
+        self.mesh = self.sheet.torn_mesh();
+        self.mesh_version = self.mesh_version.wrapping_add(1);
+        self.sheet.write_surface(&mut self.surface);
+        self.drawn_offset = DrawnOffset::new(&shown, &self.surface.positions, TURNED);
+    }
+
     /// Goes on as another sheet, which is drawn at once. All grabs are released.
     fn take_sheet(&mut self, sheet: Sheet) {
         let version = self.surface.version;
         *self = TornLeaf {
             torn: self.torn,
+            mesh_version: self.mesh_version.wrapping_add(1),
             across: core::mem::take(&mut self.across),
             ..TornLeaf::of(sheet, self.around)
         };

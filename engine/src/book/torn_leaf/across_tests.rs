@@ -5,7 +5,7 @@ use crate::stock::Stock;
 use crate::vector::{dot, sub};
 
 /// Paths across a page: level, slanted, upright, and along which a corner comes off.
-const PATHS: [[[f64; 2]; 2]; 5] = [
+pub(super) const PATHS: [[[f64; 2]; 2]; 5] = [
     [[0.0, 0.5], [1.0, 0.5]],
     [[1.0, 0.35], [0.0, 0.6]],
     [[0.5, 1.0], [0.45, 0.0]],
@@ -14,11 +14,11 @@ const PATHS: [[[f64; 2]; 2]; 5] = [
 ];
 
 /// Width and height of the page, metres.
-const SIZE: [f64; 2] = [0.148, 0.21];
+pub(super) const SIZE: [f64; 2] = [0.148, 0.21];
 
 /// Where two grabs hold a page to tear it along a path: to the right of where that begins, and
 /// to the left, u and v of each.
-fn holds([from, to]: [[f64; 2]; 2]) -> [[f32; 2]; 2] {
+pub(super) fn holds([from, to]: [[f64; 2]; 2]) -> [[f32; 2]; 2] {
     let metres = |at: [f64; 2]| [0, 1].map(|axis| at[axis] * SIZE[axis]);
     let [from, to] = [from, to].map(metres);
     let way = [to[0] - from[0], to[1] - from[1]];
@@ -34,7 +34,7 @@ fn holds([from, to]: [[f64; 2]; 2]) -> [[f32; 2]; 2] {
 }
 
 /// The drawn point next to a place of the page, metres in book space.
-fn drawn_at(leaf: &TornLeaf, [u, v]: [f32; 2]) -> [f32; 3] {
+pub(super) fn drawn_at(leaf: &TornLeaf, [u, v]: [f32; 2]) -> [f32; 3] {
     let places = leaf
         .mesh()
         .places
@@ -63,7 +63,7 @@ struct Torn {
 
 /// Tears a sheet across by two grabs that rise and go apart.
 fn tear_across(mut leaf: TornLeaf, book: &Book, path: [[f64; 2]; 2]) -> Torn {
-    assert!(leaf.tear_across(&path));
+    assert!(leaf.tear_across(&path, false));
     leaf.update(book);
     let holds = holds(path);
     let starts = holds.map(|at| drawn_at(&leaf, at));
@@ -103,7 +103,7 @@ fn tear_across(mut leaf: TornLeaf, book: &Book, path: [[f64; 2]; 2]) -> Torn {
 }
 
 /// Area of what is drawn but the rows beside the tear, from the mesh on the page and in space, m^2.
-fn areas(leaf: &TornLeaf) -> [f64; 2] {
+pub(super) fn areas(leaf: &TornLeaf) -> [f64; 2] {
     let x = leaf.surface().positions.as_chunks::<3>().0;
     let mut sums = [0.0; 2];
     for corners in &leaf.mesh().triangles {
@@ -195,7 +195,7 @@ fn the_same_pulls_tear_the_same_bits() {
 #[test]
 fn a_gentle_pull_tears_no_further() {
     let (book, mut leaf) = lying(Stock::BOOK, 0.42);
-    assert!(leaf.tear_across(&PATHS[0]));
+    assert!(leaf.tear_across(&PATHS[0], false));
     leaf.update(&book);
     let count = leaf.ties();
     for (grab, at) in holds(PATHS[0]).into_iter().enumerate() {
@@ -223,7 +223,7 @@ fn a_gentle_pull_tears_no_further() {
 /// holds it there. Returns it once it is left as it is.
 fn held_half_torn(mut leaf: TornLeaf, book: &Book, path: [[f64; 2]; 2], part: f32) -> TornLeaf {
     let long = path_length(&leaf, path) as f32;
-    assert!(leaf.tear_across(&path));
+    assert!(leaf.tear_across(&path, false));
     leaf.update(book);
     let holds = holds(path);
     let starts = holds.map(|at| drawn_at(&leaf, at));
@@ -277,24 +277,24 @@ fn a_half_torn_sheet_that_two_grabs_hold_still_comes_to_rest() {
 fn what_cannot_be_torn_across_stays_as_it_is() {
     let (book, id) = held(Side::Right, Stock::BOOK, [0.95, 0.9]);
     let mut bound = TornLeaf::tear(&book, id, TearLine::Sewn, 0..NODES[1], AROUND).unwrap();
-    assert!(!bound.tear_across(&PATHS[0]));
+    assert!(!bound.tear_across(&PATHS[0], false));
     let (_, leaf) = lying(Stock::BOOK, 0.42);
     let mut ball = leaf.clone();
-    assert!(ball.crumple() && !ball.tear_across(&PATHS[0]));
+    assert!(ball.crumple() && !ball.tear_across(&PATHS[0], false));
     let mut torn = leaf.clone();
-    assert!(!torn.tear_across(&[[0.0, 0.2], [0.0, 0.8]]));
+    assert!(!torn.tear_across(&[[0.0, 0.2], [0.0, 0.8]], false));
     assert_eq!(torn.sheet().positions(), leaf.sheet().positions());
-    assert!(torn.tear_across(&PATHS[0]) && !torn.tear_across(&PATHS[2]));
+    assert!(torn.tear_across(&PATHS[0], false) && !torn.tear_across(&PATHS[2], false));
     assert!(!torn.crumple());
     torn.cut();
     let mut other = torn.part().unwrap();
-    assert!(!other.tear_across(&PATHS[2]));
+    assert!(!other.tear_across(&PATHS[2], false));
 }
 
 #[test]
 fn a_sheet_that_is_torn_through_goes_on_where_it_is() {
     let (book, mut leaf) = lying(Stock::BOOK, 0.36);
-    assert!(leaf.tear_across(&PATHS[1]));
+    assert!(leaf.tear_across(&PATHS[1], false));
     leaf.update(&book);
     let holds = holds(PATHS[1]);
     let starts = holds.map(|at| drawn_at(&leaf, at));

@@ -100,7 +100,7 @@ fn a_folded_sheet_is_crumpled_but_not_torn_across() {
     let lines = &foldings(&Stock::BOOK)[1];
     let (book, id) = held_folded(Side::Right, Stock::BOOK, GRABBED, lines);
     let (mut leaf, ..) = tear_off(&book, id, TearLine::Sewn, (Side::Right, GRABBED));
-    assert!(!leaf.tear_across(&[[0.3, 0.0], [0.3, 1.0]]));
+    assert!(!leaf.tear_across(&[[0.3, 0.0], [0.3, 1.0]], false));
     assert!(leaf.folded_mesh().is_some());
     assert!(leaf.crumple());
     assert!(leaf.folded_mesh().is_none());

@@ -50,14 +50,20 @@ impl Sheet {
 
     /// Goes on with its nodes at other places of the paper, on which they are moved.
     pub(super) fn take(&mut self, material: Material) {
+        for values in [&mut self.positions, &mut self.velocities] {
+            self.material.carry(&material, values);
+        }
+        self.lie_on(material);
+    }
+
+    /// Computes what depends on where its nodes lie on the paper, for others to which they have
+    /// been moved.
+    pub(super) fn lie_on(&mut self, material: Material) {
         let (columns, rows, first) = (
             self.settings.columns,
             self.settings.rows,
             self.settings.first(),
         );
-        for values in [&mut self.positions, &mut self.velocities] {
-            self.material.carry(&material, values);
-        }
         let reach = if self.is_creased() { 2 } else { 0 };
         self.system = System::new(columns, rows, first, reach);
         self.constant = System::new(columns, rows, first, reach).matrix;

@@ -1,4 +1,7 @@
-//! Lengths and areas on the flat paper, in metres.
+//! Places, lengths and areas on the flat paper, in metres.
+
+/// A place on the paper, metres.
+pub(super) type Place = [f64; 2];
 
 /// Distance between two places.
 pub(super) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

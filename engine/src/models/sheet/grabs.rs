@@ -100,6 +100,11 @@ impl Grab {
         (self.wanted, self.target, self.pace) = pulled;
     }
 
+    /// The place that it holds on the flat leaf, metres along u and v.
+    pub fn place(&self) -> [f64; 2] {
+        self.place.map(f64::from)
+    }
+
     /// Pulls toward a place; one that is no number is ignored.
     pub fn pull(&mut self, to: [f32; 3]) {
         if to.iter().all(|x| x.is_finite()) {

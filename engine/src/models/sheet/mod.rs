@@ -19,11 +19,13 @@ mod flat;
 #[cfg(test)]
 mod folding_tests;
 mod grabs;
+mod grid_walk;
 mod hinges;
 mod material;
 mod measure;
 mod membrane;
 mod patches;
+mod piece_outline;
 mod plastic_hinge;
 mod plates;
 mod settings;
@@ -36,6 +38,9 @@ mod tether;
 mod torn;
 mod torn_grid;
 mod torn_material;
+mod torn_path;
+mod turned_path;
+mod turned_sheet;
 
 pub use contact::{CONTACTS, Contact};
 pub use crease::FoldLine;
@@ -53,6 +58,8 @@ use sweep::Sweep;
 use system::System;
 pub(crate) use tether::{Tether, Tie};
 pub use torn::TornMesh;
+pub(crate) use torn_grid::TornGrid;
+pub(crate) use turned_path::wrapped;
 
 use crate::band::Band;
 use crate::grid::{Grid, Side};

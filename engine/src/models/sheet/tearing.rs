@@ -11,6 +11,7 @@ use super::material::Material;
 use super::patches::Patches;
 use super::torn::{Piece, Torn, TornMesh};
 use super::torn_grid::TornGrid;
+use super::turned_sheet::settings_over;
 use super::{Sheet, SheetSettings, Tie};
 use crate::interpolate::uniform_samples;
 
@@ -29,13 +30,7 @@ impl Sheet {
         let grid = TornGrid::new(page, path, du.midpoint(dv))?;
         let material = Material::torn(&grid);
         let torn = Torn::of(&grid);
-        let mut settings = self.settings.clone();
-        if grid.frame.is_turned() {
-            settings.grain = settings.grain.turned();
-        }
-        let settings = settings
-            .over(grid.columns, material.rows, grid.cell())
-            .bearable(tick);
+        let settings = settings_over(&self.settings, &grid, material.rows, tick);
         Some((Sheet::of_torn(settings, material, torn)?, grid))
     }
 

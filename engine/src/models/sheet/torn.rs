@@ -3,7 +3,8 @@
 
 use super::flat::length;
 use super::material::Material;
-use super::torn_grid::{Frame, TornGrid, spread_evenly};
+use super::torn_grid::{Frame, TornGrid};
+use super::torn_path::{even_stations, places_along};
 
 /// Drawn cells along a side of one of the grid.
 const PARTS: usize = 3;
@@ -17,6 +18,8 @@ const BEYOND: f64 = 0.001;
 pub(super) struct Torn {
     pub frame: Frame,
     path: Vec<[f64; 2]>,
+    /// How far along the path its nodes lie, metres; None where they do evenly.
+    stations: Option<Vec<f64>>,
     is_from_end: bool,
     /// The piece that the sheet is; None while it is both.
     pub piece: Option<Piece>,
@@ -49,6 +52,7 @@ impl Torn {
         Self {
             frame: grid.frame,
             path: grid.path.clone(),
+            stations: grid.stations.clone(),
             is_from_end: grid.is_from_end,
             piece: None,
         }
@@ -67,7 +71,7 @@ impl Torn {
     pub fn drawn(&self, material: &Material) -> Material {
         let mut drawn = material.refined(PARTS);
         let columns = drawn.columns;
-        let path = spread_evenly(&self.path, columns);
+        let path = places_along(&self.path, &self.drawn_stations(columns));
         for (row, sign) in self.rims(&drawn) {
             for column in 0..columns {
                 let place = path[column];
@@ -93,6 +97,19 @@ impl Torn {
             }
         }
         drawn
+    }
+
+    /// How far along the path so many drawn columns lie, metres.
+    fn drawn_stations(&self, columns: usize) -> Vec<f64> {
+        let Some(stations) = &self.stations else {
+            return even_stations(length(&self.path), columns);
+        };
+        let between = |column: usize| {
+            let left = (column / PARTS).min(stations.len() - 2);
+            let part = (column - PARTS * left) as f64 / PARTS as f64;
+            stations[left] + part * (stations[left + 1] - stations[left])
+        };
+        (0..columns).map(between).collect()
     }
 
     /// The drawn rows on the path, each with the sign of the side of it that lies beyond its own

@@ -2,10 +2,13 @@
 
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
+import type { UV } from "../engine/book_engine.ts";
 import { CreasableBook } from "../engine/creasable_book.ts";
+import type { CreasedMesh, Surface } from "../engine/shapes.ts";
 import { book, happens, keepWhatIsDrawn, scans, settled } from "../for_tests/element_books.ts";
 import { TestClock } from "../for_tests/test_clock.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
+import { LooseSheetPile } from "../viewer/loose_sheets.ts";
 
 keepWhatIsDrawn();
 afterEach(() => {
@@ -489,3 +492,87 @@ test("two fingers that pull a loose sheet apart tear it, and each carries its pi
   expect(await element.putBack()).toBe(true);
   expect(element.pageCount).toBe(12);
 });
+
+/** Area of a surface in space, m^2. */
+function areaOf({ positions, columns, rows, creased }: Surface): number {
+  const triangles: number[] = [...(creased?.triangles ?? [])];
+  for (let row = 0; !creased && row + 1 < rows; row++) {
+    for (let column = 0; column + 1 < columns; column++) {
+      const here = row * columns + column;
+      triangles.push(here, here + 1, here + columns);
+      triangles.push(here + columns + 1, here + columns, here + 1);
+    }
+  }
+  let area = 0;
+  for (let k = 0; k < triangles.length; k += 3) {
+    const [a, b, c] = triangles.slice(k, k + 3).map((point) => 3 * point);
+    const [p, q] = [b, c].map((to) =>
+      [0, 1, 2].map((axis) => positions[to + axis] - positions[a + axis]),
+    );
+    const across = [1, 2, 0].map((i, k) => p[i] * q[[2, 0, 1][k]] - p[[2, 0, 1][k]] * q[i]);
+    area += Math.hypot(...across) / 2;
+  }
+  return area;
+}
+
+/** Returns u and v of the places on the rim along which a piece is torn, from where the tear began, and its length, metres. */
+function tornRim({ creased }: Surface): { readonly places: UV[]; readonly long: number } {
+  const { places, tears = new Float32Array() } = creased as CreasedMesh;
+  const points = [...Array(places.length / 2).keys()].filter((point) => tears[3 * point] < 0);
+  points.sort((a, b) => tears[3 * a + 1] - tears[3 * b + 1]);
+  return {
+    places: points.map((point) => [places[2 * point], places[2 * point + 1]]),
+    long: Math.max(...points.map((point) => tears[3 * point + 1])),
+  };
+}
+
+/**
+ * Has two fingers take a loose sheet above and below the middle of its edge, and pull it apart until
+ * it is torn through, along a way that swings by an angle meanwhile. Returns the drawn sheet
+ * before and both pieces after that.
+ */
+async function tornBySwing(swing: number): Promise<{ whole: number; pieces: Surface[] }> {
+  const element = await opened();
+  const add = vi.spyOn(LooseSheetPile.prototype, "add");
+  const clock = await tearOutByClock(element);
+  const pile = add.mock.contexts[0] as LooseSheetPile;
+  const whole = areaOf(pile.surfaces[0]);
+  const pointer = new TestPointer(element);
+  const finger = (pointerId: number, name: string, x: number, y: number) =>
+    pointer.point(name, x, y, { pointerId, pointerType: "touch", buttons: 1 });
+  const [x, y] = [(element.bookBounds as DOMRect).right + 50, 160];
+  finger(1, "pointerdown", x, y - 40);
+  finger(2, "pointerdown", x, y + 40);
+  for (let k = 1; k <= 90; k++) {
+    const away = 40 + Math.min(4 * k, 240);
+    const angle = swing * Math.min(k / 45, 1);
+    const [dx, dy] = [away * Math.sin(angle), away * Math.cos(angle)];
+    finger(1, "pointermove", x + dx, y - dy);
+    finger(2, "pointermove", x - dx, y + dy);
+    clock.frames(1);
+  }
+  expect(pile.surfaces).toHaveLength(2);
+  // Put down beside each other.
+  finger(1, "pointerup", x, y - 60);
+  finger(2, "pointerup", x, y + 60);
+  await clock.until(() => element.settled);
+  const pieces = pile.surfaces.map((one) => ({ ...one, positions: one.positions.slice() }));
+  vi.restoreAllMocks();
+  expect([element.pageCount, element.tornLeaves]).toEqual([10, 1]);
+  return { whole, pieces };
+}
+
+test.for([40, -40])(
+  "two fingers that swing by %d degrees tear a loose sheet along a bend",
+  async (degrees) => {
+    const { whole, pieces } = await tornBySwing((degrees * Math.PI) / 180);
+    const [foot, head] = pieces.map(tornRim);
+    // Each is drawn a millimetre beyond the line, where its picture ends.
+    const sum = areaOf(pieces[0]) + areaOf(pieces[1]) - 0.001 * (foot.long + head.long);
+    expect(Math.abs(sum / whole - 1)).toBeLessThan(0.005);
+    // It begins at the edge on the left and turns as the fingers do: clockwise, to the foot.
+    const [from, to] = [foot.places[0], foot.places[foot.places.length - 1]];
+    expect(from[0]).toBe(0);
+    expect(Math.sign(degrees) * (from[1] - to[1])).toBeGreaterThan(0.05);
+  },
+);

@@ -88,8 +88,12 @@ export interface TornSheet {
    * that line, and its tear opens from the first as two grabs pull it apart. All grabs are
    * released. Returns whether it does: not if it is bound, crumpled or torn across, and not if
    * the line leaves a piece narrower than some 16 mm.
+   *
+   * @param turns if true, what is not torn yet of the line turns as the way from one grab's pull to
+   * the other's swings on the sheet, from where both first pulled; the surface's mesh changes
+   * whenever it does
    */
-  tearAcross(from: UV, to: UV): boolean;
+  tearAcross(from: UV, to: UV, turns?: boolean): boolean;
   /** Whether it is being torn across, and something holds. */
   readonly holdsAcross: boolean;
   /**
@@ -117,6 +121,11 @@ export interface LeafTearing {
    * it is. Returns null if there is no such flight.
    */
   tear(id: number, options: TearOptions): TornSheet | null;
+  /**
+   * Tears a sheet across that nobody sees, a part of that whenever its iterator goes on: the first
+   * tear afterwards takes no longer than others.
+   */
+  rehearse(): Iterator<void>;
   /** Steps a torn sheet of this book, or of one that it came from, by whole ticks on and beside this book. */
   step(sheet: TornSheet, ticks: number): void;
 }

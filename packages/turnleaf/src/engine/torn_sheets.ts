@@ -18,6 +18,7 @@ export interface TearingExports extends Exports {
     table: number,
     rim: number,
   ): number;
+  tl_torn_blank(book: number, table: number, rim: number): number;
   tl_torn_drop(leaf: number): void;
   tl_torn_step(leaf: number, book: number, ticks: number): void;
   tl_torn_grab(leaf: number, grab: number, u: number, v: number): void;
@@ -28,7 +29,14 @@ export interface TearingExports extends Exports {
   tl_torn_bound_high(leaf: number): number;
   tl_torn_crumple(leaf: number): number;
   tl_torn_crumpled(leaf: number): number;
-  tl_torn_across(leaf: number, u0: number, v0: number, u1: number, v1: number): number;
+  tl_torn_across(
+    leaf: number,
+    u0: number,
+    v0: number,
+    u1: number,
+    v1: number,
+    turns: number,
+  ): number;
   tl_torn_part(leaf: number): number;
   tl_torn_opened(leaf: number): number;
   tl_torn_places(leaf: number): number;
@@ -36,6 +44,7 @@ export interface TearingExports extends Exports {
   tl_torn_corners(leaf: number): number;
   tl_torn_triangles(leaf: number): number;
   tl_torn_parts(leaf: number): number;
+  tl_torn_mesh_version(leaf: number): number;
   tl_torn_work(leaf: number): number;
   tl_torn_asleep(leaf: number): number;
   tl_torn_columns(leaf: number): number;
@@ -71,10 +80,31 @@ export function tearingOf(
       const at = wasm.tl_torn_new(book, whole(id, mostIds), number, low, high, table, rim);
       return at === 0 ? null : new WasmTornSheet(wasm, at, grid);
     },
+    rehearse: () => rehearsed(wasm, book, grid),
     step: (sheet, ticks) => {
       if (sheet instanceof WasmTornSheet) sheet.step(book, wholeTicks(ticks, tick));
     },
   };
+}
+
+/**
+ * Tears a blank sheet across that nobody sees, a part of that whenever it is asked to go on: the code
+ * of what tears is compiled when it first runs, which takes longer than a frame has.
+ *
+ * @param book the book's address
+ */
+function* rehearsed(wasm: TearingExports, book: number, grid: SurfaceGrid): Generator<void> {
+  const at = wasm.tl_torn_blank(book, 0, 0);
+  if (at === 0) return;
+  const sheet = new WasmTornSheet(wasm, at, grid);
+  yield;
+  sheet.tearAcross([0, 0.5], [1, 0.5]);
+  yield;
+  sheet.step(book, 1);
+  yield;
+  sheet.cut();
+  sheet.part()?.destroy();
+  sheet.destroy();
 }
 
 class WasmTornSheet implements TornSheet {
@@ -82,6 +112,7 @@ class WasmTornSheet implements TornSheet {
   readonly #leaf: number;
   #surface: SheetSurface;
   #isAcross = false;
+  #meshVersion = 0;
 
   constructor(wasm: TearingExports, leaf: number, grid: SurfaceGrid) {
     this.#wasm = wasm;
@@ -106,6 +137,10 @@ class WasmTornSheet implements TornSheet {
 
   get surface(): Surface {
     const wasm = this.#wasm;
+    // The path of a tear that turns has turned.
+    if (this.#isAcross && wasm.tl_torn_mesh_version(this.#leaf) !== this.#meshVersion) {
+      this.#drawAcross();
+    }
     const [positions, normals] = [
       wasm.tl_torn_positions(this.#leaf),
       wasm.tl_torn_normals(this.#leaf),
@@ -135,10 +170,11 @@ class WasmTornSheet implements TornSheet {
     this.#wasm.tl_torn_cut(this.#leaf);
   }
 
-  tearAcross(from: UV, to: UV): boolean {
+  tearAcross(from: UV, to: UV, turns = false): boolean {
     const [u0, v0, u1, v1] = [...from, ...to].map((at) => clamp(at, 0, 1));
     if (!areFinite([u0, v0, u1, v1])) return false;
-    if (this.#wasm.tl_torn_across(this.#leaf, u0, v0, u1, v1) === 0) return false;
+    const begins = this.#wasm.tl_torn_across(this.#leaf, u0, v0, u1, v1, turns ? 1 : 0);
+    if (begins === 0) return false;
     this.#drawAcross();
     return true;
   }
@@ -162,6 +198,7 @@ class WasmTornSheet implements TornSheet {
     const rows = this.#wasm.tl_torn_rows(this.#leaf);
     this.#surface = new SheetSurface(this.#wasm.memory, { columns, rows }, this.#mesh());
     this.#isAcross = true;
+    this.#meshVersion = this.#wasm.tl_torn_mesh_version(this.#leaf);
   }
 
   /** The mesh of a sheet that is folded or torn across: copied, as the engine's memory moves when it grows. */

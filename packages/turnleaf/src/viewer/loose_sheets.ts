@@ -21,7 +21,7 @@ import {
   putAside,
   type TearMotion,
 } from "./sheet_motions.ts";
-import { facesUp, middleOf } from "./sheet_places.ts";
+import { facesUp, middleOf, pointAt } from "./sheet_places.ts";
 import { isOnParted, type PageSize, pathBetween, type TearPath } from "./tear_path.ts";
 
 /** Sheets that are kept at most: the one torn out first is taken away for the next. */
@@ -91,6 +91,8 @@ export class LooseSheetPile {
   readonly #rebinder: Rebinder;
   readonly #hooks: LooseSheetHooks;
   #sheets: LooseSheet[] = [];
+  /** Whether a tear has been rehearsed. */
+  #isRehearsed = false;
 
   constructor(rebinder: Rebinder, hooks: LooseSheetHooks) {
     this.#rebinder = rebinder;
@@ -150,7 +152,21 @@ export class LooseSheetPile {
       if (one.tear && !one.sheet.holdsAcross) this.#part(one, one.tear);
       if (one.isCrumpling && one.sheet.isAsleep) this.#crumpled(one);
     }
-    return this.#sheets.some(({ sheet }) => !sheet.isAsleep);
+    const moves = this.#sheets.some(({ sheet }) => !sheet.isAsleep);
+    if (!moves && this.hasWhole) this.#rehearse();
+    return moves;
+  }
+
+  /** Has the engine tear once unseen, part by part while nothing else is to be done, before a reader does. */
+  #rehearse(): void {
+    const { tearing } = this.#rebinder.bound.engine;
+    if (this.#isRehearsed || !tearing) return;
+    this.#isRehearsed = true;
+    const parts = tearing.rehearse();
+    const next = (): void => {
+      if (!parts.next().done) whenIdle(next);
+    };
+    whenIdle(next);
   }
 
   /** Returns the nearest of them on a line of sight, or null. */
@@ -239,7 +255,7 @@ export class LooseSheetPile {
     const flat = Math.hypot((a[0] - b[0]) * size.width, (a[1] - b[1]) * size.height);
     if (distance(first.at, second.at) < flat + taut * size.width) return;
     const path = pathBetween(a, b, size);
-    if (path === null || !one.sheet.tearAcross(...path)) return;
+    if (path === null || !one.sheet.tearAcross(...path, true)) return;
     one.tear = { path, command: null };
     this.#holdAnew(one);
   }
@@ -301,7 +317,7 @@ export class LooseSheetPile {
     const holds = one.holds.filter((hold) => hold !== null);
     const pieces = [one, other] as const;
     for (const [k, piece] of pieces.entries()) {
-      const own = holds.filter(({ place }) => isOnParted(place, path, size) === (k === 1));
+      const own = holds.filter((hold) => pieceOf(hold, pieces) === piece);
       for (const hold of own) hold.sheet = piece;
       piece.holds = [own[0] ?? null, own[1] ?? null];
       this.#holdAnew(piece);
@@ -356,6 +372,19 @@ export class LooseSheetPile {
     one.aside = null;
     one.sheet.release();
   }
+}
+
+/** Returns the piece that a pointer holds: the one that has the place nearest to where it pulls. */
+function pieceOf({ place, at }: Hold, pieces: readonly LooseSheet[]): LooseSheet {
+  const away = ({ sheet }: LooseSheet): number =>
+    at ? distance(pointAt(sheet.surface, place), at) : 0;
+  return pieces.reduce((best, piece) => (away(piece) < away(best) ? piece : best));
+}
+
+/** Calls a function once nothing else is to be done, or soon. */
+function whenIdle(call: () => void): void {
+  if ("requestIdleCallback" in globalThis) requestIdleCallback(call);
+  else setTimeout(call);
 }
 
 /** What moves nothing. */
