@@ -188,6 +188,53 @@ impl Flaps {
             .any(|triangle| triangle.part.count_ones() > 1)
     }
 
+    /// How high each node lies in the leaf pressed flat, recto up, metres: parts are stacked in the
+    /// order in which the creases fold them, the distance that they keep apart, and those that
+    /// creases divide which rest below a right angle lie side by side. Nodes on creases are at the
+    /// mean of what they join.
+    pub fn stacked(&self) -> Vec<f32> {
+        let mut parts: Vec<u16> = self.triangles.iter().map(|one| one.part).collect();
+        parts.sort_unstable();
+        parts.dedup();
+        let is_shut = |(_, rest): &&(u16, f32)| rest.abs() > core::f32::consts::FRAC_PI_2;
+        let shut = self.creases.iter().filter(is_shut);
+        let shut = shut.fold(0, |set, (crease, _)| set | crease);
+        // Of each two parts that one lies upon the other, the lower and the upper.
+        let mut upon = Vec::new();
+        for (at, under) in parts.iter().enumerate() {
+            let under_is_turned = is_turned_over(*under, shut);
+            for (over, part) in parts.iter().enumerate().skip(at + 1) {
+                let is_alike = is_turned_over(*part, shut) == under_is_turned;
+                match self.drawn_side(*under, *part, is_alike) {
+                    Some(side) if (side > 0.0) != under_is_turned => upon.push([at, over]),
+                    Some(_) => upon.push([over, at]),
+                    None => {}
+                }
+            }
+        }
+        // Folds that no paper could be in may have parts lie upon each other in a ring.
+        let mut ranks = vec![0usize; parts.len()];
+        for _ in 0..parts.len() {
+            let before = ranks.clone();
+            for [lower, upper] in &upon {
+                ranks[*upper] = ranks[*upper].max(ranks[*lower] + 1).min(parts.len());
+            }
+            if ranks == before {
+                break;
+            }
+        }
+        let mut sums = vec![(0.0, 0.0); self.parts.len()];
+        for triangle in &self.triangles {
+            let at = parts.partition_point(|part| *part < triangle.part);
+            for node in triangle.nodes {
+                sums[node].0 += ranks[at] as f32;
+                sums[node].1 += 1.0;
+            }
+        }
+        let height = |(sum, count): (f32, f32)| PARTS_GAP * sum / count.max(1.0);
+        sums.into_iter().map(height).collect()
+    }
+
     /// Notes the angle at which a crease rests now, radians.
     pub fn press(&mut self, crease: usize, rest: f32) {
         for (_, own) in self

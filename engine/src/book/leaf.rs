@@ -37,15 +37,8 @@ const LOOK_AHEAD: f32 = 0.12;
 /// it is the root of it.
 const CLAMP_STAYS: f32 = 0.75;
 
-/// How far folds are open in a leaf under others, radians: what reaches 30 mm beyond its crease
-/// stands [`DEEP`](super::tolerance::DEEP) off its leaf, which no leaf upon it is brought out of.
-const AJAR: f64 = 0.05;
-
 /// Work of a search for contacts, nanoseconds of native code.
 const SEARCH: u32 = 40_000;
-
-/// Ticks in which a leaf is folded anew: half a second, as by hand.
-const FOLDING: u32 = 60;
 
 /// One leaf of paper between two piles.
 pub struct Leaf {
@@ -217,33 +210,6 @@ impl Leaf {
         true
     }
 
-    /// Folds the leaf anew as its creases rest, where folds lie upon folds: upright between the
-    /// sides, where it has room and no weight. It is then let fall to a side.
-    pub fn fold_upright(&mut self, side: Side, gutter: &Gutter, piles: [&Pile; 2]) {
-        if !CAN_CREASE || !self.flaps.as_ref().is_some_and(Flaps::overlap) {
-            return;
-        }
-        let creases = self.sheet.creases();
-        let gravity = self.sheet.settings().gravity;
-        self.sheet.set_gravity([0.0; 3]);
-        self.sheet.stand_unfolded();
-        self.clamp = core::f32::consts::FRAC_PI_2;
-        self.sheet.let_yield(false);
-        for tick in 1..=FOLDING {
-            let part = tick as f32 / FOLDING as f32;
-            for (number, crease) in creases.iter().enumerate() {
-                self.press(number, part * crease.rest as f32);
-            }
-            self.bend_over(piles);
-            self.bend_into_gutter(gutter);
-            self.detect_contacts(piles, [None, None], true);
-            self.step_sheet();
-        }
-        self.sheet.set_gravity(gravity);
-        self.turned = self.measure_fraction();
-        self.fall(side, 1.0);
-    }
-
     /// Whether the leaf is creased.
     pub fn is_creased(&self) -> bool {
         self.sheet.is_creased()
@@ -287,12 +253,15 @@ impl Leaf {
 
     /// Lays the leaf still on a side as it lies under others: folds are shut.
     pub fn lay_pressed(&mut self, side: Side) {
-        self.sheet.lay_pressed(side, AJAR);
+        let heights = self.flaps().map_or_else(Vec::new, Flaps::stacked);
+        // Shut so far by what lay upon them, creases open again.
+        self.sheet.let_yield(false);
+        self.sheet.lay_pressed(side, &heights);
         self.lie(side);
     }
 
     /// Lets a creased leaf lie still on a side where its nodes are `at`.
-    pub fn lay_at(&mut self, side: Side, at: &[f32]) {
+    fn lay_at(&mut self, side: Side, at: &[f32]) {
         self.sheet.put_back(at);
         self.lie(side);
         self.turned = self.measure_fraction();

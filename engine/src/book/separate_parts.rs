@@ -11,11 +11,18 @@
 
 use super::flaps::{BESIDE, add_facing, facing_of};
 use super::tolerance::{NOT_UPON, OVER_PILE, SLACK};
+use super::work::Work;
 use crate::vector::{cross, dot, sub, unit};
 use core::ops::Range;
 
 /// Rounds of projections, at most.
 pub const ROUNDS: usize = 4;
+
+/// Work of looking at two blocks, at a point beside a block, and at a triangle, also beside a
+/// point, nanoseconds.
+pub const BLOCKS: u32 = 3;
+pub const POINT: u32 = 2;
+pub const TRIANGLE: u32 = 10;
 
 /// Cells along a side of a block of triangles that one box bounds.
 pub const BLOCK: usize = 3;
@@ -282,8 +289,8 @@ impl DrawnParts {
         node.is_multiple_of(self.columns)
     }
 
-    /// Moves parts out of each other that overlap, in so many rounds at most; returns whether any
-    /// did in the last. `side` says on which side of a triangle of a
+    /// Moves parts out of each other that overlap, in so many rounds at most, and in one where no
+    /// work is left; returns whether any did in the last. `side` says on which side of a triangle of a
     /// part another lies, 1 that of its normal or -1, if the normals of both are along each other
     /// or not; None where it may lie on either. Lengths are those of a page 0.14 m wide; its own
     /// is wider by `scale`.
@@ -292,11 +299,16 @@ impl DrawnParts {
         points: &mut [[f32; 3]],
         (scale, rounds): (f32, usize),
         side: impl Fn(u16, u16, bool) -> Option<f32>,
+        work: &mut Work,
     ) -> bool {
         let mut moved = false;
-        for _ in 0..rounds {
-            self.find_pairs(points, scale, &side);
+        for round in 0..rounds {
+            if round > 0 && work.is_spent() {
+                break;
+            }
+            work.spend(self.find_pairs(points, scale, &side));
             moved = false;
+            let mut looked_at = 0;
             for node in 0..self.points.len() {
                 let Some(home) = self.points[node] else {
                     continue;
@@ -305,9 +317,11 @@ impl DrawnParts {
                 // Of each part at most one triangle is next to the point.
                 for pair in &self.pairs[self.blocks[home].pairs.clone()] {
                     let block = &self.blocks[pair.under];
+                    looked_at += POINT;
                     if !may_overlap(block, [points[node]; 2], pair.side, scale) {
                         continue;
                     }
+                    looked_at += TRIANGLE * block.triangles.len() as u32;
                     for corners in &self.triangles[block.triangles.clone()] {
                         let found = overlap(points, node, *corners, pair.side, scale);
                         let is_nearer = |found: &Overlap| {
@@ -325,6 +339,7 @@ impl DrawnParts {
                     moved = true;
                 }
             }
+            work.spend(looked_at);
             if !moved {
                 break;
             }
@@ -332,13 +347,15 @@ impl DrawnParts {
         moved
     }
 
-    /// Finds which blocks may overlap each other where the points are now.
+    /// Finds which blocks may overlap each other where the points are now. Returns the work that
+    /// this took.
     fn find_pairs(
         &mut self,
         points: &[[f32; 3]],
         scale: f32,
         side: &impl Fn(u16, u16, bool) -> Option<f32>,
-    ) {
+    ) -> u32 {
+        let mut work = TRIANGLE * self.triangles.len() as u32;
         for block in &mut self.blocks {
             block.bound(points, &self.corners);
         }
@@ -349,6 +366,7 @@ impl DrawnParts {
                 part, low, high, ..
             } = self.blocks[home];
             let start = self.pairs.len();
+            work += BLOCKS * self.blocks.len() as u32;
             for (under, block) in self.blocks.iter_mut().enumerate() {
                 if block.part == part || !block.is_near([low, high], NOT_UPON * scale) {
                     continue;
@@ -367,6 +385,7 @@ impl DrawnParts {
             }
             self.blocks[home].pairs = start..self.pairs.len();
         }
+        work
     }
 
     /// The way that the normals of each part are, by parts; none where no part is folded over
@@ -488,6 +507,10 @@ pub(super) mod tests {
         (points.collect(), parts)
     }
 
+    fn unbounded() -> Work {
+        Work::new(u32::MAX)
+    }
+
     fn heights(points: &[[f32; 3]], columns: core::ops::Range<usize>) -> [f32; 2] {
         let of = points.iter().enumerate();
         let of = of.filter(|(node, _)| columns.contains(&(node % COLUMNS)));
@@ -500,7 +523,7 @@ pub(super) mod tests {
     fn a_flap_that_is_drawn_into_its_page_is_raised_out_of_it() {
         for over in [5e-5f32, 0.0, -1e-3] {
             let (mut points, mut parts) = folded(over);
-            parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| Some(1.0));
+            parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| Some(1.0), &mut unbounded());
             assert_eq!(heights(&points, 0..5), [0.0; 2], "the page stays");
             let [low, _] = heights(&points, 5..9);
             assert!(low > 0.5 * OVER_PILE, "{low} from {over}");
@@ -510,7 +533,7 @@ pub(super) mod tests {
     #[test]
     fn a_page_is_raised_off_a_flap_that_lies_under_it() {
         let (mut points, mut parts) = folded(5e-4);
-        parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| Some(-1.0));
+        parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| Some(-1.0), &mut unbounded());
         let [low, high] = heights(&points, 5..9);
         assert_eq!([low, high], [5e-4; 2], "the flap stays");
         let middle = heights(&points, 2..4)[0];
@@ -521,11 +544,11 @@ pub(super) mod tests {
     fn what_lies_clear_or_on_either_side_stays() {
         let (before, mut parts) = folded(1e-3);
         let mut points = before.clone();
-        parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| Some(1.0));
+        parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| Some(1.0), &mut unbounded());
         assert_eq!(points, before);
         let (before, mut parts) = folded(-1e-3);
         let mut points = before.clone();
-        parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| None);
+        parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| None, &mut unbounded());
         assert_eq!(points, before);
     }
 }

@@ -9,9 +9,6 @@ use crate::book::pile::Pile;
 use crate::grid::Side;
 use crate::models::sheet::{CAN_CREASE, FoldLine};
 
-/// Ticks after which a leaf that is laid open lies as still as it will.
-const LONGEST_SETTLING: u32 = 300;
-
 impl Flights {
     /// Creases a leaf along lines in place of those that it has: where it flies or lies, it
     /// goes on from there. Returns whether it can be; if not, nothing changes.
@@ -25,23 +22,26 @@ impl Flights {
             return false;
         }
         let drawn = self.drawn(leaf);
-        let is_creased = match drawn {
-            Some(index) if self.order[index].id() != LYING => self.order[index].crease(creases),
-            _ => self.creased.has_lines(creases) || self.pattern.can_crease(leaf, creases),
+        let goes_on = drawn.filter(|index| {
+            let flight = &self.order[*index];
+            flight.id() != LYING || keep_shut(&flight.leaf().sheet().creases(), creases)
+        });
+        let is_creased = match goes_on {
+            Some(index) => self.order[index].crease(creases),
+            None => self.creased.has_lines(creases) || self.pattern.can_crease(leaf, creases),
         };
         if !is_creased {
             return false;
         }
         for side in [Side::Left, Side::Right] {
-            if let Some(index) = self.lying(side).filter(|index| drawn == Some(*index)) {
+            let lying = self.lying(side).filter(|index| drawn == Some(*index));
+            if let (None, Some(index)) = (goes_on, lying) {
                 // It is drawn anew, as it comes to lie.
                 self.cover(index, side);
-                self.creased.set(leaf, creases);
-                return true;
             }
         }
         self.creased.set(leaf, creases);
-        if let Some(index) = drawn {
+        if let Some(index) = goes_on {
             self.order[index].leaf_mut().wake();
         }
         true
@@ -120,7 +120,7 @@ impl Flights {
         if side == Side::Left {
             self.left = covered.high();
         }
-        self.put_away(covered, side);
+        self.put_away(covered);
     }
 
     /// Says that creased leaves which have come to rest uppermost on a side lie there.
@@ -146,9 +146,9 @@ impl Flights {
         }
     }
 
-    /// Draws the creased leaf that lies uppermost in the pile of a side by itself, if there is
-    /// one: pressed flat where another still lies upon it, else as it lay when it was covered,
-    /// or as it comes to lie between the piles (right and left). Returns whether there is.
+    /// Draws the creased leaf that lies uppermost in the pile of a side by itself, if there is one:
+    /// pressed flat between the piles (right and left), as it lay in there. The next steps open its
+    /// folds to where they rest. Returns whether there is.
     pub fn uncover(&mut self, side: Side, gutter: &Gutter, piles: [&Pile; 2]) -> bool {
         if !CAN_CREASE || self.lying(side).is_some() || self.order.len() == MOST_FLIGHTS {
             return false;
@@ -168,51 +168,14 @@ impl Flights {
             made
         });
         flight.take_up(LYING, side, leaf, leaf + 1);
-        let upon = match side {
-            Side::Left => self.order.first(),
-            Side::Right => self.order.last(),
-        };
-        let lies_near = |upon: &Flight| {
-            let turned = upon.leaf().fraction_turned();
-            match side {
-                Side::Left => 1.0 - turned < NEAR,
-                Side::Right => turned < NEAR,
-            }
-        };
-        let is_under = upon.is_some_and(lies_near);
-        let lay = self.creased.lay_on(leaf, side).map(<[f32]>::to_vec);
-        let is_known = lay.is_some();
-        if is_under {
-            flight.leaf_mut().lay_pressed(side);
-        } else if let Some(lay) = lay {
-            flight.leaf_mut().lay_at(side, &lay);
-        }
-        flight.leaf_mut().wake();
-        if !is_known {
-            flight.leaf_mut().fold_upright(side, gutter, piles);
-        }
+        let laid = flight.leaf_mut();
+        laid.lay_pressed(side);
+        laid.wake();
+        // It is drawn before it is stepped.
+        laid.bend_over(piles);
+        laid.bend_into_gutter(gutter);
         self.put_next_to(side, flight);
-        if !is_under && !is_known {
-            self.settle(side, gutter, piles);
-        }
         true
-    }
-
-    /// Steps what lies creased on a side until it is still.
-    fn settle(&mut self, side: Side, gutter: &Gutter, piles: [&Pile; 2]) {
-        for _ in 0..LONGEST_SETTLING {
-            let Some(index) = self.lying(side) else {
-                return;
-            };
-            let flight = &mut self.order[index];
-            if matches!(flight.phase(), Phase::Resting(_)) {
-                return;
-            }
-            flight.leaf_mut().bend_over(piles);
-            flight.leaf_mut().bend_into_gutter(gutter);
-            flight.leaf_mut().keep();
-            self.step_one(index, gutter, piles, [1.0; 2]);
-        }
     }
 
     /// Whether flight `index` falls upon folds of the one under it.
@@ -243,3 +206,18 @@ impl Flights {
 
 /// Part of the half turn within which a leaf comes near to the folds of another.
 const NEAR: f32 = 0.3;
+
+/// Whether a leaf that lies with creases can be creased along others where it is, and folds or opens
+/// from there: the same of them are folded beyond a right angle, to the same sides.
+fn keep_shut(before: &[FoldLine], after: &[FoldLine]) -> bool {
+    let shut = |lines: &[FoldLine]| {
+        let mut shut: Vec<_> = lines
+            .iter()
+            .filter(|line| line.rest.abs() > core::f64::consts::FRAC_PI_2)
+            .map(|line| (line.through, line.rest > 0.0))
+            .collect();
+        shut.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal));
+        shut
+    };
+    !after.is_empty() && shut(before) == shut(after)
+}

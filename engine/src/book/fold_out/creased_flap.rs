@@ -4,6 +4,7 @@ use super::panels::Panels;
 use crate::book::creased_mesh::CreasedMesh;
 use crate::book::flaps::Flaps;
 use crate::book::separate_parts::{DrawnParts, ROUNDS};
+use crate::book::work::Work;
 use crate::grid::Side;
 use crate::models::sheet::{FoldLine, Sheet};
 use crate::surface::Surface;
@@ -76,6 +77,7 @@ impl CreasedFlap {
         let flaps = &self.flaps;
         let side = |under, part, is_alike| flaps.drawn_side(under, part, is_alike);
         let points = surface.positions.as_chunks_mut::<3>().0;
-        self.parts.separate(points, (scale, ROUNDS), side);
+        let work = &mut Work::new(u32::MAX);
+        self.parts.separate(points, (scale, ROUNDS), side, work);
     }
 }
