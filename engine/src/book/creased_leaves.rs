@@ -72,7 +72,7 @@ impl CreasedLeaves {
         let Ok(at) = self.index(leaf) else {
             return Some(flight);
         };
-        self.leaves[at].creases = flight.leaf().sheet().creases();
+        self.leaves[at].creases = flight.leaf().creases();
         self.kept.push((leaf, flight));
         if self.kept.len() > MOST_KEPT {
             self.kept.remove(0);

@@ -9,6 +9,7 @@
 mod course;
 mod fall;
 mod held;
+mod opening;
 mod play;
 #[cfg(test)]
 mod tests;
@@ -29,6 +30,7 @@ use crate::stock::Stock;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
 use course::Course;
+use opening::Opening;
 
 /// How far a released leaf's swing is looked at to choose its side, seconds.
 const LOOK_AHEAD: f32 = 0.12;
@@ -85,6 +87,8 @@ pub struct Leaf {
     in_book: BookSpaceLeaf,
     /// Its parts between creases; None where it has none.
     flaps: Option<Flaps>,
+    /// How creases open that were pressed shut; None where none do.
+    opening: Option<Opening>,
     /// For each row the outermost node that is not folded over.
     edge: Vec<usize>,
     /// Where it landed, and the nodes of a flat leaf on the right.
@@ -149,6 +153,7 @@ impl Leaf {
             room: [0.0, 1.0],
             in_book: BookSpaceLeaf::new(NODES[0], NODES[1], cell),
             flaps: None,
+            opening: None,
             edge: (1..=NODES[1]).map(|row| row * NODES[0] - 1).collect(),
             landed: flat.clone(),
             rest: flat.clone(),
@@ -188,6 +193,7 @@ impl Leaf {
         if self.sheet.crease(lines).is_err() {
             return false;
         }
+        self.opening = None;
         self.flat = self.sheet.flat_places();
         self.flaps = Flaps::of(&self.sheet);
         self.in_book.has_folds = false;
@@ -237,26 +243,10 @@ impl Leaf {
         }
     }
 
-    /// Turns the rest of a crease to an angle, radians as [`FoldLine::rest`].
-    pub fn press(&mut self, crease: usize, rest: f32) {
-        self.sheet.press(crease, rest);
-        if let (true, Some(flaps)) = (CAN_CREASE, &mut self.flaps) {
-            flaps.press(crease, rest);
-        }
-    }
-
     /// Lays the leaf still on a side, flat but for its creases.
     pub fn lay(&mut self, side: Side) {
+        self.end_opening();
         self.sheet.lay_folded(side);
-        self.lie(side);
-    }
-
-    /// Lays the leaf still on a side as it lies under others: folds are shut.
-    pub fn lay_pressed(&mut self, side: Side) {
-        let heights = self.flaps().map_or_else(Vec::new, Flaps::stacked);
-        // Shut so far by what lay upon them, creases open again.
-        self.sheet.let_yield(false);
-        self.sheet.lay_pressed(side, &heights);
         self.lie(side);
     }
 
@@ -458,7 +448,11 @@ impl Leaf {
     pub fn step(&mut self, supported: bool, has_way: bool) {
         let before = self.turned;
         // A hand opens folds that it holds, and nothing else does.
-        self.sheet.let_yield(self.phase == Phase::Held);
+        self.sheet
+            .let_yield(self.phase == Phase::Held && self.opening.is_none());
+        if !matches!(self.phase, Phase::Resting(_)) {
+            self.step_opening();
+        }
         match self.phase {
             Phase::Resting(_) => return,
             Phase::Held => {

@@ -18,11 +18,11 @@ use core::ops::Range;
 /// Rounds of projections, at most.
 pub const ROUNDS: usize = 4;
 
-/// Work of looking at two blocks, at a point beside a block, and at a triangle, also beside a
-/// point, nanoseconds.
-pub const BLOCKS: u32 = 3;
-pub const POINT: u32 = 2;
-pub const TRIANGLE: u32 = 10;
+/// Work of comparing two blocks, and of finding two that may overlap and looking at the points of
+/// one over the triangles of the other, nanoseconds: a dog-ear's 16,900 and 16 of these take some
+/// 20 us, a letter's 18,500 and 290 some 310.
+const BLOCKS: u32 = 1;
+const PAIR: u32 = 1_000;
 
 /// Cells along a side of a block of triangles that one box bounds.
 pub const BLOCK: usize = 3;
@@ -306,9 +306,10 @@ impl DrawnParts {
             if round > 0 && work.is_spent() {
                 break;
             }
-            work.spend(self.find_pairs(points, scale, &side));
+            self.find_pairs(points, scale, &side);
+            let blocks = self.blocks.len() as u32;
+            work.spend(BLOCKS * blocks * blocks + PAIR * self.pairs.len() as u32);
             moved = false;
-            let mut looked_at = 0;
             for node in 0..self.points.len() {
                 let Some(home) = self.points[node] else {
                     continue;
@@ -317,11 +318,9 @@ impl DrawnParts {
                 // Of each part at most one triangle is next to the point.
                 for pair in &self.pairs[self.blocks[home].pairs.clone()] {
                     let block = &self.blocks[pair.under];
-                    looked_at += POINT;
                     if !may_overlap(block, [points[node]; 2], pair.side, scale) {
                         continue;
                     }
-                    looked_at += TRIANGLE * block.triangles.len() as u32;
                     for corners in &self.triangles[block.triangles.clone()] {
                         let found = overlap(points, node, *corners, pair.side, scale);
                         let is_nearer = |found: &Overlap| {
@@ -339,7 +338,6 @@ impl DrawnParts {
                     moved = true;
                 }
             }
-            work.spend(looked_at);
             if !moved {
                 break;
             }
@@ -347,15 +345,13 @@ impl DrawnParts {
         moved
     }
 
-    /// Finds which blocks may overlap each other where the points are now. Returns the work that
-    /// this took.
+    /// Finds which blocks may overlap each other where the points are now.
     fn find_pairs(
         &mut self,
         points: &[[f32; 3]],
         scale: f32,
         side: &impl Fn(u16, u16, bool) -> Option<f32>,
-    ) -> u32 {
-        let mut work = TRIANGLE * self.triangles.len() as u32;
+    ) {
         for block in &mut self.blocks {
             block.bound(points, &self.corners);
         }
@@ -366,7 +362,6 @@ impl DrawnParts {
                 part, low, high, ..
             } = self.blocks[home];
             let start = self.pairs.len();
-            work += BLOCKS * self.blocks.len() as u32;
             for (under, block) in self.blocks.iter_mut().enumerate() {
                 if block.part == part || !block.is_near([low, high], NOT_UPON * scale) {
                     continue;
@@ -385,7 +380,6 @@ impl DrawnParts {
             }
             self.blocks[home].pairs = start..self.pairs.len();
         }
-        work
     }
 
     /// The way that the normals of each part are, by parts; none where no part is folded over
@@ -538,6 +532,20 @@ pub(super) mod tests {
         assert_eq!([low, high], [5e-4; 2], "the flap stays");
         let middle = heights(&points, 2..4)[0];
         assert!(middle > 5e-4, "{middle}");
+    }
+
+    #[test]
+    fn once_no_work_is_left_parts_are_moved_in_one_round_alone() {
+        let rounds = |rounds: usize, most: u32| {
+            let (mut points, mut parts) = folded(-1e-3);
+            let mut work = Work::new(most);
+            parts.separate(&mut points, (1.0, rounds), |_, _, _| Some(1.0), &mut work);
+            (points, work.done())
+        };
+        let [one, all, spent] = [(1, u32::MAX), (ROUNDS, u32::MAX), (ROUNDS, 1)]
+            .map(|(count, most)| rounds(count, most));
+        assert!(0 < one.1 && one.1 < all.1, "{} of {}", one.1, all.1);
+        assert_eq!(spent, one);
     }
 
     #[test]

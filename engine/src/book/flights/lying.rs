@@ -22,26 +22,23 @@ impl Flights {
             return false;
         }
         let drawn = self.drawn(leaf);
-        let goes_on = drawn.filter(|index| {
-            let flight = &self.order[*index];
-            flight.id() != LYING || keep_shut(&flight.leaf().sheet().creases(), creases)
-        });
-        let is_creased = match goes_on {
-            Some(index) => self.order[index].crease(creases),
-            None => self.creased.has_lines(creases) || self.pattern.can_crease(leaf, creases),
+        let is_creased = match drawn {
+            Some(index) if self.order[index].id() != LYING => self.order[index].crease(creases),
+            _ => self.creased.has_lines(creases) || self.pattern.can_crease(leaf, creases),
         };
         if !is_creased {
             return false;
         }
         for side in [Side::Left, Side::Right] {
-            let lying = self.lying(side).filter(|index| drawn == Some(*index));
-            if let (None, Some(index)) = (goes_on, lying) {
-                // It is drawn anew, as it comes to lie.
+            if let Some(index) = self.lying(side).filter(|index| drawn == Some(*index)) {
+                // It is drawn anew, pressed flat.
                 self.cover(index, side);
+                self.creased.set(leaf, creases);
+                return true;
             }
         }
         self.creased.set(leaf, creases);
-        if let Some(index) = goes_on {
+        if let Some(index) = drawn {
             self.order[index].leaf_mut().wake();
         }
         true
@@ -60,7 +57,7 @@ impl Flights {
     /// The creases of a leaf, each with the angle at which it rests now.
     pub fn creases(&self, leaf: u32) -> Vec<FoldLine> {
         match self.drawn(leaf) {
-            Some(index) => self.order[index].leaf().sheet().creases(),
+            Some(index) => self.order[index].leaf().creases(),
             None => self.creased.of(leaf).unwrap_or_default().to_vec(),
         }
     }
@@ -206,18 +203,3 @@ impl Flights {
 
 /// Part of the half turn within which a leaf comes near to the folds of another.
 const NEAR: f32 = 0.3;
-
-/// Whether a leaf that lies with creases can be creased along others where it is, and folds or opens
-/// from there: the same of them are folded beyond a right angle, to the same sides.
-fn keep_shut(before: &[FoldLine], after: &[FoldLine]) -> bool {
-    let shut = |lines: &[FoldLine]| {
-        let mut shut: Vec<_> = lines
-            .iter()
-            .filter(|line| line.rest.abs() > core::f64::consts::FRAC_PI_2)
-            .map(|line| (line.through, line.rest > 0.0))
-            .collect();
-        shut.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal));
-        shut
-    };
-    !after.is_empty() && shut(before) == shut(after)
-}

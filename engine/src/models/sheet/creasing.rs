@@ -107,8 +107,9 @@ impl Sheet {
 
     /// Lays the sheet still on a side as it lies under others, pressed flat: creases that rest
     /// beyond a right angle are shut, others flat. `heights` say how high each node lies, the
-    /// sheet's recto up, metres. Those at the spine stay on the table.
-    pub fn lay_pressed(&mut self, side: Side, heights: &[f32]) {
+    /// sheet's recto up, metres. Those at the spine stay on the table. Returns the angle at which
+    /// each crease then is, radians as [`FoldLine::rest`].
+    pub fn lay_pressed(&mut self, side: Side, heights: &[f32]) -> Vec<f32> {
         let mut creases = self.creases();
         for crease in &mut creases {
             let is_shut = crease.rest.abs() > 0.5 * PI;
@@ -130,6 +131,7 @@ impl Sheet {
             };
         }
         self.expect_rests();
+        creases.iter().map(|crease| crease.rest as f32).collect()
     }
 
     /// Lays the sheet still on a side, turned about each crease to the angle of the crease.
