@@ -392,7 +392,8 @@ impl Flaps {
                 let parts = [part, other.part];
                 let is_alike = dot(faces, facing_of(&facing, other.part)) > 0.0;
                 let side = self.side_of(other.part, part, is_alike);
-                let Some(touch) = touch(points, node, other.nodes, parts, side) else {
+                let is_joined = other.nodes.map(|corner| self.parts[corner].is_none());
+                let Some(touch) = touch(points, node, (other.nodes, is_joined), parts, side) else {
                     continue;
                 };
                 match found[first..].iter_mut().find(|known| known.parts == parts) {
@@ -425,11 +426,12 @@ pub fn facing_of(facing: &[(u16, [f32; 3])], part: u16) -> [f32; 3] {
 }
 
 /// How a node touches a triangle of its leaf, if it lies over it on a side (1 the recto's) or
-/// not deeper in it than `deepest`. `parts` are those of the node and of the triangle.
+/// not deeper in it than `deepest`. `parts` are those of the node and of the triangle, of which
+/// some corners are on creases: there parts are joined, and keep the less distance the nearer.
 fn touch(
     points: &[[f32; 3]],
     node: usize,
-    under: [usize; 3],
+    (under, is_joined): ([usize; 3], [bool; 3]),
     parts: [u16; 2],
     (side, deepest): (f32, f32),
 ) -> Option<Touch> {
@@ -439,16 +441,18 @@ fn touch(
     let [u, v] = [sub(b, a), sub(c, a)];
     let across = cross(u, v);
     let normal = unit(across);
-    let gap = side * dot(away, normal) - PARTS_GAP;
-    if !(-deepest..=CURLED).contains(&gap) {
+    let height = side * dot(away, normal);
+    if !(PARTS_GAP - deepest..=CURLED + PARTS_GAP).contains(&height) {
         return None;
     }
     let inverse = 1.0 / dot(across, across);
     let on_b = dot(cross(away, v), across) * inverse;
     let on_c = dot(cross(u, away), across) * inverse;
-    let is_over = [on_b, on_c, 1.0 - on_b - on_c]
-        .iter()
-        .all(|part| *part > -BESIDE);
+    let weights = [1.0 - on_b - on_c, on_b, on_c];
+    let is_over = weights.iter().all(|part| *part > -BESIDE);
+    let joined = weights.iter().zip(is_joined).filter(|(_, is)| *is);
+    let joined: f32 = joined.map(|(weight, _)| *weight).sum();
+    let gap = height - PARTS_GAP * (1.0 - joined).clamp(0.0, 1.0);
     is_over.then(|| Touch {
         node,
         under,

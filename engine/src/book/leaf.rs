@@ -465,6 +465,7 @@ impl Leaf {
         if let Phase::Resting(_) = self.phase {
             return;
         }
+        self.slow_opening();
         self.turned = self.measure_fraction();
         // Smoothed over about 30 ms: a grab's last twitch is not its throw.
         let rate = (self.turned - before) / TICK;

@@ -2,12 +2,17 @@
 
 use super::Leaf;
 use crate::book::flaps::Flaps;
+use crate::book::phase::Phase;
 use crate::grid::Side;
 use crate::models::sheet::{CAN_CREASE, FoldLine};
 
 /// Ticks in which creases open that were pressed shut: half a second, as they are folded in by hand.
-/// Paper that was pressed recovers in time; let go at once, a letter's parts would throw it upright.
+/// Paper that was pressed recovers in time; let go at once, a letter would leap.
 const OPENING: u32 = 60;
+
+/// Part of its speed that what opens keeps in a tick: air between its parts has to come in. Parts
+/// that lie nearer to each other than they keep apart would else throw each other off.
+const KEPT_SPEED: f32 = 0.5;
 
 /// How creases open that were pressed shut.
 pub(super) struct Opening {
@@ -75,6 +80,13 @@ impl Leaf {
         let rests: Vec<f32> = rests.map(|(from, to)| from + (to - from) * eased).collect();
         for (crease, rest) in rests.into_iter().enumerate() {
             self.press_to(crease, rest);
+        }
+    }
+
+    /// Slows the leaf at the end of a tick while its creases open and nothing but its weight moves it.
+    pub(super) fn slow_opening(&mut self) {
+        if CAN_CREASE && self.opening.is_some() && matches!(self.phase, Phase::Falling(_)) {
+            self.sheet.slow(KEPT_SPEED);
         }
     }
 
