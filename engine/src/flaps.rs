@@ -427,7 +427,8 @@ pub fn facing_of(facing: &[(u16, [f32; 3])], part: u16) -> [f32; 3] {
 
 /// How a node touches a triangle of its leaf, if it lies over it on a side (1 the recto's) or
 /// not deeper in it than `deepest`. `parts` are those of the node and of the triangle, of which
-/// some corners are on creases: there parts are joined, and keep the less distance the nearer.
+/// some corners are on creases: there parts are joined, and keep the less distance the nearer, on
+/// the crease none.
 fn touch(
     points: &[[f32; 3]],
     node: usize,
@@ -453,7 +454,8 @@ fn touch(
     let joined = weights.iter().zip(is_joined).filter(|(_, is)| *is);
     let joined: f32 = joined.map(|(weight, _)| *weight).sum();
     let gap = height - PARTS_GAP * (1.0 - joined).clamp(0.0, 1.0);
-    is_over.then(|| Touch {
+    // The end of a part that reaches as far as the fold that it lies in is over both sides of it.
+    (is_over && joined < 1.0 - BESIDE).then(|| Touch {
         node,
         under,
         parts,

@@ -230,6 +230,10 @@ impl Flight {
         if CAN_CREASE {
             self.find_turned_over();
         }
+        if self.shown.is_empty() {
+            // What is drawn of others next to it may have it drawn so for as long as they move.
+            self.separate_own_parts(ROUNDS, &mut Work::new(u32::MAX));
+        }
         self.wanted.clone_from(&self.surface.positions);
         if self.shown.is_empty() {
             self.show_at_rest(last);

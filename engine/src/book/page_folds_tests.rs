@@ -232,7 +232,7 @@ fn open_folds(book: &mut Book, creases: &[FoldLine], when: &str) {
     for frame in 0..500 {
         let index = book.drawn_leaves() - 1;
         let deep = depth_of(book, index, creases);
-        if deep >= DEEP { println!("{when}: {deep} m in frame {frame}, {:?}", creases[0].rest); }
+        assert!(deep < DEEP, "{when}: {deep} m in frame {frame}");
         if book.is_asleep() {
             return;
         }
@@ -298,7 +298,8 @@ fn opens_where_it_is_uncovered(creases: &[FoldLine]) {
 
 #[test]
 fn an_uncovered_letter_opens_over_the_next_frames() {
-    opens_where_it_is_uncovered(&as_letter());
+    // Its end is a little shorter than what it lies in, as a letter's is.
+    opens_where_it_is_uncovered(&[along(0.4, 160.0), along(0.72, 175.0)]);
 }
 
 #[test]
@@ -309,23 +310,4 @@ fn an_uncovered_zigzag_opens_over_the_next_frames() {
 #[test]
 fn an_uncovered_dog_ear_opens_over_the_next_frames() {
     opens_where_it_is_uncovered(&dog_ear());
-}
-
-#[test]
-#[ignore]
-fn watch() {
-    for (name, creases) in [("letter", as_letter()), ("zigzag", as_zigzag()), ("verso", toward_verso(&as_letter()))] {
-        let mut book = book(&creases);
-        println!("{name}");
-        for tick in 0..400 {
-            let leaf = book.flights.order()[0].leaf();
-            let angles: Vec<_> = (0..2).map(|n| leaf.sheet().crease_angle(n).unwrap()[0].to_degrees() as i32).collect();
-            let row = leaf.sheet().positions()[30*6..30*7].to_vec();
-            let at: Vec<_> = row.chunks(3).map(|p| format!("{:.0},{:.1}", 1e3*p[0], 1e3*p[2])).collect();
-            if tick % 2 == 0 { book.update(); }
-            if tick < 30 || tick % 20 == 0 { println!("{tick} {:.3} mm {angles:?} {}", 1e3*depth(&book, &creases), at.join(" ")); }
-            if book.is_asleep() { println!("asleep at {tick}"); break; }
-            book.step(1);
-        }
-    }
 }

@@ -326,9 +326,21 @@ pub fn push_off_leaf(
         if own.parted().is_clear_of(block, bounds, &slab, facing, 0.0) {
             continue;
         }
-        outcome = outcome.max(push_edges_off(own, other, (pair, Edges::Own), [facing, scale], work));
+        outcome = outcome.max(push_edges_off(
+            own,
+            other,
+            (pair, Edges::Own),
+            [facing, scale],
+            work,
+        ));
         let facing = -side * own.parted().facing(block);
-        outcome = outcome.max(push_edges_off(own, other, (pair, Edges::Others), [facing, scale], work));
+        outcome = outcome.max(push_edges_off(
+            own,
+            other,
+            (pair, Edges::Others),
+            [facing, scale],
+            work,
+        ));
     }
     outcome
 }

@@ -517,7 +517,12 @@ pub(super) mod tests {
     fn a_flap_that_is_drawn_into_its_page_is_raised_out_of_it() {
         for over in [5e-5f32, 0.0, -1e-3] {
             let (mut points, mut parts) = folded(over);
-            parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| Some(1.0), &mut unbounded());
+            parts.separate(
+                &mut points,
+                (1.0, ROUNDS),
+                |_, _, _| Some(1.0),
+                &mut unbounded(),
+            );
             assert_eq!(heights(&points, 0..5), [0.0; 2], "the page stays");
             let [low, _] = heights(&points, 5..9);
             assert!(low > 0.5 * OVER_PILE, "{low} from {over}");
@@ -527,7 +532,12 @@ pub(super) mod tests {
     #[test]
     fn a_page_is_raised_off_a_flap_that_lies_under_it() {
         let (mut points, mut parts) = folded(5e-4);
-        parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| Some(-1.0), &mut unbounded());
+        parts.separate(
+            &mut points,
+            (1.0, ROUNDS),
+            |_, _, _| Some(-1.0),
+            &mut unbounded(),
+        );
         let [low, high] = heights(&points, 5..9);
         assert_eq!([low, high], [5e-4; 2], "the flap stays");
         let middle = heights(&points, 2..4)[0];
@@ -552,7 +562,12 @@ pub(super) mod tests {
     fn what_lies_clear_or_on_either_side_stays() {
         let (before, mut parts) = folded(1e-3);
         let mut points = before.clone();
-        parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| Some(1.0), &mut unbounded());
+        parts.separate(
+            &mut points,
+            (1.0, ROUNDS),
+            |_, _, _| Some(1.0),
+            &mut unbounded(),
+        );
         assert_eq!(points, before);
         let (before, mut parts) = folded(-1e-3);
         let mut points = before.clone();

@@ -12,7 +12,7 @@ const OPENING: u32 = 60;
 
 /// Part of its speed that what opens keeps in a tick: air between its parts has to come in. Parts
 /// that lie nearer to each other than they keep apart would else throw each other off.
-const KEPT_SPEED: f32 = 0.5;
+const KEPT_SPEED: f32 = 0.1;
 
 /// How creases open that were pressed shut.
 pub(super) struct Opening {

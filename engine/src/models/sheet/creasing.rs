@@ -121,7 +121,9 @@ impl Sheet {
         }
         self.turn_about(side, &creases);
         let columns = self.settings.columns;
-        let highest = heights.iter().fold(0.0f32, |most, height| most.max(*height));
+        let highest = heights
+            .iter()
+            .fold(0.0f32, |most, height| most.max(*height));
         let nodes = self.positions.chunks_exact_mut(3).zip(heights);
         for (_, (own, height)) in nodes.enumerate().filter(|(node, _)| node % columns > 0) {
             // The sheet's recto faces down on the left.
