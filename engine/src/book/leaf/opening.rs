@@ -10,8 +10,9 @@ use crate::models::sheet::{CAN_CREASE, FoldLine};
 /// Paper that was pressed recovers in time; let go at once, a letter would leap.
 const OPENING: u32 = 60;
 
-/// Part of its speed that what opens keeps in a tick: air between its parts has to come in. Parts
-/// that lie nearer to each other than they keep apart would else throw each other off.
+/// Part of its speed that what begins to open keeps in a tick, all once it is open: air between its
+/// parts has to come in. Parts that lie nearer to each other than they keep apart would else throw
+/// each other off.
 const KEPT_SPEED: f32 = 0.1;
 
 /// How creases open that were pressed shut.
@@ -73,6 +74,8 @@ impl Leaf {
         let part = opening.ticks as f32 / OPENING as f32;
         if part >= 1.0 {
             self.end_opening();
+            // What was slow until now does not lie still for that.
+            self.stay_awake();
             return;
         }
         let eased = part * part * (3.0 - 2.0 * part);
@@ -85,8 +88,14 @@ impl Leaf {
 
     /// Slows the leaf at the end of a tick while its creases open and nothing but its weight moves it.
     pub(super) fn slow_opening(&mut self) {
-        if CAN_CREASE && self.opening.is_some() && matches!(self.phase, Phase::Falling(_)) {
-            self.sheet.slow(KEPT_SPEED);
+        let is_left_alone = matches!(self.phase, Phase::Falling(_));
+        if let Some(opening) = self
+            .opening
+            .as_ref()
+            .filter(|_| CAN_CREASE && is_left_alone)
+        {
+            let part = opening.ticks as f32 / OPENING as f32;
+            self.sheet.slow(KEPT_SPEED + part * (1.0 - KEPT_SPEED));
         }
     }
 

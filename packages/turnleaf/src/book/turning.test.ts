@@ -540,7 +540,7 @@ test("folds that come to lie uppermost open while nothing turns, until they rest
   const turning = new Turning(engine, binding, nothing);
   turning.lay(5);
   expect(turning.isSettling).toBe(false);
-  expect(engine.creases.crease(5, [{ through: [0.6, 0, 0.6, 1], rest: 2.8 }])).toBe(true);
+  expect(engine.creases.crease(5, [{ through: [0.8, 0, 1, 0.14], rest: 2.8 }])).toBe(true);
   expect([turning.moving, turning.isSettling]).toEqual([false, true]);
   const at = (): number[] => {
     engine.update();
@@ -554,7 +554,7 @@ test("folds that come to lie uppermost open while nothing turns, until they rest
   expect(engine.creases.lies(Side.right)).toBe(true);
   const opened = at();
   const apart = opened.map((x, k) => Math.abs(x - pressed[k]));
-  expect(Math.max(...apart)).toBeGreaterThan(0.005);
+  expect(Math.max(...apart)).toBeGreaterThan(0.002);
   turning.step(2);
   expect(at()).toEqual(opened);
 });
