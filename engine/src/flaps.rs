@@ -188,6 +188,53 @@ impl Flaps {
             .any(|triangle| triangle.part.count_ones() > 1)
     }
 
+    /// How high each node lies in the leaf pressed flat, recto up, metres: parts are stacked in the
+    /// order in which the creases fold them, the distance that they keep apart, and those that
+    /// creases divide which rest below a right angle lie side by side. Nodes on creases are at the
+    /// mean of what they join.
+    pub fn stacked(&self) -> Vec<f32> {
+        let mut parts: Vec<u16> = self.triangles.iter().map(|one| one.part).collect();
+        parts.sort_unstable();
+        parts.dedup();
+        let is_shut = |(_, rest): &&(u16, f32)| rest.abs() > core::f32::consts::FRAC_PI_2;
+        let shut = self.creases.iter().filter(is_shut);
+        let shut = shut.fold(0, |set, (crease, _)| set | crease);
+        // Of each two parts that one lies upon the other, the lower and the upper.
+        let mut upon = Vec::new();
+        for (at, under) in parts.iter().enumerate() {
+            let under_is_turned = is_turned_over(*under, shut);
+            for (over, part) in parts.iter().enumerate().skip(at + 1) {
+                let is_alike = is_turned_over(*part, shut) == under_is_turned;
+                match self.drawn_side(*under, *part, is_alike) {
+                    Some(side) if (side > 0.0) != under_is_turned => upon.push([at, over]),
+                    Some(_) => upon.push([over, at]),
+                    None => {}
+                }
+            }
+        }
+        // Folds that no paper could be in may have parts lie upon each other in a ring.
+        let mut ranks = vec![0usize; parts.len()];
+        for _ in 0..parts.len() {
+            let before = ranks.clone();
+            for [lower, upper] in &upon {
+                ranks[*upper] = ranks[*upper].max(ranks[*lower] + 1).min(parts.len());
+            }
+            if ranks == before {
+                break;
+            }
+        }
+        let mut sums = vec![(0.0, 0.0); self.parts.len()];
+        for triangle in &self.triangles {
+            let at = parts.partition_point(|part| *part < triangle.part);
+            for node in triangle.nodes {
+                sums[node].0 += ranks[at] as f32;
+                sums[node].1 += 1.0;
+            }
+        }
+        let height = |(sum, count): (f32, f32)| PARTS_GAP * sum / count.max(1.0);
+        sums.into_iter().map(height).collect()
+    }
+
     /// Notes the angle at which a crease rests now, radians.
     pub fn press(&mut self, crease: usize, rest: f32) {
         for (_, own) in self
@@ -345,7 +392,8 @@ impl Flaps {
                 let parts = [part, other.part];
                 let is_alike = dot(faces, facing_of(&facing, other.part)) > 0.0;
                 let side = self.side_of(other.part, part, is_alike);
-                let Some(touch) = touch(points, node, other.nodes, parts, side) else {
+                let is_joined = other.nodes.map(|corner| self.parts[corner].is_none());
+                let Some(touch) = touch(points, node, (other.nodes, is_joined), parts, side) else {
                     continue;
                 };
                 match found[first..].iter_mut().find(|known| known.parts == parts) {
@@ -378,11 +426,13 @@ pub fn facing_of(facing: &[(u16, [f32; 3])], part: u16) -> [f32; 3] {
 }
 
 /// How a node touches a triangle of its leaf, if it lies over it on a side (1 the recto's) or
-/// not deeper in it than `deepest`. `parts` are those of the node and of the triangle.
+/// not deeper in it than `deepest`. `parts` are those of the node and of the triangle, of which
+/// some corners are on creases: there parts are joined, and keep the less distance the nearer, on
+/// the crease none.
 fn touch(
     points: &[[f32; 3]],
     node: usize,
-    under: [usize; 3],
+    (under, is_joined): ([usize; 3], [bool; 3]),
     parts: [u16; 2],
     (side, deepest): (f32, f32),
 ) -> Option<Touch> {
@@ -392,17 +442,20 @@ fn touch(
     let [u, v] = [sub(b, a), sub(c, a)];
     let across = cross(u, v);
     let normal = unit(across);
-    let gap = side * dot(away, normal) - PARTS_GAP;
-    if !(-deepest..=CURLED).contains(&gap) {
+    let height = side * dot(away, normal);
+    if !(PARTS_GAP - deepest..=CURLED + PARTS_GAP).contains(&height) {
         return None;
     }
     let inverse = 1.0 / dot(across, across);
     let on_b = dot(cross(away, v), across) * inverse;
     let on_c = dot(cross(u, away), across) * inverse;
-    let is_over = [on_b, on_c, 1.0 - on_b - on_c]
-        .iter()
-        .all(|part| *part > -BESIDE);
-    is_over.then(|| Touch {
+    let weights = [1.0 - on_b - on_c, on_b, on_c];
+    let is_over = weights.iter().all(|part| *part > -BESIDE);
+    let joined = weights.iter().zip(is_joined).filter(|(_, is)| *is);
+    let joined: f32 = joined.map(|(weight, _)| *weight).sum();
+    let gap = height - PARTS_GAP * (1.0 - joined).clamp(0.0, 1.0);
+    // The end of a part that reaches as far as the fold that it lies in is over both sides of it.
+    (is_over && joined < 1.0 - BESIDE).then(|| Touch {
         node,
         under,
         parts,

@@ -1,8 +1,6 @@
-//! Which leaves of a book are creased, along which lines, and how each lay when it was covered.
+//! Which leaves of a book are creased, and along which lines.
 
 use super::flight::Flight;
-use super::phase::Phase;
-use crate::grid::Side;
 use crate::models::sheet::FoldLine;
 
 /// Creased leaves of a book and creases of a leaf, at most: what bounds a book's memory.
@@ -18,8 +16,6 @@ const MOST_KEPT: usize = 4;
 struct CreasedLeaf {
     leaf: u32,
     creases: Vec<FoldLine>,
-    /// Where its nodes were when it lay last on the right and on the left, metres.
-    lay: [Option<Vec<f32>>; 2],
 }
 
 /// The creased leaves of a book.
@@ -49,7 +45,6 @@ impl CreasedLeaves {
             let made = CreasedLeaf {
                 leaf,
                 creases: creases.to_vec(),
-                lay: [None, None],
             };
             let at = self.index(leaf).unwrap_or_else(|at| at);
             self.leaves.insert(at, made);
@@ -70,24 +65,14 @@ impl CreasedLeaves {
         leaves.any(|known| known.creases.len() == asked.len() && lines(&known.creases) == asked)
     }
 
-    /// Where the nodes of a leaf were when it lay last on a side; None where it never did.
-    pub fn lay_on(&self, leaf: u32, side: Side) -> Option<&[f32]> {
-        let at = self.index(leaf).ok()?;
-        self.leaves[at].lay[side as usize].as_deref()
-    }
-
-    /// Keeps the flight of a creased leaf that lies on a side, is covered there and so no longer
-    /// drawn. Returns it where the leaf has no creases any more.
-    pub fn cover(&mut self, flight: Flight, side: Side) -> Option<Flight> {
+    /// Keeps the flight of a creased leaf that is covered and so no longer drawn. Returns it where
+    /// the leaf has no creases any more.
+    pub fn cover(&mut self, flight: Flight) -> Option<Flight> {
         let leaf = flight.low();
         let Ok(at) = self.index(leaf) else {
             return Some(flight);
         };
-        let sheet = flight.leaf().sheet();
-        self.leaves[at].creases = sheet.creases();
-        if flight.phase() == Phase::Resting(side) {
-            self.leaves[at].lay[side as usize] = Some(sheet.positions().to_vec());
-        }
+        self.leaves[at].creases = flight.leaf().creases();
         self.kept.push((leaf, flight));
         if self.kept.len() > MOST_KEPT {
             self.kept.remove(0);

@@ -56,7 +56,7 @@ pub fn draw(order: &mut [Flight], piles: [&Pile; 2], last: [&Pile; 2]) -> (bool,
         resolve(order, ALL, piles, separating);
         separate_outward(order, piles, separating);
         if !has_folds(order) {
-            push_off_piles(order, ALL, piles);
+            push_off_piles(order, ALL, piles, separating);
         }
         order.iter_mut().for_each(Flight::want);
         is_followed = hold_back(order, [piles, last], separating, &mut searching);
@@ -77,7 +77,7 @@ pub fn on_left(order: &[Flight]) -> usize {
 fn resolve(order: &mut [Flight], set: u16, piles: [&Pile; 2], work: &mut Work) {
     separate(order, set, piles, work);
     if !has_folds(order) {
-        push_off_piles(order, set, piles);
+        push_off_piles(order, set, piles, work);
     }
 }
 
@@ -140,11 +140,11 @@ fn move_off(order: &mut [Flight], index: usize, side: Side, piles: [&Pile; 2], w
 
 /// Pushes flights, of a set of them, out of the piles (right and left), each over those that
 /// fly between it and a pile.
-fn push_off_piles(order: &mut [Flight], set: u16, piles: [&Pile; 2]) {
+fn push_off_piles(order: &mut [Flight], set: u16, piles: [&Pile; 2], work: &mut Work) {
     for index in 0..order.len() {
         if set >> index & 1 == 1 {
             let over = over_piles(order, index);
-            order[index].push_off_piles(piles, over);
+            order[index].push_off_piles(piles, over, work);
         }
     }
 }
@@ -199,13 +199,13 @@ fn hold_back(
             }
         }
         // Half-way between two pictures leaves are nearer to each other than in either.
-        push_off_piles(order, moved, piles);
+        push_off_piles(order, moved, piles, separating);
         resolve(order, moved, piles, separating);
         if !piles_go_on {
             // What goes on may go on into piles that do not.
             for index in 0..order.len() {
                 if crossings.steps[index] > 0 && !order[index].is_clear_of(last) {
-                    push_off_piles(order, 1 << index, last);
+                    push_off_piles(order, 1 << index, last, separating);
                     crossings.forget(index);
                 }
             }

@@ -230,6 +230,10 @@ impl Flight {
         if CAN_CREASE {
             self.find_turned_over();
         }
+        if self.shown.is_empty() {
+            // What is drawn of others next to it may have it drawn so for as long as they move.
+            self.separate_own_parts(ROUNDS, &mut Work::new(u32::MAX));
+        }
         self.wanted.clone_from(&self.surface.positions);
         if self.shown.is_empty() {
             self.show_at_rest(last);
@@ -337,12 +341,12 @@ impl Flight {
 
     /// Pushes what others moved into the piles (right and left) out of them, so far over
     /// each, metres for a page 0.14 m wide.
-    pub fn push_off_piles(&mut self, piles: [&Pile; 2], over: [f32; 2]) {
+    pub fn push_off_piles(&mut self, piles: [&Pile; 2], over: [f32; 2], work: &mut Work) {
         self.revision += 1;
         let scale = self.scale();
         let over = over.map(|over| over * scale);
         push_off(&mut self.surface.positions, piles, over);
-        self.separate_own_parts(ROUNDS);
+        self.separate_own_parts(ROUNDS, work);
         if !matches!(self.phase(), Phase::Resting(_)) {
             push_edges_off(&mut self.surface.positions, piles, over);
         }
@@ -350,14 +354,14 @@ impl Flight {
 
     /// Moves its own parts off each other, in so many rounds at most. Returns whether any were in
     /// the last.
-    fn separate_own_parts(&mut self, rounds: usize) -> bool {
+    fn separate_own_parts(&mut self, rounds: usize, work: &mut Work) -> bool {
         let scale = self.scale();
         let Some(flaps) = self.leaf.flaps() else {
             return false;
         };
         let points = self.surface.positions.as_chunks_mut::<3>().0;
         let side = |under, part, is_alike| flaps.drawn_side(under, part, is_alike);
-        self.parts.separate(points, (scale, rounds), side)
+        self.parts.separate(points, (scale, rounds), side, work)
     }
 
     /// Whether it is creased.
@@ -394,7 +398,7 @@ impl Flight {
             if !matches!(self.phase(), Phase::Resting(_)) {
                 push_edges_off(&mut self.surface.positions, piles, over);
             }
-            let are_parts_clear = !self.is_creased() || !self.separate_own_parts(1);
+            let are_parts_clear = !self.is_creased() || !self.separate_own_parts(1, work);
             if let (Some((neighbour, side)), Some(placed)) = (neighbour, &mut placed) {
                 if work.is_spent() {
                     is_clear = false;

@@ -142,8 +142,7 @@ impl Flights {
     pub fn lay(&mut self, left: u32) {
         self.left = left.min(self.leaves);
         for flight in core::mem::take(&mut self.order) {
-            let side = flight.phase().side().unwrap_or(Side::Right);
-            self.put_away(flight, side);
+            self.put_away(flight);
         }
         self.tick_work = 0;
     }
@@ -352,13 +351,13 @@ impl Flights {
             let over = self.order.remove(0);
             self.left = over.high();
             self.count(&over);
-            self.put_away(over, Side::Left);
+            self.put_away(over);
         }
         while self.joins(Side::Right)
             && let Some(over) = self.order.pop()
         {
             self.count(&over);
-            self.put_away(over, Side::Right);
+            self.put_away(over);
         }
         self.let_lie();
     }
@@ -373,10 +372,10 @@ impl Flights {
     }
 
     /// Keeps a flight that is over to be used again.
-    fn put_away(&mut self, over: Flight, side: Side) {
+    fn put_away(&mut self, over: Flight) {
         if !over.leaf().is_creased() {
             self.spare.push(over);
-        } else if let Some(mut over) = self.creased.cover(over, side) {
+        } else if let Some(mut over) = self.creased.cover(over) {
             over.crease(&[]);
             self.spare.push(over);
         }

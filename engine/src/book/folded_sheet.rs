@@ -4,6 +4,7 @@
 use super::book_space_leaf::WIDTH;
 use super::creased_mesh::CreasedMesh;
 use super::separate_parts::{DrawnParts, ROUNDS};
+use super::work::Work;
 use crate::flaps::Flaps;
 use crate::models::sheet::Sheet;
 use crate::surface::Surface;
@@ -40,6 +41,8 @@ impl FoldedSheet {
         let flaps = &self.flaps;
         let side = |under, part, is_alike| flaps.drawn_side(under, part, is_alike);
         let points = surface.positions.as_chunks_mut::<3>().0;
-        self.parts.separate(points, (width / WIDTH, ROUNDS), side);
+        let work = &mut Work::new(u32::MAX);
+        self.parts
+            .separate(points, (width / WIDTH, ROUNDS), side, work);
     }
 }

@@ -9,6 +9,7 @@
 mod course;
 mod fall;
 mod held;
+mod opening;
 mod play;
 #[cfg(test)]
 mod tests;
@@ -29,6 +30,7 @@ use crate::stock::Stock;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
 use course::Course;
+use opening::Opening;
 
 /// How far a released leaf's swing is looked at to choose its side, seconds.
 const LOOK_AHEAD: f32 = 0.12;
@@ -37,15 +39,8 @@ const LOOK_AHEAD: f32 = 0.12;
 /// it is the root of it.
 const CLAMP_STAYS: f32 = 0.75;
 
-/// How far folds are open in a leaf under others, radians: what reaches 30 mm beyond its crease
-/// stands [`DEEP`](super::tolerance::DEEP) off its leaf, which no leaf upon it is brought out of.
-const AJAR: f64 = 0.05;
-
 /// Work of a search for contacts, nanoseconds of native code.
 const SEARCH: u32 = 40_000;
-
-/// Ticks in which a leaf is folded anew: half a second, as by hand.
-const FOLDING: u32 = 60;
 
 /// One leaf of paper between two piles.
 pub struct Leaf {
@@ -92,6 +87,8 @@ pub struct Leaf {
     in_book: BookSpaceLeaf,
     /// Its parts between creases; None where it has none.
     flaps: Option<Flaps>,
+    /// How creases open that were pressed shut; None where none do.
+    opening: Option<Opening>,
     /// For each row the outermost node that is not folded over.
     edge: Vec<usize>,
     /// Where it landed, and the nodes of a flat leaf on the right.
@@ -156,6 +153,7 @@ impl Leaf {
             room: [0.0, 1.0],
             in_book: BookSpaceLeaf::new(NODES[0], NODES[1], cell),
             flaps: None,
+            opening: None,
             edge: (1..=NODES[1]).map(|row| row * NODES[0] - 1).collect(),
             landed: flat.clone(),
             rest: flat.clone(),
@@ -195,6 +193,7 @@ impl Leaf {
         if self.sheet.crease(lines).is_err() {
             return false;
         }
+        self.opening = None;
         self.flat = self.sheet.flat_places();
         self.flaps = Flaps::of(&self.sheet);
         self.in_book.has_folds = false;
@@ -215,33 +214,6 @@ impl Leaf {
             })
             .collect();
         true
-    }
-
-    /// Folds the leaf anew as its creases rest, where folds lie upon folds: upright between the
-    /// sides, where it has room and no weight. It is then let fall to a side.
-    pub fn fold_upright(&mut self, side: Side, gutter: &Gutter, piles: [&Pile; 2]) {
-        if !CAN_CREASE || !self.flaps.as_ref().is_some_and(Flaps::overlap) {
-            return;
-        }
-        let creases = self.sheet.creases();
-        let gravity = self.sheet.settings().gravity;
-        self.sheet.set_gravity([0.0; 3]);
-        self.sheet.stand_unfolded();
-        self.clamp = core::f32::consts::FRAC_PI_2;
-        self.sheet.let_yield(false);
-        for tick in 1..=FOLDING {
-            let part = tick as f32 / FOLDING as f32;
-            for (number, crease) in creases.iter().enumerate() {
-                self.press(number, part * crease.rest as f32);
-            }
-            self.bend_over(piles);
-            self.bend_into_gutter(gutter);
-            self.detect_contacts(piles, [None, None], true);
-            self.step_sheet();
-        }
-        self.sheet.set_gravity(gravity);
-        self.turned = self.measure_fraction();
-        self.fall(side, 1.0);
     }
 
     /// Whether the leaf is creased.
@@ -271,28 +243,15 @@ impl Leaf {
         }
     }
 
-    /// Turns the rest of a crease to an angle, radians as [`FoldLine::rest`].
-    pub fn press(&mut self, crease: usize, rest: f32) {
-        self.sheet.press(crease, rest);
-        if let (true, Some(flaps)) = (CAN_CREASE, &mut self.flaps) {
-            flaps.press(crease, rest);
-        }
-    }
-
     /// Lays the leaf still on a side, flat but for its creases.
     pub fn lay(&mut self, side: Side) {
+        self.end_opening();
         self.sheet.lay_folded(side);
         self.lie(side);
     }
 
-    /// Lays the leaf still on a side as it lies under others: folds are shut.
-    pub fn lay_pressed(&mut self, side: Side) {
-        self.sheet.lay_pressed(side, AJAR);
-        self.lie(side);
-    }
-
     /// Lets a creased leaf lie still on a side where its nodes are `at`.
-    pub fn lay_at(&mut self, side: Side, at: &[f32]) {
+    fn lay_at(&mut self, side: Side, at: &[f32]) {
         self.sheet.put_back(at);
         self.lie(side);
         self.turned = self.measure_fraction();
@@ -489,7 +448,11 @@ impl Leaf {
     pub fn step(&mut self, supported: bool, has_way: bool) {
         let before = self.turned;
         // A hand opens folds that it holds, and nothing else does.
-        self.sheet.let_yield(self.phase == Phase::Held);
+        self.sheet
+            .let_yield(self.phase == Phase::Held && self.opening.is_none());
+        if !matches!(self.phase, Phase::Resting(_)) {
+            self.step_opening();
+        }
         match self.phase {
             Phase::Resting(_) => return,
             Phase::Held => {
@@ -502,6 +465,7 @@ impl Leaf {
         if let Phase::Resting(_) = self.phase {
             return;
         }
+        self.slow_opening();
         self.turned = self.measure_fraction();
         // Smoothed over about 30 ms: a grab's last twitch is not its throw.
         let rate = (self.turned - before) / TICK;

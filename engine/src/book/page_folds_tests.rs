@@ -1,5 +1,6 @@
 //! Leaves folded along whole pages in a book: across, and in three as a letter.
 
+use super::limits::MOST_STEPPING;
 use super::*;
 use crate::book::parts_depth::depth_of_parts;
 
@@ -54,8 +55,13 @@ fn book(creases: &[FoldLine]) -> Book {
 
 /// The deepest that a part of the only leaf is drawn in another, metres.
 fn depth(book: &Book, creases: &[FoldLine]) -> f32 {
-    let (surface, mesh) = (book.surface(0).unwrap(), book.creased_mesh(0).unwrap());
-    depth_of_parts(surface, mesh, creases)
+    depth_of(book, 0, creases)
+}
+
+/// The same of the leaf at an index, counted from the left.
+fn depth_of(book: &Book, index: usize, creases: &[FoldLine]) -> f32 {
+    let surface = book.surface(index).unwrap();
+    depth_of_parts(surface, book.creased_mesh(index).unwrap(), creases)
 }
 
 /// Turns the uppermost leaf of a side over. Returns the greatest strain of its edges in a frame.
@@ -155,4 +161,95 @@ fn a_leaf_that_lies_is_creased_anew_as_it_comes_to_lie() {
     assert!(depth(&book, &across()) < DEEP);
     assert!(book.crease(5, &[]));
     assert_eq!([book.drawn_leaves(), book.creases(5).len()], [0, 0]);
+}
+
+/// Across the corner of foot and fore-edge, 30 mm from it.
+fn dog_ear() -> Vec<FoldLine> {
+    vec![fold([1.0 - 0.03 / 0.14, 0.0], [1.0, 0.03 / 0.21], 160.0)]
+}
+
+/// Steps and draws a book until nothing moves, leaf 5 uncovered on the right, and checks in every
+/// frame that this leaf is not drawn in itself, and that no frame is more work than one may be.
+fn open_folds(book: &mut Book, creases: &[FoldLine], when: &str) {
+    for frame in 0..500 {
+        let index = book.drawn_leaves() - 1;
+        let deep = depth_of(book, index, creases);
+        assert!(deep < DEEP, "{when}: {deep} m in frame {frame}");
+        if book.is_asleep() {
+            return;
+        }
+        let mut work = 0;
+        for _ in 0..2 {
+            book.step(1);
+            work += book.tick_work();
+        }
+        // Of two ticks no more than what a frame may have, and so of what uncovers it.
+        assert!(work < MOST_STEPPING, "{work} ns in frame {frame}");
+        book.update();
+        assert!(book.strain(index.min(book.drawn_leaves() - 1)).unwrap() < 0.01);
+    }
+    panic!("it never came to rest");
+}
+
+fn check_rests(book: &Book, creases: &[FoldLine]) {
+    let leaf = book.flights.order().last().unwrap().leaf();
+    for (number, (rests, made)) in book.creases(5).iter().zip(creases).enumerate() {
+        let off = (rests.rest - made.rest).to_degrees().abs();
+        assert!(off < 1.0, "crease {number} rests {off} degrees off");
+        let [angle, _] = leaf.sheet().crease_angle(number).unwrap();
+        let angle = angle.to_degrees() * made.rest.signum() as f32;
+        // Folded, and no longer pressed flat.
+        assert!((91.0..179.0).contains(&angle), "crease {number} at {angle}");
+    }
+}
+
+/// A folded leaf comes out from under another pressed flat, and opens to its creases' rests while
+/// that one turns and after; laid open, it does so by itself.
+fn opens_where_it_is_uncovered(creases: &[FoldLine]) {
+    for creases in [creases.to_vec(), toward_verso(creases)] {
+        let mut book = book(&creases);
+        open_folds(&mut book, &creases, "made");
+        check_rests(&book, &creases);
+        let id = book.pick_up(Side::Left, 4, 5).unwrap();
+        book.play(id, Side::Right, 0.8);
+        while book.flights() > 0 {
+            book.step(1);
+        }
+        assert_eq!([book.read(), book.drawn_leaves() as u32], [4, 0]);
+        let id = book.pick_up(Side::Right, 4, 5).unwrap();
+        let leaf = book.flights.order().last().unwrap().leaf();
+        let heights = leaf.sheet().positions().as_chunks::<3>().0.iter();
+        let highest = heights.fold(0.0, |most: f32, [_, _, z]| most.max(*z));
+        assert!(highest < 1e-3, "{highest} m high while it is pressed");
+        book.play(id, Side::Left, 0.8);
+        open_folds(&mut book, &creases, "uncovered");
+        check_rests(&book, &creases);
+        assert!(book.lies_creased(Side::Right));
+        // At rest nothing more is done.
+        let at = book.surface(0).unwrap().positions.clone();
+        book.step(20);
+        book.update();
+        assert_eq!(book.surface(0).unwrap().positions, at);
+        book.lay(0);
+        book.lay(5);
+        assert!(!book.is_asleep());
+        open_folds(&mut book, &creases, "laid open");
+        check_rests(&book, &creases);
+    }
+}
+
+#[test]
+fn an_uncovered_letter_opens_over_the_next_frames() {
+    // Its end is a little shorter than what it lies in, as a letter's is.
+    opens_where_it_is_uncovered(&[along(0.4, 160.0), along(0.72, 175.0)]);
+}
+
+#[test]
+fn an_uncovered_zigzag_opens_over_the_next_frames() {
+    opens_where_it_is_uncovered(&as_zigzag());
+}
+
+#[test]
+fn an_uncovered_dog_ear_opens_over_the_next_frames() {
+    opens_where_it_is_uncovered(&dog_ear());
 }

@@ -326,9 +326,21 @@ pub fn push_off_leaf(
         if own.parted().is_clear_of(block, bounds, &slab, facing, 0.0) {
             continue;
         }
-        outcome = outcome.max(push_edges_off(own, other, pair, [facing, scale], work));
+        outcome = outcome.max(push_edges_off(
+            own,
+            other,
+            (pair, Edges::Own),
+            [facing, scale],
+            work,
+        ));
         let facing = -side * own.parted().facing(block);
-        outcome = outcome.max(push_off_edges(own, other, pair, [facing, scale], work));
+        outcome = outcome.max(push_edges_off(
+            own,
+            other,
+            (pair, Edges::Others),
+            [facing, scale],
+            work,
+        ));
     }
     outcome
 }
@@ -480,68 +492,64 @@ fn deepest(
     of_points
 }
 
-/// Moves edges of a block of a leaf off the triangles of a block of another that they go through.
+/// Whose edges go through whose triangles, of a leaf that is moved and another.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Edges {
+    Own,
+    Others,
+}
+
+/// Moves a block of a leaf and a block of another off each other where edges of one go through
+/// triangles of the other.
 fn push_edges_off(
     own: &mut MovedLeaf<'_>,
     other: &PartedLeaf<'_>,
-    [block, other_block]: [usize; 2],
-    [side, scale]: [f32; 2],
-    work: &mut Work,
-) -> Outcome {
-    let mut found = Outcome::Clear;
-    let triangles = other.parts.blocks[other_block].triangles.clone();
-    let bounds = own.parted().box_of(&own.parts.blocks[block]);
-    for corners in &other.parts.triangles[triangles] {
-        let at = corners.map(|corner| other.points[corner]);
-        let around = box_around(at.into_iter());
-        if !touch(around, bounds) {
-            continue;
-        }
-        let plane = Plane::of(at, side);
-        for edge in edges_through(&plane, &own.parted(), block, work) {
-            let ends = edge.map(|node| own.points[node]);
-            if !touch(around, box_around(ends.into_iter())) {
-                continue;
-            }
-            if let Some((way, _, missing)) = lowest_over(ends, &plane, at, scale) {
-                if let Some(missing) = missing {
-                    own.push(edge, [1.0 - way, way], plane.normal, missing);
-                }
-                found = found.max(Outcome::of_edge(missing));
-            }
-        }
-    }
-    found
-}
-
-/// Moves triangles of a block of a leaf off the edges of a block of another that go through them.
-fn push_off_edges(
-    own: &mut MovedLeaf<'_>,
-    other: &PartedLeaf<'_>,
-    [block, other_block]: [usize; 2],
+    ([block, other_block], edges): ([usize; 2], Edges),
     [side, scale]: [f32; 2],
     work: &mut Work,
 ) -> Outcome {
     let mut found = Outcome::Clear;
     let parts = own.parts;
-    let triangles = parts.blocks[block].triangles.clone();
-    let bounds = other.box_of(&other.parts.blocks[other_block]);
-    for corners in &parts.triangles[triangles] {
-        let around = box_around(own.at(*corners).into_iter());
+    let (triangles, bounds) = match edges {
+        Edges::Own => (
+            &other.parts.triangles[other.parts.blocks[other_block].triangles.clone()],
+            own.parted().box_of(&parts.blocks[block]),
+        ),
+        Edges::Others => (
+            &parts.triangles[parts.blocks[block].triangles.clone()],
+            other.box_of(&other.parts.blocks[other_block]),
+        ),
+    };
+    for corners in triangles {
+        let at = |own: &MovedLeaf<'_>| match edges {
+            Edges::Own => corners.map(|corner| other.points[corner]),
+            Edges::Others => own.at(*corners),
+        };
+        let around = box_around(at(own).into_iter());
         if !touch(around, bounds) {
             continue;
         }
-        let plane = Plane::of(own.at(*corners), side);
-        for edge in edges_through(&plane, other, other_block, work) {
-            let ends = edge.map(|node| other.points[node]);
+        let plane = Plane::of(at(own), side);
+        let through = match edges {
+            Edges::Own => edges_through(&plane, &own.parted(), block, work),
+            Edges::Others => edges_through(&plane, other, other_block, work),
+        };
+        for edge in through {
+            let ends = match edges {
+                Edges::Own => edge.map(|node| own.points[node]),
+                Edges::Others => edge.map(|node| other.points[node]),
+            };
             if !touch(around, box_around(ends.into_iter())) {
                 continue;
             }
-            let at = own.at(*corners);
+            // Where the edge before has moved it.
+            let at = at(own);
             let plane = Plane::of(at, side);
-            if let Some((_, weights, missing)) = lowest_over(ends, &plane, at, scale) {
-                if let Some(missing) = missing {
-                    own.push(*corners, weights, plane.normal, -missing);
+            if let Some((way, weights, missing)) = lowest_over(ends, &plane, at, scale) {
+                match (edges, missing) {
+                    (Edges::Own, Some(by)) => own.push(edge, [1.0 - way, way], plane.normal, by),
+                    (Edges::Others, Some(by)) => own.push(*corners, weights, plane.normal, -by),
+                    (_, None) => {}
                 }
                 found = found.max(Outcome::of_edge(missing));
             }

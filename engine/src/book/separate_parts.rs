@@ -11,11 +11,18 @@
 
 use super::flaps::{BESIDE, add_facing, facing_of};
 use super::tolerance::{NOT_UPON, OVER_PILE, SLACK};
+use super::work::Work;
 use crate::vector::{cross, dot, sub, unit};
 use core::ops::Range;
 
 /// Rounds of projections, at most.
 pub const ROUNDS: usize = 4;
+
+/// Work of comparing two blocks, and of finding two that may overlap and looking at the points of
+/// one over the triangles of the other, nanoseconds: a dog-ear's 16,900 and 16 of these take some
+/// 20 us, a letter's 18,500 and 290 some 310.
+const BLOCKS: u32 = 1;
+const PAIR: u32 = 1_000;
 
 /// Cells along a side of a block of triangles that one box bounds.
 pub const BLOCK: usize = 3;
@@ -282,8 +289,8 @@ impl DrawnParts {
         node.is_multiple_of(self.columns)
     }
 
-    /// Moves parts out of each other that overlap, in so many rounds at most; returns whether any
-    /// did in the last. `side` says on which side of a triangle of a
+    /// Moves parts out of each other that overlap, in so many rounds at most, and in one where no
+    /// work is left; returns whether any did in the last. `side` says on which side of a triangle of a
     /// part another lies, 1 that of its normal or -1, if the normals of both are along each other
     /// or not; None where it may lie on either. Lengths are those of a page 0.14 m wide; its own
     /// is wider by `scale`.
@@ -292,10 +299,16 @@ impl DrawnParts {
         points: &mut [[f32; 3]],
         (scale, rounds): (f32, usize),
         side: impl Fn(u16, u16, bool) -> Option<f32>,
+        work: &mut Work,
     ) -> bool {
         let mut moved = false;
-        for _ in 0..rounds {
+        for round in 0..rounds {
+            if round > 0 && work.is_spent() {
+                break;
+            }
             self.find_pairs(points, scale, &side);
+            let blocks = self.blocks.len() as u32;
+            work.spend(BLOCKS * blocks * blocks + PAIR * self.pairs.len() as u32);
             moved = false;
             for node in 0..self.points.len() {
                 let Some(home) = self.points[node] else {
@@ -488,6 +501,10 @@ pub(super) mod tests {
         (points.collect(), parts)
     }
 
+    fn unbounded() -> Work {
+        Work::new(u32::MAX)
+    }
+
     fn heights(points: &[[f32; 3]], columns: core::ops::Range<usize>) -> [f32; 2] {
         let of = points.iter().enumerate();
         let of = of.filter(|(node, _)| columns.contains(&(node % COLUMNS)));
@@ -500,7 +517,12 @@ pub(super) mod tests {
     fn a_flap_that_is_drawn_into_its_page_is_raised_out_of_it() {
         for over in [5e-5f32, 0.0, -1e-3] {
             let (mut points, mut parts) = folded(over);
-            parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| Some(1.0));
+            parts.separate(
+                &mut points,
+                (1.0, ROUNDS),
+                |_, _, _| Some(1.0),
+                &mut unbounded(),
+            );
             assert_eq!(heights(&points, 0..5), [0.0; 2], "the page stays");
             let [low, _] = heights(&points, 5..9);
             assert!(low > 0.5 * OVER_PILE, "{low} from {over}");
@@ -510,7 +532,12 @@ pub(super) mod tests {
     #[test]
     fn a_page_is_raised_off_a_flap_that_lies_under_it() {
         let (mut points, mut parts) = folded(5e-4);
-        parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| Some(-1.0));
+        parts.separate(
+            &mut points,
+            (1.0, ROUNDS),
+            |_, _, _| Some(-1.0),
+            &mut unbounded(),
+        );
         let [low, high] = heights(&points, 5..9);
         assert_eq!([low, high], [5e-4; 2], "the flap stays");
         let middle = heights(&points, 2..4)[0];
@@ -518,14 +545,33 @@ pub(super) mod tests {
     }
 
     #[test]
+    fn once_no_work_is_left_parts_are_moved_in_one_round_alone() {
+        let rounds = |rounds: usize, most: u32| {
+            let (mut points, mut parts) = folded(-1e-3);
+            let mut work = Work::new(most);
+            parts.separate(&mut points, (1.0, rounds), |_, _, _| Some(1.0), &mut work);
+            (points, work.done())
+        };
+        let [one, all, spent] = [(1, u32::MAX), (ROUNDS, u32::MAX), (ROUNDS, 1)]
+            .map(|(count, most)| rounds(count, most));
+        assert!(0 < one.1 && one.1 < all.1, "{} of {}", one.1, all.1);
+        assert_eq!(spent, one);
+    }
+
+    #[test]
     fn what_lies_clear_or_on_either_side_stays() {
         let (before, mut parts) = folded(1e-3);
         let mut points = before.clone();
-        parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| Some(1.0));
+        parts.separate(
+            &mut points,
+            (1.0, ROUNDS),
+            |_, _, _| Some(1.0),
+            &mut unbounded(),
+        );
         assert_eq!(points, before);
         let (before, mut parts) = folded(-1e-3);
         let mut points = before.clone();
-        parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| None);
+        parts.separate(&mut points, (1.0, ROUNDS), |_, _, _| None, &mut unbounded());
         assert_eq!(points, before);
     }
 }

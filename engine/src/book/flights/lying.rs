@@ -9,9 +9,6 @@ use crate::book::pile::Pile;
 use crate::grid::Side;
 use crate::models::sheet::{CAN_CREASE, FoldLine};
 
-/// Ticks after which a leaf that is laid open lies as still as it will.
-const LONGEST_SETTLING: u32 = 300;
-
 impl Flights {
     /// Creases a leaf along lines in place of those that it has: where it flies or lies, it
     /// goes on from there. Returns whether it can be; if not, nothing changes.
@@ -34,7 +31,7 @@ impl Flights {
         }
         for side in [Side::Left, Side::Right] {
             if let Some(index) = self.lying(side).filter(|index| drawn == Some(*index)) {
-                // It is drawn anew, as it comes to lie.
+                // It is drawn anew, pressed flat.
                 self.cover(index, side);
                 self.creased.set(leaf, creases);
                 return true;
@@ -60,7 +57,7 @@ impl Flights {
     /// The creases of a leaf, each with the angle at which it rests now.
     pub fn creases(&self, leaf: u32) -> Vec<FoldLine> {
         match self.drawn(leaf) {
-            Some(index) => self.order[index].leaf().sheet().creases(),
+            Some(index) => self.order[index].leaf().creases(),
             None => self.creased.of(leaf).unwrap_or_default().to_vec(),
         }
     }
@@ -120,7 +117,7 @@ impl Flights {
         if side == Side::Left {
             self.left = covered.high();
         }
-        self.put_away(covered, side);
+        self.put_away(covered);
     }
 
     /// Says that creased leaves which have come to rest uppermost on a side lie there.
@@ -146,9 +143,9 @@ impl Flights {
         }
     }
 
-    /// Draws the creased leaf that lies uppermost in the pile of a side by itself, if there is
-    /// one: pressed flat where another still lies upon it, else as it lay when it was covered,
-    /// or as it comes to lie between the piles (right and left). Returns whether there is.
+    /// Draws the creased leaf that lies uppermost in the pile of a side by itself, if there is one:
+    /// pressed flat between the piles (right and left), as it lay in there. The next steps open its
+    /// folds to where they rest. Returns whether there is.
     pub fn uncover(&mut self, side: Side, gutter: &Gutter, piles: [&Pile; 2]) -> bool {
         if !CAN_CREASE || self.lying(side).is_some() || self.order.len() == MOST_FLIGHTS {
             return false;
@@ -168,51 +165,14 @@ impl Flights {
             made
         });
         flight.take_up(LYING, side, leaf, leaf + 1);
-        let upon = match side {
-            Side::Left => self.order.first(),
-            Side::Right => self.order.last(),
-        };
-        let lies_near = |upon: &Flight| {
-            let turned = upon.leaf().fraction_turned();
-            match side {
-                Side::Left => 1.0 - turned < NEAR,
-                Side::Right => turned < NEAR,
-            }
-        };
-        let is_under = upon.is_some_and(lies_near);
-        let lay = self.creased.lay_on(leaf, side).map(<[f32]>::to_vec);
-        let is_known = lay.is_some();
-        if is_under {
-            flight.leaf_mut().lay_pressed(side);
-        } else if let Some(lay) = lay {
-            flight.leaf_mut().lay_at(side, &lay);
-        }
-        flight.leaf_mut().wake();
-        if !is_known {
-            flight.leaf_mut().fold_upright(side, gutter, piles);
-        }
+        let laid = flight.leaf_mut();
+        laid.lay_pressed(side);
+        laid.wake();
+        // It is drawn before it is stepped.
+        laid.bend_over(piles);
+        laid.bend_into_gutter(gutter);
         self.put_next_to(side, flight);
-        if !is_under && !is_known {
-            self.settle(side, gutter, piles);
-        }
         true
-    }
-
-    /// Steps what lies creased on a side until it is still.
-    fn settle(&mut self, side: Side, gutter: &Gutter, piles: [&Pile; 2]) {
-        for _ in 0..LONGEST_SETTLING {
-            let Some(index) = self.lying(side) else {
-                return;
-            };
-            let flight = &mut self.order[index];
-            if matches!(flight.phase(), Phase::Resting(_)) {
-                return;
-            }
-            flight.leaf_mut().bend_over(piles);
-            flight.leaf_mut().bend_into_gutter(gutter);
-            flight.leaf_mut().keep();
-            self.step_one(index, gutter, piles, [1.0; 2]);
-        }
     }
 
     /// Whether flight `index` falls upon folds of the one under it.

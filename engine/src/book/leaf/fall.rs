@@ -114,7 +114,7 @@ impl Leaf {
             Side::Left => 1.0 - self.turned,
             Side::Right => self.turned,
         };
-        to_go < HELD_UP_TO_GO && (self.lies_still() || self.is_slow())
+        to_go < HELD_UP_TO_GO && self.opening.is_none() && (self.lies_still() || self.is_slow())
     }
 
     /// Finds where the leaf, which has landed on a side or not, is eased to rest: flat on the

@@ -85,7 +85,7 @@ impl Leaf {
     pub fn is_asleep(&self) -> bool {
         match self.phase {
             Phase::Resting(_) => true,
-            Phase::Held => self.lies_still(),
+            Phase::Held => self.opening.is_none() && self.lies_still(),
             Phase::Falling(_) | Phase::Playing(_) => false,
         }
     }

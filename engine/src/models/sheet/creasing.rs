@@ -107,26 +107,43 @@ impl Sheet {
     /// parts of it would lie under the table, the sheet is raised about the spine until none
     /// do. Creases that cross each other are turned one after the other, as if they did not.
     pub fn lay_folded(&mut self, side: Side) {
-        self.lay_turned(side, &self.creases());
+        self.turn_about(side, &self.creases());
+        self.expect_rests();
     }
 
-    /// Lays the sheet still on a side as it lies under others: creases that rest beyond a right
-    /// angle are shut but for `ajar` radians, others are flat.
-    pub fn lay_pressed(&mut self, side: Side, ajar: f64) {
+    /// Lays the sheet still on a side as it lies under others, pressed flat: creases that rest
+    /// beyond a right angle are shut, others flat. `heights` say how high each node lies, the
+    /// sheet's recto up, metres. Those at the spine stay on the table. Returns the angle at which
+    /// each crease then is, radians as [`FoldLine::rest`].
+    pub fn lay_pressed(&mut self, side: Side, heights: &[f32]) -> Vec<f32> {
         let mut creases = self.creases();
         for crease in &mut creases {
             let is_shut = crease.rest.abs() > 0.5 * PI;
             crease.rest = if is_shut {
-                (PI - ajar).copysign(crease.rest)
+                PI.copysign(crease.rest)
             } else {
                 0.0
             };
         }
-        self.lay_turned(side, &creases);
+        self.turn_about(side, &creases);
+        let columns = self.settings.columns;
+        let highest = heights
+            .iter()
+            .fold(0.0f32, |most, height| most.max(*height));
+        let nodes = self.positions.chunks_exact_mut(3).zip(heights);
+        for (_, (own, height)) in nodes.enumerate().filter(|(node, _)| node % columns > 0) {
+            // The sheet's recto faces down on the left.
+            own[2] = match side {
+                Side::Right => *height,
+                Side::Left => highest - height,
+            };
+        }
+        self.expect_rests();
+        creases.iter().map(|crease| crease.rest as f32).collect()
     }
 
     /// Lays the sheet still on a side, turned about each crease to the angle of the crease.
-    fn lay_turned(&mut self, side: Side, creases: &[FoldLine]) {
+    fn turn_about(&mut self, side: Side, creases: &[FoldLine]) {
         self.lay_flat(side);
         if !self.is_creased() {
             return;
@@ -146,7 +163,6 @@ impl Sheet {
             let raised = [sign * (x * cos - z * sin), y, x * sin + z * cos];
             own.copy_from_slice(&raised.map(|x| x as f32));
         }
-        self.expect_rests();
     }
 
     /// As [`place`](Self::place), for one that is folded there as its creases rest.
@@ -159,21 +175,8 @@ impl Sheet {
     fn expect_rests(&mut self) {
         let (positions, tangents) = (&self.positions, &self.tangents);
         if let (true, Some(creased)) = (CAN_CREASE, &mut self.creased) {
-            creased.hinges.expect(1.0);
+            creased.hinges.expect_rests();
             creased.hinges.settle(positions, tangents, 0.0);
-        }
-    }
-
-    /// Stands the sheet still and unfolded, upright over the spine, nothing holding it.
-    pub(crate) fn stand_unfolded(&mut self) {
-        self.lay_flat(Side::Right);
-        let places = self.material.places.iter();
-        for (own, [u, v]) in self.positions.chunks_exact_mut(3).zip(places) {
-            own.copy_from_slice(&[0.0, *v as f32, *u as f32]);
-        }
-        self.set_clamp_angle(core::f32::consts::FRAC_PI_2);
-        if let Some(Creased { hinges, .. }) = self.creased_mut() {
-            hinges.expect(0.0);
         }
     }
 

@@ -369,11 +369,11 @@ impl Hinges {
         }
     }
 
-    /// Takes the creases' angles for such a part of those of their rest, 0 to 1, until they are
-    /// looked at next: whole turns more or less look the same.
-    pub fn expect(&mut self, part: f32) {
+    /// Takes the creases' angles for those of their rest until they are looked at next: whole turns
+    /// more or less look the same.
+    pub fn expect_rests(&mut self) {
         for fold in &mut self.folds {
-            fold.last = part * fold.rest;
+            fold.last = fold.rest;
         }
     }
 

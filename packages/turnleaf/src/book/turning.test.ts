@@ -6,7 +6,8 @@
 import { expect, test } from "vitest";
 import { PeeledBook } from "../canvas2d/peeled_book.ts";
 import type { BookEngine, BookSize } from "../engine/book_engine.ts";
-import { Phase } from "../engine/phases.ts";
+import { CreasableBook } from "../engine/creasable_book.ts";
+import { Phase, Side } from "../engine/phases.ts";
 import { WasmBook } from "../engine/wasm_book.ts";
 import { bind, paperLeaves } from "./spreads.ts";
 import { type Flight, Turning, type TurningEvents } from "./turning.ts";
@@ -529,4 +530,31 @@ both("a leaf held by two grabs falls at the release of the second", async () => 
   turning.release(1);
   run();
   expect(turning.spread).toBe(10);
+});
+
+test("folds that come to lie uppermost open while nothing turns, until they rest", async () => {
+  const binding = bind(20, "none");
+  const size = { width: 0.14, height: 0.21, leaves: paperLeaves(binding), thickness: 0.01 };
+  const engine = await CreasableBook.creasable(size);
+  const nothing = { started: () => {}, landed: () => {}, rested: () => {} };
+  const turning = new Turning(engine, binding, nothing);
+  turning.lay(5);
+  expect(turning.isSettling).toBe(false);
+  expect(engine.creases.crease(5, [{ through: [0.8, 0, 1, 0.14], rest: 2.8 }])).toBe(true);
+  expect([turning.moving, turning.isSettling]).toEqual([false, true]);
+  const at = (): number[] => {
+    engine.update();
+    return Array.from(engine.surface(0).positions);
+  };
+  const pressed = at();
+  let frames = 0;
+  for (; turning.isSettling && frames < 600; frames++) expect(turning.step(2)).toBe(false);
+  expect(frames).toBeGreaterThan(12);
+  expect(frames).toBeLessThan(300);
+  expect(engine.creases.lies(Side.right)).toBe(true);
+  const opened = at();
+  const apart = opened.map((x, k) => Math.abs(x - pressed[k]));
+  expect(Math.max(...apart)).toBeGreaterThan(0.002);
+  turning.step(2);
+  expect(at()).toEqual(opened);
 });

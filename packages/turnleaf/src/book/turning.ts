@@ -144,6 +144,12 @@ export class Turning {
     return this.#flights.length > 0 || this.#plan.length > 0;
   }
 
+  /** Whether a step would do something though nothing turns: folds of an uncovered leaf open. */
+  get isSettling(): boolean {
+    const { creases, isAsleep } = this.#engine;
+    return !this.moving && creases !== undefined && !isAsleep;
+  }
+
   /** Opens the book at a spread at once, without a turn. */
   lay(spread: number): void {
     this.#putDown();
@@ -446,10 +452,13 @@ export class Turning {
   /** Steps what flies. Returns by how many ticks. */
   #advance(ticks: number): number {
     const [first] = this.#flights;
-    if (first === undefined) return ticks;
-    let stepped = ticks;
-    if (first.part === "leaf") stepped = this.#engine.stepFrame(ticks);
-    else this.#engine.stepBoard(first.part, ticks);
+    const isBoard = first !== undefined && first.part !== "leaf";
+    if (isBoard) this.#engine.stepBoard(first.part, ticks);
+    // Folds of what was uncovered open meanwhile.
+    const isStepped = first?.part === "leaf" || this.#engine.creases !== undefined;
+    const done = isStepped ? this.#engine.stepFrame(ticks) : ticks;
+    const stepped = isBoard ? ticks : done;
+    if (first === undefined) return stepped;
     const hasLanded = (flight: Flight): boolean => {
       const phase = this.#phase(flight);
       return flight.part === "leaf" ? phase === Phase.over : isResting(phase);

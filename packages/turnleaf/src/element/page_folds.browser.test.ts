@@ -1,6 +1,6 @@
 /** Pages folded along lines: seen, listed, kept, turned with their leaves, opened and rejected. */
 
-import { afterEach, beforeEach, expect, test } from "vitest";
+import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import {
   book,
@@ -10,17 +10,24 @@ import {
   scans,
   settled,
 } from "../for_tests/element_books.ts";
+import { TestClock } from "../for_tests/test_clock.ts";
 
 keepWhatIsDrawn();
 
 beforeEach(() => localStorage.clear());
-afterEach(() => document.body.replaceChildren());
+afterEach(() => {
+  document.body.replaceChildren();
+  vi.restoreAllMocks();
+});
 
 const at = (x: number, y: number) => ({ x, y });
 const upright = [at(0.6, 0), at(0.6, 1)] as const;
 
 /** Returns what is drawn of the outer third of the open page on the right, in grey. */
-function outerThird(element: TurnleafBook): number[] {
+const outerThird = (element: TurnleafBook): number[] => drawnOf(element, 1 / 3);
+
+/** Returns what is drawn of so much of the open page on the right, from its fore-edge, in grey. */
+function drawnOf(element: TurnleafBook, part: number): number[] {
   const drawn = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
   const { right, top, width, height } = element.bookBounds as DOMRect;
   const scale = drawn.width / element.getBoundingClientRect().width;
@@ -28,7 +35,8 @@ function outerThird(element: TurnleafBook): number[] {
   const side = 40;
   copy.width = copy.height = side;
   const pen = copy.getContext("2d") as CanvasRenderingContext2D;
-  const from = [right - width / 6, top, width / 6, height].map((x) => x * scale);
+  const across = (part * width) / 2;
+  const from = [right - across, top, across, height].map((x) => x * scale);
   pen.drawImage(drawn, from[0], from[1], from[2], from[3], 0, 0, side, side);
   const { data } = pen.getImageData(0, 0, side, side);
   return Array.from({ length: side * side }, (_, k) => data[4 * k]);
@@ -149,4 +157,38 @@ test("folds stay over a reload, on both sides of a leaf, and what is no fold is 
   again.folds = [];
   again.remove();
   expect((await bookOverDark({ remember: "" })).folds).toEqual([]);
+});
+
+test("folds that come into sight open while no leaf turns, and at rest nothing is drawn", async () => {
+  const element = await bookOverDark();
+  const flat = outerThird(element);
+  element.folds = [{ page: 5, from: upright[0], to: upright[1], angle: 160 }];
+  const isFolded = () => difference(flat, outerThird(element)) > 5;
+  await expect.poll(isFolded, { timeout: 20_000 }).toBe(true);
+  await settled(element);
+  const clock = new TestClock();
+  const lay = async (page: number) => {
+    await element.goTo(page, { motion: false });
+    await clock.until(() => clock.isAsked || element.settled);
+    clock.frames(1);
+  };
+  await lay(9);
+  await clock.until(() => element.settled);
+  await lay(5);
+  const pressed = drawnOf(element, 1);
+  expect([element.state, element.settled, clock.isAsked]).toEqual(["resting", false, true]);
+  let frames = 0;
+  await clock.until(() => {
+    frames++;
+    return element.settled;
+  });
+  // It is folded from the first picture on, and opens: what lies shut is all in view.
+  expect(frames).toBeGreaterThan(12);
+  expect(element.state).toBe("resting");
+  const opened = drawnOf(element, 1);
+  expect(difference(flat, outerThird(element))).toBeGreaterThan(5);
+  expect(difference(pressed, opened)).toBeGreaterThan(0.5);
+  expect(clock.isAsked).toBe(false);
+  clock.frames(10);
+  expect(drawnOf(element, 1)).toEqual(opened);
 });

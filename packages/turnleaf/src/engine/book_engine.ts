@@ -43,7 +43,10 @@ export interface CreasedLeaves {
    * Nothing happens unless the leaf is in flight or lies uppermost.
    */
   press(leaf: number, crease: number, rest: number): void;
-  /** Returns whether a creased leaf lies uppermost on a side. */
+  /**
+   * Returns whether a creased leaf lies uppermost on a side. Uncovered, it lies pressed flat, and
+   * steps open its folds to where they rest, also while no leaf is in flight.
+   */
   lies(side: Side): boolean;
 }
 
@@ -258,7 +261,7 @@ export interface BookEngine {
   stepFrame(ticks: number): number;
   /**
    * Whether nothing moves until the next command: whatever is in flight, or a
-   * board, is held and lies still.
+   * board, is held and lies still, and so do creased leaves that lie uppermost.
    */
   readonly isAsleep: boolean;
   /** Returns what a flight is doing. */

@@ -592,8 +592,8 @@ export class Viewer {
     const passed = ticks.count(now);
     const seconds = passed * engine.tick;
     const isPressed = this.#loadedFolds?.step(seconds) ?? false;
-    // Without a turn nothing in the engine has moved since the book was laid open.
-    const turned = this.turning.moving;
+    // Else nothing in the engine has moved since the book was laid open.
+    const turned = this.turning.moving || this.turning.isSettling;
     if (turned) this.turning.step(passed);
     // A listener of a turn may destroy the viewer at once.
     if (this.#destroyed) return;
@@ -619,7 +619,9 @@ export class Viewer {
     // A leaf held still takes no more frames until its pointer moves.
     const still =
       turning && this.turning.isHeld && this.#bound.engine.isAsleep && this.#modelSwitch.isAsleep;
-    const moving = (turning && !still) || tearing || isHeldStill || stepping || isPressed;
+    const isSettling = this.turning.isSettling;
+    const isInMotion = (turning && !still) || tearing || isSettling;
+    const moving = isInMotion || isHeldStill || stepping || isPressed;
     const resting = !moving && !this.#handled;
     // While fingers move the view, the next frame comes with their next event.
     if (moving) this.#frameQuality.frame(now);
