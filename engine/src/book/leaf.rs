@@ -11,6 +11,7 @@ mod fall;
 mod held;
 mod opening;
 mod play;
+mod pressed;
 #[cfg(test)]
 mod tests;
 

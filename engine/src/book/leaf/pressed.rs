@@ -1,0 +1,94 @@
+//! A leaf whose folds are pressed shut under others: laid so, and opened again.
+
+use super::Leaf;
+use super::opening::Opening;
+use crate::book::flaps::Flaps;
+use crate::book::phase::Phase;
+use crate::grid::Side;
+use crate::models::sheet::{CAN_CREASE, FoldLine};
+
+impl Leaf {
+    /// Lays the leaf still on a side as it lies under others, its folds shut. Woken, it opens them
+    /// to where they rest.
+    pub fn lay_pressed(&mut self, side: Side) {
+        self.end_opening();
+        let heights = self.flaps().map_or_else(Vec::new, Flaps::stacked);
+        let creases = self.sheet.creases();
+        let to: Vec<f32> = creases.iter().map(|crease| crease.rest as f32).collect();
+        self.sheet.let_yield(false);
+        let from = self.sheet.lay_pressed(side, &heights);
+        self.lie(side);
+        for (crease, rest) in from.iter().enumerate() {
+            self.press_to(crease, *rest);
+        }
+        self.opening = Some(Opening::new(from, to));
+    }
+
+    /// The creases of the leaf, each with the angle at which it rests, or will once it is open.
+    pub fn creases(&self) -> Vec<FoldLine> {
+        let mut creases = self.sheet.creases();
+        if let (true, Some(opening)) = (CAN_CREASE, &self.opening) {
+            for (crease, to) in creases.iter_mut().zip(&opening.to) {
+                crease.rest = f64::from(*to);
+            }
+        }
+        creases
+    }
+
+    /// Turns the rest of a crease to an angle, radians as [`FoldLine::rest`]; one that is opening
+    /// goes on to there.
+    pub fn press(&mut self, crease: usize, rest: f32) {
+        match self.opening.as_mut().filter(|_| CAN_CREASE) {
+            Some(opening) => {
+                if let Some(to) = opening.to.get_mut(crease) {
+                    *to = rest;
+                }
+            }
+            None => self.press_to(crease, rest),
+        }
+    }
+
+    /// Opens creases that were pressed shut by a tick.
+    pub(super) fn step_opening(&mut self) {
+        let Some(opening) = self.opening.as_mut().filter(|_| CAN_CREASE) else {
+            return;
+        };
+        let Some(rests) = opening.step() else {
+            self.end_opening();
+            // What was slow until now does not lie still for that.
+            self.stay_awake();
+            return;
+        };
+        for (crease, rest) in rests.into_iter().enumerate() {
+            self.press_to(crease, rest);
+        }
+    }
+
+    /// Slows the leaf at the end of a tick while its creases open and nothing but its weight moves it.
+    pub(super) fn slow_opening(&mut self) {
+        let is_left_alone = matches!(self.phase, Phase::Falling(_));
+        if let Some(opening) = self
+            .opening
+            .as_ref()
+            .filter(|_| CAN_CREASE && is_left_alone)
+        {
+            self.sheet.slow(opening.kept_speed());
+        }
+    }
+
+    /// Has creases that are opening rest at once where they would in the end.
+    pub(super) fn end_opening(&mut self) {
+        if let Some(opening) = self.opening.take() {
+            for (crease, rest) in opening.to.into_iter().enumerate() {
+                self.press_to(crease, rest);
+            }
+        }
+    }
+
+    fn press_to(&mut self, crease: usize, rest: f32) {
+        self.sheet.press(crease, rest);
+        if let (true, Some(flaps)) = (CAN_CREASE, &mut self.flaps) {
+            flaps.press(crease, rest);
+        }
+    }
+}
