@@ -253,3 +253,16 @@ fn an_uncovered_zigzag_opens_over_the_next_frames() {
 fn an_uncovered_dog_ear_opens_over_the_next_frames() {
     opens_where_it_is_uncovered(&dog_ear());
 }
+
+/// Two folds that cross at a slant cannot both be shut: the first is, and no edge is stretched.
+#[test]
+fn folds_that_cross_are_pressed_as_far_as_paper_can_be() {
+    let creases = [along(0.55, 160.0), fold([0.2, 0.0], [1.0, 0.8], 160.0)];
+    let mut book = book(&creases);
+    let strain = |book: &Book| book.strain(0).unwrap();
+    assert!(strain(&book) < 0.01, "{} as it is laid", strain(&book));
+    for tick in 0..400 {
+        book.step(1);
+        assert!(strain(&book) < 0.01, "{} in tick {tick}", strain(&book));
+    }
+}

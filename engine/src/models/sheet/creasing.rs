@@ -112,18 +112,25 @@ impl Sheet {
     }
 
     /// Lays the sheet still on a side as it lies under others, pressed flat: creases that rest
-    /// beyond a right angle are shut, others flat. `heights` say how high each node lies, the
+    /// beyond a right angle are shut, but for those that no paper could be with others that it
+    /// crosses, and others flat. `heights` say how high each node lies, the
     /// sheet's recto up, metres. Those at the spine stay on the table. Returns the angle at which
     /// each crease then is, radians as [`FoldLine::rest`].
     pub fn lay_pressed(&mut self, side: Side, heights: &[f32]) -> Vec<f32> {
-        let mut creases = self.creases();
-        for crease in &mut creases {
-            let is_shut = crease.rest.abs() > 0.5 * PI;
-            crease.rest = if is_shut {
-                PI.copysign(crease.rest)
-            } else {
-                0.0
-            };
+        let rests = self.creases();
+        let flat = |crease: &FoldLine| FoldLine {
+            rest: 0.0,
+            ..*crease
+        };
+        let mut creases: Vec<FoldLine> = rests.iter().map(flat).collect();
+        for (crease, FoldLine { rest, .. }) in rests.iter().enumerate() {
+            if rest.abs() > 0.5 * PI {
+                creases[crease].rest = PI.copysign(*rest);
+                self.turn_about(side, &creases);
+                if self.max_edge_strain() > TOLERANCE {
+                    creases[crease].rest = 0.0;
+                }
+            }
         }
         self.turn_about(side, &creases);
         let columns = self.settings.columns;

@@ -345,7 +345,10 @@ export class Viewer {
     this.#bindSoon();
     const folded = loaded.fold(folds, isSeen);
     this.#show();
-    return await folded;
+    const found = await folded;
+    // What was folded at once since the last frame has to be drawn, and opens.
+    this.invalidate();
+    return found;
   }
 
   /** Takes over the folds of pages that are about to lie elsewhere: the book is bound anew by them. */
