@@ -345,7 +345,10 @@ export class Viewer {
     this.#bindSoon();
     const folded = loaded.fold(folds, isSeen);
     this.#show();
-    return await folded;
+    const found = await folded;
+    // What was folded at once since the last frame has to be drawn, and opens.
+    this.invalidate();
+    return found;
   }
 
   /** Loads what tears leaves out, where they may be. Resolves once it is there, or cannot be. */
