@@ -266,3 +266,18 @@ fn folds_that_cross_are_pressed_as_far_as_paper_can_be() {
         assert!(strain(&book) < 0.01, "{} in tick {tick}", strain(&book));
     }
 }
+
+#[test]
+fn a_flap_that_reaches_beyond_the_spine_is_pressed_flat_on_either_side() {
+    for read in [5, 6] {
+        for degrees in [160.0, -160.0] {
+            let mut book = book(&[along(0.35, degrees)]);
+            book.lay(read);
+            for tick in 0..200 {
+                let strain = book.strain(0).unwrap();
+                assert!(strain < 0.01, "{strain} in tick {tick}, {read} read");
+                book.step(1);
+            }
+        }
+    }
+}

@@ -107,7 +107,7 @@ impl Sheet {
     /// parts of it would lie under the table, the sheet is raised about the spine until none
     /// do. Creases that cross each other are turned one after the other, as if they did not.
     pub fn lay_folded(&mut self, side: Side) {
-        self.turn_about(side, &self.creases());
+        self.turn_about(side, &self.creases(), true);
         self.expect_rests();
     }
 
@@ -126,13 +126,13 @@ impl Sheet {
         for (crease, FoldLine { rest, .. }) in rests.iter().enumerate() {
             if rest.abs() > 0.5 * PI {
                 creases[crease].rest = PI.copysign(*rest);
-                self.turn_about(side, &creases);
+                self.turn_about(side, &creases, false);
                 if self.max_edge_strain() > TOLERANCE {
                     creases[crease].rest = 0.0;
                 }
             }
         }
-        self.turn_about(side, &creases);
+        self.turn_about(side, &creases, false);
         let columns = self.settings.columns;
         let highest = heights
             .iter()
@@ -149,8 +149,9 @@ impl Sheet {
         creases.iter().map(|crease| crease.rest as f32).collect()
     }
 
-    /// Lays the sheet still on a side, turned about each crease to the angle of the crease.
-    fn turn_about(&mut self, side: Side, creases: &[FoldLine]) {
+    /// Lays the sheet still on a side, turned about each crease to the angle of the crease, and raised
+    /// about the spine or not until no part lies under the table.
+    fn turn_about(&mut self, side: Side, creases: &[FoldLine], is_raised: bool) {
         self.lay_flat(side);
         if !self.is_creased() {
             return;
@@ -161,7 +162,7 @@ impl Sheet {
         for [_, _, z] in &mut places {
             *z *= sign;
         }
-        let sunken = places.iter().filter(|[_, _, z]| *z < 0.0);
+        let sunken = places.iter().filter(|[_, _, z]| is_raised && *z < 0.0);
         let raised = sunken.fold(0.0, |most: f64, [x, _, z]| {
             most.max(libm::atan2(-z, x.max(0.0)))
         });
