@@ -349,14 +349,11 @@ export class Viewer {
     // What was folded at once since the last frame has to be drawn, and opens.
     this.invalidate();
     return found;
-<<<<<<< HEAD
   }
 
   /** Takes over the folds of pages that are about to lie elsewhere: the book is bound anew by them. */
   keepFolds(folds: readonly LeafFold[]): void {
     this.#loadedFolds?.keep(folds);
-=======
->>>>>>> bounded
   }
 
   /** Loads what tears leaves out, where they may be. Resolves once it is there, or cannot be. */
