@@ -346,8 +346,8 @@ export class Viewer {
     const folded = loaded.fold(folds, isSeen);
     this.#show();
     const found = await folded;
-    // What was folded at once since the last frame has to be drawn, and opens.
-    this.invalidate();
+    // What was folded at once since the last frame has to be drawn with the pages that it bares.
+    this.#show();
     return found;
   }
 
