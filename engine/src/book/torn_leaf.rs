@@ -14,6 +14,7 @@ use super::folded_sheet::FoldedSheet;
 use super::limits::{NODES, TICK};
 use super::stillness::{STILL, Stillness};
 use super::surroundings::{Surroundings, TableAround};
+use crate::flaps::Flaps;
 use crate::grid::Side;
 use crate::models::sheet::{CAN_CREASE, Root, Sheet, SheetSettings, Tether, TornMesh};
 use crate::stock::GRAVITY;
@@ -159,7 +160,7 @@ impl TornLeaf {
     /// what binds it; the rows from `bound.start` to `bound.end` (from the foot, of 14) still do.
     /// The flight itself is not changed.
     ///
-    /// None where there is no such flight, where `bound` is no range of rows, or a figure of
+    /// None where folds of its leaf lie upon folds, where there is no such flight, where `bound` is no range of rows, or a figure of
     /// `around` is none that a table can have.
     pub fn tear(
         book: &Book,
@@ -553,9 +554,14 @@ impl TornLeaf {
     }
 }
 
-/// The sheet of a flight with nothing that binds it, folded as that is, where it is drawn.
+/// The sheet of a flight with nothing that binds it, folded as that is, where it is drawn. None
+/// where folds of it lie upon folds.
 fn sheet_of(flight: &Flight, book: &Book) -> Option<Sheet> {
     let (leaf, drawn) = (flight.leaf(), flight.surface());
+    // Three layers are not kept out of each other where a pull of newtons flings them.
+    if leaf.flaps().is_some_and(Flaps::overlap) {
+        return None;
+    }
     let mut sheet = Sheet::new(SheetSettings {
         root: Root::Free,
         ..leaf.sheet().settings().clone()
