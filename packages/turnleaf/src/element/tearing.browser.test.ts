@@ -552,7 +552,13 @@ async function tornBySwing(swing: number): Promise<{ whole: number; pieces: Surf
     clock.frames(1);
   }
   expect(pile.surfaces).toHaveLength(2);
-  // Put down beside each other.
+  // Carried back from out of sight, and put down beside each other.
+  for (let k = 1; k <= 60; k++) {
+    const away = 280 - Math.min(4 * k, 220);
+    finger(1, "pointermove", x, y - away);
+    finger(2, "pointermove", x, y + away);
+    clock.frames(1);
+  }
   finger(1, "pointerup", x, y - 60);
   finger(2, "pointerup", x, y + 60);
   await clock.until(() => element.settled);
