@@ -69,6 +69,8 @@ function inChromium(
       include,
       exclude: [...exclude, "**/node_modules/**", "**/dist/**"],
       testTimeout: 60_000,
+      // They wait for the same frames as tests.
+      hookTimeout: 60_000,
       fileParallelism: false,
       env: { TURNLEAF_SEED, TURNLEAF_FUZZ },
       setupFiles: ["packages/turnleaf/src/for_tests/browser_setup.ts"],
