@@ -20,6 +20,13 @@ const wide = { width: 1280, height: 800 };
 const small = { width: 600, height: 450 };
 const phone = { width: 390, height: 844 };
 
+/** A calendar with room on the table beside it. */
+const besideCalendar = {
+  example: "18-tear-off.html",
+  viewport: { width: 1200, height: 480 },
+  page: 1,
+};
+
 /** Each picture: where the book lies open, how it is shown, and what is done before it is taken. */
 const pictures = {
   cover: { page: 1 },
@@ -62,9 +69,7 @@ const pictures = {
     },
   },
   crumple: {
-    example: "18-tear-off.html",
-    viewport: { width: 1200, height: 480 },
-    page: 1,
+    ...besideCalendar,
     strip: {
       act: tearAndCrumple,
       after: [600, 300, 250, 650],
@@ -72,9 +77,7 @@ const pictures = {
     },
   },
   "tear-across": {
-    example: "18-tear-off.html",
-    viewport: { width: 1200, height: 480 },
-    page: 1,
+    ...besideCalendar,
     strip: {
       act: tearOutAndAcross,
       after: [430, 220, 550, 500],
@@ -82,9 +85,7 @@ const pictures = {
     },
   },
   "tear-out-folded": {
-    example: "18-tear-off.html",
-    viewport: { width: 1200, height: 480 },
-    page: 1,
+    ...besideCalendar,
     strip: {
       act: foldAndTearOut,
       after: [300, 120, 160, 420],
@@ -92,9 +93,7 @@ const pictures = {
     },
   },
   "tear-bent": {
-    example: "18-tear-off.html",
-    viewport: { width: 1200, height: 480 },
-    page: 1,
+    ...besideCalendar,
     strip: {
       act: tearOutAndHold,
       move: swingApart,

@@ -121,7 +121,7 @@ export interface TornSheet {
 export interface LeafTearing {
   /**
    * Begins to tear the leaf of a flight out, from where it is drawn; the flight itself stays as
-   * it is. Returns null if there is no such flight.
+   * it is. Returns null if there is no such flight, or folds of its leaf lie upon folds.
    */
   tear(id: number, options: TearOptions): TornSheet | null;
   /**
