@@ -10,6 +10,13 @@ export const stocks = ["bible", "book", "office", "coated", "card"];
 const [RIGHT, LEFT] = [0, 1];
 const OVER = 7;
 
+/** Folds a corner of 30 mm of an A5 leaf over, to 20 degrees open: an engine with creases can. */
+export function foldCorner(engine, book, leaf) {
+  const corner = [1 - 0.03 / 0.148, 1, 1, 1 - 0.03 / 0.21, (160 / 180) * Math.PI];
+  new Float64Array(engine.memory.buffer, engine.tl_creases(), corner.length).set(corner);
+  if (engine.tl_book_crease(book, leaf, 1) === 0) throw new Error(`Leaf ${leaf} is not folded.`);
+}
+
 /** A thumb that lets the leaves of a book go, one after another, `most` of them in flight. */
 export class Riffle {
   #engine;
@@ -28,15 +35,9 @@ export class Riffle {
     for (let frame = 0; frame < 120; frame++) this.frame();
   }
 
-  /** Folds a corner of 30 mm of each of its leaves over, to 20 degrees open: an engine with creases can. */
+  /** Folds a corner of each of its leaves over. */
   foldCorners() {
-    const [engine, book] = [this.#engine, this.#book];
-    const corner = [1 - 0.03 / 0.148, 1, 1, 1 - 0.03 / 0.21, (160 / 180) * Math.PI];
-    new Float64Array(engine.memory.buffer, engine.tl_creases(), corner.length).set(corner);
-    for (let leaf = 1000; leaf <= 3900; leaf++) {
-      if (engine.tl_book_crease(book, leaf, 1) === 0)
-        throw new Error(`Leaf ${leaf} is not folded.`);
-    }
+    for (let leaf = 1000; leaf <= 3900; leaf++) foldCorner(this.#engine, this.#book, leaf);
   }
 
   /** A frame at 60 Hz: a leaf is let go where too few fly; all are stepped and drawn. */

@@ -41,6 +41,7 @@ mod surroundings;
 #[cfg(test)]
 mod tests;
 mod torn_leaf;
+mod triangle;
 mod work;
 
 pub use crate::models::sheet::TornMesh;

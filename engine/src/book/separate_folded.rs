@@ -7,11 +7,12 @@
 //! other, and edges that still go through a triangle are moved off it where they are deepest,
 //! which is where they pass its rim.
 
-use super::separate_parts::{BLOCK, Block, DrawnParts, Slab, weights_over};
+use super::separate_parts::{BLOCK, Block, DrawnParts, Slab};
 use super::tolerance::{NOT_UPON, ROOM_FROM_SPINE, SLACK, SLIVER};
+use super::triangle::Triangle;
 use super::work::Work;
 use crate::flaps::{BESIDE, is_turned_over};
-use crate::vector::{cross, dot, sub};
+use crate::vector::{dot, sub};
 
 /// Work of looking at two blocks, at a point beside a block or a triangle, and at a triangle,
 /// nanoseconds.
@@ -122,28 +123,6 @@ fn touch([low, high]: [[f32; 3]; 2], [other_low, other_high]: [[f32; 3]; 2]) -> 
     (0..3).all(|i| low[i] <= other_high[i] && high[i] >= other_low[i])
 }
 
-/// The plane of a triangle.
-struct Plane {
-    from: [f32; 3],
-    /// Its unit normal, to the side on which others lie.
-    normal: [f32; 3],
-}
-
-impl Plane {
-    fn of([a, b, c]: [[f32; 3]; 3], side: f32) -> Plane {
-        let across = cross(sub(b, a), sub(c, a));
-        let inverse = side / dot(across, across).max(f32::MIN_POSITIVE).sqrt();
-        Plane {
-            from: a,
-            normal: across.map(|x| x * inverse),
-        }
-    }
-
-    fn height(&self, point: [f32; 3]) -> f32 {
-        dot(sub(point, self.from), self.normal)
-    }
-}
-
 /// Where a place is too low over a triangle, or in it.
 #[derive(Clone, Copy)]
 struct Overlap {
@@ -178,22 +157,17 @@ fn missing(place: [f32; 3], height: f32, scale: f32) -> Option<f32> {
     (missing > SLACK * room).then_some(missing)
 }
 
-/// The part of an edge from one end to the other at which it is lowest over a triangle in a plane,
-/// the weights of the triangle's corners there, and by how much it is too low, metres, if it was ever
+/// The part of an edge from one end to the other at which it is lowest over a triangle, the weights
+/// of the triangle's corners there, and by how much it is too low, metres, if it was ever
 /// over it; None where it is nowhere under the triangle.
 fn lowest_over(
     ends: [[f32; 3]; 2],
-    plane: &Plane,
-    at: [[f32; 3]; 3],
+    triangle: &Triangle,
     scale: f32,
 ) -> Option<(f32, [f32; 3], Option<f32>)> {
-    let heights = ends.map(|end| plane.height(end));
-    let across = cross(sub(at[1], at[0]), sub(at[2], at[0]));
-    let square = dot(across, across).max(f32::MIN_POSITIVE);
-    let weights: [[f32; 2]; 3] = core::array::from_fn(|k| {
-        let (b, c) = (at[(k + 1) % 3], at[(k + 2) % 3]);
-        ends.map(|end| dot(across, cross(sub(c, b), sub(end, b))) / square)
-    });
+    let heights = ends.map(|end| triangle.height(end));
+    let of_ends = ends.map(|end| triangle.weights(end));
+    let weights: [[f32; 2]; 3] = core::array::from_fn(|k| of_ends.map(|weights| weights[k]));
     // The part of the way on which none is below 0.
     let (mut first, mut last) = (0.0f32, 1.0f32);
     for [a, b] in weights {
@@ -307,9 +281,9 @@ pub fn push_off_leaf(
         let found = deepest(other, pairs, &own.parted(), facing, &mut own_placed, work);
         for (node, found) in found {
             let place = other.points[node];
-            let plane = Plane::of(own.at(found.corners), found.side);
-            if let Some(missing) = missing(place, plane.height(place), scale) {
-                own.push(found.corners, found.weights, plane.normal, -missing);
+            let triangle = Triangle::of(own.at(found.corners), found.side);
+            if let Some(missing) = missing(place, triangle.height(place), scale) {
+                own.push(found.corners, found.weights, triangle.normal, -missing);
                 outcome = Outcome::Moved;
             }
         }
@@ -448,11 +422,14 @@ fn deepest(
         }
         work.spend((TRIANGLE + POINT * near.len() as u32) * triangles.len() as u32);
         for corners in &other.parts.triangles[triangles.clone()] {
-            let at = corners.map(|corner| other.points[corner]);
-            let plane = Plane::of(at, facing);
+            let triangle = Triangle::of(corners.map(|corner| other.points[corner]), facing);
             for node in near.iter().copied() {
                 let point = leaf.points[node];
-                let Some(missing) = missing(point, plane.height(point), scale) else {
+                // Most are beside it.
+                let Some(weights) = triangle.weights_over(point) else {
+                    continue;
+                };
+                let Some(missing) = missing(point, triangle.height(point), scale) else {
                     continue;
                 };
                 let known = found
@@ -464,14 +441,11 @@ fn deepest(
                 {
                     continue;
                 }
-                let Some(weights) = weights_over(point, at) else {
-                    continue;
-                };
                 let here = Overlap {
                     corners: *corners,
                     weights,
                     side: facing,
-                    normal: plane.normal,
+                    normal: triangle.normal,
                     missing,
                 };
                 match known {
@@ -529,10 +503,10 @@ fn push_edges_off(
         if !touch(around, bounds) {
             continue;
         }
-        let plane = Plane::of(at(own), side);
+        let triangle = Triangle::of(at(own), side);
         let through = match edges {
-            Edges::Own => edges_through(&plane, &own.parted(), block, work),
-            Edges::Others => edges_through(&plane, other, other_block, work),
+            Edges::Own => edges_through(&triangle, &own.parted(), block, work),
+            Edges::Others => edges_through(&triangle, other, other_block, work),
         };
         for edge in through {
             let ends = match edges {
@@ -543,12 +517,11 @@ fn push_edges_off(
                 continue;
             }
             // Where the edge before has moved it.
-            let at = at(own);
-            let plane = Plane::of(at, side);
-            if let Some((way, weights, missing)) = lowest_over(ends, &plane, at, scale) {
+            let triangle = Triangle::of(at(own), side);
+            if let Some((way, weights, missing)) = lowest_over(ends, &triangle, scale) {
                 match (edges, missing) {
-                    (Edges::Own, Some(by)) => own.push(edge, [1.0 - way, way], plane.normal, by),
-                    (Edges::Others, Some(by)) => own.push(*corners, weights, plane.normal, -by),
+                    (Edges::Own, Some(by)) => own.push(edge, [1.0 - way, way], triangle.normal, by),
+                    (Edges::Others, Some(by)) => own.push(*corners, weights, triangle.normal, -by),
                     (_, None) => {}
                 }
                 found = found.max(Outcome::of_edge(missing));
@@ -558,9 +531,9 @@ fn push_edges_off(
     found
 }
 
-/// The edges of a block that go through a plane.
+/// The edges of a block that go through the plane of a triangle.
 fn edges_through(
-    plane: &Plane,
+    triangle: &Triangle,
     leaf: &PartedLeaf<'_>,
     block: usize,
     work: &mut Work,
@@ -569,7 +542,7 @@ fn edges_through(
     let corners = &leaf.parts.corners[block.corners.clone()];
     work.spend(TRIANGLE + POINT * corners.len() as u32);
     let is_under = |set: u32, (k, node): (usize, &usize)| {
-        set | u32::from(plane.height(leaf.points[*node]) < 0.0) << k
+        set | u32::from(triangle.height(leaf.points[*node]) < 0.0) << k
     };
     let under = corners.iter().enumerate().fold(0, is_under);
     if under == 0 || under.count_ones() as usize == corners.len() {

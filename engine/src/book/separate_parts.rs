@@ -11,6 +11,7 @@
 
 use super::flaps::{BESIDE, add_facing, facing_of};
 use super::tolerance::{NOT_UPON, OVER_PILE, SLACK};
+use super::triangle::Triangle;
 use super::work::Work;
 use crate::vector::{cross, dot, sub, unit};
 use core::ops::Range;
@@ -438,35 +439,18 @@ fn overlap(
     side: f32,
     scale: f32,
 ) -> Option<Overlap> {
-    let [a, b, c] = corners.map(|corner| points[corner]);
-    let away = sub(points[node], a);
-    let (u, v) = (sub(b, a), sub(c, a));
-    let across = cross(u, v);
-    let square = dot(across, across).max(f32::MIN_POSITIVE);
-    let inverse = side / square.sqrt();
-    let missing = OVER_PILE * scale - dot(away, across) * inverse;
+    let triangle = Triangle::of(corners.map(|corner| points[corner]), side);
+    let missing = OVER_PILE * scale - triangle.height(points[node]);
     if missing < SLACK * scale || missing > NOT_UPON * scale {
         return None;
     }
-    weights_over(points[node], [a, b, c]).map(|weights| Overlap {
+    let weights = triangle.weights_over(points[node])?;
+    Some(Overlap {
         corners,
         weights,
-        normal: across.map(|x| x * inverse),
+        normal: triangle.normal,
         missing,
     })
-}
-
-/// How near a point is to each corner of a triangle that it lies over or under, 0 to 1; None where
-/// it does not.
-pub fn weights_over(point: [f32; 3], [a, b, c]: [[f32; 3]; 3]) -> Option<[f32; 3]> {
-    let (away, u, v) = (sub(point, a), sub(b, a), sub(c, a));
-    let across = cross(u, v);
-    let square = dot(across, across).max(f32::MIN_POSITIVE);
-    let on_b = dot(cross(away, v), across) / square;
-    let on_c = dot(cross(u, away), across) / square;
-    let weights = [1.0 - on_b - on_c, on_b, on_c];
-    let is_over = weights.iter().all(|weight| *weight > -BESIDE);
-    is_over.then(|| weights.map(|weight| weight.max(0.0)))
 }
 
 #[cfg(test)]
