@@ -54,6 +54,9 @@ pub struct Options {
     /// Slope of the funnel.
     #[arg(long, default_value_t = 0.1, value_parser = between(0.02, 0.3))]
     slope: f64,
+    /// Angle from the rows of the sheet at which it is lifted at the start, degrees; the shell has none.
+    #[arg(long, default_value_t = 0.0, value_parser = between(-180.0, 180.0))]
+    turn: f64,
     /// Nodes of the shell around the tip, or of the sheet along each side [default: 192, 25]
     #[arg(long, value_parser = between(24usize, 256))]
     nodes: Option<usize>,
@@ -105,7 +108,10 @@ pub fn run(options: &Options) -> Result<Lines<Cone>, String> {
                 gravity: [0.0; 3],
                 ..settings.sheet([2.0 * RADIUS; 2], paper)
             };
-            (columns, by_sheet(settings, slope)?)
+            (
+                columns,
+                by_sheet(settings, slope, options.turn.to_radians())?,
+            )
         }
         Model::MassSpring => return Err("Masses and springs are not pushed into a funnel.".into()),
     };
@@ -196,6 +202,11 @@ fn between_places(from: &[f64; 3], to: &[f64; 3], part: f64) -> [f64; 3] {
     core::array::from_fn(|axis| from[axis] + part * (to[axis] - from[axis]))
 }
 
+fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
+    let (sin, cos) = angle.sin_cos();
+    [x * cos - y * sin, x * sin + y * cos]
+}
+
 /// Unit normal of the funnel under a place.
 fn normal(place: [f64; 3], slope: f64) -> [f64; 3] {
     let radius = place[0].hypot(place[1]).max(1e-9);
@@ -261,8 +272,9 @@ fn by_shell(around: usize, slope: f64) -> Result<Vec<[f64; 3]>, String> {
     Ok(shell.positions().to_vec())
 }
 
-/// Places of the nodes of a square sheet in the funnel, over its radius.
-fn by_sheet(settings: SheetSettings, slope: f64) -> Result<Vec<[f64; 3]>, String> {
+/// Places of the nodes of a square sheet in the funnel, over its radius, which is lifted at first
+/// at an angle from its rows.
+fn by_sheet(settings: SheetSettings, slope: f64, turn: f64) -> Result<Vec<[f64; 3]>, String> {
     let count = settings.columns;
     let steps = (SECONDS / settings.time_step) as usize;
     let start = Start::new(slope);
@@ -271,7 +283,11 @@ fn by_sheet(settings: SheetSettings, slope: f64) -> Result<Vec<[f64; 3]>, String
         let [column, row] = [node % count, node / count];
         [column, row].map(|i| i as f64 * cell - RADIUS)
     });
-    let places = flat.flat_map(|place| start.place(place));
+    let places = flat.flat_map(|place| {
+        let [x, y, z] = start.place(turned(place, -turn));
+        let [x, y] = turned([x, y], turn);
+        [x, y, z]
+    });
     let places: Vec<f32> = places.map(|x| x as f32).collect();
     let mut sheet = Sheet::new(settings).map_err(|error| error.to_string())?;
     sheet.write_nodes(&places, &vec![0.0; places.len()]);
@@ -301,9 +317,9 @@ fn by_sheet(settings: SheetSettings, slope: f64) -> Result<Vec<[f64; 3]>, String
     Ok(over_radius.collect())
 }
 
-/// The sector that is lifted off the funnel, radians: on each side the angle at which the
-/// third root of the lift, which falls evenly there, would be 0, of the outer half of the
-/// disc.
+/// The sector that is lifted off the funnel about where most is, radians: on each side the angle
+/// at which the third root of the lift, which falls evenly there, would be 0, of the outer half of
+/// the disc. What is lifted beyond where the paper first lies on the funnel does not count.
 fn sector(places: &[[f64; 3]], slope: f64) -> Result<f64, String> {
     let lift = |[x, y, z]: [f64; 3]| z / (slope * x.hypot(y)) - 1.0;
     let outer: Vec<[f64; 3]> = places
@@ -322,13 +338,16 @@ fn sector(places: &[[f64; 3]], slope: f64) -> Result<f64, String> {
     let angle = |[x, y, _]: [f64; 3]| (y * cos - x * sin).atan2(x * cos + y * sin);
     let mut sector = 0.0;
     for side in [1.0, -1.0] {
-        let points: Vec<[f64; 2]> = outer
+        let mut beside: Vec<[f64; 2]> = outer
             .iter()
-            .filter(|place| {
-                let beside = (0.0..0.5 * PI).contains(&(side * angle(**place)));
-                beside && LIFTS.contains(&lift(**place))
-            })
-            .map(|place| [lift(*place).cbrt(), side * angle(*place)])
+            .map(|place| [lift(*place), side * angle(*place)])
+            .filter(|[_, angle]| (0.0..0.5 * PI).contains(angle))
+            .collect();
+        beside.sort_by(|[_, a], [_, b]| a.total_cmp(b));
+        let lifted = beside.iter().take_while(|[lift, _]| *lift > LIFTS.start);
+        let points: Vec<[f64; 2]> = lifted
+            .filter(|[lift, _]| LIFTS.contains(lift))
+            .map(|[lift, angle]| [lift.cbrt(), *angle])
             .collect();
         if points.len() < 2 {
             return Err("The paper is not lifted as a cone.".into());
