@@ -364,3 +364,36 @@ fn sector(places: &[[f64; 3]], slope: f64) -> Result<f64, String> {
     }
     Ok(sector)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A ring of paper that is lifted about an angle by the third power of how far a place is
+    /// within half of a sector, and ripples by 0.04 of the funnel's height a right angle away.
+    fn rippled(about: f64, half: f64, slope: f64) -> Vec<[f64; 3]> {
+        let place = |k: usize| {
+            let off = PI * (k as f64 / 180.0 - 1.0);
+            let cubic = (1.0 - off.abs() / half).max(0.0).powi(3);
+            let is_ripple = (off.abs() - 0.5 * PI).abs() < 0.1 && k.is_multiple_of(2);
+            let lift = 2.8 * cubic + if is_ripple { 0.04 } else { 0.0 };
+            let [x, y] = turned([0.75, 0.0], about + off);
+            [x, y, slope * 0.75 * (1.0 + lift)]
+        };
+        (0..360).map(place).collect()
+    }
+
+    #[test]
+    fn ripples_beside_the_lifted_sector_do_not_count() {
+        for about in [0.0, 1.0, -2.5] {
+            let half = 69.5f64.to_radians();
+            let found = sector(&rippled(about, half, 0.1), 0.1).unwrap();
+            assert!((found - 2.0 * half).abs() < 0.01, "{}", found.to_degrees());
+        }
+    }
+
+    #[test]
+    fn paper_that_lies_on_the_funnel_has_no_sector() {
+        assert!(sector(&rippled(0.0, 0.01, 0.1), 0.1).is_err());
+    }
+}
