@@ -161,11 +161,11 @@ fn closed() -> String {
 
 fn by_shell(strip: &CreasedElastica, columns: usize) -> Result<Rested, String> {
     let settings = ShellSettings::strip(columns, strip.gamma);
-    let crease = Crease {
-        column: column(strip.at, columns),
-        rest: strip.rest,
-        stiffness: strip.stiffness * settings.rigidity.d11,
-    };
+    let crease = Crease::elastic(
+        column(strip.at, columns),
+        strip.rest,
+        strip.stiffness * settings.rigidity.d11,
+    );
     let mut shell = Shell::new(ShellSettings {
         discretisation: Discretisation::Triangles,
         creases: vec![crease],

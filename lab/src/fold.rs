@@ -29,6 +29,9 @@ enum Fold {
 /// Stiffness of a crease along its whole length over that of a page's paper: k L / D.
 const PRESSED: f64 = 6.0;
 
+/// Angle off their rest from which creases that creep yield, degrees.
+const YIELDS: f64 = 30.0;
+
 /// Options of the experiment.
 #[derive(Args)]
 pub struct Options {
@@ -38,6 +41,9 @@ pub struct Options {
     /// Rest angle that the creases come to, degrees [default: 150 of a dog-ear, else 110]
     #[arg(long, allow_negative_numbers = true, value_parser = between(-180.0, 180.0))]
     rest: Option<f64>,
+    /// Angle by which they creep in a time that grows e-fold, degrees; they yield from 30 on then.
+    #[arg(long, default_value_t = 0.0, value_parser = between(0.0, 30.0))]
+    creep: f64,
     /// Seconds until they have, and as long again.
     #[arg(long, default_value_t = 1.0, value_parser = between(0.1, 60.0))]
     seconds: f64,
@@ -50,6 +56,7 @@ pub struct Options {
 pub struct Folded {
     file: String,
     crease_angles_deg: Vec<f32>,
+    crease_rests_deg: Vec<f32>,
     max_edge_strain: f32,
 }
 
@@ -87,6 +94,10 @@ pub fn run(options: &Options) -> Result<Lines<Folded>, String> {
         ..Paper::default().sheet(PAGE, 1)
     };
     let stock = settings.stock;
+    let (yields, creep) = match options.creep {
+        0.0 => (f64::INFINITY, 0.0),
+        creep => (YIELDS.to_radians(), creep.to_radians()),
+    };
     let rest = options.rest.unwrap_or(match options.fold {
         Fold::DogEar => 150.0,
         Fold::Letter | Fold::Map => 110.0,
@@ -99,8 +110,8 @@ pub fn run(options: &Options) -> Result<Lines<Folded>, String> {
             through: *through,
             rest: 0.0,
             stiffness: PRESSED * stock.stiffness_across / PAGE[0],
-            yields: f64::INFINITY,
-            creep: 0.0,
+            yields,
+            creep,
         })
         .collect();
     sheet.crease(&lines).map_err(|error| error.to_string())?;
@@ -116,15 +127,20 @@ pub fn run(options: &Options) -> Result<Lines<Folded>, String> {
     let step = f64::from(sheet.time_step());
     let steps = (2.0 * options.seconds / step) as usize;
     let mut moments = Vec::new();
+    let mut is_pressed = false;
     for k in 0..=steps {
         if k * (frames - 1) >= moments.len() * steps {
             moments.push(Moment::of_sheet(&mut sheet));
         }
         let t = (k as f64 * step / options.seconds).min(1.0);
         let part = t * t * (3.0 - 2.0 * t);
-        for (crease, (_, toward)) in creases.iter().enumerate() {
-            sheet.press(crease, (part * toward * rest).to_radians() as f32);
+        // Once pressed they are left to themselves.
+        if !is_pressed {
+            for (crease, (_, toward)) in creases.iter().enumerate() {
+                sheet.press(crease, (part * toward * rest).to_radians() as f32);
+            }
         }
+        is_pressed = t >= 1.0;
         sheet.step();
     }
     let page = (PAGE[1] / PAGE[0]) as f32;
@@ -139,9 +155,14 @@ pub fn run(options: &Options) -> Result<Lines<Folded>, String> {
     });
     let file = save(&on_one(&pictures), out, &name)?;
     let angles = (0..creases.len()).filter_map(|crease| sheet.crease_angle(crease));
+    let [angles, rests] = [0, 1].map(|of| {
+        let all = angles.clone().map(|angles| angles[of].to_degrees());
+        all.collect()
+    });
     Ok(Lines(Folded {
         file,
-        crease_angles_deg: angles.map(|[angle, _]| angle.to_degrees()).collect(),
+        crease_angles_deg: angles,
+        crease_rests_deg: rests,
         max_edge_strain: sheet.max_edge_strain(),
     }))
 }

@@ -3,6 +3,7 @@
 mod kind;
 pub mod kinematic;
 pub mod mass_spring;
+mod plastic_hinge;
 pub mod sheet;
 pub mod shell;
 

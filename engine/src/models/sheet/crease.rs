@@ -5,7 +5,7 @@
 //! (Lechenault, Thiria and Adda-Bedia 2014, "Mechanical response of a creased
 //! sheet"). Turned further from its rest than it yields, it keeps the difference:
 //! its rest angle follows, as that of a fold that is pressed. It may creep too (see
-//! `plastic_hinge.rs`).
+//! `models/plastic_hinge.rs`).
 
 use crate::stock::Stock;
 

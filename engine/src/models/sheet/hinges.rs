@@ -13,11 +13,11 @@
 
 use super::crease::FoldLine;
 use super::material::{Material, cut};
-use super::plastic_hinge::Plasticity;
 use super::plates::{plate_at, weights};
 use super::settings::{Root, SheetSettings};
 use super::system::System;
 use crate::lanes::Four;
+use crate::models::plastic_hinge::Plasticity;
 use crate::rigidity::Rigidity;
 use crate::vector::{cross, dot, sub};
 use core::f32::consts::PI;
@@ -314,8 +314,9 @@ impl Hinges {
             stiffness: (paper * paper / spring) as f32,
             spring: spring as f32,
             plasticity: Plasticity {
-                yields: line.yields as f32,
-                creep: line.creep as f32,
+                // As single precision has it, in which the hinge is measured.
+                yields: f64::from(line.yields as f32),
+                creep: line.creep,
             },
             tightest: f32::INFINITY,
         }
@@ -387,11 +388,11 @@ impl Hinges {
             fold.last = unwrapped(angle, fold.last);
             let turned = fold.crease_angle() - fold.rest;
             let plasticity = &fold.plasticity;
-            let beyond = plasticity.follow(turned, self.may_yield, seconds);
+            let beyond = plasticity.follow(turned.into(), self.may_yield, seconds.into()) as f32;
             if beyond != 0.0 {
                 let rest = fold.rest + beyond;
                 let rest = rest.clamp(-fold.tightest, fold.tightest);
-                let moment = fold.spring * turned.abs().min(plasticity.yields);
+                let moment = fold.spring * turned.abs().min(plasticity.yields as f32);
                 self.yielded += moment * (rest - fold.rest).abs();
                 fold.rest = rest;
             }

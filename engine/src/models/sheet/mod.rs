@@ -26,7 +26,6 @@ mod measure;
 mod membrane;
 mod patches;
 mod piece_outline;
-mod plastic_hinge;
 mod plates;
 mod settings;
 mod sweep;

@@ -23,4 +23,12 @@ pub(super) trait Bending: core::fmt::Debug + Send {
     fn crease_angle(&self, _crease: usize, _x: &[Vector], _clamps: &Clamps) -> Option<f64> {
         None
     }
+
+    /// Angle at which a crease bears no moment now, as [`Bending::crease_angle`].
+    fn crease_rest(&self, _crease: usize) -> Option<f64> {
+        None
+    }
+
+    /// Lets the rests of creases follow where these are, in `seconds` of time.
+    fn let_creases_follow(&mut self, _x: &[Vector], _clamps: &Clamps, _seconds: f64) {}
 }

@@ -10,6 +10,8 @@ mod bending;
 mod cells;
 mod clamp;
 mod crease;
+#[cfg(test)]
+mod crease_tests;
 mod energy;
 mod forces;
 mod grid;
@@ -256,6 +258,13 @@ impl Shell {
             bending, clamps, ..
         } = &self.forces;
         bending.crease_angle(crease, &self.x, clamps)
+    }
+
+    /// Angle at which a crease bears no moment now, as [`Shell::crease_angle`]: in steps it yields
+    /// and creeps, where its [`Crease`] says so, and never in equilibria that are
+    /// [settled](Shell::settle) to.
+    pub fn crease_rest(&self, crease: usize) -> Option<f64> {
+        self.forces.bending.crease_rest(crease)
     }
 
     /// Largest change of length of a grid edge along u or v, relative to it.

@@ -256,6 +256,13 @@ impl ShellSettings {
                 )
             } else if crease.stiffness.is_nan() || crease.stiffness <= 0.0 {
                 format!("A crease's stiffness is above 0, not {}.", crease.stiffness)
+            } else if crease.yields.is_nan() || crease.yields <= 0.0 {
+                format!("A crease yields beyond more than 0, not {}.", crease.yields)
+            } else if !(crease.creep == 0.0 || (crease.creep > 0.0 && crease.yields.is_finite())) {
+                format!(
+                    "A crease creeps by 0 or more, and from its yield, not by {}.",
+                    crease.creep
+                )
             } else {
                 continue;
             };

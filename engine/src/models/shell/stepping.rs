@@ -1,5 +1,6 @@
 //! Steps in time: each scheme as one or a few stages.
 
+use super::forces::Forces;
 use super::motion::Stage;
 use super::newton::minimise;
 use super::vector::{Vector, advance, difference, furthest, scale};
@@ -39,6 +40,10 @@ impl Shell {
             }
         }
         self.stay_down();
+        let Forces {
+            bending, clamps, ..
+        } = &mut self.forces;
+        bending.let_creases_follow(&self.x, clamps, h);
     }
 
     /// Takes the speed across the table from nodes that touch it: paper that slaps down

@@ -152,11 +152,7 @@ fn a_creased_strip_hangs_as_the_creased_elastica() {
             panic!("{anchor:?}");
         };
         let d = ShellSettings::strip(65, gamma).rigidity.d11;
-        let crease = Crease {
-            column: (64.0 * at) as usize,
-            rest: rest.to_radians(),
-            stiffness: stiffness * d,
-        };
+        let crease = Crease::elastic((64.0 * at) as usize, rest.to_radians(), stiffness * d);
         let mut shell = creased(65, gamma, crease);
         // The equilibrium that grows out of the weightless one.
         for part in 1..=20 {
@@ -182,11 +178,7 @@ fn a_creased_strip_hangs_as_the_creased_elastica() {
 
 #[test]
 fn a_crease_without_stiffness_beside_the_paper_takes_all_of_the_turn() {
-    let crease = Crease {
-        column: 16,
-        rest: 0.0,
-        stiffness: 1e-3,
-    };
+    let crease = Crease::elastic(16, 0.0, 1e-3);
     let mut shell = creased(33, 0.1, crease);
     shell.settle(1e-9).unwrap();
     let turned = shell.crease_angle(0).unwrap().to_degrees();
@@ -203,11 +195,7 @@ fn settings_of_a_crease_that_is_none_are_rejected_each_by_its_error() {
         };
         Shell::new(settings).unwrap_err().to_string()
     };
-    let crease = Crease {
-        column: 16,
-        rest: 1.0,
-        stiffness: 1.0,
-    };
+    let crease = Crease::elastic(16, 1.0, 1.0);
     let triangles = Discretisation::Triangles;
     let sentences = [
         wrong(crease, Discretisation::Grid),
@@ -242,6 +230,21 @@ fn settings_of_a_crease_that_is_none_are_rejected_each_by_its_error() {
         wrong(
             Crease {
                 stiffness: 0.0,
+                ..crease
+            },
+            triangles,
+        ),
+        wrong(
+            Crease {
+                yields: 0.0,
+                ..crease
+            },
+            triangles,
+        ),
+        wrong(
+            // From no yield.
+            Crease {
+                creep: 0.01,
                 ..crease
             },
             triangles,

@@ -241,9 +241,8 @@ impl TriangleBending {
                 _ => 0.0,
             };
             let paper = self.triangles.iter().map(of_triangle).sum();
-            // A hinge's angle is positive where the surface bulges upward.
             self.folds
-                .push(Fold::new(hinge, crease, -folded.rest, paper, spring));
+                .push(Fold::new((hinge, crease), folded, [paper, spring]));
         }
     }
 
@@ -368,14 +367,36 @@ impl Bending for TriangleBending {
 
     fn crease_angle(&self, crease: usize, x: &[Vector], clamps: &Clamps) -> Option<f64> {
         let angles = self.angles(x, clamps);
-        let folds = self.folds.iter().filter(|fold| fold.crease == crease);
-        let (mut sum, mut count) = (0.0, 0.0);
-        for fold in folds {
-            sum -= fold.angle(angles[fold.hinge].value);
-            count += 1.0;
-        }
-        (count > 0.0).then(|| sum / count)
+        let of = |fold: &Fold| fold.angle(angles[fold.hinge].value);
+        mean(
+            self.folds
+                .iter()
+                .filter(|fold| fold.crease == crease)
+                .map(of),
+        )
     }
+
+    fn crease_rest(&self, crease: usize) -> Option<f64> {
+        let folds = self.folds.iter().filter(|fold| fold.crease == crease);
+        mean(folds.map(Fold::rest))
+    }
+
+    fn let_creases_follow(&mut self, x: &[Vector], clamps: &Clamps, seconds: f64) {
+        if self.folds.is_empty() {
+            return;
+        }
+        let angles = self.angles(x, clamps);
+        for fold in &mut self.folds {
+            fold.follow(angles[fold.hinge].value, seconds);
+        }
+    }
+}
+
+/// The mean of hinges' angles as a crease counts them, which are positive where its hinges' are
+/// not; None of none.
+fn mean(angles: impl Iterator<Item = f64>) -> Option<f64> {
+    let (sum, count) = angles.fold((0.0, 0.0), |(sum, count), angle| (sum - angle, count + 1.0));
+    (count > 0.0).then(|| sum / count)
 }
 
 /// Stiffness between angles: that of the plate, over the triangle's area, half
