@@ -7,11 +7,14 @@
 //! that work and from how far a torn edge opens before it parts. A tear grows from its ends:
 //! paper gives way where it is notched, as at its rims, long before it does elsewhere.
 
+use std::rc::Rc;
+
 use super::Book;
 use super::creased_mesh::CreasedMesh;
 use super::flight::Flight;
 use super::folded_sheet::FoldedSheet;
 use super::limits::{NODES, TICK};
+use super::relief::{Relief, bounds};
 use super::stillness::{STILL, Stillness};
 use super::surroundings::{Surroundings, TableAround};
 use crate::flaps::Flaps;
@@ -27,9 +30,12 @@ mod across_tests;
 mod ball;
 #[cfg(test)]
 mod crumpling_tests;
+mod drawn_offset;
 #[cfg(test)]
 mod folded_tests;
 mod fracture;
+#[cfg(test)]
+mod meeting_tests;
 mod nodes;
 mod press;
 mod tear_heading;
@@ -40,6 +46,7 @@ mod turning_tests;
 
 use across::Across;
 use ball::Ball;
+use drawn_offset::DrawnOffset;
 use fracture::{stiffness_of, work_of};
 use nodes::{finer, nodes_of};
 use press::Press;
@@ -87,38 +94,6 @@ struct BoundRow {
     work: f32,
 }
 
-/// By how much what is drawn differs from the sheet, less from tick to tick.
-#[derive(Clone, Debug, Default)]
-struct DrawnOffset {
-    /// At first, x, y, z of each point, metres.
-    by: Vec<f32>,
-    /// Ticks for which it does in all, and for how many more.
-    ticks: u32,
-    left: u32,
-}
-
-impl DrawnOffset {
-    /// What is drawn at `shown` by a sheet that is at `own`, for so many ticks.
-    fn new(shown: &[f32], own: &[f32], ticks: u32) -> Self {
-        let by = shown.iter().zip(own).map(|(shown, own)| shown - own);
-        Self {
-            by: by.collect(),
-            ticks,
-            left: ticks,
-        }
-    }
-
-    /// Moves drawn points of the sheet to where they are drawn.
-    fn add_to(&self, positions: &mut [f32]) {
-        if self.left > 0 {
-            let part = self.left as f32 / self.ticks as f32;
-            for (x, by) in positions.iter_mut().zip(&self.by) {
-                *x += part * by;
-            }
-        }
-    }
-}
-
 /// How far a sheet is crumpled.
 #[derive(Clone, Debug)]
 enum Crumpled {
@@ -153,6 +128,10 @@ pub struct TornLeaf {
     /// changed.
     mesh: TornMesh,
     mesh_version: u32,
+    /// Its place among loose sheets, from the table up; the greatest of one that has met none.
+    pub(super) layer: u32,
+    /// Its upper side, if another sheet has come near it.
+    relief: Option<Rc<Relief>>,
 }
 
 impl TornLeaf {
@@ -206,6 +185,8 @@ impl TornLeaf {
             mesh: sheet.torn_mesh(),
             folded: None,
             mesh_version: 0,
+            layer: u32::MAX,
+            relief: None,
             drawn_offset: DrawnOffset::default(),
             bound: Vec::new(),
             sheet,
@@ -364,15 +345,12 @@ impl TornLeaf {
     pub fn part(&mut self) -> Option<TornLeaf> {
         let [foot, head] = self.sheet.parted()?;
         // Both go on as they were drawn.
-        let mut of_foot = core::mem::take(&mut self.drawn_offset);
+        let offset = core::mem::take(&mut self.drawn_offset);
         self.take_sheet(foot);
         let mut parted = TornLeaf::of(head, self.around);
-        let seam = self.surface.positions.len().min(of_foot.by.len());
-        parted.drawn_offset = DrawnOffset {
-            by: of_foot.by.split_off(seam),
-            ..of_foot
-        };
-        self.drawn_offset = of_foot;
+        parted.layer = self.layer;
+        let offsets = offset.parted(self.surface.positions.len());
+        [self.drawn_offset, parted.drawn_offset] = offsets;
         Some(parted)
     }
 
@@ -395,41 +373,118 @@ impl TornLeaf {
 
     /// Steps by `ticks` of [`TICK`] seconds on and beside a book as it is drawn.
     pub fn step(&mut self, book: &Book, ticks: u32) {
-        let around = Surroundings::new(book, self.around, &self.sheet);
         for _ in 0..ticks {
             if self.is_asleep() {
                 return;
             }
-            if let Some(Crumpled::Ball(ball)) = &mut self.crumpled {
-                ball.step(TICK, &around, self.pulled[0]);
-                ball.write_nodes(&mut self.sheet);
-            } else {
-                self.step_sheet(&around);
-            }
-            self.drawn_offset.left = self.drawn_offset.left.saturating_sub(1);
-            if let Some(Crumpled::Pressed(_)) = &self.crumpled {
-                continue;
-            }
-            let slowest = if self.is_crumpled() {
-                BALL_STILL
-            } else {
-                STILL
-            };
-            let velocities = self.sheet.velocities();
-            let is_held = self.is_held.contains(&true);
-            self.stillness.count(velocities, is_held, slowest);
+            self.tick_over(book, &[]);
         }
+    }
+
+    /// Steps by a tick on and beside a book as it is drawn, and over other sheets.
+    pub(super) fn tick_over(&mut self, book: &Book, under: &[Rc<Relief>]) {
+        let around = Surroundings::new(book, self.around, &self.sheet).over(under);
+        let pulled = self.pulled.map(|to| around.over_sheets(to));
+        if let Some(Crumpled::Ball(ball)) = &mut self.crumpled {
+            ball.step(TICK, &around, pulled[0]);
+            ball.write_nodes(&mut self.sheet);
+        } else {
+            for (grab, to) in pulled.into_iter().enumerate() {
+                self.sheet.pull(grab as u32, to);
+            }
+            self.step_sheet(&around);
+        }
+        self.drawn_offset.tick();
+        if let Some(Crumpled::Pressed(_)) = &self.crumpled {
+            return;
+        }
+        let slowest = if self.is_crumpled() {
+            BALL_STILL
+        } else {
+            STILL
+        };
+        let velocities = self.sheet.velocities();
+        let is_held = self.is_held();
+        self.stillness.count(velocities, is_held, slowest);
     }
 
     /// Brings the drawn surface up to date, on and beside a book as it is drawn.
     pub fn update(&mut self, book: &Book) {
+        self.update_over(book, &[]);
+    }
+
+    /// Brings the drawn surface up to date, on and beside a book as it is drawn and over other
+    /// sheets.
+    pub(super) fn update_over(&mut self, book: &Book, under: &[Rc<Relief>]) {
         self.sheet.write_surface(&mut self.surface);
         self.drawn_offset.add_to(&mut self.surface.positions);
-        Surroundings::new(book, self.around, &self.sheet).push_off(&mut self.surface);
+        let around = Surroundings::new(book, self.around, &self.sheet).over(under);
+        around.push_off(&mut self.surface);
+        if !under.is_empty() {
+            let triangles = self.triangles();
+            around.push_off_sheets(&mut self.surface, &triangles);
+        }
         if let (true, Some(folded)) = (CAN_CREASE, &mut self.folded) {
             folded.separate(&mut self.surface, self.sheet.settings().width as f32);
         }
         self.surface.update_normals();
+    }
+
+    /// Its upper side as it is drawn, or as it was when it was no more than a sliver elsewhere.
+    pub(super) fn renew_relief(&mut self, book: &Book) -> Rc<Relief> {
+        let points = &self.surface.positions;
+        let is_outdated = |relief: &Rc<Relief>| relief.is_outdated(points);
+        if self.relief.as_ref().is_some_and(is_outdated) {
+            self.relief = None;
+        }
+        self.relief(book)
+    }
+
+    /// Its upper side as it was drawn when it was last made.
+    pub(super) fn relief(&mut self, book: &Book) -> Rc<Relief> {
+        if let Some(relief) = &self.relief {
+            return Rc::clone(relief);
+        }
+        let [width, height] = book.size().map(|side| side as f32);
+        let spacing = width / (book.columns().len() - 1) as f32;
+        // Nothing of a sheet is farther apart than the corners of its page, stretched by a part.
+        let longest = 1.1 * (width * width + height * height).sqrt();
+        let shape = (self.around.table, longest);
+        let points = &self.surface.positions;
+        let relief = Rc::new(Relief::of(points, &self.triangles(), spacing, shape));
+        self.relief = Some(Rc::clone(&relief));
+        relief
+    }
+
+    /// The least and the greatest coordinates of its nodes, metres.
+    pub(super) fn node_bounds(&self) -> [[f32; 3]; 2] {
+        bounds(self.sheet.positions())
+    }
+
+    /// The least and the greatest coordinates of what is drawn of it, metres.
+    pub(super) fn drawn_bounds(&self) -> [[f32; 3]; 2] {
+        bounds(&self.surface.positions)
+    }
+
+    /// Height of the table, metres.
+    pub(super) fn table(&self) -> f32 {
+        self.around.table
+    }
+
+    /// Whether a grab holds it.
+    pub(super) fn is_held(&self) -> bool {
+        self.is_held.contains(&true)
+    }
+
+    /// The triangles of what is drawn of it.
+    fn triangles(&self) -> Vec<[u32; 3]> {
+        if let Some(mesh) = self.folded_mesh() {
+            return mesh.triangles.as_chunks::<3>().0.to_vec();
+        }
+        if !self.mesh.triangles.is_empty() {
+            return self.mesh.triangles.clone();
+        }
+        grid_triangles(&self.surface, self.is_crumpled())
     }
 
     /// How what is drawn of one that was folded when it was torn out lies on its page; None of any
@@ -516,12 +571,15 @@ impl TornLeaf {
             torn: self.torn,
             mesh_version: self.mesh_version.wrapping_add(1),
             across: core::mem::take(&mut self.across),
+            layer: self.layer,
+            relief: self.relief.take(),
             ..TornLeaf::of(sheet, self.around)
         };
         self.surface.version = version.wrapping_add(1);
     }
 
-    fn wake(&mut self) {
+    /// Moves on from now, if it was asleep.
+    pub(super) fn wake(&mut self) {
         self.stillness.wake();
     }
 
@@ -552,6 +610,25 @@ impl TornLeaf {
             self.tie();
         }
     }
+}
+
+/// The triangles of a surface whose points lie row by row: two to a cell, cut along its rising
+/// diagonal; of facets about the middle of four cells, along that to the middle.
+fn grid_triangles(surface: &Surface, has_facets: bool) -> Vec<[u32; 3]> {
+    let (columns, rows) = (surface.columns, surface.rows);
+    let mut triangles = Vec::with_capacity(2 * (columns - 1) * (rows - 1));
+    for row in 0..rows - 1 {
+        for column in 0..columns - 1 {
+            let foot = row * columns + column;
+            let [a, b, c, d] = [foot, foot + 1, foot + columns, foot + columns + 1].map(|n| n as u32);
+            if has_facets && (row + column) % 2 == 1 {
+                triangles.extend([[a, b, c], [b, d, c]]);
+            } else {
+                triangles.extend([[a, b, d], [a, d, c]]);
+            }
+        }
+    }
+    triangles
 }
 
 /// The sheet of a flight with nothing that binds it, folded as that is, where it is drawn. None
