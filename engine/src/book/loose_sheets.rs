@@ -122,7 +122,9 @@ fn move_upon(sheets: &mut [&mut TornLeaf], order: &[usize], book: &Book, under: 
     let room = high[2] - sheets[*sheet].table();
     let mut upper = upper.iter().copied().filter(|other| {
         let [other_low, other_high] = sheets[*other].node_bounds();
-        (0..2).all(|axis| other_low[axis] <= high[axis] + room && other_high[axis] >= low[axis] - room)
+        (0..2).all(|axis| {
+            other_low[axis] <= high[axis] + room && other_high[axis] >= low[axis] - room
+        })
     });
     if upper.next().is_none() {
         return;

@@ -165,7 +165,10 @@ impl Relief {
         let height = (1.0 - t) * (a + s * (b - a)) + t * (c + s * (d - c));
         let along_x = (1.0 - t) * (b - a) + t * (d - c);
         let along_y = (1.0 - s) * (c - a) + s * (d - b);
-        Some((height, [along_x, along_y].map(|rise| rise / self.lattice.spacing)))
+        Some((
+            height,
+            [along_x, along_y].map(|rise| rise / self.lattice.spacing),
+        ))
     }
 
     /// Height of the paper at a place, metres; None where there is none.

@@ -11,7 +11,7 @@ use super::Book;
 use super::bend_into_gutter::push_edges_off_where;
 use super::pile::Pile;
 use super::relief::Relief;
-use super::tolerance::{FAR, OVER_PILE, PUSHED_AT_ONCE};
+use super::tolerance::{DEEPEST, FAR, OVER_PILE, PUSHED_AT_ONCE};
 use crate::grid::Side;
 use crate::models::sheet::{CONTACTS, Contact, Sheet};
 use crate::surface::Surface;
@@ -87,7 +87,8 @@ impl<'a> Surroundings<'a> {
             let over = x[2] - self.around.table;
             if let Some((normal, gap)) = self.nearest_sheet(*x) {
                 if gap < FAR {
-                    contacts[TABLE] = self.half_space(*x, normal, gap.max(-PUSHED_AT_ONCE));
+                    // What lies upon a sheet that is raised at once comes out of it in steps.
+                    contacts[TABLE] = self.half_space(*x, normal, gap.max(-DEEPEST));
                 }
             } else if over < FAR {
                 contacts[TABLE] = self.half_space(*x, [0.0, 0.0, 1.0], over);
@@ -121,7 +122,10 @@ impl<'a> Surroundings<'a> {
 
     /// A place, or the one above it that is not in another sheet: no grab pulls through one.
     pub fn over_sheets(&self, [x, y, z]: [f32; 3]) -> [f32; 3] {
-        let heights = self.under.iter().filter_map(|relief| relief.height_and_slope(x, y));
+        let heights = self
+            .under
+            .iter()
+            .filter_map(|relief| relief.height_and_slope(x, y));
         [x, y, heights.fold(z, |z, (height, _)| z.max(height))]
     }
 

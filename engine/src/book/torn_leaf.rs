@@ -620,7 +620,8 @@ fn grid_triangles(surface: &Surface, has_facets: bool) -> Vec<[u32; 3]> {
     for row in 0..rows - 1 {
         for column in 0..columns - 1 {
             let foot = row * columns + column;
-            let [a, b, c, d] = [foot, foot + 1, foot + columns, foot + columns + 1].map(|n| n as u32);
+            let [a, b, c, d] =
+                [foot, foot + 1, foot + columns, foot + columns + 1].map(|n| n as u32);
             if has_facets && (row + column) % 2 == 1 {
                 triangles.extend([[a, b, c], [b, d, c]]);
             } else {

@@ -131,6 +131,11 @@ export class LooseSheetPile {
 
   /** Takes a sheet or a piece away. */
   #discard(gone: LooseSheet): void {
+    const { tearing } = this.#rebinder.bound.engine;
+    tearing?.wakeUpon(
+      gone.sheet,
+      this.#sheets.map(({ sheet }) => sheet),
+    );
     this.#sheets = this.#sheets.filter((sheet) => sheet !== gone);
     gone.sheet.destroy();
     const isLast = this.#sheets.every(({ id }) => id !== gone.id);
@@ -143,10 +148,15 @@ export class LooseSheetPile {
   /** Steps what moves by whole ticks, at most `moveTicks`. Returns whether anything goes on moving. */
   step(ticks: number): boolean {
     const { tearing, tick } = this.#rebinder.bound.engine;
-    for (const one of [...this.#sheets]) {
-      if (one.sheet.isAsleep || ticks === 0) continue;
-      this.#move(one, ticks * tick);
-      tearing?.step(one.sheet, ticks);
+    const moving = ticks === 0 ? [] : this.#sheets.filter(({ sheet }) => !sheet.isAsleep);
+    for (const one of moving) this.#move(one, ticks * tick);
+    if (moving.length > 0) {
+      tearing?.stepTogether(
+        this.#sheets.map(({ sheet }) => sheet),
+        ticks,
+      );
+    }
+    for (const one of moving) {
       const work = one.sheet.takeWork();
       if (work > 0) this.#hooks.heard(work);
       if (one.tear && !one.sheet.holdsAcross) this.#part(one, one.tear);
