@@ -55,7 +55,8 @@ fn order_of(sheets: &[&mut TornLeaf]) -> Vec<usize> {
     order
 }
 
-/// Brings the sheets that grabs hold to the top, below what lies upon them.
+/// Brings the sheets that grabs hold to the top, below what lies upon them, which they are laden
+/// with.
 fn raise_held(sheets: &mut [&mut TornLeaf], order: &mut Vec<usize>, book: &Book) {
     let held: Vec<usize> = (0..sheets.len())
         .filter(|sheet| sheets[*sheet].is_held())
@@ -76,6 +77,7 @@ fn raise_held(sheets: &mut [&mut TornLeaf], order: &mut Vec<usize>, book: &Book)
                 others.push(*other);
             }
         }
+        sheets[sheet].is_laden = raised.len() > 1;
         others.extend(raised);
         *order = others;
     }

@@ -17,6 +17,7 @@ use super::limits::{NODES, TICK};
 use super::relief::{Relief, bounds};
 use super::stillness::{STILL, Stillness};
 use super::surroundings::{Surroundings, TableAround};
+use super::tolerance::DEEPEST;
 use crate::flaps::Flaps;
 use crate::grid::Side;
 use crate::models::sheet::{CAN_CREASE, Root, Sheet, SheetSettings, Tether, TornMesh};
@@ -130,6 +131,8 @@ pub struct TornLeaf {
     mesh_version: u32,
     /// Its place among loose sheets, from the table up; the greatest of one that has met none.
     pub(super) layer: u32,
+    /// Whether others lie upon it.
+    pub(super) is_laden: bool,
     /// Its upper side, if another sheet has come near it.
     relief: Option<Rc<Relief>>,
 }
@@ -186,6 +189,7 @@ impl TornLeaf {
             folded: None,
             mesh_version: 0,
             layer: u32::MAX,
+            is_laden: false,
             relief: None,
             drawn_offset: DrawnOffset::default(),
             bound: Vec::new(),
@@ -384,7 +388,7 @@ impl TornLeaf {
     /// Steps by a tick on and beside a book as it is drawn, and over other sheets.
     pub(super) fn tick_over(&mut self, book: &Book, under: &[Rc<Relief>]) {
         let around = Surroundings::new(book, self.around, &self.sheet).over(under);
-        let pulled = self.pulled.map(|to| around.over_sheets(to));
+        let pulled: [_; MAX_PULLS] = core::array::from_fn(|grab| self.pulled_to(grab, &around));
         if let Some(Crumpled::Ball(ball)) = &mut self.crumpled {
             ball.step(TICK, &around, pulled[0]);
             ball.write_nodes(&mut self.sheet);
@@ -406,6 +410,24 @@ impl TornLeaf {
         let velocities = self.sheet.velocities();
         let is_held = self.is_held();
         self.stillness.count(velocities, is_held, slowest);
+    }
+
+    /// Where a grab pulls within a tick: not through other sheets, and no faster upward than what
+    /// lies upon it gets out of the way.
+    fn pulled_to(&self, grab: usize, around: &Surroundings) -> [f32; 3] {
+        let mut to = around.over_sheets(self.pulled[grab]);
+        if self.is_laden {
+            let rise = self.steps as f32 * DEEPEST;
+            let highest = match &self.crumpled {
+                Some(Crumpled::Ball(ball)) => ball.highest_pull(rise),
+                _ => self
+                    .sheet
+                    .held_place(grab as u32)
+                    .map(|held| held[2] + rise),
+            };
+            to[2] = highest.map_or(to[2], |highest| to[2].min(highest));
+        }
+        to
     }
 
     /// Brings the drawn surface up to date, on and beside a book as it is drawn.

@@ -10,8 +10,9 @@ use crate::stock::Stock;
 /// How deep a sheet that lies is drawn in another at most, metres.
 const DEEP: f32 = 1e-4;
 
-/// Farthest that a point of a sheet that no grab holds moves within a tick, metres: 2 m/s, as paper falls.
-const MOST_LEAP: f32 = 2.0 * TICK;
+/// Farthest that a point of a sheet that no grab holds moves within a tick, metres: at 2.5 m/s, as
+/// the rim of bible paper whips about that is let go alone.
+const MOST_LEAP: f32 = 2.5 * TICK;
 
 /// Where a sheet is taken to be carried.
 const HELD_AT: [f32; 2] = [0.9, 0.8];
