@@ -163,7 +163,7 @@ export class LooseSheetPile {
       if (one.isCrumpling && one.sheet.isAsleep) this.#crumpled(one);
     }
     const moves = this.#sheets.some(({ sheet }) => !sheet.isAsleep);
-    if (!moves && this.hasWhole) this.#rehearse();
+    if (!moves && this.whole !== null) this.#rehearse();
     return moves;
   }
 
@@ -198,14 +198,10 @@ export class LooseSheetPile {
     return one ? this.#grab(one, [u, v]) : noDrag;
   }
 
-  /** Whether one of them is neither crumpled nor torn across. */
-  get hasWhole(): boolean {
-    return this.#sheets.some(isWhole);
-  }
-
-  /** Whether one of them is neither crumpled, torn across nor folded. */
-  get hasFlat(): boolean {
-    return this.#sheets.some(isFlat);
+  /** Those that are neither crumpled nor torn across: one is flat, all are folded, or null for none. */
+  get whole(): "flat" | "folded" | null {
+    if (this.#sheets.some(isFlat)) return "flat";
+    return this.#sheets.some(isWhole) ? "folded" : null;
   }
 
   /** Crumples the sheet that was torn out last and is not crumpled. Returns whether there is one. */
