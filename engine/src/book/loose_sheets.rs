@@ -8,6 +8,7 @@ use std::rc::Rc;
 
 use super::Book;
 use super::relief::Relief;
+use super::tolerance::FAR;
 use super::torn_leaf::TornLeaf;
 
 /// Steps loose sheets by `ticks` of [`TICK`](super::TICK) seconds on and beside a book as it is drawn, and
@@ -96,6 +97,15 @@ fn lies_over(sheets: &mut [&mut TornLeaf], lower: usize, upper: usize, book: &Bo
     points.iter().any(|[x, y, _]| relief.covers(*x, *y))
 }
 
+/// Whether two sheets are over or beside each other in plan, so near that the upper side of the
+/// first may be met by the second.
+fn are_near(sheets: &[&mut TornLeaf], lower: usize, upper: usize) -> bool {
+    let [[low, high], [from, to]] = [lower, upper].map(|sheet| sheets[sheet].node_bounds());
+    // Beyond its rim it falls off by 45 degrees.
+    let room = (high[2] - sheets[lower].table()).max(0.0) + FAR;
+    (0..2).all(|axis| from[axis] <= high[axis] + room && to[axis] >= low[axis] - room)
+}
+
 /// The upper sides of what a sheet may lie upon.
 fn under(
     sheets: &mut [&mut TornLeaf],
@@ -103,12 +113,10 @@ fn under(
     sheet: usize,
     book: &Book,
 ) -> Vec<Rc<Relief>> {
-    let bounds = sheets[sheet].node_bounds();
     let mut under = Vec::new();
     for other in lower {
-        let relief = sheets[*other].renew_relief(book);
-        if relief.is_near(bounds) {
-            under.push(relief);
+        if are_near(sheets, *other, sheet) {
+            under.push(sheets[*other].renew_relief(book));
         }
     }
     under
@@ -120,23 +128,15 @@ fn move_upon(sheets: &mut [&mut TornLeaf], order: &[usize], book: &Book, under: 
     let Some((sheet, upper)) = order.split_first() else {
         return;
     };
-    let [low, high] = sheets[*sheet].node_bounds();
-    let room = high[2] - sheets[*sheet].table();
-    let mut upper = upper.iter().copied().filter(|other| {
-        let [other_low, other_high] = sheets[*other].node_bounds();
-        (0..2).all(|axis| {
-            other_low[axis] <= high[axis] + room && other_high[axis] >= low[axis] - room
-        })
-    });
-    if upper.next().is_none() {
+    if !upper.iter().any(|other| are_near(sheets, *sheet, *other)) {
         return;
     }
     sheets[*sheet].update_over(book, under);
     let before = sheets[*sheet].relief(book);
     let now = sheets[*sheet].renew_relief(book);
     if !Rc::ptr_eq(&before, &now) {
-        wake_near(sheets, &order[1..], &before);
-        wake_near(sheets, &order[1..], &now);
+        wake_near(sheets, upper, &before);
+        wake_near(sheets, upper, &now);
     }
 }
 

@@ -29,6 +29,8 @@ pub(super) struct Relief {
     drawn: Vec<f32>,
     /// The same, falling off no steeper than [`SLOPE`].
     met: Vec<f32>,
+    /// The greatest of these, metres.
+    highest: f32,
     /// The points it was made of: x, y, z of each, metres.
     points: Vec<f32>,
 }
@@ -58,14 +60,15 @@ impl Lattice {
             let at = corners.map(|corner| corner[axis]);
             let least = at[0].min(at[1]).min(at[2]);
             let most = at[0].max(at[1]).max(at[2]);
-            self.before(least)..=self.before(most) + 1
+            libm::ceilf(least / self.spacing) as i32..=self.before(most)
         };
+        let inverse = 1.0 / area;
         for row in range(1) {
             for column in range(0) {
                 let p = [column, row].map(|number| number as f32 * self.spacing);
                 let away = [p[0] - a[0], p[1] - a[1]];
-                let on_b = (away[0] * v[1] - away[1] * v[0]) / area;
-                let on_c = (u[0] * away[1] - u[1] * away[0]) / area;
+                let on_b = inverse * (away[0] * v[1] - away[1] * v[0]);
+                let on_c = inverse * (u[0] * away[1] - u[1] * away[0]);
                 if on_b >= 0.0 && on_c >= 0.0 && on_b + on_c <= 1.0 {
                     let height = a[2] + on_b * (b[2] - a[2]) + on_c * (c[2] - a[2]);
                     visit([column, row], height);
@@ -95,6 +98,7 @@ impl Relief {
             first: [0; 2],
             drawn: Vec::new(),
             met: Vec::new(),
+            highest: high[2],
             points: points.to_vec(),
         };
         if !sides.iter().all(|side| *side <= longest) {
@@ -200,13 +204,18 @@ impl Relief {
             if missing < deepest { missing } else { 0.0 }
         };
         for ([x, y, z], rise) in points.iter().zip(rises.iter_mut()) {
-            if let Some(height) = self.drawn_height(*x, *y) {
+            if *z < self.highest + gap
+                && let Some(height) = self.drawn_height(*x, *y)
+            {
                 *rise = rise.max(missing(height, *z));
             }
         }
         let [columns, rows] = [self.columns as i32, self.rows as i32];
         for corners in triangles {
             let places = corners.map(|corner| points[corner as usize]);
+            if places.iter().all(|place| place[2] >= self.highest + gap) {
+                continue;
+            }
             let mut most = 0.0f32;
             self.lattice.each_node_in(places, |[column, row], z| {
                 let [i, j] = [column - self.first[0], row - self.first[1]];

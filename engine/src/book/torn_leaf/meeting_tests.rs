@@ -28,10 +28,8 @@ struct Course {
 
 /// Steps sheets by a tick.
 fn tick(sheets: &mut [TornLeaf], book: &Book, course: &mut Course) {
-    let before: Vec<Vec<f32>> = sheets
-        .iter()
-        .map(|sheet| sheet.surface().positions.clone())
-        .collect();
+    let drawn = |sheet: &TornLeaf| sheet.surface().positions.clone();
+    let before: Vec<Vec<f32>> = sheets.iter().map(drawn).collect();
     step_together(&mut sheets.iter_mut().collect::<Vec<_>>(), book, 1);
     for (sheet, before) in sheets.iter().zip(before) {
         if !sheet.is_held() {
@@ -39,7 +37,9 @@ fn tick(sheets: &mut [TornLeaf], book: &Book, course: &mut Course) {
             course.leap = moved.fold(course.leap, |most, (a, b)| most.max((a - b).abs()));
         }
     }
-    let strain = sheets.iter().map(|sheet| sheet.sheet().max_edge_strain());
+    // What is pressed into a ball strains by itself.
+    let flat = sheets.iter().filter(|sheet| !sheet.is_crumpled());
+    let strain = flat.map(|sheet| sheet.sheet().max_edge_strain());
     course.strain = strain.fold(course.strain, f32::max);
     course.ticks += 1;
 }
@@ -254,6 +254,15 @@ fn a_sheet_that_is_jerked_up_from_below_another_throws_nothing_about() {
         sheets.sort_by_key(|sheet| sheet.layer);
         check("jerked up", &sheets, &course);
     }
+}
+
+#[test]
+fn a_sheet_is_crumpled_below_another() {
+    let (book, mut sheets, _) = dropped(Stock::BOOK, 0.4);
+    let mut course = Course::default();
+    assert!(sheets[0].crumple());
+    rest(&mut sheets, &book, &mut course);
+    check("crumpled below", &sheets, &course);
 }
 
 #[test]
