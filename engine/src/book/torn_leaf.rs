@@ -3,7 +3,7 @@
 //!
 //! Griffith's rule: a row of the spine gives way when the energy that it holds reaches the work
 //! of tearing it, the work of fracture `G` of paper times its caliper times the length that
-//! holds there (folding.md has the figures). A row is a [`Tether`], whose stiffness follows from
+//! holds there (folding.md has the figures). A row is a spring, whose stiffness follows from
 //! that work and from how far a torn edge opens before it parts. A tear grows from its ends:
 //! paper gives way where it is notched, as at its rims, long before it does elsewhere.
 
@@ -14,13 +14,12 @@ use super::creased_mesh::CreasedMesh;
 use super::flight::Flight;
 use super::folded_sheet::FoldedSheet;
 use super::limits::{NODES, TICK};
-use super::relief::{Relief, bounds};
+use super::relief::Relief;
 use super::stillness::{STILL, Stillness};
 use super::surroundings::{Surroundings, TableAround};
-use super::tolerance::DEEPEST;
 use crate::flaps::Flaps;
 use crate::grid::Side;
-use crate::models::sheet::{CAN_CREASE, Root, Sheet, SheetSettings, Tether, TornMesh};
+use crate::models::sheet::{CAN_CREASE, Root, Sheet, SheetSettings, TornMesh};
 use crate::stock::GRAVITY;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
@@ -28,7 +27,9 @@ use crate::turn::TurnModel;
 mod across;
 #[cfg(test)]
 mod across_tests;
+mod among_others;
 mod ball;
+mod bound_rows;
 #[cfg(test)]
 mod crumpling_tests;
 mod drawn_offset;
@@ -47,28 +48,11 @@ mod turning_tests;
 
 use across::Across;
 use ball::Ball;
+pub use bound_rows::TearLine;
+use bound_rows::{BoundRow, bound_rows};
 use drawn_offset::DrawnOffset;
-use fracture::{stiffness_of, work_of};
 use nodes::{finer, nodes_of};
 use press::Press;
-
-/// How a leaf is bound, which says what there is to tear.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TearLine {
-    /// Along the whole spine: sewn or glued.
-    Sewn,
-    /// At two staples, each of whose crowns holds 12 mm of paper.
-    Stapled,
-    /// Along a line of cuts that leave three tenths of the paper.
-    Perforated,
-}
-
-/// Part of a perforated line that is paper: cuts of 2.5 mm with 1 mm between them.
-const TIES: f64 = 0.3;
-
-/// Width of a staple, metres, and where the two are along the spine.
-const STAPLE: f64 = 0.012;
-const STAPLES: [f64; 2] = [0.25, 0.75];
 
 /// Stiffness of a hand that tears, N/m, and its greatest force, N: it feels some centimetres of
 /// pull, and is as strong as finger and thumb.
@@ -86,14 +70,6 @@ const BALL_STILL: f32 = 0.1 * GRAVITY as f32 * TICK;
 /// that comes to the other piece moves by up to what a tear opens, in twice as many.
 const BLENDED: u32 = 12;
 const TURNED: u32 = 2 * BLENDED;
-
-/// A row of the spine that holds.
-#[derive(Clone, Copy, Debug)]
-struct BoundRow {
-    tether: Tether,
-    /// Work of tearing it, J.
-    work: f32,
-}
 
 /// How far a sheet is crumpled.
 #[derive(Clone, Debug)]
@@ -412,24 +388,6 @@ impl TornLeaf {
         self.stillness.count(velocities, is_held, slowest);
     }
 
-    /// Where a grab pulls within a tick: not through other sheets, and no faster upward than what
-    /// lies upon it gets out of the way.
-    fn pulled_to(&self, grab: usize, around: &Surroundings) -> [f32; 3] {
-        let mut to = around.over_sheets(self.pulled[grab]);
-        if self.is_laden {
-            let rise = self.steps as f32 * DEEPEST;
-            let highest = match &self.crumpled {
-                Some(Crumpled::Ball(ball)) => ball.highest_pull(rise),
-                _ => self
-                    .sheet
-                    .held_place(grab as u32)
-                    .map(|held| held[2] + rise),
-            };
-            to[2] = highest.map_or(to[2], |highest| to[2].min(highest));
-        }
-        to
-    }
-
     /// Brings the drawn surface up to date, on and beside a book as it is drawn.
     pub fn update(&mut self, book: &Book) {
         self.update_over(book, &[]);
@@ -450,63 +408,6 @@ impl TornLeaf {
             folded.separate(&mut self.surface, self.sheet.settings().width as f32);
         }
         self.surface.update_normals();
-    }
-
-    /// Its upper side as it is drawn, or as it was when it was no more than a sliver elsewhere.
-    pub(super) fn renew_relief(&mut self, book: &Book) -> Rc<Relief> {
-        let points = &self.surface.positions;
-        let is_outdated = |relief: &Rc<Relief>| relief.is_outdated(points);
-        if self.relief.as_ref().is_some_and(is_outdated) {
-            self.relief = None;
-        }
-        self.relief(book)
-    }
-
-    /// Its upper side as it was drawn when it was last made.
-    pub(super) fn relief(&mut self, book: &Book) -> Rc<Relief> {
-        if let Some(relief) = &self.relief {
-            return Rc::clone(relief);
-        }
-        let [width, height] = book.size().map(|side| side as f32);
-        let spacing = width / (book.columns().len() - 1) as f32;
-        // Nothing of a sheet is farther apart than the corners of its page, stretched by a part.
-        let longest = 1.1 * (width * width + height * height).sqrt();
-        let shape = (self.around.table, longest);
-        let points = &self.surface.positions;
-        let relief = Rc::new(Relief::of(points, &self.triangles(), spacing, shape));
-        self.relief = Some(Rc::clone(&relief));
-        relief
-    }
-
-    /// The least and the greatest coordinates of its nodes, metres.
-    pub(super) fn node_bounds(&self) -> [[f32; 3]; 2] {
-        bounds(self.sheet.positions())
-    }
-
-    /// The least and the greatest coordinates of what is drawn of it, metres.
-    pub(super) fn drawn_bounds(&self) -> [[f32; 3]; 2] {
-        bounds(&self.surface.positions)
-    }
-
-    /// Height of the table, metres.
-    pub(super) fn table(&self) -> f32 {
-        self.around.table
-    }
-
-    /// Whether a grab holds it.
-    pub(super) fn is_held(&self) -> bool {
-        self.is_held.contains(&true)
-    }
-
-    /// The triangles of what is drawn of it.
-    fn triangles(&self) -> Vec<[u32; 3]> {
-        if let Some(mesh) = self.folded_mesh() {
-            return mesh.triangles.as_chunks::<3>().0.to_vec();
-        }
-        if !self.mesh.triangles.is_empty() {
-            return self.mesh.triangles.clone();
-        }
-        grid_triangles(&self.surface, self.is_crumpled())
     }
 
     /// How what is drawn of one that was folded when it was torn out lies on its page; None of any
@@ -634,26 +535,6 @@ impl TornLeaf {
     }
 }
 
-/// The triangles of a surface whose points lie row by row: two to a cell, cut along its rising
-/// diagonal; of facets about the middle of four cells, along that to the middle.
-fn grid_triangles(surface: &Surface, has_facets: bool) -> Vec<[u32; 3]> {
-    let (columns, rows) = (surface.columns, surface.rows);
-    let mut triangles = Vec::with_capacity(2 * (columns - 1) * (rows - 1));
-    for row in 0..rows - 1 {
-        for column in 0..columns - 1 {
-            let foot = row * columns + column;
-            let [a, b, c, d] =
-                [foot, foot + 1, foot + columns, foot + columns + 1].map(|n| n as u32);
-            if has_facets && (row + column) % 2 == 1 {
-                triangles.extend([[a, b, c], [b, d, c]]);
-            } else {
-                triangles.extend([[a, b, d], [a, d, c]]);
-            }
-        }
-    }
-    triangles
-}
-
 /// The sheet of a flight with nothing that binds it, folded as that is, where it is drawn. None
 /// where folds of it lie upon folds.
 fn sheet_of(flight: &Flight, book: &Book) -> Option<Sheet> {
@@ -683,43 +564,4 @@ fn sheet_of(flight: &Flight, book: &Book) -> Option<Sheet> {
     }
     sheet.place_folded(nodes.into_iter().flatten());
     Some(sheet)
-}
-
-/// The rows of the spine between `range` (from the foot) that bind a leaf, at rest where it is.
-fn bound_rows(sheet: &Sheet, line: TearLine, range: core::ops::Range<usize>) -> Vec<BoundRow> {
-    let settings = sheet.settings();
-    let places = sheet.positions().as_chunks::<3>().0;
-    let (rows, cell) = (settings.rows, settings.cell()[1]);
-    let length_at = |row: usize| match line {
-        TearLine::Stapled => {
-            let is_staple = |at: &f64| libm::round(at * (rows - 1) as f64) as usize == row;
-            if STAPLES.iter().any(is_staple) {
-                STAPLE
-            } else {
-                0.0
-            }
-        }
-        TearLine::Sewn | TearLine::Perforated => {
-            let part = if line == TearLine::Sewn { 1.0 } else { TIES };
-            part * cell
-                * if row == 0 || row + 1 == rows {
-                    0.5
-                } else {
-                    1.0
-                }
-        }
-    };
-    range
-        .filter_map(|row| {
-            let work = work_of(settings.stock.caliper, length_at(row));
-            let node = row * settings.columns;
-            let tether = Tether {
-                node,
-                place: places[node],
-                stiffness: stiffness_of(work, cell),
-            };
-            let work = work as f32;
-            (work > 0.0).then_some(BoundRow { tether, work })
-        })
-        .collect()
 }

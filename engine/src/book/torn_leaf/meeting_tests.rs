@@ -3,12 +3,11 @@
 use super::tests::{AROUND, held_folded, lying, settle, tear_off};
 use super::*;
 use crate::book::loose_sheets::{step_together, wake_upon};
+use crate::book::relief::bounds;
 use crate::book::stillness::LONGEST_FALL;
+use crate::book::tolerance::OVER_PILE;
 use crate::models::sheet::FoldLine;
 use crate::stock::Stock;
-
-/// How deep a sheet that lies is drawn in another at most, metres.
-const DEEP: f32 = 1e-4;
 
 /// Farthest that a point of a sheet that no grab holds moves within a tick, metres: at 2.5 m/s, as
 /// the rim of bible paper whips about that is let go alone.
@@ -170,7 +169,8 @@ fn check(what: &str, sheets: &[TornLeaf], course: &Course) {
         "{what}: depth {found:?} m, strain {}, {} ticks, leap {} m",
         course.strain, course.ticks, course.leap
     );
-    assert!(found.is_none_or(|found| found < DEEP), "{what}: {found:?}");
+    // Two that lie on the table through each other are drawn at one height.
+    assert!(found.is_none_or(|found| found < 0.0), "{what}: {found:?}");
     assert!(course.strain < 0.01, "{what}: {}", course.strain);
     assert!(course.leap < MOST_LEAP, "{what}: {}", course.leap);
 }
@@ -275,7 +275,7 @@ fn what_is_taken_away_lets_down_what_lay_upon_it() {
     assert!(first.is_asleep());
     settle(&mut second, &book);
     let low = bounds(&second.surface().positions)[0][2] - AROUND.table;
-    assert!(low < 2.0 * DEEP, "{low}");
+    assert!(low < 1.5 * OVER_PILE, "{low}");
 }
 
 #[test]
@@ -332,7 +332,7 @@ fn many_sheets_that_are_dropped_on_one_place_come_to_rest() {
         "many: depth {deepest} m, strain {}, {} ticks, leap {}",
         course.strain, course.ticks, course.leap
     );
-    assert!(deepest < DEEP && course.strain < 0.01 && course.leap < MOST_LEAP);
+    assert!(deepest < 0.0 && course.strain < 0.01 && course.leap < MOST_LEAP);
 }
 
 #[test]
