@@ -81,7 +81,7 @@ const pictures = {
     strip: {
       act: tearOutTwo,
       move: pileUp,
-      after: [1700, 2200, 1900, 1500],
+      after: [1000, 2600, 1900, 2000],
       clip: { x: 790, y: 0, width: 410, height: 480 },
     },
   },
@@ -164,7 +164,12 @@ async function tearOutTwo(page) {
 
 /** Crumples the upper of two sheets, tears a third out, which falls upon the ball, and tears that across. */
 async function pileUp(page, k) {
-  if (k === 1) await page.evaluate(() => document.querySelector("turnleaf-book").crumple());
+  if (k === 1) {
+    await page.evaluate(() => {
+      window.clock.pass(1600);
+      document.querySelector("turnleaf-book").crumple();
+    });
+  }
   if (k === 2) await tearOut(page);
   if (k === 3) {
     await page.evaluate(() => {
