@@ -161,11 +161,11 @@ impl Relief {
 
     /// Height of what lies there, metres, and its slopes along x and y; None where nothing does.
     pub fn height_and_slope(&self, x: f32, y: f32) -> Option<(f32, [f32; 2])> {
-        let ([a, b, c, d], [s, t]) = self.corners(&self.met, x, y)?;
-        let all = [a, b, c, d];
-        if all.iter().any(|height| *height == NOTHING) {
+        let (corners, [s, t]) = self.corners(&self.met, x, y)?;
+        if corners.contains(&NOTHING) {
             return None;
         }
+        let [a, b, c, d] = corners;
         let height = (1.0 - t) * (a + s * (b - a)) + t * (c + s * (d - c));
         let along_x = (1.0 - t) * (b - a) + t * (d - c);
         let along_y = (1.0 - s) * (c - a) + s * (d - b);
