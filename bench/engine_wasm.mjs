@@ -116,6 +116,10 @@ results["a sheet torn across, a frame"] = across;
 results["along a path that turns, a frame"] = turning;
 results["its tear begun"] = begun;
 results["its pieces parted"] = parted;
+const onOthers = droppedFrames(await load(creasable));
+results["a loose sheet alone, a frame"] = onOthers[0];
+results["dropped upon two others, a frame"] = onOthers[1];
+results["pulled out from below two others, a frame"] = onOthers[2];
 for (const panels of [1, 2, 3]) {
   results[`a fold-out of ${panels} panels opened and shut, a frame`] = flapFrames(
     await load(creasable),
@@ -252,6 +256,49 @@ function tornFrames(wasm, turns = false) {
     wasm.tl_book_drop(book);
   }
   return [frames, ofBall, ofTear, begun, parted].map(percentiles);
+}
+
+/**
+ * Microseconds of a frame at 60 Hz in which a loose sheet is raised, carried and let fall until it
+ * lies: alone; upon two others that lie; and out from below these, which move then too. Two ticks of
+ * what moves, and what is drawn of it, without the book's own.
+ */
+function droppedFrames(wasm) {
+  const frames = [[], [], []];
+  const book = wasm.tl_book_new(0.14, 0.21, 100, 0.009);
+  wasm.tl_board_lay(book, 0, 1);
+  wasm.tl_book_lay(book, 50);
+  wasm.tl_book_update(book);
+  const together = (sheets, to) => {
+    new Uint32Array(wasm.memory.buffer, wasm.tl_torn_sheets(), sheets.length).set(sheets);
+    const start = performance.now();
+    wasm.tl_torn_step_together(sheets.length, book, 2);
+    to.push(1000 * (performance.now() - start));
+  };
+  /** Carries the last of some sheets, or another, by a corner to where `at` says, and lets it fall. */
+  const carry = (sheets, sheet, at, to) => {
+    wasm.tl_torn_grab(sheet, 0, 0.9, 0.8);
+    for (let frame = 0; frame < 40; frame++) {
+      wasm.tl_torn_pull(sheet, 0, ...at(Math.min(frame / 30, 1)));
+      together(sheets, to);
+    }
+    wasm.tl_torn_release(sheet);
+    while (sheets.some((one) => wasm.tl_torn_asleep(one) === 0)) together(sheets, to);
+  };
+  for (let k = 0; k < 10; k++) {
+    const sheets = [];
+    for (const to of [frames[0], [], frames[1]]) {
+      sheets.push(wasm.tl_torn_blank(book, -0.004, 0.003));
+      // From over the pages to beside them, each a little farther.
+      const beside = 0.38 + 0.01 * sheets.length;
+      const at = (part) => [0.126 + part * (beside - 0.126), 0.17 - 0.02 * k * part, 0.06];
+      carry(sheets, sheets.at(-1), at, to);
+    }
+    carry(sheets, sheets[0], (part) => [0.39 + 0.3 * part, 0.17, 0.06], frames[2]);
+    for (const sheet of sheets) wasm.tl_torn_drop(sheet);
+  }
+  wasm.tl_book_drop(book);
+  return frames.map(percentiles);
 }
 
 /** The median, the 5th and 95th percentile and the worst of some times. */

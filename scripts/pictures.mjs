@@ -76,6 +76,15 @@ const pictures = {
       clip: { x: 860, y: 90, width: 340, height: 320 },
     },
   },
+  "loose-sheets": {
+    ...besideCalendar,
+    strip: {
+      act: tearOutTwo,
+      move: pileUp,
+      after: [1000, 2600, 1900, 2000],
+      clip: { x: 790, y: 0, width: 410, height: 480 },
+    },
+  },
   "tear-across": {
     ...besideCalendar,
     strip: {
@@ -144,6 +153,29 @@ async function tearAndCrumple(page) {
     window.clock.pass(2600);
     document.querySelector("turnleaf-book").crumple();
   });
+}
+
+/** Tears out two days one after the other: the second is put aside upon the first. */
+async function tearOutTwo(page) {
+  await tearOut(page);
+  await page.evaluate(() => window.clock.pass(2600));
+  await tearOut(page);
+}
+
+/** Crumples the upper of two sheets, tears a third out, which falls upon the ball, and tears that across. */
+async function pileUp(page, k) {
+  if (k === 1) {
+    await page.evaluate(() => {
+      window.clock.pass(1600);
+      document.querySelector("turnleaf-book").crumple();
+    });
+  }
+  if (k === 2) await tearOut(page);
+  if (k === 3) {
+    await page.evaluate(() => {
+      document.querySelector("turnleaf-book").tearAcross({ x: 0, y: 0.5 }, { x: 1, y: 0.45 });
+    });
+  }
 }
 
 /** Tears out, and begins to tear across what lies beside the book then. */

@@ -326,10 +326,21 @@ fn a_torn_leaf_takes_any_number() {
             let (table, rim) = (random.single(-0.01, 0.0), random.single(0.0, 0.01));
             let leaf = tl_torn_new(book, id, random.whole(4), low, high, table, rim);
             let books = [book, core::ptr::null_mut(), leaf.cast()];
+            let other = tl_torn_blank(book, table, rim);
             for _ in 0..60 {
                 let [x, y, z] = [0, 1, 2].map(|_| random.single(-0.5, 0.5));
                 let grab = random.below(3);
-                match random.below(9) {
+                match random.below(11) {
+                    7 => tl_torn_grab(other, grab, x + 0.5, y + 0.5),
+                    8 => {
+                        let all = [leaf as usize, other as usize, 0, leaf as usize];
+                        for (k, address) in all.into_iter().enumerate() {
+                            *tl_torn_sheets().add(k) = address;
+                        }
+                        let (count, on) = (random.below(20), books[random.below(books.len())]);
+                        tl_torn_wake_upon(count, random.below(20), on);
+                        tl_torn_step_together(count, on, random.whole(20).min(40));
+                    }
                     0 => tl_torn_grab(leaf, grab, x + 0.5, y + 0.5),
                     1 => tl_torn_release(leaf),
                     2 if random.below(8) == 0 => tl_torn_cut(leaf),
@@ -356,6 +367,7 @@ fn a_torn_leaf_takes_any_number() {
                     assert!(points == 0 || 3 * points == surface.positions.len());
                 }
             }
+            tl_torn_drop(other);
             tl_torn_drop(leaf);
             assert_eq!(tl_torn_asleep(leaf), 0);
             assert!(tl_torn_positions(leaf).is_null() && tl_torn_normals(leaf).is_null());

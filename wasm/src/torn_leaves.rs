@@ -3,13 +3,19 @@
 //! A torn leaf is the address of a boxed [`TornLeaf`], 0 where none could be made. It outlives
 //! its book: each step names the book on and beside which it lies.
 
-use turnleaf_engine::book::{Book, TableAround, TearLine, TornLeaf};
+use turnleaf_engine::book::{Book, TableAround, TearLine, TornLeaf, step_together, wake_upon};
 
 use crate::books::{BOOKS, MOST_TICKS};
 use crate::live::{Live, live_functions};
 
 /// The torn leaves that are alive.
 pub(crate) static TORN: Live<TornLeaf> = Live::new();
+
+/// Loose sheets that one call steps, at most.
+const MOST_SHEETS: usize = 16;
+
+/// Where the addresses of the loose sheets that are stepped together are written.
+static mut SHEETS: [usize; MOST_SHEETS] = [0; MOST_SHEETS];
 
 /// Begins to tear the leaf of a flight out of a book: of one that is sewn (0), stapled (1) or
 /// perforated (2) and still bound between two rows of its 14, from the foot; over a table at
@@ -68,6 +74,58 @@ pub unsafe extern "C" fn tl_torn_step(leaf: *mut TornLeaf, book: *mut Book, tick
         leaf.step(book, ticks.min(MOST_TICKS));
         leaf.update(book);
     }
+}
+
+/// Where the addresses of loose sheets are written before `tl_torn_step_together` or
+/// `tl_torn_wake_upon` is called: usize, 16 at most.
+#[unsafe(no_mangle)]
+pub extern "C" fn tl_torn_sheets() -> *mut usize {
+    (&raw mut SHEETS).cast()
+}
+
+/// Steps the loose sheets that are written, `count` of them, by so many ticks, a minute's at most,
+/// on and beside a book and upon each other, and brings what is drawn of them up to date. Addresses
+/// that are none, and an address that is there twice, count once at most.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_torn_step_together(count: usize, book: *mut Book, ticks: u32) {
+    // SAFETY: from one thread by the crate's contract, so that no other call uses them.
+    if let Some(book) = unsafe { BOOKS.get(book) } {
+        let (mut sheets, _) = written(count, 0);
+        step_together(&mut sheets, book, ticks.min(MOST_TICKS));
+    }
+}
+
+/// Wakes what lies upon one of the loose sheets that are written, `count` of them: the one at an
+/// index, which is about to be freed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn tl_torn_wake_upon(count: usize, index: usize, book: *mut Book) {
+    // SAFETY: from one thread by the crate's contract, so that no other call uses them.
+    if let Some(book) = unsafe { BOOKS.get(book) }
+        && let (mut sheets, Some(gone)) = written(count, index)
+    {
+        wake_upon(&mut sheets, gone, book);
+    }
+}
+
+/// The loose sheets that are written, each once, and where the one at an index is among them.
+fn written(count: usize, index: usize) -> (Vec<&'static mut TornLeaf>, Option<usize>) {
+    // SAFETY: from one thread by the crate's contract, so that nothing else uses it.
+    let addresses = unsafe { SHEETS };
+    let addresses = &addresses[..count.min(MOST_SHEETS)];
+    let (mut sheets, mut found) = (Vec::new(), None);
+    for (k, address) in addresses.iter().enumerate() {
+        if addresses[..k].contains(address) {
+            continue;
+        }
+        // SAFETY: as above; and each address is looked up once.
+        if let Some(sheet) = unsafe { TORN.get(*address as *mut TornLeaf) } {
+            if k == index {
+                found = Some(sheets.len());
+            }
+            sheets.push(sheet);
+        }
+    }
+    (sheets, found)
 }
 
 /// Begins to tear a loose sheet across, from (`u0`, `v0`) to (`u1`, `v1`) on its page; the path

@@ -5,10 +5,13 @@
 //! margin of a cell's diagonal: an edge of the sheet between a node upon the block and one
 //! beside it then nowhere cuts the block's own edge.
 
+use std::rc::Rc;
+
 use super::Book;
 use super::bend_into_gutter::push_edges_off_where;
 use super::pile::Pile;
-use super::tolerance::{FAR, OVER_PILE, PUSHED_AT_ONCE};
+use super::relief::Relief;
+use super::tolerance::{DEEPEST, FAR, OVER_PILE, PUSHED_AT_ONCE};
 use crate::grid::Side;
 use crate::models::sheet::{CONTACTS, Contact, Sheet};
 use crate::surface::Surface;
@@ -50,6 +53,8 @@ pub(super) struct Surroundings<'a> {
     /// The diagonal of the sheet's cells, metres.
     margin: f32,
     friction: f32,
+    /// The upper sides of other loose sheets.
+    under: &'a [Rc<Relief>],
 }
 
 impl<'a> Surroundings<'a> {
@@ -66,7 +71,13 @@ impl<'a> Surroundings<'a> {
             around,
             margin: (du * du + dv * dv).sqrt(),
             friction: settings.stock.friction as f32,
+            under: &[],
         }
+    }
+
+    /// The same with other loose sheets in it.
+    pub fn over(self, under: &'a [Rc<Relief>]) -> Self {
+        Self { under, ..self }
     }
 
     /// Finds what each node must not pass through; positions are x, y, z of each, metres.
@@ -74,7 +85,12 @@ impl<'a> Surroundings<'a> {
         for (x, contacts) in positions.as_chunks::<3>().0.iter().zip(contacts) {
             *contacts = [Contact::default(); CONTACTS];
             let over = x[2] - self.around.table;
-            if over < FAR {
+            if let Some((normal, gap)) = self.nearest_sheet(*x) {
+                if gap < FAR {
+                    // What lies upon a sheet that is raised at once comes out of it in steps.
+                    contacts[TABLE] = self.half_space(*x, normal, gap.max(-DEEPEST));
+                }
+            } else if over < FAR {
                 contacts[TABLE] = self.half_space(*x, [0.0, 0.0, 1.0], over);
             }
             let (side, slot) = if x[0] >= 0.0 { (0, RIGHT) } else { (1, LEFT) };
@@ -83,6 +99,45 @@ impl<'a> Surroundings<'a> {
             {
                 contacts[slot] = self.half_space(*x, normal, gap);
             }
+        }
+    }
+
+    /// The upper side of the highest sheet at a point, if that is above the table: its normal, and
+    /// how far the point is before it, metres.
+    fn nearest_sheet(&self, [x, y, z]: [f32; 3]) -> Option<([f32; 3], f32)> {
+        let mut highest = (self.around.table, None);
+        for relief in self.under {
+            match relief.height_and_slope(x, y) {
+                Some((height, slope)) if height > highest.0 => highest = (height, Some(slope)),
+                _ => {}
+            }
+        }
+        let (height, Some([along_x, along_y])) = highest else {
+            return None;
+        };
+        let inverse = 1.0 / (1.0 + along_x * along_x + along_y * along_y).sqrt();
+        let normal = [-along_x * inverse, -along_y * inverse, inverse];
+        Some((normal, (z - height) * inverse))
+    }
+
+    /// A place, or the one above it that is not in another sheet: no grab pulls through one.
+    pub fn over_sheets(&self, [x, y, z]: [f32; 3]) -> [f32; 3] {
+        let heights = self
+            .under
+            .iter()
+            .filter_map(|relief| relief.height_and_slope(x, y));
+        [x, y, heights.fold(z, |z, (height, _)| z.max(height))]
+    }
+
+    /// Lifts what is drawn off other sheets, by what keeps surfaces apart in a picture.
+    pub fn push_off_sheets(&self, surface: &mut Surface, triangles: &[[u32; 3]]) {
+        let points = surface.positions.as_chunks_mut::<3>().0;
+        let mut rises = vec![0.0; points.len()];
+        for relief in self.under {
+            relief.lift(points, triangles, [OVER_PILE, PUSHED_AT_ONCE], &mut rises);
+        }
+        for (point, rise) in points.iter_mut().zip(rises) {
+            point[2] += rise;
         }
     }
 

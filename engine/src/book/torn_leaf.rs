@@ -3,20 +3,23 @@
 //!
 //! Griffith's rule: a row of the spine gives way when the energy that it holds reaches the work
 //! of tearing it, the work of fracture `G` of paper times its caliper times the length that
-//! holds there (folding.md has the figures). A row is a [`Tether`], whose stiffness follows from
+//! holds there (folding.md has the figures). A row is a spring, whose stiffness follows from
 //! that work and from how far a torn edge opens before it parts. A tear grows from its ends:
 //! paper gives way where it is notched, as at its rims, long before it does elsewhere.
+
+use std::rc::Rc;
 
 use super::Book;
 use super::creased_mesh::CreasedMesh;
 use super::flight::Flight;
 use super::folded_sheet::FoldedSheet;
 use super::limits::{NODES, TICK};
+use super::relief::Relief;
 use super::stillness::{STILL, Stillness};
 use super::surroundings::{Surroundings, TableAround};
 use crate::flaps::Flaps;
 use crate::grid::Side;
-use crate::models::sheet::{CAN_CREASE, Root, Sheet, SheetSettings, Tether, TornMesh};
+use crate::models::sheet::{CAN_CREASE, Root, Sheet, SheetSettings, TornMesh};
 use crate::stock::GRAVITY;
 use crate::surface::Surface;
 use crate::turn::TurnModel;
@@ -24,12 +27,17 @@ use crate::turn::TurnModel;
 mod across;
 #[cfg(test)]
 mod across_tests;
+mod among_others;
 mod ball;
+mod bound_rows;
 #[cfg(test)]
 mod crumpling_tests;
+mod drawn_offset;
 #[cfg(test)]
 mod folded_tests;
 mod fracture;
+#[cfg(test)]
+mod meeting_tests;
 mod nodes;
 mod press;
 mod tear_heading;
@@ -40,27 +48,11 @@ mod turning_tests;
 
 use across::Across;
 use ball::Ball;
-use fracture::{stiffness_of, work_of};
+pub use bound_rows::TearLine;
+use bound_rows::{BoundRow, bound_rows};
+use drawn_offset::DrawnOffset;
 use nodes::{finer, nodes_of};
 use press::Press;
-
-/// How a leaf is bound, which says what there is to tear.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TearLine {
-    /// Along the whole spine: sewn or glued.
-    Sewn,
-    /// At two staples, each of whose crowns holds 12 mm of paper.
-    Stapled,
-    /// Along a line of cuts that leave three tenths of the paper.
-    Perforated,
-}
-
-/// Part of a perforated line that is paper: cuts of 2.5 mm with 1 mm between them.
-const TIES: f64 = 0.3;
-
-/// Width of a staple, metres, and where the two are along the spine.
-const STAPLE: f64 = 0.012;
-const STAPLES: [f64; 2] = [0.25, 0.75];
 
 /// Stiffness of a hand that tears, N/m, and its greatest force, N: it feels some centimetres of
 /// pull, and is as strong as finger and thumb.
@@ -78,46 +70,6 @@ const BALL_STILL: f32 = 0.1 * GRAVITY as f32 * TICK;
 /// that comes to the other piece moves by up to what a tear opens, in twice as many.
 const BLENDED: u32 = 12;
 const TURNED: u32 = 2 * BLENDED;
-
-/// A row of the spine that holds.
-#[derive(Clone, Copy, Debug)]
-struct BoundRow {
-    tether: Tether,
-    /// Work of tearing it, J.
-    work: f32,
-}
-
-/// By how much what is drawn differs from the sheet, less from tick to tick.
-#[derive(Clone, Debug, Default)]
-struct DrawnOffset {
-    /// At first, x, y, z of each point, metres.
-    by: Vec<f32>,
-    /// Ticks for which it does in all, and for how many more.
-    ticks: u32,
-    left: u32,
-}
-
-impl DrawnOffset {
-    /// What is drawn at `shown` by a sheet that is at `own`, for so many ticks.
-    fn new(shown: &[f32], own: &[f32], ticks: u32) -> Self {
-        let by = shown.iter().zip(own).map(|(shown, own)| shown - own);
-        Self {
-            by: by.collect(),
-            ticks,
-            left: ticks,
-        }
-    }
-
-    /// Moves drawn points of the sheet to where they are drawn.
-    fn add_to(&self, positions: &mut [f32]) {
-        if self.left > 0 {
-            let part = self.left as f32 / self.ticks as f32;
-            for (x, by) in positions.iter_mut().zip(&self.by) {
-                *x += part * by;
-            }
-        }
-    }
-}
 
 /// How far a sheet is crumpled.
 #[derive(Clone, Debug)]
@@ -153,6 +105,12 @@ pub struct TornLeaf {
     /// changed.
     mesh: TornMesh,
     mesh_version: u32,
+    /// Its place among loose sheets, from the table up; the greatest of one that has met none.
+    pub(super) layer: u32,
+    /// Whether others lie upon it.
+    pub(super) is_laden: bool,
+    /// Its upper side, if another sheet has come near it.
+    relief: Option<Rc<Relief>>,
 }
 
 impl TornLeaf {
@@ -206,6 +164,9 @@ impl TornLeaf {
             mesh: sheet.torn_mesh(),
             folded: None,
             mesh_version: 0,
+            layer: u32::MAX,
+            is_laden: false,
+            relief: None,
             drawn_offset: DrawnOffset::default(),
             bound: Vec::new(),
             sheet,
@@ -364,15 +325,12 @@ impl TornLeaf {
     pub fn part(&mut self) -> Option<TornLeaf> {
         let [foot, head] = self.sheet.parted()?;
         // Both go on as they were drawn.
-        let mut of_foot = core::mem::take(&mut self.drawn_offset);
+        let offset = core::mem::take(&mut self.drawn_offset);
         self.take_sheet(foot);
         let mut parted = TornLeaf::of(head, self.around);
-        let seam = self.surface.positions.len().min(of_foot.by.len());
-        parted.drawn_offset = DrawnOffset {
-            by: of_foot.by.split_off(seam),
-            ..of_foot
-        };
-        self.drawn_offset = of_foot;
+        parted.layer = self.layer;
+        let offsets = offset.parted(self.surface.positions.len());
+        [self.drawn_offset, parted.drawn_offset] = offsets;
         Some(parted)
     }
 
@@ -395,37 +353,57 @@ impl TornLeaf {
 
     /// Steps by `ticks` of [`TICK`] seconds on and beside a book as it is drawn.
     pub fn step(&mut self, book: &Book, ticks: u32) {
-        let around = Surroundings::new(book, self.around, &self.sheet);
         for _ in 0..ticks {
             if self.is_asleep() {
                 return;
             }
-            if let Some(Crumpled::Ball(ball)) = &mut self.crumpled {
-                ball.step(TICK, &around, self.pulled[0]);
-                ball.write_nodes(&mut self.sheet);
-            } else {
-                self.step_sheet(&around);
-            }
-            self.drawn_offset.left = self.drawn_offset.left.saturating_sub(1);
-            if let Some(Crumpled::Pressed(_)) = &self.crumpled {
-                continue;
-            }
-            let slowest = if self.is_crumpled() {
-                BALL_STILL
-            } else {
-                STILL
-            };
-            let velocities = self.sheet.velocities();
-            let is_held = self.is_held.contains(&true);
-            self.stillness.count(velocities, is_held, slowest);
+            self.tick_over(book, &[]);
         }
+    }
+
+    /// Steps by a tick on and beside a book as it is drawn, and over other sheets.
+    pub(super) fn tick_over(&mut self, book: &Book, under: &[Rc<Relief>]) {
+        let around = Surroundings::new(book, self.around, &self.sheet).over(under);
+        let pulled: [_; MAX_PULLS] = core::array::from_fn(|grab| self.pulled_to(grab, &around));
+        if let Some(Crumpled::Ball(ball)) = &mut self.crumpled {
+            ball.step(TICK, &around, pulled[0]);
+            ball.write_nodes(&mut self.sheet);
+        } else {
+            for (grab, to) in pulled.into_iter().enumerate() {
+                self.sheet.pull(grab as u32, to);
+            }
+            self.step_sheet(&around);
+        }
+        self.drawn_offset.tick();
+        if let Some(Crumpled::Pressed(_)) = &self.crumpled {
+            return;
+        }
+        let slowest = if self.is_crumpled() {
+            BALL_STILL
+        } else {
+            STILL
+        };
+        let velocities = self.sheet.velocities();
+        let is_held = self.is_held();
+        self.stillness.count(velocities, is_held, slowest);
     }
 
     /// Brings the drawn surface up to date, on and beside a book as it is drawn.
     pub fn update(&mut self, book: &Book) {
+        self.update_over(book, &[]);
+    }
+
+    /// Brings the drawn surface up to date, on and beside a book as it is drawn and over other
+    /// sheets.
+    pub(super) fn update_over(&mut self, book: &Book, under: &[Rc<Relief>]) {
         self.sheet.write_surface(&mut self.surface);
         self.drawn_offset.add_to(&mut self.surface.positions);
-        Surroundings::new(book, self.around, &self.sheet).push_off(&mut self.surface);
+        let around = Surroundings::new(book, self.around, &self.sheet).over(under);
+        around.push_off(&mut self.surface);
+        if !under.is_empty() {
+            let triangles = self.triangles();
+            around.push_off_sheets(&mut self.surface, &triangles);
+        }
         if let (true, Some(folded)) = (CAN_CREASE, &mut self.folded) {
             folded.separate(&mut self.surface, self.sheet.settings().width as f32);
         }
@@ -516,12 +494,15 @@ impl TornLeaf {
             torn: self.torn,
             mesh_version: self.mesh_version.wrapping_add(1),
             across: core::mem::take(&mut self.across),
+            layer: self.layer,
+            relief: self.relief.take(),
             ..TornLeaf::of(sheet, self.around)
         };
         self.surface.version = version.wrapping_add(1);
     }
 
-    fn wake(&mut self) {
+    /// Moves on from now, if it was asleep.
+    pub(super) fn wake(&mut self) {
         self.stillness.wake();
     }
 
@@ -583,43 +564,4 @@ fn sheet_of(flight: &Flight, book: &Book) -> Option<Sheet> {
     }
     sheet.place_folded(nodes.into_iter().flatten());
     Some(sheet)
-}
-
-/// The rows of the spine between `range` (from the foot) that bind a leaf, at rest where it is.
-fn bound_rows(sheet: &Sheet, line: TearLine, range: core::ops::Range<usize>) -> Vec<BoundRow> {
-    let settings = sheet.settings();
-    let places = sheet.positions().as_chunks::<3>().0;
-    let (rows, cell) = (settings.rows, settings.cell()[1]);
-    let length_at = |row: usize| match line {
-        TearLine::Stapled => {
-            let is_staple = |at: &f64| libm::round(at * (rows - 1) as f64) as usize == row;
-            if STAPLES.iter().any(is_staple) {
-                STAPLE
-            } else {
-                0.0
-            }
-        }
-        TearLine::Sewn | TearLine::Perforated => {
-            let part = if line == TearLine::Sewn { 1.0 } else { TIES };
-            part * cell
-                * if row == 0 || row + 1 == rows {
-                    0.5
-                } else {
-                    1.0
-                }
-        }
-    };
-    range
-        .filter_map(|row| {
-            let work = work_of(settings.stock.caliper, length_at(row));
-            let node = row * settings.columns;
-            let tether = Tether {
-                node,
-                place: places[node],
-                stiffness: stiffness_of(work, cell),
-            };
-            let work = work as f32;
-            (work > 0.0).then_some(BoundRow { tether, work })
-        })
-        .collect()
 }

@@ -421,21 +421,13 @@ export class TurnleafBook extends ReaderElement {
   }
 
   /**
-   * Whether a loose sheet is neither crumpled nor torn across.
+   * Whether a loose sheet that is neither crumpled nor torn across is flat, or all are folded that
+   * are; null if there is none.
    *
    * @internal
    */
-  get hasWholeSheet(): boolean {
-    return this.#viewer?.hasWholeSheet ?? false;
-  }
-
-  /**
-   * Whether a loose sheet is neither crumpled, torn across nor folded.
-   *
-   * @internal
-   */
-  get hasFlatSheet(): boolean {
-    return this.#viewer?.hasFlatSheet ?? false;
+  get wholeSheet(): "flat" | "folded" | null {
+    return this.#viewer?.wholeSheet ?? null;
   }
 
   /** Number of leaves that were torn out and can be put back. */

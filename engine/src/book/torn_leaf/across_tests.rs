@@ -1,3 +1,4 @@
+use super::fracture::work_of;
 use super::tests::{AROUND, deepest, held, lying, settle};
 use super::*;
 use crate::book::stillness::LONGEST_FALL;

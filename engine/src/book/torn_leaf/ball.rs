@@ -4,6 +4,7 @@
 //! made for paper that gives way, does not hold it: where a ball stands on a few nodes, sweeps
 //! for lengths and contacts undo each other, and what is left of that rolls it on for ever.
 
+use crate::book::limits::TICK;
 use crate::book::surroundings::Surroundings;
 use crate::models::sheet::{CONTACTS, Contact, Sheet};
 use crate::vector::{cross, dot, sub};
@@ -119,6 +120,13 @@ impl Ball {
     /// The hand lets go: the ball flies on as it was moved.
     pub fn release(&mut self) {
         self.held = None;
+    }
+
+    /// The height to which a hand pulls that raises it by no more than `rise` in a tick, metres; None
+    /// where none holds it.
+    pub fn highest_pull(&self, rise: f32) -> Option<f32> {
+        let place = turned(&self.axes, self.held?);
+        Some(self.at[2] + place[2] + rise * FOLLOWING / TICK)
     }
 
     /// Advances by a tick of `h` seconds; a hand pulls to a place, metres.

@@ -1,3 +1,5 @@
+use super::bound_rows::{STAPLE, TIES};
+use super::fracture::work_of;
 use super::*;
 use crate::book::stillness::LONGEST_FALL;
 use crate::book::{Board, Book};

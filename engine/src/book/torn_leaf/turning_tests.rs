@@ -1,6 +1,7 @@
 //! Tears whose path turns with the pull of the grabs.
 
 use super::across_tests::{PATHS, SIZE, areas, drawn_at, holds};
+use super::fracture::work_of;
 use super::tests::{deepest, lying, settle};
 use super::*;
 use crate::stock::Stock;

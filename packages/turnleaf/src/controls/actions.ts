@@ -140,13 +140,13 @@ export function actionsOf(
       icon: () => "crumple",
       label: () => texts.crumple,
       run: () => book.crumple(),
-      hidden: () => !book.hasWholeSheet,
+      hidden: () => book.wholeSheet === null,
     },
     tearAcross: {
       icon: () => "tearOut",
       label: () => texts.tearAcross,
       run: () => book.tearAcross({ x: 0, y: 0.5 }, { x: 1, y: 0.5 }),
-      hidden: () => !book.hasFlatSheet,
+      hidden: () => book.wholeSheet !== "flat",
     },
     putBack: {
       icon: () => "putBack",

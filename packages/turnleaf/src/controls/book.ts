@@ -75,11 +75,12 @@ export interface ControlledBook<Hit extends FoundPlace = FoundPlace> extends HTM
   /** Number of leaves that were torn out, and what puts the last one back. */
   readonly tornLeaves: number;
   putBack(): Promise<boolean>;
-  /** Whether one of them is to be seen that is neither crumpled nor torn across, and what crumples it. */
-  readonly hasWholeSheet: boolean;
+  /**
+   * Those of them that are to be seen and are neither crumpled nor torn across: one is flat, all are
+   * folded, or null. What crumples such a one, and what tears one across that is flat.
+   */
+  readonly wholeSheet: "flat" | "folded" | null;
   crumple(): boolean;
-  /** Whether one of them is not folded either, and what tears it across. */
-  readonly hasFlatSheet: boolean;
   tearAcross(from: PlaceOnPage, to: PlaceOnPage): boolean;
   print(options?: PrintOptions): Promise<boolean>;
   download(): Promise<boolean>;

@@ -380,7 +380,7 @@ test("the menu folds out, tears and crumples where there is something to", async
   book.foldOut = "open";
   await choose("Fold this page in");
   await choose("Tear this page out");
-  Object.assign(book, { tornLeaves: 1, hasWholeSheet: true, hasFlatSheet: true });
+  Object.assign(book, { tornLeaves: 1, wholeSheet: "flat" });
   await choose("Crumple the torn page");
   await choose("Tear the torn page across");
   await choose("Put the torn page back");

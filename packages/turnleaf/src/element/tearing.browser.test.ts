@@ -187,10 +187,10 @@ test("a page with a folded corner is torn out as it is, crumpled, and put back f
   const clock = await tearOutByClock(element);
   expect([element.pageCount, element.dogEars]).toEqual([10, []]);
   expect(besideBook(element)).toBeGreaterThan(0.2);
-  expect([element.hasWholeSheet, element.hasFlatSheet]).toEqual([true, false]);
+  expect(element.wholeSheet).toBe("folded");
   expect(element.tearAcross({ x: 0, y: 0.5 }, { x: 1, y: 0.5 })).toBe(false);
   expect(element.crumple()).toBe(true);
-  expect([element.hasWholeSheet, element.hasFlatSheet]).toEqual([false, false]);
+  expect(element.wholeSheet).toBeNull();
   await clock.until(() => element.settled);
   expect(await element.putBack()).toBe(true);
   await clock.until(() => element.settled);
@@ -582,3 +582,38 @@ test.for([40, -40])(
     expect(Math.sign(degrees) * (from[1] - to[1])).toBeGreaterThan(0.05);
   },
 );
+
+/** Returns the height of a surface's highest point within 4 mm of a place in plan, metres. */
+function heightAt({ positions }: Surface, [x, y]: readonly [number, number]): number {
+  let highest = -Infinity;
+  for (let at = 0; at < positions.length; at += 3) {
+    const isNear = Math.hypot(positions[at] - x, positions[at + 1] - y) < 0.004;
+    if (isNear) highest = Math.max(highest, positions[at + 2]);
+  }
+  return highest;
+}
+
+test("a loose sheet lies upon the one before it, and comes down when that is taken away", async () => {
+  const element = await opened();
+  const add = vi.spyOn(LooseSheetPile.prototype, "add");
+  const clock = await tearOutByClock(element);
+  const pile = add.mock.contexts[0] as LooseSheetPile;
+  const torn = element.tearOut(5);
+  await clock.until(() => element.tornLeaves === 2 && element.settled);
+  expect(await torn).toBe(true);
+  const heights = (): number[] => {
+    const [first, second] = pile.surfaces;
+    const middle = 3 * ((second.rows >> 1) * second.columns + (second.columns >> 1));
+    const at = [second.positions[middle], second.positions[middle + 1]] as const;
+    return [heightAt(first, at), heightAt(second, at)];
+  };
+  const [lower, upper] = heights();
+  // Both were put aside, on one place: a tenth of a millimetre is what keeps them apart in a picture.
+  expect(upper - lower).toBeGreaterThan(0.00005);
+  expect(upper - lower).toBeLessThan(0.01);
+  // Taken away, the lower one lets the other down.
+  pile.remove(Number(add.mock.calls[0][0]));
+  await clock.until(() => element.settled);
+  const left = pile.surfaces[0].positions.filter((_, k) => k % 3 === 2);
+  expect(Math.min(...left)).toBeLessThan(lower + 0.00005);
+});

@@ -131,6 +131,14 @@ export interface LeafTearing {
   rehearse(): Iterator<void>;
   /** Steps a torn sheet of this book, or of one that it came from, by whole ticks on and beside this book. */
   step(sheet: TornSheet, ticks: number): void;
+  /**
+   * Steps loose sheets by whole ticks on and beside this book and upon each other, those that are
+   * listed later upon those before. One that is grabbed comes to the top as soon as nothing lies upon
+   * it; those that are asleep stay so unless what they lie upon moves. At most 16.
+   */
+  stepTogether(sheets: readonly TornSheet[], ticks: number): void;
+  /** Wakes those of some loose sheets that lie upon one which is about to be freed. */
+  wakeUpon(sheet: TornSheet, sheets: readonly TornSheet[]): void;
 }
 
 /** Where the flap of a fold-out is, on the uppermost page of a side. */

@@ -21,6 +21,9 @@ export interface TearingExports extends Exports {
   tl_torn_blank(book: number, table: number, rim: number): number;
   tl_torn_drop(leaf: number): void;
   tl_torn_step(leaf: number, book: number, ticks: number): void;
+  tl_torn_sheets(): number;
+  tl_torn_step_together(count: number, book: number, ticks: number): void;
+  tl_torn_wake_upon(count: number, index: number, book: number): void;
   tl_torn_grab(leaf: number, grab: number, u: number, v: number): void;
   tl_torn_pull(leaf: number, grab: number, x: number, y: number, z: number): void;
   tl_torn_release(leaf: number): void;
@@ -58,6 +61,9 @@ export interface TearingExports extends Exports {
 /** Rows of a leaf's nodes. */
 const nodeRows = 14;
 
+/** Sheets that are stepped together at most. */
+const mostSheets = 16;
+
 const mostIds = 2 ** 32 - 1;
 const farthest = 1000;
 
@@ -84,7 +90,23 @@ export function tearingOf(
     step: (sheet, ticks) => {
       if (sheet instanceof WasmTornSheet) sheet.step(book, wholeTicks(ticks, tick));
     },
+    stepTogether: (sheets, ticks) => {
+      const count = writeSheets(wasm, sheets);
+      wasm.tl_torn_step_together(count, book, wholeTicks(ticks, tick));
+    },
+    wakeUpon: (sheet, sheets) => {
+      const count = writeSheets(wasm, [sheet, ...sheets.filter((other) => other !== sheet)]);
+      wasm.tl_torn_wake_upon(count, 0, book);
+    },
   };
+}
+
+/** Writes the addresses of sheets for the engine's next call. Returns how many there are. */
+function writeSheets(wasm: TearingExports, sheets: readonly TornSheet[]): number {
+  const known = sheets.filter((sheet) => sheet instanceof WasmTornSheet).slice(0, mostSheets);
+  const addresses = new Uint32Array(wasm.memory.buffer, wasm.tl_torn_sheets(), mostSheets);
+  addresses.set(known.map((sheet) => sheet.address));
+  return known.length;
 }
 
 /**
@@ -120,6 +142,11 @@ class WasmTornSheet implements TornSheet {
     // Drawn by even rows and columns but where the leaf was folded when it was torn out.
     const mesh = wasm.tl_torn_triangles(leaf) > 0 ? this.#mesh() : undefined;
     this.#surface = new SheetSurface(wasm.memory, grid, mesh);
+  }
+
+  /** Its address in the engine. */
+  get address(): number {
+    return this.#leaf;
   }
 
   /** @param book address of the book on and beside which it lies */

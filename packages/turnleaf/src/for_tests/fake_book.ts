@@ -130,8 +130,7 @@ export class FakeBook extends HTMLElement implements ControlledBook {
   }
 
   tornLeaves = 0;
-  hasWholeSheet = false;
-  hasFlatSheet = false;
+  wholeSheet: "flat" | "folded" | null = null;
   crumple(): boolean {
     this.asked.push("crumple");
     return true;

@@ -131,6 +131,11 @@ export class LooseSheetPile {
 
   /** Takes a sheet or a piece away. */
   #discard(gone: LooseSheet): void {
+    const { tearing } = this.#rebinder.bound.engine;
+    tearing?.wakeUpon(
+      gone.sheet,
+      this.#sheets.map(({ sheet }) => sheet),
+    );
     this.#sheets = this.#sheets.filter((sheet) => sheet !== gone);
     gone.sheet.destroy();
     const isLast = this.#sheets.every(({ id }) => id !== gone.id);
@@ -143,17 +148,22 @@ export class LooseSheetPile {
   /** Steps what moves by whole ticks, at most `moveTicks`. Returns whether anything goes on moving. */
   step(ticks: number): boolean {
     const { tearing, tick } = this.#rebinder.bound.engine;
-    for (const one of [...this.#sheets]) {
-      if (one.sheet.isAsleep || ticks === 0) continue;
-      this.#move(one, ticks * tick);
-      tearing?.step(one.sheet, ticks);
+    const moving = ticks === 0 ? [] : this.#sheets.filter(({ sheet }) => !sheet.isAsleep);
+    for (const one of moving) this.#move(one, ticks * tick);
+    if (moving.length > 0) {
+      tearing?.stepTogether(
+        this.#sheets.map(({ sheet }) => sheet),
+        ticks,
+      );
+    }
+    for (const one of moving) {
       const work = one.sheet.takeWork();
       if (work > 0) this.#hooks.heard(work);
       if (one.tear && !one.sheet.holdsAcross) this.#part(one, one.tear);
       if (one.isCrumpling && one.sheet.isAsleep) this.#crumpled(one);
     }
     const moves = this.#sheets.some(({ sheet }) => !sheet.isAsleep);
-    if (!moves && this.hasWhole) this.#rehearse();
+    if (!moves && this.whole !== null) this.#rehearse();
     return moves;
   }
 
@@ -188,14 +198,10 @@ export class LooseSheetPile {
     return one ? this.#grab(one, [u, v]) : noDrag;
   }
 
-  /** Whether one of them is neither crumpled nor torn across. */
-  get hasWhole(): boolean {
-    return this.#sheets.some(isWhole);
-  }
-
-  /** Whether one of them is neither crumpled, torn across nor folded. */
-  get hasFlat(): boolean {
-    return this.#sheets.some(isFlat);
+  /** Those that are neither crumpled nor torn across: one is flat, all are folded, or null for none. */
+  get whole(): "flat" | "folded" | null {
+    if (this.#sheets.some(isFlat)) return "flat";
+    return this.#sheets.some(isWhole) ? "folded" : null;
   }
 
   /** Crumples the sheet that was torn out last and is not crumpled. Returns whether there is one. */

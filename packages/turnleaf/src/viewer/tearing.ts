@@ -158,14 +158,9 @@ export class Tearing {
     }
   }
 
-  /** Whether a loose sheet is neither crumpled nor torn across. */
-  get hasWholeSheet(): boolean {
-    return this.#loose.hasWhole;
-  }
-
-  /** Whether a loose sheet is neither crumpled, torn across nor folded. */
-  get hasFlatSheet(): boolean {
-    return this.#loose.hasFlat;
+  /** The loose sheets that are neither crumpled nor torn across: one is flat, all are folded, or null. */
+  get wholeSheet(): "flat" | "folded" | null {
+    return this.#loose.whole;
   }
 
   /** Crumples the loose sheet that was torn out last and is not crumpled. Returns whether there is one. */

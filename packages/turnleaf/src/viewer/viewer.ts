@@ -386,14 +386,9 @@ export class Viewer {
     return pages.find((page) => spineOf(binding, page) !== "board") ?? null;
   }
 
-  /** Whether a loose sheet is neither crumpled nor torn across. */
-  get hasWholeSheet(): boolean {
-    return this.#loadedTearing?.hasWholeSheet ?? false;
-  }
-
-  /** Whether a loose sheet is neither crumpled, torn across nor folded. */
-  get hasFlatSheet(): boolean {
-    return this.#loadedTearing?.hasFlatSheet ?? false;
+  /** The loose sheets that are neither crumpled nor torn across: one is flat, all are folded, or null. */
+  get wholeSheet(): "flat" | "folded" | null {
+    return this.#loadedTearing?.wholeSheet ?? null;
   }
 
   /** Crumples the loose sheet that was torn out last and is not crumpled. Returns whether there is one. */

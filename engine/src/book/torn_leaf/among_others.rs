@@ -1,0 +1,108 @@
+//! What a loose sheet is to others: its upper side, on which they lie, and how grabs pull it among
+//! them.
+
+use std::rc::Rc;
+
+use super::{Crumpled, TornLeaf};
+use crate::book::Book;
+use crate::book::relief::{Relief, bounds};
+use crate::book::surroundings::Surroundings;
+use crate::book::tolerance::DEEPEST;
+use crate::surface::Surface;
+
+impl TornLeaf {
+    /// Where a grab pulls within a tick: not through other sheets, and no faster upward than what
+    /// lies upon it gets out of the way.
+    pub(super) fn pulled_to(&self, grab: usize, around: &Surroundings) -> [f32; 3] {
+        let mut to = around.over_sheets(self.pulled[grab]);
+        if self.is_laden {
+            let rise = self.steps as f32 * DEEPEST;
+            let highest = match &self.crumpled {
+                Some(Crumpled::Ball(ball)) => ball.highest_pull(rise),
+                _ => self
+                    .sheet
+                    .held_place(grab as u32)
+                    .map(|held| held[2] + rise),
+            };
+            to[2] = highest.map_or(to[2], |highest| to[2].min(highest));
+        }
+        to
+    }
+
+    /// Its upper side as it is drawn, or as it was when it was no more than a sliver elsewhere.
+    pub(in crate::book) fn renew_relief(&mut self, book: &Book) -> Rc<Relief> {
+        let points = &self.surface.positions;
+        let is_outdated = |relief: &Rc<Relief>| relief.is_outdated(points);
+        if self.relief.as_ref().is_some_and(is_outdated) {
+            self.relief = None;
+        }
+        self.relief(book)
+    }
+
+    /// Its upper side as it was drawn when it was last made.
+    pub(in crate::book) fn relief(&mut self, book: &Book) -> Rc<Relief> {
+        if let Some(relief) = &self.relief {
+            return Rc::clone(relief);
+        }
+        let [width, height] = book.size().map(|side| side as f32);
+        let spacing = width / (book.columns().len() - 1) as f32;
+        // Nothing of a sheet is farther apart than the corners of its page, stretched by a part.
+        let longest = 1.1 * (width * width + height * height).sqrt();
+        let shape = (self.around.table, longest);
+        let points = &self.surface.positions;
+        let relief = Rc::new(Relief::of(points, &self.triangles(), spacing, shape));
+        self.relief = Some(Rc::clone(&relief));
+        relief
+    }
+
+    /// The least and the greatest coordinates of its nodes, metres.
+    pub(in crate::book) fn node_bounds(&self) -> [[f32; 3]; 2] {
+        bounds(self.sheet.positions())
+    }
+
+    /// The least and the greatest coordinates of what is drawn of it, metres.
+    pub(in crate::book) fn drawn_bounds(&self) -> [[f32; 3]; 2] {
+        bounds(&self.surface.positions)
+    }
+
+    /// Height of the table, metres.
+    pub(in crate::book) fn table(&self) -> f32 {
+        self.around.table
+    }
+
+    /// Whether a grab holds it.
+    pub(in crate::book) fn is_held(&self) -> bool {
+        self.is_held.contains(&true)
+    }
+
+    /// The triangles of what is drawn of it.
+    pub(super) fn triangles(&self) -> Vec<[u32; 3]> {
+        if let Some(mesh) = self.folded_mesh() {
+            return mesh.triangles.as_chunks::<3>().0.to_vec();
+        }
+        if !self.mesh.triangles.is_empty() {
+            return self.mesh.triangles.clone();
+        }
+        grid_triangles(&self.surface, self.is_crumpled())
+    }
+}
+
+/// The triangles of a surface whose points lie row by row: two to a cell, cut along its rising
+/// diagonal; of facets about the middle of four cells, along that to the middle.
+fn grid_triangles(surface: &Surface, has_facets: bool) -> Vec<[u32; 3]> {
+    let (columns, rows) = (surface.columns, surface.rows);
+    let mut triangles = Vec::with_capacity(2 * (columns - 1) * (rows - 1));
+    for row in 0..rows - 1 {
+        for column in 0..columns - 1 {
+            let foot = row * columns + column;
+            let [a, b, c, d] =
+                [foot, foot + 1, foot + columns, foot + columns + 1].map(|n| n as u32);
+            if has_facets && (row + column) % 2 == 1 {
+                triangles.extend([[a, b, c], [b, d, c]]);
+            } else {
+                triangles.extend([[a, b, d], [a, d, c]]);
+            }
+        }
+    }
+    triangles
+}
