@@ -177,6 +177,9 @@ live_functions! {
     fn tl_torn_crumpled(leaf) -> u32 { leaf.is_crumpled().into() }
     /// How far it is torn across, metres along the path; infinite once it is torn through.
     fn tl_torn_opened(leaf) -> f32 { leaf.opened() }
+    /// Its place among loose sheets that were stepped together, from the table up; the greatest
+    /// number of one that was not.
+    fn tl_torn_layer(leaf) -> u32 { leaf.layer() }
     /// Of one that is folded or torn across: for each point u, v on its page, f32; the points of
     /// each triangle, u32; how many of these.
     fn tl_torn_places(leaf) -> *const f32 {

@@ -11,6 +11,12 @@ use crate::book::tolerance::DEEPEST;
 use crate::surface::Surface;
 
 impl TornLeaf {
+    /// Its place among loose sheets that were [stepped together](crate::book::step_together), from
+    /// the table up; the greatest number of one that was not.
+    pub fn layer(&self) -> u32 {
+        self.layer
+    }
+
     /// Where a grab pulls within a tick: not through other sheets, and no faster upward than what
     /// lies upon it gets out of the way.
     pub(super) fn pulled_to(&self, grab: usize, around: &Surroundings) -> [f32; 3] {

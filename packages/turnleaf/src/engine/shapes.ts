@@ -27,6 +27,8 @@ export interface Surface {
   readonly creased?: CreasedMesh | undefined;
   /** How far a sheet is torn across, metres along the tear; infinite if it is a piece. */
   readonly opened?: number | undefined;
+  /** Its place among loose sheets, from the table up, if it is one. */
+  readonly layer?: number | undefined;
 }
 
 /** A straight crease, from edge to edge of a leaf. */

@@ -27,18 +27,19 @@ export class SheetSurface {
    *
    * @param positions,normals their addresses
    * @param caliper thickness of the paper, metres
-   * @param opened how far it is torn across, metres, if it is
+   * @param loose how far it is torn across, metres, if it is, and its place among loose sheets
    */
   at(
     positions: number,
     normals: number,
     version: number,
     caliper: number,
-    opened?: number,
+    { opened, layer }: Pick<Surface, "opened" | "layer"> = {},
   ): Surface {
     const { buffer } = this.#memory;
     const known = this.#surface;
-    if (known?.positions.buffer === buffer && known.version === version) return known;
+    const isSame = known?.version === version && known.layer === layer;
+    if (known?.positions.buffer === buffer && isSame) return known;
     const { columns, rows } = this.#grid;
     const view = (at: number) => new Float32Array(buffer, at, 3 * columns * rows);
     this.#surface = {
@@ -50,6 +51,7 @@ export class SheetSurface {
       thickness: caliper < visibleThickness ? 0 : caliper,
       creased: this.#creased,
       opened,
+      layer,
     };
     return this.#surface;
   }

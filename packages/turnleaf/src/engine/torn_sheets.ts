@@ -42,6 +42,7 @@ export interface TearingExports extends Exports {
   ): number;
   tl_torn_part(leaf: number): number;
   tl_torn_opened(leaf: number): number;
+  tl_torn_layer(leaf: number): number;
   tl_torn_places(leaf: number): number;
   tl_torn_tears(leaf: number): number;
   tl_torn_corners(leaf: number): number;
@@ -175,7 +176,10 @@ class WasmTornSheet implements TornSheet {
     const version = wasm.tl_torn_version(this.#leaf);
     const opened = this.#isAcross ? wasm.tl_torn_opened(this.#leaf) : undefined;
     const caliper = wasm.tl_torn_caliper(this.#leaf);
-    return this.#surface.at(positions, normals, version, caliper, opened);
+    return this.#surface.at(positions, normals, version, caliper, {
+      opened,
+      layer: wasm.tl_torn_layer(this.#leaf) >>> 0,
+    });
   }
 
   grab(u: number, v: number, grab: 0 | 1 = 0): void {

@@ -54,6 +54,8 @@ export class DrawnBook {
   readonly #leaves: LeafMesh[] = [];
   readonly #loose: LeafMesh[] = [];
   #looseShown: readonly Surface[] = [];
+  /** The loose sheet that lies upon all others, and shades what is under it. */
+  #topmost: Surface | null = null;
   readonly #front: BoardMesh;
   readonly #back: BoardMesh;
   readonly #spine: SpineMesh;
@@ -146,12 +148,12 @@ export class DrawnBook {
     if (!this.#hard) shadowOfLeaves(this.#ground, this.#shape, pose.leaves, left, right);
     else if (!still) shadowOfCase(this.#ground, this.#shape, this.#case, left, right);
     if (pose.above instanceof Object3D) this.group.add(pose.above);
-    const loose = pose.loose?.at(-1);
+    const loose = this.#topmost;
     if (flapMoved || (hadLoose && !loose)) {
       shadowOfFlap(this.#ground, this.#shape, pose.flap ?? null);
     }
     if (loose) shadowOfSheet(this.#ground, loose, this.#table);
-    for (const page of Object.values(this.#materials.pages)) page.coverBy(loose ?? null);
+    for (const page of Object.values(this.#materials.pages)) page.coverBy(loose);
     return caseMoved || flapMoved;
   }
 
@@ -238,6 +240,8 @@ export class DrawnBook {
 
   /** Places the sheets that are torn out, over everything else. */
   #placeLoose(sheets: readonly Surface[]): void {
+    const ranks = ranksOf(sheets);
+    this.#topmost = sheets[ranks.indexOf(sheets.length - 1)] ?? null;
     while (this.#loose.length < sheets.length) {
       const { recto, verso } = this.#materials.loose(this.#loose.length);
       const mesh = new LeafMesh(recto, verso, this.#materials.leafEdges);
@@ -247,10 +251,15 @@ export class DrawnBook {
     for (const [k, mesh] of this.#loose.entries()) {
       mesh.recto.visible = mesh.verso.visible = mesh.rim.mesh.visible = k < sheets.length;
       if (k >= sheets.length) continue;
-      if (this.#looseShown[k] === sheets[k]) continue;
-      const over = this.#leaves.length + k + 1;
-      mesh.shape(sheets[k], over, over);
-      mesh.lieLoose();
+      const over = this.#leaves.length + ranks[k] + 1;
+      if (this.#looseShown[k] !== sheets[k]) {
+        mesh.shape(sheets[k], over, over);
+        mesh.lieLoose();
+      }
+      for (const { material } of [mesh.recto, mesh.verso]) {
+        material.lieOver(over, over);
+        material.coverBy(sheets[k] === this.#topmost ? null : this.#topmost);
+      }
     }
     this.#looseShown = sheets;
   }
@@ -324,6 +333,13 @@ export class DrawnBook {
     if (!still || !l.present) this.#front.light(this.#case, l, r, left.over);
     if (!still || !r.present) this.#back.light(this.#case, l, r, right.over);
   }
+}
+
+/** Returns the place of each loose sheet among them from the table up: those of one layer lie as they are listed. */
+function ranksOf(sheets: readonly Surface[]): number[] {
+  const layer = (k: number): number => sheets[k].layer ?? 0;
+  const order = [...sheets.keys()].sort((a, b) => layer(a) - layer(b) || a - b);
+  return sheets.map((_, k) => order.indexOf(k));
 }
 
 /**
