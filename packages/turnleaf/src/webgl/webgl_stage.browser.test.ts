@@ -110,6 +110,40 @@ test("deep among leaves that stand close it is warm and dim, not black", () => {
   expect(green).toBeLessThan(red);
 });
 
+/** Returns a level sheet `out` beside the right page at a height, metres, of a layer of loose sheets. */
+function looseSheet(layer: number, height: number, out = 0): Surface {
+  const { positions, ...sheet } = standingLeaf(0);
+  const places = positions.map((x, k) => [x + out, x, height][k % 3]);
+  return { ...sheet, positions: places, layer };
+}
+
+test("of loose sheets upon each other the uppermost is seen, whichever was torn out first", () => {
+  for (const layers of [
+    [0, 1],
+    [1, 0],
+  ]) {
+    const canvas = document.createElement("canvas");
+    const stage = newStage(canvas);
+    stage.setLoose(0, "recto", plainPicture("#000000"));
+    stage.setLoose(1, "recto", plainPicture("#ffffff"));
+    stage.pose({ ...open, loose: layers.map((layer) => looseSheet(layer, 0.01 + 1e-4 * layer)) });
+    const [red] = colourAt(stage, canvas, 0.07, 0.01);
+    expect(red).toBe(layers[0] > layers[1] ? 0 : 255);
+  }
+});
+
+test("the uppermost loose sheet shades those under it", () => {
+  const canvas = document.createElement("canvas");
+  const stage = newStage(canvas);
+  for (const k of [0, 1]) stage.setLoose(k, "recto", plainPicture("#ffffff"));
+  const under = looseSheet(0, 0.01);
+  stage.pose({ ...open, loose: [under] });
+  const [alone] = colourAt(stage, canvas, 0.1, 0.01);
+  stage.pose({ ...open, loose: [under, looseSheet(1, 0.03, -0.04)] });
+  const [shaded] = colourAt(stage, canvas, 0.1, 0.01);
+  expect(shaded).toBeLessThan(alone - 5);
+});
+
 test("a forgotten picture leaves blank paper, and the table is clear", () => {
   const canvas = document.createElement("canvas");
   const stage = newStage(canvas);
