@@ -288,7 +288,10 @@ mod tests {
         let mut points: Vec<[f32; 3]> = (0..2 * columns)
             .map(|node| [u[node % columns] * WIDTH, 0.0, 0.1])
             .collect();
-        let on_pile = |column: usize| [right.place(column)[0], 0.0, right.place(column)[1]];
+        let on_pile = |column: usize| {
+            let [x, height] = right.place(column);
+            [x, 0.0, height + ROUNDING]
+        };
         // The lower corners of a cell's other diagonal.
         points[after + 1] = on_pile(after);
         points[columns + after] = on_pile(before);

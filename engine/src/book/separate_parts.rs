@@ -19,7 +19,8 @@ use core::ops::Range;
 pub const ROUNDS: usize = 4;
 
 /// Work of comparing two blocks, of finding two that may overlap, of looking at a point beside a
-/// block, and at a triangle next to a point, nanoseconds.
+/// block, and at a triangle next to a point, nanoseconds: a dog-ear that turns counts 24 us, a
+/// letter 460. One lying with 16 pairs was measured to take some 20, one with 290 some 310.
 const BLOCKS: u32 = 1;
 const PAIR: u32 = 500;
 const POINT: u32 = 5;
@@ -27,7 +28,7 @@ const TRIANGLE: u32 = 15;
 
 /// Work of a round after which it is broken off, nanoseconds: several times what parts take that are
 /// folded upon each other, and less than those that go through each other.
-const MOST_ROUND: u32 = 500_000;
+pub const MOST_ROUND: u32 = 500_000;
 
 /// Cells along a side of a block of triangles that one box bounds.
 pub const BLOCK: usize = 3;
