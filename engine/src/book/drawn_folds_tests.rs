@@ -104,8 +104,12 @@ fn a_round_of_moving_parts_has_a_bound() {
         }
         let work = &mut Work::new(0);
         flight.separate_folded(None, [right, left], [0.0; 2], work);
-        println!("{angle}: {}", work.done());
-        assert!(work.done() < 2 * MOST_ROUND, "{} ns", work.done());
+        // What was begun, a point over other parts, is ended.
+        assert!(
+            work.done() < MOST_ROUND + MOST_ROUND / 50,
+            "{} ns",
+            work.done()
+        );
     }
 }
 

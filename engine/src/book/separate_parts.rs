@@ -26,9 +26,9 @@ const PAIR: u32 = 500;
 const POINT: u32 = 5;
 const TRIANGLE: u32 = 15;
 
-/// Work of a round after which it is broken off, nanoseconds: several times what parts take that are
-/// folded upon each other, and less than those that go through each other.
-pub const MOST_ROUND: u32 = 500_000;
+/// Work of a round after which it is broken off, nanoseconds: about twice a letter's, and less than
+/// that of a flap that goes through all of its page.
+pub const MOST_ROUND: u32 = 1_000_000;
 
 /// Cells along a side of a block of triangles that one box bounds.
 pub const BLOCK: usize = 3;
@@ -312,10 +312,10 @@ impl DrawnParts {
             if round > 0 && work.is_spent() {
                 break;
             }
+            let before = work.done();
             self.find_pairs(points, scale, &side);
             let blocks = self.blocks.len() as u32;
             work.spend(BLOCKS * blocks * blocks + PAIR * self.pairs.len() as u32);
-            let before = work.done();
             moved = false;
             for node in 0..self.points.len() {
                 let Some(home) = self.points[node] else {
