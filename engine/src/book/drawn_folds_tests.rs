@@ -3,7 +3,6 @@
 use core::f32::consts::PI;
 
 use super::flight::Flight;
-use super::separate_parts::MOST_ROUND;
 use super::work::Work;
 use super::*;
 use crate::random::Random;
@@ -71,9 +70,10 @@ fn parts_that_are_moved_off_each_other_are_not_drawn_in_the_piles() {
     }
 }
 
-/// Once no work is left a leaf's parts are moved off each other once, and not by every look at it.
+/// Once no work is left a leaf's parts are moved off each other in so many rounds, and not by every
+/// look at it.
 #[test]
-fn parts_are_moved_once_where_no_work_is_left() {
+fn rounds_of_moving_parts_are_bounded_where_no_work_is_left() {
     let book = open_book();
     let [right, left] = &book.piles;
     let mut flight = folded(&crowded_columns(right.columns()), 170.0);
@@ -89,28 +89,6 @@ fn parts_are_moved_once_where_no_work_is_left() {
     let [first, second] = [separate(), separate()];
     assert!(first > 0, "it is looked at");
     assert_eq!(second, 0);
-}
-
-/// A flap lies all over its page, and some millimetres through it.
-#[test]
-fn a_round_of_moving_parts_has_a_bound() {
-    let book = open_book();
-    let [right, left] = &book.piles;
-    let mut flight = folded(&crowded_columns(right.columns()), 170.0);
-    for angle in [-0.06, -0.03, 0.03, 0.06] {
-        for _ in 0..2 {
-            bend(&mut flight, [0.5 * PI, 1.5 * PI + angle]);
-            flight.draw([right, left], [right, left], false);
-        }
-        let work = &mut Work::new(0);
-        flight.separate_folded(None, [right, left], [0.0; 2], work);
-        // What was begun, a point over other parts, is ended.
-        assert!(
-            work.done() < MOST_ROUND + MOST_ROUND / 50,
-            "{} ns",
-            work.done()
-        );
-    }
 }
 
 /// It was drawn last as the page that it was in the pile, and so is where it must be held back.

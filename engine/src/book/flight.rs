@@ -79,8 +79,8 @@ pub struct Flight {
     /// taken, nanoseconds.
     searching: u32,
     creased: Option<CreasedMesh>,
-    /// Whether its parts have been moved off each other since it was last to be drawn anew.
-    was_parted: bool,
+    /// Rounds in which its parts have been moved off each other since it was last to be drawn anew.
+    rounds: usize,
     /// The parts of what is drawn; of a whole leaf none until a creased one is next to it.
     parts: DrawnParts,
     /// The creases that are shut as it is drawn: see [`Flaps::shut`](super::flaps::Flaps::shut).
@@ -123,7 +123,7 @@ impl Flight {
             spare: Surface::new(u.len(), rows),
             searching: 0,
             creased: None,
-            was_parted: false,
+            rounds: 0,
             parts: DrawnParts::default(),
             shut: 0,
             turned_over: Vec::new(),
@@ -210,7 +210,7 @@ impl Flight {
     /// piles that were drawn last.
     pub fn draw(&mut self, [right, left]: [&Pile; 2], last: [&Pile; 2], needs_crossing_test: bool) {
         self.clear_of = [None; 2];
-        self.was_parted = false;
+        self.rounds = 0;
         let is_crumpled = core::mem::take(&mut self.held_back) || self.leaf.was_held();
         // What else was written would be drawn as nothing, or as nothing but itself.
         let is_place = |x: &f32| x.abs() <= FARTHEST;
@@ -304,7 +304,7 @@ impl Flight {
     pub fn draw_again(&mut self, met: bool) {
         self.surface.positions.clone_from(&self.wanted);
         self.surface.update_normals();
-        self.was_parted = false;
+        self.rounds = 0;
         self.revision += 1;
         self.had_crossing |= met;
         self.needs_crossing_test |= met;
@@ -373,12 +373,13 @@ impl Flight {
     }
 
     /// Moves its own parts off each other, in so many rounds at most; once no work is left only
-    /// where it has not been done since the leaf was to be drawn anew. Returns whether any were
-    /// moved in the last.
+    /// while there were fewer than [`ROUNDS`] since it was to be drawn anew. Returns whether any
+    /// were moved in the last.
     fn separate_own_parts(&mut self, rounds: usize, work: &mut Work) -> bool {
-        if core::mem::replace(&mut self.was_parted, true) && work.is_spent() {
+        if work.is_spent() && self.rounds >= ROUNDS {
             return false;
         }
+        self.rounds += rounds;
         let scale = self.scale();
         let Some(flaps) = self.leaf.flaps() else {
             return false;

@@ -26,10 +26,6 @@ const PAIR: u32 = 500;
 const POINT: u32 = 5;
 const TRIANGLE: u32 = 15;
 
-/// Work of a round after which it is broken off, nanoseconds: about twice a letter's, and less than
-/// that of a flap that goes through all of its page.
-pub const MOST_ROUND: u32 = 1_000_000;
-
 /// Cells along a side of a block of triangles that one box bounds.
 pub const BLOCK: usize = 3;
 
@@ -312,7 +308,6 @@ impl DrawnParts {
             if round > 0 && work.is_spent() {
                 break;
             }
-            let before = work.done();
             self.find_pairs(points, scale, &side);
             let blocks = self.blocks.len() as u32;
             work.spend(BLOCKS * blocks * blocks + PAIR * self.pairs.len() as u32);
@@ -321,9 +316,6 @@ impl DrawnParts {
                 let Some(home) = self.points[node] else {
                     continue;
                 };
-                if work.done() - before > MOST_ROUND {
-                    break;
-                }
                 let mut under = None;
                 // Of each part at most one triangle is next to the point.
                 for pair in &self.pairs[self.blocks[home].pairs.clone()] {
