@@ -15,6 +15,7 @@
 //! its length, so bending adds no strain along a row. What would still lie
 //! inside a pile is pushed onto it.
 
+use super::mesh::Folds;
 use super::pile::Pile;
 use super::tolerance::ROUNDING;
 
@@ -53,15 +54,16 @@ pub fn push_off(positions: &mut [f32], piles: [&Pile; 2], over: [f32; 2]) {
 
 /// Pushes edges that come lower between their ends than [`push_off`] lets those, at both
 /// ends: over a ridge two points may lie clear of the pile and what is drawn between
-/// them not.
-pub fn push_edges_off(positions: &mut [f32], piles: [&Pile; 2], over: [f32; 2]) {
-    push_edges_off_where((positions, piles[0].columns()), piles, over, |_| true);
+/// them not. `folds` are those of the leaf.
+pub fn push_edges_off(positions: &mut [f32], folds: Folds<'_>, piles: [&Pile; 2], over: [f32; 2]) {
+    let columns = piles[0].columns();
+    push_edges_off_where((positions, columns, folds), piles, over, |_| true);
 }
 
 /// The same of points in so many columns, and of edges both of whose ends lie where something
 /// `is_over` a pile.
 pub fn push_edges_off_where(
-    (positions, columns): (&mut [f32], usize),
+    (positions, columns, folds): (&mut [f32], usize, Folds<'_>),
     piles: [&Pile; 2],
     over: [f32; 2],
     is_over: impl Fn([f32; 3]) -> bool,
@@ -77,22 +79,33 @@ pub fn push_edges_off_where(
             if column == 0 || at_rim {
                 continue;
             }
-            let (a, b) = (points[node], points[node + step]);
+            let [from, to] = ends_of(node, step, columns, folds);
+            let (a, b) = (points[from], points[to]);
             if (a[2] > highest && b[2] > highest) || !is_over(a) || !is_over(b) {
                 continue;
             }
             let most = below.missing([a, b], over);
             if most > 0.0 {
-                points[node][2] += most;
-                points[node + step][2] += most;
+                points[from][2] += most;
+                points[to][2] += most;
             }
         }
     }
 }
 
-/// Whether no point and no edge of a leaf lies inside the piles (right and left); positions
-/// as in [`bend_into_gutter`].
-pub fn is_clear(positions: &[f32], piles: [&Pile; 2]) -> bool {
+/// The ends of an edge that leads so many points on from a node, which is its cell's diagonal where
+/// that is a row and a point: a fold may have it run the other way.
+fn ends_of(node: usize, step: usize, columns: usize, folds: Folds<'_>) -> [usize; 2] {
+    if step == columns + 1 && folds.is_falling(node) {
+        [node + 1, node + columns]
+    } else {
+        [node, node + step]
+    }
+}
+
+/// Whether no point and no edge of a leaf with some `folds` lies inside the piles (right and left);
+/// positions as in [`bend_into_gutter`].
+pub fn is_clear(positions: &[f32], folds: Folds<'_>, piles: [&Pile; 2]) -> bool {
     let over = [-ROUNDING; 2];
     let highest = highest(piles, over);
     let columns = piles[0].columns();
@@ -109,9 +122,10 @@ pub fn is_clear(positions: &[f32], piles: [&Pile; 2]) -> bool {
             && edges.all(|step| {
                 let at_rim =
                     node + step >= points.len() || (column + 1 == columns && step != columns);
-                at_rim
-                    || point[2].min(points[node + step][2]) > highest
-                    || below.missing([point, points[node + step]], over) <= 0.0
+                at_rim || {
+                    let ends = ends_of(node, step, columns, folds).map(|end| points[end]);
+                    ends[0][2].min(ends[1][2]) > highest || below.missing(ends, over) <= 0.0
+                }
             })
     })
 }
@@ -262,6 +276,40 @@ mod tests {
                 assert!(p[2] >= pile.height(p[0].abs()) - 1e-6);
             }
         }
+    }
+
+    /// Of a cell that is cut along its other diagonal that lies over the hump, between two points
+    /// that lie on the pile.
+    #[test]
+    fn the_diagonal_along_which_a_cell_is_cut_is_pushed_off() {
+        let (right, left, u) = piles(0.012, 0.005);
+        let columns = u.len();
+        let (before, after) = (columns / 4, columns / 2);
+        let mut points: Vec<[f32; 3]> = (0..2 * columns)
+            .map(|node| [u[node % columns] * WIDTH, 0.0, 0.1])
+            .collect();
+        let on_pile = |column: usize| {
+            let [x, height] = right.place(column);
+            [x, 0.0, height + ROUNDING]
+        };
+        // The lower corners of a cell's other diagonal.
+        points[after + 1] = on_pile(after);
+        points[columns + after] = on_pile(before);
+        let mut positions = points.concat();
+        let mut falling = vec![false; 2 * columns];
+        falling[after] = true;
+        let folds = Folds {
+            falling: &falling,
+            ..Folds::default()
+        };
+        let piles = [&right, &left];
+        assert!(is_clear(&positions, Folds::default(), piles));
+        assert!(!is_clear(&positions, folds, piles));
+        let unmoved = positions.clone();
+        push_edges_off(&mut positions, Folds::default(), piles, [0.0; 2]);
+        assert_eq!(positions, unmoved);
+        push_edges_off(&mut positions, folds, piles, [0.0; 2]);
+        assert!(is_clear(&positions, folds, piles));
     }
 
     #[test]

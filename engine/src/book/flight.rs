@@ -79,6 +79,8 @@ pub struct Flight {
     /// taken, nanoseconds.
     searching: u32,
     creased: Option<CreasedMesh>,
+    /// Rounds in which its parts have been moved off each other since it was last to be drawn anew.
+    rounds: usize,
     /// The parts of what is drawn; of a whole leaf none until a creased one is next to it.
     parts: DrawnParts,
     /// The creases that are shut as it is drawn: see [`Flaps::shut`](super::flaps::Flaps::shut).
@@ -121,6 +123,7 @@ impl Flight {
             spare: Surface::new(u.len(), rows),
             searching: 0,
             creased: None,
+            rounds: 0,
             parts: DrawnParts::default(),
             shut: 0,
             turned_over: Vec::new(),
@@ -207,6 +210,7 @@ impl Flight {
     /// piles that were drawn last.
     pub fn draw(&mut self, [right, left]: [&Pile; 2], last: [&Pile; 2], needs_crossing_test: bool) {
         self.clear_of = [None; 2];
+        self.rounds = 0;
         let is_crumpled = core::mem::take(&mut self.held_back) || self.leaf.was_held();
         // What else was written would be drawn as nothing, or as nothing but itself.
         let is_place = |x: &f32| x.abs() <= FARTHEST;
@@ -265,19 +269,27 @@ impl Flight {
         }
     }
 
-    /// Says that it was drawn last as the page upon one of the piles, which it was.
+    /// Says that it was drawn last as the page upon one of the piles, which it was; a creased one
+    /// too, as in a pile no folds are drawn.
     fn show_at_rest(&mut self, [right, left]: [&Pile; 2]) {
-        let pile = if self.leaf.fraction_turned() < 0.5 {
-            right
+        let (pile, side) = if self.leaf.fraction_turned() < 0.5 {
+            (right, Side::Right)
         } else {
-            left
+            (left, Side::Left)
         };
         let columns = pile.columns();
         self.shown.clone_from(&self.surface.positions);
-        if self.leaf.is_creased() {
+        let points = self.shown.as_chunks_mut::<3>().0;
+        if let Some(creased) = self.creased.as_ref().filter(|_| CAN_CREASE) {
+            // Its columns are moved onto its creases.
+            let settings = self.leaf.sheet().settings();
+            let size = [settings.width, settings.height].map(|length| length as f32);
+            for (point, [u, v]) in points.iter_mut().zip(creased.places.as_chunks::<2>().0) {
+                *point = [side.sign() * u * size[0], v * size[1], 0.0];
+            }
+            bend_into_gutter(&mut self.shown, right, left, 0.0);
             return;
         }
-        let points = self.shown.as_chunks_mut::<3>().0;
         for row in points.chunks_exact_mut(columns) {
             let y = row[0][1];
             let curve = pile.curves().as_chunks::<2>().0;
@@ -292,6 +304,7 @@ impl Flight {
     pub fn draw_again(&mut self, met: bool) {
         self.surface.positions.clone_from(&self.wanted);
         self.surface.update_normals();
+        self.rounds = 0;
         self.revision += 1;
         self.had_crossing |= met;
         self.needs_crossing_test |= met;
@@ -347,14 +360,26 @@ impl Flight {
         let over = over.map(|over| over * scale);
         push_off(&mut self.surface.positions, piles, over);
         self.separate_own_parts(ROUNDS, work);
+        self.keep_off_piles(piles, over);
+    }
+
+    /// Pushes points and edges out of the piles (right and left), so far over each, metres.
+    fn keep_off_piles(&mut self, piles: [&Pile; 2], over: [f32; 2]) {
+        push_off(&mut self.surface.positions, piles, over);
         if !matches!(self.phase(), Phase::Resting(_)) {
-            push_edges_off(&mut self.surface.positions, piles, over);
+            let folds = folds(self.creased.as_ref(), &self.turned_over);
+            push_edges_off(&mut self.surface.positions, folds, piles, over);
         }
     }
 
-    /// Moves its own parts off each other, in so many rounds at most. Returns whether any were in
-    /// the last.
+    /// Moves its own parts off each other, in so many rounds at most; once no work is left only
+    /// while there were fewer than [`ROUNDS`] since it was to be drawn anew. Returns whether any
+    /// were moved in the last.
     fn separate_own_parts(&mut self, rounds: usize, work: &mut Work) -> bool {
+        if work.is_spent() && self.rounds >= ROUNDS {
+            return false;
+        }
+        self.rounds += rounds;
         let scale = self.scale();
         let Some(flaps) = self.leaf.flaps() else {
             return false;
@@ -393,11 +418,9 @@ impl Flight {
         let mut placed = neighbour.map(|(flight, _)| PlacedBlocks::of(&flight.parted()));
         // A round looks only at what moved since the one before it.
         let (mut is_clear, mut crosses) = (false, false);
+        let mut is_resolved = false;
         for _ in 0..ROUNDS {
-            push_off(&mut self.surface.positions, piles, over);
-            if !matches!(self.phase(), Phase::Resting(_)) {
-                push_edges_off(&mut self.surface.positions, piles, over);
-            }
+            self.keep_off_piles(piles, over);
             let are_parts_clear = !self.is_creased() || !self.separate_own_parts(1, work);
             if let (Some((neighbour, side)), Some(placed)) = (neighbour, &mut placed) {
                 if work.is_spent() {
@@ -416,9 +439,16 @@ impl Flight {
                 crosses |= outcome == Outcome::Crosses;
                 is_clear = outcome == Outcome::Clear;
             }
-            if are_parts_clear && (is_clear || neighbour.is_none()) {
+            is_resolved = are_parts_clear && (is_clear || neighbour.is_none());
+            if is_resolved {
                 break;
             }
+        }
+        if !is_resolved {
+            // What the last round moved may be in a pile, and no pile yields.
+            let moved = self.surface.positions.clone();
+            self.keep_off_piles(piles, over);
+            is_clear &= self.surface.positions == moved;
         }
         if self.surface.positions != before {
             self.revision += 1;
@@ -506,7 +536,8 @@ impl Flight {
 
     /// Whether what is drawn of it lies clear of the piles (right and left).
     pub fn is_clear_of(&self, piles: [&Pile; 2]) -> bool {
-        is_clear(&self.surface.positions, piles)
+        let folds = folds(self.creased.as_ref(), &self.turned_over);
+        is_clear(&self.surface.positions, folds, piles)
     }
 
     /// Says that its paper may be tested: see [`is_through`](Self::is_through).

@@ -290,6 +290,11 @@ impl Flights {
         is_followed
     }
 
+    /// Notes a tick in which nothing moves.
+    pub fn rest(&mut self) {
+        self.tick_work = 0;
+    }
+
     /// Work of the last tick, nanoseconds as counted.
     pub fn tick_work(&self) -> u32 {
         self.tick_work

@@ -93,6 +93,18 @@ fn a_dog_ear_turned_over_and_back_ten_times_keeps_its_rest_and_lies_off_its_leaf
     }
 }
 
+/// A tick in which nothing moves is no work, whatever the one before it was.
+#[test]
+fn a_book_at_rest_takes_no_work() {
+    let mut book = book(true);
+    turn(&mut book, Side::Right);
+    book.begin_frame();
+    assert_eq!(book.step_frame(1), 1);
+    assert_eq!(book.tick_work(), 0);
+    book.step(1);
+    assert_eq!(book.tick_work(), 0);
+}
+
 #[test]
 fn a_leaf_that_is_laid_upon_a_dog_ear_covers_it_and_uncovers_it() {
     let mut book = book(true);

@@ -12,6 +12,8 @@ mod creased_leaves;
 mod creased_mesh;
 mod crossing;
 mod draw;
+#[cfg(all(test, feature = "creases"))]
+mod drawn_folds_tests;
 mod flight;
 mod flights;
 mod fold_out;
@@ -310,7 +312,7 @@ impl Book {
     }
 
     /// Work of the last tick: counted by steps, sweeps and searches for contacts, in about
-    /// nanoseconds of native code, the same on every machine.
+    /// nanoseconds of native code, the same on every machine; 0 where nothing moved.
     pub fn tick_work(&self) -> u32 {
         self.flights.tick_work()
     }
@@ -320,6 +322,7 @@ impl Book {
     pub fn step(&mut self, ticks: u32) {
         for _ in 0..ticks {
             if self.flights.is_still() {
+                self.flights.rest();
                 return;
             }
             self.write_piles();
@@ -345,6 +348,7 @@ impl Book {
                 return done;
             }
             if self.flights.is_still() {
+                self.flights.rest();
                 break;
             }
             self.step(1);

@@ -9,6 +9,7 @@ use std::rc::Rc;
 
 use super::Book;
 use super::bend_into_gutter::push_edges_off_where;
+use super::mesh::Folds;
 use super::pile::Pile;
 use super::relief::Relief;
 use super::tolerance::{DEEPEST, FAR, OVER_PILE, PUSHED_AT_ONCE};
@@ -193,7 +194,11 @@ impl<'a> Surroundings<'a> {
             let is_above = || self.floor([x, y, z]) - z < PUSHED_AT_ONCE;
             x.abs() < width && y > 0.0 && y < height && is_above()
         };
-        let grid = (&mut surface.positions[..], surface.columns);
+        let grid = (
+            &mut surface.positions[..],
+            surface.columns,
+            Folds::default(),
+        );
         push_edges_off_where(grid, self.piles, [OVER_PILE; 2], is_over);
     }
 
