@@ -10,6 +10,7 @@
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { foldCorner, Riffle } from "../wasm/tests/riffle.mjs";
+import { quantiles } from "./quantiles.mjs";
 
 const root = join(import.meta.dirname, "..");
 const shipped = join(root, "packages/turnleaf/src/engine/turnleaf.wasm");
@@ -303,8 +304,7 @@ function droppedFrames(wasm) {
 
 /** The median, the 5th and 95th percentile and the worst of some times. */
 function percentiles(times) {
-  times.sort((a, b) => a - b);
-  const at = (part) => times[Math.floor(part * (times.length - 1))];
+  const at = quantiles(times);
   return { median_us: at(0.5), p5_us: at(0.05), p95_us: at(0.95), worst_us: at(1) };
 }
 

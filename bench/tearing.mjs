@@ -17,6 +17,7 @@ import { parseArgs } from "node:util";
 import { chromium } from "playwright-core";
 import { serve } from "../examples/serve.mjs";
 import { chromiumArguments, findChromium } from "../scripts/chromium.mjs";
+import { quantiles } from "./quantiles.mjs";
 
 const { values } = parseArgs({
   options: {
@@ -108,8 +109,7 @@ try {
 
 /** The median, the 95th percentile and the worst of some times, ms. */
 function percentiles(times) {
-  times.sort((a, b) => a - b);
-  const at = (part) => times[Math.floor(part * (times.length - 1))];
+  const at = quantiles(times);
   return { median_ms: at(0.5), p95_ms: at(0.95), worst_ms: at(1) };
 }
 

@@ -240,6 +240,8 @@ export class DrawnBook {
 
   /** Places the sheets that are torn out, over everything else. */
   #placeLoose(sheets: readonly Surface[]): void {
+    const shown = this.#looseShown;
+    if (sheets.length === shown.length && sheets.every((sheet, k) => sheet === shown[k])) return;
     const ranks = ranksOf(sheets);
     this.#topmost = sheets[ranks.indexOf(sheets.length - 1)] ?? null;
     while (this.#loose.length < sheets.length) {
@@ -252,11 +254,12 @@ export class DrawnBook {
       mesh.recto.visible = mesh.verso.visible = mesh.rim.mesh.visible = k < sheets.length;
       if (k >= sheets.length) continue;
       const over = this.#leaves.length + ranks[k] + 1;
-      if (this.#looseShown[k] !== sheets[k]) {
+      if (shown[k] !== sheets[k]) {
         mesh.shape(sheets[k], over, over);
         mesh.lieLoose();
       }
       for (const { material } of [mesh.recto, mesh.verso]) {
+        // Another may have come to lie under it, or on it.
         material.lieOver(over, over);
         material.coverBy(sheets[k] === this.#topmost ? null : this.#topmost);
       }
