@@ -125,8 +125,8 @@ export interface LeafTearing {
    */
   tear(id: number, options: TearOptions): TornSheet | null;
   /**
-   * Tears a sheet across that nobody sees, a part of that whenever its iterator goes on: the first
-   * tear afterwards takes no longer than others.
+   * Tears one sheet across that nobody sees and crumples another, a part of that whenever its
+   * iterator goes on: the first of a reader's takes no longer than others then.
    */
   rehearse(): Iterator<void>;
   /** Steps a torn sheet of this book, or of one that it came from, by whole ticks on and beside this book. */

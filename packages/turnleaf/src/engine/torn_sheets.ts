@@ -111,23 +111,31 @@ function writeSheets(wasm: TearingExports, sheets: readonly TornSheet[]): number
 }
 
 /**
- * Tears a blank sheet across that nobody sees, a part of that whenever it is asked to go on: the code
- * of what tears is compiled when it first runs, which takes longer than a frame has.
+ * Tears one blank sheet across that nobody sees and crumples another, a part of that whenever it is
+ * asked to go on: the code is compiled when it first runs, which takes longer than a frame has.
  *
  * @param book the book's address
  */
 function* rehearsed(wasm: TearingExports, book: number, grid: SurfaceGrid): Generator<void> {
-  const at = wasm.tl_torn_blank(book, 0, 0);
-  if (at === 0) return;
-  const sheet = new WasmTornSheet(wasm, at, grid);
+  const blank = (): WasmTornSheet | null => {
+    const at = wasm.tl_torn_blank(book, 0, 0);
+    return at === 0 ? null : new WasmTornSheet(wasm, at, grid);
+  };
+  const torn = blank();
   yield;
-  sheet.tearAcross([0, 0.5], [1, 0.5]);
+  torn?.tearAcross([0, 0.5], [1, 0.5]);
   yield;
-  sheet.step(book, 1);
+  torn?.step(book, 1);
   yield;
-  sheet.cut();
-  sheet.part()?.destroy();
-  sheet.destroy();
+  torn?.cut();
+  torn?.part()?.destroy();
+  torn?.destroy();
+  const crumpled = blank();
+  yield;
+  crumpled?.crumple();
+  yield;
+  crumpled?.step(book, 1);
+  crumpled?.destroy();
 }
 
 class WasmTornSheet implements TornSheet {

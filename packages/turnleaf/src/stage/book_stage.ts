@@ -64,8 +64,13 @@ export interface BookStage {
   /** The zoom level and the centre of the view. Setting it clamps it to the book. */
   zoom: Zoom;
 
-  /** Replaces the book by one of another shape, at first with nothing on its faces. */
-  bind(shape: BookShape): void;
+  /**
+   * Replaces the book by one of another shape, at first with nothing on its faces.
+   *
+   * @param expectsSheets whether leaves may come to be folded or torn out: what draws these is made
+   * ready with the next frame
+   */
+  bind(shape: BookShape, expectsSheets?: boolean): void;
   /** Fits the canvas to `cssWidth` by `cssHeight` CSS pixels, each `pixelRatio` device pixels. */
   resize(cssWidth: number, cssHeight: number, pixelRatio: number): void;
   /**

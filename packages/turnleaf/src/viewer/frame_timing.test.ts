@@ -1,9 +1,34 @@
 /** Ticks and quality from frame to frame, whatever times the browser reports. */
 
 import { expect, test } from "vitest";
-import { FrameQuality, TickCounter } from "./frame_timing.ts";
+import { FrameQuality, stepSheets, TickCounter } from "./frame_timing.ts";
 
 const tick = 1 / 120;
+
+/** Steps sheets by the ticks of a frame, each two of which take so many ms. Returns the parts. */
+function stepped(ticks: number, took: number): number[] {
+  const parts: number[] = [];
+  const step = (some: number): boolean => {
+    parts.push(some);
+    return parts.length < 3;
+  };
+  const goesOn = stepSheets(ticks, step, () => parts.length * took);
+  expect(goesOn).toBe(parts.length < 3);
+  return parts;
+}
+
+test("sheets are stepped by all ticks of a frame, up to twelve, while there is time", () => {
+  expect(stepped(0, 1)).toEqual([0]);
+  expect(stepped(1, 1)).toEqual([1]);
+  expect(stepped(5, 1)).toEqual([2, 2, 1]);
+  expect(stepped(100, 1)).toEqual([2, 2, 2, 2, 2, 2]);
+});
+
+test("where steps take longer than they step, a frame has no more than one at 30 Hz", () => {
+  expect(stepped(100, 20)).toEqual([2, 2]);
+  expect(stepped(4, 1000)).toEqual([2, 2]);
+  expect(stepped(100, 7)).toEqual([2, 2, 2]);
+});
 
 const best = { pixels: 1, roughly: false };
 

@@ -33,7 +33,38 @@ export const mostSheetTicks = 12;
  * Ticks from one place of a sheet's motion to the next where a command moves it, as many as a frame
  * at 60 Hz has. Moved on by those of a late frame at once it would be thrown.
  */
-export const moveTicks = 2;
+const moveTicks = 2;
+
+/**
+ * Time in a frame, in milliseconds, after which sheets are stepped by no more ticks than a frame at
+ * 30 Hz has. Where steps take longer than the time that they step, as a sheet's that is crumpled may,
+ * each frame would else be later than the one before.
+ */
+const sheetTime = 1000 / 60;
+
+/**
+ * Steps sheets by the whole ticks of a frame, in parts of at most two.
+ *
+ * @param step steps by so many ticks, and returns whether anything goes on moving
+ * @param now the time, in milliseconds
+ * @returns what the last step returned
+ */
+export function stepSheets(
+  ticks: number,
+  step: (ticks: number) => boolean,
+  now: () => number = () => performance.now(),
+): boolean {
+  const start = now();
+  const most = Math.min(ticks, mostSheetTicks);
+  let done = 0;
+  let goesOn: boolean;
+  do {
+    const some = Math.min(most - done, moveTicks);
+    goesOn = step(some);
+    done += some;
+  } while (done < most && (done < 2 * moveTicks || now() - start < sheetTime));
+  return goesOn;
+}
 
 /** Counts the whole ticks from frame to frame while something moves. */
 export class TickCounter {

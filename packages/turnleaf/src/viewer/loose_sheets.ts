@@ -91,7 +91,7 @@ export class LooseSheetPile {
   readonly #rebinder: Rebinder;
   readonly #hooks: LooseSheetHooks;
   #sheets: LooseSheet[] = [];
-  /** Whether a tear has been rehearsed. */
+  /** Whether tearing and crumpling have been rehearsed. */
   #isRehearsed = false;
 
   constructor(rebinder: Rebinder, hooks: LooseSheetHooks) {
@@ -126,16 +126,20 @@ export class LooseSheetPile {
 
   /** Takes all of them away. */
   clear(): void {
-    for (const one of [...this.#sheets]) this.#discard(one);
+    for (const one of this.#sheets) this.#free(one);
   }
 
-  /** Takes a sheet or a piece away. */
+  /** Takes a sheet or a piece away; what lay upon it falls. */
   #discard(gone: LooseSheet): void {
     const { tearing } = this.#rebinder.bound.engine;
     tearing?.wakeUpon(
       gone.sheet,
       this.#sheets.map(({ sheet }) => sheet),
     );
+    this.#free(gone);
+  }
+
+  #free(gone: LooseSheet): void {
     this.#sheets = this.#sheets.filter((sheet) => sheet !== gone);
     gone.sheet.destroy();
     const isLast = this.#sheets.every(({ id }) => id !== gone.id);
@@ -145,7 +149,7 @@ export class LooseSheetPile {
     this.#hooks.moved();
   }
 
-  /** Steps what moves by whole ticks, at most `moveTicks`. Returns whether anything goes on moving. */
+  /** Steps what moves by whole ticks, at most two. Returns whether anything goes on moving. */
   step(ticks: number): boolean {
     const { tearing, tick } = this.#rebinder.bound.engine;
     const moving = ticks === 0 ? [] : this.#sheets.filter(({ sheet }) => !sheet.isAsleep);
@@ -167,7 +171,7 @@ export class LooseSheetPile {
     return moves;
   }
 
-  /** Has the engine tear once unseen, part by part while nothing else is to be done, before a reader does. */
+  /** Has the engine tear and crumple once unseen, part by part while nothing else is to be done, before a reader does. */
   #rehearse(): void {
     const { tearing } = this.#rebinder.bound.engine;
     if (this.#isRehearsed || !tearing) return;

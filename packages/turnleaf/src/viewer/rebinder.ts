@@ -161,8 +161,8 @@ export class Rebinder {
     const before = this.#bound;
     const plan = this.#plan(width, height);
     this.#usual = plan.usual;
-    this.#parts.stage.bind(plan.shape);
     const engine = this.#nextEngine ?? before.engine;
+    this.#parts.stage.bind(plan.shape, engine.creases !== undefined);
     this.#bound = this.#bind(plan, engine.another(plan.shape));
     this.#nextEngine?.destroy();
     this.#nextEngine = null;

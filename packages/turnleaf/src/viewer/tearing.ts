@@ -26,7 +26,7 @@ import type { BookPose } from "../stage/book_pose.ts";
 import type { BookStage, Place } from "../stage/book_stage.ts";
 import { tableHeight } from "../stage/case_sizes.ts";
 import type { Drag } from "./drag.ts";
-import { mostSheetTicks, moveTicks } from "./frame_timing.ts";
+import { stepSheets } from "./frame_timing.ts";
 import { LooseSheetPile } from "./loose_sheets.ts";
 import type { Rebinder } from "./rebinder.ts";
 import type { TearOwner } from "./viewer_options.ts";
@@ -139,15 +139,10 @@ export class Tearing {
 
   /** Advances by whole ticks. Returns whether anything goes on moving. */
   step(ticks: number): boolean {
-    let left = Math.min(ticks, mostSheetTicks);
-    let goesOn: boolean;
-    do {
-      const some = Math.min(left, moveTicks);
+    return stepSheets(ticks, (some) => {
       const isFalling = this.#loose.step(some);
-      goesOn = this.#stepTear(some) || isFalling;
-      left -= some;
-    } while (left > 0);
-    return goesOn;
+      return this.#stepTear(some) || isFalling;
+    });
   }
 
   /** Shows the pictures of the loose sheets. */

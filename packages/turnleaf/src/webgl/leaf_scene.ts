@@ -11,6 +11,7 @@ import { ContextWatch, openContext } from "./context.ts";
 import { cutOff, straightened } from "./creased_vertices.ts";
 import { dropFromCard } from "./drop_from_gpu.ts";
 import { shadowOfLeaves } from "./footprint.ts";
+import { BookGrains } from "./grains.ts";
 import { Ground } from "./ground.ts";
 import { LeafMesh } from "./leaf_mesh.ts";
 import { BookMaterials } from "./materials.ts";
@@ -45,6 +46,7 @@ export class LeafScene {
   readonly #context: ContextWatch;
   readonly #camera = new PerspectiveCamera(fieldOfView, 1, 0.05, 10);
   readonly #textures: PictureTextures;
+  readonly #grains: BookGrains;
   readonly #materials: BookMaterials;
   readonly #leaf: LeafMesh;
   readonly #ground: Ground;
@@ -87,7 +89,8 @@ export class LeafScene {
     };
     this.#textures = new PictureTextures(this.#renderer);
     const { paper, anisotropy } = this.#textures;
-    this.#materials = new BookMaterials(this.#shape, paper, anisotropy);
+    this.#grains = new BookGrains(anisotropy);
+    this.#materials = new BookMaterials(this.#shape, paper, this.#grains);
     this.#ground = new Ground(-3 * gap, 12 * Math.max(width, height));
     this.#left = restingPage(-1, this.#shape, this.#materials);
     this.#right = restingPage(1, this.#shape, this.#materials);
@@ -177,6 +180,7 @@ export class LeafScene {
     this.#right.page.dispose();
     this.#ground.dispose();
     this.#materials.dispose();
+    this.#grains.dispose();
     this.#textures.dispose();
     this.scene.clear();
     this.#renderer.dispose();

@@ -1,14 +1,14 @@
-/** Every material of a book, and the grain textures that they have in common. */
+/** Every material of a book. */
 
 import { Color, type Material, type Texture } from "three";
 import type { Face } from "../book/faces.ts";
 import type { PageBox } from "../sources/page_source.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import type { LeafSide, PageFace } from "../stage/book_stage.ts";
+import type { BookGrains } from "./grains.ts";
 import { layDetail } from "./ink.ts";
 import { PaperMaterial } from "./paper_material.ts";
 import { type SolidLook, SolidMaterial } from "./solid_material.ts";
-import { clothTexture, headbandTexture, leafEdgeTexture } from "./textures.ts";
 
 /** A face of a board. */
 export type BoardFace = Exclude<Face, PageFace>;
@@ -26,25 +26,20 @@ export class BookMaterials {
   readonly endpapers: Record<"frontInside" | "backInside", SolidMaterial>;
   readonly headband: SolidMaterial;
   readonly #materials: Material[] = [];
-  readonly #grains: Texture[];
   readonly #leaves: Record<LeafSide, PaperMaterial>[] = [];
   readonly #loose: Record<LeafSide, PaperMaterial>[] = [];
   readonly #sheet: (recto: boolean, thin: boolean, torn?: boolean) => PaperMaterial;
 
   /**
    * @param blank what a face shows while it has no picture
-   *
-   * @param anisotropy of its own textures, from 1 for none
+   * @param grains outlive the materials
    */
-  constructor(shape: BookShape, blank: Texture, anisotropy: number) {
+  constructor(shape: BookShape, blank: Texture, grains: BookGrains) {
     this.#sheet = (recto, thin, torn = false) => {
       const side = { recto, thin, torn, ownNormals: !thin };
       return this.#keep(new PaperMaterial(side, shape, blank));
     };
     this.pages = { left: this.#sheet(false, false), right: this.#sheet(true, false) };
-    const [edges, weave, stripes] = [leafEdgeTexture(), clothTexture(), headbandTexture()];
-    this.#grains = [edges, weave, stripes];
-    for (const grain of this.#grains) grain.anisotropy = anisotropy;
     const solid = (
       colour: string,
       look: Omit<SolidLook, "base" | "quarterTurned">,
@@ -53,7 +48,7 @@ export class BookMaterials {
         new SolidMaterial({ base: new Color(colour), quarterTurned: shape.quarterTurned, ...look }),
       );
     const cloth = (): SolidMaterial =>
-      solid(shape.cloth, { grain: weave, grainDepth: 1, paperiness: 0 });
+      solid(shape.cloth, { grain: grains.cloth, grainDepth: 1, paperiness: 0 });
     this.boards = {
       frontOutside: cloth(),
       frontInside: cloth(),
@@ -64,18 +59,18 @@ export class BookMaterials {
     this.boards.backInside.setPicture(blank);
     this.spine = cloth();
     this.leafEdges = solid("#efe4cf", {
-      grain: edges,
+      grain: grains.leafEdges,
       grainDepth: 1,
       paperiness: 0.35,
       twoSided: true,
     });
     const fold = (): SolidMaterial =>
-      solid("#fbf5e8", { grain: weave, grainDepth: 0, paperiness: 1, twoSided: true });
+      solid("#fbf5e8", { grain: grains.cloth, grainDepth: 0, paperiness: 1, twoSided: true });
     this.endpapers = { frontInside: fold(), backInside: fold() };
     this.endpapers.frontInside.setPicture(blank);
     this.endpapers.backInside.setPicture(blank);
     this.headband = solid("#b9a37e", {
-      grain: stripes,
+      grain: grains.headband,
       grainDepth: 1,
       paperiness: 0,
       twoSided: true,
@@ -127,9 +122,22 @@ export class BookMaterials {
     showOn(this.loose(index), side, texture);
   }
 
+  /**
+   * Returns one material for each program that draws pages under folds and loose sheets, and these
+   * themselves. Those of the other materials are compiled once there is something to draw.
+   */
+  forSheets(): readonly PaperMaterial[] {
+    const { recto, verso } = this.loose(0);
+    const shaded = [false, true].flatMap((torn) => [
+      this.#sheet(true, false, torn),
+      this.#sheet(false, false, torn),
+    ]);
+    for (const material of shaded) material.shade();
+    return [recto, verso, ...shaded];
+  }
+
   dispose(): void {
     for (const material of this.#materials) material.dispose();
-    for (const grain of this.#grains) grain.dispose();
   }
 
   #keep<M extends Material>(material: M): M {

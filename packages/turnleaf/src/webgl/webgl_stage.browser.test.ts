@@ -1,4 +1,4 @@
-import { afterEach, expect, test } from "vitest";
+import { afterEach, expect, test, vi } from "vitest";
 import type { Pile, Surface } from "../engine/shapes.ts";
 import { columnPlace } from "../engine/shapes.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
@@ -142,6 +142,30 @@ test("the uppermost loose sheet shades those under it", () => {
   stage.pose({ ...open, loose: [under, looseSheet(1, 0.03, -0.04)] });
   const [shaded] = colourAt(stage, canvas, 0.1, 0.01);
   expect(shaded).toBeLessThan(alone - 5);
+});
+
+test("what draws loose sheets is compiled with the frame in which a book is bound that has none yet", () => {
+  const compiled = vi.spyOn(WebGL2RenderingContext.prototype, "linkProgram");
+  const programs = (loose: readonly Surface[]): number => {
+    stage.pose({ ...open, loose });
+    compiled.mockClear();
+    stage.draw();
+    return compiled.mock.calls.length;
+  };
+  const stage = newStage(document.createElement("canvas"));
+  const [one, another] = [looseSheet(0, 0.01), looseSheet(1, 0.03, -0.04)];
+  for (const sheet of [one, another]) Object.assign(sheet, { thickness: 1e-4 });
+  expect(programs([])).toBeGreaterThan(0);
+  // Of a book that expects none, as a sheet comes.
+  stage.bind(shape);
+  expect(programs([])).toBe(0);
+  expect(programs([one])).toBeGreaterThan(0);
+  stage.bind(shape, true);
+  expect(programs([])).toBeGreaterThan(0);
+  expect(programs([])).toBe(0);
+  expect(programs([one])).toBe(0);
+  expect(programs([one, another])).toBe(0);
+  compiled.mockRestore();
 });
 
 test("a forgotten picture leaves blank paper, and the table is clear", () => {

@@ -23,9 +23,11 @@ import type {
 import { overheadAt, type Zoom, ZoomState } from "../stage/zoom.ts";
 import { BeyondSpine } from "./beyond_spine.ts";
 import { fieldOfView, frameBook, sightOf } from "./camera.ts";
+import { compiledAhead } from "./compiled_ahead.ts";
 import { ContextWatch, openContext } from "./context.ts";
 import { DrawnBook } from "./drawn_book.ts";
 import { dropFromCard } from "./drop_from_gpu.ts";
+import { BookGrains } from "./grains.ts";
 import { BookMaterials } from "./materials.ts";
 import { drawsInSoftware } from "./software_gl.ts";
 import { PictureTextures } from "./textures.ts";
@@ -56,6 +58,7 @@ export class WebGLStage implements BookStage {
   readonly #camera: PerspectiveCamera;
   readonly #beyond = new BeyondSpine();
   readonly #pictures: PictureTextures;
+  readonly #grains: BookGrains;
   #materials: BookMaterials;
   #book: DrawnBook;
   /**
@@ -78,7 +81,8 @@ export class WebGLStage implements BookStage {
     this.#renderer = openRenderer(canvas);
     this.isSoftware = drawsInSoftware(this.#renderer.getContext());
     this.#pictures = new PictureTextures(this.#renderer);
-    this.#materials = new BookMaterials(shape, this.#pictures.paper, this.#pictures.anisotropy);
+    this.#grains = new BookGrains(this.#pictures.anisotropy);
+    this.#materials = new BookMaterials(shape, this.#pictures.paper, this.#grains);
     this.#book = new DrawnBook(shape, this.#materials);
     this.#scene.add(this.#book.group, this.#beyond.mesh);
     this.#camera = new PerspectiveCamera(fieldOfView, 1, 0.05, 10);
@@ -93,14 +97,15 @@ export class WebGLStage implements BookStage {
     });
   }
 
-  bind(shape: BookShape): void {
+  bind(shape: BookShape, expectsSheets = false): void {
     this.#scene.remove(this.#book.group);
     this.#replaced.push(this.#book, this.#materials);
     this.#faces.clear();
     this.#shape = shape;
-    this.#materials = new BookMaterials(shape, this.#pictures.paper, this.#pictures.anisotropy);
+    this.#materials = new BookMaterials(shape, this.#pictures.paper, this.#grains);
     this.#book = new DrawnBook(shape, this.#materials);
     this.#scene.add(this.#book.group);
+    if (expectsSheets) this.#book.group.add(compiledAhead(this.#materials.forSheets()));
   }
 
   resize(cssWidth: number, cssHeight: number, pixelRatio: number): void {
@@ -239,6 +244,7 @@ export class WebGLStage implements BookStage {
     this.#book.dispose();
     this.#beyond.dispose();
     this.#materials.dispose();
+    this.#grains.dispose();
     this.#pictures.dispose();
     this.#scene.clear();
     if (isKept) {
