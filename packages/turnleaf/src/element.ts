@@ -353,7 +353,7 @@ export class TurnleafBook extends ReaderElement {
    * Tears the leaf of an open page (from 1, by default the first visible one) out, if `tearable`
    * allows it: both of its pages leave the book, and it lies beside it as a loose sheet, to be
    * moved or thrown out of sight; without motion it is gone at once. Resolves, once it is off, to whether it is: false on the flat,
-   * for a board, if the page does not lie open, and if a listener cancels `tear`.
+   * for a leaf of the cover, if the page does not lie open, and if a listener cancels `tear`.
    */
   async tearOut(page: number = this.page): Promise<boolean> {
     const viewer = this.#viewer;

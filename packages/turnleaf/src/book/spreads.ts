@@ -138,7 +138,16 @@ export function paperOnLeft(binding: Binding, s: number): number {
 
 /** Returns whether leaf `k` is a board. */
 export function isBoard(binding: Binding, k: number): boolean {
-  return binding.hardCover && (k === 0 || k === leafCount(binding) - 1);
+  return binding.hardCover && isOutermost(binding, k);
+}
+
+/** Returns whether leaf `k` is of a cover, of boards or of card. */
+export function isCover(binding: Binding, k: number): boolean {
+  return (binding.hardCover || binding.softCover) && isOutermost(binding, k);
+}
+
+function isOutermost(binding: Binding, k: number): boolean {
+  return k === 0 || k === leafCount(binding) - 1;
 }
 
 /** Returns the page on the engine's left at spread `s`, or null if there is none. */

@@ -455,7 +455,7 @@ export class ReflectingElement extends Base {
   /**
    * How the leaves are bound where a reader may tear them out by pulling one hard away from the
    * spine: `sewn`, along all of it; `stapled`, at two staples; `perforated`, along a line of cuts;
-   * `none` if none may be torn out. An attribute without a value means sewn. Boards stay, and so
+   * `none` if none may be torn out. An attribute without a value means sewn. Covers stay, of boards or of card, and so
    * does a book on the flat.
    *
    * @attribute tearable

@@ -361,6 +361,15 @@ test("the leaf beside a board is not torn out in the board's place", async () =>
   expect([element.page, element.pageCount]).toEqual([2, 12]);
 });
 
+test("a soft cover stays, and so no other leaf becomes one", async () => {
+  const element = await opened({ cover: "soft", page: "1" });
+  expect(await element.tearOut(1)).toBe(false);
+  const pointer = await pull(element, 40);
+  pointer.point("pointerup", 700, 20);
+  await expect.poll(() => element.settled, { timeout: 20_000 }).toBe(true);
+  expect([element.tornLeaves, element.pageCount]).toEqual([0, 12]);
+});
+
 test("a leaf torn off while the one before it turns leaves the book open behind both", async () => {
   const element = await opened({ page: "3", duration: "2000" });
   const pages: number[] = [];

@@ -10,7 +10,7 @@ import { sideBefore } from "../book/leaf_order.ts";
 import type { PagePlace } from "../book/page_folds.ts";
 import {
   type Binding,
-  isBoard,
+  isCover,
   leafOf,
   pagesAt,
   paperLeaves,
@@ -252,6 +252,8 @@ export class Tearing {
     const { recto, verso } = facesOfLeaf(binding, flight);
     const pages = [recto, verso].filter((page) => page !== null).sort((a, b) => a - b);
     if (line === null || pages.length === 0 || pages.length === binding.pageCount) return false;
+    // Of what comes to lie outermost a cover would be made in its place.
+    if (isCover(binding, leafOf(binding, pages[0]))) return false;
     // Boards are no book without a leaf between them.
     if (paperLeaves(binding) < 2) return false;
     const bound = this.#begun.get(pages[0]);
@@ -383,10 +385,10 @@ export class Tearing {
   }
 }
 
-/** Returns the side on which a page lies open, on a leaf of paper; null if it does not. */
+/** Returns the side on which a page lies open, on a leaf that may be torn out; null if it does not. */
 function sideOf(binding: Binding, spread: number, page: number): Side | null {
   const at = leafOf(binding, page);
-  if (!pagesAt(binding, spread).includes(page) || isBoard(binding, at)) return null;
+  if (!pagesAt(binding, spread).includes(page) || isCover(binding, at)) return null;
   const leaf = paperOnLeft(binding, at);
   const onLeft = paperOnLeft(binding, spread);
   if (leaf === onLeft) return Side.right;
