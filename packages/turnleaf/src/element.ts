@@ -359,7 +359,7 @@ export class TurnleafBook extends ReaderElement {
     const viewer = this.#viewer;
     await this.#allowTearing();
     if (tearLineOf(this) === null || viewer !== this.#viewer) return false;
-    return (await viewer?.tearOut(page, this.#motion === "turn")) ?? false;
+    return (await viewer?.sheets.tearOut(page, this.#motion === "turn")) ?? false;
   }
 
   /**
@@ -375,7 +375,7 @@ export class TurnleafBook extends ReaderElement {
    * it does. Returns whether there is one that is not crumpled yet.
    */
   crumple(): boolean {
-    return this.#viewer?.crumple() ?? false;
+    return this.#viewer?.sheets.crumple() ?? false;
   }
 
   /**
@@ -390,7 +390,7 @@ export class TurnleafBook extends ReaderElement {
   tearAcross(from: PagePlace, to: PagePlace): boolean {
     const [start, end] = [from, to].map(placeOf);
     if (!start || !end) return false;
-    return this.#viewer?.tearAcross(start, end) ?? false;
+    return this.#viewer?.sheets.tearAcross(start, end) ?? false;
   }
 
   /**
@@ -417,7 +417,7 @@ export class TurnleafBook extends ReaderElement {
    * @internal
    */
   get tearablePage(): number | null {
-    return this.#viewer?.tearablePage ?? null;
+    return this.#viewer?.sheets.tearablePage ?? null;
   }
 
   /**
@@ -427,7 +427,7 @@ export class TurnleafBook extends ReaderElement {
    * @internal
    */
   get wholeSheet(): "flat" | "folded" | null {
-    return this.#viewer?.wholeSheet ?? null;
+    return this.#viewer?.sheets.wholeSheet ?? null;
   }
 
   /** Number of leaves that were torn out and can be put back. */
@@ -778,7 +778,7 @@ export class TurnleafBook extends ReaderElement {
     try {
       this.#loadingTorn ??= this.#loadTornPages();
       await this.#loadingTorn;
-      await this.#viewer?.allowTearing();
+      await this.#viewer?.sheets.allowTearing();
     } finally {
       this.#loadingTears--;
     }

@@ -30,7 +30,7 @@ export async function foldAlong(
   if (spine === "board") return null;
   if (meetsSpine(fold, spine)) throw new BookError(atSpine);
   const folds = cleanFolds([...before, { ...fold, angle: asked.angle }]);
-  const found = await viewer.fold([...dogEars, ...folds], true);
+  const found = await viewer.sheets.fold([...dogEars, ...folds], true);
   if (!found) return null;
   if (!folds.every((one) => found.includes(one))) throw new BookError(tooNear);
   return folds;

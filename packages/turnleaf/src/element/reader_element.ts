@@ -300,7 +300,7 @@ export abstract class ReaderElement extends ReflectingElement {
   protected set lists(lists: PageLists) {
     this.#lists = lists;
     // The book is about to be bound anew, with the folds of its pages as they lie then.
-    this.book?.viewer.keepFolds([...lists.dogEars, ...lists.folds]);
+    this.book?.viewer.sheets.keepFolds([...lists.dogEars, ...lists.folds]);
   }
 
   /**
@@ -430,7 +430,7 @@ export abstract class ReaderElement extends ReflectingElement {
   async #refold(isSeen: boolean): Promise<boolean> {
     const { dogEars: ears, folds } = this.#lists;
     const asked = [...ears, ...folds];
-    const found = await this.book?.viewer.fold(asked, isSeen);
+    const found = await this.book?.viewer.sheets.fold(asked, isSeen);
     if (!found) return false;
     // Others may have been set, or another book opened.
     if (this.dogEars === ears && this.folds === folds) {

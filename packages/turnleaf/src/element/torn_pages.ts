@@ -122,7 +122,7 @@ export class TornPages {
       if (!isBack && this.#host.book()?.source === this.#source) this.#leaves.push(leaf);
     }
     if (!isBack) return false;
-    viewer.removeSheet(leaf.id);
+    viewer.sheets.remove(leaf.id);
     this.#host.changed();
     const first = numbers().find((page) => page !== null);
     if (first !== undefined) this.#host.show(first);

@@ -5,11 +5,9 @@
  * frame and no timer.
  */
 
-import type { LeafFold } from "../book/creases.ts";
 import { faceOf } from "../book/faces.ts";
-import type { PagePlace } from "../book/page_folds.ts";
 import type { Paper } from "../book/paper.ts";
-import { type Binding, clampSpread, pagesAt, spineOf } from "../book/spreads.ts";
+import { type Binding, clampSpread, pagesAt } from "../book/spreads.ts";
 import type { BookState, Turning } from "../book/turning.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
@@ -32,12 +30,11 @@ import { CrossFade } from "./cross_fade.ts";
 import type { Drags } from "./drag.ts";
 import { bitmapWidth } from "./face_textures.ts";
 import { FoldOut } from "./fold_out.ts";
-import type { Folds } from "./folds.ts";
 import { FrameQuality, firstFrameWait } from "./frame_timing.ts";
 import { LeafCommands } from "./leaf_commands.ts";
 import { Rebinder } from "./rebinder.ts";
 import { Sharpness } from "./sharpness.ts";
-import type { Tearing } from "./tearing.ts";
+import { SheetCommands } from "./sheet_commands.ts";
 import { type Backend, defaultBinding, type ViewerOptions } from "./viewer_options.ts";
 
 export type { DrawnPage, LiveBitmaps } from "../pages/page_bitmaps.ts";
@@ -55,6 +52,8 @@ const fullness = 0.9;
 export class Viewer {
   /** Turns its leaves and unfolds its pages. */
   readonly commands: LeafCommands;
+  /** Folds its leaves, and tears them out. */
+  readonly sheets: SheetCommands;
   readonly #options: ViewerOptions;
   readonly #stage: BookStage;
   readonly #camera: CameraMotion;
@@ -75,13 +74,6 @@ export class Viewer {
   #sizes: readonly number[] = [];
   #frame = 0;
   #handled = false;
-  /** The folded pages, once there is one, and what loads what folds them. */
-  #folds: Promise<Folds | null> | null = null;
-  #loadedFolds: Folds | null = null;
-  /** What tears leaves out, once they may be, and what loads it. */
-  #tearing: Promise<Tearing | null> | null = null;
-  #loadedTearing: Tearing | null = null;
-  readonly #backend: Backend;
   /** Time of the first animation frame, milliseconds, until one is drawn; then long ago. */
   #waitsSince = Number.NaN;
   /** Whether the last frame has fewer pixels than at rest, as pictures of it are missing. */
@@ -101,7 +93,6 @@ export class Viewer {
     backend: Backend,
   ) {
     this.#options = options;
-    this.#backend = backend;
     this.#window = canvas.ownerDocument.defaultView ?? window;
     this.#stage = stage;
     this.#frameQuality = new FrameQuality(stage.isSoftware);
@@ -153,6 +144,16 @@ export class Viewer {
     this.#rebinder = new Rebinder(tools, plan, engine);
     this.#bound.drags.foldOut = this.#foldOut;
     this.commands = new LeafCommands(this.#rebinder, this.#foldOut, arrived);
+    this.sheets = new SheetCommands(
+      { rebinder: this.#rebinder, bitmaps: this.#bitmaps, stage, backend, options },
+      {
+        moved: () => this.#show(),
+        bindSoon: () => this.#bindSoon(),
+        dropCorner: () => this.commands.dropCorner(),
+        lay: (spread) => this.#layBare(spread),
+        isSeen: ({ x, y }) => x >= 0 && y >= 0 && x <= this.#cssWidth && y <= this.#cssHeight,
+      },
+    );
   }
 
   /**
@@ -331,86 +332,6 @@ export class Viewer {
     this.#bindSoon();
   }
 
-  /**
-   * Folds pages, in place of what was folded before. Resolves, once that is done, to the folds
-   * that there are: those of a leaf that cannot be folded so stay as they were. Null where leaves
-   * cannot be creased, and if what folds them cannot be loaded.
-   *
-   * @param isSeen whether a leaf that lies open is seen to be folded
-   */
-  async fold(folds: readonly LeafFold[], isSeen: boolean): Promise<readonly LeafFold[] | null> {
-    this.#folds ??= this.#loadFolds();
-    const loaded = await this.#folds;
-    if (this.#destroyed || loaded === null) return null;
-    this.#bindSoon();
-    const folded = loaded.fold(folds, isSeen);
-    this.#show();
-    const found = await folded;
-    // What was folded at once since the last frame has to be drawn with the pages that it bares.
-    this.#show();
-    return found;
-  }
-
-  /** Takes over the folds of pages that are about to lie elsewhere: the book is bound anew by them. */
-  keepFolds(folds: readonly LeafFold[]): void {
-    this.#loadedFolds?.keep(folds);
-  }
-
-  /** Loads what tears leaves out, where they may be. Resolves once it is there, or cannot be. */
-  async allowTearing(): Promise<void> {
-    if (!this.#options.tearing?.line()) return;
-    this.#tearing ??= this.#loadTearing();
-    await this.#tearing;
-    if (this.#destroyed) return;
-    this.#bindSoon();
-  }
-
-  /**
-   * Tears the leaf of an open page (from 1) out. Resolves, once it is off, to whether it is.
-   *
-   * @param isSeen whether it is seen to be torn, and lies beside the book then
-   */
-  async tearOut(page: number, isSeen: boolean): Promise<boolean> {
-    await this.allowTearing();
-    if (this.#destroyed || !(await this.commands.dropCorner())) return false;
-    const torn = this.#loadedTearing?.tearOut(page, isSeen) ?? false;
-    this.invalidate();
-    return await torn;
-  }
-
-  /** The first open page (from 1) whose leaf may be torn out; null if none may. */
-  get tearablePage(): number | null {
-    const { binding } = this;
-    if (!this.#backend.tearing || !this.#options.tearing?.line()) return null;
-    const pages = pagesAt(binding, this.turning.spread);
-    return pages.find((page) => spineOf(binding, page) !== "board") ?? null;
-  }
-
-  /** The loose sheets that are neither crumpled nor torn across: one is flat, all are folded, or null. */
-  get wholeSheet(): "flat" | "folded" | null {
-    return this.#loadedTearing?.wholeSheet ?? null;
-  }
-
-  /** Crumples the loose sheet that was torn out last and is not crumpled. Returns whether there is one. */
-  crumple(): boolean {
-    return this.#loadedTearing?.crumple() ?? false;
-  }
-
-  /**
-   * Tears the loose sheet across that was torn out last and is neither crumpled nor torn, from a
-   * place on an edge of the page that it shows to another. Returns whether there is one that can
-   * be torn so.
-   */
-  tearAcross(from: PagePlace, to: PagePlace): boolean {
-    return this.#loadedTearing?.tearAcross(from, to) ?? false;
-  }
-
-  /** Takes a loose sheet away: the one that the owner of the pages has given a number. */
-  removeSheet(id: number): void {
-    this.#loadedTearing?.remove(id);
-    this.#show();
-  }
-
   /** Redraws a page (from 1) whose content has changed. */
   redraw(page: number): void {
     if (this.#destroyed) return;
@@ -558,9 +479,8 @@ export class Viewer {
     this.#crossFade.close();
     this.commands.close();
     this.#foldOut.close();
-    this.#loadedFolds?.close();
+    this.sheets.close();
     this.#modelSwitch.close();
-    this.#loadedTearing?.close();
     this.#rebinder.close();
     this.#sharpness.close();
     this.#bitmaps.close();
@@ -589,14 +509,14 @@ export class Viewer {
     const { ticks, engine } = this.#bound;
     const passed = ticks.count(now);
     const seconds = passed * engine.tick;
-    const isPressed = this.#loadedFolds?.step(seconds) ?? false;
+    const isPressed = this.sheets.stepFolds(seconds);
     // Else nothing in the engine has moved since the book was laid open.
     const turned = this.turning.moving || this.turning.isSettling;
     if (turned) this.turning.step(passed);
     // A listener of a turn may destroy the viewer at once.
     if (this.#destroyed) return;
     if (turned) this.#modelSwitch.update(this.#bound, seconds);
-    const tearing = this.#loadedTearing?.step(passed) ?? false;
+    const tearing = this.sheets.stepLoose(passed);
     if (this.#destroyed) return;
     const turning = this.turning.moving;
     if (!turning) this.#bindAnew();
@@ -612,7 +532,7 @@ export class Viewer {
     this.#frame = 0;
     const posed = this.#bound.pose();
     const modelled = { ...this.#modelSwitch.pose(posed), flap: this.#foldOut.surface };
-    const pose = this.#loadedTearing?.pose(modelled) ?? modelled;
+    const pose = this.sheets.pose(modelled);
     if (stepping) this.#bound.drags.follow();
     // A leaf held still takes no more frames until its pointer moves.
     const still =
@@ -693,8 +613,7 @@ export class Viewer {
     const before = this.binding;
     this.#rebinder.bindAnew(this.#cssWidth, this.#cssHeight);
     this.#bound.drags.foldOut = this.#foldOut;
-    this.#loadedFolds?.bound();
-    this.#loadedTearing?.bound();
+    this.sheets.bound();
     this.#viewHistory.forget();
     this.#stillHistory.forget();
     const { edge, layout } = this.binding;
@@ -702,60 +621,23 @@ export class Viewer {
     this.#show();
   }
 
+  /** Lays the book open where a leaf has come off. */
+  #layBare(spread: number): void {
+    const from = this.turning.restedAt;
+    this.turning.lay(spread);
+    this.#rebinder.rested(this.#cssWidth, this.#cssHeight);
+    if (from !== spread) this.#options.onRest(from, spread);
+  }
+
   /** Has the book bound by an engine whose fold-outs open, as soon as it rests. */
   async #readyFoldOuts(): Promise<void> {
     try {
-      await this.#useCreasable();
+      await this.sheets.useCreasable();
       await this.commands.dropCorner();
       this.#bindSoon();
     } catch (error) {
       this.#options.onMissingPart?.(error);
     }
-  }
-
-  async #useCreasable(): Promise<void> {
-    const { creasable } = this.#backend;
-    if (creasable) await this.#rebinder.useCreasable(creasable);
-  }
-
-  async #loadFolds(): Promise<Folds | null> {
-    try {
-      const [loaded] = await Promise.all([this.#backend.folds?.(), this.#useCreasable()]);
-      if (loaded) this.#loadedFolds = new loaded.Folds(this.#rebinder, () => this.#show());
-    } catch (error) {
-      this.#options.onMissingPart?.(error);
-    }
-    return this.#loadedFolds;
-  }
-
-  async #loadTearing(): Promise<Tearing | null> {
-    const owner = this.#options.tearing;
-    try {
-      const [loaded] = await Promise.all([this.#backend.tearing?.(), this.#useCreasable()]);
-      if (loaded && owner) {
-        const hooks = {
-          line: () => owner.line(),
-          mayTear: (pages: readonly number[]) => owner.mayTear(pages),
-          takeOut: (pages: readonly number[]) => owner.takeOut(pages),
-          heard: (work: number) => owner.heard(work),
-          moved: () => this.#show(),
-          lay: (spread: number) => {
-            const from = this.turning.restedAt;
-            this.turning.lay(spread);
-            this.#rebinder.rested(this.#cssWidth, this.#cssHeight);
-            if (from !== spread) this.#options.onRest(from, spread);
-          },
-          isSeen: ({ x, y }: Place) =>
-            x >= 0 && y >= 0 && x <= this.#cssWidth && y <= this.#cssHeight,
-        };
-        const [rebinder, bitmaps] = [this.#rebinder, this.#bitmaps];
-        this.#loadedTearing = new loaded.Tearing(rebinder, bitmaps, this.#stage, hooks);
-      }
-    } catch (error) {
-      this.#options.onMissingPart?.(error);
-    }
-    if (this.#destroyed) this.#loadedTearing?.close();
-    return this.#loadedTearing;
   }
 
   /** Updates the bitmap of every face, requests the pages wanted next, and draws them. */
@@ -777,7 +659,7 @@ export class Viewer {
     const { faceTextures: picturing } = this.#bound;
     if (this.#cssWidth > 0) picturing.want(this.#pictureWidth);
     const hasChanged = picturing.show(this.#foldOut.parts, this.#isStill);
-    this.#loadedTearing?.show(this.#stage);
+    this.sheets.show();
     this.#sharpness.keep(picturing.pages);
     return hasChanged;
   }
