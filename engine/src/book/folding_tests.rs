@@ -279,3 +279,22 @@ fn leaves_that_lie_on_each_others_dog_ears_are_drawn_where_they_are() {
         );
     }
 }
+
+/// Frames are late: by the second the leaf, hardly folded yet, lies so still that it is eased to rest.
+#[test]
+fn a_leaf_that_is_pressed_while_it_comes_to_rest_is_folded() {
+    let mut book = Book::new(0.13, 0.2, 12, 0.004).unwrap();
+    *book.board_mut(0) = Board::new(Side::Left);
+    book.lay(2);
+    let id = book.pick_up(Side::Right, 2, 3).unwrap();
+    let line = FoldLine::pressed([[0.6, 0.0], [0.6, 1.0]], 0.0, &Stock::BOOK, 0.13);
+    assert!(book.crease(2, &[line]));
+    for (ticks, rest) in [(4, 2f32), (12, 28.0), (14, 80.0), (2, 88.0), (120, 160.0)] {
+        book.press(2, 0, rest.to_radians());
+        book.step(ticks);
+    }
+    book.update();
+    assert!(book.phase(id).is_none() && book.is_asleep());
+    let fore_edge = book.surface(0).unwrap().position(48, 0);
+    assert!(fore_edge[0] < 0.4 * 0.13, "{fore_edge:?}");
+}

@@ -38,6 +38,8 @@ impl Leaf {
     /// Turns the rest of a crease to an angle, radians as [`FoldLine::rest`]; one that is opening
     /// goes on to there.
     pub fn press(&mut self, crease: usize, rest: f32) {
+        // Where it was to be eased to rest it would lie as it landed, folded as it was then.
+        self.settling = None;
         match self.opening.as_mut().filter(|_| CAN_CREASE) {
             Some(opening) => {
                 if let Some(to) = opening.to.get_mut(crease) {
