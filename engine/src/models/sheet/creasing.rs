@@ -71,7 +71,7 @@ impl Sheet {
         self.sweep = Sweep::new(&self.settings, &material);
         for (node, pin) in self.pins.iter().enumerate() {
             if pin.is_some() {
-                self.sweep.mobility[node] = 0.0;
+                self.sweep.hold(node);
             }
         }
         for grab in &mut self.grabs {

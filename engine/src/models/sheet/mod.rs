@@ -9,6 +9,7 @@
 
 mod assemble;
 mod bending;
+mod chains;
 mod contact;
 mod crease;
 mod creased;
@@ -21,6 +22,7 @@ mod folding_tests;
 mod grabs;
 mod grid_walk;
 mod hinges;
+mod lane_nodes;
 mod material;
 mod measure;
 mod membrane;
@@ -391,7 +393,7 @@ impl Sheet {
         self.pins[node] = place;
         self.sweep.release(&self.settings, &self.material, node);
         if place.is_some() {
-            self.sweep.mobility[node] = 0.0;
+            self.sweep.hold(node);
         }
     }
 
