@@ -100,6 +100,23 @@ impl<T: Real> Band<T> {
         self.row_mut(row)[place] += value;
     }
 
+    /// Where the entry of a row and a column that is not after it is kept, for [`Self::add_block`].
+    pub fn place(&self, row: usize, column: usize) -> usize {
+        self.at(row, self.lead + column)
+    }
+
+    /// Adds to three rows below each other, to four entries of each. Those that are in no lower
+    /// part must be zero.
+    #[inline(always)]
+    pub fn add_block(&mut self, place: usize, block: [T::Four; 3]) {
+        let mut rows = self.entries[place..].chunks_mut(self.lead);
+        for added in block {
+            let row = rows.next().and_then(|row| row.first_chunk_mut::<4>());
+            let row = row.expect("a block of the matrix");
+            *row = (T::Four::of(*row) + added).to_array();
+        }
+    }
+
     #[inline(always)]
     fn diagonal(&self, row: usize) -> usize {
         self.at(row, self.lead + row)

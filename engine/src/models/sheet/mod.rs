@@ -21,6 +21,8 @@ mod flat;
 mod folding_tests;
 mod grabs;
 mod grid_walk;
+mod hinge_angles;
+mod hinge_triangle;
 mod hinges;
 mod lane_nodes;
 mod material;

@@ -75,19 +75,14 @@ impl System {
         }
     }
 
-    /// Adds the first three columns of a block (their lower part, where `node` is `other`) at
-    /// the row of `node` and the column of `other`, which is not after it.
-    #[inline(always)]
-    pub fn add_block(&mut self, node: usize, other: usize, block: [[f32; 4]; 3]) {
-        let (row, column) = (self.unknown(node), self.unknown(other));
-        let width = self.matrix.half_bandwidth();
-        for (i, block) in block.iter().enumerate() {
-            let from = column + width - (row + i);
-            let entries = &mut self.matrix.row_mut(row + i)[from..];
-            let last = if node == other { i } else { 2 };
-            for k in 0..=last {
-                entries[k] += block[k];
-            }
+    /// Where in the matrix the block of two nodes is, the second not after the first; the place
+    /// before the first row where either does not move.
+    pub fn block_place(&self, node: usize, other: usize) -> usize {
+        let is_moved = |node: usize| node < self.forces.len() / 3 && self.moves(node);
+        if is_moved(node) && is_moved(other) {
+            self.matrix.place(self.unknown(node), self.unknown(other))
+        } else {
+            0
         }
     }
 
