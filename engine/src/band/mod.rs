@@ -100,20 +100,24 @@ impl<T: Real> Band<T> {
         self.row_mut(row)[place] += value;
     }
 
-    /// Where the entry of a row and a column that is not after it is kept, for [`Self::add_block`].
+    /// Where the entry of a row and a column that is not after it is kept, for [`Self::add_blocks`].
     pub fn place(&self, row: usize, column: usize) -> usize {
         self.at(row, self.lead + column)
     }
 
-    /// Adds to three rows below each other, to four entries of each. Those that are in no lower
-    /// part must be zero.
+    /// Adds blocks one after another to three rows below each other, to four entries of each.
+    /// What a block has in no lower part must be zero.
     #[inline(always)]
-    pub fn add_block(&mut self, place: usize, block: [T::Four; 3]) {
+    pub fn add_blocks(&mut self, place: usize, blocks: &[[T::Four; 3]]) {
         let mut rows = self.entries[place..].chunks_mut(self.lead);
-        for added in block {
+        for i in 0..3 {
             let row = rows.next().and_then(|row| row.first_chunk_mut::<4>());
             let row = row.expect("a block of the matrix");
-            *row = (T::Four::of(*row) + added).to_array();
+            let mut sum = T::Four::of(*row);
+            for block in blocks {
+                sum = sum + block[i];
+            }
+            *row = sum.to_array();
         }
     }
 

@@ -1,8 +1,8 @@
 //! A triangle of a creased sheet: what couples the angles of its three hinges.
 //!
 //! Its corners are vertices of all three hinges, the apex across a hinge of that one alone.
-//! So the Hessian's block of two corners is a sum of three products of slopes, and one with
-//! an apex is a single product.
+//! So the Hessian's block of two corners is a sum of three products of slopes, and one whose
+//! earlier node is an apex is a single product: the others are zero, and are left out.
 
 use super::hinge_angles::Slopes;
 use super::system::System;
@@ -19,21 +19,24 @@ const PAIRS: usize = APEXES + 3;
 /// Two of three, the second before the first.
 const TWO: [[usize; 2]; 3] = [[1, 0], [2, 0], [2, 1]];
 
-/// A triangle with its corners in rising order, and its hinges in that of the apexes across.
+/// A triangle with its corners in rising order.
 #[derive(Clone, Debug)]
 pub(super) struct Triangle {
     corners: [usize; 3],
+    /// Across each of its hinges.
     apexes: [usize; 3],
     /// Its hinges; one that there is not is another, whose slopes are zero.
     hinges: [usize; 3],
     /// Which vertex of each hinge each corner is, and the apex.
     vertices: [[u8; 4]; 3],
     /// Energy is half of the angles' product with this, N m.
-    pub stiffness: [[f32; 3]; 3],
+    stiffness: [[f32; 3]; 3],
     /// Where each pair's block begins in the matrix.
     places: [u32; PAIRS],
     /// For each apex a bit for each corner that comes after it.
     is_corner_later: [u8; 3],
+    /// For each of [`TWO`] apexes whether the first of them comes after the second.
+    is_first_later: [bool; 3],
 }
 
 impl Triangle {
@@ -49,29 +52,28 @@ impl Triangle {
             let apex = vertices.into_iter().find(|node| !corners.contains(node));
             apex.expect("a hinge has an apex across")
         };
-        let mut order = [0, 1, 2];
-        order.sort_by_key(|k| apex_of(hinges[*k].1));
-        let apexes = order.map(|k| apex_of(hinges[k].1));
-        let vertices = order.map(|k| {
+        let apexes = hinges.map(|(_, vertices)| apex_of(vertices));
+        let vertices = [0, 1, 2].map(|k| {
             let of = |node: usize| {
                 let found = hinges[k].1.iter().position(|known| *known == node);
                 // Of another hinge: anyone will do.
                 found.unwrap_or(0) as u8
             };
             let [a, b, c] = corners.map(of);
-            [a, b, c, of(apex_of(hinges[k].1))]
+            [a, b, c, of(apexes[k])]
         });
         Self {
             corners,
             apexes,
-            hinges: order.map(|k| hinges[k].0),
+            hinges: hinges.map(|(hinge, _)| hinge),
             vertices,
-            stiffness: order.map(|i| order.map(|j| stiffness[i][j])),
+            stiffness,
             places: [0; PAIRS],
             is_corner_later: apexes.map(|apex| {
                 let later = |bits, k: usize| bits | u8::from(corners[k] > apex) << k;
                 (0..3).fold(0, later)
             }),
+            is_first_later: TWO.map(|[a, b]| apexes[a] > apexes[b]),
         }
     }
 
@@ -96,9 +98,10 @@ impl Triangle {
         self.places = places;
     }
 
-    /// Which of its hinges one is, if it is of them.
-    pub fn side(&self, hinge: usize) -> Option<usize> {
-        self.hinges.iter().position(|own| *own == hinge)
+    /// Its stiffness by the angle of a hinge alone, N m; 0 of one that it has not.
+    pub fn stiffness_at(&self, hinge: usize) -> f32 {
+        let side = self.hinges.iter().position(|own| *own == hinge);
+        side.map_or(0.0, |k| self.stiffness[k][k])
     }
 
     /// Adds the moments of its hinges at angles, N m.
@@ -137,38 +140,56 @@ impl Triangle {
         let mut pair = 0;
         for later in 0..3 {
             for earlier in 0..=later {
-                let [first, second, third] =
-                    [0, 1, 2].map(|k| product(own[k][later], turned[k][earlier]));
-                let block = core::array::from_fn(|i| first[i] + second[i] + third[i]);
-                let block = if later == earlier {
-                    lower(block)
-                } else {
-                    block
-                };
-                matrix.add_block(self.places[pair] as usize, block);
+                let [a, b, c] = [0, 1, 2].map(|k| (turned[k][later], own[k][earlier]));
+                let mask = later == earlier;
+                add(matrix, self.places[pair], mask, &[a, b, c]);
                 pair += 1;
             }
         }
         for k in 0..3 {
+            let apex = across[k];
+            let moments = [0, 1, 2].map(|other: usize| stiff[other][k] * apex);
             for corner in 0..3 {
-                let (apex, moment) = (across[k], turned[k][corner]);
-                let block = if self.is_corner_later[k] >> corner & 1 == 1 {
-                    product(moment, apex)
+                let place = self.places[CORNERS + 3 * k + corner];
+                if self.is_corner_later[k] >> corner & 1 == 1 {
+                    add(matrix, place, false, &[(turned[k][corner], apex)]);
                 } else {
-                    product(apex, moment)
-                };
-                matrix.add_block(self.places[CORNERS + 3 * k + corner] as usize, block);
+                    let [a, b, c] = [0, 1, 2].map(|other| (moments[other], own[other][corner]));
+                    add(matrix, place, false, &[a, b, c]);
+                }
             }
-        }
-        for k in 0..3 {
-            let block = lower(product(across[k], stiff[k][k] * across[k]));
-            matrix.add_block(self.places[MIXED + k] as usize, block);
+            add(matrix, self.places[MIXED + k], true, &[(moments[k], apex)]);
         }
         for (k, [a, b]) in TWO.into_iter().enumerate() {
-            let block = product(across[a], stiff[a][b] * across[b]);
-            matrix.add_block(self.places[APEXES + k] as usize, block);
+            let [later, earlier] = if self.is_first_later[k] {
+                [a, b]
+            } else {
+                [b, a]
+            };
+            let moment = stiff[earlier][later] * across[later];
+            add(
+                matrix,
+                self.places[APEXES + k],
+                false,
+                &[(moment, across[earlier])],
+            );
         }
     }
+}
+
+/// Adds products a b^T to a block one after another, of a node's own block the lower part.
+#[inline(always)]
+fn add<const N: usize>(
+    matrix: &mut Band<f32>,
+    place: u32,
+    is_own: bool,
+    products: &[(Four, Four); N],
+) {
+    let rows = products.map(|(a, b)| {
+        let rows = product(a, b);
+        if is_own { lower(rows) } else { rows }
+    });
+    matrix.add_blocks(place as usize, &rows);
 }
 
 /// The rows of a b^T.

@@ -34,6 +34,8 @@ struct Fold {
     last: f32,
     /// Part of the turn from rest that bends the paper beside the crease.
     fraction: f32,
+    /// Energy in the crease is half of this times the square of that part, N m.
+    stiffness: f32,
     /// Moment of the crease by its angle from rest, N m.
     spring: f32,
     plasticity: Plasticity,
@@ -265,14 +267,14 @@ impl Hinges {
 
     /// Makes folds of the hinges on creases.
     fn fold(&mut self, material: &Material, creases: &[FoldLine], own: usize) {
-        let folds = self.hinges[..own].iter().enumerate();
-        let folds = folds.filter_map(|(hinge, &[from, to, ..])| {
+        for (hinge, &[from, to, ..]) in self.hinges[..own].iter().enumerate() {
             let edge = [from.min(to), from.max(to)];
-            let (_, crease) = material.folds.iter().find(|(fold, _)| *fold == edge)?;
-            Some(self.fold_at(hinge, *crease, material, &creases[*crease]))
-        });
-        let folds: Vec<(Fold, f32)> = folds.collect();
-        self.take_folds(folds);
+            let Some((_, crease)) = material.folds.iter().find(|(fold, _)| *fold == edge) else {
+                continue;
+            };
+            let fold = self.fold_at(hinge, *crease, material, &creases[*crease]);
+            self.folds.push(fold);
+        }
     }
 
     /// Makes a fold of every hinge, flat at first, as if each were creased by hand.
@@ -280,57 +282,33 @@ impl Hinges {
         let line = FoldLine::pressed([[0.0; 2]; 2], 0.0, &settings.stock, settings.width);
         let count = material.places.len();
         let inner = (0..own).filter(|hinge| self.hinges[*hinge][2] < count);
-        let folds = inner.map(|hinge| {
-            let (mut fold, stiffness) = self.fold_at(hinge, 0, material, &line);
+        let folds = inner.map(|hinge| Fold {
             // Shut but for what it springs back by: no facet is pressed through the next.
-            fold.tightest = PI - line.yields as f32;
-            (fold, stiffness)
+            tightest: PI - line.yields as f32,
+            ..self.fold_at(hinge, 0, material, &line)
         });
-        let folds: Vec<(Fold, f32)> = folds.collect();
-        self.take_folds(folds);
+        self.folds = folds.collect();
     }
 
-    /// Takes folds, each with what its crease adds to the stiffness of its hinge, N m.
-    fn take_folds(&mut self, folds: Vec<(Fold, f32)>) {
-        for (fold, stiffness) in folds {
-            let mut triangles = self.triangles.iter_mut();
-            let of_one = triangles.find_map(|triangle| {
-                let side = triangle.side(fold.hinge)?;
-                Some(&mut triangle.stiffness[side][side])
-            });
-            if let Some(of_one) = of_one {
-                *of_one += stiffness;
-            }
-            self.folds.push(fold);
-        }
-    }
-
-    /// A hinge as part of a crease, and its stiffness: energy in the crease is half of this times
-    /// the square of the part of the turn that bends the paper beside it, N m.
-    fn fold_at(
-        &self,
-        hinge: usize,
-        crease: usize,
-        material: &Material,
-        line: &FoldLine,
-    ) -> (Fold, f32) {
-        let of_triangle = |triangle: &Triangle| {
-            let side = triangle.side(hinge);
-            side.map_or(0.0, |k| f64::from(triangle.stiffness[k][k]))
-        };
-        let paper: f64 = self.triangles.iter().map(of_triangle).sum();
+    /// A hinge as part of a crease.
+    fn fold_at(&self, hinge: usize, crease: usize, material: &Material, line: &FoldLine) -> Fold {
+        let triangles = self.triangles.iter();
+        let paper: f64 = triangles
+            .map(|triangle| f64::from(triangle.stiffness_at(hinge)))
+            .sum();
         let [from, to, ..] = self.hinges[hinge];
         let [a, b] = [from, to].map(|node| material.places[node]);
         let d = [b[0] - a[0], b[1] - a[1]];
         let length = (d[0] * d[0] + d[1] * d[1]).sqrt();
         // Each edge is a hinge of both triangulations, with half of the crease.
         let spring = 0.5 * length * line.stiffness;
-        let fold = Fold {
+        Fold {
             hinge,
             crease,
             rest: -line.rest as f32,
             last: 0.0,
             fraction: (1.0 / (1.0 + paper / spring)) as f32,
+            stiffness: (paper * paper / spring) as f32,
             spring: spring as f32,
             plasticity: Plasticity {
                 // As single precision has it, in which the hinge is measured.
@@ -338,13 +316,20 @@ impl Hinges {
                 creep: line.creep,
             },
             tightest: f32::INFINITY,
-        };
-        (fold, (paper * paper / spring) as f32)
+        }
     }
 
     /// Adds bending's forces and its Hessian times `scale`, both at `positions`.
-    /// `tangents` are, for each row, the places to which the clamp's tangent points.
-    pub fn add_to(&mut self, positions: &[f32], tangents: &[f32], scale: f32, system: &mut System) {
+    /// `tangents` are, for each row, the places to which the clamp's tangent points. The
+    /// matrix becomes that of bending and of the nodes' `inertia`, mass over the square of a step.
+    pub fn add_to(
+        &mut self,
+        positions: &[f32],
+        tangents: &[f32],
+        scale: f32,
+        inertia: impl Iterator<Item = f32>,
+        system: &mut System,
+    ) {
         self.look(positions, tangents);
         let fours = self.hinges.as_chunks::<4>().0.iter().zip(&self.moves);
         let slopes = self.slopes.as_chunks_mut::<4>().0;
@@ -360,11 +345,39 @@ impl Hinges {
             *slopes = slopes.map(|slope| Four::splat(fold.fraction) * slope);
         }
         self.moments.fill(0.0);
+        system.matrix.clear();
         for triangle in &self.triangles {
             triangle.add_moments(&self.angles, &mut self.moments);
             triangle.add_to(&self.slopes, scale, &mut system.matrix);
         }
-        self.forces.fill(Four::splat(0.0));
+        for (node, inertia) in inertia.enumerate() {
+            if system.moves(node) {
+                system.add_diagonal(node, inertia);
+            }
+        }
+        for fold in &self.folds {
+            self.moments[fold.hinge] += fold.stiffness * self.angles[fold.hinge];
+            let hinge = &self.hinges[fold.hinge];
+            let slopes = self.slopes[fold.hinge].map(|slope| {
+                let [x, y, z, _] = slope.array();
+                [x, y, z]
+            });
+            let scaled = slopes.map(|slope| slope.map(|s| scale * fold.stiffness * s));
+            let nodes = positions.len() / 3;
+            let moves = hinge.map(|node| node < nodes && system.moves(node));
+            for i in 0..4 {
+                for j in 0..4 {
+                    let (a, b) = (hinge[i], hinge[j]);
+                    if b <= a && moves[i] && moves[j] {
+                        system.add_product(a, b, scaled[i], slopes[j]);
+                    }
+                }
+            }
+        }
+        let forces = system.forces.as_chunks_mut::<3>().0;
+        for (to, [x, y, z]) in self.forces.iter_mut().zip(&*forces) {
+            *to = Four::new([*x, *y, *z, 0.0]);
+        }
         let hinges = self.hinges.iter().zip(&self.slopes).zip(&self.moments);
         for ((hinge, slopes), moment) in hinges {
             let moment = Four::splat(*moment);
@@ -373,10 +386,9 @@ impl Hinges {
                 *force = *force - moment * *slope;
             }
         }
-        let forces = system.forces.as_chunks_mut::<3>().0;
         for (to, force) in forces.iter_mut().zip(&self.forces) {
             let [x, y, z, _] = force.array();
-            *to = [to[0] + x, to[1] + y, to[2] + z];
+            *to = [x, y, z];
         }
     }
 
