@@ -285,7 +285,9 @@ impl Four {
     /// Four rows of numbers as four columns.
     #[inline(always)]
     pub fn transpose(rows: [Self; 4]) -> [Self; 4] {
-        target::transpose(rows.map(|row| row.0)).map(Self)
+        let [a, b, c, d] = rows;
+        let [a, b, c, d] = target::transpose([a.0, b.0, c.0, d.0]);
+        [Self(a), Self(b), Self(c), Self(d)]
     }
 }
 

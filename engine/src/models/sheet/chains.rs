@@ -109,7 +109,9 @@ impl Chains {
             let group = self.columns[group];
             let places = || (group.start..).step_by(stride);
             for (point, at) in self.points[..group.count].iter_mut().zip(places()) {
-                *point = nodes.axes.each_ref().map(|axis| Four::load(axis, at));
+                for (lanes, axis) in point.iter_mut().zip(&nodes.axes) {
+                    *lanes = Four::load(axis, at);
+                }
             }
             off = off.greater(self.restore_group(group));
             for (point, at) in self.points[..group.count].iter().zip(places()) {
@@ -124,17 +126,22 @@ impl Chains {
             let fours = self.points[..count].as_chunks_mut::<4>().0;
             for (points, at) in fours.iter_mut().zip((group.start..).step_by(4)) {
                 for (axis, list) in nodes.axes.iter().enumerate() {
-                    let rows = [0, 1, 2, 3].map(|row| Four::load(list, at + row * stride));
-                    for (point, lanes) in points.iter_mut().zip(Four::transpose(rows)) {
-                        point[axis] = lanes;
-                    }
+                    let [a, b, c, d] = Four::transpose([
+                        Four::load(list, at),
+                        Four::load(list, at + stride),
+                        Four::load(list, at + 2 * stride),
+                        Four::load(list, at + 3 * stride),
+                    ]);
+                    (points[0][axis], points[1][axis]) = (a, b);
+                    (points[2][axis], points[3][axis]) = (c, d);
                 }
             }
             off = off.greater(self.restore_group(group));
             let fours = self.points[..count].as_chunks::<4>().0;
             for (points, at) in fours.iter().zip((group.start..).step_by(4)) {
                 for (axis, list) in nodes.axes.iter_mut().enumerate() {
-                    let rows = Four::transpose(points.map(|point| point[axis]));
+                    let [a, b, c, d] = points;
+                    let rows = Four::transpose([a[axis], b[axis], c[axis], d[axis]]);
                     for (row, lanes) in rows.into_iter().enumerate() {
                         lanes.store(list, at + row * stride);
                     }
@@ -162,10 +169,11 @@ impl Chains {
         };
         let ends = points.windows(2).zip(mobilities.windows(2));
         for ((link, (ends, mobilities)), &rest) in links.iter_mut().zip(ends).zip(lengths) {
-            let d: Point = core::array::from_fn(|axis| ends[1][axis] - ends[0][axis]);
+            let (a, b) = (ends[0], ends[1]);
+            let d = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
             let length = shortest.greater(dot(d, d).sqrt());
             let inverse = one / length;
-            let direction = d.map(|d| d * inverse);
+            let direction = [d[0] * inverse, d[1] * inverse, d[2] * inverse];
             let excess = length - rest;
             off = off.greater(excess.abs() / rest);
             let below = (nothing - mobilities[0]) * dot(before.direction, direction);

@@ -15,7 +15,8 @@ pub(super) type Hinge = [usize; 4];
 #[inline(always)]
 fn gather(hinges: &[Hinge; 4], places: &[Four]) -> Vertices {
     core::array::from_fn(|vertex| {
-        let rows = [0, 1, 2, 3].map(|hinge| places[hinges[hinge][vertex]]);
+        let [a, b, c, d] = hinges;
+        let rows = [a, b, c, d].map(|hinge| places[hinge[vertex]]);
         let [x, y, z, _] = Four::transpose(rows);
         [x, y, z]
     })

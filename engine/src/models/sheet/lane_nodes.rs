@@ -81,7 +81,8 @@ impl LaneNodes {
     /// The place of a node.
     #[inline(always)]
     pub fn get(&self, at: usize) -> [f32; 3] {
-        self.axes.each_ref().map(|axis| axis[at])
+        let [x, y, z] = &self.axes;
+        [x[at], y[at], z[at]]
     }
 
     /// Moves a node along a direction times `far`.

@@ -286,20 +286,19 @@ impl Sweep {
     /// diagonals over four times its area.
     fn limit_shear(&mut self, allowed: f32) -> f32 {
         let stride = self.nodes.stride;
-        let (half, most_allowed) = (Four::splat(0.5), Four::splat(allowed));
+        let (nothing, half) = (Four::splat(0.0), Four::splat(0.5));
+        let most_allowed = Four::splat(allowed);
         let mut most = 0.0f32;
         for row in 0..self.rows - 1 {
             for column in (0..self.columns - 1).step_by(4) {
                 let foot = row * stride + column;
-                let across = |from: usize, to: usize| {
-                    let axes = self.nodes.axes.each_ref();
-                    axes.map(|axis| Four::load(axis, to) - Four::load(axis, from))
-                };
-                let [rising, falling] = [
-                    across(foot, foot + stride + 1),
-                    across(foot + stride, foot + 1),
-                ];
-                let [long, short] = [rising, falling].map(|[x, y, z]| x * x + y * y + z * z);
+                let (mut long, mut short) = (nothing, nothing);
+                for axis in &self.nodes.axes {
+                    let rising = Four::load(axis, foot + stride + 1) - Four::load(axis, foot);
+                    let falling = Four::load(axis, foot + 1) - Four::load(axis, foot + stride);
+                    long = long + rising * rising;
+                    short = short + falling * falling;
+                }
                 let rest = Four::load(&self.rests, foot);
                 let shear = half * Four::load(&self.slopes, foot) * (long - short - rest);
                 // Of cells side by side each moves the next, once one has more.
