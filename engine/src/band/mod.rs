@@ -100,6 +100,27 @@ impl<T: Real> Band<T> {
         self.row_mut(row)[place] += value;
     }
 
+    /// Where the entry of a row and a column that is not after it is kept, for [`Self::add_blocks`].
+    pub fn place(&self, row: usize, column: usize) -> usize {
+        self.at(row, self.lead + column)
+    }
+
+    /// Adds blocks one after another to three rows below each other, to four entries of each.
+    /// What a block has in no lower part must be zero.
+    #[inline(always)]
+    pub fn add_blocks(&mut self, place: usize, blocks: &[[T::Four; 3]]) {
+        let mut rows = self.entries[place..].chunks_mut(self.lead);
+        for i in 0..3 {
+            let row = rows.next().and_then(|row| row.first_chunk_mut::<4>());
+            let row = row.expect("a block of the matrix");
+            let mut sum = T::Four::of(*row);
+            for block in blocks {
+                sum = sum + block[i];
+            }
+            *row = sum.to_array();
+        }
+    }
+
     #[inline(always)]
     fn diagonal(&self, row: usize) -> usize {
         self.at(row, self.lead + row)

@@ -95,9 +95,11 @@ impl BookSpaceLeaf {
         };
         let (mut best, mut least) = (start, away(start));
         for (row, [low, high]) in self.bounds.iter().enumerate() {
+            // Compared by hand: a library's greater minds what is no number, and is slow.
             let out = |axis: usize| {
-                let beside = (low[axis] - point[axis]).max(point[axis] - high[axis]);
-                beside.max(0.0)
+                let (below, above) = (low[axis] - point[axis], point[axis] - high[axis]);
+                let beside = if below > above { below } else { above };
+                if beside > 0.0 { beside } else { 0.0 }
             };
             let out = [out(0), out(1), out(2)];
             if dot(out, out) >= least {

@@ -45,7 +45,6 @@ impl Sheet {
     /// keeps, quick ones b. It is stable at any step.
     pub(super) fn assemble(&mut self) {
         self.look_back();
-        self.system.matrix.copy_from(&self.constant);
         self.system.forces.copy_from_slice(&self.weight);
         let forces = &mut self.system.forces;
         for (force, load) in forces.iter_mut().zip(&self.loads) {
@@ -55,9 +54,14 @@ impl Sheet {
         match &mut self.creased {
             Some(creased) if CAN_CREASE => {
                 let hinges = &mut creased.hinges;
-                hinges.add_to(then, tangents, self.stiffer, &mut self.system);
+                let square = self.h * self.h;
+                let inertia = self.mass.iter().map(|mass| mass / square);
+                hinges.add_to(then, tangents, self.stiffer, inertia, &mut self.system);
             }
-            _ => self.bending.subtract_forces(then, tangents, forces),
+            _ => {
+                self.system.matrix.copy_from(&self.constant);
+                self.bending.subtract_forces(then, tangents, forces);
+            }
         }
         self.membrane.add_to(&self.positions, &mut self.system);
         self.add_inertia_and_air();

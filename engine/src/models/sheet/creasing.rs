@@ -67,11 +67,14 @@ impl Sheet {
         let reach = if self.is_creased() { 2 } else { 0 };
         self.system = System::new(columns, rows, first, reach);
         self.constant = System::new(columns, rows, first, reach).matrix;
+        if let (true, Some(creased)) = (CAN_CREASE, &mut self.creased) {
+            creased.hinges.find_places(&self.system);
+        }
         self.membrane = Membrane::new(&self.settings, &material);
         self.sweep = Sweep::new(&self.settings, &material);
         for (node, pin) in self.pins.iter().enumerate() {
             if pin.is_some() {
-                self.sweep.mobility[node] = 0.0;
+                self.sweep.hold(node);
             }
         }
         for grab in &mut self.grabs {

@@ -12,6 +12,8 @@
 //! derivatives: what remains is never negative.
 
 use super::crease::FoldLine;
+use super::hinge_angles::{Hinge, Slopes, angles, measure};
+use super::hinge_triangle::Triangle;
 use super::material::{Material, cut};
 use super::plates::{plate_at, weights};
 use super::settings::{Root, SheetSettings};
@@ -19,29 +21,7 @@ use super::system::System;
 use crate::lanes::Four;
 use crate::models::plastic_hinge::Plasticity;
 use crate::rigidity::Rigidity;
-use crate::vector::{cross, dot, sub};
 use core::f32::consts::PI;
-
-/// Marks the node beyond the spine that the clamp's tangent stands for.
-const GHOST: usize = usize::MAX;
-
-/// An edge's two ends and the apexes on its left and on its right.
-type Hinge = [usize; 4];
-
-/// A triangle: its hinges, and the stiffness between their angles.
-#[derive(Clone, Debug)]
-struct Triangle {
-    hinges: [Option<usize>; 3],
-    /// Its nodes and the apexes across its edges, rising; as many as `count`.
-    nodes: [usize; 6],
-    count: usize,
-    /// Where among them the four vertices of each hinge are; 6 where there is none.
-    vertices: [[usize; 4]; 3],
-    /// Energy is half of the angles' product with this, N m.
-    stiffness: [[f32; 3]; 3],
-    /// For each pair of its nodes, the second not after the first, which block it adds to.
-    blocks: [u16; PAIRS],
-}
 
 /// A hinge on a crease.
 #[derive(Clone, Copy, Debug)]
@@ -63,33 +43,24 @@ struct Fold {
     tightest: f32,
 }
 
-/// The angle of a hinge, and its slopes by the places of its vertices.
-#[derive(Clone, Copy, Debug, Default)]
-struct Angle {
-    value: f32,
-    slopes: [[f32; 3]; 4],
-}
-
-/// A part of the matrix: rows x, y, z of a node, columns x, y, z of another, and a fourth
-/// column of zeros.
-type Block = [Four; 3];
-
-/// Pairs of a triangle's six nodes, each with itself too.
-const PAIRS: usize = 21;
-
 /// The bending of a creased sheet.
 #[derive(Clone, Debug)]
 pub(super) struct Hinges {
     columns: usize,
+    /// By the numbers of nodes, after which come those beyond the spine that the clamp's tangent
+    /// stands for, one a row. The last hinges, at least one, repeat the first and never turn.
     hinges: Vec<Hinge>,
+    /// For each four hinges and each of their vertices 1 where that moves, else 0.
+    moves: Vec<[Four; 4]>,
     triangles: Vec<Triangle>,
     folds: Vec<Fold>,
-    angles: Vec<Angle>,
+    /// Folds' hinges, in fours; the last is repeated.
+    folded: Vec<[Hinge; 4]>,
+    places: Vec<Four>,
+    angles: Vec<f32>,
+    slopes: Vec<Slopes>,
     moments: Vec<f32>,
-    /// Pairs of nodes that triangles couple, the second not after the first, and what they
-    /// add to the matrix: each is added there once.
-    pairs: Vec<[usize; 2]>,
-    blocks: Vec<Block>,
+    forces: Vec<Four>,
     /// Whether creases that are turned further than they yield keep the difference.
     pub may_yield: bool,
     /// Work done in yielding since it was last taken, J.
@@ -99,36 +70,83 @@ pub(super) struct Hinges {
 impl Hinges {
     /// Of a sheet that is flat now.
     pub fn new(settings: &SheetSettings, material: &Material, creases: &[FoldLine]) -> Self {
+        let nodes = material.places.len();
         let mut hinges = Self {
             columns: material.columns,
             hinges: Vec::new(),
+            moves: Vec::new(),
             triangles: Vec::new(),
             folds: Vec::new(),
+            folded: Vec::new(),
+            places: vec![Four::splat(0.0); nodes + material.rows],
             angles: Vec::new(),
+            slopes: Vec::new(),
             moments: Vec::new(),
-            pairs: Vec::new(),
-            blocks: Vec::new(),
+            forces: vec![Four::splat(0.0); nodes + material.rows],
             may_yield: true,
             yielded: 0.0,
         };
+        let mut corners = Vec::new();
         for rising in [false, true] {
-            hinges.triangulate(settings, material, rising);
+            hinges.triangulate(settings, material, rising, &mut corners);
         }
-        hinges.pair(settings.first());
+        let own = hinges.hinges.len();
+        let all = (own + 1).next_multiple_of(4);
+        hinges.hinges.resize(all, hinges.hinges[0]);
+        hinges.make_triangles(settings, material, &corners, own);
         if material.crumples {
-            hinges.fold_everywhere(settings, material);
+            hinges.fold_everywhere(settings, material, own);
         } else {
-            hinges.fold(material, creases);
+            hinges.fold(material, creases, own);
         }
-        hinges.angles = vec![Angle::default(); hinges.hinges.len()];
-        hinges.moments = vec![0.0; hinges.hinges.len()];
+        let first = settings.first();
+        for (four, hinges_of) in hinges.hinges.as_chunks::<4>().0.iter().enumerate() {
+            let moves = [0, 1, 2, 3].map(|vertex| {
+                Four::new([0, 1, 2, 3].map(|lane| {
+                    let node = hinges_of[lane][vertex];
+                    let moves = node < nodes && node % hinges.columns >= first;
+                    if moves && 4 * four + lane < own {
+                        1.0
+                    } else {
+                        0.0
+                    }
+                }))
+            });
+            hinges.moves.push(moves);
+        }
+        let folded: Vec<Hinge> = hinges
+            .folds
+            .iter()
+            .map(|fold| hinges.hinges[fold.hinge])
+            .collect();
+        hinges.folded = folded
+            .chunks(4)
+            .map(|four| core::array::from_fn(|lane| four[lane.min(four.len() - 1)]))
+            .collect();
+        hinges.angles = vec![0.0; all];
+        hinges.slopes = vec![[Four::splat(0.0); 4]; all];
+        hinges.moments = vec![0.0; all];
         hinges
     }
 
+    /// Finds where in the matrix of a system its triangles add.
+    pub fn find_places(&mut self, system: &System) {
+        for triangle in &mut self.triangles {
+            triangle.find_places(system);
+        }
+    }
+
     /// Cuts every cell along its falling or its rising diagonal, but folded ones along
-    /// their fold, and adds what the triangles need.
-    fn triangulate(&mut self, settings: &SheetSettings, material: &Material, rising: bool) {
-        let columns = material.columns;
+    /// their fold, and adds the hinges between the triangles. Lists the triangles' corners, and
+    /// their hinges: that of each corner leads to the next.
+    fn triangulate(
+        &mut self,
+        settings: &SheetSettings,
+        material: &Material,
+        rising: bool,
+        listed: &mut Vec<([usize; 3], [Option<usize>; 3])>,
+    ) {
+        let (columns, count) = (material.columns, material.places.len());
         let cells = material.cells();
         let triangles: Vec<[usize; 3]> =
             cells.flat_map(|foot| cut(material, foot, rising)).collect();
@@ -154,7 +172,7 @@ impl Hinges {
                     Some(other) => [from, to, own, other],
                     // Against the clamp: the spine's edges go down on the left.
                     None if clamped && from % columns == 0 && to % columns == 0 => {
-                        [to, from, GHOST, own]
+                        [to, from, count + to / columns, own]
                     }
                     None => continue,
                 };
@@ -168,24 +186,43 @@ impl Hinges {
             let found = of_edge.binary_search_by(|(known, _)| known.cmp(&edge));
             found.ok().map(|at| of_edge[at].1)
         };
-        let plate = Rigidity::of(&settings.stock, settings.grain);
-        let weights = weights(settings, material);
-        for nodes in &triangles {
+        for nodes in triangles {
             let own = core::array::from_fn(|k| hinge_at(nodes[k], nodes[(k + 1) % 3]));
-            let plate = plate_at(nodes, &plate, &weights, settings, material);
-            let triangle = self.triangle(nodes, own, material, &plate);
-            self.triangles.push(triangle);
+            listed.push((nodes, own));
         }
     }
 
-    fn triangle(
+    /// Makes the triangles of some corners and hinges.
+    fn make_triangles(
+        &mut self,
+        settings: &SheetSettings,
+        material: &Material,
+        listed: &[([usize; 3], [Option<usize>; 3])],
+        none: usize,
+    ) {
+        let plate = Rigidity::of(&settings.stock, settings.grain);
+        let weights = weights(settings, material);
+        for (corners, own) in listed {
+            let plate = plate_at(corners, &plate, &weights, settings, material);
+            let stiffness = self.stiffness(corners, *own, material, &plate);
+            let hinges = own.map(|hinge| {
+                let hinge = hinge.unwrap_or(none);
+                (hinge, self.hinges[hinge])
+            });
+            self.triangles
+                .push(Triangle::new(*corners, hinges, stiffness));
+        }
+    }
+
+    /// The stiffness between the angles of a triangle's hinges, N m.
+    fn stiffness(
         &self,
         nodes: &[usize; 3],
         hinges: [Option<usize>; 3],
         material: &Material,
         plate: &Rigidity,
-    ) -> Triangle {
-        let columns = self.columns;
+    ) -> [[f32; 3]; 3] {
+        let (columns, count) = (self.columns, material.places.len());
         let places = nodes.map(|node| material.places[node]);
         let [a, b, c] = places;
         let area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
@@ -202,7 +239,7 @@ impl Hinges {
                 continue;
             };
             // Half of an angle belongs to a triangle, against the clamp all.
-            let part = if self.hinges[hinge].contains(&GHOST) {
+            let part = if self.hinges[hinge][2] >= count {
                 1.0
             } else {
                 0.5
@@ -225,52 +262,12 @@ impl Hinges {
                 stiffness[i][j] = (0.5 * area * sum) as f32;
             }
         }
-        let mut all: Vec<usize> = Vec::new();
-        for hinge in hinges.into_iter().flatten() {
-            all.extend(self.hinges[hinge].iter().filter(|node| **node != GHOST));
-        }
-        all.sort_unstable();
-        all.dedup();
-        let place = |node: usize| all.iter().position(|known| *known == node).unwrap_or(6);
-        let mut listed = [0; 6];
-        listed[..all.len()].copy_from_slice(&all);
-        Triangle {
-            hinges,
-            nodes: listed,
-            count: all.len(),
-            vertices: hinges.map(|hinge| hinge.map_or([6; 4], |h| self.hinges[h].map(place))),
-            stiffness,
-            blocks: [0; PAIRS],
-        }
-    }
-
-    /// Finds which pairs of nodes triangles couple. Those of nodes that do not move, in columns
-    /// before `first`, all have the last block, which no one reads.
-    fn pair(&mut self, first: usize) {
-        let columns = self.columns;
-        let moves = |node: usize| node % columns >= first;
-        let mut pairs: Vec<[usize; 2]> = Vec::new();
-        for triangle in &self.triangles {
-            triangle.each_pair(|a, b, _| pairs.push([a, b]));
-        }
-        pairs.retain(|[a, b]| moves(*a) && moves(*b));
-        pairs.sort_unstable();
-        pairs.dedup();
-        for triangle in &mut self.triangles {
-            let mut blocks = [0; PAIRS];
-            triangle.each_pair(|a, b, pair| {
-                let found = pairs.binary_search(&[a, b]);
-                blocks[pair] = found.unwrap_or(pairs.len()) as u16;
-            });
-            triangle.blocks = blocks;
-        }
-        self.blocks = vec![[Four::splat(0.0); 3]; pairs.len() + 1];
-        self.pairs = pairs;
+        stiffness
     }
 
     /// Makes folds of the hinges on creases.
-    fn fold(&mut self, material: &Material, creases: &[FoldLine]) {
-        for (hinge, &[from, to, ..]) in self.hinges.iter().enumerate() {
+    fn fold(&mut self, material: &Material, creases: &[FoldLine], own: usize) {
+        for (hinge, &[from, to, ..]) in self.hinges[..own].iter().enumerate() {
             let edge = [from.min(to), from.max(to)];
             let Some((_, crease)) = material.folds.iter().find(|(fold, _)| *fold == edge) else {
                 continue;
@@ -281,9 +278,10 @@ impl Hinges {
     }
 
     /// Makes a fold of every hinge, flat at first, as if each were creased by hand.
-    fn fold_everywhere(&mut self, settings: &SheetSettings, material: &Material) {
+    fn fold_everywhere(&mut self, settings: &SheetSettings, material: &Material, own: usize) {
         let line = FoldLine::pressed([[0.0; 2]; 2], 0.0, &settings.stock, settings.width);
-        let inner = (0..self.hinges.len()).filter(|hinge| !self.hinges[*hinge].contains(&GHOST));
+        let count = material.places.len();
+        let inner = (0..own).filter(|hinge| self.hinges[*hinge][2] < count);
         let folds = inner.map(|hinge| Fold {
             // Shut but for what it springs back by: no facet is pressed through the next.
             tightest: PI - line.yields as f32,
@@ -294,11 +292,10 @@ impl Hinges {
 
     /// A hinge as part of a crease.
     fn fold_at(&self, hinge: usize, crease: usize, material: &Material, line: &FoldLine) -> Fold {
-        let of_triangle = |triangle: &Triangle| {
-            let side = triangle.hinges.iter().position(|own| *own == Some(hinge));
-            side.map_or(0.0, |k| f64::from(triangle.stiffness[k][k]))
-        };
-        let paper: f64 = self.triangles.iter().map(of_triangle).sum();
+        let triangles = self.triangles.iter();
+        let paper: f64 = triangles
+            .map(|triangle| f64::from(triangle.stiffness_at(hinge)))
+            .sum();
         let [from, to, ..] = self.hinges[hinge];
         let [a, b] = [from, to].map(|node| material.places[node]);
         let d = [b[0] - a[0], b[1] - a[1]];
@@ -323,50 +320,89 @@ impl Hinges {
     }
 
     /// Adds bending's forces and its Hessian times `scale`, both at `positions`.
-    /// `tangents` are, for each row, the places to which the clamp's tangent points.
-    pub fn add_to(&mut self, positions: &[f32], tangents: &[f32], scale: f32, system: &mut System) {
-        let (x, tangents) = (positions.as_chunks::<3>().0, tangents.as_chunks::<3>().0);
-        for (hinge, angle) in self.hinges.iter().zip(&mut self.angles) {
-            *angle = measure(&vertices(hinge, x, tangents, self.columns));
+    /// `tangents` are, for each row, the places to which the clamp's tangent points. The
+    /// matrix becomes that of bending and of the nodes' `inertia`, mass over the square of a step.
+    pub fn add_to(
+        &mut self,
+        positions: &[f32],
+        tangents: &[f32],
+        scale: f32,
+        inertia: impl Iterator<Item = f32>,
+        system: &mut System,
+    ) {
+        self.look(positions, tangents);
+        let fours = self.hinges.as_chunks::<4>().0.iter().zip(&self.moves);
+        let slopes = self.slopes.as_chunks_mut::<4>().0;
+        let angles = self.angles.as_chunks_mut::<4>().0;
+        for (((hinges, moves), slopes), angles) in fours.zip(slopes).zip(angles) {
+            *angles = measure(hinges, &self.places, moves, slopes);
         }
         for fold in &mut self.folds {
             let angle = &mut self.angles[fold.hinge];
-            fold.last = unwrapped(angle.value, fold.last);
-            angle.value = fold.fraction * (fold.last - fold.rest);
-            angle.slopes = angle.slopes.map(|slope| slope.map(|s| fold.fraction * s));
+            fold.last = unwrapped(*angle, fold.last);
+            *angle = fold.fraction * (fold.last - fold.rest);
+            let slopes = &mut self.slopes[fold.hinge];
+            *slopes = slopes.map(|slope| Four::splat(fold.fraction) * slope);
         }
         self.moments.fill(0.0);
-        self.blocks.fill([Four::splat(0.0); 3]);
+        system.matrix.clear();
         for triangle in &self.triangles {
             triangle.add_moments(&self.angles, &mut self.moments);
-            triangle.add_to(&self.angles, scale, &mut self.blocks);
+            triangle.add_to(&self.slopes, scale, &mut system.matrix);
         }
-        for ([a, b], block) in self.pairs.iter().zip(&self.blocks) {
-            system.add_block(*a, *b, block.map(Four::array));
+        for (node, inertia) in inertia.enumerate() {
+            if system.moves(node) {
+                system.add_diagonal(node, inertia);
+            }
         }
         for fold in &self.folds {
-            let angle = &self.angles[fold.hinge];
-            self.moments[fold.hinge] += fold.stiffness * angle.value;
+            self.moments[fold.hinge] += fold.stiffness * self.angles[fold.hinge];
             let hinge = &self.hinges[fold.hinge];
-            let scaled = angle
-                .slopes
-                .map(|slope| slope.map(|s| scale * fold.stiffness * s));
+            let slopes = self.slopes[fold.hinge].map(|slope| {
+                let [x, y, z, _] = slope.array();
+                [x, y, z]
+            });
+            let scaled = slopes.map(|slope| slope.map(|s| scale * fold.stiffness * s));
+            let nodes = positions.len() / 3;
+            let moves = hinge.map(|node| node < nodes && system.moves(node));
             for i in 0..4 {
                 for j in 0..4 {
                     let (a, b) = (hinge[i], hinge[j]);
-                    if a != GHOST && b != GHOST && b <= a && system.moves(a) && system.moves(b) {
-                        system.add_product(a, b, scaled[i], angle.slopes[j]);
+                    if b <= a && moves[i] && moves[j] {
+                        system.add_product(a, b, scaled[i], slopes[j]);
                     }
                 }
             }
         }
-        let hinges = self.hinges.iter().zip(&self.angles).zip(&self.moments);
-        for ((hinge, angle), moment) in hinges {
-            for (node, slope) in hinge.iter().zip(&angle.slopes) {
-                if *node != GHOST {
-                    system.push(*node, slope.map(|s| -moment * s));
-                }
+        let forces = system.forces.as_chunks_mut::<3>().0;
+        for (to, [x, y, z]) in self.forces.iter_mut().zip(&*forces) {
+            *to = Four::new([*x, *y, *z, 0.0]);
+        }
+        let hinges = self.hinges.iter().zip(&self.slopes).zip(&self.moments);
+        for ((hinge, slopes), moment) in hinges {
+            let moment = Four::splat(*moment);
+            for (node, slope) in hinge.iter().zip(slopes) {
+                let force = &mut self.forces[*node];
+                *force = *force - moment * *slope;
             }
+        }
+        for (to, force) in forces.iter_mut().zip(&self.forces) {
+            let [x, y, z, _] = force.array();
+            *to = [x, y, z];
+        }
+    }
+
+    /// Takes over where nodes are, and those beyond the spine that the clamp's tangents stand for.
+    fn look(&mut self, positions: &[f32], tangents: &[f32]) {
+        let (x, tangents) = (positions.as_chunks::<3>().0, tangents.as_chunks::<3>().0);
+        let nodes = x.iter().map(|[x, y, z]| Four::new([*x, *y, *z, 0.0]));
+        let spine = x.iter().step_by(self.columns).zip(tangents);
+        let beyond = spine.map(|(spine, tangent)| {
+            let [x, y, z] = core::array::from_fn(|axis| 2.0 * spine[axis] - tangent[axis]);
+            Four::new([x, y, z, 0.0])
+        });
+        for (place, at) in self.places.iter_mut().zip(nodes.chain(beyond)) {
+            *place = at;
         }
     }
 
@@ -381,20 +417,11 @@ impl Hinges {
     /// Creases that are turned further from their rest than they yield keep what is
     /// beyond, where they may; those that creep do so for so many seconds.
     pub fn settle(&mut self, positions: &[f32], tangents: &[f32], seconds: f32) {
-        let (x, tangents) = (positions.as_chunks::<3>().0, tangents.as_chunks::<3>().0);
-        for fold in &mut self.folds {
-            let hinge = &self.hinges[fold.hinge];
-            let angle = measure(&vertices(hinge, x, tangents, self.columns)).value;
-            fold.last = unwrapped(angle, fold.last);
-            let turned = fold.crease_angle() - fold.rest;
-            let plasticity = &fold.plasticity;
-            let beyond = plasticity.follow(turned.into(), self.may_yield, seconds.into()) as f32;
-            if beyond != 0.0 {
-                let rest = fold.rest + beyond;
-                let rest = rest.clamp(-fold.tightest, fold.tightest);
-                let moment = fold.spring * turned.abs().min(plasticity.yields as f32);
-                self.yielded += moment * (rest - fold.rest).abs();
-                fold.rest = rest;
+        self.look(positions, tangents);
+        for (hinges, folds) in self.folded.iter().zip(self.folds.chunks_mut(4)) {
+            for (fold, angle) in folds.iter_mut().zip(angles(hinges, &self.places)) {
+                fold.last = unwrapped(angle, fold.last);
+                self.yielded += fold.settle(self.may_yield, seconds);
             }
         }
     }
@@ -425,98 +452,21 @@ impl Fold {
         let turned = self.last - self.rest;
         self.rest + (1.0 - self.fraction) * turned
     }
-}
 
-impl Triangle {
-    fn add_moments(&self, angles: &[Angle], moments: &mut [f32]) {
-        let bent = self
-            .hinges
-            .map(|hinge| hinge.map_or(0.0, |hinge| angles[hinge].value));
-        for (row, hinge) in self.stiffness.iter().zip(self.hinges) {
-            if let Some(hinge) = hinge {
-                moments[hinge] += row[0] * bent[0] + row[1] * bent[1] + row[2] * bent[2];
-            }
+    /// Lets the rest follow for so many seconds, beyond its yield at once if it may. Returns the
+    /// work done in yielding, J.
+    fn settle(&mut self, may_yield: bool, seconds: f32) -> f32 {
+        let turned = self.crease_angle() - self.rest;
+        let plasticity = &self.plasticity;
+        let beyond = plasticity.follow(turned.into(), may_yield, seconds.into()) as f32;
+        if beyond == 0.0 {
+            return 0.0;
         }
-    }
-
-    /// Calls with each pair of its nodes, the second not after the first, and its number.
-    fn each_pair(&self, mut call: impl FnMut(usize, usize, usize)) {
-        let mut pair = 0;
-        for i in 0..self.count {
-            for j in 0..=i {
-                call(self.nodes[i], self.nodes[j], pair);
-                pair += 1;
-            }
-        }
-    }
-
-    /// Adds the products of the angles' slopes.
-    fn add_to(&self, angles: &[Angle], scale: f32, blocks: &mut [Block]) {
-        // By node and hinge; the last node takes what there is none for.
-        let mut slopes = [[[0.0f32; 4]; 3]; 7];
-        for (side, (hinge, vertices)) in self.hinges.iter().zip(&self.vertices).enumerate() {
-            let Some(hinge) = *hinge else { continue };
-            for (vertex, [x, y, z]) in vertices.iter().zip(angles[hinge].slopes) {
-                slopes[*vertex][side] = [x, y, z, 0.0];
-            }
-        }
-        let slopes = slopes.map(|of_node| of_node.map(Four::new));
-        let stiffness = self
-            .stiffness
-            .map(|row| row.map(|k| Four::splat(scale * k)));
-        let mut pair = 0;
-        for i in 0..self.count {
-            let own = &slopes[i];
-            let moments = stiffness.map(|[a, b, c]| (a * own[0] + b * own[1] + c * own[2]).array());
-            for other in &slopes[..=i] {
-                let block = &mut blocks[usize::from(self.blocks[pair])];
-                for (axis, row) in block.iter_mut().enumerate() {
-                    let [a, b, c] = [0, 1, 2].map(|k| Four::splat(moments[k][axis]));
-                    *row = *row + a * other[0] + b * other[1] + c * other[2];
-                }
-                pair += 1;
-            }
-        }
-    }
-}
-
-/// Places of a hinge's vertices.
-fn vertices(hinge: &Hinge, x: &[[f32; 3]], tangents: &[[f32; 3]], columns: usize) -> [[f32; 3]; 4] {
-    hinge.map(|node| {
-        if node == GHOST {
-            let (spine, tangent) = (x[hinge[0]], tangents[hinge[0] / columns]);
-            core::array::from_fn(|axis| 2.0 * spine[axis] - tangent[axis])
-        } else {
-            x[node]
-        }
-    })
-}
-
-/// The angle over the edge from `x[0]` to `x[1]`, with the apex `x[2]` on the left and
-/// `x[3]` on the right, seen from where the normals point: above 0 where the sheet bulges
-/// towards them (as in Tamstorf and Grinspun 2013).
-fn measure(x: &[[f32; 3]; 4]) -> Angle {
-    let edge = sub(x[1], x[0]);
-    let arms = [sub(x[2], x[0]), sub(x[3], x[0])];
-    let normals = [cross(edge, arms[0]), cross(arms[1], edge)];
-    let square = dot(edge, edge);
-    let length = square.sqrt();
-    let sine = dot(cross(normals[0], normals[1]), edge) / length;
-    let mut slopes = [[0.0; 3]; 4];
-    for (side, apex) in [2, 3].into_iter().enumerate() {
-        let normal = normals[side];
-        let scale = -length / dot(normal, normal).max(f32::MIN_POSITIVE);
-        let foot = dot(arms[side], edge) / square;
-        for axis in 0..3 {
-            let slope = scale * normal[axis];
-            slopes[0][axis] += (foot - 1.0) * slope;
-            slopes[1][axis] -= foot * slope;
-            slopes[apex][axis] += slope;
-        }
-    }
-    Angle {
-        value: libm::atan2f(sine, dot(normals[0], normals[1])),
-        slopes,
+        let rest = (self.rest + beyond).clamp(-self.tightest, self.tightest);
+        let moment = self.spring * turned.abs().min(plasticity.yields as f32);
+        let work = moment * (rest - self.rest).abs();
+        self.rest = rest;
+        work
     }
 }
 

@@ -9,6 +9,7 @@
 
 mod assemble;
 mod bending;
+mod chains;
 mod contact;
 mod crease;
 mod creased;
@@ -20,7 +21,10 @@ mod flat;
 mod folding_tests;
 mod grabs;
 mod grid_walk;
+mod hinge_angles;
+mod hinge_triangle;
 mod hinges;
+mod lane_nodes;
 mod material;
 mod measure;
 mod membrane;
@@ -391,7 +395,7 @@ impl Sheet {
         self.pins[node] = place;
         self.sweep.release(&self.settings, &self.material, node);
         if place.is_some() {
-            self.sweep.mobility[node] = 0.0;
+            self.sweep.hold(node);
         }
     }
 

@@ -13,9 +13,12 @@
 //! What a grab's pull or a throw drove through a firm contact within the step is
 //! brought back between the sweeps, so that the paper around it follows.
 
+use super::chains::Chains;
 use super::contact::{CONTACTS, Contact};
+use super::lane_nodes::LaneNodes;
 use super::material::Material;
 use super::settings::{CAN_CREASE, SheetSettings};
+use crate::lanes::Four;
 use crate::vector::{dot, sub};
 use core::ops::Range;
 
@@ -59,26 +62,32 @@ const MOST: usize = 160;
 pub(super) struct Sweep {
     columns: usize,
     rows: usize,
-    /// The rows that hang together.
-    runs: [Range<usize>; 2],
     first: usize,
     /// Width of a cell, metres: depths are judged by it.
     cell: f32,
+    /// The nodes while they are swept. What follows lists nodes as this does.
+    nodes: LaneNodes,
+    /// None while what it was made of has changed.
+    chains: Option<Chains>,
+    runs: [Range<usize>; 2],
     /// Lengths of each node's edges to the next in its row and in its column, metres.
     along_u: Vec<f32>,
     along_v: Vec<f32>,
-    /// Of the cell of which a node is the foot by the spine.
-    cells: Vec<Cell>,
+    /// Of the cell of which a node is the foot by the spine half of one over the product of its
+    /// sides, 1/m^2, and at rest the difference of the squares of its diagonals, m^2. One that is
+    /// folded does not shear as a whole, and has none.
+    slopes: Vec<f32>,
+    rests: Vec<f32>,
     /// Diagonals along which cells are folded, and their lengths, metres.
     diagonals: Vec<([usize; 2], f32)>,
     /// Diagonals of paper that crumples, and the lengths that they do not exceed, metres.
     slack: Vec<([usize; 2], f32)>,
-    /// Nodes that are kept apart.
+    /// Nodes that are kept apart, and where they are among the nodes here.
     pub apart: Apart,
+    apart_at: Vec<[usize; 2]>,
     pub shear_sweeps: usize,
     /// One over a node's area, relative to an inner node's; 0 where it is held.
-    pub mobility: Vec<f32>,
-    links: Vec<Link>,
+    mobility: Vec<f32>,
     /// Firm contacts that nodes are in or near: node, contact.
     firm: Vec<(usize, Contact)>,
 }
@@ -92,56 +101,46 @@ pub(crate) struct Apart {
     pub pairs: Vec<[usize; 2]>,
 }
 
-/// A cell: half of one over the product of its sides, 1/m^2, and at rest the difference of the squares of
-/// its diagonals, m^2. One that is folded does not shear as a whole, and has none.
-#[derive(Clone, Copy, Debug, Default)]
-struct Cell {
-    slope: f32,
-    rest: f32,
-}
-
-/// An edge of a chain: its direction, its excess length, its row of the system.
-#[derive(Clone, Copy, Debug, Default)]
-struct Link {
-    direction: [f32; 3],
-    excess: f32,
-    diagonal: f32,
-    below: f32,
-}
-
 impl Sweep {
     pub fn new(settings: &SheetSettings, material: &Material) -> Sweep {
         let (columns, rows, first) = (settings.columns, settings.rows, settings.first());
-        let nodes = columns * rows;
+        let count = columns * rows;
+        let nodes = LaneNodes::new(columns, rows, first);
+        let of_node = |value: f32| vec![value; nodes.len()];
         let mut sweep = Sweep {
             columns,
             rows,
-            runs: material.runs(),
             first,
             cell: settings.cell()[0] as f32,
-            along_u: vec![0.0; nodes],
-            along_v: vec![0.0; nodes],
-            cells: vec![Cell::default(); nodes],
+            chains: None,
+            runs: material.runs(),
+            along_u: of_node(1.0),
+            along_v: of_node(1.0),
+            slopes: of_node(0.0),
+            rests: of_node(0.0),
             diagonals: Vec::new(),
             slack: Vec::new(),
             apart: Apart::default(),
+            apart_at: Vec::new(),
             shear_sweeps: settings.shear_sweeps,
-            mobility: vec![0.0; nodes],
-            links: vec![Link::default(); columns.max(rows)],
-            firm: Vec::with_capacity(nodes),
+            mobility: of_node(0.0),
+            firm: Vec::with_capacity(count),
+            nodes,
         };
-        for node in 0..nodes {
+        for node in 0..count {
             sweep.release(settings, material, node);
+            let at = sweep.nodes.at(node);
             if (node + 1) % columns != 0 {
-                sweep.along_u[node] = material.along_u(node) as f32;
+                sweep.along_u[at] = material.along_u(node) as f32;
             }
             if node / columns + 1 < material.run_of(node / columns).end {
-                sweep.along_v[node] = material.along_v(node) as f32;
+                sweep.along_v[at] = material.along_v(node) as f32;
             }
         }
         for foot in material.cells() {
+            let nodes = &sweep.nodes;
             if let Some(diagonals) = material.slack_diagonals(foot) {
-                let lengths = diagonals.map(|(edge, length)| (edge, length as f32));
+                let lengths = diagonals.map(|(edge, length)| (nodes.pair(edge), length as f32));
                 sweep.slack.extend(lengths);
                 continue;
             }
@@ -149,111 +148,114 @@ impl Sweep {
                 let [a, b] = edge.map(|node| material.places[node]);
                 let d = [b[0] - a[0], b[1] - a[1]];
                 let length = (d[0] * d[0] + d[1] * d[1]).sqrt();
-                sweep.diagonals.push((edge, length as f32));
+                sweep.diagonals.push((nodes.pair(edge), length as f32));
                 continue;
             }
             let [du, dv] = material.sides(foot).map(|side| side as f32);
-            sweep.cells[foot] = Cell {
-                slope: 0.5 / (du * dv),
-                rest: material.skew(foot) as f32,
-            };
+            let at = nodes.at(foot);
+            sweep.slopes[at] = 0.5 / (du * dv);
+            sweep.rests[at] = material.skew(foot) as f32;
         }
         sweep
+    }
+
+    /// Holds a node where it is.
+    pub fn hold(&mut self, node: usize) {
+        let at = self.nodes.at(node);
+        self.mobility[at] = 0.0;
+        self.chains = None;
     }
 
     /// Lets a node move again.
     pub fn release(&mut self, settings: &SheetSettings, material: &Material, node: usize) {
         let [du, dv] = settings.cell();
-        self.mobility[node] = if node % self.columns < self.first {
+        let at = self.nodes.at(node);
+        self.mobility[at] = if node % self.columns < self.first {
             0.0
         } else {
             (du * dv / material.area_at(node)) as f32
         };
+        self.chains = None;
     }
 
     /// Sweeps until every edge has its length, or as often as there is time for. Returns
     /// how often.
     pub fn run(&mut self, positions: &mut [f32], contacts: &[[Contact; CONTACTS]]) -> u32 {
-        let (columns, rows) = (self.columns, self.rows);
-        self.find_firm(positions, contacts);
-        for round in 0..MOST {
-            let mut off = if round < YIELD {
-                self.bring_back(positions)
-            } else {
-                0.0
-            };
-            let allowed = match round {
-                _ if round < self.shear_sweeps => Some(MOST_SHEAR),
-                _ if round < GROSS_SWEEPS => Some(GROSS_SHEAR),
-                _ => None,
-            };
-            if allowed.is_some_and(|allowed| self.limit_shear(positions, allowed) > MORE_SHEAR) {
-                off = off.max(1.0);
-            }
-            if CAN_CREASE {
-                for (edge, length) in &self.diagonals {
-                    off = off.max(restore(positions, *edge, *length, &self.mobility));
-                }
-                for (edge, length) in &self.slack {
-                    if length_of(positions, *edge) > *length {
-                        off = off.max(restore(positions, *edge, *length, &self.mobility));
-                    }
-                }
-                // As firm contacts, they yield to lengths in the end.
-                let pairs = if round < YIELD {
-                    &self.apart.pairs[..]
-                } else {
-                    &[]
-                };
-                for pair in pairs {
-                    if length_of(positions, *pair) < self.apart.distance {
-                        restore(positions, *pair, self.apart.distance, &self.mobility);
-                    }
-                }
-            }
-            for run in self.runs.iter().filter(|run| !run.is_empty()) {
-                for column in self.first..columns {
-                    let chain = Chain {
-                        start: run.start * columns + column,
-                        step: columns,
-                        count: run.len(),
-                    };
-                    off = off.max(chain.restore(
-                        positions,
-                        &self.along_v,
-                        &self.mobility,
-                        &mut self.links,
-                    ));
-                }
-            }
-            for row in 0..rows {
-                let chain = Chain {
-                    start: row * columns,
-                    step: 1,
-                    count: columns,
-                };
-                off = off.max(chain.restore(
-                    positions,
-                    &self.along_u,
-                    &self.mobility,
-                    &mut self.links,
-                ));
-            }
-            if off < TOLERANCE && round + 1 >= FEWEST {
-                return round as u32 + 1;
+        self.nodes.read(positions);
+        self.find_firm(contacts);
+        if CAN_CREASE {
+            self.apart_at.clear();
+            let pairs = self.apart.pairs.iter().map(|pair| self.nodes.pair(*pair));
+            self.apart_at.extend(pairs);
+        }
+        let mut chains = self.chains.take().unwrap_or_else(|| self.chains());
+        let mut rounds = 0;
+        while rounds < MOST {
+            let mut off = self.restore_others(rounds);
+            off = off.max(chains.restore(&mut self.nodes));
+            rounds += 1;
+            if off < TOLERANCE && rounds >= FEWEST {
+                break;
             }
         }
-        MOST as u32
+        self.chains = Some(chains);
+        self.nodes.write(positions);
+        rounds as u32
     }
 
-    fn find_firm(&mut self, positions: &[f32], contacts: &[[Contact; CONTACTS]]) {
-        let x = positions.as_chunks::<3>().0;
+    fn chains(&self) -> Chains {
+        let size = [self.columns, self.rows, self.first];
+        let lengths = [&self.along_u[..], &self.along_v];
+        Chains::new(&self.nodes, size, &self.runs, lengths, &self.mobility)
+    }
+
+    /// Brings back in a round what is deep in contacts, sheared, or a diagonal. Returns the
+    /// greatest strain found.
+    fn restore_others(&mut self, round: usize) -> f32 {
+        let mut off = if round < YIELD {
+            self.bring_back()
+        } else {
+            0.0
+        };
+        let allowed = match round {
+            _ if round < self.shear_sweeps => Some(MOST_SHEAR),
+            _ if round < GROSS_SWEEPS => Some(GROSS_SHEAR),
+            _ => None,
+        };
+        if allowed.is_some_and(|allowed| self.limit_shear(allowed) > MORE_SHEAR) {
+            off = off.max(1.0);
+        }
+        if CAN_CREASE {
+            let (nodes, mobility) = (&mut self.nodes, &self.mobility);
+            for (edge, length) in &self.diagonals {
+                off = off.max(restore(nodes, *edge, *length, mobility));
+            }
+            for (edge, length) in &self.slack {
+                if length_of(nodes, *edge) > *length {
+                    off = off.max(restore(nodes, *edge, *length, mobility));
+                }
+            }
+            // As firm contacts, they yield to lengths in the end.
+            if round < YIELD {
+                for pair in &self.apart_at {
+                    if length_of(nodes, *pair) < self.apart.distance {
+                        restore(nodes, *pair, self.apart.distance, mobility);
+                    }
+                }
+            }
+        }
+        off
+    }
+
+    fn find_firm(&mut self, contacts: &[[Contact; CONTACTS]]) {
         self.firm.clear();
         for (node, contacts) in contacts.iter().enumerate() {
+            let at = self.nodes.at(node);
             for contact in contacts {
                 let is_firm = contact.firmness >= 1.0 && contact.normal != [0.0; 3];
-                if is_firm && self.mobility[node] > 0.0 && contact.depth(x[node]) > -BEYOND {
-                    self.firm.push((node, *contact));
+                let is_near = || contact.depth(self.nodes.get(at)) > -BEYOND;
+                if is_firm && self.mobility[at] > 0.0 && is_near() {
+                    self.firm.push((at, *contact));
                 }
             }
         }
@@ -261,16 +263,12 @@ impl Sweep {
 
     /// Brings back what is deep in a firm contact. Returns by how much at most,
     /// as a part of a cell.
-    fn bring_back(&self, positions: &mut [f32]) -> f32 {
-        let x = positions.as_chunks_mut::<3>().0;
+    fn bring_back(&mut self) -> f32 {
         let mut most = 0.0f32;
-        for (node, contact) in &self.firm {
-            let deep = contact.depth(x[*node]) - LEFT;
+        for (at, contact) in &self.firm {
+            let deep = contact.depth(self.nodes.get(*at)) - LEFT;
             if deep > 0.0 {
-                let back = deep.min(STRIDE);
-                for axis in 0..3 {
-                    x[*node][axis] += back * contact.normal[axis];
-                }
+                self.nodes.shift(*at, deep.min(STRIDE), contact.normal);
                 most = most.max(deep);
             }
         }
@@ -286,122 +284,79 @@ impl Sweep {
     /// another; returns by how much more they had at most, in radians while it is small. The shear
     /// is the product of a cell's mean tangents, the difference of the squares of its
     /// diagonals over four times its area.
-    fn limit_shear(&self, positions: &mut [f32], allowed: f32) -> f32 {
-        let x = positions.as_chunks_mut::<3>().0;
+    fn limit_shear(&mut self, allowed: f32) -> f32 {
+        let stride = self.nodes.stride;
+        let (nothing, half) = (Four::splat(0.0), Four::splat(0.5));
+        let most_allowed = Four::splat(allowed);
         let mut most = 0.0f32;
-        for foot in 0..self.columns * (self.rows - 1) {
-            if (foot + 1).is_multiple_of(self.columns) {
-                continue;
-            }
-            let head = foot + self.columns;
-            let rising = sub(x[head + 1], x[foot]);
-            let falling = sub(x[foot + 1], x[head]);
-            let [long, short] = [dot(rising, rising), dot(falling, falling)];
-            let Cell { slope, rest } = self.cells[foot];
-            let shear = 0.5 * slope * (long - short - rest);
-            let excess = shear.abs() - allowed;
-            if excess <= 0.0 {
-                continue;
-            }
-            most = most.max(excess);
-            let [a, b, c, d] = [foot, foot + 1, head, head + 1].map(|node| self.mobility[node]);
-            let stiff = slope * slope * ((a + d) * long + (b + c) * short);
-            if stiff <= 0.0 {
-                continue;
-            }
-            let back = slope * excess.copysign(shear) / stiff;
-            for axis in 0..3 {
-                x[foot][axis] += back * a * rising[axis];
-                x[head + 1][axis] -= back * d * rising[axis];
-                x[foot + 1][axis] += back * b * falling[axis];
-                x[head][axis] -= back * c * falling[axis];
+        for row in 0..self.rows - 1 {
+            for column in (0..self.columns - 1).step_by(4) {
+                let foot = row * stride + column;
+                let (mut long, mut short) = (nothing, nothing);
+                for axis in &self.nodes.axes {
+                    let rising = Four::load(axis, foot + stride + 1) - Four::load(axis, foot);
+                    let falling = Four::load(axis, foot + 1) - Four::load(axis, foot + stride);
+                    long = long + rising * rising;
+                    short = short + falling * falling;
+                }
+                let rest = Four::load(&self.rests, foot);
+                let shear = half * Four::load(&self.slopes, foot) * (long - short - rest);
+                // Of cells side by side each moves the next, once one has more.
+                let more = shear.abs().exceeding(most_allowed);
+                if more > 0 {
+                    let end = column + 4;
+                    for next in column + more.trailing_zeros() as usize..end.min(self.columns - 1) {
+                        most = most.max(self.take_back_shear(row * stride + next, allowed));
+                    }
+                }
             }
         }
         most
     }
-}
 
-/// Nodes one after another in a row or a column.
-struct Chain {
-    start: usize,
-    /// Nodes from one to the next.
-    step: usize,
-    count: usize,
-}
-
-impl Chain {
-    /// Restores its lengths, which are given for the first node of each edge. Returns the
-    /// greatest strain found.
-    fn restore(
-        &self,
-        positions: &mut [f32],
-        lengths: &[f32],
-        mobilities: &[f32],
-        links: &mut [Link],
-    ) -> f32 {
-        let x = positions.as_chunks_mut::<3>().0;
-        let Chain { start, step, count } = *self;
-        let links = &mut links[..count - 1];
-        let mut off = 0.0f32;
-        let mut before = Link::default();
-        let mut mobility = mobilities[start];
-        for (k, link) in links.iter_mut().enumerate() {
-            let near = start + k * step;
-            let (a, b) = (x[near], x[near + step]);
-            let d = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-            let length = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt().max(1e-9);
-            let inverse = 1.0 / length;
-            link.direction = d.map(|d| d * inverse);
-            link.excess = length - lengths[near];
-            off = off.max(link.excess.abs() / lengths[near]);
-            let next = mobilities[near + step];
-            link.diagonal = mobility + next;
-            if k > 0 {
-                let (p, q) = (before.direction, link.direction);
-                link.below = -mobility * (p[0] * q[0] + p[1] * q[1] + p[2] * q[2]);
-                let factor = link.below / before.diagonal;
-                link.diagonal -= factor * link.below;
-                link.excess -= factor * before.excess;
-            }
-            link.diagonal = link.diagonal.max(1e-6);
-            mobility = next;
-            before = *link;
+    /// Takes back the shear of a cell beyond what is allowed. Returns how much it was.
+    fn take_back_shear(&mut self, foot: usize, allowed: f32) -> f32 {
+        let head = foot + self.nodes.stride;
+        let [a, b, c, d] = [foot, foot + 1, head, head + 1];
+        let rising = sub(self.nodes.get(d), self.nodes.get(a));
+        let falling = sub(self.nodes.get(b), self.nodes.get(c));
+        let [long, short] = [dot(rising, rising), dot(falling, falling)];
+        let (slope, rest) = (self.slopes[foot], self.rests[foot]);
+        let shear = 0.5 * slope * (long - short - rest);
+        let excess = shear.abs() - allowed;
+        if excess <= 0.0 {
+            return 0.0;
         }
-        let mut pull = 0.0;
-        let mut below = 0.0;
-        for (k, link) in links.iter().enumerate().rev() {
-            pull = (link.excess - below * pull) / link.diagonal;
-            below = link.below;
-            let (near, far) = (start + k * step, start + (k + 1) * step);
-            let (here, there) = (mobilities[near] * pull, mobilities[far] * pull);
-            for axis in 0..3 {
-                x[near][axis] += here * link.direction[axis];
-                x[far][axis] -= there * link.direction[axis];
-            }
+        let mobile = [a, b, c, d].map(|at| self.mobility[at]);
+        let stiff =
+            slope * slope * ((mobile[0] + mobile[3]) * long + (mobile[1] + mobile[2]) * short);
+        if stiff <= 0.0 {
+            return excess;
         }
-        off
+        let back = slope * excess.copysign(shear) / stiff;
+        self.nodes.shift(a, back * mobile[0], rising);
+        self.nodes.shift(d, -(back * mobile[3]), rising);
+        self.nodes.shift(b, back * mobile[1], falling);
+        self.nodes.shift(c, -(back * mobile[2]), falling);
+        excess
     }
 }
 
 /// Distance between two nodes, metres.
-fn length_of(positions: &[f32], [a, b]: [usize; 2]) -> f32 {
-    let x = positions.as_chunks::<3>().0;
-    let d = sub(x[b], x[a]);
+fn length_of(nodes: &LaneNodes, [a, b]: [usize; 2]) -> f32 {
+    let d = sub(nodes.get(b), nodes.get(a));
     dot(d, d).sqrt()
 }
 
 /// Restores the length of one edge. Returns its strain.
-fn restore(positions: &mut [f32], [a, b]: [usize; 2], rest: f32, mobilities: &[f32]) -> f32 {
-    let x = positions.as_chunks_mut::<3>().0;
-    let d = sub(x[b], x[a]);
+fn restore(nodes: &mut LaneNodes, [a, b]: [usize; 2], rest: f32, mobilities: &[f32]) -> f32 {
+    let d = sub(nodes.get(b), nodes.get(a));
     let length = dot(d, d).sqrt().max(1e-9);
     let mobile = mobilities[a] + mobilities[b];
     if mobile > 0.0 {
         let pull = (length - rest) / (length * mobile);
-        for axis in 0..3 {
-            x[a][axis] += mobilities[a] * pull * d[axis];
-            x[b][axis] -= mobilities[b] * pull * d[axis];
-        }
+        nodes.shift(a, mobilities[a] * pull, d);
+        nodes.shift(b, -(mobilities[b] * pull), d);
     }
     (length - rest).abs() / rest
 }

@@ -3,12 +3,17 @@
 
 use crate::band::Band;
 
+/// No unknown's number.
+const NONE: u32 = u32::MAX;
+
 /// Forces on all nodes and the matrix over those that move, three unknowns
 /// each, u fastest.
 #[derive(Clone, Debug)]
 pub(super) struct System {
     columns: usize,
     first: usize,
+    /// Number of the first unknown of each node; that of one that does not move is [`NONE`].
+    numbers: Vec<u32>,
     /// Newtons; x, y, z of every node, also of those that do not move.
     pub forces: Vec<f32>,
     pub matrix: Band<f32>,
@@ -20,9 +25,18 @@ impl System {
     pub fn new(columns: usize, rows: usize, first: usize, reach: usize) -> System {
         let moving = columns - first;
         let order = 3 * moving * rows;
+        let number = |node: usize| {
+            let (row, column) = (node / columns, node % columns);
+            if column < first {
+                NONE
+            } else {
+                (3 * (row * moving + column - first)) as u32
+            }
+        };
         System {
             columns,
             first,
+            numbers: (0..columns * rows).map(number).collect(),
             forces: vec![0.0; 3 * columns * rows],
             // Nodes two rows apart are coupled by bending.
             matrix: Band::new(order, (6 * moving + 3 * reach + 2).min(order - 1)),
@@ -33,13 +47,13 @@ impl System {
     /// Whether a node moves.
     #[inline(always)]
     pub fn moves(&self, node: usize) -> bool {
-        self.first == 0 || !node.is_multiple_of(self.columns)
+        self.numbers[node] != NONE
     }
 
     /// Number of the first unknown of a node that moves.
     #[inline(always)]
     pub fn unknown(&self, node: usize) -> usize {
-        3 * (node - self.first * (node / self.columns + 1))
+        self.numbers[node] as usize
     }
 
     /// Adds a force to a node.
@@ -75,19 +89,14 @@ impl System {
         }
     }
 
-    /// Adds the first three columns of a block (their lower part, where `node` is `other`) at
-    /// the row of `node` and the column of `other`, which is not after it.
-    #[inline(always)]
-    pub fn add_block(&mut self, node: usize, other: usize, block: [[f32; 4]; 3]) {
-        let (row, column) = (self.unknown(node), self.unknown(other));
-        let width = self.matrix.half_bandwidth();
-        for (i, block) in block.iter().enumerate() {
-            let from = column + width - (row + i);
-            let entries = &mut self.matrix.row_mut(row + i)[from..];
-            let last = if node == other { i } else { 2 };
-            for k in 0..=last {
-                entries[k] += block[k];
-            }
+    /// Where in the matrix the block of two nodes is, the second not after the first; the place
+    /// before the first row where either does not move.
+    pub fn block_place(&self, node: usize, other: usize) -> usize {
+        let is_moved = |node: usize| node < self.numbers.len() && self.moves(node);
+        if is_moved(node) && is_moved(other) {
+            self.matrix.place(self.unknown(node), self.unknown(other))
+        } else {
+            0
         }
     }
 
