@@ -229,7 +229,10 @@ impl Flight {
             self.leaf.write_surface(&mut self.surface);
         }
         let straightness = self.leaf.straightness();
-        bend_into_gutter(&mut self.surface.positions, right, left, straightness);
+        let creased = self.creased.as_ref().filter(|_| CAN_CREASE);
+        let beyond = creased.map_or(&[][..], |creased| &creased.beyond);
+        let how = (straightness, beyond);
+        bend_into_gutter(&mut self.surface.positions, right, left, how);
         self.surface.update_normals();
         if CAN_CREASE {
             self.find_turned_over();
@@ -287,7 +290,7 @@ impl Flight {
             for (point, [u, v]) in points.iter_mut().zip(creased.places.as_chunks::<2>().0) {
                 *point = [side.sign() * u * size[0], v * size[1], 0.0];
             }
-            bend_into_gutter(&mut self.shown, right, left, 0.0);
+            bend_into_gutter(&mut self.shown, right, left, (0.0, &[]));
             return;
         }
         for row in points.chunks_exact_mut(columns) {
