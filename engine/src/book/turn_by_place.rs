@@ -61,7 +61,6 @@ fn turn_on_one_side(
 mod tests {
     use super::super::bend_into_gutter::bend_into_gutter;
     use super::super::pile::{Pile, crowded_columns};
-    use super::*;
     use crate::grid::Side;
 
     /// What lies upon a page in the gutter is turned as that is, whichever way it was folded there.

@@ -83,7 +83,9 @@ impl Leaf {
             self.landed.copy_from_slice(self.sheet.positions());
             self.find_rest(side, landed);
             self.settling = Some(0.0);
-            self.put_down = !landed;
+            // What was put down through itself and opened anew was put down.
+            self.put_down = !landed || (self.was_opened_anew && self.put_down);
+            self.opens_anew = false;
             self.sheet.loads_mut().fill(0.0);
         }
     }
@@ -196,7 +198,11 @@ impl Leaf {
         let t = (*time / SETTLE_SECONDS).min(1.0);
         if t >= 1.0 {
             let put_down = self.put_down;
-            if self.sheet.is_creased() {
+            if CAN_CREASE && self.opens_anew {
+                self.lay_pressed(side);
+                self.was_opened_anew = true;
+                self.wake();
+            } else if self.sheet.is_creased() {
                 let rest = core::mem::take(&mut self.rest);
                 self.lay_at(side, &rest);
                 self.rest = rest;

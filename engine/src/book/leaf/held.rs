@@ -40,6 +40,7 @@ impl Leaf {
             self.drop_course();
             self.settling = None;
             self.in_book.was_held = true;
+            self.was_opened_anew = false;
             self.phase = Phase::Held;
         }
     }
