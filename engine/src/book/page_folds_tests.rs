@@ -296,7 +296,8 @@ fn a_flap_that_reaches_beyond_the_spine_is_pressed_flat_on_either_side() {
             assert!(book.is_asleep(), "{degrees}, {read} read");
             let open = angle(&book);
             assert!(open > if is_over { 150.0 } else { 45.0 }, "{open} degrees");
-            assert_eq!(book.creases(5)[0].rest, creases[0].rest);
+            let off = book.creases(5)[0].rest - creases[0].rest;
+            assert!(off.abs() < 1e-6, "its rest is {off} rad off");
         }
     }
 }
