@@ -293,6 +293,9 @@ fn a_flap_that_reaches_beyond_the_spine_is_pressed_flat_on_either_side() {
                 }
                 book.step(1);
             }
+            for _ in 0..400 {
+                book.step(1);
+            }
             assert!(book.is_asleep(), "{degrees}, {read} read");
             let open = angle(&book);
             assert!(open > if is_over { 150.0 } else { 45.0 }, "{open} degrees");

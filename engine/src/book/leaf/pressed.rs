@@ -51,6 +51,20 @@ impl Leaf {
         self.opens_anew = true;
     }
 
+    /// Where it is being eased to where it lies pressed flat, has it lie there: on the way its edges
+    /// do not keep their lengths. Returns whether it was.
+    pub(super) fn end_open_anew(&mut self) -> bool {
+        let (true, Phase::Falling(side)) = (CAN_CREASE && self.opens_anew, self.phase) else {
+            return false;
+        };
+        let put_down = self.put_down;
+        self.lay_pressed(side);
+        self.put_down = put_down;
+        self.was_opened_anew = true;
+        self.wake();
+        true
+    }
+
     /// The creases of the leaf, each with the angle at which it rests, or will once it is open.
     pub fn creases(&self) -> Vec<FoldLine> {
         let mut creases = self.sheet.creases();

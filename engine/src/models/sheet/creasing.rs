@@ -127,12 +127,24 @@ impl Sheet {
             if rest.abs() > 0.5 * PI {
                 creases[crease].rest = PI.copysign(*rest);
                 self.turn_about(side, &creases, false);
-                if self.max_edge_strain() > TOLERANCE || self.reaches_spine_below(side, heights) {
+                if self.max_edge_strain() > TOLERANCE {
                     creases[crease].rest = 0.0;
                 }
             }
         }
         self.turn_about(side, &creases, false);
+        // Only once all are shut is it known what reaches where.
+        for crease in 0..creases.len() {
+            if !self.reaches_spine_below(side, heights) {
+                break;
+            }
+            let shut = core::mem::replace(&mut creases[crease].rest, 0.0);
+            self.turn_about(side, &creases, false);
+            if self.reaches_spine_below(side, heights) || self.max_edge_strain() > TOLERANCE {
+                creases[crease].rest = shut;
+                self.turn_about(side, &creases, false);
+            }
+        }
         let columns = self.settings.columns;
         let highest = heights
             .iter()
