@@ -10,8 +10,6 @@ use super::bend_into_gutter::fraction_turned;
 use super::book_space_leaf::BookSpaceLeaf;
 #[cfg(doc)]
 use super::pile::Pile;
-use super::turn_by_place::turn_between;
-use crate::models::sheet::CAN_CREASE;
 
 /// Angles of a row, from lying right to lying left, for which a cell's turn is
 /// tabled; between them it is linear.
@@ -64,32 +62,17 @@ impl Gutter {
         }
     }
 
-    /// Bends a leaf's nodes into the gutter: `flat` are x, y, z of each over a flat table. Those
-    /// [beyond](BookSpaceLeaf::beyond) a crease are [turned by where they are](turn_between).
+    /// Bends a leaf's nodes into the gutter: `flat` are x, y, z of each over a flat table.
     pub fn bend(&self, flat: &[f32], in_book: &mut BookSpaceLeaf) {
-        let ends: Vec<f32> = if CAN_CREASE && !in_book.beyond.is_empty() {
-            (0..self.columns)
-                .map(|column| column as f32 * in_book.cell[0])
-                .collect()
-        } else {
-            Vec::new()
-        };
-        let mut beyond = in_book.beyond.chunks_exact(self.columns);
         let rows = flat.as_chunks::<3>().0.chunks_exact(self.columns);
         let places = in_book.points.chunks_exact_mut(self.columns);
         let turned = in_book.turned.chunks_exact_mut(self.columns);
         for ((flat, places), turned) in rows.zip(places).zip(turned) {
             places[0] = [0.0, flat[0][1], 0.0];
             turned[0] = [1.0, 0.0];
-            let beyond = if CAN_CREASE { beyond.next() } else { None };
             for k in 1..self.columns {
                 let (dx, dz) = (flat[k][0] - flat[k - 1][0], flat[k][2] - flat[k - 1][2]);
-                let [cos, sin] = if beyond.is_some_and(|beyond| beyond[k]) {
-                    let [from, to] = [flat[k - 1], flat[k]].map(|[x, _, z]| [x, z]);
-                    turn_between(from, to, &ends, |cell, turned| self.turn(cell, turned))
-                } else {
-                    self.turn(k - 1, fraction_turned(dx, dz))
-                };
+                let [cos, sin] = self.turn(k - 1, fraction_turned(dx, dz));
                 let before = places[k - 1];
                 places[k] = [
                     before[0] + dx * cos - dz * sin,
@@ -138,7 +121,7 @@ mod tests {
             let mut in_book = BookSpaceLeaf::new(columns, 2, [0.01, 0.01]);
             gutter.bend(&flat, &mut in_book);
             let mut drawn: Vec<f32> = u.iter().flat_map(|u| line(*u)).collect();
-            bend_into_gutter(&mut drawn, &right, &left, (0.0, &[]));
+            bend_into_gutter(&mut drawn, &right, &left, 0.0);
             let end = &drawn[drawn.len() - 3..];
             let node = in_book.points[columns - 1];
             let apart = (end[0] - node[0]).hypot(end[2] - node[2]);

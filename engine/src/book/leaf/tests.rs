@@ -589,6 +589,7 @@ fn drawn_through_itself(
 #[test]
 #[cfg(feature = "creases")]
 fn a_folded_leaf_that_comes_to_lie_through_itself_is_opened_anew() {
+    use crate::book::mesh::find_beyond;
     use crate::models::sheet::FoldLine;
     let through = [[0.6, 0.0], [0.6, 1.0]];
     let crease = FoldLine::pressed(through, 160f64.to_radians(), &Stock::BOOK, f64::from(WIDTH));
@@ -601,8 +602,9 @@ fn a_folded_leaf_that_comes_to_lie_through_itself_is_opened_anew() {
         let id = book.pick_up(Side::Right, 40, 41).unwrap();
         let leaf = book.flights.get_mut(id).unwrap().leaf_mut();
         let nodes = leaf.sheet.positions().as_chunks::<3>().0.iter();
+        let beyond = find_beyond(&leaf.sheet.node_triangles(), nodes.len());
         let tilted: Vec<f32> = nodes
-            .zip(&leaf.in_book.beyond)
+            .zip(&beyond)
             .flat_map(|([x, y, z], is_beyond)| {
                 let up = if *is_beyond { tilt * (y - 0.105) } else { 0.02 };
                 [*x, *y, z + up]
