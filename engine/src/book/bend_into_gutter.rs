@@ -18,19 +18,35 @@
 use super::mesh::Folds;
 use super::pile::Pile;
 use super::tolerance::ROUNDING;
+use super::turn_by_place::turn_between;
+use crate::models::sheet::CAN_CREASE;
 
 /// Bends the points of a leaf into the gutter, in place.
 ///
 /// `positions` are x, y, z in metres, row by row, each row from the spine to
 /// the fore-edge; a row has as many points as the piles have columns. The
 /// piles' uppermost curves are the places where the leaf rests. One of some `straightness`
-/// (0 to 1) is bent less than by a pile that is not as straight.
-pub fn bend_into_gutter(positions: &mut [f32], right: &Pile, left: &Pile, straightness: f32) {
+/// (0 to 1) is bent less than by a pile that is not as straight. Points `beyond` a crease, none
+/// where there is no crease, are [turned by where they are](turn_between).
+pub fn bend_into_gutter(
+    positions: &mut [f32],
+    right: &Pile,
+    left: &Pile,
+    (straightness, beyond): (f32, &[bool]),
+) {
     let columns = right.columns();
     debug_assert_eq!(columns, left.columns());
     let angles = [right, left].map(|pile| pile.angles_for(straightness));
-    for row in positions.chunks_exact_mut(3 * columns) {
-        bend_row(row, &angles[0], &angles[1]);
+    if CAN_CREASE && !beyond.is_empty() {
+        let ends = right.distances();
+        let rows = positions.chunks_exact_mut(3 * columns);
+        for (row, beyond) in rows.zip(beyond.chunks_exact(columns)) {
+            bend_folded_row(row, [&angles[0], &angles[1]], beyond, &ends);
+        }
+    } else {
+        for row in positions.chunks_exact_mut(3 * columns) {
+            bend_row(row, &angles[0], &angles[1]);
+        }
     }
     push_off(positions, [right, left], [0.0; 2]);
 }
@@ -193,6 +209,31 @@ fn bend_row(row: &mut [f32], right: &[f32], left: &[f32]) {
     }
 }
 
+/// Bends a row of a creased leaf: see [`bend_into_gutter`]. `ends` say how far from the spine the
+/// piles' columns are.
+fn bend_folded_row(row: &mut [f32], [right, left]: [&[f32]; 2], beyond: &[bool], ends: &[f32]) {
+    let turn = |cell: usize, turned: f32| {
+        let (sin, cos) = libm::sincosf((1.0 - turned) * right[cell] - turned * left[cell]);
+        [cos, sin]
+    };
+    let points = row.as_chunks_mut::<3>().0;
+    let mut flat = [points[0][0], points[0][2]];
+    let mut at = [0.0, 0.0];
+    (points[0][0], points[0][2]) = (0.0, 0.0);
+    for (k, (point, is_beyond)) in points.iter_mut().zip(beyond).enumerate().skip(1) {
+        let before = flat;
+        flat = [point[0], point[2]];
+        let [dx, dz] = [flat[0] - before[0], flat[1] - before[1]];
+        let [cos, sin] = if *is_beyond {
+            turn_between(before, flat, ends, turn)
+        } else {
+            turn(k - 1, fraction_turned(dx, dz))
+        };
+        at = [at[0] + dx * cos - dz * sin, at[1] + dx * sin + dz * cos];
+        (point[0], point[2]) = (at[0], at[1]);
+    }
+}
+
 /// The angle of (dx, dz) from the right-hand side, as a fraction of a half turn:
 /// 0 right, 0.5 up, 1 left; downward directions mirror the upward ones.
 ///
@@ -249,7 +290,7 @@ mod tests {
         let (right, left, u) = piles(0.012, 0.005);
         for (angle, pile) in [(0.0, &right), (core::f32::consts::PI, &left)] {
             let mut row = straight(&u, angle);
-            bend_into_gutter(&mut row, &right, &left, 0.0);
+            bend_into_gutter(&mut row, &right, &left, (0.0, &[]));
             for (p, q) in row.chunks_exact(3).zip(pile.curves().chunks_exact(2)) {
                 let distance = (p[0] - q[0]).hypot(p[2] - q[1]);
                 assert!(distance < 2e-4, "{distance} m at angle {angle}");
@@ -262,7 +303,7 @@ mod tests {
         let (right, left, u) = piles(0.008, 0.014);
         for i in 1..36 {
             let mut row = straight(&u, i as f32 * core::f32::consts::PI / 36.0);
-            bend_into_gutter(&mut row, &right, &left, 0.0);
+            bend_into_gutter(&mut row, &right, &left, (0.0, &[]));
             let length: f32 = row
                 .windows(6)
                 .step_by(3)

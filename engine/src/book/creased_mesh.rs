@@ -1,6 +1,6 @@
 //! The drawn mesh of a creased sheet: where its points are on the flat paper, and its parts.
 
-use super::mesh::find_falling;
+use super::mesh::{find_beyond, find_falling};
 use super::separate_parts::DrawnParts;
 use crate::models::sheet::Sheet;
 
@@ -15,6 +15,8 @@ pub struct CreasedMesh {
     pub parts: Vec<u16>,
     /// See [`Folds::falling`](super::mesh::Folds::falling).
     pub(super) falling: Vec<bool>,
+    /// Whether each point lies beyond a crease as seen from the spine.
+    pub(super) beyond: Vec<bool>,
 }
 
 impl CreasedMesh {
@@ -27,6 +29,7 @@ impl CreasedMesh {
         let cells = triangles.iter().map(|(corners, _)| *corners);
         let mesh = CreasedMesh {
             falling: find_falling(cells, columns, places.len()),
+            beyond: find_beyond(&triangles, places.len()),
             triangles: corners.map(|corner| *corner as u32).collect(),
             parts: triangles.iter().map(|(_, part)| *part).collect(),
             places: places.iter().flatten().copied().collect(),

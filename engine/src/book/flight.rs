@@ -15,7 +15,7 @@ use super::pile::Pile;
 use super::separate::{DrawnLeaf, find_bends, separate};
 use super::separate_folded::{MovedLeaf, Outcome, PartedLeaf, PlacedBlocks, push_off_leaf};
 use super::separate_parts::{DrawnParts, ROUNDS};
-use super::tolerance::{AT_FACET, DEEP, PAST_AT_SPINE};
+use super::tolerance::{AT_FACET, DEEP, GAP, PAST_AT_SPINE};
 use super::work::Work;
 use crate::grid::Side;
 use crate::models::sheet::{CAN_CREASE, FoldLine};
@@ -229,7 +229,10 @@ impl Flight {
             self.leaf.write_surface(&mut self.surface);
         }
         let straightness = self.leaf.straightness();
-        bend_into_gutter(&mut self.surface.positions, right, left, straightness);
+        let creased = self.creased.as_ref().filter(|_| CAN_CREASE);
+        let beyond = creased.map_or(&[][..], |creased| &creased.beyond);
+        let how = (straightness, beyond);
+        bend_into_gutter(&mut self.surface.positions, right, left, how);
         self.surface.update_normals();
         if CAN_CREASE {
             self.find_turned_over();
@@ -287,7 +290,7 @@ impl Flight {
             for (point, [u, v]) in points.iter_mut().zip(creased.places.as_chunks::<2>().0) {
                 *point = [side.sign() * u * size[0], v * size[1], 0.0];
             }
-            bend_into_gutter(&mut self.shown, right, left, 0.0);
+            bend_into_gutter(&mut self.shown, right, left, (0.0, &[]));
             return;
         }
         for row in points.chunks_exact_mut(columns) {
@@ -584,6 +587,33 @@ impl Flight {
             self.leaf.step_back(gutter, deepest);
             self.was_through = self.is_paper_through_itself();
         }
+    }
+
+    /// Has a creased leaf that has landed in this tick open its folds anew, from pressed flat, where
+    /// it would be drawn through itself: no paper can come to lie so, and contact between its parts
+    /// does not bring it out any more.
+    pub fn open_where_through_itself(&mut self) {
+        if !self.is_creased() || !self.leaf.may_open_anew() {
+            return;
+        }
+        let work = &mut Work::new(u32::MAX);
+        work.spend(MOVING + CUTTING);
+        self.leaf.write_surface(&mut self.spare);
+        let scale = self.scale();
+        if let Some(flaps) = self.leaf.flaps() {
+            let points = self.spare.positions.as_chunks_mut::<3>().0;
+            let side = |under, part, is_alike| flaps.drawn_side(under, part, is_alike);
+            self.parts.separate(points, (scale, ROUNDS), side, work);
+        }
+        self.spare.update_normals();
+        self.tiles.cut(Mesh {
+            folds: folds(self.creased.as_ref(), &[]),
+            ..Mesh::of(&self.spare)
+        });
+        if self.tiles.cross_themselves(-GAP * scale, work) {
+            self.leaf.open_anew();
+        }
+        self.searching = self.searching.saturating_add(work.done());
     }
 
     fn is_paper_through_itself(&mut self) -> bool {

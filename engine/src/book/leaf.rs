@@ -90,6 +90,10 @@ pub struct Leaf {
     flaps: Option<Flaps>,
     /// How creases open that were pressed shut; None where none do.
     opening: Option<Opening>,
+    /// Whether it is eased to where it lies pressed flat, to open its folds anew from there, and
+    /// whether it has since it was last held, played or laid.
+    opens_anew: bool,
+    was_opened_anew: bool,
     /// For each row the outermost node that is not folded over.
     edge: Vec<usize>,
     /// Where it landed, and the nodes of a flat leaf on the right.
@@ -155,6 +159,8 @@ impl Leaf {
             in_book: BookSpaceLeaf::new(NODES[0], NODES[1], cell),
             flaps: None,
             opening: None,
+            opens_anew: false,
+            was_opened_anew: false,
             edge: (1..=NODES[1]).map(|row| row * NODES[0] - 1).collect(),
             landed: flat.clone(),
             rest: flat.clone(),
@@ -247,6 +253,7 @@ impl Leaf {
     /// Lays the leaf still on a side, flat but for its creases.
     pub fn lay(&mut self, side: Side) {
         self.end_opening();
+        self.was_opened_anew = false;
         self.sheet.lay_folded(side);
         self.lie(side);
     }
@@ -264,6 +271,7 @@ impl Leaf {
         self.course = None;
         self.settling = None;
         (self.turned_over, self.put_down) = (false, false);
+        self.opens_anew = false;
         let left = side == Side::Left;
         self.turned = if left { 1.0 } else { 0.0 };
         self.clamp = if left { core::f32::consts::PI } else { 0.0 };

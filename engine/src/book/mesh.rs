@@ -47,6 +47,21 @@ pub fn find_falling(
     falling
 }
 
+/// Finds the points of a mesh that lie beyond a crease as seen from the spine, by its triangles and
+/// the creases that each lies beyond; none of a mesh without triangles.
+pub fn find_beyond(triangles: &[([usize; 3], u16)], points: usize) -> Vec<bool> {
+    if triangles.is_empty() {
+        return Vec::new();
+    }
+    let mut beyond = vec![true; points];
+    for (corners, _) in triangles.iter().filter(|(_, part)| *part == 0) {
+        for corner in corners {
+            beyond[*corner] = false;
+        }
+    }
+    beyond
+}
+
 /// What lies next to a point on a mesh.
 #[derive(Clone, Copy, Debug)]
 pub struct Near {

@@ -46,6 +46,7 @@ mod surroundings;
 mod tests;
 mod torn_leaf;
 mod triangle;
+mod turn_by_place;
 mod work;
 
 pub use crate::models::sheet::TornMesh;

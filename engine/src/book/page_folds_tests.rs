@@ -267,17 +267,40 @@ fn folds_that_cross_are_pressed_as_far_as_paper_can_be() {
     }
 }
 
+/// Over its page it is pressed flat and lies folded; below its page it has no room at the spine, lies
+/// open while it is pressed, and then holds the page up.
 #[test]
 fn a_flap_that_reaches_beyond_the_spine_is_pressed_flat_on_either_side() {
     for read in [5, 6] {
         for degrees in [160.0, -160.0] {
-            let mut book = book(&[along(0.35, degrees)]);
+            let creases = [along(0.35, degrees)];
+            let mut book = book(&creases);
             book.lay(read);
+            let is_over = (read == 5) == (degrees > 0.0);
+            let angle = |book: &Book| {
+                let leaf = book.flights.order()[0].leaf();
+                leaf.sheet().crease_angle(0).unwrap()[0].to_degrees() * degrees.signum() as f32
+            };
+            let pressed = angle(&book);
+            assert_eq!(pressed > 170.0, is_over, "{pressed} degrees, {read} read");
             for tick in 0..200 {
                 let strain = book.strain(0).unwrap();
                 assert!(strain < 0.01, "{strain} in tick {tick}, {read} read");
+                if tick % 10 == 0 {
+                    book.update();
+                    let deep = depth(&book, &creases);
+                    assert!(deep < DEEP, "{deep} m in tick {tick}, {read} read");
+                }
                 book.step(1);
             }
+            for _ in 0..400 {
+                book.step(1);
+            }
+            assert!(book.is_asleep(), "{degrees}, {read} read");
+            let open = angle(&book);
+            assert!(open > if is_over { 150.0 } else { 45.0 }, "{open} degrees");
+            let off = book.creases(5)[0].rest - creases[0].rest;
+            assert!(off.abs() < 1e-6, "its rest is {off} rad off");
         }
     }
 }

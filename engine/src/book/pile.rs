@@ -194,6 +194,18 @@ impl Pile {
         }
     }
 
+    /// How far along the uppermost page each column is from the spine, metres.
+    pub fn distances(&self) -> Vec<f32> {
+        let curve = self.curves.as_chunks::<2>().0[..self.columns].windows(2);
+        let mut far = 0.0;
+        let lengths = curve.map(|ends| {
+            let [dx, dz] = [0, 1].map(|axis| ends[1][axis] - ends[0][axis]);
+            far += (dx * dx + dz * dz).sqrt();
+            far
+        });
+        [0.0].into_iter().chain(lengths).collect()
+    }
+
     /// Points along each curve.
     pub fn columns(&self) -> usize {
         self.columns

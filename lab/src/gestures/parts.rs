@@ -93,12 +93,15 @@ fn height(point: Point, [a, b, c]: [Point; 3]) -> Option<f32> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::facets::Facets;
+    use super::super::overlap::inside_itself;
     use super::*;
     use turnleaf_engine::Stock;
     use turnleaf_engine::book::Book;
 
-    /// A page folded in two lies clear of itself; its flap pushed 1 mm down lies about as deep
-    /// in it.
+    /// A page folded in two lies clear of itself; its flap pushed down is found under it. Pushed
+    /// farther it counts as no deeper than parts are looked at: it may have been folded there, as it
+    /// lies around its crease and goes through nothing.
     #[test]
     fn a_flap_pushed_into_its_page_is_found_there() {
         let lines = [FoldLine::pressed(
@@ -112,20 +115,29 @@ mod tests {
         assert!(book.crease(5, &lines));
         let (surface, mesh) = (book.surface(0).unwrap(), book.creased_mesh(0).unwrap());
         assert!(inside_parts(surface, mesh, &lines, 0.14) < 1e-4);
-        let mut sunken = surface.clone();
-        let points = sunken.positions.as_chunks_mut::<3>().0;
-        let flap = mesh.places.as_chunks::<2>().0.iter();
-        let lowest = points.iter().map(|point| point[2]).fold(f32::MAX, f32::min);
-        let mut most = 0.0f32;
-        for (point, _) in points
-            .iter_mut()
-            .zip(flap)
-            .filter(|(_, place)| place[0] > 0.61)
-        {
-            most = most.max(point[2] - lowest);
-            point[2] -= 0.02;
-        }
-        assert!(most < 0.02, "the flap stands {most} m high");
-        assert!(inside_parts(&sunken, mesh, &lines, 0.14) > 1e-3);
+        let lowest = surface.positions.as_chunks::<3>().0.iter();
+        let lowest = lowest.map(|point| point[2]).fold(f32::MAX, f32::min);
+        let pushed = |down: f32| {
+            let mut sunken = surface.clone();
+            let points = sunken.positions.as_chunks_mut::<3>().0;
+            let flap = mesh.places.as_chunks::<2>().0.iter();
+            let mut most = 0.0f32;
+            for (point, _) in points
+                .iter_mut()
+                .zip(flap)
+                .filter(|(_, place)| place[0] > 0.61)
+            {
+                most = most.max(point[2] - lowest);
+                point[2] -= down;
+            }
+            assert!(most < 0.02, "the flap stands {most} m high");
+            let by_side = inside_parts(&sunken, mesh, &lines, 0.14);
+            let through = inside_itself(&Facets::folded(&sunken, mesh), 0.012);
+            [by_side, through]
+        };
+        let [near, far] = [pushed(0.005), pushed(0.05)];
+        assert!((4e-3..7e-3).contains(&near[0]), "{near:?}");
+        assert!(near[0] < far[0] && far[0] < NEAR * 0.14, "{far:?}");
+        assert_eq!([near[1], far[1]], [0.0; 2], "nothing is gone through");
     }
 }

@@ -51,6 +51,7 @@ impl Flights {
         self.relax(gutter, piles);
         for flight in &mut self.order {
             flight.keep_from_itself(gutter, DEEPEST);
+            flight.open_where_through_itself();
         }
         if self.order.iter().any(Flight::may_have_tunnelled) {
             self.take_back(gutter);

@@ -35,6 +35,9 @@ const HELD_UP_TO_GO: f32 = 0.25;
 impl Leaf {
     /// Lets the leaf fall to a side.
     pub(super) fn fall(&mut self, to: Side, haste: f32) {
+        if self.phase != Phase::Falling(to) {
+            self.end_open_anew();
+        }
         self.drop_course();
         for grab in 0..self.pulls.len() as u32 {
             self.sheet.release(grab);
@@ -57,6 +60,7 @@ impl Leaf {
             self.step_settling(side);
             return;
         }
+        self.end_open_anew();
         self.settling = None;
         let side = if self.paper.assist || self.is_overdue() {
             side
@@ -83,7 +87,9 @@ impl Leaf {
             self.landed.copy_from_slice(self.sheet.positions());
             self.find_rest(side, landed);
             self.settling = Some(0.0);
-            self.put_down = !landed;
+            // What was put down through itself and opened anew was put down.
+            self.put_down = !landed || (self.was_opened_anew && self.put_down);
+            self.opens_anew = false;
             self.sheet.loads_mut().fill(0.0);
         }
     }
@@ -97,6 +103,7 @@ impl Leaf {
     /// Turns a falling leaf toward a side. It has fallen for as long as before.
     pub fn head_for(&mut self, side: Side) {
         if matches!(self.phase, Phase::Falling(to) if to != side) {
+            self.end_open_anew();
             self.settling = None;
             self.phase = Phase::Falling(side);
         }
@@ -196,6 +203,9 @@ impl Leaf {
         let t = (*time / SETTLE_SECONDS).min(1.0);
         if t >= 1.0 {
             let put_down = self.put_down;
+            if self.end_open_anew() {
+                return;
+            }
             if self.sheet.is_creased() {
                 let rest = core::mem::take(&mut self.rest);
                 self.lay_at(side, &rest);

@@ -23,6 +23,7 @@ impl Leaf {
     /// A grab takes hold at (`u`, `v`). Whatever the leaf was doing, it goes on
     /// from where it is.
     pub fn grab(&mut self, grab: u32, u: f32, v: f32) {
+        self.end_open_anew();
         let Some(own) = self.pulls.get_mut(grab as usize) else {
             return;
         };
@@ -40,6 +41,7 @@ impl Leaf {
             self.drop_course();
             self.settling = None;
             self.in_book.was_held = true;
+            self.was_opened_anew = false;
             self.phase = Phase::Held;
         }
     }

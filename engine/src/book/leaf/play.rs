@@ -78,6 +78,7 @@ impl Leaf {
     }
 
     fn start_course(&mut self, course: Course) {
+        self.was_opened_anew = false;
         let [u, v] = self.turner_place();
         self.sheet.grab(TURNER, u, v);
         self.course = Some(course);

@@ -12,16 +12,57 @@ impl Leaf {
     /// to where they rest.
     pub fn lay_pressed(&mut self, side: Side) {
         self.end_opening();
-        let heights = self.flaps().map_or_else(Vec::new, Flaps::stacked);
+        self.was_opened_anew = false;
         let creases = self.sheet.creases();
         let to: Vec<f32> = creases.iter().map(|crease| crease.rest as f32).collect();
-        self.sheet.let_yield(false);
-        let from = self.sheet.lay_pressed(side, &heights);
+        let from = self.press_flat(side);
         self.lie(side);
         for (crease, rest) in from.iter().enumerate() {
             self.press_to(crease, *rest);
         }
         self.opening = Some(Opening::new(from, to));
+    }
+
+    /// Puts the nodes where they are in the leaf pressed flat on a side. Returns the angle at which
+    /// each crease then is, radians.
+    fn press_flat(&mut self, side: Side) -> Vec<f32> {
+        let heights = self.flaps().map_or_else(Vec::new, Flaps::stacked);
+        self.sheet.let_yield(false);
+        self.sheet.lay_pressed(side, &heights)
+    }
+
+    /// Whether it has landed in this tick, and may be [opened anew](Self::open_anew): once until it
+    /// is held or played again.
+    pub fn may_open_anew(&self) -> bool {
+        CAN_CREASE && self.settling == Some(0.0) && !self.was_opened_anew
+    }
+
+    /// Has it eased, as it has just landed, to where it lies pressed flat, and its folds open from
+    /// there to where they rest, as when it comes out from under others.
+    pub fn open_anew(&mut self) {
+        let Phase::Falling(side) = self.phase else {
+            return;
+        };
+        self.end_opening();
+        self.press_flat(side);
+        self.rest.copy_from_slice(self.sheet.positions());
+        self.sheet.put_back(&self.landed);
+        self.lowering = 0.0;
+        self.opens_anew = true;
+    }
+
+    /// Where it is being eased to where it lies pressed flat, has it lie there: on the way its edges
+    /// do not keep their lengths. Returns whether it was.
+    pub(super) fn end_open_anew(&mut self) -> bool {
+        let (true, Phase::Falling(side)) = (CAN_CREASE && self.opens_anew, self.phase) else {
+            return false;
+        };
+        let put_down = self.put_down;
+        self.lay_pressed(side);
+        self.put_down = put_down;
+        self.was_opened_anew = true;
+        self.wake();
+        true
     }
 
     /// The creases of the leaf, each with the angle at which it rests, or will once it is open.

@@ -568,3 +568,76 @@ fn a_leaf_folded_upon_its_folds_that_stays_upright_is_put_down_on_its_side() {
         assert!(strain < 0.01, "{strain}");
     }
 }
+
+/// How far a creased leaf that lies uppermost is drawn through itself at most, metres.
+#[cfg(feature = "creases")]
+fn drawn_through_itself(
+    book: &Book,
+    index: usize,
+    creases: &[crate::models::sheet::FoldLine],
+) -> f32 {
+    let (surface, mesh) = (
+        book.surface(index).unwrap(),
+        book.creased_mesh(index).unwrap(),
+    );
+    crate::book::parts_depth::depth_of_parts(surface, mesh, creases)
+}
+
+/// Half of its flap lies under its page and half over it, as no paper can: put down so it is
+/// pressed flat, and opens to where its crease rests. In one that lies as it is folded nothing is
+/// opened.
+#[test]
+#[cfg(feature = "creases")]
+fn a_folded_leaf_that_comes_to_lie_through_itself_is_opened_anew() {
+    use crate::book::mesh::find_beyond;
+    use crate::models::sheet::FoldLine;
+    let through = [[0.6, 0.0], [0.6, 1.0]];
+    let crease = FoldLine::pressed(through, 160f64.to_radians(), &Stock::BOOK, f64::from(WIDTH));
+    for tilt in [0.0, 0.2] {
+        let mut book = book();
+        assert!(book.crease(40, &[crease]));
+        while !book.is_asleep() {
+            book.step(1);
+        }
+        let id = book.pick_up(Side::Right, 40, 41).unwrap();
+        let leaf = book.flights.get_mut(id).unwrap().leaf_mut();
+        let nodes = leaf.sheet.positions().as_chunks::<3>().0.iter();
+        let beyond = find_beyond(&leaf.sheet.node_triangles(), nodes.len());
+        let tilted: Vec<f32> = nodes
+            .zip(&beyond)
+            .flat_map(|([x, y, z], is_beyond)| {
+                let up = if *is_beyond { tilt * (y - 0.105) } else { 0.02 };
+                [*x, *y, z + up]
+            })
+            .collect();
+        leaf.sheet.put_back(&tilted);
+        leaf.wake();
+        leaf.fallen = 1000;
+        let (mut is_opened, mut strain) = (false, 0.0f32);
+        let mut before: Option<Vec<[f32; 3]>> = None;
+        let mut fastest = 0.0f32;
+        for _ in 0..400 {
+            book.step(1);
+            let leaf = book.flights.order()[0].leaf();
+            is_opened |= leaf.opening.is_some();
+            strain = strain.max(leaf.sheet.max_edge_strain());
+            let now = leaf.sheet.positions().as_chunks::<3>().0.to_vec();
+            for (p, q) in before.iter().flatten().zip(&now) {
+                fastest = fastest.max(
+                    (0..3)
+                        .map(|axis| (p[axis] - q[axis]).abs())
+                        .fold(0.0, f32::max),
+                );
+            }
+            before = Some(now);
+        }
+        book.update();
+        assert!(book.is_asleep(), "{tilt}");
+        assert_eq!(is_opened, tilt > 0.0);
+        println!(
+            "{tilt}: strain {strain}, fastest {fastest} m in a tick, {}",
+            drawn_through_itself(&book, 0, &[crease])
+        );
+        assert!(drawn_through_itself(&book, 0, &[crease]) < 1e-4, "{tilt}");
+    }
+}

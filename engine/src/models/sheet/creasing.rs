@@ -116,7 +116,7 @@ impl Sheet {
 
     /// Lays the sheet still on a side as it lies under others, pressed flat: creases that rest
     /// beyond a right angle are shut, but for those that no paper could be with others that it
-    /// crosses, and others flat. `heights` say how high each node lies, the
+    /// crosses, or that would have a part lie below the rest and reach to the spine, and others flat. `heights` say how high each node lies, the
     /// sheet's recto up, metres. Those at the spine stay on the table. Returns the angle at which
     /// each crease then is, radians as [`FoldLine::rest`].
     pub fn lay_pressed(&mut self, side: Side, heights: &[f32]) -> Vec<f32> {
@@ -136,6 +136,18 @@ impl Sheet {
             }
         }
         self.turn_about(side, &creases, false);
+        // Only once all are shut is it known what reaches where.
+        for crease in 0..creases.len() {
+            if !self.reaches_spine_below(side, heights) {
+                break;
+            }
+            let shut = core::mem::replace(&mut creases[crease].rest, 0.0);
+            self.turn_about(side, &creases, false);
+            if self.reaches_spine_below(side, heights) || self.max_edge_strain() > TOLERANCE {
+                creases[crease].rest = shut;
+                self.turn_about(side, &creases, false);
+            }
+        }
         let columns = self.settings.columns;
         let highest = heights
             .iter()
@@ -150,6 +162,20 @@ impl Sheet {
         }
         self.expect_rests();
         creases.iter().map(|crease| crease.rest as f32).collect()
+    }
+
+    /// Whether some of it that lies below what is next to the spine, as `heights` say with the
+    /// recto up, reaches beyond the spine or as near to it as the leaf is high: there it has no room.
+    fn reaches_spine_below(&self, side: Side, heights: &[f32]) -> bool {
+        let (columns, sign) = (self.settings.columns, side.sign());
+        let highest = heights
+            .iter()
+            .fold(0.0f32, |most, height| most.max(*height));
+        let nodes = self.positions.as_chunks::<3>().0.iter().zip(heights);
+        nodes.enumerate().any(|(node, ([x, ..], height))| {
+            let beside_spine = heights[node - node % columns + 1];
+            node % columns > 1 && sign * x < highest && sign * (height - beside_spine) < 0.0
+        })
     }
 
     /// Lays the sheet still on a side, turned about each crease to the angle of the crease, and raised
