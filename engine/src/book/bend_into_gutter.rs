@@ -15,6 +15,7 @@
 //! its length, so bending adds no strain along a row. What would still lie
 //! inside a pile is pushed onto it.
 
+use super::fraction_turned::fraction_turned;
 use super::mesh::Folds;
 use super::pile::Pile;
 use super::tolerance::ROUNDING;
@@ -27,7 +28,7 @@ use crate::models::sheet::CAN_CREASE;
 /// the fore-edge; a row has as many points as the piles have columns. The
 /// piles' uppermost curves are the places where the leaf rests. One of some `straightness`
 /// (0 to 1) is bent less than by a pile that is not as straight. Points `beyond` a crease, none
-/// where there is no crease, are [turned by where they are](turn_between).
+/// where there is no crease, are turned by where they are, and not by how far along their row.
 pub fn bend_into_gutter(
     positions: &mut [f32],
     right: &Pile,
@@ -234,23 +235,6 @@ fn bend_folded_row(row: &mut [f32], [right, left]: [&[f32]; 2], beyond: &[bool],
     }
 }
 
-/// The angle of (dx, dz) from the right-hand side, as a fraction of a half turn:
-/// 0 right, 0.5 up, 1 left; downward directions mirror the upward ones.
-///
-/// acos by Abramowitz and Stegun 4.4.45, absolute error below 7e-5 rad, exact
-/// at both ends.
-pub fn fraction_turned(dx: f32, dz: f32) -> f32 {
-    let length = (dx * dx + dz * dz).sqrt();
-    if length < 1e-12 {
-        return 0.5;
-    }
-    let c = (dx / length).clamp(-1.0, 1.0);
-    let a = c.abs();
-    let series = 1.570_728_8 + a * (-0.212_114_4 + a * (0.074_261 - a * 0.018_729_3));
-    let fraction = (1.0 - a).sqrt() * series * core::f32::consts::FRAC_1_PI;
-    if c >= 0.0 { fraction } else { 1.0 - fraction }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::pile::crowded_columns;
@@ -274,15 +258,6 @@ mod tests {
         u.iter()
             .flat_map(|u| [u * WIDTH * cos, 0.0, u * WIDTH * sin])
             .collect()
-    }
-
-    #[test]
-    fn the_fraction_is_the_angle() {
-        for i in 0..=180 {
-            let angle = i as f32 * core::f32::consts::PI / 180.0;
-            let (sin, cos) = libm::sincosf(angle);
-            assert!((fraction_turned(cos, sin) - i as f32 / 180.0).abs() < 3e-5);
-        }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! A leaf's nodes in the book, and what it remembers of what they met.
 
-use super::bend_into_gutter::fraction_turned;
+use super::fraction_turned::fraction_turned;
 use super::mesh::{Folds, Mesh, update_normals};
 use super::tolerance::{CLOSE, FAR};
 use crate::models::sheet::CAN_CREASE;

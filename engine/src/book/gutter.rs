@@ -6,8 +6,8 @@
 //! it is summed up once a tick: for each column and a few angles of a row, by
 //! how much a cell's edge is turned and shortened.
 
-use super::bend_into_gutter::fraction_turned;
 use super::book_space_leaf::BookSpaceLeaf;
+use super::fraction_turned::fraction_turned;
 #[cfg(doc)]
 use super::pile::Pile;
 

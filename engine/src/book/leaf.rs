@@ -15,10 +15,10 @@ mod pressed;
 #[cfg(test)]
 mod tests;
 
-use super::bend_into_gutter::fraction_turned;
 use super::book_space_leaf::BookSpaceLeaf;
 use super::contacts::{ContactView, Neighbour, detect_contacts, detect_self_contacts};
 use super::flaps::Flaps;
+use super::fraction_turned::fraction_turned;
 use super::gutter::Gutter;
 use super::limits::{MAX_GRABS, NODES, TICK};
 use super::mesh::find_falling;

@@ -20,6 +20,7 @@ mod fold_out;
 mod folded_sheet;
 #[cfg(all(test, feature = "creases"))]
 mod folding_tests;
+mod fraction_turned;
 mod gutter;
 #[cfg(all(test, feature = "creases"))]
 mod held_folds_tests;

@@ -5,7 +5,7 @@
 //! the spine: there it is to be turned as the page is that it lies upon, or is drawn, and meets
 //! it, as if it went through that where the gutter is steep.
 
-use super::bend_into_gutter::fraction_turned;
+use super::fraction_turned::fraction_turned;
 
 /// The mean turn, cosine and sine, on the way between two places over a flat table, x and z
 /// each, metres. The gutter's turns are those of cells that end so far from the spine, the first

@@ -1,7 +1,7 @@
 //! A leaf held by grabs: how they take hold of it, pull it and let go, and when it sleeps.
 
 use super::Leaf;
-use crate::book::bend_into_gutter::fraction_turned;
+use crate::book::fraction_turned::fraction_turned;
 use crate::book::limits::{FARTHEST, MAX_GRABS, TICK};
 use crate::book::phase::Phase;
 
