@@ -267,6 +267,26 @@ fn folds_that_cross_are_pressed_as_far_as_paper_can_be() {
     }
 }
 
+/// A page of 73 x 20 mm: its nodes are a millimetre apart, and the parts of a folded leaf lie nearly half a
+/// millimetre above each other. Pressed flat on either side none of its edges is stretched.
+#[test]
+fn a_small_leaf_that_is_pressed_flat_keeps_its_lengths() {
+    for rest in [160.0, -160.0] {
+        let creases = [
+            fold([0.89, 0.0], [1.0, 0.38], rest),
+            fold([0.89, 1.0], [1.0, 0.62], rest),
+        ];
+        let mut book = Book::new(0.073, 0.02, 40, 0.004).unwrap();
+        book.lay(5);
+        assert!(book.crease(5, &creases));
+        for read in [5, 6] {
+            book.lay(read);
+            let strain = book.strain(0).unwrap();
+            assert!(strain < 1e-3, "{strain}, {read} read, {rest} degrees");
+        }
+    }
+}
+
 /// Over its page it is pressed flat and lies folded; below its page it has no room at the spine, lies
 /// open while it is pressed, and then holds the page up.
 #[test]

@@ -634,10 +634,9 @@ fn a_folded_leaf_that_comes_to_lie_through_itself_is_opened_anew() {
         book.update();
         assert!(book.is_asleep(), "{tilt}");
         assert_eq!(is_opened, tilt > 0.0);
-        println!(
-            "{tilt}: strain {strain}, fastest {fastest} m in a tick, {}",
-            drawn_through_itself(&book, 0, &[crease])
-        );
+        assert!(strain < 1e-3, "{strain}, {tilt}");
+        // At most 42 mm are eased in 18 ticks, half as fast again midway: nothing leaps.
+        assert!(fastest < 4e-3, "{fastest} m in a tick, {tilt}");
         assert!(drawn_through_itself(&book, 0, &[crease]) < 1e-4, "{tilt}");
     }
 }

@@ -42,10 +42,15 @@ impl Sheet {
             }))
         };
         self.take(material);
+        self.restore_lengths();
+        Ok(())
+    }
+
+    /// Moves the nodes until every edge has its length, where one has not.
+    fn restore_lengths(&mut self) {
         if self.max_edge_strain() > TOLERANCE {
             self.sweep.run(&mut self.positions, &[]);
         }
-        Ok(())
     }
 
     /// Goes on with its nodes at other places of the paper, on which they are moved.
@@ -160,6 +165,8 @@ impl Sheet {
                 Side::Left => highest - height,
             };
         }
+        // Between parts at different heights edges are longer than they were on the flat.
+        self.restore_lengths();
         self.expect_rests();
         creases.iter().map(|crease| crease.rest as f32).collect()
     }
