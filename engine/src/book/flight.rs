@@ -1,12 +1,13 @@
 //! One leaf in flight: its leaf of paper, and what is drawn of it.
 
+mod through_itself;
+
 use core::sync::atomic::{AtomicU32, Ordering};
 
 use super::bend_into_gutter::{bend_into_gutter, is_clear, push_edges_off, push_off};
 use super::creased_mesh::CreasedMesh;
 use super::crossing::{Tiles, is_past};
 use super::flaps::is_turned_over;
-use super::gutter::Gutter;
 use super::leaf::Leaf;
 use super::limits::{FARTHEST, NODES};
 use super::mesh::{Folds, Mesh};
@@ -15,7 +16,7 @@ use super::pile::Pile;
 use super::separate::{DrawnLeaf, find_bends, separate};
 use super::separate_folded::{MovedLeaf, Outcome, PartedLeaf, PlacedBlocks, push_off_leaf};
 use super::separate_parts::{DrawnParts, ROUNDS};
-use super::tolerance::{AT_FACET, DEEP, GAP, PAST_AT_SPINE};
+use super::tolerance::{AT_FACET, DEEP, PAST_AT_SPINE};
 use super::work::Work;
 use crate::grid::Side;
 use crate::models::sheet::{CAN_CREASE, FoldLine};
@@ -565,79 +566,6 @@ impl Flight {
     pub fn take_work(&mut self) -> u32 {
         let searching = core::mem::take(&mut self.searching);
         self.leaf.take_work().saturating_add(searching)
-    }
-
-    /// Takes back what a tick did to it where its paper would be drawn through itself after
-    /// it, and would not have been before; of a creased one that a grab holds, where its paper goes
-    /// through itself deeper than contact between its parts brings out again. Whole leaves that no
-    /// grab has crumpled and that are not curled are not looked at, and creased ones that no grab
-    /// holds neither: contact moves their parts, which taken back in a turn stay caught.
-    pub fn keep_from_itself(&mut self, gutter: &Gutter, deepest: f32) {
-        let was_through = core::mem::take(&mut self.was_through);
-        let may_be_folded = if self.leaf.is_creased() {
-            self.leaf.phase() == Phase::Held
-        } else {
-            self.leaf.was_held() || self.leaf.in_book_space().is_curled()
-        };
-        if !may_be_folded {
-            return;
-        }
-        self.was_through = self.is_paper_through_itself();
-        if self.was_through && !was_through {
-            self.leaf.step_back(gutter, deepest);
-            self.was_through = self.is_paper_through_itself();
-        }
-    }
-
-    /// Has a creased leaf that has landed in this tick open its folds anew, from pressed flat, where
-    /// it would be drawn through itself: no paper can come to lie so, and contact between its parts
-    /// does not bring it out any more.
-    pub fn open_where_through_itself(&mut self) {
-        if !self.is_creased() || !self.leaf.may_open_anew() {
-            return;
-        }
-        let work = &mut Work::new(u32::MAX);
-        work.spend(MOVING + CUTTING);
-        self.leaf.write_surface(&mut self.spare);
-        let scale = self.scale();
-        if let Some(flaps) = self.leaf.flaps() {
-            let points = self.spare.positions.as_chunks_mut::<3>().0;
-            let side = |under, part, is_alike| flaps.drawn_side(under, part, is_alike);
-            self.parts.separate(points, (scale, ROUNDS), side, work);
-        }
-        self.spare.update_normals();
-        self.tiles.cut(Mesh {
-            folds: folds(self.creased.as_ref(), &[]),
-            ..Mesh::of(&self.spare)
-        });
-        if self.tiles.cross_themselves(-GAP * scale, work) {
-            self.leaf.open_anew();
-        }
-        self.searching = self.searching.saturating_add(work.done());
-    }
-
-    fn is_paper_through_itself(&mut self) -> bool {
-        let work = &mut Work::new(u32::MAX);
-        // Parts that lie upon each other are drawn apart, to the side to which they are folded.
-        let apart = if self.leaf.is_creased() {
-            work.spend(CUTTING);
-            // Over the flat table: what is put back is there as it was, whatever the gutter did.
-            let points = self.leaf.sheet().positions().as_chunks::<3>().0;
-            self.tiles.cut(Mesh {
-                points,
-                ..self.leaf.in_book_space().mesh()
-            });
-            -DEEP
-        } else {
-            work.spend(MOVING + CUTTING);
-            self.leaf.write_surface(&mut self.spare);
-            self.spare.update_normals();
-            self.tiles.cut(Mesh::of(&self.spare));
-            AT_FACET
-        };
-        let is_through = self.tiles.cross_themselves(apart * self.scale(), work);
-        self.searching = self.searching.saturating_add(work.done());
-        is_through
     }
 
     /// Keeps what is drawn now as what is wanted.

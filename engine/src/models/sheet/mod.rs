@@ -79,10 +79,10 @@ const FASTEST: f32 = 12.0;
 const PIN: f32 = 2e4;
 
 /// Work of a step, of one of a creased sheet and of a sweep for each node, nanoseconds of
-/// native code.
-const STEP: u32 = 450;
-const CREASED_STEP: u32 = 2500;
-const SWEEP: u32 = 40;
+/// native code: means of random gestures on whole and on folded leaves.
+const STEP: u32 = 500;
+const CREASED_STEP: u32 = 1000;
+const SWEEP: u32 = 11;
 
 /// A leaf of paper.
 #[derive(Clone, Debug)]
