@@ -21,6 +21,7 @@ import { LeafMesh } from "./leaf_mesh.ts";
 import type { BookMaterials } from "./materials.ts";
 import { castOver, overheadOf } from "./overhead.ts";
 import { type Overhead, PageMesh, pageRows } from "./page_mesh.ts";
+import { flapsOf, type Paper, papersOf, shading, shadingOn } from "./papers.ts";
 import { PileMesh } from "./pile_mesh.ts";
 import { PileShape } from "./pile_shape.ts";
 import { HeadbandMesh, SpineMesh } from "./spine_mesh.ts";
@@ -54,7 +55,9 @@ export class DrawnBook {
   readonly #leaves: LeafMesh[] = [];
   readonly #loose: LeafMesh[] = [];
   #looseShown: readonly Surface[] = [];
-  /** The loose sheet that lies upon all others, and shades what is under it. */
+  /** The leaves and sheets as they shaded each other last. */
+  #shading: readonly Surface[] = [];
+  /** The loose sheet that lies upon all others. */
   #topmost: Surface | null = null;
   readonly #front: BoardMesh;
   readonly #back: BoardMesh;
@@ -105,7 +108,7 @@ export class DrawnBook {
     this.#spine = new SpineMesh(materials.spine, height, thickness);
     this.#headbands = new HeadbandMesh(materials.headband, height);
     this.#table = tableHeight(shape);
-    this.#ground = new Ground(this.#table, 12 * Math.max(width, height));
+    this.#ground = new Ground(this.#table, 12 * Math.max(width, height), materials.pixel);
 
     this.group.add(this.#ground.mesh);
     for (const { page, block, fold } of [this.#left, this.#right]) {
@@ -153,7 +156,7 @@ export class DrawnBook {
       shadowOfFlap(this.#ground, this.#shape, pose.flap ?? null);
     }
     if (loose) shadowOfSheet(this.#ground, loose, this.#table);
-    for (const page of Object.values(this.#materials.pages)) page.coverBy(loose);
+    this.#shadeByPapers(pose, sheets);
     return caseMoved || flapMoved;
   }
 
@@ -174,6 +177,11 @@ export class DrawnBook {
       }
     }
     return edge.join() !== before;
+  }
+
+  /** Compiles in what loose sheets shade on the table, so that nothing waits for it when one comes. */
+  expectSheets(): void {
+    this.#ground.shade();
   }
 
   /**
@@ -261,10 +269,52 @@ export class DrawnBook {
       for (const { material } of [mesh.recto, mesh.verso]) {
         // Another may have come to lie under it, or on it.
         material.lieOver(over, over);
-        material.coverBy(sheets[k] === this.#topmost ? null : this.#topmost);
       }
     }
     this.#looseShown = sheets;
+  }
+
+  /** Shades everything by paper that lies on it: what is folded over, and loose sheets. */
+  #shadeByPapers(
+    { leaves, lying = [], flap = null, loose = [] }: BookPose,
+    sheets: readonly Surface[],
+  ): void {
+    const all = [...sheets, ...loose];
+    const same =
+      all.length === this.#shading.length && all.every((one, k) => one === this.#shading[k]);
+    if (same) return;
+    this.#shading = all;
+    const ranks = ranksOf(loose);
+    const piled = [...loose.keys()].sort((a, b) => ranks[a] - ranks[b]);
+    const papers = piled.map((k) => papersOf(loose[k]));
+    const folded = leaves.map((leaf) => flapsOf(leaf));
+    const { width, height } = this.#shape;
+    for (const [sign, { pile }] of [
+      [-1, this.#left],
+      [1, this.#right],
+    ] as const) {
+      const [x0, x1] = [Math.min(0, sign * width), Math.max(0, sign * width)];
+      const on = [...folded.flat(), ...papers.flat()];
+      const page = this.#materials.pages[sign === 1 ? "right" : "left"];
+      page.lay(shading(on, [x0, 0], [x1, height], Math.min(...pile.z)));
+    }
+    for (const [k, mesh] of this.#leaves.entries()) {
+      const leaf = sheets[k];
+      if (leaf === undefined || leaf === flap) continue;
+      const over: Paper[] = [];
+      if (lying.includes(leaf)) {
+        // Beside the spine those on its own side lie over it that come later in turning there.
+        const left = meanOf(leaf) < 0;
+        const flaps = folded.filter((_, other) => (left ? other > k : other < k));
+        over.push(...shadingOn(leaf, [...flaps.flat(), ...papers.flat()]));
+      }
+      mesh.shadeBy(leaf, over);
+    }
+    for (const [place, k] of piled.entries()) {
+      const over = shadingOn(loose[k], papers.slice(place + 1).flat());
+      this.#loose[k].shadeBy(loose[k], over);
+    }
+    this.#ground.lay(piled.flatMap((k) => papersOf(loose[k], true)));
   }
 
   #placeSide(side: DrawnSide, pile: BookPose["left"]): boolean {
@@ -360,4 +410,11 @@ function tipOf(
   out[1] = hinge[1];
   out[2] = sign * (hinge[0] + reach * Math.cos(angle));
   out[3] = hinge[1] + reach * Math.sin(angle);
+}
+
+/** Returns the mean place of a surface across the spine, metres. */
+function meanOf({ positions }: Surface): number {
+  let sum = 0;
+  for (let at = 0; at < positions.length; at += 3) sum += positions[at];
+  return (3 * sum) / positions.length;
 }

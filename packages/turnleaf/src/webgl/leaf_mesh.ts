@@ -6,6 +6,7 @@ import { CreasedVertices } from "./creased_vertices.ts";
 import { LeafLight } from "./leaf_light.ts";
 import { geometryOf, sheetGeometry } from "./page_mesh.ts";
 import type { PaperMaterial } from "./paper_material.ts";
+import { flapsOn, type Paper } from "./papers.ts";
 import type { PileShape } from "./pile_shape.ts";
 import { RimMesh } from "./rim_mesh.ts";
 import type { SolidMaterial } from "./solid_material.ts";
@@ -19,6 +20,8 @@ export class LeafMesh {
   #rows = 0;
   #mesh: CreasedMesh | undefined;
   #creased: CreasedVertices | undefined;
+  /** What lies on it beside its own flaps. */
+  #over: readonly Paper[] = [];
   #position = new BufferAttribute(new Float32Array(0), 3);
   #normal = new BufferAttribute(new Float32Array(0), 3);
   #rectoGap = new BufferAttribute(new Float32Array(0), 2);
@@ -71,9 +74,17 @@ export class LeafMesh {
       [this.verso, -1],
     ] as const) {
       material.opened = leaf.opened ?? null;
-      material.flapCount = this.#creased?.writeFlaps(sign, material.flaps) ?? 0;
+      material.lay([...flapsOn(leaf, sign), ...this.#over]);
     }
     this.rim.shape(leaf);
+  }
+
+  /** Shades it by paper that lies on it, or close over it, beside its own flaps. */
+  shadeBy(leaf: Surface, over: readonly Paper[]): void {
+    if (over.length === 0 && this.#over.length === 0) return;
+    this.#over = over;
+    this.recto.material.lay([...flapsOn(leaf, 1), ...over]);
+    this.verso.material.lay([...flapsOn(leaf, -1), ...over]);
   }
 
   /**
@@ -166,8 +177,8 @@ export class LeafMesh {
       geometry.setAttribute("gapBehind", far);
       const tears = this.#creased?.tears;
       if (tears) geometry.setAttribute("tear", new BufferAttribute(tears, 3));
-      const folded = this.#creased?.folded;
-      if (folded) geometry.setAttribute("folded", new BufferAttribute(folded, 1));
+      const parts = this.#creased?.parts;
+      if (parts) geometry.setAttribute("part", new BufferAttribute(parts, 1));
       mesh.geometry = geometry;
     }
   }

@@ -91,7 +91,7 @@ export class LeafScene {
     const { paper, anisotropy } = this.#textures;
     this.#grains = new BookGrains(anisotropy);
     this.#materials = new BookMaterials(this.#shape, paper, this.#grains);
-    this.#ground = new Ground(-3 * gap, 12 * Math.max(width, height));
+    this.#ground = new Ground(-3 * gap, 12 * Math.max(width, height), this.#materials.pixel);
     this.#left = restingPage(-1, this.#shape, this.#materials);
     this.#right = restingPage(1, this.#shape, this.#materials);
     const { recto, verso } = this.#materials.leaf(0);
@@ -123,6 +123,8 @@ export class LeafScene {
     camera.matrix.fromArray([...right, 0, ...up, 0, ...back, 0, ...place, 1]);
     camera.matrixWorldNeedsUpdate = true;
     camera.updateMatrixWorld(true);
+    const view = 2 * distance * Math.tan((fieldOfView * Math.PI) / 360);
+    this.#materials.pixel.value = view / height;
     camera.aspect = width / height;
     camera.near = Math.max(0.02, distance - 2 * Math.max(w, h));
     camera.far = distance + 4 * Math.max(w, h);
