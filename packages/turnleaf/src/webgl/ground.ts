@@ -54,7 +54,8 @@ void main() {
   vec3 sky = vec3(1.0);
   float key = 1.0;
   shadeByPapers(vec3(vPlace, table), 0.0, 1.0, sky, key);
-  lit *= dot(KEY * key + SKY * sky, vec3(1.0)) / dot(KEY + SKY, vec3(1.0));
+  // Of light, and what is drawn is blended as sRGB has it.
+  lit *= pow(dot(KEY * key + SKY * sky, vec3(1.0)) / dot(KEY + SKY, vec3(1.0)), 1.0 / 2.2);
   #endif
   // Where the canvas ends there is no shadow left to be cut off.
   vec2 fromEdge = min(gl_FragCoord.xy, canvas - gl_FragCoord.xy) / min(canvas.x, canvas.y);

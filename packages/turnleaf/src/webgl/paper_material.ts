@@ -159,6 +159,17 @@ vec3 tearAcross(vec3 ink) {
 }
 #endif
 
+#ifdef SHADED
+// The cut edge of what is folded over, or loose, catches light as far as a page may be brighter than its picture.
+float paperEdge() {
+  #ifndef TORN
+  if (vPart < 0.5) return 0.0;
+  #endif
+  vec2 within = min(vUv, 1.0 - vUv) * size;
+  return 0.03 * (1.0 - smoothstep(0.0, 2.0 * pixel, min(within.x, within.y)));
+}
+#endif
+
 // Of the sky that other leaves shut out as much comes through them as of the key light.
 vec3 skyHere(vec3 normal) {
   float open = skyFraction(vGapSky, normal);
@@ -187,6 +198,9 @@ void main() {
   }
   vec3 light = arriving(normal, sky, key);
   if (thin > 0.5) light += throughLeaf(normal, uv);
+  #ifdef SHADED
+  light += paperEdge();
+  #endif
   light = min(light, vec3(ceiling));
   vec2 fromLight = (vPlace.xy - vec2(-0.35 * size.x, 0.65 * size.y)) / (1.5 * size);
   light *= 1.0 - pool * smoothstep(0.1, 1.0, length(fromLight));

@@ -45,13 +45,15 @@ export function flapsOn(leaf: Surface, sign: 1 | -1): readonly Paper[] {
     if (!isShut(hinge, creased, positions)) return [];
     return outlinesOf(leaf).flatMap((outline) => {
       if (outline.part !== part) return [];
-      const [, triangle] = sides[0];
-      const normal = normalOf(creased, positions, triangle);
-      const crease = creased.triangles[3 * triangle];
+      // Beside the crease: farther off a bent leaf is on either side of what it is folded to.
       let rise = 0;
-      for (const { points } of outline.edges) {
-        for (let axis = 0; axis < 3; axis++) {
-          rise += (positions[3 * points[0] + axis] - positions[3 * crease + axis]) * normal[axis];
+      for (const [own, parents] of sides) {
+        const normal = normalOf(creased, positions, parents);
+        for (let corner = 0; corner < 3; corner++) {
+          const [a, b] = [own, parents].map((k) => 3 * creased.triangles[3 * k + corner]);
+          for (let axis = 0; axis < 3; axis++) {
+            rise += (positions[a + axis] - positions[b + axis]) * normal[axis];
+          }
         }
       }
       return rise * sign > 0 ? [paperOf(positions, outline, boundless, parent)] : [];
@@ -134,12 +136,15 @@ function boxOf({ positions, columns }: Surface): [Float32Array, PartOutline] {
     }
     z += (3 * positions[at + 2]) / positions.length;
   }
-  const corners = [low, [high[0], low[1]], high, [low[0], high[1]]].flatMap(([a, b]) => [
-    a * axes[0][0] + b * axes[1][0],
-    a * axes[0][1] + b * axes[1][1],
-    z,
-  ]);
-  const edges = [0, 1, 2, 3].map((k) => ({ points: [k, (k + 1) % 4], beyond: -1, inset: 0 }));
+  // Six corners, about as far out as it is wide.
+  const corners = [0, 1, 2, 3, 4, 5].flatMap((k) => {
+    const angle = (k * Math.PI) / 3;
+    const [a, b] = [Math.cos(angle), Math.sin(angle)].map(
+      (out, axis) => (low[axis] + high[axis] + 1.1 * out * (high[axis] - low[axis])) / 2,
+    );
+    return [a * axes[0][0] + b * axes[1][0], a * axes[0][1] + b * axes[1][1], z];
+  });
+  const edges = [0, 1, 2, 3, 4, 5].map((k) => ({ points: [k, (k + 1) % 6], beyond: -1, inset: 0 }));
   return [Float32Array.from(corners), { part: 0, edges }];
 }
 
@@ -176,8 +181,10 @@ function paperOf(positions: Float32Array, { edges }: PartOutline, to: number, on
       along.map((x) => x / length),
       middle.map((m, axis) => m - a[axis]),
     );
-    let within = dot(inward, a) + inset;
-    for (const p of points) within += (dot(inward, at(p)) - dot(inward, a)) / points.length;
+    const within = dot(inward, a) + inset;
+    // Two thirds of its height is the mean of a parabola through both ends.
+    let bow = 0;
+    for (const p of points) bow += (1.5 * (dot(inward, at(p)) - dot(inward, a))) / points.length;
     wide = Math.min(wide, dot(inward, middle) - within);
     // Of a crease its own leaf sees no edge.
     if (onto >= 0 && beyond === onto) data[to + 3] = -boundless;
@@ -190,10 +197,14 @@ function paperOf(positions: Float32Array, { edges }: PartOutline, to: number, on
     const [p, m, q] = [over(a), over(at(points[points.length >> 1])), over(b)];
     // A parabola through what is over the plane at its ends and its middle.
     const bend = points.length > 2 ? 2 * (p + q - 2 * m) : 0;
-    data.set([p, q - p - bend, bend, 0], to + 8);
+    data.set([p, q - p - bend, bend, 4 * bow], to + 8);
   }
-  data.set([onto, to, Math.max(wide, 1e-4), edges.length], 4);
   const all = edges.flatMap(({ points }) => points.map(at));
+  // What is bent far from its plane, or if only what lies shades, stands, shades nothing in it.
+  const bent = all.reduce((most, p) => Math.max(most, Math.abs(over(p))), 0) / Math.max(wide, 1e-4);
+  const steep = to > reach ? 0 : (1 - plane[2]) / (1 - Math.SQRT1_2);
+  const flat = (1 - smooth(4 * bent - 0.6)) * (1 - smooth(steep));
+  data.set([onto < 0 ? -1 - flat : onto, to, Math.max(wide, 1e-4), edges.length], 4);
   const extreme = (axis: number, pick: typeof Math.max) => pick(...all.map((p) => p[axis]));
   return {
     data,
@@ -201,6 +212,11 @@ function paperOf(positions: Float32Array, { edges }: PartOutline, to: number, on
     high: [extreme(0, Math.max), extreme(1, Math.max)],
     top: extreme(2, Math.max),
   };
+}
+
+function smooth(x: number): number {
+  const t = Math.min(Math.max(x, 0), 1);
+  return t * t * (3 - 2 * t);
 }
 
 const dot = (a: ArrayLike<number>, b: ArrayLike<number>): number =>
@@ -239,6 +255,8 @@ uniform int paperCount;
 uniform float pixel;
 
 void shadeByPapers(vec3 place, float part, float strength, inout vec3 sky, inout float key) {
+  // What is lower is seen as if it were as high.
+  float least = 3.0 * pixel;
   for (int k = 0; k < ${mostPapers}; k++) {
     if (k >= paperCount) return;
     int at = ${vectors} * k;
@@ -251,22 +269,28 @@ void shadeByPapers(vec3 place, float part, float strength, inout vec3 sky, inout
     float slant = dot(plane.xyz, KEY_DIRECTION);
     float open = 1.0;
     float dark = slant > 0.0 ? 1.0 : 0.0;
-    float near = max(pixel, up);
+    float near = max(least, up);
+    float deep = 1e3;
+    float tall = pixel;
     for (int edge = 0; edge < ${mostEdges}; edge++) {
       if (float(edge) >= about.w) break;
       vec4 inward = papers[at + 2 + 3 * edge];
       vec4 along = papers[at + 3 + 3 * edge];
-      vec3 bend = papers[at + 4 + 3 * edge].xyz;
+      vec4 bend = papers[at + 4 + 3 * edge];
       float t = clamp(dot(along.xyz, vec3(place.xy, place.z + up)) - along.w, 0.0, 1.0);
-      // What is lower than a pixel is seen as if it were as high.
-      float high = max(pixel, up + bend.x + t * (bend.y + t * bend.z));
-      float from = dot(inward.xyz, vec3(place.xy, place.z + up)) - inward.w;
+      float height = up + bend.x + t * (bend.y + t * bend.z);
+      float high = max(least, height);
+      float rim = inward.w + t * (1.0 - t) * bend.w;
+      float from = dot(inward.xyz, vec3(place.xy, place.z + up)) - rim;
+      deep = min(deep, from);
+      tall = max(tall, height);
       open *= 0.5 + 0.5 * from * inversesqrt(from * from + high * high);
-      float far = max(pixel, under / max(slant, 1e-3) + (high - up) / KEY_DIRECTION.z);
+      float far = max(pixel, under / max(slant, 1e-3) + (height - up) / KEY_DIRECTION.z);
       float soft = ${penumbra} * far;
-      dark *= smoothstep(-soft, soft, dot(inward.xyz, place + far * KEY_DIRECTION) - inward.w);
+      dark *= smoothstep(-soft, soft, dot(inward.xyz, place + far * KEY_DIRECTION) - rim);
     }
-    float here = strength * (1.0 - smoothstep(0.0, about.y, up));
+    // Nobody looks as far in under it; where what is under it is drawn through it, no dark spot shows.
+    float here = strength * (about.x < -0.5 ? -1.0 - about.x : 1.0) * (1.0 - smoothstep(0.0, about.y, up)) * (1.0 - smoothstep(1.0, 2.0, deep / tall));
     key *= 1.0 - here * dark;
     sky *= 1.0 - here * open * (1.0 - mix(THROUGH, vec3(0.5), min(1.0, near / about.z)));
   }
