@@ -2,7 +2,6 @@
 
 import { type CreasedMesh, splitMesh, writeMeshNormals } from "../creased_mesh.ts";
 import type { Surface } from "../engine/shapes.ts";
-import { foldedParts } from "./hinges.ts";
 import { type VertexNumbers, vertexNumbers } from "./vertex_numbers.ts";
 
 /** Steps along a row by which its direction is known. */
@@ -22,7 +21,8 @@ const sliver = 1e-3;
  * What is beyond a crease that stands open by more than a right angle stays.
  */
 export function cutOff(leaf: Surface): Surface {
-  return leaf.creased ? laidOn(leaf, leaf.creased, foldedParts(leaf, leaf.creased), sliver) : leaf;
+  const folded = leaf.papers?.foldedParts(leaf) ?? [];
+  return leaf.creased ? laidOn(leaf, leaf.creased, folded, sliver) : leaf;
 }
 
 /**

@@ -7,7 +7,7 @@ import { Group, Object3D } from "three";
 import { type Face, isBoardFace } from "../book/faces.ts";
 import { nextTo } from "../book/leaf_order.ts";
 import { Side } from "../engine/phases.ts";
-import type { Surface, Vec3 } from "../engine/shapes.ts";
+import type { Paper, Surface, Vec3 } from "../engine/shapes.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import { caseSizes, tableHeight } from "../stage/case_sizes.ts";
 import { BoardMesh } from "./board_mesh.ts";
@@ -21,7 +21,7 @@ import { LeafMesh } from "./leaf_mesh.ts";
 import type { BookMaterials } from "./materials.ts";
 import { castOver, overheadOf } from "./overhead.ts";
 import { type Overhead, PageMesh, pageRows } from "./page_mesh.ts";
-import { flapsOf, type Paper, papersOf, shading, shadingOn } from "./papers.ts";
+import { shading } from "./papers.ts";
 import { PileMesh } from "./pile_mesh.ts";
 import { PileShape } from "./pile_shape.ts";
 import { HeadbandMesh, SpineMesh } from "./spine_mesh.ts";
@@ -275,46 +275,34 @@ export class DrawnBook {
   }
 
   /** Shades everything by paper that lies on it: what is folded over, and loose sheets. */
-  #shadeByPapers(
-    { leaves, lying = [], flap = null, loose = [] }: BookPose,
-    sheets: readonly Surface[],
-  ): void {
+  #shadeByPapers({ leaves, lying = [], loose = [] }: BookPose, sheets: readonly Surface[]): void {
     const all = [...sheets, ...loose];
     const same =
       all.length === this.#shading.length && all.every((one, k) => one === this.#shading[k]);
     if (same) return;
     this.#shading = all;
     const ranks = ranksOf(loose);
-    const piled = [...loose.keys()].sort((a, b) => ranks[a] - ranks[b]);
-    const papers = piled.map((k) => papersOf(loose[k]));
-    const folded = leaves.map((leaf) => flapsOf(leaf));
-    const { width, height } = this.#shape;
-    for (const [sign, { pile }] of [
-      [-1, this.#left],
-      [1, this.#right],
-    ] as const) {
-      const [x0, x1] = [Math.min(0, sign * width), Math.max(0, sign * width)];
-      const on = [...folded.flat(), ...papers.flat()];
-      const page = this.#materials.pages[sign === 1 ? "right" : "left"];
-      page.lay(shading(on, [x0, 0], [x1, height], Math.min(...pile.z)));
+    const piled = ranks.map((_, rank) => loose[ranks.indexOf(rank)]);
+    const papers = piled.map((sheet) => sheet.papers?.papersOf(sheet) ?? []);
+    const folded = leaves.map((leaf) => leaf.papers?.flapsOf(leaf) ?? []);
+    for (const { page } of [this.#left, this.#right]) {
+      page.mesh.material.lay(shading([...folded, ...papers].flat(), page));
     }
-    for (const [k, mesh] of this.#leaves.entries()) {
-      const leaf = sheets[k];
-      if (leaf === undefined || leaf === flap) continue;
-      const over: Paper[] = [];
+    for (const [k, leaf] of sheets.entries()) {
+      let over: readonly Paper[] = [];
       if (lying.includes(leaf)) {
-        // Beside the spine those on its own side lie over it that come later in turning there.
-        const left = meanOf(leaf) < 0;
+        // Of those on a side, the ones farther out in the row of leaves lie over it.
+        const left = leaf.positions.reduce((sum, x, at) => (at % 3 === 0 ? sum + x : sum), 0) < 0;
         const flaps = folded.filter((_, other) => (left ? other > k : other < k));
-        over.push(...shadingOn(leaf, [...flaps.flat(), ...papers.flat()]));
+        over = shading([...flaps, ...papers].flat(), leaf);
       }
-      mesh.shadeBy(leaf, over);
+      this.#leaves[k].shadeBy(leaf, over);
     }
-    for (const [place, k] of piled.entries()) {
-      const over = shadingOn(loose[k], papers.slice(place + 1).flat());
-      this.#loose[k].shadeBy(loose[k], over);
+    for (const [rank, sheet] of piled.entries()) {
+      const over = shading(papers.slice(rank + 1).flat(), sheet);
+      this.#loose[ranks.indexOf(rank)].shadeBy(sheet, over);
     }
-    this.#ground.lay(piled.flatMap((k) => papersOf(loose[k], true)));
+    this.#ground.lay(piled.flatMap((sheet) => sheet.papers?.papersOf(sheet, true) ?? []));
   }
 
   #placeSide(side: DrawnSide, pile: BookPose["left"]): boolean {
@@ -410,11 +398,4 @@ function tipOf(
   out[1] = hinge[1];
   out[2] = sign * (hinge[0] + reach * Math.cos(angle));
   out[3] = hinge[1] + reach * Math.sin(angle);
-}
-
-/** Returns the mean place of a surface across the spine, metres. */
-function meanOf({ positions }: Surface): number {
-  let sum = 0;
-  for (let at = 0; at < positions.length; at += 3) sum += positions[at];
-  return (3 * sum) / positions.length;
 }

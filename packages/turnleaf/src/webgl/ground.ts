@@ -1,7 +1,8 @@
 /** The table: nothing but the book's soft shadow over the background of the canvas. */
 
 import { Mesh, NoBlending, PlaneGeometry, ShaderMaterial, Vector2 } from "three";
-import { layPapers, type Paper, papersChunk, paperUniforms } from "./papers.ts";
+import type { Paper } from "../engine/shapes.ts";
+import { layPapers, papersChunk, paperUniforms } from "./papers.ts";
 import { lightChunk } from "./shading.ts";
 
 const vertexShader = /* glsl */ `

@@ -1,12 +1,11 @@
 /** A leaf in flight: two sides over the engine's own memory. */
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh } from "three";
-import { type CreasedMesh, columnPlace, type Surface } from "../engine/shapes.ts";
+import { type CreasedMesh, columnPlace, type Paper, type Surface } from "../engine/shapes.ts";
 import { CreasedVertices } from "./creased_vertices.ts";
 import { LeafLight } from "./leaf_light.ts";
 import { geometryOf, sheetGeometry } from "./page_mesh.ts";
 import type { PaperMaterial } from "./paper_material.ts";
-import { flapsOn, type Paper } from "./papers.ts";
 import type { PileShape } from "./pile_shape.ts";
 import { RimMesh } from "./rim_mesh.ts";
 import type { SolidMaterial } from "./solid_material.ts";
@@ -69,13 +68,8 @@ export class LeafMesh {
     this.recto.material.lieOver(left, right);
     this.verso.material.lieOver(left, right);
     this.recto.material.thickness = this.verso.material.thickness = leaf.thickness ?? 0;
-    for (const [{ material }, sign] of [
-      [this.recto, 1],
-      [this.verso, -1],
-    ] as const) {
-      material.opened = leaf.opened ?? null;
-      material.lay([...flapsOn(leaf, sign), ...this.#over]);
-    }
+    for (const { material } of [this.recto, this.verso]) material.opened = leaf.opened ?? null;
+    this.#lay(leaf);
     this.rim.shape(leaf);
   }
 
@@ -83,8 +77,7 @@ export class LeafMesh {
   shadeBy(leaf: Surface, over: readonly Paper[]): void {
     if (over.length === 0 && this.#over.length === 0) return;
     this.#over = over;
-    this.recto.material.lay([...flapsOn(leaf, 1), ...over]);
-    this.verso.material.lay([...flapsOn(leaf, -1), ...over]);
+    this.#lay(leaf);
   }
 
   /**
@@ -143,6 +136,12 @@ export class LeafMesh {
     this.recto.geometry.dispose();
     this.verso.geometry.dispose();
     this.rim.dispose();
+  }
+
+  #lay(leaf: Surface): void {
+    const { papers } = leaf;
+    this.recto.material.lay([...(papers?.flapsOn(leaf, 1) ?? []), ...this.#over]);
+    this.verso.material.lay([...(papers?.flapsOn(leaf, -1) ?? []), ...this.#over]);
   }
 
   #allot(leaf: Surface): void {

@@ -1,6 +1,7 @@
 /** A loose leaf in three.js: the leaf, the pages under it, their shadow on the table. */
 
 import { PerspectiveCamera, Scene, SRGBColorSpace, type Texture, WebGLRenderer } from "three";
+import { leafPapers } from "../engine/leaf_papers.ts";
 import { columnPlace, type Ray, type Surface } from "../engine/shapes.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import type { BookShape } from "../stage/book_pose.ts";
@@ -148,7 +149,7 @@ export class LeafScene {
   }
 
   show(leaf: Omit<Surface, "version">): void {
-    const surface: Surface = { ...leaf, version: ++this.#version };
+    const surface: Surface = { ...leaf, version: ++this.#version, papers: leafPapers };
     const stride = strideOf(leaf.columns);
     const [left, right] = [this.#left, this.#right];
     this.#leaf.shape(surface, 1, 1);

@@ -1,9 +1,10 @@
 /** The material of a printed sheet: a resting page, or one side of a leaf in flight. */
 
 import { BackSide, FrontSide, ShaderMaterial, type Texture } from "three";
+import type { Paper } from "../engine/shapes.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import { inkChunk, inkUniforms } from "./ink.ts";
-import { layPapers, type Paper, papersChunk, paperUniforms } from "./papers.ts";
+import { layPapers, papersChunk, paperUniforms } from "./papers.ts";
 import { gapChunk, lightChunk, pictureChunk } from "./shading.ts";
 
 /** Values passed from the vertex to the fragment shader. */

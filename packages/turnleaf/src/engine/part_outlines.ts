@@ -1,10 +1,7 @@
 /** The outlines of the parts of leaves between creases: straight edges, as shadows need them. */
 
 import type { CreasedMesh } from "../creased_mesh.ts";
-import type { Surface } from "../engine/shapes.ts";
-
-/** The edges of an outline, at most: a page without two corners has six. */
-export const mostEdges = 6;
+import { mostPaperEdges, type Surface } from "./shapes.ts";
 
 /** An edge of a part: the points from one corner to the next. */
 export interface OutlineEdge {
@@ -21,8 +18,8 @@ export interface PartOutline {
   readonly edges: readonly OutlineEdge[];
 }
 
-/** How far from straight an edge may be, over the length of its part. */
-const crooked = 0.02;
+/** What an edge that is not straight may take from its part's area, or add to it. */
+const crooked = 0.01;
 
 /** Mean of how far in paper is ragged where it is torn from the spine, metres, as `raggedness` in the shader has it. */
 const ragged = 0.00085;
@@ -109,43 +106,26 @@ function traced(mesh: CreasedMesh): PartOutline[] {
   return found;
 }
 
-/** Returns the places in a closed chain of points that are the corners of its outline. */
+/**
+ * Returns the places in a closed chain of points that are the corners of its outline: those that
+ * change its area least go one after the other (Visvalingam and Whyatt 1993), hollows first.
+ */
 function cornersOf({ places }: CreasedMesh, loop: readonly number[]): readonly number[] {
-  const of = (k: number) => [places[2 * loop[k]], places[2 * loop[k] + 1]] as const;
-  /** Twice the area of the triangle of three of them. */
-  const turn = (i: number, j: number, k: number): number => {
-    const [[ax, ay], [bx, by], [cx, cy]] = [of(i), of(j), of(k)];
-    return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
-  };
-  const between = (i: number, k: number) => Math.hypot(of(k)[0] - of(i)[0], of(k)[1] - of(i)[1]);
-  const all = [...loop.keys()];
-  const farthest = (from: number) =>
-    all.reduce((best, k) => (between(from, k) > between(from, best) ? k : best), from);
-  const [one, other] = [farthest(0), farthest(farthest(0))].sort((a, b) => a - b);
-  // Ramer, Douglas and Peucker's: what is far from straight between two corners has one more.
-  const inside = (from: number, to: number, off: number): number[] => {
-    let [best, far] = [from, 0];
-    for (let k = from + 1; k < to; k++) {
-      const here = k % loop.length;
-      const away = Math.abs(turn(from, here, to % loop.length)) / between(from, to % loop.length);
-      if (away > far) [best, far] = [k, away];
-    }
-    return far > off ? [...inside(from, best, off), best, ...inside(best, to, off)] : [];
-  };
-  for (let off = crooked * between(one, other); ; off *= 1.5) {
-    let corners = [
-      one,
-      ...inside(one, other, off),
-      other,
-      ...inside(other, one + loop.length, off).map((k) => k % loop.length),
-    ];
-    // Round a hollow one goes straight on.
-    corners = corners.filter((at, k) => {
-      const [before, after] = [corners.at(k - 1), corners[(k + 1) % corners.length]];
-      return turn(before as number, at, after) > 0;
-    });
-    if (corners.length <= mostEdges) return corners;
+  const corners = [...loop.keys()];
+  const [u, v] = [0, 1].map((axis) => (k: number) => places[2 * loop[k] + axis]);
+  /** Twice the area of the triangle of three places. */
+  const area = (i: number, j: number, k: number): number =>
+    (u(j) - u(i)) * (v(k) - v(i)) - (v(j) - v(i)) * (u(k) - u(i));
+  const whole = corners.reduce((sum, k) => sum + area(0, k, (k + 1) % loop.length), 0);
+  while (corners.length > 2) {
+    const areas = corners.map((at, k) =>
+      area(corners.at(k - 1) as number, at, corners[(k + 1) % corners.length]),
+    );
+    const least = Math.min(...areas);
+    if (least > crooked * whole && corners.length <= mostPaperEdges) break;
+    corners.splice(areas.indexOf(least), 1);
   }
+  return corners;
 }
 
 /** Returns how far within its points an edge that is torn ends, metres. */

@@ -1,7 +1,7 @@
 /** How the parts of a creased leaf hang together: each is creased to one that is nearer to the spine. */
 
 import type { CreasedMesh } from "../creased_mesh.ts";
-import type { Surface } from "../engine/shapes.ts";
+import type { Surface } from "./shapes.ts";
 
 /** A part of a leaf, the one that it is creased to on the way to the spine, and triangles on both sides of the crease. */
 export interface Hinge {
@@ -23,9 +23,10 @@ export function hingesIn(creased: CreasedMesh): readonly Hinge[] {
   return hinges;
 }
 
-/** Returns the parts of a leaf that come back over the rest of it, and all that are beyond them. */
-export function foldedParts({ positions }: Surface, creased: CreasedMesh): readonly number[] {
+/** Returns the parts of a creased leaf that come back over the rest of it, and all that are beyond them. */
+export function foldedParts({ positions, creased }: Surface): readonly number[] {
   const folded: number[] = [];
+  if (creased === undefined) return folded;
   for (const hinge of hingesIn(creased)) {
     const shut = isShut(hinge, creased, positions);
     if (shut || folded.includes(hinge.parent)) folded.push(hinge.part);
