@@ -1,6 +1,6 @@
 /** Paper that lies on paper, and the light that it keeps off what is under it: the shade at its edge. */
 
-import type { ShaderMaterial } from "three";
+import type { IUniform } from "three";
 import {
   mostPaperEdges,
   type Paper,
@@ -36,7 +36,7 @@ export function shading(
 }
 
 /** Returns the uniforms of `papersChunk` but `pixel`. */
-export function paperUniforms() {
+export function paperUniforms(): Record<string, IUniform> {
   return {
     papers: { value: new Float32Array(paperNumbers * mostPapers) },
     paperCount: { value: 0 },
@@ -44,7 +44,7 @@ export function paperUniforms() {
 }
 
 /** Sets them: those that are nearest, which come first, where there are too many. */
-export function layPapers(uniforms: ShaderMaterial["uniforms"], papers: readonly Paper[]): void {
+export function layPapers(uniforms: Record<string, IUniform>, papers: readonly Paper[]): void {
   const laid = papers.slice(0, mostPapers);
   for (const [k, { data }] of laid.entries()) uniforms.papers.value.set(data, k * data.length);
   uniforms.paperCount.value = laid.length;
@@ -89,8 +89,10 @@ void shadeByPapers(vec3 place, float part, float strength, inout vec3 sky, inout
       float from = dot(inward.xyz, vec3(place.xy, place.z + up)) - rim;
       deep = min(deep, from);
       tall = max(tall, height);
-      open *= 0.5 + 0.5 * from * inversesqrt(from * from + high * high);
-      float far = max(pixel, under / max(slant, 1e-3) + (height - up) / KEY_DIRECTION.z);
+      // The first pixel beside it is shaded as its edge is.
+      float past = from + pixel;
+      open *= 0.5 + 0.5 * past * inversesqrt(past * past + high * high);
+      float far = max(1.5 * pixel, under / max(slant, 1e-3) + (height - up) / KEY_DIRECTION.z);
       float soft = max(${penumbra} * far, 0.5 * pixel);
       dark *= smoothstep(-soft, soft, dot(inward.xyz, place + far * KEY_DIRECTION) - rim);
     }
