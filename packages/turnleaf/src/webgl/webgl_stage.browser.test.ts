@@ -177,10 +177,10 @@ function foldedLeaf(side: 1 | -1, crease: number): Surface {
 
 /** Returns the red of the pixels halfway up the page from one place across the spine to another. */
 function redAcross(stage: WebGLStage, canvas: HTMLCanvasElement, from: number, to: number) {
+  stage.draw();
   const copy = document.createElement("canvas");
   [copy.width, copy.height] = [canvas.width, canvas.height];
   const pen = copy.getContext("2d")!;
-  stage.draw();
   pen.drawImage(canvas, 0, 0);
   const [a, b] = [from, to].map((x) => stage.project([x, shape.height / 2, 0]));
   const { data } = pen.getImageData(Math.round(a.x), Math.round(a.y), Math.round(b.x - a.x), 1);
