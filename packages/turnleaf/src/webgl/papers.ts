@@ -68,9 +68,12 @@ void shadeByPapers(vec3 place, float part, float strength, inout vec3 sky, inout
     vec4 plane = papers[at];
     // Of these: the part of its leaf that it shades, to what height, half its width, its edges.
     vec4 about = papers[at + 1];
-    if (about.x > -0.5 && abs(about.x - part) > 0.5) continue;
+    float here = strength * (about.x < -0.5 ? -1.0 - about.x : float(abs(about.x - part) < 0.5));
     float under = plane.w - dot(plane.xyz, place);
     float up = under / plane.z;
+    here *= 1.0 - smoothstep(0.0, about.y, up);
+    // Most of a picture is far from all paper that lies, and drawn by a processor each edge takes time.
+    if (here <= 0.0) continue;
     float slant = dot(plane.xyz, KEY_DIRECTION);
     float open = 1.0;
     float dark = slant > 0.0 ? 1.0 : 0.0;
@@ -87,6 +90,10 @@ void shadeByPapers(vec3 place, float part, float strength, inout vec3 sky, inout
       float high = max(least, height);
       float rim = inward.w + t * (1.0 - t) * bend.w;
       float from = dot(inward.xyz, vec3(place.xy, place.z + up)) - rim;
+      if (from < -8.0 * max(high, up)) {
+        here = 0.0;
+        break;
+      }
       deep = min(deep, from);
       tall = max(tall, height);
       // The first pixel beside it is shaded as its edge is.
@@ -97,7 +104,7 @@ void shadeByPapers(vec3 place, float part, float strength, inout vec3 sky, inout
       dark *= smoothstep(-soft, soft, dot(inward.xyz, place + far * KEY_DIRECTION) - rim);
     }
     // Nobody looks as far in under it; where what is under it is drawn through it, no dark spot shows.
-    float here = strength * (about.x < -0.5 ? -1.0 - about.x : 1.0) * (1.0 - smoothstep(0.0, about.y, up)) * (1.0 - smoothstep(1.0, 2.0, deep / tall));
+    here *= 1.0 - smoothstep(1.0, 2.0, deep / tall);
     key *= 1.0 - here * dark;
     sky *= 1.0 - here * open * (1.0 - mix(THROUGH, vec3(0.5), min(1.0, near / about.z)));
   }
