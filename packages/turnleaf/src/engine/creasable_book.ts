@@ -14,6 +14,7 @@ import type {
 } from "./book_engine.ts";
 import code from "./creases.wasm";
 import { type FlapExports, flapsOf } from "./flap_sheets.ts";
+import { leafPapers } from "./leaf_papers.ts";
 import { areFinite, whole } from "./numbers.ts";
 import type { Side } from "./phases.ts";
 import type { Crease, CreasedMesh, Surface } from "./shapes.ts";
@@ -78,7 +79,7 @@ export class CreasableBook extends WasmBook {
   }
 
   override surface(index: number): Surface {
-    return { ...super.surface(index), creased: this.#mesh(index) };
+    return { ...super.surface(index), creased: this.#mesh(index), papers: leafPapers };
   }
 
   get #wasm(): CreasingExports {

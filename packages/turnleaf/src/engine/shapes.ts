@@ -29,6 +29,49 @@ export interface Surface {
   readonly opened?: number | undefined;
   /** Its place among loose sheets, from the table up, if it is one. */
   readonly layer?: number | undefined;
+  /** Finds what of it may lie on other paper; missing where nothing does. */
+  readonly papers?: LeafPapers | undefined;
+}
+
+/** Straight edges of a paper, at most: a page without two corners has six. */
+export const mostPaperEdges = 6;
+
+/** How many numbers describe a paper to what draws it: four for each of two, and three for each edge. */
+export const paperNumbers: number = 4 * (2 + 3 * mostPaperEdges);
+
+/** A flat part of a leaf, as it shades what is under it. */
+export interface Paper {
+  /**
+   * What shaders read: the plane, with its height straight up; the part of its leaf that it shades,
+   * or -1 less how much it shades, the height to which it does, half its width and the number of its
+   * edges; and of each edge its inward direction, its direction over its length, and parabolas of how
+   * far it is over the plane, and within a straight edge.
+   */
+  readonly data: Float32Array;
+  readonly low: readonly [x: number, y: number];
+  readonly high: readonly [x: number, y: number];
+  /** Its highest point, metres. */
+  readonly top: number;
+}
+
+/** Finds what of leaves lies on other paper, or close over it. */
+export interface LeafPapers {
+  /** Returns the parts of a creased leaf that come back over the rest of it, and all that are beyond them. */
+  foldedParts(leaf: Surface): readonly number[];
+  /**
+   * Returns what is folded over onto the parts of a leaf, on one of its sides.
+   *
+   * @param sign 1 for the recto, -1 for the verso
+   */
+  flapsOn(leaf: Surface, sign: 1 | -1): readonly Paper[];
+  /** Returns what is folded over of a leaf, as it shades other leaves close under it. */
+  flapsOf(leaf: Surface): readonly Paper[];
+  /**
+   * Returns the parts of a loose sheet, as they shade what is under it.
+   *
+   * @param lies if true, they shade only what they lie on, or nearly so
+   */
+  papersOf(sheet: Surface, lies?: boolean): readonly Paper[];
 }
 
 /** A straight crease, from edge to edge of a leaf. */
@@ -117,7 +160,7 @@ export function columnAt(u: number, columns: number): number {
 }
 
 /** Returns the lowest and the highest x and y of a surface, metres. */
-export function surfaceBounds({ positions }: Surface): {
+export function surfaceBounds({ positions }: Pick<Surface, "positions">): {
   readonly low: readonly [x: number, y: number];
   readonly high: readonly [x: number, y: number];
 } {

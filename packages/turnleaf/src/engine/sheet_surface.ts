@@ -1,5 +1,6 @@
 /** What is drawn of a sheet that the engine keeps beside its books' leaves in flight. */
 
+import { leafPapers } from "./leaf_papers.ts";
 import type { CreasedMesh, Surface } from "./shapes.ts";
 import { visibleThickness } from "./wasm_book.ts";
 
@@ -52,6 +53,7 @@ export class SheetSurface {
       creased: this.#creased,
       opened,
       layer,
+      papers: leafPapers,
     };
     return this.#surface;
   }

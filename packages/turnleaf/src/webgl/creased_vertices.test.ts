@@ -2,6 +2,7 @@
 
 import { expect, test } from "vitest";
 import type { CreasedMesh } from "../creased_mesh.ts";
+import { leafPapers } from "../engine/leaf_papers.ts";
 import type { Surface } from "../engine/shapes.ts";
 import { CreasedVertices, cutOff } from "./creased_vertices.ts";
 import { vertexNumbers } from "./vertex_numbers.ts";
@@ -34,26 +35,6 @@ test("points on the crease have a vertex for each part, with a normal of its own
   expect(heights).toEqual([1, 1, 0, 1, 1, 1, 0, 0]);
 });
 
-test.each([
-  ["to the recto", 160, 1, 0],
-  ["to the verso", -160, 0, 1],
-  ["to the recto, but not past a right angle", 80, 0, 0],
-])("a corner that is folded %s shades that side alone", (_, degrees, recto, verso) => {
-  const vertices = folded((degrees / 180) * Math.PI);
-  const out = new Float32Array(12);
-  expect(vertices.writeFlaps(1, out)).toBe(recto);
-  expect(vertices.writeFlaps(-1, out)).toBe(verso);
-  if (recto + verso === 0) return;
-  const corners = [0, 1, 2, 3].map((k) => Array.from(out.subarray(3 * k, 3 * k + 2)));
-  expect(corners).toContainEqual([Math.fround(0.7), 0]);
-  expect(corners).toContainEqual([1, Math.fround(0.3)]);
-  // A triangle repeats its last corner; the tip stands off the page.
-  expect(corners[3]).toEqual(corners[2]);
-  const heights = [0, 1, 2, 3].map((k) => out[3 * k + 2]);
-  const highest = heights.reduce((a, b) => (Math.abs(b) > Math.abs(a) ? b : a));
-  expect(Math.sign(highest)).toBe(Math.sign(degrees));
-});
-
 /** A strip of four columns and two rows, creased at its second and third, that rises by angles there. */
 function strip(...degrees: readonly [number, number]): Surface {
   const places: number[] = [];
@@ -77,7 +58,7 @@ function strip(...degrees: readonly [number, number]): Surface {
     parts: Uint16Array.from([0, 0, 1, 1, 2, 2]),
   };
   const at = { positions: Float32Array.from(positions), normals: Float32Array.from(normals) };
-  return { ...at, columns: 4, rows: 2, creased, version: 1 } as Surface;
+  return { ...at, columns: 4, rows: 2, creased, version: 1, papers: leafPapers } as Surface;
 }
 
 /** Returns how far the columns of a strip are seen from above, to hundredths. */
@@ -94,29 +75,12 @@ test("what is beyond a crease is cut off for shadows where it comes back over th
   expect(reach(cutOff(strip(170, -170)))).toEqual([0, 33, 33, 33]);
 });
 
-test("a panel shades with all of its four corners, and the part beyond it is no place for its shadow", () => {
+test("each vertex knows the part of the leaf that it is of", () => {
   const leaf = strip(170, -170);
-  const vertices = new CreasedVertices(leaf.creased as CreasedMesh);
-  vertices.shape(leaf);
-  const out = new Float32Array(24);
-  expect(vertices.writeFlaps(1, out)).toBe(1);
-  const corners = [0, 1, 2, 3].map((k) =>
-    Array.from(out.subarray(3 * k, 3 * k + 2), (x) => Math.round(100 * x)),
-  );
-  const back = Math.round(100 * leaf.positions[6]);
-  expect(corners.sort((a, b) => a[0] - b[0] || a[1] - b[1])).toEqual([
-    [back, 0],
-    [back, 100],
-    [33, 0],
-    [33, 100],
-  ]);
-  // Two columns of the first part, and two each of the others.
-  expect(vertices.folded.reduce((sum, one) => sum + one)).toBe(8);
-  expect([0, 1, 4, 5].map((point) => vertices.folded[point])).toEqual([0, 0, 0, 0]);
-});
-
-test("there are never more flaps than there is room for", () => {
-  expect(folded(3).writeFlaps(1, new Float32Array(0))).toBe(0);
+  const { parts } = new CreasedVertices(leaf.creased as CreasedMesh);
+  // Two columns of each part, of two rows.
+  for (const part of [0, 1, 2]) expect(parts.filter((one) => one === part)).toHaveLength(4);
+  expect([0, 1, 4, 5].map((point) => parts[point])).toEqual([0, 0, 0, 0]);
 });
 
 test("vertices beyond those of 16 bits have numbers of their own", () => {

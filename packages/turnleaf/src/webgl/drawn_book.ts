@@ -7,7 +7,7 @@ import { Group, Object3D } from "three";
 import { type Face, isBoardFace } from "../book/faces.ts";
 import { nextTo } from "../book/leaf_order.ts";
 import { Side } from "../engine/phases.ts";
-import type { Surface, Vec3 } from "../engine/shapes.ts";
+import type { Paper, Surface, Vec3 } from "../engine/shapes.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import { caseSizes, tableHeight } from "../stage/case_sizes.ts";
 import { BoardMesh } from "./board_mesh.ts";
@@ -21,6 +21,7 @@ import { LeafMesh } from "./leaf_mesh.ts";
 import type { BookMaterials } from "./materials.ts";
 import { castOver, overheadOf } from "./overhead.ts";
 import { type Overhead, PageMesh, pageRows } from "./page_mesh.ts";
+import { shading } from "./papers.ts";
 import { PileMesh } from "./pile_mesh.ts";
 import { PileShape } from "./pile_shape.ts";
 import { HeadbandMesh, SpineMesh } from "./spine_mesh.ts";
@@ -54,7 +55,9 @@ export class DrawnBook {
   readonly #leaves: LeafMesh[] = [];
   readonly #loose: LeafMesh[] = [];
   #looseShown: readonly Surface[] = [];
-  /** The loose sheet that lies upon all others, and shades what is under it. */
+  /** The leaves and sheets as they shaded each other last. */
+  #shading: readonly Surface[] = [];
+  /** The loose sheet that lies upon all others. */
   #topmost: Surface | null = null;
   readonly #front: BoardMesh;
   readonly #back: BoardMesh;
@@ -105,7 +108,7 @@ export class DrawnBook {
     this.#spine = new SpineMesh(materials.spine, height, thickness);
     this.#headbands = new HeadbandMesh(materials.headband, height);
     this.#table = tableHeight(shape);
-    this.#ground = new Ground(this.#table, 12 * Math.max(width, height));
+    this.#ground = new Ground(this.#table, 12 * Math.max(width, height), materials.pixel);
 
     this.group.add(this.#ground.mesh);
     for (const { page, block, fold } of [this.#left, this.#right]) {
@@ -153,7 +156,7 @@ export class DrawnBook {
       shadowOfFlap(this.#ground, this.#shape, pose.flap ?? null);
     }
     if (loose) shadowOfSheet(this.#ground, loose, this.#table);
-    for (const page of Object.values(this.#materials.pages)) page.coverBy(loose);
+    this.#shadeByPapers(pose, sheets);
     return caseMoved || flapMoved;
   }
 
@@ -174,6 +177,11 @@ export class DrawnBook {
       }
     }
     return edge.join() !== before;
+  }
+
+  /** Compiles in what loose sheets shade on the table, so that nothing waits for it when one comes. */
+  expectSheets(): void {
+    this.#ground.shade();
   }
 
   /**
@@ -261,10 +269,40 @@ export class DrawnBook {
       for (const { material } of [mesh.recto, mesh.verso]) {
         // Another may have come to lie under it, or on it.
         material.lieOver(over, over);
-        material.coverBy(sheets[k] === this.#topmost ? null : this.#topmost);
       }
     }
     this.#looseShown = sheets;
+  }
+
+  /** Shades everything by paper that lies on it: what is folded over, and loose sheets. */
+  #shadeByPapers({ leaves, lying = [], loose = [] }: BookPose, sheets: readonly Surface[]): void {
+    const all = [...sheets, ...loose];
+    const same =
+      all.length === this.#shading.length && all.every((one, k) => one === this.#shading[k]);
+    if (same) return;
+    this.#shading = all;
+    const ranks = ranksOf(loose);
+    const piled = ranks.map((_, rank) => loose[ranks.indexOf(rank)]);
+    const papers = piled.map((sheet) => sheet.papers?.papersOf(sheet) ?? []);
+    const folded = leaves.map((leaf) => leaf.papers?.flapsOf(leaf) ?? []);
+    for (const { page } of [this.#left, this.#right]) {
+      page.mesh.material.lay(shading([...folded, ...papers].flat(), page));
+    }
+    for (const [k, leaf] of sheets.entries()) {
+      let over: readonly Paper[] = [];
+      if (lying.includes(leaf)) {
+        // Of those on a side, the ones farther out in the row of leaves lie over it.
+        const left = leaf.positions.reduce((sum, x, at) => (at % 3 === 0 ? sum + x : sum), 0) < 0;
+        const flaps = folded.filter((_, other) => (left ? other > k : other < k));
+        over = shading([...flaps, ...papers].flat(), leaf);
+      }
+      this.#leaves[k].shadeBy(leaf, over);
+    }
+    for (const [rank, sheet] of piled.entries()) {
+      const over = shading(papers.slice(rank + 1).flat(), sheet);
+      this.#loose[ranks.indexOf(rank)].shadeBy(sheet, over);
+    }
+    this.#ground.lay(piled.flatMap((sheet) => sheet.papers?.papersOf(sheet, true) ?? []));
   }
 
   #placeSide(side: DrawnSide, pile: BookPose["left"]): boolean {

@@ -1,6 +1,9 @@
 /** The table: nothing but the book's soft shadow over the background of the canvas. */
 
 import { Mesh, NoBlending, PlaneGeometry, ShaderMaterial, Vector2 } from "three";
+import type { Paper } from "../engine/shapes.ts";
+import { layPapers, papersChunk, paperUniforms } from "./papers.ts";
+import { lightChunk } from "./shading.ts";
 
 const vertexShader = /* glsl */ `
 varying vec2 vPlace;
@@ -18,6 +21,11 @@ uniform vec4 raised;
 uniform float raisedHigh;
 uniform vec2 canvas;
 varying vec2 vPlace;
+#ifdef SHADED
+uniform float table;
+${lightChunk}
+${papersChunk}
+#endif
 
 // Abramowitz and Stegun 7.1.27, absolute error below 5e-4.
 vec2 erf(vec2 x) {
@@ -43,6 +51,13 @@ void main() {
   vec2 under = vec2(0.575, -0.5) * raisedHigh;
   lit *= 1.0 - 0.26 * smoothstep(0.0, 0.02, raisedHigh)
              * soft(raised, under, 0.004 + 0.35 * raisedHigh);
+  #ifdef SHADED
+  vec3 sky = vec3(1.0);
+  float key = 1.0;
+  shadeByPapers(vec3(vPlace, table), 0.0, 1.0, sky, key);
+  // Of light, and what is drawn is blended as sRGB has it.
+  lit *= pow(dot(KEY * key + SKY * sky, vec3(1.0)) / dot(KEY + SKY, vec3(1.0)), 1.0 / 2.2);
+  #endif
   // Where the canvas ends there is no shadow left to be cut off.
   vec2 fromEdge = min(gl_FragCoord.xy, canvas - gl_FragCoord.xy) / min(canvas.x, canvas.y);
   float shade = (1.0 - lit) * smoothstep(0.0, 0.06, min(fromEdge.x, fromEdge.y));
@@ -60,9 +75,13 @@ export class Ground {
   readonly #raised = [0, 0, 0, 0];
   readonly #canvas = new Vector2(1, 1);
 
-  /** @param z of the table, metres */
-  constructor(z: number, size: number) {
+  /**
+   * @param z of the table, metres
+   * @param pixel the size of a CSS pixel there, metres
+   */
+  constructor(z: number, size: number, pixel: { readonly value: number }) {
     const material = new ShaderMaterial({
+      defines: {},
       vertexShader,
       fragmentShader,
       uniforms: {
@@ -71,6 +90,9 @@ export class Ground {
         raised: { value: this.#raised },
         raisedHigh: { value: 0 },
         canvas: { value: this.#canvas },
+        table: { value: z },
+        ...paperUniforms(),
+        pixel,
       },
       depthWrite: false,
       blending: NoBlending,
@@ -105,6 +127,20 @@ export class Ground {
     this.#raised[2] = x1;
     this.#raised[3] = y1;
     this.mesh.material.uniforms.raisedHigh.value = high;
+  }
+
+  /** Shades it by paper that lies on it. */
+  lay(papers: readonly Paper[]): void {
+    layPapers(this.mesh.material.uniforms, papers);
+    if (papers.length > 0) this.shade();
+  }
+
+  /** Compiles in what paper that lies on it shades; without that frames take less time. */
+  shade(): void {
+    const { material } = this.mesh;
+    if ("SHADED" in material.defines) return;
+    material.defines.SHADED = "";
+    material.needsUpdate = true;
   }
 
   dispose(): void {

@@ -1,7 +1,7 @@
 /** A leaf in flight: two sides over the engine's own memory. */
 
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh } from "three";
-import { type CreasedMesh, columnPlace, type Surface } from "../engine/shapes.ts";
+import { type CreasedMesh, columnPlace, type Paper, type Surface } from "../engine/shapes.ts";
 import { CreasedVertices } from "./creased_vertices.ts";
 import { LeafLight } from "./leaf_light.ts";
 import { geometryOf, sheetGeometry } from "./page_mesh.ts";
@@ -19,6 +19,8 @@ export class LeafMesh {
   #rows = 0;
   #mesh: CreasedMesh | undefined;
   #creased: CreasedVertices | undefined;
+  /** What lies on it beside its own flaps. */
+  #over: readonly Paper[] = [];
   #position = new BufferAttribute(new Float32Array(0), 3);
   #normal = new BufferAttribute(new Float32Array(0), 3);
   #rectoGap = new BufferAttribute(new Float32Array(0), 2);
@@ -66,14 +68,16 @@ export class LeafMesh {
     this.recto.material.lieOver(left, right);
     this.verso.material.lieOver(left, right);
     this.recto.material.thickness = this.verso.material.thickness = leaf.thickness ?? 0;
-    for (const [{ material }, sign] of [
-      [this.recto, 1],
-      [this.verso, -1],
-    ] as const) {
-      material.opened = leaf.opened ?? null;
-      material.flapCount = this.#creased?.writeFlaps(sign, material.flaps) ?? 0;
-    }
+    for (const { material } of [this.recto, this.verso]) material.opened = leaf.opened ?? null;
+    this.#lay(leaf);
     this.rim.shape(leaf);
+  }
+
+  /** Shades it by paper that lies on it, or close over it, beside its own flaps. */
+  shadeBy(leaf: Surface, over: readonly Paper[]): void {
+    if (over.length === 0 && this.#over.length === 0) return;
+    this.#over = over;
+    this.#lay(leaf);
   }
 
   /**
@@ -134,6 +138,12 @@ export class LeafMesh {
     this.rim.dispose();
   }
 
+  #lay(leaf: Surface): void {
+    const { papers } = leaf;
+    this.recto.material.lay([...(papers?.flapsOn(leaf, 1) ?? []), ...this.#over]);
+    this.verso.material.lay([...(papers?.flapsOn(leaf, -1) ?? []), ...this.#over]);
+  }
+
   #allot(leaf: Surface): void {
     const { columns, rows } = leaf;
     this.#columns = columns;
@@ -166,8 +176,8 @@ export class LeafMesh {
       geometry.setAttribute("gapBehind", far);
       const tears = this.#creased?.tears;
       if (tears) geometry.setAttribute("tear", new BufferAttribute(tears, 3));
-      const folded = this.#creased?.folded;
-      if (folded) geometry.setAttribute("folded", new BufferAttribute(folded, 1));
+      const parts = this.#creased?.parts;
+      if (parts) geometry.setAttribute("part", new BufferAttribute(parts, 1));
       mesh.geometry = geometry;
     }
   }

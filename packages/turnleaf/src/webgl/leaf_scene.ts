@@ -1,6 +1,7 @@
 /** A loose leaf in three.js: the leaf, the pages under it, their shadow on the table. */
 
 import { PerspectiveCamera, Scene, SRGBColorSpace, type Texture, WebGLRenderer } from "three";
+import { leafPapers } from "../engine/leaf_papers.ts";
 import { columnPlace, type Ray, type Surface } from "../engine/shapes.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import type { BookShape } from "../stage/book_pose.ts";
@@ -91,7 +92,7 @@ export class LeafScene {
     const { paper, anisotropy } = this.#textures;
     this.#grains = new BookGrains(anisotropy);
     this.#materials = new BookMaterials(this.#shape, paper, this.#grains);
-    this.#ground = new Ground(-3 * gap, 12 * Math.max(width, height));
+    this.#ground = new Ground(-3 * gap, 12 * Math.max(width, height), this.#materials.pixel);
     this.#left = restingPage(-1, this.#shape, this.#materials);
     this.#right = restingPage(1, this.#shape, this.#materials);
     const { recto, verso } = this.#materials.leaf(0);
@@ -123,6 +124,8 @@ export class LeafScene {
     camera.matrix.fromArray([...right, 0, ...up, 0, ...back, 0, ...place, 1]);
     camera.matrixWorldNeedsUpdate = true;
     camera.updateMatrixWorld(true);
+    const view = 2 * distance * Math.tan((fieldOfView * Math.PI) / 360);
+    this.#materials.pixel.value = view / height;
     camera.aspect = width / height;
     camera.near = Math.max(0.02, distance - 2 * Math.max(w, h));
     camera.far = distance + 4 * Math.max(w, h);
@@ -146,7 +149,7 @@ export class LeafScene {
   }
 
   show(leaf: Omit<Surface, "version">): void {
-    const surface: Surface = { ...leaf, version: ++this.#version };
+    const surface: Surface = { ...leaf, version: ++this.#version, papers: leafPapers };
     const stride = strideOf(leaf.columns);
     const [left, right] = [this.#left, this.#right];
     this.#leaf.shape(surface, 1, 1);

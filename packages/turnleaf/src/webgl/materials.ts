@@ -25,6 +25,8 @@ export class BookMaterials {
    */
   readonly endpapers: Record<"frontInside" | "backInside", SolidMaterial>;
   readonly headband: SolidMaterial;
+  /** Size of a CSS pixel on the book, metres. */
+  readonly pixel = { value: 0 };
   readonly #materials: Material[] = [];
   readonly #leaves: Record<LeafSide, PaperMaterial>[] = [];
   readonly #loose: Record<LeafSide, PaperMaterial>[] = [];
@@ -37,7 +39,7 @@ export class BookMaterials {
   constructor(shape: BookShape, blank: Texture, grains: BookGrains) {
     this.#sheet = (recto, thin, torn = false) => {
       const side = { recto, thin, torn, ownNormals: !thin };
-      return this.#keep(new PaperMaterial(side, shape, blank));
+      return this.#keep(new PaperMaterial(side, shape, blank, this.pixel));
     };
     this.pages = { left: this.#sheet(false, false), right: this.#sheet(true, false) };
     const solid = (

@@ -118,6 +118,11 @@ export class PageMesh {
     this.mesh.geometry.dispose();
   }
 
+  /** x, y, z of its points, metres. */
+  get positions(): Float32Array {
+    return this.#positions;
+  }
+
   #touch(name: string): void {
     this.mesh.geometry.getAttribute(name).needsUpdate = true;
   }

@@ -1,17 +1,11 @@
 /** The material of a printed sheet: a resting page, or one side of a leaf in flight. */
 
 import { BackSide, FrontSide, ShaderMaterial, type Texture } from "three";
-import type { Surface } from "../engine/shapes.ts";
+import type { Paper } from "../engine/shapes.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import { inkChunk, inkUniforms } from "./ink.ts";
-import {
-  flapChunk,
-  flapCorners,
-  gapChunk,
-  lightChunk,
-  mostFlaps,
-  pictureChunk,
-} from "./shading.ts";
+import { layPapers, papersChunk, paperUniforms } from "./papers.ts";
+import { gapChunk, lightChunk, pictureChunk } from "./shading.ts";
 
 /** Values passed from the vertex to the fragment shader. */
 const varyings = /* glsl */ `
@@ -25,7 +19,7 @@ varying vec2 vGapBehind;
 varying vec3 vTear;
 #endif
 #ifdef SHADED
-varying float vFolded;
+varying float vPart;
 #endif
 `;
 
@@ -40,7 +34,7 @@ uniform float thick;
 attribute vec3 tear;
 #endif
 #ifdef SHADED
-attribute float folded;
+attribute float part;
 #endif
 ${varyings}
 void main() {
@@ -54,7 +48,7 @@ void main() {
   vTear = tear;
   #endif
   #ifdef SHADED
-  vFolded = folded;
+  vPart = part;
   #endif
   vec4 seen = viewMatrix * vec4(vPlace, 1.0);
   gl_Position = projectionMatrix * seen;
@@ -84,7 +78,7 @@ uniform float opened;
 ${varyings}
 ${lightChunk}
 ${gapChunk}
-${flapChunk}
+${papersChunk}
 ${pictureChunk}
 ${inkChunk}
 
@@ -166,6 +160,17 @@ vec3 tearAcross(vec3 ink) {
 }
 #endif
 
+#ifdef SHADED
+// The cut edge of what is folded over, or loose, catches light as far as a page may be brighter than its picture.
+float paperEdge() {
+  #ifndef TORN
+  if (vPart < 0.5) return 0.0;
+  #endif
+  vec2 within = min(vUv, 1.0 - vUv) * size;
+  return 0.03 * (1.0 - smoothstep(0.0, 2.0 * pixel, min(within.x, within.y)));
+}
+#endif
+
 // Of the sky that other leaves shut out as much comes through them as of the key light.
 vec3 skyHere(vec3 normal) {
   float open = skyFraction(vGapSky, normal);
@@ -189,13 +194,14 @@ void main() {
     sky = mix(sky, skyHere(normal), shadows);
     key = mix(key, keyHere(), shadows);
     #ifdef SHADED
-    // What is folded over lies on a flap, or is one: none lies on it.
-    if (vFolded < 0.5) shadeByFlaps(vPlace, shadows, sky, key);
-    shadeBySheet(vPlace, shadows, sky, key);
+    shadeByPapers(vPlace, vPart, shadows, sky, key);
     #endif
   }
   vec3 light = arriving(normal, sky, key);
   if (thin > 0.5) light += throughLeaf(normal, uv);
+  #ifdef SHADED
+  light += paperEdge();
+  #endif
   light = min(light, vec3(ceiling));
   vec2 fromLight = (vPlace.xy - vec2(-0.35 * size.x, 0.65 * size.y)) / (1.5 * size);
   light *= 1.0 - pool * smoothstep(0.1, 1.0, length(fromLight));
@@ -222,10 +228,12 @@ export interface PaperSide {
 
 /** A printed sheet's material, by its two pictures. */
 export class PaperMaterial extends ShaderMaterial {
+  /** @param pixel the size of a CSS pixel on the book, metres: shadows of paper on paper are no finer */
   constructor(
     side: PaperSide,
     { kind, width, height, quarterTurned, shadows }: BookShape,
     paper: Texture,
+    pixel: { readonly value: number },
   ) {
     super({
       defines: {
@@ -247,10 +255,8 @@ export class PaperMaterial extends ShaderMaterial {
         ceiling: { value: kind === "scan" ? 1 : 1.03 },
         pool: { value: kind === "scan" ? 0 : 0.024 },
         shadows: { value: shadows },
-        flaps: { value: new Float32Array(3 * flapCorners * mostFlaps) },
-        flapCount: { value: 0 },
-        sheet: { value: new Float32Array(12) },
-        sheetCount: { value: 0 },
+        ...paperUniforms(),
+        pixel,
         size: { value: [width, height] },
         opened: { value: -1 },
       },
@@ -278,30 +284,13 @@ export class PaperMaterial extends ShaderMaterial {
     this.uniforms.ahead.value = [leadOverOne * left, leadOverOne * right];
   }
 
-  /** Corners of what is folded over onto this side and shades it: x, y, z of four each, metres, book space. */
-  get flaps(): Float32Array {
-    return this.uniforms.flaps.value;
+  /** Shades it by paper that lies on it, or close over it: by the first of it, where there is very much. */
+  lay(papers: readonly Paper[]): void {
+    layPapers(this.uniforms, papers);
+    if (papers.length > 0) this.shade();
   }
 
-  /** How many of the flaps there are. */
-  set flapCount(count: number) {
-    this.uniforms.flapCount.value = count;
-    if (count > 0) this.shade();
-  }
-
-  /** The loose sheet that shades it; null for none. */
-  coverBy(sheet: Surface | null): void {
-    this.uniforms.sheetCount.value = sheet ? 1 : 0;
-    if (sheet === null) return;
-    this.shade();
-    const { positions, columns, rows } = sheet;
-    const last = columns * (rows - 1);
-    for (const [k, point] of [0, columns - 1, last + columns - 1, last].entries()) {
-      this.uniforms.sheet.value.set(positions.subarray(3 * point, 3 * point + 3), 3 * k);
-    }
-  }
-
-  /** Compiles in what flaps and sheets shade; without that frames take less time. */
+  /** Compiles in what paper that lies on it shades; without that frames take less time. */
   shade(): void {
     if ("SHADED" in this.defines) return;
     this.defines.SHADED = "";

@@ -1,4 +1,5 @@
 import { afterEach, expect, test, vi } from "vitest";
+import { leafPapers } from "../engine/leaf_papers.ts";
 import type { Pile, Surface } from "../engine/shapes.ts";
 import { columnPlace } from "../engine/shapes.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
@@ -114,7 +115,7 @@ test("deep among leaves that stand close it is warm and dim, not black", () => {
 function looseSheet(layer: number, height: number, out = 0): Surface {
   const { positions, ...sheet } = standingLeaf(0);
   const places = positions.map((x, k) => [x + out, x, height][k % 3]);
-  return { ...sheet, positions: places, layer };
+  return { ...sheet, positions: places, layer, papers: leafPapers };
 }
 
 test("of loose sheets upon each other the uppermost is seen, whichever was torn out first", () => {
@@ -142,6 +143,117 @@ test("the uppermost loose sheet shades those under it", () => {
   stage.pose({ ...open, loose: [under, looseSheet(1, 0.03, -0.04)] });
   const [shaded] = colourAt(stage, canvas, 0.1, 0.01);
   expect(shaded).toBeLessThan(alone - 5);
+});
+
+/** How far apart a fold's layers are at its free edge, metres: as the engine keeps them. */
+const layerGap = 4e-4;
+
+/** Returns a leaf that lies on a side, 1 right or -1 left, folded along a line at u, shut. */
+function foldedLeaf(side: 1 | -1, crease: number): Surface {
+  const [columns, rows] = [49, 25];
+  const fold = Math.round(crease * (columns - 1));
+  const positions = new Float32Array(3 * columns * rows);
+  const places = new Float32Array(2 * columns * rows);
+  const [triangles, parts]: [number[], number[]] = [[], []];
+  for (let k = 0; k < columns * rows; k++) {
+    const [column, row] = [k % columns, Math.floor(k / columns)];
+    const beyond = Math.max(0, column - fold);
+    const out = (column - 2 * beyond) / (columns - 1);
+    const up = (layerGap * beyond) / (columns - 1 - fold);
+    positions.set([side * out * shape.width, (row / (rows - 1)) * shape.height, 1e-4 + up], 3 * k);
+    places.set([column / (columns - 1), row / (rows - 1)], 2 * k);
+    if (column === columns - 1 || row === rows - 1) continue;
+    triangles.push(k, k + 1, k + 1 + columns, k, k + 1 + columns, k + columns);
+    for (let half = 0; half < 2; half++) parts.push(column < fold ? 0 : 1);
+  }
+  const creased = {
+    places,
+    triangles: Uint32Array.from(triangles),
+    parts: Uint16Array.from(parts),
+  };
+  const normals = positions.map((_, k) => [0, 0, side][k % 3]);
+  return { columns, rows, positions, normals, version: 1, creased, papers: leafPapers };
+}
+
+/** Returns the red of the pixels halfway up the page from one place across the spine to another. */
+function redAcross(stage: WebGLStage, canvas: HTMLCanvasElement, from: number, to: number) {
+  stage.draw();
+  const copy = document.createElement("canvas");
+  [copy.width, copy.height] = [canvas.width, canvas.height];
+  const pen = copy.getContext("2d")!;
+  pen.drawImage(canvas, 0, 0);
+  const [a, b] = [from, to].map((x) => stage.project([x, shape.height / 2, 0]));
+  const { data } = pen.getImageData(Math.round(a.x), Math.round(a.y), Math.round(b.x - a.x), 1);
+  return [...data].filter((_, k) => k % 4 === 0);
+}
+
+/** Returns how much darker it is at most about a place than it is 4 mm to either side. */
+function shadeAt(stage: WebGLStage, canvas: HTMLCanvasElement, x: number): number {
+  const reds = redAcross(stage, canvas, x - 0.004, x + 0.004);
+  return Math.min(reds[0], reds[reds.length - 1]) - Math.min(...reds);
+}
+
+/** Returns a stage on which a millimetre is about 1.5 pixels, all white. */
+function whiteStage(canvas: HTMLCanvasElement): WebGLStage {
+  const stage = newStage(canvas);
+  stage.resize(600, 400, 1);
+  for (const face of ["left", "right"] as const) stage.setFace(face, plainPicture("#ffffff"));
+  for (const k of [0, 1]) {
+    for (const side of ["recto", "verso"] as const) {
+      stage.setLeaf(k, side, plainPicture("#ffffff"));
+      stage.setLoose(k, side, plainPicture("#ffffff"));
+    }
+  }
+  return stage;
+}
+
+test.each([
+  ["its own page", 0.75, 0.5],
+  ["the other page, over the spine", 0.25, -0.5],
+])("white paper folded over onto %s has a shade at its edge", (_, crease, edge) => {
+  for (const side of [1, -1] as const) {
+    const canvas = document.createElement("canvas");
+    const stage = whiteStage(canvas);
+    const leaf = foldedLeaf(side, crease);
+    stage.pose({ ...open, leaves: [leaf], lying: [leaf], folded: true });
+    const shade = shadeAt(stage, canvas, side * edge * shape.width);
+    // The left is toward the key light, so on that side of paper only the sky is shut out.
+    expect(shade).toBeGreaterThan(side === 1 ? 12 : 30);
+    expect(shade).toBeLessThan(130);
+    // The flap is as bright as its page.
+    const [own] = redAcross(stage, canvas, side * 0.6 * edge * shape.width, 0.2);
+    expect(own).toBeGreaterThan(245);
+  }
+});
+
+test("a loose sheet has a shade at its edges on a page, on another sheet and on the table", () => {
+  const canvas = document.createElement("canvas");
+  const stage = whiteStage(canvas);
+  stage.pose({ ...open, loose: [looseSheet(0, 1e-4, -0.1), looseSheet(1, 2e-4, -0.06)] });
+  const right = shape.width - 0.1;
+  expect(shadeAt(stage, canvas, right)).toBeLessThan(2);
+  expect(shadeAt(stage, canvas, right + 0.04)).toBeGreaterThan(12);
+  stage.pose({ ...open, loose: [looseSheet(0, 1e-4, -0.1), looseSheet(1, 2e-4, -0.12)] });
+  expect(shadeAt(stage, canvas, right)).toBeGreaterThan(12);
+  expect(shadeAt(stage, canvas, right - 0.02)).toBeGreaterThan(12);
+  // The table is clear where nothing shades it.
+  const beside = () => colourAt(stage, canvas, 0.01 + shape.width + 0.001)[3];
+  stage.pose({ ...open, loose: [looseSheet(0, 1e-4, 0.01)] });
+  const lying = beside();
+  stage.pose(open);
+  expect(lying).toBeGreaterThan(beside() + 12);
+});
+
+test("as paper comes down its shade draws to its edge", () => {
+  const canvas = document.createElement("canvas");
+  const stage = whiteStage(canvas);
+  const widths = [0.012, 0.006, 0.003, 1e-4].map((height) => {
+    stage.pose({ ...open, loose: [looseSheet(0, height, -0.1)] });
+    const reds = redAcross(stage, canvas, shape.width - 0.1, shape.width - 0.06);
+    return reds.filter((red) => red < 240).length;
+  });
+  expect(widths).toEqual([...widths].sort((a, b) => b - a));
+  expect(new Set(widths).size).toBe(widths.length);
 });
 
 test("what draws loose sheets is compiled with the frame in which a book is bound that has none yet", () => {

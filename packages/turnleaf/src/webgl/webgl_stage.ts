@@ -105,7 +105,9 @@ export class WebGLStage implements BookStage {
     this.#materials = new BookMaterials(shape, this.#pictures.paper, this.#grains);
     this.#book = new DrawnBook(shape, this.#materials);
     this.#scene.add(this.#book.group);
-    if (expectsSheets) this.#book.group.add(compiledAhead(this.#materials.forSheets()));
+    if (!expectsSheets) return;
+    this.#book.group.add(compiledAhead(this.#materials.forSheets()));
+    this.#book.expectSheets();
   }
 
   resize(cssWidth: number, cssHeight: number, pixelRatio: number): void {
@@ -279,6 +281,8 @@ export class WebGLStage implements BookStage {
     camera.matrixWorldNeedsUpdate = true;
     camera.updateMatrixWorld(true);
     const size = 2 * Math.max(this.#shape.width, this.#shape.height);
+    const across = 2 * view.distance * Math.tan((fieldOfView * Math.PI) / 360);
+    this.#materials.pixel.value = across / (level * this.#height);
     camera.near = Math.max(0.02, view.distance - size);
     camera.far = view.distance + 2 * size;
     const [x, y] = this.#zooming.show(zoom);
