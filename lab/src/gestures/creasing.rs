@@ -241,6 +241,8 @@ impl Creasing {
     /// Binds a book anew without a leaf, as the viewer does.
     fn take_out(&mut self, opened: &mut Opened, leaf: u32, world: &World) {
         self.pressing = None;
+        // It may have been folded, or opened again, while it was torn.
+        self.leaves.retain(|folded| folded.leaf != leaf);
         let book = &opened.book;
         let mut folds = Vec::new();
         for folded in &mut self.leaves {
