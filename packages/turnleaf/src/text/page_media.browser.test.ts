@@ -80,9 +80,13 @@ test("a sound is played where it stands on the page, once it is pressed, and end
   await expect
     .poll(() => places().length === 1 && !places().includes(place as Element), patiently)
     .toBe(true);
-  await press();
+  // On a busy machine its button may be made anew between focus and key: then it is pressed again.
+  const pressed = async (): Promise<string | null | undefined> => {
+    if (places()[0]?.textContent === "▶") await press();
+    return places()[0]?.textContent;
+  };
   await expect
-    .poll(() => places()[0]?.textContent, patiently)
+    .poll(pressed, { ...patiently, interval: 1000 })
     .toMatch(/^bad\.wav cannot be played;/);
   await element.goTo(3);
   await expect.poll(() => places().length, patiently).toBe(0);
