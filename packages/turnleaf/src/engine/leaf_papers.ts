@@ -67,11 +67,7 @@ function papersOf(sheet: Surface, lies = false): readonly Paper[] {
 }
 
 function isBall({ creased }: Surface): boolean {
-  return creased !== undefined && hasMany(creased.parts);
-}
-
-function hasMany(parts: Uint16Array): boolean {
-  return parts.length > 0 && parts.reduce((most, part) => Math.max(most, part)) > mostParts;
+  return creased?.parts.some((part) => part > mostParts) ?? false;
 }
 
 /** Returns the rectangle about what is crumpled, along its first row, at its middle height. */

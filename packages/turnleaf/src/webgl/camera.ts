@@ -51,6 +51,9 @@ const closedAzimuth = 9;
 
 const radians = Math.PI / 180;
 
+/** Half the height that the camera sees at a distance of 1. */
+export const halfSeen: number = Math.tan(0.5 * fieldOfView * radians);
+
 /** Around an open book, around one page of it, and around a closed one. */
 const openMargins: Margins = { sides: 0.035, top: 0.012, bottom: 0.05 };
 const aloneMargins: Margins = { sides: 0.012, top: 0.012, bottom: 0.03 };
@@ -138,15 +141,14 @@ export function sightOf(
 ): Sight {
   const view = frameBook(shape, framing, aspect, rim, overheadAt(level));
   const { position, right, up, back } = view;
-  const half = Math.tan(0.5 * fieldOfView * radians);
   const plane = shape.thickness / 2;
   const seen = (x: number, y: number): CanvasFraction => {
     const away = [x - position[0], y - position[1], plane - position[2]];
-    const reach = -2 * half * along(back, away, 0);
+    const reach = -2 * halfSeen * along(back, away, 0);
     return [0.5 + along(right, away, 0) / (reach * aspect), 0.5 - along(up, away, 0) / reach];
   };
   const point = ([x, y]: CanvasFraction): CanvasFraction => {
-    const [across, rise] = [(2 * x - 1) * half * aspect, (1 - 2 * y) * half];
+    const [across, rise] = [(2 * x - 1) * halfSeen * aspect, (1 - 2 * y) * halfSeen];
     const way = (k: number): number => across * right[k] + rise * up[k] - back[k];
     const t = (plane - position[2]) / way(2);
     return [position[0] + t * way(0), position[1] + t * way(1)];
@@ -210,10 +212,9 @@ export function fitPoints(
   aspect: number,
   margins: Margins,
 ): Fit {
-  const half = Math.tan(0.5 * fieldOfView * radians);
-  const across = half * aspect * (1 - 2 * margins.sides);
-  const above = half * (1 - 2 * margins.top);
-  const below = half * (1 - 2 * margins.bottom);
+  const across = halfSeen * aspect * (1 - 2 * margins.sides);
+  const above = halfSeen * (1 - 2 * margins.top);
+  const below = halfSeen * (1 - 2 * margins.bottom);
   // A camera at distance d sees a point within the bound `slope` where
   // |place - centre| <= slope * (d - height), height being along `back`.
   const bounds = [-Infinity, -Infinity, -Infinity, -Infinity];

@@ -55,8 +55,6 @@ export class DrawnBook {
   readonly #leaves: LeafMesh[] = [];
   readonly #loose: LeafMesh[] = [];
   #looseShown: readonly Surface[] = [];
-  /** The leaves and sheets as they shaded each other last. */
-  #shading: readonly Surface[] = [];
   /** The loose sheet that lies upon all others. */
   #topmost: Surface | null = null;
   readonly #front: BoardMesh;
@@ -138,15 +136,14 @@ export class DrawnBook {
     if (!still && this.#hard) this.#placeBoards();
     const flapMoved = this.#followFlap(pose.flap ?? null);
     const sheets = pose.flap ? [...pose.leaves, pose.flap] : pose.leaves;
+    const casting = [...sheets, ...(pose.loose ?? [])];
+    const isSame = areSame(casting, this.#lit);
     const hadLoose = this.#looseShown.length > 0;
     this.#placeLoose(pose.loose ?? []);
-    this.#isDim =
-      roughly &&
-      !this.#isDim &&
-      still &&
-      sheets.length + (pose.loose?.length ?? 0) === this.#lit.length;
+    this.#isDim = roughly && !this.#isDim && still && casting.length === this.#lit.length;
     this.#folded = pose.folded;
-    this.#light(pose, sheets, pilesMoved, still);
+    if (!(still && isSame && this.#isLit)) this.#light(pose, sheets, pilesMoved, still);
+    this.#lit = casting;
     const [left, right] = [this.#left.pile, this.#right.pile];
     if (!this.#hard) shadowOfLeaves(this.#ground, this.#shape, pose.leaves, left, right);
     else if (!still) shadowOfCase(this.#ground, this.#shape, this.#case, left, right);
@@ -156,7 +153,7 @@ export class DrawnBook {
       shadowOfFlap(this.#ground, this.#shape, pose.flap ?? null);
     }
     if (loose) shadowOfSheet(this.#ground, loose, this.#table);
-    this.#shadeByPapers(pose, sheets);
+    if (!isSame) this.#shadeByPapers(pose, sheets);
     return caseMoved || flapMoved;
   }
 
@@ -249,7 +246,7 @@ export class DrawnBook {
   /** Places the sheets that are torn out, over everything else. */
   #placeLoose(sheets: readonly Surface[]): void {
     const shown = this.#looseShown;
-    if (sheets.length === shown.length && sheets.every((sheet, k) => sheet === shown[k])) return;
+    if (areSame(sheets, shown)) return;
     const ranks = ranksOf(sheets);
     this.#topmost = sheets[ranks.indexOf(sheets.length - 1)] ?? null;
     while (this.#loose.length < sheets.length) {
@@ -276,11 +273,6 @@ export class DrawnBook {
 
   /** Shades everything by paper that lies on it: what is folded over, and loose sheets. */
   #shadeByPapers({ leaves, lying = [], loose = [] }: BookPose, sheets: readonly Surface[]): void {
-    const all = [...sheets, ...loose];
-    const same =
-      all.length === this.#shading.length && all.every((one, k) => one === this.#shading[k]);
-    if (same) return;
-    this.#shading = all;
     const ranks = ranksOf(loose);
     const piled = ranks.map((_, rank) => loose[ranks.indexOf(rank)]);
     const papers = piled.map((sheet) => sheet.papers?.papersOf(sheet) ?? []);
@@ -296,11 +288,11 @@ export class DrawnBook {
         const flaps = folded.filter((_, other) => (left ? other > k : other < k));
         over = shading([...flaps, ...papers].flat(), leaf);
       }
-      this.#leaves[k].shadeBy(leaf, over);
+      this.#leaves[k].shadeBy(over);
     }
     for (const [rank, sheet] of piled.entries()) {
       const over = shading(papers.slice(rank + 1).flat(), sheet);
-      this.#loose[ranks.indexOf(rank)].shadeBy(sheet, over);
+      this.#loose[ranks.indexOf(rank)].shadeBy(over);
     }
     this.#ground.lay(piled.flatMap((sheet) => sheet.papers?.papersOf(sheet, true) ?? []));
   }
@@ -341,17 +333,12 @@ export class DrawnBook {
    * no shadow on its page
    */
   #light(
-    { leaves, lying = [], loose = [], flap = null }: BookPose,
+    { leaves, lying = [], flap = null }: BookPose,
     sheets: readonly Surface[],
     pilesMoved: boolean,
     still: boolean,
   ): void {
     const [left, right] = [this.#left, this.#right];
-    const casting = [...sheets, ...loose];
-    const same =
-      casting.length === this.#lit.length && casting.every((sheet, k) => sheet === this.#lit[k]);
-    if (still && same && this.#isLit) return;
-    this.#lit = casting;
     this.#isLit = !this.#isDim;
     this.#placeLeaves(sheets, flap);
     if (this.#isDim) return;
@@ -374,6 +361,10 @@ export class DrawnBook {
     if (!still || !l.present) this.#front.light(this.#case, l, r, left.over);
     if (!still || !r.present) this.#back.light(this.#case, l, r, right.over);
   }
+}
+
+function areSame(some: readonly Surface[], others: readonly Surface[]): boolean {
+  return some.length === others.length && some.every((one, k) => one === others[k]);
 }
 
 /** Returns the place of each loose sheet among them from the table up: those of one layer lie as they are listed. */

@@ -19,7 +19,8 @@ export class LeafMesh {
   #rows = 0;
   #mesh: CreasedMesh | undefined;
   #creased: CreasedVertices | undefined;
-  /** What lies on it beside its own flaps. */
+  /** Its own flaps, on its recto and its verso, and what else lies on it. */
+  #flaps: readonly [recto: readonly Paper[], verso: readonly Paper[]] = [[], []];
   #over: readonly Paper[] = [];
   #position = new BufferAttribute(new Float32Array(0), 3);
   #normal = new BufferAttribute(new Float32Array(0), 3);
@@ -69,15 +70,17 @@ export class LeafMesh {
     this.verso.material.lieOver(left, right);
     this.recto.material.thickness = this.verso.material.thickness = leaf.thickness ?? 0;
     for (const { material } of [this.recto, this.verso]) material.opened = leaf.opened ?? null;
-    this.#lay(leaf);
+    const { papers } = leaf;
+    this.#flaps = [papers?.flapsOn(leaf, 1) ?? [], papers?.flapsOn(leaf, -1) ?? []];
+    this.#lay();
     this.rim.shape(leaf);
   }
 
   /** Shades it by paper that lies on it, or close over it, beside its own flaps. */
-  shadeBy(leaf: Surface, over: readonly Paper[]): void {
+  shadeBy(over: readonly Paper[]): void {
     if (over.length === 0 && this.#over.length === 0) return;
     this.#over = over;
-    this.#lay(leaf);
+    this.#lay();
   }
 
   /**
@@ -138,10 +141,10 @@ export class LeafMesh {
     this.rim.dispose();
   }
 
-  #lay(leaf: Surface): void {
-    const { papers } = leaf;
-    this.recto.material.lay([...(papers?.flapsOn(leaf, 1) ?? []), ...this.#over]);
-    this.verso.material.lay([...(papers?.flapsOn(leaf, -1) ?? []), ...this.#over]);
+  #lay(): void {
+    const [recto, verso] = this.#flaps;
+    this.recto.material.lay([...recto, ...this.#over]);
+    this.verso.material.lay([...verso, ...this.#over]);
   }
 
   #allot(leaf: Surface): void {

@@ -6,7 +6,7 @@ import { columnPlace, type Ray, type Surface } from "../engine/shapes.ts";
 import type { PagePicture } from "../sources/page_source.ts";
 import type { BookShape } from "../stage/book_pose.ts";
 import type { LeafSide, PageFace } from "../stage/book_stage.ts";
-import { axesOf, fieldOfView, fitPoints } from "./camera.ts";
+import { axesOf, fieldOfView, fitPoints, halfSeen } from "./camera.ts";
 import { restingCase } from "./case_shape.ts";
 import { ContextWatch, openContext } from "./context.ts";
 import { cutOff, straightened } from "./creased_vertices.ts";
@@ -124,8 +124,7 @@ export class LeafScene {
     camera.matrix.fromArray([...right, 0, ...up, 0, ...back, 0, ...place, 1]);
     camera.matrixWorldNeedsUpdate = true;
     camera.updateMatrixWorld(true);
-    const view = 2 * distance * Math.tan((fieldOfView * Math.PI) / 360);
-    this.#materials.pixel.value = view / height;
+    this.#materials.pixel.value = (2 * halfSeen * distance) / height;
     camera.aspect = width / height;
     camera.near = Math.max(0.02, distance - 2 * Math.max(w, h));
     camera.far = distance + 4 * Math.max(w, h);

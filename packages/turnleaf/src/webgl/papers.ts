@@ -45,9 +45,9 @@ export function paperUniforms(): Record<string, IUniform> {
 
 /** Sets them: those that are nearest, which come first, where there are too many. */
 export function layPapers(uniforms: Record<string, IUniform>, papers: readonly Paper[]): void {
-  const laid = papers.slice(0, mostPapers);
-  for (const [k, { data }] of laid.entries()) uniforms.papers.value.set(data, k * data.length);
-  uniforms.paperCount.value = laid.length;
+  const count = Math.min(papers.length, mostPapers);
+  for (let k = 0; k < count; k++) uniforms.papers.value.set(papers[k].data, paperNumbers * k);
+  uniforms.paperCount.value = count;
 }
 
 /**

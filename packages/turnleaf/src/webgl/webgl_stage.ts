@@ -22,7 +22,7 @@ import type {
 } from "../stage/book_stage.ts";
 import { overheadAt, type Zoom, ZoomState } from "../stage/zoom.ts";
 import { BeyondSpine } from "./beyond_spine.ts";
-import { fieldOfView, frameBook, sightOf } from "./camera.ts";
+import { fieldOfView, frameBook, halfSeen, sightOf } from "./camera.ts";
 import { compiledAhead } from "./compiled_ahead.ts";
 import { ContextWatch, openContext } from "./context.ts";
 import { DrawnBook } from "./drawn_book.ts";
@@ -281,8 +281,7 @@ export class WebGLStage implements BookStage {
     camera.matrixWorldNeedsUpdate = true;
     camera.updateMatrixWorld(true);
     const size = 2 * Math.max(this.#shape.width, this.#shape.height);
-    const across = 2 * view.distance * Math.tan((fieldOfView * Math.PI) / 360);
-    this.#materials.pixel.value = across / (level * this.#height);
+    this.#materials.pixel.value = (2 * halfSeen * view.distance) / (level * this.#height);
     camera.near = Math.max(0.02, view.distance - size);
     camera.far = view.distance + 2 * size;
     const [x, y] = this.#zooming.show(zoom);
