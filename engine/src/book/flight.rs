@@ -384,13 +384,11 @@ impl Flight {
             return false;
         }
         self.rounds += rounds;
-        let scale = self.scale();
-        let Some(flaps) = self.leaf.flaps() else {
-            return false;
-        };
-        let points = self.surface.positions.as_chunks_mut::<3>().0;
-        let side = |under, part, is_alike| flaps.drawn_side(under, part, is_alike);
-        self.parts.separate(points, (scale, rounds), side, work)
+        let within = (self.scale(), rounds);
+        self.leaf.flaps().is_some_and(|flaps| {
+            let surface = &mut self.surface;
+            self.parts.separate_flaps(surface, flaps, within, work)
+        })
     }
 
     /// Whether it is creased.

@@ -38,11 +38,9 @@ impl FoldedSheet {
 
     /// Moves the drawn parts off each other, of a page `width` metres wide.
     pub fn separate(&mut self, surface: &mut Surface, width: f32) {
-        let flaps = &self.flaps;
-        let side = |under, part, is_alike| flaps.drawn_side(under, part, is_alike);
-        let points = surface.positions.as_chunks_mut::<3>().0;
         let work = &mut Work::new(u32::MAX);
+        let within = (width / WIDTH, ROUNDS);
         self.parts
-            .separate(points, (width / WIDTH, ROUNDS), side, work);
+            .separate_flaps(surface, &self.flaps, within, work);
     }
 }

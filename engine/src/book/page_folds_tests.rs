@@ -267,7 +267,7 @@ fn folds_that_cross_are_pressed_as_far_as_paper_can_be() {
     }
 }
 
-/// A page of 73 x 20 mm: its nodes are a millimetre apart, and the parts of a folded leaf lie nearly half a
+/// A page of 73 x 20 mm: the rows of its nodes are 1.5 mm apart, and the parts of a folded leaf lie nearly half a
 /// millimetre above each other. Pressed flat on either side none of its edges is stretched.
 #[test]
 fn a_small_leaf_that_is_pressed_flat_keeps_its_lengths() {

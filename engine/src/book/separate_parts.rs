@@ -9,10 +9,11 @@
 //! Few points overlap anything. So the triangles are gathered in blocks, and only those points are
 //! looked at that are near a block of another part and not on their side of all its triangles.
 
-use super::flaps::{BESIDE, add_facing, facing_of};
+use super::flaps::{BESIDE, Flaps, add_facing, facing_of};
 use super::tolerance::{NOT_UPON, OVER_PILE, SLACK};
 use super::triangle::Triangle;
 use super::work::Work;
+use crate::surface::Surface;
 use crate::vector::{cross, dot, sub, unit};
 use core::ops::Range;
 
@@ -290,6 +291,20 @@ impl DrawnParts {
     /// Whether a point is bound at the spine.
     pub fn is_bound(&self, node: usize) -> bool {
         node.is_multiple_of(self.columns)
+    }
+
+    /// Moves the drawn parts of a folded leaf off each other, to the sides to which they are folded:
+    /// see [`separate`](Self::separate).
+    pub fn separate_flaps(
+        &mut self,
+        surface: &mut Surface,
+        flaps: &Flaps,
+        within: (f32, usize),
+        work: &mut Work,
+    ) -> bool {
+        let points = surface.positions.as_chunks_mut::<3>().0;
+        let side = |under, part, is_alike| flaps.drawn_side(under, part, is_alike);
+        self.separate(points, within, side, work)
     }
 
     /// Moves parts out of each other that overlap, in so many rounds at most, and in one where no

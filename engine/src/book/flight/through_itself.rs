@@ -66,11 +66,10 @@ impl Flight {
     fn cut_spare(&mut self, work: &mut Work) {
         work.spend(MOVING + CUTTING);
         self.leaf.write_surface(&mut self.spare);
-        let scale = self.scale();
+        let within = (self.scale(), ROUNDS);
         if let Some(flaps) = self.leaf.flaps() {
-            let points = self.spare.positions.as_chunks_mut::<3>().0;
-            let side = |under, part, is_alike| flaps.drawn_side(under, part, is_alike);
-            self.parts.separate(points, (scale, ROUNDS), side, work);
+            let spare = &mut self.spare;
+            self.parts.separate_flaps(spare, flaps, within, work);
         }
         self.spare.update_normals();
         self.tiles.cut(Mesh {

@@ -57,6 +57,13 @@ const STRIDE: f32 = 4e-3;
 const FEWEST: usize = 2;
 const MOST: usize = 160;
 
+/// Strain of a folded sheet beyond which sweeps go on all the same, and the most of them that it
+/// gets. Where a fold is opened and shut again its cells' sides and diagonals have nearly one
+/// direction, and what is taken out of one goes into the next: after [`MOST`] sweeps low pages,
+/// whose cells are several times as wide as high, kept 4 to 13 %.
+const MOST_STRAIN: f32 = 10.0 * TOLERANCE;
+const MOST_FOLDED: usize = 6 * MOST;
+
 /// Restores the lengths of a sheet's edges.
 #[derive(Clone, Debug)]
 pub(super) struct Sweep {
@@ -190,17 +197,26 @@ impl Sweep {
         }
         let mut chains = self.chains.take().unwrap_or_else(|| self.chains());
         let mut rounds = 0;
-        while rounds < MOST {
+        let mut most = MOST;
+        while rounds < most {
             let mut off = self.restore_others(rounds);
             off = off.max(chains.restore(&mut self.nodes));
             rounds += 1;
             if off < TOLERANCE && rounds >= FEWEST {
                 break;
             }
+            if self.is_folded() {
+                most = if off > MOST_STRAIN { MOST_FOLDED } else { MOST };
+            }
         }
         self.chains = Some(chains);
         self.nodes.write(positions);
         rounds as u32
+    }
+
+    /// Whether some of its cells are folded or crumpled.
+    fn is_folded(&self) -> bool {
+        CAN_CREASE && !(self.diagonals.is_empty() && self.slack.is_empty())
     }
 
     fn chains(&self) -> Chains {
