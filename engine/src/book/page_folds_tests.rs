@@ -287,6 +287,28 @@ fn a_small_leaf_that_is_pressed_flat_keeps_its_lengths() {
     }
 }
 
+/// A letter folded over a dog-ear, on the recto of a page of 148 x 198 mm: as it opens from pressed flat
+/// it springs up, is turned over to its side by a grab of its own, and does not come to lie clear of
+/// itself there. It was opened anew each time, and never came to rest.
+#[test]
+fn a_leaf_that_springs_up_as_it_opens_comes_to_rest() {
+    let creases = [
+        fold([0.536, 0.0], [1.0, 0.348], 160.0),
+        along(0.7, -175.0),
+        along(0.4, -160.0),
+    ];
+    let mut book = Book::new(0.1485, 0.198, 14, 0.005).unwrap();
+    *book.board_mut(0) = Board::new(Side::Left);
+    assert!(book.crease(8, &creases));
+    book.lay(8);
+    let mut ticks = 0;
+    while !book.is_asleep() {
+        book.step(1);
+        ticks += 1;
+        assert!(ticks < 2400, "not at rest after 20 s");
+    }
+}
+
 /// Over its page it is pressed flat and lies folded; below its page it has no room at the spine, lies
 /// open while it is pressed, and then holds the page up.
 #[test]

@@ -53,6 +53,7 @@ impl Leaf {
             Phase::Resting(side) if side == to => {}
             Phase::Resting(from) => {
                 let time = if from == Side::Right { 0.0 } else { 1.0 };
+                self.was_opened_anew = false;
                 self.start_course(Course { time, rate });
                 self.phase = Phase::Playing(to);
             }
@@ -78,7 +79,6 @@ impl Leaf {
     }
 
     fn start_course(&mut self, course: Course) {
-        self.was_opened_anew = false;
         let [u, v] = self.turner_place();
         self.sheet.grab(TURNER, u, v);
         self.course = Some(course);

@@ -214,9 +214,9 @@ impl Sweep {
         rounds as u32
     }
 
-    /// Whether some of its cells are folded or crumpled.
+    /// Whether some of its cells are folded and none crumpled: what crumples gives way.
     fn is_folded(&self) -> bool {
-        CAN_CREASE && !(self.diagonals.is_empty() && self.slack.is_empty())
+        CAN_CREASE && !self.diagonals.is_empty() && self.slack.is_empty()
     }
 
     fn chains(&self) -> Chains {
