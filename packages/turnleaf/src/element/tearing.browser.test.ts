@@ -461,6 +461,7 @@ test("a loose sheet is torn across by command; both pieces stay, and its pages a
   await expect.poll(() => besideBook(element)).toBe(0);
 });
 
+// It draws some hundreds of frames, which takes software half a minute on a quiet machine.
 test("two fingers that pull a loose sheet apart tear it, and each carries its piece", async () => {
   const element = await opened();
   const clock = await tearOutByClock(element);
@@ -500,7 +501,7 @@ test("two fingers that pull a loose sheet apart tear it, and each carries its pi
   expect(besideBook(element)).toBeGreaterThan(0.02);
   expect(await element.putBack()).toBe(true);
   expect(element.pageCount).toBe(12);
-});
+}, 120_000);
 
 /** Area of a surface in space, m^2. */
 function areaOf({ positions, columns, rows, creased }: Surface): number {
