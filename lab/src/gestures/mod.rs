@@ -162,6 +162,17 @@ impl Display for Report {
     }
 }
 
+/// Names the seed of a gesture that stops the experiment by a panic, which does not know it.
+struct NamedIfStopped(u64);
+
+impl Drop for NamedIfStopped {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            eprintln!("Gesture {} stopped the experiment.", self.0);
+        }
+    }
+}
+
 /// Plays gestures, so many at once, each by its seed and so the same whatever plays
 /// beside it. Returns them by their seeds.
 fn play(seed: u64, count: u64, choice: &Choice, jobs: usize) -> Vec<Played> {
@@ -173,6 +184,7 @@ fn play(seed: u64, count: u64, choice: &Choice, jobs: usize) -> Vec<Played> {
                 done if done >= count => return,
                 done => seed + done,
             };
+            let _named = NamedIfStopped(seed);
             let stock = choice.stocks[(seed % choice.stocks.len() as u64) as usize];
             let world = World::new(seed, stock, choice);
             let outcome = scene::play(seed, &world);
