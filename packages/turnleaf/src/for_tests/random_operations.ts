@@ -212,7 +212,9 @@ export class RandomOperations {
 
   /** The element as it stands, for the report of a failure. */
   get state(): string {
-    return `${this.#element.outerHTML} after ${this.recent.join(", ")}`;
+    const { outerHTML, spread, folds, dogEars, tornLeaves } = this.#element;
+    const shown = JSON.stringify({ spread, folds, dogEars, tornLeaves });
+    return `${outerHTML} ${shown} after ${this.recent.join(", ")}`;
   }
 
   /** All operations in groups, each group as often as it is to be drawn. */
