@@ -156,8 +156,11 @@ export class RandomOperations {
       () => `${element.pageCount} pages in place of ${this.#pages.length}`,
     );
     let at = "";
-    // What was asked for before may set out once more.
-    while (at !== JSON.stringify(element.spread)) {
+    let open: number[];
+    let texts: Map<number, DOMRect>;
+    let picture: ImageData;
+    // What was asked for before may set out once more, also while the picture is made.
+    do {
       at = JSON.stringify(element.spread);
       // To set it draws the book anew, which would mend what is blank.
       if (element.zoom !== 1) element.zoom = 1;
@@ -166,13 +169,13 @@ export class RandomOperations {
         () => "the book does not come to rest",
       );
       await wait(5);
-    }
-    const { left, right } = element.spread;
-    // What is folded over hides pages.
-    const open = this.#hasFoldInSight ? [] : [left, right].filter((page) => page !== null);
-    const prints = open.filter((page) => this.#pages[page - 1] === "print");
-    const texts = await textBoxes(element, prints);
-    const picture = await this.#options.picture(element);
+      const { left, right } = element.spread;
+      // What is folded over hides pages.
+      open = this.#hasFoldInSight ? [] : [left, right].filter((page) => page !== null);
+      const prints = open.filter((page) => this.#pages[page - 1] === "print");
+      texts = await textBoxes(element, prints);
+      picture = await this.#options.picture(element);
+    } while (element.turning || at !== JSON.stringify(element.spread));
     const counts = hues(picture);
     this.checked.rests++;
     return open.flatMap((page) => {
