@@ -6,6 +6,7 @@ import {
   type ReactElement,
   StrictMode,
   useEffect,
+  useLayoutEffect,
   useState,
 } from "react";
 import { createRoot, hydrateRoot, type Root } from "react-dom/client";
@@ -131,6 +132,28 @@ test("a controlled page turns the book, and the book turns back if it is not let
   await expect.poll(() => theBook().page, patient).toBe(11);
   await settled(theBook());
   expect(theBook().page).toBe(11);
+});
+
+function TurnsOn({ pages }: { pages: { src: string }[] }): ReactElement {
+  const [page, set] = useState(3);
+  // The book turns on between the rendering of one turn and its effects.
+  useLayoutEffect(() => {
+    if (page === 5) void theBook().next();
+  }, [page]);
+  const onPageChange: TurnleafBookProps["onPageChange"] = ({ detail }) => set(detail.to);
+  const place = { style, cover: "none", offset: 0, duration: 0 } as const;
+  return createElement(TurnleafBook, { ...place, pages, page, onPageChange });
+}
+
+test("a turn made while the one before is rendered is not turned back", async () => {
+  show(createElement(TurnsOn, { pages: scans(12) }));
+  await expect.poll(() => theBook()?.pageCount, patient).toBe(12);
+  const changes: number[] = [];
+  theBook().addEventListener("pagechange", ({ detail }) => changes.push(detail.to));
+  await theBook().next();
+  await expect.poll(() => changes.includes(7), patient).toBe(true);
+  await settled(theBook());
+  expect([theBook().page, changes]).toEqual([7, [5, 7]]);
 });
 
 test("a page without a listener, and a first page, leave the turning to the reader", async () => {

@@ -50,6 +50,7 @@ export const TurnleafBook: ForwardRefExoticComponent<
   const element = useRef<BookElement>(null);
   const latest = useRef(props);
   const [turns, setTurns] = useState(0);
+  const reported = useRef(0);
   // Of the first rendering: what changes is set below, which is the same in every version of React.
   const [attributes] = useState(() =>
     attributesOf({ ...props, page: props.page ?? props.defaultPage }),
@@ -58,6 +59,8 @@ export const TurnleafBook: ForwardRefExoticComponent<
 
   useEffect(() => {
     latest.current = props;
+    // The book has turned since: this page would turn it back, and the rendering that follows sets all.
+    if (turns !== reported.current) return;
     const values = bookProps.map((name) => [name, props[name]]);
     const page = props.page ?? props.defaultPage;
     if (element.current) applyProps(element.current, { ...Object.fromEntries(values), page });
@@ -69,9 +72,10 @@ export const TurnleafBook: ForwardRefExoticComponent<
     const ended = new AbortController();
     for (const [name, event] of Object.entries(eventOf)) {
       const listen = (said: Event): void => {
+        if (event === "pagechange") reported.current += 1;
         const listener = latest.current[name as keyof Listeners];
         (listener as ((event: Event) => void) | undefined)?.(said);
-        if (event === "pagechange") setTurns((count) => count + 1);
+        if (event === "pagechange") setTurns(reported.current);
       };
       book.addEventListener(event, listen as EventListener, { signal: ended.signal });
     }
@@ -81,9 +85,10 @@ export const TurnleafBook: ForwardRefExoticComponent<
 
   useEffect(() => {
     const { page, onPageChange } = latest.current;
-    const isRejected = turns > 0 && page !== undefined && onPageChange;
+    const isLatest = turns > 0 && turns === reported.current;
+    const isControlled = page !== undefined && onPageChange;
     // Setting the page that was reported last does nothing.
-    if (isRejected && element.current) element.current.page = page;
+    if (isLatest && isControlled && element.current) element.current.page = page;
   }, [turns]);
 
   const others = Object.entries(props).filter(
