@@ -94,18 +94,17 @@ async function awayAndBack(move: () => unknown): Promise<void> {
 async function inkIn(box: DOMRect): Promise<DOMRect> {
   const { x: left, y: top, scale } = frame();
   const [x, y, width, height] = [box.x, box.y, box.width, box.height].map(Math.round);
-  const sharper = 2;
-  const { data } = (await session().send("Page.captureScreenshot", {
-    clip: {
-      x: left + x * scale,
-      y: top + y * scale,
-      width: width * scale,
-      height: height * scale,
-      scale: sharper / scale,
-    },
-  })) as { data: string };
+  const sharpness = scale * devicePixelRatio;
+  // The whole of it: after a screenshot of a part the browser has no idle time, for which
+  // `convertToBlob` in each test after this one waits a second.
+  const { data } = (await session().send("Page.captureScreenshot")) as { data: string };
+  const whole = await (await fetch(`data:image/png;base64,${data}`)).blob();
   const picture = await createImageBitmap(
-    await (await fetch(`data:image/png;base64,${data}`)).blob(),
+    whole,
+    Math.round(left * devicePixelRatio + x * sharpness),
+    Math.round(top * devicePixelRatio + y * sharpness),
+    Math.round(width * sharpness),
+    Math.round(height * sharpness),
   );
   const [w, h] = [picture.width, picture.height];
   const pen = new OffscreenCanvas(w, h).getContext("2d") as OffscreenCanvasRenderingContext2D;
@@ -122,10 +121,10 @@ async function inkIn(box: DOMRect): Promise<DOMRect> {
     }
   }
   return new DOMRect(
-    x + ink.left / sharper,
-    y + ink.top / sharper,
-    (ink.right - ink.left) / sharper,
-    (ink.bottom - ink.top) / sharper,
+    x + ink.left / sharpness,
+    y + ink.top / sharpness,
+    (ink.right - ink.left) / sharpness,
+    (ink.bottom - ink.top) / sharpness,
   );
 }
 
