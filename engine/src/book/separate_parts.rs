@@ -293,8 +293,8 @@ impl DrawnParts {
         node.is_multiple_of(self.columns)
     }
 
-    /// Moves the drawn parts of a folded leaf off each other, to the sides to which they are folded:
-    /// see [`separate`](Self::separate).
+    /// Moves the drawn parts of a folded leaf off each other, to the sides to which they are folded,
+    /// within a scale and so many rounds: see [`separate`](Self::separate).
     pub fn separate_flaps(
         &mut self,
         surface: &mut Surface,

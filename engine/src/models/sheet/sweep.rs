@@ -196,17 +196,16 @@ impl Sweep {
             self.apart_at.extend(pairs);
         }
         let mut chains = self.chains.take().unwrap_or_else(|| self.chains());
+        let is_folded = self.is_folded();
         let mut rounds = 0;
-        let mut most = MOST;
-        while rounds < most {
+        loop {
             let mut off = self.restore_others(rounds);
             off = off.max(chains.restore(&mut self.nodes));
             rounds += 1;
-            if off < TOLERANCE && rounds >= FEWEST {
+            let is_far_off = is_folded && off > MOST_STRAIN;
+            let most = if is_far_off { MOST_FOLDED } else { MOST };
+            if rounds >= most || off < TOLERANCE && rounds >= FEWEST {
                 break;
-            }
-            if self.is_folded() {
-                most = if off > MOST_STRAIN { MOST_FOLDED } else { MOST };
             }
         }
         self.chains = Some(chains);

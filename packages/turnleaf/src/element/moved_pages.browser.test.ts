@@ -3,10 +3,11 @@
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { WasmBook } from "../engine/wasm_book.ts";
-import { book, happens, scan, scans, settled } from "../for_tests/element_books.ts";
+import { book, drawRoughly, happens, scan, scans, settled } from "../for_tests/element_books.ts";
 import { TestClock } from "../for_tests/test_clock.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 
+drawRoughly();
 afterEach(() => {
   vi.restoreAllMocks();
   document.body.replaceChildren();

@@ -5,12 +5,20 @@ import type { TurnleafBook } from "../element.ts";
 import type { UV } from "../engine/book_engine.ts";
 import { CreasableBook } from "../engine/creasable_book.ts";
 import type { CreasedMesh, Surface } from "../engine/shapes.ts";
-import { book, happens, keepWhatIsDrawn, scans, settled } from "../for_tests/element_books.ts";
+import {
+  book,
+  drawRoughly,
+  happens,
+  keepWhatIsDrawn,
+  scans,
+  settled,
+} from "../for_tests/element_books.ts";
 import { TestClock } from "../for_tests/test_clock.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 import { LooseSheetPile } from "../viewer/loose_sheets.ts";
 
 keepWhatIsDrawn();
+drawRoughly();
 afterEach(() => {
   vi.restoreAllMocks();
   document.body.replaceChildren();

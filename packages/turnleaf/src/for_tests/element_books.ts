@@ -85,3 +85,18 @@ export function keepWhatIsDrawn(): void {
     HTMLCanvasElement.prototype.getContext = getContext;
   });
 }
+
+/**
+ * Has books drawn at half the sharpness, for the tests of a file that draw hundreds of frames and look
+ * at areas alone: software draws pixel by pixel.
+ */
+export function drawRoughly(): void {
+  let usual: PropertyDescriptor | undefined;
+  beforeAll(() => {
+    usual = Object.getOwnPropertyDescriptor(globalThis, "devicePixelRatio");
+    Object.defineProperty(globalThis, "devicePixelRatio", { value: 0.5, configurable: true });
+  });
+  afterAll(() => {
+    if (usual) Object.defineProperty(globalThis, "devicePixelRatio", usual);
+  });
+}
