@@ -17,6 +17,8 @@ pub struct CreaseFigures {
     pub at_rest_in_leaves_mm: f32,
     pub at_rest_in_piles_mm: f32,
     pub at_rest_in_itself_fraction: f64,
+    /// More than ten times as deep as [`TOO_DEEP`]: it is seen.
+    pub at_rest_far_in_itself_fraction: f64,
     pub in_others_fraction: f64,
     pub in_itself_fraction: f64,
     pub torn_off: u32,
@@ -61,6 +63,9 @@ impl CreaseFigures {
             at_rest_in_leaves_mm: 1e3 * most(|one| one.at_rest.leaf),
             at_rest_in_piles_mm: 1e3 * most(|one| one.at_rest.pile),
             at_rest_in_itself_fraction: gestures(&|_, creases| deep(creases.at_rest.itself)),
+            at_rest_far_in_itself_fraction: gestures(&|_, creases| {
+                deep(0.1 * creases.at_rest.itself)
+            }),
             in_others_fraction: gestures(&|one, _| deep(one.drawn.leaf.max(one.drawn.pile))),
             in_itself_fraction: gestures(&|one, _| deep(one.drawn.itself)),
             torn_off: sum(|one| one.torn.off),

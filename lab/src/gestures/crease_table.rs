@@ -10,7 +10,7 @@ use crate::table::Table;
 type Figure = fn(&Figures, &CreaseFigures) -> f64;
 
 /// Rows of the table: what, the figure, by how much it is multiplied, its decimals.
-const ROWS: [(&str, Figure, f64, usize); 31] = [
+const ROWS: [(&str, Figure, f64, usize); 32] = [
     ("gestures", |f, _| f.count as f64, 1.0, 0),
     ("folds made", |_, c| c.folds_made.into(), 1.0, 0),
     (
@@ -64,6 +64,12 @@ const ROWS: [(&str, Figure, f64, usize); 31] = [
     (
         "gestures in which that is more than 0.1 mm, %",
         |_, c| c.at_rest_in_itself_fraction,
+        100.0,
+        2,
+    ),
+    (
+        "gestures in which that is more than 1 mm, %",
+        |_, c| c.at_rest_far_in_itself_fraction,
         100.0,
         2,
     ),

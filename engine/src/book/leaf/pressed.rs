@@ -31,14 +31,14 @@ impl Leaf {
         self.sheet.lay_pressed(side, &heights)
     }
 
-    /// Whether it has landed in this tick, and may be [opened anew](Self::open_anew): once until it
-    /// is held or played again.
-    pub fn may_open_anew(&self) -> bool {
-        CAN_CREASE && self.settling == Some(0.0) && !self.was_opened_anew
+    /// Whether it has landed in this tick.
+    pub fn has_landed(&self) -> bool {
+        CAN_CREASE && self.settling == Some(0.0)
     }
 
     /// Has it eased, as it has just landed, to where it lies pressed flat, and its folds open from
-    /// there to where they rest, as when it comes out from under others.
+    /// there to where they rest, as when it comes out from under others. Once until it is held or
+    /// played again: after that it stays pressed, as the same would follow.
     pub fn open_anew(&mut self) {
         let Phase::Falling(side) = self.phase else {
             return;
