@@ -1,0 +1,60 @@
+/** Books whose leaves may be torn out, for tests in a browser. */
+
+import { expect } from "vitest";
+import type { TurnleafBook } from "../element.ts";
+import { book, happens, scans } from "./element_books.ts";
+import { TestClock } from "./test_clock.ts";
+
+/** Resolves to a book at its fifth page, with room on the table beside it. */
+export async function tearableBook(
+  attributes: Record<string, string> = {},
+  count = 12,
+): Promise<TurnleafBook> {
+  const element = book(scans(count), {
+    page: "5",
+    cover: "none",
+    duration: "300",
+    tearable: "perforated",
+    ...attributes,
+  });
+  element.style.cssText = "width: 760px; height: 320px";
+  await happens(element, "load");
+  // A pull tears nothing until what tears is loaded.
+  await expect.poll(() => element.ready, { timeout: 20_000 }).toBe(true);
+  return element;
+}
+
+/** Returns the fraction of the pixels on the right of the book that show paper. */
+export function besideBook(element: TurnleafBook): number {
+  const drawn = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
+  const bounds = element.bookBounds as DOMRect;
+  const copy = document.createElement("canvas");
+  const from = bounds.right + 14;
+  const width = element.clientWidth - from - 2;
+  [copy.width, copy.height] = [Math.floor(width), element.clientHeight];
+  const pen = copy.getContext("2d") as CanvasRenderingContext2D;
+  const scale = drawn.width / element.clientWidth;
+  pen.drawImage(
+    drawn,
+    from * scale,
+    0,
+    copy.width * scale,
+    copy.height * scale,
+    0,
+    0,
+    copy.width,
+    copy.height,
+  );
+  const { data } = pen.getImageData(0, 0, copy.width, copy.height);
+  // Paper is opaque; shadows are not.
+  return data.filter((value, k) => k % 4 === 3 && value > 250).length / (data.length / 4);
+}
+
+/** Tears the leaf of page 5 out by frames of a clock of its own, which it returns. */
+export async function tearOutByClock(element: TurnleafBook): Promise<TestClock> {
+  const clock = new TestClock();
+  const torn = element.tearOut(5);
+  await clock.until(() => element.tornLeaves === 1 && element.settled);
+  expect(await torn).toBe(true);
+  return clock;
+}
