@@ -57,6 +57,9 @@ pub struct Options {
     /// Angle from the rows of the sheet at which it is lifted at the start, degrees; the shell has none.
     #[arg(long, default_value_t = 0.0, value_parser = between(-180.0, 180.0))]
     turn: f64,
+    /// Let the sheet crumple: its cells may fold along either diagonal; the shell does not.
+    #[arg(long)]
+    crumples: bool,
     /// Nodes of the shell around the tip, or of the sheet along each side [default: 192, 25]
     #[arg(long, value_parser = between(24usize, 256))]
     nodes: Option<usize>,
@@ -74,6 +77,8 @@ pub struct Cone {
     #[serde(flatten)]
     of: Label,
     slope: f64,
+    /// Whether it is of a sheet that crumples.
+    crumples: bool,
     nodes: usize,
     #[serde(flatten)]
     found: Lifted,
@@ -88,6 +93,7 @@ pub struct Cone {
 pub fn run(options: &Options) -> Result<Lines<Cone>, String> {
     let model = options.model.model()?;
     let slope = options.slope;
+    let crumples = options.crumples && matches!(model, Model::Sheet(_));
     let (nodes, places) = match model {
         Model::Shell => {
             let around = options.nodes.unwrap_or(192);
@@ -108,10 +114,12 @@ pub fn run(options: &Options) -> Result<Lines<Cone>, String> {
                 gravity: [0.0; 3],
                 ..settings.sheet([2.0 * RADIUS; 2], paper)
             };
-            (
-                columns,
-                by_sheet(settings, slope, options.turn.to_radians())?,
-            )
+            let mut sheet = Sheet::new(settings).map_err(|error| error.to_string())?;
+            if crumples {
+                sheet.crumple();
+            }
+            let turn = options.turn.to_radians();
+            (columns, by_sheet(sheet, slope, turn))
         }
         Model::MassSpring => return Err("Masses and springs are not pushed into a funnel.".into()),
     };
@@ -121,6 +129,7 @@ pub fn run(options: &Options) -> Result<Lines<Cone>, String> {
     Ok(Lines(Cone {
         of: model.label(),
         slope,
+        crumples,
         nodes,
         found: lifted(found),
         exact: lifted(exact),
@@ -274,9 +283,9 @@ fn by_shell(around: usize, slope: f64) -> Result<Vec<[f64; 3]>, String> {
 
 /// Places of the nodes of a square sheet in the funnel, over its radius, which is lifted at first
 /// at an angle from its rows.
-fn by_sheet(settings: SheetSettings, slope: f64, turn: f64) -> Result<Vec<[f64; 3]>, String> {
-    let count = settings.columns;
-    let steps = (SECONDS / settings.time_step) as usize;
+fn by_sheet(mut sheet: Sheet, slope: f64, turn: f64) -> Vec<[f64; 3]> {
+    let count = sheet.settings().columns;
+    let steps = (SECONDS / sheet.settings().time_step) as usize;
     let start = Start::new(slope);
     let cell = 2.0 * RADIUS / (count - 1) as f64;
     let flat = (0..count * count).map(|node| {
@@ -289,7 +298,6 @@ fn by_sheet(settings: SheetSettings, slope: f64, turn: f64) -> Result<Vec<[f64; 
         [x, y, z]
     });
     let places: Vec<f32> = places.map(|x| x as f32).collect();
-    let mut sheet = Sheet::new(settings).map_err(|error| error.to_string())?;
     sheet.write_nodes(&places, &vec![0.0; places.len()]);
     sheet.pin(count / 2, count / 2, Some([0.0; 3]));
     let places = |sheet: &Sheet| -> Vec<[f64; 3]> {
@@ -311,10 +319,8 @@ fn by_sheet(settings: SheetSettings, slope: f64, turn: f64) -> Result<Vec<[f64; 
             break;
         }
     }
-    let over_radius = places(&sheet)
-        .into_iter()
-        .map(|place| place.map(|x| x / RADIUS));
-    Ok(over_radius.collect())
+    let places = places(&sheet).into_iter();
+    places.map(|place| place.map(|x| x / RADIUS)).collect()
 }
 
 /// The sector that is lifted off the funnel about where most is, radians: on each side the angle

@@ -202,16 +202,10 @@ impl Leaf {
         *time += TICK;
         let t = (*time / SETTLE_SECONDS).min(1.0);
         if t >= 1.0 {
-            let put_down = self.put_down;
-            // Opened once more it would land as it did.
-            let stays_pressed = self.was_opened_anew;
-            if self.end_open_anew() {
-                if stays_pressed {
-                    self.lie(side);
-                    self.put_down = put_down;
-                }
+            if self.settle_pressed(side) {
                 return;
             }
+            let put_down = self.put_down;
             if self.sheet.is_creased() {
                 let rest = core::mem::take(&mut self.rest);
                 self.lay_at(side, &rest);

@@ -38,7 +38,7 @@ impl Leaf {
 
     /// Has it eased, as it has just landed, to where it lies pressed flat, and its folds open from
     /// there to where they rest, as when it comes out from under others. Once until it is held or
-    /// played again: after that it stays pressed, as the same would follow.
+    /// played again: see [`Leaf::settle_pressed`].
     pub fn open_anew(&mut self) {
         let Phase::Falling(side) = self.phase else {
             return;
@@ -62,6 +62,21 @@ impl Leaf {
         self.put_down = put_down;
         self.was_opened_anew = true;
         self.wake();
+        true
+    }
+
+    /// Ends the easing of a leaf to where it lies pressed flat: its folds open from there, or, where
+    /// they have done so before, it stays pressed. Leaves that landed through themselves twice did so
+    /// each time after that. Returns whether it was eased there.
+    pub(super) fn settle_pressed(&mut self, side: Side) -> bool {
+        let (put_down, stays_pressed) = (self.put_down, self.was_opened_anew);
+        if !self.end_open_anew() {
+            return false;
+        }
+        if stays_pressed {
+            self.lie(side);
+            self.put_down = put_down;
+        }
         true
     }
 

@@ -15,8 +15,9 @@ use crate::interpolate::uniform_samples;
 
 impl Sheet {
     /// Lets the sheet crumple from now on, in place of the creases that it had: it stays where
-    /// it is, and is drawn as facets, at its nodes and half-way between them.
-    pub(crate) fn crumple(&mut self) {
+    /// it is, bends at every edge and diagonal of its cells, keeps what bends beyond its yield, and
+    /// is drawn as facets, at its nodes and half-way between them.
+    pub fn crumple(&mut self) {
         let (columns, rows) = (self.settings.columns, self.settings.rows);
         self.creased = None;
         let samples = [columns, rows].map(|nodes| uniform_samples(facets::points(nodes)));
