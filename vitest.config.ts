@@ -22,6 +22,12 @@ const { TURNLEAF_SEED = "1", TURNLEAF_FUZZ = "1" } = process.env;
 /** Archives that tests read. */
 const archives = ["**/*.rar", "**/*.7z", "**/*.cb7"];
 
+/**
+ * Files of Node, one at a time, run beside files of Chromium, one at a time: the projects of a group
+ * share its time. Without an order of its own vitest runs files that are one at a time after all others.
+ */
+const beside = { fileParallelism: false, sequence: { groupOrder: 1 } };
+
 /** Files that run in the real Chromium of this machine, started with flags besides those of all. */
 function inChromium(
   name: string,
@@ -71,7 +77,7 @@ function inChromium(
       testTimeout: 60_000,
       // They wait for the same frames as tests.
       hookTimeout: 60_000,
-      fileParallelism: false,
+      ...beside,
       env: { TURNLEAF_SEED, TURNLEAF_FUZZ },
       setupFiles: ["packages/turnleaf/src/for_tests/browser_setup.ts"],
       browser: {
@@ -105,6 +111,7 @@ export default defineConfig({
           ],
           exclude: ["**/*.browser.test.ts", engines, "**/node_modules/**", "**/dist/**"],
           testTimeout: 60_000,
+          ...beside,
         },
       },
       {

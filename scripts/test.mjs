@@ -3,8 +3,8 @@
  *
  *   node scripts/test.mjs [rust] [js]
  *
- * Every part runs, so that one failure does not hide another. The projects of vitest run side by side:
- * of each is printed how long its files took, one after the other.
+ * Every part runs, so that one failure does not hide another. Of each project of vitest is printed how
+ * long its files took, added up: some projects run side by side.
  */
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
