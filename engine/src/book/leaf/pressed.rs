@@ -38,7 +38,7 @@ impl Leaf {
 
     /// Has it eased, as it has just landed, to where it lies pressed flat, and its folds open from
     /// there to where they rest, as when it comes out from under others. Once until it is held or
-    /// played again: see [`Leaf::settle_pressed`].
+    /// played again: see `settle_pressed`.
     pub fn open_anew(&mut self) {
         let Phase::Falling(side) = self.phase else {
             return;
