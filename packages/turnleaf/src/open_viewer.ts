@@ -5,6 +5,9 @@ import { BookError, type PageSource } from "./sources/page_source.ts";
 import { type Backend, Viewer, type ViewerOptions } from "./viewer/viewer.ts";
 import { giveUpContext, isUsable, openContext } from "./webgl/context.ts";
 
+/** How often a book is tried to be drawn in 3D before it is shown on the flat. */
+const mostTries = 2;
+
 /** Loads what draws in 3D. */
 let loadWebGL = (): Promise<typeof import("./webgl_backend.ts")> => import("./webgl_backend.ts");
 
@@ -55,21 +58,28 @@ export async function openViewer(
   signal: AbortSignal,
   showing: Showing = {},
 ): Promise<Viewer> {
-  const { canvas, context } = contextFor(freshCanvas, showing);
-  if (context === null) return await open(canvas, false);
-  try {
-    return await open(canvas, true);
-  } catch (error) {
-    giveUpContext(canvas);
-    signal.throwIfAborted();
-    // Without its pages there is no book; without a graphics card there is a plainer one.
-    if (error instanceof BookError) throw error;
-    console.warn(
-      "turnleaf-book: the book is shown on the flat, as it cannot be drawn in 3D:",
-      error,
-    );
-    return await open(freshCanvas(), false);
+  let place = contextFor(freshCanvas, showing);
+  for (let tries = 1; place.context !== null; tries++) {
+    try {
+      return await open(place.canvas, true);
+    } catch (error) {
+      giveUpContext(place.canvas);
+      signal.throwIfAborted();
+      // Without its pages there is no book; without a graphics card there is a plainer one.
+      if (error instanceof BookError) throw error;
+      // In WebKitGTK some one first book in fifty fails so, for a reason that is not known.
+      if (tries < mostTries) {
+        place = contextFor(freshCanvas, showing);
+        continue;
+      }
+      console.warn(
+        "turnleaf-book: the book is shown on the flat, as it cannot be drawn in 3D:",
+        error,
+      );
+      place = { canvas: freshCanvas(), context: null };
+    }
   }
+  return await open(place.canvas, false);
 
   async function open(canvas: HTMLCanvasElement, isWebGL: boolean): Promise<Viewer> {
     const backend = await loadBackend(isWebGL, showing);

@@ -188,7 +188,8 @@ describe.each(here)("%s", (_, { start, hasWebGL }) => {
     expect(place).toEqual(box);
     expect(await browser.run(() => [state.book.pageCount, state.book.page])).toEqual([112, 18]);
     const drawn = site.asked.flatMap((path) => /\/(webgl|canvas2d)_backend-/.exec(path)?.[1] ?? []);
-    expect(drawn).toEqual([hasWebGL ? "webgl" : "canvas2d"]);
+    const said = await browser.run(() => state.complaints.join("; "));
+    expect(drawn, said).toEqual([hasWebGL ? "webgl" : "canvas2d"]);
     await showsPrintOnPaper();
     await hasNoComplaint();
   });

@@ -3,9 +3,11 @@
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
+import { Viewer } from "../viewer/viewer.ts";
 
 afterEach(() => {
   vi.useRealTimers();
+  vi.restoreAllMocks();
   document.body.replaceChildren();
 });
 
@@ -186,3 +188,22 @@ test("where the processor draws, books have one sample a pixel, from the first o
     element.remove();
   }
 });
+
+test.for([
+  [1, "webgl2"],
+  [2, "2d"],
+] as const)(
+  "a book that fails %d times to be drawn in 3D is drawn by %s",
+  async ([times, kind]) => {
+    const warn = vi.spyOn(console, "warn").mockReturnValue();
+    const open = vi.spyOn(Viewer, "open");
+    for (let k = 0; k < times; k++) open.mockRejectedValueOnce(new Error("no context"));
+    const element = book(scans(4));
+    await happens(element, "load");
+    await settled(element);
+    expect(canvasOf(element).getContext(kind)).not.toBeNull();
+    expect(open).toHaveBeenCalledTimes(times + 1);
+    const said = warn.mock.calls.filter(([text]) => String(text).includes("on the flat"));
+    expect(said).toHaveLength(kind === "2d" ? 1 : 0);
+  },
+);
