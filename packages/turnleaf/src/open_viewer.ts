@@ -67,16 +67,15 @@ export async function openViewer(
       signal.throwIfAborted();
       // Without its pages there is no book; without a graphics card there is a plainer one.
       if (error instanceof BookError) throw error;
-      // In WebKitGTK some one first book in fifty fails so, for a reason that is not known.
-      if (tries < mostTries) {
-        place = contextFor(freshCanvas, showing);
-        continue;
+      // In WebKitGTK a page's first book fails so now and then, for a reason that is not known.
+      if (tries < mostTries) place = contextFor(freshCanvas, showing);
+      else {
+        console.warn(
+          "turnleaf-book: the book is shown on the flat, as it cannot be drawn in 3D:",
+          error,
+        );
+        place = { canvas: freshCanvas(), context: null };
       }
-      console.warn(
-        "turnleaf-book: the book is shown on the flat, as it cannot be drawn in 3D:",
-        error,
-      );
-      place = { canvas: freshCanvas(), context: null };
     }
   }
   return await open(place.canvas, false);

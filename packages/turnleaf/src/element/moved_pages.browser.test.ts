@@ -3,7 +3,8 @@
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { WasmBook } from "../engine/wasm_book.ts";
-import { book, drawRoughly, happens, scan, scans, settled } from "../for_tests/element_books.ts";
+import { drawRoughly, happens, scan, scans, settled } from "../for_tests/element_books.ts";
+import { tearableElement } from "../for_tests/tearable_books.ts";
 import { TestClock } from "../for_tests/test_clock.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 
@@ -23,14 +24,7 @@ async function opened(
   count = 12,
   lists: (element: TurnleafBook) => void = () => undefined,
 ): Promise<TurnleafBook> {
-  const element = book(labelled(count), {
-    page: "5",
-    cover: "none",
-    duration: "300",
-    tearable: "perforated",
-    ...attributes,
-  });
-  element.style.cssText = "width: 760px; height: 320px";
+  const element = tearableElement(labelled(count), attributes);
   lists(element);
   await happens(element, "load");
   await settled(element);

@@ -5,12 +5,12 @@ import type { TurnleafBook } from "../element.ts";
 import { book, happens, scans } from "./element_books.ts";
 import { TestClock } from "./test_clock.ts";
 
-/** Resolves to a book at its fifth page, with room on the table beside it. */
-export async function tearableBook(
-  attributes: Record<string, string> = {},
-  count = 12,
-): Promise<TurnleafBook> {
-  const element = book(scans(count), {
+/** Adds an element at its fifth page, with room on the table beside the book. */
+export function tearableElement(
+  pages: TurnleafBook["pages"],
+  attributes: Record<string, string>,
+): TurnleafBook {
+  const element = book(pages, {
     page: "5",
     cover: "none",
     duration: "300",
@@ -18,6 +18,15 @@ export async function tearableBook(
     ...attributes,
   });
   element.style.cssText = "width: 760px; height: 320px";
+  return element;
+}
+
+/** Resolves to such a book once its leaves can be torn out. */
+export async function tearableBook(
+  attributes: Record<string, string> = {},
+  count = 12,
+): Promise<TurnleafBook> {
+  const element = tearableElement(scans(count), attributes);
   await happens(element, "load");
   // A pull tears nothing until what tears is loaded.
   await expect.poll(() => element.ready, { timeout: 20_000 }).toBe(true);
