@@ -14,7 +14,7 @@ import { requestCommands } from "./scripts/request_watch.mjs";
 const engines = "packages/cli/tests/engines/*.test.ts";
 
 /** Tests of what Chromium has behind a flag: pages that are elements, drawn while they turn. */
-const htmlInCanvas = ["packages/turnleaf/src/element/live_drawings.browser.test.ts"];
+const htmlInCanvas = ["packages/turnleaf/src/element/live_drawings.canvas.test.ts"];
 
 /** What the random tests read, for those that run in a browser. */
 const { TURNLEAF_SEED = "1", TURNLEAF_FUZZ = "1" } = process.env;
@@ -32,7 +32,7 @@ const beside = { fileParallelism: false, sequence: { groupOrder: 1 } };
 function inChromium(
   name: string,
   include: string[],
-  { exclude = [], flags = [] }: { exclude?: string[]; flags?: string[] },
+  { setup, flags = [] }: { setup: string; flags?: string[] },
 ): TestProjectConfiguration {
   return {
     plugins: [wasmInline(), turnInline(), packedFiles(), workerInline(), svelteFiles()],
@@ -73,13 +73,13 @@ function inChromium(
     test: {
       name,
       include,
-      exclude: [...exclude, "**/node_modules/**", "**/dist/**"],
+      exclude: ["**/node_modules/**", "**/dist/**"],
       testTimeout: 60_000,
       // They wait for the same frames as tests.
       hookTimeout: 60_000,
       ...beside,
       env: { TURNLEAF_SEED, TURNLEAF_FUZZ },
-      setupFiles: ["packages/turnleaf/src/for_tests/browser_setup.ts"],
+      setupFiles: [`packages/turnleaf/src/for_tests/${setup}`],
       browser: {
         enabled: true,
         headless: true,
@@ -117,8 +117,10 @@ export default defineConfig({
       {
         test: { name: "engines", environment: "node", include: [engines] },
       },
-      inChromium("chromium", ["packages/**/*.browser.test.ts"], { exclude: htmlInCanvas }),
+      inChromium("chromium", ["packages/**/*.browser.test.ts"], { setup: "browser_setup.ts" }),
+      inChromium("chromium, drawn", ["packages/**/*.drawn.test.ts"], { setup: "drawn_setup.ts" }),
       inChromium("chromium with HTML in canvas", htmlInCanvas, {
+        setup: "drawn_setup.ts",
         flags: ["--enable-blink-features=CanvasDrawElement"],
       }),
     ],

@@ -5,6 +5,7 @@
 
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
+import { eventually } from "./for_tests/clock.ts";
 import { book, happens, keepWhatIsDrawn, settled } from "./for_tests/element_books.ts";
 import { TestPointer } from "./for_tests/test_pointer.ts";
 import { openSource } from "./sources/open_source.ts";
@@ -105,9 +106,9 @@ test("bound on the right: the second page is on the right, and on is dragged fro
   await expectPage(element, 7, 0.35, 0.6);
   await expectPage(element, 6, 0.65, 0.6);
   element.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }));
-  await expect.poll(() => element.page, { timeout: 20_000 }).toBe(8);
+  await eventually(() => element.page).toBe(8);
   element.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowRight" }));
-  await expect.poll(() => element.page, { timeout: 20_000 }).toBe(6);
+  await eventually(() => element.page).toBe(6);
 });
 
 test("bound at the top: pages lie above each other, and on is dragged from below", async () => {
@@ -120,7 +121,7 @@ test("bound at the top: pages lie above each other, and on is dragged from below
   await expectPage(element, 6, 0.5, 0.35);
   await expectPage(element, 7, 0.5, 0.75);
   element.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowDown" }));
-  await expect.poll(() => element.page, { timeout: 20_000 }).toBe(8);
+  await eventually(() => element.page).toBe(8);
 });
 
 test("bound at the bottom, the next page lies above", async () => {
@@ -300,7 +301,7 @@ test("a fold-out whose corner is lifted under a mouse unfolds, by command and by
   const { right, top } = element.bookBounds as DOMRect;
   const lift = async (): Promise<void> => {
     pointer.point("pointermove", right - 5, top + 5);
-    await expect.poll(() => element.state).toBe("lifting");
+    await eventually(() => element.state).toBe("lifting");
   };
   await lift();
   expect(await element.unfold(5)).toBe(true);
@@ -375,10 +376,10 @@ test("Enter on the book unfolds a fold-out, and folds it in", async () => {
   const pointer = new TestPointer(element);
   expect(element.foldOut).toBe("shut");
   pointer.key("Enter");
-  await expect.poll(() => element.foldOut, { timeout: 20_000 }).toBe("open");
+  await eventually(() => element.foldOut).toBe("open");
   await expectPage(element, 30, 0.8, 0.6);
   pointer.key("Enter");
-  await expect.poll(() => element.foldOut, { timeout: 20_000 }).toBe("shut");
+  await eventually(() => element.foldOut).toBe("shut");
   await expectPage(element, 5, 0.52, 0.6);
   await settled(element);
   expect(await hueAt(element, 0.65, 0.6)).toBeNull();
@@ -396,7 +397,7 @@ test("a smaller page lies at the spine, and beside it the page beneath is seen",
   [element.style.width, element.style.height] = ["420px", "300px"];
   await happens(element, "load");
   // The page beneath is one of those that a turn may bring into sight.
-  await expect.poll(() => element.ready).toBe(true);
+  await eventually(() => element.ready).toBe(true);
   await expectPage(element, 5, 0.6, 0.6);
   await expectPage(element, 7, 0.82, 0.6);
   expect(await element.next()).toBe(true);

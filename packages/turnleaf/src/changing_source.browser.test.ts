@@ -1,4 +1,5 @@
 import { expect, test } from "vitest";
+import { eventually } from "./for_tests/clock.ts";
 import { book, happens, scan, settled } from "./for_tests/element_books.ts";
 import { openSource } from "./sources/open.ts";
 import type { NewIndex, PageSource } from "./sources/page_source.ts";
@@ -55,7 +56,7 @@ test("the change waits until a leaf in flight has landed", async () => {
   announce();
   expect(element.pageCount).toBe(12);
   expect(await turned).toBe(true);
-  await expect.poll(() => element.pageCount).toBe(24);
+  await eventually(() => element.pageCount).toBe(24);
   // From pages 6 and 7 to those in their place.
   expect([element.spread.left, element.spread.right]).toContain(11);
   element.remove();

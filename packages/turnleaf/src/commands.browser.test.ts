@@ -3,6 +3,7 @@
 import { afterEach, expect, test } from "vitest";
 import type { TurnDetail } from "./element/events.ts";
 import type { TurnleafBook } from "./element.ts";
+import { eventually } from "./for_tests/clock.ts";
 import { book, happens, scan, scans, settled } from "./for_tests/element_books.ts";
 import { DrawnBook } from "./webgl/drawn_book.ts";
 
@@ -49,7 +50,7 @@ test("a page number kept in step with the book stops no jump, and changes once a
   expect(reports).toEqual(["1 10 forward", "10 40 forward", "40 1 backward"]);
   // Sent elsewhere halfway, and back.
   const far = element.goTo(30);
-  await expect.poll(() => element.page, { interval: 10 }).toBeGreaterThan(1);
+  await eventually(() => element.page).toBeGreaterThan(1);
   expect(await element.goTo(1)).toBe(true);
   expect(await far).toBe(false);
   expect(changes.length).toBe(3);
@@ -117,7 +118,7 @@ test("what a held key repeats waits three leaves at most, with the controls' key
     [...(element.shadowRoot?.querySelectorAll("button") ?? [])].find(
       ({ ariaLabel, title }) => (ariaLabel ?? title) === "Next page",
     );
-  await expect.poll(button, { timeout: 20_000 }).toBeDefined();
+  await eventually(button).toBeDefined();
   let page = 2;
   for (const press of [
     () => pressKey(element, "ArrowRight"),

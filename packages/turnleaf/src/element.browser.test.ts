@@ -3,6 +3,7 @@
 import { afterEach, expect, test } from "vitest";
 import type { TurnDetail } from "./element/events.ts";
 import type { TurnleafBook } from "./element.ts";
+import { eventually } from "./for_tests/clock.ts";
 import { book, happens, scan, scans, settled } from "./for_tests/element_books.ts";
 import { drawsInSoftware } from "./webgl/software_gl.ts";
 
@@ -89,7 +90,7 @@ test("nothing runs at rest, and nothing after removal", async () => {
     await new Promise((resolve) => setTimeout(resolve, 600));
     expect(frames).toBe(0);
     void element.next();
-    await expect.poll(() => frames).toBeGreaterThan(0);
+    await eventually(() => frames).toBeGreaterThan(0);
     element.remove();
     frames = 0;
     await new Promise((resolve) => setTimeout(resolve, 600));
@@ -143,9 +144,9 @@ test("a page that cannot be drawn does not take the others along", async () => {
   const element = book(pages, { page: "3", duration: "80" });
   await happens(element, "load");
   await settled(element);
-  await expect
-    .poll(() => element.shadowRoot?.querySelector(".live")?.textContent)
-    .not.toMatch(/^Pages/);
+  await eventually(() => element.shadowRoot?.querySelector(".live")?.textContent).not.toMatch(
+    /^Pages/,
+  );
   expect(await element.next()).toBe(true);
   expect(element.page).toBe(4);
 });
@@ -247,11 +248,11 @@ test("a book that was replaced while it opened leaves the other alone", async ()
     return slow;
   };
   element.pages = late;
-  await expect.poll(() => asked).toBe(true);
+  await eventually(() => asked).toBe(true);
   element.pages = scans(6);
   await happens(element, "load");
   const canvas = element.shadowRoot?.querySelector("canvas");
-  await expect.poll(() => done).toBe(true);
+  await eventually(() => done).toBe(true);
   await new Promise((resolve) => setTimeout(resolve, 100));
   expect(element.shadowRoot?.querySelectorAll("canvas").length).toBe(1);
   expect(element.shadowRoot?.querySelector("canvas")).toBe(canvas);

@@ -2,6 +2,7 @@ import { afterEach, expect, test, vi } from "vitest";
 import "./index.ts";
 import { userEvent } from "vitest/browser";
 import type { TurnleafBook } from "./element.ts";
+import { eventually } from "./for_tests/clock.ts";
 import { book, happens, keepWhatIsDrawn, settled } from "./for_tests/element_books.ts";
 import { HtmlPages } from "./sources/html/html_pages.ts";
 
@@ -44,7 +45,7 @@ const usable = (element: TurnleafBook): string[] =>
 async function laidOut(element: TurnleafBook): Promise<void> {
   const pages = [element.spread.left, element.spread.right].filter((page) => page !== null);
   await settled(element);
-  await expect.poll(() => usable(element).length, { timeout: 20_000 }).toBe(pages.length);
+  await eventually(() => usable(element).length).toBe(pages.length);
 }
 
 async function goTo(element: TurnleafBook, page: number): Promise<void> {
@@ -117,7 +118,7 @@ test("a button is pressed and a link to an element leads to its page", async () 
   expect(failures).toEqual([]);
   expect(element.page).toBe(2);
   await userEvent.click(pages[1].querySelector("a") as HTMLElement);
-  await expect.poll(() => element.page, { timeout: 20_000 }).toBe(6);
+  await eventually(() => element.page).toBe(6);
 });
 
 test("the keyboard reaches what is on the open pages, in their order, and nothing else", async () => {
@@ -174,7 +175,7 @@ test("a page that is taken away is followed no longer, and once when it comes ba
   const changes: (() => unknown)[] = [];
   source.watchPages((change) => changes.push(change));
   const follow = async (): Promise<void> => {
-    await expect.poll(() => changes.length).toBe(1);
+    await eventually(() => changes.length).toBe(1);
     changes.pop()?.();
   };
   const open = (): number =>
@@ -280,7 +281,7 @@ test("while a leaf moves the book shows pictures", async () => {
   const element = await bookOf(sections(...plain), { duration: "800" });
   const turned = element.goTo(4);
   await happens(element, "turnstart");
-  await expect.poll(() => usable(element).length).toBe(0);
+  await eventually(() => usable(element).length).toBe(0);
   await turned;
   await laidOut(element);
 });

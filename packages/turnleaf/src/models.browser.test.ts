@@ -1,13 +1,13 @@
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
+import { eventually } from "./for_tests/clock.ts";
 import { book, happens, scans, settled } from "./for_tests/element_books.ts";
 import { TestPointer } from "./for_tests/test_pointer.ts";
 import { type TurnModelName, turnModels } from "./leaf_models/model_choice.ts";
 
 afterEach(() => document.body.replaceChildren());
 
-const ready = (element: TurnleafBook): Promise<void> =>
-  expect.poll(() => element.ready, { timeout: 30_000, interval: 50 }).toBe(true);
+const ready = (element: TurnleafBook): Promise<void> => eventually(() => element.ready).toBe(true);
 
 /** Opens a book of ten pages with a model, at pages 4 and 5. */
 async function opened(

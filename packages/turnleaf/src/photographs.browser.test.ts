@@ -8,6 +8,7 @@ import { afterEach, expect, test, vi } from "vitest";
 import type { Turning } from "./book/turning.ts";
 import type { TurnleafBook } from "./element.ts";
 import type { BookEngine } from "./engine/book_engine.ts";
+import { eventually } from "./for_tests/clock.ts";
 import { book, happens, keepWhatIsDrawn, scans, settled } from "./for_tests/element_books.ts";
 import { TestPointer } from "./for_tests/test_pointer.ts";
 import type { ModelledBook } from "./leaf_models/leaf_model.ts";
@@ -56,7 +57,7 @@ async function opened(attributes: Record<string, string> = {}): Promise<Turnleaf
     ...attributes,
   });
   await happens(element, "load");
-  await expect.poll(() => element.ready, { timeout: 30_000, interval: 50 }).toBe(true);
+  await eventually(() => element.ready).toBe(true);
   return element;
 }
 
@@ -92,7 +93,7 @@ test.for(ways)(
     const pointer = new TestPointer(element);
     const at = (x: number, y = 0.5): [number, number] => [300 * x, 220 * y];
     const sees = (number: number | null) =>
-      expect.poll(() => seenAt(element, 0.3, 0.5), { timeout: 20_000 }).toBe(number);
+      eventually(() => seenAt(element, 0.3, 0.5)).toBe(number);
     expect(seenAt(element, 0.3, 0.5)).toBeNull();
     const middle = at(0.5, 0.3);
     const near = at(start[0] + (0.5 - start[0]) * 0.1);
@@ -124,7 +125,7 @@ test("bound at the top they are quarterTurned with the book, and a command turns
   const turned = element.next();
   // A page stands alone here: only a strip of the left half of a photograph,
   // above the spine, is visible.
-  await expect.poll(() => seenAt(element, 0.5, 0.1), { timeout: 20_000 }).not.toBeNull();
+  await eventually(() => seenAt(element, 0.5, 0.1)).not.toBeNull();
   expect(seenAt(element, 0.5, 0.75)).toBeNull();
   element.duration = 300;
   element.remove();
@@ -193,14 +194,14 @@ test("they are given up with a book that is taken away, and with another choice"
   const said: string[] = [];
   element.addEventListener("error", (event) => said.push(event.detail.message));
   await happens(element, "load");
-  await expect.poll(() => asked.length, { timeout: 20_000 }).toBe(1);
+  await eventually(() => asked.length).toBe(1);
   element.model = "sheet";
-  await expect.poll(() => asked[0].aborted).toBe(true);
+  await eventually(() => asked[0].aborted).toBe(true);
   element.model = "photographs";
-  await expect.poll(() => asked.length, { timeout: 20_000 }).toBe(2);
+  await eventually(() => asked.length).toBe(2);
   expect(asked[1].aborted).toBe(false);
   element.remove();
-  await expect.poll(() => asked[1].aborted).toBe(true);
+  await eventually(() => asked[1].aborted).toBe(true);
   expect(said).toEqual([]);
 });
 
@@ -225,7 +226,7 @@ test.for([
     });
     element.addEventListener("error", (event) => said.push(event.detail.message));
     await happens(element, "load");
-    await expect.poll(() => element.ready, { timeout: 30_000, interval: 50 }).toBe(true);
+    await eventually(() => element.ready).toBe(true);
     expect(said).toHaveLength(1);
     expect(said[0]).toContain(sentence);
     expect(await element.next()).toBe(true);

@@ -1,5 +1,6 @@
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "./element.ts";
+import { eventually } from "./for_tests/clock.ts";
 import { book, happens, scans } from "./for_tests/element_books.ts";
 import { TurnRecorder } from "./key_frames/key_frames.ts";
 import { turnModels } from "./leaf_models/model_choice.ts";
@@ -28,8 +29,7 @@ function serve(body: Uint8Array<ArrayBuffer>, status = 200): void {
   );
 }
 
-const ready = (element: TurnleafBook): Promise<void> =>
-  expect.poll(() => element.ready, { timeout: 30_000, interval: 50 }).toBe(true);
+const ready = (element: TurnleafBook): Promise<void> => eventually(() => element.ready).toBe(true);
 
 /**
  * Returns the errors of a book with this model, before and during a turn, which

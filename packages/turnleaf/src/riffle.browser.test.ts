@@ -3,8 +3,8 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { TurnDetail } from "./element/events.ts";
 import type { TurnleafBook } from "./element.ts";
+import { clock } from "./for_tests/clock.ts";
 import { book, happens, scans, settled } from "./for_tests/element_books.ts";
-import { TestClock } from "./for_tests/test_clock.ts";
 import { DrawnBook } from "./webgl/drawn_book.ts";
 
 const pose = DrawnBook.prototype.pose;
@@ -48,7 +48,7 @@ async function opened(count: number, attributes: Record<string, string>) {
   const element = book(scans(count), attributes);
   await happens(element, "load");
   await settled(element);
-  const clock = new TestClock();
+  clock.hold();
   return { element, clock, rest: () => clock.until(() => element.settled) };
 }
 

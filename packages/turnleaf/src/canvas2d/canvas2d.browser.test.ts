@@ -2,6 +2,7 @@
 
 import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
 import type { TurnDetail } from "../element/events.ts";
+import { eventually } from "../for_tests/clock.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 
 const real = HTMLCanvasElement.prototype.getContext;
@@ -138,10 +139,10 @@ test("a corner lifts under the pointer, and takes no frame once it holds still",
   const before = seen();
   const changed = () => seen().filter((value, k) => Math.abs(value - before[k]) > 12).length;
   point(element, "pointermove", edge - 4, foot - 4);
-  await expect.poll(changed).toBeGreaterThan(30);
+  await eventually(changed).toBeGreaterThan(30);
   await settled(element);
   point(element, "pointermove", 150, 2);
-  await expect.poll(changed).toBe(0);
+  await eventually(changed).toBe(0);
   expect(turned).toEqual([]);
 });
 
@@ -162,7 +163,7 @@ test("nothing runs at rest, and a removed book is gone", async () => {
       return frames - before;
     };
     // A page that was still being drawn when the book came to rest may request a frame of its own.
-    await expect.poll(quiet, { timeout: 10_000 }).toBe(0);
+    await eventually(quiet).toBe(0);
     frames = 0;
     void element.next();
     expect(frames).toBe(1);
@@ -177,7 +178,7 @@ test("nothing runs at rest, and a removed book is gone", async () => {
 test("the frame in which a leaf lands is the last one", async () => {
   const element = book(scans(12), { page: "3", duration: "80" });
   await happens(element, "load");
-  await expect.poll(() => element.ready).toBe(true);
+  await eventually(() => element.ready).toBe(true);
   const request = globalThis.requestAnimationFrame;
   const drawn = { before: 0, after: 0 };
   let hasLanded = false;

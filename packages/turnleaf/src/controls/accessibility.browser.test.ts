@@ -2,6 +2,7 @@
 
 import axe from "axe-core";
 import { afterEach, expect, test } from "vitest";
+import { eventually } from "../for_tests/clock.ts";
 import { addFakeBook } from "../for_tests/fake_book.ts";
 
 afterEach(() => document.body.replaceChildren());
@@ -28,7 +29,7 @@ for (const theme of ["light", "dark", "paper"]) {
       const press = (selector: string) => root.querySelector<HTMLElement>(selector)?.click();
       expect(await faults(book)).toEqual([]);
       press(".group button");
-      await expect.poll(() => root.querySelectorAll(".contents .line").length).toBe(5);
+      await eventually(() => root.querySelectorAll(".contents .line").length).toBe(5);
       expect(await faults(book)).toEqual([]);
       for (const tab of ["thumbnails", "search", "bookmarks"]) {
         press(`#tab-${tab}`);
@@ -36,7 +37,7 @@ for (const theme of ["light", "dark", "paper"]) {
           const field = root.querySelector<HTMLInputElement>(".query");
           if (field) field.value = "whale";
           root.querySelector<HTMLFormElement>(".ask")?.requestSubmit();
-          await expect.poll(() => root.querySelectorAll(".hit").length).toBe(1);
+          await eventually(() => root.querySelectorAll(".hit").length).toBe(1);
           press(".hit");
           if (width === 390) press(".group button:nth-child(3)");
         }

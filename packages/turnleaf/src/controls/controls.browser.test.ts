@@ -5,6 +5,7 @@
 
 import { afterEach, expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
+import { eventually } from "../for_tests/clock.ts";
 import { addFakeBook } from "../for_tests/fake_book.ts";
 import { addLanguage } from "../words/languages.ts";
 import { askPassword } from "./password_dialog.ts";
@@ -32,7 +33,7 @@ test("Tab goes through the book, the toolbar, the panel and the row of pages, an
   book.before(before);
   book.after(after);
   named(root, "Contents").click();
-  await expect.poll(() => root.querySelectorAll(".contents .line").length).toBe(5);
+  await eventually(() => root.querySelectorAll(".contents .line").length).toBe(5);
   before.focus();
   const way: string[] = [];
   for (let i = 0; i < 20 && document.activeElement !== after; i++) {
@@ -99,7 +100,7 @@ test("the panel takes the focus and gives it back", async () => {
   await userEvent.keyboard("{Enter}");
   expect(button.ariaExpanded).toBe("true");
   // The visible chapter.
-  await expect.poll(() => active(root)).toBe("Loomingsii");
+  await eventually(() => active(root)).toBe("Loomingsii");
   expect(root.activeElement?.getAttribute("aria-current")).toBe("true");
   await userEvent.keyboard("{Escape}");
   expect(active(root)).toBe("Contents");
@@ -126,9 +127,10 @@ test("what the book's owner wants to be shown stands under the contents", async 
   });
   named(root, "Contents").click();
   const lines = () => [...root.querySelectorAll<HTMLElement>(".details li")];
-  await expect
-    .poll(() => lines().map((line) => line.textContent))
-    .toEqual(["Rights CC BY", "A trap"]);
+  await eventually(() => lines().map((line) => line.textContent)).toEqual([
+    "Rights CC BY",
+    "A trap",
+  ]);
   const links = [...root.querySelectorAll<HTMLAnchorElement>(".details a")];
   expect(links.map(({ href, rel }) => [href, rel])).toEqual([[rights, "noopener noreferrer"]]);
 });
@@ -136,7 +138,7 @@ test("what the book's owner wants to be shown stands under the contents", async 
 test("on a narrow element the panel goes when something is picked", async () => {
   const { book, root } = addFakeBook(390);
   named(root, "Contents").click();
-  await expect.poll(() => root.querySelectorAll(".contents .line").length).toBe(5);
+  await eventually(() => root.querySelectorAll(".contents .line").length).toBe(5);
   const tabs = [...root.querySelectorAll<HTMLElement>("[role=tab]:not([hidden])")];
   expect(tabs.every((tab) => tab.offsetHeight >= 44)).toBe(true);
   tabs[0]?.focus();
@@ -192,7 +194,7 @@ test("the page field finds labels and numbers, and says what is not there", asyn
   expect(root.querySelector(".count")?.textContent).toBe("4 of 30");
   field.focus();
   await userEvent.keyboard("VI{Enter}");
-  await expect.poll(() => book.asked).toEqual(["turnTo 6"]);
+  await eventually(() => book.asked).toEqual(["turnTo 6"]);
   expect(document.activeElement).toBe(book);
   field.focus();
   await userEvent.keyboard("99{Enter}");
@@ -252,7 +254,7 @@ test("a search lists its places with what stands about them, and counts them", a
   named(root, "Search").click();
   await userEvent.keyboard("whale{Enter}");
   const status = () => root.querySelector(".found [role=status]")?.textContent;
-  await expect.poll(status).toBe("450 places");
+  await eventually(status).toBe("450 places");
   const rows = () => [...root.querySelectorAll<HTMLElement>(".hit")];
   expect(rows().length).toBe(200);
   expect(rows()[0]?.querySelector("mark")?.textContent).toBe("<b>Whale</b>");
@@ -269,7 +271,7 @@ test("a search lists its places with what stands about them, and counts them", a
   book.hits = [];
   named(root, "Search").click();
   await userEvent.keyboard("shark{Enter}");
-  await expect.poll(status).toBe("Nothing found.");
+  await eventually(status).toBe("Nothing found.");
 });
 
 test("bookmarks are listed in the book's order and can be taken off", async () => {
@@ -291,7 +293,7 @@ test("of 5,000 small pages only those in sight exist, and one is drawn at a time
   named(root, "Thumbnails").click();
   expect(active(root)).toBe("Page 2494");
   const cells = () => root.querySelectorAll(".sheet li").length;
-  await expect.poll(() => book.drawn).toBe(cells());
+  await eventually(() => book.drawn).toBe(cells());
   expect(cells()).toBeLessThan(24);
   for (let i = 0; i < 6; i++) {
     await userEvent.keyboard("{PageDown}");
@@ -306,7 +308,7 @@ test("of 5,000 small pages only those in sight exist, and one is drawn at a time
   // Nothing is drawn after the panel has closed.
   named(root, "Close").click();
   expect(cells()).toBe(0);
-  await expect.poll(() => book.drawing).toBe(0);
+  await eventually(() => book.drawing).toBe(0);
 });
 
 test("thumbnails of pages that face each other are in one row, wherever the offset is shifted", async () => {
@@ -409,7 +411,7 @@ test("the print dialog asks for pages and closes when they are printed", async (
   expect(book.asked).toEqual([]);
   if (from) from.value = "iv";
   dialog.querySelector<HTMLElement>("[type=submit]")?.click();
-  await expect.poll(() => root.querySelector("dialog")).toBe(null);
+  await eventually(() => root.querySelector("dialog")).toBe(null);
   expect(book.asked).toEqual(["print"]);
 });
 
@@ -436,7 +438,7 @@ test("the password dialog returns what is typed, or null, and says that one was 
 test("it speaks Chinese, and what it is taught", async () => {
   const { book, root } = addFakeBook();
   book.lang = "zh-CN";
-  await expect.poll(() => root.querySelector("[role=toolbar]")?.ariaLabel).toBe("阅读器");
+  await eventually(() => root.querySelector("[role=toolbar]")?.ariaLabel).toBe("阅读器");
   expect(root.querySelector("[part=slider]")?.getAttribute("aria-valuetext")).toBe(
     "页码 iv，第 4 页，共 30 页",
   );
@@ -456,14 +458,14 @@ test("it speaks Chinese, and what it is taught", async () => {
   });
   book.lang = "ar";
   book.dir = "rtl";
-  await expect.poll(() => root.querySelector("[role=toolbar]")?.ariaLabel).toBe("القارئ");
+  await eventually(() => root.querySelector("[role=toolbar]")?.ariaLabel).toBe("القارئ");
   // The toolbar begins at the right, and its arrows follow.
   named(root, "Contents").focus();
   await userEvent.keyboard("{ArrowLeft}");
   expect(active(root)).toBe("Thumbnails");
   // An unknown language, and an invalid one.
   book.lang = "xx-not a language";
-  await expect.poll(() => root.querySelector("[role=toolbar]")?.ariaLabel).toBe("Reader");
+  await eventually(() => root.querySelector("[role=toolbar]")?.ariaLabel).toBe("Reader");
 });
 
 test("removed, nothing is left, and no key does anything", async () => {

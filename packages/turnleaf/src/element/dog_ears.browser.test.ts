@@ -2,6 +2,7 @@
 
 import { afterEach, beforeEach, expect, test } from "vitest";
 import type { TurnleafBook } from "../element.ts";
+import { eventually } from "../for_tests/clock.ts";
 import { bookOverDark, happens, keepWhatIsDrawn, settled } from "../for_tests/element_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 
@@ -47,9 +48,9 @@ test("a corner is folded and seen, bookmarks its page, and is opened again", asy
   expect(folded).toBeGreaterThan(0.1);
   expect(await element.unfold(5)).toBe(true);
   expect([element.dogEars, element.bookmarks]).toEqual([[], []]);
-  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  await eventually(() => element.state).toBe("resting");
   await settled(element);
-  await expect.poll(() => differing(flat, cornerOf(element))).toBeLessThan(folded / 4);
+  await eventually(() => differing(flat, cornerOf(element))).toBeLessThan(folded / 4);
   // It stands off its page a little, and its line stays.
   expect(difference(flat, cornerOf(element))).toBeGreaterThan(8);
 });
@@ -63,7 +64,7 @@ test("a corner that is opened while it is folded is opened, and one whose page i
   ]);
   expect(element.dogEars).toEqual([]);
   await settled(element);
-  await expect.poll(() => differing(flat, cornerOf(element))).toBeLessThan(0.05);
+  await eventually(() => differing(flat, cornerOf(element))).toBeLessThan(0.05);
   const page = element.page;
   const folded = element.dogEar(5, "head", 0.3);
   await new Promise((resolve) => setTimeout(resolve, 100));
@@ -71,7 +72,7 @@ test("a corner that is opened while it is folded is opened, and one whose page i
   expect(await folded).toBe(true);
   expect(await element.goTo(page, { motion: false })).toBe(true);
   await settled(element);
-  await expect.poll(() => differing(flat, cornerOf(element))).toBeGreaterThan(0.1);
+  await eventually(() => differing(flat, cornerOf(element))).toBeGreaterThan(0.1);
 });
 
 test("a folded leaf is turned, and folding is no turn", async () => {
@@ -132,21 +133,20 @@ async function drawCornerIn(element: TurnleafBook, across: number, down: number)
   return pointer;
 }
 
-const patient = { timeout: 20_000 };
 
 test("a corner that is drawn in over its page and held still there is folded where it lies", async () => {
   const element = await bookOverDark({ "fold-bookmarks": "" });
   const turns: string[] = [];
   element.addEventListener("pagechange", () => turns.push("pagechange"));
   const pointer = await drawCornerIn(element, 30, 30);
-  await expect.poll(() => element.dogEars, patient).toHaveLength(1);
+  await eventually(() => element.dogEars).toHaveLength(1);
   const [{ page, corner, size }] = element.dogEars;
   expect([page, corner]).toEqual([5, "head"]);
   const width = (element.bookBounds as DOMRect).width / 2;
   // The eye does not look straight down.
   expect(size * width).toBeGreaterThan(24);
   expect(size * width).toBeLessThan(44);
-  await expect.poll(() => element.state, patient).toBe("resting");
+  await eventually(() => element.state).toBe("resting");
   pointer.point("pointerup", 0, 0);
   await settled(element);
   expect([element.state, element.page, turns]).toEqual(["resting", 4, []]);
@@ -175,16 +175,14 @@ test("a corner is folded by hand too in a book that asks for it only once it is 
   await new Promise((resolve) => setTimeout(resolve, 700));
   pointer.point("pointerup", 0, 0);
   // Pressed before what folds it was there, it would be held for ever.
-  await expect.poll(() => element.state, patient).toBe("resting");
-  await expect
-    .poll(async () => {
-      if (element.dogEars.length > 0) return 1;
-      const again = await drawCornerIn(element, 30, 30);
-      await new Promise((resolve) => setTimeout(resolve, 1500));
-      again.point("pointerup", 0, 0);
-      return element.dogEars.length;
-    }, patient)
-    .toBe(1);
+  await eventually(() => element.state).toBe("resting");
+  await eventually(async () => {
+    if (element.dogEars.length > 0) return 1;
+    const again = await drawCornerIn(element, 30, 30);
+    await new Promise((resolve) => setTimeout(resolve, 1500));
+    again.point("pointerup", 0, 0);
+    return element.dogEars.length;
+  }).toBe(1);
 });
 
 test("of one leaf a corner is folded to one side", async () => {

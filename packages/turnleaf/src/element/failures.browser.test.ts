@@ -1,6 +1,7 @@
 /** An unforeseen error, and a page that takes long, reported by the element. */
 
 import { afterEach, expect, test, vi } from "vitest";
+import { eventually } from "../for_tests/clock.ts";
 import { book, happens, scan, scans } from "../for_tests/element_books.ts";
 import { slowTime } from "../pages/page_pool.ts";
 
@@ -36,9 +37,9 @@ test("a page that takes long says so in the element's language, and the others a
   const element = book(pages, { offset: "0", cover: "none", lang: "zh" });
   await happens(element, "load");
   const slow = () => timer.mock.calls.filter(([, milliseconds]) => milliseconds === slowTime);
-  await expect.poll(() => slow().length, { timeout: 20_000 }).toBeGreaterThan(0);
+  await eventually(() => slow().length).toBeGreaterThan(0);
   // The page is drawn after the first, if not before.
-  await expect.poll(() => lines(), { timeout: 20_000 }).toContain("2");
+  await eventually(() => lines()).toContain("2");
   expect(element.settled).toBe(false);
   for (const [call] of slow()) (call as () => void)();
   expect(lines()).toContain("第 2 页仍在绘制中，请稍候。");

@@ -1,7 +1,7 @@
 import { afterEach, expect, it, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
+import { clock, eventually } from "../for_tests/clock.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
-import { TestClock } from "../for_tests/test_clock.ts";
 
 afterEach(() => {
   vi.restoreAllMocks();
@@ -44,7 +44,7 @@ it("a turn is recorded, with the desk about the book", async () => {
   // turn of 300 ms was over by then, and its film a single picture.
   const element = await open("3000");
   const recorded = element.record();
-  await expect.poll(() => element.recording).toBe(true);
+  await eventually(() => element.recording).toBe(true);
   await element.next();
   await settled(element);
   element.stopRecording();
@@ -76,7 +76,7 @@ it("ends by itself after its seconds, and when the element goes; what lies still
     expect(Math.max(...reds)).toBeGreaterThan(208);
   }
   const gone = element.record();
-  await expect.poll(() => element.recording).toBe(true);
+  await eventually(() => element.recording).toBe(true);
   await element.next();
   element.remove();
   expect((await gone).size).toBeGreaterThan(500);
@@ -84,12 +84,12 @@ it("ends by itself after its seconds, and when the element goes; what lies still
 
 it("counts its seconds from its first picture, however late that is drawn", async () => {
   const element = await open();
-  const clock = new TestClock();
+  clock.hold();
   let isOver = false;
   const film = element.record({ seconds: 0.1 }).finally(() => {
     isOver = true;
   });
-  await expect.poll(() => element.recording).toBe(true);
+  await eventually(() => element.recording).toBe(true);
   await new Promise((resolve) => setTimeout(resolve, 300));
   expect(isOver).toBe(false);
   await clock.until(() => isOver);
@@ -101,7 +101,7 @@ it("says in one sentence what cannot be recorded", async () => {
   await expect(element.record()).rejects.toThrow("There is no book to record; open one.");
   const other = await open();
   const first = other.record();
-  await expect.poll(() => other.recording).toBe(true);
+  await eventually(() => other.recording).toBe(true);
   await expect(other.record()).rejects.toThrow("A film is recorded already.");
   await other.next();
   other.stopRecording();

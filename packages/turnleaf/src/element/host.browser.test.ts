@@ -3,6 +3,7 @@
 import { afterEach, expect, test, vi } from "vitest";
 import { userEvent } from "vitest/browser";
 import type { TurnleafBook } from "../element.ts";
+import { eventually } from "../for_tests/clock.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 
 vi.setConfig({ testTimeout: 120_000 });
@@ -106,7 +107,7 @@ test("in another document it is styled, turns and can come back", async () => {
     await loaded;
     await settled(element);
     const bar = () => element.shadowRoot?.querySelector("[part=bar], [role=toolbar]");
-    await expect.poll(bar, { timeout: 20_000 }).not.toBe(null);
+    await eventually(bar).not.toBe(null);
     expect(element.ownerDocument).toBe(to.ownerDocument);
     const view = element.ownerDocument.defaultView as Window;
     expect(view.getComputedStyle(frameOf(element)).position).toBe("absolute");

@@ -3,8 +3,9 @@
 import { afterEach, expect, test, vi } from "vitest";
 import type { UV } from "../engine/book_engine.ts";
 import type { CreasedMesh, Surface } from "../engine/shapes.ts";
+import { clock, eventually } from "../for_tests/clock.ts";
 import { drawRoughly, keepWhatIsDrawn, settled } from "../for_tests/element_books.ts";
-import { besideBook, tearableBook, tearOutByClock } from "../for_tests/tearable_books.ts";
+import { besideBook, tearableBook, tearOutPage5 } from "../for_tests/tearable_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 import { LooseSheetPile } from "../viewer/loose_sheets.ts";
 
@@ -18,7 +19,8 @@ afterEach(() => {
 test("a loose sheet is crumpled by command, once, and its pages are put back whole", async () => {
   const element = await tearableBook();
   expect(element.crumple()).toBe(false);
-  const clock = await tearOutByClock(element);
+  clock.hold();
+  await tearOutPage5(element);
   const flat = besideBook(element);
   expect(element.crumple()).toBe(true);
   expect(element.crumple()).toBe(false);
@@ -30,14 +32,14 @@ test("a loose sheet is crumpled by command, once, and its pages are put back who
   expect(await element.putBack()).toBe(true);
   await settled(element);
   expect([element.pageCount, element.tornLeaves]).toEqual([12, 0]);
-  await expect.poll(() => besideBook(element)).toBe(0);
+  await eventually(() => besideBook(element)).toBe(0);
 });
 
 test("a double tap crumples a loose sheet", async () => {
   const element = await tearableBook();
   await element.tearOut(5);
   await settled(element);
-  await expect.poll(() => besideBook(element), { timeout: 20_000 }).toBeGreaterThan(0.2);
+  await eventually(() => besideBook(element)).toBeGreaterThan(0.2);
   const flat = besideBook(element);
   const pointer = new TestPointer(element);
   const x = (element.bookBounds as DOMRect).right + 60;
@@ -45,7 +47,7 @@ test("a double tap crumples a loose sheet", async () => {
     pointer.point("pointerdown", x, 160);
     pointer.point("pointerup", x, 160);
   }
-  await expect.poll(() => besideBook(element), { timeout: 20_000 }).toBeLessThan(0.5 * flat);
+  await eventually(() => besideBook(element)).toBeLessThan(0.5 * flat);
   expect([element.zoom, element.tornLeaves]).toEqual([1, 1]);
 });
 
@@ -56,7 +58,8 @@ test("a loose sheet is torn across by command; both pieces stay, and its pages a
     { x: 1, y: 0.45 },
   ];
   expect(element.tearAcross(from, to)).toBe(false);
-  const clock = await tearOutByClock(element);
+  clock.hold();
+  await tearOutPage5(element);
   const whole = besideBook(element);
   // Along an edge, off the page, nowhere.
   expect(element.tearAcross(from, { x: 0, y: 0.9 })).toBe(false);
@@ -73,13 +76,14 @@ test("a loose sheet is torn across by command; both pieces stay, and its pages a
   expect(await element.putBack()).toBe(true);
   await settled(element);
   expect([element.pageCount, element.tornLeaves]).toEqual([12, 0]);
-  await expect.poll(() => besideBook(element)).toBe(0);
+  await eventually(() => besideBook(element)).toBe(0);
 });
 
 // It draws some hundreds of frames, which takes software half a minute on a quiet machine.
 test("two fingers that pull a loose sheet apart tear it, and each carries its piece", async () => {
   const element = await tearableBook();
-  const clock = await tearOutByClock(element);
+  clock.hold();
+  await tearOutPage5(element);
   expect(besideBook(element)).toBeGreaterThan(0.2);
   const pointer = new TestPointer(element);
   const finger = (pointerId: number, name: string, y: number) =>
@@ -159,7 +163,8 @@ function tornRim({ creased }: Surface): { readonly places: UV[]; readonly long: 
 async function tornBySwing(swing: number): Promise<{ whole: number; pieces: Surface[] }> {
   const element = await tearableBook();
   const add = vi.spyOn(LooseSheetPile.prototype, "add");
-  const clock = await tearOutByClock(element);
+  clock.hold();
+  await tearOutPage5(element);
   const pile = add.mock.contexts[0] as LooseSheetPile;
   const whole = areaOf(pile.surfaces[0]);
   const pointer = new TestPointer(element);
@@ -221,7 +226,8 @@ function heightAt({ positions }: Surface, [x, y]: readonly [number, number]): nu
 test("a loose sheet lies upon the one before it, and comes down when that is taken away", async () => {
   const element = await tearableBook();
   const add = vi.spyOn(LooseSheetPile.prototype, "add");
-  const clock = await tearOutByClock(element);
+  clock.hold();
+  await tearOutPage5(element);
   const pile = add.mock.contexts[0] as LooseSheetPile;
   const torn = element.tearOut(5);
   await clock.until(() => element.tornLeaves === 2 && element.settled);

@@ -3,9 +3,9 @@
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { WasmBook } from "../engine/wasm_book.ts";
+import { clock } from "../for_tests/clock.ts";
 import { drawRoughly, happens, scan, scans, settled } from "../for_tests/element_books.ts";
 import { tearableElement } from "../for_tests/tearable_books.ts";
-import { TestClock } from "../for_tests/test_clock.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 
 drawRoughly();
@@ -33,7 +33,7 @@ async function opened(
 
 /** Tears the leaf of a page out by frames of a clock of its own. */
 async function tearOut(element: TurnleafBook, page = 5): Promise<void> {
-  const clock = new TestClock();
+  clock.hold();
   const leaves = element.tornLeaves;
   const torn = element.tearOut(page);
   await clock.until(() => element.tornLeaves > leaves && element.settled);
@@ -143,7 +143,7 @@ test("boards keep a leaf between them", async () => {
 test("pages that are inserted into a leaf while it is torn out stay in the book", async () => {
   const element = await opened();
   element.bookmarks = [4, 9];
-  const clock = new TestClock();
+  clock.hold();
   const torn = element.tearOut(5);
   await clock.until(() => element.state !== "resting");
   const inserted = [

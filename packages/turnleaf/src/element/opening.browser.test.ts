@@ -1,6 +1,7 @@
 /** What happens at the same time while a book opens. */
 
 import { afterEach, expect, test } from "vitest";
+import { eventually } from "../for_tests/clock.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 import { openSource } from "../sources/open.ts";
 import type { PageSource } from "../sources/page_source.ts";
@@ -28,7 +29,7 @@ const isLoaded = (file: string): boolean =>
 // The first of this file, as modules are loaded once.
 test("what draws a book is loaded while the book is read, and its canvas goes if that fails", async () => {
   const { element, source } = await reading();
-  await expect.poll(() => isLoaded("/webgl_stage.ts"), { timeout: 20_000 }).toBe(true);
+  await eventually(() => isLoaded("/webgl_stage.ts")).toBe(true);
   const canvas = canvasOf(element);
   const failed = happens(element, "error");
   source.reject(new Error("No."));
@@ -39,7 +40,7 @@ test("what draws a book is loaded while the book is read, and its canvas goes if
 
 test("a book is drawn on the canvas that waited for it", async () => {
   const { element, source } = await reading();
-  await expect.poll(() => canvasOf(element)).not.toBeNull();
+  await eventually(() => canvasOf(element)).not.toBeNull();
   const canvas = canvasOf(element);
   source.resolve(await openSource(scans(4)));
   await settled(element);
@@ -53,7 +54,7 @@ test("an element that is removed before its book is read gets no canvas", async 
   const other = book(scans(4));
   other.remove();
   const { element: later } = await reading();
-  await expect.poll(() => canvasOf(later)).not.toBeNull();
+  await eventually(() => canvasOf(later)).not.toBeNull();
   expect(canvasOf(other)).toBeNull();
 });
 

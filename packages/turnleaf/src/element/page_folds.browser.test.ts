@@ -2,6 +2,7 @@
 
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
+import { clock, eventually } from "../for_tests/clock.ts";
 import {
   book,
   bookOverDark,
@@ -10,7 +11,6 @@ import {
   scans,
   settled,
 } from "../for_tests/element_books.ts";
-import { TestClock } from "../for_tests/test_clock.ts";
 
 keepWhatIsDrawn();
 
@@ -54,13 +54,13 @@ test("a page is folded along a line and seen, is listed, and is opened again", a
   const fold = { page: 5, from: upright[0], to: upright[1], angle: 160 };
   expect(await changed).toEqual({ folds: [fold] });
   expect([element.folds, element.bookmarks]).toEqual([[fold], []]);
-  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  await eventually(() => element.state).toBe("resting");
   await settled(element);
   const folded = difference(flat, outerThird(element));
   expect(folded).toBeGreaterThan(5);
   expect(await element.unfold(5)).toBe(true);
   expect(element.folds).toEqual([]);
-  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  await eventually(() => element.state).toBe("resting");
   await settled(element);
   expect(difference(flat, outerThird(element))).toBeLessThan(folded / 2);
 });
@@ -73,7 +73,7 @@ test("a letter is folded in three, at once or one after the other, and turns as 
   ];
   expect(await Promise.all([outer, inner])).toEqual([true, true]);
   expect(element.folds.map(({ angle }) => angle)).toEqual([175, 160]);
-  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  await eventually(() => element.state).toBe("resting");
   expect(await element.next()).toBe(true);
   expect(await element.previous()).toBe(true);
   expect([element.page, element.folds.length]).toEqual([4, 2]);
@@ -137,7 +137,7 @@ test("folds that a leaf does not take are not listed, and later ones are made", 
   const near = [0.6, 0.62].map((x) => ({ page: 5, from: at(x, 0), to: at(x, 1), angle: 160 }));
   element.folds = [...near, fits];
   expect(element.folds).toHaveLength(3);
-  await expect.poll(() => element.folds, { timeout: 20_000 }).toEqual([fits]);
+  await eventually(() => element.folds).toEqual([fits]);
   expect(await element.fold(5, ...upright)).toBe(true);
   expect(element.folds).toHaveLength(2);
 });
@@ -164,9 +164,9 @@ test("folds that come into sight open while no leaf turns, and at rest nothing i
   const flat = outerThird(element);
   element.folds = [{ page: 5, from: upright[0], to: upright[1], angle: 160 }];
   const isFolded = () => difference(flat, outerThird(element)) > 5;
-  await expect.poll(isFolded, { timeout: 20_000 }).toBe(true);
+  await eventually(isFolded).toBe(true);
   await settled(element);
-  const clock = new TestClock();
+  clock.hold();
   const lay = async (page: number) => {
     await element.goTo(page, { motion: false });
     await clock.until(() => clock.isAsked || element.settled);

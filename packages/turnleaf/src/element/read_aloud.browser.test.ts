@@ -1,6 +1,7 @@
 /** The element reading an EPUB aloud, by its method and by the button of its controls. */
 
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { eventually } from "../for_tests/clock.ts";
 import { book, happens } from "../for_tests/element_books.ts";
 import { prose, tinyEpub } from "../sources/epub/tiny_epub.ts";
 
@@ -52,7 +53,7 @@ test("an EPUB with overlays is read aloud from the open page on, until it is sto
     const started = happens(element, "readaloudchange");
     const over = element.readAloud();
     expect(await started).toEqual({ reading: true });
-    await expect.poll(() => element.page).toBe(2);
+    await eventually(() => element.page).toBe(2);
     expect(element.readingAloud).toBe(true);
     const stopped = happens(element, "readaloudchange");
     stop();
@@ -67,14 +68,14 @@ test("the controls have a button for it, which other books do not show", async (
     element.shadowRoot?.querySelector('[part~="toolbar"] [aria-label$="ead aloud"]');
   const other = book(tinyEpub({ chapters: [prose(1)] }), { controls: "" });
   await happens(other, "load");
-  await expect.poll(() => buttonOf(other)?.hidden).toBe(true);
+  await eventually(() => buttonOf(other)?.hidden).toBe(true);
   other.remove();
   const element = book(overlaid(), { controls: "", duration: "0" });
   await happens(element, "load");
-  await expect.poll(() => buttonOf(element)?.hidden).toBe(false);
+  await eventually(() => buttonOf(element)?.hidden).toBe(false);
   buttonOf(element)?.click();
-  await expect.poll(() => element.readingAloud).toBe(true);
+  await eventually(() => element.readingAloud).toBe(true);
   const stop = element.shadowRoot?.querySelector<HTMLElement>('[aria-label="Stop reading aloud"]');
   stop?.click();
-  await expect.poll(() => element.readingAloud).toBe(false);
+  await eventually(() => element.readingAloud).toBe(false);
 });

@@ -4,6 +4,7 @@
  */
 
 import { afterEach, beforeEach, expect, test } from "vitest";
+import { eventually } from "../for_tests/clock.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 
 beforeEach(() => {
@@ -25,14 +26,14 @@ test("page, zoom and bookmarks outlive the element, for the same book alone", as
   await first.goTo(6);
   await settled(first);
   first.zoom = 2;
-  await expect.poll(() => first.zoom).toBe(2);
+  await eventually(() => first.zoom).toBe(2);
   first.remove();
 
   const again = book(scans(12), { ...small, remember: "" });
   await happens(again, "load");
   expect(again.page).toBe(6);
   expect(again.bookmarks).toEqual([5]);
-  await expect.poll(() => again.zoom).toBe(2);
+  await eventually(() => again.zoom).toBe(2);
   // Another book in the same element starts afresh.
   const loaded = happens(again, "load");
   again.pages = scans(10);
@@ -50,25 +51,25 @@ test("the offset is shifted in the middle of a book, back again, and remembered"
   await happens(first, "load");
   expect(first.spread).toEqual({ left: 6, right: 7 });
   first.toggleShift();
-  await expect.poll(() => first.spread).toEqual({ left: null, right: 6 });
+  await eventually(() => first.spread).toEqual({ left: null, right: 6 });
   await first.next();
   expect(first.spread).toEqual({ left: 7, right: 8 });
   first.toggleShift(6);
-  await expect.poll(() => first.spread).toEqual({ left: 6, right: 7 });
+  await eventually(() => first.spread).toEqual({ left: 6, right: 7 });
   first.shifts = [6, 6, 0];
   expect(first.shifts).toEqual([6]);
   first.remove();
 
   const again = book(scans(12), { ...small, remember: "", layout: "spread" });
   await happens(again, "load");
-  await expect.poll(() => again.shifts).toEqual([6]);
+  await eventually(() => again.shifts).toEqual([6]);
   await again.goTo(7);
-  await expect.poll(() => again.spread).toEqual({ left: 7, right: 8 });
+  await eventually(() => again.spread).toEqual({ left: 7, right: 8 });
   // It stays with its page, and where one page is shown it has no effect.
   await again.insertPages(1, scans(1));
   expect(again.shifts).toEqual([7]);
   again.layout = "single";
-  await expect.poll(() => again.shownLayout).toBe("single");
+  await eventually(() => again.shownLayout).toBe("single");
   await again.goTo(6);
   await again.next();
   expect(again.page).toBe(7);
@@ -112,7 +113,7 @@ test("a slide-show turns page after page until the last, and leaves no timer", a
   element.play(1);
   element.play(1);
   expect(element.playing).toBe(true);
-  await expect.poll(() => element.playing, { timeout: 30_000 }).toBe(false);
+  await eventually(() => element.playing).toBe(false);
   expect(element.page).toBe(6);
   expect(reports).toEqual([true, false]);
   await element.goTo(1);
@@ -143,7 +144,7 @@ test("printing draws a sheet a page in a frame of its own, and takes it away", a
   expect(pages).toEqual([2, 3, 4]);
   expect(images).toBe(3);
   expect(frame).not.toBe(null);
-  await expect.poll(() => document.querySelector("iframe")).toBe(null);
+  await eventually(() => document.querySelector("iframe")).toBe(null);
   // Aborted half-way, nothing is left either.
   const ended = new AbortController();
   const printing = element.print({ signal: ended.signal, onPage: () => ended.abort() });
@@ -176,7 +177,7 @@ test("the controls come with their attribute, leave the book its room, and go wi
   const stage = root.querySelector<HTMLElement>("[part=stage]") as HTMLElement;
   expect(stage.clientHeight).toBe(400);
   element.controls = true;
-  await expect.poll(() => root.querySelector("[role=toolbar]"), { timeout: 20_000 }).not.toBe(null);
+  await eventually(() => root.querySelector("[role=toolbar]")).not.toBe(null);
   expect(stage.clientHeight).toBe(300);
   // A key in the controls turns no page; one on the book does.
   const slider = root.querySelector("input[type=range]");

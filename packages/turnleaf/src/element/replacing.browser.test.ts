@@ -1,6 +1,7 @@
 /** One book after another in one element: what is shown stays until the next one can be. */
 
 import { expect, test } from "vitest";
+import { eventually } from "../for_tests/clock.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 
 /** A file that is no book. */
@@ -133,12 +134,12 @@ test("of two books in a row the last one is shown, whichever is read first", asy
   element.addEventListener("load", ({ detail }) => counts.push(detail.pageCount));
   const [slow, quick] = [lateBook(8), lateBook(4)];
   element.pages = slow.pages;
-  await expect.poll(() => slow.state.isAsked).toBe(true);
+  await eventually(() => slow.state.isAsked).toBe(true);
   element.pages = quick.pages;
   quick.go();
-  await expect.poll(() => element.pageCount).toBe(4);
+  await eventually(() => element.pageCount).toBe(4);
   slow.go();
-  await expect.poll(() => slow.state.isClosed).toBe(true);
+  await eventually(() => slow.state.isClosed).toBe(true);
   expect([element.pageCount, counts]).toEqual([4, [4]]);
 
   // A failure that is no longer asked for is not reported.
@@ -146,7 +147,7 @@ test("of two books in a row the last one is shown, whichever is read first", asy
   element.addEventListener("error", ({ detail }) => errors.push(detail.message));
   element.pages = broken();
   element.pages = scans(10);
-  await expect.poll(() => element.pageCount).toBe(10);
+  await eventually(() => element.pageCount).toBe(10);
   expect(errors).toEqual([]);
 });
 
@@ -156,13 +157,13 @@ test("removing the element ends the open book and the one that is read", async (
   const element = book(shown.pages);
   await happens(element, "load");
   element.pages = late.pages;
-  await expect.poll(() => late.state.isAsked).toBe(true);
+  await eventually(() => late.state.isAsked).toBe(true);
   const asked = element.goTo(3);
   element.destroy();
   expect(shown.state.isClosed).toBe(true);
   expect([element.pageCount, canvasesOf(element), await asked]).toEqual([0, 0, false]);
   late.go();
-  await expect.poll(() => late.state.isClosed).toBe(true);
+  await eventually(() => late.state.isClosed).toBe(true);
   expect(element.pageCount).toBe(0);
 });
 

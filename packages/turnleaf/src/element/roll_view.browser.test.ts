@@ -1,5 +1,6 @@
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "../element.ts";
+import { eventually } from "../for_tests/clock.ts";
 import { book, happens, settled } from "../for_tests/element_books.ts";
 import { prose, type TinyEpub, tinyEpub } from "../sources/epub/tiny_epub.ts";
 
@@ -20,9 +21,7 @@ async function opened(epub: TinyEpub, attributes: Record<string, string> = {}) {
   element.style.cssText = "width: 500px; height: 300px";
   await happens(element, "pageschange");
   await settled(element);
-  await expect
-    .poll(() => rollOf(element).querySelectorAll("canvas").length, { timeout: 10_000 })
-    .toBeGreaterThan(0);
+  await eventually(() => rollOf(element).querySelectorAll("canvas").length).toBeGreaterThan(0);
   return element;
 }
 
@@ -56,15 +55,15 @@ test("each chapter is scrolled by itself; the open page follows, and a command s
   expect((await turned).to).toBe(3);
   expect(element.page).toBe(3);
   expect(await element.goTo(2)).toBe(true);
-  await expect.poll(() => roll.scrollTop).toBe((sheetsOf(element)[1] as HTMLElement).offsetTop);
-  await expect.poll(() => wordsInSight(element), { timeout: 10_000 }).toMatch(/word\d+x\d+/);
+  await eventually(() => roll.scrollTop).toBe((sheetsOf(element)[1] as HTMLElement).offsetTop);
+  await eventually(() => wordsInSight(element)).toMatch(/word\d+x\d+/);
   // The last page cannot lie at the head of the window.
   expect(await element.goTo(count)).toBe(true);
   await new Promise((resolve) => setTimeout(resolve, 500));
   expect(element.page).toBe(count);
   expect(await element.next()).toBe(true);
-  await expect.poll(() => [roll.scrollTop, element.page]).toEqual([0, count + 1]);
-  await expect.poll(() => wordsInSight(element), { timeout: 10_000 }).toContain("word0x0");
+  await eventually(() => [roll.scrollTop, element.page]).toEqual([0, count + 1]);
+  await eventually(() => wordsInSight(element)).toContain("word0x0");
 });
 
 test("a finger across, or a wheel, leads to the next chapter and back; one down scrolls", async () => {
@@ -83,10 +82,10 @@ test("a finger across, or a wheel, leads to the next chapter and back; one down 
   swipe(-100, 90);
   swipe(-20, 0);
   expect(element.page).toBe(second);
-  await expect.poll(() => sheetsOf(element).length).toBe(second - first);
+  await eventually(() => sheetsOf(element).length).toBe(second - first);
   swipe(100, -10);
   expect(element.page).toBe(first);
-  await expect.poll(() => wordsInSight(element), { timeout: 10_000 }).toContain("word0x0");
+  await eventually(() => wordsInSight(element)).toContain("word0x0");
   const wheel = (deltaX: number, deltaY: number): boolean =>
     roll.dispatchEvent(
       new WheelEvent("wheel", { deltaX, deltaY, bubbles: true, cancelable: true }),
@@ -98,10 +97,10 @@ test("a finger across, or a wheel, leads to the next chapter and back; one down 
     second,
   ]);
   element.focus();
-  await expect.poll(() => roll.scrollTop).toBe(0);
+  await eventually(() => roll.scrollTop).toBe(0);
   const key = new KeyboardEvent("keydown", { key: "ArrowDown", bubbles: true, composed: true });
   element.shadowRoot?.activeElement?.dispatchEvent(key);
-  await expect.poll(() => roll.scrollTop).toBe(60);
+  await eventually(() => roll.scrollTop).toBe(60);
 });
 
 test("continuous chapters are one roll, with links, marks of a search, another type and a zoom", async () => {
@@ -110,28 +109,26 @@ test("continuous chapters are one roll, with links, marks of a search, another t
   const roll = rollOf(element);
   expect(sheetsOf(element).length).toBe(element.pageCount);
   const link = (): HTMLElement | null => roll.querySelector(".text a");
-  await expect.poll(() => link()?.offsetWidth, { timeout: 10_000 }).toBeGreaterThan(5);
+  await eventually(() => link()?.offsetWidth).toBeGreaterThan(5);
   link()?.click();
-  await expect.poll(() => element.page).toBe(2);
+  await eventually(() => element.page).toBe(2);
   const [hit] = await element.search("word19x59");
   if (!hit) throw new Error("The word was not found.");
   expect(await element.showHit(hit)).toBe(true);
   const mark = (): DOMRect | undefined => roll.querySelector(".mark.here")?.getBoundingClientRect();
   const window = roll.getBoundingClientRect();
-  await expect
-    .poll(() => {
-      const { top = 0, bottom = 0 } = mark() ?? {};
-      return top > window.top && bottom < window.bottom && bottom > top;
-    })
-    .toBe(true);
+  await eventually(() => {
+    const { top = 0, bottom = 0 } = mark() ?? {};
+    return top > window.top && bottom < window.bottom && bottom > top;
+  }).toBe(true);
   const changed = happens(element, "pageschange");
   element.fontSize = 2;
   await changed;
-  await expect.poll(() => sheetsOf(element).length).toBe(element.pageCount);
+  await eventually(() => sheetsOf(element).length).toBe(element.pageCount);
   const wide = roll.clientWidth;
   expect((sheetsOf(element)[0] as HTMLElement).offsetWidth).toBe(wide);
   element.zoom = 2;
-  await expect.poll(() => (sheetsOf(element)[0] as HTMLElement).offsetWidth).toBe(2 * wide);
+  await eventually(() => (sheetsOf(element)[0] as HTMLElement).offsetWidth).toBe(2 * wide);
 });
 
 test("a link and a line of the contents lead to their line, on another page and on the one that is read", async () => {
@@ -148,7 +145,7 @@ test("a link and a line of the contents lead to their line, on another page and 
       [...roll.querySelectorAll<HTMLElement>(".text a")].find(
         (a) => a.ariaLabel === title && a.offsetWidth > 5,
       );
-    await expect.poll(link, { timeout: 10_000 }).toBeDefined();
+    await eventually(link).toBeDefined();
     link()?.click();
   };
   /** How far under the head of the window a word stands, and its page's head. */
@@ -162,22 +159,22 @@ test("a link and a line of the contents lead to their line, on another page and 
   };
   const isAtHead = (word: string): boolean => Math.abs(placeOf(word)?.[0] ?? 99) < 8;
   await follow("on");
-  await expect.poll(() => isAtHead("Deepline"), { timeout: 10_000 }).toBe(true);
+  await eventually(() => isAtHead("Deepline")).toBe(true);
   // The page's head is elsewhere.
   expect(placeOf("Deepline")?.[1]).toBeLessThan(-20);
   const page = element.page;
   await follow("farther");
-  await expect.poll(() => isAtHead("Farline"), { timeout: 10_000 }).toBe(true);
+  await eventually(() => isAtHead("Farline")).toBe(true);
   expect(element.page).toBe(page);
   // Another window leaves it there.
   element.style.width = "420px";
-  await expect.poll(() => roll.clientWidth).toBe(420);
-  await expect.poll(() => isAtHead("Farline"), { timeout: 10_000 }).toBe(true);
+  await eventually(() => roll.clientWidth).toBe(420);
+  await eventually(() => isAtHead("Farline")).toBe(true);
   const [one, far] = await element.outline();
   expect(await element.goTo(one?.page ?? 0)).toBe(true);
   expect(far?.page).toBe(page);
   expect(await element.goTo(page, { top: far?.top ?? 0 })).toBe(true);
-  await expect.poll(() => isAtHead("Farline"), { timeout: 10_000 }).toBe(true);
+  await eventually(() => isAtHead("Farline")).toBe(true);
   expect(await element.goTo(page, { top: Number.NaN })).toBe(true);
   expect(isAtHead("Farline")).toBe(true);
 });
@@ -194,20 +191,20 @@ test("pages of fixed layout among them are turned, and those of a roll as wide a
   const seen = (): unknown[] => [rollOf(mixed).hidden, getComputedStyle(canvas).visibility];
   expect(seen()).toEqual([false, "hidden"]);
   expect(await mixed.goTo(2)).toBe(true);
-  await expect.poll(seen).toEqual([true, "visible"]);
+  await eventually(seen).toEqual([true, "visible"]);
   expect(await mixed.goTo(3)).toBe(true);
-  await expect.poll(seen).toEqual([false, "hidden"]);
+  await eventually(seen).toEqual([false, "hidden"]);
   mixed.remove();
   const roll = await opened({
     chapters: [fixed(300, 200), fixed(800, 200)],
     metadata: '<meta property="rendition:layout">roll</meta>',
   });
-  await expect
-    .poll(() => sheetsOf(roll).map(({ offsetWidth, offsetHeight }) => [offsetWidth, offsetHeight]))
-    .toEqual([
-      [rollOf(roll).clientWidth, Math.round((rollOf(roll).clientWidth * 200) / 300)],
-      [rollOf(roll).clientWidth, Math.round(rollOf(roll).clientWidth / 4)],
-    ]);
+  await eventually(() =>
+    sheetsOf(roll).map(({ offsetWidth, offsetHeight }) => [offsetWidth, offsetHeight]),
+  ).toEqual([
+    [rollOf(roll).clientWidth, Math.round((rollOf(roll).clientWidth * 200) / 300)],
+    [rollOf(roll).clientWidth, Math.round(rollOf(roll).clientWidth / 4)],
+  ]);
   roll.remove();
   expect(document.querySelectorAll("iframe").length).toBe(0);
 });

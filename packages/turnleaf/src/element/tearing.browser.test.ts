@@ -3,9 +3,9 @@
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { CreasableBook } from "../engine/creasable_book.ts";
+import { clock, eventually } from "../for_tests/clock.ts";
 import { drawRoughly, happens, keepWhatIsDrawn, settled } from "../for_tests/element_books.ts";
-import { besideBook, tearableBook, tearOutByClock } from "../for_tests/tearable_books.ts";
-import { TestClock } from "../for_tests/test_clock.ts";
+import { besideBook, tearableBook, tearOutPage5 } from "../for_tests/tearable_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 
 keepWhatIsDrawn();
@@ -47,12 +47,12 @@ test("a leaf is torn out by command, lies beside the book, and is put back", asy
   expect([element.pageCount, element.tornLeaves]).toEqual([10, 1]);
   expect(element.spread).toEqual({ left: 4, right: 5 });
   expect(element.state).toBe("resting");
-  await expect.poll(() => besideBook(element), { timeout: 20_000 }).toBeGreaterThan(0.2);
+  await eventually(() => besideBook(element)).toBeGreaterThan(0.2);
   expect(await element.putBack()).toBe(true);
   await settled(element);
   expect([element.pageCount, element.tornLeaves]).toEqual([12, 0]);
   expect(element.spread).toEqual({ left: 4, right: 5 });
-  await expect.poll(() => besideBook(element)).toBe(0);
+  await eventually(() => besideBook(element)).toBe(0);
   expect(await element.putBack()).toBe(false);
 });
 
@@ -86,7 +86,7 @@ test("a listener keeps the leaf whole", async () => {
   const element = await tearableBook();
   element.addEventListener("tear", (event) => event.preventDefault());
   expect(await element.tearOut(5)).toBe(false);
-  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  await eventually(() => element.state).toBe("resting");
   await settled(element);
   expect([element.pageCount, element.tornLeaves]).toEqual([12, 0]);
   expect(element.spread).toEqual({ left: 4, right: 5 });
@@ -98,7 +98,7 @@ test("nothing is torn without the attribute, and no page that does not lie open"
   expect(await element.tearOut(5)).toBe(false);
   const pointer = await pull(element, 30);
   pointer.point("pointerup", 700, 100);
-  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  await eventually(() => element.state).toBe("resting");
   expect(element.pageCount).toBe(12);
   element.tearable = "sewn";
   expect(element.tearable).toBe("sewn");
@@ -132,7 +132,8 @@ test("a page with a folded corner is torn out as it is, crumpled, and put back f
   await settled(element);
   const dogEars = [{ page: 5, corner: "head", size: 0.3 }];
   expect(element.dogEars).toEqual(dogEars);
-  const clock = await tearOutByClock(element);
+  clock.hold();
+  await tearOutPage5(element);
   expect([element.pageCount, element.dogEars]).toEqual([10, []]);
   expect(besideBook(element)).toBeGreaterThan(0.2);
   expect(element.wholeSheet).toBe("folded");
@@ -170,7 +171,8 @@ test("a book whose folded leaf is torn out, or put back, is bound with the folds
   const element = await tearableBook();
   expect(await element.dogEar(5, "head", 0.3)).toBe(true);
   await settled(element);
-  const clock = await tearOutByClock(element);
+  clock.hold();
+  await tearOutPage5(element);
   expect(bound.at(-1)).toEqual([]);
   const before = bound.length;
   expect(await element.putBack()).toBe(true);
@@ -181,7 +183,7 @@ test("a book whose folded leaf is torn out, or put back, is bound with the folds
 test("a book keeps its last leaf", async () => {
   const element = await tearableBook({ page: "1" }, 2);
   expect(await element.tearOut(1)).toBe(false);
-  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  await eventually(() => element.state).toBe("resting");
   expect(element.pageCount).toBe(2);
 });
 
@@ -197,7 +199,7 @@ test("a pointer tears a leaf out, carries it, lays it down and takes it again", 
   pointer.point("pointerup", 690, 120);
   await settled(element);
   expect(element.state).toBe("resting");
-  await expect.poll(() => besideBook(element), { timeout: 20_000 }).toBeGreaterThan(0.1);
+  await eventually(() => besideBook(element)).toBeGreaterThan(0.1);
   // Taken again it is no turn of a page, however it is flicked.
   const turns: Event[] = [];
   element.addEventListener("turnstart", (event) => turns.push(event));
@@ -206,7 +208,7 @@ test("a pointer tears a leaf out, carries it, lays it down and takes it again", 
   await new Promise((resolve) => setTimeout(resolve, 400));
   pointer.point("pointerup", 1500, 160);
   // Out of sight it is thrown away; its pages can still be put back.
-  await expect.poll(() => besideBook(element), { timeout: 20_000 }).toBe(0);
+  await eventually(() => besideBook(element)).toBe(0);
   expect(turns).toEqual([]);
   expect(element.tornLeaves).toBe(1);
   expect(await element.putBack()).toBe(true);
@@ -219,7 +221,7 @@ test("a leaf that was pulled a little falls back whole", async () => {
   element.addEventListener("tear", (event) => heard.push(event));
   const pointer = await pull(element, 8, 1);
   pointer.point("pointerup", 500, 60);
-  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  await eventually(() => element.state).toBe("resting");
   await settled(element);
   expect([heard.length, element.pageCount]).toEqual([0, 12]);
   expect(await element.next()).toBe(true);
@@ -235,7 +237,7 @@ async function heldOverSpine(tearable: string): Promise<Uint8ClampedArray> {
     pointer.point("pointermove", from + ((to - from) * k) / 20, top + 10 + 2 * k, { buttons: 1 });
     await new Promise((resolve) => requestAnimationFrame(resolve));
   }
-  await expect.poll(() => element.settled, { timeout: 20_000 }).toBe(true);
+  await eventually(() => element.settled).toBe(true);
   const drawn = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
   const copy = document.createElement("canvas");
   [copy.width, copy.height] = [190, 80];
@@ -263,7 +265,7 @@ test("a listener is asked again where nothing gave way before", async () => {
   });
   const pointer = await pull(element, 10, 2);
   pointer.point("pointerup", 500, 60);
-  await expect.poll(() => element.state, { timeout: 20_000 }).toBe("resting");
+  await eventually(() => element.state).toBe("resting");
   expect(await element.tearOut(5)).toBe(false);
   expect(asked).toHaveLength(1);
 });
@@ -280,7 +282,7 @@ test("a soft cover stays, and so no other leaf becomes one", async () => {
   expect(await element.tearOut(1)).toBe(false);
   const pointer = await pull(element, 40);
   pointer.point("pointerup", 700, 20);
-  await expect.poll(() => element.settled, { timeout: 20_000 }).toBe(true);
+  await eventually(() => element.settled).toBe(true);
   expect([element.tornLeaves, element.pageCount]).toEqual([0, 12]);
 });
 
@@ -288,7 +290,7 @@ test("a leaf torn off while the one before it turns leaves the book open behind 
   const element = await tearableBook({ page: "3", duration: "2000" });
   const pages: number[] = [];
   element.addEventListener("pagechange", ({ detail }) => pages.push(detail.to));
-  const clock = new TestClock();
+  clock.hold();
   void element.next();
   // It is over the left page, and not yet down.
   clock.frames(80);
@@ -311,7 +313,7 @@ test("a leaf whose corner is lifted under a mouse is torn out by command", async
   const element = await tearableBook();
   const pointer = new TestPointer(element);
   const { right, top } = element.bookBounds as DOMRect;
-  const clock = new TestClock();
+  clock.hold();
   pointer.point("pointermove", right - 5, top + 5);
   clock.frames(6);
   expect(element.state).toBe("lifting");
@@ -326,7 +328,7 @@ test("in a book of single pages a page is torn out by its outer edge, and elsewh
   const element = await tearableBook({ layout: "single" });
   expect(element.spread).toEqual({ left: null, right: 5 });
   const { left, right, top } = element.bookBounds as DOMRect;
-  const clock = new TestClock();
+  clock.hold();
   const pointer = new TestPointer(element);
   /** Pulls from a place at the head of the page outward. */
   const pullFrom = (x: number): void => {

@@ -1,4 +1,5 @@
 import { expect, test } from "vitest";
+import { eventually } from "../for_tests/clock.ts";
 import { book, happens } from "../for_tests/element_books.ts";
 import { prose, tinyEpub } from "../sources/epub/tiny_epub.ts";
 
@@ -8,7 +9,7 @@ const words = async (element: ReturnType<typeof book>): Promise<string> =>
 test("an EPUB is set as the attributes say, and keeps the reader's place when they change", async () => {
   const element = book(tinyEpub({ chapters: [prose(30)] }), { controls: "", duration: "0" });
   await happens(element, "load");
-  await expect.poll(() => element.canTypeset).toBe(true);
+  await eventually(() => element.canTypeset).toBe(true);
   const before = element.pageCount;
   await element.goTo(Number(await words(element)));
   const changed = happens(element, "pageschange");
@@ -30,7 +31,7 @@ test("the reader chooses in a tab, which other books do not have", async () => {
   await happens(element, "load");
   const root = element.shadowRoot as ShadowRoot;
   const tab = (): HTMLButtonElement | null => root.querySelector('.bar [aria-label="Type"]');
-  await expect.poll(() => tab()?.hidden).toBe(false);
+  await eventually(() => tab()?.hidden).toBe(false);
   tab()?.click();
   const choices = [...root.querySelectorAll<HTMLSelectElement>(".choice select")];
   expect(choices.map(({ labels }) => labels[0]?.firstChild?.textContent)).toEqual([
@@ -58,7 +59,7 @@ test("the reader chooses in a tab, which other books do not have", async () => {
   const loaded = happens(element, "load");
   element.pages = [canvas.toDataURL()];
   await loaded;
-  await expect.poll(() => tab()?.hidden).toBe(true);
+  await eventually(() => tab()?.hidden).toBe(true);
   element.remove();
 });
 
@@ -76,7 +77,7 @@ test("a remembered book opens with the reader's type, at the text where he was",
   const changed = happens(first, "pageschange");
   first.fontSize = 1.6;
   await changed;
-  await expect.poll(async () => (await placesOf(first)).length).toBe(3);
+  await eventually(async () => (await placesOf(first)).length).toBe(3);
   const [, there = 0, later = 0] = await placesOf(first);
   await first.goTo(there);
   first.toggleBookmark(later);
@@ -84,7 +85,7 @@ test("a remembered book opens with the reader's type, at the text where he was",
   first.remove();
   const second = await open();
   expect([second.fontSize, second.page]).toEqual([1.6, there]);
-  await expect.poll(() => second.pageCount).toBe(pageCount);
+  await eventually(() => second.pageCount).toBe(pageCount);
   expect(second.page).toBe(there);
   expect(second.bookmarks).toEqual([later]);
   second.remove();

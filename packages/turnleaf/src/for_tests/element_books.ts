@@ -1,8 +1,9 @@
 /** Elements of small books, for tests in a browser. */
 
-import { afterAll, beforeAll, expect } from "vitest";
+import { afterAll, beforeAll } from "vitest";
 import "../index.ts";
 import type { TurnleafBook } from "../element.ts";
+import { clock } from "./clock.ts";
 
 /** Returns a scan of a page: its number in black on paper. */
 export function scan(number: number, width = 90, height = 120): string {
@@ -63,8 +64,7 @@ export async function bookOverDark(attributes: Record<string, string> = {}): Pro
 }
 
 /** Waits until nothing moves. */
-export const settled = (element: TurnleafBook): Promise<void> =>
-  expect.poll(() => element.settled, { timeout: 20_000, interval: 50 }).toBe(true);
+export const settled = (element: TurnleafBook): Promise<void> => clock.until(() => element.settled);
 
 /**
  * Makes what a WebGL canvas shows readable at any time, not only within its

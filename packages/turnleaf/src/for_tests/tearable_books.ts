@@ -2,8 +2,8 @@
 
 import { expect } from "vitest";
 import type { TurnleafBook } from "../element.ts";
+import { clock } from "./clock.ts";
 import { book, happens, scans } from "./element_books.ts";
-import { TestClock } from "./test_clock.ts";
 
 /** Adds an element at its fifth page, with room on the table beside the book. */
 export function tearableElement(
@@ -29,7 +29,7 @@ export async function tearableBook(
   const element = tearableElement(scans(count), attributes);
   await happens(element, "load");
   // A pull tears nothing until what tears is loaded.
-  await expect.poll(() => element.ready, { timeout: 20_000 }).toBe(true);
+  await clock.until(() => element.ready);
   return element;
 }
 
@@ -59,11 +59,9 @@ export function besideBook(element: TurnleafBook): number {
   return data.filter((value, k) => k % 4 === 3 && value > 250).length / (data.length / 4);
 }
 
-/** Tears the leaf of page 5 out by frames of a clock of its own, which it returns. */
-export async function tearOutByClock(element: TurnleafBook): Promise<TestClock> {
-  const clock = new TestClock();
+/** Tears the leaf of page 5 out. */
+export async function tearOutPage5(element: TurnleafBook): Promise<void> {
   const torn = element.tearOut(5);
   await clock.until(() => element.tornLeaves === 1 && element.settled);
   expect(await torn).toBe(true);
-  return clock;
 }

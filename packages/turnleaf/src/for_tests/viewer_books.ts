@@ -1,9 +1,9 @@
 /** Viewers of small books, for tests in a browser. */
 
-import { expect } from "vitest";
 import { openViewer } from "../open_viewer.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Viewer, ViewerOptions } from "../viewer/viewer.ts";
+import { clock } from "./clock.ts";
 
 /** Size of their canvases, CSS pixels. */
 export const width = 400;
@@ -46,8 +46,7 @@ export async function opened(
 }
 
 /** Waits until nothing moves and all is sharp. */
-export const settledViewer = (viewer: Viewer): Promise<void> =>
-  expect.poll(() => viewer.settled, { timeout: 30_000, interval: 50 }).toBe(true);
+export const settledViewer = (viewer: Viewer): Promise<void> => clock.until(() => viewer.settled);
 
 /**
  * Returns the brightness of the canvas's own pixels in a row, from a place in

@@ -12,13 +12,13 @@ import {
 import { createRoot, hydrateRoot, type Root } from "react-dom/client";
 import { renderToString } from "react-dom/server.browser";
 import { afterEach, expect, test, vi } from "vitest";
+import { eventually } from "../for_tests/clock.ts";
 import { scans, settled } from "../for_tests/element_books.ts";
 import type { TurnleafBook as BookElement } from "../index.ts";
 import { TurnleafBook, type TurnleafBookProps } from "./react.ts";
 
 vi.setConfig({ testTimeout: 120_000 });
 
-const patient = { timeout: 30_000 };
 const style = { width: "300px", height: "220px" };
 let root: Root | null = null;
 
@@ -54,7 +54,7 @@ test("properties, listeners and the ref are the element's", async () => {
     onPageChange: ({ detail }) => said.push(`page ${detail.to}`),
   };
   book({ ...events, pages: scans(8), cover: "none", offset: 0, sound: true, assist: false });
-  await expect.poll(() => said, patient).toEqual(["load 8"]);
+  await eventually(() => said).toEqual(["load 8"]);
   expect(ref.current).toBe(theBook());
   expect(theBook().className).toBe("mine");
   const { cover, sound, assist, duration } = theBook();
@@ -64,7 +64,7 @@ test("properties, listeners and the ref are the element's", async () => {
 
   // Others in place of them; what is no longer given is as it was.
   book({ pages: scans(8), offset: 0, layout: "single", "aria-label": "A book" });
-  await expect.poll(() => theBook().layout, patient).toBe("single");
+  await eventually(() => theBook().layout).toBe("single");
   expect([theBook().cover, theBook().sound, theBook().assist]).toEqual(["hard", false, true]);
   expect(theBook().ariaLabel).toBe("A book");
   expect(await ref.current?.next()).toBe(true);
@@ -85,14 +85,14 @@ test("a list of pages written anew does not open the book anew, another does", a
       }),
     );
   book(6);
-  await expect.poll(() => loads, patient).toEqual([6]);
+  await eventually(() => loads).toEqual([6]);
   for (let k = 0; k < 3; k++) {
     book(6);
     await new Promise((resolve) => setTimeout(resolve, 50));
   }
   expect(theBook().pageCount).toBe(6);
   book(4);
-  await expect.poll(() => loads, patient).toEqual([6, 4]);
+  await eventually(() => loads).toEqual([6, 4]);
 });
 
 /** Whether the parent lets the reader turn, and sets its page from outside. */
@@ -117,19 +117,19 @@ function Reader({ pages }: { pages: { src: string }[] }): ReactElement {
 
 test("a controlled page turns the book, and the book turns back if it is not let", async () => {
   show(createElement(Reader, { pages: scans(12) }));
-  await expect.poll(() => theBook()?.pageCount, patient).toBe(12);
+  await eventually(() => theBook()?.pageCount).toBe(12);
   expect(theBook().page).toBe(3);
   setPage(7);
-  await expect.poll(() => theBook().page, patient).toBe(7);
+  await eventually(() => theBook().page).toBe(7);
   await theBook().next();
   await settled(theBook());
   expect(theBook().page).toBe(9);
   mayTurn = false;
   await theBook().next();
-  await expect.poll(() => theBook().page, patient).toBe(9);
+  await eventually(() => theBook().page).toBe(9);
   mayTurn = true;
   await theBook().next();
-  await expect.poll(() => theBook().page, patient).toBe(11);
+  await eventually(() => theBook().page).toBe(11);
   await settled(theBook());
   expect(theBook().page).toBe(11);
 });
@@ -147,11 +147,11 @@ function TurnsOn({ pages }: { pages: { src: string }[] }): ReactElement {
 
 test("a turn made while the one before is rendered is not turned back", async () => {
   show(createElement(TurnsOn, { pages: scans(12) }));
-  await expect.poll(() => theBook()?.pageCount, patient).toBe(12);
+  await eventually(() => theBook()?.pageCount).toBe(12);
   const changes: number[] = [];
   theBook().addEventListener("pagechange", ({ detail }) => changes.push(detail.to));
   await theBook().next();
-  await expect.poll(() => changes.includes(7), patient).toBe(true);
+  await eventually(() => changes.includes(7)).toBe(true);
   await settled(theBook());
   expect([theBook().page, changes]).toEqual([7, [5, 7]]);
 });
@@ -167,7 +167,7 @@ test("a page without a listener, and a first page, leave the turning to the read
         pages: scans(8),
       }),
     );
-    await expect.poll(() => theBook()?.pageCount, patient).toBe(8);
+    await eventually(() => theBook()?.pageCount).toBe(8);
     expect(theBook().page).toBe(2);
     await theBook().next();
     await settled(theBook());
@@ -184,11 +184,11 @@ test("children are pages, which React adds, changes and removes", async () => {
   const faults = vi.spyOn(console, "error");
   const pages = (names: string[]) => show(createElement(TurnleafBook, { style }, names.map(page)));
   pages(["One", "Two", "Three", "Four"]);
-  await expect.poll(() => theBook()?.pageCount, patient).toBe(4);
+  await eventually(() => theBook()?.pageCount).toBe(4);
   pages(["Zero", "One", "Two", "Three", "Four", "Five"]);
-  await expect.poll(() => theBook().pageCount, patient).toBe(6);
+  await eventually(() => theBook().pageCount).toBe(6);
   pages(["Three"]);
-  await expect.poll(() => theBook().pageCount, patient).toBe(1);
+  await eventually(() => theBook().pageCount).toBe(1);
   expect(theBook().textContent).toBe("Three");
   expect(faults.mock.calls).toEqual([]);
 });
@@ -214,9 +214,9 @@ test("a server's HTML becomes the book, without a fault of hydration, open befor
     const [book] = host.children as unknown as BookElement[];
     expect(book.getAttribute("hard-pages")).toBe("1-2");
     expect([book.page, book.theme, book.sound, book.address]).toEqual([2, "dark", true, false]);
-    if (isOpenBefore) await expect.poll(() => book.pageCount, patient).toBe(4);
+    if (isOpenBefore) await eventually(() => book.pageCount).toBe(4);
     const hydrated = hydrateRoot(host, element);
-    await expect.poll(() => loads[0], patient).toBe(4);
+    await eventually(() => loads[0]).toBe(4);
     expect(host.firstElementChild).toBe(book);
     hydrated.unmount();
   }

@@ -3,6 +3,7 @@
 import { hydrate, mount, unmount } from "svelte";
 import { render } from "svelte/server";
 import { afterEach, expect, test, vi } from "vitest";
+import { eventually } from "../for_tests/clock.ts";
 import { scans, settled } from "../for_tests/element_books.ts";
 import Reader from "../for_tests/Reader.svelte";
 import ServerReader from "../for_tests/Reader.svelte?server";
@@ -10,7 +11,6 @@ import type { TurnleafBook as BookElement } from "../index.ts";
 
 vi.setConfig({ testTimeout: 120_000 });
 
-const patient = { timeout: 30_000 };
 const mounted: object[] = [];
 
 afterEach(async () => {
@@ -43,7 +43,7 @@ test("properties and events are the element's, and bind:page has its page", asyn
       said.push(`load ${detail.pageCount}`),
   };
   mounted.push(mount(Reader, { target: document.body, props }));
-  await expect.poll(() => said, patient).toEqual(["load 8"]);
+  await eventually(() => said).toEqual(["load 8"]);
   expect(element()).toBe(theBook());
   const { page, theme, sound, assist, className } = theBook();
   expect([page, theme, sound, assist, className]).toEqual([3, "dark", true, true, "mine"]);
@@ -51,14 +51,14 @@ test("properties and events are the element's, and bind:page has its page", asyn
   await settled(theBook());
   expect([state.page, theBook().page]).toEqual([5, 5]);
   state.page = 7;
-  await expect.poll(() => theBook().page, patient).toBe(7);
+  await eventually(() => theBook().page).toBe(7);
   state.theme = undefined;
   state.label = "Two";
-  await expect.poll(() => theBook().ariaLabel, patient).toBe("Two");
+  await eventually(() => theBook().ariaLabel).toBe("Two");
   expect(theBook().hasAttribute("theme")).toBe(false);
   expect(said).toEqual(["load 8"]);
   state.count = 4;
-  await expect.poll(() => said, patient).toEqual(["load 8", "load 4"]);
+  await eventually(() => said).toEqual(["load 8", "load 4"]);
   expect(faults.flatMap(({ mock }) => mock.calls)).toEqual([]);
 });
 
@@ -75,9 +75,9 @@ test("a server's HTML becomes the book, without a fault of hydration", async () 
   const book = theBook();
   expect([book.page, book.hardPages, book.theme, book.sound]).toEqual([3, "1-2", "dark", true]);
   // Open before Svelte is there.
-  await expect.poll(() => book.pageCount, patient).toBe(4);
+  await eventually(() => book.pageCount).toBe(4);
   mounted.push(hydrate(Reader, { target: host, props }));
-  await expect.poll(() => loads, patient).toEqual([4]);
+  await eventually(() => loads).toEqual([4]);
   expect(theBook()).toBe(book);
   expect(faults.flatMap(({ mock }) => mock.calls)).toEqual([]);
 });

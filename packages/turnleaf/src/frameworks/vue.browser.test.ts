@@ -3,13 +3,13 @@
 import { afterEach, expect, test, vi } from "vitest";
 import { type App, createApp, createSSRApp, h, nextTick, reactive } from "vue";
 import { renderToString } from "vue/server-renderer";
+import { eventually } from "../for_tests/clock.ts";
 import { scans, settled } from "../for_tests/element_books.ts";
 import type { TurnleafBook as BookElement } from "../index.ts";
 import { TurnleafBook } from "./vue.ts";
 
 vi.setConfig({ testTimeout: 120_000 });
 
-const patient = { timeout: 30_000 };
 const style = { width: "300px", height: "220px" };
 const apps: App[] = [];
 
@@ -54,20 +54,20 @@ test("properties and events are the element's, and v-model has its page", async 
       onPagechange: ({ detail }) => said.push(`page ${detail.to}`),
     }),
   );
-  await expect.poll(() => said, patient).toEqual(["load 8"]);
+  await eventually(() => said).toEqual(["load 8"]);
   const { page, theme, sound, assist, className } = theBook();
   expect([page, theme, sound, assist, className]).toEqual([3, "dark", true, true, "mine"]);
   await theBook().next();
   await settled(theBook());
   expect([state.page, theBook().page]).toEqual([5, 5]);
   state.page = 7;
-  await expect.poll(() => theBook().page, patient).toBe(7);
+  await eventually(() => theBook().page).toBe(7);
   state.theme = undefined;
   await nextTick();
   expect(theBook().hasAttribute("theme")).toBe(false);
   expect(said).toEqual(["load 8", "page 5", "page 7"]);
   state.count = 4;
-  await expect.poll(() => said.at(-1), patient).toBe("load 4");
+  await eventually(() => said.at(-1)).toBe("load 4");
   expect(faults.flatMap(({ mock }) => mock.calls)).toEqual([]);
 });
 
@@ -76,7 +76,7 @@ test("a template ref has the element", async () => {
   show(() =>
     h(TurnleafBook, { ref: (it) => it && refs.push(it as never), style, pages: scans(2) }),
   );
-  await expect.poll(() => refs[0]?.element?.pageCount, patient).toBe(2);
+  await eventually(() => refs[0]?.element?.pageCount).toBe(2);
   expect(refs[0].element).toBe(theBook());
 });
 
@@ -106,11 +106,11 @@ test("a server's HTML becomes the book, without a fault of hydration", async () 
   expect([book.page, book.hardPages, book.theme]).toEqual([2, "1-2", "dark"]);
   expect([book.controls, book.sound, book.assist]).toEqual([true, true, false]);
   // Open before Vue is there.
-  await expect.poll(() => book.pageCount, patient).toBe(4);
+  await eventually(() => book.pageCount).toBe(4);
   const app = page();
   apps.push(app);
   app.mount(host);
-  await expect.poll(() => loads, patient).toEqual([4]);
+  await eventually(() => loads).toEqual([4]);
   expect(host.firstElementChild).toBe(book);
   expect(faults.flatMap(({ mock }) => mock.calls)).toEqual([]);
 });

@@ -3,6 +3,7 @@
 import { afterEach, expect, test } from "vitest";
 import type { BookState } from "../book/turning.ts";
 import type { TurnleafBook } from "../element.ts";
+import { eventually } from "../for_tests/clock.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 
@@ -39,7 +40,6 @@ function cornerOf(element: TurnleafBook): [x: number, y: number] {
   return [right - 5, bottom - 5];
 }
 
-const patient = { timeout: 20_000 };
 
 /** Waits for what should not come. */
 const wait = () => new Promise((done) => setTimeout(done, 80));
@@ -48,7 +48,7 @@ test("without the attribute every gesture acts, and each is a state", async () =
   const { element, pointer } = await opened({});
   const states = watchStates(element);
   await drag(pointer);
-  await expect.poll(() => element.page, patient).toBe(8);
+  await eventually(() => element.page).toBe(8);
   await settled(element);
   expect(states).toEqual(["dragged", "turning", "resting"]);
   expect(element.state).toBe("resting");
@@ -68,7 +68,7 @@ test("`none` leaves keys and commands alone", async () => {
   expect(element.zoom).toBe(1);
   expect(states).toEqual([]);
   pointer.key("ArrowRight");
-  await expect.poll(() => element.page, patient).toBe(8);
+  await eventually(() => element.page).toBe(8);
 });
 
 test.each([
@@ -91,7 +91,7 @@ test.each([
   const states = watchStates(element);
   pointer.point("pointermove", ...cornerOf(element));
   await wait();
-  if (lifts) await expect.poll(() => states, patient).toEqual(["lifting"]);
+  if (lifts) await eventually(() => states).toEqual(["lifting"]);
   else expect(states).toEqual([]);
   pointer.point("pointermove", 150, 20);
   await settled(element);
@@ -116,6 +116,6 @@ test("a flick shorter than the swipe distance turns nothing", async () => {
   await settled(element);
   expect(element.page).toBe(6);
   flick(90);
-  await expect.poll(() => element.page, patient).toBe(8);
+  await eventually(() => element.page).toBe(8);
   expect(element.swipeDistance).toBe(80);
 });

@@ -3,8 +3,8 @@
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnDetail } from "../element/events.ts";
 import type { TurnleafBook } from "../element.ts";
+import { clock, eventually } from "../for_tests/clock.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
-import { TestClock } from "../for_tests/test_clock.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 import { DrawnBook } from "../webgl/drawn_book.ts";
 
@@ -223,7 +223,7 @@ test("a corner lifts under a mouse, holds still without a frame, and lies down",
   // Outside the element it falls as well.
   pointer.point("pointermove", 200, 60);
   pointer.point("pointermove", ...corner);
-  await expect.poll(() => flights.positions.length).toBe(1);
+  await eventually(() => flights.positions.length).toBe(1);
   pointer.stage.dispatchEvent(new PointerEvent("pointerleave"));
   await settled(element);
   expect(flights.positions.length).toBe(0);
@@ -351,7 +351,7 @@ test("a slider drawn over the block redirects the leaves, and the book lands at 
   await happens(element, "load");
   await settled(element);
   const flights = watchFlights();
-  const clock = new TestClock();
+  clock.hold();
   let most = 0;
   const landed: Promise<boolean>[] = [];
   for (const page of [4, 10, 16, 24, 34, 44, 50, 46, 38, 30, 26, 22]) {

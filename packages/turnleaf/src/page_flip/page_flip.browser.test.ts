@@ -5,6 +5,7 @@
 
 import { PageFlip as Original } from "page-flip/dist/js/page-flip.module.js";
 import { afterEach, expect, test, vi } from "vitest";
+import { eventually } from "../for_tests/clock.ts";
 import { scan } from "../for_tests/element_books.ts";
 import { type FlipEvents, type FlipSetting, PageFlip } from "./index.ts";
 
@@ -27,7 +28,6 @@ const events: readonly (keyof FlipEvents)[] = [
   "init",
   "update",
 ];
-const patient = { timeout: 30_000 };
 const pageSize = { width: 100, height: 150 };
 
 /** Returns elements as pages; the first and the last say that they are boards. */
@@ -64,18 +64,16 @@ async function opened(
   const shown = make(made, options, style);
   const pages = htmlPages(count);
   shown.book.loadFromHTML(pages);
-  await expect.poll(() => shown.log.some(([name]) => name === "init"), patient).toBe(true);
+  await eventually(() => shown.log.some(([name]) => name === "init")).toBe(true);
   return { ...shown, pages };
 }
 
 /** Waits until the last state of a log is `read` again, after others. */
 const hasRead = (log: readonly [string, unknown][], from: number) =>
-  expect
-    .poll(() => {
-      const states = log.slice(from).filter(([name]) => name === "changeState");
-      return states.at(-1)?.[1];
-    }, patient)
-    .toBe("read");
+  eventually(() => {
+    const states = log.slice(from).filter(([name]) => name === "changeState");
+    return states.at(-1)?.[1];
+  }).toBe("read");
 
 const state = (book: Book) => ({
   count: book.getPageCount(),
@@ -204,7 +202,7 @@ test("other elements take the place of the pages, at the same index", async () =
     const { book, log } = await opened(made, { startPage: 4 });
     log.length = 0;
     book.updateFromHtml(htmlPages(9));
-    await expect.poll(() => log.some(([name]) => name === "update"), patient).toBe(true);
+    await eventually(() => log.some(([name]) => name === "update")).toBe(true);
     return { log: [...log], ...state(book) };
   });
 });
@@ -215,11 +213,11 @@ test("images as pages, and others in their place", async () => {
     const images = (count: number): string[] =>
       Array.from({ length: count }, (_, k) => scan(k + 1, 100, 150));
     book.loadFromImages(images(6));
-    await expect.poll(() => log.some(([name]) => name === "init"), patient).toBe(true);
+    await eventually(() => log.some(([name]) => name === "init")).toBe(true);
     const before = state(book);
     log.length = 0;
     book.updateFromImages(images(8));
-    await expect.poll(() => log.some(([name]) => name === "update"), patient).toBe(true);
+    await eventually(() => log.some(([name]) => name === "update")).toBe(true);
     return { before, after: state(book), log: [...log] };
   });
 });
@@ -240,10 +238,10 @@ test("pages that cannot be loaded leave the book as it was; no pages clear it", 
   const element = book.getBook();
   expect([element?.pageCount, element?.page]).toEqual([6, 3]);
   book.turnToPage(4);
-  await expect.poll(() => element?.page, patient).toBe(5);
+  await eventually(() => element?.page).toBe(5);
   book.updateFromHtml([]);
   expect([book.getPageCount(), book.getCurrentPageIndex()]).toEqual([0, 0]);
-  await expect.poll(() => element?.ready, patient).toBe(false);
+  await eventually(() => element?.ready).toBe(false);
   expect([...host.querySelectorAll(":scope > .page")]).toEqual(pages);
 });
 
@@ -253,8 +251,8 @@ test("a host that gets narrower shows one page", async () => {
     log.length = 0;
     around.style.width = "150px";
     window.dispatchEvent(new Event("resize"));
-    await expect.poll(() => book.getOrientation(), patient).toBe("portrait");
-    await expect.poll(() => log.length > 0, patient).toBe(true);
+    await eventually(() => book.getOrientation()).toBe("portrait");
+    await eventually(() => log.length > 0).toBe(true);
     return log.find(([name]) => name === "changeOrientation");
   });
 });
@@ -311,7 +309,7 @@ test.each([
   await compare(async (made) => {
     const { book, host } = await opened(made, { startPage: 2, showPageCorners: false, ...options });
     await drag(host, [[at[0], at[1]]]);
-    await expect.poll(() => book.getCurrentPageIndex(), patient).toBe(index);
+    await eventually(() => book.getCurrentPageIndex()).toBe(index);
     await new Promise((done) => setTimeout(done, 300));
     return book.getCurrentPageIndex();
   });
@@ -347,7 +345,7 @@ test("the open book fills page-flip's rectangle", async () => {
   for (const style of ["width: 400px", "width: 150px"]) {
     const { book, host } = await opened(PageFlip, {}, style);
     const element = book.getBook() as NonNullable<ReturnType<typeof book.getBook>>;
-    await expect.poll(() => element.settled, patient).toBe(true);
+    await eventually(() => element.settled).toBe(true);
     const bounds = element.bookBounds as DOMRect;
     const box = element.getBoundingClientRect();
     const outside = host.getBoundingClientRect();
@@ -401,6 +399,6 @@ test("commands that come before the book is open wait for it", async () => {
   const { book, log } = make(PageFlip);
   book.loadFromHTML(htmlPages(7));
   book.flipNext();
-  await expect.poll(() => log.filter(([name]) => name === "flip").length, patient).toBe(2);
+  await eventually(() => log.filter(([name]) => name === "flip").length).toBe(2);
   expect(book.getCurrentPageIndex()).toBe(2);
 });

@@ -2,6 +2,7 @@
 
 import readme from "page-flip/README.md?raw";
 import { afterEach, expect, test } from "vitest";
+import { eventually } from "../for_tests/clock.ts";
 import { PageFlip } from "./index.ts";
 
 afterEach(() => document.body.replaceChildren());
@@ -26,6 +27,6 @@ test("the README's example of HTML pages runs unchanged", async () => {
   await new Promise((resolve) => pageFlip.on("init", resolve));
   expect(pageFlip.getPageCount()).toBe(6);
   pageFlip.flipNext();
-  await expect.poll(() => alerts, { timeout: 30_000 }).toEqual([2]);
+  await eventually(() => alerts).toEqual([2]);
   expect(pageFlip.getCurrentPageIndex()).toBe(2);
 });

@@ -1,6 +1,7 @@
 /** Bitmaps fitted to the leaf: their size, and which of them are kept. */
 
 import { expect, test } from "vitest";
+import { eventually } from "../for_tests/clock.ts";
 import type { PageBox, PagePicture, PageSource } from "../sources/page_source.ts";
 import { fitToLeaf, unfold } from "./fit.ts";
 import { PageBitmaps } from "./page_bitmaps.ts";
@@ -94,7 +95,7 @@ test("a picture of the leaf's proportions is shown itself", async () => {
   const leaf = { width: 2, height: 1 };
   const pictures = new PageBitmaps(source, leaf, { onArrive: () => {}, onDrop: () => {} });
   pictures.want({ pages: [1], inSight: 1, lyingOpen: 1 }, 256, false);
-  await expect.poll(() => pictures.settled).toBe(true);
+  await eventually(() => pictures.settled).toBe(true);
   expect(pictures.get(1)).toBe(drawn.at(-1));
   pictures.close();
 });
@@ -111,7 +112,7 @@ test("of a picture that was fitted the fitted one alone is held, and freed at th
     },
   );
   pictures.want({ pages: [1], inSight: 1, lyingOpen: 1 }, 256, false);
-  await expect.poll(() => pictures.settled).toBe(true);
+  await eventually(() => pictures.settled).toBe(true);
   for (const { width } of drawn) expect(width).toBe(0);
   const shown = pictures.get(1);
   expect(shown.width).toBe(256);
@@ -145,7 +146,7 @@ test("in place of a page that takes long stands a sentence, until it is drawn", 
     return data.filter((value, k) => k % 4 === 0 && value < 0xc0).length;
   };
   pictures.want({ pages: [1], inSight: 1, lyingOpen: 1 }, 300, false);
-  await expect.poll(() => finish.length).toBe(1);
+  await eventually(() => finish.length).toBe(1);
   const waiting = pictures.get(1);
   elapse();
   expect(arrived).toBe(1);
@@ -155,6 +156,6 @@ test("in place of a page that takes long stands a sentence, until it is drawn", 
   expect(pictures.failure(1)).toBeNull();
   const drawn = sheet(300, 150);
   finish(drawn);
-  await expect.poll(() => pictures.get(1)).toBe(drawn);
+  await eventually(() => pictures.get(1)).toBe(drawn);
   pictures.close();
 });

@@ -3,11 +3,11 @@
 import { createElement, createRef, type ReactElement, type ReactNode, StrictMode } from "react";
 import { createRoot, type Root } from "react-dom/client";
 import { afterEach, expect, test, vi } from "vitest";
+import { eventually } from "../for_tests/clock.ts";
 import HTMLFlipBook, { type HTMLFlipBookProps, type HTMLFlipBookRef } from "./index.ts";
 
 vi.setConfig({ testTimeout: 120_000 });
 
-const patient = { timeout: 30_000 };
 let root: Root | null = null;
 
 afterEach(() => {
@@ -61,7 +61,7 @@ test("the children are pages, events are called, and the ref has the book", asyn
       six,
     ),
   );
-  await expect.poll(() => said.filter(([name]) => name === "init"), patient).toHaveLength(1);
+  await eventually(() => said.filter(([name]) => name === "init")).toHaveLength(1);
   // StrictMode's first book is gone, whatever it had begun.
   expect(place.querySelectorAll("turnleaf-book")).toHaveLength(1);
   expect(place.querySelector<HTMLElement>(".mine")?.style.color).toBe("red");
@@ -69,13 +69,11 @@ test("the children are pages, events are called, and the ref has the book", asyn
   expect(book?.getPageCount()).toBe(6);
   said.length = 0;
   book?.flipNext();
-  await expect
-    .poll(() => said, patient)
-    .toEqual([
-      ["state", "flipping"],
-      ["flip", 2],
-      ["state", "read"],
-    ]);
+  await eventually(() => said).toEqual([
+    ["state", "flipping"],
+    ["flip", 2],
+    ["state", "read"],
+  ]);
   expect(faults).not.toHaveBeenCalled();
 });
 
@@ -90,22 +88,22 @@ test("pages change in place, come and go, and the book stays where it is", async
     onInit: () => said.push("init"),
   };
   const place = show(flipBook(props, six));
-  await expect.poll(() => said, patient).toEqual(["init"]);
+  await eventually(() => said).toEqual(["init"]);
   // The same pages again: nothing is opened anew.
   show(flipBook(props, six));
   const changed = pages(six);
   changed[2] = createElement("div", { key: "Page 3" }, "Another text");
   show(createElement(HTMLFlipBook, { ...size, ...props }, ...changed));
-  await expect.poll(() => place.textContent, patient).toContain("Another text");
+  await eventually(() => place.textContent).toContain("Another text");
   expect(said).toEqual(["init"]);
   // Fewer, and one in another place.
   show(flipBook(props, ["Page 2", "Page 1", "Page 4", "Page 5"]));
-  await expect.poll(() => said, patient).toEqual(["init", "update"]);
+  await eventually(() => said).toEqual(["init", "update"]);
   expect(ref.current?.pageFlip()?.getPageCount()).toBe(4);
   expect(ref.current?.pageFlip()?.getCurrentPageIndex()).toBe(2);
   expect(place.textContent).not.toContain("Page 6");
   show(flipBook(props, []));
-  await expect.poll(() => ref.current?.pageFlip()?.getPageCount(), patient).toBe(0);
+  await eventually(() => ref.current?.pageFlip()?.getPageCount()).toBe(0);
   expect(faults).not.toHaveBeenCalled();
 });
 
@@ -114,11 +112,11 @@ test("a first page that follows the open one makes no other book", async () => {
   let times = 0;
   const props = { ref, onInit: () => times++ };
   show(flipBook({ ...props, startPage: 2 }, six));
-  await expect.poll(() => times, patient).toBe(1);
+  await eventually(() => times).toBe(1);
   const book = ref.current?.pageFlip();
   expect(book?.getCurrentPageIndex()).toBe(2);
   show(flipBook({ ...props, startPage: 4, className: "later" }, six));
-  await expect.poll(() => document.querySelector(".later"), patient).not.toBeNull();
+  await eventually(() => document.querySelector(".later")).not.toBeNull();
   // Effects come after what is rendered.
   await new Promise((done) => setTimeout(done, 200));
   expect(ref.current?.pageFlip()).toBe(book);
@@ -129,10 +127,10 @@ test("other options make another book, at the same page", async () => {
   let times = 0;
   const props = { ref, onInit: () => times++ };
   show(flipBook(props, six));
-  await expect.poll(() => times, patient).toBe(1);
+  await eventually(() => times).toBe(1);
   ref.current?.pageFlip()?.turnToPage(4);
   show(flipBook({ ...props, width: 120, height: 180 }, six));
-  await expect.poll(() => times, patient).toBe(2);
+  await eventually(() => times).toBe(2);
   expect(ref.current?.pageFlip()?.getCurrentPageIndex()).toBe(4);
   expect(ref.current?.pageFlip()?.getSettings().width).toBe(120);
 });
@@ -150,7 +148,7 @@ test("a book that is unmounted leaves nothing", async () => {
       six,
     ),
   );
-  await expect.poll(() => isOpen, patient).toBe(true);
+  await eventually(() => isOpen).toBe(true);
   root?.unmount();
   root = null;
   expect(place.childNodes).toHaveLength(0);

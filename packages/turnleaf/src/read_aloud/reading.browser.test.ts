@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
+import { eventually } from "../for_tests/clock.ts";
 import type { NarratedClip, Narration } from "../sources/page_source.ts";
 import { Reading } from "./reading.ts";
 
@@ -107,7 +108,7 @@ const begin = (...clips: NarratedClip[]) => {
     book.addEventListener(name, (event) => reported.push((event as CustomEvent).detail));
   }
   const done = reading.run(() => {});
-  const isMarked = (number: number) => expect.poll(() => narration.marked.at(-1)).toBe(number);
+  const isMarked = (number: number) => eventually(() => narration.marked.at(-1)).toBe(number);
   return { book, narration, reading, done, isMarked, reported, sound: FakeAudio.last };
 };
 
@@ -122,7 +123,7 @@ describe("reading aloud", () => {
       clip(2, 30, 31),
     );
     await isMarked(0);
-    await expect.poll(() => sound.starts).toEqual([5]);
+    await eventually(() => sound.starts).toEqual([5]);
     // A timer that is late lets a little more be heard than the clip.
     sound.passTo(10.4);
     await isMarked(1);
@@ -131,7 +132,7 @@ describe("reading aloud", () => {
     expect([sound.paused, sound.starts, sound.currentTime]).toEqual([false, [5], 10.4]);
     sound.passTo(12);
     await isMarked(2);
-    await expect.poll(() => sound.starts).toEqual([5, 30]);
+    await eventually(() => sound.starts).toEqual([5, 30]);
     sound.passTo(31);
     await done;
     expect(narration.marked).toEqual([0, 1, 2, null]);
@@ -152,7 +153,7 @@ describe("reading aloud", () => {
       });
     };
     await isMarked(0);
-    await expect.poll(() => known[1]).toBeDefined();
+    await eventually(() => known[1]).toBeDefined();
     sound.passTo(10);
     await new Promise((resolve) => setTimeout(resolve));
     known[1]?.();
@@ -160,10 +161,10 @@ describe("reading aloud", () => {
     // Known a task later, it is heard without a break.
     expect([sound.paused, sound.starts]).toEqual([false, [5]]);
     sound.passTo(12);
-    await expect.poll(() => sound.paused).toBe(true);
+    await eventually(() => sound.paused).toBe(true);
     known[2]?.();
     await isMarked(2);
-    await expect.poll(() => sound.starts).toEqual([5, 12]);
+    await eventually(() => sound.starts).toEqual([5, 12]);
     // What was reported of the pause meanwhile ends nothing.
     await new Promise((resolve) => setTimeout(resolve, 20));
     expect(sound.paused).toBe(false);
@@ -180,7 +181,7 @@ describe("reading aloud", () => {
     ];
     const { book, reading, done, isMarked, sound } = begin(clip(1, 0, 10, { pages }));
     await isMarked(0);
-    await expect.poll(() => sound.starts.length).toBe(1);
+    await eventually(() => sound.starts.length).toBe(1);
     sound.passTo(4.9);
     expect(book.page).toBe(1);
     sound.passTo(5.1);
@@ -196,10 +197,10 @@ describe("reading aloud", () => {
       clip(5, 50, 60),
     );
     await isMarked(0);
-    await expect.poll(() => sound.starts).toEqual([0]);
+    await eventually(() => sound.starts).toEqual([0]);
     await book.turnTo(4);
     await isMarked(2);
-    await expect.poll(() => sound.starts).toEqual([0, 50]);
+    await eventually(() => sound.starts).toEqual([0, 50]);
     expect(book.page).toBe(5);
     reading.stop();
     await done;
@@ -209,7 +210,7 @@ describe("reading aloud", () => {
     const long = [0, 1].map((page) => ({ page, from: page / 2 }));
     const { book, reading, done, sound, isMarked } = begin(clip(1, 0, 10, { pages: long }));
     await isMarked(0);
-    await expect.poll(() => sound.starts).toEqual([0]);
+    await eventually(() => sound.starts).toEqual([0]);
     book.state = "turning";
     sound.passTo(6);
     expect(book.page).toBe(1);
@@ -217,7 +218,7 @@ describe("reading aloud", () => {
     book.state = "resting";
     book.page = 1;
     book.dispatchEvent(new CustomEvent("pagechange"));
-    await expect.poll(() => book.page).toBe(2);
+    await eventually(() => book.page).toBe(2);
     reading.stop();
     await done;
   });
@@ -228,7 +229,7 @@ describe("reading aloud", () => {
       ({ sound }: ReturnType<typeof begin>) => sound.pause(),
     ]) {
       const begun = begin(clip(1, 0, 10), clip(2, 10, 20));
-      await expect.poll(() => begun.sound.starts.length).toBe(1);
+      await eventually(() => begun.sound.starts.length).toBe(1);
       stop(begun);
       await begun.done;
       expect(begun.narration.marked.at(-1)).toBe(null);

@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
 import type { Stock } from "../engine/shapes.ts";
+import { eventually } from "../for_tests/clock.ts";
 import { book, happens, scans } from "../for_tests/element_books.ts";
 import type { Motion } from "./motion.ts";
 import { PaperSound } from "./paper_sound.ts";
@@ -88,12 +89,12 @@ test("with sound, a context runs while leaves move, is suspended at rest and clo
   await element.next();
   expect(made.length).toBe(1);
   const [context] = made;
-  await expect.poll(() => context.state, { timeout: 10_000 }).toBe("suspended");
+  await eventually(() => context.state).toBe("suspended");
   const turn = element.next();
-  await expect.poll(() => context.state, { timeout: 10_000 }).toBe("running");
+  await eventually(() => context.state).toBe("running");
   await turn;
   element.remove();
-  await expect.poll(() => context.state, { timeout: 10_000 }).toBe("closed");
+  await eventually(() => context.state).toBe("closed");
   expect(made.length).toBe(1);
 });
 
@@ -104,7 +105,7 @@ test("taking the attribute away silences the book", async () => {
   await element.next();
   await element.next();
   element.sound = false;
-  await expect.poll(() => made[0].state, { timeout: 10_000 }).toBe("closed");
+  await eventually(() => made[0].state).toBe("closed");
   await element.next();
   expect(made.length).toBe(1);
   element.remove();

@@ -3,6 +3,7 @@
 import { strToU8, type Zippable, zipSync } from "fflate";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { commands } from "vitest/browser";
+import { eventually } from "../for_tests/clock.ts";
 import { canvas2, canvas3, manifest2, manifest3, serve } from "../for_tests/image_server.ts";
 import { clue, fuzzed, type Random, wildPieces } from "../for_tests/random_numbers.ts";
 import { rar4, rar5, sevenZip } from "../for_tests/stored_archives.ts";
@@ -94,9 +95,7 @@ async function expectReadOrRejected(file: Blob, input: unknown): Promise<void> {
   expect("ran" in window, clue(input)).toBe(false);
   expect(await commands.requestsElsewhere(), clue(input)).toEqual([]);
   // One that is being laid out goes when it is done.
-  await expect
-    .poll(() => document.querySelectorAll("iframe").length, { message: clue(input) })
-    .toBe(0);
+  await eventually(() => document.querySelectorAll("iframe").length).toBe(0);
 }
 
 async function read(
@@ -358,7 +357,7 @@ test("a request to another host would be seen, of a frame too", async () => {
   document.body.append(frame);
   await loaded;
   frame.remove();
-  await expect
-    .poll(() => commands.requestsElsewhere())
-    .toEqual(expect.arrayContaining([expect.stringContaining("elsewhere")]));
+  await eventually(() => commands.requestsElsewhere()).toEqual(
+    expect.arrayContaining([expect.stringContaining("elsewhere")]),
+  );
 });

@@ -1,4 +1,5 @@
 import { afterEach, expect, test, vi } from "vitest";
+import { eventually } from "../for_tests/clock.ts";
 import type { PdfLibrary } from "./pdf_runtime.ts";
 import { PdfThread } from "./pdf_thread.ts";
 
@@ -19,7 +20,7 @@ test("a worker starts while pdf.js itself is still compiled, and ends if that fa
   vi.stubGlobal("Worker", CountedWorker);
   const library = Promise.withResolvers<PdfLibrary>();
   const starting = PdfThread.start(library.promise);
-  await expect.poll(() => started, { timeout: 20_000 }).toBe(1);
+  await eventually(() => started).toBe(1);
   expect(terminate).not.toHaveBeenCalled();
   library.reject(new Error("It does not compile."));
   await expect(starting).rejects.toThrow("It does not compile.");

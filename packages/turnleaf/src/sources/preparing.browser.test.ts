@@ -1,4 +1,5 @@
 import { afterEach, expect, test, vi } from "vitest";
+import { eventually } from "../for_tests/clock.ts";
 import { openSource } from "./open.ts";
 
 afterEach(() => vi.restoreAllMocks());
@@ -14,7 +15,7 @@ test("the code that an address makes likely is loaded while its first bytes are 
   const scripts = vi.spyOn(URL, "createObjectURL");
   const opening = openSource("https://books.invalid/a%20book.pdf?x=y.epub#page=2");
   // The two workers of pdf.js.
-  await expect.poll(() => scripts.mock.calls.length, { timeout: 20_000 }).toBe(2);
+  await eventually(() => scripts.mock.calls.length).toBe(2);
   // The bytes alone decide.
   respond(new Response("<!doctype html><p>Not here.</p>"));
   await expect(opening).rejects.toThrow("is a web page, not a book");

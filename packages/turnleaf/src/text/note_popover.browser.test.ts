@@ -1,5 +1,6 @@
 import { expect, test, vi } from "vitest";
 import { userEvent } from "vitest/browser";
+import { eventually } from "../for_tests/clock.ts";
 import { book, happens } from "../for_tests/element_books.ts";
 import { tinyEpub } from "../sources/epub/tiny_epub.ts";
 
@@ -14,26 +15,26 @@ test("a link to a note shows it over the page, by the keyboard too, and Escape c
   await Promise.all([happens(element, "load"), happens(element, "pageschange")]);
   const root = element.shadowRoot as ShadowRoot;
   const link = (): HTMLAnchorElement | null => root.querySelector(".text a[aria-haspopup]");
-  await expect.poll(link, { timeout: 20_000 }).not.toBeNull();
+  await eventually(link).not.toBeNull();
   const note = root.querySelector(".note") as HTMLElement;
   const isOpen = (): boolean => note.matches(":popover-open");
   link()?.focus();
   await userEvent.keyboard("{Enter}");
-  await expect.poll(isOpen).toBe(true);
+  await eventually(isOpen).toBe(true);
   expect(note.querySelector("p")?.textContent).toBe("Said of it.");
   expect(root.activeElement).toBe(note);
   expect(element.page).toBe(1);
   const box = note.getBoundingClientRect();
   expect(box.left >= 0 && box.right <= innerWidth && box.bottom <= innerHeight).toBe(true);
   await userEvent.keyboard("{Escape}");
-  await expect.poll(isOpen).toBe(false);
+  await eventually(isOpen).toBe(false);
   expect(root.activeElement).toBe(link());
   // Its button turns to where it is printed.
   link()?.click();
-  await expect.poll(isOpen).toBe(true);
+  await eventually(isOpen).toBe(true);
   note.querySelector("button")?.click();
   expect(isOpen()).toBe(false);
-  await expect.poll(() => element.page, { timeout: 20_000 }).toBeGreaterThan(1);
+  await eventually(() => element.page).toBeGreaterThan(1);
   element.remove();
 });
 
@@ -44,7 +45,7 @@ test("a link out of an EPUB is followed only after its address was shown", async
   const element = book(tinyEpub({ chapters }), { duration: "0", lang: "en" });
   const root = element.shadowRoot as ShadowRoot;
   const links = (): HTMLAnchorElement[] => [...root.querySelectorAll<HTMLAnchorElement>(".text a")];
-  await expect.poll(() => links().length, { timeout: 20_000 }).toBe(2);
+  await eventually(() => links().length).toBe(2);
   const followed: string[] = [];
   const click = vi.spyOn(HTMLAnchorElement.prototype, "click").mockImplementation(function (
     this: HTMLAnchorElement,

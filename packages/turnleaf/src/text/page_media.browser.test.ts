@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
+import { eventually } from "../for_tests/clock.ts";
 import { book, happens } from "../for_tests/element_books.ts";
 import { tinyEpub } from "../sources/epub/tiny_epub.ts";
 
@@ -36,8 +37,6 @@ const chapters = [
   "<p>The end.</p>",
 ];
 
-/** As long as a busy machine may need. */
-const patiently = { timeout: 20_000 };
 
 test("a sound is played where it stands on the page, once it is pressed, and ends as the page is turned", async () => {
   const element = book(
@@ -58,7 +57,7 @@ test("a sound is played where it stands on the page, once it is pressed, and end
     places()[0]?.querySelector("button")?.focus();
     await userEvent.keyboard("{Enter}");
   };
-  await expect.poll(() => places().length, patiently).toBe(1);
+  await eventually(() => places().length).toBe(1);
   expect(root.querySelector("audio")).toBeNull();
   const [place] = places();
   expect(place?.querySelector("button")?.getAttribute("aria-label")).toBe("A tone");
@@ -66,7 +65,7 @@ test("a sound is played where it stands on the page, once it is pressed, and end
   expect(offsetWidth).toBeGreaterThan(5 * offsetHeight);
   await press();
   const player = (): HTMLAudioElement | null => root.querySelector("audio");
-  await expect.poll(() => player()?.currentTime ?? 0, patiently).toBeGreaterThan(0.1);
+  await eventually(() => player()?.currentTime ?? 0).toBeGreaterThan(0.1);
   const sound = player() as HTMLAudioElement;
   expect([sound.controls, sound.paused, sound.muted]).toEqual([true, false, false]);
   // Other pages far from it change nothing of what is heard.
@@ -74,21 +73,17 @@ test("a sound is played where it stands on the page, once it is pressed, and end
   await new Promise((resolve) => setTimeout(resolve, 200));
   expect([player() === sound, sound.paused]).toEqual([true, false]);
   await element.goTo(2);
-  await expect.poll(() => sound.paused, patiently).toBe(true);
+  await eventually(() => sound.paused).toBe(true);
   expect(sound.getAttribute("src")).toBeNull();
   // One that is no sound says so in its place.
-  await expect
-    .poll(() => places().length === 1 && !places().includes(place as Element), patiently)
-    .toBe(true);
+  await eventually(() => places().length === 1 && !places().includes(place as Element)).toBe(true);
   // On a busy machine its button may be made anew between focus and key: then it is pressed again.
   const pressed = async (): Promise<string | null | undefined> => {
     if (places()[0]?.textContent === "▶") await press();
     return places()[0]?.textContent;
   };
-  await expect
-    .poll(pressed, { ...patiently, interval: 1000 })
-    .toMatch(/^bad\.wav cannot be played;/);
+  await eventually(pressed).toMatch(/^bad\.wav cannot be played;/);
   await element.goTo(3);
-  await expect.poll(() => places().length, patiently).toBe(0);
+  await eventually(() => places().length).toBe(0);
   element.remove();
 });

@@ -6,6 +6,7 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cdp, userEvent } from "vitest/browser";
 import type { TurnleafBook } from "../element.ts";
+import { eventually } from "../for_tests/clock.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 import { tinyPdf } from "../sources/tiny_pdf.ts";
 
@@ -46,7 +47,7 @@ beforeEach(async () => {
   element.pages = pdf();
   await loaded;
   await settled(element);
-  await expect.poll(() => spans().length, { timeout: 20_000 }).toBeGreaterThan(5);
+  await eventually(() => spans().length).toBeGreaterThan(5);
 });
 
 afterEach(() => {
@@ -84,7 +85,7 @@ async function awayAndBack(move: () => unknown): Promise<void> {
   const observer = new MutationObserver(() => states.push(layer.hasAttribute("hidden")));
   observer.observe(layer, { attributeFilter: ["hidden"] });
   await move();
-  await expect.poll(() => states.at(-1), { timeout: 30_000 }).toBe(false);
+  await eventually(() => states.at(-1)).toBe(false);
   expect(states).toContain(true);
   observer.disconnect();
   await settled(element);
@@ -152,16 +153,17 @@ test("a drag with the mouse selects, and what is copied has words and lines", as
   document.addEventListener("copy", () => (copied = String(getSelection())), { once: true });
   // As a reader does: a script's own copy would need a recent press.
   await userEvent.keyboard("{Control>}c{/Control}");
-  await expect.poll(() => copied).toBe("Call me\nIshmael. Some\nyears ago");
+  await eventually(() => copied).toBe("Call me\nIshmael. Some\nyears ago");
 });
 
 test("the text is away while a leaf turns, and another lies there afterwards", async () => {
   await awayAndBack(() => element.next());
   const groups = [...root().querySelectorAll(".text [role=group]")];
   expect(groups.map(({ ariaLabel }) => ariaLabel)).toEqual(["Page iv", "Page v"]);
-  await expect
-    .poll(() => groups.map(({ textContent }) => textContent))
-    .toEqual(["Page number 4", "Page number 5"]);
+  await eventually(() => groups.map(({ textContent }) => textContent)).toEqual([
+    "Page number 4",
+    "Page number 5",
+  ]);
 });
 
 test("a link of the book turns it", async () => {
@@ -187,7 +189,7 @@ test("what is searched for is found, turned to and marked where it is printed", 
   ]);
   expect(await element.showHit(hits[1])).toBe(true);
   await settled(element);
-  await expect.poll(() => root().querySelectorAll(".mark").length, { timeout: 20_000 }).toBe(2);
+  await eventually(() => root().querySelectorAll(".mark").length).toBe(2);
   const [strong, ...others] = root().querySelectorAll(".here");
   expect(others).toEqual([]);
   const faint = root().querySelector(".mark:not(.here)") as HTMLElement;
@@ -351,9 +353,10 @@ test("scans say what they show and what stands on them, from right to left too",
   };
   await loaded;
   const groups = () => [...root().querySelectorAll<HTMLElement>(".text [role=group]")];
-  await expect
-    .poll(() => groups().map(({ textContent }) => textContent), { timeout: 20_000 })
-    .toEqual(["白鯨の話", "שלום"]);
+  await eventually(() => groups().map(({ textContent }) => textContent)).toEqual([
+    "白鯨の話",
+    "שלום",
+  ]);
   const [first, second] = groups();
   expect([first.ariaLabel, second.ariaLabel]).toEqual(["Page p2", "Page p3"]);
   expect((root().querySelector(".text") as HTMLElement).lang).toBe("ja");
@@ -399,7 +402,7 @@ test("what is written in a form stays, and is printed on the leaf", async () => 
   const fields = <T extends Element>(selector: string): T[] => [
     ...root().querySelectorAll<T>(selector),
   ];
-  await expect.poll(() => fields(".field").length, { timeout: 20_000 }).toBe(6);
+  await eventually(() => fields(".field").length).toBe(6);
   await settled(element);
   const [name] = fields<HTMLInputElement>("input[aria-label='Your name']");
   expect(fields<HTMLSelectElement>("select").map(({ value }) => value)).toEqual([
@@ -419,18 +422,11 @@ test("what is written in a form stays, and is printed on the leaf", async () => 
   expect(fields<HTMLInputElement>("[type=checkbox]")[1].checked).toBe(true);
   await settled(element);
   name.style.visibility = "hidden";
-  await expect
-    .poll(async () => (await inkIn(box)).width, { timeout: 20_000, interval: 500 })
-    .toBeGreaterThan(box.width / 3);
+  await eventually(async () => (await inkIn(box)).width).toBeGreaterThan(box.width / 3);
   await element.goTo(4);
-  await expect.poll(() => fields(".field").length, { timeout: 20_000 }).toBe(3);
+  await eventually(() => fields(".field").length).toBe(3);
   await element.goTo(2);
-  await expect
-    .poll(
-      () => fields<HTMLInputElement>("input[aria-label='Your name']").map(({ value }) => value),
-      {
-        timeout: 20_000,
-      },
-    )
-    .toEqual(["MMMMMMMM", "MMMMMMMM"]);
+  await eventually(() =>
+    fields<HTMLInputElement>("input[aria-label='Your name']").map(({ value }) => value),
+  ).toEqual(["MMMMMMMM", "MMMMMMMM"]);
 });

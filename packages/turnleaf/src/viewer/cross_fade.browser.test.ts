@@ -6,8 +6,8 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import type { TurnDetail } from "../element/events.ts";
 import type { TurnleafBook } from "../element.ts";
+import { clock } from "../for_tests/clock.ts";
 import { book, happens, settled } from "../for_tests/element_books.ts";
-import { TestClock } from "../for_tests/test_clock.ts";
 
 const realMedia = globalThis.matchMedia;
 const realContext = HTMLCanvasElement.prototype.getContext;
@@ -75,7 +75,7 @@ describe.each([
       });
     }
     const mixed: { red: number; blue: number }[] = [];
-    const clock = new TestClock();
+    clock.hold();
     const turned = element.next().then((landed) => heard.push(`landed ${landed}`));
     expect(heard).toEqual(["turnstart 2 4 forward"]);
     expect(element.page).toBe(4);

@@ -1,6 +1,7 @@
 /** Where pages are visible, measured on the canvas in real Chromium. */
 
 import { afterEach, expect, test } from "vitest";
+import { eventually } from "../for_tests/clock.ts";
 import { brightness, opened, settledViewer } from "../for_tests/viewer_books.ts";
 import { openSource } from "../sources/open.ts";
 
@@ -81,21 +82,21 @@ test("listeners are called once for another view and for leaving it, and not for
   let calls = 0;
   const stop = viewer.onViewChange(() => calls++);
   viewer.invalidate();
-  await expect.poll(() => viewer.settled, { timeout: 20_000 }).toBe(true);
+  await eventually(() => viewer.settled).toBe(true);
   expect(calls).toBe(0);
   viewer.resize(360, 300, 1);
-  await expect.poll(() => calls, { timeout: 20_000 }).toBe(1);
+  await eventually(() => calls).toBe(1);
   expect(viewer.project(6, 0, 0)).not.toBeNull();
   const turned = viewer.turning.turn(1);
   viewer.invalidate();
   expect(viewer.project(6, 0, 0)).toBeNull();
-  await expect.poll(() => calls, { timeout: 20_000 }).toBeGreaterThan(1);
+  await eventually(() => calls).toBeGreaterThan(1);
   await turned;
-  await expect.poll(() => calls, { timeout: 20_000 }).toBe(3);
+  await eventually(() => calls).toBe(3);
   expect(viewer.project(8, 0, 0)).not.toBeNull();
   stop();
   viewer.resize(400, 300, 1);
-  await expect.poll(() => viewer.settled, { timeout: 20_000 }).toBe(true);
+  await eventually(() => viewer.settled).toBe(true);
   expect(calls).toBe(3);
 });
 

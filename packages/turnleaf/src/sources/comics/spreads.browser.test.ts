@@ -1,6 +1,7 @@
 import { strToU8, type Zippable, zipSync } from "fflate";
 import { afterEach, expect, test } from "vitest";
 import "../../index.ts";
+import { eventually } from "../../for_tests/clock.ts";
 import { book, happens } from "../../for_tests/element_books.ts";
 
 afterEach(() => document.body.replaceChildren());
@@ -28,11 +29,11 @@ test("a wide scan lies across the spread, and is split where one page is shown",
   // With the offset of 0 it may not: page 3 stays alone.
   element.offset = 0;
   await element.goTo(3);
-  await expect.poll(() => element.spread).toEqual({ left: 3, right: null });
+  await eventually(() => element.spread).toEqual({ left: 3, right: null });
   await element.next();
   expect(element.spread).toEqual({ left: 4, right: 5 });
   element.layout = "single";
-  await expect.poll(() => element.shownLayout).toBe("single");
+  await eventually(() => element.shownLayout).toBe("single");
   await element.next();
   expect(element.page).toBe(5);
 });

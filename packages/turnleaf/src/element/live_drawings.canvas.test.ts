@@ -3,6 +3,7 @@
 import { afterEach, beforeEach, expect, test } from "vitest";
 import "../index.ts";
 import type { TurnleafBook } from "../element.ts";
+import { clock } from "../for_tests/clock.ts";
 import { book, happens, keepWhatIsDrawn, settled } from "../for_tests/element_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 
@@ -29,25 +30,21 @@ async function openBook(markup: readonly string[]): Promise<[TurnleafBook, HTMLE
   await happens(element, "load");
   await element.goTo(2, { motion: false });
   await settled(element);
-  await eventually(() => root(element).querySelector(".drawings") !== null);
+  await clock.until(() => root(element).querySelector(".drawings") !== null);
   return [element, pages];
 }
-
-/** Waits until something is true, however slow the machine is. */
-const eventually = (isTrue: () => boolean): Promise<void> =>
-  expect.poll(isTrue, { timeout: 20_000, interval: 20 }).toBe(true);
 
 /** Takes the leaf on the right and holds it in the air. Returns what lets it go. */
 async function holdLeaf(element: TurnleafBook): Promise<() => Promise<void>> {
   const pointer = new TestPointer(element);
   pointer.point("pointerdown", 240, 110);
   await pointer.move([240, 110], [150, 90]);
-  await eventually(() => element.state === "dragged");
-  await eventually(() => drawings(element).length === 4);
+  await clock.until(() => element.state === "dragged");
+  await clock.until(() => drawings(element).length === 4);
   return async () => {
     pointer.point("pointerup", 150, 90);
     await settled(element);
-    await eventually(() => drawings(element).length === 0);
+    await clock.until(() => drawings(element).length === 0);
   };
 }
 
@@ -80,9 +77,9 @@ test("a page that changes in the air is seen to change", async () => {
   const letGo = await holdLeaf(element);
   expect(colored(element, 0)).toBeLessThan(0.01);
   pages[3].style.background = "#f00";
-  await eventually(() => colored(element, 0) > 0.02);
+  await clock.until(() => colored(element, 0) > 0.02);
   pages[3].style.background = "#00f";
-  await eventually(() => colored(element, 2) > 0.02);
+  await clock.until(() => colored(element, 2) > 0.02);
   expect(colored(element, 0)).toBeLessThan(0.01);
   expect(element.state).toBe("dragged");
   await letGo();
@@ -117,8 +114,8 @@ test("what moves by CSS, on a canvas or in a film moves in the air", async () =>
   const letGo = await holdLeaf(element);
   for (const color of [0, 1, 2]) {
     for (let twice = 0; twice < 2; twice++) {
-      await eventually(() => colored(element, color) > 0.02);
-      await eventually(() => colored(element, color) < 0.01);
+      await clock.until(() => colored(element, color) > 0.02);
+      await clock.until(() => colored(element, color) < 0.01);
     }
   }
   clearInterval(painting);
