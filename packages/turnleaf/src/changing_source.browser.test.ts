@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { eventually } from "./for_tests/clock.ts";
 import { book, happens, scan, settled } from "./for_tests/element_books.ts";
+import { eventually } from "./for_tests/eventually.ts";
 import { openSource } from "./sources/open.ts";
 import type { NewIndex, PageSource } from "./sources/page_source.ts";
 

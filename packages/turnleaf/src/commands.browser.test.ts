@@ -3,8 +3,9 @@
 import { afterEach, expect, test } from "vitest";
 import type { TurnDetail } from "./element/events.ts";
 import type { TurnleafBook } from "./element.ts";
-import { eventually } from "./for_tests/clock.ts";
+import { clock } from "./for_tests/clock.ts";
 import { book, happens, scan, scans, settled } from "./for_tests/element_books.ts";
+import { eventually } from "./for_tests/eventually.ts";
 import { DrawnBook } from "./webgl/drawn_book.ts";
 
 const pose = DrawnBook.prototype.pose;
@@ -227,7 +228,7 @@ test("pages go before src, whichever is set first, and null gives src its place"
   const loads = heard(element, "load");
   element.src = scan(2);
   await settled(element);
-  await new Promise((resolve) => setTimeout(resolve, 100));
+  await clock.pass(100);
   expect([element.pageCount, loads.length]).toEqual([7, 0]);
   element.pages = null;
   expect(await happens(element, "load")).toMatchObject({ pageCount: 1 });

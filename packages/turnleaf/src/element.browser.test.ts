@@ -3,8 +3,9 @@
 import { afterEach, expect, test } from "vitest";
 import type { TurnDetail } from "./element/events.ts";
 import type { TurnleafBook } from "./element.ts";
-import { eventually } from "./for_tests/clock.ts";
+import { clock } from "./for_tests/clock.ts";
 import { book, happens, scan, scans, settled } from "./for_tests/element_books.ts";
+import { eventually } from "./for_tests/eventually.ts";
 import { drawsInSoftware } from "./webgl/software_gl.ts";
 
 const message = (element: TurnleafBook) =>
@@ -87,13 +88,13 @@ test("nothing runs at rest, and nothing after removal", async () => {
     return real(call);
   };
   try {
-    await new Promise((resolve) => setTimeout(resolve, 600));
+    await clock.pass(600);
     expect(frames).toBe(0);
     void element.next();
     await eventually(() => frames).toBeGreaterThan(0);
     element.remove();
     frames = 0;
-    await new Promise((resolve) => setTimeout(resolve, 600));
+    await clock.pass(600);
     expect(frames).toBe(0);
   } finally {
     globalThis.requestAnimationFrame = real;
@@ -161,7 +162,7 @@ test("the context of the graphics card is lost and comes back", async () => {
     canvas.addEventListener("webglcontextrestored", resolve, { once: true }),
   );
   lose?.loseContext();
-  await new Promise((resolve) => setTimeout(resolve, 100));
+  await clock.pass(100);
   lose?.restoreContext();
   await restored;
   await settled(element);
@@ -227,7 +228,7 @@ test("a listener may take the book away", async () => {
     element.addEventListener(name, () => element.remove());
     void element.next();
     await element.next();
-    await new Promise((resolve) => setTimeout(resolve, 100));
+    await clock.pass(100);
   }
   removeEventListener("error", heard);
   expect(errors).toEqual([]);
@@ -241,7 +242,7 @@ test("a book that was replaced while it opened leaves the other alone", async ()
     asked = true;
     const slow = new Blob();
     slow.arrayBuffer = async () => {
-      await new Promise((resolve) => setTimeout(resolve, 400));
+      await clock.pass(400);
       done = true;
       return await new Response((await (await fetch(scan(1))).blob()) as Blob).arrayBuffer();
     };
@@ -253,7 +254,7 @@ test("a book that was replaced while it opened leaves the other alone", async ()
   await happens(element, "load");
   const canvas = element.shadowRoot?.querySelector("canvas");
   await eventually(() => done).toBe(true);
-  await new Promise((resolve) => setTimeout(resolve, 100));
+  await clock.pass(100);
   expect(element.shadowRoot?.querySelectorAll("canvas").length).toBe(1);
   expect(element.shadowRoot?.querySelector("canvas")).toBe(canvas);
   expect(element.pageCount).toBe(6);
@@ -369,7 +370,7 @@ test("a leaf whose pointer is lost falls", async () => {
   expect(canvas.style.cursor).toBe("grab");
   point("pointerdown", x);
   point("pointermove", x - 20);
-  await new Promise((resolve) => setTimeout(resolve, 300));
+  await clock.pass(300);
   expect(element.settled).toBe(false);
   point("lostpointercapture", x - 20);
   await settled(element);
@@ -414,7 +415,7 @@ test("another screen's pixels, and room that comes late", async () => {
     const element = book(scans(4));
     element.style.display = "none";
     await happens(element, "load");
-    await new Promise((resolve) => setTimeout(resolve, 100));
+    await clock.pass(100);
     expect(element.settled).toBe(false);
     element.style.display = "";
     await settled(element);

@@ -1,7 +1,8 @@
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
-import { eventually } from "./for_tests/clock.ts";
+import { clock } from "./for_tests/clock.ts";
 import { book, happens, scans, settled } from "./for_tests/element_books.ts";
+import { eventually } from "./for_tests/eventually.ts";
 import { TestPointer } from "./for_tests/test_pointer.ts";
 import { type TurnModelName, turnModels } from "./leaf_models/model_choice.ts";
 
@@ -62,7 +63,7 @@ test.for(modelNames)(
       frames++;
       return requestAnimationFrame(call);
     };
-    await new Promise((resolve) => setTimeout(resolve, 200));
+    await clock.pass(200);
     window.requestAnimationFrame = requestAnimationFrame;
     expect(frames).toBe(0);
   },

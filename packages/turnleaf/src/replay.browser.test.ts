@@ -1,7 +1,7 @@
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "./element.ts";
-import { eventually } from "./for_tests/clock.ts";
 import { book, happens, scans } from "./for_tests/element_books.ts";
+import { eventually } from "./for_tests/eventually.ts";
 import { TurnRecorder } from "./key_frames/key_frames.ts";
 import { turnModels } from "./leaf_models/model_choice.ts";
 

@@ -2,7 +2,8 @@
 
 import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
 import type { TurnDetail } from "../element/events.ts";
-import { eventually } from "../for_tests/clock.ts";
+import { clock } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 
 const real = HTMLCanvasElement.prototype.getContext;
@@ -106,7 +107,7 @@ test("a leaf is peeled from a corner, an edge or the foot, and falls to the side
     await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
     expect(element.turning).toBe(true);
     // A pointer that rests before it releases throws nothing.
-    await new Promise((resolve) => setTimeout(resolve, 150));
+    await clock.pass(150);
     point(element, "pointerup", toX, toY);
     await changed;
     await settled(element);
@@ -159,7 +160,7 @@ test("nothing runs at rest, and a removed book is gone", async () => {
   try {
     const quiet = async () => {
       const before = frames;
-      await new Promise((resolve) => setTimeout(resolve, 300));
+      await clock.pass(300);
       return frames - before;
     };
     // A page that was still being drawn when the book came to rest may request a frame of its own.
@@ -168,7 +169,7 @@ test("nothing runs at rest, and a removed book is gone", async () => {
     void element.next();
     expect(frames).toBe(1);
     element.remove();
-    await new Promise((resolve) => setTimeout(resolve, 200));
+    await clock.pass(200);
     expect(frames).toBe(1);
   } finally {
     globalThis.requestAnimationFrame = request;
@@ -192,7 +193,7 @@ test("the frame in which a leaf lands is the last one", async () => {
     });
   try {
     await element.next();
-    await new Promise((resolve) => setTimeout(resolve, 300));
+    await clock.pass(300);
     expect(drawn.before).toBeGreaterThan(0);
     expect(drawn.after).toBe(0);
   } finally {

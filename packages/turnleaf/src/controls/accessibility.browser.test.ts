@@ -2,7 +2,7 @@
 
 import axe from "axe-core";
 import { afterEach, expect, test } from "vitest";
-import { eventually } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { addFakeBook } from "../for_tests/fake_book.ts";
 
 afterEach(() => document.body.replaceChildren());

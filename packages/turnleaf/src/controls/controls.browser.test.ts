@@ -5,7 +5,7 @@
 
 import { afterEach, expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
-import { eventually } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { addFakeBook } from "../for_tests/fake_book.ts";
 import { addLanguage } from "../words/languages.ts";
 import { askPassword } from "./password_dialog.ts";

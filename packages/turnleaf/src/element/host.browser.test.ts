@@ -3,7 +3,7 @@
 import { afterEach, expect, test, vi } from "vitest";
 import { userEvent } from "vitest/browser";
 import type { TurnleafBook } from "../element.ts";
-import { eventually } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 
 vi.setConfig({ testTimeout: 120_000 });

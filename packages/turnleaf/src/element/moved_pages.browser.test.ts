@@ -151,7 +151,7 @@ test("pages that are inserted into a leaf while it is torn out stay in the book"
     element.insertPages(1, [{ src: scan(99), label: "first" }]),
   ];
   // Until they wait for the book's rest.
-  await new Promise((resolve) => setTimeout(resolve, 1000));
+  await clock.pass(1000);
   expect(element.pageCount).toBe(12);
   await clock.until(() => element.tornLeaves === 1);
   expect(await torn).toBe(true);

@@ -1,7 +1,7 @@
 /** The element reading an EPUB aloud, by its method and by the button of its controls. */
 
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { eventually } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { book, happens } from "../for_tests/element_books.ts";
 import { prose, tinyEpub } from "../sources/epub/tiny_epub.ts";
 

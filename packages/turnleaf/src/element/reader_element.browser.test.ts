@@ -4,7 +4,7 @@
  */
 
 import { afterEach, beforeEach, expect, test } from "vitest";
-import { eventually } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 
 beforeEach(() => {

@@ -1,7 +1,7 @@
 /** One book after another in one element: what is shown stays until the next one can be. */
 
 import { expect, test } from "vitest";
-import { eventually } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 
 /** A file that is no book. */

@@ -1,6 +1,7 @@
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "../element.ts";
-import { eventually } from "../for_tests/clock.ts";
+import { clock } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, settled } from "../for_tests/element_books.ts";
 import { prose, type TinyEpub, tinyEpub } from "../sources/epub/tiny_epub.ts";
 
@@ -59,7 +60,7 @@ test("each chapter is scrolled by itself; the open page follows, and a command s
   await eventually(() => wordsInSight(element)).toMatch(/word\d+x\d+/);
   // The last page cannot lie at the head of the window.
   expect(await element.goTo(count)).toBe(true);
-  await new Promise((resolve) => setTimeout(resolve, 500));
+  await clock.pass(500);
   expect(element.page).toBe(count);
   expect(await element.next()).toBe(true);
   await eventually(() => [roll.scrollTop, element.page]).toEqual([0, count + 1]);

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { eventually } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { book, happens } from "../for_tests/element_books.ts";
 import { prose, tinyEpub } from "../sources/epub/tiny_epub.ts";
 

@@ -1,17 +1,17 @@
 /**
- * The clock of the browser tests. It takes the window's animation frames and times over for a whole
- * file: a frame comes a sixtieth of a second after the one before, however busy the machine is, and as
- * soon as the browser has had a task between them, so that a turn of a second takes as long as its work.
+ * The clock of the browser tests. It takes the window's animation frames, timers and times over for as
+ * long as the page lives. A frame comes a sixtieth of a second after the one before, however busy the
+ * machine is, and as soon as the browser has had a task between them: a turn of a second takes as long as
+ * its work does. A timer ends once the frames have taken its time, and in any case once that is over on
+ * the machine's clock, so that what waits for the network or a worker is not given up early.
  */
-
-import { expect } from "vitest";
 
 /** Time between two frames, milliseconds. */
 const frameTime = 1000 / 60;
 
 /**
- * The real time, milliseconds, after which what is waited for is given up: less than the time that a
- * test may take, so that it says what it waited for.
+ * The real time, milliseconds, after which what is waited for is given up: less than a test may take, so
+ * that it says what it waited for.
  */
 const patience = 50_000;
 
@@ -19,12 +19,22 @@ const patience = 50_000;
 const idleTime = 4;
 
 const realTime = performance.now.bind(performance);
-const realTimeout = setTimeout.bind(globalThis);
+const realTimeout = globalThis.setTimeout.bind(globalThis);
+const endRealTimeout = globalThis.clearTimeout.bind(globalThis);
+
+/** A timer that has not ended. */
+interface Timer {
+  readonly due: number;
+  readonly call: () => void;
+}
 
 const requests = new Map<number, FrameRequestCallback>();
+const timers = new Map<number, Timer>();
 const tasks = new MessageChannel();
 const waiting: (() => void)[] = [];
-let count = 0;
+let now = realTime();
+let isInstalled = false;
+let lastRequest = 0;
 let drawn = 0;
 let isHeld = false;
 let hasTask = false;
@@ -46,18 +56,26 @@ function schedule(): void {
 }
 
 function frame(): void {
-  clock.now += frameTime;
-  drawn++;
+  now += frameTime;
+  for (const [id, { due, call }] of [...timers]) {
+    if (due > now || !timers.delete(id)) continue;
+    endRealTimeout(id);
+    attempt(call);
+  }
   const calls = [...requests.values()];
   requests.clear();
-  for (const call of calls) {
-    try {
-      call(clock.now);
-    } catch (error) {
-      reportError(error);
-    }
-  }
+  if (calls.length > 0) drawn++;
+  for (const call of calls) attempt(() => call(now));
   schedule();
+}
+
+/** Calls a listener as the browser does: what one throws keeps no other from being called. */
+function attempt(call: () => void): void {
+  try {
+    call();
+  } catch (error) {
+    reportError(error);
+  }
 }
 
 /** Lets the browser do what it has to do: pictures and promises arrive as they would. */
@@ -72,85 +90,22 @@ function task(): Promise<void> {
   });
 }
 
-/** The window's animation frames and times. */
-export const clock = {
-  /** The current time, milliseconds. */
-  now: realTime() as number,
-
-  /** Whether a frame has been requested. */
-  get isAsked(): boolean {
-    return requests.size > 0;
-  },
-
-  /** How many frames have been drawn. */
-  get drawn(): number {
-    return drawn;
-  },
-
-  /** Has frames drawn from now on only when `frames`, `until` or `eventually` ask for them. */
-  hold(): void {
-    isHeld = true;
-  },
-
-  /** Has frames drawn whenever they are requested. */
-  run(): void {
-    isHeld = false;
+/** Has no frames drawn but those of `work`. */
+async function whileHeld(work: () => Promise<void>): Promise<void> {
+  const wasHeld = isHeld;
+  isHeld = true;
+  try {
+    await work();
+  } finally {
+    isHeld = wasHeld;
     schedule();
-  },
-
-  /** Draws some frames at once, and calls `look` after each of them. */
-  frames(count: number, look: () => void = () => undefined): void {
-    for (let k = 0; k < count; k++) {
-      frame();
-      look();
-    }
-  },
-
-  /** Lets milliseconds pass, with the frames that are requested meanwhile and a task after each. */
-  async pass(milliseconds: number): Promise<void> {
-    const end = clock.now + milliseconds;
-    while (clock.now < end) {
-      frame();
-      await task();
-    }
-  },
-
-  /**
-   * Draws frames until a condition holds, with a task of the browser between them. While no frame is
-   * requested, no time passes.
-   */
-  async until(condition: () => boolean): Promise<void> {
-    await stepUntil(() => {
-      if (!condition()) throw new Error(`Waited in vain for ${condition}`);
-    });
-  },
-};
-
-/**
- * Asserts what will be: `await eventually(() => book.page).toBe(3)`. Takes what `expect` takes, and
- * draws frames until that holds.
- */
-export function eventually<T>(get: () => T): ReturnType<typeof expect.poll<T>> {
-  const along = (path: readonly string[]): unknown =>
-    new Proxy(() => undefined, {
-      get: (_, name: string) => along([...path, name]),
-      apply: (_, __, expected: readonly unknown[]) =>
-        stepUntil(async () => {
-          const assertion = path
-            .slice(0, -1)
-            .reduce((at, name) => Reflect.get(at, name), expect(await get()) as object);
-          return Reflect.get(assertion, path.at(-1) as string).apply(assertion, expected);
-        }),
-    });
-  return along([]) as ReturnType<typeof expect.poll<T>>;
+  }
 }
 
 /** Draws frames until `check` throws no more. Rejects with what it throws once it has done so for too long. */
-async function stepUntil(check: () => unknown): Promise<void> {
-  const wasHeld = isHeld;
+function stepUntil(check: () => unknown): Promise<void> {
   const start = realTime();
-  isHeld = true;
-  try {
+  return whileHeld(async () => {
     for (;;) {
       try {
         await check();
@@ -161,22 +116,102 @@ async function stepUntil(check: () => unknown): Promise<void> {
       if (requests.size > 0) frame();
       await task();
     }
-  } finally {
-    isHeld = wasHeld;
-    schedule();
-  }
+  });
 }
 
-/** Takes the window's animation frames and times over, for as long as the page lives. */
-export function installClock(): void {
-  window.requestAnimationFrame = (call) => {
-    requests.set(++count, call);
+/** What tests ask of the clock. */
+interface TestClock {
+  /** The current time, milliseconds. */
+  readonly now: number;
+  /** Whether a frame has been requested. */
+  readonly isAsked: boolean;
+  /** How many of the frames that were requested have been drawn. */
+  readonly drawn: number;
+  /** Has frames drawn from now on only when the calls below ask for them. */
+  hold(): void;
+  /** Has frames drawn whenever they are requested. */
+  run(): void;
+  /** Draws some frames at once, and calls `look` after each of them. */
+  frames(count: number, look?: () => void): void;
+  /** Lets milliseconds pass, with the frames that are requested meanwhile and a task after each. */
+  pass(milliseconds: number): Promise<void>;
+  /** Resolves once the browser has had a task: what was resolved before has been heard. */
+  task(): Promise<void>;
+  /**
+   * Draws frames until a condition holds, with a task of the browser between them. While no frame is
+   * requested, no time passes.
+   */
+  until(condition: () => boolean): Promise<void>;
+  /** Draws frames, likewise, until `check` throws no more. Rejects with what it throws to the end. */
+  untilPasses(check: () => unknown): Promise<void>;
+}
+
+/** The window's animation frames, timers and times; before it is installed, those of the machine. */
+export const clock: TestClock = {
+  get now() {
+    return isInstalled ? now : realTime();
+  },
+  get isAsked() {
+    return requests.size > 0;
+  },
+  get drawn() {
+    return drawn;
+  },
+  hold() {
+    isHeld = true;
+  },
+  run() {
+    isHeld = false;
     schedule();
-    return count;
+  },
+  frames(count, look = () => undefined) {
+    for (let k = 0; k < count; k++) {
+      frame();
+      look();
+    }
+  },
+  pass(milliseconds) {
+    if (!isInstalled) return new Promise((resolve) => realTimeout(resolve, milliseconds));
+    const end = now + milliseconds;
+    return whileHeld(async () => {
+      while (now < end) {
+        frame();
+        await task();
+      }
+    });
+  },
+  task,
+  until: (condition) =>
+    stepUntil(() => {
+      if (!condition()) throw new Error(`Waited in vain for ${condition}`);
+    }),
+  untilPasses: stepUntil,
+};
+
+/** Takes the window's animation frames, timers and times over. */
+export function installClock(): void {
+  isInstalled = true;
+  window.requestAnimationFrame = (call) => {
+    requests.set(++lastRequest, call);
+    schedule();
+    return lastRequest;
   };
   window.cancelAnimationFrame = (request) => {
     requests.delete(request);
   };
-  performance.now = () => clock.now;
-  Object.defineProperty(Event.prototype, "timeStamp", { get: () => clock.now, configurable: true });
+  window.setTimeout = ((call: TimerHandler, milliseconds = 0, ...args: unknown[]) => {
+    const end = (): void => {
+      timers.delete(id);
+      if (typeof call === "function") call(...args);
+    };
+    const id = realTimeout(end, milliseconds);
+    if (milliseconds > 0) timers.set(id, { due: now + milliseconds, call: end });
+    return id;
+  }) as typeof setTimeout;
+  window.clearTimeout = (id) => {
+    timers.delete(Number(id));
+    endRealTimeout(id);
+  };
+  performance.now = () => now;
+  Object.defineProperty(Event.prototype, "timeStamp", { get: () => now, configurable: true });
 }

@@ -4,6 +4,7 @@ import type { ControlledBook, FoundPlace } from "../controls/book.ts";
 import { addControls } from "../controls/controls.ts";
 import { addStyle, style } from "../element/shadow_tree.ts";
 import type { BookDetail, OutlineEntry } from "../sources/page_source.ts";
+import { clock } from "./clock.ts";
 
 /** As the element, without a page to draw. */
 export class FakeBook extends HTMLElement implements ControlledBook {
@@ -95,7 +96,7 @@ export class FakeBook extends HTMLElement implements ControlledBook {
 
   async drawPage(_page: number, width: number, signal?: AbortSignal): Promise<HTMLCanvasElement> {
     this.mostDrawing = Math.max(++this.drawing, this.mostDrawing);
-    await new Promise((resolve) => setTimeout(resolve));
+    await clock.task();
     this.drawing--;
     signal?.throwIfAborted();
     this.drawn++;

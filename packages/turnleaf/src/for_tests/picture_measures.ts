@@ -2,6 +2,7 @@
 
 import type { TurnleafBook } from "../element.ts";
 import type { PagePicture } from "../sources/page_source.ts";
+import { clock } from "./clock.ts";
 
 /** A page of fewer lines is a picture's or nearly empty, and one whose lines are shorter is too small to tell, CSS pixels. */
 const leastLines = 8;
@@ -69,7 +70,7 @@ export async function textBoxes(
     };
     // A page of few lines has no more later either.
     for (let k = 0; k < 20 && spans().length < leastLines; k++) {
-      await new Promise((resolve) => setTimeout(resolve, 20));
+      await clock.pass(20);
     }
     const seen = spans().map((span) => span.getBoundingClientRect());
     if (seen.length < leastLines) continue;

@@ -5,6 +5,7 @@
 
 import type { TurnleafBook } from "../element.ts";
 import { turnModels } from "../leaf_models/model_choice.ts";
+import { clock } from "./clock.ts";
 import { differences, foldOperations } from "./fold_operations.ts";
 import { type Content, HuePages, hueCount } from "./hue_pages.ts";
 import { contrastIn, hues, partOf, textBoxes } from "./picture_measures.ts";
@@ -52,9 +53,6 @@ const leastHue = 0.01;
  */
 const leastPrint = 1.5;
 
-/** Longest that anything asked of a book may take, milliseconds. */
-const patience = 30_000;
-
 /** Resolves once the element's own observer has reported its size, too: it was made earlier. */
 const observed = (element: Element): Promise<void> =>
   new Promise((resolve) => {
@@ -64,9 +62,6 @@ const observed = (element: Element): Promise<void> =>
     });
     observer.observe(element);
   });
-
-const wait = (milliseconds: number): Promise<void> =>
-  new Promise((resolve) => setTimeout(resolve, milliseconds));
 
 /** Numbers from 0 to 1, the same for the same seed. */
 export function randomNumbers(seed: number): () => number {
@@ -138,7 +133,7 @@ export class RandomOperations {
     this.recent.push(name);
     if (this.recent.length > 8) this.recent.shift();
     await this.#inTime(name, group[name]());
-    if (this.#random() < 0.3) await wait(40 * this.#random());
+    if (this.#random() < 0.3) await clock.pass(40 * this.#random());
   }
 
   /** Brings the book to rest. Returns a sentence for each page in sight that does not show what it should. */
@@ -168,7 +163,7 @@ export class RandomOperations {
         () => element.settled && !element.turning,
         () => "the book does not come to rest",
       );
-      await wait(5);
+      await clock.pass(5);
       const { left, right } = element.spread;
       // What is folded over hides pages.
       open = this.#hasFoldInSight ? [] : [left, right].filter((page) => page !== null);
@@ -245,7 +240,7 @@ export class RandomOperations {
       pan: () => element().zoomTo(3, { x: this.#whole(0, width), y: this.#whole(0, height) }),
       nothing: async () => {
         element().style.width = element().style.height = this.#among(["0px", "1px", "3px"]);
-        await wait(30 * this.#random());
+        await clock.pass(30 * this.#random());
         element().style.cssText = size;
       },
       narrow: () => {
@@ -253,7 +248,7 @@ export class RandomOperations {
       },
       hide: async () => {
         element().style.display = "none";
-        await wait(30 * this.#random());
+        await clock.pass(30 * this.#random());
         element().style.display = "";
       },
     };
@@ -300,7 +295,7 @@ export class RandomOperations {
       away: async () => {
         const loaded = this.#loaded();
         element().remove();
-        if (this.#random() < 0.5) await wait(20 * this.#random());
+        if (this.#random() < 0.5) await clock.pass(20 * this.#random());
         document.body.append(element());
         await loaded;
         this.#pages = [...this.#given];
@@ -436,9 +431,9 @@ export class RandomOperations {
     const context = canvas?.getContext("webgl2")?.getExtension("WEBGL_lose_context");
     if (!context) return;
     context.loseContext();
-    await wait(30 * this.#random());
+    await clock.pass(30 * this.#random());
     if (this.#random() < 0.95) context.restoreContext();
-    else await wait(4500);
+    else await clock.pass(4500);
   }
 
   #pointer(): TestPointer | null {
@@ -463,19 +458,23 @@ export class RandomOperations {
   }
 
   async #inTime(name: string, work: unknown): Promise<void> {
-    let timer: ReturnType<typeof setTimeout> | undefined;
-    const late = new Promise((_, reject) => {
-      timer = setTimeout(() => reject(new Error(`${name} never ends: ${this.state}`)), patience);
+    let hasEnded = false;
+    const ended = Promise.resolve(work).finally(() => {
+      hasEnded = true;
     });
-    await Promise.race([work, late]).finally(() => clearTimeout(timer));
+    // Handled below, at the latest once the operation has ended.
+    ended.catch(() => {});
+    await this.#until(
+      () => hasEnded,
+      () => `${name} never ends`,
+    );
+    await ended;
   }
 
   async #until(isSo: () => boolean, sentence: () => string): Promise<void> {
-    const start = performance.now();
-    while (!isSo()) {
-      if (performance.now() - start > patience) throw new Error(`${sentence()}: ${this.state}`);
-      await wait(5);
-    }
+    await clock.until(isSo).catch(() => {
+      throw new Error(`${sentence()}: ${this.state}`);
+    });
   }
 
   #whole(least: number, most: number): number {

@@ -1,6 +1,7 @@
 /** Simulated pointers, for tests in a browser. */
 
 import type { TurnleafBook } from "../element.ts";
+import { clock } from "./clock.ts";
 
 /**
  * Dispatches pointer and keyboard events to one book: places in CSS pixels from
@@ -10,7 +11,7 @@ export class TestPointer {
   readonly element: TurnleafBook;
   readonly canvas: HTMLCanvasElement;
   readonly stage: HTMLElement;
-  /** How far the times of its events are ahead of the machine's, milliseconds. */
+  /** How far the times of its events are ahead of the clock's, milliseconds. */
   #ahead = 0;
 
   constructor(element: TurnleafBook) {
@@ -63,7 +64,7 @@ export class TestPointer {
       const fraction = k / 6;
       const [x, y] = [0, 1].map((i) => from[i] + (to[i] - from[i]) * fraction);
       this.point("pointermove", x, y, more);
-      await new Promise((resolve) => setTimeout(resolve, 8));
+      await clock.pass(8);
     }
   }
 
@@ -90,7 +91,7 @@ export class TestPointer {
   }
 
   #dispatch(event: Event): boolean {
-    Object.defineProperty(event, "timeStamp", { value: performance.now() + this.#ahead });
+    Object.defineProperty(event, "timeStamp", { value: clock.now + this.#ahead });
     return this.canvas.dispatchEvent(event);
   }
 

@@ -12,7 +12,8 @@ import {
 import { createRoot, hydrateRoot, type Root } from "react-dom/client";
 import { renderToString } from "react-dom/server.browser";
 import { afterEach, expect, test, vi } from "vitest";
-import { eventually } from "../for_tests/clock.ts";
+import { clock } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { scans, settled } from "../for_tests/element_books.ts";
 import type { TurnleafBook as BookElement } from "../index.ts";
 import { TurnleafBook, type TurnleafBookProps } from "./react.ts";
@@ -88,7 +89,7 @@ test("a list of pages written anew does not open the book anew, another does", a
   await eventually(() => loads).toEqual([6]);
   for (let k = 0; k < 3; k++) {
     book(6);
-    await new Promise((resolve) => setTimeout(resolve, 50));
+    await clock.pass(50);
   }
   expect(theBook().pageCount).toBe(6);
   book(4);

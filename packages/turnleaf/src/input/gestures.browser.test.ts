@@ -3,7 +3,8 @@
 import { afterEach, expect, test } from "vitest";
 import type { BookState } from "../book/turning.ts";
 import type { TurnleafBook } from "../element.ts";
-import { eventually } from "../for_tests/clock.ts";
+import { clock } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 
@@ -40,9 +41,8 @@ function cornerOf(element: TurnleafBook): [x: number, y: number] {
   return [right - 5, bottom - 5];
 }
 
-
 /** Waits for what should not come. */
-const wait = () => new Promise((done) => setTimeout(done, 80));
+const wait = () => clock.pass(80);
 
 test("without the attribute every gesture acts, and each is a state", async () => {
   const { element, pointer } = await opened({});

@@ -3,7 +3,8 @@
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnDetail } from "../element/events.ts";
 import type { TurnleafBook } from "../element.ts";
-import { clock, eventually } from "../for_tests/clock.ts";
+import { clock } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 import { DrawnBook } from "../webgl/drawn_book.ts";
@@ -54,7 +55,7 @@ function count(element: TurnleafBook, name: string): { times: number } {
 }
 
 /** Waits for what should not come. */
-const wait = () => new Promise((done) => setTimeout(done, 60));
+const wait = () => clock.pass(60);
 
 test("a drag in the middle of a page turns it, a click there does not", async () => {
   const { element, pointer } = await opened();

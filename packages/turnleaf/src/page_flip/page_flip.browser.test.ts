@@ -5,7 +5,8 @@
 
 import { PageFlip as Original } from "page-flip/dist/js/page-flip.module.js";
 import { afterEach, expect, test, vi } from "vitest";
-import { eventually } from "../for_tests/clock.ts";
+import { clock } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { scan } from "../for_tests/element_books.ts";
 import { type FlipEvents, type FlipSetting, PageFlip } from "./index.ts";
 
@@ -192,7 +193,7 @@ test("at the ends of the book nothing turns", async () => {
     const { book, log } = await opened(made);
     log.length = 0;
     book.flipPrev();
-    await new Promise((done) => setTimeout(done, 300));
+    await clock.pass(300);
     return [...log, book.getCurrentPageIndex()];
   });
 });
@@ -273,10 +274,10 @@ async function drag(host: HTMLElement, places: readonly [x: number, y: number][]
   send("down", places[0]);
   for (const place of places.slice(1)) {
     send("move", place);
-    await new Promise((done) => setTimeout(done, 60));
+    await clock.pass(60);
   }
   // A leaf comes after the pointer: it is let go where it has arrived.
-  await new Promise((done) => setTimeout(done, 1500));
+  await clock.pass(1500);
   const last = places.at(-1) as [number, number];
   send("up", last);
   const place = { clientX: box.left + last[0], clientY: box.top + last[1] };
@@ -310,7 +311,7 @@ test.each([
     const { book, host } = await opened(made, { startPage: 2, showPageCorners: false, ...options });
     await drag(host, [[at[0], at[1]]]);
     await eventually(() => book.getCurrentPageIndex()).toBe(index);
-    await new Promise((done) => setTimeout(done, 300));
+    await clock.pass(300);
     return book.getCurrentPageIndex();
   });
 });

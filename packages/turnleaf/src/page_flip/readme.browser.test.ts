@@ -2,7 +2,7 @@
 
 import readme from "page-flip/README.md?raw";
 import { afterEach, expect, test } from "vitest";
-import { eventually } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { PageFlip } from "./index.ts";
 
 afterEach(() => document.body.replaceChildren());

@@ -1,7 +1,7 @@
 /** Bitmaps fitted to the leaf: their size, and which of them are kept. */
 
 import { expect, test } from "vitest";
-import { eventually } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import type { PageBox, PagePicture, PageSource } from "../sources/page_source.ts";
 import { fitToLeaf, unfold } from "./fit.ts";
 import { PageBitmaps } from "./page_bitmaps.ts";

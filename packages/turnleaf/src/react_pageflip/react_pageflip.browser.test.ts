@@ -3,7 +3,8 @@
 import { createElement, createRef, type ReactElement, type ReactNode, StrictMode } from "react";
 import { createRoot, type Root } from "react-dom/client";
 import { afterEach, expect, test, vi } from "vitest";
-import { eventually } from "../for_tests/clock.ts";
+import { clock } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import HTMLFlipBook, { type HTMLFlipBookProps, type HTMLFlipBookRef } from "./index.ts";
 
 vi.setConfig({ testTimeout: 120_000 });
@@ -118,7 +119,7 @@ test("a first page that follows the open one makes no other book", async () => {
   show(flipBook({ ...props, startPage: 4, className: "later" }, six));
   await eventually(() => document.querySelector(".later")).not.toBeNull();
   // Effects come after what is rendered.
-  await new Promise((done) => setTimeout(done, 200));
+  await clock.pass(200);
   expect(ref.current?.pageFlip()).toBe(book);
 });
 

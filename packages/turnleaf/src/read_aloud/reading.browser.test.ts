@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
-import { eventually } from "../for_tests/clock.ts";
+import { clock } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import type { NarratedClip, Narration } from "../sources/page_source.ts";
 import { Reading } from "./reading.ts";
 
@@ -32,7 +33,7 @@ class FakeAudio extends EventTarget {
     if (this.paused) return;
     this.paused = true;
     // As the browser's own, it reports the pause a task later.
-    setTimeout(() => this.dispatchEvent(new Event("pause")));
+    void clock.task().then(() => this.dispatchEvent(new Event("pause")));
   }
 
   load(): void {
@@ -155,7 +156,7 @@ describe("reading aloud", () => {
     await isMarked(0);
     await eventually(() => known[1]).toBeDefined();
     sound.passTo(10);
-    await new Promise((resolve) => setTimeout(resolve));
+    await clock.task();
     known[1]?.();
     await isMarked(1);
     // Known a task later, it is heard without a break.
@@ -166,7 +167,7 @@ describe("reading aloud", () => {
     await isMarked(2);
     await eventually(() => sound.starts).toEqual([5, 12]);
     // What was reported of the pause meanwhile ends nothing.
-    await new Promise((resolve) => setTimeout(resolve, 20));
+    await clock.pass(20);
     expect(sound.paused).toBe(false);
     known[3]?.();
     sound.passTo(14);

@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
 import type { Stock } from "../engine/shapes.ts";
-import { eventually } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, scans } from "../for_tests/element_books.ts";
 import type { Motion } from "./motion.ts";
 import { PaperSound } from "./paper_sound.ts";

@@ -3,7 +3,7 @@
 import { strToU8, type Zippable, zipSync } from "fflate";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { commands } from "vitest/browser";
-import { eventually } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { canvas2, canvas3, manifest2, manifest3, serve } from "../for_tests/image_server.ts";
 import { clue, fuzzed, type Random, wildPieces } from "../for_tests/random_numbers.ts";
 import { rar4, rar5, sevenZip } from "../for_tests/stored_archives.ts";

@@ -6,6 +6,8 @@ import type { PagePicture, PageSource } from "./page_source.ts";
 import { PackedDataFactory } from "./pdf_runtime.ts";
 import { startingTime } from "./pdf_thread.ts";
 import { jpeg2000, type TinyPdf, tinyPdf } from "./tiny_pdf.ts";
+import { clock } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 
 const red = "1 0 0 rg 0 0 200 300 re f";
 const never = new AbortController().signal;
@@ -211,7 +213,7 @@ describe("a PDF", () => {
     const source = await openTiny({ pages: [red] });
     await source.draw(0, 20, never);
     source.close();
-    await vi.waitFor(() => expect(ended).toEqual(new Set(started)));
+    await eventually(() => ended).toEqual(new Set(started));
     expect(started.length).toBe(2);
     vi.unstubAllGlobals();
   });
@@ -321,7 +323,7 @@ describe("an unreadable PDF fails in one sentence", () => {
       });
       const endless = openSource("https://book.test/endless.pdf");
       expect(await messageOf(endless)).toBe(`endless.pdf${sentence}`);
-      await vi.waitFor(() => expect(isCancelled).toBe(true));
+      await clock.until(() => isCancelled);
     } finally {
       bounds.pdfBytes = pdfBytes;
     }
@@ -334,7 +336,7 @@ describe("an unreadable PDF fails in one sentence", () => {
     });
     const sentence = messageOf(opening);
     const waiting = () => setTimeout.mock.calls.find(([, time]) => time === startingTime);
-    await vi.waitFor(() => expect(waiting()).toBeDefined(), 20_000);
+    await eventually(waiting).toBeDefined();
     (waiting() as [() => void])[0]();
     expect(await sentence).toContain("the browser did not start the script that reads it");
   });
@@ -346,7 +348,7 @@ describe("an unreadable PDF fails in one sentence", () => {
         throw new DOMException("Forbidden", "SecurityError");
       },
     ],
-    ["later", (worker: Worker) => setTimeout(() => worker.dispatchEvent(new Event("error")))],
+    ["later", (worker: Worker) => void clock.task().then(() => worker.dispatchEvent(new Event("error")))],
   ])("in a browser that fails to start its worker %s", async (_, fail) => {
     vi.stubGlobal(
       "Worker",

@@ -1,5 +1,5 @@
 import { afterEach, expect, test, vi } from "vitest";
-import { eventually } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import type { PdfLibrary } from "./pdf_runtime.ts";
 import { PdfThread } from "./pdf_thread.ts";
 

@@ -1,6 +1,6 @@
 import { expect, test, vi } from "vitest";
 import { userEvent } from "vitest/browser";
-import { eventually } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { book, happens } from "../for_tests/element_books.ts";
 import { tinyEpub } from "../sources/epub/tiny_epub.ts";
 

@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
-import { eventually } from "../for_tests/clock.ts";
+import { clock } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { book, happens } from "../for_tests/element_books.ts";
 import { tinyEpub } from "../sources/epub/tiny_epub.ts";
 
@@ -37,7 +38,6 @@ const chapters = [
   "<p>The end.</p>",
 ];
 
-
 test("a sound is played where it stands on the page, once it is pressed, and ends as the page is turned", async () => {
   const element = book(
     tinyEpub({
@@ -70,7 +70,7 @@ test("a sound is played where it stands on the page, once it is pressed, and end
   expect([sound.controls, sound.paused, sound.muted]).toEqual([true, false, false]);
   // Other pages far from it change nothing of what is heard.
   await element.insertPages(4, new Blob(["More."], { type: "text/plain" }));
-  await new Promise((resolve) => setTimeout(resolve, 200));
+  await clock.pass(200);
   expect([player() === sound, sound.paused]).toEqual([true, false]);
   await element.goTo(2);
   await eventually(() => sound.paused).toBe(true);

@@ -1,4 +1,5 @@
 import { afterEach, expect, test, vi } from "vitest";
+import { clock } from "../../for_tests/clock.ts";
 import { hugeImages } from "../../for_tests/huge_images.ts";
 import { limits } from "../limits.ts";
 import { messageOf } from "../message_of.ts";
@@ -75,7 +76,7 @@ test.each([
   });
   expect(text).toContain("Before.");
   expect(text).toContain("After.");
-  await new Promise((resolve) => setTimeout(resolve, 50));
+  await clock.pass(50);
   expect("ran" in window).toBe(false);
 });
 
@@ -102,7 +103,7 @@ test("a book fetches nothing, whatever it names", async () => {
   ].join("\n");
   const text = await readAll({ chapters: [`<p>Before.</p>${names.join("")}`], css });
   expect(text).toContain("Before.");
-  await new Promise((resolve) => setTimeout(resolve, 100));
+  await clock.pass(100);
   expect(fetched()).toEqual([]);
   expect(fetching.mock.calls.filter(([to]) => String(to).includes("elsewhere"))).toEqual([]);
 });

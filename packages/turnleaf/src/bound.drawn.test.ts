@@ -5,8 +5,8 @@
 
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
-import { eventually } from "./for_tests/clock.ts";
 import { book, happens, keepWhatIsDrawn, settled } from "./for_tests/element_books.ts";
+import { eventually } from "./for_tests/eventually.ts";
 import { TestPointer } from "./for_tests/test_pointer.ts";
 import { openSource } from "./sources/open_source.ts";
 import type { PageSource } from "./sources/page_source.ts";

@@ -1,7 +1,7 @@
 /** Where pages are visible, measured on the canvas in real Chromium. */
 
 import { afterEach, expect, test } from "vitest";
-import { eventually } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { brightness, opened, settledViewer } from "../for_tests/viewer_books.ts";
 import { openSource } from "../sources/open.ts";
 

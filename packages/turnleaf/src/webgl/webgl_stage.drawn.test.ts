@@ -2,6 +2,7 @@ import { afterEach, expect, test, vi } from "vitest";
 import { leafPapers } from "../engine/leaf_papers.ts";
 import type { Pile, Surface } from "../engine/shapes.ts";
 import { columnPlace } from "../engine/shapes.ts";
+import { clock } from "../for_tests/clock.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import { WebGLStage } from "./webgl_stage.ts";
 
@@ -372,7 +373,7 @@ test("a lost context comes back with everything on it", async () => {
     stage.onRestored = done;
   });
   // The browser restores a context only after the event has run its course.
-  await new Promise((done) => setTimeout(done, 0));
+  await clock.pass(0);
   loss.restoreContext();
   await restored;
   expect(colourAt(stage, canvas, 0.07)).toEqual(before);

@@ -1,6 +1,7 @@
 import { afterEach, expect, it, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
-import { clock, eventually } from "../for_tests/clock.ts";
+import { clock } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 
 afterEach(() => {
@@ -90,7 +91,7 @@ it("counts its seconds from its first picture, however late that is drawn", asyn
     isOver = true;
   });
   await eventually(() => element.recording).toBe(true);
-  await new Promise((resolve) => setTimeout(resolve, 300));
+  await clock.pass(300);
   expect(isOver).toBe(false);
   await clock.until(() => isOver);
   expect((await film).size).toBeGreaterThan(500);
