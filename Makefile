@@ -71,7 +71,8 @@ check-js: build
 	npx biome ci .
 	npm run --silent types
 	node scripts/build_unpacker.mjs --verify
-	node scripts/check_imports.mjs
+	npx depcruise --output-type err-long books bench examples packages scripts tests
+	node scripts/check_rust_imports.mjs
 	node scripts/check_words.mjs
 	node scripts/reference.mjs --check
 	node scripts/check_links.mjs
