@@ -78,11 +78,11 @@ check-js: build
 	node scripts/check_links.mjs
 	node scripts/docs_tables.mjs --check
 	node scripts/parts_picture.mjs --check
-	node scripts/size.mjs
+	npx size-limit
 
 # What a page loads, by part and with limits.
 size: build
-	node scripts/size.mjs
+	npx size-limit
 
 check-licences: $(MODULES) tools-rust
 	node scripts/check_licences.mjs
