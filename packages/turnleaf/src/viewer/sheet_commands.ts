@@ -6,10 +6,11 @@ import { isCover, leafOf, pagesAt } from "../book/spreads.ts";
 import type { PageBitmaps } from "../pages/page_bitmaps.ts";
 import type { BookPose } from "../stage/book_pose.ts";
 import type { BookStage, Place } from "../stage/book_stage.ts";
+import type { Backend } from "./backend.ts";
 import type { Folds } from "./folds.ts";
 import type { Rebinder } from "./rebinder.ts";
 import type { Tearing } from "./tearing.ts";
-import type { Backend, ViewerOptions } from "./viewer_options.ts";
+import type { ViewerOptions } from "./viewer_options.ts";
 
 /** What folding and tearing need of a book. */
 export interface SheetParts {

@@ -17,6 +17,7 @@ import { type LiveBitmaps, PageBitmaps } from "../pages/page_bitmaps.ts";
 import type { NewIndex, PageBox, PageSize, PageSource } from "../sources/page_source.ts";
 import type { BookStage, Place } from "../stage/book_stage.ts";
 import type { Zoom } from "../stage/zoom.ts";
+import type { Backend } from "./backend.ts";
 import {
   type Bindable,
   type BindingLayout,
@@ -35,12 +36,13 @@ import { LeafCommands } from "./leaf_commands.ts";
 import { Rebinder } from "./rebinder.ts";
 import { Sharpness } from "./sharpness.ts";
 import { SheetCommands } from "./sheet_commands.ts";
-import { type Backend, defaultBinding, type ViewerOptions } from "./viewer_options.ts";
+import { defaultBinding, type ViewerOptions } from "./viewer_options.ts";
 
 export type { DrawnPage, LiveBitmaps } from "../pages/page_bitmaps.ts";
 
 export type { Zoom } from "../stage/zoom.ts";
-export type { Backend, ViewerOptions } from "./viewer_options.ts";
+export type { Backend } from "./backend.ts";
+export type { ViewerOptions } from "./viewer_options.ts";
 
 /**
  * Fraction of the width of its place that an open book takes, in a place as

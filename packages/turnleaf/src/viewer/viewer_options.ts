@@ -1,28 +1,11 @@
-/** The options of a viewer, and its backend. */
+/** The options of a viewer. */
 
 import type { DogEar } from "../book/dog_ears.ts";
 import type { Paper } from "../book/paper.ts";
-import type { BookEngine, BookSize } from "../engine/book_engine.ts";
 import type { TearLine } from "../engine/shapes.ts";
 import type { ModelChoice } from "../leaf_models/model_choice.ts";
-import type { LoadModels } from "../leaf_models/model_switch.ts";
-import type { BookPose, BookShape } from "../stage/book_pose.ts";
-import type { BookStage } from "../stage/book_stage.ts";
+import type { BookPose } from "../stage/book_pose.ts";
 import type { BindingOptions } from "./bound_book.ts";
-
-/** What moves a book's leaves and what draws them; the two of a backend belong together. */
-export interface Backend {
-  engine(size: BookSize): Promise<BookEngine>;
-  stage(canvas: HTMLCanvasElement, shape: BookShape): BookStage;
-  /** Makes an engine whose leaves can be creased, torn and folded out; undefined if there is none. */
-  readonly creasable?: (size: BookSize) => Promise<BookEngine>;
-  /** Loads what folds pages; undefined if leaves cannot be creased. */
-  readonly folds?: () => Promise<typeof import("./folds.ts")>;
-  /** Loads what tears leaves out; undefined if they cannot be torn. */
-  readonly tearing?: () => Promise<typeof import("./tearing.ts")>;
-  /** Loads models other than the engine's; undefined if there are none. */
-  readonly models?: LoadModels;
-}
 
 /** What tearing leaves out asks of the owner of the book's pages. */
 export interface TearOwner {

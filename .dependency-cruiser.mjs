@@ -1,0 +1,169 @@
+/**
+ * Which TypeScript and JavaScript file may import which: `npx depcruise`, in `make check`. Types
+ * count as values do, `typeof import("…")` too.
+ */
+
+/**
+ * The viewer's parts, lowest first, and what each may import: folders, or files at the top. A part
+ * names only parts above it in this list, so that no parts form a cycle.
+ */
+const parts = {
+  "creased_mesh.ts": [],
+  "model_names.ts": [],
+  "packed.ts": [],
+  engine: ["creased_mesh.ts", "packed.ts"],
+  sources: ["packed.ts"],
+  words: [],
+  models: ["creased_mesh.ts", "model_names.ts", "packed.ts"],
+  key_frames: ["creased_mesh.ts", "model_names.ts"],
+  book: ["engine"],
+  picking: ["engine"],
+  pages: ["sources"],
+  stage: ["book", "engine", "sources"],
+  webgl: ["creased_mesh.ts", "engine", "sources", "stage", "book"],
+  canvas2d: ["book", "engine", "sources", "stage"],
+  leaf_stage: ["creased_mesh.ts", "webgl", "engine", "picking", "sources"],
+  leaf_models: [
+    "book",
+    "engine",
+    "key_frames",
+    "model_names.ts",
+    "models",
+    "sources",
+    "stage",
+    "webgl",
+  ],
+  viewer: ["book", "engine", "picking", "leaf_models", "pages", "sources", "stage"],
+  "webgl_backend.ts": ["engine", "leaf_models", "viewer", "webgl"],
+  "canvas2d_backend.ts": ["canvas2d", "viewer"],
+  "open_viewer.ts": [
+    "canvas2d_backend.ts",
+    "engine",
+    "sources",
+    "viewer",
+    "webgl",
+    "webgl_backend.ts",
+  ],
+  input: ["book", "engine", "stage", "viewer"],
+  text: ["pages", "sources"],
+  sound: ["engine", "stage"],
+  read_aloud: ["sources"],
+  element: [
+    "book",
+    "engine",
+    "sources",
+    "words",
+    "leaf_models",
+    "viewer",
+    "open_viewer.ts",
+    "input",
+    "text",
+    "sound",
+    "read_aloud",
+  ],
+  controls: ["element", "sources", "words"],
+  "element.ts": ["book", "controls", "element", "engine", "sources", "text", "words", "viewer"],
+  "index.ts": [
+    "book",
+    "element",
+    "engine",
+    "element.ts",
+    "sources",
+    "text",
+    "leaf_models",
+    "words",
+  ],
+  "links.ts": ["index.ts"],
+  "standalone.ts": ["index.ts", "links.ts", "open_viewer.ts", "webgl_backend.ts"],
+  // Other interfaces to the element.
+  page_flip: ["index.ts", "standalone.ts"],
+  react_pageflip: ["page_flip"],
+  frameworks: ["index.ts"],
+  // Helpers of tests.
+  for_tests: [
+    "controls",
+    "element",
+    "element.ts",
+    "frameworks",
+    "index.ts",
+    "leaf_models",
+    "open_viewer.ts",
+    "sources",
+    "viewer",
+  ],
+};
+
+/** Packages that only these places of the viewer may import: heavy ones stay where they are used. */
+const packagePlaces = {
+  three: "(webgl|leaf_stage)/",
+  "pdfjs-dist": "sources/pdf",
+  "foliate-js": "sources/epub/",
+  "@zip.js/zip.js": "sources/archive/",
+  dompurify: "sources/markup/",
+  marked: "sources/text/",
+};
+
+const source = "^packages/turnleaf/src/";
+const test = String.raw`\.test\.ts$|\.d\.ts$`;
+
+/** Returns the pattern of a part's files. */
+const filesOf = (part) =>
+  source + (part.endsWith(".ts") ? `${part.replace(".", "[.]")}$` : `${part}/`);
+
+const names = Object.keys(parts);
+const partRules = Object.entries(parts).map(([part, uses], index) => {
+  const higher = uses.find((use) => !names.slice(0, index).includes(use));
+  if (higher) throw new Error(`${part} names ${higher}, which is not listed above it.`);
+  return {
+    name: `imports of ${part}`,
+    comment: `It may import from ${uses.join(", ") || "no other part"}.`,
+    severity: "error",
+    from: { path: filesOf(part), pathNot: test },
+    to: { path: source, pathNot: [part, ...uses].map(filesOf) },
+  };
+});
+
+const packageRules = Object.entries(packagePlaces).map(([name, place]) => ({
+  name: `imports of ${name}`,
+  comment: `Only ${place} imports it.`,
+  severity: "error",
+  from: { path: source, pathNot: [test, source + place] },
+  to: { path: `(^|[/:])${name}(/|$)` },
+}));
+
+export default {
+  forbidden: [
+    {
+      name: "no cycle",
+      comment: "Interfaces are written down where they are used, not where they are implemented.",
+      severity: "error",
+      from: {},
+      to: { circular: true },
+    },
+    {
+      name: "every part is listed",
+      comment: "A part is listed in .dependency-cruiser.mjs, with what it may import.",
+      severity: "error",
+      from: { path: source, pathNot: [test, ...names.map(filesOf)] },
+      to: {},
+    },
+    {
+      name: "no Node in the viewer",
+      severity: "error",
+      from: { path: source, pathNot: test },
+      to: { dependencyTypes: ["core"] },
+    },
+    ...partRules,
+    ...packageRules,
+  ],
+  options: {
+    tsPreCompilationDeps: true,
+    detectJSDocImports: true,
+    doNotFollow: { path: "node_modules" },
+    exclude: { path: "^(packages/[^/]+/dist|target|corpora)/" },
+    enhancedResolveOptions: {
+      exportsFields: ["exports"],
+      conditionNames: ["import", "types", "default"],
+    },
+  },
+};

@@ -1,0 +1,79 @@
+/**
+ * What a page loads, in kB gzip, by what it is loaded for: `make size`. The limits leave room to write
+ * plainly; they are there so that a dependency or a file in the wrong chunk is seen.
+ */
+
+const dist = "packages/turnleaf/dist";
+const kilobytes = (limit) => ({ limit: `${limit} kB`, gzip: true });
+
+const chunks = (names) => names.split(" ").map((chunk) => `${dist}/${chunk}-????????.js`);
+
+/** Returns a line for chunks of the viewer, by their names without hashes. */
+const part = (name, limit, names) => ({ name, path: chunks(names), ...kilobytes(limit) });
+
+/** Returns a line for an entry of the package: its own file, and the chunks that only it loads. */
+const entry = (name, limit, names = "") => ({
+  name: `turnleaf/${name}`,
+  path: [`${dist}/${name}.js`, ...(names ? chunks(names) : [])],
+  ...kilobytes(limit),
+});
+
+/** What most books load, at once or later. */
+const usual = [
+  part("the text over the pages, once they show", 8, "book_text_overlay"),
+  part(
+    "zoomed in, pages of other sizes, fold-outs, the place kept",
+    6,
+    "detail_pictures fit place_keeper",
+  ),
+  part("toolbar and panels", 18, "controls"),
+  part("on the flat, where there is no WebGL", 10, "canvas2d_backend"),
+  part("pages that are elements", 3, "live_pages"),
+  part("pages inserted and removed", 2, "page_changes"),
+  part("sound, printing and films", 6, "sound print_pages film_recorder"),
+];
+
+/** What only a book or a page that uses it loads. */
+const apart = [
+  part("another model of turning, live", 197, "leaf_models lying_sheet loose_leaf"),
+  part("recorded turns", 20, "replay sheet_turn shell_turn"),
+  part("opens a book of any format", 9, "open"),
+  part("photographs of a turn", 9, "photographs images image_header"),
+  part("folded pages, leaves torn out", 237, "creasable_book folds line_folds tearing torn_pages"),
+  part("pages that are elements, live in the air", 1, "live_drawings"),
+  part("pages that are scrolled", 4, "roll_view"),
+  part("sounds and films on a page", 1, "page_media"),
+  part("read aloud", 4, "reading"),
+  part("reads PDF", 1650, "pdf pdf.*.min.mjs cmaps jbig2.wasm openjpeg.wasm Foxit*.pfb"),
+  part(
+    "reads other formats",
+    202,
+    "clean_markup comic data_address data_url epub fb2 font_type html_pages iiif_source kindle media_overlays names package_document parse_markup svg text_book unpacked_archive unpacker unpacker_worker.ts writing_direction xml_text zip",
+  ),
+  entry("standalone", 156, "standalone_* three.module"),
+  entry("links", 1),
+  entry("models", 195),
+  entry("keyframes", 8),
+  entry("leaf-stage", 19),
+  entry("page-flip", 4),
+  entry("page-flip.browser", 4),
+  entry("react-pageflip", 2),
+  entry("react", 2),
+  entry("vue", 2),
+  entry("svelte/book_props", 2),
+  entry("pdf-worker", 440),
+];
+
+/** Returns a line for all files but those of other lines: a new file counts here. */
+const allBut = (lines, name, limit) => ({
+  name,
+  path: [`${dist}/*.js`, ...lines.flatMap(({ path }) => path.map((file) => `!${file}`))],
+  ...kilobytes(limit),
+});
+
+export default [
+  allBut([...usual, ...apart], "shows and turns a book", 145),
+  ...usual,
+  ...apart,
+  allBut(apart, "all that a usual book loads", 188),
+];
