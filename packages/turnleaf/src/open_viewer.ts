@@ -5,9 +5,6 @@ import { BookError, type PageSource } from "./sources/page_source.ts";
 import { type Backend, Viewer, type ViewerOptions } from "./viewer/viewer.ts";
 import { giveUpContext, isUsable, openContext } from "./webgl/context.ts";
 
-/** How often a book is tried to be drawn in 3D before it is shown on the flat. */
-const mostTries = 2;
-
 /** Loads what draws in 3D. */
 let loadWebGL = (): Promise<typeof import("./webgl_backend.ts")> => import("./webgl_backend.ts");
 
@@ -45,8 +42,9 @@ export function prepareViewer(freshCanvas: () => HTMLCanvasElement, showing: Sho
 
 /**
  * Opens a book: in 3D if WebGL 2 and WebAssembly are available; otherwise on a
- * 2D canvas, and then neither three.js nor the engine is loaded. Rejects with a
- * `BookError` if no page's size can be read.
+ * 2D canvas, and then neither three.js nor the engine is loaded. If its WebGL context is lost
+ * while it opens, a new one is created, once. Any other failure in 3D is logged as a warning, and the
+ * book is shown on a 2D canvas. Rejects with a `BookError` if no page's size can be read.
  *
  * @param freshCanvas returns a canvas in place of the previous one: at first one that nothing
  * was drawn on, or that of a book whose viewer was destroyed and left it; then a new one
@@ -59,17 +57,22 @@ export async function openViewer(
   showing: Showing = {},
 ): Promise<Viewer> {
   let place = contextFor(freshCanvas, showing);
-  for (let tries = 1; place.context !== null; tries++) {
+  let hasLostContext = false;
+  while (place.context !== null) {
     try {
       return await open(place.canvas, true);
     } catch (error) {
+      const isLost = place.context.isContextLost();
       giveUpContext(place.canvas);
       signal.throwIfAborted();
       // Without its pages there is no book; without a graphics card there is a plainer one.
       if (error instanceof BookError) throw error;
-      // In WebKitGTK a page's first book fails so now and then, for a reason that is not known.
-      if (tries < mostTries) place = contextFor(freshCanvas, showing);
-      else {
+      if (isLost && !hasLostContext) {
+        // Nothing watches the context until three.js draws on it. Lost while the book was read or
+        // its code was loaded, it makes three.js throw; a new context is created, once.
+        hasLostContext = true;
+        place = contextFor(freshCanvas, showing);
+      } else {
         console.warn(
           "turnleaf-book: the book is shown on the flat, as it cannot be drawn in 3D:",
           error,

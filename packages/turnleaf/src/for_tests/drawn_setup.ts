@@ -6,6 +6,7 @@
 import { afterAll, afterEach, beforeAll, expect } from "vitest";
 import { commands } from "vitest/browser";
 import { clock, installClock } from "./clock.ts";
+import { drawWhenSeen } from "./drawn_when_seen.ts";
 
 /** Waits until the graphics process has done everything requested and reported its errors. */
 function finishDrawing(): void {
@@ -15,6 +16,7 @@ function finishDrawing(): void {
 }
 
 installClock();
+drawWhenSeen();
 
 beforeAll(async () => {
   await commands.webglComplaints();

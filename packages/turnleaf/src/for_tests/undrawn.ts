@@ -69,7 +69,8 @@ function undrawnContext(canvas: HTMLCanvasElement, options: object = {}): Contex
     },
   };
   Object.assign(context, {
-    getContextAttributes: () => ({ alpha: true, depth: true, ...options, antialias: false }),
+    getContextAttributes: () =>
+      isLost ? null : { alpha: true, depth: true, ...options, antialias: false },
     getExtension: (name: string) => extensions[name] ?? null,
     getParameter: (name: number) => {
       if (name === context.SCISSOR_BOX || name === context.VIEWPORT) return size();

@@ -121,21 +121,47 @@ test("a book taken away while its card is lost waits for nothing", async () => {
   expect(loads).toBe(0);
 });
 
+/** Has the first `times` contexts on which a book is opened lost just before it is drawn. */
+function loseWhileOpening(times: number) {
+  const { open } = Viewer;
+  const opening = vi.spyOn(Viewer, "open");
+  for (let k = 0; k < times; k++) {
+    opening.mockImplementationOnce((canvas, ...rest) => {
+      card(canvas)?.loseContext();
+      return open.call(Viewer, canvas, ...rest);
+    });
+  }
+  return opening;
+}
+
 test.for([
-  [1, "webgl2"],
-  [2, "2d"],
+  ["once", "webgl2", 1, 0],
+  ["twice", "2d", 2, 1],
 ] as const)(
-  "a book that fails %d times to be drawn in 3D is drawn by %s",
-  async ([times, kind]) => {
+  "a book whose context is lost %s while it opens is drawn by %s",
+  async ([, kind, times, warnings]) => {
     const warn = vi.spyOn(console, "warn").mockReturnValue();
-    const open = vi.spyOn(Viewer, "open");
-    for (let k = 0; k < times; k++) open.mockRejectedValueOnce(new Error("no context"));
+    const open = loseWhileOpening(times);
     const element = book(scans(4));
     await happens(element, "load");
     await settled(element);
     expect(canvasOf(element).getContext(kind)).not.toBeNull();
+    expect(element.shadowRoot?.querySelectorAll("canvas").length).toBe(1);
     expect(open).toHaveBeenCalledTimes(times + 1);
     const said = warn.mock.calls.filter(([text]) => String(text).includes("on the flat"));
-    expect(said).toHaveLength(kind === "2d" ? 1 : 0);
+    expect(said).toHaveLength(warnings);
   },
 );
+
+test("a book that cannot be drawn in 3D on a context that is there is shown on the flat", async () => {
+  const warn = vi.spyOn(console, "warn").mockReturnValue();
+  const error = new Error("no engine");
+  const open = vi.spyOn(Viewer, "open").mockRejectedValueOnce(error);
+  const element = book(scans(4));
+  await happens(element, "load");
+  await settled(element);
+  expect(canvasOf(element).getContext("2d")).not.toBeNull();
+  // Not tried again in 3D, which would hide what failed.
+  expect(open).toHaveBeenCalledTimes(2);
+  expect(warn.mock.calls.filter(([, reason]) => reason === error)).toHaveLength(1);
+});

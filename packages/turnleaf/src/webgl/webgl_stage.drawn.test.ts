@@ -373,7 +373,7 @@ test("a lost context comes back with everything on it", async () => {
     stage.onRestored = done;
   });
   // The browser restores a context only after the event has run its course.
-  await clock.pass(0);
+  await clock.task();
   loss.restoreContext();
   await restored;
   expect(colourAt(stage, canvas, 0.07)).toEqual(before);

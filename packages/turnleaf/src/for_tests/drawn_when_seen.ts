@@ -1,0 +1,44 @@
+/**
+ * Books that are drawn when a test looks at them: software draws pixel by pixel, and of the frames of a
+ * turn a test reads few. What a frame shows is what it would have shown when it was due.
+ */
+
+import type { DrawOptions } from "../stage/book_stage.ts";
+import { WebGLStage } from "../webgl/webgl_stage.ts";
+
+/**
+ * Of the frames that nothing looks at one in so many is drawn all the same, so that a complaint of WebGL
+ * about leaves in the air is heard.
+ */
+const between = 10;
+
+const due = new Map<WebGLStage, DrawOptions | undefined>();
+const { draw, destroy } = WebGLStage.prototype;
+
+/** Draws what is due on every stage. */
+export function drawNow(): void {
+  for (const [stage, options] of due) {
+    due.delete(stage);
+    draw.call(stage, options);
+  }
+}
+
+/** Has the stages of a file draw their frames once something reads a canvas. */
+export function drawWhenSeen(): void {
+  let count = 0;
+  WebGLStage.prototype.draw = function (options) {
+    due.set(this, options);
+    if (count++ % between === 0) drawNow();
+  };
+  WebGLStage.prototype.destroy = function (keepCanvas) {
+    due.delete(this);
+    return destroy.call(this, keepCanvas);
+  };
+  for (const { prototype } of [CanvasRenderingContext2D, OffscreenCanvasRenderingContext2D]) {
+    const { drawImage } = prototype;
+    prototype.drawImage = function (this: CanvasRenderingContext2D, ...image: unknown[]) {
+      if (due.size > 0) drawNow();
+      Reflect.apply(drawImage, this, image);
+    };
+  }
+}
