@@ -5,6 +5,7 @@
 
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
+import { clock } from "./for_tests/clock.ts";
 import { book, happens, keepWhatIsDrawn, settled } from "./for_tests/element_books.ts";
 import { eventually } from "./for_tests/eventually.ts";
 import { TestPointer } from "./for_tests/test_pointer.ts";
@@ -302,6 +303,8 @@ test("a fold-out whose corner is lifted under a mouse unfolds, by command and by
   const lift = async (): Promise<void> => {
     pointer.point("pointermove", right - 5, top + 5);
     await eventually(() => element.state).toBe("lifting");
+    // As long as a hand needs to press there.
+    await clock.pass(200);
   };
   await lift();
   expect(await element.unfold(5)).toBe(true);

@@ -1,8 +1,8 @@
 /** An unforeseen error, and a page that takes long, reported by the element. */
 
 import { afterEach, expect, test, vi } from "vitest";
-import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, scan, scans } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { slowTime } from "../pages/page_pool.ts";
 
 afterEach(() => {

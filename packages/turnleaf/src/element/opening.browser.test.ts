@@ -1,8 +1,8 @@
 /** What happens at the same time while a book opens. */
 
 import { afterEach, expect, test } from "vitest";
-import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { openSource } from "../sources/open.ts";
 import type { PageSource } from "../sources/page_source.ts";
 

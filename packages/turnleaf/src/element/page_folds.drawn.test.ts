@@ -3,7 +3,6 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { clock } from "../for_tests/clock.ts";
-import { eventually } from "../for_tests/eventually.ts";
 import {
   book,
   bookOverDark,
@@ -12,6 +11,7 @@ import {
   scans,
   settled,
 } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 
 keepWhatIsDrawn();
 

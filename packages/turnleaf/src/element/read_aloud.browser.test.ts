@@ -1,8 +1,8 @@
 /** The element reading an EPUB aloud, by its method and by the button of its controls. */
 
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import { eventually } from "../for_tests/eventually.ts";
 import { book, happens } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { prose, tinyEpub } from "../sources/epub/tiny_epub.ts";
 
 /** A recording that is heard until it is stopped. */

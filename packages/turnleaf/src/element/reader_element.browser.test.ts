@@ -4,8 +4,8 @@
  */
 
 import { afterEach, beforeEach, expect, test } from "vitest";
-import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 
 beforeEach(() => {
   localStorage.clear();

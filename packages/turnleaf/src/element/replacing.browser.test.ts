@@ -1,8 +1,8 @@
 /** One book after another in one element: what is shown stays until the next one can be. */
 
 import { expect, test } from "vitest";
-import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 
 /** A file that is no book. */
 const broken = () => new File([new Uint8Array([1, 2, 3, 4])], "broken.bin");

@@ -1,8 +1,8 @@
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { clock } from "../for_tests/clock.ts";
-import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, settled } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { prose, type TinyEpub, tinyEpub } from "../sources/epub/tiny_epub.ts";
 
 afterEach(() => document.body.replaceChildren());

@@ -3,8 +3,8 @@
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
 import { clock } from "../for_tests/clock.ts";
-import { eventually } from "../for_tests/eventually.ts";
 import { drawRoughly, happens, keepWhatIsDrawn, settled } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { besideBook, tearableBook, tearOutPage5 } from "../for_tests/tearable_books.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { eventually } from "../for_tests/eventually.ts";
 import { book, happens } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { prose, tinyEpub } from "../sources/epub/tiny_epub.ts";
 
 const words = async (element: ReturnType<typeof book>): Promise<string> =>

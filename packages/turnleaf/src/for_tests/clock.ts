@@ -188,8 +188,13 @@ export const clock: TestClock = {
   untilPasses: stepUntil,
 };
 
+/** Gives the window's own back, in a file that tests what the browser does by the machine's clock. */
+export let removeClock: () => void = () => {};
+
 /** Takes the window's animation frames, timers and times over. */
 export function installClock(): void {
+  const { requestAnimationFrame, cancelAnimationFrame, setTimeout, clearTimeout } = window;
+  const time = Object.getOwnPropertyDescriptor(Event.prototype, "timeStamp") as PropertyDescriptor;
   isInstalled = true;
   window.requestAnimationFrame = (call) => {
     requests.set(++lastRequest, call);
@@ -214,4 +219,15 @@ export function installClock(): void {
   };
   performance.now = () => now;
   Object.defineProperty(Event.prototype, "timeStamp", { get: () => now, configurable: true });
+  removeClock = () => {
+    isInstalled = false;
+    Object.assign(window, {
+      requestAnimationFrame,
+      cancelAnimationFrame,
+      setTimeout,
+      clearTimeout,
+    });
+    performance.now = realTime;
+    Object.defineProperty(Event.prototype, "timeStamp", time);
+  };
 }

@@ -14,6 +14,8 @@ const between = 10;
 
 const due = new Map<WebGLStage, DrawOptions | undefined>();
 const { draw, destroy } = WebGLStage.prototype;
+/** Canvases that a stage draws on. What draws on others may ask for their sizes at any time. */
+const canvases = new WeakSet<object>();
 
 /** Draws what is due on every stage. */
 export function drawNow(): void {
@@ -23,7 +25,12 @@ export function drawNow(): void {
   }
 }
 
-/** Has the stages of a file draw their frames once something reads a canvas. */
+/** Has the stages of a file draw each frame at once again. */
+export function drawAtOnce(): void {
+  WebGLStage.prototype.draw = draw;
+}
+
+/** Has the stages of a file draw their frames once something reads their canvas. */
 export function drawWhenSeen(): void {
   let count = 0;
   WebGLStage.prototype.draw = function (options) {
@@ -34,10 +41,33 @@ export function drawWhenSeen(): void {
     due.delete(this);
     return destroy.call(this, keepCanvas);
   };
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (
+    this: HTMLCanvasElement,
+    kind: string,
+    options?: object,
+  ) {
+    if (kind === "webgl2") canvases.add(this);
+    return getContext.call(this, kind, options);
+  } as typeof getContext;
+  // A frame may give its canvas another size.
+  for (const side of ["width", "height"]) {
+    const property = Object.getOwnPropertyDescriptor(HTMLCanvasElement.prototype, side);
+    Object.defineProperty(HTMLCanvasElement.prototype, side, {
+      ...property,
+      get(this: HTMLCanvasElement) {
+        if (canvases.has(this)) drawNow();
+        return property?.get?.call(this);
+      },
+    });
+  }
   for (const { prototype } of [CanvasRenderingContext2D, OffscreenCanvasRenderingContext2D]) {
     const { drawImage } = prototype;
-    prototype.drawImage = function (this: CanvasRenderingContext2D, ...image: unknown[]) {
-      if (due.size > 0) drawNow();
+    prototype.drawImage = function (
+      this: CanvasRenderingContext2D,
+      ...image: [object, ...number[]]
+    ) {
+      if (canvases.has(image[0])) drawNow();
       Reflect.apply(drawImage, this, image);
     };
   }

@@ -6,6 +6,7 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cdp } from "vitest/browser";
 import type { TurnleafBook } from "../element.ts";
+import { drawNow } from "../for_tests/drawn_when_seen.ts";
 import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, settled } from "../for_tests/element_books.ts";
 import { tinyPdf } from "../sources/tiny_pdf.ts";
@@ -98,6 +99,7 @@ async function inkIn(box: DOMRect): Promise<DOMRect> {
   const sharpness = scale * devicePixelRatio;
   // The whole of it: after a screenshot of a part the browser has no idle time, for which
   // `convertToBlob` in each test after this one waits a second.
+  drawNow();
   const { data } = (await session().send("Page.captureScreenshot")) as { data: string };
   const whole = await (await fetch(`data:image/png;base64,${data}`)).blob();
   const picture = await createImageBitmap(

@@ -2,8 +2,8 @@
 
 import { afterEach, expect, test, vi } from "vitest";
 import type { TurnleafBook } from "../element.ts";
-import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 import { clock } from "../for_tests/clock.ts";
+import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 
 afterEach(() => {
   vi.useRealTimers();

@@ -3,6 +3,7 @@ import { leafPapers } from "../engine/leaf_papers.ts";
 import type { Pile, Surface } from "../engine/shapes.ts";
 import { columnPlace } from "../engine/shapes.ts";
 import { clock } from "../for_tests/clock.ts";
+import { drawAtOnce } from "../for_tests/drawn_when_seen.ts";
 import type { BookPose, BookShape } from "../stage/book_pose.ts";
 import { WebGLStage } from "./webgl_stage.ts";
 
@@ -19,6 +20,8 @@ const shape: BookShape = {
   quarterTurned: false,
   alone: 0,
 };
+
+drawAtOnce();
 
 const stages: WebGLStage[] = [];
 
