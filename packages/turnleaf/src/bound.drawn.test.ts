@@ -5,7 +5,6 @@
 
 import { afterEach, expect, test } from "vitest";
 import type { TurnleafBook } from "./element.ts";
-import { clock } from "./for_tests/clock.ts";
 import { book, happens, keepWhatIsDrawn, settled } from "./for_tests/element_books.ts";
 import { eventually } from "./for_tests/eventually.ts";
 import { TestPointer } from "./for_tests/test_pointer.ts";
@@ -62,7 +61,12 @@ async function expectPage(element: TurnleafBook, page: number, x: number, y: num
  * Drags from one place to another, in fractions of the element's size, slowly
  * enough for the leaf to follow.
  */
-async function drag(element: TurnleafBook, from: [number, number], to: [number, number]) {
+async function drag(
+  element: TurnleafBook,
+  from: [number, number],
+  to: [number, number],
+  steps = 40,
+) {
   const canvas = element.shadowRoot?.querySelector("canvas") as HTMLCanvasElement;
   canvas.setPointerCapture = () => {};
   const box = canvas.getBoundingClientRect();
@@ -79,8 +83,8 @@ async function drag(element: TurnleafBook, from: [number, number], to: [number, 
       }),
     );
   point("pointerdown", ...from);
-  for (let step = 1; step <= 40; step++) {
-    const t = step / 40;
+  for (let step = 1; step <= steps; step++) {
+    const t = step / steps;
     point("pointermove", from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t);
     await new Promise((resolve) => requestAnimationFrame(resolve));
   }
@@ -303,8 +307,6 @@ test("a fold-out whose corner is lifted under a mouse unfolds, by command and by
   const lift = async (): Promise<void> => {
     pointer.point("pointermove", right - 5, top + 5);
     await eventually(() => element.state).toBe("lifting");
-    // As long as a hand needs to press there.
-    await clock.pass(200);
   };
   await lift();
   expect(await element.unfold(5)).toBe(true);
@@ -313,7 +315,7 @@ test("a fold-out whose corner is lifted under a mouse unfolds, by command and by
   await element.foldIn();
   await settled(element);
   await lift();
-  await drag(element, [(right - 14) / 560, (top + 14) / 300], [0.97, (top + 18) / 300]);
+  await drag(element, [(right - 14) / 560, (top + 14) / 300], [0.97, (top + 18) / 300], 120);
   await expectPage(element, 30, 0.8, 0.6);
   expect([element.page, element.state]).toEqual([4, "resting"]);
 });

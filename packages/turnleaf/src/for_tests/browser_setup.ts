@@ -3,7 +3,9 @@
 import { afterEach } from "vitest";
 import { clock, installClock } from "./clock.ts";
 import { drawNothing } from "./undrawn.ts";
+import { countWork } from "./work.ts";
 
 installClock();
 drawNothing();
+countWork();
 afterEach(() => clock.run());

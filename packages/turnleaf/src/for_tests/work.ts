@@ -1,0 +1,47 @@
+/** What a file of browser tests has the viewer do, counted: the same on a fast machine and on a slow one. */
+
+import { afterEach } from "vitest";
+import { TickCounter } from "../viewer/frame_timing.ts";
+import { clock } from "./clock.ts";
+
+/** Counted work of a file. */
+export interface Work {
+  /** Animation frames of the page. */
+  readonly frames: number;
+  /** Ticks that engines were to step. */
+  readonly ticks: number;
+  /** Canvases on which a book was set up to be drawn by WebGL. */
+  readonly books: number;
+}
+
+declare module "vitest" {
+  interface TaskMeta {
+    work?: Work;
+  }
+}
+
+/** Counts the work of a file from now on, and reports it after each test. */
+export function countWork(): void {
+  let ticks = 0;
+  const { count } = TickCounter.prototype;
+  TickCounter.prototype.count = function (now) {
+    const passed = count.call(this, now);
+    ticks += passed;
+    return passed;
+  };
+  let books = 0;
+  const known = new WeakSet<HTMLCanvasElement>();
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (
+    this: HTMLCanvasElement,
+    kind: string,
+    options?: object,
+  ) {
+    if (kind === "webgl2" && !known.has(this)) books++;
+    if (kind === "webgl2") known.add(this);
+    return getContext.call(this, kind, options);
+  } as typeof getContext;
+  afterEach(({ task }) => {
+    task.file.meta.work = { frames: clock.drawn, ticks, books };
+  });
+}
