@@ -3,8 +3,8 @@
 import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
 import type { TurnDetail } from "../element/events.ts";
 import { clock } from "../for_tests/clock.ts";
-import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 
 const real = HTMLCanvasElement.prototype.getContext;
 

@@ -13,8 +13,8 @@ import { createRoot, hydrateRoot, type Root } from "react-dom/client";
 import { renderToString } from "react-dom/server.browser";
 import { afterEach, expect, test, vi } from "vitest";
 import { clock } from "../for_tests/clock.ts";
-import { eventually } from "../for_tests/eventually.ts";
 import { scans, settled } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import type { TurnleafBook as BookElement } from "../index.ts";
 import { TurnleafBook, type TurnleafBookProps } from "./react.ts";
 

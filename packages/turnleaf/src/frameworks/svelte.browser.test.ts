@@ -3,8 +3,8 @@
 import { hydrate, mount, unmount } from "svelte";
 import { render } from "svelte/server";
 import { afterEach, expect, test, vi } from "vitest";
-import { eventually } from "../for_tests/eventually.ts";
 import { scans, settled } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import Reader from "../for_tests/Reader.svelte";
 import ServerReader from "../for_tests/Reader.svelte?server";
 import type { TurnleafBook as BookElement } from "../index.ts";

@@ -3,8 +3,8 @@
 import { afterEach, expect, test, vi } from "vitest";
 import { type App, createApp, createSSRApp, h, nextTick, reactive } from "vue";
 import { renderToString } from "vue/server-renderer";
-import { eventually } from "../for_tests/eventually.ts";
 import { scans, settled } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import type { TurnleafBook as BookElement } from "../index.ts";
 import { TurnleafBook } from "./vue.ts";
 

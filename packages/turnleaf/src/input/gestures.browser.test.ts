@@ -4,8 +4,8 @@ import { afterEach, expect, test } from "vitest";
 import type { BookState } from "../book/turning.ts";
 import type { TurnleafBook } from "../element.ts";
 import { clock } from "../for_tests/clock.ts";
-import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { TestPointer } from "../for_tests/test_pointer.ts";
 
 afterEach(() => document.body.replaceChildren());

@@ -1,8 +1,8 @@
 import { afterEach, beforeEach, expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
 import type { Stock } from "../engine/shapes.ts";
-import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, scans } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import type { Motion } from "./motion.ts";
 import { PaperSound } from "./paper_sound.ts";
 

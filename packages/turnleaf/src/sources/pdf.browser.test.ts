@@ -1,4 +1,6 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
+import { clock } from "../for_tests/clock.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { limits } from "./limits.ts";
 import { messageOf } from "./message_of.ts";
 import { openSource } from "./open.ts";
@@ -6,8 +8,6 @@ import type { PagePicture, PageSource } from "./page_source.ts";
 import { PackedDataFactory } from "./pdf_runtime.ts";
 import { startingTime } from "./pdf_thread.ts";
 import { jpeg2000, type TinyPdf, tinyPdf } from "./tiny_pdf.ts";
-import { clock } from "../for_tests/clock.ts";
-import { eventually } from "../for_tests/eventually.ts";
 
 const red = "1 0 0 rg 0 0 200 300 re f";
 const never = new AbortController().signal;
@@ -348,7 +348,10 @@ describe("an unreadable PDF fails in one sentence", () => {
         throw new DOMException("Forbidden", "SecurityError");
       },
     ],
-    ["later", (worker: Worker) => void clock.task().then(() => worker.dispatchEvent(new Event("error")))],
+    [
+      "later",
+      (worker: Worker) => void clock.task().then(() => worker.dispatchEvent(new Event("error"))),
+    ],
   ])("in a browser that fails to start its worker %s", async (_, fail) => {
     vi.stubGlobal(
       "Worker",

@@ -1,7 +1,7 @@
 import { expect, test, vi } from "vitest";
 import { userEvent } from "vitest/browser";
-import { eventually } from "../for_tests/eventually.ts";
 import { book, happens } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { tinyEpub } from "../sources/epub/tiny_epub.ts";
 
 test("a link to a note shows it over the page, by the keyboard too, and Escape closes it", async () => {

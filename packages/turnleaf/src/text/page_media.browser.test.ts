@@ -1,8 +1,8 @@
 import { expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
 import { clock } from "../for_tests/clock.ts";
-import { eventually } from "../for_tests/eventually.ts";
 import { book, happens } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { tinyEpub } from "../sources/epub/tiny_epub.ts";
 
 /** Returns ten seconds of a tone as a WAV. */

@@ -6,8 +6,8 @@
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cdp, userEvent } from "vitest/browser";
 import type { TurnleafBook } from "../element.ts";
-import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { tinyPdf } from "../sources/tiny_pdf.ts";
 
 const fonts = "/Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica >> >>";

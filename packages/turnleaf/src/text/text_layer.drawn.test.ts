@@ -7,8 +7,8 @@ import { afterEach, beforeEach, expect, test, vi } from "vitest";
 import { cdp } from "vitest/browser";
 import type { TurnleafBook } from "../element.ts";
 import { drawNow } from "../for_tests/drawn_when_seen.ts";
-import { eventually } from "../for_tests/eventually.ts";
 import { book, happens, settled } from "../for_tests/element_books.ts";
+import { eventually } from "../for_tests/eventually.ts";
 import { tinyPdf } from "../sources/tiny_pdf.ts";
 
 const fonts = "/Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica >> >>";

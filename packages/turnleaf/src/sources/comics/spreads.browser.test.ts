@@ -1,8 +1,8 @@
 import { strToU8, type Zippable, zipSync } from "fflate";
 import { afterEach, expect, test } from "vitest";
 import "../../index.ts";
-import { eventually } from "../../for_tests/eventually.ts";
 import { book, happens } from "../../for_tests/element_books.ts";
+import { eventually } from "../../for_tests/eventually.ts";
 
 afterEach(() => document.body.replaceChildren());
 
