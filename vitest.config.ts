@@ -74,9 +74,9 @@ function inChromium(
       name,
       include,
       exclude: ["**/node_modules/**", "**/dist/**"],
-      testTimeout: 60_000,
-      // They wait for the same frames as tests.
-      hookTimeout: 60_000,
+      // Nothing takes as long; on a machine that does eight other things as well it is a tenth of it.
+      testTimeout: 120_000,
+      hookTimeout: 120_000,
       ...beside,
       env: { TURNLEAF_SEED, TURNLEAF_FUZZ },
       setupFiles: [`packages/turnleaf/src/for_tests/${setup}`],

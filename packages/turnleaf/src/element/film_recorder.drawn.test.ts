@@ -64,7 +64,7 @@ it("a turn is recorded, with the desk about the book", async () => {
     expect(red > 120 && red < 230 && red > blue && Math.abs(red - green) < 30).toBe(true);
     expect(look.includes(",0,0,0,0")).toBe(false);
   }
-}, 60_000);
+});
 
 it("ends by itself after its seconds, and when the element goes; what lies still is seen", async () => {
   const element = await open();
@@ -84,7 +84,7 @@ it("ends by itself after its seconds, and when the element goes; what lies still
   await element.next();
   element.remove();
   expect((await gone).size).toBeGreaterThan(500);
-}, 60_000);
+});
 
 it("counts its seconds from its first picture, however late that is drawn", async () => {
   const element = await open();
@@ -102,7 +102,7 @@ it("counts its seconds from its first picture, however late that is drawn", asyn
     return isOver;
   });
   expect((await film).size).toBeGreaterThan(500);
-}, 60_000);
+});
 
 it("says in one sentence what cannot be recorded", async () => {
   const element = document.createElement("turnleaf-book");
@@ -119,4 +119,4 @@ it("says in one sentence what cannot be recorded", async () => {
     "This browser cannot record a film; use a newer one.",
   );
   expect(other.recording).toBe(false);
-}, 60_000);
+});

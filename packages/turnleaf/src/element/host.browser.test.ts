@@ -1,12 +1,10 @@
 /** The element in its page: the attributes it writes on itself, and where it is moved to. */
 
-import { afterEach, expect, test, vi } from "vitest";
+import { afterEach, expect, test } from "vitest";
 import { userEvent } from "vitest/browser";
 import type { TurnleafBook } from "../element.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
-
-vi.setConfig({ testTimeout: 120_000 });
 
 afterEach(() => document.body.replaceChildren());
 

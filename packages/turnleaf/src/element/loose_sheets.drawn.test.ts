@@ -118,4 +118,4 @@ test("two fingers that pull a loose sheet apart tear it, and each carries its pi
   expect(besideBook(element)).toBeGreaterThan(0.02);
   expect(await element.putBack()).toBe(true);
   expect(element.pageCount).toBe(12);
-}, 120_000);
+});

@@ -1,11 +1,9 @@
 /** The element's size if its page gives it none, and its message if it has no book. */
 
-import { afterEach, expect, test, vi } from "vitest";
+import { afterEach, expect, test } from "vitest";
 import "../index.ts";
 import type { TurnleafBook } from "../element.ts";
 import { happens, scan } from "../for_tests/element_books.ts";
-
-vi.setConfig({ testTimeout: 120_000 });
 
 afterEach(() => document.body.replaceChildren());
 

@@ -18,8 +18,6 @@ import { eventually } from "../for_tests/eventually.ts";
 import type { TurnleafBook as BookElement } from "../index.ts";
 import { TurnleafBook, type TurnleafBookProps } from "./react.ts";
 
-vi.setConfig({ testTimeout: 120_000 });
-
 const style = { width: "300px", height: "220px" };
 let root: Root | null = null;
 

@@ -9,8 +9,6 @@ import Reader from "../for_tests/Reader.svelte";
 import ServerReader from "../for_tests/Reader.svelte?server";
 import type { TurnleafBook as BookElement } from "../index.ts";
 
-vi.setConfig({ testTimeout: 120_000 });
-
 const mounted: object[] = [];
 
 afterEach(async () => {

@@ -8,8 +8,6 @@ import { eventually } from "../for_tests/eventually.ts";
 import type { TurnleafBook as BookElement } from "../index.ts";
 import { TurnleafBook } from "./vue.ts";
 
-vi.setConfig({ testTimeout: 120_000 });
-
 const style = { width: "300px", height: "220px" };
 const apps: App[] = [];
 

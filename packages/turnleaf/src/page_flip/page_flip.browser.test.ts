@@ -4,13 +4,11 @@
  */
 
 import { PageFlip as Original } from "page-flip/dist/js/page-flip.module.js";
-import { afterEach, expect, test, vi } from "vitest";
+import { afterEach, expect, test } from "vitest";
 import { clock } from "../for_tests/clock.ts";
 import { scan } from "../for_tests/element_books.ts";
 import { eventually } from "../for_tests/eventually.ts";
 import { type FlipEvents, type FlipSetting, PageFlip } from "./index.ts";
-
-vi.setConfig({ testTimeout: 120_000 });
 
 afterEach(() => document.body.replaceChildren());
 

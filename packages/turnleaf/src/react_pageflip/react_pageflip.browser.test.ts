@@ -7,8 +7,6 @@ import { clock } from "../for_tests/clock.ts";
 import { eventually } from "../for_tests/eventually.ts";
 import HTMLFlipBook, { type HTMLFlipBookProps, type HTMLFlipBookRef } from "./index.ts";
 
-vi.setConfig({ testTimeout: 120_000 });
-
 let root: Root | null = null;
 
 afterEach(() => {

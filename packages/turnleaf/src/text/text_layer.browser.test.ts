@@ -3,7 +3,7 @@
  * reader does with it.
  */
 
-import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { afterEach, beforeEach, expect, test } from "vitest";
 import { cdp, userEvent } from "vitest/browser";
 import type { TurnleafBook } from "../element.ts";
 import { book, happens, scans, settled } from "../for_tests/element_books.ts";
@@ -34,9 +34,6 @@ function pdf(): File {
   });
   return new File([bytes], "whale.pdf");
 }
-
-// Real turns on a busy machine with software rendering take long.
-vi.setConfig({ testTimeout: 180_000 });
 
 let element: TurnleafBook;
 

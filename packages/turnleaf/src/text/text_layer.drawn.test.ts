@@ -3,7 +3,7 @@
  * reader does with it.
  */
 
-import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { afterEach, beforeEach, expect, test } from "vitest";
 import { cdp } from "vitest/browser";
 import type { TurnleafBook } from "../element.ts";
 import { drawNow } from "../for_tests/drawn_when_seen.ts";
@@ -35,9 +35,6 @@ function pdf(): File {
   });
   return new File([bytes], "whale.pdf");
 }
-
-// Real turns on a busy machine with software rendering take long.
-vi.setConfig({ testTimeout: 180_000 });
 
 let element: TurnleafBook;
 
