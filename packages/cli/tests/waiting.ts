@@ -80,11 +80,15 @@ export const passFrames = (page: Page, count: number): Promise<void> =>
     for (let k = 0; k < count; k++) await new Promise(requestAnimationFrame);
   }, count);
 
-/** Stops the clock of a page that is still empty: from then on its time passes only by {@link passTime}. */
+/** Stops the clock of a page that is still empty: its time passes only by {@link passTime}. */
 export async function stopClock(page: Page): Promise<void> {
   await page.clock.install({ time: 0 });
   await page.clock.pauseAt(1000);
 }
+
+/** Stops the running clock of a page that has one of `page.clock.install`. */
+export const pauseClock = async (page: Page): Promise<void> =>
+  page.clock.pauseAt(await page.evaluate(() => Date.now() + 1000));
 
 /** Lets time pass on a stopped clock, as a page with so slow frames has it: every timer fires at most once. */
 export async function passTime(page: Page, frames: number, frameTime: number): Promise<void> {
