@@ -18,6 +18,7 @@ import { Problem } from "../src/problem.ts";
 import { publish as publishHere } from "../src/publish/publish.ts";
 import type { PublishCommand } from "../src/publish/publish_arguments.ts";
 import { pdfOf, png, protectedPdf, textPdf } from "./books.ts";
+import { signalOnce } from "./command.ts";
 import {
   bookCount,
   filesOf,
@@ -132,12 +133,7 @@ exec "${findChromium()}" "$@"
   chmodSync(program, 0o755);
   const args = [...manyBooks(2), "--out", join(path, "site"), "--chromium", program, ...small];
   const { status, stderr } = await publish(args, (child) => {
-    const look = setInterval(() => {
-      if (!existsSync(`${program}.pid`)) return;
-      clearInterval(look);
-      child.kill("SIGINT");
-    }, 5);
-    child.on("close", () => clearInterval(look));
+    signalOnce(child, () => existsSync(`${program}.pid`), "SIGINT");
   });
   expect([status, stderr]).toEqual([1, "Stopped; the same command goes on from here.\n"]);
   const id = Number(readFileSync(`${program}.pid`, "utf8"));
@@ -198,12 +194,7 @@ test("killed half-way and started again it ends the same, and redoes at most one
         )
       : [];
   await publish([...books, "--out", killed!, ...small], (child) => {
-    const look = setInterval(() => {
-      if (finished().length < bookCount / 2) return;
-      clearInterval(look);
-      child.kill("SIGKILL");
-    }, 5);
-    child.on("close", () => clearInterval(look));
+    signalOnce(child, () => finished().length >= bookCount / 2, "SIGKILL");
   });
   const kept = finished().length;
   expect(kept).toBeGreaterThanOrEqual(bookCount / 2);
