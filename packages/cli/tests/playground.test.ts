@@ -100,9 +100,9 @@ it("draws two leaves and all that is drawn on them without a complaint", async (
   const drawing = await launchChromium({ isDrawn: true });
   try {
     const all = "left=springs-both&masses=yes&springs=yes&lines=yes&strain=yes";
-    await openIn(drawing, all, { width: 360, height: 300 });
+    await openIn(drawing, all, { width: 300, height: 240 });
     await press("Turn by edge");
-    await comeUp();
+    await passTimeUntil(page, () => page.evaluate(areBothUp), 120);
     expect(complaints).toEqual([]);
   } finally {
     await drawing.close();
