@@ -109,13 +109,16 @@ export default defineConfig({
             "books/**/*.test.{ts,mjs}",
             "scripts/**/*.test.mjs",
           ],
-          exclude: ["**/*.browser.test.ts", engines, "**/node_modules/**", "**/dist/**"],
+          exclude: [
+            ...["**/*.{browser,drawn,canvas}.test.ts", engines],
+            ...["**/node_modules/**", "**/dist/**"],
+          ],
           testTimeout: 60_000,
           ...beside,
         },
       },
       {
-        test: { name: "engines", environment: "node", include: [engines] },
+        test: { name: "engines", environment: "node", include: [engines], testTimeout: 120_000 },
       },
       inChromium("chromium", ["packages/**/*.browser.test.ts"], { setup: "browser_setup.ts" }),
       inChromium("chromium, drawn", ["packages/**/*.drawn.test.ts"], { setup: "drawn_setup.ts" }),

@@ -76,6 +76,23 @@ export function runWithChromium(
   return ended;
 }
 
+/** Milliseconds between looks at what a command has written. */
+const look = 5;
+
+/** Sends a signal to a command once a condition of what it has written holds, unless it has ended. */
+export function signalOnce(
+  child: ChildProcess,
+  condition: () => boolean,
+  signal: NodeJS.Signals,
+): void {
+  const timer = setInterval(() => {
+    if (!condition()) return;
+    clearInterval(timer);
+    child.kill(signal);
+  }, look);
+  child.once("close", () => clearInterval(timer));
+}
+
 /** Starts reading with the built command and waits until it serves. */
 export const start = (...args: string[]): Promise<Started> => startServing("read", ...args);
 

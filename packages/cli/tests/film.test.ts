@@ -6,7 +6,7 @@ import { parseCommand } from "../src/arguments.ts";
 import { findProgram } from "../src/chromium/find_program.ts";
 import { Frames } from "../src/film/frames.ts";
 import { pdf } from "./books.ts";
-import { type Ended, folderOf, main, runWithChromium } from "./command.ts";
+import { type Ended, folderOf, main, runWithChromium, signalOnce } from "./command.ts";
 
 /** Small and few: rendering is in software here. */
 const small = ["--size", "96x64", "--fps", "8", "--seconds-per-turn", "0.5", "--pause", "0.25"];
@@ -108,12 +108,8 @@ describe("a film", () => {
     expect(names.at(-1)).toBe(`${String(names.length).padStart(6, "0")}.png`);
 
     const ended = await film([book, ...small, ...pages, "--out", stopped], {}, (child) => {
-      const timer = setInterval(() => {
-        if (!existsSync(stopped) || pictures(stopped).length < names.length / 2 + 2) return;
-        clearInterval(timer);
-        child.kill("SIGINT");
-      }, 5);
-      child.on("exit", () => clearInterval(timer));
+      const most = names.length / 2 + 2;
+      signalOnce(child, () => existsSync(stopped) && pictures(stopped).length >= most, "SIGINT");
     });
     expect(ended).toMatchObject({
       status: 1,

@@ -12,7 +12,7 @@ import type { FilmCommand } from "../src/film/film_arguments.ts";
 import { type Frames, mostPictures } from "../src/film/frames.ts";
 import { Progress } from "../src/progress.ts";
 import { page as coloured } from "./books.ts";
-import { type Ended, folderOf, runWithChromium } from "./command.ts";
+import { type Ended, folderOf, runWithChromium, signalOnce } from "./command.ts";
 
 const parse = (...args: string[]): FilmCommand =>
   parseCommand(["film", "a.pdf", "--out", "a", ...args]) as FilmCommand;
@@ -199,13 +199,8 @@ describe("films", () => {
 
     const half = (ends[3] as number) + 3;
     const stopped = await film("stopped", does, (child) => {
-      const timer = setInterval(() => {
-        const path = join(folder.path, "stopped");
-        if (!existsSync(path) || pictures("stopped").length < half) return;
-        clearInterval(timer);
-        child.kill("SIGINT");
-      }, 5);
-      child.on("exit", () => clearInterval(timer));
+      const path = join(folder.path, "stopped");
+      signalOnce(child, () => existsSync(path) && pictures("stopped").length >= half, "SIGINT");
     });
     expect(stopped.status).toBe(1);
     expect(pictures("stopped").length).toBeLessThan(whole.length);

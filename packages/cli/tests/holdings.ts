@@ -1,6 +1,7 @@
 /** What a page that shows books holds: counted in the page as it is made and given back. */
 
 import type { CDPSession, Page } from "playwright-core";
+import { passFrames } from "./waiting.ts";
 
 /** Runs in the page before anything else: counts what is made and not given back. */
 export function countHoldings(): void {
@@ -13,6 +14,7 @@ export function countHoldings(): void {
     workers: new Set<Worker>(),
     urls: new Set<string>(),
     frames: 0,
+    timers: new Set<number>(),
   };
   // The browser's own record of requests is no part of the viewer.
   performance.setResourceTimingBufferSize(0);
@@ -98,6 +100,19 @@ export function countHoldings(): void {
     holdings.frames++;
     return request(call);
   };
+  const { setTimeout, clearTimeout } = globalThis;
+  globalThis.setTimeout = ((call: (...given: unknown[]) => void, delay?: number, ...given: []) => {
+    const id = setTimeout(() => {
+      holdings.timers.delete(id);
+      call(...given);
+    }, delay) as unknown as number;
+    holdings.timers.add(id);
+    return id;
+  }) as typeof setTimeout;
+  globalThis.clearTimeout = (id) => {
+    holdings.timers.delete(id as unknown as number);
+    clearTimeout(id);
+  };
 }
 
 /** What a page holds, after its garbage was collected. */
@@ -116,21 +131,27 @@ export interface Holdings {
   readonly memories: number;
   readonly workers: number;
   readonly urls: number;
+  /** Frames that were requested since the page was opened, and timers that run. */
+  readonly frames: number;
+  readonly timers: number;
 }
 
-/** Collects a page's garbage and says what is left. */
+/** Frames that {@link holdingsOf} requests. */
+export const framesOfMeasuring = 3;
+
+/** Collects a page's garbage and returns what is left. */
 export async function holdingsOf(page: Page, session: CDPSession): Promise<Holdings> {
   // Twice: what the first round finalises is free only in the second.
-  for (let round = 0; round < 3; round++) {
+  for (let round = 0; round < framesOfMeasuring; round++) {
     await session.send("HeapProfiler.collectGarbage");
-    await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 50)));
+    await passFrames(page, 1);
   }
   const { metrics } = await session.send("Performance.getMetrics");
   const metric = (name: string) =>
     metrics.find((known) => known.name === name)?.value ?? Number.NaN;
   const counted = await page.evaluate(() => {
     const { holdings } = globalThis as unknown as { holdings: Record<string, never> };
-    const { textures, bitmaps, canvases, contexts, memories, workers, urls } =
+    const { textures, bitmaps, canvases, contexts, memories, workers, urls, frames, timers } =
       holdings as never as {
         textures: Map<unknown, number>;
         bitmaps: Map<unknown, number>;
@@ -139,6 +160,8 @@ export async function holdingsOf(page: Page, session: CDPSession): Promise<Holdi
         memories: WeakRef<WebAssembly.Memory>[];
         workers: Set<unknown>;
         urls: Set<unknown>;
+        frames: number;
+        timers: Set<unknown>;
       };
     const sum = (sizes: Iterable<number>) => [...sizes].reduce((total, size) => total + size, 0);
     const live = <T extends object>(refs: WeakRef<T>[]) =>
@@ -152,6 +175,8 @@ export async function holdingsOf(page: Page, session: CDPSession): Promise<Holdi
       memoryBytes: sum(live(memories).map(({ buffer }) => buffer.byteLength)),
       workers: workers.size,
       urls: urls.size,
+      frames,
+      timers: timers.size,
     };
   });
   return {

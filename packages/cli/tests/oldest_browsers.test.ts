@@ -5,19 +5,17 @@
 
 import { readdirSync, readFileSync } from "node:fs";
 import { parse } from "acorn";
-import { type Browser, chromium } from "playwright-core";
 import type { TurnleafBook } from "turnleaf";
-import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
-import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { afterAll, beforeAll, expect, test } from "vitest";
 import { lacking, oldestBrowsers } from "../../../scripts/lacking.mjs";
 import { pdf, png } from "./books.ts";
+import { chromiumForTests, hearComplaints } from "./browser.ts";
 import { serveViewer, type ViewerSite } from "./viewer_page.ts";
 
-let browser: Browser;
+const tests = chromiumForTests();
 let site: ViewerSite;
 
 beforeAll(async () => {
-  browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
   const manifest = JSON.stringify({ pages: ["1.png", "2.png", "3.png", "4.png"] });
   const files: Record<string, Buffer | string> = { "/book.pdf": pdf(9), "/book.json": manifest };
   site = await serveViewer(
@@ -25,11 +23,7 @@ beforeAll(async () => {
   );
 });
 afterAll(async () => {
-  await browser?.close();
   await site?.stop();
-});
-afterEach(async () => {
-  for (const context of browser.contexts()) await context.close();
 });
 
 /**
@@ -106,11 +100,8 @@ test.each(engines)(
   },
   async (oldest) => {
     const complaints: string[] = [];
-    const page = await browser.newPage({ viewport: { width: 400, height: 300 } });
-    page.on("pageerror", (error) => complaints.push(error.message));
-    page.on("console", (message) => {
-      if (/error|warning/.test(message.type())) complaints.push(message.text());
-    });
+    const page = await tests.newPage({ viewport: { width: 400, height: 300 } });
+    hearComplaints(page, complaints);
     await page.addInitScript(deleteFeatures, lacking(oldest));
     for (const src of ["/book.pdf", "/book.json"]) {
       await page.goto(site.url);
@@ -144,7 +135,7 @@ test.each([
   ["Map.getOrInsertComputed", "of 2025"],
   ["Promise.withResolvers", "as older versions of zone.js take it away"],
 ])("a PDF opens without %s, %s", { timeout: 60_000 }, async (feature) => {
-  const page = await browser.newPage({ viewport: { width: 400, height: 300 } });
+  const page = await tests.newPage({ viewport: { width: 400, height: 300 } });
   await page.addInitScript(deleteFeatures, [feature]);
   await page.goto(site.url);
   expect(await page.evaluate(use, "/book.pdf")).toMatchObject({ turned: true, deleted: 1 });

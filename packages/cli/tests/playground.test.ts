@@ -2,18 +2,20 @@
 
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
-import { type Browser, chromium, type Page } from "playwright-core";
+import type { Browser, Page } from "playwright-core";
 import { decodeTurn } from "turnleaf/keyframes";
 import { afterAll, afterEach, beforeAll, expect, it } from "vitest";
-import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
 import { firstSettings } from "../app/playground/settings.ts";
+import { launchChromium, newPage } from "./browser.ts";
 import { type Started, startServing } from "./command.ts";
+import { comesTo, passTime, passTimeUntil, stopClock, textComesTo } from "./waiting.ts";
 
-/** Generous for machines with software rendering; fast ones do not wait. */
-const patience = { timeout: 50_000 };
 const atRest = "At rest: nothing is computed or drawn.";
 /** Two models that cost next to nothing. */
 const cheap = "left=cylinder&right=cone&seconds=1";
+
+/** Milliseconds between frames: so few are enough, as leaves move in steps of their own. */
+const [fast, slow] = [50, 250];
 
 let served: Started;
 let browser: Browser;
@@ -22,7 +24,7 @@ const complaints: string[] = [];
 
 beforeAll(async () => {
   served = await startServing("playground", "--no-open", "--port", "0");
-  browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
+  browser = await launchChromium();
 });
 afterAll(async () => {
   await browser?.close();
@@ -30,18 +32,33 @@ afterAll(async () => {
   expect(ended?.stderr).toBe("");
 });
 afterEach(async () => {
-  await page.close();
+  await page.context().close();
   expect(complaints.splice(0)).toEqual([]);
 });
 
-async function open(link = "", { width = 700, height = 480 } = {}): Promise<void> {
-  page = await browser.newPage({ viewport: { width, height }, locale: "en-GB" });
+interface Opening {
+  readonly width?: number;
+  readonly height?: number;
+  /** If true, time passes as on the machine; otherwise only as far as the test lets it. */
+  readonly runs?: boolean;
+}
+
+async function open(link = "", opening: Opening = {}): Promise<void> {
+  await openIn(browser, link, opening);
+}
+
+async function openIn(
+  of: Browser,
+  link: string,
+  { width = 700, height = 480, runs = false }: Opening,
+): Promise<void> {
+  const viewport = { width, height };
+  page = await newPage(of, { viewport, locale: "en-GB", isDrawn: of !== browser });
   page.on("pageerror", (error) => complaints.push(error.message));
   page.on("console", (message) => {
     if (["error", "warning"].includes(message.type())) complaints.push(message.text());
   });
-  // As the machine's, until a test stops it.
-  await page.clock.install();
+  if (!runs) await stopClock(page);
   await page.addInitScript(() => {
     const { requestAnimationFrame } = window;
     window.requestAnimationFrame = (call) => {
@@ -51,13 +68,14 @@ async function open(link = "", { width = 700, height = 480 } = {}): Promise<void
   });
   const response = await page.goto(`${served.url}${link && `#${link}`}`);
   expect(response?.headers()["content-security-policy"]).toContain("style-src 'self'");
-  await isStill();
   // Written once both leaves are drawn.
-  await expect.poll(() => words("energy").count(), patience).toBe(2);
+  await comesTo(page, () => document.querySelectorAll(".plot:first-child p:not(:empty)").length, 2);
+  if (!runs) await isStill();
 }
 
 const status = () => page.getByRole("status").textContent();
-const isStill = () => expect.poll(status, patience).toBe(atRest);
+/** Lets time pass until both leaves are at rest. */
+const isStill = () => passTimeUntil(page, async () => (await status()) === atRest, slow);
 const words = (plot: "energy" | "strain" | "cost") =>
   page.locator(".plot").nth(["energy", "strain", "cost"].indexOf(plot)).locator("p:not(:empty)");
 
@@ -71,28 +89,32 @@ const areBothUp = (): boolean =>
     return unit === "m" || (unit === "µ" && Number(number) > 100);
   });
 
-/** Waits until both stand up; checks every frame, so that no moment is missed. */
-const comeUp = () => page.waitForFunction(areBothUp, null, patience);
-
-/** Stops the page's clock: from then on time passes only in `runUntil`. */
-const stopClock = async () => page.clock.pauseAt(await page.evaluate(() => Date.now() + 1000));
-
-/** Lets the stopped clock run, frame by frame, until a condition holds. */
-async function runUntil(condition: () => Promise<boolean>): Promise<void> {
-  for (let frame = 0; !(await condition()); frame++) {
-    expect(frame, "frames until it holds").toBeLessThan(1200);
-    await page.clock.runFor(16);
-  }
-}
+/** Lets time pass until both stand up. */
+const comeUp = () => passTimeUntil(page, () => page.evaluate(areBothUp), fast);
+/** Lets time pass until one of them does not. */
+const goDown = () => passTimeUntil(page, async () => !(await page.evaluate(areBothUp)), fast);
 
 const press = (name: string) => page.getByRole("button", { name, exact: true }).click();
+
+it("draws two leaves and all that is drawn on them without a complaint", async () => {
+  const drawing = await launchChromium({ isDrawn: true });
+  try {
+    const all = "left=springs-both&masses=yes&springs=yes&lines=yes&strain=yes";
+    await openIn(drawing, all, { width: 300, height: 240 });
+    await press("Turn by edge");
+    await passTimeUntil(page, () => page.evaluate(areBothUp), 120);
+    expect(complaints).toEqual([]);
+  } finally {
+    await drawing.close();
+  }
+});
 
 it("shows two leaves without a complaint, and asks for no frame at rest", async () => {
   await open();
   expect(await page.title()).toBe("Turnleaf playground");
   expect(await page.locator(".pair canvas").count()).toBe(2);
   const before = await page.evaluate(() => Reflect.get(window, "asked"));
-  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 700)));
+  await passTime(page, 10, 70);
   expect(await page.evaluate(() => Reflect.get(window, "asked"))).toBe(before);
 });
 
@@ -117,7 +139,7 @@ for (const [k, name, sign] of [
     await moveTo(0, 0.6);
     await comeUp();
     await moveTo(-0.24, 0.85);
-    await expect.poll(() => page.evaluate(areBothUp), patience).toBe(false);
+    await goDown();
     await page.mouse.up();
     await isStill();
   });
@@ -131,17 +153,15 @@ it("takes the corner by keys, and lets it go", async () => {
   await comeUp();
   await canvas.press("Enter");
   // They may have been still before they are let go.
-  await expect.poll(() => page.evaluate(areBothUp), patience).toBe(false);
+  await goDown();
   await isStill();
 });
 
-// Three turns, each frame drawn in software and asked for what it shows.
-it("plays each turn, pauses it, and goes on step by step", { timeout: 240_000 }, async () => {
+it("plays each turn, pauses it, and goes on step by step", async () => {
   await open(cheap);
-  await stopClock();
   for (const name of ["Turn by edge", "Turn by corner", "Let go half-way"]) {
     await press(name);
-    await runUntil(() => page.evaluate(areBothUp));
+    await comeUp();
     await press("Pause");
     const before = await words("energy").allTextContents();
     expect(await status()).toBe("Paused.");
@@ -149,7 +169,7 @@ it("plays each turn, pauses it, and goes on step by step", { timeout: 240_000 },
     expect(await status()).toBe("Paused.");
     expect(await words("energy").allTextContents()).not.toEqual(before);
     await press("Go on");
-    await runUntil(async () => (await status()) === atRest);
+    await isStill();
   }
 });
 
@@ -172,9 +192,9 @@ it("plays a replay beside the sheet that was recorded, and it follows a drag", a
 });
 
 it("says how much slower than real time the shell is", async () => {
-  await open("right=shell&nodes=12");
+  await open("right=shell&nodes=12", { runs: true });
   await press("Turn by corner");
-  await expect.poll(status, patience).toMatch(/^[\d.]+ times slower than real time\.$/);
+  await textComesTo(page, "[role=status]", /^[\d.]+ times slower than real time\.$/);
   await press("Pause");
 });
 
@@ -206,7 +226,7 @@ it("carries all settings in the link", async () => {
     lines: "yes",
     strain: "yes",
   });
-  await page.close();
+  await page.context().close();
   await open(link);
   expect(await page.getByLabel("Model of the first leaf").inputValue()).toBe("cone");
   expect(await page.getByLabel("Stock").inputValue()).toBe("card");
@@ -227,21 +247,16 @@ it("ignores a hostile link with one sentence", async () => {
   await page.evaluate(() => {
     location.hash = "#__proto__=1";
   });
-  await expect
-    .poll(() => alert.textContent(), patience)
-    .toBe("The link was ignored: it is none of this page's.");
+  await textComesTo(page, "[role=alert]", "The link was ignored: it is none of this page's.");
   await page.evaluate(() => {
     location.hash = "#gravity=2";
   });
-  await expect.poll(() => page.getByLabel("Gravity").inputValue(), patience).toBe("2");
+  await page.waitForFunction(
+    (input) => (input as HTMLInputElement).value === "2",
+    await page.getByLabel("Gravity").elementHandle(),
+  );
   expect(await alert.textContent()).toBe("");
 });
-
-/** Lets frames draw nothing, as software GL takes a second for each: for what is seen in words. */
-const drawNothing = () =>
-  page.evaluate(() => {
-    WebGL2RenderingContext.prototype.drawElements = () => {};
-  });
 
 /** Returns the angles of a crease now and at rest, degrees, and its moment, mN, as they are shown. */
 async function creaseNow(k: number): Promise<number[]> {
@@ -250,11 +265,8 @@ async function creaseNow(k: number): Promise<number[]> {
   return (found ?? []).slice(1).map(Number);
 }
 
-it("folds the sheet along a line that is drawn on the flat page", {
-  timeout: 240_000,
-}, async () => {
+it("folds the sheet along a line that is drawn on the flat page", async () => {
   await open("left=cylinder");
-  await drawNothing();
   const paper = page.locator(".flat-page .paper");
   await paper.scrollIntoViewIfNeeded();
   const box = await paper.boundingBox();
@@ -274,7 +286,7 @@ it("folds the sheet along a line that is drawn on the flat page", {
   const expected = ((6 * 0.12) / 0.148) * (((angle - 150) * Math.PI) / 180);
   expect(Math.abs(moment - expected)).toBeLessThan(0.06);
   await page.getByLabel("Rest of 1").fill("-90");
-  await expect.poll(() => creaseNow(0).then(([, rest]) => rest), patience).toBe(-90);
+  await passTimeUntil(page, async () => (await creaseNow(0))[1] === -90, slow);
   await page.getByRole("button", { name: "Remove crease 1" }).click();
   expect(await page.locator(".creases .live").count()).toBe(0);
   await isStill();
@@ -282,8 +294,7 @@ it("folds the sheet along a line that is drawn on the flat page", {
 
 it("keeps creases that the sheet can have, and says why it has no others", async () => {
   await open("left=cylinder&creases=62.0.100.27.150");
-  await drawNothing();
-  await expect.poll(() => creaseNow(0).then(([, rest]) => rest), patience).toBe(150);
+  await passTimeUntil(page, async () => (await creaseNow(0))[1] === 150, slow);
   const paper = page.locator(".flat-page .paper");
   await paper.scrollIntoViewIfNeeded();
   const box = await paper.boundingBox();
@@ -335,9 +346,8 @@ it("records a turn as a film and as key frames of either leaf", async () => {
   await isStill();
   await press("Stop recording");
   const files = page.getByRole("list", { name: "Files to keep" }).getByRole("link");
-  await expect
-    .poll(() => files.allTextContents(), patience)
-    .toEqual(["turn.webm", "1-cylinder.tlkf", "2-cone.tlkf"]);
+  await files.nth(2).waitFor();
+  expect(await files.allTextContents()).toEqual(["turn.webm", "1-cylinder.tlkf", "2-cone.tlkf"]);
   for (const [k, model] of [
     [1, "cylinder"],
     [2, "cone"],
@@ -367,7 +377,7 @@ it("records a turn as a film and as key frames of either leaf", async () => {
 });
 
 it("is named and labelled throughout", async () => {
-  await open("", { width: 390, height: 844 });
+  await open("", { width: 390, height: 844, runs: true });
   await page.evaluate(readFileSync(createRequire(import.meta.url).resolve("axe-core"), "utf8"));
   const found = await page.evaluate(async () => {
     const { axe } = window as never as {

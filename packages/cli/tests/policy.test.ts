@@ -7,9 +7,11 @@ import { rar5, sevenZip } from "../../turnleaf/src/for_tests/stored_archives.ts"
 import { tinyEpub } from "../../turnleaf/src/sources/epub/tiny_epub.ts";
 import { jpeg2000, tinyPdf } from "../../turnleaf/src/sources/tiny_pdf.ts";
 import { pdf, png } from "./books.ts";
-import { browserForTests } from "./viewer_page.ts";
+import { pageForTests } from "./browser.ts";
+import { sitesForTests } from "./viewer_page.ts";
 
-const tests = browserForTests();
+const sites = sitesForTests();
+const tests = pageForTests({ viewport: { width: 400, height: 300 } });
 
 /** The policy that docs/policy.md gives for PDFs and images from the page's own site. */
 const enough = {
@@ -65,13 +67,9 @@ async function visit(
   changes: Partial<Record<keyof typeof enough | "img-src" | "font-src" | "media-src", string>> = {},
 ) {
   const policy = Object.entries({ ...enough, ...changes }).map((entry) => entry.join(" "));
-  const site = await tests.serve((path) => files[path] ?? null, policy.join("; "));
-  const page = await tests.browser.newPage({ viewport: { width: 400, height: 300 } });
-  const said: string[] = [];
-  page.on("pageerror", (error) => said.push(error.message));
-  page.on("console", (message) => {
-    if (/error|warning/.test(message.type())) said.push(message.text());
-  });
+  const site = await sites.serve((path) => files[path] ?? null, policy.join("; "));
+  const { page, complaints: said } = tests;
+  said.length = 0;
   await page.goto(site.url);
   return { page, said, asked: site.asked };
 }
@@ -82,7 +80,7 @@ async function visit(
  */
 async function show([src, attributes]: readonly [string, Record<string, string>]) {
   const book = document.createElement("turnleaf-book") as TurnleafBook;
-  for (const [name, value] of Object.entries({ duration: "80", ...attributes })) {
+  for (const [name, value] of Object.entries({ duration: "20", ...attributes })) {
     book.setAttribute(name, value);
   }
   const happened = new Promise<string>((resolve) => {

@@ -7,6 +7,15 @@ import { beforeAll, describe, expect, it } from "vitest";
 import { png, textPdf } from "./books.ts";
 import { filesOf, folder, newPage, patience, publish, small, visit } from "./publishing.ts";
 
+/** Runs in a page. Returns the width of an image's file once it is loaded. */
+const widthOnceLoaded = async (element: SVGElement | HTMLElement): Promise<number> => {
+  const image = element as HTMLImageElement;
+  if (!image.complete || image.naturalWidth === 0) {
+    await new Promise((resolve) => image.addEventListener("load", resolve, { once: true }));
+  }
+  return image.naturalWidth;
+};
+
 describe("a site of three books", () => {
   let site: string;
   let ended: Awaited<ReturnType<typeof publish>>;
@@ -92,9 +101,7 @@ describe("a site of three books", () => {
     expect(await page.locator("#page-23 .words").textContent()).toContain("This is page 23.");
     const picture = page.locator("#page-22 img");
     await picture.scrollIntoViewIfNeeded();
-    await expect
-      .poll(() => picture.evaluate((image: HTMLImageElement) => image.naturalWidth))
-      .toBeGreaterThan(40);
+    expect(await picture.evaluate(widthOnceLoaded)).toBeGreaterThan(40);
   });
 
   it("turns the pages of a book under its own policy, asks for nothing outside", async () => {

@@ -4,10 +4,10 @@ import type { ChildProcess } from "node:child_process";
 import { createHash } from "node:crypto";
 import { readdirSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
-import { type Browser, type BrowserContextOptions, chromium, type Page } from "playwright-core";
+import type { Browser, BrowserContextOptions, Page } from "playwright-core";
 import { afterAll, afterEach } from "vitest";
-import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
 import { textPdf } from "./books.ts";
+import { hearComplaints, launchChromium, newPage as newPageIn } from "./browser.ts";
 import { type Ended, folderOf, runWithChromium } from "./command.ts";
 import { type SiteServer, serveSite } from "./site_server.ts";
 
@@ -79,11 +79,8 @@ export function manyBooks(count: number): string[] {
 
 /** Returns an empty page of a Chromium, closed after the test. */
 export async function newPage(options: BrowserContextOptions = {}): Promise<Page> {
-  browser ??= await chromium.launch({
-    executablePath: findChromium(),
-    args: chromiumArguments,
-  });
-  return await (await browser.newContext(options)).newPage();
+  browser ??= await launchChromium();
+  return await newPageIn(browser, options);
 }
 
 /** Opens a page of a site in a Chromium; `said` gets its errors and warnings. */
@@ -96,10 +93,7 @@ export async function visit(
   servers.push(server);
   const page = await newPage(options);
   const said: string[] = [];
-  page.on("pageerror", (error) => said.push(error.message));
-  page.on("console", (message) => {
-    if (/error|warning/.test(message.type())) said.push(message.text());
-  });
+  hearComplaints(page, said);
   await page.goto(server.url + address);
   return { page, server, said };
 }

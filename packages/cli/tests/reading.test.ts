@@ -2,11 +2,12 @@
 
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { type Browser, chromium, type Page } from "playwright-core";
-import { afterAll, afterEach, beforeAll, expect, test } from "vitest";
-import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import type { Page } from "playwright-core";
+import { afterEach, expect, test } from "vitest";
 import { png } from "./books.ts";
+import { chromiumForTests } from "./browser.ts";
 import { folderOf, type Started, start } from "./command.ts";
+import { bookSettles, passTime, passTimeUntil, pauseClock } from "./waiting.ts";
 
 const book = fileURLToPath(new URL("../../../books/moby-dick.pdf", import.meta.url));
 const other = fileURLToPath(new URL("../../../books/others/charis-features.pdf", import.meta.url));
@@ -14,19 +15,14 @@ const other = fileURLToPath(new URL("../../../books/others/charis-features.pdf",
 // Small: rendering is in software here.
 const viewport = { width: 760, height: 620 };
 
-let browser: Browser;
-
-beforeAll(async () => {
-  browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
-});
-
-afterAll(() => browser?.close());
+/** For what is seen, and for what is not. */
+const drawing = chromiumForTests({ isDrawn: true });
+const undrawn = chromiumForTests();
 
 /** Started by a test; stopped after it, however it ended. */
 const running: Started[] = [];
 
 afterEach(async () => {
-  for (const context of browser.contexts()) await context.close();
   for (const served of running.splice(0)) await served.stop();
 });
 
@@ -42,16 +38,16 @@ interface Counts {
   timers: number;
 }
 
-/** Opens a served book in a fresh tab and waits until its pages are sharp. */
+/** Opens a served book in a fresh tab, whose clock runs, and waits until its pages are sharp. */
 async function open(
   served: Started,
   hash: string,
-  prepare: (page: Page) => Promise<void> = async () => {},
+  tests = undrawn,
 ): Promise<{ page: Page; errors: string[] }> {
-  const page = await browser.newPage({ viewport });
+  const page = await tests.newPage({ viewport });
   const errors: string[] = [];
   page.on("pageerror", (error) => errors.push(error.message));
-  await prepare(page);
+  await page.clock.install();
   await page.addInitScript(() => {
     const counts = { frames: 0, timers: 0 };
     Object.assign(globalThis, { counts });
@@ -71,21 +67,19 @@ async function open(
     }
   });
   await page.goto(`${served.url}${hash}`);
-  await settle(page);
+  await bookSettles(page);
   return { page, errors };
 }
 
-/** Waits until the book is at rest and sharp. */
+/** Lets the clock of a page run until its book is at rest and sharp. */
 async function settle(page: Page): Promise<void> {
-  await page.waitForFunction(
-    () => document.querySelector("turnleaf-book")?.settled === true,
-    null,
-    {
-      polling: 100,
-      timeout: 40_000,
-    },
-  );
+  await page.clock.resume();
+  await bookSettles(page);
 }
+
+/** Makes the turns of a page's book short: leaves are seen to turn elsewhere. */
+const hurry = (page: Page): Promise<void> =>
+  page.evaluate(() => document.querySelector("turnleaf-book")?.setAttribute("duration", "100"));
 
 const shownPage = (page: Page) =>
   page.evaluate(() => document.querySelector("turnleaf-book")?.page);
@@ -143,12 +137,13 @@ async function ink(page: Page, box: { x: number; y: number; width: number; heigh
 const leftText = { x: 0.27, y: 0.41, width: 0.17, height: 0.29 };
 const rightText = { x: 0.56, y: 0.41, width: 0.17, height: 0.29 };
 
-test("the default book opens, is dragged over, and rests", { timeout: 180_000 }, async () => {
+test("the default book opens, is dragged over, and rests", async () => {
   const served = await serve(book);
   // It opens where it asks to: at the ship that faces its first chapter.
   const { page: first } = await open(served, "");
   expect(await shownPage(first)).toBe(18);
-  const { page, errors } = await open(served, "#page=22");
+  await first.context().close();
+  const { page, errors } = await open(served, "#page=22", drawing);
   expect(await shownPage(page)).toBe(22);
   expect(
     await page.evaluate(() => document.querySelector("turnleaf-book")?.pageCount),
@@ -162,8 +157,9 @@ test("the default book opens, is dragged over, and rests", { timeout: 180_000 },
   }
 
   // At rest nothing runs.
+  await pauseClock(page);
   const before = await counts(page);
-  await new Promise((resolve) => setTimeout(resolve, 1000));
+  await passTime(page, 10, 100);
   expect(await counts(page)).toEqual(before);
 
   // Dragged by the fore-edge to the other side.
@@ -171,46 +167,45 @@ test("the default book opens, is dragged over, and rests", { timeout: 180_000 },
   await page.mouse.move(x - 8, viewport.height * 0.7);
   await page.mouse.down();
   await page.mouse.move(x - 120, viewport.height * 0.66, { steps: 4 });
-  await page.waitForTimeout(300);
+  await passTime(page, 3, 100);
   expect((await counts(page)).frames).toBeGreaterThan(before.frames);
   expect(await shownPage(page)).toBe(22);
   await page.mouse.move(viewport.width - x, viewport.height * 0.68, { steps: 6 });
   await page.mouse.up();
-  await page.waitForFunction(() => document.querySelector("turnleaf-book")?.page === 24, null, {
-    timeout: 20_000,
-  });
+  await passTimeUntil(page, async () => (await shownPage(page)) === 24, 100);
   await settle(page);
   for (const box of [leftText, rightText])
     expect((await ink(page, box)).dark).toBeGreaterThan(0.02);
   expect(await page.evaluate(() => location.hash)).toBe("#page=24");
 
   // Released near where it was grabbed, it falls back.
+  await pauseClock(page);
   const again = await findEdge(page, "right", 0.7);
   await page.mouse.move(again - 8, viewport.height * 0.7);
   await page.mouse.down();
   await page.mouse.move(again - 60, viewport.height * 0.7, { steps: 4 });
-  await page.waitForTimeout(400);
+  await passTime(page, 4, 100);
   await page.mouse.up();
   await settle(page);
   expect(await shownPage(page)).toBe(24);
 
   // Removed, it leaves nothing running.
+  await pauseClock(page);
   await page.evaluate(() => {
     void document.querySelector("turnleaf-book")?.next();
     document.querySelector("turnleaf-book")?.remove();
   });
-  await page.waitForTimeout(200);
+  await passTime(page, 2, 100);
   const removed = await counts(page);
-  await page.waitForTimeout(800);
+  await passTime(page, 8, 100);
   expect(await counts(page)).toEqual(removed);
   expect(errors).toEqual([]);
 });
 
-test("keys, clicks and commands turn pages and land at their pages", {
-  timeout: 180_000,
-}, async () => {
+test("keys, clicks and commands turn pages and land at their pages", async () => {
   const served = await serve(book);
   const { page, errors } = await open(served, "#page=30");
+  await hurry(page);
   await page.keyboard.press("ArrowRight");
   await settle(page);
   expect(await shownPage(page)).toBe(32);
@@ -249,36 +244,32 @@ test("keys, clicks and commands turn pages and land at their pages", {
   expect(errors).toEqual([]);
 });
 
-test("a running turn is caught and taken back", { timeout: 180_000 }, async () => {
+test("a running turn is caught and taken back", async () => {
   const served = await serve(book);
-  const { page, errors } = await open(served, "#page=40", (page) => page.clock.install());
-  await page.clock.pauseAt(await page.evaluate(() => Date.now() + 1000));
-  /** Lets a tenth of a second pass in each of some frames. */
-  const pass = async (frames: number) => {
-    for (let k = 0; k < frames; k++) await page.clock.fastForward(100);
-  };
+  const { page, errors } = await open(served, "#page=40");
+  await pauseClock(page);
   await page.evaluate(() => {
     const element = document.querySelector("turnleaf-book");
     element?.setAttribute("duration", "6000");
     void element?.next();
   });
-  await pass(22);
+  await passTime(page, 22, 100);
   // The leaf stands somewhere over the right page: press where it is, and pull it back.
   await page.mouse.move(viewport.width * 0.66, viewport.height * 0.55);
   await page.mouse.down();
   const x = viewport.width * 0.8;
   await page.mouse.move(x, viewport.height * 0.7, { steps: 8 });
-  await pass(6);
+  await passTime(page, 6, 100);
   await page.mouse.up();
-  await page.clock.resume();
   await settle(page);
   expect(await shownPage(page)).toBe(40);
   expect(errors).toEqual([]);
 });
 
-test("another real PDF, with an odd number of pages", { timeout: 120_000 }, async () => {
+test("another real PDF, with an odd number of pages", async () => {
   const served = await serve(other);
-  const { page, errors } = await open(served, "#page=4");
+  const { page, errors } = await open(served, "#page=4", drawing);
+  await hurry(page);
   expect(await page.evaluate(() => document.querySelector("turnleaf-book")?.pageCount)).toBe(9);
   expect((await ink(page, { x: 0.2, y: 0.2, width: 0.6, height: 0.6 })).dark).toBeGreaterThan(0.01);
   expect(await page.evaluate(() => document.querySelector("turnleaf-book")?.goTo(9))).toBe(true);
@@ -289,20 +280,7 @@ test("another real PDF, with an odd number of pages", { timeout: 120_000 }, asyn
   expect(errors).toEqual([]);
 });
 
-/** Returns the element's message where the page would be, and its announcement. */
-const said = (page: Page) =>
-  page.evaluate(() => {
-    const root = document.querySelector("turnleaf-book")?.shadowRoot;
-    const message = root?.querySelector<HTMLElement>("[part=message]");
-    return {
-      alert: message?.role === "alert" && !message.hidden ? message.textContent : "",
-      live: root?.querySelector(".live")?.textContent ?? "",
-    };
-  });
-
-test("what breaks after it was opened says so where the page would be", {
-  timeout: 60_000,
-}, async () => {
+test("what breaks after it was opened says so where the page would be", async () => {
   const folder = folderOf({
     "book.pdf": readFileSync(other),
     "scans/1.png": png(30, 40),
@@ -312,14 +290,15 @@ test("what breaks after it was opened says so where the page would be", {
   const whole = await serve(`${folder.path}/book.pdf`);
   const scans = await serve(`${folder.path}/scans`);
   folder.remove();
-  const page = await browser.newPage({ viewport });
+  const page = await undrawn.newPage({ viewport });
 
   // A deleted file: nothing can be shown.
   await page.goto(whole.url);
-  await expect.poll(async () => (await said(page)).alert, { timeout: 20_000 }).toContain(".pdf");
+  const alert = page.locator("[part=message][role=alert]");
+  await alert.filter({ hasText: ".pdf" }).waitFor();
 
   // Deleted pages: the book opens, and each page gives the reason why it is not shown.
   await page.goto(scans.url);
-  await expect.poll(async () => (await said(page)).live, { timeout: 20_000 }).toContain("1.png");
-  expect((await said(page)).alert).toBe("");
+  await page.locator(".live", { hasText: "1.png" }).waitFor({ state: "attached" });
+  expect(await alert.isVisible()).toBe(false);
 });

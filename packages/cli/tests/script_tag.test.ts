@@ -1,18 +1,20 @@
 /** The built files for a script tag, on pages without an import map, under a strict policy. */
 
 import { readFileSync } from "node:fs";
-import type { Page } from "playwright-core";
-import type { TurnleafBook } from "turnleaf";
+import type { Browser, Page } from "playwright-core";
 import { expect, test } from "vitest";
 import { pdf, png } from "./books.ts";
-import { browserForTests } from "./viewer_page.ts";
+import { hearComplaints, pageForTests } from "./browser.ts";
+import { sitesForTests } from "./viewer_page.ts";
+import { askBook as ask, bookComesTo, bookSettles, comesTo } from "./waiting.ts";
 
-const patience = { timeout: 40_000 };
-
-const tests = browserForTests();
+const sites = sitesForTests();
+const tests = pageForTests({ viewport: { width: 400, height: 300 } });
 
 const policy =
   "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src blob:; style-src 'self'; connect-src 'self'";
+
+const browser = () => tests.page.context().browser() as Browser;
 
 /** Opens a page of a body and scripts. Returns it with its console messages. */
 async function visit(
@@ -25,32 +27,20 @@ async function visit(
     "/book.pdf": pdf(8, "Eight pages"),
     "/not-a-book.pdf": Buffer.from([0, 1, 2, 3]),
   };
-  const site = await tests.serve(
+  const site = await sites.serve(
     (path) => files[path] ?? (path.endsWith(".png") ? png(60, 90) : null),
     policy,
   );
-  const context = await tests.browser.newContext({
-    viewport: { width: 400, height: 300 },
-    javaScriptEnabled,
-  });
-  const page = await context.newPage();
+  const page = javaScriptEnabled
+    ? tests.page
+    : await (await browser().newContext({ javaScriptEnabled })).newPage();
   const said: string[] = [];
-  page.on("pageerror", (error) => said.push(error.message));
-  page.on("console", (message) => {
-    if (/error|warning/.test(message.type())) said.push(message.text());
-  });
+  hearComplaints(page, said);
   await page.goto(`${site.url}page.html`);
   return { page, said, asked: site.asked };
 }
 
 const standalone = '<script type="module" src="/turnleaf/standalone.js"></script>';
-
-/** Evaluates a function on the page's book. */
-const ask = <T>(page: Page, look: (book: TurnleafBook) => T): Promise<Awaited<T>> =>
-  page.locator("turnleaf-book").evaluate(look as never) as never;
-
-const comesToRest = (page: Page) =>
-  expect.poll(() => ask(page, (book) => book.settled), patience).toBe(true);
 
 test("no file that standalone.js loads needs a name that an import map would give", () => {
   const dist = new URL("../../turnleaf/dist/", import.meta.url);
@@ -82,11 +72,11 @@ test("one script tag shows a PDF in 3D, which turns", async () => {
   const { page, said, asked } = await visit(
     `${standalone}<turnleaf-book src="book.pdf" page="2"></turnleaf-book>`,
   );
-  await comesToRest(page);
+  await bookSettles(page);
   expect(await ask(page, (book) => [book.bookTitle, book.pageCount])).toEqual(["Eight pages", 8]);
   await page.locator("turnleaf-book").press("ArrowRight");
-  await expect.poll(() => ask(page, (book) => book.page), patience).toBe(4);
-  await comesToRest(page);
+  await bookComesTo(page, (book) => book.page, 4);
+  await bookSettles(page);
   expect(asked.filter((path) => /three|webgl_backend/.test(path)).length).toBe(2);
   expect(asked.filter((path) => path.includes("canvas2d_backend"))).toEqual([]);
   expect(said).toEqual([]);
@@ -97,13 +87,13 @@ test("it is one element with index.js, which needs a map", async () => {
   const { page, said } = await visit(
     `<turnleaf-book src="book.pdf"></turnleaf-book>${standalone}${index}`,
   );
-  await comesToRest(page);
+  await bookSettles(page);
   expect(said).toEqual([]);
 });
 
 test("a leaf turned in photographs needs no map either", async () => {
   const { page, said } = await visit(`${standalone}<turnleaf-book src="book.pdf"></turnleaf-book>`);
-  await comesToRest(page);
+  await bookSettles(page);
   // What is there is no photograph: the code that reads one is there, and says so.
   const error = await ask(page, (book) => {
     const said = new Promise<string>((resolve) =>
@@ -127,7 +117,7 @@ test("a link with data-turnleaf becomes a book, with what it says of it", async 
     <p><a href="none.pdf">A link</a></p>`,
     { head: standalone },
   );
-  await expect.poll(() => ask(page, (book) => book.pageCount), patience).toBe(8);
+  await bookComesTo(page, (book) => book.pageCount, 8);
   expect(await ask(page, (book) => [book.page, book.controls])).toEqual([2, true]);
   const attributes = await ask(page, (book) => [...book.attributes].map(({ name }) => name));
   expect(attributes.sort()).toEqual(["controls", "page", "src", "swipe-distance"]);
@@ -162,7 +152,7 @@ test("links that come later become books by openLinks", async () => {
       div.innerHTML = '<a href="book.pdf" data-turnleaf data-turnleaf-controls="off">A book</a>';
       openLinks(div);`,
   });
-  await comesToRest(page);
+  await bookSettles(page);
   expect(await ask(page, (book) => [book.pageCount, book.controls])).toEqual([8, false]);
   expect(said).toEqual([]);
 });
@@ -180,10 +170,8 @@ test("page-flip's global is there at once, for a plain script tag", async () => 
         pageFlip.on("flip", ({ data, object }) => window.flipped.push([data, object === pageFlip]));`,
     },
   );
-  await expect
-    .poll(() => page.evaluate(() => Reflect.get(window, "flipped")), patience)
-    .toEqual([[2, true]]);
-  await comesToRest(page);
+  await comesTo(page, () => Reflect.get(window, "flipped"), [[2, true]]);
+  await bookSettles(page);
   expect(await ask(page, (book) => [book.pageCount, book.page])).toEqual([4, 3]);
   // A picture of a page of HTML needs what this policy does not allow: it is shown when it is live.
   expect(said.filter((text) => !/Content Security Policy/.test(text))).toEqual([]);

@@ -4,9 +4,7 @@ import { readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import type { AddressInfo } from "node:net";
 import { fileURLToPath } from "node:url";
-import { type Browser, chromium } from "playwright-core";
-import { afterAll, afterEach, beforeAll } from "vitest";
-import { chromiumArguments, findChromium } from "../../../scripts/chromium.mjs";
+import { afterEach } from "vitest";
 
 const dist = fileURLToPath(new URL("../../turnleaf/dist/", import.meta.url));
 const three = fileURLToPath(new URL("../../../node_modules/three/build/", import.meta.url));
@@ -69,36 +67,21 @@ export async function serveViewer(
   };
 }
 
-/** A browser for a file's tests, and sites for each of them. */
-export interface TestBrowser {
-  readonly browser: Browser;
+/** Sites for the tests of a file. */
+export interface TestSites {
   /** Serves the viewer as {@link serveViewer} does, in place of what the test served before. */
   serve(...site: Parameters<typeof serveViewer>): Promise<ViewerSite>;
 }
 
-/**
- * Launches Chromium for the tests of a file; to be called outside them. After each test its
- * pages are closed and its site is stopped.
- */
-export function browserForTests(): TestBrowser {
-  let browser: Browser;
+/** Serves sites to the tests of a file; to be called outside them. After each test its site is stopped. */
+export function sitesForTests(): TestSites {
   let site: ViewerSite | undefined;
   const stop = async () => {
     await site?.stop();
     site = undefined;
   };
-  beforeAll(async () => {
-    browser = await chromium.launch({ executablePath: findChromium(), args: chromiumArguments });
-  });
-  afterAll(() => browser?.close());
-  afterEach(async () => {
-    for (const context of browser.contexts()) await context.close();
-    await stop();
-  });
+  afterEach(stop);
   return {
-    get browser() {
-      return browser;
-    },
     async serve(...of) {
       await stop();
       site = await serveViewer(...of);

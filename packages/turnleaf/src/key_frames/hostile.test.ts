@@ -58,11 +58,11 @@ function countArrays() {
 }
 
 describe("counts that a file cannot fill", () => {
-  it("a million frames of nothing take no more arrays than one", () => {
-    const frames = 2 ** 20;
+  it("a hundred thousand frames of nothing take no more arrays than one", () => {
+    const frames = 2 ** 17;
     // Every axis of every frame: way 0, and a run of no numbers.
     const bytes = turnFile(2, 2, frames, new Uint8Array(9 * frames));
-    expect(bytes.length).toBeGreaterThan(13.6e6);
+    expect(bytes.length).toBeGreaterThan(1.7e6);
     const made = countArrays();
     const turn = decodeTurn(bytes);
     expect(turn.frames).toBe(frames);
@@ -150,7 +150,7 @@ describe("random files", () => {
     const numbers = new Random();
     const random = (below: number): number => numbers.below(below);
     let played = 0;
-    for (let round = 0; round < 480 * fuzz; round++) {
+    for (let round = 0; round < 240 * fuzz; round++) {
       const bytes = round % 2 === 0 ? invented(random) : changed(random);
       try {
         const turn = decodeTurn(bytes);
