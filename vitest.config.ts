@@ -120,7 +120,11 @@ export default defineConfig({
       {
         test: { name: "engines", environment: "node", include: [engines], testTimeout: 120_000 },
       },
-      inChromium("chromium", ["packages/**/*.browser.test.ts"], { setup: "browser_setup.ts" }),
+      inChromium("chromium", ["packages/**/*.browser.test.ts"], {
+        setup: "browser_setup.ts",
+        // Nothing is drawn by WebGL.
+        flags: ["--disable-gpu"],
+      }),
       inChromium("chromium, drawn", ["packages/**/*.drawn.test.ts"], { setup: "drawn_setup.ts" }),
       inChromium("chromium with HTML in canvas", htmlInCanvas, {
         setup: "drawn_setup.ts",

@@ -3,11 +3,12 @@
  * test's own clock.
  */
 
-import { afterEach, beforeEach, expect, test, vi } from "vitest";
+import { afterEach, expect, test } from "vitest";
 import { canvas2dBackend } from "../canvas2d_backend.ts";
 import type { BookEngine } from "../engine/book_engine.ts";
 import { engineCode } from "../engine/machine_code.ts";
 import type { Surface } from "../engine/shapes.ts";
+import { clock } from "../for_tests/clock.ts";
 import { settledViewer } from "../for_tests/viewer_books.ts";
 import { openSource } from "../sources/open.ts";
 import type { BookPose } from "../stage/book_pose.ts";
@@ -54,17 +55,8 @@ let pose: BookPose;
 let width: number;
 let height: number;
 
-let frames: FrameRequestCallback[];
-let now: number;
-
-beforeEach(() => {
-  // Positions are measured, not pixels.
-  vi.spyOn(WebGL2RenderingContext.prototype, "drawElements").mockImplementation(() => undefined);
-});
-
 afterEach(() => {
   viewer.destroy();
-  vi.restoreAllMocks();
   document.body.replaceChildren();
 });
 
@@ -73,6 +65,11 @@ async function opened({ page, place, options, backend = "webgl" }: Shown): Promi
   const canvas = document.createElement("canvas");
   canvas.style.cssText = `width: ${place[0]}px; height: ${place[1]}px`;
   document.body.append(canvas);
+  if (backend === "canvas2d") {
+    // Positions are measured, not pixels: thousands of frames would wait to be painted after the test.
+    const pen = new OffscreenCanvas(1, 1).getContext("2d") as unknown as CanvasRenderingContext2D;
+    canvas.getContext = (() => pen) as unknown as typeof canvas.getContext;
+  }
   const picture = document.createElement("canvas");
   [picture.width, picture.height] = page;
   const src = picture.toDataURL("image/png");
@@ -113,17 +110,7 @@ async function opened({ page, place, options, backend = "webgl" }: Shown): Promi
   );
   viewer.resize(...place, 1);
   await settledViewer(viewer);
-  [frames, now] = [[], 1000];
-  vi.spyOn(window, "requestAnimationFrame").mockImplementation((frame) => frames.push(frame));
-}
-
-/** Draws some frames, a sixtieth of a second each, and calls `look` after each of them. */
-function pass(count: number, look: () => void = () => undefined): void {
-  for (let k = 0; k < count; k++) {
-    now += 1000 / 60;
-    for (const frame of frames.splice(0)) frame(now);
-    look();
-  }
+  clock.hold();
 }
 
 /** Returns the apparent size of the book, CSS pixels: along the spine and across a page. */
@@ -211,13 +198,13 @@ function carry(u: number, v: number, look: () => void): number {
       y: from.y + ((to.y - from.y) * k) / 60,
     };
     drag?.move(at.x, at.y);
-    pass(1, look);
+    clock.frames(1, look);
     if (k % 6 !== 0) continue;
-    pass(20, look);
+    clock.frames(20, look);
     worst = Math.max(worst, apart(seenOn(pose.leaves[0], hold.u, hold.v), at));
   }
   drag?.release();
-  pass(150, look);
+  clock.frames(150, look);
   return worst;
 }
 
@@ -225,7 +212,7 @@ function carry(u: number, v: number, look: () => void): number {
 function turn(look: () => void): void {
   void viewer.turning.turn(viewer.binding.reversed ? -1 : 1);
   viewer.invalidate();
-  pass(90, look);
+  clock.frames(90, look);
 }
 
 /**
@@ -291,7 +278,7 @@ test.each([2, 4])("zoomed %s times, the book stands still", async (level) => {
   await opened(usual);
   const middle = { x: 640, y: 400 };
   viewer.zoom(level, middle, middle, 0);
-  pass(2);
+  clock.frames(2);
   const watch = new Watch(usual.place);
   turn(watch.look);
   for (const size of watch.size) expect(size).toBeCloseTo(1, 9);
