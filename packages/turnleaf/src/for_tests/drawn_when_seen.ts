@@ -1,6 +1,6 @@
 /**
- * Books that are drawn when a test looks at them: software draws pixel by pixel, and of the frames of a
- * turn a test reads few. What a frame shows is what it would have shown when it was due.
+ * Books whose frames in motion are drawn when a test looks at them: software draws pixel by pixel, and of
+ * the frames of a turn a test reads few. What a frame shows is what it would have shown when it was due.
  */
 
 import type { DrawOptions } from "../stage/book_stage.ts";
@@ -30,12 +30,13 @@ export function drawAtOnce(): void {
   WebGLStage.prototype.draw = draw;
 }
 
-/** Has the stages of a file draw their frames once something reads their canvas. */
+/** Has the stages of a file draw their frames in motion once something reads their canvas. */
 export function drawWhenSeen(): void {
   let count = 0;
   WebGLStage.prototype.draw = function (options) {
     due.set(this, options);
-    if (count++ % between === 0) drawNow();
+    // A book at rest is drawn, as a command may move the engine's memory, of which it is drawn.
+    if (options?.resting || count++ % between === 0) drawNow();
   };
   WebGLStage.prototype.destroy = function (keepCanvas) {
     due.delete(this);
