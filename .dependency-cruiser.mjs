@@ -89,7 +89,9 @@ const parts = {
     "leaf_models",
     "open_viewer.ts",
     "sources",
+    "stage",
     "viewer",
+    "webgl",
   ],
 };
 
