@@ -194,7 +194,6 @@ export let removeClock: () => void = () => {};
 /** Takes the window's animation frames, timers and times over. */
 export function installClock(): void {
   const { requestAnimationFrame, cancelAnimationFrame, setTimeout, clearTimeout } = window;
-  const { requestIdleCallback } = window;
   const time = Object.getOwnPropertyDescriptor(Event.prototype, "timeStamp") as PropertyDescriptor;
   isInstalled = true;
   window.requestAnimationFrame = (call) => {
@@ -218,9 +217,6 @@ export function installClock(): void {
     timers.delete(Number(id));
     endRealTimeout(id);
   };
-  // While frames follow each other without a pause a browser that paints them has no idle time.
-  window.requestIdleCallback = (call) =>
-    Number(realTimeout(() => call({ didTimeout: false, timeRemaining: () => frameTime })));
   performance.now = () => now;
   Object.defineProperty(Event.prototype, "timeStamp", { get: () => now, configurable: true });
   removeClock = () => {
