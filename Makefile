@@ -169,7 +169,7 @@ soak-folds: build chromium
 FUZZ ?= 50
 fuzz: $(MODULES) tools-rust chromium
 	mkdir -p target
-	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts cargo test --release --quiet -p turnleaf-engine --test hostile_key_frames
+	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts cargo test --quiet -p turnleaf-engine --test hostile_key_frames
 	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts npx vitest run --project node fuzz.test manifest.test hostile.test verdicts.test
 	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) npx vitest run --project chromium fuzz.browser.test
 
