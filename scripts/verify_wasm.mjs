@@ -6,7 +6,7 @@
  * and this is another, so a build in the project's own folder would show nothing more.
  *
  * Leaves target/trials.wasm, which the golden tests of wasm/tests read. What is built stays in
- * target/elsewhere: without a change of the engine a second run takes seconds.
+ * target/elsewhere, so that a second run compiles only what has changed.
  *
  *   node scripts/verify_wasm.mjs
  */
