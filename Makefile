@@ -16,7 +16,7 @@ TOOLS = target/check_tools/bin
 SOURCES = $(shell find packages -type f -not -path '*/node_modules/*' -not -path '*/dist/*')
 RUST_SOURCES = $(shell find Cargo.toml Cargo.lock rust-toolchain.toml engine/Cargo.toml wasm/Cargo.toml engine/src wasm/src -type f)
 
-.PHONY: read build wasm unpacker test test-rust test-js check check-rust check-js check-licences size bench bench-peers bench-hanging gestures gestures-creases soak soak-folds fuzz playground examples pictures films methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-epub
+.PHONY: read build wasm unpacker test test-rust test-js test-long check check-rust check-js check-licences size bench bench-peers bench-hanging gestures gestures-creases soak soak-folds fuzz playground examples pictures films methods recordings photographs reference site book clean tools-rust chromium browsers engines test-apps test-iiif test-cluster test-publish corpora report-epub
 
 read: build
 	node $(CLI) read "$(BOOK)" $(if $(PORT),--port $(PORT)) $(if $(filter no,$(OPEN)),--no-open)
@@ -68,6 +68,12 @@ test-rust: tools-rust
 
 test-js: build browsers
 	node scripts/test.mjs js
+
+# Every test of Rust, those of long samples among them, which `make test` leaves out: marked
+# `#[ignore = "long: make test-long"]`. Properties hold for SEEDS seeds, of which `make test` has eight.
+SEEDS ?= 20
+test-long: tools-rust
+	TURNLEAF_SEEDS=$(SEEDS) cargo test --no-fail-fast --quiet -- --include-ignored
 
 check: check-rust check-js check-licences
 
@@ -180,7 +186,7 @@ soak-folds: build chromium
 FUZZ ?= 50
 fuzz: $(MODULES) tools-rust chromium
 	mkdir -p target
-	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts cargo test --release --quiet -p turnleaf-engine --test hostile_key_frames
+	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts cargo test --quiet -p turnleaf-engine --test hostile_key_frames
 	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts npx vitest run --project node fuzz.test manifest.test hostile.test verdicts.test
 	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) npx vitest run --project chromium fuzz.browser.test
 

@@ -11,24 +11,33 @@
  *   node scripts/build_wasm.mjs --verify   fail if a stamp is stale; if the target is
  *                                          installed, rebuild, compare, and build the trials
  *   node scripts/build_wasm.mjs --trials   build the trials
+ *
+ * Two are built at a time: the compiler optimises each as a whole, which takes one core.
  */
-import { execFileSync } from "node:child_process";
+import { execFile, execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { homedir } from "node:os";
 import { basename, dirname, join } from "node:path";
+import { promisify } from "node:util";
 import { absolutePaths } from "./wasm_paths.mjs";
+
+const run = promisify(execFile);
 
 const root = join(import.meta.dirname, "..");
 const target = "wasm32-unknown-unknown";
 const targetFolder = process.env.CARGO_TARGET_DIR ?? join(root, "target");
-const trials = { file: join(root, "target/trials.wasm"), features: ["books", "trials"] };
 
-/** The committed files, and the features of the crate `turnleaf-wasm` that each has. */
+/**
+ * What is built, and the features of the crate `turnleaf-wasm` that each has. Files of one lane are
+ * built one after another, in a target folder of the lane's own, as cargo locks it. The trials and the
+ * creases need the engine with the same features, which is so compiled once.
+ */
+const trials = { file: join(root, "target/trials.wasm"), features: ["books", "trials"], lane: 1 };
 const committed = [
-  { file: join(root, "packages/turnleaf/src/engine/turnleaf.wasm"), features: ["books"] },
-  { file: join(root, "packages/turnleaf/src/engine/creases.wasm"), features: ["creases"] },
-  { file: join(root, "packages/turnleaf/src/models/models.wasm"), features: ["models"] },
+  { file: join(root, "packages/turnleaf/src/engine/turnleaf.wasm"), features: ["books"], lane: 2 },
+  { file: join(root, "packages/turnleaf/src/engine/creases.wasm"), features: ["creases"], lane: 1 },
+  { file: join(root, "packages/turnleaf/src/models/models.wasm"), features: ["models"], lane: 2 },
 ];
 
 const stampOf = (file) => `${file}.stamp.json`;
@@ -97,15 +106,16 @@ function remappedFolders() {
 }
 
 /** Builds the WASM with features of the crate and writes it. */
-function build({ file, features }) {
+async function build({ file, features, lane }, folders) {
   const flags = [
     "-Ctarget-feature=+simd128",
     // A twentieth smaller at the same speed.
     "-Cllvm-args=-inline-threshold=75",
     "-Cllvm-args=-unroll-runtime=false",
-    ...remappedFolders(),
+    ...folders,
   ];
-  execFileSync(
+  const laneFolder = join(targetFolder, `wasm-${lane}`);
+  await run(
     "cargo",
     [
       ...["build", "--profile", "wasm", "--quiet", "--locked", "-p", "turnleaf-wasm"],
@@ -113,41 +123,50 @@ function build({ file, features }) {
     ],
     {
       cwd: root,
-      stdio: ["ignore", "inherit", "inherit"],
-      env: { ...process.env, CARGO_ENCODED_RUSTFLAGS: flags.join("\x1f") },
+      env: {
+        ...process.env,
+        CARGO_ENCODED_RUSTFLAGS: flags.join("\x1f"),
+        CARGO_TARGET_DIR: laneFolder,
+      },
     },
   );
   mkdirSync(dirname(file), { recursive: true });
-  execFileSync(
-    process.execPath,
-    [
-      join(root, "node_modules/binaryen/bin/wasm-opt"),
-      join(targetFolder, target, "wasm/turnleaf_wasm.wasm"),
-      ...["-Os", "--enable-simd", "--enable-bulk-memory", "--enable-nontrapping-float-to-int"],
-      ...["--enable-sign-ext", "--enable-mutable-globals", "--enable-reference-types"],
-      ...["--enable-multivalue", "--strip-debug", "--strip-producers"],
-      ...["--strip-target-features", "-o", file],
-    ],
-    { stdio: ["ignore", "inherit", "inherit"] },
-  );
+  await run(process.execPath, [
+    join(root, "node_modules/binaryen/bin/wasm-opt"),
+    join(laneFolder, target, "wasm/turnleaf_wasm.wasm"),
+    ...["-Os", "--enable-simd", "--enable-bulk-memory", "--enable-nontrapping-float-to-int"],
+    ...["--enable-sign-ext", "--enable-mutable-globals", "--enable-reference-types"],
+    ...["--enable-multivalue", "--strip-debug", "--strip-producers"],
+    ...["--strip-target-features", "-o", file],
+  ]);
 }
 
-function buildCommitted() {
-  for (const { file, features } of committed) {
-    build({ file, features });
-    const [path] = absolutePaths(readFileSync(file));
-    if (path) fail(`${basename(file)} names a folder of the machine that built it: ${path}`);
-    const stamp = { sources: sourcesHash(), wasm: sha256(readFileSync(file)) };
-    writeFileSync(stampOf(file), `${JSON.stringify(stamp, null, 2)}\n`);
-    console.log(`${basename(file)}: ${statSync(file).size} bytes`);
-  }
+/** Builds several, and calls `built` with each. Fails once both lanes have ended. */
+async function buildAll(all, built = () => {}) {
+  const folders = remappedFolders();
+  const buildLane = async (lane) => {
+    for (const one of all.filter((one) => one.lane === lane)) {
+      await build(one, folders);
+      built(one);
+    }
+  };
+  const ends = await Promise.allSettled([1, 2].map(buildLane));
+  for (const { reason } of ends) if (reason) throw reason;
+}
+
+function finishCommitted({ file }) {
+  const [path] = absolutePaths(readFileSync(file));
+  if (path) throw new Error(`${basename(file)} names a folder of this machine: ${path}`);
+  const stamp = { sources: sourcesHash(), wasm: sha256(readFileSync(file)) };
+  writeFileSync(stampOf(file), `${JSON.stringify(stamp, null, 2)}\n`);
+  console.log(`${basename(file)}: ${statSync(file).size} bytes`);
 }
 
 const stampIn = (file) => JSON.parse(readFileSync(stampOf(file), "utf8"));
 const areSourcesNewer = () => committed.some(({ file }) => stampIn(file).sources !== sourcesHash());
 
-function verify(canBuild) {
-  for (const { file, features } of committed) {
+async function verify(canBuild) {
+  for (const { file } of committed) {
     const name = basename(file);
     const stamp = stampIn(file);
     if (stamp.sources !== sourcesHash()) {
@@ -158,18 +177,24 @@ function verify(canBuild) {
         `${name} is not the file that its stamp names; run \`make wasm\` and commit the result.`,
       );
     }
-    if (!canBuild) {
-      console.log(`${name} matches its stamp (not rebuilt: no ${target} target here)`);
-      continue;
-    }
-    const rebuilt = join(targetFolder, target, "wasm", name);
-    build({ file: rebuilt, features });
-    if (sha256(readFileSync(rebuilt)) !== stamp.wasm) {
-      fail(`Rebuilding ${name} gave other bytes; run \`make wasm\` and commit the result.`);
+    if (!canBuild) console.log(`${name} matches its stamp (not rebuilt: no ${target} target here)`);
+  }
+  if (!canBuild) return;
+  const rebuilt = committed.map(({ file, ...rest }) => ({
+    file: join(targetFolder, "rebuilt", basename(file)),
+    committedAs: file,
+    ...rest,
+  }));
+  await buildAll([...rebuilt, trials], ({ file, committedAs }) => {
+    if (!committedAs) return;
+    const name = basename(file);
+    if (sha256(readFileSync(file)) !== stampIn(committedAs).wasm) {
+      throw new Error(
+        `Rebuilding ${name} gave other bytes; run \`make wasm\` and commit the result.`,
+      );
     }
     console.log(`${name} matches its stamp, and rebuilding gave the same bytes`);
-  }
-  if (canBuild) build(trials);
+  });
 }
 
 function fail(sentence) {
@@ -179,19 +204,24 @@ function fail(sentence) {
 
 const mode = process.argv[2];
 const canBuild = hasTarget();
-if (mode === "--verify") verify(canBuild);
-else if (mode === "--update") {
-  if (areSourcesNewer()) {
-    if (canBuild) buildCommitted();
-    else {
-      console.warn(
-        `The Rust sources have changed, and the WASM has not: to build it, run rustup target add ${target}.`,
-      );
+try {
+  if (mode === "--verify") await verify(canBuild);
+  else if (mode === "--update") {
+    if (areSourcesNewer()) {
+      if (canBuild) await buildAll(committed, finishCommitted);
+      else {
+        console.warn(
+          `The Rust sources have changed, and the WASM has not: to build it, run rustup target add ${target}.`,
+        );
+      }
     }
+  } else {
+    if (!canBuild)
+      fail(`Building the engine for the browser needs its target: rustup target add ${target}`);
+    if (mode === "--trials") await buildAll([trials]);
+    else await buildAll([...committed, trials], (one) => one !== trials && finishCommitted(one));
   }
-} else {
-  if (!canBuild)
-    fail(`Building the engine for the browser needs its target: rustup target add ${target}`);
-  build(trials);
-  if (mode !== "--trials") buildCommitted();
+} catch (error) {
+  // What the compiler or wasm-opt wrote.
+  fail(error.stderr || error.message);
 }

@@ -54,6 +54,7 @@ run("cargo", "update", "--workspace", "--offline");
 
 run("make", "check");
 run("make", "test");
+run("make", "test-long");
 
 const out = join(root, `target/release-${version}`);
 mkdirSync(out, { recursive: true });

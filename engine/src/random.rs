@@ -28,16 +28,19 @@ impl Random {
     }
 }
 
-/// Runs a property for twenty seeds, or for the one in `TURNLEAF_SEED`. The seed
-/// is printed, which is seen when the property does not hold.
+/// Runs a property for eight seeds, or as many as `TURNLEAF_SEEDS` says, or for the one in
+/// `TURNLEAF_SEED`. The seed is printed, which is seen when the property does not hold.
 pub(crate) fn for_seeds(property: impl Fn(&mut Random)) {
-    let one = std::env::var("TURNLEAF_SEED").ok();
-    let seeds = match one {
-        Some(seed) => {
-            let seed = seed.parse().expect("TURNLEAF_SEED is a number");
-            seed..seed + 1
-        }
-        None => 0..20,
+    let number = |name: &str| {
+        let text = std::env::var(name).ok()?;
+        Some(
+            text.parse()
+                .unwrap_or_else(|_| panic!("{name} is a number")),
+        )
+    };
+    let seeds = match number("TURNLEAF_SEED") {
+        Some(seed) => seed..seed + 1,
+        None => 0..number("TURNLEAF_SEEDS").unwrap_or(8),
     };
     for seed in seeds {
         println!("TURNLEAF_SEED={seed}");

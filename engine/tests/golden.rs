@@ -2,7 +2,7 @@
 //! seconds, seconds after, hash; of the sheet half a second of its mid-turn, and of a creased one; of
 //! a book a riffle of a stock; of every model, in their order, a loose leaf turned by
 //! its corner. A change of these is a change of every recorded turn, so it is made on
-//! purpose: `UPDATE_GOLDEN=1 cargo test --release -p turnleaf-engine --test golden`.
+//! purpose: `UPDATE_GOLDEN=1 cargo test -p turnleaf-engine --test golden`.
 
 use turnleaf_engine::trials::{creased, loose_hash, mid_turn, riffle_hash};
 use turnleaf_engine::{MassSpring, ModelKind, Settings, TurnModel, turn_hash};

@@ -192,30 +192,29 @@ unsafe fn any_call(random: &mut Random, book: *mut Book) {
     }
 }
 
-/// The bits of a leaf that a hand holds up, after so many ticks.
-fn held_for(ticks: &[u32]) -> Vec<u32> {
+/// The bits of a leaf that is played on in mid-turn as in a turn of so many seconds, after so many ticks.
+fn played_for(seconds: f32, ticks: &[u32]) -> Vec<u32> {
     let book = tl_book_new(0.14, 0.21, 40, 0.004);
     // SAFETY: a handle of this thread.
     unsafe {
+        // Else the cover lies on the leaf.
+        tl_board_lay(book, 0, 1);
         let id = tl_book_lift(book, 0, 0, 1);
-        tl_book_grab(book, id, 0, 1.0, 0.1);
-        tl_book_hold(book, id, 0, 0.05, 0.03, 0.1);
+        tl_book_play(book, id, 1, 1.0);
+        tl_book_step(book, 60);
+        tl_book_play(book, id, 1, seconds);
         ticks.iter().for_each(|ticks| tl_book_step(book, *ticks));
         tl_book_update(book);
         let surface = BOOKS.get(book).and_then(|book| book.surface(0).cloned());
         tl_book_drop(book);
-        let surface = surface.expect("it is held");
+        let surface = surface.expect("it is in flight");
         surface.positions.iter().map(|x| x.to_bits()).collect()
     }
 }
 
 #[test]
 fn a_call_steps_by_a_minute_at_most() {
-    let most = held_for(&[MOST_TICKS]);
-    assert_eq!(held_for(&[MOST_TICKS / 2; 2]), most);
-    for ticks in [u32::MAX, u32::MAX - 1, 1 << 31, MOST_TICKS + 1] {
-        assert!(held_for(&[ticks]) == most, "{ticks}");
-    }
+    assert!(played_for(600.0, &[u32::MAX]) == played_for(600.0, &[MOST_TICKS]));
     let book = tl_book_new(0.14, 0.21, 40, 0.004);
     // SAFETY: a handle of this thread.
     unsafe {
@@ -233,9 +232,34 @@ fn a_call_steps_by_a_minute_at_most() {
 }
 
 #[test]
+#[ignore = "long: make test-long"]
+fn a_call_steps_by_a_minute_at_most_whatever_it_asks_for() {
+    let most = played_for(600.0, &[MOST_TICKS]);
+    assert!(played_for(600.0, &[MOST_TICKS / 2; 2]) == most);
+    assert!(played_for(600.0, &[MOST_TICKS - 1]) != most);
+    for ticks in [u32::MAX - 1, 1 << 31, MOST_TICKS + 1] {
+        assert!(played_for(600.0, &[ticks]) == most, "{ticks}");
+    }
+}
+
+#[test]
 fn a_turn_of_any_length_ends() {
+    end_turns(&[f32::INFINITY, f32::NAN, -1.0, 0.0, 1e-40]);
+    // The longest takes ten minutes, of which these are two seconds.
+    let two_seconds = |of: f32| played_for(of, &[240]);
+    assert!(two_seconds(f32::MAX) == two_seconds(600.0));
+    assert!(two_seconds(500.0) != two_seconds(600.0));
+}
+
+#[test]
+#[ignore = "long: make test-long"]
+fn the_longest_turn_ends() {
+    end_turns(&[f32::MAX]);
+}
+
+fn end_turns(lengths: &[f32]) {
     let book = tl_book_new(0.14, 0.21, 40, 0.004);
-    for seconds in [f32::MAX, f32::INFINITY, f32::NAN, -1.0, 0.0, 1e-40] {
+    for &seconds in lengths {
         // SAFETY: a handle of this thread.
         unsafe {
             tl_book_lay(book, 0);

@@ -151,7 +151,7 @@ mod tests {
         for fold in Fold::ALL {
             let mut random = Random::new(5);
             let mut book = Book::new(PAGE[0], PAGE[1], 1, 1e-4).expect("a book's figures");
-            let made = (0..100).filter(|_| {
+            let made = (0..30).filter(|_| {
                 let lines = fold.lines(&mut random, &Stock::BOOK, PAGE);
                 let spine = |line: &FoldLine| is_beyond(line, [0.01, 0.5], PAGE);
                 assert!(!lines.iter().any(spine), "{lines:?}");
@@ -165,7 +165,7 @@ mod tests {
                 book.crease(0, &lines)
             });
             let made = made.count();
-            assert!(made >= 70, "{}: {made}", fold.name());
+            assert!(made >= 21, "{}: {made}", fold.name());
         }
     }
 }

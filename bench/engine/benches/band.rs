@@ -10,13 +10,13 @@ use criterion::{Criterion, criterion_main};
 use real::Real;
 use std::hint::black_box;
 
-#[path = "../src/band/mod.rs"]
+#[path = "../../../engine/src/band/mod.rs"]
 mod band;
-#[path = "../src/lanes.rs"]
+#[path = "../../../engine/src/lanes.rs"]
 mod lanes;
-#[path = "../src/random.rs"]
+#[path = "../../../engine/src/random.rs"]
 mod random;
-#[path = "../src/real.rs"]
+#[path = "../../../engine/src/real.rs"]
 mod real;
 
 /// A matrix that its diagonal dominates.
