@@ -151,7 +151,7 @@ test-cluster: build chromium
 # Books published in shards, and after a kill: BOOKS of them, where `make test` has four.
 BOOKS ?= 200
 test-publish: build chromium
-	TURNLEAF_BOOKS=$(BOOKS) npx vitest run --project node packages/cli/tests/publish.test.ts
+	TURNLEAF_BOOKS=$(BOOKS) npx vitest run packages/cli/tests/publish.test.ts
 
 # Random pointers on the leaves of a book, 20,000 times: the tables in docs/physics.md.
 # Takes about half an hour on two cores.
@@ -187,7 +187,7 @@ FUZZ ?= 50
 fuzz: $(MODULES) tools-rust chromium
 	mkdir -p target
 	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts cargo test --quiet -p turnleaf-engine --test hostile_key_frames
-	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts npx vitest run --project node fuzz.test manifest.test hostile.test verdicts.test
+	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) TURNLEAF_VERDICTS=$(CURDIR)/target/mutated.verdicts npx vitest run --project node --project command fuzz.test manifest.test hostile.test verdicts.test
 	TURNLEAF_SEED=$(SEED) TURNLEAF_FUZZ=$(FUZZ) npx vitest run --project chromium fuzz.browser.test
 
 # Public collections of books, each at one commit, into a folder that git ignores.

@@ -23,7 +23,7 @@ const { TURNLEAF_SEED = "1", TURNLEAF_FUZZ = "1" } = process.env;
 const archives = ["**/*.rar", "**/*.7z", "**/*.cb7"];
 
 /**
- * Files of Node, one at a time, run beside files of Chromium, one at a time: the projects of a group
+ * The files of a project run one at a time, beside those of every other project: the projects of a group
  * share its time. Without an order of its own vitest runs files that are one at a time after all others.
  */
 const beside = { fileParallelism: false, sequence: { groupOrder: 1 } };
@@ -94,32 +94,39 @@ function inChromium(
   };
 }
 
-/** `*.test.ts` runs in Node; `*.browser.test.ts` runs in the real Chromium of this machine. */
+/** Files that run in Node, one at a time. */
+function inNode(name: string, include: string[], exclude: string[] = []): TestProjectConfiguration {
+  return {
+    plugins: [wasmInline(), turnInline(), packedFiles(), workerInline(), svelteFiles()],
+    assetsInclude: ["**/*.tlkf", ...archives],
+    test: {
+      name,
+      environment: "node",
+      include,
+      exclude: [
+        ...["**/*.{browser,drawn,canvas}.test.ts", ...exclude],
+        ...["**/node_modules/**", "**/dist/**"],
+      ],
+      testTimeout: 120_000,
+      ...beside,
+    },
+  };
+}
+
+/**
+ * `*.test.ts` runs in Node; in the real Chromium of this machine run `*.browser.test.ts`, of which nothing
+ * is drawn, and `*.drawn.test.ts`, which read pixels.
+ */
 export default defineConfig({
   test: {
     projects: [
-      {
-        plugins: [wasmInline(), turnInline(), packedFiles(), workerInline(), svelteFiles()],
-        assetsInclude: ["**/*.tlkf", ...archives],
-        test: {
-          name: "node",
-          environment: "node",
-          include: [
-            "packages/**/*.test.{ts,mjs}",
-            "books/**/*.test.{ts,mjs}",
-            "scripts/**/*.test.mjs",
-          ],
-          exclude: [
-            ...["**/*.{browser,drawn,canvas}.test.ts", engines],
-            ...["**/node_modules/**", "**/dist/**"],
-          ],
-          testTimeout: 60_000,
-          ...beside,
-        },
-      },
-      {
-        test: { name: "engines", environment: "node", include: [engines], testTimeout: 120_000 },
-      },
+      inNode("engines", [engines]),
+      inNode("command", ["packages/cli/**/*.test.ts"], [engines]),
+      inNode("node", [
+        "packages/turnleaf/**/*.test.{ts,mjs}",
+        "books/**/*.test.{ts,mjs}",
+        "scripts/**/*.test.mjs",
+      ]),
       inChromium("chromium", ["packages/**/*.browser.test.ts"], {
         setup: "browser_setup.ts",
         // Nothing is drawn by WebGL.

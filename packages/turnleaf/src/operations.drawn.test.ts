@@ -13,7 +13,7 @@ import "./index.ts";
 keepWhatIsDrawn();
 
 const seed = Number(import.meta.env.VITE_SEED ?? 1);
-const count = Number(import.meta.env.VITE_OPERATIONS ?? 150);
+const count = Number(import.meta.env.VITE_OPERATIONS ?? 80);
 
 /** Operations between two checks. */
 const between = 5;
@@ -51,7 +51,7 @@ test(`all pages are back in their places once folds and tears are undone (seed $
 }, async () => {
   const operations = new RandomOperations({ seed, pdf, picture, only: "folds" });
   await operations.start();
-  for (let k = 1; k <= count / 5; k++) {
+  for (let k = 1; k <= (3 / 8) * count; k++) {
     await operations.next();
     if (k % 10 > 0) continue;
     expect(await operations.undoAll(), `seed ${seed}, ${operations.state}`).toEqual([]);
