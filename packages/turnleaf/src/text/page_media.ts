@@ -66,16 +66,15 @@ async function play(
   player.src = address;
   element.replaceChildren(player);
   player.focus({ preventScroll: true });
-  try {
-    await player.play();
-  } catch (error) {
-    // Pressed again, or not allowed without another press: the controls are there.
-    if (player.error === null) {
-      report(!player.paused);
-      return;
-    }
-    free();
-    const sentence = `${medium.title} cannot be played; update the browser, or allow blob: in media-src of this page's Content-Security-Policy.`;
-    throw new Error(sentence, { cause: error });
-  }
+  // Pressed again, interrupted as its place was laid anew, or not allowed without another press: the
+  // controls are there. That it cannot be played may be known only after that.
+  player.play().catch(() => report(!player.paused));
+  await new Promise<never>((_, reject) => {
+    const fail = (): void => {
+      free();
+      const sentence = `${medium.title} cannot be played; update the browser, or allow blob: in media-src of this page's Content-Security-Policy.`;
+      reject(new Error(sentence, { cause: player.error }));
+    };
+    player.addEventListener("error", fail, { once: true, signal: ended });
+  });
 }
