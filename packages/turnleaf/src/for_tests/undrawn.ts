@@ -56,11 +56,15 @@ function undrawnContext(canvas: HTMLCanvasElement, options: object = {}): Contex
   const made = (): object => ({});
   const succeeds = (): boolean => true;
   let isLost = false;
+  /** Whether a listener has asked for the lost context, by preventing the default. */
+  let isAwaited = false;
   const setLost = (lost: boolean, name: string): void => {
-    if (lost === isLost) return;
+    if (lost === isLost || (isLost && !isAwaited)) return;
     isLost = lost;
     // As from a browser, once whatever lost it has returned.
-    queueMicrotask(() => canvas.dispatchEvent(new Event(name, { cancelable: true })));
+    queueMicrotask(() => {
+      isAwaited = !canvas.dispatchEvent(new Event(name, { cancelable: true }));
+    });
   };
   const extensions: Readonly<Record<string, object>> = {
     WEBGL_lose_context: {
