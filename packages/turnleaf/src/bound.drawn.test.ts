@@ -315,7 +315,7 @@ test("a fold-out whose corner is lifted under a mouse unfolds, by command and by
   await element.foldIn();
   await settled(element);
   await lift();
-  await drag(element, [(right - 14) / 560, (top + 14) / 300], [0.97, (top + 18) / 300], 120);
+  await drag(element, [(right - 14) / 560, (top + 14) / 300], [0.97, (top + 18) / 300]);
   await expectPage(element, 30, 0.8, 0.6);
   expect([element.page, element.state]).toEqual([4, "resting"]);
 });

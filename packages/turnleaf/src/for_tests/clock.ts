@@ -35,7 +35,6 @@ const waiting: (() => void)[] = [];
 let now = realTime();
 let isInstalled = false;
 let lastRequest = 0;
-let drawn = 0;
 let isHeld = false;
 let hasTask = false;
 
@@ -64,7 +63,6 @@ function frame(): void {
   }
   const calls = [...requests.values()];
   requests.clear();
-  if (calls.length > 0) drawn++;
   for (const call of calls) attempt(() => call(now));
   schedule();
 }
@@ -125,8 +123,6 @@ interface TestClock {
   readonly now: number;
   /** Whether a frame has been requested. */
   readonly isAsked: boolean;
-  /** How many of the frames that were requested have been drawn. */
-  readonly drawn: number;
   /** Has frames drawn from now on only when the calls below ask for them. */
   hold(): void;
   /** Has frames drawn whenever they are requested. */
@@ -153,9 +149,6 @@ export const clock: TestClock = {
   },
   get isAsked() {
     return requests.size > 0;
-  },
-  get drawn() {
-    return drawn;
   },
   hold() {
     isHeld = true;

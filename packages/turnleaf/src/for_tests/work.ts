@@ -2,11 +2,10 @@
 
 import { afterEach } from "vitest";
 import { TickCounter } from "../viewer/frame_timing.ts";
-import { clock } from "./clock.ts";
 
 /** Counted work of a file. */
 export interface Work {
-  /** Animation frames of the page. */
+  /** Frames that books drew: not those of a page that waits, of which a busy machine has more. */
   readonly frames: number;
   /** Ticks that engines were to step. */
   readonly ticks: number;
@@ -22,10 +21,12 @@ declare module "vitest" {
 
 /** Counts the work of a file from now on, and reports it after each test. */
 export function countWork(): void {
+  let frames = 0;
   let ticks = 0;
   const { count } = TickCounter.prototype;
   TickCounter.prototype.count = function (now) {
     const passed = count.call(this, now);
+    frames++;
     ticks += passed;
     return passed;
   };
@@ -42,6 +43,6 @@ export function countWork(): void {
     return getContext.call(this, kind, options);
   } as typeof getContext;
   afterEach(({ task }) => {
-    task.file.meta.work = { frames: clock.drawn, ticks, books };
+    task.file.meta.work = { frames, ticks, books };
   });
 }

@@ -93,9 +93,9 @@ export class FoldOut implements FoldOutSheets {
     return this.#flap !== null;
   }
 
-  /** Whether a flap is visible, or about to be. */
-  get isBusy(): boolean {
-    return this.#flap !== null || this.#making > 0;
+  /** Whether a flap is about to be visible. */
+  get isMaking(): boolean {
+    return this.#making > 0;
   }
 
   /**
@@ -234,9 +234,9 @@ export class FoldOut implements FoldOutSheets {
     const grab = (made: Flap | null) => {
       if (made === null || made !== this.#flap) return;
       held = made;
-      if (isOver) made.sheet.turn(true);
+      grabbed = { u: Math.max(u, nearestHeld), at };
+      if (isOver) this.#letGo(made, grabbed);
       else {
-        grabbed = { u: Math.max(u, nearestHeld), at };
         this.#grab = grabbed;
         made.sheet.grab(grabbed.u, v);
         if (from) this.#follow();
@@ -264,11 +264,25 @@ export class FoldOut implements FoldOutSheets {
           if (!held.isToOpen) held.sheet.turn(false);
           return void this.foldIn();
         }
-        held.isToOpen = held.sheet.angle < Math.PI / 2;
-        held.sheet.release();
+        this.#letGo(held, grabbed);
         this.#hooks.moved();
       },
     };
+  }
+
+  /**
+   * Lets go of a flap: it lies open if the hand was beyond its fold. Paper that lags behind the hand,
+   * or was not there yet, is turned there.
+   */
+  #letGo(flap: Flap, grab: PointerGrab): void {
+    const { sheet, parts, side } = flap;
+    const isOutward = sheet.angle < Math.PI / 2;
+    // The edge of a flap with further folds does not say by itself how far its first panel is turned.
+    const isCreased = panelsOf(parts.place).panels > 1;
+    const outward = this.#placeOf(flap, grab)[0] - sheet.surface.positions[0];
+    flap.isToOpen = isCreased ? isOutward : outward * (side === Side.right ? 1 : -1) > 0;
+    if (flap.isToOpen === isOutward) sheet.release();
+    else sheet.turn(flap.isToOpen);
   }
 
   /** Pulls the held flap to where its pointer is. */

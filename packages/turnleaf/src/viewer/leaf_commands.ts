@@ -30,7 +30,8 @@ export class LeafCommands {
    */
   peek(hit: DragHit | null): boolean {
     // An unfolded page keeps its corners, and one that is about to be.
-    if (this.#closed || (hit !== null && this.#foldOut.isBusy)) return false;
+    if (this.#closed || (hit !== null && (this.#foldOut.isVisible || this.#foldOut.isMaking)))
+      return false;
     const { peek, engine, turning } = this.#rebinder.bound;
     if (hit === null) peek.end();
     const lifts =

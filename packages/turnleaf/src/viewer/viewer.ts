@@ -455,6 +455,7 @@ export class Viewer {
   get settled(): boolean {
     // Before the book has a size no page is requested, so none is missing.
     if (this.#cssWidth === 0 || this.#frame !== 0 || this.#stage.isLost) return false;
+    if (this.#foldOut.isMaking) return false;
     return this.#bitmaps.settled && this.#sharpness.settled;
   }
 
