@@ -3,21 +3,25 @@ import { dataUrl } from "../data_url.ts";
 import { fontType } from "../font_type.ts";
 import { claimedSize } from "../image_header.ts";
 import { limits } from "../limits.ts";
-import { cleanCss, joinSheets } from "../markup/clean_css.ts";
+import { type CleanSheet, cleanCss, inMedia, lengthOf, readSheets } from "../markup/clean_css.ts";
 import type { MarkupFiles } from "../markup/clean_markup.ts";
 import { checkedData } from "../markup/data_address.ts";
 import { imageType, sniffLength } from "../sniff.ts";
 import { decodeXml } from "../xml_text.ts";
+import { KeptValues } from "./kept_values.ts";
 
-/** Characters of pictures, fonts and style sheets that are kept between chapters. */
-const keptLength = 48_000_000;
+/** Characters that are kept between chapters, of pictures and fonts and of style sheets each. */
+const keptLength = 24_000_000;
 
 /** Style sheets that may import each other. */
 const importDepth = 4;
 
-/** Media of an import have no "@": each is searched for only as far as the next one, in linear time. */
+/** An import's address and media. These have no "@": each is searched for only as far as the next one, in linear time. */
 const importRule =
-  /@import\s+(?:url\(\s*)?(?:"([^"]*)"|'([^']*)'|([^"'()\s;]+)(?=[\s;)]|$))[^;{}@]*(?:;|$)/gi;
+  /@import\s+(?:url\(\s*)?(?:"([^"]*)"|'([^']*)'|([^"'()\s;]+)(?=[\s;)]|$))([^;{}@]*)(?:;|$)/gi;
+
+/** What stands before the media of an import: its layer, and what the browser is to support. */
+const importCondition = /^[\s)]*(?:layer(?:\([^()]*\))?(?![\w-]))?\s*(?:supports\([^()]*\))?/i;
 
 /** What a book's manifest says of its files, by their paths. */
 export interface ManifestOfFiles {
@@ -35,8 +39,10 @@ export class EpubFiles {
   /** Undoes what obfuscates a font. */
   readonly #decode: (path: string, bytes: Uint8Array<ArrayBuffer>) => Promise<void>;
   readonly #manifest: ManifestOfFiles;
-  #kept = new Map<string, Promise<string | null>>();
-  #keptLength = 0;
+  readonly #keptData = new KeptValues<string | null>(keptLength, (data) => data?.length ?? 0);
+  readonly #keptStyles = new KeptValues<readonly CleanSheet[]>(keptLength, (sheets) =>
+    sheets.reduce((sum, sheet) => sum + lengthOf(sheet), 0),
+  );
 
   constructor(
     archive: Archive,
@@ -72,7 +78,7 @@ export class EpubFiles {
       },
       style: async (address) => {
         const target = this.resolve(address, path);
-        return target === null ? "" : ((await this.#style(target, importDepth)) ?? "");
+        return target === null ? [] : await this.#styles(target, importDepth);
       },
     };
   }
@@ -95,7 +101,7 @@ export class EpubFiles {
   }
 
   #data(path: string): Promise<string | null> {
-    return this.#keep(path, () => this.#readData(path).catch(() => null));
+    return this.#keptData.get(path, () => this.#readData(path).catch(() => null));
   }
 
   async #readData(path: string): Promise<string | null> {
@@ -112,38 +118,28 @@ export class EpubFiles {
     return font && (await dataUrl(bytes, font));
   }
 
-  #style(path: string, depth: number): Promise<string | null> {
-    return this.#keep(`${path} ${depth}`, async () => {
-      if (depth === 0) return "";
+  /** Returns a style sheet after those that it imports. */
+  #styles(path: string, depth: number): Promise<readonly CleanSheet[]> {
+    return this.#keptStyles.get(`${path} ${depth}`, async () => {
+      if (depth === 0) return [];
       const css = await this.text(path).catch(() => "");
-      const targets = new Set<string>();
-      for (const [, double, single, bare] of css.matchAll(importRule)) {
+      const imports = new Map<string, string>();
+      for (const [, double, single, bare, media] of css.matchAll(importRule)) {
         const target = this.resolve(double ?? single ?? bare ?? "", path);
         if (target === null) continue;
         // Of several imports of one sheet the last one counts.
-        targets.delete(target);
-        targets.add(target);
+        imports.delete(target);
+        imports.set(target, media?.replace(importCondition, "").trim() ?? "");
       }
       const files = this.about(path);
-      return await joinSheets([
-        ...[...targets].map((target) => async () => (await this.#style(target, depth - 1)) ?? ""),
-        () => cleanCss(css, (address) => files.data(address)),
+      return await readSheets([
+        ...[...imports].map(
+          ([target, media]) =>
+            async () =>
+              inMedia(await this.#styles(target, depth - 1), media),
+        ),
+        async () => [await cleanCss(css, (address) => files.data(address))],
       ]);
     });
-  }
-
-  /** Returns what `read` returned before, or now; keeps a bounded part. */
-  #keep(key: string, read: () => Promise<string | null>): Promise<string | null> {
-    const kept = this.#kept.get(key);
-    if (kept) return kept;
-    const reading = read();
-    this.#kept.set(key, reading);
-    reading.then((text) => {
-      this.#keptLength += text?.length ?? 0;
-      if (this.#keptLength <= keptLength) return;
-      this.#kept = new Map();
-      this.#keptLength = 0;
-    });
-    return reading;
   }
 }

@@ -229,7 +229,7 @@ async function load(
   if (isNotes) body.setAttribute("class", "notes");
   for (const node of nodes) write(node, body, 0);
   const content = await cleanMarkup(document, files, `A chapter of ${name}`);
-  return { root: content.root, css: style };
+  return { root: content.root, styles: [style] };
 }
 
 /** Writes an element of FictionBook into one of HTML. */
@@ -285,7 +285,7 @@ function filesOf(root: Element): MarkupFiles {
       const binary = binaries.get(decodeEscapes(address.replace(/^#/, "")));
       return address.startsWith("#") && binary ? await pictureIn(binary.textContent ?? "") : null;
     },
-    style: async () => "",
+    style: async () => [],
   };
 }
 

@@ -2,7 +2,7 @@
 
 import { dataUrl } from "../data_url.ts";
 import { isPageSize, limits } from "../limits.ts";
-import { cleanCss } from "../markup/clean_css.ts";
+import { type CleanSheet, cleanCss } from "../markup/clean_css.ts";
 import { cleanMarkup, type MarkupFiles } from "../markup/clean_markup.ts";
 import { checkedData } from "../markup/data_address.ts";
 import { errorIn, parseMarkup } from "../markup/parse_markup.ts";
@@ -75,16 +75,16 @@ export async function openKf8(book: KindleParts): Promise<KindleText> {
     const whole = drawing.replace(embedded, (_, one: string) => inner.get(one) ?? "data:,");
     return await dataUrl(new TextEncoder().encode(whole), "image/svg+xml");
   };
-  const styles = new Map<number, Promise<string>>();
+  const styles = new Map<number, Promise<CleanSheet>>();
   const files: MarkupFiles = {
     data,
     style: async (address) => {
       const [, kind, digits = ""] = resource.exec(address) ?? [];
-      if (kind?.toLowerCase() !== "flow") return "";
+      if (kind?.toLowerCase() !== "flow") return [];
       const number = Number.parseInt(digits, 32);
       const style = styles.get(number) ?? cleanCss(flow(digits), data);
       styles.set(number, style);
-      return await style;
+      return [await style];
     },
   };
   const size = header.isFixed ? sizeOf(header.resolution) : null;

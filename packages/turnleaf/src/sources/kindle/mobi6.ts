@@ -68,14 +68,14 @@ export async function openMobi6(book: KindleParts): Promise<KindleText> {
         ? await checkedData(address)
         : await resources.data(Number(index) - 1);
     },
-    style: async () => "",
+    style: async () => [],
   };
   const decoder = new TextDecoder(header.encoding);
   const load = async (part: Part): Promise<FlowContent> => {
     const document = parseMarkup(markupOf(text, part, sorted, decoder), "text/html");
     modernise(document);
     const content = await cleanMarkup(document, files, `A part of ${name}`);
-    return { root: content.root, css: `${style}${content.css}` };
+    return { root: content.root, styles: [style, ...content.styles] };
   };
   const sections = parts.map((part): FlowSection => {
     return {
@@ -91,7 +91,7 @@ export async function openMobi6(book: KindleParts): Promise<KindleText> {
       const markup = `<html><body><p align="center"><img src="recindex:${(header.cover ?? 0) + 1}" alt=""></p></body></html>`;
       const document = parseMarkup(markup, "text/html");
       const content = await cleanMarkup(document, files, `The cover of ${name}`);
-      return { root: content.root, css: style };
+      return { root: content.root, styles: [style] };
     },
   };
   const resolve = (href: string): FlowTarget | null => {

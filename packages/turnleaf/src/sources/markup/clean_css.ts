@@ -1,6 +1,7 @@
 /** Style sheets of books: what could fetch anything is taken out or put in as data. */
 
 import { limits } from "../limits.ts";
+import { pagedValue } from "./paged_css.ts";
 import { withoutPrefixes } from "./prefixed_css.ts";
 
 /** Functions that name something to load, in any of their spellings. */
@@ -15,32 +16,68 @@ const dataAddress = /url\("data:[^"]*"\)/g;
 /** Returns the data of an address of a style sheet, null if there are none. */
 export type ResolveCss = (address: string) => Promise<string | null>;
 
+/** A clean style sheet. */
+export interface CleanSheet {
+  /** Its prefixes of namespaces, which stand before all rules. */
+  readonly namespaces: string;
+  readonly rules: string;
+}
+
 /**
  * Returns a style sheet as the browser understands it, its addresses replaced
  * by data. What cannot be replaced is left out, and so are imports: these are
  * resolved before.
  */
-export async function cleanCss(css: string, resolve: ResolveCss): Promise<string> {
+export async function cleanCss(css: string, resolve: ResolveCss): Promise<CleanSheet> {
   const sheet = new CSSStyleSheet();
   sheet.replaceSync(withoutPrefixes(css));
-  return await cleanRules(sheet.cssRules, resolve);
+  const namespaces = [...sheet.cssRules].filter((rule) => rule instanceof CSSNamespaceRule);
+  return {
+    namespaces: namespaces.map((rule) => rule.cssText).join("\n"),
+    rules: await cleanRules(sheet.cssRules, resolve),
+  };
+}
+
+/** Returns style sheets that apply to some media as the browser writes these; "" for all. */
+export function inMedia(sheets: readonly CleanSheet[], media: string): readonly CleanSheet[] {
+  const { mediaText } = new CSSStyleSheet({ media }).media;
+  if (mediaText === "") return sheets;
+  // What a browser keeps though it does not know it could end the rule, or a string in it.
+  const known = /["'{};\\]/.test(mediaText) ? "not all" : mediaText;
+  return sheets.map(({ namespaces, rules }) => ({
+    namespaces,
+    rules: `@media ${known} { ${rules} }`,
+  }));
 }
 
 /**
- * Joins clean style sheets, each of which is read when its turn comes. The first
- * one that is too much for a chapter, and all after it, are left out.
+ * Reads clean style sheets one after the other. The first one that is too much for a chapter, and all
+ * after it, are left out.
  */
-export async function joinSheets(sheets: Iterable<() => Promise<string>>): Promise<string> {
-  const joined: string[] = [];
-  let [length, rules] = [0, 0];
-  for (const read of sheets) {
-    const css = await read();
-    length += css.length;
-    rules += css.replace(dataAddress, "").length;
-    if (length > limits.chapterBytes || rules > limits.markupBytes) break;
-    joined.push(css);
+export async function readSheets(
+  readers: Iterable<() => Promise<readonly CleanSheet[]>>,
+): Promise<readonly CleanSheet[]> {
+  const sheets: CleanSheet[] = [];
+  let [length, bare] = [0, 0];
+  for (const read of readers) {
+    for (const sheet of await read()) {
+      length += lengthOf(sheet);
+      bare += sheet.rules.replace(dataAddress, "").length;
+      if (length > limits.chapterBytes || bare > limits.markupBytes) return sheets;
+      sheets.push(sheet);
+    }
   }
-  return joined.join("\n");
+  return sheets;
+}
+
+/** Returns a style sheet's characters. */
+export function lengthOf({ namespaces, rules }: CleanSheet): number {
+  return namespaces.length + rules.length;
+}
+
+/** Returns a clean style sheet as text. */
+export function cssOf({ namespaces, rules }: CleanSheet): string {
+  return namespaces === "" ? rules : `${namespaces}\n${rules}`;
 }
 
 /** Returns the declarations of a style attribute, cleaned alike. */
@@ -52,7 +89,7 @@ export async function cleanDeclarations(
   for (const name of style) {
     const value = await cleanValue(style.getPropertyValue(name), resolve);
     const priority = style.getPropertyPriority(name) === "" ? "" : " !important";
-    if (value !== null) kept.push(`${name}: ${value}${priority};`);
+    if (value !== null) kept.push(`${name}: ${pagedValue(name, value)}${priority};`);
   }
   return kept.join(" ");
 }
@@ -79,9 +116,11 @@ async function cleanRule(rule: CSSRule, resolve: ResolveCss): Promise<string> {
   if (rule instanceof CSSSupportsRule) {
     return `@supports ${rule.conditionText} { ${await cleanRules(rule.cssRules, resolve)} }`;
   }
-  if (rule instanceof CSSNamespaceRule || rule instanceof CSSCounterStyleRule) {
-    return loading.test(rule.cssText) && !(rule instanceof CSSNamespaceRule) ? "" : rule.cssText;
+  if (rule instanceof CSSLayerBlockRule) {
+    return `@layer ${rule.name} { ${await cleanRules(rule.cssRules, resolve)} }`;
   }
+  if (rule instanceof CSSLayerStatementRule) return rule.cssText;
+  if (rule instanceof CSSCounterStyleRule) return loading.test(rule.cssText) ? "" : rule.cssText;
   return "";
 }
 

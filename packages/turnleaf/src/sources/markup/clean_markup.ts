@@ -10,7 +10,14 @@ import {
   mediumKindAttribute,
   styleAttribute,
 } from "../typeset/flow_book.ts";
-import { cleanCss, cleanDeclarations, joinSheets } from "./clean_css.ts";
+import {
+  type CleanSheet,
+  cleanCss,
+  cleanDeclarations,
+  cssOf,
+  inMedia,
+  readSheets,
+} from "./clean_css.ts";
 import { framePicture, frameSize } from "./frame_picture.ts";
 import { withoutPrefixes } from "./prefixed_css.ts";
 
@@ -18,8 +25,8 @@ import { withoutPrefixes } from "./prefixed_css.ts";
 export interface MarkupFiles {
   /** Returns a picture or a font as `data:`; null if there is none. */
   data(address: string): Promise<string | null>;
-  /** Returns a style sheet, already clean; empty if there is none. */
-  style(address: string): Promise<string>;
+  /** Returns a style sheet, already clean, after those that it imports; empty if there is none. */
+  style(address: string): Promise<readonly CleanSheet[]>;
   /** Returns whether the browser plays a sound or a film of the book. The default is false. */
   plays?(address: string): boolean;
   /** Returns the document in a frame, already clean; null if there is none. */
@@ -61,7 +68,7 @@ export async function cleanMarkup(
     throw new BookError(`${name} has more than ${limits.elements} elements; split it.`);
   }
   const root = inHtml(document);
-  const css = await stylesOf(document, files);
+  const styles = (await stylesOf(document, files)).map(cssOf);
   for (const one of root.querySelectorAll("*|switch")) one.querySelector("*|case")?.remove();
   for (const medium of root.querySelectorAll("audio, video")) placeOf(medium, files);
   for (const object of root.querySelectorAll("object")) await pictureOf(object, files);
@@ -86,7 +93,7 @@ export async function cleanMarkup(
     SANITIZE_DOM: false,
     ...(trustPolicy() ? { TRUSTED_TYPES_POLICY: trustPolicy() as never } : {}),
   });
-  return { root, css };
+  return { root, styles };
 }
 
 /** Returns the root as an `<html>` with a `<body>`, its elements without prefixes. */
@@ -115,34 +122,28 @@ function inHtml(document: Document): Element {
 }
 
 /** Returns a document's style sheets in order, cleaned. */
-async function stylesOf(document: Document, files: MarkupFiles): Promise<string> {
-  const sheets: (() => Promise<string>)[] = [];
+async function stylesOf(document: Document, files: MarkupFiles): Promise<readonly CleanSheet[]> {
+  const sheets: (() => Promise<readonly CleanSheet[]>)[] = [];
   for (const node of document.childNodes) {
     if (!(node instanceof ProcessingInstruction) || node.target !== "xml-stylesheet") continue;
     const href = /href\s*=\s*["']([^"']+)/.exec(node.data)?.[1];
     if (href) sheets.push(() => files.style(href));
   }
   for (const element of document.querySelectorAll("style, link[rel][href]")) {
+    const media = element.getAttribute("media") ?? "";
     if (element.localName === "style") {
-      sheets.push(() => cleanCss(element.textContent ?? "", (to) => files.data(to)));
+      sheets.push(async () => {
+        const sheet = await cleanCss(element.textContent ?? "", (to) => files.data(to));
+        return inMedia([sheet], media);
+      });
       continue;
     }
     const relations = element.getAttribute("rel")?.toLowerCase().split(/\s+/) ?? [];
     if (!relations.includes("stylesheet") || relations.includes("alternate")) continue;
-    sheets.push(async () => {
-      const sheet = await files.style(element.getAttribute("href") ?? "");
-      const media = mediaOf(element);
-      return media === "" ? sheet : `@media ${media} { ${sheet} }`;
-    });
+    const href = element.getAttribute("href") ?? "";
+    sheets.push(async () => inMedia(await files.style(href), media));
   }
-  return await joinSheets(sheets);
-}
-
-/** Returns the media of a style sheet's link as the browser understands them; "" for all. */
-function mediaOf(link: Element): string {
-  const { mediaText } = new CSSStyleSheet({ media: link.getAttribute("media") ?? "" }).media;
-  // What a browser keeps though it does not know it could end the rule, or a string in it.
-  return /["'{};\\]/.test(mediaText) ? "not all" : mediaText;
+  return await readSheets(sheets);
 }
 
 /**

@@ -1,4 +1,4 @@
-/** The prefixed properties of EPUB 3's style sheets, as CSS names them today. */
+/** What style sheets of books say in words that the browser does not know: EPUB 3's prefixed properties, and breaks. */
 
 /** Names and values that are not the same without the prefix, by EPUB's own list of them. */
 const renamed: readonly (readonly [prefixed: RegExp, today: string])[] = [
@@ -8,11 +8,13 @@ const renamed: readonly (readonly [prefixed: RegExp, today: string])[] = [
   [/-epub-(text-orientation\s*:\s*)vertical-right\b/gi, "$1mixed"],
   [/-epub-(text-underline-position\s*:\s*)alphabetic\b/gi, "$1auto"],
   [/-epub-fullwidth\b/gi, "full-width"],
+  // No browser knows this value, though CSS has it.
+  [/(?<![\w-])(break-(?:before|after)\s*:\s*)(?:always|all)\b/gi, "$1page"],
 ];
 
 /** Returns a style sheet, or declarations, in today's properties. */
 export function withoutPrefixes(css: string): string {
-  if (!/-epub-/i.test(css)) return css;
+  if (!/-epub-|break-/i.test(css)) return css;
   return renamed
     .reduce((text, [prefixed, today]) => text.replace(prefixed, today), css)
     .replace(/(^|[\s;{"])-epub-/gi, "$1");

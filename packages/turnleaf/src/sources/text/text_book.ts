@@ -80,9 +80,9 @@ function bookOf(chapters: readonly Chapter[], file: Blob, name: string): FlowBoo
 function sectionOf({ html }: Chapter, name: string): FlowSection {
   const load = async (): Promise<FlowContent> => {
     const document = parseMarkup(`<html><body>${html}</body></html>`, "text/html");
-    const files = { data: checkedData, style: async () => "" };
+    const files = { data: checkedData, style: async () => [] };
     const content = await cleanMarkup(document, files, name);
-    return { root: content.root, css: `${style}${content.css}` };
+    return { root: content.root, styles: [style, ...content.styles] };
   };
   return { length: html.length, isFixed: false, load };
 }

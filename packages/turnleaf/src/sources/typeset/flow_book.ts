@@ -39,8 +39,8 @@ export const mediumKindAttribute = "data-turnleaf-medium-kind";
 export interface FlowContent {
   /** An `<html>` element with a `<body>`, in a document of its own. */
   readonly root: Element;
-  /** Its style sheets in order. */
-  readonly css: string;
+  /** Its style sheets in order: what must come first in one, such as its namespaces, is of that one alone. */
+  readonly styles: readonly string[];
   /** The page's size in CSS pixels, if its layout is fixed. */
   readonly size?: PageSize;
 }

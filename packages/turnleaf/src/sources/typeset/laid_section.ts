@@ -1,6 +1,7 @@
 import { cleanText } from "../book_text.ts";
 import { isPageSize, limits } from "../limits.ts";
 import type { PageBox, PageSize, TextRun, Typography } from "../page_source.ts";
+import { fitBoxes } from "./fit_boxes.ts";
 import {
   type FlowContent,
   mediumAttribute,
@@ -22,6 +23,7 @@ import {
   readerStyle,
   rollStyle,
 } from "./typography.ts";
+import { writingOf } from "./writing_direction.ts";
 
 /** The root's type size, from which the book's own is reckoned. */
 const rootSize = 16;
@@ -269,10 +271,10 @@ async function layIn<T>(
   const body = html.querySelector("body") ?? html;
   const view = frame.document.defaultView as Window;
   const reader = readerStyle(typography);
-  const own = [baseStyle, content.css];
+  const own = [baseStyle, ...content.styles];
   let flow: PageFlow = { stepX: 0, stepY: 0, isVertical: false };
   adoptStyles(frame, [...own, reader]);
-  const { writingMode, direction } = view.getComputedStyle(body);
+  const { writingMode, direction } = writingOf(body, view);
   const isVertical = !writingMode.startsWith("horizontal");
   // Lines that stand upright are scrolled page by page.
   const isSliced = isScrolled && !isVertical && !content.size;
@@ -291,6 +293,11 @@ async function layIn<T>(
   frame.root.style.fontSize = rem;
   adoptStyles(frame, own);
   await loadedIn(frame, html);
+  if (!content.size) {
+    const area = { width: page.width - 2 * page.sides, height: page.height - 2 * page.ends };
+    // A roll has no ends that anything could be cut at.
+    fitBoxes(body, isSliced ? { ...area, height: Number.POSITIVE_INFINITY } : area, writingMode);
+  }
   if (isSliced) {
     size = { width: page.width, height: sliceHeight(html, page) };
     flow = { stepX: 0, stepY: size.height, isVertical };
@@ -310,8 +317,8 @@ async function layIn<T>(
     },
   };
   const text = new TextMap(body, flow, pageCount);
-  const css = withUsedFonts([spokenStyle, ...own].join("\n"), frame.document);
-  const markup = (): Markup => new Markup(html, { css, size, rem, paper, flow });
+  const styles = withUsedFonts([spokenStyle, ...own], frame.document);
+  const markup = (): Markup => new Markup(html, { styles, size, rem, paper, flow });
   return done(
     frame,
     flow,
@@ -345,12 +352,15 @@ async function loadedIn({ document }: LayoutFrame, html: HTMLElement): Promise<v
 const fontRule = /@font-face \{ [^}]*\}/g;
 
 /** Returns style sheets without the fonts that nothing in a frame is set in. */
-function withUsedFonts(css: string, { fonts }: Document): string {
+function withUsedFonts(sheets: readonly string[], { fonts }: Document): readonly string[] {
   // The faces of rules are in the order of these.
   const faces = [...fonts];
-  if (css.match(fontRule)?.length !== faces.length) return css;
+  const rules = sheets.flatMap((css) => css.match(fontRule) ?? []);
+  if (rules.length !== faces.length) return sheets;
   let next = 0;
-  return css.replace(fontRule, (rule) => (faces[next++]?.status === "unloaded" ? "" : rule));
+  return sheets.map((css) =>
+    css.replace(fontRule, (rule) => (faces[next++]?.status === "unloaded" ? "" : rule)),
+  );
 }
 
 /** Counts the pages of a section from how far its columns reach. */

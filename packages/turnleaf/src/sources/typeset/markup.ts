@@ -1,6 +1,7 @@
 /** A section as markup, from which each page is drawn as an SVG of its own. */
 
 import type { PageSize } from "../page_source.ts";
+import { styleElements } from "./style_elements.ts";
 import { type PageFlow, pageOfRect } from "./text_map.ts";
 
 const xhtml = "http://www.w3.org/1999/xhtml";
@@ -16,7 +17,7 @@ const clear = "data:image/gif;base64,R0lGODlhAQABAAAAACH5BAEKAAEALAAAAAABAAEAAAI
 
 /** How a section is drawn. */
 export interface MarkupStyle {
-  readonly css: string;
+  readonly styles: readonly string[];
   readonly size: PageSize;
   /** The root's type size, a CSS length. */
   readonly rem: string;
@@ -36,7 +37,7 @@ export class Markup {
   readonly #style: MarkupStyle;
   /** The markup; in place of each picture's data, the picture. */
   readonly #parts: readonly (string | Picture)[];
-  readonly #css: string;
+  readonly #styles: string;
   readonly #paper: string;
 
   /** @param html the section's element, laid out */
@@ -47,7 +48,7 @@ export class Markup {
     const markup = new XMLSerializer().serializeToString(html);
     // Gone through once, however many pictures there are.
     this.#parts = markup.split(pictureData).map((part) => pictures.get(part) ?? part);
-    this.#css = style.css.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+    this.#styles = styleElements(style.styles);
     this.#paper = paperOf(html, view) ?? style.paper;
   }
 
@@ -59,7 +60,7 @@ export class Markup {
       .map((part) => (typeof part === "string" ? part : part.isOn(page) ? part.data : clear))
       .join("");
     const box = `position: absolute; left: 0; top: 0; width: ${width}px; height: ${height}px`;
-    return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" style="font-size: ${rem}"><style>${this.#css}</style><rect width="${width}" height="${height}" fill="${this.#paper}"/><foreignObject width="${width}" height="${height}"><div xmlns="${xhtml}" style="position: relative; overflow: hidden; width: ${width}px; height: ${height}px"><div style="${box}; font-size: 16px; transform: translate(${x}px, ${y}px)">${html}</div></div></foreignObject></svg>`;
+    return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" style="font-size: ${rem}">${this.#styles}<rect width="${width}" height="${height}" fill="${this.#paper}"/><foreignObject width="${width}" height="${height}"><div xmlns="${xhtml}" style="position: relative; overflow: hidden; width: ${width}px; height: ${height}px"><div style="${box}; font-size: 16px; transform: translate(${x}px, ${y}px)">${html}</div></div></foreignObject></svg>`;
   }
 }
 

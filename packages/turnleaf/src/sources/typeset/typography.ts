@@ -1,5 +1,6 @@
 /** How flowing text is set: the style sheets that follow from what the reader chooses. */
 
+import { areaDeclarations } from "../markup/paged_css.ts";
 import type { PageSize, Typography } from "../page_source.ts";
 
 /** Typography as the book has it. */
@@ -102,6 +103,7 @@ export function columnStyle(page: PageMeasures, isVertical: boolean, direction: 
   const [column, gap] = isVertical ? [down, 2 * page.ends] : [across, 2 * page.sides];
   return `
 html {
+  ${areaDeclarations(across, down, isVertical)}
   display: block !important; position: absolute !important; box-sizing: content-box !important;
   left: ${page.sides}px !important; top: ${page.ends}px !important;
   width: ${across}px !important; height: ${down}px !important;
@@ -124,6 +126,7 @@ export function rollStyle(page: PageMeasures): string {
   const across = page.width - 2 * page.sides;
   return `
 html {
+  ${areaDeclarations(across, page.height - 2 * page.ends, false)}
   display: flow-root !important; position: absolute !important; box-sizing: content-box !important;
   left: ${page.sides}px !important; top: ${page.ends}px !important;
   width: ${across}px !important; height: auto !important;
@@ -141,6 +144,7 @@ ${everyStyle}
 export function fixedStyle({ width, height }: PageSize): string {
   return `
 html {
+  ${areaDeclarations(width, height, false)}
   display: block !important; position: absolute !important; left: 0 !important; top: 0 !important;
   width: ${width}px; height: ${height}px; overflow: hidden !important;
 }

@@ -5,3 +5,31 @@ const rightToLeft = /^(ar|arc|ckb|dv|fa|he|ks|ps|sd|syr|ug|ur|yi)\b(?!-(Latn|Cyr
 export function isRightToLeft(language: string): boolean {
   return rightToLeft.test(language);
 }
+
+/** How text is written: values of CSS. */
+export interface Writing {
+  readonly writingMode: string;
+  readonly direction: string;
+}
+
+/**
+ * Returns how most of the text in a section is written. Some books say so of their root, others of a box
+ * in it, or of each.
+ *
+ * @param body the section's body, laid out
+ */
+export function writingOf(body: Element, view: Window): Writing {
+  const own = view.getComputedStyle(body);
+  const ways = new Map<string, { readonly writing: Writing; letters: number }>();
+  const walker = body.ownerDocument.createTreeWalker(body, NodeFilter.SHOW_TEXT);
+  for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
+    const letters = node.nodeValue?.trim().length ?? 0;
+    if (letters === 0 || node.parentElement === null) continue;
+    const { writingMode, direction } = view.getComputedStyle(node.parentElement);
+    const way = ways.get(`${writingMode} ${direction}`);
+    if (way) way.letters += letters;
+    else ways.set(`${writingMode} ${direction}`, { writing: { writingMode, direction }, letters });
+  }
+  const [most] = [...ways.values()].sort((a, b) => b.letters - a.letters);
+  return most?.writing ?? { writingMode: own.writingMode, direction: own.direction };
+}

@@ -1,0 +1,175 @@
+/** What is drawn of a page is what was laid out: ink stands where its words are, and nowhere else. */
+
+import { afterEach, expect, test } from "vitest";
+import { openSource } from "../open.ts";
+import type { NewIndex, PageSource } from "../page_source.ts";
+import { prose, type TinyEpub, tinyEpub } from "./tiny_epub.ts";
+
+const never = new AbortController().signal;
+const opened: PageSource[] = [];
+
+afterEach(() => {
+  for (const source of opened.splice(0)) source.close();
+});
+
+async function laidOut(epub: TinyEpub): Promise<PageSource> {
+  const source = await openSource(tinyEpub(epub));
+  opened.push(source);
+  await new Promise<NewIndex>((resolve) => source.watchPages?.((change) => resolve(change())));
+  return source;
+}
+
+/** Returns the words of a source, page by page. */
+async function pagesOf(source: PageSource): Promise<string[]> {
+  const pages: string[] = [];
+  for (let index = 0; index < source.pageCount; index++) {
+    const runs = (await source.text?.(index, never)) ?? [];
+    pages.push(runs.map(({ text, end }) => text + (end ? " " : "")).join(""));
+  }
+  return pages;
+}
+
+const letters = (text: string): string => text.replace(/\s+/g, "");
+
+/** Expects every word in its place: under each is ink, and none is anywhere else. */
+async function expectDrawnAsLaid(source: PageSource): Promise<void> {
+  const { width, height } = await source.size(0);
+  for (let index = 0; index < source.pageCount; index++) {
+    const picture = (await source.draw(index, Math.round(width), never)) as ImageBitmap;
+    const pen = new OffscreenCanvas(picture.width, picture.height).getContext("2d")!;
+    pen.drawImage(picture, 0, 0);
+    const { data } = pen.getImageData(0, 0, picture.width, picture.height);
+    const isInk = (x: number, y: number) => (data[4 * (y * picture.width + x)] ?? 255) < 128;
+    const inked = new Set<number>();
+    for (let y = 0; y < picture.height; y++)
+      for (let x = 0; x < picture.width; x++) if (isInk(x, y)) inked.add(y * picture.width + x);
+    const runs = (await source.text?.(index, never)) ?? [];
+    for (const run of runs) {
+      const where = `"${run.text}" on page ${index + 1}`;
+      expect(run.x >= 0 && run.x + run.width <= width + 1, where).toBe(true);
+      expect(run.y >= 0 && run.y + run.height <= height + 1, where).toBe(true);
+      let ink = 0;
+      for (let y = Math.floor(run.y) - 1; y <= run.y + run.height + 1; y++) {
+        for (let x = Math.floor(run.x) - 2; x <= run.x + run.width + 2; x++) {
+          if (inked.delete(y * picture.width + x)) ink++;
+        }
+      }
+      if (/[a-z]/i.test(run.text)) expect(ink, where).toBeGreaterThan(0);
+    }
+    expect(inked.size, `ink beside the words of page ${index + 1}`).toBe(0);
+  }
+}
+
+const document = (head: string, body: string): string =>
+  `<?xml version="1.0"?><html xmlns="http://www.w3.org/1999/xhtml" xmlns:epub="http://www.idpf.org/2007/ops"><head><title>t</title>${head}</head><body>${body}</body></html>`;
+
+test("rules by namespace hold in every sheet of a chapter, as laid out so as drawn", async () => {
+  const namespace = '@namespace epub "http://www.idpf.org/2007/ops";';
+  const files = {
+    "one.css": `@charset "utf-8"; @import url("three.css") screen; @import "four.css" print; ${namespace} [epub|type~="a"] { margin-left: 200px }`,
+    "two.css": `@namespace e url(http://www.idpf.org/2007/ops); @layer low { [e|type~="b"] { font-size: 30px } }`,
+    "three.css": `${namespace} [epub|type~="c"] { text-transform: uppercase }`,
+    "four.css": `p { display: none }`,
+  };
+  const head = Object.keys(files)
+    .slice(0, 2)
+    .map((name) => `<link rel="stylesheet" href="${name}" media="all"/>`)
+    .join("");
+  const body = `<p epub:type="a">moved</p><p epub:type="b">large</p><p epub:type="c">capital</p>${prose(12, 40)}`;
+  const source = await laidOut({ chapters: [document(head, body)], files });
+  const runs = (await source.text?.(0, never)) ?? [];
+  const [moved, large, capital] = runs;
+  expect(moved?.x).toBeGreaterThan(220);
+  expect(large?.height).toBeGreaterThan(28);
+  expect(capital?.width).toBeGreaterThan(62);
+  await expectDrawnAsLaid(source);
+});
+
+test.each([
+  ["page-break-before: always", 2],
+  ["break-before: page", 2],
+  ["break-before: left", 2],
+  ["break-before: recto", 2],
+  ["page-break-after: right", 2],
+  ["break-after: always", 2],
+  ["-webkit-column-break-before: always", 2],
+  ["break-before: auto", 1],
+])("%s begins a page, in a sheet and in an element's own style", async (rule, pages) => {
+  const body = (own: string): string => `<h1>one</h1><h2 ${own}>two</h2>`;
+  const after = /after/.test(rule) ? "<p>three</p>" : "";
+  const source = await laidOut({
+    chapters: [body("") + after, `${body(`style="${rule}"`)}${after}`],
+    css: `.never {} h2 { ${rule} }`,
+  });
+  expect(source.pageCount).toBe(2 * pages);
+  await expectDrawnAsLaid(source);
+});
+
+test("a view's lengths are those of the type area", async () => {
+  const source = await laidOut({
+    chapters: [
+      "<div style=\"height: 100vh; background: url('10vh')\"></div><p>second</p>",
+      '<p style="margin-left: 50vw; margin-top: calc(10vmin + 1dvh)">half</p>',
+    ],
+  });
+  expect(source.pageCount).toBe(3);
+  expect((await pagesOf(source)).map(letters)).toEqual(["", "second", "half"]);
+  const [half] = (await source.text?.(2, never)) ?? [];
+  const { width } = await source.size(0);
+  expect(half?.x).toBeCloseTo(53 + (width - 106) / 2, 0);
+});
+
+const long = prose(7, 60);
+test("a section is set as most of its text is written", async () => {
+  const source = await laidOut({
+    chapters: [
+      `<p>head</p>${`<div style="writing-mode: vertical-rl; direction: ltr">${prose(2)}</div>`.repeat(5)}`,
+      `<div style="writing-mode: vertical-rl">tail</div>${prose(8)}`,
+    ],
+    spine: 'page-progression-direction="rtl"',
+  });
+  const pages = await pagesOf(source);
+  const runs = (await source.text?.(1, never)) ?? [];
+  expect(runs.every(({ vertical }) => vertical)).toBe(true);
+  const words = `<p>head</p>${prose(2).repeat(5)}tail${prose(8)}`.replace(/<[^>]*>/g, "");
+  expect(letters(pages.join("")).length).toBe(letters(words).length);
+  await expectDrawnAsLaid(source);
+});
+
+test.each([
+  ["overflow: hidden", `<div style="overflow: hidden; border: 1px solid #fff">${long}</div>`],
+  ["overflow: auto of some height", `<div style="overflow: auto; height: 200px">${long}</div>`],
+  [
+    "overflow: scroll in another",
+    `<div style="overflow: scroll"><div style="overflow: auto; max-height: 300px">${long}</div></div>`,
+  ],
+  ["an inline block", `<div style="display: inline-block">${long}</div>`],
+  ["an inline table", `<div style="display: inline-table">${long}</div>`],
+  ["an inline flex box", `<div style="display: inline-flex"><div>${long}</div></div>`],
+  ["a height that it outgrows", `<div style="height: 100px">${long}</div>`],
+  ["a flex item", `<div style="display: flex"><div>${long}</div></div>`],
+  ["a grid", `<div style="display: grid; grid-template-columns: 700px">${long}</div>`],
+  ["an absolute box", `<div style="position: absolute; top: 0">${long}</div>`],
+  ["a float", `<div style="float: left; width: 60%">${long}</div>`],
+  ["a fixed width", `<div style="width: 900px">${long}</div>`],
+  ["a preformatted line", `<pre style="white-space: pre">${"word ".repeat(100)}</pre>`],
+  ["a line that does not break", `<p style="white-space: nowrap">${"word ".repeat(60)}</p>`],
+  [
+    "a table of six columns",
+    `<table><tr>${"Temperature Concentration Measurement Uncertainty Laboratory Remarks"
+      .split(" ")
+      .map((word) => `<th>${word}</th>`)
+      .join("")}</tr></table>`,
+  ],
+  [
+    "a table of thirty columns",
+    `<table><tr>${Array.from({ length: 30 }, (_, k) => `<td>column${k}</td>`).join("")}</tr></table>`,
+  ],
+])("%s larger than the page loses nothing and lies on nothing", async (_, box) => {
+  const source = await laidOut({ chapters: [`<p>before</p>${box}<p>after</p>`] });
+  const text = new DOMParser().parseFromString(`<p>before</p>${box}<p>after</p>`, "text/html").body;
+  const drawn = letters((await pagesOf(source)).join(""));
+  const lost = letters(text.textContent ?? "").length - drawn.length;
+  expect(lost, drawn.slice(-500)).toBe(0);
+  await expectDrawnAsLaid(source);
+});

@@ -1,0 +1,177 @@
+/**
+ * Boxes that are larger than the type area. A browser scrolls what does not fit; a page cannot, and what
+ * lies beyond it is lost. So boxes that do not break from page to page are made to, and lines, tables and
+ * boxes that are too wide are made narrower.
+ */
+
+import type { PageSize } from "../page_source.ts";
+
+/** Rounds of measuring and changing: a box that is opened shows those within it, at most so deep. */
+const rounds = 8;
+
+/** The smallest size of a table that is too wide, over its own; narrower still, its words are broken. */
+const smallestTable = 0.6;
+
+/** What is not quite a pixel too large is as large as it should be: the browser rounds lengths. */
+const tolerance = 1;
+
+/** Displays that do not break from page to page, and those like them that do. */
+const breaking: Readonly<Record<string, string>> = {
+  "inline-block": "block",
+  "inline-flex": "flex",
+  "inline-grid": "grid",
+  "inline-table": "table",
+};
+
+/** The inner table's parts, whose widths the table decides. */
+const tableParts = /^table-/;
+
+type Styles = Readonly<Record<string, string>>;
+
+/**
+ * Changes the styles of the boxes in a section that is set in columns, so that all of them fit.
+ *
+ * @param body the section's body, laid out
+ * @param area the type area, CSS pixels
+ * @param writingMode of the section: a box of another one does not break
+ */
+export function fitBoxes(body: Element, area: PageSize, writingMode: string): void {
+  const isVertical = !writingMode.startsWith("horizontal");
+  const view = body.ownerDocument.defaultView as Window & typeof globalThis;
+  const [line, page] = isVertical ? [area.height, area.width] : [area.width, area.height];
+  const known = new WeakSet<Element>();
+  const range = body.ownerDocument.createRange();
+  for (let round = 0; round < rounds; round++) {
+    const changes: [HTMLElement, Styles][] = [];
+    let done: Element | null = null;
+    for (const element of body.querySelectorAll<HTMLElement>("*")) {
+      if (!(element instanceof view.HTMLElement) || known.has(element)) continue;
+      // What is within a box that changes is looked at once that has changed.
+      if (done?.contains(element)) continue;
+      // One rectangle for each page that it is on.
+      const rects = element.getClientRects();
+      if (rects.length === 0) continue;
+      const isWhole = rects.length === 1;
+      const isHigh = isWhole && lengthsOf(rects[0] as DOMRect, isVertical).down > page + tolerance;
+      const isWide =
+        widthOf(element, isVertical) > line + tolerance || isOverlong(element, isVertical);
+      const isLined =
+        isWhole || !/^(?:pre|nowrap)$/.test(view.getComputedStyle(element).whiteSpace);
+      if (!isHigh && !isWide && isLined && !isOverfull(element, range)) continue;
+      known.add(element);
+      // The items of a grid are as wide as its tracks.
+      const grid = isWide ? element.parentElement : null;
+      const isItem = grid !== null && view.getComputedStyle(grid).display.endsWith("grid");
+      const box = isItem ? grid : element;
+      const style = view.getComputedStyle(box);
+      const isNarrowed = isWide || !isLined;
+      changes.push([
+        box,
+        {
+          ...opened(style, writingMode),
+          ...(isNarrowed ? narrowed(box, style, line, isVertical) : {}),
+        },
+      ]);
+      done = box;
+    }
+    if (changes.length === 0) return;
+    for (const [element, change] of changes) {
+      for (const [name, value] of Object.entries(change)) {
+        element.style.setProperty(name, value, "important");
+      }
+    }
+  }
+}
+
+/** Returns how long a rectangle is along lines and across them. */
+function lengthsOf(
+  { width, height }: DOMRect,
+  isVertical: boolean,
+): { across: number; down: number } {
+  return isVertical ? { across: height, down: width } : { across: width, down: height };
+}
+
+/** Returns how wide a box is on the page where it is widest. */
+function widthOf(element: Element, isVertical: boolean): number {
+  const rects = [...element.getClientRects()];
+  return Math.max(...rects.map((rect) => lengthsOf(rect, isVertical).across), 0);
+}
+
+/** Returns whether a line in a box that is on one page is longer than the box. */
+function isOverlong(element: HTMLElement, isVertical: boolean): boolean {
+  const [inner, content] = isVertical
+    ? [element.clientHeight, element.scrollHeight]
+    : [element.clientWidth, element.scrollWidth];
+  return inner > 0 && content > inner + tolerance && element.getClientRects().length === 1;
+}
+
+/**
+ * Returns whether what is in a box ends beyond it. By the place of what is last in it, as a browser does
+ * not measure what goes on in the next column.
+ */
+function isOverfull(element: HTMLElement, range: Range): boolean {
+  const last = element.lastChild;
+  if (element.clientHeight === 0 || last === null) return false;
+  const own = [...element.getClientRects()].at(-1);
+  range.selectNode(last);
+  const end = [...range.getClientRects()].findLast(({ width, height }) => width > 0 && height > 0);
+  if (!own || !end) return false;
+  const isBelow = end.bottom > own.bottom + tolerance || end.top > own.bottom;
+  return isBelow || end.left > own.right + tolerance || end.right < own.left - tolerance;
+}
+
+/** Returns the styles by which a box grows with what is in it and breaks where a page ends. */
+function opened(style: CSSStyleDeclaration, writingMode: string): Styles {
+  const change: Record<string, string> = {};
+  if (tableParts.test(style.display)) return change;
+  if (style.overflow !== "visible") change.overflow = "visible";
+  const display = breaking[style.display];
+  if (display) change.display = display;
+  // A browser does not say whether a height is its own; it is none, if nothing asks for one.
+  change["block-size"] = "auto";
+  change["max-block-size"] = "none";
+  if (style.position === "absolute" || style.position === "fixed") change.position = "static";
+  if (style.writingMode !== writingMode) change["writing-mode"] = writingMode;
+  if (style.contain !== "none") change.contain = "none";
+  if (style.getPropertyValue("-webkit-line-clamp") !== "none") {
+    change["-webkit-line-clamp"] = "none";
+  }
+  return change;
+}
+
+/** Returns the styles by which a box is no wider than a line. */
+function narrowed(
+  element: HTMLElement,
+  style: CSSStyleDeclaration,
+  line: number,
+  isVertical: boolean,
+): Styles {
+  const { display, whiteSpace } = style;
+  if (tableParts.test(display)) return {};
+  if (display === "table" || display === "inline-table") {
+    return fittedTable(element, line, isVertical);
+  }
+  const change: Record<string, string> = { "max-inline-size": "100%", "min-inline-size": "0" };
+  if (whiteSpace === "pre") change["white-space"] = "pre-wrap";
+  else if (whiteSpace === "nowrap") change["white-space"] = "normal";
+  if (display.endsWith("flex")) change["flex-wrap"] = "wrap";
+  if (display.endsWith("grid")) change.display = "block";
+  return change;
+}
+
+/** Returns the styles of a table that is as wide as a line: smaller, and else with broken words. */
+function fittedTable(table: HTMLElement, line: number, isVertical: boolean): Styles {
+  const cells = [...table.querySelectorAll<HTMLElement>("th, td, th *, td *, col")];
+  const setAll = (name: string, value: string): void => {
+    for (const cell of cells) cell.style.setProperty(name, value, "important");
+  };
+  for (const name of ["inline-size", "min-inline-size"]) setAll(name, "auto");
+  setAll("white-space", "normal");
+  table.style.setProperty("inline-size", "min-content", "important");
+  const least = widthOf(table, isVertical);
+  const size = Math.max(Math.min(line / least, 1), smallestTable);
+  // By an element's own style sheet words are broken where a line has no room, not to make it narrower.
+  if (least * size > line) setAll("overflow-wrap", "anywhere");
+  const change = { "inline-size": "auto", "max-inline-size": "100%" };
+  return size < 1 ? { ...change, zoom: String(Math.floor(size * 1000) / 1000) } : change;
+}
