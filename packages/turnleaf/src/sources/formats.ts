@@ -6,6 +6,7 @@
 
 import type { Archive } from "./archive/archive.ts";
 import { type BookFile, bytesOf, type WholeFile } from "./book_file.ts";
+import { isEpub } from "./epub/epub_names.ts";
 import { limits } from "./limits.ts";
 import { loadPart } from "./load_part.ts";
 import { type ImageBook, parseManifest } from "./manifest.ts";
@@ -103,7 +104,7 @@ const archived: readonly {
   readonly open: OpenArchive;
 }[] = [
   {
-    isIn: (names) => names.includes("META-INF/container.xml"),
+    isIn: isEpub,
     open: async (archive, file, name, typography) => {
       const { openEpub } = await loadPart(import("./epub/epub.ts"));
       return await openEpub(archive, file, name, typography);

@@ -2,6 +2,8 @@
 
 import { EPUB, type ManifestItem, type TocItem } from "foliate-js/epub.js";
 import type { Archive } from "../archive/archive.ts";
+import { FilePaths } from "../archive/file_paths.ts";
+import { folderOf } from "../archive/folder_archive.ts";
 import { cleanLanguage, cleanText, decodeEscapes } from "../book_text.ts";
 import { unknownFailure } from "../failures.ts";
 import { limits } from "../limits.ts";
@@ -10,6 +12,7 @@ import { type MarkupType, parseMarkup } from "../markup/parse_markup.ts";
 import { type BookDetail, BookError, type PageSource, type Typography } from "../page_source.ts";
 import type {
   FlowBook,
+  FlowContent,
   FlowNarration,
   FlowOutline,
   FlowSection,
@@ -18,7 +21,9 @@ import type {
 import { FlowSource } from "../typeset/flow_source.ts";
 import { isRightToLeft } from "../typeset/writing_direction.ts";
 import { loadChapter } from "./chapter.ts";
+import { folderOfEpub, packageOf } from "./container.ts";
 import { EpubFiles } from "./epub_files.ts";
+import { NamedFiles } from "./named_files.ts";
 import { fontDecoder } from "./obfuscated_fonts.ts";
 import { checkPackage } from "./package_document.ts";
 
@@ -46,7 +51,8 @@ export async function openEpub(
   typography?: Typography,
 ): Promise<PageSource> {
   try {
-    return await FlowSource.open(await readEpub(archive, file, name), typography);
+    const book = folderOf(archive, folderOfEpub(archive.names));
+    return await FlowSource.open(await readEpub(book, file, name), typography);
   } catch (error) {
     archive.close();
     throw unknownFailure(`${name} is damaged or no EPUB`, error, "repair it or get it again");
@@ -55,20 +61,33 @@ export async function openEpub(
 
 async function readEpub(archive: Archive, file: Blob, name: string): Promise<FlowBook> {
   const names = new Set(archive.names);
+  const paths = new FilePaths(archive.names);
   const plain = new EpubFiles(archive, async () => {});
+  const packagePath = await packageOf(archive);
+  if (packagePath === null) throw new BookError(`${name} has no package (.opf); get it again.`);
+  const named = new NamedFiles(paths);
+  // foliate-js reads one document after the other, and parses each before the next.
+  let reading = "";
   const epub = new EPUB({
-    loadText: async (path) => (names.has(path) ? await plain.text(path) : null),
-    loadBlob: async (path) => new Blob([await archive.read(path)]),
-    getSize: (path) => archive.size(path),
+    loadText: async (path) => {
+      reading = named.nameOf(path);
+      if (path === containerPath) return containerOf(named.markOf(packagePath));
+      return names.has(reading) ? await plain.text(reading) : null;
+    },
+    loadBlob: async (path) => new Blob([await archive.read(named.nameOf(path))]),
+    getSize: (path) => archive.size(named.nameOf(path)),
   });
   epub.parser = {
-    parseFromString: (text, type) =>
-      withPicturesInWords(checkPackage(parseMarkup(text, type as MarkupType), name)),
+    parseFromString: (text, type) => {
+      const document = checkPackage(parseMarkup(text, type as MarkupType), name);
+      return withPicturesInWords(named.mark(document, reading));
+    },
   };
   await epub.init();
   const { resources, rendition, metadata, toc } = epub;
+  const listed = resources.manifest.map((item) => ({ ...item, href: named.nameOf(item.href) }));
   // Of several of one name the first counts.
-  const items = new Map(resources.manifest.map((item) => [item.id, item] as const).reverse());
+  const items = new Map(listed.map((item) => [item.id, item] as const).reverse());
   const fallbacks = new Map(
     [...resources.opf.getElementsByTagNameNS("*", "item")]
       .map((element) => [element.id, element.getAttribute("fallback")] as const)
@@ -77,14 +96,14 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   const protection = names.has("META-INF/encryption.xml")
     ? parseMarkup(await plain.text("META-INF/encryption.xml"), "application/xml")
     : null;
-  const decoder = await fontDecoder(protection, epub);
+  const decoder = await fontDecoder(protection, epub, paths);
   if (decoder.isProtected(resources.spine.map(({ idref }) => items.get(idref)?.href ?? ""))) {
     throw new BookError(
       `${name} is protected against copying (DRM); open it in its shop's reader.`,
     );
   }
   const manifest = { items, fallbacks };
-  const byPath = new Map(resources.manifest.map((item) => [item.href, item]));
+  const byPath = new Map(listed.map((item) => [item.href, item]));
   const files = new EpubFiles(archive, decoder.decode, {
     isListed: (path) => byPath.has(path),
     typeOf: (path) => byPath.get(path)?.mediaType ?? "",
@@ -101,9 +120,10 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   const chapters = resources.spine
     .slice(0, limits.pages)
     .flatMap(({ idref, linear, properties = [] }) => {
-      const found = withFallbacks(manifest, idref).filter(({ href }) => names.has(href));
-      const item = readableItem(found);
-      if (!item) return [];
+      const found = withFallbacks(manifest, idref);
+      const readable = readableItem(found.filter(({ href }) => names.has(href)));
+      const missing = readable ? "" : missingChapter(found[0], idref, names, name);
+      const item = readable ?? found[0] ?? { id: idref, href: "", mediaType: "" };
       const has = (word: string): boolean =>
         properties.some((one) => one === word || one === `rendition:${word}`);
       // The first of several counts.
@@ -111,7 +131,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
       const isFixed = own && !isRoll ? own === "rendition:layout-pre-paginated" : isFixedBook;
       const flow = isRoll ? "scrolled-continuous" : isFixed ? "" : flowOf(has, rendition.flow);
       const side = isRoll ? undefined : sideOf(has, isFixed);
-      return [{ ...item, isFixed, isAside: linear === "no", side, flow }];
+      return [{ ...item, missing, isFixed, isAside: linear === "no", side, flow }];
     });
   // What is beside the way of reading comes last; but a cover before all of it is the first page.
   const start = Math.max(
@@ -124,11 +144,16 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     ...rest.filter((one) => !one.isAside),
     ...rest.filter((one) => one.isAside),
   ];
-  if (ordered.length === 0) throw new BookError(`${name} has no chapters; get it again.`);
+  if (ordered.every(({ missing }) => missing !== "")) {
+    throw new BookError(ordered[0]?.missing ?? `${name} has no chapters; get it again.`);
+  }
   const rolls = rollsOf(ordered);
   const sections = ordered.map((chapter, index): FlowSection => {
-    const { href, isFixed, side } = chapter;
-    const load = () => loadChapter(files, chapter, name);
+    const { href, missing, isFixed, side } = chapter;
+    const load = async (): Promise<FlowContent> => {
+      if (missing !== "") throw new BookError(missing);
+      return await loadChapter(files, chapter, name);
+    };
     const roll = rolls[index];
     const where = { ...(side ? { side } : {}), ...(roll === undefined ? {} : { roll }) };
     return { length: archive.size(href), isFixed, load, ...where };
@@ -142,6 +167,11 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     const [path = "", id = ""] = address.split("#", 2);
     const target = path === "" ? from : files.resolve(path, from);
     const section = indices.get(target ?? "");
+    return section === undefined ? null : { section, id: decodeEscapes(id) };
+  };
+  const targetOfMark = (address: string): FlowTarget | null => {
+    const [mark = "", id = ""] = address.split("#", 2);
+    const section = indices.get(named.nameOf(mark));
     return section === undefined ? null : { section, id: decodeEscapes(id) };
   };
   const overlays = ordered.flatMap(({ mediaOverlay }) => {
@@ -172,8 +202,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   const outline = (items: readonly TocItem[] | null | undefined): FlowOutline[] =>
     (items ?? []).map(({ label, href, subitems }) => ({
       title: cleanText(label) || "–",
-      // foliate-js gives paths from the archive's root.
-      target: href ? targetOf(encodeURI(href), "") : null,
+      target: href ? targetOfMark(href) : null,
       children: outline(subitems),
     }));
   return {
@@ -199,6 +228,24 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
     file: async () => new Blob([file], { type: "application/epub+zip" }),
     close: () => archive.close(),
   };
+}
+
+/** The path of a container, and one that names a package. */
+const containerPath = "META-INF/container.xml";
+const containerOf = (path: string): string =>
+  `<container xmlns="urn:oasis:names:tc:opendocument:xmlns:container"><rootfiles><rootfile full-path="${path}" media-type="application/oebps-package+xml"/></rootfiles></container>`;
+
+/** Returns a sentence that says why a chapter of the spine cannot be shown. */
+function missingChapter(
+  item: ManifestItem | undefined,
+  id: string,
+  names: ReadonlySet<string>,
+  name: string,
+): string {
+  const [what, about] = [cleanText(item?.href ?? id), "get the book again."];
+  if (!item) return `${name} has a chapter “${what}” of which it names no file; ${about}`;
+  if (!names.has(item.href)) return `${what}, a chapter of ${name}, is missing in it; ${about}`;
+  return `${what}, a chapter of ${name}, is of a type that is not read (${cleanText(item.mediaType)}); ${about}`;
 }
 
 /** A book's manifest by the ids of its items. */

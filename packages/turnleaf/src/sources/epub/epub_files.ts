@@ -1,4 +1,5 @@
 import type { Archive } from "../archive/archive.ts";
+import { FilePaths } from "../archive/file_paths.ts";
 import { dataUrl } from "../data_url.ts";
 import { fontType } from "../font_type.ts";
 import { claimedSize } from "../image_header.ts";
@@ -35,7 +36,7 @@ export interface ManifestOfFiles {
 /** The files of an EPUB, by their paths in the archive. */
 export class EpubFiles {
   readonly #archive: Archive;
-  readonly #names: ReadonlySet<string>;
+  readonly #paths: FilePaths;
   /** Undoes what obfuscates a font. */
   readonly #decode: (path: string, bytes: Uint8Array<ArrayBuffer>) => Promise<void>;
   readonly #manifest: ManifestOfFiles;
@@ -55,7 +56,7 @@ export class EpubFiles {
   ) {
     this.#manifest = manifest;
     this.#archive = archive;
-    this.#names = new Set(archive.names);
+    this.#paths = new FilePaths(archive.names);
     this.#decode = decode;
   }
 
@@ -85,14 +86,8 @@ export class EpubFiles {
 
   /** Returns the path of an address in a file; null if the book lists no such file. */
   resolve(address: string, from: string): string | null {
-    if (/^[a-z][a-z\d+.-]*:/i.test(address) || address.startsWith("//")) return null;
-    try {
-      const base = new URL(from.split("/").map(encodeURIComponent).join("/"), "https://x.invalid/");
-      const path = decodeURIComponent(new URL(address, base).pathname.slice(1));
-      return this.#names.has(path) && this.#manifest.isListed(path) ? path : null;
-    } catch {
-      return null;
-    }
+    const path = this.#paths.resolve(address, from);
+    return path !== null && this.#manifest.isListed(path) ? path : null;
   }
 
   /** Returns a file's media type as the manifest has it; "" if it is not listed. */

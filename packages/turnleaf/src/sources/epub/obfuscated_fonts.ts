@@ -1,6 +1,6 @@
 /** Fonts that an EPUB obfuscates by its identifier, and what is encrypted otherwise. */
 
-import { decodeEscapes } from "../book_text.ts";
+import type { FilePaths } from "../archive/file_paths.ts";
 
 /** What of a package is needed. */
 interface Identified {
@@ -18,17 +18,21 @@ export interface FontDecoder {
 const idpf = "http://www.idpf.org/2008/embedding";
 const adobe = "http://ns.adobe.com/pdf/enc#RC";
 
-/** @param encryption the book's `encryption.xml`, if it has one */
+/**
+ * @param encryption the book's `encryption.xml`, if it has one
+ * @param paths of the book's files
+ */
 export async function fontDecoder(
   encryption: Document | null,
   { metadata }: Identified,
+  paths: FilePaths,
 ): Promise<FontDecoder> {
   const methods = new Map<string, string>();
   for (const data of encryption?.getElementsByTagNameNS("*", "EncryptedData") ?? []) {
     const [method] = data.getElementsByTagNameNS("*", "EncryptionMethod");
     const [reference] = data.getElementsByTagNameNS("*", "CipherReference");
-    const path = reference?.getAttribute("URI") ?? "";
-    methods.set(decodeEscapes(path), method?.getAttribute("Algorithm") ?? "");
+    const path = paths.resolve(reference?.getAttribute("URI") ?? "", "");
+    if (path !== null) methods.set(path, method?.getAttribute("Algorithm") ?? "");
   }
   const identifier = String(metadata.identifier ?? "").replace(/[ \t\r\n]/g, "");
   return {
@@ -46,8 +50,8 @@ export async function fontDecoder(
         );
       }
     },
-    isProtected: (paths) =>
-      paths.some((path) => {
+    isProtected: (files) =>
+      files.some((path) => {
         const method = methods.get(path);
         return method !== undefined && method !== idpf && method !== adobe;
       }),

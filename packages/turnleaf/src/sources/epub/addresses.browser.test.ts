@@ -1,0 +1,84 @@
+/** Files of an EPUB, however they are named: books of strangers, each of which failed once. */
+
+import { afterEach, expect, test } from "vitest";
+import { openSource } from "../open.ts";
+import type { NewIndex, PageSource } from "../page_source.ts";
+import { tinyEpub } from "./tiny_epub.ts";
+
+const never = new AbortController().signal;
+const opened: PageSource[] = [];
+
+afterEach(() => {
+  for (const source of opened.splice(0)) source.close();
+});
+
+async function laidOut(book: Parameters<typeof openSource>[0]): Promise<PageSource> {
+  const source = await openSource(book);
+  opened.push(source);
+  await new Promise<NewIndex>((resolve) => source.watchPages?.((change) => resolve(change())));
+  return source;
+}
+
+const fixture = async (name: string): Promise<Blob> =>
+  await (await fetch(new URL(`./fixtures/${name}`, import.meta.url))).blob();
+
+const textOf = async (source: PageSource, index: number): Promise<string> =>
+  ((await source.text?.(index, never)) ?? []).map(({ text }) => text).join(" ");
+
+test("reserved characters, escaped in the manifest, the contents, links and pictures", async () => {
+  const source = await laidOut(await fixture("e01-hrefs.epub"));
+  expect(source.pageCount).toBe(12);
+  const outline = (await source.outline?.(never)) ?? [];
+  expect(outline.map(({ page }) => page)).toEqual(Array.from({ length: 12 }, (_, k) => k + 1));
+  for (let index = 0; index < 12; index++) {
+    expect(await textOf(source, index)).toContain(`File ${index}`);
+    expect(await source.alt?.(index, never)).toBe("pic");
+    const [link] = (await source.links?.(index, never)) ?? [];
+    expect(link?.to).toMatchObject({ page: ((index + 1) % 12) + 1 });
+  }
+});
+
+test("names in another case, of chapters, pictures and style sheets", async () => {
+  const source = await laidOut(await fixture("e28-case.epub"));
+  expect(await textOf(source, 0)).toBe("Case");
+  const picture = (await source.draw(0, 100, never)) as ImageBitmap;
+  const pen = new OffscreenCanvas(picture.width, picture.height).getContext("2d")!;
+  pen.drawImage(picture, 0, 0);
+  const { data } = pen.getImageData(0, 0, picture.width, picture.height);
+  expect(data.some((red, k) => k % 4 === 0 && red > 150 && (data[k + 1] ?? 255) < 100)).toBe(true);
+});
+
+test("an EPUB that is zipped in its folder, or without its container, is one", async () => {
+  expect(await textOf(await laidOut(await fixture("e28-folder.epub")), 0)).toBe("Zip");
+  const { unzipSync, zipSync } = await import("fflate");
+  const files = unzipSync(tinyEpub({ chapters: ["<p>bare</p>"] }));
+  delete files["META-INF/container.xml"];
+  expect(await textOf(await laidOut(zipSync(files) as Uint8Array<ArrayBuffer>), 0)).toBe("bare");
+});
+
+test("a chapter that is listed and missing, or of a foreign type, is a page that says so", async () => {
+  const source = await laidOut(
+    tinyEpub({
+      chapters: ["<p>there</p>"],
+      items:
+        '<item id="gone" href="gone.xhtml" media-type="application/xhtml+xml"/><item id="odd" href="style.css" media-type="text/css"/>',
+      itemrefs: '<itemref idref="gone"/><itemref idref="odd"/><itemref idref="none"/>',
+    }),
+  );
+  expect(source.pageCount).toBe(4);
+  expect(await textOf(source, 0)).toBe("there");
+  const errors = await Promise.all(
+    [1, 2, 3].map(async (index) => {
+      const drawn = source.draw(index, 100, never);
+      return await Promise.resolve(drawn).then(
+        () => "",
+        (error: Error) => error.message,
+      );
+    }),
+  );
+  expect(errors).toEqual([
+    "gone.xhtml, a chapter of this book, is missing in it; get the book again.",
+    "OEBPS/style.css, a chapter of this book, is of a type that is not read (text/css); get the book again.",
+    "this book has a chapter “none” of which it names no file; get the book again.",
+  ]);
+});
