@@ -3,6 +3,7 @@
 import { dataUrl } from "../data_url.ts";
 import type { PageSize } from "../page_source.ts";
 import { type FlowContent, styleAttribute } from "../typeset/flow_book.ts";
+import { xmlOf, xmlText } from "./xml.ts";
 
 /** The size of a frame that does not say its own, as browsers have it, and the longest side: CSS pixels. */
 const usualSize: PageSize = { width: 300, height: 150 };
@@ -22,10 +23,7 @@ export function framePicture(
   { root, css }: FlowContent,
   { width, height }: PageSize,
 ): Promise<string> {
-  const markup = new XMLSerializer()
-    .serializeToString(root)
-    .replaceAll(` ${styleAttribute}="`, ' style="');
-  const style = css.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
-  const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" style="font-size: 16px"><style>${style}</style><foreignObject width="${width}" height="${height}">${markup}</foreignObject></svg>`;
+  const markup = xmlOf(root).replaceAll(` ${styleAttribute}="`, ' style="');
+  const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" style="font-size: 16px"><style>${xmlText(css)}</style><foreignObject width="${width}" height="${height}">${markup}</foreignObject></svg>`;
   return dataUrl(new TextEncoder().encode(svg), "image/svg+xml");
 }

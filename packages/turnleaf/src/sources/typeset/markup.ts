@@ -1,5 +1,6 @@
 /** A section as markup, from which each page is drawn as an SVG of its own. */
 
+import { xmlOf, xmlText } from "../markup/xml.ts";
 import type { PageSize } from "../page_source.ts";
 import { type PageFlow, pageOfRect } from "./text_map.ts";
 
@@ -44,10 +45,10 @@ export class Markup {
     this.#style = style;
     const view = html.ownerDocument.defaultView as Window;
     const pictures = picturesOf(html, style.flow, view);
-    const markup = new XMLSerializer().serializeToString(html);
+    const markup = xmlOf(html);
     // Gone through once, however many pictures there are.
     this.#parts = markup.split(pictureData).map((part) => pictures.get(part) ?? part);
-    this.#css = style.css.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+    this.#css = xmlText(style.css);
     this.#paper = paperOf(html, view) ?? style.paper;
   }
 
