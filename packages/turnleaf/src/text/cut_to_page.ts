@@ -55,7 +55,8 @@ function cutRun(run: TextRun, bounds: PageBox): TextRun {
     return to > from ? Math.min(Math.max((place - from) / (to - from), 0), 1) : 0;
   });
   const size = { width: (right - left) * width, height: (bottom - top) * height };
-  return { ...run, ...at(left, top), ...size, places };
+  const corner = size.width > 0 && size.height > 0 ? at(left, top) : { x: bounds.x, y: bounds.y };
+  return { ...run, ...corner, ...size, places };
 }
 
 type Place = Pick<PageBox, "x" | "y">;
