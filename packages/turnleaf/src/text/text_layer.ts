@@ -13,6 +13,7 @@ import type {
   PageSource,
   TextRun,
 } from "../sources/page_source.ts";
+import { boundsOf, cutBoxes, cutRuns } from "./cut_to_page.ts";
 import { NotePopover } from "./note_popover.ts";
 import { type FieldPlace, type FieldValues, makeFields } from "./page_fields.ts";
 import { type LinkActions, makeLinks } from "./page_links.ts";
@@ -211,8 +212,19 @@ export class TextLayer {
       source.media?.(index, signal).catch(() => []) ?? [],
       source.alt?.(index, signal).catch(() => "") ?? "",
     ]);
-    const makeMedia = media.length > 0 ? await loadMedia(media).catch(() => null) : null;
-    return { page, runs, links, fields, makeMedia, alt, size, isElement: false };
+    const bounds = boundsOf(size, (source.roll?.(index) ?? null) !== null);
+    const played = cutBoxes(media, bounds);
+    const makeMedia = played.length > 0 ? await loadMedia(played).catch(() => null) : null;
+    return {
+      page,
+      size,
+      runs: cutRuns(runs, bounds),
+      links: cutBoxes(links, bounds),
+      fields: cutBoxes(fields, bounds),
+      makeMedia,
+      alt,
+      isElement: false,
+    };
   }
 
   /** Lays the known contents of the open pages over them as they are seen now. */

@@ -6,6 +6,7 @@
  */
 
 import { limits } from "../limits.ts";
+import { isXmlAttribute, xmlOf, xmlText } from "../markup/xml.ts";
 import { BookError, type PageSize } from "../page_source.ts";
 import { fontRules, unquoted } from "./embedded_fonts.ts";
 import { clearPixel, drawnPixels, type PixelCache } from "./embedded_pixels.ts";
@@ -71,16 +72,10 @@ export async function freeze(
     fontRules(page.ownerDocument, copy.families, page.getRootNode()),
   ]);
   const { width, height } = size;
-  const style = `${fonts}${css}`.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
-  const markup = root ? new XMLSerializer().serializeToString(root) : "";
-  const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}"><style>${style}</style><rect width="${width}" height="${height}" fill="#fff"/><foreignObject width="${width}" height="${height}">${withoutControls(markup)}</foreignObject></svg>`;
+  const style = xmlText(`${fonts}${css}`);
+  const markup = root ? xmlOf(root) : "";
+  const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}"><style>${style}</style><rect width="${width}" height="${height}" fill="#fff"/><foreignObject width="${width}" height="${height}">${markup}</foreignObject></svg>`;
   return { svg, size };
-}
-
-/** Returns markup without the characters that XML forbids. */
-function withoutControls(markup: string): string {
-  // biome-ignore lint/suspicious/noControlCharactersInRegex: they are what is removed
-  return markup.replace(/[\u0000-\u0008\u000b\u000c\u000e-\u001f\ufffe\uffff]/g, "");
 }
 
 /** One copy in the making. */
@@ -180,8 +175,9 @@ class Copy {
   /** Returns an element of SVG or MathML with all of its attributes but scripts and addresses. */
   #vector(source: Element): Element {
     const copy = this.#document.createElementNS(source.namespaceURI, source.localName);
-    for (const { name, value, namespaceURI } of source.attributes) {
-      if (/^on|^(class|style|xmlns)$/i.test(name)) continue;
+    for (const attribute of source.attributes) {
+      const { name, value, namespaceURI } = attribute;
+      if (/^on|^(class|style|xmlns)$/i.test(name) || !isXmlAttribute(attribute)) continue;
       const isAddress = /(^|:)href$/.test(name) && !/^(#|data:image\/)/i.test(value);
       if (!isAddress) copy.setAttributeNS(namespaceURI, name, value);
     }

@@ -20,6 +20,7 @@ import {
 } from "./clean_css.ts";
 import { framePicture, frameSize } from "./frame_picture.ts";
 import { withoutPrefixes } from "./prefixed_css.ts";
+import { isXmlAttribute } from "./xml.ts";
 
 /** The files that a chapter names. */
 export interface MarkupFiles {
@@ -37,6 +38,7 @@ const xhtml = "http://www.w3.org/1999/xhtml";
 const svg = "http://www.w3.org/2000/svg";
 const namespaces = [xhtml, svg, "http://www.w3.org/1998/Math/MathML"];
 const xlink = "http://www.w3.org/1999/xlink";
+const semantics = "http://www.idpf.org/2007/ops";
 
 /** Frames of a chapter that are drawn. */
 const mostFrames = 20;
@@ -78,9 +80,14 @@ export async function cleanMarkup(
   for (const element of root.querySelectorAll(unshown)) element.remove();
   await inlinePictures(root, files);
   for (const element of [root, ...root.querySelectorAll("*")]) {
+    const meaning = element.getAttribute("epub:type");
+    if (meaning !== null) element.setAttributeNS(semantics, "epub:type", meaning);
     const language = element.getAttribute("xml:lang");
     if (language !== null && !element.hasAttribute("lang")) element.setAttribute("lang", language);
     element.removeAttribute("style");
+    for (const attribute of [...element.attributes]) {
+      if (!isXmlAttribute(attribute)) element.removeAttributeNode(attribute);
+    }
     if (element.hasAttribute(styleAttribute)) await cleanStyle(element, files);
   }
   purify.sanitize(root, {

@@ -4,6 +4,7 @@ import { dataUrl } from "../data_url.ts";
 import type { PageSize } from "../page_source.ts";
 import { type FlowContent, styleAttribute } from "../typeset/flow_book.ts";
 import { styleElements } from "../typeset/style_elements.ts";
+import { xmlOf } from "./xml.ts";
 
 /** The size of a frame that does not say its own, as browsers have it, and the longest side: CSS pixels. */
 const usualSize: PageSize = { width: 300, height: 150 };
@@ -23,9 +24,7 @@ export function framePicture(
   { root, styles }: FlowContent,
   { width, height }: PageSize,
 ): Promise<string> {
-  const markup = new XMLSerializer()
-    .serializeToString(root)
-    .replaceAll(` ${styleAttribute}="`, ' style="');
+  const markup = xmlOf(root).replaceAll(` ${styleAttribute}="`, ' style="');
   const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}" style="font-size: 16px">${styleElements(styles)}<foreignObject width="${width}" height="${height}">${markup}</foreignObject></svg>`;
   return dataUrl(new TextEncoder().encode(svg), "image/svg+xml");
 }

@@ -158,8 +158,15 @@ export class FlowSource implements PageSource {
     // Its pages were estimated.
     const isBlank = page >= laid.map.pageCount;
     const svg = isBlank ? blank(size, paperOf(this.#edition.typography)) : laid.svg(page);
-    const picture = await drawMarkup(svg, size, region, width).catch((error: unknown) => {
-      const sentence = `Page ${index + 1} of ${this.#book.name} cannot be drawn: update the browser, or allow data: in img-src of this page's Content-Security-Policy.`;
+    const picture = await drawMarkup(svg, size, region, width).catch(async (error: unknown) => {
+      const isAllowed = await drawMarkup(blank(size, "#fff"), size, wholePage, 1).then(
+        (drawn) => drawn.close() ?? true,
+        () => false,
+      );
+      const reason = isAllowed
+        ? "there is more on it than the browser draws; turn to another."
+        : "update the browser, or allow data: in img-src of this page's Content-Security-Policy.";
+      const sentence = `Page ${index + 1} of ${this.#book.name} cannot be drawn: ${reason}`;
       throw new BookError(sentence, { cause: error });
     });
     if (!signal.aborted && !this.#isClosed) return picture;

@@ -1,5 +1,6 @@
 /** A section as markup, from which each page is drawn as an SVG of its own. */
 
+import { xmlOf } from "../markup/xml.ts";
 import type { PageSize } from "../page_source.ts";
 import { styleElements } from "./style_elements.ts";
 import { type PageFlow, pageOfRect } from "./text_map.ts";
@@ -45,7 +46,7 @@ export class Markup {
     this.#style = style;
     const view = html.ownerDocument.defaultView as Window;
     const pictures = picturesOf(html, style.flow, view);
-    const markup = new XMLSerializer().serializeToString(html);
+    const markup = xmlOf(html);
     // Gone through once, however many pictures there are.
     this.#parts = markup.split(pictureData).map((part) => pictures.get(part) ?? part);
     this.#styles = styleElements(style.styles);
