@@ -42,6 +42,7 @@ function inChromium(
         "three",
         "pdfjs-dist/legacy/build/pdf.mjs",
         "axe-core",
+        "htmlparser2",
         "page-flip/dist/js/page-flip.module.js",
         "react",
         "react-dom/client",

@@ -7,7 +7,8 @@ import { ImageSource } from "../images.ts";
 import { limits } from "../limits.ts";
 import type { ImagePage, StoredImage } from "../manifest.ts";
 import { BookError, type OutlineEntry, type PageSize, type PageSource } from "../page_source.ts";
-import { type ComicInfo, noInfo, parseComicInfo } from "./comic_info.ts";
+import { decodeXml } from "../xml_text.ts";
+import { type ComicInfo, noInfo, readComicInfo } from "./comic_info.ts";
 
 const imageName = /\.(jpe?g|jpe|jfif|png|gif|webp|avif|svg)$/i;
 /** What systems leave in archives beside their pages. */
@@ -85,7 +86,7 @@ async function readInfo(archive: Archive): Promise<ComicInfo> {
   const name = archive.names.find((path) => /^([^/]+\/)?ComicInfo\.xml$/i.test(path));
   if (name === undefined) return noInfo;
   try {
-    return parseComicInfo(new TextDecoder().decode(await archive.read(name, infoBytes)));
+    return await readComicInfo(decodeXml(await archive.read(name, infoBytes)));
   } catch {
     // It is about the pages; without it they are still there.
     return noInfo;

@@ -2,6 +2,7 @@
 
 import { cleanLanguage, cleanText } from "../book_text.ts";
 import { limits } from "../limits.ts";
+import { readMarkup } from "../markup/read_markup.ts";
 
 /** What ComicInfo.xml says of a page. */
 export interface ComicPage {
@@ -27,22 +28,25 @@ export interface ComicInfo {
 /** Of a comic without ComicInfo.xml. */
 export const noInfo: ComicInfo = { title: "", language: "", direction: "ltr", pages: new Map() };
 
-/** Returns what a ComicInfo.xml says; of a damaged one, nothing. */
-export function parseComicInfo(xml: string): ComicInfo {
+/** Returns what a ComicInfo.xml says; of what is none, nothing. */
+export async function readComicInfo(xml: string): Promise<ComicInfo> {
   // It has no declarations, and those of others could define entities of any size.
   if (/<!DOCTYPE/i.test(xml)) return noInfo;
-  const root = new DOMParser().parseFromString(xml, "application/xml").documentElement;
+  const root = (await readMarkup(xml, "application/xml")).document.documentElement;
   if (root.localName !== "ComicInfo") return noInfo;
-  const child = (name: string): Element | undefined =>
-    [...root.children].find((element) => element.localName === name);
-  const text = (name: string): string => cleanText(child(name)?.textContent);
+  // Wherever it is: what stands after an element without an end is within that.
+  const find = (name: string): Element | undefined => root.getElementsByTagNameNS("*", name)[0];
+  const text = (name: string): string => {
+    const nodes = [...(find(name)?.childNodes ?? [])].filter(({ nodeType }) => nodeType !== 1);
+    return cleanText(nodes.map(({ nodeValue }) => nodeValue).join(""));
+  };
   const number = text("Number") && `${text("Series") ? " " : ""}${text("Number")}`;
   const names = [`${text("Series")}${number}`, text("Title")];
   return {
     title: cleanText(names.filter((name) => name !== "").join(": ")),
     language: cleanLanguage(text("LanguageISO")),
     direction: text("Manga") === "YesAndRightToLeft" ? "rtl" : "ltr",
-    pages: new Map([...(child("Pages")?.children ?? [])].slice(0, limits.pages).flatMap(pageOf)),
+    pages: new Map([...(find("Pages")?.children ?? [])].slice(0, limits.pages).flatMap(pageOf)),
   };
 }
 

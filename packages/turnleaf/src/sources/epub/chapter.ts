@@ -2,7 +2,8 @@
 
 import { isPageSize } from "../limits.ts";
 import { cleanMarkup } from "../markup/clean_markup.ts";
-import { errorIn, parseMarkup } from "../markup/parse_markup.ts";
+import { parseMarkup } from "../markup/parse_markup.ts";
+import { readMarkup } from "../markup/read_markup.ts";
 import type { PageSize } from "../page_source.ts";
 import { type FlowContent, styleAttribute } from "../typeset/flow_book.ts";
 import type { EpubFiles } from "./epub_files.ts";
@@ -74,7 +75,7 @@ function isPlayed(type: string): boolean {
   return kind !== undefined && document.createElement(kind as "audio").canPlayType(type) !== "";
 }
 
-/** Parses a chapter; one that is no XML is read as browsers read web pages, and says so. */
+/** Reads a chapter; one that breaks off says so. */
 async function parseChapter(
   files: EpubFiles,
   path: string,
@@ -88,18 +89,18 @@ async function parseChapter(
   }
   const text = await files.text(path);
   const type = mediaType === "image/svg+xml" ? mediaType : "application/xhtml+xml";
-  const document = parseMarkup(text, type);
-  const error = errorIn(document);
-  if (error === null) return document;
-  const readable = parseMarkup(text, "text/html");
-  // Web pages need be no XML.
-  if (mediaType !== "text/html") readable.body.prepend(noticeOf(readable, error.line, isFixed));
-  return readable;
+  const { document, damagedLine } = await readMarkup(text, type);
+  const body = document.querySelector("body");
+  // Web pages need have no end.
+  if (damagedLine !== undefined && body && mediaType !== "text/html") {
+    body.prepend(noticeOf(document, damagedLine, isFixed));
+  }
+  return document;
 }
 
 /** Returns a sentence about an error in a chapter, to be shown above it. */
 function noticeOf(document: Document, line: number | null, isFixed: boolean): Element {
-  const notice = document.createElement("aside");
+  const notice = document.createElementNS("http://www.w3.org/1999/xhtml", "aside") as HTMLElement;
   const where = line === null ? "" : ` in line ${line}`;
   notice.textContent = `This chapter is damaged${where}; something in it may be missing.`;
   notice.lang = "en";

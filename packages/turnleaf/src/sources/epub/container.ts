@@ -3,7 +3,7 @@
 import type { Archive } from "../archive/archive.ts";
 import { FilePaths } from "../archive/file_paths.ts";
 import { limits } from "../limits.ts";
-import { parseMarkup } from "../markup/parse_markup.ts";
+import { readMarkup } from "../markup/read_markup.ts";
 import { decodeXml } from "../xml_text.ts";
 import { containerName, packageName } from "./epub_names.ts";
 
@@ -21,7 +21,7 @@ export async function packageOf(archive: Archive): Promise<string | null> {
   const paths = new FilePaths(names);
   const path = shortest(names, containerName);
   const bytes = path === undefined ? null : await archive.read(path, limits.markupBytes);
-  const document = bytes && parseMarkup(decodeXml(bytes), "application/xml");
+  const document = bytes && (await readMarkup(decodeXml(bytes), "application/xml")).document;
   for (const root of document?.getElementsByTagNameNS("*", "rootfile") ?? []) {
     const type = root.getAttribute("media-type") ?? "";
     const named = paths.resolve(root.getAttribute("full-path") ?? "", "");

@@ -9,6 +9,7 @@ import { unknownFailure } from "../failures.ts";
 import { limits } from "../limits.ts";
 import { loadPart } from "../load_part.ts";
 import { type MarkupType, parseMarkup } from "../markup/parse_markup.ts";
+import { readMarkup } from "../markup/read_markup.ts";
 import { type BookDetail, BookError, type PageSource, type Typography } from "../page_source.ts";
 import type {
   FlowBook,
@@ -66,13 +67,18 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
   const packagePath = await packageOf(archive);
   if (packagePath === null) throw new BookError(`${name} has no package (.opf); get it again.`);
   const named = new NamedFiles(paths);
+  const wellFormed = async (path: string): Promise<string> => {
+    const isNavigation = /\.x?html?$/i.test(path);
+    const type = isNavigation ? "application/xhtml+xml" : "application/xml";
+    return (await readMarkup(await plain.text(path), type)).text;
+  };
   // foliate-js reads one document after the other, and parses each before the next.
   let reading = "";
   const epub = new EPUB({
     loadText: async (path) => {
       reading = named.nameOf(path);
       if (path === containerPath) return containerOf(named.markOf(packagePath));
-      return names.has(reading) ? await plain.text(reading) : null;
+      return names.has(reading) ? await wellFormed(reading) : null;
     },
     loadBlob: async (path) => new Blob([await archive.read(named.nameOf(path))]),
     getSize: (path) => archive.size(named.nameOf(path)),
@@ -94,7 +100,7 @@ async function readEpub(archive: Archive, file: Blob, name: string): Promise<Flo
       .reverse(),
   );
   const protection = names.has("META-INF/encryption.xml")
-    ? parseMarkup(await plain.text("META-INF/encryption.xml"), "application/xml")
+    ? (await readMarkup(await plain.text("META-INF/encryption.xml"), "application/xml")).document
     : null;
   const decoder = await fontDecoder(protection, epub, paths);
   if (decoder.isProtected(resources.spine.map(({ idref }) => items.get(idref)?.href ?? ""))) {

@@ -5,7 +5,7 @@
  */
 
 import { limits } from "../limits.ts";
-import { errorIn, parseMarkup } from "../markup/parse_markup.ts";
+import { readMarkup } from "../markup/read_markup.ts";
 import { BookError } from "../page_source.ts";
 import type { FlowClip, FlowTarget } from "../typeset/flow_book.ts";
 import { checkPackage } from "./package_document.ts";
@@ -37,8 +37,8 @@ export async function clipsOf(
 ): Promise<readonly FlowClip[]> {
   const clips: FlowClip[] = [];
   for (const path of new Set(paths)) {
-    const document = parseMarkup(await book.text(path), "application/xml");
-    if (errorIn(document)) {
+    const { document, damagedLine } = await readMarkup(await book.text(path), "application/xml");
+    if (damagedLine !== undefined) {
       throw new BookError(`${path} in ${book.name} is damaged; get the book again.`);
     }
     checkPackage(document, `${path} in ${book.name}`);

@@ -7,7 +7,8 @@ import { unknownFailure } from "../failures.ts";
 import { claimedSize } from "../image_header.ts";
 import { limits } from "../limits.ts";
 import { cleanMarkup, type MarkupFiles } from "../markup/clean_markup.ts";
-import { errorIn, parseMarkup } from "../markup/parse_markup.ts";
+import { parseMarkup } from "../markup/parse_markup.ts";
+import { readMarkup } from "../markup/read_markup.ts";
 import { type BookDetail, BookError, type PageSource, type Typography } from "../page_source.ts";
 import { imageType, sniffLength } from "../sniff.ts";
 import {
@@ -92,7 +93,7 @@ export async function openFb2(
   typography?: Typography,
 ): Promise<PageSource> {
   try {
-    const book = readFb2(decodeXml(await bytesOf(file, name)), file, name);
+    const book = await readFb2(decodeXml(await bytesOf(file, name)), file, name);
     return await FlowSource.open(book, typography);
   } catch (error) {
     throw unknownFailure(
@@ -109,12 +110,11 @@ interface Part {
   readonly isNotes: boolean;
 }
 
-function readFb2(text: string, file: Blob, name: string): FlowBook {
+async function readFb2(text: string, file: Blob, name: string): Promise<FlowBook> {
   // Entities of its own, which could be of any size, are not known then.
-  const document = parseMarkup(withoutDoctype(text), "application/xml");
-  const error = errorIn(document);
-  if (error) {
-    const where = error.line === null ? "" : ` in line ${error.line}`;
+  const { document, damagedLine } = await readMarkup(withoutDoctype(text), "application/xml");
+  if (damagedLine !== undefined) {
+    const where = damagedLine === null ? "" : ` in line ${damagedLine}`;
     throw new BookError(`${name} is damaged${where}; repair it or get it again.`);
   }
   if (document.getElementsByTagName("*").length > limits.elements) {

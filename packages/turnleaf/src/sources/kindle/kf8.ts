@@ -5,7 +5,7 @@ import { isPageSize, limits } from "../limits.ts";
 import { type CleanSheet, cleanCss } from "../markup/clean_css.ts";
 import { cleanMarkup, type MarkupFiles } from "../markup/clean_markup.ts";
 import { checkedData } from "../markup/data_address.ts";
-import { errorIn, parseMarkup } from "../markup/parse_markup.ts";
+import { readMarkup } from "../markup/read_markup.ts";
 import type { PageSize } from "../page_source.ts";
 import {
   type FlowContent,
@@ -16,8 +16,6 @@ import {
 import { mark } from "./kindle_header.ts";
 import { type KindleParts, type KindleText, outlineOf } from "./kindle_text.ts";
 import { damaged } from "./palm_database.ts";
-
-const xhtml = "http://www.w3.org/1999/xhtml";
 
 /** Bytes that are moved to put fragments in, for one section. */
 const mostMoved = 2_000_000_000;
@@ -90,9 +88,7 @@ export async function openKf8(book: KindleParts): Promise<KindleText> {
   const size = header.isFixed ? sizeOf(header.resolution) : null;
   const load = async (skeleton: Skeleton): Promise<FlowContent> => {
     const markup = decoder.decode(assembled(text, skeleton, name));
-    let document = parseMarkup(markup, "application/xhtml+xml");
-    const isXhtml = document.documentElement.namespaceURI === xhtml;
-    if (errorIn(document) || !isXhtml) document = parseMarkup(markup, "text/html");
+    const { document } = await readMarkup(markup, "application/xhtml+xml");
     for (const element of document.querySelectorAll("[aid]:not([id]), a[name]:not([id])")) {
       element.id = element.getAttribute("name") ?? `aid-${element.getAttribute("aid")}`;
     }

@@ -1,7 +1,7 @@
 /** Documents as XML that every browser parses: what is drawn as an image of SVG is written by this alone. */
 
 /** Characters that no XML may contain, not even escaped (XML 1.0, 2.2), and halves of characters. */
-const forbidden =
+export const forbidden: RegExp =
   // biome-ignore lint/suspicious/noControlCharactersInRegex: they are what is found
   /[\u0000-\u0008\u000b\u000c\u000e-\u001f\ufffe\uffff]|\p{Surrogate}/gu;
 

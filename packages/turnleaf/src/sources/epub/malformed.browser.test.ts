@@ -1,0 +1,141 @@
+/** Markup that is not well-formed: books of strangers, each of which failed once, and others of their kind. */
+
+import { afterEach, expect, test } from "vitest";
+import { openSource } from "../open.ts";
+import type { NewIndex, PageSource } from "../page_source.ts";
+import { tinyEpub } from "./tiny_epub.ts";
+
+const never = new AbortController().signal;
+const opened: PageSource[] = [];
+
+afterEach(() => {
+  for (const source of opened.splice(0)) source.close();
+});
+
+async function laidOut(book: Parameters<typeof openSource>[0]): Promise<PageSource> {
+  const source = await openSource(book);
+  opened.push(source);
+  await new Promise<NewIndex>((resolve) => source.watchPages?.((change) => resolve(change())));
+  return source;
+}
+
+const fixture = async (name: string): Promise<Blob> =>
+  await (await fetch(new URL(`./fixtures/${name}`, import.meta.url))).blob();
+
+const textOf = async (source: PageSource, index: number): Promise<string> =>
+  ((await source.text?.(index, never)) ?? [])
+    .map(({ text, end }) => text + (end ? " " : ""))
+    .join("")
+    .replace(/\s+/g, " ")
+    .trim();
+
+async function pagesOf(source: PageSource): Promise<string[]> {
+  const pages: string[] = [];
+  for (let index = 0; index < source.pageCount; index++) pages.push(await textOf(source, index));
+  return pages;
+}
+
+test("chapters with characters by name, tags without ends, prefixes undeclared and the like are whole", async () => {
+  const source = await laidOut(await fixture("e09b-malformed.epub"));
+  const pages = await pagesOf(source);
+  for (const page of pages) {
+    expect(page).toContain("TAIL");
+    expect(page).not.toContain("damaged");
+  }
+  expect(pages.join(" ")).toContain("Graham & James");
+  for (let index = 0; index < source.pageCount; index++) await source.draw(index, 50, never);
+});
+
+test("contents whose ampersands stand bare, and a chapter in HTML's ways", async () => {
+  const source = await laidOut(await fixture("e04-ncxamp.epub"));
+  const outline = (await source.outline?.(never)) ?? [];
+  expect(outline.map(({ title, page }) => [title, page])).toEqual([
+    ["Tom & Jerry", 1],
+    ["Second", 2],
+  ]);
+  expect(await textOf(source, 0)).toBe(
+    "Café — naïve “quotes” Unclosed bold Second é & ampersand break",
+  );
+});
+
+test("a package with blanks before it, or an encoding that it is not in", async () => {
+  expect(await textOf(await laidOut(await fixture("e11-opfspace.epub")), 0)).toBe("X é");
+  expect(await textOf(await laidOut(await fixture("e29-decl16.epub")), 0)).toBe("decl");
+});
+
+const xhtml = (body: string): string =>
+  `<html xmlns="http://www.w3.org/1999/xhtml"><head><title>t</title></head><body>${body}</body></html>`;
+
+test.each([
+  [
+    "<p>a & b &lt;c&gt; &eacute;&hellip;&nbsp;&#8212;&#x2014; &unknown; d</p>",
+    "a & b <c> é… —— &unknown; d",
+  ],
+  ["<p>x<br>y<hr>z<img src='n.png'></p>", "x y z"],
+  ["<p>one<p>two<ul><li>three<li>four</ul>", "one two three four"],
+  ["<p><i>a<b>b</i>c</b>d</p>", "a b c d"],
+  ["<p a=1 b='2' a='3' c>attributes</p>", "attributes"],
+  ["<o:p>office</o:p><p foo:bar='1'>prefix</p>", "office prefix"],
+  ["<p><![CDATA[a < b && c]]> d</p>&", "a < b && c d &"],
+  [
+    "<svg viewBox='0 0 9 9' width=9><linearGradient id='a'/><text>drawn</text></svg><p>&nbsp;after</p>",
+    "drawn after",
+  ],
+  ["<div/><p/><a id='x'/><span>kept</span>&copy;", "kept ©"],
+  ["<p>3 < 4 and 5 > 4 & so on</p>", "3 < 4 and 5 > 4 & so on"],
+  ["</p></div><p>ends without beginnings</p></span>", "ends without beginnings"],
+  ["<!-- a -- b --><p>a comment&nbsp;</p>", "a comment"],
+  ["<p>\u0001\uffff&#1;&#xFFFE;&#x110000;control</p>", "control"],
+])("%j", async (body, text) => {
+  const source = await laidOut(tinyEpub({ chapters: [xhtml(body), "<p>next</p>"] }));
+  const page = await textOf(source, 0);
+  expect(page.replace(/ /g, "")).toBe(text.replace(/ /g, ""));
+  await source.draw(0, 50, never);
+});
+
+test("a chapter that breaks off says so above what there is of it", async () => {
+  const broken = xhtml("<p>whole</p><p>&nbsp;half").replace("</body></html>", "");
+  const source = await laidOut(tinyEpub({ chapters: [broken] }));
+  const page = await textOf(source, 0);
+  expect(page).toContain("This chapter is damaged in line 1; something in it may be missing.");
+  expect(page).toContain("half");
+});
+
+test("elements that lie deeper than any parser of HTML goes are read as a web page", async () => {
+  const deep = xhtml(`${"<div>".repeat(3000)}&nbsp;deep`);
+  expect(await textOf(await laidOut(tinyEpub({ chapters: [deep] })), 0)).toContain("deep");
+});
+
+test.each([
+  ["windows-1251", [0xcf, 0xf0, 0xe8], "При"],
+  ["utf-16", [0xc3, 0xa9], "é"],
+  ["iso-8859-1", [0xc3, 0xa9], "é"],
+  ["iso-8859-1", [0xe9], "é"],
+  ["none", [0xc3, 0xa9], "é"],
+])("a chapter that declares %s", async (encoding, bytes, text) => {
+  const [before, after] = xhtml("<p>|</p>").split("|") as [string, string];
+  const encoder = new TextEncoder();
+  const chapter = Uint8Array.from([
+    ...encoder.encode(`<?xml version="1.0" encoding="${encoding}"?>${before}`),
+    ...bytes,
+    ...encoder.encode(after),
+  ]);
+  const book = tinyEpub({ chapters: ["x"], raw: { "OEBPS/c1.xhtml": chapter } });
+  expect(await textOf(await laidOut(book), 0)).toBe(text);
+});
+
+test("a FictionBook with bare ampersands and named characters", async () => {
+  const source = await laidOut(await fixture("f2-amp.fb2"));
+  expect(source.title).toBe("Tom & Jerry");
+  expect((await pagesOf(source)).join(" ")).toContain("Text a & b x TAIL");
+});
+
+test("a comic whose ComicInfo has an element without an end", async () => {
+  const source = await openSource(await fixture("c06-unclosed.cbz"));
+  opened.push(source);
+  expect([source.title, source.language, source.direction]).toEqual([
+    "S 1: T unclosed",
+    "ja",
+    "rtl",
+  ]);
+});

@@ -1,0 +1,44 @@
+/** Markup of books as a document, whether it is well-formed or not. */
+
+import { loadPart } from "../load_part.ts";
+import { errorIn, type MarkupType, parseMarkup } from "./parse_markup.ts";
+
+const xhtml = "http://www.w3.org/1999/xhtml";
+
+/** A document as it was read. */
+export interface ReadMarkup {
+  readonly document: Document;
+  /** What it was parsed from: well-formed, unless nothing could be made of it. */
+  readonly text: string;
+  /** The line in which something is missing; null if that is not known, undefined if nothing is. */
+  readonly damagedLine?: number | null;
+}
+
+/** Returns whether a root is no element of HTML, though it should be: by its namespace, if it has one. */
+function isForeign({ localName, namespaceURI }: Element): boolean {
+  return namespaceURI === null || (localName === "html" && namespaceURI !== xhtml);
+}
+
+/**
+ * Reads XML: as it is if it is well-formed, otherwise repaired; elements of HTML that even so are none of
+ * XML are read as browsers read web pages.
+ */
+export async function readMarkup(
+  text: string,
+  type: Exclude<MarkupType, "text/html">,
+): Promise<ReadMarkup> {
+  const document = parseMarkup(text, type);
+  const error = errorIn(document);
+  const isHtml = type === "application/xhtml+xml";
+  if (error === null && !(isHtml && isForeign(document.documentElement))) return { document, text };
+  const { repairedXml } = await loadPart(import("./repaired_xml.ts"));
+  const repaired = repairedXml(text, isHtml);
+  const damaged = { damagedLine: error?.line ?? null };
+  if (repaired !== null && repaired.xml !== "") {
+    const whole = parseMarkup(repaired.xml, type);
+    if (errorIn(whole) === null) {
+      return { document: whole, text: repaired.xml, ...(repaired.isCutOff ? damaged : {}) };
+    }
+  }
+  return { document: isHtml ? parseMarkup(text, "text/html") : document, text, ...damaged };
+}
