@@ -59,6 +59,7 @@ export class TurnleafBook extends ReaderElement {
   readonly #life = new BookLifecycle(this, this.#tree.stage, {
     prepare: () => this.#keepPlace(),
     restore: (source, src) => this.#restore(source, src),
+    plane: this.#tree.plane,
     replacing: () => {
       this.#soundAndHaptics.close();
       this.#forget();
@@ -454,6 +455,17 @@ export class TurnleafBook extends ReaderElement {
       ? { x: at.x - offsetLeft, y: at.y - offsetTop }
       : { x: clientWidth / 2, y: clientHeight / 2 };
     this.#viewer?.zoom(Number(level), place, place, this.#calm ? 0 : zoomSeconds);
+  }
+
+  /**
+   * Returns where a point of the window, as `clientX` and `clientY` of an event, lies on the element:
+   * CSS pixels from its upper left corner, as `bookBounds` and `zoomTo` have them, however it and the
+   * elements around it are transformed; null while it is not shown, or seen edge-on.
+   */
+  pointAt(clientX: number, clientY: number): DOMPoint | null {
+    const at = this.#tree.plane.fromClient(clientX, clientY);
+    const { offsetLeft, offsetTop } = this.#tree.stage;
+    return at && new DOMPoint(at.x + offsetLeft, at.y + offsetTop);
   }
 
   /** Focuses the book, also from one of its controls: keys then turn its pages. */

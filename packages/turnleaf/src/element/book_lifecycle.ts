@@ -3,6 +3,7 @@
  * read, closed.
  */
 
+import type { ElementPlane } from "../element_plane.ts";
 import { Input } from "../input/input.ts";
 import type { Gesture } from "../input/target.ts";
 import {
@@ -36,6 +37,8 @@ export interface LifecycleHooks {
   restore(source: PageList, src: string): Promise<void>;
   /** The open book is about to close for another, which has been read. */
   replacing(): void;
+  /** How the stage is seen in the window. */
+  readonly plane: ElementPlane;
   /** How a book is shown. */
   options(source: PageList): ViewerOptions;
   /** Turns one leaf forward (1) or back (-1), with motion or without, as the reader prefers. */
@@ -287,7 +290,9 @@ export class BookLifecycle {
   async #rollOver(source: PageList, viewer: Viewer): Promise<RollView | null> {
     if (!hasRolls(source)) return null;
     const { RollView } = await loadPart(import("./roll_view.ts"));
-    return new RollView({ host: this.#element, stage: this.#stage, source, viewer });
+    return new RollView({
+      ...{ host: this.#element, stage: this.#stage, source, viewer, plane: this.#hooks.plane },
+    });
   }
 
   /** How a book is shown, if its graphics card does not fail. */
@@ -446,7 +451,7 @@ export class OpenBook {
     { canvas, source, viewer, elements, roll }: OpenBookParts,
     hooks: LifecycleHooks,
   ) {
-    const { turn, calm, goTo, missingPart } = hooks;
+    const { turn, calm, goTo, missingPart, plane } = hooks;
     this.#renumbered = (moved, pageCount) => hooks.renumbered(moved, pageCount);
     this.source = source;
     this.viewer = viewer;
@@ -456,7 +461,9 @@ export class OpenBook {
     elements.follow(viewer);
     const allows = (gesture: Gesture): boolean => allowsGesture(element, gesture);
     const swipeDistance = (): number => swipeDistanceOf(element);
-    this.#input = new Input(canvas, stage, element, { viewer, turn, calm, allows, swipeDistance });
+    this.#input = new Input(canvas, stage, element, {
+      ...{ viewer, plane, turn, calm, allows, swipeDistance },
+    });
     const language = (): string => languageOf(element);
     this.reading = new ReadableBook({ source, viewer, canvas, roll, goTo, language }, missingPart);
     this.#element = element;

@@ -1,6 +1,7 @@
 /** The shadow tree of `<turnleaf-book>`: its parts, its messages, its style. */
 
 import { pagesAt } from "../book/spreads.ts";
+import { ElementPlane } from "../element_plane.ts";
 import type { PageSource } from "../sources/page_source.ts";
 import type { Viewer } from "../viewer/viewer.ts";
 import { elementTexts, fill, list, number } from "../words/languages.ts";
@@ -18,6 +19,8 @@ export class ShadowTree {
   readonly frame: HTMLElement = document.createElement("div");
   /** The area in which the book lies: the element without its controls. */
   readonly stage: HTMLElement = document.createElement("div");
+  /** How the stage is seen in the window. */
+  readonly plane: ElementPlane = new ElementPlane(this.stage);
   /** Gives the element its size if the page gives it none. */
   readonly #sizer = document.createElement("div");
   readonly #message = document.createElement("div");

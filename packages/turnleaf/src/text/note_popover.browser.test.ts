@@ -68,3 +68,30 @@ test("a link out of an EPUB is followed only after its address was shown", async
   click.mockRestore();
   element.remove();
 });
+
+test.each(["", "zoom: 1.5", "rotate: 20deg; scale: 0.8", "scale: -1 1"])(
+  "a note stands beside its link where what is around the book says '%s'",
+  async (style) => {
+    const chapters = [
+      '<p>Text<a epub:type="noteref" href="c2.xhtml#n">1</a></p>',
+      '<aside id="n" epub:type="footnote">Said of it.</aside>',
+    ];
+    const element = book(tinyEpub({ chapters }), { duration: "0" });
+    const around = document.createElement("div");
+    around.style.cssText = `position: fixed; left: 60px; top: 40px; ${style}`;
+    document.body.append(around);
+    around.append(element);
+    await Promise.all([happens(element, "load"), happens(element, "pageschange")]);
+    const root = element.shadowRoot as ShadowRoot;
+    await eventually(() => root.querySelector(".text a[aria-haspopup]")).not.toBeNull();
+    const link = root.querySelector(".text a[aria-haspopup]") as HTMLAnchorElement;
+    link.click();
+    const [note, beside] = [root.querySelector(".note") as HTMLElement, link].map((at) =>
+      at.getBoundingClientRect(),
+    );
+    expect(note.top - beside.bottom).toBeCloseTo(8, 0);
+    expect(note.left).toBeLessThan(beside.right);
+    expect(note.right).toBeGreaterThan(beside.left);
+    around.remove();
+  },
+);

@@ -58,7 +58,9 @@ export class NotePopover {
     const left = Math.max(Math.min(middle, innerWidth - width - gap), gap);
     const isBelow = beside.bottom + gap + height <= innerHeight;
     const top = isBelow ? beside.bottom + gap : Math.max(beside.top - gap - height, gap);
-    Object.assign(element.style, { left: `${left}px`, top: `${top}px` });
+    // No transformation reaches what lies over everything, but the `zoom` around it does.
+    const zoom = width / element.offsetWidth || 1;
+    Object.assign(element.style, { left: `${left / zoom}px`, top: `${top / zoom}px` });
     element.focus({ preventScroll: true });
   }
 
